@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Unpacks Emscripten 3.1.69 from Debian 13 into .toolchain/ on a Debian 12 that has LLVM 19; installs nothing.
+# Binaryen of Debian 13 needs a newer libc than Debian 12 has, so its tools start through the unpacked loader.
+# Usage: toolchain.sh TARGET_FOLDER
+set -euo pipefail
+
+target=$(realpath -m "$1")
+work="$target.partial"
+rm -rf "$work"
+mkdir -p "$work/lists/partial" "$work/cache/archives/partial" "$work/debs" "$work/etc"
+
+# The mirror this machine already uses for Debian; no host is ever named here.
+mirror=$(apt-get indextargets --format '$(REPO_URI) $(CODENAME)' | awk '$2 ~ /^(bookworm|oldstable)$/ { print $1; exit }')
+[ -n "$mirror" ] || { echo "No Debian mirror was found in this machine's apt sources." >&2; exit 1; }
+echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror trixie main" > "$work/etc/trixie.list"
+
+trixie=(
+  -o "Dir::Etc::sourcelist=$work/etc/trixie.list" -o Dir::Etc::sourceparts=/dev/null
+  -o "Dir::State::Lists=$work/lists" -o "Dir::Cache=$work/cache" -o APT::Get::List-Cleanup=0
+  -o APT::Sandbox::User=root
+)
+apt-get "${trixie[@]}" -qq update
+(cd "$work/debs" && apt-get "${trixie[@]}" -qq download emscripten binaryen libstdc++6 libgcc-s1 libc6)
+
+mkdir -p "$work/root"
+for package in "$work"/debs/*.deb; do dpkg -x "$package" "$work/root"; done
+rm -rf "$work/debs" "$work/lists" "$work/cache" "$work/etc"
+
+# The rest of Emscripten must not know that it will be renamed: everything below is relative to $target.
+mv "$work/root" "$work.root" && rm -rf "$work" "$target" && mv "$work.root" "$target"
+
+lib="$target/usr/lib/x86_64-linux-gnu"
+loader=$(find "$target" -name 'ld-linux-x86-64.so.2' | head -n 1)
+mkdir -p "$target/binaryen/bin"
+for tool in "$target"/usr/bin/wasm*; do
+  name=$(basename "$tool")
+  printf '#!/bin/sh\nexec "%s" --library-path "%s" "%s" "$@"\n' "$loader" "$lib" "$tool" > "$target/binaryen/bin/$name"
+  chmod +x "$target/binaryen/bin/$name"
+done
+
+emscripten="$target/usr/share/emscripten"
+mkdir -p "$emscripten/node_modules"
+ln -sfn /usr/share/nodejs/acorn "$emscripten/node_modules/acorn"
+cat > "$emscripten/.emscripten" <<CONFIG
+LLVM_ROOT = '/usr/lib/llvm-19/bin'
+BINARYEN_ROOT = '$target/binaryen'
+NODE_JS = '$(command -v node)'
+CACHE = '$target/cache'
+CONFIG
+
+# Only the prebuilt system libraries that are linked are worth their disk space: everything else is built on demand.
+found=$(find "$target/usr" -type d -name sysroot -path '*cache*' | head -n 1)
+[ -z "$found" ] || { mkdir -p "$target/cache"; cp -a "$(dirname "$found")/." "$target/cache/"; rm -rf "$(dirname "$found")"; }

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/job.h"
+#include "base/parallel.h"
+
+namespace limber {
+namespace {
+
+std::vector<double> squares(int threads) {
+  setThreadCount(threads);
+  std::vector<double> out(1000);
+  parallelFor(out.size(), 7, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) out[i] = static_cast<double>(i) * static_cast<double>(i);
+  });
+  setThreadCount(1);
+  return out;
+}
+
+TEST(ParallelFor, visitsEveryItemOnceForAnyNumberOfThreads) {
+  const auto expected = squares(1);
+  EXPECT_EQ(expected[31], 961);
+  for (int threads : {2, 3, 4}) EXPECT_EQ(squares(threads), expected);
+}
+
+TEST(ParallelFor, rethrowsTheErrorOfTheFirstRange) {
+  for (int threads : {1, 4}) {
+    setThreadCount(threads);
+    std::string message;
+    try {
+      parallelFor(100, 10, [](size_t begin, size_t) {
+        if (begin >= 30) throw std::runtime_error("range " + std::to_string(begin));
+      });
+    } catch (const std::runtime_error& error) {
+      message = error.what();
+    }
+    EXPECT_EQ(message, "range 30");
+  }
+  setThreadCount(1);
+}
+
+TEST(ParallelFor, anInnerLoopRunsOnItsOwnThread) {
+  setThreadCount(3);
+  std::vector<int> sums(20);
+  parallelFor(sums.size(), 1, [&](size_t begin, size_t) {
+    std::vector<int> ones(50);
+    parallelFor(ones.size(), 5, [&](size_t b, size_t e) {
+      for (size_t i = b; i < e; ++i) ones[i] = 1;
+    });
+    sums[begin] = std::accumulate(ones.begin(), ones.end(), 0);
+  });
+  setThreadCount(1);
+  for (int sum : sums) EXPECT_EQ(sum, 50);
+}
+
+TEST(ThreadCount, refusesLessThanOne) {
+  EXPECT_THROW(setThreadCount(0), std::invalid_argument);
+}
+
+TEST(Job, throwsOnceCancelledAndStartsAfreshAfterReset) {
+  Job job;
+  job.begin(Phase::Solve);
+  job.report(0.25);
+  EXPECT_EQ(job.words[1].load(), static_cast<int32_t>(Phase::Solve));
+  EXPECT_EQ(job.words[2].load(), 2500);
+  job.requestCancel();
+  EXPECT_THROW(job.check(), Cancelled);
+  EXPECT_THROW(job.report(0.5), Cancelled);
+  job.reset();
+  EXPECT_NO_THROW(job.report(0.5));
+}
+
+TEST(Job, tellsItsObserverEachPercentOnce) {
+  Job job;
+  std::vector<double> seen;
+  job.observer = [&](Phase, double fraction) { seen.push_back(fraction); };
+  job.begin(Phase::Strain);
+  for (int i = 0; i <= 1000; ++i) job.report(i / 1000.0);
+  EXPECT_EQ(seen.size(), 101u);
+}
+
+}  // namespace
+}  // namespace limber

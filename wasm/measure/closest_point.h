@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace limber {
+
+// A point of a surface: triangle and barycentric coordinates.
+struct SurfacePoint {
+  uint32_t triangle = kNone;
+  double barycentric[3] = {0, 0, 0};
+  Vec3 position;
+  double distance = 0;
+};
+
+// Bounding volume hierarchy over the triangles of a mesh that must outlive it. Built once, queried from any
+// thread.
+class ClosestPointTree {
+ public:
+  explicit ClosestPointTree(const TriangleMesh& mesh);
+  // The closest point of the surface; ties go to the lowest triangle index. The mesh must have a triangle.
+  SurfacePoint closest(const Vec3& point) const;
+
+ private:
+  struct Node {
+    Vec3 low, high;
+    uint32_t first = 0, count = 0;  // a leaf's triangles in order_; count 0: an inner node
+    uint32_t right = 0;             // an inner node's second child; the first follows it
+  };
+  uint32_t build(uint32_t first, uint32_t count, std::vector<Vec3>& centres);
+
+  const TriangleMesh& mesh_;
+  std::vector<Node> nodes_;
+  std::vector<uint32_t> order_;
+};
+
+}  // namespace limber

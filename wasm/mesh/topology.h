@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace limber {
+
+// Which triangles meet where. Edges are undirected, sorted by (smaller vertex, larger vertex); all lists
+// ascend.
+struct Topology {
+  struct Edge {
+    uint32_t a, b;                // a < b
+    uint32_t firstUse, useCount;  // its triangles: edgeTriangles[firstUse .. firstUse + useCount)
+  };
+  std::vector<Edge> edges;
+  std::vector<uint32_t> edgeTriangles;
+  std::vector<uint32_t> edgeOfCorner;  // [3 * t + c]: the edge opposite to corner c of triangle t
+  std::vector<uint32_t> vertexStart;   // size vertexCount + 1
+  std::vector<uint32_t>
+      vertexTriangles;  // triangles around v: vertexTriangles[vertexStart[v] .. vertexStart[v + 1])
+  std::vector<uint32_t>
+      componentOfVertex;  // vertices joined by edges; components numbered by their smallest vertex
+  uint32_t componentCount = 0;
+
+  std::span<const uint32_t> trianglesAround(uint32_t v) const {
+    return {vertexTriangles.data() + vertexStart[v], vertexStart[v + 1] - vertexStart[v]};
+  }
+  std::span<const uint32_t> trianglesAt(const Edge& e) const {
+    return {edgeTriangles.data() + e.firstUse, e.useCount};
+  }
+};
+
+// O(n log n). Every vertex of `mesh` should be used by a triangle; an unused one is a component of its own.
+Topology buildTopology(const TriangleMesh& mesh);
+
+// The component of each triangle: that of its first vertex.
+std::vector<uint32_t> componentOfTriangle(const TriangleMesh& mesh, const Topology& topology);
+
+}  // namespace limber

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "base/job.h"
+#include "mesh/triangle_mesh.h"
+#include "modes/modes.h"
+
+namespace limber {
+
+// How alike two bodies vibrate: Morley shell on both, thickness a fraction of the ORIGINAL's diagonal, exact
+// solves, modes matched one to one by mass-weighted MAC after closest-point transfer onto the original.
+// Errors in %.
+struct Fidelity {
+  double frequencyErrorMean = 0, frequencyErrorMax = 0;
+  double frequencyErrorCalibrated = 0;                     // mean error after the best single factor on E
+  double calibrationFactor = 1;                            // that factor
+  double frequencyErrorThin = 0, frequencyErrorThick = 0;  // means at half and at twice the thickness
+  double frequencyErrorHigh = 0;                           // mean over the next ten modes
+  double macMean = 0, macMin = 0;  // subspace MACs over modes whose frequencies lie within 10 %
+};
+
+struct FidelityOptions {
+  int modeCount = 10;
+  double thickness = 0;  // in units of the mesh, > 0
+  double young = 0, poisson = 0, density = 0, unit = 1;
+};
+
+Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other,
+                         const FidelityOptions& options, Job& job);
+
+}  // namespace limber

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace limber {
+
+// Why the edges that are left at the floor cannot collapse, each counted under its first reason.
+struct Refused {
+  uint32_t topology = 0;  // the link condition: components, holes or handles would change
+  uint32_t flip = 0;      // a face would turn over or lose its area
+  uint32_t lock = 0;      // a non-manifold edge or vertex
+};
+
+// Every collapse from the input down to the floor, in order. Collapse i moves vertex kept[i] to position i,
+// gives it the triangles of removed[i], and leaves trianglesAfter[i] triangles.
+struct History {
+  uint32_t vertexCount = 0, triangleCount = 0;  // of the input
+  std::vector<uint32_t> kept, removed;          // vertices of the input
+  std::vector<float> positions;                 // positions[3 * i + c]
+  std::vector<uint32_t> trianglesAfter;         // strictly descending
+  Refused refused;                              // at the floor
+
+  uint32_t collapseCount() const { return static_cast<uint32_t>(kept.size()); }
+};
+
+// The mesh at one moment of a history, with unused vertices dropped and the input's order kept.
+struct MeshAt {
+  TriangleMesh mesh;
+  std::vector<uint32_t> vertexOfInput;    // per input vertex: the vertex of `mesh` that it has become
+  std::vector<uint32_t> inputOfVertex;    // per vertex of `mesh`: the input vertex that has survived as it
+  std::vector<uint32_t> inputOfTriangle;  // per triangle of `mesh`: which input triangle it is
+};
+
+// The largest mesh of the history with at most `faces` triangles; the floor where there is none. O(input),
+// independent of any earlier call. Throws std::invalid_argument where `history` does not belong to `input`.
+MeshAt meshAt(const TriangleMesh& input, const History& history, uint32_t faces);
+
+}  // namespace limber

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+
+#include "base/job.h"
+#include "mesh/triangle_mesh.h"
+#include "simplify/history.h"
+
+namespace limber {
+
+enum class Method : int32_t { Qem = 0, Paper = 1 };
+
+struct SimplifyOptions {
+  Method method = Method::Paper;
+  double strainWeight = 0;     // alpha of Eq. 11
+  double curvatureWeight = 0;  // beta
+  double qualityWeight = 0;    // gamma
+};
+
+// What guides `paper`; `qem` ignores both. Empty spans count as 0 everywhere.
+struct Guidance {
+  std::span<const float> strain;     // per triangle, in [0, 1]: rank of the (combined) strain
+  std::span<const float> curvature;  // per vertex, in [0, 1]: mean curvature over its maximum
+};
+
+// Collapses edges, cheapest first, until no legal edge is left, and records every step.
+// qem: area-weighted normalised plane quadrics with border quadrics (Garland 1999). paper: Eq. 11 with E_QEM
+// in a frame whose bounding diagonal is 300 (Eq. 11 carries no length; see docs/paper.md). Legal: the link
+// condition holds (components, boundary loops and genus stay), no face turns over, non-manifold edges and
+// vertices stay untouched. A refused edge is tried again when its surroundings change. Ties go to the lower
+// vertex indices. Throws Cancelled, and std::invalid_argument where a guidance field has the wrong size.
+History simplify(const TriangleMesh& mesh, const Guidance& guidance, const SimplifyOptions& options,
+                 Job& job);
+
+}  // namespace limber
