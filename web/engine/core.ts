@@ -1,0 +1,266 @@
+/**
+ * The typed face of the C++ core: plain data and free functions, the same names as in `wasm/`. Typed arrays are copied at
+ * the edge, in and out; nothing here remembers anything between calls.
+ */
+
+/** An indexed triangle surface; corners counter-clockwise seen from outside. Every coordinate is a float32. */
+export interface TriangleMesh {
+  /** positions[3 * v + c], in units of the file */
+  positions: Float32Array;
+  /** triangles[3 * t + corner], vertex indices */
+  triangles: Uint32Array;
+}
+
+export interface WeldOptions {
+  /** vertices closer than this become one, in % of the bounding box's diagonal; 0: bitwise equal positions only */
+  tolerance: number;
+}
+
+/** A body ready for everything else, and where its parts came from. */
+export interface WeldResult {
+  mesh: TriangleMesh;
+  /** per source vertex: its vertex in `mesh`, or NONE where no usable face needs it */
+  vertexOfSource: Uint32Array;
+  /** per triangle of `mesh`: its index in the source */
+  sourceOfTriangle: Uint32Array;
+  weldedVertices: number;
+  degenerateFaces: number;
+  duplicateFaces: number;
+  flippedFaces: number;
+  /** the source as it came: welded, degenerate faces dropped, duplicates still there */
+  inspection: Inspection;
+}
+
+export const NONE = 0xffffffff;
+
+/** What a mesh is like, and what is wrong with it. */
+export interface Inspection {
+  vertices: number;
+  faces: number;
+  components: number;
+  boundaryLoops: number;
+  /** summed over components; null where the mesh is non-manifold or not orientable */
+  genus: number | null;
+  eulerCharacteristic: number;
+  nonManifoldEdges: number;
+  nonManifoldVertices: number;
+  orientationClashes: number;
+}
+
+export type Model = 'laplacian' | 'shell';
+
+export interface ModesOptions {
+  model: Model;
+  /** elastic modes per component */
+  modeCount: number;
+  /** in units of the mesh */
+  thickness: number;
+  /** Pa */
+  young: number;
+  poisson: number;
+  /** kg/m3 */
+  density: number;
+  /** metres per unit of the mesh */
+  unit: number;
+}
+
+/** One elastic mode of one component. */
+export interface Mode {
+  /** rad/s */
+  omega: number;
+  /** |K phi - lambda M phi| / (lambda |M phi|) */
+  residual: number;
+  component: number;
+  /** it is the component's (layer + 1)-th elastic mode */
+  layer: number;
+  /** laplacian: the principal axis it moves along, 0 shortest .. 2 longest; otherwise -1 */
+  axis: number;
+}
+
+export interface ComponentModes {
+  faces: number;
+  zeroModesExpected: number;
+  zeroModesFound: number;
+  modeCount: number;
+}
+
+/** Modes of every component. Layer k holds, at each vertex, the (k + 1)-th elastic mode of the vertex's own component. */
+export interface ModeSet {
+  /** ascending by omega */
+  modes: Mode[];
+  components: ComponentModes[];
+  layerCount: number;
+  /** shapes[(layer * vertexCount + v) * 3 + c]; the largest displacement of each component's shape is 1 */
+  shapes: Float32Array;
+  /** per vertex */
+  componentOfVertex: Uint32Array;
+  factorNonzeros: number;
+}
+
+export interface GuidanceOptions {
+  /** modes by number from 0, each component's own */
+  layers: number[];
+  /** w_k of Eq. 6 per entry of `layers`; empty: 1 / omega_k^2 */
+  weights: number[];
+  /** in [1, Infinity] */
+  p: number;
+  /** ranks below it count as 0, in [0, 1] */
+  threshold: number;
+}
+
+export interface StrainGuidance {
+  /** per triangle: sigma of Eq. 6 */
+  strain: Float32Array;
+  /** per triangle: rank within its component, in [0, 1], 0 below the threshold */
+  rank: Float32Array;
+}
+
+export interface Curvature {
+  /** |mean curvature| per vertex, 1 / unit */
+  vertex: Float32Array;
+  /** per triangle, the mean of its vertices */
+  triangle: Float32Array;
+}
+
+export type Method = 'qem' | 'paper';
+
+export interface SimplifyOptions {
+  method: Method;
+  /** alpha of Eq. 11 */
+  strainWeight: number;
+  /** beta */
+  curvatureWeight: number;
+  /** gamma */
+  qualityWeight: number;
+}
+
+/** Why the edges left at the floor cannot collapse, each under its first reason. */
+export interface Refused {
+  topology: number;
+  flip: number;
+  lock: number;
+}
+
+/** Every collapse down to the floor. Collapse i moves vertex kept[i] to positions[3 * i + c] and takes in removed[i]. */
+export interface History {
+  vertexCount: number;
+  triangleCount: number;
+  kept: Uint32Array;
+  removed: Uint32Array;
+  positions: Float32Array;
+  /** triangles left after collapse i, descending */
+  trianglesAfter: Uint32Array;
+  refused: Refused;
+}
+
+export interface MeshAt {
+  mesh: TriangleMesh;
+  /** per input vertex: the vertex of `mesh` that it has become */
+  vertexOfInput: Uint32Array;
+  /** per vertex of `mesh`: the input vertex that has survived as it */
+  inputOfVertex: Uint32Array;
+  /** per triangle of `mesh`: which input triangle it is */
+  inputOfTriangle: Uint32Array;
+}
+
+export interface Quality {
+  /** degrees */
+  minAngle: number;
+  meanMinAngle: number;
+  /** Eq. 9 */
+  minQuality: number;
+  meanQuality: number;
+  /** triangles by smallest angle, 12 bins of 5 degrees */
+  angleHistogram: Uint32Array;
+}
+
+/** In units of the mesh. */
+export interface SurfaceDistance {
+  hausdorff: number;
+  mean: number;
+  vertexHausdorff: number;
+}
+
+export interface FidelityOptions {
+  modeCount: number;
+  thickness: number;
+  young: number;
+  poisson: number;
+  density: number;
+  unit: number;
+}
+
+/** Errors in %; the keys of the report. */
+export interface Fidelity {
+  frequencyErrorMean: number;
+  frequencyErrorMax: number;
+  frequencyErrorCalibrated: number;
+  calibrationFactor: number;
+  frequencyErrorThin: number;
+  frequencyErrorThick: number;
+  frequencyErrorHigh: number;
+  macMean: number;
+  macMin: number;
+}
+
+/** In the order of `enum class Phase` in wasm/base/job.h. */
+export const PHASES = [
+  'idle',
+  'welding vertices',
+  'assembling matrices',
+  'factorising',
+  'solving for modes',
+  'measuring strain',
+  'measuring curvature',
+  'collapsing edges',
+  'measuring distance',
+  'comparing modes',
+] as const;
+
+/** Progress of the running call. `fraction` is of the phase, in [0, 1]. */
+export interface Progress {
+  phase: (typeof PHASES)[number];
+  fraction: number;
+}
+
+/**
+ * The core. Every function is synchronous and may run for long: call it off the main thread. All throw an Error with one
+ * sentence; a cancelled call throws an Error whose name is 'Cancelled'.
+ */
+export interface Core {
+  /** 1 in the one-thread build */
+  threads: number;
+  /**
+   * The job's four words in shared memory ([0] cancel wish, [1] phase, [2] progress in 1/10,000): other threads read the
+   * progress and set the wish while a call runs. null in the one-thread build, whose progress comes through `onProgress`.
+   */
+  job: Int32Array | null;
+  weld(positions: Float32Array, indices: Uint32Array, options: WeldOptions): WeldResult;
+  inspect(mesh: TriangleMesh): Inspection;
+  computeModes(mesh: TriangleMesh, options: ModesOptions): ModeSet;
+  strainGuidance(mesh: TriangleMesh, modes: ModeSet, options: GuidanceOptions): StrainGuidance;
+  meanCurvature(mesh: TriangleMesh): Curvature;
+  /** strain: rank per triangle; curvature: per vertex, over its maximum; empty arrays count as 0 */
+  simplify(
+    mesh: TriangleMesh,
+    strain: Float32Array,
+    curvature: Float32Array,
+    options: SimplifyOptions,
+  ): History;
+  /** the largest mesh of the history with at most `faces` triangles */
+  meshAt(mesh: TriangleMesh, history: History, faces: number): MeshAt;
+  measureQuality(mesh: TriangleMesh): Quality;
+  measureSurfaceDistance(a: TriangleMesh, b: TriangleMesh): SurfaceDistance;
+  compareFidelity(original: TriangleMesh, other: TriangleMesh, options: FidelityOptions): Fidelity;
+  /** the size of the wasm memory, which never shrinks */
+  peakHeapBytes(): number;
+}
+
+export interface CoreOptions {
+  /** 0: min(cores, 8); 1 loads the one-thread build */
+  threads: number;
+  /** the address of the folder that holds limber-threads.mjs and limber-single.mjs, with a final slash */
+  wasmFolder: string;
+  /** called on the calling thread in the one-thread build, at most once a percent */
+  onProgress?: (progress: Progress) => void;
+}
