@@ -1,0 +1,35 @@
+// Builds the C++ core: twice as wasm for the product (threads and one thread), natively for tests and benchmarks.
+
+import { copyFileSync, existsSync, mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { findGoogleTest, folders, root, run } from './environment.mjs';
+
+/** Configures a preset once and builds `targets`. `quiet` shows the compiler's words only where it fails. */
+export function buildPreset(preset, targets, { emscripten, headers, quiet = true }) {
+  const folder = join(folders.build, preset);
+  if (!existsSync(join(folder, 'build.ninja'))) {
+    const args = ['--preset', preset, `-DLIMBER_HEADERS=${headers}`];
+    if (emscripten)
+      args.push(
+        `-DCMAKE_TOOLCHAIN_FILE=${join(emscripten, 'cmake', 'Modules', 'Platform', 'Emscripten.cmake')}`,
+      );
+    const tests = findGoogleTest();
+    args.push(tests ? `-DGOOGLETEST_SOURCE=${tests}` : '-DLIMBER_TESTS=OFF');
+    run('cmake', args, { quiet });
+  }
+  run('ninja', ['-C', folder, ...targets], { quiet });
+}
+
+/** Both wasm builds of the product, in public/wasm/. */
+export function buildWasm(setup) {
+  const target = join(root, 'public', 'wasm');
+  mkdirSync(target, { recursive: true });
+  for (const preset of ['threads', 'single']) {
+    buildPreset(preset, ['limber'], setup);
+    for (const ending of ['mjs', 'wasm'])
+      copyFileSync(
+        join(folders.build, preset, `limber-${preset}.${ending}`),
+        join(target, `limber-${preset}.${ending}`),
+      );
+  }
+}

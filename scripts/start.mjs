@@ -1,0 +1,12 @@
+// npm start: sets up, builds what is out of date, serves the app and prints its address.
+
+import { build } from './build.mjs';
+
+build();
+const { preview } = await import('vite');
+const port = Number(process.env.PORT ?? 4173);
+const server = await preview({
+  preview: { port, strictPort: false, host: process.env.HOST ?? 'localhost' },
+  logLevel: 'warn',
+});
+console.log(`Limber is at ${server.resolvedUrls?.local[0] ?? `http://localhost:${port}/`}  (Ctrl+C ends it)`);

@@ -1,0 +1,368 @@
+// The one file that knows both C++ and JavaScript: plain objects of web/engine/core.ts in, plain objects out.
+// Typed arrays are copied at the edge. A C++ exception is returned as an Error object, which web/engine/load_core.ts
+// throws: so no destructor on the C++ stack is skipped.
+
+#include <emscripten/bind.h>
+#include <emscripten/heap.h>
+#include <emscripten/val.h>
+
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/job.h"
+#include "base/parallel.h"
+#include "fields/curvature.h"
+#include "measure/quality.h"
+#include "measure/surface_distance.h"
+#include "mesh/inspect.h"
+#include "mesh/topology.h"
+#include "mesh/weld.h"
+#include "modes/modes.h"
+#include "pipeline/fidelity.h"
+#include "pipeline/guidance.h"
+#include "simplify/history.h"
+#include "simplify/simplify.h"
+
+using emscripten::val;
+
+namespace limber {
+namespace {
+
+Job theJob;
+
+// ---- arrays ----
+
+template <typename T>
+std::vector<T> vectorOf(const val& array) {
+  return emscripten::convertJSArrayToNumberVector<T>(array);
+}
+
+// A copy in JavaScript's own memory. `slice` copies shared memory into a plain buffer.
+template <typename T>
+val typedArray(const std::vector<T>& values) {
+  return val(emscripten::typed_memory_view(values.size(), values.data())).template call<val>("slice");
+}
+
+std::vector<float> floatPositions(const TriangleMesh& mesh) {
+  std::vector<float> flat;
+  flat.reserve(3 * mesh.positions.size());
+  for (const Vec3& p : mesh.positions)
+    for (int c = 0; c < 3; ++c) flat.push_back(static_cast<float>(p[c]));
+  return flat;
+}
+
+std::vector<uint32_t> flatTriangles(const TriangleMesh& mesh) {
+  std::vector<uint32_t> flat;
+  flat.reserve(3 * mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) flat.insert(flat.end(), t.begin(), t.end());
+  return flat;
+}
+
+val jsMesh(const TriangleMesh& mesh) {
+  val out = val::object();
+  out.set("positions", typedArray(floatPositions(mesh)));
+  out.set("triangles", typedArray(flatTriangles(mesh)));
+  return out;
+}
+
+TriangleMesh meshOf(const val& in) {
+  const auto positions = vectorOf<float>(in["positions"]);
+  const auto triangles = vectorOf<uint32_t>(in["triangles"]);
+  TriangleMesh mesh;
+  mesh.positions.resize(positions.size() / 3);
+  for (size_t v = 0; v < mesh.positions.size(); ++v)
+    mesh.positions[v] = {positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]};
+  mesh.triangles.resize(triangles.size() / 3);
+  for (size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int c = 0; c < 3; ++c) {
+      const uint32_t v = triangles[3 * t + c];
+      if (v >= mesh.positions.size())
+        throw std::invalid_argument("Triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
+                                    ", but the mesh has " + std::to_string(mesh.positions.size()) +
+                                    " vertices: weld the file's data first.");
+      mesh.triangles[t][c] = v;
+    }
+  return mesh;
+}
+
+// ---- mesh ----
+
+val jsInspection(const Inspection& inspection) {
+  val out = val::object();
+  out.set("vertices", inspection.vertices);
+  out.set("faces", inspection.faces);
+  out.set("components", inspection.components);
+  out.set("boundaryLoops", inspection.boundaryLoops);
+  out.set("genus", inspection.genus ? val(static_cast<double>(*inspection.genus)) : val::null());
+  out.set("eulerCharacteristic", static_cast<double>(inspection.eulerCharacteristic));
+  out.set("nonManifoldEdges", inspection.nonManifoldEdges);
+  out.set("nonManifoldVertices", inspection.nonManifoldVertices);
+  out.set("orientationClashes", inspection.orientationClashes);
+  return out;
+}
+
+val jsWeld(const val& positions, const val& indices, const val& options) {
+  const auto source = vectorOf<float>(positions);
+  const auto sourceIndices = vectorOf<uint32_t>(indices);
+  WeldOptions weldOptions;
+  weldOptions.tolerance = options["tolerance"].as<double>();
+  theJob.begin(Phase::Weld);
+  const WeldResult result = weld(source, sourceIndices, weldOptions, theJob);
+  weldOptions.keepDuplicates = true;
+  const WeldResult asItCame =
+      result.duplicateFaces ? weld(source, sourceIndices, weldOptions, theJob) : result;
+  val out = val::object();
+  out.set("mesh", jsMesh(result.mesh));
+  out.set("vertexOfSource", typedArray(result.vertexOfSource));
+  out.set("sourceOfTriangle", typedArray(result.sourceOfTriangle));
+  out.set("weldedVertices", result.weldedVertices);
+  out.set("degenerateFaces", result.degenerateFaces);
+  out.set("duplicateFaces", result.duplicateFaces);
+  out.set("flippedFaces", result.flippedFaces);
+  out.set("inspection", jsInspection(inspect(asItCame.mesh)));
+  return out;
+}
+
+val jsInspect(const val& mesh) {
+  return jsInspection(inspect(meshOf(mesh)));
+}
+
+// ---- modes ----
+
+val jsComputeModes(const val& jsMeshIn, const val& in) {
+  const TriangleMesh mesh = meshOf(jsMeshIn);
+  ModesOptions options;
+  options.model = in["model"].as<std::string>() == "shell" ? Model::Shell : Model::Laplacian;
+  options.modeCount = in["modeCount"].as<int>();
+  options.thickness = in["thickness"].as<double>();
+  options.young = in["young"].as<double>();
+  options.poisson = in["poisson"].as<double>();
+  options.density = in["density"].as<double>();
+  options.unit = in["unit"].as<double>();
+  const ModeSet set = computeModes(mesh, options, theJob);
+
+  val modes = val::array(), components = val::array(), out = val::object();
+  for (const Mode& mode : set.modes) {
+    val entry = val::object();
+    entry.set("omega", mode.omega);
+    entry.set("residual", mode.residual);
+    entry.set("component", mode.component);
+    entry.set("layer", mode.layer);
+    entry.set("axis", mode.axis);
+    modes.call<void>("push", entry);
+  }
+  for (const ComponentModes& component : set.components) {
+    val entry = val::object();
+    entry.set("faces", component.faces);
+    entry.set("zeroModesExpected", component.zeroModesExpected);
+    entry.set("zeroModesFound", component.zeroModesFound);
+    entry.set("modeCount", component.modeCount);
+    components.call<void>("push", entry);
+  }
+  out.set("modes", modes);
+  out.set("components", components);
+  out.set("layerCount", set.layerCount);
+  out.set("shapes", typedArray(set.shapes));
+  out.set("componentOfVertex", typedArray(buildTopology(mesh).componentOfVertex));
+  out.set("factorNonzeros", static_cast<double>(set.factorNonzeros));
+  return out;
+}
+
+// omega[component * layerCount + layer], 0 where the component lacks that mode.
+std::vector<double> omegaTable(const val& modeSet) {
+  const auto layerCount = modeSet["layerCount"].as<uint32_t>();
+  const auto componentCount = modeSet["components"]["length"].as<uint32_t>();
+  std::vector<double> omega(size_t{layerCount} * componentCount, 0.0);
+  const val modes = modeSet["modes"];
+  const auto modeCount = modes["length"].as<uint32_t>();
+  for (uint32_t i = 0; i < modeCount; ++i) {
+    const size_t at =
+        size_t{modes[i]["component"].as<uint32_t>()} * layerCount + modes[i]["layer"].as<uint32_t>();
+    if (at >= omega.size())
+      throw std::invalid_argument("A mode names a component or layer that its set does not have.");
+    omega[at] = modes[i]["omega"].as<double>();
+  }
+  return omega;
+}
+
+val jsStrainGuidance(const val& mesh, const val& modeSet, const val& in) {
+  GuidanceOptions options;
+  options.layers = vectorOf<uint32_t>(in["layers"]);
+  options.weights = vectorOf<double>(in["weights"]);
+  options.p = in["p"].as<double>();
+  options.threshold = in["threshold"].as<double>();
+  const auto shapes = vectorOf<float>(modeSet["shapes"]);
+  const StrainGuidance guidance = strainGuidance(meshOf(mesh), shapes, omegaTable(modeSet), options, theJob);
+  val out = val::object();
+  out.set("strain", typedArray(guidance.strain));
+  out.set("rank", typedArray(guidance.rank));
+  return out;
+}
+
+val jsMeanCurvature(const val& jsMeshIn) {
+  const TriangleMesh mesh = meshOf(jsMeshIn);
+  const Curvature curvature = meanCurvature(mesh, buildTopology(mesh), theJob);
+  val out = val::object();
+  out.set("vertex", typedArray(curvature.vertex));
+  out.set("triangle", typedArray(curvature.triangle));
+  return out;
+}
+
+// ---- simplification ----
+
+val jsSimplify(const val& mesh, const val& strain, const val& curvature, const val& in) {
+  SimplifyOptions options;
+  options.method = in["method"].as<std::string>() == "qem" ? Method::Qem : Method::Paper;
+  options.strainWeight = in["strainWeight"].as<double>();
+  options.curvatureWeight = in["curvatureWeight"].as<double>();
+  options.qualityWeight = in["qualityWeight"].as<double>();
+  const auto strainField = vectorOf<float>(strain), curvatureField = vectorOf<float>(curvature);
+  const History history = simplify(meshOf(mesh), {strainField, curvatureField}, options, theJob);
+  val out = val::object(), refused = val::object();
+  refused.set("topology", history.refused.topology);
+  refused.set("flip", history.refused.flip);
+  refused.set("lock", history.refused.lock);
+  out.set("vertexCount", history.vertexCount);
+  out.set("triangleCount", history.triangleCount);
+  out.set("kept", typedArray(history.kept));
+  out.set("removed", typedArray(history.removed));
+  out.set("positions", typedArray(history.positions));
+  out.set("trianglesAfter", typedArray(history.trianglesAfter));
+  out.set("refused", refused);
+  return out;
+}
+
+History historyOf(const val& in) {
+  History history;
+  history.vertexCount = in["vertexCount"].as<uint32_t>();
+  history.triangleCount = in["triangleCount"].as<uint32_t>();
+  history.kept = vectorOf<uint32_t>(in["kept"]);
+  history.removed = vectorOf<uint32_t>(in["removed"]);
+  history.positions = vectorOf<float>(in["positions"]);
+  history.trianglesAfter = vectorOf<uint32_t>(in["trianglesAfter"]);
+  return history;
+}
+
+val jsMeshAt(const val& mesh, const val& history, uint32_t faces) {
+  const MeshAt at = meshAt(meshOf(mesh), historyOf(history), faces);
+  val out = val::object();
+  out.set("mesh", jsMesh(at.mesh));
+  out.set("vertexOfInput", typedArray(at.vertexOfInput));
+  out.set("inputOfVertex", typedArray(at.inputOfVertex));
+  out.set("inputOfTriangle", typedArray(at.inputOfTriangle));
+  return out;
+}
+
+// ---- measures ----
+
+val jsMeasureQuality(const val& mesh) {
+  const QualityReport quality = measureQuality(meshOf(mesh));
+  val out = val::object();
+  out.set("minAngle", quality.minAngle);
+  out.set("meanMinAngle", quality.meanMinAngle);
+  out.set("minQuality", quality.minQuality);
+  out.set("meanQuality", quality.meanQuality);
+  out.set("angleHistogram", typedArray(quality.angleHistogram));
+  return out;
+}
+
+val jsMeasureSurfaceDistance(const val& a, const val& b) {
+  const SurfaceDistance distance = measureSurfaceDistance(meshOf(a), meshOf(b), {}, theJob);
+  val out = val::object();
+  out.set("hausdorff", distance.hausdorff);
+  out.set("mean", distance.mean);
+  out.set("vertexHausdorff", distance.vertexHausdorff);
+  return out;
+}
+
+val jsCompareFidelity(const val& original, const val& other, const val& in) {
+  FidelityOptions options;
+  options.modeCount = in["modeCount"].as<int>();
+  options.thickness = in["thickness"].as<double>();
+  options.young = in["young"].as<double>();
+  options.poisson = in["poisson"].as<double>();
+  options.density = in["density"].as<double>();
+  options.unit = in["unit"].as<double>();
+  const Fidelity fidelity = compareFidelity(meshOf(original), meshOf(other), options, theJob);
+  val out = val::object();
+  out.set("frequencyErrorMean", fidelity.frequencyErrorMean);
+  out.set("frequencyErrorMax", fidelity.frequencyErrorMax);
+  out.set("frequencyErrorCalibrated", fidelity.frequencyErrorCalibrated);
+  out.set("calibrationFactor", fidelity.calibrationFactor);
+  out.set("frequencyErrorThin", fidelity.frequencyErrorThin);
+  out.set("frequencyErrorThick", fidelity.frequencyErrorThick);
+  out.set("frequencyErrorHigh", fidelity.frequencyErrorHigh);
+  out.set("macMean", fidelity.macMean);
+  out.set("macMin", fidelity.macMin);
+  return out;
+}
+
+// ---- the running call ----
+
+uintptr_t jobAddress() {
+  return reinterpret_cast<uintptr_t>(&theJob.words[0]);
+}
+
+// Before each call: no wish to cancel, no progress. `observer` is null or called with (phase, fraction) on
+// this thread.
+void resetJob(const val& observer) {
+  theJob.reset();
+  theJob.observer = nullptr;
+  if (!observer.isNull())
+    theJob.observer = [observer](Phase phase, double fraction) {
+      observer(static_cast<int>(phase), fraction);
+    };
+}
+
+val jsError(const char* name, const std::string& message) {
+  val error = val::global("Error").new_(message);
+  error.set("name", std::string(name));
+  return error;
+}
+
+// `f` with every exception turned into an Error object that is returned.
+template <auto f>
+struct Guarded;
+template <typename... Arguments, val (*f)(Arguments...)>
+struct Guarded<f> {
+  static val call(Arguments... arguments) {
+    try {
+      return f(arguments...);
+    } catch (const Cancelled& error) {
+      return jsError("Cancelled", error.what());
+    } catch (const std::bad_alloc&) {
+      return jsError("Error",
+                     "Not enough memory for a mesh of this size: reduce it first, or ask for fewer modes.");
+    } catch (const std::exception& error) {
+      return jsError("Error", error.what());
+    }
+  }
+};
+
+double peakHeapBytes() {
+  return static_cast<double>(emscripten_get_heap_size());
+}
+
+}  // namespace
+}  // namespace limber
+
+EMSCRIPTEN_BINDINGS(limber) {
+  using namespace limber;
+  emscripten::function("weld", &Guarded<&jsWeld>::call);
+  emscripten::function("inspect", &Guarded<&jsInspect>::call);
+  emscripten::function("computeModes", &Guarded<&jsComputeModes>::call);
+  emscripten::function("strainGuidance", &Guarded<&jsStrainGuidance>::call);
+  emscripten::function("meanCurvature", &Guarded<&jsMeanCurvature>::call);
+  emscripten::function("simplify", &Guarded<&jsSimplify>::call);
+  emscripten::function("meshAt", &Guarded<&jsMeshAt>::call);
+  emscripten::function("measureQuality", &Guarded<&jsMeasureQuality>::call);
+  emscripten::function("measureSurfaceDistance", &Guarded<&jsMeasureSurfaceDistance>::call);
+  emscripten::function("compareFidelity", &Guarded<&jsCompareFidelity>::call);
+  emscripten::function("setThreadCount", &setThreadCount);
+  emscripten::function("threadCount", &threadCount);
+  emscripten::function("jobAddress", &jobAddress);
+  emscripten::function("resetJob", &resetJob);
+  emscripten::function("peakHeapBytes", &peakHeapBytes);
+}
