@@ -1,0 +1,66 @@
+#include "mesh/close_vertices.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace limber {
+namespace {
+
+using Cell = std::array<double, 3>;  // whole numbers; double holds them without overflow
+
+// A point in its cell of a grid; sorted by cell, then by point.
+struct Entry {
+  Cell cell;
+  uint32_t point;
+
+  bool operator<(const Entry& other) const {
+    return cell != other.cell ? cell < other.cell : point < other.point;
+  }
+};
+
+std::vector<Entry> sortIntoCells(const std::vector<Vec3>& points, double size) {
+  std::vector<Entry> entries(points.size());
+  for (uint32_t i = 0; i < points.size(); ++i) {
+    const Vec3& p = points[i];
+    entries[i] = {{std::floor(p.x / size), std::floor(p.y / size), std::floor(p.z / size)}, i};
+  }
+  std::ranges::sort(entries, std::less<>());
+  return entries;
+}
+
+uint32_t rootOf(std::vector<uint32_t>& parent, uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+}  // namespace
+
+std::vector<uint32_t> uniteCloseVertices(const std::vector<Vec3>& points, double distance, Job& job) {
+  std::vector<uint32_t> parent(points.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  if (!(distance > 0)) return parent;
+  const auto entries = sortIntoCells(points, distance);
+  const auto unite = [&](uint32_t i, uint32_t j) {
+    const uint32_t a = rootOf(parent, i), b = rootOf(parent, j);
+    if (a != b && squaredLength(points[i] - points[j]) < distance * distance)
+      parent[std::max(a, b)] = std::min(a, b);
+  };
+  for (const Entry& entry : entries) {
+    if (entry.point % 256 == 0) job.check();
+    // Cells that differ in z alone stand next to one another.
+    for (double dx = -1; dx <= 1; ++dx)
+      for (double dy = -1; dy <= 1; ++dy) {
+        const Cell low{entry.cell[0] + dx, entry.cell[1] + dy, entry.cell[2] - 1};
+        const Cell high{low[0], low[1], entry.cell[2] + 1};
+        auto other = std::lower_bound(entries.begin(), entries.end(), Entry{low, 0});
+        for (; other != entries.end() && other->cell <= high; ++other)
+          if (other->point < entry.point) unite(other->point, entry.point);
+      }
+  }
+  for (uint32_t i = 0; i < points.size(); ++i) parent[i] = rootOf(parent, i);
+  return parent;
+}
+
+}  // namespace limber
