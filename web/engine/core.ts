@@ -232,7 +232,7 @@ export interface Core {
   threads: number;
   /**
    * The job's four words in shared memory ([0] cancel wish, [1] phase, [2] progress in 1/10,000): other threads read the
-   * progress and set the wish while a call runs. null in the one-thread build, whose progress comes through `onProgress`.
+   * progress and set the wish while a call runs. null in the one-thread build, which has `onProgress` alone.
    */
   job: Int32Array | null;
   weld(positions: Float32Array, indices: Uint32Array, options: WeldOptions): WeldResult;
@@ -261,6 +261,6 @@ export interface CoreOptions {
   threads: number;
   /** the address of the folder that holds limber-threads.mjs and limber-single.mjs, with a final slash */
   wasmFolder: string;
-  /** called on the calling thread in the one-thread build, at most once a percent */
+  /** called on the calling thread in either build, at most once a percent */
   onProgress?: (progress: Progress) => void;
 }

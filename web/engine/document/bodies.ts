@@ -1,0 +1,142 @@
+/** The meshes of a glTF document as bodies: plain triangles in the mesh's own space. */
+
+import type { Accessor, Document, Mesh, Node, Primitive } from '@gltf-transform/core';
+import { GrowingFloats, GrowingIndices } from './growing';
+import { counted } from './model';
+import type { Body, PrimitiveSpan } from './model';
+
+/** glTF's primitive modes. */
+const LINES_FROM = 1;
+const TRIANGLES = 4;
+const TRIANGLE_STRIP = 5;
+const TRIANGLE_FAN = 6;
+
+/** What is gathered from the primitives of one mesh. */
+interface Gathering {
+  positions: GrowingFloats;
+  indices: GrowingIndices;
+  spans: PrimitiveSpan[];
+  /** primitives that share positions share the vertices of the body */
+  firstVertex: Map<Accessor, number>;
+  skipped: { points: number; lines: number; empty: number };
+}
+
+/** Throws an Error that names the mesh and primitive where data are broken, and where nothing has triangles. */
+export function bodiesOfDocument(file: string, document: Document): { bodies: Body[]; notes: string[] } {
+  const meshes = document.getRoot().listMeshes();
+  const bodies: Body[] = [];
+  const notes: string[] = [];
+  meshes.forEach((mesh, number) => {
+    const node = document
+      .getRoot()
+      .listNodes()
+      .find((candidate) => candidate.getMesh() === mesh);
+    const name = mesh.getName() || node?.getName() || `mesh ${number}`;
+    const gathering = gather(file, name, mesh);
+    const scaling = node ? scaleOf(node) : { scale: 1, isEven: true };
+    const bodyNotes = skippedNotes(gathering.skipped);
+    if (!scaling.isEven) bodyNotes.push('its node scales it unevenly: frequencies take the mean scale');
+    if (gathering.indices.length === 0) {
+      notes.push(
+        `mesh "${name}" has no triangles${bodyNotes.length > 0 ? ` (${bodyNotes.join(', ')})` : ''}`,
+      );
+      return;
+    }
+    const [positions, indices] = [gathering.positions.finish(), gathering.indices.finish()];
+    const { spans } = gathering;
+    bodies.push({ name, positions, indices, notes: bodyNotes, mesh: number, spans, scale: scaling.scale });
+  });
+  if (bodies.length > 0) return { bodies, notes };
+  const what = meshes.length === 0 ? 'has no mesh' : `has no triangles (${notes.join('; ')})`;
+  throw new Error(`${file} ${what}: export it with a triangle mesh.`);
+}
+
+function gather(file: string, name: string, mesh: Mesh): Gathering {
+  const gathering: Gathering = {
+    positions: new GrowingFloats(),
+    indices: new GrowingIndices(),
+    spans: [],
+    firstVertex: new Map(),
+    skipped: { points: 0, lines: 0, empty: 0 },
+  };
+  mesh.listPrimitives().forEach((primitive, number) => {
+    const mode: number = primitive.getMode();
+    const positions = primitive.getAttribute('POSITION');
+    if (mode < TRIANGLES) gathering.skipped[mode < LINES_FROM ? 'points' : 'lines'] += 1;
+    else if (!positions?.getArray() || positions.getCount() === 0) gathering.skipped.empty += 1;
+    else {
+      const where = `${file}, mesh "${name}", primitive ${number}`;
+      gathering.spans.push({ primitive: number, first: gathering.indices.length / 3 });
+      const first = addPositions(gathering, positions, where);
+      for (const vertex of cornersOf(primitive, positions.getCount(), where))
+        gathering.indices.push(first + vertex);
+    }
+  });
+  return gathering;
+}
+
+/** Adds the decoded positions, unless another primitive has; returns the body's number of the first one. */
+function addPositions({ positions, firstVertex }: Gathering, accessor: Accessor, where: string): number {
+  const known = firstVertex.get(accessor);
+  if (known !== undefined) return known;
+  const first = positions.length / 3;
+  const element: number[] = [];
+  for (let v = 0; v < accessor.getCount(); ++v) {
+    const [x, y, z] = accessor.getElement(v, element).map(Math.fround);
+    if (!Number.isFinite(x + y + z))
+      throw new Error(
+        `${where}: vertex ${v} is at (${x}, ${y}, ${z}), which is not finite: repair the mesh and export it again.`,
+      );
+    positions.push3(x, y, z);
+  }
+  firstVertex.set(accessor, first);
+  return first;
+}
+
+/** Three vertex indices per triangle, from a list, strip or fan. */
+function cornersOf(primitive: Primitive, vertexCount: number, where: string): Uint32Array {
+  const given = primitive.getIndices()?.getArray();
+  const indices = given ?? Uint32Array.from({ length: vertexCount }, (_, v) => v);
+  for (const vertex of indices)
+    if (vertex >= vertexCount)
+      throw new Error(
+        `${where}: index ${vertex} is out of range, there are ${vertexCount} vertices: repair the mesh and export it again.`,
+      );
+  const mode = primitive.getMode();
+  if (mode === TRIANGLES) return Uint32Array.from(indices.subarray(0, indices.length - (indices.length % 3)));
+  const triangles = new Uint32Array(3 * Math.max(0, indices.length - 2));
+  for (let t = 0; t < triangles.length / 3; ++t)
+    triangles.set(
+      stripCorners(mode, t).map((at) => indices[at]),
+      3 * t,
+    );
+  return triangles;
+}
+
+/** Positions in the index list of the corners of triangle t; every second one of a strip is turned. */
+function stripCorners(mode: number, t: number): [number, number, number] {
+  if (mode === TRIANGLE_FAN) return [0, t + 1, t + 2];
+  if (mode !== TRIANGLE_STRIP) throw new Error(`Primitive mode ${mode} is unknown.`);
+  return t % 2 === 0 ? [t, t + 1, t + 2] : [t + 1, t, t + 2];
+}
+
+function skippedNotes({ points, lines, empty }: Gathering['skipped']): string[] {
+  const kinds: [number, string][] = [
+    [points, 'primitive of points'],
+    [lines, 'primitive of lines'],
+    [empty, 'primitive without positions'],
+  ];
+  return kinds
+    .filter(([count]) => count > 0)
+    .map(([count, kind]) => `${counted(count, kind, kind.replace('primitive', 'primitives'))} skipped`);
+}
+
+/** How much larger the node makes the body: the cube root of its volume factor, and whether all axes agree. */
+function scaleOf(node: Node): { scale: number; isEven: boolean } {
+  const matrix = node.getWorldMatrix();
+  const lengths = [0, 4, 8].map((at) => Math.hypot(matrix[at], matrix[at + 1], matrix[at + 2]));
+  const product = lengths[0] * lengths[1] * lengths[2];
+  if (!(product > 0) || !Number.isFinite(product)) return { scale: 1, isEven: true };
+  const isEven = Math.max(...lengths) <= 1.001 * Math.min(...lengths);
+  return { scale: isEven ? lengths[0] : Math.cbrt(product), isEven };
+}

@@ -1,0 +1,48 @@
+/** Typed arrays that grow by doubling, for readers that learn the count at the end. */
+
+export class GrowingFloats {
+  length = 0;
+  private array = new Float32Array(1 << 12);
+
+  push3(x: number, y: number, z: number): void {
+    if (this.length + 3 > this.array.length) this.grow();
+    this.array[this.length++] = x;
+    this.array[this.length++] = y;
+    this.array[this.length++] = z;
+  }
+
+  finish(): Float32Array {
+    return this.array.slice(0, this.length);
+  }
+
+  /** The values so far; valid until the next push. */
+  view(): Float32Array {
+    return this.array.subarray(0, this.length);
+  }
+
+  private grow(): void {
+    const larger = new Float32Array(2 * this.array.length);
+    larger.set(this.array);
+    this.array = larger;
+  }
+}
+
+export class GrowingIndices {
+  length = 0;
+  private array = new Uint32Array(1 << 12);
+
+  push(value: number): void {
+    if (this.length === this.array.length) this.grow();
+    this.array[this.length++] = value;
+  }
+
+  finish(): Uint32Array {
+    return this.array.slice(0, this.length);
+  }
+
+  private grow(): void {
+    const larger = new Uint32Array(2 * this.array.length);
+    larger.set(this.array);
+    this.array = larger;
+  }
+}

@@ -1,0 +1,122 @@
+/** Vertex normals for display: smooth, and split along sharp edges. */
+
+import type { TriangleMesh } from '../core';
+
+/** Faces that meet at more than this keep an edge between them. */
+const CREASE_DEGREES = 60;
+const CREASE_COSINE = Math.cos((CREASE_DEGREES * Math.PI) / 180);
+
+export interface CornerNormals {
+  /** per corner 3 * t + k: a corner of the same vertex that has the same normal; the same for all that share it */
+  group: Uint32Array;
+  /** unit normals, normals[3 * corner + c]; filled at group corners only */
+  normals: Float32Array;
+}
+
+/** Angle-weighted normals over the corners of a vertex that are joined by edges below 60 degrees. */
+export function cornerNormals(mesh: TriangleMesh): CornerNormals {
+  const { triangles } = mesh;
+  const faceNormals = unitFaceNormals(mesh);
+  const group = smoothGroups(triangles, mesh.positions.length / 3, faceNormals);
+  const sums = new Float64Array(3 * triangles.length);
+  for (let corner = 0; corner < triangles.length; ++corner) {
+    const t = Math.floor(corner / 3);
+    const angle = angleAt(mesh, corner);
+    for (let c = 0; c < 3; ++c) sums[3 * group[corner] + c] += angle * faceNormals[3 * t + c];
+  }
+  return { group, normals: normalise(group, sums, faceNormals) };
+}
+
+/** Unit normals per triangle; 0 for a triangle without area. */
+function unitFaceNormals({ positions, triangles }: TriangleMesh): Float64Array {
+  const normals = new Float64Array(triangles.length);
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
+    const edge = (from: number, to: number, axis: number) => positions[to + axis] - positions[from + axis];
+    const part = (u: number, v: number) => edge(a, b, u) * edge(a, c, v) - edge(a, b, v) * edge(a, c, u);
+    const [x, y, z] = [part(1, 2), part(2, 0), part(0, 1)];
+    const length = Math.hypot(x, y, z);
+    if (length > 0) normals.set([x / length, y / length, z / length], t);
+  }
+  return normals;
+}
+
+/** Interior angle at a corner, in radians. */
+function angleAt({ positions, triangles }: TriangleMesh, corner: number): number {
+  const first = corner - (corner % 3);
+  const [at, next, previous] = [0, 1, 2].map((k) => 3 * triangles[first + ((corner + k) % 3)]);
+  let [along, a2, b2] = [0, 0, 0];
+  for (let c = 0; c < 3; ++c) {
+    const [a, b] = [positions[next + c] - positions[at + c], positions[previous + c] - positions[at + c]];
+    along += a * b;
+    a2 += a * a;
+    b2 += b * b;
+  }
+  const length = Math.sqrt(a2 * b2);
+  return length > 0 ? Math.acos(Math.min(1, Math.max(-1, along / length))) : 0;
+}
+
+/** Per corner the lowest corner of its group. */
+function smoothGroups(triangles: Uint32Array, vertexCount: number, faceNormals: Float64Array): Uint32Array {
+  const parent = Uint32Array.from(triangles, (_, corner) => corner);
+  const find = (corner: number): number => {
+    while (parent[corner] !== corner) corner = parent[corner] = parent[parent[corner]];
+    return corner;
+  };
+  const { first, corners } = cornersOfVertices(triangles, vertexCount);
+  const cornerAcross = new Map<number, number>();
+  for (let v = 0; v < vertexCount; ++v) {
+    cornerAcross.clear();
+    for (let at = first[v]; at < first[v + 1]; ++at) {
+      const corner = corners[at];
+      for (const step of [1, 2]) {
+        const neighbour = triangles[corner - (corner % 3) + ((corner + step) % 3)];
+        const other = cornerAcross.get(neighbour);
+        if (other === undefined) cornerAcross.set(neighbour, corner);
+        else if (isSmooth(faceNormals, corner, other)) {
+          const [a, b] = [find(corner), find(other)];
+          parent[Math.max(a, b)] = Math.min(a, b);
+        }
+      }
+    }
+  }
+  return Uint32Array.from(triangles, (_, corner) => find(corner));
+}
+
+function isSmooth(faceNormals: Float64Array, corner: number, other: number): boolean {
+  const [a, b] = [corner - (corner % 3), other - (other % 3)];
+  const cosine =
+    faceNormals[a] * faceNormals[b] +
+    faceNormals[a + 1] * faceNormals[b + 1] +
+    faceNormals[a + 2] * faceNormals[b + 2];
+  return cosine >= CREASE_COSINE;
+}
+
+/** The corners of vertex v are corners[first[v]] up to corners[first[v + 1]], ascending. */
+function cornersOfVertices(triangles: Uint32Array, vertexCount: number) {
+  const first = new Uint32Array(vertexCount + 1);
+  for (const v of triangles) first[v + 1] += 1;
+  for (let v = 0; v < vertexCount; ++v) first[v + 1] += first[v];
+  const next = first.slice();
+  const corners = new Uint32Array(triangles.length);
+  triangles.forEach((v, corner) => (corners[next[v]++] = corner));
+  return { first, corners };
+}
+
+/** A sum that vanishes falls back to its face, and a face without area to +z: a normal must have length 1. */
+function normalise(group: Uint32Array, sums: Float64Array, faceNormals: Float64Array): Float32Array {
+  const normals = new Float32Array(sums.length);
+  group.forEach((root, corner) => {
+    if (root !== corner) return;
+    const face = corner - (corner % 3);
+    const candidates = [
+      sums.subarray(3 * corner, 3 * corner + 3),
+      faceNormals.subarray(face, face + 3),
+      [0, 0, 1],
+    ];
+    const chosen = candidates.find((vector) => Math.hypot(...vector) > 1e-9)!;
+    const length = Math.hypot(...chosen);
+    for (let c = 0; c < 3; ++c) normals[3 * corner + c] = chosen[c] / length;
+  });
+  return normals;
+}

@@ -1,0 +1,199 @@
+/** PLY, text and binary of both byte orders: vertices, faces with any number of corners, triangle strips. One body. */
+
+import { GrowingIndices } from './growing';
+import { counted } from './model';
+import type { SourceFile } from './model';
+import { readPlyHeader } from './ply_header';
+import type { PlyElement, PlyHeader, PlyProperty, PlyType } from './ply_header';
+import { triangulatePolygon } from './polygon';
+import type { SurfaceFile } from './surface';
+import { TextScanner } from './text_scanner';
+
+const INDEX_LISTS = ['vertex_indices', 'vertex_index'];
+const UNREAD: Record<string, string> = {
+  red: 'vertex colours',
+  diffuse_red: 'vertex colours',
+  s: 'UV coordinates',
+  u: 'UV coordinates',
+  texture_u: 'UV coordinates',
+  texcoord: 'UV coordinates',
+};
+
+/** Values one after the other, whatever the encoding. */
+interface ValueSource {
+  read(type: PlyType): number;
+  skip(type: PlyType): void;
+  fail(problem: string): never;
+}
+
+/** What is gathered on the way: polygons as their corner counts and all corners in a row. */
+interface PlyContent {
+  positions: Float32Array;
+  cornerCounts: GrowingIndices;
+  corners: GrowingIndices;
+}
+
+/** Throws an Error that names the line, or the element and its number. */
+export function readPly(file: SourceFile): SurfaceFile {
+  const header = readPlyHeader(file);
+  const source = header.encoding === 'ascii' ? textSource(file, header) : binarySource(file, header);
+  const vertexCount = header.elements.find((element) => element.name === 'vertex')?.count ?? 0;
+  // Four bytes at least stand for a vertex, so that a false count cannot ask for endless memory.
+  if (vertexCount > file.bytes.length) source.fail(`${vertexCount} vertices do not fit into the file`);
+  const content: PlyContent = {
+    positions: new Float32Array(3 * vertexCount),
+    cornerCounts: new GrowingIndices(),
+    corners: new GrowingIndices(),
+  };
+  for (const element of header.elements) readElement(source, element, content);
+  if (content.cornerCounts.length === 0) {
+    const what = vertexCount > 0 ? `${counted(vertexCount, 'vertex', 'vertices')} but no faces` : 'no faces';
+    throw new Error(`${file.name} has ${what}: export it as a mesh with faces.`);
+  }
+  const name = file.name.replace(/^.*[/\\]/, '').replace(/\.[^.]*$/, '');
+  const { indices, polygons } = triangulate(file.name, content);
+  const notes =
+    polygons > 0 ? [`${counted(polygons, 'polygon')} with more than three corners cut into triangles`] : [];
+  const surface = { name, positions: content.positions, indices, notes };
+  return { surfaces: [surface], notes: [], unread: unreadOf(header) };
+}
+
+function unreadOf({ elements }: PlyHeader): string[] {
+  const names = elements.flatMap((element) => element.properties.map((property) => property.name));
+  return [...new Set(names.filter((name) => name in UNREAD).map((name) => UNREAD[name]))];
+}
+
+function readElement(source: ValueSource, element: PlyElement, content: PlyContent): void {
+  const { name, count, properties } = element;
+  const isVertex = name === 'vertex';
+  const axes = properties.map((property) => (isVertex ? ['x', 'y', 'z'].indexOf(property.name) : -1));
+  const isFace = properties.map(
+    (property) => (name === 'face' || name === 'tristrips') && INDEX_LISTS.includes(property.name),
+  );
+  for (let row = 0; row < count; ++row)
+    for (let i = 0; i < properties.length; ++i) {
+      const property = properties[i];
+      if (axes[i] >= 0) content.positions[3 * row + axes[i]] = readCoordinate(source, property, row);
+      else if (!isFace[i]) skipProperty(source, property);
+      else if (name === 'face') readPolygon(source, property, content);
+      else readStrips(source, property, content);
+    }
+}
+
+function readCoordinate(source: ValueSource, { name, type }: PlyProperty, row: number): number {
+  const value = Math.fround(source.read(type));
+  if (!Number.isFinite(value)) source.fail(`${name} of vertex ${row} is not a finite 32-bit number`);
+  return value;
+}
+
+function skipProperty(source: ValueSource, { type, countType }: PlyProperty): void {
+  const count = countType ? source.read(countType) : 1;
+  for (let i = 0; i < count; ++i) source.skip(type);
+}
+
+function readPolygon(source: ValueSource, { type, countType }: PlyProperty, content: PlyContent): void {
+  const count = source.read(countType!);
+  for (let i = 0; i < count; ++i) content.corners.push(source.read(type));
+  content.cornerCounts.push(count);
+}
+
+/** Strips of triangles, each ended by a negative index; every second triangle is turned. */
+function readStrips(source: ValueSource, { type, countType }: PlyProperty, content: PlyContent): void {
+  const count = source.read(countType!);
+  let [older, newer, length] = [0, 0, 0];
+  for (let i = 0; i < count; ++i) {
+    const vertex = source.read(type);
+    if (vertex >= 0 && ++length > 2) {
+      const isTurned = length % 2 === 0;
+      content.corners.push(isTurned ? newer : older);
+      content.corners.push(isTurned ? older : newer);
+      content.corners.push(vertex);
+      content.cornerCounts.push(3);
+    }
+    if (vertex < 0) length = 0;
+    [older, newer] = [newer, vertex];
+  }
+}
+
+/** Index triples of all polygons, and how many of them had more than three corners. */
+function triangulate(file: string, { positions, cornerCounts, corners }: PlyContent) {
+  const counts = cornerCounts.finish();
+  const flat = corners.finish();
+  const vertexCount = positions.length / 3;
+  const indices = new GrowingIndices();
+  let polygons = 0;
+  for (let face = 0, first = 0; face < counts.length; first += counts[face], ++face) {
+    const polygon = Array.from(flat.subarray(first, first + counts[face]));
+    for (const vertex of polygon)
+      if (vertex >= vertexCount)
+        throw new Error(
+          `${file}, face ${face}: it names vertex ${vertex | 0}, but vertices go from 0 to ${vertexCount - 1}: export it again.`,
+        );
+    if (polygon.length > 3) polygons += 1;
+    for (const vertex of trianglesOf(polygon, positions)) indices.push(vertex);
+  }
+  return { indices: indices.finish(), polygons };
+}
+
+/** A polygon with fewer than three different corners becomes one degenerate triangle, which welding counts. */
+function trianglesOf(polygon: number[], positions: Float32Array): number[] {
+  const corners = polygon.filter(
+    (vertex, i) => vertex !== polygon[(i + polygon.length - 1) % polygon.length],
+  );
+  if (corners.length === 0) return polygon.length > 0 ? [polygon[0], polygon[0], polygon[0]] : [];
+  while (corners.length < 3) corners.push(corners[corners.length - 1]);
+  return triangulatePolygon(corners, positions);
+}
+
+function textSource(file: SourceFile, header: PlyHeader): ValueSource {
+  const scan = new TextScanner(file.name, file.bytes, header.bodyAt);
+  scan.line = header.bodyLine;
+  return {
+    read: () => {
+      if (!scan.seekWordAnywhere()) scan.fail('the file ends too early: export it again');
+      return scan.number('a value');
+    },
+    skip: () => {
+      if (!scan.seekWordAnywhere()) scan.fail('the file ends too early: export it again');
+      scan.word();
+    },
+    fail: (problem) => scan.fail(problem),
+  };
+}
+
+const SIZES: Record<PlyType, number> = {
+  int8: 1,
+  uint8: 1,
+  int16: 2,
+  uint16: 2,
+  int32: 4,
+  uint32: 4,
+  float32: 4,
+  float64: 8,
+};
+
+function binarySource({ name, bytes }: SourceFile, header: PlyHeader): ValueSource {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const isLittle = header.encoding === 'little';
+  let at = header.bodyAt;
+  const readers: Record<PlyType, (at: number) => number> = {
+    int8: (at) => view.getInt8(at),
+    uint8: (at) => view.getUint8(at),
+    int16: (at) => view.getInt16(at, isLittle),
+    uint16: (at) => view.getUint16(at, isLittle),
+    int32: (at) => view.getInt32(at, isLittle),
+    uint32: (at) => view.getUint32(at, isLittle),
+    float32: (at) => view.getFloat32(at, isLittle),
+    float64: (at) => view.getFloat64(at, isLittle),
+  };
+  const fail = (problem: string): never => {
+    throw new Error(`${name}, byte ${at}: ${problem}.`);
+  };
+  const pass = (type: PlyType): number => {
+    const start = at;
+    if (start + SIZES[type] > bytes.length) fail('the file ends too early: export it again');
+    at += SIZES[type];
+    return start;
+  };
+  return { read: (type) => readers[type](pass(type)), skip: pass, fail };
+}

@@ -1,0 +1,134 @@
+/** Cuts one polygon of a file into triangles. */
+
+import earcut from 'earcut';
+
+/** A corner off the line between its neighbours by less than this, of the polygon's size, is dented inwards by as much. */
+const DENT = 1e-6;
+/** A triangle lower than this share of its longest side counts as none; float32 cannot tell it from a line. */
+const FLAT = 1e-6;
+/** Below this share of its size squared, twice a polygon's area counts as none. */
+const NO_AREA = 1e-12;
+
+/**
+ * Triangles of the polygon `corners` (vertex indices, without repeated neighbours, at least 3) as index triples: n - 2 of
+ * them, so that no corner is left out and neighbours still meet. A fan from the first corner that sees all others: the
+ * common rule, which convex polygons always meet. Other polygons are cut by ears in the plane of their Newell normal.
+ */
+export function triangulatePolygon(corners: number[], positions: Float32Array): number[] {
+  if (corners.length === 3) return corners;
+  const points = projectPolygon(corners, positions);
+  if (points !== null) {
+    for (let start = 0; start < corners.length; ++start)
+      if (isFanUpright(points, start)) return fan(corners, start);
+    const ears = earcut(dentStraightCorners(points));
+    if (ears.length === 3 * (corners.length - 2))
+      return orient(ears, points).map((corner) => corners[corner]);
+  }
+  return fan(corners, 0);
+}
+
+function fan(corners: number[], start: number): number[] {
+  const count = corners.length;
+  const triangles: number[] = [];
+  for (let i = 1; i + 1 < count; ++i)
+    triangles.push(corners[start], corners[(start + i) % count], corners[(start + i + 1) % count]);
+  return triangles;
+}
+
+/**
+ * The corners in the plane of the Newell normal, scaled to size 1 and turning left: points[2 * i + c]; null where the
+ * polygon has no area.
+ */
+function projectPolygon(corners: number[], positions: Float32Array): number[] | null {
+  const at = (i: number, c: number) => positions[3 * corners[i % corners.length] + c];
+  const normal = [0, 0, 0];
+  let size = 0;
+  for (let i = 0; i < corners.length; ++i)
+    for (let c = 0; c < 3; ++c) {
+      const [u, v] = [(c + 1) % 3, (c + 2) % 3];
+      // Relative to the first corner, so that a place far from the origin costs no digits.
+      normal[c] +=
+        (at(i, u) - at(0, u)) * (at(i + 1, v) - at(0, v)) - (at(i, v) - at(0, v)) * (at(i + 1, u) - at(0, u));
+      size = Math.max(size, Math.abs(at(i, c) - at(0, c)));
+    }
+  const length = Math.hypot(...normal);
+  if (!(length > NO_AREA * size * size)) return null;
+  const unit = normal.map((value) => value / length);
+  const [right, up] = planeAxes(unit);
+  return corners.flatMap((_, i) => {
+    const d = [0, 1, 2].map((c) => (at(i, c) - at(0, c)) / size);
+    return [dot(d, right), dot(d, up)];
+  });
+}
+
+/** Two unit vectors that make a right-handed frame with `normal`. */
+function planeAxes(normal: number[]): [number[], number[]] {
+  const smallest = normal.reduce(
+    (best, value, c) => (Math.abs(value) < Math.abs(normal[best]) ? c : best),
+    0,
+  );
+  const helper = [0, 1, 2].map((c) => (c === smallest ? 1 : 0));
+  const raw = cross(helper, normal);
+  const length = Math.hypot(...raw);
+  const right = raw.map((value) => value / length);
+  return [right, cross(normal, right)];
+}
+
+const dot = (a: number[], b: number[]) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a: number[], b: number[]) => [0, 1, 2].map((c) => crossPart(a, b, (c + 1) % 3, (c + 2) % 3));
+const crossPart = (a: number[], b: number[], u: number, v: number) => a[u] * b[v] - a[v] * b[u];
+
+/** Twice the signed area of the triangle of three corners. */
+function turn(points: number[], a: number, b: number, c: number): number {
+  const [ax, ay] = [points[2 * a], points[2 * a + 1]];
+  return (points[2 * b] - ax) * (points[2 * c + 1] - ay) - (points[2 * b + 1] - ay) * (points[2 * c] - ax);
+}
+
+/** Every triangle of the fan turns left, and the fan turns once at most. */
+function isFanUpright(points: number[], start: number): boolean {
+  const count = points.length / 2;
+  for (let i = 1; i + 1 < count; ++i) {
+    const [a, b] = [(start + i) % count, (start + i + 1) % count];
+    const longest = Math.max(distance(points, start, a), distance(points, a, b), distance(points, b, start));
+    if (!(turn(points, start, a, b) > FLAT * longest * longest)) return false;
+  }
+  return !windsTwice(points, start);
+}
+
+function distance(points: number[], a: number, b: number): number {
+  return Math.hypot(points[2 * a] - points[2 * b], points[2 * a + 1] - points[2 * b + 1]);
+}
+
+function windsTwice(points: number[], start: number): boolean {
+  const count = points.length / 2;
+  let angle = 0;
+  for (let i = 1; i + 1 < count; ++i) {
+    const [a, b] = [(start + i) % count, (start + i + 1) % count];
+    const [ax, ay] = [points[2 * a] - points[2 * start], points[2 * a + 1] - points[2 * start + 1]];
+    const [bx, by] = [points[2 * b] - points[2 * start], points[2 * b + 1] - points[2 * start + 1]];
+    angle += Math.atan2(ax * by - ay * bx, ax * bx + ay * by);
+  }
+  return angle > 2 * Math.PI;
+}
+
+/** earcut leaves out corners on straight sides, which would open a crack there; dented, they stay. */
+function dentStraightCorners(points: number[]): number[] {
+  const count = points.length / 2;
+  return points.map((value, at) => {
+    const i = at >> 1;
+    const [before, after] = [(i + count - 1) % count, (i + 1) % count];
+    const length = distance(points, before, after);
+    if (length === 0 || Math.abs(turn(points, before, i, after)) > DENT * length) return value;
+    const [x, y] = [points[2 * after] - points[2 * before], points[2 * after + 1] - points[2 * before + 1]];
+    return value + (DENT * (at % 2 === 0 ? -y : x)) / length;
+  });
+}
+
+/** Turns the triangles that turn right. */
+function orient(triangles: number[], points: number[]): number[] {
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = [triangles[t], triangles[t + 1], triangles[t + 2]];
+    if (turn(points, a, b, c) < 0) [triangles[t + 1], triangles[t + 2]] = [c, b];
+  }
+  return triangles;
+}

@@ -1,0 +1,178 @@
+/** Reads words and numbers from the bytes of a text file, in one pass, without making a string of the whole. */
+
+const TAB = 9;
+const NEWLINE = 10;
+const RETURN = 13;
+const SPACE = 32;
+const PLUS = 43;
+const MINUS = 45;
+const POINT = 46;
+const ZERO = 48;
+const BACKSLASH = 92;
+const LOWER_E = 101;
+
+/** Decimal powers that a double holds exactly. */
+const EXACT_POWERS = Array.from({ length: 23 }, (_, exponent) => Number(`1e${exponent}`));
+/** Integers of this many digits are exact in a double. */
+const EXACT_DIGITS = 15;
+const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
+
+export class TextScanner {
+  /** from 1 */
+  line = 1;
+  /** byte offset */
+  at: number;
+
+  constructor(
+    private readonly file: string,
+    private readonly bytes: Uint8Array,
+    start = 0,
+  ) {
+    const hasMark = start === 0 && bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf;
+    this.at = hasMark ? 3 : start;
+  }
+
+  get atEnd(): boolean {
+    return this.at >= this.bytes.length;
+  }
+
+  /** Skips blanks of this line, joining it with the next after a backslash; true where a word follows. */
+  seekWord(): boolean {
+    for (; this.at < this.bytes.length; ++this.at) {
+      const byte = this.bytes[this.at];
+      if (byte === BACKSLASH && this.isNewline(this.at + 1)) {
+        ++this.at;
+        this.passNewline();
+        --this.at;
+      } else if (byte !== SPACE && byte !== TAB) return byte !== NEWLINE && byte !== RETURN;
+    }
+    return false;
+  }
+
+  /** Skips blanks and line ends; true where a word follows. */
+  seekWordAnywhere(): boolean {
+    while (!this.seekWord()) {
+      if (this.atEnd) return false;
+      this.passNewline();
+    }
+    return true;
+  }
+
+  /** Goes to the start of the next line. */
+  nextLine(): void {
+    while (this.at < this.bytes.length && !this.isNewline(this.at)) ++this.at;
+    this.passNewline();
+  }
+
+  /** The word here; '' at the end of the line. */
+  word(): string {
+    if (!this.seekWord()) return '';
+    const start = this.at;
+    while (this.at < this.bytes.length && this.bytes[this.at] > SPACE) ++this.at;
+    return this.text(start, this.at);
+  }
+
+  /** What is left of this line, without blanks around it. */
+  rest(): string {
+    this.seekWord();
+    const start = this.at;
+    while (this.at < this.bytes.length && !this.isNewline(this.at)) ++this.at;
+    return this.text(start, this.at).trim();
+  }
+
+  /** The byte here; -1 at the end of the file. */
+  peek(): number {
+    return this.at < this.bytes.length ? this.bytes[this.at] : -1;
+  }
+
+  /** A finite number, correctly rounded to a double; `what` names it in the error. */
+  number(what: string): number {
+    if (!this.seekWord()) this.fail(`${what} is missing`);
+    const start = this.at;
+    const value = this.shortDecimal();
+    return Number.isNaN(value) ? this.slowNumber(start, what) : value;
+  }
+
+  /** An integer with an optional sign; NaN where there is none. Stops at the first other byte. */
+  integer(): number {
+    const isNegative = this.passSign();
+    let value = 0;
+    const start = this.at;
+    for (let digit; (digit = this.digit()) >= 0; ++this.at) value = 10 * value + digit;
+    if (this.at === start) return NaN;
+    return isNegative ? -value : value;
+  }
+
+  fail(problem: string): never {
+    throw new Error(`${this.file}, line ${this.line}: ${problem}.`);
+  }
+
+  /** Decimals with few digits are exact as integer times or over a power of ten; NaN for everything else. */
+  private shortDecimal(): number {
+    const isNegative = this.passSign();
+    const start = this.at;
+    let mantissa = 0;
+    let digits = 0;
+    let decimals = 0;
+    for (let digit; (digit = this.digit()) >= 0; ++this.at, ++digits) mantissa = 10 * mantissa + digit;
+    if (this.peek() === POINT) {
+      ++this.at;
+      for (let digit; (digit = this.digit()) >= 0; ++this.at, ++digits, ++decimals)
+        mantissa = 10 * mantissa + digit;
+    }
+    let exponent = -decimals;
+    if ((this.peek() | SPACE) === LOWER_E && digits > 0) {
+      ++this.at;
+      exponent += this.integer();
+    }
+    const isExact = digits > 0 && this.at - start < 40 && Math.abs(exponent) < EXACT_POWERS.length;
+    if (!isExact || this.peek() > SPACE || (digits > EXACT_DIGITS && mantissa >= 2 ** 53)) return NaN;
+    const value = exponent < 0 ? mantissa / EXACT_POWERS[-exponent] : mantissa * EXACT_POWERS[exponent];
+    return isNegative ? -value : value;
+  }
+
+  private slowNumber(start: number, what: string): number {
+    this.at = start;
+    const word = this.word();
+    const value = NUMBER.test(word) ? Number(word) : NaN;
+    if (Number.isNaN(value) && !/nan|inf|#/i.test(word))
+      this.fail(`${what} is "${excerpt(word)}", not a number`);
+    if (!Number.isFinite(value)) this.fail(`${what} is ${excerpt(word)}, not a finite number`);
+    return value;
+  }
+
+  private passSign(): boolean {
+    const byte = this.peek();
+    if (byte === MINUS || byte === PLUS) ++this.at;
+    return byte === MINUS;
+  }
+
+  /** The decimal digit here, otherwise something below 0. */
+  private digit(): number {
+    const digit = this.peek() - ZERO;
+    return digit > 9 ? -1 : digit;
+  }
+
+  private isNewline(at: number): boolean {
+    return this.bytes[at] === NEWLINE || this.bytes[at] === RETURN;
+  }
+
+  /** From a line end past it: LF, CR LF or CR. */
+  private passNewline(): void {
+    if (this.at >= this.bytes.length) return;
+    if (this.bytes[this.at] === RETURN && this.bytes[this.at + 1] === NEWLINE) ++this.at;
+    ++this.at;
+    ++this.line;
+  }
+
+  private text(start: number, end: number): string {
+    if (end - start === 1) return String.fromCharCode(this.bytes[start]);
+    return new TextDecoder().decode(this.bytes.subarray(start, end));
+  }
+}
+
+/** A piece of a stranger's text that can stand in a sentence. */
+export function excerpt(text: string): string {
+  const plain = text.replace(/[^\x20-\x7e\u00a0-\uffff]/g, '?');
+  return plain.length > 40 ? `${plain.slice(0, 37)}...` : plain;
+}

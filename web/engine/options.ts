@@ -1,0 +1,357 @@
+/**
+ * The one place of every setting: its default, range, unit, words and flag. Sliders, command-line flags and range checks
+ * are made from it.
+ */
+
+import type { Method, Model } from './core';
+
+/** Everything the user wants, in the words of the flags; plain data that can be stored and sent. */
+export interface Settings {
+  method: Method;
+  /** 'auto': what suits the method, see `resolveModel` */
+  model: 'auto' | Model;
+  /** elastic modes computed per component */
+  modeCount: number;
+  /** which elastic modes guide, from 1; 'auto': see `resolveModes` */
+  modes: 'auto' | 'all' | number[];
+  /** w_k of Eq. 6, one per guiding mode; empty: 1 / omega_k^2 */
+  modeWeights: number[];
+  /** p of Eq. 6, in [1, Infinity] */
+  p: number;
+  strainThreshold: number;
+  /** alpha of Eq. 11 */
+  strainWeight: number;
+  /** beta of Eq. 11 */
+  curvatureWeight: number;
+  /** gamma of Eq. 11 */
+  qualityWeight: number;
+  /** Pa */
+  young: number;
+  poisson: number;
+  /** kg/m3 */
+  density: number;
+  /** % of the body's bounding-box diagonal */
+  thickness: number;
+  /** metres per unit of the file */
+  unit: number;
+  /** welding distance, % of the diagonal; 0: bitwise equal positions only */
+  weld: number;
+  /** 0: as many as there are cores, at most 8 */
+  threads: number;
+}
+
+export type OptionGroup = 'method' | 'motion' | 'material' | 'common';
+
+/**
+ * How a setting is written: `choice` one of `choices`; `integer` and `number` within [min, max]; `modes` auto, all or a
+ * list of integers; `numbers` a list within [min, max] each.
+ */
+export type OptionKind = 'choice' | 'integer' | 'number' | 'modes' | 'numbers';
+
+export interface OptionSpec {
+  /** without the dashes */
+  flag: string;
+  label: string;
+  unit?: string;
+  /** smallest value that is accepted; of a list, of each entry */
+  min: number;
+  max: number;
+  /** a slider's step, and its span where the whole range would be useless */
+  step: number;
+  slider?: { min: number; max: number };
+  default: Settings[keyof Settings];
+  /** one sentence */
+  help: string;
+  group: OptionGroup;
+  kind: OptionKind;
+  choices?: readonly string[];
+}
+
+const none = { min: 0, max: 0, step: 0 };
+
+export const OPTIONS: Record<keyof Settings, OptionSpec> = {
+  method: {
+    flag: 'method',
+    label: 'Method',
+    ...none,
+    default: 'paper',
+    help: 'How the next edge is chosen: paper (strain, curvature and shape, Eq. 11) or qem (area-weighted quadrics alone).',
+    group: 'method',
+    kind: 'choice',
+    choices: ['paper', 'qem'],
+  },
+  strainWeight: {
+    flag: 'strain-weight',
+    label: 'Keep where it bends',
+    min: 0,
+    max: 1000,
+    step: 0.01,
+    slider: { min: 0, max: 1 },
+    default: 0.05,
+    help: 'Weight of the strain rank in the cost of an edge (alpha of Eq. 11).',
+    group: 'method',
+    kind: 'number',
+  },
+  curvatureWeight: {
+    flag: 'curvature-weight',
+    label: 'Keep the shape',
+    min: 0,
+    max: 1000,
+    step: 0.05,
+    slider: { min: 0, max: 5 },
+    default: 1,
+    help: 'Weight of the curvature in the cost of an edge (beta of Eq. 11).',
+    group: 'method',
+    kind: 'number',
+  },
+  qualityWeight: {
+    flag: 'quality-weight',
+    label: 'Even triangles',
+    min: 0,
+    max: 1000,
+    step: 0.005,
+    slider: { min: 0, max: 0.5 },
+    default: 0.01,
+    help: 'Weight of the triangle shape in the cost of an edge (gamma of Eq. 11).',
+    group: 'method',
+    kind: 'number',
+  },
+  model: {
+    flag: 'model',
+    label: 'Model',
+    ...none,
+    default: 'auto',
+    help: 'What resists deformation: shell (membrane and bending), laplacian (unit springs), or auto.',
+    group: 'motion',
+    kind: 'choice',
+    choices: ['auto', 'shell', 'laplacian'],
+  },
+  modeCount: {
+    flag: 'modes',
+    label: 'Modes to compute',
+    min: 1,
+    max: 100,
+    step: 1,
+    slider: { min: 1, max: 30 },
+    default: 12,
+    help: 'How many elastic modes are computed for each part.',
+    group: 'motion',
+    kind: 'integer',
+  },
+  modes: {
+    flag: 'mode',
+    label: 'Modes that guide',
+    min: 1,
+    max: 100,
+    step: 1,
+    default: 'auto',
+    help: 'Which elastic modes guide: numbers from 1 with commas, all, or auto (the first six; for the paper the first).',
+    group: 'motion',
+    kind: 'modes',
+  },
+  modeWeights: {
+    flag: 'mode-weights',
+    label: 'Weights of the modes',
+    min: 0,
+    max: 1e12,
+    step: 0.01,
+    default: [],
+    help: 'One weight for each guiding mode (w of Eq. 6); without it 1 / omega^2.',
+    group: 'motion',
+    kind: 'numbers',
+  },
+  p: {
+    flag: 'p',
+    label: 'Norm over the modes',
+    min: 1,
+    max: Infinity,
+    step: 1,
+    slider: { min: 1, max: 16 },
+    default: 2,
+    help: 'How the modes add up (p of Eq. 6): 1 sums, 2 is Euclidean, inf takes the largest.',
+    group: 'motion',
+    kind: 'number',
+  },
+  strainThreshold: {
+    flag: 'strain-threshold',
+    label: 'Strain that counts',
+    min: 0,
+    max: 1,
+    step: 0.01,
+    default: 0,
+    help: 'Strain ranks below this do not count.',
+    group: 'motion',
+    kind: 'number',
+  },
+  young: {
+    flag: 'young',
+    label: "Young's modulus",
+    unit: 'Pa',
+    min: 1e-3,
+    max: 1e13,
+    step: 1e5,
+    slider: { min: 1e4, max: 1e7 },
+    default: 1e6,
+    help: 'Stiffness of the material.',
+    group: 'material',
+    kind: 'number',
+  },
+  poisson: {
+    flag: 'poisson',
+    label: "Poisson's ratio",
+    min: -0.99,
+    max: 0.49,
+    step: 0.01,
+    slider: { min: 0, max: 0.49 },
+    default: 0.3,
+    help: 'How much the material narrows when it is stretched.',
+    group: 'material',
+    kind: 'number',
+  },
+  density: {
+    flag: 'density',
+    label: 'Density',
+    unit: 'kg/m3',
+    min: 1e-3,
+    max: 1e5,
+    step: 10,
+    slider: { min: 10, max: 8000 },
+    default: 1000,
+    help: 'Mass of a cubic metre of the material.',
+    group: 'material',
+    kind: 'number',
+  },
+  thickness: {
+    flag: 'thickness',
+    label: 'Thickness',
+    unit: '% of the diagonal',
+    min: 0.001,
+    max: 50,
+    step: 0.1,
+    slider: { min: 0.1, max: 10 },
+    default: 2,
+    help: 'Thickness of the shell in % of the diagonal of the body.',
+    group: 'material',
+    kind: 'number',
+  },
+  unit: {
+    flag: 'unit',
+    label: 'One unit of the file',
+    unit: 'm',
+    min: 1e-9,
+    max: 1e9,
+    step: 0.001,
+    slider: { min: 0.001, max: 1 },
+    default: 1,
+    help: 'Length of one unit of the file in metres; it changes frequencies, not the mesh.',
+    group: 'material',
+    kind: 'number',
+  },
+  weld: {
+    flag: 'weld',
+    label: 'Weld distance',
+    unit: '% of the diagonal',
+    min: 0,
+    max: 10,
+    step: 0.001,
+    slider: { min: 0, max: 0.1 },
+    default: 0,
+    help: 'Vertices closer than this become one, in % of the diagonal; 0 joins equal positions only.',
+    group: 'common',
+    kind: 'number',
+  },
+  threads: {
+    flag: 'threads',
+    label: 'Threads',
+    min: 0,
+    max: 32,
+    step: 1,
+    slider: { min: 0, max: 8 },
+    default: 0,
+    help: 'Threads to use; 0 takes all cores, at most 8. The result does not depend on it.',
+    group: 'common',
+    kind: 'integer',
+  },
+};
+
+const keys = Object.keys(OPTIONS) as (keyof Settings)[];
+
+/** A fresh copy of the defaults. */
+export function defaultSettings(): Settings {
+  const entries = keys.map((key) => [key, structuredClone(OPTIONS[key].default)]);
+  return Object.fromEntries(entries) as unknown as Settings;
+}
+
+/** Throws one sentence that names the flag, its range and the cure. */
+export function checkSettings(settings: Settings): void {
+  for (const key of keys) checkOption(OPTIONS[key], settings[key]);
+  const { modes, modeCount, modeWeights } = settings;
+  const highest = Array.isArray(modes) ? Math.max(...modes) : 0;
+  if (highest > modeCount) {
+    const cure = `raise --modes to ${highest} or name lower modes`;
+    throw new Error(`--mode names mode ${highest}, but --modes computes only ${modeCount}: ${cure}.`);
+  }
+  const guiding = resolveModes(settings).length;
+  if (modeWeights.length > 0 && modeWeights.length !== guiding)
+    throw new Error(
+      `--mode-weights has ${modeWeights.length} numbers for ${guiding} guiding modes: give one for each mode of --mode.`,
+    );
+}
+
+/**
+ * The model that guides: as asked; otherwise the paper's own for the paper's method, and a shell.
+ */
+export function resolveModel(settings: Settings): Model {
+  if (settings.model !== 'auto') return settings.model;
+  return settings.method === 'paper' ? 'laplacian' : 'shell';
+}
+
+/** The elastic modes that guide, from 1: `auto` is the first for the paper's method and otherwise the first six. */
+export function resolveModes(settings: Settings): number[] {
+  const { modes, modeCount, method } = settings;
+  if (Array.isArray(modes)) return modes;
+  const auto = method === 'paper' ? 1 : Math.min(6, modeCount);
+  return Array.from({ length: modes === 'all' ? modeCount : auto }, (_, index) => index + 1);
+}
+
+/** `range` in words: "a number from 0 to 1". */
+export function describeRange(option: OptionSpec): string {
+  const { min, max, kind } = option;
+  const noun = kind === 'integer' || kind === 'modes' ? 'a whole number' : 'a number';
+  const range = max === Infinity ? `${noun} of at least ${min}, or inf` : `${noun} from ${min} to ${max}`;
+  if (kind === 'choice') return `one of ${option.choices!.join(', ')}`;
+  if (kind === 'modes') return `auto, all, or numbers from ${min} to ${max} with commas`;
+  return kind === 'numbers' ? `numbers from ${min} to ${max} with commas` : range;
+}
+
+function checkOption(option: OptionSpec, value: Settings[keyof Settings]): void {
+  if (isAllowed(option, value)) return;
+  const shown = Array.isArray(value) ? value.join(',') || 'an empty list' : String(value);
+  throw new Error(
+    `--${option.flag} is ${shown}: give ${describeRange(option)} (default: ${describeDefault(option)}).`,
+  );
+}
+
+function describeDefault(option: OptionSpec): string {
+  const value = option.default;
+  return Array.isArray(value) ? '1 / omega^2' : String(value);
+}
+
+function isAllowed(option: OptionSpec, value: Settings[keyof Settings]): boolean {
+  const { kind, choices } = option;
+  if (kind === 'choice') return choices!.includes(String(value));
+  if (kind === 'modes' && (value === 'auto' || value === 'all')) return true;
+  const entries: unknown[] = Array.isArray(value) ? value : [value];
+  const isList = kind === 'modes' || kind === 'numbers';
+  if (isList !== Array.isArray(value) || (kind === 'modes' && !areDistinct(entries))) return false;
+  return entries.every((entry) => isInRange(option, entry));
+}
+
+function areDistinct(entries: unknown[]): boolean {
+  return entries.length > 0 && new Set(entries).size === entries.length;
+}
+
+function isInRange({ kind, min, max }: OptionSpec, value: unknown): boolean {
+  const isWhole = kind === 'integer' || kind === 'modes';
+  return typeof value === 'number' && value >= min && value <= max && (!isWhole || Number.isInteger(value));
+}

@@ -1,0 +1,265 @@
+/**
+ * The verbs over one body, in their order: prepare, find modes, find guidance, build the history, reduce, measure. Each
+ * is one or a few calls of the core; the page's worker and the command line run the same ones, so they give the same bytes.
+ */
+
+import type {
+  Core,
+  Curvature,
+  History,
+  Inspection,
+  MeshAt,
+  ModeSet,
+  Quality,
+  StrainGuidance,
+  SurfaceDistance,
+  TriangleMesh,
+  WeldResult,
+} from './core';
+import type { ExportedBody } from './document/export';
+import type { Body } from './document/model';
+import { resolveModel, resolveModes } from './options';
+import type { Settings } from './options';
+
+/** A body ready for everything else. */
+export interface PreparedBody {
+  body: Body;
+  weld: WeldResult;
+  /** the usable part, welded: what everything is computed on */
+  mesh: TriangleMesh;
+  /** of the bounding box of `mesh` */
+  diagonal: number;
+  /** of `mesh`; weld.inspection is of the body as it came */
+  inspection: Inspection;
+  quality: Quality;
+}
+
+/** What an optimized mesh is like beside its original. */
+export interface Measured {
+  /** of the mesh as a reader of the file would weld it */
+  weld: WeldResult;
+  inspection: Inspection;
+  quality: Quality;
+  /** in % of the original's diagonal */
+  distance: SurfaceDistance;
+  certificate: Certificate;
+}
+
+/** Whether the topology is the original's. */
+export interface Certificate {
+  components: boolean;
+  boundaryLoops: boolean;
+  genus: boolean;
+  /** all of them */
+  kept: boolean;
+}
+
+/** Seconds by stage. */
+export interface Timings {
+  weld: number;
+  modes: number;
+  /** strain and curvature */
+  fields: number;
+  /** from the guidance to the whole history */
+  simplify: number;
+  /** evaluating the history at the asked count */
+  reduce: number;
+  measure: number;
+}
+
+export interface OptimizedBody {
+  prepared: PreparedBody;
+  /** null for a method that needs none */
+  modes: ModeSet | null;
+  guidance: StrainGuidance | null;
+  curvature: Curvature;
+  history: History;
+  targetFaces: number;
+  result: MeshAt;
+  measured: Measured;
+  timings: Timings;
+}
+
+/** Welds and inspects. Throws an Error with one sentence where the body has no usable face. */
+export function prepareBody(core: Core, body: Body, settings: Settings): PreparedBody {
+  const weld = core.weld(body.positions, body.indices, { tolerance: settings.weld });
+  const { mesh } = weld;
+  if (mesh.triangles.length === 0)
+    throw new Error(
+      `Body "${body.name}" has no usable face: all ${body.indices.length / 3} are degenerate; repair it and export it again.`,
+    );
+  const [inspection, quality] = [core.inspect(mesh), core.measureQuality(mesh)];
+  return { body, weld, mesh, diagonal: diagonalOf(mesh), inspection, quality };
+}
+
+/** Elastic modes of every component, with the material of `settings` on the body in its first node's scale. */
+export function findModes(core: Core, prepared: PreparedBody, settings: Settings): ModeSet {
+  const { modeCount } = settings;
+  return core.computeModes(prepared.mesh, {
+    model: resolveModel(settings),
+    modeCount,
+    ...materialOf(prepared, settings),
+  });
+}
+
+/** The material on this body: thickness in units of its mesh, and metres per such unit. */
+export function materialOf({ body, diagonal }: PreparedBody, settings: Settings) {
+  const { young, poisson, density, thickness, unit } = settings;
+  return { young, poisson, density, thickness: (thickness / 100) * diagonal, unit: unit * body.scale };
+}
+
+/**
+ * Strain and its rank per triangle for the guiding modes. `auto` and `all` take those that exist; where there are none at
+ * all (a lone triangle) the strain is 0.
+ */
+export function findGuidance(
+  core: Core,
+  prepared: PreparedBody,
+  modes: ModeSet,
+  settings: Settings,
+): StrainGuidance {
+  const asked = resolveModes(settings).map((mode) => mode - 1);
+  const layers = Array.isArray(settings.modes) ? asked : asked.filter((layer) => layer < modes.layerCount);
+  if (modes.layerCount === 0 || layers.length === 0) {
+    const faces = prepared.mesh.triangles.length / 3;
+    return { strain: new Float32Array(faces), rank: new Float32Array(faces) };
+  }
+  const missing = layers.find((layer) => layer >= modes.layerCount);
+  if (missing !== undefined)
+    throw new Error(
+      `--mode names mode ${missing + 1}, but the body has only ${modes.layerCount}: name a lower one.`,
+    );
+  const { modeWeights, p, strainThreshold } = settings;
+  const weights = modeWeights.slice(0, layers.length);
+  return core.strainGuidance(prepared.mesh, modes, { layers, weights, p, threshold: strainThreshold });
+}
+
+/** Every collapse down to the floor. Without guidance the strain counts as 0; curvature enters over its maximum. */
+export function buildHistory(
+  core: Core,
+  prepared: PreparedBody,
+  guidance: StrainGuidance | null,
+  curvature: Curvature,
+  settings: Settings,
+): History {
+  const { method, strainWeight, curvatureWeight, qualityWeight } = settings;
+  const strain = guidance?.rank ?? new Float32Array(0);
+  const options = { method, strainWeight, curvatureWeight, qualityWeight };
+  return core.simplify(prepared.mesh, strain, overMaximum(curvature.vertex), options);
+}
+
+/** The largest mesh of the history with at most `faces` faces, or the floor. */
+export function reduceTo(core: Core, prepared: PreparedBody, history: History, faces: number): MeshAt {
+  return core.meshAt(prepared.mesh, history, Math.max(0, Math.floor(faces)));
+}
+
+/** Quality, distance and topology of a result, as a reader of the exported file finds it. */
+export function measureResult(core: Core, prepared: PreparedBody, result: MeshAt): Measured {
+  const weld = core.weld(result.mesh.positions, result.mesh.triangles, { tolerance: 0 });
+  const { inspection } = weld;
+  return {
+    weld,
+    inspection,
+    quality: core.measureQuality(result.mesh),
+    distance: measureDistance(core, prepared, result.mesh),
+    certificate: compareTopology(prepared.inspection, inspection),
+  };
+}
+
+/** Between the prepared mesh and `other`, in % of the prepared mesh's diagonal. */
+export function measureDistance(core: Core, prepared: PreparedBody, other: TriangleMesh): SurfaceDistance {
+  const distance = core.measureSurfaceDistance(prepared.mesh, other);
+  const percent = 100 / prepared.diagonal;
+  return {
+    hausdorff: percent * distance.hausdorff,
+    mean: percent * distance.mean,
+    vertexHausdorff: percent * distance.vertexHausdorff,
+  };
+}
+
+export function compareTopology(before: Inspection, after: Inspection): Certificate {
+  const components = before.components === after.components;
+  const boundaryLoops = before.boundaryLoops === after.boundaryLoops;
+  const genus = before.genus === after.genus && before.eulerCharacteristic === after.eulerCharacteristic;
+  return { components, boundaryLoops, genus, kept: components && boundaryLoops && genus };
+}
+
+/** Everything in order. `target` says how many of the usable faces may stay. */
+export function optimizeBody(
+  core: Core,
+  prepared: PreparedBody,
+  settings: Settings,
+  targetFaces: number,
+): OptimizedBody {
+  const stopwatch = startStopwatch();
+  const needsModes = settings.method !== 'qem';
+  const modes = needsModes ? findModes(core, prepared, settings) : null;
+  const modesTime = stopwatch();
+  const guidance = modes ? findGuidance(core, prepared, modes, settings) : null;
+  const curvature = core.meanCurvature(prepared.mesh);
+  const fields = stopwatch();
+  const history = buildHistory(core, prepared, guidance, curvature, settings);
+  const simplify = stopwatch();
+  const result = reduceTo(core, prepared, history, targetFaces);
+  const reduce = stopwatch();
+  const measured = measureResult(core, prepared, result);
+  const timings = { weld: 0, modes: modesTime, fields, simplify, reduce, measure: stopwatch() };
+  return { prepared, modes, guidance, curvature, history, targetFaces, result, measured, timings };
+}
+
+/** What `exportGlb` wants to know of a result. Fields go from triangles to vertices as means over the input's faces. */
+export function exportedBody(
+  prepared: PreparedBody,
+  result: MeshAt,
+  fields: { guidance: StrainGuidance | null; curvature: Curvature } | null,
+): ExportedBody {
+  const { sourceOfTriangle } = prepared.weld;
+  const inputOfTriangle = result.inputOfTriangle.map((triangle) => sourceOfTriangle[triangle]);
+  if (!fields) return { mesh: result.mesh, inputOfTriangle };
+  const strain = meanOverTriangles(prepared.mesh, fields.guidance?.rank);
+  const ofResult = (field: Float32Array) =>
+    Float32Array.from(result.inputOfVertex, (vertex) => field[vertex]);
+  return {
+    mesh: result.mesh,
+    inputOfTriangle,
+    fields: { strain: ofResult(strain), curvature: ofResult(fields.curvature.vertex) },
+  };
+}
+
+/** Seconds since the last call of the function that this returns. */
+export function startStopwatch(): () => number {
+  let last = performance.now();
+  return () => {
+    const now = performance.now();
+    const seconds = (now - last) / 1000;
+    last = now;
+    return seconds;
+  };
+}
+
+/** Per vertex, the mean of the triangles around it; 0 without a field. */
+function meanOverTriangles({ positions, triangles }: TriangleMesh, field?: Float32Array): Float32Array {
+  const sums = new Float64Array(positions.length / 3);
+  const counts = new Uint32Array(sums.length);
+  if (field)
+    triangles.forEach((vertex, corner) => {
+      sums[vertex] += field[Math.floor(corner / 3)];
+      counts[vertex] += 1;
+    });
+  return Float32Array.from(sums, (sum, vertex) => (counts[vertex] > 0 ? sum / counts[vertex] : 0));
+}
+
+function overMaximum(field: Float32Array): Float32Array {
+  const maximum = field.reduce((largest, value) => Math.max(largest, value), 0);
+  return maximum > 0 ? field.map((value) => value / maximum) : field;
+}
+
+function diagonalOf({ positions }: TriangleMesh): number {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  positions.forEach((value, i) => {
+    low[i % 3] = Math.min(low[i % 3], value);
+    high[i % 3] = Math.max(high[i % 3], value);
+  });
+  return Math.hypot(...high.map((value, c) => value - low[c]));
+}
