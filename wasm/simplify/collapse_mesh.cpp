@@ -1,0 +1,148 @@
+#include "simplify/collapse_mesh.h"
+
+#include <algorithm>
+
+#include "mesh/manifold.h"
+#include "mesh/orientation.h"
+
+namespace limber {
+
+CollapseMesh::CollapseMesh(const TriangleMesh& mesh) : livingTriangles_(mesh.triangleCount()) {
+  const Topology topology = buildTopology(mesh);
+  const Bounds box = bounds(mesh);
+  diagonal_ = box.diagonal();
+  for (int axis = 0; axis < 3; ++axis)
+    origin_[axis] = static_cast<float>(0.5 * box.low[axis] + 0.5 * box.high[axis]);
+  positions_ = mesh.positions;
+  for (Vec3& p : positions_) p -= origin_;
+
+  faces_.resize(mesh.triangleCount());
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    faces_[t].vertices = mesh.triangles[t];
+    std::copy_n(&topology.edgeOfCorner[3 * t], 3, faces_[t].edges.begin());
+  }
+  edges_.reserve(topology.edges.size());
+  trianglesOnEdge_.reserve(topology.edges.size());
+  for (const Topology::Edge& edge : topology.edges) {
+    edges_.push_back({edge.a, edge.b});
+    trianglesOnEdge_.push_back(static_cast<uint8_t>(std::min(edge.useCount, 3u)));
+  }
+  heirOf_.assign(edges_.size(), kNone);
+  collectStars(mesh);
+  classify(mesh, topology);
+}
+
+void CollapseMesh::collectStars(const TriangleMesh& mesh) {
+  stars_.assign(mesh.vertexCount(), {0, 0, 0});
+  for (const Triangle& triangle : mesh.triangles)
+    for (uint32_t v : triangle) ++stars_[v].capacity;
+  uint32_t begin = 0;
+  for (Star& star : stars_) {
+    star.begin = begin;
+    begin += star.capacity;
+  }
+  pool_.reserve(4 * size_t{begin});
+  pool_.resize(begin);
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    for (uint32_t c = 0; c < 3; ++c) {
+      Star& star = stars_[mesh.triangles[t][c]];
+      pool_[star.begin + star.count++] = 4 * t + c;
+    }
+}
+
+void CollapseMesh::classify(const TriangleMesh& mesh, const Topology& topology) {
+  const auto kinds = classifyVertices(mesh, topology);
+  freedom_.resize(mesh.vertexCount());
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    freedom_[v] = kinds[v] == VertexKind::Interior ? Freedom::Free
+                  : kinds[v] == VertexKind::Border ? Freedom::Border
+                                                   : Freedom::Locked;
+  for (const Topology::Edge& edge : topology.edges)
+    if (isClash(mesh, topology, edge)) freedom_[edge.a] = freedom_[edge.b] = Freedom::Locked;
+}
+
+std::array<float, 3> CollapseMesh::inFile(const Vec3& p) const {
+  const Vec3 q = p + origin_;
+  return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
+}
+
+Vec3 CollapseMesh::rounded(const Vec3& p) const {
+  const auto [x, y, z] = inFile(p);
+  return Vec3{x, y, z} - origin_;
+}
+
+bool CollapseMesh::isOn(const Face& face, uint32_t edge) const {
+  return face.edges[0] == edge || face.edges[1] == edge || face.edges[2] == edge;
+}
+
+void CollapseMesh::removeFromStar(uint32_t v, uint32_t triangle) {
+  Star& star = stars_[v];
+  Corner* corners = pool_.data() + star.begin;
+  const auto found =
+      std::find_if(corners, corners + star.count, [&](Corner c) { return triangleOf(c) == triangle; });
+  *found = corners[--star.count];
+}
+
+// Gives a corner of the removed vertex to the kept one, with the two edges that meet in it.
+void CollapseMesh::takeOver(Corner corner, const Collapse& step) {
+  Face& face = faces_[triangleOf(corner)];
+  const int c = indexOf(corner);
+  face.vertices[c] = step.kept;
+  for (const int side : {nextIndex(c), previousIndex(c)}) {
+    if (heirOf_[face.edges[side]] != kNone) face.edges[side] = heirOf_[face.edges[side]];
+    Edge& edge = edges_[face.edges[side]];
+    if (edge.a == step.removed) edge.a = step.kept;
+    if (edge.b == step.removed) edge.b = step.kept;
+  }
+}
+
+// Puts the joined star where the kept vertex's, or else the removed one's, has been, or in a new place with
+// room to grow, so that many collapses into one vertex cost no more than their sum.
+void CollapseMesh::storeStar(const std::vector<Corner>& joined, const Collapse& step) {
+  const auto count = static_cast<uint32_t>(joined.size());
+  Star& star = stars_[step.kept];
+  Star& spare = stars_[step.removed];
+  if (star.capacity < spare.capacity) std::swap(star, spare);
+  if (count > star.capacity) {
+    star = {static_cast<uint32_t>(pool_.size()), 0, count + count / 2};
+    pool_.resize(pool_.size() + star.capacity);
+  }
+  std::copy(joined.begin(), joined.end(), pool_.begin() + star.begin);
+  star.count = count;
+  spare.count = 0;
+}
+
+std::array<uint32_t, 2> CollapseMesh::collapse(const Collapse& step) {
+  std::array<uint32_t, 2> gone{kNone, kNone};
+  int goneCount = 0;
+  joined_.clear();
+  for (const Corner corner : star(step.kept)) {
+    const Face& face = faces_[triangleOf(corner)];
+    if (!isOn(face, step.edge)) {
+      joined_.push_back(corner);
+      continue;
+    }
+    // The triangle between kept, removed and a third vertex vanishes; its other two edges become one.
+    const int c = indexOf(corner);
+    const int third = face.edges[nextIndex(c)] == step.edge ? nextIndex(c) : previousIndex(c);
+    const uint32_t heir = face.edges[3 - c - third], dying = face.edges[c];
+    trianglesOnEdge_[heir] = static_cast<uint8_t>(trianglesOnEdge_[heir] + trianglesOnEdge_[dying] - 2);
+    trianglesOnEdge_[dying] = 0;
+    heirOf_[dying] = heir;
+    gone[goneCount++] = dying;
+    removeFromStar(face.vertices[third], triangleOf(corner));
+    --livingTriangles_;
+  }
+  trianglesOnEdge_[step.edge] = 0;
+  for (const Corner corner : star(step.removed)) {
+    if (isOn(faces_[triangleOf(corner)], step.edge)) continue;
+    takeOver(corner, step);
+    joined_.push_back(corner);
+  }
+  storeStar(joined_, step);
+  positions_[step.kept] = step.target;
+  if (freedom_[step.removed] == Freedom::Border) freedom_[step.kept] = Freedom::Border;
+  return gone;
+}
+
+}  // namespace limber

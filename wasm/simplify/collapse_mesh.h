@@ -1,0 +1,116 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/topology.h"
+#include "mesh/triangle_mesh.h"
+
+namespace limber {
+
+// A corner of a triangle, packed: 4 * triangle + (0, 1 or 2).
+using Corner = uint32_t;
+inline uint32_t triangleOf(Corner corner) {
+  return corner >> 2;
+}
+inline int indexOf(Corner corner) {
+  return static_cast<int>(corner & 3);
+}
+inline int nextIndex(int c) {
+  return c == 2 ? 0 : c + 1;
+}
+inline int previousIndex(int c) {
+  return c == 0 ? 2 : c - 1;
+}
+
+// What may happen to a vertex.
+enum class Freedom : uint8_t {
+  Free,    // inside the surface
+  Border,  // on a border: it stays on it
+  Locked,  // at a non-manifold vertex or edge, or where windings clash: neither moved nor removed
+};
+
+// A collapse: the triangles on `edge` vanish, `kept` goes to `target` and takes over the others of `removed`.
+struct Collapse {
+  uint32_t edge, kept, removed;
+  Vec3 target;  // in the mesh's own frame, see CollapseMesh::origin
+};
+
+// A mesh whose edges can be collapsed in constant time, in flat arrays. Triangles, edges and vertices keep
+// their indices for life; edges are those of the Topology of the input, sorted by their vertices.
+// Positions are relative to `origin`, the middle of the bounding box rounded to float32.
+class CollapseMesh {
+ public:
+  struct Edge {
+    uint32_t a, b;
+  };
+  struct Face {
+    Triangle vertices;
+    Triangle edges;  // edges[c] is opposite to vertices[c]
+  };
+
+  explicit CollapseMesh(const TriangleMesh& mesh);
+
+  uint32_t edgeCount() const { return static_cast<uint32_t>(edges_.size()); }
+  uint32_t vertexCount() const { return static_cast<uint32_t>(positions_.size()); }
+  uint32_t triangleCount() const { return livingTriangles_; }
+  double diagonal() const { return diagonal_; }
+
+  const Edge& edge(uint32_t e) const { return edges_[e]; }
+  // How many triangles an edge has: 0 once it is gone, 1 on a border, 2 inside, 3 for more than two.
+  int trianglesOnEdge(uint32_t e) const { return trianglesOnEdge_[e]; }
+  const Face& face(uint32_t t) const { return faces_[t]; }
+  const Vec3& position(uint32_t v) const { return positions_[v]; }
+  Freedom freedom(uint32_t v) const { return freedom_[v]; }
+  // The corners at a vertex, in no special order.
+  std::span<const Corner> star(uint32_t v) const { return {pool_.data() + stars_[v].begin, stars_[v].count}; }
+
+  // Calls visit(edge, other vertex) once for each edge of a vertex that is not locked.
+  template <class Visit>
+  void forEachEdge(uint32_t v, const Visit& visit) const {
+    for (const Corner corner : star(v)) {
+      const Face& face = faces_[triangleOf(corner)];
+      const int next = nextIndex(indexOf(corner)), previous = nextIndex(next);
+      visit(face.edges[previous], face.vertices[next]);
+      // Every other edge leaves v in one of its two triangles; the last of an open fan only arrives.
+      if (trianglesOnEdge_[face.edges[next]] == 1) visit(face.edges[next], face.vertices[previous]);
+    }
+  }
+
+  // The nearest point whose coordinates in the file are float32, and what these are.
+  Vec3 rounded(const Vec3& p) const;
+  std::array<float, 3> inFile(const Vec3& p) const;
+
+  // Carries out a legal collapse and returns the up to two further edges that are gone (else kNone): they
+  // have become one with edges of `kept`.
+  std::array<uint32_t, 2> collapse(const Collapse& step);
+
+ private:
+  struct Star {
+    uint32_t begin, count, capacity;
+  };
+
+  void collectStars(const TriangleMesh& mesh);
+  void classify(const TriangleMesh& mesh, const Topology& topology);
+  bool isOn(const Face& face, uint32_t edge) const;
+  void removeFromStar(uint32_t v, uint32_t triangle);
+  void takeOver(Corner corner, const Collapse& step);
+  void storeStar(const std::vector<Corner>& star, const Collapse& step);
+
+  Vec3 origin_;
+  double diagonal_ = 0;
+  uint32_t livingTriangles_ = 0;
+  std::vector<Vec3> positions_;
+  std::vector<Freedom> freedom_;
+  std::vector<Face> faces_;
+  std::vector<Edge> edges_;
+  std::vector<uint8_t> trianglesOnEdge_;
+  std::vector<Star> stars_;
+  std::vector<Corner> pool_;      // the stars' places
+  std::vector<uint32_t> heirOf_;  // of an edge that is gone: the edge it has become
+  std::vector<Corner> joined_;    // scratch
+};
+
+}  // namespace limber

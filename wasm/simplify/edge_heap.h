@@ -1,0 +1,97 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace limber {
+
+// A priority queue of edges, the cheapest first and the lower edge on a tie, in which an edge's cost can
+// change. Costs are compared as float32. A four-way heap of 64-bit keys: the cost's bits, which order like
+// the cost because it is not negative, above the edge's index.
+class EdgeHeap {
+ public:
+  explicit EdgeHeap(uint32_t edgeCount) : place_(edgeCount, kAbsent) {}
+
+  bool empty() const { return keys_.empty(); }
+  bool contains(uint32_t edge) const { return place_[edge] != kAbsent; }
+
+  // Adds an edge or changes its cost. `cost` must not be negative nor NaN.
+  void set(uint32_t edge, double cost) {
+    const uint64_t key = keyOf(edge, cost);
+    uint32_t place = place_[edge];
+    if (place == kAbsent) {
+      place = static_cast<uint32_t>(keys_.size());
+      keys_.push_back(key);
+    }
+    moveUp(place, key);
+    if (place_[edge] == place) moveDown(place, key);
+  }
+
+  // Adds an edge that is not there yet; the heap has no order until `build`.
+  void append(uint32_t edge, double cost) { keys_.push_back(keyOf(edge, cost)); }
+  void build() {
+    for (uint32_t place = 0; place < keys_.size(); ++place) store(place, keys_[place]);
+    for (uint32_t place = static_cast<uint32_t>(keys_.size()); place-- > 0;) moveDown(place, keys_[place]);
+  }
+
+  uint32_t pop() {
+    const uint32_t edge = edgeOf(keys_.front());
+    remove(edge);
+    return edge;
+  }
+
+  // Takes an edge out, if it is there.
+  void remove(uint32_t edge) {
+    const uint32_t place = place_[edge];
+    if (place == kAbsent) return;
+    place_[edge] = kAbsent;
+    const uint64_t last = keys_.back();
+    keys_.pop_back();
+    if (place == keys_.size()) return;
+    moveUp(place, last);
+    if (place_[edgeOf(last)] == place) moveDown(place, last);
+  }
+
+ private:
+  static constexpr uint32_t kAbsent = 0xffffffffu;
+
+  static uint64_t keyOf(uint32_t edge, double cost) {
+    return uint64_t{std::bit_cast<uint32_t>(static_cast<float>(cost))} << 32 | edge;
+  }
+  static uint32_t edgeOf(uint64_t key) { return static_cast<uint32_t>(key); }
+
+  void store(uint32_t place, uint64_t key) {
+    keys_[place] = key;
+    place_[edgeOf(key)] = place;
+  }
+
+  // Both put `key` where it belongs, starting from the free `place`.
+  void moveUp(uint32_t place, uint64_t key) {
+    while (place > 0) {
+      const uint32_t parent = (place - 1) / 4;
+      if (keys_[parent] <= key) break;
+      store(place, keys_[parent]);
+      place = parent;
+    }
+    store(place, key);
+  }
+  void moveDown(uint32_t place, uint64_t key) {
+    const auto size = static_cast<uint32_t>(keys_.size());
+    for (uint32_t first; (first = 4 * place + 1) < size;) {
+      uint32_t least = first;
+      const uint32_t end = first + 4 < size ? first + 4 : size;
+      for (uint32_t child = first + 1; child < end; ++child)
+        if (keys_[child] < keys_[least]) least = child;
+      if (key <= keys_[least]) break;
+      store(place, keys_[least]);
+      place = least;
+    }
+    store(place, key);
+  }
+
+  std::vector<uint64_t> keys_;
+  std::vector<uint32_t> place_;  // per edge: where its key is, or kAbsent
+};
+
+}  // namespace limber

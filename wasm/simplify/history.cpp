@@ -1,0 +1,91 @@
+#include "simplify/history.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace limber {
+namespace {
+
+[[noreturn]] void refuse() {
+  throw std::invalid_argument(
+      "The history does not belong to this mesh: simplify the mesh again and use the history of that.");
+}
+
+void checkBelongs(const TriangleMesh& input, const History& history) {
+  const size_t count = history.kept.size();
+  const auto outside = [&](uint32_t v) { return v >= history.vertexCount; };
+  const bool fits = history.vertexCount == input.vertexCount() &&
+                    history.triangleCount == input.triangleCount() && history.removed.size() == count &&
+                    history.trianglesAfter.size() == count && history.positions.size() == 3 * count &&
+                    std::ranges::none_of(history.kept, outside) &&
+                    std::ranges::none_of(history.removed, outside) &&
+                    std::ranges::is_sorted(history.trianglesAfter, std::ranges::greater_equal()) &&
+                    (count == 0 || history.trianglesAfter[0] < history.triangleCount);
+  if (!fits) refuse();
+}
+
+// How many collapses lead to at most `faces` triangles.
+size_t collapsesFor(const History& history, uint32_t faces) {
+  if (history.triangleCount <= faces) return 0;
+  const auto reached = std::ranges::lower_bound(history.trianglesAfter, faces, std::greater());
+  const auto index = static_cast<size_t>(reached - history.trianglesAfter.begin());
+  return std::min(index + 1, history.trianglesAfter.size());
+}
+
+// Per input vertex the one that it has become after `count` collapses. Backwards, so that the survivor of
+// kept[i] is already known when removed[i] takes it over.
+std::vector<uint32_t> findSurvivors(const History& history, size_t count) {
+  std::vector<uint32_t> survivor(history.vertexCount);
+  std::iota(survivor.begin(), survivor.end(), 0);
+  for (size_t i = count; i-- > 0;) survivor[history.removed[i]] = survivor[history.kept[i]];
+  return survivor;
+}
+
+void collectTriangles(const TriangleMesh& input, const std::vector<uint32_t>& survivor, MeshAt& result) {
+  for (uint32_t t = 0; t < input.triangleCount(); ++t) {
+    const auto& [a, b, c] = input.triangles[t];
+    const Triangle triangle{survivor[a], survivor[b], survivor[c]};
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
+    result.mesh.triangles.push_back(triangle);
+    result.inputOfTriangle.push_back(t);
+  }
+}
+
+// Numbers the vertices that triangles use in the input's order and puts them where they are by then.
+void numberVertices(const TriangleMesh& input, const History& history, size_t count,
+                    const std::vector<uint32_t>& survivor, MeshAt& result) {
+  std::vector<uint8_t> used(input.vertexCount(), 0);
+  for (const Triangle& triangle : result.mesh.triangles)
+    for (uint32_t v : triangle) used[v] = 1;
+  std::vector<uint32_t> number(input.vertexCount(), kNone);
+  for (uint32_t v = 0; v < input.vertexCount(); ++v) {
+    if (!used[v]) continue;
+    number[v] = static_cast<uint32_t>(result.inputOfVertex.size());
+    result.inputOfVertex.push_back(v);
+    result.mesh.positions.push_back(input.positions[v]);
+  }
+  for (size_t i = 0; i < count; ++i)
+    if (const uint32_t v = number[history.kept[i]]; v != kNone)
+      result.mesh.positions[v] = {history.positions[3 * i], history.positions[3 * i + 1],
+                                  history.positions[3 * i + 2]};
+  for (Triangle& triangle : result.mesh.triangles)
+    for (uint32_t& v : triangle) v = number[v];
+  result.vertexOfInput.resize(input.vertexCount());
+  for (uint32_t v = 0; v < input.vertexCount(); ++v) result.vertexOfInput[v] = number[survivor[v]];
+}
+
+}  // namespace
+
+MeshAt meshAt(const TriangleMesh& input, const History& history, uint32_t faces) {
+  checkBelongs(input, history);
+  const size_t count = collapsesFor(history, faces);
+  const auto survivor = findSurvivors(history, count);
+  MeshAt result;
+  collectTriangles(input, survivor, result);
+  if (count > 0 && result.mesh.triangleCount() != history.trianglesAfter[count - 1]) refuse();
+  numberVertices(input, history, count, survivor, result);
+  return result;
+}
+
+}  // namespace limber

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+#include "simplify/collapse_mesh.h"
+
+namespace limber {
+
+// A balanced kd-tree over items that have a centre and a bounding box: split at the median centre along the
+// longest axis; every node knows the box around its items, so that searches by the distance to the items
+// themselves, not to their centres, are exact.
+class KdTree {
+ public:
+  KdTree() = default;
+  // `boxes[i]` bounds item i.
+  explicit KdTree(const std::vector<Bounds>& boxes);
+
+  // The item of least rank. `rankOf(item)` gives a rank that can be compared with <, and `reach(rank)` the
+  // squared distance beyond which no item can have a lower one.
+  template <class Rank, class RankOf, class Reach>
+  uint32_t nearest(const Vec3& p, const RankOf& rankOf, const Reach& reach) const;
+
+ private:
+  static constexpr uint32_t kLeafSize = 8;
+  static constexpr int kDepth = 32;  // of the deepest tree that 32-bit indices allow
+
+  struct Node {
+    Bounds box;
+    uint32_t begin, end;  // of its items
+    uint32_t right;       // its second child; the first follows the node itself; 0 in a leaf
+  };
+
+  uint32_t build(const std::vector<Bounds>& boxes, uint32_t begin, uint32_t end);
+  static double squaredDistance(const Bounds& box, const Vec3& p);
+
+  std::vector<Node> nodes_;
+  std::vector<uint32_t> items_;
+};
+
+// The triangle of a mesh that is nearest to a point. Where several are equally near (to a millionth of the
+// diagonal), as around a vertex, it is the one among them whose centre is nearest; then the lowest.
+class NearestTriangle {
+ public:
+  NearestTriangle() = default;
+  // Keeps a reference to `mesh`.
+  explicit NearestTriangle(const TriangleMesh& mesh);
+
+  uint32_t find(const Vec3& p) const;
+  // The same for a vertex of the mesh, found among the triangles around it; kNone if there are none.
+  uint32_t findAround(uint32_t vertex, std::span<const Corner> star) const;
+
+ private:
+  Vec3 centre(uint32_t t) const;
+
+  const TriangleMesh* mesh_ = nullptr;
+  double step_ = 0;  // distances are told apart in steps of this length
+  KdTree tree_;
+};
+
+// The vertex of a mesh that is nearest to a point; the lowest of several.
+class NearestVertex {
+ public:
+  NearestVertex() = default;
+  // Keeps a reference to `mesh`.
+  explicit NearestVertex(const TriangleMesh& mesh);
+
+  uint32_t find(const Vec3& p) const;
+
+ private:
+  const TriangleMesh* mesh_ = nullptr;
+  KdTree tree_;
+};
+
+template <class Rank, class RankOf, class Reach>
+uint32_t KdTree::nearest(const Vec3& p, const RankOf& rankOf, const Reach& reach) const {
+  struct Entry {
+    uint32_t node;
+    double squaredDistance;
+  };
+  std::array<Entry, kDepth> waiting;
+  int count = 0;
+  uint32_t best = kNone;
+  Rank bestRank{};
+  double limit = std::numeric_limits<double>::infinity();
+  if (!nodes_.empty()) waiting[count++] = {0, 0};
+  while (count > 0) {
+    const Entry entry = waiting[--count];
+    if (entry.squaredDistance > limit) continue;
+    const Node& node = nodes_[entry.node];
+    if (node.right != 0) {
+      const uint32_t left = entry.node + 1;
+      const double toLeft = squaredDistance(nodes_[left].box, p);
+      const double toRight = squaredDistance(nodes_[node.right].box, p);
+      const bool rightFirst = toRight < toLeft;
+      // The nearer child is searched first: it goes on top.
+      waiting[count++] = rightFirst ? Entry{left, toLeft} : Entry{node.right, toRight};
+      waiting[count++] = rightFirst ? Entry{node.right, toRight} : Entry{left, toLeft};
+      continue;
+    }
+    for (uint32_t i = node.begin; i < node.end; ++i) {
+      const Rank rank = rankOf(items_[i]);
+      if (best != kNone && !(rank < bestRank)) continue;
+      best = items_[i];
+      bestRank = rank;
+      limit = reach(rank);
+    }
+  }
+  return best;
+}
+
+}  // namespace limber

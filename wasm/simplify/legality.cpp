@@ -1,0 +1,110 @@
+#include "simplify/legality.h"
+
+#include <algorithm>
+
+namespace limber {
+namespace {
+
+// A face may turn by up to 78 degrees in one collapse (the cosine of the angle between its normals).
+constexpr double kSmallestCosine = 0.2;
+// A face whose height is a smaller part of its longest edge has no area to speak of; it may not come into
+// being, though one that is there already may stay as it is.
+constexpr double kSmallestHeight = 1e-6;
+
+// A face before or after a collapse: its area normal and its longest edge.
+struct Shape {
+  Vec3 normal;
+  double longestSquared;
+
+  Shape(const Vec3& p, const Vec3& q, const Vec3& r)
+      : normal(cross(q - p, r - p)),
+        longestSquared(std::max({squaredLength(q - p), squaredLength(r - q), squaredLength(p - r)})) {}
+
+  double normalSquared() const { return squaredLength(normal); }
+  // The square of height over longest edge, times that edge's fourth power.
+  bool isFlat() const {
+    return normalSquared() <= kSmallestHeight * kSmallestHeight * longestSquared * longestSquared;
+  }
+  // Compares height over longest edge.
+  bool isFlatterThan(const Shape& other) const {
+    return normalSquared() * other.longestSquared * other.longestSquared <
+           other.normalSquared() * longestSquared * longestSquared;
+  }
+};
+
+bool turns(const Shape& before, const Shape& after) {
+  const double cosine = dot(before.normal, after.normal);
+  return cosine <= 0 ||
+         cosine * cosine < kSmallestCosine * kSmallestCosine * before.normalSquared() * after.normalSquared();
+}
+
+}  // namespace
+
+Verdict Legality::forever(uint32_t edge) const {
+  const auto [a, b] = mesh_.edge(edge);
+  if (mesh_.freedom(a) == Freedom::Locked || mesh_.freedom(b) == Freedom::Locked) return Verdict::Locked;
+  const bool joinsBorders = mesh_.freedom(a) == Freedom::Border && mesh_.freedom(b) == Freedom::Border;
+  return joinsBorders && mesh_.trianglesOnEdge(edge) == 2 ? Verdict::Topology : Verdict::Legal;
+}
+
+Verdict Legality::check(const Collapse& step) {
+  if (const Verdict verdict = forever(step.edge); verdict != Verdict::Legal) return verdict;
+  if (!keepsTopology(step)) return Verdict::Topology;
+  if (turnsAnyFace(step.kept, step) || turnsAnyFace(step.removed, step)) return Verdict::Flip;
+  return Verdict::Legal;
+}
+
+// The link condition: the links of the two ends meet in the link of the edge and nowhere else, where at
+// borders a virtual vertex is taken to close each of them (Dey et al. 1999). Then the collapse is a
+// homeomorphism, so components, loops and genus stay. In terms of vertices, the ends have no common
+// neighbours but the third vertices of the edge's triangles. In terms of edges there are two cases left:
+// - a tetrahedron, whose opposite edge lies in both links;
+// - a lone triangle, whose other two edges are borders, so that the edge from the third vertex to the virtual
+//   one lies in both links.
+// (A border loop of three edges is caught as a common neighbour, inner edges between borders by `forever`.)
+bool Legality::keepsTopology(const Collapse& step) {
+  const auto triangles = static_cast<uint32_t>(mesh_.trianglesOnEdge(step.edge));
+  const auto starKept = mesh_.star(step.kept), starRemoved = mesh_.star(step.removed);
+  if (triangles == 1) {
+    if (starKept.size() == 1 && starRemoved.size() == 1) return false;
+  } else {
+    const bool inside =
+        mesh_.freedom(step.kept) == Freedom::Free && mesh_.freedom(step.removed) == Freedom::Free;
+    if (inside && starKept.size() == 3 && starRemoved.size() == 3) return false;
+  }
+  return countCommonNeighbours(step.kept, step.removed) == triangles;
+}
+
+uint32_t Legality::countCommonNeighbours(uint32_t a, uint32_t b) {
+  const uint32_t around = ++mark_, common = ++mark_;
+  const auto forEachNeighbour = [&](uint32_t v, const auto& visit) {
+    for (const Corner corner : mesh_.star(v)) {
+      const Triangle& triangle = mesh_.face(triangleOf(corner)).vertices;
+      visit(triangle[nextIndex(indexOf(corner))]);
+      visit(triangle[previousIndex(indexOf(corner))]);
+    }
+  };
+  uint32_t count = 0;
+  forEachNeighbour(a, [&](uint32_t v) { seen_[v] = around; });
+  forEachNeighbour(b, [&](uint32_t v) {
+    count += seen_[v] == around;
+    if (seen_[v] == around) seen_[v] = common;
+  });
+  return count;
+}
+
+bool Legality::turnsAnyFace(uint32_t v, const Collapse& step) const {
+  for (const Corner corner : mesh_.star(v)) {
+    const CollapseMesh::Face& face = mesh_.face(triangleOf(corner));
+    const int c = indexOf(corner);
+    const int next = nextIndex(c), previous = previousIndex(c);
+    if (face.edges[next] == step.edge || face.edges[previous] == step.edge) continue;
+    const Vec3 &q = mesh_.position(face.vertices[next]), &r = mesh_.position(face.vertices[previous]);
+    const Shape before(mesh_.position(v), q, r), after(step.target, q, r);
+    if (turns(before, after)) return true;
+    if (after.isFlat() && after.isFlatterThan(before)) return true;
+  }
+  return false;
+}
+
+}  // namespace limber
