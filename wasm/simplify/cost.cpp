@@ -13,12 +13,13 @@ constexpr double kShortness = 1e-9;
 // How far from the middle of an edge its target may lie, in lengths of the edge.
 constexpr double kReach = 2;
 
-}  // namespace
-
+// Eq. 9: 4 sqrt(3) A / (l1^2 + l2^2 + l3^2), 1 for an equilateral triangle, 0 for one without area.
 double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
   const double squares = squaredLength(q - p) + squaredLength(r - q) + squaredLength(p - r);
   return squares > 0 ? 2 * std::numbers::sqrt3 * length(cross(q - p, r - p)) / squares : 0;
 }
+
+}  // namespace
 
 CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const Guidance& guidance,
                      const SimplifyOptions& options)

@@ -69,7 +69,4 @@ class CostModel {
   std::vector<float> guidanceCosts_;  // per edge: alpha E_strain + beta E_curv of its last `evaluate`
 };
 
-// Eq. 9: 4 sqrt(3) A / (l1^2 + l2^2 + l3^2), 1 for an equilateral triangle, 0 for one without area.
-double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r);
-
 }  // namespace limber
