@@ -34,9 +34,9 @@ struct Loop {
   size_t count, grain;
   const Body& body;
   std::atomic<size_t> nextRange = 0;
-  std::mutex errorMutex;
+  std::mutex errorMutex = {};
   size_t errorRange = SIZE_MAX;
-  std::exception_ptr error;
+  std::exception_ptr error = nullptr;
 
   void work() {
     for (size_t range = nextRange++; range * grain < count; range = nextRange++) {

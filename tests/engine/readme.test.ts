@@ -1,0 +1,37 @@
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { format } from 'prettier';
+import { expect, test } from 'vitest';
+import { OPTIONS, type OptionSpec } from '../../web/engine/options';
+
+const readme = join(import.meta.dirname, '..', '..', 'README.md');
+const [start, end] = ['<!-- options:start -->', '<!-- options:end -->'];
+
+function range(option: OptionSpec): string {
+  if (option.kind === 'choice') return option.choices!.join(', ');
+  if (option.kind === 'modes') return 'auto, all, 1,2,...';
+  return `${option.min} to ${option.max === Infinity ? 'inf' : option.max}${option.unit ? ` ${option.unit}` : ''}`;
+}
+
+function defaultOf({ default: value, unit }: OptionSpec): string {
+  if (Array.isArray(value)) return value.length ? value.join(',') : '(none)';
+  return `${value}${unit && value !== 0 ? ` ${unit}` : ''}`;
+}
+
+/** The table of flags as the README shows it. */
+async function optionsTable(): Promise<string> {
+  const rows = Object.values(OPTIONS).map(
+    (option) => `| \`--${option.flag}\` | ${defaultOf(option)} | ${range(option)} | ${option.help} |`,
+  );
+  const table = ['| flag | default | range | meaning |', '| --- | --- | --- | --- |', ...rows].join('\n');
+  return format(`${start}\n\n${table}\n\n${end}\n`, { parser: 'markdown', printWidth: 110 });
+}
+
+// LIMBER_UPDATE=1 writes the table instead of comparing it.
+test("the README's table of flags is the one of options.ts", async () => {
+  const text = readFileSync(readme, 'utf8');
+  const table = (await optionsTable()).trim();
+  const [before, after] = [text.indexOf(start), text.indexOf(end) + end.length];
+  if (process.env.LIMBER_UPDATE) writeFileSync(readme, text.slice(0, before) + table + text.slice(after));
+  else expect(text.slice(before, after)).toBe(table);
+});

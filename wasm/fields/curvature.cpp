@@ -1,0 +1,110 @@
+#include "fields/curvature.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace limber {
+
+namespace {
+
+constexpr size_t kGrain = 2048;
+
+// What the triangles around a vertex add up to (Meyer et al. 2003).
+struct Ring {
+  Vec3 areaGradient;  // sum of (cot a + cot b) (x_i - x_j) / 2 over the edges, the gradient of the area (Eq.
+                      // 8)
+  Vec3 normal;        // angle-weighted
+  double area = 0;    // mixed area (Figure 4 there)
+};
+
+// The share of a triangle's area that belongs to its corner p: Voronoi, or half / a quarter where an angle is
+// obtuse.
+double mixedArea(const Vec3& p, const Vec3& q, const Vec3& r, double area) {
+  const double atP = dot(q - p, r - p), atQ = dot(p - q, r - q), atR = dot(p - r, q - r);
+  if (atP < 0) return area / 2;
+  if (atQ < 0 || atR < 0) return area / 4;
+  // (|pq|^2 cot r + |pr|^2 cot q) / 8, cot = dot / (2 area)
+  return (squaredLength(q - p) * atR + squaredLength(r - p) * atQ) / (16 * area);
+}
+
+// Adds the triangle (p, q, r), seen from its corner p.
+void addTriangle(Ring& ring, const Vec3& p, const Vec3& q, const Vec3& r) {
+  const Vec3 twiceNormal = cross(q - p, r - p);
+  const double twiceArea = length(twiceNormal);
+  const double longest = std::max({squaredLength(q - p), squaredLength(r - p), squaredLength(r - q)});
+  if (!(twiceArea > 1e-12 * longest)) return;  // a needle has no usable cotangents
+  const double cotQ = dot(p - q, r - q) / twiceArea, cotR = dot(p - r, q - r) / twiceArea;
+  ring.areaGradient += 0.5 * (cotR * (p - q) + cotQ * (p - r));
+  ring.normal += std::atan2(twiceArea, dot(q - p, r - p)) / twiceArea * twiceNormal;
+  ring.area += mixedArea(p, q, r, twiceArea / 2);
+}
+
+Ring ringAround(const TriangleMesh& mesh, const Topology& topology, uint32_t v) {
+  Ring ring;
+  for (uint32_t t : topology.trianglesAround(v)) {
+    const Triangle& triangle = mesh.triangles[t];
+    const int c = triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
+    addTriangle(ring, mesh.positions[v], mesh.positions[triangle[(c + 1) % 3]],
+                mesh.positions[triangle[(c + 2) % 3]]);
+  }
+  return ring;
+}
+
+std::vector<bool> borderVertices(const TriangleMesh& mesh, const Topology& topology) {
+  std::vector<bool> border(mesh.vertexCount(), false);
+  for (const Topology::Edge& edge : topology.edges)
+    if (edge.useCount == 1) border[edge.a] = border[edge.b] = true;
+  return border;
+}
+
+// A border vertex sees its surface from one side only: the area's gradient there holds the border's own pull,
+// which is no curvature. It takes the mean of its neighbours inside, weighted by area; without any, only the
+// part of the gradient along the normal counts.
+void fillBorder(const TriangleMesh& mesh, const Topology& topology, const std::vector<bool>& border,
+                const std::vector<double>& area, std::vector<float>& curvature) {
+  std::vector<double> sum(mesh.vertexCount(), 0), weight(mesh.vertexCount(), 0);
+  const auto add = [&](uint32_t to, uint32_t from) {
+    if (!border[to] || border[from]) return;
+    sum[to] += area[from] * curvature[from];
+    weight[to] += area[from];
+  };
+  for (const Topology::Edge& edge : topology.edges) {
+    add(edge.a, edge.b);
+    add(edge.b, edge.a);
+  }
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    if (weight[v] > 0) curvature[v] = static_cast<float>(sum[v] / weight[v]);
+}
+
+}  // namespace
+
+Curvature meanCurvature(const TriangleMesh& mesh, const Topology& topology, Job& job) {
+  job.begin(Phase::Curvature);
+  const auto border = borderVertices(mesh, topology);
+  Curvature out;
+  out.vertex.resize(mesh.vertexCount());
+  std::vector<double> area(mesh.vertexCount());
+  parallelFor(mesh.vertexCount(), kGrain, [&](size_t begin, size_t end) {
+    job.check();
+    for (size_t v = begin; v < end; ++v) {
+      const Ring ring = ringAround(mesh, topology, static_cast<uint32_t>(v));
+      area[v] = ring.area;
+      const double pull =
+          border[v] ? std::abs(dot(ring.areaGradient, normalized(ring.normal))) : length(ring.areaGradient);
+      out.vertex[v] = ring.area > 0 ? static_cast<float>(pull / (2 * ring.area)) : 0.0f;
+    }
+  });
+  job.report(0.8);
+  fillBorder(mesh, topology, border, area, out.vertex);
+  out.triangle.resize(mesh.triangleCount());
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    out.triangle[t] = (out.vertex[a] + out.vertex[b] + out.vertex[c]) / 3;
+  }
+  job.report(1);
+  return out;
+}
+
+}  // namespace limber

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "mesh/topology.h"
+#include "modes/stiffness_model.h"
+
+namespace limber {
+
+// A thin shell of Young's modulus 1 and density 1: constant-strain membrane plus Morley bending. Three
+// displacements per vertex (nodes 0 .. vertexCount - 1) and one massless rotation about each edge (the nodes
+// after them). kappa_T = sum_e (l_e / A) (s_e phi_e - theta_e(u)) m_e m_e^T, theta_e(u) = -d(u . n) / d m_e,
+// m_e the outward in-plane normal of edge e, s_e = +1 where the face runs the edge from its lower to its
+// higher vertex; energy A D / 2 ((1 - nu) kappa : kappa + nu tr^2 kappa), D = h^3 / 12 (1 - nu^2). Holds for
+// any number of faces on an edge and for any winding. `thickness` in units of the mesh, which should be
+// scaled to a bounding diagonal of 1.
+StiffnessModel shellModel(const TriangleMesh& mesh, const Topology& topology, double thickness,
+                          double poisson);
+
+}  // namespace limber
