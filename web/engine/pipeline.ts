@@ -9,6 +9,7 @@ import type {
   History,
   Inspection,
   MeshAt,
+  Model,
   ModeSet,
   Quality,
   StrainGuidance,
@@ -20,6 +21,7 @@ import type { ExportedBody } from './document/export';
 import type { Body } from './document/model';
 import { resolveModel, resolveModes } from './options';
 import type { Settings } from './options';
+import type { InspectedBody } from './report';
 
 /** A body ready for everything else. */
 export interface PreparedBody {
@@ -69,8 +71,9 @@ export interface Timings {
 
 export interface OptimizedBody {
   prepared: PreparedBody;
-  /** null for a method that needs none */
+  /** both null for a method that needs none */
   modes: ModeSet | null;
+  model: Model | null;
   guidance: StrainGuidance | null;
   curvature: Curvature;
   history: History;
@@ -80,16 +83,21 @@ export interface OptimizedBody {
   timings: Timings;
 }
 
+/** Welds and measures a body, usable or not. */
+export function inspectBody(core: Core, body: Body, settings: Settings): InspectedBody {
+  const weld = core.weld(body.positions, body.indices, { tolerance: settings.weld });
+  return { weld, quality: weld.mesh.triangles.length > 0 ? core.measureQuality(weld.mesh) : null };
+}
+
 /** Welds and inspects. Throws an Error with one sentence where the body has no usable face. */
 export function prepareBody(core: Core, body: Body, settings: Settings): PreparedBody {
-  const weld = core.weld(body.positions, body.indices, { tolerance: settings.weld });
+  const { weld, quality } = inspectBody(core, body, settings);
   const { mesh } = weld;
-  if (mesh.triangles.length === 0)
+  if (quality === null)
     throw new Error(
       `Body "${body.name}" has no usable face: all ${body.indices.length / 3} are degenerate; repair it and export it again.`,
     );
-  const [inspection, quality] = [core.inspect(mesh), core.measureQuality(mesh)];
-  return { body, weld, mesh, diagonal: diagonalOf(mesh), inspection, quality };
+  return { body, weld, mesh, diagonal: diagonalOf(mesh), inspection: core.inspect(mesh), quality };
 }
 
 /** Elastic modes of every component, with the material of `settings` on the body in its first node's scale. */
@@ -204,7 +212,8 @@ export function optimizeBody(
   const reduce = stopwatch();
   const measured = measureResult(core, prepared, result);
   const timings = { weld: 0, modes: modesTime, fields, simplify, reduce, measure: stopwatch() };
-  return { prepared, modes, guidance, curvature, history, targetFaces, result, measured, timings };
+  const model = needsModes ? resolveModel(settings) : null;
+  return { prepared, modes, model, guidance, curvature, history, targetFaces, result, measured, timings };
 }
 
 /** What `exportGlb` wants to know of a result. Fields go from triangles to vertices as means over the input's faces. */
@@ -224,6 +233,11 @@ export function exportedBody(
     inputOfTriangle,
     fields: { strain: ofResult(strain), curvature: ofResult(fields.curvature.vertex) },
   };
+}
+
+/** The body as it is, welded. */
+export function exportedMesh({ mesh, weld }: PreparedBody): ExportedBody {
+  return { mesh, inputOfTriangle: weld.sourceOfTriangle };
 }
 
 /** Seconds since the last call of the function that this returns. */

@@ -1,1 +1,230 @@
-export {};
+/**
+ * The JSON report that every command gives. Lengths in % of the bounding-box diagonal, angles in degrees, times in
+ * seconds, errors in %, MAC in 0..1. A key that a command does not produce is absent.
+ *
+ * Several bodies: counts are summed, angles are the smallest and the mean over all faces, components are numbered through
+ * and modes sorted together, distances and fidelity are those of the worst body.
+ */
+
+import type {
+  Core,
+  Fidelity,
+  Inspection,
+  Model,
+  ModeSet,
+  Quality,
+  Refused,
+  SurfaceDistance,
+  WeldResult,
+} from './core';
+import { VERSION } from './version';
+
+export interface Report {
+  schema: 'limber-report/1';
+  version: string;
+  command: string;
+  /** as used: `auto` is resolved; p may be "inf" */
+  options: Record<string, unknown>;
+  threads: number;
+  /** size of the wasm memory */
+  peakHeapBytes: number;
+  input: MeshReport;
+  output?: MeshReport;
+  model?: Model | 'mixed';
+  components?: ComponentReport[];
+  zeroModes?: ZeroModes;
+  /** elastic ones, ascending */
+  modes?: ModeReport[];
+  solve?: { exact: boolean; factorNonzeros: number };
+  surface?: SurfaceDistance;
+  fidelity?: Fidelity;
+  stop?: StopReport;
+  timings: Record<string, number>;
+}
+
+export interface MeshReport {
+  /** welded, without degenerate faces; duplicate faces still there */
+  vertices: number;
+  faces: number;
+  components: number;
+  boundaryLoops: number;
+  genus: number | null;
+  eulerCharacteristic: number;
+  nonManifoldEdges: number;
+  nonManifoldVertices: number;
+  degenerateFaces: number;
+  duplicateFaces: number;
+  /** turned so that neighbours agree */
+  flippedFaces: number;
+  weldedVertices: number;
+  /** degrees; absent where there is no usable face */
+  minAngle?: number;
+  meanMinAngle?: number;
+}
+
+export interface ZeroModes {
+  expected: number;
+  found: number;
+}
+
+export interface ComponentReport {
+  faces: number;
+  model: Model;
+  zeroModes: ZeroModes;
+}
+
+export interface ModeReport {
+  /** rad/s */
+  omega: number;
+  /** Hz */
+  frequency: number;
+  residual: number;
+  name: string;
+  component: number;
+  /** the model has no physical frequencies: these are only in proportion */
+  nominal?: true;
+}
+
+export interface StopReport {
+  reason: 'target' | 'exhausted';
+  /** edges left at the floor of the history, each under its first reason */
+  refused: Refused;
+}
+
+/** What a mesh report needs to know of one body. */
+export interface InspectedBody {
+  weld: WeldResult;
+  /** null where no face is usable */
+  quality: Quality | null;
+}
+
+const AXES = ['shortest', 'middle', 'longest'];
+
+/** The keys that every report has. */
+export function startReport(core: Core, command: string, options: object, bodies: InspectedBody[]): Report {
+  return {
+    schema: 'limber-report/1',
+    version: VERSION,
+    command,
+    options: Object.fromEntries(Object.entries(options).map(([key, value]) => [key, spellInfinity(value)])),
+    threads: core.threads,
+    peakHeapBytes: core.peakHeapBytes(),
+    input: meshReport(bodies),
+    timings: {},
+  };
+}
+
+/** JSON has no infinity. */
+const spellInfinity = (value: unknown): unknown => (value === Infinity ? 'inf' : value);
+
+export function meshReport(bodies: InspectedBody[]): MeshReport {
+  const sumOf = (key: Exclude<keyof Inspection, 'genus'>) =>
+    sum(bodies.map(({ weld }) => weld.inspection[key]));
+  const counted = (key: 'degenerateFaces' | 'duplicateFaces' | 'flippedFaces' | 'weldedVertices') =>
+    sum(bodies.map(({ weld }) => weld[key]));
+  const genera = bodies.map(({ weld }) => weld.inspection.genus);
+  return {
+    vertices: sumOf('vertices'),
+    faces: sumOf('faces'),
+    components: sumOf('components'),
+    boundaryLoops: sumOf('boundaryLoops'),
+    genus: genera.includes(null) ? null : sum(genera as number[]),
+    eulerCharacteristic: sumOf('eulerCharacteristic'),
+    nonManifoldEdges: sumOf('nonManifoldEdges'),
+    nonManifoldVertices: sumOf('nonManifoldVertices'),
+    degenerateFaces: counted('degenerateFaces'),
+    duplicateFaces: counted('duplicateFaces'),
+    flippedFaces: counted('flippedFaces'),
+    weldedVertices: counted('weldedVertices'),
+    ...angles(bodies),
+  };
+}
+
+function angles(bodies: InspectedBody[]): Pick<MeshReport, 'minAngle' | 'meanMinAngle'> {
+  const usable = bodies.filter(({ quality }) => quality !== null);
+  if (usable.length === 0) return {};
+  const faces = usable.map(({ weld }) => weld.mesh.triangles.length / 3);
+  const weighted = usable.map(({ quality }, i) => quality!.meanMinAngle * faces[i]);
+  return {
+    minAngle: Math.min(...usable.map(({ quality }) => quality!.minAngle)),
+    meanMinAngle: sum(weighted) / sum(faces),
+  };
+}
+
+/** The keys about vibration: model, components, zeroModes, modes, solve. */
+export function modesReport(sets: { modes: ModeSet; model: Model }[]) {
+  const components: ComponentReport[] = [];
+  const modes: ModeReport[] = [];
+  for (const { modes: set, model } of sets) {
+    const first = components.length;
+    modes.push(...set.modes.map((mode) => modeReport(mode, model, first)));
+    components.push(
+      ...set.components.map(({ faces, zeroModesExpected, zeroModesFound }) => ({
+        faces,
+        model,
+        zeroModes: { expected: zeroModesExpected, found: zeroModesFound },
+      })),
+    );
+  }
+  modes.sort((a, b) => a.omega - b.omega || a.component - b.component);
+  const models = new Set(sets.map(({ model }) => model));
+  return {
+    model: models.size === 1 ? sets[0].model : ('mixed' as const),
+    components,
+    zeroModes: {
+      expected: sum(components.map(({ zeroModes }) => zeroModes.expected)),
+      found: sum(components.map(({ zeroModes }) => zeroModes.found)),
+    },
+    modes,
+    solve: { exact: true, factorNonzeros: Math.max(0, ...sets.map(({ modes: set }) => set.factorNonzeros)) },
+  };
+}
+
+function modeReport(mode: ModeSet['modes'][number], model: Model, firstComponent: number): ModeReport {
+  const { omega, residual, component, layer, axis } = mode;
+  const along = axis >= 0 ? `, along the ${AXES[axis]} axis` : '';
+  return {
+    omega,
+    frequency: omega / (2 * Math.PI),
+    residual,
+    name: `mode ${layer + 1}${along}`,
+    component: firstComponent + component,
+    ...(model === 'laplacian' ? { nominal: true as const } : {}),
+  };
+}
+
+/** The largest of each distance. */
+export function worstSurface(distances: SurfaceDistance[]): SurfaceDistance {
+  const largest = (key: keyof SurfaceDistance) => Math.max(...distances.map((distance) => distance[key]));
+  return {
+    hausdorff: largest('hausdorff'),
+    mean: largest('mean'),
+    vertexHausdorff: largest('vertexHausdorff'),
+  };
+}
+
+/** The worst body's fidelity: that with the largest mean frequency error. */
+export function worstFidelity(fidelities: Fidelity[]): Fidelity {
+  return fidelities.reduce((worst, one) => (one.frequencyErrorMean > worst.frequencyErrorMean ? one : worst));
+}
+
+/** `exhausted` where any body stopped above its target. */
+export function stopReport(bodies: { faces: number; targetFaces: number; refused: Refused }[]): StopReport {
+  const total = (key: keyof Refused) => sum(bodies.map(({ refused }) => refused[key]));
+  return {
+    reason: bodies.every(({ faces, targetFaces }) => faces <= targetFaces) ? 'target' : 'exhausted',
+    refused: { topology: total('topology'), flip: total('flip'), lock: total('lock') },
+  };
+}
+
+/** Why it stopped above the target, in words. */
+export function describeRefused({ topology, flip, lock }: Refused): string {
+  const all = topology + flip + lock;
+  if (all === 0) return 'no edge is left that could collapse';
+  const percent = (count: number) => `${Math.round((100 * count) / all)} %`;
+  return `of the remaining edges ${percent(topology)} would change the topology, ${percent(flip)} flip a face, ${percent(lock)} break a lock`;
+}
+
+function sum(values: number[]): number {
+  return values.reduce((total, value) => total + value, 0);
+}

@@ -1,5 +1,6 @@
 /** A document with some meshes replaced by their optimized geometry, as GLB bytes. */
 
+import { Mesh } from '@gltf-transform/core';
 import type { Buffer, Document, Primitive } from '@gltf-transform/core';
 import type { TriangleMesh } from '../core';
 import { VERSION } from '../version';
@@ -7,6 +8,8 @@ import { createGltfIo } from './gltf_io';
 import type { Body, OpenModel } from './model';
 import { cornerNormals } from './normals';
 import type { CornerNormals } from './normals';
+import { addSwings } from './shapes';
+import type { MorphTarget } from './shapes';
 import { disposeUnused, dropMotion, dropPrimitiveExtensions, stripMaterials } from './prune';
 
 export { droppedByExport } from './dropped';
@@ -17,6 +20,8 @@ export interface ExportedBody {
   inputOfTriangle: Uint32Array;
   /** per vertex of `mesh` */
   fields?: { strain: Float32Array; curvature: Float32Array };
+  /** shapes to write as morph targets, with an animation each */
+  targets?: MorphTarget[];
 }
 
 export interface ExportOptions {
@@ -59,6 +64,8 @@ export async function exportGlb(
   });
   if (replaced.size > 0) dropMotion(document, replaced);
   stripMaterials(document, replaced);
+  if (bodies.some((exported) => exported?.targets?.length))
+    addSwings(document, buffer, meshesWithTargets(replaced));
   disposeUnused(document, replaced);
   document.getRoot().getAsset().generator = `Limber ${VERSION}`;
   return (await createGltfIo()).writeBinary(document);
@@ -91,10 +98,11 @@ function replaceMesh(document: Document, buffer: Buffer, body: Body, exported: E
       const geometry = geometryOf(exported.mesh, corners, trianglesOfSpan[span]);
       const attributes = attributesOf(exported, corners, geometry);
       writePrimitive(document, buffer, primitive.setMode(TRIANGLES), attributes, geometry.indices);
+      writeTargets(document, buffer, primitive, exported.targets ?? [], geometry);
       written.push(primitive);
     }
   });
-  mesh.setWeights([]);
+  mesh.setWeights((exported.targets ?? []).map(() => 0));
   return written;
 }
 
@@ -166,4 +174,25 @@ function writePrimitive(
   const isLarge = attributes.POSITION.length / 3 >= MANY_VERTICES;
   const array = isLarge ? Uint32Array.from(indices) : Uint16Array.from(indices);
   primitive.setIndices(document.createAccessor('', buffer).setType('SCALAR').setArray(array));
+}
+
+function writeTargets(
+  document: Document,
+  buffer: Buffer,
+  primitive: Primitive,
+  targets: MorphTarget[],
+  { vertexOfMesh }: PrimitiveGeometry,
+): void {
+  for (const { name, displacements } of targets) {
+    const array = gatherTriples(displacements, vertexOfMesh);
+    const accessor = document.createAccessor('', buffer).setType('VEC3').setArray(array);
+    primitive.addTarget(document.createPrimitiveTarget(name).setAttribute('POSITION', accessor));
+  }
+}
+
+function meshesWithTargets(primitives: Set<Primitive>): Set<Mesh> {
+  const moving = [...primitives].filter((primitive) => primitive.listTargets().length > 0);
+  return new Set(
+    moving.flatMap((primitive) => primitive.listParents()).filter((parent) => parent instanceof Mesh),
+  );
 }

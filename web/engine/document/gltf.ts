@@ -84,6 +84,16 @@ function addCompanions(file: SourceFile, { json, resources }: JSONDocument, file
   );
 }
 
+/** Paths, relative to the file, of the buffers and images that a GLB or glTF names; none for anything else. */
+export function companionNames(file: SourceFile): string[] {
+  const isGlb = String.fromCharCode(...file.bytes.subarray(0, 4)) === 'glTF';
+  if (!isGlb && !file.name.toLowerCase().endsWith('.gltf')) return [];
+  const json = isGlb ? parseGlb(file).json : parseJson(file.name, file.bytes);
+  const addresses = [...(json.buffers ?? []), ...(json.images ?? [])].map(({ uri }) => uri ?? '');
+  const outside = addresses.filter((address) => address !== '' && !address.startsWith('data:'));
+  return [...new Set(outside.map((address) => companionPath('', address)))];
+}
+
 function findCompanion(main: string, uri: string, files: SourceFile[]): SourceFile | undefined {
   const path = companionPath(main, uri);
   const baseName = path.split('/').pop();

@@ -27,12 +27,12 @@ function binaryLength(bytes: Uint8Array): number {
 }
 
 function readBinary({ name, bytes }: SourceFile): { positions: Float32Array; solids: number } {
-  const expected = bytes.length >= HEADER_BYTES ? binaryLength(bytes) : Infinity;
-  if (bytes.length < expected) {
-    const what =
-      expected === Infinity ? `${bytes.length} bytes long` : `cut off: ${expected} bytes are announced`;
-    throw new Error(`${name} is not an STL mesh or ${what}, ${bytes.length} are there: export it again.`);
-  }
+  if (bytes.length < HEADER_BYTES) throw new Error(`${name} is not STL: is it a mesh?`);
+  const expected = binaryLength(bytes);
+  if (bytes.length < expected)
+    throw new Error(
+      `${name} is cut off or not STL: ${expected} bytes are announced, ${bytes.length} are there: export it again.`,
+    );
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const facets = view.getUint32(80, true);
   const positions = new Float32Array(9 * facets);

@@ -1,0 +1,122 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { openModel } from '../../web/engine/document/open';
+import { failureOf, textFile } from './support/files';
+
+const header = (format: string, vertices = 5, faces = 2) => `ply
+format ${format} 1.0
+comment made by hand
+element vertex ${vertices}
+property float x
+property double y
+property float z
+property uchar red
+property uchar green
+property uchar blue
+element face ${faces}
+property uchar flags
+property list uchar int vertex_indices
+end_header
+`;
+
+const POINTS = [
+  [0, 0, 0],
+  [2, 0, 0],
+  [2, 2, 0],
+  [1, 3, 0],
+  [0, 2, 0],
+];
+const FACES = [
+  [0, 1, 2, 3, 4],
+  [4, 3, 2],
+];
+
+const text = `${header('ascii')}${POINTS.map((point) => `${point.join(' ')} 1 2 3`).join('\n')}\n${FACES.map((face) => `7 ${face.length} ${face.join(' ')}`).join('\n')}`;
+
+function binary(isLittle: boolean, newline = '\n'): Uint8Array {
+  const start = new TextEncoder().encode(
+    header(isLittle ? 'binary_little_endian' : 'binary_big_endian').replace(/\n/g, newline),
+  );
+  const bytes = new Uint8Array(start.length + 5 * 19 + 2 * 2 + 8 * 4);
+  bytes.set(start);
+  const view = new DataView(bytes.buffer);
+  let at = start.length;
+  for (const [x, y, z] of POINTS) {
+    view.setFloat32(at, x, isLittle);
+    view.setFloat64(at + 4, y, isLittle);
+    view.setFloat32(at + 12, z, isLittle);
+    at += 19;
+  }
+  for (const face of FACES) {
+    bytes[at + 1] = face.length;
+    at += 2;
+    for (const vertex of face) {
+      view.setInt32(at, vertex, isLittle);
+      at += 4;
+    }
+  }
+  return bytes;
+}
+
+const failure = (bytes: Uint8Array) => failureOf(() => openModel([{ name: 'a.ply', bytes }]));
+
+describe('PLY', () => {
+  it.each([
+    ['text', textFile('a.ply', text)],
+    ['text with CR LF', textFile('a.ply', text.replace(/\n/g, '\r\n'))],
+    ['binary, little-endian', { name: 'a.ply', bytes: binary(true) }],
+    ['binary, big-endian', { name: 'a.ply', bytes: binary(false) }],
+    ['binary with CR LF in its header', { name: 'a.ply', bytes: binary(true, '\r\n') }],
+    ['PLY under another name', { name: 'a.bin', bytes: binary(true) }],
+  ])('reads %s with a pentagon', async (_, file) => {
+    const { bodies, unread, format } = await openModel([file]);
+    expect(format).toBe('ply');
+    expect([...bodies[0].positions]).toEqual(POINTS.flat());
+    expect([...bodies[0].indices]).toEqual([0, 1, 2, 0, 2, 3, 0, 3, 4, 4, 3, 2]);
+    expect(bodies[0].notes).toEqual(['1 polygon with more than three corners cut into triangles']);
+    expect(unread).toEqual(['vertex colours']);
+  });
+
+  it('unrolls triangle strips', async () => {
+    const strips = `ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z
+element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n8 0 1 2 3 -1 2 3 4`;
+    const { bodies } = await openModel([textFile('a.ply', strips)]);
+    expect([...bodies[0].indices]).toEqual([0, 1, 2, 2, 1, 3, 2, 3, 4]);
+  });
+
+  it('refuses with one sentence what is cut off or wrong', async () => {
+    const bytes = binary(true);
+    expect(await failure(bytes.subarray(0, bytes.length - 1))).toMatch(
+      /^a\.ply, byte \d+: the file ends too early: export it again\.$/,
+    );
+    expect(await failure(textFile('a.ply', text.slice(0, -8)).bytes)).toMatch(
+      /^a\.ply, line 21: the file ends too early/,
+    );
+    const wrong = (from: string, to: string) => failure(textFile('a.ply', text.replace(from, to)).bytes);
+    expect(await wrong('4 3 2', '4 3 5')).toBe(
+      'a.ply, face 1: it names vertex 5, but vertices go from 0 to 4: export it again.',
+    );
+    expect(await wrong('4 3 2', '4 3 -1')).toMatch(/^a\.ply, face 1: it names vertex -1,/);
+    expect(await wrong('property double y', 'property decimal y')).toBe(
+      'a.ply, line 6: "decimal" is not a PLY type.',
+    );
+    expect(await wrong('ascii', 'text')).toMatch(/^a\.ply, line 2: the format "text" is none of ascii,/);
+    expect(await wrong('end_header', 'end')).toBe('a.ply, line 14: "end" is not PLY.');
+    expect(await wrong('2 2 0', '2 nan 0')).toMatch(/^a\.ply, line 17: .* not a finite number\.$/);
+    expect(await failure(textFile('a.ply', header('ascii', 99999999, 1)).bytes)).toMatch(
+      /do not fit into the file/,
+    );
+    expect(await failure(textFile('a.ply', header('ascii', 0, 0)).bytes)).toMatch(/^a\.ply has no faces/);
+  });
+
+  it('never throws anything but a sentence, whatever byte is hit', () =>
+    fc.assert(
+      fc.asyncProperty(fc.nat(), fc.nat(255), fc.boolean(), async (place, value, isText) => {
+        const bytes = isText ? new TextEncoder().encode(text) : binary(true);
+        bytes[place % bytes.length] = value;
+        const message = await failureOf(() => openModel([{ name: 'a.ply', bytes }]));
+        expect(message === '' || /^a\.ply\b.*[.?]$/s.test(message)).toBe(true);
+      }),
+      { numRuns: 2000, seed: 4 },
+    ));
+});

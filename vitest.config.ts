@@ -1,0 +1,13 @@
+import { defineConfig } from 'vitest/config';
+
+// The engine and the command line, against the real wasm.
+export default defineConfig({
+  test: {
+    include: ['tests/engine/**/*.test.ts'],
+    environment: 'node',
+    testTimeout: 120_000,
+    hookTimeout: 120_000,
+    // Each file may start a pool of threads of its own.
+    maxWorkers: 2,
+  },
+});

@@ -1,0 +1,170 @@
+/** The words of a command line as a command with its operands, settings and flags. */
+
+import { parseArgs } from 'node:util';
+import { OPTIONS, checkSettings, defaultSettings } from '../engine/options';
+import type { OptionSpec, Settings } from '../engine/options';
+import { UsageError } from './failure';
+import {
+  COMMAND_SPECS,
+  COMMANDS,
+  flagsOf,
+  LATER_COMMANDS,
+  LATER_FLAGS,
+  LATER_VALUES,
+  settingsOf,
+} from './flags';
+import type { Command, Flag } from './flags';
+import { nearest } from './nearest';
+
+export interface Arguments {
+  command: Command;
+  operands: string[];
+  settings: Settings;
+  /** null: not asked */
+  faces: number | null;
+  ratio: number | null;
+  fields: boolean;
+  shapes: string | null;
+  /** null: every body */
+  mesh: string | null;
+  /** where reports go; '-' is stdout */
+  reports: string[];
+  quiet: boolean;
+}
+
+/** What to do without doing anything else. */
+export type Question = { show: 'help'; command: Command | null } | { show: 'version' };
+
+const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
+
+/** Throws UsageError with one sentence. */
+export function parseArguments(words: string[]): Arguments | Question {
+  const [first, ...rest] = words;
+  if (first === undefined || ['help', '--help', '-h'].includes(first)) return { show: 'help', command: null };
+  if (['--version', '-v', 'version'].includes(first)) return { show: 'version' };
+  const command = commandNamed(first);
+  const { values, operands } = readFlags(command, rest);
+  if (values.has('help')) return { show: 'help', command };
+  if (values.has('version')) return { show: 'version' };
+  checkOperands(command, operands);
+  const settings = readSettings(command, values);
+  const report = values.get('report');
+  return {
+    command,
+    operands,
+    settings,
+    faces: readTarget(values, 'faces', 'a whole number of at least 1', (n) => n >= 1 && Number.isInteger(n)),
+    ratio: readTarget(values, 'ratio', 'a number above 0 and up to 1', (n) => n > 0 && n <= 1),
+    fields: values.has('fields'),
+    shapes: values.get('shapes') ?? null,
+    mesh: values.get('mesh') ?? null,
+    reports: [...new Set([...(report === undefined ? [] : [report]), ...(values.has('json') ? ['-'] : [])])],
+    quiet: values.has('quiet'),
+  };
+}
+
+function commandNamed(word: string): Command {
+  if (LATER_COMMANDS.includes(word)) throw new UsageError(`${word} is not available yet.`);
+  const command = COMMANDS.find((candidate) => candidate === word);
+  if (command) return command;
+  const guess = nearest(word, COMMANDS);
+  const hint = guess ? `did you mean "${guess}"?` : `use ${COMMANDS.join(', ')} (limber --help).`;
+  throw new UsageError(`There is no command "${word}": ${hint}`);
+}
+
+/** Values by flag name ('' of a switch), the last one counting. Unknown flags and missing values are refused. */
+function readFlags(command: Command, words: string[]): { values: Map<string, string>; operands: string[] } {
+  const flags = flagsOf(command);
+  const known = new Map(flags.map((flag) => [flag.name, flag]));
+  const entries = [
+    ...flags.map(
+      ({ name, value }) => [name, { type: value ? ('string' as const) : ('boolean' as const) }] as const,
+    ),
+    ...[...LATER_FLAGS].map((name) => [name, { type: 'boolean' as const }] as const),
+  ];
+  const options = { ...Object.fromEntries(entries), help: { type: 'boolean' as const, short: 'h' } };
+  const { tokens } = parseArgs({ args: words, options, strict: false, allowPositionals: true, tokens: true });
+  const values = new Map<string, string>();
+  const operands: string[] = [];
+  for (const token of tokens)
+    if (token.kind === 'positional') operands.push(token.value);
+    else if (token.kind === 'option') values.set(token.name, readValue(command, known, token));
+  return { values, operands };
+}
+
+function readValue(
+  command: Command,
+  known: Map<string, Flag>,
+  token: { name: string; rawName: string; value?: string },
+) {
+  const { name, value } = token;
+  const flag = known.get(name);
+  if (!flag) throw unknownFlag(command, token.rawName, [...known.keys()]);
+  if (flag.value === undefined) {
+    if (value !== undefined) throw new UsageError(`--${name} takes no value.`);
+    return '';
+  }
+  if (value === undefined || value.startsWith('--') || value === '')
+    throw new UsageError(`--${name} needs a value: --${name} ${flag.value}.`);
+  if (LATER_VALUES[name]?.includes(value)) throw new UsageError(`--${name} ${value} is not available yet.`);
+  return value;
+}
+
+function unknownFlag(command: Command, rawName: string, known: string[]): UsageError {
+  const name = rawName.replace(/^-+/, '');
+  if (LATER_FLAGS.has(name)) return new UsageError(`--${name} is not available yet.`);
+  const guess = nearest(name, known);
+  const hint = guess ? `did you mean --${guess}?` : `see limber ${command} --help.`;
+  return new UsageError(`limber ${command} has no ${rawName}: ${hint}`);
+}
+
+function checkOperands(command: Command, operands: string[]): void {
+  const wanted = COMMAND_SPECS[command].operands;
+  const usage = `limber ${command} ${wanted.join(' ')}`;
+  if (operands.length < wanted.length)
+    throw new UsageError(`${wanted[operands.length]} is missing: ${usage}.`);
+  if (operands.length > wanted.length)
+    throw new UsageError(`"${operands[wanted.length]}" is one file too many: ${usage}.`);
+}
+
+function readSettings(command: Command, values: Map<string, string>): Settings {
+  const settings = { ...defaultSettings(), ...COMMAND_SPECS[command].defaults };
+  const keys: (keyof Settings)[] = [
+    ...settingsOf(command),
+    ...(command === 'compare' ? ['modeCount' as const] : []),
+  ];
+  for (const key of keys) {
+    const text = values.get(OPTIONS[key].flag);
+    if (text !== undefined) Object.assign(settings, { [key]: readSetting(OPTIONS[key], text) });
+  }
+  if (command === 'modes' && settings.model === 'auto') settings.model = 'shell';
+  checkSettings(settings);
+  return settings;
+}
+
+/** The value that `text` stands for; text that is no number comes back as it is, and the range check refuses it. */
+function readSetting(option: OptionSpec, text: string): unknown {
+  const isWord = option.kind === 'choice' || (option.kind === 'modes' && ['auto', 'all'].includes(text));
+  if (isWord) return text;
+  const isList = option.kind === 'modes' || option.kind === 'numbers';
+  return isList ? text.split(',').map(readNumber) : readNumber(text);
+}
+
+function readNumber(text: string): number | string {
+  if (/^\+?inf(inity)?$/i.test(text)) return Infinity;
+  return DECIMAL.test(text) ? Number(text) : text;
+}
+
+function readTarget(
+  values: Map<string, string>,
+  name: string,
+  range: string,
+  isAllowed: (value: number) => boolean,
+): number | null {
+  const text = values.get(name);
+  if (text === undefined) return null;
+  const value = readNumber(text);
+  if (typeof value !== 'number' || !isAllowed(value))
+    throw new UsageError(`--${name} is ${text}: give ${range}.`);
+  return value;
+}

@@ -1,0 +1,109 @@
+/** limber compare A B: A is the original. */
+
+import { basename } from 'node:path';
+import type { Fidelity, SurfaceDistance } from '../engine/core';
+import { compareTopology, materialOf, measureDistance, startStopwatch } from '../engine/pipeline';
+import type { PreparedBody } from '../engine/pipeline';
+import { meshReport, startReport, worstFidelity, worstSurface } from '../engine/report';
+import type { Report } from '../engine/report';
+import type { Arguments } from './arguments';
+import { EXIT, UsageError } from './failure';
+import { finish, openFile, prepareBodies, startSession, usable } from './session';
+import type { Session } from './session';
+import { count, list, percent } from './words';
+
+export async function runCompare(args: Arguments): Promise<number> {
+  const total = startStopwatch();
+  const stopwatch = startStopwatch();
+  const session = await startSession(args);
+  const [first, second] = [
+    await openFile(session, args.operands[0]),
+    await openFile(session, args.operands[1]),
+  ];
+  const load = stopwatch();
+  const [originals, others] = [usable(prepareBodies(session, first)), usable(prepareBodies(session, second))];
+  checkPairs(args, originals, others);
+  const weld = stopwatch();
+  const pairs = originals.map((original, i) => ({ original, other: others[i] }));
+  const distances = pairs.map(({ original, other }) => measureDistance(session.core, original, other.mesh));
+  const measured = stopwatch();
+  const fidelities = pairs.map(({ original, other }) => fidelityOf(session, original, other));
+  const report = startReport(session.core, 'compare', optionsAsUsed(args), originals);
+  report.output = meshReport(others);
+  report.surface = worstSurface(distances);
+  report.fidelity = worstFidelity(fidelities);
+  report.timings = { load, weld, measure: measured, modes: stopwatch(), total: total() };
+  finish(session, report, compareText(args, report, pairs));
+  return EXIT.done;
+}
+
+/** Only what takes part in a comparison: the model is always the shell. */
+function optionsAsUsed({ settings, mesh }: Arguments): object {
+  const { modeCount, young, poisson, density, thickness, unit, weld, threads } = settings;
+  const used = { model: 'shell', modeCount, young, poisson, density, thickness, unit, weld, threads };
+  return mesh === null ? used : { ...used, mesh };
+}
+
+/** Bodies are compared in the order of the files. */
+function checkPairs({ operands }: Arguments, originals: PreparedBody[], others: PreparedBody[]): void {
+  if (originals.length === others.length) return;
+  const [a, b] = operands.map((path) => basename(path));
+  throw new UsageError(
+    `${a} has ${originals.length} bodies and ${b} has ${others.length}: compare one with --mesh NAME.`,
+  );
+}
+
+function fidelityOf({ core, args }: Session, original: PreparedBody, other: PreparedBody): Fidelity {
+  const { modeCount } = args.settings;
+  return core.compareFidelity(original.mesh, other.mesh, {
+    modeCount,
+    ...materialOf(original, args.settings),
+  });
+}
+
+function compareText(
+  { operands }: Arguments,
+  report: Report,
+  pairs: { original: PreparedBody; other: PreparedBody }[],
+) {
+  const { input, output } = report;
+  const isKept = pairs.every(
+    ({ original, other }) => compareTopology(original.inspection, other.inspection).kept,
+  );
+  const [a, b] = operands.map((path) => basename(path));
+  return list([
+    [
+      `${a} -> ${b}`,
+      `${count(input.faces)} -> ${count(output!.faces)} faces (${percent(output!.faces / input.faces - 1)})`,
+    ],
+    ['topology', isKept ? 'the same' : 'different'],
+    ...surfaceRows(report.surface!),
+    ...fidelityRows(report.fidelity!, Number(report.options.modeCount)),
+  ]);
+}
+
+const percentOf = (value: number): string => `${value.toFixed(value < 0.1 ? 3 : 2)} %`;
+
+function surfaceRows({ hausdorff, mean, vertexHausdorff }: SurfaceDistance): [string, string][] {
+  return [
+    ['surface deviation', `${percentOf(hausdorff)} of the diagonal, mean ${percentOf(mean)}`],
+    ['vertex deviation', `${percentOf(vertexHausdorff)} of the diagonal`],
+  ];
+}
+
+function fidelityRows(fidelity: Fidelity, modeCount: number): [string, string][] {
+  return [
+    [
+      `frequency error, modes 1-${modeCount}`,
+      `mean ${percentOf(fidelity.frequencyErrorMean)}, largest ${percentOf(fidelity.frequencyErrorMax)}`,
+    ],
+    [
+      '  after one factor on E',
+      `mean ${percentOf(fidelity.frequencyErrorCalibrated)} (factor ${fidelity.calibrationFactor.toFixed(3)})`,
+    ],
+    ['  at half the thickness', `mean ${percentOf(fidelity.frequencyErrorThin)}`],
+    ['  at twice the thickness', `mean ${percentOf(fidelity.frequencyErrorThick)}`],
+    ['  of the next ten modes', `mean ${percentOf(fidelity.frequencyErrorHigh)}`],
+    ['shape agreement (MAC)', `mean ${fidelity.macMean.toFixed(3)}, smallest ${fidelity.macMin.toFixed(3)}`],
+  ];
+}

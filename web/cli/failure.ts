@@ -1,0 +1,18 @@
+/** Exit codes, and the failures that lead to them. */
+
+export const EXIT = { done: 0, badInput: 1, missedTarget: 2, internal: 3 } as const;
+
+/** What the user can cure: a wrong option, file or mesh. The engine throws plain Errors for these. */
+export class UsageError extends Error {}
+
+/** The exit code and the one line for whatever was thrown. */
+export function describeFailure(error: unknown): { code: number; line: string } {
+  const isSentence = error instanceof UsageError || (error instanceof Error && error.constructor === Error);
+  const message = error instanceof Error ? error.message : String(error);
+  const line = message.replace(/\s*\n\s*/g, ' ').trim();
+  if (isSentence) return { code: EXIT.badInput, line };
+  return {
+    code: EXIT.internal,
+    line: `internal error: ${line}; please report it with the file and the command`,
+  };
+}

@@ -1,0 +1,162 @@
+/** The flags of every command: those of the settings come from the engine's options. */
+
+import { OPTIONS } from '../engine/options';
+import type { OptionGroup, Settings } from '../engine/options';
+
+export const COMMANDS = ['optimize', 'modes', 'compare', 'inspect'] as const;
+export type Command = (typeof COMMANDS)[number];
+
+export interface Flag {
+  name: string;
+  /** what stands for its value in the help; absent: the flag is a switch */
+  value?: string;
+  help: string;
+  group: string;
+}
+
+/** A command: its operands, and which groups of settings it takes. */
+export interface CommandSpec {
+  operands: string[];
+  summary: string;
+  groups: OptionGroup[];
+  flags: Flag[];
+  /** defaults that differ from the engine's */
+  defaults: Partial<Settings>;
+}
+
+const REPORT: Flag = {
+  name: 'report',
+  value: 'FILE|-',
+  help: 'Write the JSON report to FILE, or alone to stdout.',
+  group: 'output',
+};
+const COMMON: Flag[] = [
+  REPORT,
+  { name: 'json', help: 'The same as --report -.', group: 'output' },
+  {
+    name: 'mesh',
+    value: 'NAME',
+    help: 'Only the body of this name; others stay as they are.',
+    group: 'common',
+  },
+  { name: 'quiet', help: 'Say nothing but errors.', group: 'common' },
+  { name: 'help', help: 'Show this help.', group: 'common' },
+  { name: 'version', help: 'Show the version.', group: 'common' },
+];
+
+export const COMMAND_SPECS: Record<Command, CommandSpec> = {
+  optimize: {
+    operands: ['IN', 'OUT.glb'],
+    summary: 'Remove triangles where they matter least for how the body bends.',
+    groups: ['method', 'motion', 'material', 'common'],
+    flags: [
+      {
+        name: 'faces',
+        value: 'N',
+        help: 'Keep at most N faces, shared out over the bodies.',
+        group: 'target',
+      },
+      {
+        name: 'ratio',
+        value: 'R',
+        help: 'Keep this share of the faces of each body, above 0 to 1 (default: 0.5). With --faces, the first one reached stops.',
+        group: 'target',
+      },
+      {
+        name: 'fields',
+        help: 'Write strain and curvature as attributes _STRAIN and _CURVATURE.',
+        group: 'output',
+      },
+      ...COMMON,
+    ],
+    defaults: {},
+  },
+  modes: {
+    operands: ['IN'],
+    summary: 'List the frequencies at which the body deforms by itself.',
+    groups: ['motion', 'material', 'common'],
+    flags: [
+      {
+        name: 'shapes',
+        value: 'OUT.glb',
+        help: 'Write the modes as morph targets with an animation each.',
+        group: 'output',
+      },
+      ...COMMON,
+    ],
+    defaults: { model: 'shell', modes: 'all' },
+  },
+  compare: {
+    operands: ['A', 'B'],
+    summary: 'Measure how alike two meshes are in shape and in vibration; A is the original.',
+    groups: ['material', 'common'],
+    flags: [
+      {
+        name: 'modes',
+        value: 'N',
+        help: 'How many elastic modes are compared (default: 10).',
+        group: 'material',
+      },
+      ...COMMON,
+    ],
+    defaults: { modeCount: 10, model: 'shell' },
+  },
+  inspect: {
+    operands: ['IN'],
+    summary: 'Tell what is in a mesh and what is wrong with it.',
+    groups: ['common'],
+    flags: COMMON,
+    defaults: {},
+  },
+};
+
+/** Flags and values that are planned and not there yet. */
+export const LATER_FLAGS = new Set(
+  (
+    'max-deviation min-angle max-frequency-error fit size-weight direction pins exact material-preset ' +
+    'bind lods symmetry scenario material seconds substeps record'
+  ).split(' '),
+);
+export const LATER_VALUES: Record<string, string[]> = { method: ['limber'], model: ['solid'] };
+export const LATER_COMMANDS = ['simulate'];
+
+const PLACEHOLDERS: Partial<Record<keyof Settings, string>> = {
+  method: 'paper|qem',
+  model: 'auto|shell|laplacian',
+  modes: 'auto|all|K[,K...]',
+  modeWeights: 'W[,W...]',
+  p: 'P|inf',
+  young: 'PA',
+  poisson: 'NU',
+  density: 'KG/M3',
+  thickness: 'PCT',
+  unit: 'METRES',
+  weld: 'PCT',
+};
+
+/** The settings that a command takes as flags. */
+export function settingsOf(command: Command): (keyof Settings)[] {
+  const { groups } = COMMAND_SPECS[command];
+  return (Object.keys(OPTIONS) as (keyof Settings)[]).filter((key) => groups.includes(OPTIONS[key].group));
+}
+
+/** All flags of a command, in the order of its help. */
+export function flagsOf(command: Command): Flag[] {
+  const settings = settingsOf(command).map((key): Flag => {
+    const { flag, help, group } = OPTIONS[key];
+    return {
+      name: flag,
+      value: PLACEHOLDERS[key] ?? 'N',
+      help: `${help}${defaultNote(command, key)}`,
+      group,
+    };
+  });
+  return [...COMMAND_SPECS[command].flags, ...settings];
+}
+
+function defaultNote(command: Command, key: keyof Settings): string {
+  const value = COMMAND_SPECS[command].defaults[key] ?? OPTIONS[key].default;
+  return Array.isArray(value)
+    ? ''
+    : ` Default: ${String(value)}${OPTIONS[key].unit ? ` ${OPTIONS[key].unit}` : ''}.`;
+}

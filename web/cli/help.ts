@@ -1,0 +1,65 @@
+/** Help for a stranger. */
+
+import { VERSION } from '../engine/version';
+import { COMMAND_SPECS, COMMANDS, flagsOf } from './flags';
+import type { Command, Flag } from './flags';
+
+const WIDTH = 100;
+const GROUPS: Record<string, string> = {
+  target: 'Target',
+  method: 'Method',
+  motion: 'Motion',
+  material: 'Material',
+  output: 'Output',
+  common: 'Common',
+};
+
+export function helpText(command: Command | null): string {
+  return command === null ? overview() : commandHelp(command);
+}
+
+function usageOf(command: Command): string {
+  return `limber ${command} ${COMMAND_SPECS[command].operands.join(' ')} [options]`;
+}
+
+function overview(): string {
+  const usages = COMMANDS.map(
+    (command) => `  ${usageOf(command).padEnd(40)} ${COMMAND_SPECS[command].summary}`,
+  );
+  return [
+    `Limber ${VERSION}: meshes with few triangles that still bend right.`,
+    '',
+    ...usages,
+    '',
+    'IN, A and B are GLB, glTF (its files beside it), OBJ, STL or PLY.',
+    'limber COMMAND --help shows all options of a command.',
+    'Exit codes: 0 done, 1 bad input or option, 2 a target was missed (OUT is written all the same), 3 internal error.',
+  ].join('\n');
+}
+
+function commandHelp(command: Command): string {
+  const flags = flagsOf(command);
+  const sections = Object.entries(GROUPS).flatMap(([group, title]) => {
+    const members = flags.filter((flag) => flag.group === group);
+    return members.length > 0 ? ['', title, ...members.flatMap(flagLines)] : [];
+  });
+  return [usageOf(command), COMMAND_SPECS[command].summary, ...sections].join('\n');
+}
+
+function flagLines({ name, value, help }: Flag): string[] {
+  const head = `  --${name}${value ? ` ${value}` : ''}`;
+  const indent = 30;
+  const [first, ...others] = wrap(help, WIDTH - indent);
+  const opening = head.length < indent ? [head.padEnd(indent) + first] : [head, ' '.repeat(indent) + first];
+  return [...opening, ...others.map((line) => ' '.repeat(indent) + line)];
+}
+
+function wrap(text: string, width: number): string[] {
+  const lines = [''];
+  for (const word of text.split(' ')) {
+    const line = lines[lines.length - 1];
+    if (line !== '' && line.length + word.length >= width) lines.push(word);
+    else lines[lines.length - 1] = line === '' ? word : `${line} ${word}`;
+  }
+  return lines;
+}

@@ -1,0 +1,51 @@
+/** limber inspect IN */
+
+import { inspectBody, startStopwatch } from '../engine/pipeline';
+import type { Body, OpenModel } from '../engine/document/open';
+import { describeHealth } from '../engine/health';
+import { startReport } from '../engine/report';
+import type { InspectedBody } from '../engine/report';
+import type { Arguments } from './arguments';
+import { EXIT } from './failure';
+import { chosenBodies, finish, openFile, startSession } from './session';
+import { count, plural, table } from './words';
+
+export async function runInspect(args: Arguments): Promise<number> {
+  const total = startStopwatch();
+  const stopwatch = startStopwatch();
+  const session = await startSession(args);
+  const model = await openFile(session, args.operands[0]);
+  const load = stopwatch();
+  const bodies = chosenBodies(session, model).map((i) => model.bodies[i]);
+  const inspected = bodies.map((body) => inspectBody(session.core, body, args.settings));
+  const { weld, threads } = args.settings;
+  const report = startReport(session.core, 'inspect', { weld, threads }, inspected);
+  report.timings = { load, inspect: stopwatch(), total: total() };
+  finish(session, report, inspectText(model, bodies, inspected));
+  return EXIT.done;
+}
+
+function inspectText(model: OpenModel, bodies: Body[], inspected: InspectedBody[]): string {
+  const header = ['body', 'vertices', 'faces', 'parts', 'borders', 'genus', 'smallest angle', 'mean'];
+  const rows = inspected.map((one, i) => bodyRow(bodies[i], one));
+  const notes = inspected.flatMap(({ weld }, i) =>
+    describeHealth(bodies[i], weld).map(({ text }) =>
+      bodies.length > 1 ? `${bodies[i].name}: ${text}` : text,
+    ),
+  );
+  const heading = `${model.name}: ${model.format.toUpperCase()}, ${plural(model.bodies.length, 'body', 'bodies')}`;
+  return [heading, table([header, ...rows]), ...notes.map((note) => `- ${note}`)].join('\n');
+}
+
+function bodyRow({ name }: Body, { weld, quality }: InspectedBody): string[] {
+  const { vertices, faces, components, boundaryLoops, genus } = weld.inspection;
+  const degrees = (angle?: number) => (angle === undefined ? '-' : `${angle.toFixed(2)} deg`);
+  const counts = [vertices, faces, components, boundaryLoops].map(count);
+  return [
+    name,
+    ...counts,
+    genus === null ? '-' : count(genus),
+    degrees(quality?.minAngle),
+    degrees(quality?.meanMinAngle),
+  ];
+}

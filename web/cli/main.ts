@@ -1,0 +1,46 @@
+/** The command line: reads the words, runs a command, and ends with its exit code. */
+
+import { VERSION } from '../engine/version';
+import { parseArguments } from './arguments';
+import type { Arguments } from './arguments';
+import { runCompare } from './compare';
+import { describeFailure, EXIT } from './failure';
+import type { Command } from './flags';
+import { helpText } from './help';
+import { runInspect } from './inspect';
+import { runModes } from './modes';
+import { runOptimize } from './optimize';
+import { clearProgress } from './session';
+
+const RUN: Record<Command, (args: Arguments) => Promise<number>> = {
+  optimize: runOptimize,
+  modes: runModes,
+  compare: runCompare,
+  inspect: runInspect,
+};
+
+async function run(words: string[]): Promise<number> {
+  const parsed = parseArguments(words);
+  if (!('show' in parsed)) return RUN[parsed.command](parsed);
+  process.stdout.write(`${parsed.show === 'version' ? VERSION : helpText(parsed.command)}\n`);
+  // Help without being asked for it means that something was missing.
+  return words.length > 0 ? EXIT.done : EXIT.badInput;
+}
+
+async function main(): Promise<number> {
+  try {
+    return await run(process.argv.slice(2));
+  } catch (error) {
+    clearProgress();
+    const { code, line } = describeFailure(error);
+    process.stderr.write(`limber: ${line}\n`);
+    return code;
+  }
+}
+
+/** The pool of threads keeps Node alive, so the program ends itself, once everything it said has left. */
+function exit(code: number): void {
+  process.stdout.write('', () => process.stderr.write('', () => process.exit(code)));
+}
+
+exit(await main());

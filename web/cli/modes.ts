@@ -1,0 +1,80 @@
+/** limber modes IN */
+
+import { basename } from 'node:path';
+import { exportGlb } from '../engine/document/export';
+import { shapeTargets } from '../engine/document/shapes';
+import { resolveModel, resolveModes } from '../engine/options';
+import { exportedMesh, findModes, startStopwatch } from '../engine/pipeline';
+import type { PreparedBody } from '../engine/pipeline';
+import type { ModeSet } from '../engine/core';
+import { modesReport, startReport } from '../engine/report';
+import type { Report } from '../engine/report';
+import type { Arguments } from './arguments';
+import { EXIT } from './failure';
+import { checkOutput, writeWhole } from './files';
+import { finish, openFile, prepareBodies, startSession, usable } from './session';
+import { plural, table } from './words';
+
+export async function runModes(args: Arguments): Promise<number> {
+  const [input] = args.operands;
+  if (args.shapes !== null) checkOutput(args.shapes, input);
+  const total = startStopwatch();
+  const stopwatch = startStopwatch();
+  const session = await startSession(args);
+  const { settings } = args;
+  const model = await openFile(session, input);
+  const load = stopwatch();
+  const prepared = prepareBodies(session, model);
+  const weld = stopwatch();
+  const sets = prepared.map((body) => {
+    session.activity = body?.body.name ?? '';
+    return body ? findModes(session.core, body, settings) : null;
+  });
+  const solved = stopwatch();
+  if (args.shapes !== null) {
+    const shown = prepared.map((body, i) => (body ? shapesOf(args, body, sets[i]!) : null));
+    writeWhole(args.shapes, await exportGlb(model, shown, { fields: false }));
+  }
+  const used = {
+    ...settings,
+    model: resolveModel(settings),
+    ...(args.mesh !== null ? { mesh: args.mesh } : {}),
+  };
+  const report = startReport(session.core, 'modes', used, usable(prepared));
+  const found = sets.filter((set) => set !== null).map((modes) => ({ modes, model: resolveModel(settings) }));
+  Object.assign(report, modesReport(found));
+  report.timings = { load, weld, modes: solved, export: stopwatch(), total: total() };
+  finish(session, report, modesText(args, report));
+  return EXIT.done;
+}
+
+function shapesOf({ settings }: Arguments, prepared: PreparedBody, modes: ModeSet) {
+  const layers = resolveModes(settings).map((mode) => mode - 1);
+  const targets = shapeTargets(prepared.mesh, modes, layers, prepared.diagonal);
+  return { ...exportedMesh(prepared), targets };
+}
+
+function modesText(
+  { operands, shapes }: Arguments,
+  { modes, components, zeroModes, model, timings }: Report,
+): string {
+  const isNominal = model === 'laplacian';
+  const many = components!.length > 1;
+  const header = ['mode', 'frequency', 'omega', 'residual', ...(many ? ['part'] : [])];
+  const rows = modes!.map(({ name, frequency, omega, residual, component }) => [
+    name,
+    `${frequency.toPrecision(4)} Hz`,
+    `${omega.toPrecision(4)} rad/s`,
+    residual.toExponential(1),
+    ...(many ? [String(component + 1)] : []),
+  ]);
+  const parts = many ? `, ${plural(components!.length, 'part', 'parts')}` : '';
+  const zero = `${zeroModes!.found} of ${zeroModes!.expected} zero modes found`;
+  const heading = `${basename(operands[0])}: ${model} model${parts}, ${zero}, ${timings.modes.toFixed(1)} s`;
+  const nominal = isNominal
+    ? ['Frequencies of the laplacian model are nominal: only their proportions mean something.']
+    : [];
+  return [heading, table([header, ...rows]), ...nominal, ...(shapes !== null ? [`-> ${shapes}`] : [])].join(
+    '\n',
+  );
+}

@@ -1,0 +1,151 @@
+/** limber optimize IN OUT */
+
+import { basename } from 'node:path';
+import { droppedByExport, exportGlb } from '../engine/document/export';
+import { resolveModel, resolveModes } from '../engine/options';
+import { exportedBody, optimizeBody, startStopwatch } from '../engine/pipeline';
+import type { OptimizedBody, PreparedBody, Timings } from '../engine/pipeline';
+import {
+  describeRefused,
+  meshReport,
+  modesReport,
+  startReport,
+  stopReport,
+  worstSurface,
+} from '../engine/report';
+import type { Report } from '../engine/report';
+import type { Arguments } from './arguments';
+import { EXIT } from './failure';
+import { checkOutput, writeWhole } from './files';
+import { finish, openFile, prepareBodies, startSession, usable } from './session';
+import { count, percent, plural } from './words';
+
+const DEFAULT_RATIO = 0.5;
+
+export async function runOptimize(args: Arguments): Promise<number> {
+  const [input, output] = args.operands;
+  checkOutput(output, input);
+  const total = startStopwatch();
+  const stopwatch = startStopwatch();
+  const session = await startSession(args);
+  const model = await openFile(session, input);
+  const load = stopwatch();
+  const prepared = prepareBodies(session, model);
+  const weld = stopwatch();
+  const targets = shareTargets(args, prepared);
+  const optimized = prepared.map((body, i) => {
+    if (!body) return null;
+    session.activity = body.body.name;
+    return optimizeBody(session.core, body, args.settings, targets[i]);
+  });
+  const done = optimized.filter((body) => body !== null);
+  stopwatch();
+  const exported = optimized.map((body) =>
+    body ? exportedBody(body.prepared, body.result, args.fields ? body : null) : null,
+  );
+  const bytes = await exportGlb(model, exported, { fields: args.fields });
+  writeWhole(output, bytes);
+  const dropped = droppedByExport(model);
+  if (dropped.length > 0) session.warnings.push(`OUT leaves out ${dropped.join(', ')}`);
+  const report = startReport(session.core, 'optimize', optionsAsUsed(args), usable(prepared));
+  fillReport(report, done);
+  const timings = { load, weld, ...sumTimings(done), export: stopwatch(), total: total() };
+  report.timings = timings;
+  const missed = report.stop!.reason === 'exhausted' ? describeMiss(done) : '';
+  finish(session, report, summaryLine(args, done, timings.total), missed);
+  return missed === '' ? EXIT.done : EXIT.missedTarget;
+}
+
+function optionsAsUsed(args: Arguments): object {
+  const { settings, faces, ratio, mesh, fields } = args;
+  const guided =
+    settings.method === 'qem' ? {} : { model: resolveModel(settings), modes: resolveModes(settings) };
+  const target = {
+    ...(faces !== null ? { faces } : {}),
+    ...(ratio !== null || faces === null ? { ratio: ratio ?? DEFAULT_RATIO } : {}),
+  };
+  return { ...settings, ...guided, ...target, ...(mesh !== null ? { mesh } : {}), fields };
+}
+
+/** How many faces each body may keep: the larger of both targets, for the first one reached stops. */
+function shareTargets({ faces, ratio }: Arguments, bodies: (PreparedBody | null)[]): number[] {
+  const counts = bodies.map((body) => (body ? body.mesh.triangles.length / 3 : 0));
+  const share = faces === null ? null : shareInProportion(faces, counts);
+  const wantsRatio = ratio !== null || faces === null;
+  return counts.map((faceCount, i) => {
+    // The sum keeps 0.3 * 10 from becoming 2.
+    const byRatio = wantsRatio ? Math.floor((ratio ?? DEFAULT_RATIO) * faceCount + 1e-9) : 0;
+    return Math.max(1, byRatio, share ? share[i] : 0);
+  });
+}
+
+/** Whole shares of `total` in proportion to `weights`; what is left over goes to the largest remainders, lowest first. */
+export function shareInProportion(total: number, weights: number[]): number[] {
+  const sum = weights.reduce((a, b) => a + b, 0);
+  const exact = weights.map((weight) => (total * weight) / sum);
+  const shares = exact.map(Math.floor);
+  const left = total - shares.reduce((a, b) => a + b, 0);
+  const byRemainder = exact
+    .map((_, i) => i)
+    .sort((a, b) => exact[b] - shares[b] - (exact[a] - shares[a]) || a - b);
+  for (const i of byRemainder.slice(0, left)) shares[i] += 1;
+  return shares;
+}
+
+function fillReport(report: Report, done: OptimizedBody[]): void {
+  report.output = meshReport(done.map(({ measured }) => measured));
+  const sets = done.flatMap(({ modes, model }) => (modes && model ? [{ modes, model }] : []));
+  if (sets.length > 0) Object.assign(report, modesReport(sets));
+  report.surface = worstSurface(done.map(({ measured }) => measured.distance));
+  report.stop = stopReport(done.map(stopOf));
+}
+
+function stopOf({ result, targetFaces, history }: OptimizedBody) {
+  return { faces: result.mesh.triangles.length / 3, targetFaces, refused: history.refused };
+}
+
+function sumTimings(done: OptimizedBody[]): Omit<Timings, 'weld'> {
+  const sumOf = (key: keyof Timings) => done.reduce((sum, { timings }) => sum + timings[key], 0);
+  return {
+    modes: sumOf('modes'),
+    fields: sumOf('fields'),
+    simplify: sumOf('simplify'),
+    reduce: sumOf('reduce'),
+    measure: sumOf('measure'),
+  };
+}
+
+function totals(done: OptimizedBody[]) {
+  const sum = (values: number[]) => values.reduce((a, b) => a + b, 0);
+  return {
+    before: sum(done.map(({ prepared }) => prepared.mesh.triangles.length / 3)),
+    after: sum(done.map(({ result }) => result.mesh.triangles.length / 3)),
+    target: sum(done.map(({ targetFaces }) => targetFaces)),
+  };
+}
+
+function describeMiss(done: OptimizedBody[]): string {
+  const missed = done.filter((body) => stopReport([stopOf(body)]).reason === 'exhausted');
+  const { after, target } = totals(missed);
+  const where = done.length > 1 ? ` in ${plural(missed.length, 'body', 'bodies')} of ${done.length}` : '';
+  const { refused } = stopReport(missed.map(stopOf));
+  return `Stopped at ${count(after)} faces${where}, not ${count(target)}: ${describeRefused(refused)}`;
+}
+
+function summaryLine({ operands }: Arguments, done: OptimizedBody[], seconds: number): string {
+  const { before, after } = totals(done);
+  const distance = worstSurface(done.map(({ measured }) => measured.distance));
+  const broken = done.flatMap(({ measured }) =>
+    (['components', 'boundaryLoops', 'genus'] as const).filter((key) => !measured.certificate[key]),
+  );
+  const topology =
+    broken.length === 0 ? 'topology kept' : `TOPOLOGY CHANGED (${[...new Set(broken)].join(', ')})`;
+  const smallest = Math.min(...done.map(({ measured }) => measured.quality.minAngle));
+  return [
+    `${basename(operands[0])}: ${count(before)} -> ${count(after)} faces (${percent(after / before - 1)})`,
+    topology,
+    `deviation ${distance.hausdorff.toFixed(2)} % (mean ${distance.mean.toFixed(2)} %)`,
+    `smallest angle ${smallest.toFixed(1)} deg`,
+    `${seconds.toFixed(1)} s -> ${operands[1]}`,
+  ].join(', ');
+}

@@ -1,0 +1,89 @@
+/** Modes for other programs: morph targets of a body, and animations that swing them. */
+
+import type { Accessor, Animation, Buffer, Document, Mesh, Node } from '@gltf-transform/core';
+import type { ModeSet, TriangleMesh } from '../core';
+
+/** A shape that a mesh can take on: where each vertex goes at weight 1. */
+export interface MorphTarget {
+  name: string;
+  /** displacements[3 * v + c] per vertex of the mesh */
+  displacements: Float32Array;
+}
+
+/** Largest displacement of a shape, of the bounding-box diagonal of the body. */
+const AMPLITUDE = 0.1;
+const SWING_SECONDS = 2;
+const KEYFRAMES = 33;
+
+/**
+ * One target per asked layer that exists: target k moves every part of the body in its own (k + 1)-th mode, so that
+ * parts with many modes do not become a target each. `layers` from 0.
+ */
+export function shapeTargets(
+  mesh: TriangleMesh,
+  modes: ModeSet,
+  layers: number[],
+  diagonal: number,
+): MorphTarget[] {
+  const size = mesh.positions.length;
+  return layers
+    .filter((layer) => layer < modes.layerCount)
+    .map((layer) => {
+      const shape = modes.shapes.subarray(layer * size, (layer + 1) * size);
+      return {
+        name: shapeName(modes, layer),
+        displacements: shape.map((value) => AMPLITUDE * diagonal * value),
+      };
+    });
+}
+
+function shapeName(modes: ModeSet, layer: number): string {
+  const frequencies = modes.modes
+    .filter((mode) => mode.layer === layer)
+    .map((mode) => mode.omega / (2 * Math.PI));
+  if (frequencies.length !== 1) return `mode ${layer + 1}`;
+  return `mode ${layer + 1}, ${frequencies[0].toPrecision(3)} Hz`;
+}
+
+/** One animation per target, sin(theta) over two seconds, on every node that shows one of `meshes`. */
+export function addSwings(document: Document, buffer: Buffer, meshes: Set<Mesh>): void {
+  const nodes = document
+    .getRoot()
+    .listNodes()
+    .filter((node) => node.getMesh() && meshes.has(node.getMesh()!));
+  const targetCounts = nodes.map((node) => node.getMesh()!.listPrimitives()[0].listTargets().length);
+  const times = Float32Array.from({ length: KEYFRAMES }, (_, i) => (SWING_SECONDS * i) / (KEYFRAMES - 1));
+  const input = document.createAccessor('', buffer).setType('SCALAR').setArray(times);
+  for (let target = 0; target < Math.max(0, ...targetCounts); ++target) {
+    const moving = nodes.filter((_, i) => target < targetCounts[i]);
+    const name = moving[0].getMesh()!.listPrimitives()[0].listTargets()[target].getName();
+    const animation = document.createAnimation(name);
+    for (const node of moving) addSwing(document, animation, node, { input, buffer, target });
+  }
+}
+
+interface Swing {
+  input: Accessor;
+  buffer: Buffer;
+  target: number;
+}
+
+function addSwing(
+  document: Document,
+  animation: Animation,
+  node: Node,
+  { input, buffer, target }: Swing,
+): void {
+  const count = node.getMesh()!.listPrimitives()[0].listTargets().length;
+  const weights = new Float32Array(KEYFRAMES * count);
+  for (let i = 0; i < KEYFRAMES; ++i)
+    weights[i * count + target] = Math.sin((2 * Math.PI * i) / (KEYFRAMES - 1));
+  const output = document.createAccessor('', buffer).setType('SCALAR').setArray(weights);
+  const sampler = document.createAnimationSampler().setInput(input).setOutput(output);
+  const channel = document
+    .createAnimationChannel()
+    .setSampler(sampler)
+    .setTargetNode(node)
+    .setTargetPath('weights');
+  animation.addSampler(sampler).addChannel(channel);
+}

@@ -1,0 +1,41 @@
+/** The state of a body in plain words, for the health list of the page and the notes of the command line. */
+
+import type { WeldResult } from './core';
+import { counted } from './document/model';
+import type { Body } from './document/model';
+
+export interface HealthNote {
+  /** `fact`: good to know; `repaired`: something was set right or set aside; `limit`: it keeps something from working */
+  kind: 'fact' | 'repaired' | 'limit';
+  text: string;
+}
+
+export function describeHealth(body: Body, weld: WeldResult): HealthNote[] {
+  const { inspection, weldedVertices, degenerateFaces, duplicateFaces, flippedFaces } = weld;
+  const notes: HealthNote[] = body.notes.map((text) => ({ kind: 'repaired', text }));
+  const add = (kind: HealthNote['kind'], count: number, text: string) => {
+    if (count > 0) notes.push({ kind, text });
+  };
+  const seams = counted(weldedVertices, 'seam vertex', 'seam vertices');
+  add('repaired', weldedVertices, `${seams} welded`);
+  add('repaired', degenerateFaces, `${counted(degenerateFaces, 'face')} without area set aside`);
+  add('repaired', duplicateFaces, `${counted(duplicateFaces, 'duplicate face')} set aside`);
+  add('repaired', flippedFaces, `${counted(flippedFaces, 'face')} turned to agree with their neighbours`);
+  const { nonManifoldEdges, nonManifoldVertices, components, boundaryLoops, orientationClashes } = inspection;
+  add(
+    'limit',
+    nonManifoldEdges,
+    `${counted(nonManifoldEdges, 'edge')} shared by more than two faces, locked`,
+  );
+  add(
+    'limit',
+    nonManifoldVertices,
+    `${counted(nonManifoldVertices, 'vertex', 'vertices')} where surfaces only touch, locked`,
+  );
+  const clashes = counted(orientationClashes, 'edge');
+  if (flippedFaces === 0)
+    add('limit', orientationClashes, `${clashes} between faces that look to opposite sides`);
+  if (components > 1) add('fact', components, counted(components, 'part'));
+  add('fact', boundaryLoops, `${counted(boundaryLoops, 'open border')}`);
+  return notes;
+}
