@@ -1,0 +1,199 @@
+#include "pipeline/fidelity.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/parallel.h"
+#include "measure/closest_point.h"
+#include "mesh/topology.h"
+#include "pipeline/assignment.h"
+
+namespace limber {
+
+namespace {
+
+constexpr int kMargin = 8;  // modes beyond the compared ones, so that a mode may change its place
+constexpr double kNeighbourhood = 0.10;  // modes this close in frequency are compared as one subspace
+
+// The lowest modes of a body over all of its parts: ascending frequencies, one column per mode, rows 3 * v +
+// c.
+struct Gallery {
+  std::vector<double> omega;
+  Eigen::MatrixXd shapes;
+};
+
+Gallery lowestModes(const TriangleMesh& mesh, const FidelityOptions& options, double thickness, int count,
+                    Job& job) {
+  const ModesOptions modesOptions{Model::Shell,    count,           thickness,   options.young,
+                                  options.poisson, options.density, options.unit};
+  const ModeSet set = computeModes(mesh, modesOptions, job);
+  const auto component = buildTopology(mesh).componentOfVertex;
+  const size_t n = mesh.vertexCount(),
+               listed = std::min<size_t>(set.modes.size(), static_cast<size_t>(count));
+  Gallery gallery;
+  gallery.shapes = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * n), static_cast<Eigen::Index>(listed));
+  for (size_t k = 0; k < listed; ++k) {
+    const Mode& mode = set.modes[k];
+    gallery.omega.push_back(mode.omega);
+    for (size_t v = 0; v < n; ++v)
+      if (component[v] == mode.component)
+        for (size_t c = 0; c < 3; ++c)
+          gallery.shapes(static_cast<Eigen::Index>(3 * v + c), static_cast<Eigen::Index>(k)) =
+              set.shapes[(mode.layer * n + v) * 3 + c];
+  }
+  return gallery;
+}
+
+// For each vertex of the original, its closest point on the other surface.
+std::vector<SurfacePoint> bind(const TriangleMesh& original, const TriangleMesh& other) {
+  const ClosestPointTree tree(other);
+  std::vector<SurfacePoint> points(original.vertexCount());
+  parallelFor(points.size(), 256, [&](size_t begin, size_t end) {
+    for (size_t v = begin; v < end; ++v) points[v] = tree.closest(original.positions[v]);
+  });
+  return points;
+}
+
+// Shapes of the other body, at the original's vertices.
+Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& other,
+                         const std::vector<SurfacePoint>& points) {
+  Eigen::MatrixXd carried(3 * static_cast<Eigen::Index>(points.size()), shapes.cols());
+  for (size_t v = 0; v < points.size(); ++v)
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      auto row = carried.row(3 * static_cast<Eigen::Index>(v) + axis);
+      row.setZero();
+      for (int c = 0; c < 3; ++c)
+        row += points[v].barycentric[c] *
+               shapes.row(3 * static_cast<Eigen::Index>(other.triangles[points[v].triangle][c]) + axis);
+    }
+  return carried;
+}
+
+// Square roots of the lumped areas, three per vertex: |weight * shape|^2 is the modal mass but for a factor.
+Eigen::VectorXd rootMasses(const TriangleMesh& mesh) {
+  Eigen::VectorXd mass = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()));
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    for (uint32_t v : mesh.triangles[t])
+      mass.segment<3>(3 * Eigen::Index{v}).array() += triangleArea(mesh, t) / 3;
+  return mass.cwiseSqrt();
+}
+
+// Scales rows by the masses and columns to length 1, so that a MAC is a squared inner product.
+Eigen::MatrixXd massNormalised(const Eigen::MatrixXd& shapes, const Eigen::VectorXd& rootMass) {
+  Eigen::MatrixXd scaled = rootMass.asDiagonal() * shapes;
+  for (Eigen::Index k = 0; k < scaled.cols(); ++k) {
+    const double size = scaled.col(k).norm();
+    if (size > 0) scaled.col(k) /= size;
+  }
+  return scaled;
+}
+
+// The modes of both bodies at one thickness, paired.
+struct Pairing {
+  std::vector<double> ratio;  // other / original frequency by the original's mode; 0 where it has no partner
+  std::vector<double> subspaceMac;  // by the original's mode
+};
+
+// How much of `shape` lies in the span of those columns of `shapes` whose frequency is close to that of
+// column `match`.
+double subspaceMac(const Eigen::VectorXd& shape, const Eigen::MatrixXd& shapes,
+                   const std::vector<double>& omega, int match) {
+  std::vector<Eigen::Index> close;
+  for (size_t k = 0; k < omega.size(); ++k)
+    if (std::abs(omega[k] - omega[match]) <= kNeighbourhood * omega[match])
+      close.push_back(static_cast<Eigen::Index>(k));
+  const Eigen::MatrixXd span = shapes(Eigen::all, close);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(span);
+  const Eigen::MatrixXd basis =
+      qr.householderQ() * Eigen::MatrixXd::Identity(span.rows(), std::min(span.cols(), qr.rank()));
+  return (basis.transpose() * shape).squaredNorm();
+}
+
+class Comparison {
+ public:
+  Comparison(const TriangleMesh& original, const TriangleMesh& other, const FidelityOptions& options,
+             Job& job)
+      : original_(original),
+        other_(other),
+        options_(options),
+        job_(job),
+        points_(bind(original, other)),
+        rootMass_(rootMasses(original)) {}
+
+  Pairing pair(double thickness, int count) const {
+    const Gallery a = lowestModes(original_, options_, thickness, count, job_);
+    const Gallery b = lowestModes(other_, options_, thickness, count + kMargin, job_);
+    const Eigen::MatrixXd shapesA = massNormalised(a.shapes, rootMass_);
+    const Eigen::MatrixXd shapesB = massNormalised(transfer(b.shapes, other_, points_), rootMass_);
+    const Eigen::MatrixXd mac = (shapesA.transpose() * shapesB).cwiseAbs2();
+    const std::vector<int> partner = assign(mac);
+    Pairing pairing;
+    for (size_t i = 0; i < a.omega.size(); ++i) {
+      const int j = partner[i];
+      pairing.ratio.push_back(j < 0 ? 0 : b.omega[j] / a.omega[i]);
+      pairing.subspaceMac.push_back(
+          j < 0 ? 0 : subspaceMac(shapesA.col(static_cast<Eigen::Index>(i)), shapesB, b.omega, j));
+    }
+    return pairing;
+  }
+
+ private:
+  const TriangleMesh &original_, &other_;
+  const FidelityOptions& options_;
+  Job& job_;
+  std::vector<SurfacePoint> points_;
+  Eigen::VectorXd rootMass_;
+};
+
+// Mean of |factor * ratio - 1| over modes first .. last - 1, in %; 0 where there are none.
+double meanError(const std::vector<double>& ratio, size_t first, size_t last, double factor = 1) {
+  last = std::min(last, ratio.size());
+  double sum = 0;
+  for (size_t i = first; i < last; ++i) sum += std::abs(factor * ratio[i] - 1);
+  return last > first ? 100 * sum / static_cast<double>(last - first) : 0;
+}
+
+// The factor on all frequencies that makes sum (factor * ratio - 1)^2 smallest.
+double bestFactor(const std::vector<double>& ratio, size_t count) {
+  double sum = 0, squares = 0;
+  for (size_t i = 0; i < std::min(count, ratio.size()); ++i) {
+    sum += ratio[i];
+    squares += ratio[i] * ratio[i];
+  }
+  return squares > 0 ? sum / squares : 1;
+}
+
+}  // namespace
+
+Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other,
+                         const FidelityOptions& options, Job& job) {
+  if (original.triangles.empty() || other.triangles.empty())
+    throw std::invalid_argument("A mesh without a usable triangle cannot be compared.");
+  job.begin(Phase::Compare);
+  const Comparison comparison(original, other, options, job);
+  const auto count = static_cast<size_t>(options.modeCount);
+  const Pairing pairing = comparison.pair(options.thickness, 2 * options.modeCount);
+  Fidelity fidelity;
+  fidelity.frequencyErrorMean = meanError(pairing.ratio, 0, count);
+  for (size_t i = 0; i < std::min(count, pairing.ratio.size()); ++i)
+    fidelity.frequencyErrorMax = std::max(fidelity.frequencyErrorMax, 100 * std::abs(pairing.ratio[i] - 1));
+  fidelity.frequencyErrorHigh = meanError(pairing.ratio, count, 2 * count);
+  const double factor = bestFactor(pairing.ratio, count);
+  fidelity.calibrationFactor = factor * factor;
+  fidelity.frequencyErrorCalibrated = meanError(pairing.ratio, 0, count, factor);
+  const auto macs = std::min(count, pairing.subspaceMac.size());
+  fidelity.macMin = macs ? 1 : 0;
+  for (size_t i = 0; i < macs; ++i) {
+    fidelity.macMin = std::min(fidelity.macMin, pairing.subspaceMac[i]);
+    fidelity.macMean += pairing.subspaceMac[i] / static_cast<double>(macs);
+  }
+  fidelity.frequencyErrorThin =
+      meanError(comparison.pair(options.thickness / 2, options.modeCount).ratio, 0, count);
+  fidelity.frequencyErrorThick =
+      meanError(comparison.pair(options.thickness * 2, options.modeCount).ratio, 0, count);
+  return fidelity;
+}
+
+}  // namespace limber
