@@ -57,7 +57,7 @@ async function runCoreTests(preset, setup) {
   const sanitizers = { ASAN_OPTIONS: 'detect_leaks=1', UBSAN_OPTIONS: 'print_stacktrace=1' };
   const runOne = async (name) => {
     const report = join(results, `${preset}-${name}.json`);
-    const program = join(folders.build, preset, 'tests', 'core', isWasm ? `${name}.js` : name);
+    const program = join(folders.build, preset, 'tests', 'core', isWasm ? `${name}.cjs` : name);
     const args = [...(isWasm ? [program] : []), `--gtest_output=json:${report}`];
     const { code, words } = await runProgram(isWasm ? process.execPath : program, args, sanitizers);
     const counts = readGoogleTest(report);

@@ -41,6 +41,8 @@ done
 emscripten="$target/usr/share/emscripten"
 mkdir -p "$emscripten/node_modules"
 ln -sfn /usr/share/nodejs/acorn "$emscripten/node_modules/acorn"
+# Scripts of Emscripten are CommonJS unless their name says otherwise, whatever the project around them is.
+echo '{ "type": "commonjs" }' > "$target/package.json"
 cat > "$emscripten/.emscripten" <<CONFIG
 LLVM_ROOT = '/usr/lib/llvm-19/bin'
 BINARYEN_ROOT = '$target/binaryen'
@@ -50,4 +52,9 @@ CONFIG
 
 # Only the prebuilt system libraries that are linked are worth their disk space: everything else is built on demand.
 found=$(find "$target/usr" -type d -name sysroot -path '*cache*' | head -n 1)
-[ -z "$found" ] || { mkdir -p "$target/cache"; cp -a "$(dirname "$found")/." "$target/cache/"; rm -rf "$(dirname "$found")"; }
+if [ -n "$found" ]; then
+  rm -rf "$found"/lib/*/lto "$found"/lib/*/lto-pic "$found"/lib/*/pic "$found"/lib/*/libGL*
+  mkdir -p "$target/cache"
+  cp -a "$(dirname "$found")/." "$target/cache/"
+  rm -rf "$(dirname "$found")"
+fi

@@ -136,7 +136,8 @@ StiffnessModel shellModel(const TriangleMesh& mesh, const Topology& topology, do
   model.mass = Eigen::VectorXd::Zero(model.stiffness.rows());
   const auto areas = lumpedAreas(mesh);
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
-    for (int axis = 0; axis < 3; ++axis) model.mass[3 * Eigen::Index{v} + axis] = thickness * areas[v];
+    for (int axis = 0; axis < 3; ++axis)
+      model.mass[static_cast<Eigen::Index>(3 * v) + axis] = thickness * areas[v];
   model.nodes = mesh.positions;
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) model.firstUnknown.push_back(3 * v);
   for (uint32_t e = 0; e <= topology.edges.size(); ++e)

@@ -76,7 +76,7 @@ Eigen::VectorXd rootMasses(const TriangleMesh& mesh) {
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()));
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
     for (uint32_t v : mesh.triangles[t])
-      mass.segment<3>(3 * Eigen::Index{v}).array() += triangleArea(mesh, t) / 3;
+      mass.segment<3>(static_cast<Eigen::Index>(3 * v)).array() += triangleArea(mesh, t) / 3;
   return mass.cwiseSqrt();
 }
 
