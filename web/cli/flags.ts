@@ -88,7 +88,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   },
   compare: {
     operands: ['A', 'B'],
-    summary: 'Measure how alike two meshes are in shape and in vibration; A is the original.',
+    summary: 'Measure how alike A, the original, and B are in shape and vibration.',
     groups: ['material', 'common'],
     flags: [
       {

@@ -23,9 +23,10 @@ function usageOf(command: Command): string {
 }
 
 function overview(): string {
-  const usages = COMMANDS.map(
-    (command) => `  ${usageOf(command).padEnd(40)} ${COMMAND_SPECS[command].summary}`,
-  );
+  const usages = COMMANDS.map((command) => {
+    const { operands, summary } = COMMAND_SPECS[command];
+    return `  limber ${command} ${operands.join(' ')}`.padEnd(31) + summary;
+  });
   return [
     `Limber ${VERSION}: meshes with few triangles that still bend right.`,
     '',
@@ -33,7 +34,9 @@ function overview(): string {
     '',
     'IN, A and B are GLB, glTF (its files beside it), OBJ, STL or PLY.',
     'limber COMMAND --help shows all options of a command.',
-    'Exit codes: 0 done, 1 bad input or option, 2 a target was missed (OUT is written all the same), 3 internal error.',
+    '',
+    'Exit codes: 0 done, 1 bad input or option, 2 a target was missed (OUT is written all the same),',
+    '3 internal error.',
   ].join('\n');
 }
 

@@ -28,8 +28,8 @@ export async function runInspect(args: Arguments): Promise<number> {
 function inspectText(model: OpenModel, bodies: Body[], inspected: InspectedBody[]): string {
   const header = ['body', 'vertices', 'faces', 'parts', 'borders', 'genus', 'smallest angle', 'mean'];
   const rows = inspected.map((one, i) => bodyRow(bodies[i], one));
-  const notes = inspected.flatMap(({ weld }, i) =>
-    describeHealth(bodies[i], weld).map(({ text }) =>
+  const notes = inspected.flatMap(({ weld, inspection }, i) =>
+    describeHealth(bodies[i], weld, inspection).map(({ text }) =>
       bodies.length > 1 ? `${bodies[i].name}: ${text}` : text,
     ),
   );

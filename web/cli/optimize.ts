@@ -46,7 +46,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const bytes = await exportGlb(model, exported, { fields: args.fields });
   writeWhole(output, bytes);
   const dropped = droppedByExport(model);
-  if (dropped.length > 0) session.warnings.push(`OUT leaves out ${dropped.join(', ')}`);
+  if (dropped.length > 0) session.warnings.push(`${output} leaves out ${dropped.join(', ')}`);
   const report = startReport(session.core, 'optimize', optionsAsUsed(args), usable(prepared));
   fillReport(report, done);
   const timings = { load, weld, ...sumTimings(done), export: stopwatch(), total: total() };

@@ -86,9 +86,9 @@ export function prepareBodies(session: Session, model: OpenModel): (PreparedBody
   return prepared;
 }
 
-function warnAbout({ warnings }: Session, model: OpenModel, { body, weld }: PreparedBody): void {
+function warnAbout({ warnings }: Session, model: OpenModel, { body, weld, inspection }: PreparedBody): void {
   const name = model.bodies.length > 1 ? `${body.name}: ` : '';
-  for (const { kind, text } of describeHealth(body, weld))
+  for (const { kind, text } of describeHealth(body, weld, inspection))
     if (kind !== 'fact') warnings.push(`${name}${text}`);
 }
 
@@ -101,7 +101,8 @@ export const usable = (bodies: (PreparedBody | null)[]): PreparedBody[] =>
  */
 export function finish({ args, core, warnings }: Session, report: Report, text: string, missed = ''): void {
   clearProgress();
-  const json = `${JSON.stringify({ ...report, peakHeapBytes: core.peakHeapBytes() }, null, 2)}\n`;
+  const { timings, ...others } = report;
+  const json = `${JSON.stringify({ ...others, peakHeapBytes: core.peakHeapBytes(), timings }, null, 2)}\n`;
   for (const path of args.reports) if (path !== '-') writeWhole(path, json);
   if (args.reports.includes('-')) process.stdout.write(json);
   else if (!args.quiet) process.stdout.write(`${text}\n`);

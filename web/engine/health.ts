@@ -1,6 +1,6 @@
 /** The state of a body in plain words, for the health list of the page and the notes of the command line. */
 
-import type { WeldResult } from './core';
+import type { Inspection, WeldResult } from './core';
 import { counted } from './document/model';
 import type { Body } from './document/model';
 
@@ -10,8 +10,9 @@ export interface HealthNote {
   text: string;
 }
 
-export function describeHealth(body: Body, weld: WeldResult): HealthNote[] {
-  const { inspection, weldedVertices, degenerateFaces, duplicateFaces, flippedFaces } = weld;
+/** `inspection` is of the usable part: an edge that only duplicate faces share is no limit. */
+export function describeHealth(body: Body, weld: WeldResult, inspection: Inspection): HealthNote[] {
+  const { weldedVertices, degenerateFaces, duplicateFaces, flippedFaces } = weld;
   const notes: HealthNote[] = body.notes.map((text) => ({ kind: 'repaired', text }));
   const add = (kind: HealthNote['kind'], count: number, text: string) => {
     if (count > 0) notes.push({ kind, text });

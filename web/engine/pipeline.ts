@@ -19,6 +19,7 @@ import type {
 } from './core';
 import type { ExportedBody } from './document/export';
 import type { Body } from './document/model';
+import { modesAvailable } from './mode_set';
 import { resolveModel, resolveModes } from './options';
 import type { Settings } from './options';
 import type { InspectedBody } from './report';
@@ -86,18 +87,19 @@ export interface OptimizedBody {
 /** Welds and measures a body, usable or not. */
 export function inspectBody(core: Core, body: Body, settings: Settings): InspectedBody {
   const weld = core.weld(body.positions, body.indices, { tolerance: settings.weld });
-  return { weld, quality: weld.mesh.triangles.length > 0 ? core.measureQuality(weld.mesh) : null };
+  const quality = weld.mesh.triangles.length > 0 ? core.measureQuality(weld.mesh) : null;
+  return { weld, inspection: core.inspect(weld.mesh), quality };
 }
 
 /** Welds and inspects. Throws an Error with one sentence where the body has no usable face. */
 export function prepareBody(core: Core, body: Body, settings: Settings): PreparedBody {
-  const { weld, quality } = inspectBody(core, body, settings);
+  const { weld, inspection, quality } = inspectBody(core, body, settings);
   const { mesh } = weld;
   if (quality === null)
     throw new Error(
-      `Body "${body.name}" has no usable face: all ${body.indices.length / 3} are degenerate; repair it and export it again.`,
+      `Body "${body.name}" has no usable face, ${weld.degenerateFaces} without area: repair it and export it again.`,
     );
-  return { body, weld, mesh, diagonal: diagonalOf(mesh), inspection: core.inspect(mesh), quality };
+  return { body, weld, mesh, diagonal: diagonalOf(mesh), inspection, quality };
 }
 
 /** Elastic modes of every component, with the material of `settings` on the body in its first node's scale. */
@@ -117,8 +119,8 @@ export function materialOf({ body, diagonal }: PreparedBody, settings: Settings)
 }
 
 /**
- * Strain and its rank per triangle for the guiding modes. `auto` and `all` take those that exist; where there are none at
- * all (a lone triangle) the strain is 0.
+ * Strain and its rank per triangle for the guiding modes. A mode that the body lacks counts nothing, as in a part that
+ * lacks it; the strain of a body without any elastic mode is 0. Throws where modes are named and none of them exists.
  */
 export function findGuidance(
   core: Core,
@@ -126,20 +128,21 @@ export function findGuidance(
   modes: ModeSet,
   settings: Settings,
 ): StrainGuidance {
-  const asked = resolveModes(settings).map((mode) => mode - 1);
-  const layers = Array.isArray(settings.modes) ? asked : asked.filter((layer) => layer < modes.layerCount);
-  if (modes.layerCount === 0 || layers.length === 0) {
-    const faces = prepared.mesh.triangles.length / 3;
-    return { strain: new Float32Array(faces), rank: new Float32Array(faces) };
-  }
-  const missing = layers.find((layer) => layer >= modes.layerCount);
-  if (missing !== undefined)
+  const { modeWeights, p, strainThreshold: threshold } = settings;
+  const available = modesAvailable(modes);
+  const faces = prepared.mesh.triangles.length / 3;
+  if (available === 0) return { strain: new Float32Array(faces), rank: new Float32Array(faces) };
+  const asked = resolveModes(settings).map((mode, i) => ({ layer: mode - 1, weight: modeWeights[i] }));
+  const found = asked.filter(({ layer }) => layer < available);
+  if (found.length === 0) {
+    const lowest = Math.min(...asked.map(({ layer }) => layer + 1));
     throw new Error(
-      `--mode names mode ${missing + 1}, but the body has only ${modes.layerCount}: name a lower one.`,
+      `--mode names mode ${lowest}, but "${prepared.body.name}" has only ${available}: name a lower one.`,
     );
-  const { modeWeights, p, strainThreshold } = settings;
-  const weights = modeWeights.slice(0, layers.length);
-  return core.strainGuidance(prepared.mesh, modes, { layers, weights, p, threshold: strainThreshold });
+  }
+  const weights = modeWeights.length > 0 ? found.map(({ weight }) => weight) : [];
+  const layers = found.map(({ layer }) => layer);
+  return core.strainGuidance(prepared.mesh, modes, { layers, weights, p, threshold });
 }
 
 /** Every collapse down to the floor. Without guidance the strain counts as 0; curvature enters over its maximum. */

@@ -94,6 +94,8 @@ export interface StopReport {
 /** What a mesh report needs to know of one body. */
 export interface InspectedBody {
   weld: WeldResult;
+  /** of weld.mesh, the usable part */
+  inspection: Inspection;
   /** null where no face is usable */
   quality: Quality | null;
 }
@@ -155,16 +157,12 @@ function angles(bodies: InspectedBody[]): Pick<MeshReport, 'minAngle' | 'meanMin
 export function modesReport(sets: { modes: ModeSet; model: Model }[]) {
   const components: ComponentReport[] = [];
   const modes: ModeReport[] = [];
+  // One by one: a file may have more parts than a call can take arguments.
   for (const { modes: set, model } of sets) {
     const first = components.length;
-    modes.push(...set.modes.map((mode) => modeReport(mode, model, first)));
-    components.push(
-      ...set.components.map(({ faces, zeroModesExpected, zeroModesFound }) => ({
-        faces,
-        model,
-        zeroModes: { expected: zeroModesExpected, found: zeroModesFound },
-      })),
-    );
+    for (const mode of set.modes) modes.push(modeReport(mode, model, first));
+    for (const { faces, zeroModesExpected, zeroModesFound } of set.components)
+      components.push({ faces, model, zeroModes: { expected: zeroModesExpected, found: zeroModesFound } });
   }
   modes.sort((a, b) => a.omega - b.omega || a.component - b.component);
   const models = new Set(sets.map(({ model }) => model));

@@ -90,7 +90,10 @@ function replaceMesh(document: Document, buffer: Buffer, body: Body, exported: E
   const written: Primitive[] = [];
   body.spans.forEach(({ primitive: number }, span) => {
     const primitive = primitives[number];
-    for (const target of primitive.listTargets()) primitive.removeTarget(target);
+    for (const target of primitive.listTargets()) {
+      primitive.removeTarget(target);
+      if (target.listParents().length === 0) target.dispose();
+    }
     for (const semantic of primitive.listSemantics()) primitive.setAttribute(semantic, null);
     dropPrimitiveExtensions(primitive);
     if (trianglesOfSpan[span].length === 0) primitive.dispose();

@@ -123,11 +123,22 @@ export function companionPath(main: string, uri: string): string {
 async function readDocument(name: string, jsonDocument: JSONDocument): Promise<Document> {
   const io = await createGltfIo(jsonDocument.json.extensionsUsed);
   try {
-    return await io.readJSON(jsonDocument);
+    const document = await io.readJSON(jsonDocument);
+    checkAccessors(jsonDocument.json, document);
+    return document;
   } catch (error) {
     const reason = error instanceof Error ? error.message.replace(/\.$/, '') : String(error);
     throw new Error(`${name} is not a valid glTF file (${reason}): check it with the glTF validator.`);
   }
+}
+
+/** A buffer that is too short gives a short accessor without a word. */
+function checkAccessors(json: GLTF.IGLTF, document: Document): void {
+  const accessors = document.getRoot().listAccessors();
+  (json.accessors ?? []).forEach(({ count }, i) => {
+    const found = accessors[i]?.getArray() ? accessors[i].getCount() : count;
+    if (found !== count) throw new Error(`accessor ${i} announces ${count} elements, ${found} are there`);
+  });
 }
 
 function restPoseNotes(document: Document): string[] {

@@ -116,13 +116,14 @@ function hasTextures(material: Material): boolean {
   );
 }
 
+/** The info of a texture can be had only while the texture is there. */
 function stripTextures(material: Material): void {
   for (const holder of holdersOf(material)) {
-    for (const name of methodsOf(holder, /^set\w*Texture$/)) call(holder, name, null);
     for (const name of methodsOf(holder, /^get\w*TextureInfo$/)) {
       const info = call(holder, name) as TextureInfo | null;
       for (const extension of info?.listExtensions() ?? []) info!.setExtension(extension.extensionName, null);
     }
+    for (const name of methodsOf(holder, /^set\w*Texture$/)) call(holder, name, null);
   }
 }
 

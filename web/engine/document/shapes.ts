@@ -2,6 +2,7 @@
 
 import type { Accessor, Animation, Buffer, Document, Mesh, Node } from '@gltf-transform/core';
 import type { ModeSet, TriangleMesh } from '../core';
+import { modesAvailable } from '../mode_set';
 
 /** A shape that a mesh can take on: where each vertex goes at weight 1. */
 export interface MorphTarget {
@@ -26,8 +27,9 @@ export function shapeTargets(
   diagonal: number,
 ): MorphTarget[] {
   const size = mesh.positions.length;
+  const available = modesAvailable(modes);
   return layers
-    .filter((layer) => layer < modes.layerCount)
+    .filter((layer) => layer < available)
     .map((layer) => {
       const shape = modes.shapes.subarray(layer * size, (layer + 1) * size);
       return {

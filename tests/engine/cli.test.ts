@@ -1,0 +1,328 @@
+import { spawnSync } from 'node:child_process';
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { validateGlb } from '../../web/engine/document/validate';
+import type { Report } from '../../web/engine/report';
+import { VERSION } from '../../web/engine/version';
+import { SQUARE_OBJ } from './support/files';
+import { readGlb } from './support/gltf';
+import { grid, toObj, torus } from './support/shapes';
+import { together } from './support/bodies';
+
+const program = new URL('../../dist/cli/limber.mjs', import.meta.url).pathname;
+let folder: string;
+
+/** Runs limber in the folder of the test files. */
+function limber(...args: string[]) {
+  const { status, stdout, stderr } = spawnSync(process.execPath, [program, ...args], {
+    cwd: folder,
+    encoding: 'utf8',
+  });
+  return { code: status, stdout, stderr };
+}
+
+const path = (name: string) => join(folder, name);
+const report = (text: string) => JSON.parse(text) as Report;
+
+beforeAll(() => {
+  if (!existsSync(program)) throw new Error('dist/cli/limber.mjs is missing: run npm run build first.');
+  folder = mkdtempSync(join(tmpdir(), 'limber-test-'));
+  mkdirSync(path('folder'));
+  writeFileSync(path('torus.obj'), toObj(torus()));
+  writeFileSync(path('grid.obj'), toObj(grid(8, 8)));
+  writeFileSync(path('square.obj'), SQUARE_OBJ);
+  writeFileSync(path('bad.obj'), 'v 0 0 nan\nf 1 1 1\n');
+  const two = toObj(together(torus(), grid(8, 8)));
+  const lines = two.split('\n');
+  const firstOfGrid = lines.filter((line) => line.startsWith('v')).length + torus().triangles.length / 3;
+  lines.splice(firstOfGrid, 0, 'o sheet');
+  writeFileSync(path('two.obj'), `o ring\n${lines.join('\n')}`);
+});
+
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+describe('limber optimize', () => {
+  it('writes a GLB and says in one line what came of it', async () => {
+    const { code, stdout, stderr } = limber('optimize', 'torus.obj', 'out.glb');
+    expect([code, stderr]).toEqual([0, '']);
+    expect(stdout).toMatch(
+      /^torus\.obj: 576 -> 288 faces \(-50\.0 %\), topology kept, deviation \d+\.\d\d % \(mean \d+\.\d\d %\), smallest angle \d+\.\d deg, \d+\.\d s -> out\.glb\n$/,
+    );
+    expect(await validateGlb(readFileSync(path('out.glb')))).toMatchObject({ errors: 0, warnings: 0 });
+  });
+
+  it('gives the same bytes on any number of threads', () => {
+    const bytes = ['1', '2', '3'].map((threads) => {
+      expect(limber('optimize', 'two.obj', `${threads}.glb`, '--threads', threads, '--fields').code).toBe(0);
+      return readFileSync(path(`${threads}.glb`));
+    });
+    expect(bytes[1].equals(bytes[0])).toBe(true);
+    expect(bytes[2].equals(bytes[0])).toBe(true);
+  });
+
+  it('gives the report alone on stdout with --report -, and with --json', () => {
+    for (const flags of [['--report', '-'], ['--json'], ['--json', '--report=-']]) {
+      const { code, stdout } = limber('optimize', 'torus.obj', 'out.glb', '--faces', '200', ...flags);
+      expect(code).toBe(0);
+      const { schema, version, command, options, input, output, stop, surface, timings, ...others } =
+        report(stdout);
+      expect([schema, version, command]).toEqual(['limber-report/1', VERSION, 'optimize']);
+      expect(options).toMatchObject({
+        faces: 200,
+        method: 'paper',
+        model: 'laplacian',
+        modes: [1],
+        fields: false,
+      });
+      expect(options).not.toHaveProperty('ratio');
+      expect(input).toMatchObject({ faces: 576, vertices: 288, genus: 1, components: 1, boundaryLoops: 0 });
+      expect(output!.faces).toBeLessThanOrEqual(200);
+      expect(output!.genus).toBe(1);
+      expect(stop!.reason).toBe('target');
+      expect(surface!.hausdorff).toBeGreaterThanOrEqual(surface!.mean);
+      expect(Object.keys(timings)).toEqual(
+        expect.arrayContaining(['load', 'modes', 'fields', 'simplify', 'export']),
+      );
+      expect(Object.keys(others).sort()).toEqual(
+        ['components', 'model', 'modes', 'peakHeapBytes', 'solve', 'threads', 'zeroModes'].sort(),
+      );
+      expect(others.zeroModes).toEqual({ expected: 3, found: 3 });
+      for (const { residual } of others.modes!) expect(residual).toBeLessThan(1e-7);
+    }
+  });
+
+  it('writes the report to a file beside the summary', () => {
+    const { stdout } = limber(
+      'optimize',
+      'torus.obj',
+      'out.glb',
+      '--method',
+      'qem',
+      '--report',
+      'report.json',
+    );
+    expect(stdout).toMatch(/^torus\.obj: /);
+    const written = report(readFileSync(path('report.json'), 'utf8'));
+    expect(written.options.ratio).toBe(0.5);
+    expect(written).not.toHaveProperty('modes');
+  });
+
+  it('keeps silent with --quiet', () => {
+    expect(limber('optimize', 'two.obj', 'out.glb', '--quiet')).toEqual({ code: 0, stdout: '', stderr: '' });
+  });
+
+  it('writes OUT, tells the reason and exits with 2 where the target cannot be reached', () => {
+    const { code, stdout, stderr } = limber(
+      'optimize',
+      'torus.obj',
+      'floor.glb',
+      '--faces',
+      '1',
+      '--quiet',
+      '--json',
+    );
+    expect(code).toBe(2);
+    expect(stderr).toMatch(
+      /^limber: Stopped at \d+ faces, not 1: of the remaining edges \d+ % would .*\.\n$/,
+    );
+    expect(report(stdout).stop!.reason).toBe('exhausted');
+    expect(existsSync(path('floor.glb'))).toBe(true);
+  });
+
+  it('shares --faces out in proportion, and takes the larger of two targets', () => {
+    const faces = (...flags: string[]) =>
+      report(limber('optimize', 'two.obj', 'out.glb', '--json', ...flags).stdout).output!.faces;
+    expect(faces('--faces', '352')).toBeGreaterThan(345);
+    expect(faces('--faces', '352')).toBeLessThanOrEqual(352);
+    expect(faces('--faces', '352', '--ratio', '0.25')).toBe(faces('--faces', '352'));
+    expect(faces('--faces', '50', '--ratio', '0.5')).toBe(faces('--ratio', '0.5'));
+    expect(faces('--ratio', '1')).toBe(704);
+  });
+
+  it('optimizes only the body of --mesh', async () => {
+    const { stdout } = limber('optimize', 'two.obj', 'one.glb', '--mesh', 'sheet', '--json');
+    expect(report(stdout).input.faces).toBe(128);
+    const meshes = (await readGlb(readFileSync(path('one.glb')))).getRoot().listMeshes();
+    const faces = meshes.map((mesh) => mesh.listPrimitives()[0].getIndices()!.getCount() / 3);
+    expect(meshes.map((mesh) => mesh.getName())).toEqual(['ring', 'sheet']);
+    expect(faces).toEqual([576, 64]);
+    expect(limber('optimize', 'two.obj', 'one.glb', '--mesh', 'sheets')).toEqual({
+      code: 1,
+      stdout: '',
+      stderr: 'limber: two.obj has no body "sheets": it has "ring", "sheet".\n',
+    });
+  });
+
+  it('carries fields with --fields', async () => {
+    limber(
+      'optimize',
+      'torus.obj',
+      'fields.glb',
+      '--fields',
+      '--model',
+      'shell',
+      '--mode',
+      '1,2',
+      '--p',
+      'inf',
+    );
+    const [mesh] = (await readGlb(readFileSync(path('fields.glb')))).getRoot().listMeshes();
+    expect(mesh.listPrimitives()[0].listSemantics()).toEqual(['POSITION', 'NORMAL', '_STRAIN', '_CURVATURE']);
+  });
+
+  it('leaves an old OUT alone, and no other file, where it fails', () => {
+    writeFileSync(path('old.glb'), 'precious');
+    expect(limber('optimize', 'bad.obj', 'old.glb').code).toBe(1);
+    expect(readFileSync(path('old.glb'), 'utf8')).toBe('precious');
+    expect(readdirSync(folder).filter((name) => name.endsWith('.part'))).toEqual([]);
+  });
+});
+
+describe('a wrong command line', () => {
+  it.each([
+    ['', 'There is no command "": use optimize, modes, compare, inspect (limber --help).'],
+    ['optimise', 'There is no command "optimise": did you mean "optimize"?'],
+    ['simulate a.glb', 'simulate is not available yet.'],
+    ['optimize', 'IN is missing: limber optimize IN OUT.glb.'],
+    ['optimize torus.obj', 'OUT.glb is missing: limber optimize IN OUT.glb.'],
+    ['optimize torus.obj a.glb b.glb', '"b.glb" is one file too many: limber optimize IN OUT.glb.'],
+    [
+      'optimize torus.obj a.obj',
+      'a.obj is not a .glb: GLB is what can be written, so let the name end in .glb.',
+    ],
+    ['optimize torus.obj none/a.glb', 'The folder none does not exist: make it first.'],
+    ['optimize none.obj a.glb', 'none.obj cannot be read: there is no such file.'],
+    ['optimize folder a.glb', 'folder is a folder: name the model file in it.'],
+    ['optimize bad.obj a.glb', 'bad.obj, line 1: z is nan, not a finite number.'],
+    ['optimize torus.obj a.glb --ratoi 0.5', 'limber optimize has no --ratoi: did you mean --ratio?'],
+    [
+      'optimize torus.obj a.glb --substance',
+      'limber optimize has no --substance: see limber optimize --help.',
+    ],
+    ['optimize torus.obj a.glb --ratio', '--ratio needs a value: --ratio R.'],
+    ['optimize torus.obj a.glb --ratio --json', '--ratio needs a value: --ratio R.'],
+    ['optimize torus.obj a.glb --ratio 2', '--ratio is 2: give a number above 0 and up to 1.'],
+    ['optimize torus.obj a.glb --faces 0', '--faces is 0: give a whole number of at least 1.'],
+    ['optimize torus.obj a.glb --json=yes', '--json takes no value.'],
+    [
+      'optimize torus.obj a.glb --poisson half',
+      '--poisson is half: give a number from -0.99 to 0.49 (default: 0.3).',
+    ],
+    [
+      'optimize torus.obj a.glb --mode 1,x',
+      '--mode is 1,x: give auto, all, or numbers from 1 to 100 with commas (default: auto).',
+    ],
+    ['optimize torus.obj a.glb --method limber', '--method limber is not available yet.'],
+    ['optimize torus.obj a.glb --model solid', '--model solid is not available yet.'],
+    ['optimize torus.obj a.glb --max-deviation 0.5', '--max-deviation is not available yet.'],
+    ['optimize torus.obj a.glb --fit on', '--fit is not available yet.'],
+    ['inspect torus.obj --faces 10', 'limber inspect has no --faces: see limber inspect --help.'],
+    ['compare torus.obj two.obj', 'torus.obj has 1 bodies and two.obj has 2: compare one with --mesh NAME.'],
+  ])('limber %s', (words, message) => {
+    expect(limber(...words.split(' '))).toEqual({ code: 1, stdout: '', stderr: `limber: ${message}\n` });
+  });
+
+  it('without any word shows the help and fails', () => {
+    expect(limber()).toMatchObject({ code: 1, stderr: '' });
+  });
+});
+
+describe('help', () => {
+  it('stands for every command, within 100 columns', () => {
+    for (const words of [
+      ['--help'],
+      ...['optimize', 'modes', 'compare', 'inspect'].map((name) => [name, '--help']),
+    ]) {
+      const { code, stdout, stderr } = limber(...words);
+      expect([code, stderr]).toEqual([0, '']);
+      for (const line of stdout.split('\n')) expect(line.length).toBeLessThanOrEqual(100);
+    }
+    expect(limber('--version').stdout).toBe(`${VERSION}\n`);
+  });
+});
+
+describe('limber modes', () => {
+  it('lists the modes of the shell, ascending', () => {
+    const { code, stdout } = limber('modes', 'grid.obj', '--modes', '4');
+    expect(code).toBe(0);
+    expect(stdout).toMatch(
+      /^grid\.obj: shell model, 6 of 6 zero modes found, \d+\.\d s\nmode +frequency +omega +residual\n/,
+    );
+    expect(stdout.trim().split('\n')).toHaveLength(6);
+  });
+
+  it('reports them, and nothing that it does not produce', () => {
+    const found = report(limber('modes', 'two.obj', '--modes', '4', '--json').stdout);
+    expect(found).toMatchObject({ command: 'modes', model: 'shell', zeroModes: { expected: 12, found: 12 } });
+    expect(found.modes).toHaveLength(8);
+    for (const key of ['output', 'surface', 'stop', 'fidelity']) expect(found).not.toHaveProperty(key);
+  });
+
+  it('marks the frequencies of the laplacian as nominal, and lists each scalar mode three times', () => {
+    const { stdout } = limber('modes', 'grid.obj', '--modes', '6', '--model', 'laplacian', '--json');
+    const { modes } = report(stdout);
+    expect(modes!.every(({ nominal }) => nominal === true)).toBe(true);
+    expect(modes![0].omega).toBe(modes![2].omega);
+    expect(modes!.map(({ name }) => name)[1]).toBe('mode 2, along the middle axis');
+  });
+
+  it('shows them as morph targets with --shapes', async () => {
+    expect(limber('modes', 'two.obj', '--modes', '3', '--shapes', 'shapes.glb').code).toBe(0);
+    const bytes = readFileSync(path('shapes.glb'));
+    expect(await validateGlb(bytes)).toEqual({ errors: 0, warnings: 0, messages: [] });
+    const root = (await readGlb(bytes)).getRoot();
+    expect(root.listAnimations()).toHaveLength(3);
+    for (const mesh of root.listMeshes()) expect(mesh.listPrimitives()[0].listTargets()).toHaveLength(3);
+  });
+});
+
+describe('limber compare', () => {
+  it('finds a mesh like itself', () => {
+    const { code, stdout } = limber('compare', 'torus.obj', 'torus.obj', '--json');
+    expect(code).toBe(0);
+    const { fidelity, surface, options, input, output } = report(stdout);
+    expect(options).toMatchObject({ modeCount: 10, thickness: 2, model: 'shell' });
+    expect(input).toEqual(output);
+    expect(surface!.hausdorff).toBeLessThan(1e-4);
+    expect(fidelity!.frequencyErrorMax).toBeLessThan(1e-4);
+    expect(fidelity!.macMin).toBeGreaterThan(0.9999);
+  });
+
+  it('tells what an optimized mesh has lost', () => {
+    limber('optimize', 'torus.obj', 'half.glb');
+    const { code, stdout } = limber('compare', 'torus.obj', 'half.glb', '--modes', '5');
+    expect(code).toBe(0);
+    expect(stdout).toMatch(/^torus\.obj -> half\.glb +576 -> 288 faces \(-50\.0 %\)\ntopology +the same\n/);
+    expect(stdout).toMatch(/frequency error, modes 1-5 +mean/);
+  });
+});
+
+describe('limber inspect', () => {
+  it('tells what is in a file', () => {
+    const { code, stdout } = limber('inspect', 'two.obj');
+    expect(code).toBe(0);
+    expect(stdout).toMatch(
+      /^two\.obj: OBJ, 2 bodies\nbody +vertices +faces +parts +borders +genus +smallest angle +mean\nring +288 +576 +1 +0 +1 /,
+    );
+    expect(stdout).toMatch(/- sheet: 1 open border\n$/);
+  });
+
+  it('reports on a mesh without any usable face', () => {
+    writeFileSync(path('flat.obj'), 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n');
+    const { code, stdout } = limber('inspect', 'flat.obj', '--json');
+    expect(code).toBe(0);
+    expect(report(stdout).input).toMatchObject({ faces: 0, degenerateFaces: 1 });
+    expect(report(stdout).input).not.toHaveProperty('minAngle');
+    expect(limber('optimize', 'flat.obj', 'a.glb')).toMatchObject({ code: 1 });
+  });
+});

@@ -1,0 +1,243 @@
+import { KHRMaterialsVariants } from '@gltf-transform/extensions';
+import type { Document, Mesh } from '@gltf-transform/core';
+import { describe, expect, it } from 'vitest';
+import type { TriangleMesh } from '../../web/engine/core';
+import { droppedByExport, exportGlb } from '../../web/engine/document/export';
+import type { ExportedBody } from '../../web/engine/document/export';
+import { openModel } from '../../web/engine/document/open';
+import type { Body } from '../../web/engine/document/open';
+import { validateGlb } from '../../web/engine/document/validate';
+import { VERSION } from '../../web/engine/version';
+import { SQUARE_OBJ, textFile } from './support/files';
+import { addMesh, addRichMesh, glbFile, primitiveOf, readGlb, startDocument } from './support/gltf';
+import { cube, grid, toObj, torus } from './support/shapes';
+
+/** The body's own triangles, or the first `count` of them, as a result. */
+function asResult({ positions, indices }: Body, count = indices.length / 3): ExportedBody {
+  const mesh: TriangleMesh = { positions, triangles: indices.slice(0, 3 * count) };
+  return { mesh, inputOfTriangle: Uint32Array.from({ length: count }, (_, t) => t) };
+}
+
+async function roundTrip(
+  document: Document,
+  choose: (body: Body) => ExportedBody | null = (body) => asResult(body),
+) {
+  const model = await openModel([await glbFile(document)]);
+  const bytes = await exportGlb(model, model.bodies.map(choose), { fields: false });
+  return { model, bytes, document: await readGlb(bytes), validation: await validateGlb(bytes) };
+}
+
+const meshNamed = (document: Document, name: string): Mesh =>
+  document
+    .getRoot()
+    .listMeshes()
+    .find((mesh) => mesh.getName() === name)!;
+
+/** Triangles as triples of positions, whatever their vertices are numbered. */
+function positionsOfCorners(mesh: Mesh): number[][] {
+  return mesh.listPrimitives().flatMap((primitive) => {
+    const positions = primitive.getAttribute('POSITION')!;
+    return [...primitive.getIndices()!.getArray()!].map((vertex) => positions.getElement(vertex, []));
+  });
+}
+
+describe('an exported GLB', () => {
+  it('of every format has no error and no warning, and its positions to the bit', async () => {
+    const shape = torus();
+    shape.positions.forEach((value, i) => (shape.positions[i] = value / 3));
+    const model = await openModel([textFile('torus.obj', toObj(shape))]);
+    const bytes = await exportGlb(
+      model,
+      model.bodies.map((body) => asResult(body)),
+      { fields: false },
+    );
+    expect(await validateGlb(bytes)).toEqual({ errors: 0, warnings: 0, messages: [] });
+    const document = await readGlb(bytes);
+    const expected = [...shape.triangles].map((v) => [...shape.positions.slice(3 * v, 3 * v + 3)]);
+    expect(positionsOfCorners(meshNamed(document, 'torus'))).toEqual(expected);
+    expect(new TextDecoder().decode(bytes)).toContain(`"generator":"Limber ${VERSION}"`);
+  });
+
+  it('is the same each time, and leaves the model as it was', async () => {
+    const document = startDocument();
+    addRichMesh(document, 'rich', cube());
+    const model = await openModel([await glbFile(document)]);
+    const write = () =>
+      exportGlb(
+        model,
+        model.bodies.map((body) => asResult(body, 6)),
+        { fields: false },
+      );
+    const before = droppedByExport(model);
+    expect(await write()).toEqual(await write());
+    expect(droppedByExport(model)).toEqual(before);
+    const whole = await exportGlb(model, [null], { fields: false });
+    expect((await readGlb(whole)).getRoot().listTextures()).toHaveLength(1);
+  });
+
+  it('drops exactly what droppedByExport names', async () => {
+    const source = startDocument();
+    addRichMesh(source, 'rich', cube());
+    const { model, document, validation } = await roundTrip(source);
+    expect(droppedByExport(model)).toEqual([
+      'UV coordinates',
+      'tangents',
+      'vertex colours',
+      'attribute _HEAT',
+      '1 texture',
+      '1 morph target',
+      '1 skin',
+      '1 animation',
+    ]);
+    expect(validation).toEqual({ errors: 0, warnings: 0, messages: [] });
+    const root = document.getRoot();
+    const [primitive] = root.listMeshes()[0].listPrimitives();
+    expect(primitive.listSemantics()).toEqual(['POSITION', 'NORMAL']);
+    const left = [
+      root.listTextures(),
+      root.listSkins(),
+      root.listAnimations(),
+      primitive.listTargets(),
+      root.listExtensionsUsed(),
+    ];
+    expect(left.map((list) => list.length)).toEqual([0, 0, 0, 0, 0]);
+    expect(primitive.getMaterial()!.getRoughnessFactor()).toBe(0.5);
+    expect(root.listAccessors()).toHaveLength(3);
+  });
+
+  it('keeps hierarchy, names and extras', async () => {
+    const source = startDocument();
+    const mesh = addMesh(source, 'cube', [primitiveOf(source, cube()).setExtras({ part: 1 })]).setExtras({
+      a: [1],
+    });
+    const parent = source.createNode('parent').setExtras({ b: 2 }).setTranslation([1, 2, 3]);
+    parent.addChild(source.createNode('child').setMesh(mesh)).addChild(source.createNode('empty'));
+    source.getRoot().getDefaultScene()!.addChild(parent).setExtras({ c: 3 });
+    source.getRoot().getAsset().copyright = 'somebody';
+    const { document } = await roundTrip(source);
+    const root = document.getRoot();
+    expect(root.listNodes().map((node) => node.getName())).toEqual(['cube node', 'parent', 'child', 'empty']);
+    const found = root.listNodes()[1];
+    expect([found.getTranslation(), found.getExtras()]).toEqual([[1, 2, 3], { b: 2 }]);
+    expect(found.listChildren()[0].getMesh()).toBe(root.listMeshes()[0]);
+    expect(root.listMeshes()[0].getExtras()).toEqual({ a: [1] });
+    expect(root.listMeshes()[0].listPrimitives()[0].getExtras()).toEqual({ part: 1 });
+    expect(root.getDefaultScene()!.getExtras()).toEqual({ c: 3 });
+    expect(root.getAsset().copyright).toBe('somebody');
+  });
+
+  it('keeps every face with its material, and drops a primitive that has lost all its faces', async () => {
+    const source = startDocument();
+    const [red, green, blue] = ['red', 'green', 'blue'].map((name) =>
+      primitiveOf(source, cube()).setMaterial(source.createMaterial(name)),
+    );
+    const lines = primitiveOf(source, cube()).setMode(1);
+    addMesh(source, 'cube', [red, lines, green, blue]);
+    const onlyGreenAndBlue = (body: Body): ExportedBody => {
+      const kept = [35, 12, 34];
+      const triangles = kept.flatMap((t) => [...body.indices.slice(3 * t, 3 * t + 3)]);
+      return {
+        mesh: { positions: body.positions, triangles: Uint32Array.from(triangles) },
+        inputOfTriangle: Uint32Array.from(kept),
+      };
+    };
+    const { document, validation } = await roundTrip(source, onlyGreenAndBlue);
+    const primitives = document.getRoot().listMeshes()[0].listPrimitives();
+    const described = primitives.map((one) => [
+      one.getMaterial()?.getName(),
+      one.getMode(),
+      one.getIndices()!.getCount(),
+    ]);
+    expect(described).toEqual([
+      [undefined, 1, 36],
+      ['green', 4, 3],
+      ['blue', 4, 6],
+    ]);
+    expect(validation.errors).toBe(0);
+  });
+
+  it('leaves a body that is not replaced with everything it has', async () => {
+    const source = startDocument();
+    const rich = addRichMesh(source, 'rich', cube());
+    const shared = rich.listPrimitives()[0].getMaterial();
+    const plain = primitiveOf(source, grid(2, 2)).setMaterial(shared);
+    plain.setAttribute('TEXCOORD_0', null);
+    addMesh(source, 'plain', [plain]);
+    const { document, validation } = await roundTrip(source, ({ name, ...body }) =>
+      name === 'plain' ? asResult({ name, ...body }) : null,
+    );
+    expect(validation).toEqual({ errors: 0, warnings: 0, messages: [] });
+    const kept = meshNamed(document, 'rich').listPrimitives()[0];
+    expect(kept.listSemantics()).toHaveLength(8);
+    expect(kept.getMaterial()!.getBaseColorTexture()!.getName()).toBe('picture');
+    const info = kept.getMaterial()!.getBaseColorTextureInfo()!;
+    expect(info.getExtension('KHR_texture_transform')).not.toBeNull();
+    expect(kept.listTargets()).toHaveLength(1);
+    const stripped = meshNamed(document, 'plain').listPrimitives()[0].getMaterial()!;
+    expect(stripped.getBaseColorTexture()).toBeNull();
+    expect(stripped.getRoughnessFactor()).toBe(0.5);
+    expect(document.getRoot().listSkins()).toHaveLength(1);
+  });
+
+  it('keeps material variants', async () => {
+    const source = startDocument();
+    const variants = source.createExtension(KHRMaterialsVariants);
+    const mapping = variants
+      .createMapping()
+      .setMaterial(source.createMaterial('other'))
+      .addVariant(variants.createVariant('night'));
+    const primitive = primitiveOf(source, cube()).setMaterial(source.createMaterial('day'));
+    primitive.setExtension('KHR_materials_variants', variants.createMappingList().addMapping(mapping));
+    addMesh(source, 'cube', [primitive]);
+    const { model, document, validation } = await roundTrip(source);
+    expect(droppedByExport(model)).toEqual([]);
+    expect(validation.errors).toBe(0);
+    expect(
+      document.getRoot().listMeshes()[0].listPrimitives()[0].getExtension('KHR_materials_variants'),
+    ).not.toBeNull();
+  });
+
+  it('has unit normals, one for each side of a sharp edge and one where it is smooth', async () => {
+    const models = { cube: cube(), torus: torus() };
+    const counts = { cube: 24, torus: torus().positions.length / 3 };
+    for (const name of ['cube', 'torus'] as const) {
+      const model = await openModel([textFile(`${name}.obj`, toObj(models[name]))]);
+      const document = await readGlb(await exportGlb(model, [asResult(model.bodies[0])], { fields: false }));
+      const normals = document.getRoot().listMeshes()[0].listPrimitives()[0].getAttribute('NORMAL')!;
+      expect(normals.getCount()).toBe(counts[name]);
+      for (let v = 0; v < normals.getCount(); ++v)
+        expect(Math.hypot(...normals.getElement(v, []))).toBeCloseTo(1, 6);
+    }
+  });
+
+  it('carries fields where asked, by vertex', async () => {
+    const model = await openModel([textFile('square.obj', SQUARE_OBJ)]);
+    const fields = { strain: Float32Array.from([0, 1, 2, 3]), curvature: Float32Array.from([4, 5, 6, 7]) };
+    const body = { ...asResult(model.bodies[0]), fields };
+    const attribute = async (asked: boolean, name: string) => {
+      const bytes = await exportGlb(model, [body], { fields: asked });
+      expect((await validateGlb(bytes)).errors).toBe(0);
+      const [primitive] = (await readGlb(bytes)).getRoot().listMeshes()[0].listPrimitives();
+      return primitive.getAttribute(name)?.getArray();
+    };
+    expect([...(await attribute(true, '_STRAIN'))!]).toEqual([0, 1, 2, 3]);
+    expect([...(await attribute(true, '_CURVATURE'))!]).toEqual([4, 5, 6, 7]);
+    expect(await attribute(false, '_STRAIN')).toBeUndefined();
+  });
+
+  it('writes shapes as morph targets with an animation each', async () => {
+    const model = await openModel([textFile('square.obj', SQUARE_OBJ)]);
+    const displacements = Float32Array.from({ length: 12 }, (_, i) => i);
+    const targets = [
+      { name: 'mode 1', displacements },
+      { name: 'mode 2', displacements },
+    ];
+    const bytes = await exportGlb(model, [{ ...asResult(model.bodies[0]), targets }], { fields: false });
+    expect(await validateGlb(bytes)).toEqual({ errors: 0, warnings: 0, messages: [] });
+    const root = (await readGlb(bytes)).getRoot();
+    expect(root.listAnimations().map((animation) => animation.getName())).toEqual(['mode 1', 'mode 2']);
+    expect(root.listMeshes()[0].getExtras()).toEqual({ targetNames: ['mode 1', 'mode 2'] });
+    const [primitive] = root.listMeshes()[0].listPrimitives();
+    expect([...primitive.listTargets()[1].getAttribute('POSITION')!.getArray()!]).toEqual([...displacements]);
+  });
+});

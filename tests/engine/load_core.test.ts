@@ -1,0 +1,88 @@
+import { describe, expect, it } from 'vitest';
+import { NONE } from '../../web/engine/core';
+import type { Core, Progress } from '../../web/engine/core';
+import { loadTestCore } from './support/core';
+import { cube, grid, torus } from './support/shapes';
+
+const shell = {
+  model: 'shell' as const,
+  modeCount: 4,
+  thickness: 0.02,
+  young: 1e6,
+  poisson: 0.3,
+  density: 1000,
+  unit: 1,
+};
+const paper = { method: 'paper' as const, strainWeight: 0.05, curvatureWeight: 1, qualityWeight: 0.01 };
+
+/** Everything that the core computes on the way from a mesh to a smaller one. */
+function results(core: Core) {
+  const { mesh } = core.weld(torus().positions, torus().triangles, { tolerance: 0 });
+  const modes = core.computeModes(mesh, shell);
+  const guidance = core.strainGuidance(mesh, modes, { layers: [0, 1], weights: [], p: 2, threshold: 0.2 });
+  const curvature = core.meanCurvature(mesh);
+  const history = core.simplify(mesh, guidance.rank, curvature.vertex, paper);
+  const { mesh: half } = core.meshAt(mesh, history, mesh.triangles.length / 6);
+  const fidelity = core.compareFidelity(mesh, half, { ...shell, modeCount: 4 });
+  const distance = core.measureSurfaceDistance(mesh, half);
+  return {
+    mesh,
+    modes,
+    guidance,
+    curvature,
+    history,
+    half,
+    fidelity,
+    distance,
+    quality: core.measureQuality(half),
+  };
+}
+
+describe('the core', () => {
+  it('gives the same bits in both builds and on any number of threads', async () => {
+    const expected = results(await loadTestCore(1));
+    for (const threads of [2, 3]) expect(results(await loadTestCore(threads))).toEqual(expected);
+  });
+
+  it('has a job to look at only where memory is shared', async () => {
+    const [single, threaded] = [await loadTestCore(1), await loadTestCore(2)];
+    expect([single.threads, single.job]).toEqual([1, null]);
+    expect(threaded.threads).toBe(2);
+    expect(threaded.job).toHaveLength(4);
+    expect(threaded.peakHeapBytes()).toBeGreaterThan(2 ** 20);
+  });
+
+  it('hands out copies, not windows into its memory', async () => {
+    const core = await loadTestCore(2);
+    const { mesh, vertexOfSource } = core.weld(cube().positions, cube().triangles, { tolerance: 0 });
+    expect(mesh.positions.buffer).toBeInstanceOf(ArrayBuffer);
+    expect(mesh.positions.buffer.byteLength).toBe(96);
+    expect([...vertexOfSource]).not.toContain(NONE);
+  });
+
+  it.each([1, 2])('tells its progress in words with %i threads', async (threads) => {
+    const heard: Progress[] = [];
+    const core = await loadTestCore(threads, (progress) => heard.push(progress));
+    core.computeModes(torus(), shell);
+    expect(new Set(heard.map(({ phase }) => phase))).toContain('solving for modes');
+    for (const { fraction } of heard) expect(fraction >= 0 && fraction <= 1).toBe(true);
+  });
+
+  it('stops a running call when another hand sets the wish, and works on afterwards', async () => {
+    let wish = () => {};
+    const core = await loadTestCore(2, ({ fraction }) => fraction > 0 && wish());
+    const mesh = grid(40, 40);
+    wish = () => void Atomics.store(core.job!, 0, 1);
+    const run = () => core.computeModes(mesh, { ...shell, modeCount: 12 });
+    expect(run).toThrow(expect.objectContaining({ name: 'Cancelled' }));
+    wish = () => {};
+    expect(run().modes).toHaveLength(12);
+  });
+
+  it('throws its sentence as an Error', async () => {
+    const core = await loadTestCore(1);
+    const outOfRange = () => core.weld(cube().positions, Uint32Array.from([0, 1, 99]), { tolerance: 0 });
+    expect(outOfRange).toThrow(/^[A-Z].*\.$/);
+    expect(outOfRange).toThrow(Error);
+  });
+});

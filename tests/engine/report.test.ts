@@ -1,0 +1,93 @@
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { Core } from '../../web/engine/core';
+import { defaultSettings } from '../../web/engine/options';
+import { findModes, prepareBody } from '../../web/engine/pipeline';
+import {
+  describeRefused,
+  meshReport,
+  modesReport,
+  startReport,
+  stopReport,
+  worstSurface,
+} from '../../web/engine/report';
+import { bodyOf } from './support/bodies';
+import { loadTestCore } from './support/core';
+import { cube, grid, torus } from './support/shapes';
+
+let core: Core;
+beforeAll(async () => {
+  core = await loadTestCore(1);
+});
+
+const prepare = (mesh = cube()) => prepareBody(core, bodyOf(mesh), defaultSettings());
+
+describe('a report', () => {
+  it('starts with what every report has, and spells infinity', () => {
+    const report = startReport(core, 'optimize', { p: Infinity, ratio: 0.5 }, [prepare()]);
+    expect(report).toMatchObject({ schema: 'limber-report/1', command: 'optimize', threads: 1, timings: {} });
+    expect(report.options).toEqual({ p: 'inf', ratio: 0.5 });
+    expect(JSON.parse(JSON.stringify(report))).toEqual(report);
+  });
+
+  it('sums the bodies, takes the smallest angle and the mean over all faces', () => {
+    const [sheet, ring] = [prepare(grid(4, 4)), prepare(torus())];
+    const both = meshReport([sheet, ring]);
+    expect(both).toMatchObject({
+      faces: 32 + 576,
+      components: 2,
+      boundaryLoops: 1,
+      genus: 1,
+      eulerCharacteristic: 1,
+    });
+    expect(both.minAngle).toBe(Math.min(sheet.quality.minAngle, ring.quality.minAngle));
+    const mean = (32 * sheet.quality.meanMinAngle + 576 * ring.quality.meanMinAngle) / 608;
+    expect(both.meanMinAngle).toBeCloseTo(mean, 9);
+  });
+
+  it('has no genus where one body is not a manifold', () => {
+    const fan = {
+      positions: Float32Array.from([0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, -1, -1, 0]),
+      triangles: Uint32Array.from([0, 1, 2, 0, 1, 3, 0, 1, 4]),
+    };
+    expect(meshReport([prepare(fan), prepare()])).toMatchObject({ genus: null, nonManifoldEdges: 1 });
+  });
+
+  it('numbers components through and sorts the modes of all bodies', () => {
+    const settings = { ...defaultSettings(), model: 'shell' as const, modeCount: 3 };
+    const sets = [prepare(grid(4, 4)), prepare(torus())].map((prepared) => ({
+      modes: findModes(core, prepared, settings),
+      model: 'shell' as const,
+    }));
+    const report = modesReport(sets);
+    expect(report.components.map(({ faces }) => faces)).toEqual([32, 576]);
+    expect(report.zeroModes).toEqual({ expected: 12, found: 12 });
+    expect(report.modes.map(({ component }) => component).sort()).toEqual([0, 0, 0, 1, 1, 1]);
+    const omegas = report.modes.map(({ omega }) => omega);
+    expect(omegas).toEqual([...omegas].sort((a, b) => a - b));
+    expect(report.modes[0].frequency).toBeCloseTo(report.modes[0].omega / (2 * Math.PI), 9);
+    expect(report.modes[0]).not.toHaveProperty('nominal');
+    expect(modesReport([{ ...sets[0], model: 'laplacian' }]).modes[0].nominal).toBe(true);
+  });
+
+  it('is exhausted where one body missed, and tells the share of each reason', () => {
+    const refused = { topology: 2, flip: 1, lock: 1 };
+    const reached = { faces: 10, targetFaces: 10, refused };
+    expect(stopReport([reached]).reason).toBe('target');
+    expect(stopReport([reached, { ...reached, faces: 11 }])).toEqual({
+      reason: 'exhausted',
+      refused: { topology: 4, flip: 2, lock: 2 },
+    });
+    expect(describeRefused(refused)).toBe(
+      'of the remaining edges 50 % would change the topology, 25 % flip a face, 25 % break a lock',
+    );
+    expect(describeRefused({ topology: 0, flip: 0, lock: 0 })).toBe('no edge is left that could collapse');
+  });
+
+  it('has the worst distance of all bodies', () => {
+    const distances = [
+      { hausdorff: 1, mean: 0.5, vertexHausdorff: 3 },
+      { hausdorff: 2, mean: 0.1, vertexHausdorff: 1 },
+    ];
+    expect(worstSurface(distances)).toEqual({ hausdorff: 2, mean: 0.5, vertexHausdorff: 3 });
+  });
+});

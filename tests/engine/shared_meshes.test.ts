@@ -1,0 +1,117 @@
+/**
+ * Real meshes from a folder that is not part of the project: LIMBER_SHARED, or ../shared beside the repository. Without
+ * it these tests skip.
+ */
+
+import { existsSync, readFileSync } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { Core } from '../../web/engine/core';
+import { exportGlb } from '../../web/engine/document/export';
+import { companionNames } from '../../web/engine/document/gltf';
+import { openModel } from '../../web/engine/document/open';
+import type { OpenModel } from '../../web/engine/document/open';
+import { validateGlb } from '../../web/engine/document/validate';
+import { defaultSettings } from '../../web/engine/options';
+import { exportedBody, optimizeBody, prepareBody } from '../../web/engine/pipeline';
+import type { OptimizedBody } from '../../web/engine/pipeline';
+import { loadTestCore } from './support/core';
+import { failureOf } from './support/files';
+
+const repository = new URL('../../', import.meta.url).pathname;
+const meshes = join(process.env.LIMBER_SHARED ?? join(repository, '..', 'shared'), 'meshes');
+const isAbsent = !existsSync(meshes);
+
+const MODELS = [
+  'derived_eiffel_6156.obj',
+  'spot_uv.obj',
+  'skirt_4k.obj',
+  'pyramid_frame_genus4.obj',
+  'bob_genus1.obj',
+  'pirate.obj',
+  'spot_quads_control.obj',
+  'dirty/derived_bar_dirty.obj',
+  'dirty/draco_mat_test.obj',
+  'dirty/draco_octagon.obj',
+  'dirty/draco_test_nm.obj',
+  'dirty/gc_dodecahedron_poly.obj',
+  'dirty/gc_hourglass_ico.obj',
+  'dirty/gc_platonic_shelf.obj',
+  'gltf/AnimatedMorphCube/AnimatedMorphCube.gltf',
+  'gltf/BoxTextured_meshopt.glb',
+  'gltf/Box_Draco.glb',
+  'gltf/Fox.glb',
+  'gltf/GolfBall.glb',
+  'gltf/MorphStressTest.gltf',
+  'gltf/alien.glb',
+  'gltf/derived_Fox_draco.glb',
+  'gltf/derived_Fox_meshopt.glb',
+  'gltf/derived_spot.glb',
+  'gltf/derived_spot_draco.glb',
+  'gltf/derived_spot_meshopt.glb',
+  'gltf/derived_spot_quantized.glb',
+  'gltf/derived_spot_separate/spot.gltf',
+  'gltf/gltf_primitives.glb',
+  'gltf/quad_skin.glb',
+  'gltf/three_meshes_two_materials_one_no_material/three_meshes_two_materials_one_no_material.gltf',
+];
+
+function open(name: string): Promise<OpenModel> {
+  const path = join(meshes, name);
+  const read = (file: string) => new Uint8Array(readFileSync(file));
+  const main = { name: basename(path), bytes: read(path) };
+  const companions = companionNames(main).map((one) => ({
+    name: one,
+    bytes: read(join(dirname(path), one)),
+  }));
+  return openModel([main, ...companions]);
+}
+
+let core: Core;
+beforeAll(async () => {
+  core = await loadTestCore(2);
+});
+
+function optimize(model: OpenModel): OptimizedBody[] {
+  const settings = defaultSettings();
+  return model.bodies.map((body) => {
+    const prepared = prepareBody(core, body, settings);
+    return optimizeBody(core, prepared, settings, Math.floor(prepared.mesh.triangles.length / 6));
+  });
+}
+
+describe.skipIf(isAbsent)('a real mesh', () => {
+  it.each(MODELS)(
+    '%s is halved with its topology, or says why not, and exports without an error',
+    async (name) => {
+      const model = await open(name);
+      const optimized = optimize(model);
+      for (const { result, targetFaces, history, measured, modes } of optimized) {
+        const { topology, flip, lock } = history.refused;
+        if (result.mesh.triangles.length / 3 > targetFaces) expect(topology + flip + lock).toBeGreaterThan(0);
+        expect(measured.certificate.kept).toBe(true);
+        for (const { zeroModesFound, zeroModesExpected } of modes!.components)
+          expect(zeroModesFound).toBe(zeroModesExpected);
+        for (const { residual } of modes!.modes) expect(residual).toBeLessThanOrEqual(1e-7);
+      }
+      const bodies = optimized.map((one) => exportedBody(one.prepared, one.result, one));
+      const validation = await validateGlb(await exportGlb(model, bodies, { fields: true }));
+      expect(validation).toEqual({ errors: 0, warnings: 0, messages: [] });
+    },
+  );
+
+  it.each([
+    ['dirty/draco_inf_nan.obj', 'draco_inf_nan.obj, line 1: x is inf, not a finite number.'],
+    [
+      'gltf/bad/BoxWithInfinites.glb',
+      /^BoxWithInfinites\.glb, mesh "Mesh", primitive 0: vertex 0 is at \(-Infinity/,
+    ],
+    ['gltf/bad/IndexOutOfRange/IndexOutOfRange.gltf', /mesh "Mesh", primitive 0: index 255 is out of range/],
+    [
+      'gltf/bad/IndexOutOfRange/AllIndicesOutOfRange.gltf',
+      /mesh "Mesh", primitive 0: index 65535 is out of range/,
+    ],
+  ])('%s is refused with one sentence', async (name, message) => {
+    expect(await failureOf(() => open(name))).toMatch(message);
+  });
+});
