@@ -14,6 +14,7 @@ import {
   worstSurface,
 } from '../engine/report';
 import type { Report } from '../engine/report';
+import { shareInProportion } from '../engine/share';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { checkOutput, writeWhole } from './files';
@@ -77,19 +78,6 @@ function shareTargets({ faces, ratio }: Arguments, bodies: (PreparedBody | null)
     const byRatio = wantsRatio ? Math.floor((ratio ?? DEFAULT_RATIO) * faceCount + 1e-9) : 0;
     return Math.max(1, byRatio, share ? share[i] : 0);
   });
-}
-
-/** Whole shares of `total` in proportion to `weights`; what is left over goes to the largest remainders, lowest first. */
-export function shareInProportion(total: number, weights: number[]): number[] {
-  const sum = weights.reduce((a, b) => a + b, 0);
-  const exact = weights.map((weight) => (total * weight) / sum);
-  const shares = exact.map(Math.floor);
-  const left = total - shares.reduce((a, b) => a + b, 0);
-  const byRemainder = exact
-    .map((_, i) => i)
-    .sort((a, b) => exact[b] - shares[b] - (exact[a] - shares[a]) || a - b);
-  for (const i of byRemainder.slice(0, left)) shares[i] += 1;
-  return shares;
 }
 
 function fillReport(report: Report, done: OptimizedBody[]): void {

@@ -1,0 +1,12 @@
+/** Whole shares of `total` in proportion to `weights`; what is left over goes to the largest remainders, lowest first. */
+export function shareInProportion(total: number, weights: number[]): number[] {
+  const sum = weights.reduce((a, b) => a + b, 0);
+  const exact = weights.map((weight) => (total * weight) / sum);
+  const shares = exact.map(Math.floor);
+  const left = total - shares.reduce((a, b) => a + b, 0);
+  const byRemainder = exact
+    .map((_, i) => i)
+    .sort((a, b) => exact[b] - shares[b] - (exact[a] - shares[a]) || a - b);
+  for (const i of byRemainder.slice(0, left)) shares[i] += 1;
+  return shares;
+}
