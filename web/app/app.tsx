@@ -1,0 +1,71 @@
+/** The page: what stands where. */
+
+import { signal } from '@preact/signals';
+import { openDropped } from './files';
+import { Empty } from './panels/empty';
+import { ExportPanel } from './panels/export_panel';
+import { Gallery } from './panels/gallery';
+import { Help } from './panels/help';
+import { MaterialPanel, ModelFacts } from './panels/model_panel';
+import { MotionPanel } from './panels/motion_panel';
+import { Notices } from './panels/notices';
+import { Readouts } from './panels/readouts';
+import { ReducePanel, Scrubber } from './panels/reduce_panel';
+import { StageView } from './panels/stage_view';
+import { TopBar } from './panels/top_bar';
+import { results, view, wants } from './state/store';
+
+const isDraggedOver = signal(false);
+
+export function App() {
+  return (
+    <div
+      class={`page step-${view.step.value}`}
+      onDragOver={(event) => {
+        event.preventDefault();
+        isDraggedOver.value = true;
+      }}
+      onDragLeave={(event) => {
+        if (event.relatedTarget === null) isDraggedOver.value = false;
+      }}
+      onDrop={(event) => {
+        event.preventDefault();
+        isDraggedOver.value = false;
+        if (event.dataTransfer) void openDropped(event.dataTransfer.items);
+      }}
+    >
+      <TopBar />
+      <aside class="panel left" aria-label="Model">
+        <ModelFacts />
+      </aside>
+      <main>
+        <StageView />
+        {!results.file.value && <Empty />}
+        <Notices />
+      </main>
+      <Right />
+      <footer>
+        {results.file.value && <Bottom />}
+        <Readouts />
+      </footer>
+      <Help />
+      {isDraggedOver.value && <div class="drag-over">Drop to open</div>}
+    </div>
+  );
+}
+
+function Right() {
+  if (wants.exportOpen.value) return <ExportPanel />;
+  return (
+    <aside class="panel right" aria-label="Settings of this step">
+      {view.step.value === 'model' && <MaterialPanel />}
+      {view.step.value === 'motion' && <MotionPanel />}
+      {view.step.value === 'reduce' && <ReducePanel />}
+    </aside>
+  );
+}
+
+function Bottom() {
+  if (view.step.value === 'motion') return <Gallery />;
+  return view.step.value === 'reduce' ? <Scrubber /> : null;
+}

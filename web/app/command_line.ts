@@ -1,0 +1,20 @@
+/** The command that makes the same bytes as the page. */
+
+import { OPTIONS } from '../engine/options';
+import type { Settings } from '../engine/options';
+
+const quoted = (word: string): string =>
+  /^[\w./:-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
+
+export function commandLine(
+  settings: Settings,
+  input: string,
+  output: string,
+  { faces, fields }: { faces: number; fields: boolean },
+): string {
+  const flags = (Object.keys(OPTIONS) as (keyof Settings)[])
+    .filter((key) => key !== 'threads' && String(settings[key]) !== String(OPTIONS[key].default))
+    .flatMap((key) => [`--${OPTIONS[key].flag}`, settings[key] === Infinity ? 'inf' : String(settings[key])]);
+  const words = ['limber', 'optimize', input, output, '--faces', String(faces), ...flags];
+  return [...words, ...(fields ? ['--fields'] : [])].map(quoted).join(' ');
+}

@@ -1,0 +1,83 @@
+/** Files into the page and out of it: dialog, drop, download. */
+
+import type { SourceFile } from '../engine/document/open';
+import { openFiles } from './state/runner';
+import { status } from './state/store';
+
+const READABLE = '.glb,.gltf,.obj,.stl,.ply';
+
+async function readAll(files: Iterable<{ name: string; file: File }>): Promise<SourceFile[]> {
+  const reads = Array.from(files, async ({ name, file }) => ({
+    name,
+    bytes: new Uint8Array(await file.arrayBuffer()),
+  }));
+  return Promise.all(reads);
+}
+
+export function pickFiles(): Promise<void> {
+  return new Promise((resolve) => {
+    const input = document.createElement('input');
+    input.type = 'file';
+    input.multiple = true;
+    // Companion files of a .gltf have any name, so nothing is hidden.
+    input.accept = `${READABLE},.bin,.png,.jpg,.jpeg,.webp,.ktx2,.mtl`;
+    input.onchange = async () => {
+      const files = Array.from(input.files ?? [], (file) => ({ name: file.name, file }));
+      if (files.length > 0) await openFiles(await readAll(files));
+      resolve();
+    };
+    input.oncancel = () => resolve();
+    input.click();
+  });
+}
+
+/** What was dropped: files, and all files below folders with their relative paths. */
+export async function openDropped(items: DataTransferItemList): Promise<void> {
+  const entries = Array.from(items, (item) => item.webkitGetAsEntry?.() ?? null).filter(
+    (entry) => entry !== null,
+  );
+  const found = (await Promise.all(entries.map((entry) => filesBelow(entry, '')))).flat();
+  await openFiles(await readAll(found));
+}
+
+async function filesBelow(entry: FileSystemEntry, path: string): Promise<{ name: string; file: File }[]> {
+  if (entry.isFile) {
+    const file = await new Promise<File>((resolve, reject) =>
+      (entry as FileSystemFileEntry).file(resolve, reject),
+    );
+    return [{ name: path + file.name, file }];
+  }
+  const reader = (entry as FileSystemDirectoryEntry).createReader();
+  const children: FileSystemEntry[] = [];
+  for (;;) {
+    const batch = await new Promise<FileSystemEntry[]>((resolve, reject) =>
+      reader.readEntries(resolve, reject),
+    );
+    if (batch.length === 0) break;
+    children.push(...batch);
+  }
+  const prefix = path === '' && children.some((child) => child.isFile) ? '' : `${path}${entry.name}/`;
+  return (await Promise.all(children.map((child) => filesBelow(child, prefix)))).flat();
+}
+
+/** A file of the page's own origin. */
+export async function openAddress(address: string, name: string): Promise<void> {
+  const response = await fetch(address);
+  if (!response.ok) {
+    status.notice.value = {
+      kind: 'error',
+      text: `${name} could not be loaded: build the samples with npm run build.`,
+    };
+    return;
+  }
+  await openFiles([{ name, bytes: new Uint8Array(await response.arrayBuffer()) }]);
+}
+
+export function download(name: string, content: Uint8Array | string, type: string): void {
+  const address = URL.createObjectURL(new Blob([content as BlobPart], { type }));
+  const link = document.createElement('a');
+  link.href = address;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(address), 10_000);
+}

@@ -1,0 +1,58 @@
+/** What the keys do, away from text fields. */
+
+import { pickFiles } from './files';
+import { stageHandle } from './panels/stage_view';
+import { cancelRunning } from './state/runner';
+import { results, view, wantedFaces, wants } from './state/store';
+import type { Layout } from './state/store';
+
+const LAYOUTS: Layout[] = ['both', 'original', 'optimized'];
+
+const PLAIN: Record<string, () => void> = {
+  ' ': () => (view.playing.value = !view.playing.value),
+  f: () => stageHandle.current?.fit(),
+  w: () => (view.wire.value = !view.wire.value),
+  '1': () => (view.field.value = 'none'),
+  '2': () => (view.field.value = 'strain'),
+  '3': () => (view.field.value = 'curvature'),
+  b: () => (view.layout.value = view.layout.value === 'original' ? 'optimized' : 'original'),
+  v: () => (view.layout.value = LAYOUTS[(LAYOUTS.indexOf(view.layout.value) + 1) % LAYOUTS.length]),
+  arrowleft: () => stepFaces(-1),
+  arrowright: () => stepFaces(1),
+  escape: cancelRunning,
+  '?': () => (view.helpOpen.value = !view.helpOpen.value),
+};
+
+const WITH_CONTROL: Record<string, () => void> = {
+  o: () => void pickFiles(),
+  e: () => {
+    if (results.mesh.value) wants.exportOpen.value = !wants.exportOpen.value;
+  },
+};
+
+/** One collapse takes one face at a border and two inside: a step of two faces always shows. */
+function stepFaces(direction: number): void {
+  const history = results.history.value;
+  if (!history || view.step.value !== 'reduce') return;
+  const shown = (results.mesh.value?.mesh.triangles.length ?? 0) / 3 || wantedFaces.value;
+  wants.faces.value = Math.min(history.faces, Math.max(history.floorFaces, shown + 2 * direction));
+}
+
+function isTyping(target: EventTarget | null): boolean {
+  return target instanceof HTMLInputElement && target.type !== 'checkbox';
+}
+
+export function listenToKeys(): void {
+  addEventListener('keydown', (event) => {
+    const key = event.key.toLowerCase();
+    const hasControl = event.ctrlKey || event.metaKey;
+    const action = (hasControl ? WITH_CONTROL : PLAIN)[key];
+    if (!action || event.altKey) return;
+    if (!hasControl && isTyping(event.target) && key !== 'escape') return;
+    // Space and Enter on a button press it.
+    if (key === ' ' && event.target instanceof HTMLElement && event.target.closest('button, summary, input'))
+      return;
+    event.preventDefault();
+    action();
+  });
+}

@@ -1,0 +1,129 @@
+/** Controls that the panels share. Settings take their words and ranges from options.ts. */
+
+import type { ComponentChildren } from 'preact';
+import { useId } from 'preact/hooks';
+import { OPTIONS } from '../../engine/options';
+import type { Settings } from '../../engine/options';
+import { changeSettings, wants } from '../state/store';
+
+type NumberKey = { [K in keyof Settings]: Settings[K] extends number ? K : never }[keyof Settings];
+
+export function Section(props: { title: string; hint?: string; children: ComponentChildren }) {
+  return (
+    <section class="section">
+      <h2>{props.title}</h2>
+      {props.hint && <p class="hint">{props.hint}</p>}
+      {props.children}
+    </section>
+  );
+}
+
+interface RangeProps {
+  label: string;
+  min: number;
+  max: number;
+  step: number;
+  value: number;
+  shown?: string;
+  title?: string;
+  onInput(value: number): void;
+}
+
+export function Range({ label, min, max, step, value, shown, title, onInput }: RangeProps) {
+  const id = useId();
+  return (
+    <div class="control" title={title}>
+      <label for={id}>{label}</label>
+      <output for={id}>{shown ?? value}</output>
+      <input
+        id={id}
+        type="range"
+        min={min}
+        max={max}
+        step={step}
+        value={value}
+        aria-valuetext={shown ?? String(value)}
+        onInput={(event) => onInput(event.currentTarget.valueAsNumber)}
+      />
+    </div>
+  );
+}
+
+/** A setting as a slider over its useful span, with the exact number beside it. */
+export function SettingRange({ name }: { name: NumberKey }) {
+  const id = useId();
+  const { label, slider, min, max, step, unit, help } = OPTIONS[name];
+  const value = wants.settings.value[name];
+  const set = (next: number) => {
+    if (Number.isFinite(next)) changeSettings({ [name]: Math.min(max, Math.max(min, next)) });
+  };
+  const span = slider ?? { min, max };
+  return (
+    <div class="control" title={help}>
+      <label for={id}>{label}</label>
+      <span class="number">
+        <input
+          type="number"
+          aria-label={`${label}, exact`}
+          min={min}
+          max={max}
+          step="any"
+          value={value}
+          onChange={(event) => set(event.currentTarget.valueAsNumber)}
+        />
+        {unit && <span class="unit">{unit.startsWith('%') ? '%' : unit}</span>}
+      </span>
+      <input
+        id={id}
+        type="range"
+        min={span.min}
+        max={span.max}
+        step={step}
+        value={value}
+        onInput={(event) => set(event.currentTarget.valueAsNumber)}
+      />
+    </div>
+  );
+}
+
+interface ChoiceProps<T extends string> {
+  label: string;
+  options: readonly { value: T; text: string; title?: string }[];
+  value: T;
+  onChange(value: T): void;
+}
+
+/** A few choices of which one holds. */
+export function Choice<T extends string>({ label, options, value, onChange }: ChoiceProps<T>) {
+  return (
+    <div class="choice" role="group" aria-label={label}>
+      {options.map((option) => (
+        <button
+          key={option.value}
+          type="button"
+          aria-pressed={option.value === value}
+          title={option.title}
+          onClick={() => onChange(option.value)}
+        >
+          {option.text}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+export function Toggle(props: { label: string; checked: boolean; onChange(checked: boolean): void }) {
+  return (
+    <label class="toggle">
+      <input
+        type="checkbox"
+        checked={props.checked}
+        onChange={(event) => props.onChange(event.currentTarget.checked)}
+      />
+      <span>{props.label}</span>
+    </label>
+  );
+}
+
+export const count = (value: number): string => value.toLocaleString('en-US');
+export const fixed = (value: number, digits: number): string => value.toFixed(digits);

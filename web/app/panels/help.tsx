@@ -1,0 +1,46 @@
+/** Keys and a word on what the steps are for. */
+
+import { view } from '../state/store';
+
+const KEYS: [string, string][] = [
+  ['Space', 'play or pause'],
+  ['F', 'fit the view'],
+  ['W', 'wireframe'],
+  ['1 2 3', 'plain, strain, curvature'],
+  ['B', 'blink between original and optimized'],
+  ['V', 'next view: side by side, original, optimized'],
+  ['← →', 'one collapse back or on'],
+  ['Ctrl+O', 'open a file'],
+  ['Ctrl+E', 'export'],
+  ['Esc', 'cancel what is running'],
+  ['?', 'this help'],
+];
+
+export function Help() {
+  if (!view.helpOpen.value) return null;
+  return (
+    <aside class="panel help" aria-label="Help">
+      <div class="panel-head">
+        <h2>Keys</h2>
+        <button
+          type="button"
+          class="quiet"
+          aria-label="Close the help"
+          onClick={() => (view.helpOpen.value = false)}
+        >
+          Close
+        </button>
+      </div>
+      <dl class="keys">
+        {KEYS.map(([key, meaning]) => (
+          <div key={key}>
+            <dt>
+              <kbd>{key}</kbd>
+            </dt>
+            <dd>{meaning}</dd>
+          </div>
+        ))}
+      </dl>
+    </aside>
+  );
+}

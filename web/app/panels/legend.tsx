@@ -1,0 +1,67 @@
+/** What the colours mean. */
+
+import { results, view } from '../state/store';
+import type { FieldName } from '../state/store';
+import { gradient } from '../viewer/colours';
+import { Choice, Toggle } from './controls';
+import { curvatureScale } from './curvature_scale';
+import { guidingModes } from './motion_panel';
+
+const FIELDS: { value: FieldName; text: string; title: string }[] = [
+  { value: 'none', text: 'Plain', title: 'No colours (1)' },
+  { value: 'strain', text: 'Strain', title: 'Where the chosen modes strain it (2)' },
+  { value: 'curvature', text: 'Curvature', title: 'Mean curvature (3)' },
+];
+
+export function Legend() {
+  if (!results.body.value) return null;
+  return (
+    <div class="legend">
+      <Choice
+        label="Colour by"
+        options={FIELDS}
+        value={view.field.value}
+        onChange={(field) => (view.field.value = field)}
+      />
+      <Scale />
+      <Toggle label="Wireframe" checked={view.wire.value} onChange={(wire) => (view.wire.value = wire)} />
+    </div>
+  );
+}
+
+function Scale() {
+  const curvature = results.curvature.value?.vertex;
+  const { diagonal } = results.body.value!;
+  if (view.field.value === 'strain')
+    return (
+      <Bar map="viridis" title={`Strain rank, mode ${guidingModes().join(' + ')}`} low="least" high="most" />
+    );
+  if (view.field.value === 'curvature' && curvature) {
+    const high = (curvatureScale(curvature) * diagonal).toPrecision(2);
+    return <Bar map="cividis" title="Mean curvature x diagonal" low="0" high={high} />;
+  }
+  return null;
+}
+
+function Bar({
+  map,
+  title,
+  low,
+  high,
+}: {
+  map: 'viridis' | 'cividis';
+  title: string;
+  low: string;
+  high: string;
+}) {
+  return (
+    <div class="bar">
+      <span class="ends">
+        <span class="muted">{low}</span>
+        <span>{title}</span>
+        <span class="muted">{high}</span>
+      </span>
+      <span class="colours" style={{ background: gradient(map) }} />
+    </div>
+  );
+}

@@ -1,0 +1,92 @@
+/** The numbers under the stage. */
+
+import { results, view } from '../state/store';
+import { count, fixed } from './controls';
+
+export function Readouts() {
+  const body = results.body.value;
+  if (!body) return null;
+  const total = body.mesh.triangles.length / 3;
+  const mesh = results.mesh.value;
+  if (view.step.value !== 'reduce' || !mesh) return <OriginalReadouts />;
+  const faces = mesh.mesh.triangles.length / 3;
+  const metrics = results.metrics.value;
+  const certificate = metrics?.certificate;
+  const change = total > 0 ? (100 * (faces - total)) / total : 0;
+  return (
+    <dl class="readouts" aria-live="polite">
+      <Readout name="Faces" value={`${count(total)} → ${count(faces)}`} note={`${fixed(change, 1)} %`} />
+      <Readout
+        name="Smallest angle"
+        value={metrics ? `${fixed(metrics.minAngle, 1)}°` : '...'}
+        note={`was ${fixed(body.minAngle, 1)}°`}
+      />
+      <Readout
+        name="Mean of smallest"
+        value={metrics ? `${fixed(metrics.meanMinAngle, 1)}°` : '...'}
+        note={`was ${fixed(body.meanMinAngle, 1)}°`}
+      />
+      <Readout
+        name="Deviation"
+        value={metrics ? `${fixed(metrics.hausdorff, 2)} %` : '...'}
+        note={metrics ? `mean ${fixed(metrics.mean, 3)} %` : 'of the diagonal'}
+      />
+      <Readout
+        name="Topology"
+        value={certificate ? (certificate.kept ? 'kept' : 'CHANGED') : '...'}
+        note={metrics ? describeTopology(metrics.inspection) : ''}
+        isBad={certificate ? !certificate.kept : false}
+      />
+    </dl>
+  );
+}
+
+function describeTopology({
+  components,
+  boundaryLoops,
+  genus,
+}: {
+  components: number;
+  boundaryLoops: number;
+  genus: number | null;
+}) {
+  return `${count(components)} part${components === 1 ? '' : 's'}, ${boundaryLoops} border${boundaryLoops === 1 ? '' : 's'}, genus ${genus ?? 'n/a'}`;
+}
+
+function OriginalReadouts() {
+  const { inspection, minAngle, meanMinAngle } = results.body.value!;
+  return (
+    <dl class="readouts">
+      <Readout name="Faces" value={count(inspection.faces)} note={`${count(inspection.vertices)} vertices`} />
+      <Readout name="Smallest angle" value={`${fixed(minAngle, 1)}°`} note="" />
+      <Readout name="Mean of smallest" value={`${fixed(meanMinAngle, 1)}°`} note="" />
+      <Readout
+        name="Topology"
+        value={inspection.nonManifoldEdges > 0 ? 'non-manifold' : 'manifold'}
+        note={describeTopology(inspection)}
+      />
+    </dl>
+  );
+}
+
+function Readout({
+  name,
+  value,
+  note,
+  isBad,
+}: {
+  name: string;
+  value: string;
+  note: string;
+  isBad?: boolean;
+}) {
+  return (
+    <div class={isBad ? 'bad' : undefined}>
+      <dt>{name}</dt>
+      <dd>
+        <strong>{value}</strong>
+        <span class="muted">{note}</span>
+      </dd>
+    </div>
+  );
+}

@@ -1,0 +1,171 @@
+/** The stage in the page: hands meshes, fields and looks from the state to the viewer. */
+
+import { useSignalEffect } from '@preact/signals';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import type { MeshAt } from '../../engine/core';
+import { isDark } from '../scheme';
+import { results, view } from '../state/store';
+import type { Field } from '../viewer/body_geometry';
+import { Stage } from '../viewer/stage';
+import type { PaneName } from '../viewer/stage';
+import { count } from './controls';
+import { curvatureScale } from './curvature_scale';
+import { Legend } from './legend';
+import { guidingModes } from './motion_panel';
+
+export const stageHandle: { current: Stage | null } = { current: null };
+
+export function StageView() {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const [failed, setFailed] = useState(false);
+  useEffect(() => {
+    try {
+      stageHandle.current = new Stage(canvas.current!);
+      showAll();
+    } catch {
+      setFailed(true);
+    }
+  }, []);
+  useSignalEffect(showOriginal);
+  useSignalEffect(showOptimized);
+  useSignalEffect(showArrangement);
+  useSignalEffect(showFields);
+  useSignalEffect(showShapes);
+  useSignalEffect(showLook);
+  useSignalEffect(showSwing);
+  return (
+    <div class="stage">
+      <canvas
+        ref={canvas}
+        aria-label="The mesh. Drag to turn, scroll to zoom, right-drag to move."
+        role="img"
+      />
+      {failed && (
+        <p class="empty">
+          This browser has no WebGL2, so there is no picture; files, numbers and export work.
+        </p>
+      )}
+      <PaneLabels />
+      <Legend />
+    </div>
+  );
+}
+
+function showAll(): void {
+  for (const show of [
+    showOriginal,
+    showOptimized,
+    showArrangement,
+    showFields,
+    showShapes,
+    showLook,
+    showSwing,
+  ])
+    show();
+}
+
+function shownPanes(): PaneName[] {
+  const layout = view.layout.value;
+  if (view.step.value !== 'reduce' || !results.mesh.value) return ['original'];
+  return layout === 'both' ? ['original', 'optimized'] : [layout];
+}
+
+function showOriginal(): void {
+  const mesh = results.body.value?.mesh ?? null;
+  stageHandle.current?.show('original', mesh);
+  stageHandle.current?.fit(false);
+}
+
+function showOptimized(): void {
+  stageHandle.current?.show('optimized', results.mesh.value?.mesh ?? null);
+}
+
+function showArrangement(): void {
+  stageHandle.current?.arrange(shownPanes());
+}
+
+/** A field of the original, and the same seen on what is left of it. */
+function fields(mesh: MeshAt | null): { original: Field | null; optimized: Field | null } {
+  const rank = results.guidance.value?.rank;
+  const curvature = results.curvature.value?.vertex;
+  if (view.field.value === 'strain' && rank)
+    return {
+      original: { on: 'triangles', values: rank },
+      optimized: mesh && { on: 'triangles', values: Float32Array.from(mesh.inputOfTriangle, (t) => rank[t]) },
+    };
+  if (view.field.value === 'curvature' && curvature) {
+    const scaled = curvature.map((value) => value / curvatureScale(curvature));
+    return {
+      original: { on: 'vertices', values: scaled },
+      optimized: mesh && { on: 'vertices', values: Float32Array.from(mesh.inputOfVertex, (v) => scaled[v]) },
+    };
+  }
+  return { original: null, optimized: null };
+}
+
+function showFields(): void {
+  if (!results.body.value) return;
+  const { original, optimized } = fields(results.mesh.value);
+  const map = view.field.value === 'curvature' ? 'cividis' : 'viridis';
+  stageHandle.current?.colour('original', original, map);
+  stageHandle.current?.colour('optimized', optimized, map);
+}
+
+/** The sum of the guiding modes' shapes, each of largest displacement 1 per part. */
+function blendedShape(): Float32Array | null {
+  const modes = results.modes.value;
+  const body = results.body.value;
+  if (!modes || !body) return null;
+  const size = body.mesh.positions.length;
+  const chosen = guidingModes().filter((mode) => mode <= modes.layerCount);
+  const shape = new Float32Array(size);
+  for (const mode of chosen)
+    for (let i = 0; i < size; i++) shape[i] += modes.shapes[(mode - 1) * size + i] / chosen.length;
+  return chosen.length > 0 ? shape : null;
+}
+
+function showShapes(): void {
+  const shape = view.step.value === 'model' ? null : blendedShape();
+  const mesh = results.mesh.value;
+  stageHandle.current?.displace('original', shape);
+  if (!mesh) return;
+  const carried = new Float32Array(3 * mesh.inputOfVertex.length);
+  if (shape)
+    mesh.inputOfVertex.forEach((v, i) => {
+      for (let c = 0; c < 3; c++) carried[3 * i + c] = shape[3 * v + c];
+    });
+  stageHandle.current?.displace('optimized', shape && carried);
+}
+
+function showLook(): void {
+  const wireStrength = view.wire.value ? (view.field.value === 'none' ? 0.55 : 0.42) : 0;
+  const colours = isDark.value ? { clay: '#93a9bb', wire: '#0b1016' } : { clay: '#b9c8d4', wire: '#1c2a36' };
+  const map = view.field.value === 'curvature' ? 'cividis' : 'viridis';
+  stageHandle.current?.look({ ...colours, wireStrength, map });
+}
+
+function showSwing(): void {
+  const body = results.body.value;
+  const moves = view.step.value !== 'model' && view.playing.value;
+  const amplitude = body && view.step.value !== 'model' ? (view.amplitude.value / 100) * body.diagonal : 0;
+  stageHandle.current?.animate(moves, amplitude, view.speed.value);
+}
+
+function PaneLabels() {
+  const body = results.body.value;
+  if (!body) return null;
+  const faces = {
+    original: body.mesh.triangles.length / 3,
+    optimized: (results.mesh.value?.mesh.triangles.length ?? 0) / 3,
+  };
+  return (
+    <div class="pane-labels">
+      {shownPanes().map((name) => (
+        <span key={name}>
+          {name === 'original' ? 'Original' : 'Optimized'}{' '}
+          <span class="muted">{count(faces[name])} faces</span>
+        </span>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,88 @@
+/** The bar at the top: brand, files, steps, theme, export. */
+
+import { results, status, view, wants } from '../state/store';
+import type { Step, Theme } from '../state/store';
+import { pickFiles } from '../files';
+import { Samples } from './samples';
+
+const STEPS: { id: Step; text: string }[] = [
+  { id: 'model', text: 'Model' },
+  { id: 'motion', text: 'Motion' },
+  { id: 'reduce', text: 'Reduce' },
+];
+
+const NEXT_THEME: Record<Theme, Theme> = { system: 'light', light: 'dark', dark: 'system' };
+
+export function TopBar() {
+  return (
+    <header class="top">
+      <span class="brand">
+        <img src="./icon.svg" alt="" width="24" height="24" />
+        Limber
+      </span>
+      <div class="files">
+        <button type="button" onClick={() => void pickFiles()} title="Open a file (Ctrl+O)">
+          Open
+        </button>
+        <Samples />
+      </div>
+      <Steps />
+      <div class="tools">
+        {status.threads.value === 1 && (
+          <span
+            class="chip"
+            title="This page has no shared memory (COOP and COEP headers), so the core runs on one thread. Everything works."
+          >
+            1 thread
+          </span>
+        )}
+        <button
+          type="button"
+          class="quiet"
+          aria-label={`Colour scheme: ${view.theme.value}`}
+          title="Colour scheme: system, light, dark"
+          onClick={() => (view.theme.value = NEXT_THEME[view.theme.value])}
+        >
+          {{ system: 'Auto', light: 'Light', dark: 'Dark' }[view.theme.value]}
+        </button>
+        <button
+          type="button"
+          class="quiet"
+          aria-label="Help"
+          aria-expanded={view.helpOpen.value}
+          onClick={() => (view.helpOpen.value = !view.helpOpen.value)}
+        >
+          ?
+        </button>
+        <button
+          type="button"
+          class="primary"
+          disabled={!results.mesh.value}
+          aria-expanded={wants.exportOpen.value}
+          title="Export (Ctrl+E)"
+          onClick={() => (wants.exportOpen.value = !wants.exportOpen.value)}
+        >
+          Export
+        </button>
+      </div>
+    </header>
+  );
+}
+
+function Steps() {
+  return (
+    <nav class="steps" aria-label="Steps">
+      {STEPS.map(({ id, text }, i) => (
+        <button
+          key={id}
+          type="button"
+          aria-current={view.step.value === id ? 'step' : undefined}
+          onClick={() => (view.step.value = id)}
+        >
+          <span class="ordinal">{i + 1}</span>
+          {text}
+        </button>
+      ))}
+    </nav>
+  );
+}

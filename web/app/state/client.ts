@@ -1,0 +1,79 @@
+/** The page's side of the worker: calls, progress and cancel. */
+
+import { proxy, wrap } from 'comlink';
+import type { Remote } from 'comlink';
+import { PHASES } from '../../engine/core';
+import type { Progress } from '../../engine/core';
+import type { SourceFile } from '../../engine/document/open';
+import { CANCELLED } from '../worker/protocol';
+import type { OpenedFile, Started, WorkerApi } from '../worker/protocol';
+
+export class Client {
+  private worker!: Worker;
+  private remote!: Remote<WorkerApi>;
+  private started: Promise<Started>;
+  private job: Int32Array | null = null;
+  private said: Progress | null = null;
+  private files: SourceFile[] | null = null;
+  private abandon: ((error: Error) => void) | null = null;
+  threads = 1;
+
+  /** `base`: the address of the folder that holds wasm/, with a final slash. */
+  constructor(private readonly base: string) {
+    this.started = this.startWorker();
+  }
+
+  private startWorker(): Promise<Started> {
+    this.worker = new Worker(new URL('../worker/worker.ts', import.meta.url), { type: 'module' });
+    this.remote = wrap<WorkerApi>(this.worker);
+    const onProgress = proxy((progress: Progress) => (this.said = progress));
+    return this.remote.start(new URL('wasm/', this.base).href, 0, onProgress).then((started) => {
+      this.threads = started.threads;
+      this.job = started.job;
+      return started;
+    });
+  }
+
+  ready(): Promise<Started> {
+    return this.started;
+  }
+
+  /** Opens files; where that fails, the earlier file stays open. The bytes are kept for a worker that must start again. */
+  async open(files: SourceFile[]): Promise<OpenedFile> {
+    const opened = await this.call<OpenedFile>((remote) => remote.open(files));
+    this.files = files;
+    return opened;
+  }
+
+  /** One call of the worker, which ends early with CANCELLED when `cancel` is called meanwhile. */
+  async call<T>(make: (remote: Remote<WorkerApi>) => Promise<unknown>): Promise<T> {
+    await this.started;
+    this.said = null;
+    return new Promise<T>((resolve, reject) => {
+      this.abandon = reject;
+      make(this.remote).then((value) => resolve(value as T), reject);
+    }).finally(() => (this.abandon = null));
+  }
+
+  /** Progress of the running call, read from shared memory or from what the worker said last. */
+  progress(): Progress | null {
+    if (!this.job) return this.said;
+    const [phase, fraction] = [Atomics.load(this.job, 1), Atomics.load(this.job, 2) / 10000];
+    return { phase: PHASES[phase], fraction };
+  }
+
+  /** Stops the running call: by a wish in shared memory, or by a fresh worker that opens the same files again. */
+  cancel(): void {
+    if (!this.abandon) return;
+    if (this.job) {
+      Atomics.store(this.job, 0, 1);
+      return;
+    }
+    this.worker.terminate();
+    this.abandon(new Error(CANCELLED));
+    this.started = this.startWorker().then(async (started) => {
+      if (this.files) await this.remote.open(this.files);
+      return started;
+    });
+  }
+}

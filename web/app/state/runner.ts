@@ -1,0 +1,231 @@
+/** Runs the stages in the worker, in their order, whenever a key differs from the one its result was made from. */
+
+import { batch, effect, signal, untracked } from '@preact/signals';
+import type { Signal } from '@preact/signals';
+import type { SourceFile } from '../../engine/document/open';
+import { CANCELLED } from '../worker/protocol';
+import { Client } from './client';
+import { guidanceKey, historyKey, modesKey, prepareKey } from './keys';
+import { shareInProportion } from '../../engine/share';
+import { results, status, wantedFaces, wants } from './store';
+
+interface Stage {
+  what: string;
+  /** null: not wanted now */
+  key(): string | null;
+  run(): Promise<unknown>;
+  result: Signal<unknown>;
+}
+
+const REST_MILLISECONDS = 180;
+const SLOW_MILLISECONDS = 200;
+
+/** The wanted faces, once the slider has rested. */
+const restedFaces = signal(0);
+
+export const client = new Client(new URL('.', document.baseURI).href);
+
+const settings = () => wants.settings.value;
+const body = () => wants.body.value;
+const where = () => (results.file.value ? `${results.opened.value} ${body()}` : null);
+const keyed = (make: () => string) => () => (where() === null ? null : `${where()} ${make()}`);
+const afterBody = (make: () => string) => () => (results.body.value ? keyed(make)() : null);
+const afterHistory = (make: () => string) => () => (results.history.value ? afterBody(make)() : null);
+
+const stages: Stage[] = [
+  {
+    what: 'Reading the mesh',
+    key: keyed(() => prepareKey(settings())),
+    run: () => client.call((worker) => worker.prepare(body(), settings())),
+    result: results.body,
+  },
+  {
+    what: 'Finding modes',
+    key: afterBody(() => modesKey(settings())),
+    run: () => client.call((worker) => worker.modes(body(), settings())),
+    result: results.modes,
+  },
+  {
+    what: 'Measuring strain',
+    key: () => (results.modes.value ? afterBody(() => guidanceKey(settings()))() : null),
+    run: () => client.call((worker) => worker.guidance(body(), settings())),
+    result: results.guidance,
+  },
+  {
+    what: 'Measuring curvature',
+    key: afterBody(() => prepareKey(settings())),
+    run: () => client.call((worker) => worker.curvature(body(), settings())),
+    result: results.curvature,
+  },
+  {
+    what: 'Collapsing edges',
+    key: afterBody(() => historyKey(settings())),
+    run: () => client.call((worker) => worker.history(body(), settings())),
+    result: results.history,
+  },
+  {
+    what: 'Replaying collapses',
+    key: afterHistory(() => `${historyKey(settings())} ${wantedFaces.value}`),
+    run: () => client.call((worker) => worker.meshAt(body(), settings(), wantedFaces.value)),
+    result: results.mesh,
+  },
+  {
+    what: 'Measuring the result',
+    key: () =>
+      restedFaces.value === wantedFaces.value && results.mesh.value
+        ? afterHistory(() => `${historyKey(settings())} ${restedFaces.value}`)()
+        : null,
+    run: () => client.call((worker) => worker.measure(body(), settings(), restedFaces.value)),
+    result: results.metrics,
+  },
+  {
+    what: 'Writing and checking the file',
+    key: () =>
+      wants.exportOpen.value && restedFaces.value === wantedFaces.value
+        ? afterHistory(() => `${historyKey(settings())} ${bodyTargets()} ${wants.exportFields.value}`)()
+        : null,
+    run: () => client.call((worker) => worker.export(settings(), bodyTargets(), wants.exportFields.value)),
+    result: results.exported,
+  },
+];
+
+/** How many faces each body of the file keeps: the shown body's share, the others in proportion. */
+export function bodyTargets(): number[] {
+  const file = results.file.value;
+  const shown = results.body.value;
+  if (!file || !shown) return [];
+  if (file.bodies.length === 1) return [restedFaces.value];
+  const share = restedFaces.value / (shown.mesh.triangles.length / 3);
+  const counts = file.bodies.map(({ faces }) => faces);
+  return shareInProportion(Math.round(share * counts.reduce((a, b) => a + b, 0)), counts);
+}
+
+const done = new Map<Stage, string>();
+let running: Stage | null = null;
+let looping = false;
+let opening: Promise<void> = Promise.resolve();
+
+/** Opens files in place of what is shown; where they cannot be read, what is shown stays and a notice says why. */
+export function openFiles(files: SourceFile[]): Promise<void> {
+  if (running) client.cancel();
+  opening = opening.then(async () => {
+    await whileBusy('Opening', async () => {
+      const file = await client.open(files);
+      done.clear();
+      batch(() => {
+        for (const stage of stages) stage.result.value = null;
+        results.file.value = file;
+        results.opened.value += 1;
+        wants.body.value = 0;
+        wants.faces.value = null;
+        wants.exportOpen.value = false;
+        status.notice.value = file.notes.length > 0 ? { kind: 'info', text: file.notes.join('; ') } : null;
+      });
+    }).catch((error: unknown) => complain(error));
+  });
+  return opening.then(loop);
+}
+
+/** Another body of the same file. */
+export function showBody(index: number): void {
+  if (index === wants.body.value) return;
+  if (running) client.cancel();
+  done.clear();
+  batch(() => {
+    for (const stage of stages) stage.result.value = null;
+    wants.body.value = index;
+    wants.faces.value = null;
+  });
+}
+
+/** The user's cancel: the stage waits until its inputs change or `resume` is called. */
+export function cancelRunning(): void {
+  if (!running) return;
+  status.paused.value = running.what;
+  client.cancel();
+}
+
+export function resume(): void {
+  if (status.paused.value === null) return;
+  status.paused.value = null;
+  done.clear();
+  void loop();
+}
+
+/** Starts following the state. */
+export function startRunner(): void {
+  void client
+    .ready()
+    .then(() => (status.threads.value = client.threads))
+    .catch((error: unknown) => complain(error));
+  effect(() => {
+    const keys = stages.map((stage) => stage.key());
+    untracked(() => {
+      // A call whose inputs have changed since is of no use to anybody.
+      if (running && keys[stages.indexOf(running)] !== runningKey) client.cancel();
+      void loop();
+    });
+  });
+  effect(() => {
+    const faces = wantedFaces.value;
+    const timer = setTimeout(() => (restedFaces.value = faces), REST_MILLISECONDS);
+    return () => clearTimeout(timer);
+  });
+}
+
+let runningKey: string | null = null;
+
+const nextStage = () =>
+  stages.find((stage) => {
+    const key = stage.key();
+    return key !== null && done.get(stage) !== key;
+  });
+
+async function loop(): Promise<void> {
+  if (looping) return;
+  looping = true;
+  await opening;
+  for (let stage = nextStage(); stage; stage = nextStage()) {
+    running = stage;
+    runningKey = stage.key();
+    const [key, active] = [runningKey!, stage];
+    try {
+      const value = await whileBusy(stage.what, () => active.run());
+      done.set(stage, key);
+      status.paused.value = null;
+      stage.result.value = value;
+    } catch (error) {
+      const isStopped = error instanceof Error && error.message === CANCELLED;
+      if (!isStopped) complain(error);
+      // Not tried again before its inputs change.
+      if (!isStopped || status.paused.value !== null) {
+        done.set(stage, key);
+        break;
+      }
+    } finally {
+      running = null;
+    }
+  }
+  looping = false;
+}
+
+function complain(error: unknown): void {
+  status.notice.value = { kind: 'error', text: error instanceof Error ? error.message : String(error) };
+}
+
+/** Shows what is going on where it lasts. */
+async function whileBusy<T>(what: string, make: () => Promise<T>): Promise<T> {
+  let frame = 0;
+  const show = () => {
+    status.busy.value = { what, progress: client.progress() };
+    frame = requestAnimationFrame(show);
+  };
+  const timer = setTimeout(show, SLOW_MILLISECONDS);
+  try {
+    return await make();
+  } finally {
+    clearTimeout(timer);
+    cancelAnimationFrame(frame);
+    status.busy.value = null;
+  }
+}

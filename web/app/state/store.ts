@@ -1,0 +1,80 @@
+/** The page's whole state: what the user wants, what has been computed from which inputs, how it is looked at. */
+
+import { computed, signal } from '@preact/signals';
+import type { Curvature, MeshAt, Progress, StrainGuidance } from '../../engine/core';
+import { defaultSettings } from '../../engine/options';
+import type { Settings } from '../../engine/options';
+import type {
+  BodySummary,
+  ExportResult,
+  HistorySummary,
+  ModesResult,
+  OpenedFile,
+  ResultMetrics,
+} from '../worker/protocol';
+
+export type Step = 'model' | 'motion' | 'reduce';
+export type Layout = 'both' | 'original' | 'optimized';
+export type FieldName = 'none' | 'strain' | 'curvature';
+export type Theme = 'system' | 'light' | 'dark';
+
+export interface Notice {
+  kind: 'error' | 'info';
+  text: string;
+}
+
+/** What the user wants. */
+export const wants = {
+  settings: signal<Settings>(defaultSettings()),
+  body: signal(0),
+  /** kept faces of the shown body; null: half */
+  faces: signal<number | null>(null),
+  exportOpen: signal(false),
+  exportFields: signal(false),
+};
+
+/** What has been computed; null until it is. `opened` counts files, so that results of an earlier one are never shown. */
+export const results = {
+  opened: signal(0),
+  file: signal<OpenedFile | null>(null),
+  body: signal<BodySummary | null>(null),
+  modes: signal<ModesResult | null>(null),
+  guidance: signal<StrainGuidance | null>(null),
+  curvature: signal<Curvature | null>(null),
+  history: signal<HistorySummary | null>(null),
+  mesh: signal<MeshAt | null>(null),
+  metrics: signal<ResultMetrics | null>(null),
+  exported: signal<ExportResult | null>(null),
+};
+
+/** How it is looked at. */
+export const view = {
+  step: signal<Step>('model'),
+  layout: signal<Layout>('both'),
+  field: signal<FieldName>('strain'),
+  wire: signal(true),
+  playing: signal(!matchMedia('(prefers-reduced-motion: reduce)').matches),
+  amplitude: signal(8),
+  speed: signal(1),
+  theme: signal<Theme>('system'),
+  helpOpen: signal(false),
+};
+
+/** What is going on. */
+export const status = {
+  busy: signal<{ what: string; progress: Progress | null } | null>(null),
+  /** what was cancelled and waits for a word */
+  paused: signal<string | null>(null),
+  notice: signal<Notice | null>(null),
+  threads: signal(0),
+};
+
+export function changeSettings(change: Partial<Settings>): void {
+  wants.settings.value = { ...wants.settings.value, ...change };
+}
+
+/** How many faces the shown body should keep. */
+export const wantedFaces = computed(() => {
+  const total = results.body.value ? results.body.value.mesh.triangles.length / 3 : 0;
+  return wants.faces.value ?? Math.floor(total / 2);
+});

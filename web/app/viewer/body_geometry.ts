@@ -1,0 +1,52 @@
+/** A mesh as the stage draws it: corners not shared, so that faces can have their own colour and sharp edges. */
+
+import { BufferAttribute, BufferGeometry } from 'three';
+import type { TriangleMesh } from '../../engine/core';
+import { cornerNormals } from '../../engine/document/normals';
+
+/** A scalar to colour by, in [0, 1]. */
+export interface Field {
+  on: 'vertices' | 'triangles';
+  values: Float32Array;
+}
+
+/** From per vertex (`size` numbers each) to per corner. */
+export function perCorner({ triangles }: TriangleMesh, values: Float32Array, size: number): Float32Array {
+  const out = new Float32Array(triangles.length * size);
+  for (let corner = 0; corner < triangles.length; corner++)
+    for (let c = 0; c < size; c++) out[size * corner + c] = values[size * triangles[corner] + c];
+  return out;
+}
+
+export function bodyGeometry(mesh: TriangleMesh): BufferGeometry {
+  const geometry = new BufferGeometry();
+  const { group, normals } = cornerNormals(mesh);
+  const spread = new Float32Array(3 * group.length);
+  group.forEach((corner, i) => {
+    for (let c = 0; c < 3; c++) spread[3 * i + c] = normals[3 * corner + c];
+  });
+  geometry.setAttribute('position', new BufferAttribute(perCorner(mesh, mesh.positions, 3), 3));
+  geometry.setAttribute('normal', new BufferAttribute(spread, 3));
+  setDisplacement(geometry, mesh, null);
+  setField(geometry, mesh, null);
+  geometry.computeBoundingSphere();
+  return geometry;
+}
+
+/** Per vertex, in units of the mesh; null: none. */
+export function setDisplacement(
+  geometry: BufferGeometry,
+  mesh: TriangleMesh,
+  shape: Float32Array | null,
+): void {
+  const values = shape ? perCorner(mesh, shape, 3) : new Float32Array(3 * mesh.triangles.length);
+  geometry.setAttribute('displacement', new BufferAttribute(values, 3));
+}
+
+export function setField(geometry: BufferGeometry, mesh: TriangleMesh, field: Field | null): void {
+  const values = new Float32Array(mesh.triangles.length);
+  if (field?.on === 'vertices') values.set(perCorner(mesh, field.values, 1));
+  if (field?.on === 'triangles')
+    values.forEach((_, corner) => (values[corner] = field.values[Math.floor(corner / 3)]));
+  geometry.setAttribute('value', new BufferAttribute(values, 1));
+}

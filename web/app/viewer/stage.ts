@@ -1,0 +1,212 @@
+/** The stage: up to two bodies side by side under one camera. It draws meshes and named fields and knows nothing else. */
+
+import CameraControls from 'camera-controls';
+import * as THREE from 'three';
+import type { TriangleMesh } from '../../engine/core';
+import { bodyGeometry, setDisplacement, setField } from './body_geometry';
+import type { Field } from './body_geometry';
+import { mapTexture } from './colours';
+import type { MapName } from './colours';
+import { surfaceMaterial } from './surface_material';
+
+CameraControls.install({ THREE });
+
+export interface Look {
+  clay: string;
+  wire: string;
+  wireStrength: number;
+  map: MapName;
+}
+
+/** One body in its own scene. */
+class Pane {
+  readonly scene = new THREE.Scene();
+  private readonly body: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
+  private mesh: TriangleMesh | null = null;
+  private field: Field | null = null;
+  private shape: Float32Array | null = null;
+
+  constructor(map: THREE.DataTexture) {
+    const look = { clay: new THREE.Color(), wire: new THREE.Color(), wireStrength: 0 };
+    this.body = new THREE.Mesh(new THREE.BufferGeometry(), surfaceMaterial(map, look));
+    this.body.frustumCulled = false; // a swinging body leaves the bounds of its rest pose
+    this.body.visible = false;
+    this.scene.add(this.body);
+  }
+
+  show(mesh: TriangleMesh | null): void {
+    this.body.geometry.dispose();
+    this.mesh = mesh;
+    this.body.visible = mesh !== null;
+    this.body.geometry = mesh ? bodyGeometry(mesh) : new THREE.BufferGeometry();
+    this.applyField();
+    this.applyShape();
+  }
+
+  /** Mesh, field and shape may come in any order: what does not fit the mesh yet waits for the one that it belongs to. */
+  private applyField(): void {
+    const { mesh, field } = this;
+    const size = field?.on === 'vertices' ? mesh?.positions.length : mesh?.triangles.length;
+    const fits = field !== null && size === 3 * field.values.length;
+    if (mesh) setField(this.body.geometry, mesh, fits ? field : null);
+    this.body.material.uniforms.hasField.value = fits;
+  }
+
+  private applyShape(): void {
+    const { mesh, shape } = this;
+    if (mesh)
+      setDisplacement(this.body.geometry, mesh, shape?.length === mesh.positions.length ? shape : null);
+  }
+
+  colour(field: Field | null, map: THREE.DataTexture): void {
+    this.field = field;
+    this.applyField();
+    this.body.material.uniforms.map.value = map;
+  }
+
+  displace(shape: Float32Array | null): void {
+    this.shape = shape;
+    this.applyShape();
+  }
+
+  look({ clay, wire, wireStrength }: Look): void {
+    const { uniforms } = this.body.material;
+    uniforms.clay.value.set(clay);
+    uniforms.wire.value.set(wire);
+    uniforms.wireStrength.value = wireStrength;
+  }
+
+  swing(amplitude: number): void {
+    this.body.material.uniforms.amplitude.value = amplitude;
+  }
+
+  sphere(): THREE.Sphere | null {
+    return this.mesh ? this.body.geometry.boundingSphere : null;
+  }
+}
+
+export type PaneName = 'original' | 'optimized';
+
+export class Stage {
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
+  private readonly controls: CameraControls;
+  private readonly timer = new THREE.Timer();
+  private readonly maps: Record<MapName, THREE.DataTexture>;
+  private readonly panes: Record<PaneName, Pane>;
+  private shown: PaneName[] = ['original'];
+  private stale = true;
+  private swinging = false;
+  private phase = 0;
+  private settle: { amplitude: number; speed: number } = { amplitude: 0, speed: 1 };
+
+  /** Throws where WebGL2 is missing. */
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.maps = { viridis: mapTexture('viridis'), cividis: mapTexture('cividis') };
+    this.panes = { original: new Pane(this.maps.viridis), optimized: new Pane(this.maps.viridis) };
+    this.controls = new CameraControls(this.camera, canvas);
+    this.controls.dollyToCursor = true;
+    this.controls.smoothTime = 0.08;
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    canvas.addEventListener('webglcontextrestored', () => (this.stale = true));
+    this.resize();
+    this.renderer.setAnimationLoop((time) => this.frame(time));
+  }
+
+  show(pane: PaneName, mesh: TriangleMesh | null): void {
+    this.panes[pane].show(mesh);
+    this.stale = true;
+  }
+
+  colour(pane: PaneName, field: Field | null, map: MapName): void {
+    this.panes[pane].colour(field, this.maps[map]);
+    this.stale = true;
+  }
+
+  /** Displacement per vertex at full swing, in units of the mesh. */
+  displace(pane: PaneName, shape: Float32Array | null): void {
+    this.panes[pane].displace(shape);
+    this.stale = true;
+  }
+
+  look(look: Look): void {
+    for (const pane of Object.values(this.panes)) pane.look(look);
+    this.stale = true;
+  }
+
+  arrange(shown: PaneName[]): void {
+    this.shown = shown;
+    this.resize();
+  }
+
+  /** x = x0 + amplitude sin(theta) phi, Eq. 5; theta runs while `playing`. */
+  animate(playing: boolean, amplitude: number, speed: number): void {
+    this.swinging = playing;
+    this.settle = { amplitude, speed };
+    this.stale = true;
+  }
+
+  /** Turns the camera to the whole body. */
+  fit(animated = true): void {
+    const sphere = this.panes.original.sphere();
+    if (!sphere || !(sphere.radius > 0)) return;
+    this.camera.near = sphere.radius / 100;
+    this.camera.far = sphere.radius * 100;
+    this.camera.updateProjectionMatrix();
+    const direction = new THREE.Vector3(0.75, 0.42, 1).normalize();
+    const distance = (1.16 * sphere.radius) / Math.sin(this.narrowHalfAngle());
+    const eye = direction.multiplyScalar(distance).add(sphere.center);
+    void this.controls.setLookAt(
+      eye.x,
+      eye.y,
+      eye.z,
+      sphere.center.x,
+      sphere.center.y,
+      sphere.center.z,
+      animated,
+    );
+    this.stale = true;
+  }
+
+  /** Half the angle of view along the shorter side of a pane. */
+  private narrowHalfAngle(): number {
+    const half = THREE.MathUtils.degToRad(this.camera.fov / 2);
+    return Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / this.shown.length / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.stale = true;
+  }
+
+  private frame(time: number): void {
+    this.timer.update(time);
+    const seconds = this.timer.getDelta();
+    const moved = this.controls.update(seconds);
+    if (this.swinging) this.phase += 2 * Math.PI * 0.5 * this.settle.speed * seconds;
+    if (!moved && !this.stale && !this.swinging) return;
+    this.stale = false;
+    this.draw();
+  }
+
+  private draw(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    const width = clientWidth / this.shown.length;
+    this.renderer.setScissorTest(false);
+    this.renderer.clear();
+    this.renderer.setScissorTest(true);
+    this.shown.forEach((name, i) => {
+      const pane = this.panes[name];
+      pane.swing(Math.sin(this.phase) * this.settle.amplitude);
+      this.renderer.setViewport(i * width, 0, width, clientHeight);
+      this.renderer.setScissor(i * width, 0, width, clientHeight);
+      this.renderer.render(pane.scene, this.camera);
+    });
+  }
+}

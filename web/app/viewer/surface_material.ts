@@ -1,0 +1,81 @@
+/** The one material of the stage: a lit surface, coloured by a field, with its triangles' edges drawn in the shader. */
+
+import { DoubleSide, ShaderMaterial } from 'three';
+import type { Color, DataTexture } from 'three';
+
+export interface SurfaceLook {
+  /** of a surface without a field */
+  clay: Color;
+  wire: Color;
+  /** 0..1 */
+  wireStrength: number;
+}
+
+const vertexShader = /* glsl */ `
+  attribute vec3 displacement;
+  attribute float value;
+  uniform float amplitude;
+  varying vec3 vNormal;
+  varying vec3 vPosition;
+  varying vec3 vCorner;
+  varying float vValue;
+  void main() {
+    // Corners are not shared, so a vertex's number says which corner of its triangle it is.
+    int corner = gl_VertexID % 3;
+    vCorner = vec3(corner == 0, corner == 1, corner == 2);
+    vValue = value;
+    vec4 place = modelViewMatrix * vec4(position + amplitude * displacement, 1.0);
+    vPosition = place.xyz;
+    vNormal = normalMatrix * normal;
+    gl_Position = projectionMatrix * place;
+  }
+`;
+
+const fragmentShader = /* glsl */ `
+  varying vec3 vNormal;
+  varying vec3 vPosition;
+  varying vec3 vCorner;
+  varying float vValue;
+  uniform sampler2D map;
+  uniform bool hasField;
+  uniform bool isFlat;
+  uniform vec3 clay;
+  uniform vec3 wire;
+  uniform float wireStrength;
+  void main() {
+    vec3 faceNormal = normalize(cross(dFdx(vPosition), dFdy(vPosition)));
+    vec3 n = isFlat ? faceNormal : normalize(vNormal);
+    vec3 toEye = normalize(-vPosition);
+    if (dot(n, toEye) < 0.0) n = -n;
+    vec3 base = hasField ? texture(map, vec2(clamp(vValue, 0.0, 1.0) * 0.992 + 0.004, 0.5)).rgb : clay;
+    float key = max(dot(n, normalize(vec3(0.35, 0.75, 0.55))), 0.0);
+    float fill = max(dot(n, normalize(vec3(-0.7, 0.1, 0.4))), 0.0);
+    float sky = 0.5 + 0.5 * n.y;
+    float gloss = pow(max(dot(n, normalize(normalize(vec3(0.35, 0.75, 0.55)) + toEye)), 0.0), 40.0);
+    vec3 lit = base * (0.30 + 0.20 * sky + 0.55 * key + 0.14 * fill) + 0.07 * gloss;
+    vec3 width = fwidth(vCorner);
+    vec3 edge = smoothstep(vec3(0.0), width * 1.25, vCorner);
+    float onEdge = 1.0 - min(min(edge.x, edge.y), edge.z);
+    // Where triangles are smaller than a few pixels the lines would drown the surface.
+    float room = 1.0 - smoothstep(0.25, 0.9, max(max(width.x, width.y), width.z));
+    gl_FragColor = vec4(mix(lit, wire, onEdge * wireStrength * (0.35 + 0.65 * room)), 1.0);
+    #include <colorspace_fragment>
+  }
+`;
+
+export function surfaceMaterial(map: DataTexture, look: SurfaceLook): ShaderMaterial {
+  return new ShaderMaterial({
+    vertexShader,
+    fragmentShader,
+    side: DoubleSide,
+    uniforms: {
+      map: { value: map },
+      amplitude: { value: 0 },
+      hasField: { value: false },
+      isFlat: { value: false },
+      clay: { value: look.clay },
+      wire: { value: look.wire },
+      wireStrength: { value: look.wireStrength },
+    },
+  });
+}

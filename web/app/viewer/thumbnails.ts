@@ -1,0 +1,94 @@
+/** Moving pictures of modes: one shared renderer draws them in turn, each is copied to its own small canvas. */
+
+import * as THREE from 'three';
+import type { TriangleMesh } from '../../engine/core';
+import { bodyGeometry, setDisplacement, setField } from './body_geometry';
+import { mapTexture } from './colours';
+import { surfaceMaterial } from './surface_material';
+
+export const THUMBNAIL = { width: 148, height: 104 };
+/** Larger meshes stand still, so that the gallery never slows the page. */
+const MOST_MOVING_FACES = 40000;
+const FRAME_MILLISECONDS = 50;
+
+interface Picture {
+  canvas: HTMLCanvasElement;
+  displacement: THREE.BufferAttribute | THREE.InterleavedBufferAttribute;
+}
+
+export class Thumbnails {
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly scene = new THREE.Scene();
+  private readonly camera = new THREE.PerspectiveCamera(30, THUMBNAIL.width / THUMBNAIL.height, 0.01, 100);
+  private readonly body: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
+  private pictures: Picture[] = [];
+  private lastDrawn = 0;
+  private amplitude = 0;
+  private faces = 0;
+  moving = true;
+  visible = true;
+
+  constructor() {
+    this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer.setSize(THUMBNAIL.width, THUMBNAIL.height, false);
+    const look = { clay: new THREE.Color('#8fa6b8'), wire: new THREE.Color(), wireStrength: 0 };
+    this.body = new THREE.Mesh(new THREE.BufferGeometry(), surfaceMaterial(mapTexture('viridis'), look));
+    this.body.frustumCulled = false;
+    this.scene.add(this.body);
+    this.renderer.setAnimationLoop((time) => this.frame(time));
+  }
+
+  /** Shows one shape per canvas, in units of the mesh at full swing. */
+  show(mesh: TriangleMesh, shapes: Float32Array[], canvases: HTMLCanvasElement[]): void {
+    this.body.geometry.dispose();
+    const geometry = bodyGeometry(mesh);
+    this.body.geometry = geometry;
+    this.faces = mesh.triangles.length / 3;
+    setField(geometry, mesh, null);
+    const sphere = geometry.boundingSphere!;
+    this.amplitude = 0.18 * sphere.radius;
+    this.pictures = shapes.map((shape, i) => {
+      setDisplacement(geometry, mesh, shape);
+      return { canvas: canvases[i], displacement: geometry.getAttribute('displacement') };
+    });
+    const eye = new THREE.Vector3(0.75, 0.42, 1).normalize().multiplyScalar(3.9 * sphere.radius);
+    this.camera.position.copy(sphere.center).add(eye);
+    this.camera.near = sphere.radius / 50;
+    this.camera.far = sphere.radius * 50;
+    this.camera.lookAt(sphere.center);
+    this.camera.updateProjectionMatrix();
+    this.draw(0);
+  }
+
+  colour(clay: string): void {
+    this.body.material.uniforms.clay.value.set(clay);
+    this.draw(this.lastDrawn);
+  }
+
+  dispose(): void {
+    this.renderer.setAnimationLoop(null);
+    this.renderer.dispose();
+    this.body.geometry.dispose();
+  }
+
+  private frame(time: number): void {
+    if (!this.visible || !this.moving || this.faces > MOST_MOVING_FACES) return;
+    if (time - this.lastDrawn < FRAME_MILLISECONDS) return;
+    this.draw(time);
+  }
+
+  private draw(time: number): void {
+    this.lastDrawn = time;
+    const swing = this.moving ? Math.sin(time / 450) : 1;
+    this.body.material.uniforms.amplitude.value = this.amplitude * swing;
+    for (const { canvas, displacement } of this.pictures) {
+      this.body.geometry.setAttribute('displacement', displacement);
+      this.renderer.render(this.scene, this.camera);
+      const context = canvas.getContext('2d');
+      if (!context) continue;
+      context.clearRect(0, 0, canvas.width, canvas.height);
+      context.drawImage(this.renderer.domElement, 0, 0, canvas.width, canvas.height);
+    }
+  }
+}

@@ -1,0 +1,89 @@
+/** What the page and its one worker say to each other: plain data, typed arrays moved rather than copied. */
+
+import type {
+  Curvature,
+  Inspection,
+  MeshAt,
+  ModeSet,
+  Progress,
+  Refused,
+  StrainGuidance,
+  TriangleMesh,
+} from '../../engine/core';
+import type { SourceFile } from '../../engine/document/open';
+import type { Validation } from '../../engine/document/validate';
+import type { HealthNote } from '../../engine/health';
+import type { Settings } from '../../engine/options';
+import type { Certificate } from '../../engine/pipeline';
+import type { Report } from '../../engine/report';
+
+export interface Started {
+  threads: number;
+  /** the job's four words in shared memory; null on one thread */
+  job: Int32Array | null;
+}
+
+export interface OpenedFile {
+  name: string;
+  format: string;
+  bodies: { name: string; faces: number }[];
+  notes: string[];
+  /** what an export would leave out */
+  dropped: string[];
+}
+
+export interface BodySummary {
+  mesh: TriangleMesh;
+  diagonal: number;
+  inspection: Inspection;
+  minAngle: number;
+  meanMinAngle: number;
+  health: HealthNote[];
+}
+
+export interface ModesResult extends ModeSet {
+  /** strips[layer * STRIP + i]: mean strain rank of that mode along the body's longest axis */
+  strips: Float32Array;
+}
+
+export const STRIP = 24;
+
+export interface HistorySummary {
+  faces: number;
+  floorFaces: number;
+  refused: Refused;
+  seconds: number;
+}
+
+export interface ResultMetrics {
+  minAngle: number;
+  meanMinAngle: number;
+  /** % of the diagonal */
+  hausdorff: number;
+  mean: number;
+  certificate: Certificate;
+  inspection: Inspection;
+}
+
+export interface ExportResult {
+  bytes: Uint8Array;
+  validation: Validation;
+  report: Report;
+  faces: number;
+}
+
+/** Every call throws an Error with one sentence; a cancelled one an Error whose message is CANCELLED. */
+export interface WorkerApi {
+  start(wasmFolder: string, threads: number, onProgress: (progress: Progress) => void): Promise<Started>;
+  open(files: SourceFile[]): Promise<OpenedFile>;
+  prepare(body: number, settings: Settings): Promise<BodySummary>;
+  modes(body: number, settings: Settings): Promise<ModesResult>;
+  guidance(body: number, settings: Settings): Promise<StrainGuidance>;
+  curvature(body: number, settings: Settings): Promise<Curvature>;
+  history(body: number, settings: Settings): Promise<HistorySummary>;
+  meshAt(body: number, settings: Settings, faces: number): Promise<MeshAt>;
+  measure(body: number, settings: Settings, faces: number): Promise<ResultMetrics>;
+  export(settings: Settings, faces: number[], fields: boolean): Promise<ExportResult>;
+}
+
+export const CANCELLED = 'cancelled';

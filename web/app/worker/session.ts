@@ -1,0 +1,98 @@
+/** One opened file and what has been computed for each of its bodies. A stage runs again when its inputs have changed. */
+
+import type { Core, Curvature, History, MeshAt, ModeSet, StrainGuidance } from '../../engine/core';
+import type { OpenModel } from '../../engine/document/open';
+import { resolveModel } from '../../engine/options';
+import type { Settings } from '../../engine/options';
+import {
+  buildHistory,
+  findGuidance,
+  findModes,
+  measureResult,
+  prepareBody,
+  reduceTo,
+} from '../../engine/pipeline';
+import type { Measured, PreparedBody } from '../../engine/pipeline';
+import { guidanceKey, historyKey, modesKey, prepareKey } from '../state/keys';
+
+/** The last value of a stage and the inputs that it was made from. */
+class Stage<T> {
+  private key: string | null = null;
+  private value: T | null = null;
+
+  get(key: string, make: () => T): T {
+    if (this.key !== key || this.value === null) {
+      this.value = make();
+      this.key = key;
+    }
+    return this.value;
+  }
+}
+
+export class BodyStages {
+  private readonly preparedStage = new Stage<PreparedBody>();
+  private readonly modesStage = new Stage<ModeSet>();
+  private readonly guidanceStage = new Stage<StrainGuidance>();
+  private readonly curvatureStage = new Stage<Curvature>();
+  private readonly historyStage = new Stage<{ history: History; seconds: number }>();
+  private readonly resultStage = new Stage<MeshAt>();
+  private readonly measuredStage = new Stage<Measured>();
+
+  constructor(
+    private readonly core: Core,
+    private readonly model: OpenModel,
+    private readonly index: number,
+  ) {}
+
+  prepared(settings: Settings): PreparedBody {
+    return this.preparedStage.get(prepareKey(settings), () =>
+      prepareBody(this.core, this.model.bodies[this.index], settings),
+    );
+  }
+
+  modes(settings: Settings): ModeSet {
+    return this.modesStage.get(modesKey(settings), () =>
+      findModes(this.core, this.prepared(settings), settings),
+    );
+  }
+
+  guidance(settings: Settings): StrainGuidance {
+    return this.guidanceStage.get(guidanceKey(settings), () =>
+      findGuidance(this.core, this.prepared(settings), this.modes(settings), settings),
+    );
+  }
+
+  curvature(settings: Settings): Curvature {
+    return this.curvatureStage.get(prepareKey(settings), () =>
+      this.core.meanCurvature(this.prepared(settings).mesh),
+    );
+  }
+
+  history(settings: Settings): { history: History; seconds: number } {
+    return this.historyStage.get(historyKey(settings), () => {
+      const prepared = this.prepared(settings);
+      const guidance = settings.method === 'qem' ? null : this.guidance(settings);
+      const curvature = this.curvature(settings);
+      const start = performance.now();
+      const history = buildHistory(this.core, prepared, guidance, curvature, settings);
+      return { history, seconds: (performance.now() - start) / 1000 };
+    });
+  }
+
+  result(settings: Settings, faces: number): MeshAt {
+    return this.resultStage.get(`${historyKey(settings)} ${faces}`, () =>
+      reduceTo(this.core, this.prepared(settings), this.history(settings).history, faces),
+    );
+  }
+
+  measured(settings: Settings, faces: number): Measured {
+    return this.measuredStage.get(`${historyKey(settings)} ${faces}`, () =>
+      measureResult(this.core, this.prepared(settings), this.result(settings, faces)),
+    );
+  }
+
+  /** For the report: the modes that guided, where the method has any. */
+  guidingModes(settings: Settings) {
+    return settings.method === 'qem' ? null : { modes: this.modes(settings), model: resolveModel(settings) };
+  }
+}
