@@ -19,6 +19,7 @@ import type {
 } from './core';
 import type { ExportedBody } from './document/export';
 import type { Body } from './document/model';
+import { length3 } from './exact_math';
 import { modesAvailable } from './mode_set';
 import { resolveModel, resolveModes } from './options';
 import type { Settings } from './options';
@@ -278,5 +279,5 @@ function diagonalOf({ positions }: TriangleMesh): number {
     low[i % 3] = Math.min(low[i % 3], value);
     high[i % 3] = Math.max(high[i % 3], value);
   });
-  return Math.hypot(...high.map((value, c) => value - low[c]));
+  return length3(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }

@@ -1,6 +1,7 @@
 /** The meshes of a glTF document as bodies: plain triangles in the mesh's own space. */
 
 import type { Accessor, Document, Mesh, Node, Primitive } from '@gltf-transform/core';
+import { length3 } from '../exact_math';
 import { GrowingFloats, GrowingIndices } from './growing';
 import { counted } from './model';
 import type { Body, PrimitiveSpan } from './model';
@@ -131,12 +132,12 @@ function skippedNotes({ points, lines, empty }: Gathering['skipped']): string[] 
     .map(([count, kind]) => `${counted(count, kind, kind.replace('primitive', 'primitives'))} skipped`);
 }
 
-/** How much larger the node makes the body: the cube root of its volume factor, and whether all axes agree. */
+/** How much larger the node makes the body: the quadratic mean of its three axes, and whether they agree. */
 function scaleOf(node: Node): { scale: number; isEven: boolean } {
   const matrix = node.getWorldMatrix();
-  const lengths = [0, 4, 8].map((at) => Math.hypot(matrix[at], matrix[at + 1], matrix[at + 2]));
-  const product = lengths[0] * lengths[1] * lengths[2];
-  if (!(product > 0) || !Number.isFinite(product)) return { scale: 1, isEven: true };
-  const isEven = Math.max(...lengths) <= 1.001 * Math.min(...lengths);
-  return { scale: isEven ? lengths[0] : Math.cbrt(product), isEven };
+  const [x, y, z] = [0, 4, 8].map((at) => length3(matrix[at], matrix[at + 1], matrix[at + 2]));
+  const [smallest, largest] = [Math.min(x, y, z), Math.max(x, y, z)];
+  if (!(smallest > 0) || !Number.isFinite(largest)) return { scale: 1, isEven: true };
+  const isEven = largest <= 1.001 * smallest;
+  return { scale: isEven ? x : Math.sqrt((x * x + y * y + z * z) / 3), isEven };
 }

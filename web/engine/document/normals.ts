@@ -1,10 +1,10 @@
 /** Vertex normals for display: smooth, and split along sharp edges. */
 
 import type { TriangleMesh } from '../core';
+import { arcCosine, length3 } from '../exact_math';
 
-/** Faces that meet at more than this keep an edge between them. */
-const CREASE_DEGREES = 60;
-const CREASE_COSINE = Math.cos((CREASE_DEGREES * Math.PI) / 180);
+/** Of 60 degrees: faces that meet at more keep an edge between them. */
+const CREASE_COSINE = 0.5;
 
 export interface CornerNormals {
   /** per corner 3 * t + k: a corner of the same vertex that has the same normal; the same for all that share it */
@@ -35,7 +35,7 @@ function unitFaceNormals({ positions, triangles }: TriangleMesh): Float64Array {
     const edge = (from: number, to: number, axis: number) => positions[to + axis] - positions[from + axis];
     const part = (u: number, v: number) => edge(a, b, u) * edge(a, c, v) - edge(a, b, v) * edge(a, c, u);
     const [x, y, z] = [part(1, 2), part(2, 0), part(0, 1)];
-    const length = Math.hypot(x, y, z);
+    const length = length3(x, y, z);
     if (length > 0) normals.set([x / length, y / length, z / length], t);
   }
   return normals;
@@ -53,7 +53,7 @@ function angleAt({ positions, triangles }: TriangleMesh, corner: number): number
     b2 += b * b;
   }
   const length = Math.sqrt(a2 * b2);
-  return length > 0 ? Math.acos(Math.min(1, Math.max(-1, along / length))) : 0;
+  return length > 0 ? arcCosine(along / length) : 0;
 }
 
 /** Per corner the lowest corner of its group. */
@@ -114,9 +114,11 @@ function normalise(group: Uint32Array, sums: Float64Array, faceNormals: Float64A
       faceNormals.subarray(face, face + 3),
       [0, 0, 1],
     ];
-    const chosen = candidates.find((vector) => Math.hypot(...vector) > 1e-9)!;
-    const length = Math.hypot(...chosen);
+    const chosen = candidates.find((vector) => lengthOf(vector) > 1e-9)!;
+    const length = lengthOf(chosen);
     for (let c = 0; c < 3; ++c) normals[3 * corner + c] = chosen[c] / length;
   });
   return normals;
 }
+
+const lengthOf = (vector: ArrayLike<number>): number => length3(vector[0], vector[1], vector[2]);

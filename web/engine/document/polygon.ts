@@ -1,6 +1,7 @@
 /** Cuts one polygon of a file into triangles. */
 
 import earcut from 'earcut';
+import { length3 } from '../exact_math';
 
 /** A corner off the line between its neighbours by less than this, of the polygon's size, is dented inwards by as much. */
 const DENT = 1e-6;
@@ -51,7 +52,7 @@ function projectPolygon(corners: number[], positions: Float32Array): number[] | 
         (at(i, u) - at(0, u)) * (at(i + 1, v) - at(0, v)) - (at(i, v) - at(0, v)) * (at(i + 1, u) - at(0, u));
       size = Math.max(size, Math.abs(at(i, c) - at(0, c)));
     }
-  const length = Math.hypot(...normal);
+  const length = length3(normal[0], normal[1], normal[2]);
   if (!(length > NO_AREA * size * size)) return null;
   const unit = normal.map((value) => value / length);
   const [right, up] = planeAxes(unit);
@@ -69,7 +70,7 @@ function planeAxes(normal: number[]): [number[], number[]] {
   );
   const helper = [0, 1, 2].map((c) => (c === smallest ? 1 : 0));
   const raw = cross(helper, normal);
-  const length = Math.hypot(...raw);
+  const length = length3(raw[0], raw[1], raw[2]);
   const right = raw.map((value) => value / length);
   return [right, cross(normal, right)];
 }
@@ -96,19 +97,18 @@ function isFanUpright(points: number[], start: number): boolean {
 }
 
 function distance(points: number[], a: number, b: number): number {
-  return Math.hypot(points[2 * a] - points[2 * b], points[2 * a + 1] - points[2 * b + 1]);
+  return length3(points[2 * a] - points[2 * b], points[2 * a + 1] - points[2 * b + 1], 0);
 }
 
+/** A fan of upright triangles has gone round where one of them, after the first, reaches over its first side again. */
 function windsTwice(points: number[], start: number): boolean {
   const count = points.length / 2;
-  let angle = 0;
-  for (let i = 1; i + 1 < count; ++i) {
+  const first = (start + 1) % count;
+  for (let i = 2; i + 1 < count; ++i) {
     const [a, b] = [(start + i) % count, (start + i + 1) % count];
-    const [ax, ay] = [points[2 * a] - points[2 * start], points[2 * a + 1] - points[2 * start + 1]];
-    const [bx, by] = [points[2 * b] - points[2 * start], points[2 * b + 1] - points[2 * start + 1]];
-    angle += Math.atan2(ax * by - ay * bx, ax * bx + ay * by);
+    if (turn(points, start, a, first) > 0 && turn(points, start, first, b) >= 0) return true;
   }
-  return angle > 2 * Math.PI;
+  return false;
 }
 
 /** earcut leaves out corners on straight sides, which would open a crack there; dented, they stay. */
