@@ -33,11 +33,13 @@ export function pickFiles(): Promise<void> {
 
 /** What was dropped: files, and all files below folders with their relative paths. */
 export async function openDropped(items: DataTransferItemList): Promise<void> {
+  const plain = Array.from(items, (item) => (item.webkitGetAsEntry?.() ? null : item.getAsFile()));
   const entries = Array.from(items, (item) => item.webkitGetAsEntry?.() ?? null).filter(
     (entry) => entry !== null,
   );
   const found = (await Promise.all(entries.map((entry) => filesBelow(entry, '')))).flat();
-  await openFiles(await readAll(found));
+  const loose = plain.filter((file) => file !== null).map((file) => ({ name: file.name, file }));
+  await openFiles(await readAll([...found, ...loose]));
 }
 
 async function filesBelow(entry: FileSystemEntry, path: string): Promise<{ name: string; file: File }[]> {

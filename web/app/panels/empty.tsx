@@ -9,7 +9,7 @@ export function Empty() {
   if (status.busy.value) return null;
   return (
     <div class="drop-zone">
-      <h1>Drop a mesh here</h1>
+      <h2>Drop a mesh here</h2>
       <p class="muted">GLB, glTF with its files, OBJ, STL or PLY. Your file stays on this computer.</p>
       <button type="button" class="primary" onClick={() => void pickFiles()}>
         Open a file

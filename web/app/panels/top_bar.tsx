@@ -16,10 +16,10 @@ const NEXT_THEME: Record<Theme, Theme> = { system: 'light', light: 'dark', dark:
 export function TopBar() {
   return (
     <header class="top">
-      <span class="brand">
+      <h1 class="brand">
         <img src="./icon.svg" alt="" width="24" height="24" />
         Limber
-      </span>
+      </h1>
       <div class="files">
         <button type="button" onClick={() => void pickFiles()} title="Open a file (Ctrl+O)">
           Open

@@ -1,0 +1,72 @@
+/** What a user does with the page, in words. */
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { expect } from '@playwright/test';
+import type { Page } from '@playwright/test';
+
+const root = join(import.meta.dirname, '..', '..');
+export const scratch = mkdtempSync(join(tmpdir(), 'limber-page-'));
+
+export function writeScratch(name: string, content: string | Uint8Array): string {
+  const path = join(scratch, name);
+  writeFileSync(path, content);
+  return path;
+}
+
+/** Opens the page and waits until its first sample stands there. */
+export async function openPage(page: Page, address = '/?sample=bar'): Promise<void> {
+  await page.goto(address);
+  await expect(readout(page, 'Faces')).toContainText('1,792');
+}
+
+/** Drops files from the disk onto the middle of the page, as the browser does it for a hand. */
+export async function drop(page: Page, ...files: string[]): Promise<void> {
+  const client = await page.context().newCDPSession(page);
+  const data = { items: [], files, dragOperationsMask: 1 };
+  for (const type of ['dragEnter', 'dragOver', 'drop'] as const)
+    await client.send('Input.dispatchDragEvent', { type, x: 640, y: 300, data });
+}
+
+export const goTo = (page: Page, step: 'Model' | 'Motion' | 'Reduce') =>
+  page.getByRole('navigation', { name: 'Steps' }).getByRole('button', { name: step }).click();
+
+export const readout = (page: Page, name: string) =>
+  page
+    .locator('.readouts > div')
+    .filter({ has: page.getByText(name, { exact: true }) })
+    .locator('dd');
+
+export const keptFaces = (page: Page) => page.getByRole('slider', { name: 'Kept faces' });
+
+/** Moves the slider to a count; waits until the page shows a mesh of at most that. */
+export async function keepFaces(page: Page, faces: number): Promise<void> {
+  await keptFaces(page).fill(String(faces));
+  await expect(async () => {
+    const text = await readout(page, 'Faces').innerText();
+    const shown = Number(/→ ([\d,]+)/.exec(text)![1].replaceAll(',', ''));
+    expect(shown).toBeLessThanOrEqual(faces);
+    expect(shown).toBeGreaterThan(faces - 3);
+  }).toPass();
+}
+
+/** Saves the file through the export panel and returns what was downloaded. */
+export async function saveGlb(page: Page): Promise<Uint8Array> {
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  const save = page.getByRole('button', { name: 'Save .glb' });
+  await expect(save).toBeEnabled();
+  const [download] = await Promise.all([page.waitForEvent('download'), save.click()]);
+  return new Uint8Array(readFileSync(await download.path()));
+}
+
+/** What `limber optimize` writes for the same input. */
+export function commandLineBytes(input: string, options: string[]): Uint8Array {
+  const output = join(scratch, 'command-line.glb');
+  const program = join(root, 'dist', 'cli', 'limber.mjs');
+  execFileSync(process.execPath, [program, 'optimize', input, output, '--quiet', ...options], {
+    stdio: 'pipe',
+  });
+  return new Uint8Array(readFileSync(output));
+}

@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "base/parallel.h"
+#include "measure/closest_point.h"
+#include "measure/quality.h"
+#include "measure/surface_distance.h"
+#include "measure/surface_samples.h"
+#include "shapes.h"
+
+namespace limber {
+namespace {
+
+SurfaceDistance distanceOf(const TriangleMesh& a, const TriangleMesh& b) {
+  Job job;
+  return measureSurfaceDistance(a, b, {}, job);
+}
+
+TriangleMesh moved(TriangleMesh mesh, const Vec3& by) {
+  for (Vec3& p : mesh.positions) p += by;
+  return mesh;
+}
+
+// The distance of a point to a triangle by dense search, an upper bound that is off by less than `step` of an
+// edge.
+double bruteForce(const Vec3& p, const TriangleMesh& mesh, uint32_t t) {
+  double best = HUGE_VAL;
+  const int steps = 60;
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; i + j <= steps; ++j) {
+      const double u = double(i) / steps, v = double(j) / steps;
+      best = std::min(best, length(p - (mesh.corner(t, 0) * (1 - u - v) + mesh.corner(t, 1) * u +
+                                        mesh.corner(t, 2) * v)));
+    }
+  return best;
+}
+
+TEST(Quality, isOneForAnEquilateralTriangleAndZeroWithoutArea) {
+  const double h = std::sqrt(3.0) / 2;
+  EXPECT_NEAR(triangleQuality({0, 0, 0}, {1, 0, 0}, {0.5, h, 0}), 1, 1e-12);
+  EXPECT_NEAR(smallestAngle({0, 0, 0}, {1, 0, 0}, {0.5, h, 0}), 60, 1e-9);
+  EXPECT_EQ(triangleQuality({0, 0, 0}, {1, 0, 0}, {2, 0, 0}), 0);
+  EXPECT_EQ(smallestAngle({0, 0, 0}, {1, 0, 0}, {2, 0, 0}), 0);
+  EXPECT_EQ(triangleQuality({0, 0, 0}, {0, 0, 0}, {0, 0, 0}), 0);
+}
+
+TEST(Quality, ofTheBarIsThatOfRightIsoscelesTriangles) {
+  const QualityReport report = measureQuality(shapes::box(2, 2, 3, 0.5));
+  EXPECT_NEAR(report.minAngle, 45, 1e-9);
+  EXPECT_NEAR(report.meanMinAngle, 45, 1e-9);
+  EXPECT_NEAR(report.meanQuality, std::sqrt(3.0) / 2, 1e-12);
+  EXPECT_EQ(report.angleHistogram[9], shapes::box(2, 2, 3, 0.5).triangleCount());
+}
+
+TEST(ClosestPoint, agreesWithADenseSearchOnAnyTriangle) {
+  TriangleMesh mesh = shapes::jittered(shapes::box(1, 1, 2, 1), 0.3, 5);
+  mesh.triangles.push_back({0, 1, 1});  // a segment
+  mesh.triangles.push_back({2, 2, 2});  // a point
+  const ClosestPointTree tree(mesh);
+  std::mt19937 random(1);
+  for (int trial = 0; trial < 200; ++trial) {
+    const auto coordinate = [&] { return 4.0 * random() / 4294967295.0 - 1; };
+    const Vec3 p{coordinate(), coordinate(), coordinate()};
+    double best = HUGE_VAL;
+    for (uint32_t t = 0; t < mesh.triangleCount(); ++t) best = std::min(best, bruteForce(p, mesh, t));
+    const SurfacePoint found = tree.closest(p);
+    EXPECT_LE(found.distance, best + 1e-12);
+    EXPECT_GE(found.distance, best - 0.02);
+    EXPECT_NEAR(length(p - found.position), found.distance, 1e-12);
+    EXPECT_NEAR(found.barycentric[0] + found.barycentric[1] + found.barycentric[2], 1, 1e-12);
+    for (double weight : found.barycentric) EXPECT_GE(weight, 0);
+  }
+}
+
+TEST(SurfaceDistance, ofParallelSheetsIsTheirGap) {
+  const TriangleMesh sheet = shapes::grid(5, 5);
+  const SurfaceDistance distance = distanceOf(sheet, moved(sheet, {0, 0, 0.25}));
+  EXPECT_NEAR(distance.hausdorff, 0.25, 1e-12);
+  EXPECT_NEAR(distance.mean, 0.25, 1e-12);
+  EXPECT_NEAR(distance.vertexHausdorff, 0.25, 1e-12);
+}
+
+TEST(SurfaceDistance, ofConcentricSpheresIsTheDifferenceOfTheirRadii) {
+  const SurfaceDistance distance = distanceOf(shapes::sphere(5, 1), shapes::sphere(5, 1.2));
+  EXPECT_NEAR(distance.mean, 0.2, 0.002);
+  EXPECT_NEAR(distance.hausdorff, 0.2, 0.005);
+}
+
+TEST(SurfaceDistance, isZeroForAFinerMeshOfTheSameSurface) {
+  const SurfaceDistance distance = distanceOf(shapes::grid(4, 4), shapes::grid(8, 8));
+  EXPECT_NEAR(distance.hausdorff, 0, 1e-12);
+  EXPECT_NEAR(distance.vertexHausdorff, std::sqrt(2.0) / 8, 1e-12);
+}
+
+TEST(SurfaceDistance, isSymmetricAndSeesWhatOnlyOneSideHas) {
+  const TriangleMesh a = shapes::grid(4, 4),
+                     b = shapes::together(a, moved(shapes::grid(1, 1, 0.1, 0.1), {0, 0, 3}));
+  EXPECT_NEAR(distanceOf(a, b).hausdorff, 3, 1e-12);
+  EXPECT_NEAR(distanceOf(b, a).hausdorff, 3, 1e-12);
+  EXPECT_EQ(distanceOf(a, b).mean, distanceOf(b, a).mean);
+}
+
+TEST(SurfaceDistance, isTheSameForAnyNumberOfThreads) {
+  const TriangleMesh a = shapes::sphere(4), b = shapes::jittered(shapes::sphere(3), 0.02, 9);
+  const SurfaceDistance one = distanceOf(a, b);
+  for (int threads : {2, 4}) {
+    setThreadCount(threads);
+    const SurfaceDistance other = distanceOf(a, b);
+    EXPECT_EQ(other.hausdorff, one.hausdorff);
+    EXPECT_EQ(other.mean, one.mean);
+  }
+  setThreadCount(1);
+}
+
+TEST(SurfaceSamples, areSpreadByArea) {
+  // A large and a small square: 4 to 1 by area.
+  const TriangleMesh squares =
+      shapes::together(shapes::grid(1, 1, 2, 2), moved(shapes::grid(3, 3), {10, 0, 0}));
+  int far = 0;
+  for (const Vec3& p : sampleSurface(squares, 10'000)) far += p.x > 5;
+  EXPECT_NEAR(far, 2000, 2);
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <thread>
+
+#include "base/parallel.h"
+#include "modes/factorisation.h"
+#include "modes/modes.h"
+#include "modes/ordering.h"
+#include "modes/shell.h"
+#include "shapes.h"
+
+namespace limber {
+namespace {
+
+StiffnessModel shellOf(const TriangleMesh& mesh) {
+  return shellModel(mesh, buildTopology(mesh), 0.02, 0.3);
+}
+
+Eigen::VectorXd anyVector(Eigen::Index size) {
+  Eigen::VectorXd x(size);
+  for (Eigen::Index i = 0; i < size; ++i) x[i] = std::sin(1.7 * static_cast<double>(i) + 0.3);
+  return x;
+}
+
+TEST(Dissection, takesEveryNodeOnceAndPutsChildrenBeforeParents) {
+  const StiffnessModel model = shellOf(shapes::torus(20, 10));
+  const Dissection dissection = dissect(model);
+  std::vector<int> seen(model.nodeCount(), 0);
+  for (uint32_t p = 0; p < dissection.parts.size(); ++p) {
+    for (uint32_t node : dissection.parts[p].nodes) ++seen[node];
+    for (uint32_t child : dissection.parts[p].children) EXPECT_LT(child, p);
+  }
+  for (int times : seen) EXPECT_EQ(times, 1);
+}
+
+TEST(Factorisation, solvesAsADenseSolverDoes) {
+  for (const TriangleMesh& mesh : {shapes::grid(6, 5), shapes::jittered(shapes::sphere(2), 0.05, 1)}) {
+    const StiffnessModel model = shellOf(mesh);
+    const double shift = -0.01;
+    Factorisation factorisation(model);
+    Job job;
+    factorisation.factorise(shift, job);
+    Eigen::MatrixXd dense = model.stiffness;
+    dense.diagonal() -= shift * model.mass;
+    const Eigen::VectorXd b = anyVector(model.mass.size());
+    Eigen::VectorXd x = b;
+    factorisation.solve(x);
+    EXPECT_LT((dense * x - b).norm(), 1e-8 * b.norm());
+    EXPECT_LT((x - dense.ldlt().solve(b)).norm(), 1e-6 * x.norm());
+    EXPECT_EQ(factorisation.negativePivots(), 0u);
+  }
+}
+
+TEST(Factorisation, countsTheEigenvaluesBelowAShift) {
+  const StiffnessModel model = shellOf(shapes::jittered(shapes::grid(5, 4), 0.02, 2));
+  // All unknowns get mass here, so that a dense solver can be asked.
+  StiffnessModel massive = model;
+  massive.mass.setOnes();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> dense(Eigen::MatrixXd(massive.stiffness));
+  Factorisation factorisation(massive);
+  Job job;
+  for (int below : {6, 9, 20, 60}) {
+    const double shift = (dense.eigenvalues()[below - 1] + dense.eigenvalues()[below]) / 2;
+    factorisation.factorise(shift, job);
+    EXPECT_EQ(factorisation.negativePivots(), (dense.eigenvalues().array() < shift).count());
+  }
+}
+
+TEST(Factorisation, isTheSameToTheBitForAnyNumberOfThreads) {
+  const StiffnessModel model = shellOf(shapes::sphere(4));
+  const auto solveWith = [&](int threads) {
+    setThreadCount(threads);
+    Factorisation factorisation(model);
+    Job job;
+    factorisation.factorise(-0.1, job);
+    setThreadCount(1);
+    Eigen::VectorXd x = anyVector(model.mass.size());
+    factorisation.solve(x);
+    return x;
+  };
+  const Eigen::VectorXd one = solveWith(1);
+  EXPECT_TRUE(solveWith(2) == one);
+  EXPECT_TRUE(solveWith(4) == one);
+}
+
+TEST(LaplacianModes, ofAPathOfSquaresAreCosines) {
+  // A long strip: the scalar modes run along it, and come once per axis.
+  Job job;
+  const TriangleMesh strip = shapes::grid(60, 3, 20, 1);
+  const ModeSet set = computeModes(strip, {Model::Laplacian, 6, 0.1, 1, 0.3, 1, 1}, job);
+  EXPECT_EQ(set.components[0].zeroModesExpected, 3u);
+  EXPECT_EQ(set.components[0].zeroModesFound, 3u);
+  ASSERT_EQ(set.modes.size(), 6u);
+  for (int k = 0; k < 6; ++k) {
+    EXPECT_EQ(set.modes[k].axis, k % 3);
+    EXPECT_LE(set.modes[k].residual, 1e-7);
+  }
+  EXPECT_NEAR(set.modes[3].omega / set.modes[0].omega, 2, 0.05);
+  // The thinnest axis is the strip's normal: mode 1 moves along z only, like cos(pi x / L).
+  const uint32_t n = strip.vertexCount();
+  for (uint32_t v = 0; v < n; ++v) {
+    EXPECT_NEAR(set.shapes[3 * v], 0, 1e-6);
+    EXPECT_NEAR(std::abs(set.shapes[3 * v + 2]),
+                std::abs(std::cos(std::numbers::pi * strip.positions[v].x / 20)), 0.05);
+  }
+}
+
+TEST(ShellModes, areTheSameToTheBitForAnyNumberOfThreads) {
+  const TriangleMesh mesh = shapes::jittered(shapes::torus(24, 12), 0.01, 6);
+  const auto shapesWith = [&](int threads) {
+    setThreadCount(threads);
+    Job job;
+    const auto shapes = computeModes(mesh, {Model::Shell, 8, 0.05, 1, 0.3, 1, 1}, job).shapes;
+    setThreadCount(1);
+    return shapes;
+  };
+  const auto one = shapesWith(1);
+  EXPECT_EQ(shapesWith(2), one);
+  EXPECT_EQ(shapesWith(4), one);
+}
+
+#if LIMBER_THREADS
+TEST(ShellModes, areCancelledFromAnotherThread) {
+  Job job;
+  std::thread other([&] {
+    while (job.words[1].load() != static_cast<int32_t>(Phase::Factorise)) std::this_thread::yield();
+    job.requestCancel();
+  });
+  EXPECT_THROW(computeModes(shapes::sphere(5), {Model::Shell, 12, 0.02, 1, 0.3, 1, 1}, job), Cancelled);
+  other.join();
+}
+#endif
+
+}  // namespace
+}  // namespace limber
