@@ -5,8 +5,12 @@
 #include <map>
 #include <numeric>
 
+#include "base/parallel.h"
+
 namespace limber {
 namespace {
+
+constexpr size_t kVerticesPerRange = 4096;
 
 // The two edges of triangle t that meet in vertex v.
 std::array<uint32_t, 2> edgesAt(const TriangleMesh& mesh, const Topology& topology, uint32_t t, uint32_t v) {
@@ -65,7 +69,9 @@ uint32_t rootOf(std::vector<uint32_t>& parent, uint32_t e) {
 
 std::vector<VertexKind> classifyVertices(const TriangleMesh& mesh, const Topology& topology) {
   std::vector<VertexKind> kinds(mesh.vertexCount());
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) kinds[v] = classify(mesh, topology, v);
+  parallelFor(kinds.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
+    for (size_t v = begin; v < end; ++v) kinds[v] = classify(mesh, topology, static_cast<uint32_t>(v));
+  });
   return kinds;
 }
 

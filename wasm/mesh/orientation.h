@@ -21,7 +21,7 @@ struct Orientation {
 // is not promised. O(triangles).
 Orientation orient(const TriangleMesh& mesh, const Topology& topology);
 
-// True where the two triangles of an edge run it the same way; false for edges with one or more than two.
-bool isClash(const TriangleMesh& mesh, const Topology& topology, const Topology::Edge& edge);
+// Per edge 1 where it has two triangles and both run it the same way, else 0.
+std::vector<uint8_t> findClashes(const TriangleMesh& mesh, const Topology& topology);
 
 }  // namespace limber

@@ -1,6 +1,7 @@
 #include "simplify/collapse_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesh/manifold.h"
 #include "mesh/orientation.h"
@@ -11,6 +12,8 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh) : livingTriangles_(mesh.tri
   const Topology topology = buildTopology(mesh);
   const Bounds box = bounds(mesh);
   diagonal_ = box.diagonal();
+  // A sum as large as 2^52 steps has no digits below one step; the step is a power of two.
+  if (diagonal_ > 0) rounder_ = std::ldexp(1.5, 52 - 30 + std::ilogb(diagonal_));
   for (int axis = 0; axis < 3; ++axis)
     origin_[axis] = static_cast<float>(0.5 * box.low[axis] + 0.5 * box.high[axis]);
   positions_ = mesh.positions;
@@ -28,26 +31,22 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh) : livingTriangles_(mesh.tri
     trianglesOnEdge_.push_back(static_cast<uint8_t>(std::min(edge.useCount, 3u)));
   }
   heirOf_.assign(edges_.size(), kNone);
-  collectStars(mesh);
+  collectStars(mesh, topology);
   classify(mesh, topology);
 }
 
-void CollapseMesh::collectStars(const TriangleMesh& mesh) {
-  stars_.assign(mesh.vertexCount(), {0, 0, 0});
-  for (const Triangle& triangle : mesh.triangles)
-    for (uint32_t v : triangle) ++stars_[v].capacity;
-  uint32_t begin = 0;
-  for (Star& star : stars_) {
-    star.begin = begin;
-    begin += star.capacity;
-  }
-  pool_.reserve(4 * size_t{begin});
-  pool_.resize(begin);
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (uint32_t c = 0; c < 3; ++c) {
-      Star& star = stars_[mesh.triangles[t][c]];
-      pool_[star.begin + star.count++] = 4 * t + c;
+void CollapseMesh::collectStars(const TriangleMesh& mesh, const Topology& topology) {
+  stars_.resize(mesh.vertexCount());
+  pool_.reserve(4 * topology.vertexTriangles.size());
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    const auto around = topology.trianglesAround(v);
+    const auto count = static_cast<uint32_t>(around.size());
+    stars_[v] = {topology.vertexStart[v], count, count};
+    for (uint32_t t : around) {
+      const Triangle& triangle = mesh.triangles[t];
+      pool_.push_back(4 * t + (triangle[1] == v ? 1 : triangle[2] == v ? 2 : 0));
     }
+  }
 }
 
 void CollapseMesh::classify(const TriangleMesh& mesh, const Topology& topology) {
@@ -57,18 +56,9 @@ void CollapseMesh::classify(const TriangleMesh& mesh, const Topology& topology) 
     freedom_[v] = kinds[v] == VertexKind::Interior ? Freedom::Free
                   : kinds[v] == VertexKind::Border ? Freedom::Border
                                                    : Freedom::Locked;
-  for (const Topology::Edge& edge : topology.edges)
-    if (isClash(mesh, topology, edge)) freedom_[edge.a] = freedom_[edge.b] = Freedom::Locked;
-}
-
-std::array<float, 3> CollapseMesh::inFile(const Vec3& p) const {
-  const Vec3 q = p + origin_;
-  return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
-}
-
-Vec3 CollapseMesh::rounded(const Vec3& p) const {
-  const auto [x, y, z] = inFile(p);
-  return Vec3{x, y, z} - origin_;
+  const auto clashes = findClashes(mesh, topology);
+  for (uint32_t e = 0; e < edgeCount(); ++e)
+    if (clashes[e]) freedom_[edges_[e].a] = freedom_[edges_[e].b] = Freedom::Locked;
 }
 
 bool CollapseMesh::isOn(const Face& face, uint32_t edge) const {

@@ -79,9 +79,21 @@ class CollapseMesh {
     }
   }
 
-  // The nearest point whose coordinates in the file are float32, and what these are.
-  Vec3 rounded(const Vec3& p) const;
-  std::array<float, 3> inFile(const Vec3& p) const;
+  // The float32 coordinates of a point in the file, and the point that has them.
+  std::array<float, 3> inFile(const Vec3& p) const {
+    const Vec3 q = p + origin_;
+    return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
+  }
+  Vec3 stored(const Vec3& p) const {
+    const auto [x, y, z] = inFile(p);
+    return Vec3{x, y, z} - origin_;
+  }
+  // Where to store a point that was computed: its coordinates in the file are rounded to steps of 1e-9 of the
+  // diagonal first, so that rounding noise around 0 becomes 0.
+  Vec3 rounded(const Vec3& p) const {
+    const Vec3 shift{rounder_, rounder_, rounder_};
+    return stored((p + origin_ + shift) - shift - origin_);
+  }
 
   // Carries out a legal collapse and returns the up to two further edges that are gone (else kNone): they
   // have become one with edges of `kept`.
@@ -92,7 +104,7 @@ class CollapseMesh {
     uint32_t begin, count, capacity;
   };
 
-  void collectStars(const TriangleMesh& mesh);
+  void collectStars(const TriangleMesh& mesh, const Topology& topology);
   void classify(const TriangleMesh& mesh, const Topology& topology);
   bool isOn(const Face& face, uint32_t edge) const;
   void removeFromStar(uint32_t v, uint32_t triangle);
@@ -101,6 +113,7 @@ class CollapseMesh {
 
   Vec3 origin_;
   double diagonal_ = 0;
+  double rounder_ = 0;  // adding and subtracting it rounds to the steps of `rounded`
   uint32_t livingTriangles_ = 0;
   std::vector<Vec3> positions_;
   std::vector<Freedom> freedom_;

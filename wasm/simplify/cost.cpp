@@ -84,18 +84,18 @@ Placement CostModel::place(uint32_t edge) const {
   const auto [a, b] = mesh_.edge(edge);
   const Vec3 &p = mesh_.position(a), &q = mesh_.position(b);
   const Quadric sum = quadrics_[a] + quadrics_[b];
-  const auto placed = [&](const Vec3& point) {
-    const Vec3 target = mesh_.rounded(point);
+  const auto at = [&](const Vec3& target) {
     return Placement{target,
                      lengthScale_ * (normalizedError(sum, target) + kShortness * squaredLength(q - p))};
   };
   const bool aOnBorder = mesh_.freedom(a) == Freedom::Border, bOnBorder = mesh_.freedom(b) == Freedom::Border;
-  if (aOnBorder != bOnBorder) return placed(aOnBorder ? p : q);
+  if (aOnBorder != bOnBorder) return at(mesh_.stored(aOnBorder ? p : q));
 
   const Vec3 middle = (p + q) * 0.5;
   const Vec3 optimum = minimize(sum, middle);
-  if (squaredLength(optimum - middle) <= kReach * kReach * squaredLength(q - p)) return placed(optimum);
-  const Placement choices[] = {placed(middle), placed(p), placed(q)};
+  if (squaredLength(optimum - middle) <= kReach * kReach * squaredLength(q - p))
+    return at(mesh_.rounded(optimum));
+  const Placement choices[] = {at(mesh_.rounded(middle)), at(mesh_.stored(p)), at(mesh_.stored(q))};
   return *std::ranges::min_element(choices, {}, &Placement::error);
 }
 

@@ -37,7 +37,10 @@ class EdgeHeap {
 
   uint32_t pop() {
     const uint32_t edge = edgeOf(keys_.front());
-    remove(edge);
+    place_[edge] = kAbsent;
+    const uint64_t last = keys_.back();
+    keys_.pop_back();
+    if (!keys_.empty()) moveDown(0, last);
     return edge;
   }
 

@@ -11,46 +11,29 @@ constexpr double kSmallestCosine = 0.2;
 // being, though one that is there already may stay as it is.
 constexpr double kSmallestHeight = 1e-6;
 
-// A face before or after a collapse: its area normal and its longest edge.
-struct Shape {
-  Vec3 normal;
-  double longestSquared;
+// Twice the area over the square of the longest edge: the height over that edge as a part of it. Squared.
+double squaredFlatness(const Vec3& areaNormal, const Vec3& p, const Vec3& q, const Vec3& r) {
+  const double longest = std::max({squaredLength(q - p), squaredLength(r - q), squaredLength(p - r)});
+  return squaredLength(areaNormal) / (longest * longest);
+}
 
-  Shape(const Vec3& p, const Vec3& q, const Vec3& r)
-      : normal(cross(q - p, r - p)),
-        longestSquared(std::max({squaredLength(q - p), squaredLength(r - q), squaredLength(p - r)})) {}
-
-  double normalSquared() const { return squaredLength(normal); }
-  // The square of height over longest edge, times that edge's fourth power.
-  bool isFlat() const {
-    return normalSquared() <= kSmallestHeight * kSmallestHeight * longestSquared * longestSquared;
-  }
-  // Compares height over longest edge.
-  bool isFlatterThan(const Shape& other) const {
-    return normalSquared() * other.longestSquared * other.longestSquared <
-           other.normalSquared() * longestSquared * longestSquared;
-  }
-};
-
-bool turns(const Shape& before, const Shape& after) {
-  const double cosine = dot(before.normal, after.normal);
-  return cosine <= 0 ||
-         cosine * cosine < kSmallestCosine * kSmallestCosine * before.normalSquared() * after.normalSquared();
+// Whether face (p, q, r) turns over or loses its area when p goes to `target`.
+bool isSpoilt(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& target) {
+  const Vec3 side = r - q;
+  const Vec3 before = cross(side, p - q), after = cross(side, target - q);
+  const double cosine = dot(before, after);
+  const double lengths = squaredLength(before) * squaredLength(after);
+  if (cosine <= 0 || cosine * cosine < kSmallestCosine * kSmallestCosine * lengths) return true;
+  const double flatness = squaredFlatness(after, target, q, r);
+  return !(flatness > kSmallestHeight * kSmallestHeight) && !(flatness >= squaredFlatness(before, p, q, r));
 }
 
 }  // namespace
 
-Verdict Legality::forever(uint32_t edge) const {
-  const auto [a, b] = mesh_.edge(edge);
-  if (mesh_.freedom(a) == Freedom::Locked || mesh_.freedom(b) == Freedom::Locked) return Verdict::Locked;
-  const bool joinsBorders = mesh_.freedom(a) == Freedom::Border && mesh_.freedom(b) == Freedom::Border;
-  return joinsBorders && mesh_.trianglesOnEdge(edge) == 2 ? Verdict::Topology : Verdict::Legal;
-}
-
 Verdict Legality::check(const Collapse& step) {
   if (const Verdict verdict = forever(step.edge); verdict != Verdict::Legal) return verdict;
   if (!keepsTopology(step)) return Verdict::Topology;
-  if (turnsAnyFace(step.kept, step) || turnsAnyFace(step.removed, step)) return Verdict::Flip;
+  if (spoilsAnyFace(step.kept, step) || spoilsAnyFace(step.removed, step)) return Verdict::Flip;
   return Verdict::Legal;
 }
 
@@ -93,16 +76,14 @@ uint32_t Legality::countCommonNeighbours(uint32_t a, uint32_t b) {
   return count;
 }
 
-bool Legality::turnsAnyFace(uint32_t v, const Collapse& step) const {
+bool Legality::spoilsAnyFace(uint32_t v, const Collapse& step) const {
   for (const Corner corner : mesh_.star(v)) {
     const CollapseMesh::Face& face = mesh_.face(triangleOf(corner));
-    const int c = indexOf(corner);
-    const int next = nextIndex(c), previous = previousIndex(c);
+    const int next = nextIndex(indexOf(corner)), previous = previousIndex(indexOf(corner));
     if (face.edges[next] == step.edge || face.edges[previous] == step.edge) continue;
-    const Vec3 &q = mesh_.position(face.vertices[next]), &r = mesh_.position(face.vertices[previous]);
-    const Shape before(mesh_.position(v), q, r), after(step.target, q, r);
-    if (turns(before, after)) return true;
-    if (after.isFlat() && after.isFlatterThan(before)) return true;
+    if (isSpoilt(mesh_.position(v), mesh_.position(face.vertices[next]),
+                 mesh_.position(face.vertices[previous]), step.target))
+      return true;
   }
   return false;
 }

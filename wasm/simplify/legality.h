@@ -18,7 +18,13 @@ class Legality {
 
   // Whether an edge can never collapse, whatever happens around it: a locked end, or an inner edge that
   // joins two border vertices. Legal where it may.
-  Verdict forever(uint32_t edge) const;
+  Verdict forever(uint32_t edge) const {
+    const auto [a, b] = mesh_.edge(edge);
+    const Freedom atA = mesh_.freedom(a), atB = mesh_.freedom(b);
+    if (atA == Freedom::Locked || atB == Freedom::Locked) return Verdict::Locked;
+    const bool joinsBorders = atA == Freedom::Border && atB == Freedom::Border;
+    return joinsBorders && mesh_.trianglesOnEdge(edge) == 2 ? Verdict::Topology : Verdict::Legal;
+  }
 
   // Asks every rule.
   Verdict check(const Collapse& step);
@@ -26,7 +32,7 @@ class Legality {
  private:
   bool keepsTopology(const Collapse& step);
   uint32_t countCommonNeighbours(uint32_t a, uint32_t b);
-  bool turnsAnyFace(uint32_t v, const Collapse& step) const;
+  bool spoilsAnyFace(uint32_t v, const Collapse& step) const;
 
   const CollapseMesh& mesh_;
   std::vector<uint32_t> seen_;  // per vertex: the last mark that was set on it
