@@ -1,6 +1,6 @@
 // The one file that knows both C++ and JavaScript: plain objects of web/engine/core.ts in, plain objects out.
-// Typed arrays are copied at the edge. A C++ exception is returned as an Error object, which web/engine/load_core.ts
-// throws: so no destructor on the C++ stack is skipped.
+// Typed arrays are copied at the edge. A C++ exception is returned as an Error object, which
+// web/engine/load_core.ts throws: so no destructor on the C++ stack is skipped.
 
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
