@@ -1,4 +1,4 @@
-import { KHRMaterialsVariants } from '@gltf-transform/extensions';
+import { KHRDracoMeshCompression, KHRMaterialsVariants } from '@gltf-transform/extensions';
 import type { Document, Mesh } from '@gltf-transform/core';
 import { describe, expect, it } from 'vitest';
 import type { TriangleMesh } from '../../web/engine/core';
@@ -177,6 +177,17 @@ describe('an exported GLB', () => {
     expect(stripped.getBaseColorTexture()).toBeNull();
     expect(stripped.getRoughnessFactor()).toBe(0.5);
     expect(document.getRoot().listSkins()).toHaveLength(1);
+  });
+
+  it('keeps the joint weights of a Draco file adding up to 1 where a body is not replaced', async () => {
+    const source = startDocument();
+    const rich = addRichMesh(source, 'rich', cube());
+    rich.listPrimitives()[0].getAttribute('WEIGHTS_0')!.setElement(0, [1.01, 0, 0, 0]);
+    const model = await openModel([await glbFile(source)]);
+    const errors = async () => (await validateGlb(await exportGlb(model, [null], { fields: false }))).errors;
+    expect(await errors()).toBe(1);
+    model.document.createExtension(KHRDracoMeshCompression);
+    expect(await errors()).toBe(0);
   });
 
   it('keeps material variants', async () => {

@@ -1,11 +1,13 @@
 import { describe, expect, it } from 'vitest';
-import { KHRMeshQuantization } from '@gltf-transform/extensions';
+import { ALL_EXTENSIONS, KHRMeshQuantization } from '@gltf-transform/extensions';
+import { WebIO } from '@gltf-transform/core';
+import fc from 'fast-check';
 import type { Document } from '@gltf-transform/core';
 import { companionNames } from '../../web/engine/document/gltf';
 import { openModel } from '../../web/engine/document/open';
 import type { SourceFile } from '../../web/engine/document/open';
 import { failureOf, SQUARE_OBJ, textFile } from './support/files';
-import { addMesh, glbFile, indices, primitiveOf, startDocument } from './support/gltf';
+import { addMesh, addRichMesh, glbFile, indices, primitiveOf, startDocument } from './support/gltf';
 import { cube, grid } from './support/shapes';
 
 const open = async (document: Document) => openModel([await glbFile(document)]);
@@ -195,12 +197,65 @@ describe('glTF', () => {
     ).toMatch(/^a\.gltf (has no triangles|is not a valid glTF file)/);
   });
 
+  it.each([[[{ children: [0] }]], [[{ children: [1] }, { children: [2] }, { children: [0] }]]])(
+    'refuses nodes that go round in circles: %j',
+    async (nodes) => {
+      const json = JSON.stringify({ asset: { version: '2.0' }, nodes });
+      expect(await failureOf(() => openModel([textFile('a.gltf', json)]))).toMatch(
+        /^a\.gltf is not a valid glTF file \(node \d is below itself\): export it again\.$/,
+      );
+    },
+  );
+
   it('does not follow a position far beyond its buffer', async () => {
     const [main, buffer, image] = separateGltf();
     const text = new TextDecoder().decode(main.bytes).replace('"count":3', '"count":3000');
     const message = await failureOf(() => openModel([textFile('model/test.gltf', text), buffer, image]));
     expect(message).toMatch(
       /^model\/test\.gltf is not a valid glTF file \(.*\): check it with the glTF validator\.$/,
+    );
+  });
+});
+
+describe('a damaged GLB', () => {
+  it('is read, or refused with one sentence, whatever byte is hit', async () => {
+    const document = startDocument();
+    addRichMesh(document, 'rich', cube());
+    const { bytes } = await glbFile(document);
+    await fc.assert(
+      fc.asyncProperty(
+        fc.array(fc.tuple(fc.nat(), fc.nat(255)), { minLength: 1, maxLength: 4 }),
+        async (hits) => {
+          const damaged = bytes.slice();
+          for (const [place, value] of hits) damaged[place % damaged.length] = value;
+          const message = await failureOf(() => openModel([{ name: 'a.glb', bytes: damaged }]));
+          expect(message === '' || /^a\.glb\b.*[.?]$/s.test(message) || message).toBe(true);
+        },
+      ),
+      { numRuns: 1500, seed: 7 },
+    );
+  });
+
+  it('is read, or refused with one sentence, whatever number of its JSON is wrong', async () => {
+    const document = startDocument();
+    addRichMesh(document, 'rich', cube());
+    const io = new WebIO().registerExtensions(ALL_EXTENSIONS);
+    const { json, resources } = await io.writeJSON(document, { basename: 'a' });
+    const text = JSON.stringify(json);
+    const numbers = [...text.matchAll(/(?<=[:,[])-?\d+(\.\d+)?(?=[,}\]])/g)];
+    const companions = Object.entries(resources).map(([name, bytes]) => ({ name, bytes }));
+    await fc.assert(
+      fc.asyncProperty(
+        fc.nat(),
+        fc.constantFrom('-1', '7', '99', '0.5', '65536', 'null', '"x"', '{}'),
+        async (which, value) => {
+          const { index, 0: old } = numbers[which % numbers.length];
+          const changed = text.slice(0, index) + value + text.slice(index + old.length);
+          const message = await failureOf(() => openModel([textFile('a.gltf', changed), ...companions]));
+          expect(message === '' || /^a\.gltf\b.*[.?]$/s.test(message) || message).toBe(true);
+        },
+      ),
+      { numRuns: 1500, seed: 8 },
     );
   });
 });

@@ -1,5 +1,7 @@
 /** Exit codes, and the failures that lead to them. */
 
+import { plain } from './words';
+
 export const EXIT = { done: 0, badInput: 1, missedTarget: 2, internal: 3 } as const;
 
 /** What the user can cure: a wrong option, file or mesh. The engine throws plain Errors for these. */
@@ -9,7 +11,7 @@ export class UsageError extends Error {}
 export function describeFailure(error: unknown): { code: number; line: string } {
   const isSentence = error instanceof UsageError || (error instanceof Error && error.constructor === Error);
   const message = error instanceof Error ? error.message : String(error);
-  const line = message.replace(/\s*\n\s*/g, ' ').trim();
+  const line = plain(message.replace(/\s*\n\s*/g, ' ').trim());
   if (isSentence) return { code: EXIT.badInput, line };
   return {
     code: EXIT.internal,

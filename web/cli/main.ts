@@ -31,11 +31,15 @@ async function main(): Promise<number> {
   try {
     return await run(process.argv.slice(2));
   } catch (error) {
-    clearProgress();
-    const { code, line } = describeFailure(error);
-    process.stderr.write(`limber: ${line}\n`);
-    return code;
+    return fail(error);
   }
+}
+
+function fail(error: unknown): number {
+  clearProgress();
+  const { code, line } = describeFailure(error);
+  process.stderr.write(`limber: ${line}\n`);
+  return code;
 }
 
 /** The pool of threads keeps Node alive, so the program ends itself, once everything it said has left. */
@@ -43,4 +47,8 @@ function exit(code: number): void {
   process.stdout.write('', () => process.stderr.write('', () => process.exit(code)));
 }
 
+// What a thread of the pool throws arrives here.
+process.on('uncaughtException', (error) => exit(fail(error)));
+// Whoever read the output may have had enough of it.
+process.stdout.on('error', () => process.exit(EXIT.done));
 exit(await main());

@@ -1,10 +1,11 @@
 /** limber modes IN */
 
 import { basename } from 'node:path';
-import { exportGlb } from '../engine/document/export';
+import { droppedByExport, exportGlb } from '../engine/document/export';
 import { shapeTargets } from '../engine/document/shapes';
 import { resolveModel, resolveModes } from '../engine/options';
-import { exportedMesh, findModes, startStopwatch } from '../engine/pipeline';
+import { describeSize } from '../engine/health';
+import { exportedMesh, findModes, materialOf, startStopwatch } from '../engine/pipeline';
 import type { PreparedBody } from '../engine/pipeline';
 import type { ModeSet } from '../engine/core';
 import { modesReport, startReport } from '../engine/report';
@@ -25,6 +26,10 @@ export async function runModes(args: Arguments): Promise<number> {
   const model = await openFile(session, input);
   const load = stopwatch();
   const prepared = prepareBodies(session, model);
+  for (const body of usable(prepared)) {
+    const size = describeSize(body.diagonal * materialOf(body, settings).unit);
+    if (size !== '') session.warnings.push(`${body.body.name}: ${size}`);
+  }
   const weld = stopwatch();
   const sets = prepared.map((body) => {
     session.activity = body?.body.name ?? '';
@@ -34,6 +39,8 @@ export async function runModes(args: Arguments): Promise<number> {
   if (args.shapes !== null) {
     const shown = prepared.map((body, i) => (body ? shapesOf(args, body, sets[i]!) : null));
     writeWhole(args.shapes, await exportGlb(model, shown, { fields: false }));
+    const dropped = droppedByExport(model);
+    if (dropped.length > 0) session.warnings.push(`${args.shapes} leaves out ${dropped.join(', ')}`);
   }
   const used = {
     ...settings,

@@ -50,10 +50,9 @@ export async function runOptimize(args: Arguments): Promise<number> {
   if (dropped.length > 0) session.warnings.push(`${output} leaves out ${dropped.join(', ')}`);
   const report = startReport(session.core, 'optimize', optionsAsUsed(args), usable(prepared));
   fillReport(report, done);
-  const timings = { load, weld, ...sumTimings(done), export: stopwatch(), total: total() };
-  report.timings = timings;
+  report.timings = { load, weld, ...sumTimings(done), export: stopwatch(), total: total() };
   const missed = report.stop!.reason === 'exhausted' ? describeMiss(done) : '';
-  finish(session, report, summaryLine(args, done, timings.total), missed);
+  finish(session, report, summaryLine(args, done, report.timings.total), missed);
   return missed === '' ? EXIT.done : EXIT.missedTarget;
 }
 
@@ -92,10 +91,10 @@ function stopOf({ result, targetFaces, history }: OptimizedBody) {
   return { faces: result.mesh.triangles.length / 3, targetFaces, refused: history.refused };
 }
 
-function sumTimings(done: OptimizedBody[]): Omit<Timings, 'weld'> {
+function sumTimings(done: OptimizedBody[]): Record<string, number> {
   const sumOf = (key: keyof Timings) => done.reduce((sum, { timings }) => sum + timings[key], 0);
   return {
-    modes: sumOf('modes'),
+    ...(done.some(({ modes }) => modes) ? { modes: sumOf('modes') } : {}),
     fields: sumOf('fields'),
     simplify: sumOf('simplify'),
     reduce: sumOf('reduce'),

@@ -12,6 +12,7 @@ import type { Report } from '../engine/report';
 import type { Arguments } from './arguments';
 import { UsageError } from './failure';
 import { checkFolder, readModelFiles, writeWhole } from './files';
+import { plain } from './words';
 
 export interface Session {
   args: Arguments;
@@ -42,7 +43,7 @@ function findWasm(): string {
 }
 
 function showProgress({ activity }: { activity: string }, { phase, fraction }: Progress): void {
-  process.stderr.write(`${CLEAR_LINE}${activity}: ${phase} ${Math.round(100 * fraction)} %`);
+  process.stderr.write(`${CLEAR_LINE}${plain(activity)}: ${phase} ${Math.round(100 * fraction)} %`);
 }
 
 export function clearProgress(): void {
@@ -105,7 +106,7 @@ export function finish({ args, core, warnings }: Session, report: Report, text: 
   const json = `${JSON.stringify({ ...others, peakHeapBytes: core.peakHeapBytes(), timings }, null, 2)}\n`;
   for (const path of args.reports) if (path !== '-') writeWhole(path, json);
   if (args.reports.includes('-')) process.stdout.write(json);
-  else if (!args.quiet) process.stdout.write(`${text}\n`);
-  if (!args.quiet) for (const warning of warnings) process.stderr.write(`limber: ${warning}.\n`);
+  else if (!args.quiet) process.stdout.write(`${plain(text)}\n`);
+  if (!args.quiet) for (const warning of warnings) process.stderr.write(`limber: ${plain(warning)}.\n`);
   if (missed !== '') process.stderr.write(`limber: ${missed}.\n`);
 }

@@ -27,3 +27,6 @@ export function list(entries: [string, string][]): string {
   const width = Math.max(...entries.map(([name]) => name.length));
   return entries.map(([name, value]) => `${name.padEnd(width)}  ${value}`).join('\n');
 }
+
+/** Text that may come from a file, without characters that steer a terminal. */
+export const plain = (text: string): string => text.replace(/[^\n\x20-\x7e\u00a0-\uffff]/g, '?');

@@ -21,7 +21,8 @@ export function describeHealth(body: Body, weld: WeldResult, inspection: Inspect
   add('repaired', weldedVertices, `${seams} welded`);
   add('repaired', degenerateFaces, `${counted(degenerateFaces, 'face')} without area set aside`);
   add('repaired', duplicateFaces, `${counted(duplicateFaces, 'duplicate face')} set aside`);
-  add('repaired', flippedFaces, `${counted(flippedFaces, 'face')} turned to agree with their neighbours`);
+  const neighbours = flippedFaces === 1 ? 'its neighbours' : 'their neighbours';
+  add('repaired', flippedFaces, `${counted(flippedFaces, 'face')} turned to agree with ${neighbours}`);
   const { nonManifoldEdges, nonManifoldVertices, components, boundaryLoops, orientationClashes } = inspection;
   add(
     'limit',
@@ -39,4 +40,11 @@ export function describeHealth(body: Body, weld: WeldResult, inspection: Inspect
   if (components > 1) add('fact', components, counted(components, 'part'));
   add('fact', boundaryLoops, `${counted(boundaryLoops, 'open border')}`);
   return notes;
+}
+
+/** What to think of the body's size in metres where it is unlikely; '' otherwise. Frequencies depend on it. */
+export function describeSize(metres: number): string {
+  if (metres >= 0.001 && metres <= 1000) return '';
+  const size = metres < 1 ? `${(1000 * metres).toPrecision(2)} mm` : `${(metres / 1000).toPrecision(2)} km`;
+  return `the body is ${size} across: set --unit if the file is not in metres`;
 }

@@ -103,7 +103,9 @@ function cornersOf(primitive: Primitive, vertexCount: number, where: string): Ui
       throw new Error(
         `${where}: index ${vertex} is out of range, there are ${vertexCount} vertices: repair the mesh and export it again.`,
       );
-  const mode = primitive.getMode();
+  const mode: number = primitive.getMode();
+  if (![TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN].includes(mode))
+    throw new Error(`${where}: its mode ${mode} is unknown: repair the mesh and export it again.`);
   if (mode === TRIANGLES) return Uint32Array.from(indices.subarray(0, indices.length - (indices.length % 3)));
   const triangles = new Uint32Array(3 * Math.max(0, indices.length - 2));
   for (let t = 0; t < triangles.length / 3; ++t)
@@ -117,7 +119,6 @@ function cornersOf(primitive: Primitive, vertexCount: number, where: string): Ui
 /** Positions in the index list of the corners of triangle t; every second one of a strip is turned. */
 function stripCorners(mode: number, t: number): [number, number, number] {
   if (mode === TRIANGLE_FAN) return [0, t + 1, t + 2];
-  if (mode !== TRIANGLE_STRIP) throw new Error(`Primitive mode ${mode} is unknown.`);
   return t % 2 === 0 ? [t, t + 1, t + 2] : [t + 1, t, t + 2];
 }
 

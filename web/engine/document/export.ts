@@ -10,7 +10,13 @@ import { cornerNormals } from './normals';
 import type { CornerNormals } from './normals';
 import { addSwings } from './shapes';
 import type { MorphTarget } from './shapes';
-import { disposeUnused, dropMotion, dropPrimitiveExtensions, stripMaterials } from './prune';
+import {
+  disposeUnused,
+  dropMotion,
+  dropPrimitiveExtensions,
+  normaliseWeights,
+  stripMaterials,
+} from './prune';
 
 export { droppedByExport } from './dropped';
 
@@ -63,6 +69,7 @@ export async function exportGlb(
     for (const primitive of replaceMesh(document, buffer, model.bodies[i], shown)) replaced.add(primitive);
   });
   if (replaced.size > 0) dropMotion(document, replaced);
+  normaliseWeights(document, replaced);
   stripMaterials(document, replaced);
   if (bodies.some((exported) => exported?.targets?.length))
     addSwings(document, buffer, meshesWithTargets(replaced));

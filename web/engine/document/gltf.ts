@@ -22,6 +22,7 @@ export async function openGltf(
     format === 'glb' ? parseGlb(file) : { json: parseJson(file.name, file.bytes), resources: {} };
   const { json } = jsonDocument;
   checkJson(file.name, json);
+  checkNodes(file.name, json.nodes);
   addCompanions(file, jsonDocument, files);
   const document = await readDocument(file.name, jsonDocument);
   const { bodies, notes } = bodiesOfDocument(file.name, document);
@@ -65,6 +66,28 @@ function checkJson(name: string, json: GLTF.IGLTF): void {
   const unknown = (json.extensionsRequired ?? []).filter((extension) => !SUPPORTED_EXTENSIONS.has(extension));
   if (unknown.length > 0)
     throw new Error(`${name} requires ${unknown.join(', ')}, which cannot be read: export it without.`);
+}
+
+/** A node below itself would send every walk through the tree round in circles. */
+function checkNodes(name: string, nodes: GLTF.INode[] = []): void {
+  const parents = new Map<number, number>();
+  nodes.forEach(({ children }, parent) => {
+    for (const child of Array.isArray(children) ? children : []) parents.set(child, parent);
+  });
+  const isFine = new Set<number>();
+  for (const start of parents.keys()) {
+    const path = new Set<number>();
+    for (
+      let node: number | undefined = start;
+      node !== undefined && !isFine.has(node);
+      node = parents.get(node)
+    ) {
+      if (path.has(node))
+        throw new Error(`${name} is not a valid glTF file (node ${node} is below itself): export it again.`);
+      path.add(node);
+    }
+    for (const node of path) isFine.add(node);
+  }
 }
 
 /** Puts the bytes of every outside buffer and image under the address that the file gives it. */

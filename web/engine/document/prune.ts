@@ -2,6 +2,7 @@
 
 import { ExtensionProperty, PropertyType } from '@gltf-transform/core';
 import type {
+  Accessor,
   Document,
   Extension,
   Material,
@@ -14,7 +15,8 @@ import type {
 
 const VARIANTS = 'KHR_materials_variants';
 const QUANTIZATION = 'KHR_mesh_quantization';
-const COMPRESSIONS = ['KHR_draco_mesh_compression', 'EXT_meshopt_compression'];
+const DRACO = 'KHR_draco_mesh_compression';
+const COMPRESSIONS = [DRACO, 'EXT_meshopt_compression'];
 
 /** Extensions without properties of their own, and what in the document still needs them. */
 const NEEDED_BY: Record<string, (document: Document, kept: Primitive[]) => boolean> = {
@@ -124,6 +126,33 @@ function stripTextures(material: Material): void {
       for (const extension of info?.listExtensions() ?? []) info!.setExtension(extension.extensionName, null);
     }
     for (const name of methodsOf(holder, /^set\w*Texture$/)) call(holder, name, null);
+  }
+}
+
+/**
+ * Draco decodes joint weights that do not add up to 1, which only stays unseen while they are compressed: they are
+ * normalised in the primitives that are kept.
+ */
+export function normaliseWeights(document: Document, replaced: Set<Primitive>): void {
+  const root = document.getRoot();
+  if (!root.listExtensionsUsed().some(({ extensionName }) => extensionName === DRACO)) return;
+  const done = new Set<Accessor>();
+  for (const primitive of root.listMeshes().flatMap((mesh) => mesh.listPrimitives())) {
+    const sets = primitive.listSemantics().filter((semantic) => semantic.startsWith('WEIGHTS_'));
+    const accessors = sets.map((semantic) => primitive.getAttribute(semantic)!);
+    if (replaced.has(primitive) || accessors.some((accessor) => done.has(accessor))) continue;
+    for (const accessor of accessors) done.add(accessor);
+    const arrays = accessors.map((accessor) => accessor.getArray());
+    if (arrays.length > 0 && arrays.every((array) => array instanceof Float32Array)) makeSumsOne(arrays);
+  }
+}
+
+/** Four weights of a vertex per array; all of them add up to 1 afterwards, where they are not all 0. */
+function makeSumsOne(arrays: Float32Array[]): void {
+  for (let first = 0; first < arrays[0].length; first += 4) {
+    let sum = 0;
+    for (const array of arrays) for (let i = 0; i < 4; ++i) sum += array[first + i];
+    if (sum > 0) for (const array of arrays) for (let i = 0; i < 4; ++i) array[first + i] /= sum;
   }
 }
 
