@@ -16,7 +16,7 @@ export interface Sample {
   roughness: number;
   /** Whether both sides of the surface are seen. */
   isOpen: boolean;
-  /** Edges bent by more than this are shaded as creases. */
+  /** Edges bent by more than this are shaded as creases; 180: none are, the surface is smooth. */
   creaseDegrees: number;
   make: () => Shape;
 }
@@ -25,7 +25,7 @@ export const samples: readonly Sample[] = [
   {
     id: 'bar',
     name: 'Bar',
-    about: 'Eight by eight by 24 cells: the bar that bends in the paper.',
+    about: "The paper's bar of 8 x 8 x 24 cells, the simplest thing that bends.",
     colour: [0.62, 0.35, 0.16],
     roughness: 0.6,
     isOpen: false,
@@ -39,7 +39,7 @@ export const samples: readonly Sample[] = [
     colour: [0.47, 0.1, 0.13],
     roughness: 0.85,
     isOpen: true,
-    creaseDegrees: 180, // folds are round, however coarse the grid
+    creaseDegrees: 180,
     make: makeCloth,
   },
   {
@@ -54,12 +54,12 @@ export const samples: readonly Sample[] = [
   },
   {
     id: 'organic',
-    name: 'Organic',
+    name: 'Organic shape',
     about: 'A smooth sculpture of limbs that melt together around its holes.',
     colour: [0.58, 0.55, 0.47],
     roughness: 0.45,
     isOpen: false,
-    creaseDegrees: 40,
+    creaseDegrees: 180,
     make: makeOrganic,
   },
 ];
