@@ -227,7 +227,7 @@ describe('a wrong command line', () => {
     ['optimize torus.obj a.glb --max-deviation 0.5', '--max-deviation is not available yet.'],
     ['optimize torus.obj a.glb --fit on', '--fit is not available yet.'],
     ['inspect torus.obj --faces 10', 'limber inspect has no --faces: see limber inspect --help.'],
-    ['compare torus.obj two.obj', 'torus.obj has 1 bodies and two.obj has 2: compare one with --mesh NAME.'],
+    ['compare torus.obj two.obj', 'torus.obj has 1 body and two.obj has 2: compare one with --mesh NAME.'],
   ])('limber %s', (words, message) => {
     expect(limber(...words.split(' '))).toEqual({ code: 1, stdout: '', stderr: `limber: ${message}\n` });
   });

@@ -76,7 +76,7 @@ describe('settings', () => {
     ],
     [
       { modes: [1, 2], modeWeights: [1] },
-      '--mode-weights has 1 numbers for 2 guiding modes: give one for each mode of --mode.',
+      '--mode-weights has 1 number for 2 guiding modes: give one for each mode of --mode.',
     ],
     [{ p: 0.5 }, '--p is 0.5: give a number of at least 1, or inf (default: 2).'],
   ])('%j are refused', (change, message) => {

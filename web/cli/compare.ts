@@ -10,7 +10,7 @@ import type { Arguments } from './arguments';
 import { EXIT, UsageError } from './failure';
 import { finish, openFile, prepareBodies, startSession, usable } from './session';
 import type { Session } from './session';
-import { count, list, percent } from './words';
+import { count, list, percent, plural } from './words';
 
 export async function runCompare(args: Arguments): Promise<number> {
   const total = startStopwatch();
@@ -49,7 +49,7 @@ function checkPairs({ operands }: Arguments, originals: PreparedBody[], others: 
   if (originals.length === others.length) return;
   const [a, b] = operands.map((path) => basename(path));
   throw new UsageError(
-    `${a} has ${originals.length} bodies and ${b} has ${others.length}: compare one with --mesh NAME.`,
+    `${a} has ${plural(originals.length, 'body', 'bodies')} and ${b} has ${others.length}: compare one with --mesh NAME.`,
   );
 }
 
