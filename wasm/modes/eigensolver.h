@@ -28,8 +28,10 @@ struct EigenPairs {
 // Shift-invert Lanczos (Spectra) on M^1/2 (K - sigma M)^-1 M^1/2 over the unknowns with mass, sigma of the
 // size of -lambda_1, then block inverse iteration until every residual is below 1e-8 or stops falling. A
 // count of negative pivots above the last wanted pair proves that none was missed. Small problems are solved
-// densely. Deterministic. Throws Cancelled, and std::runtime_error with a sentence where residuals stay above
-// 1e-7.
+// densely. Deterministic. Needle triangles can fill the residual with rounding (K grows with 1 / area) while
+// the pair is right: above 1e-7 the caller should warn. Throws Cancelled, and std::runtime_error with a
+// sentence where the inverse residual |phi - (lambda - sigma) (K - sigma M)^-1 M phi| / |phi| of a pair is
+// above 1e-2.
 EigenPairs solveEigenproblem(const StiffnessModel& model, const EigenOptions& options, Job& job);
 
 }  // namespace limber

@@ -3,6 +3,7 @@
 import { basename } from 'node:path';
 import { droppedByExport, exportGlb } from '../engine/document/export';
 import { shapeTargets } from '../engine/document/shapes';
+import { describeResiduals } from '../engine/health';
 import { resolveModel, resolveModes } from '../engine/options';
 import { describeSize } from '../engine/health';
 import { exportedMesh, findModes, materialOf, startStopwatch } from '../engine/pipeline';
@@ -50,6 +51,8 @@ export async function runModes(args: Arguments): Promise<number> {
   const report = startReport(session.core, 'modes', used, usable(prepared));
   const found = sets.filter((set) => set !== null).map((modes) => ({ modes, model: resolveModel(settings) }));
   Object.assign(report, modesReport(found));
+  const doubt = describeResiduals(report.modes ?? []);
+  if (doubt) session.warnings.push(doubt);
   report.timings = { load, weld, modes: solved, export: stopwatch(), total: total() };
   finish(session, report, modesText(args, report));
   return EXIT.done;

@@ -2,6 +2,7 @@
 
 import { basename } from 'node:path';
 import { droppedByExport, exportGlb } from '../engine/document/export';
+import { describeResiduals } from '../engine/health';
 import { resolveModel, resolveModes } from '../engine/options';
 import { exportedBody, optimizeBody, startStopwatch } from '../engine/pipeline';
 import type { OptimizedBody, PreparedBody, Timings } from '../engine/pipeline';
@@ -50,6 +51,8 @@ export async function runOptimize(args: Arguments): Promise<number> {
   if (dropped.length > 0) session.warnings.push(`${output} leaves out ${dropped.join(', ')}`);
   const report = startReport(session.core, 'optimize', optionsAsUsed(args), usable(prepared));
   fillReport(report, done);
+  const doubt = describeResiduals(report.modes ?? []);
+  if (doubt) session.warnings.push(doubt);
   report.timings = { load, weld, ...sumTimings(done), export: stopwatch(), total: total() };
   const missed = report.stop!.reason === 'exhausted' ? describeMiss(done) : '';
   finish(session, report, summaryLine(args, done, report.timings.total), missed);

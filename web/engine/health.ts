@@ -48,3 +48,13 @@ export function describeSize(metres: number): string {
   const size = metres < 1 ? `${(1000 * metres).toPrecision(2)} mm` : `${(metres / 1000).toPrecision(2)} km`;
   return `the body is ${size} across: set --unit if the file is not in metres`;
 }
+
+/** Residuals above this are worth a word. */
+const GOOD_RESIDUAL = 1e-7;
+
+/** What to say of modes whose residual is large; null where all are good. */
+export function describeResiduals(modes: { residual: number }[]): string | null {
+  const worst = modes.reduce((largest, { residual }) => Math.max(largest, residual), 0);
+  if (worst <= GOOD_RESIDUAL) return null;
+  return `the largest residual of the modes is ${worst.toExponential(1)}: needle triangles leave their last digits to rounding`;
+}

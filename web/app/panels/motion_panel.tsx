@@ -1,5 +1,6 @@
 /** Step 2: how the body bends, and which of its modes count. */
 
+import { describeResiduals } from '../../engine/health';
 import { resolveModel, resolveModes } from '../../engine/options';
 import type { Settings } from '../../engine/options';
 import { changeSettings, results, view, wants } from '../state/store';
@@ -71,12 +72,11 @@ function ZeroModes() {
   if (!modes) return null;
   const total = (key: 'zeroModesExpected' | 'zeroModesFound') =>
     modes.components.reduce((sum, component) => sum + component[key], 0);
-  const worst = Math.max(0, ...modes.modes.map(({ residual }) => residual));
   const [expected, found] = [total('zeroModesExpected'), total('zeroModesFound')];
+  const doubt = describeResiduals(modes.modes);
   return (
-    <p class={expected === found && worst <= 1e-7 ? 'hint' : 'hint warning'}>
-      {found} rigid motions found, {expected} expected. Largest residual {worst.toExponential(0)}
-      {worst > 1e-7 ? ': needle triangles make these modes approximate.' : '.'}
+    <p class={expected === found && !doubt ? 'hint' : 'hint warning'}>
+      {found} rigid motions found, {expected} expected{doubt && `; ${doubt}`}.
     </p>
   );
 }

@@ -156,7 +156,7 @@ export class Stage {
     this.camera.far = sphere.radius * 100;
     this.camera.updateProjectionMatrix();
     const direction = new THREE.Vector3(0.75, 0.42, 1).normalize();
-    const distance = (1.16 * sphere.radius) / Math.sin(this.narrowHalfAngle());
+    const distance = (1.22 * sphere.radius) / Math.sin(this.narrowHalfAngle());
     const eye = direction.multiplyScalar(distance).add(sphere.center);
     void this.controls.setLookAt(
       eye.x,
