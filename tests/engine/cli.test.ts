@@ -318,7 +318,7 @@ describe('limber inspect', () => {
   });
 
   it('reports on a mesh without any usable face', () => {
-    writeFileSync(path('flat.obj'), 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n');
+    writeFileSync(path('flat.obj'), 'v 0 0 0\nv 1 0 0\nv 1 0 0\nf 1 2 3\n');
     const { code, stdout } = limber('inspect', 'flat.obj', '--json');
     expect(code).toBe(0);
     expect(report(stdout).input).toMatchObject({ faces: 0, degenerateFaces: 1 });

@@ -37,7 +37,7 @@ describe('a body', () => {
     expect(prepared.inspection).toMatchObject({ genus: 1, components: 1, boundaryLoops: 0 });
     expect(prepared.diagonal).toBeCloseTo(Math.hypot(2.8, 2.8, 0.8), 5);
     expect(describeHealth(body, prepared.weld, prepared.inspection).map(({ text }) => text)).toEqual([
-      '1 face without area set aside',
+      '1 face with a repeated vertex set aside',
     ]);
   });
 
@@ -47,7 +47,7 @@ describe('a body', () => {
       'flat',
     );
     expect(() => prepareBody(core, body, settings())).toThrow(
-      'Body "flat" has no usable face, 1 without area: repair it and export it again.',
+      'Body "flat" has no usable face, 1 with a repeated vertex: repair it and export it again.',
     );
   });
 

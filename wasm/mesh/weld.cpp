@@ -15,10 +15,6 @@
 namespace limber {
 namespace {
 
-// A face whose height over its longest edge is a smaller part of that edge has no area but for rounding:
-// float32 coordinates resolve 6e-8 of their size.
-constexpr double kFlatness = 1e-8;
-
 // The soup as it came in, with how many vertices and faces it has.
 struct Soup {
   std::span<const float> positions;
@@ -91,12 +87,8 @@ std::vector<uint32_t> findRepresentatives(const Soup& soup, const std::vector<ui
   return representative;
 }
 
-bool isDegenerate(const Soup& soup, const Triangle& face) {
-  if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) return true;
-  const Vec3 p = soup.position(face[0]), q = soup.position(face[1]), r = soup.position(face[2]);
-  const double longest = std::max({squaredLength(q - p), squaredLength(r - q), squaredLength(p - r)});
-  // Twice the area is the longest edge times the height over it.
-  return length(cross(q - p, r - p)) <= kFlatness * longest;
+bool isDegenerate(const Triangle& face) {
+  return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
 }
 
 // Sorts out the faces: those that stay keep their source's order, with representatives as their vertices.
@@ -106,7 +98,7 @@ void collectFaces(const Soup& soup, const std::vector<uint32_t>& representative,
   for (uint32_t t = 0; t < soup.faceCount(); ++t) {
     Triangle face;
     for (int c = 0; c < 3; ++c) face[c] = representative[soup.indices[3 * t + c]];
-    if (isDegenerate(soup, face)) {
+    if (isDegenerate(face)) {
       ++result.degenerateFaces;
       continue;
     }

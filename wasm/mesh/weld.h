@@ -26,10 +26,10 @@ struct WeldResult {
       vertexOfSource;  // per source vertex its vertex in `mesh`, or kNone where no usable face needs it
   std::vector<uint32_t> sourceOfTriangle;  // per triangle of `mesh` its index in the source
   uint32_t weldedVertices = 0;             // referenced source vertices that became one with another
-  uint32_t degenerateFaces = 0;  // set aside: a repeated vertex, or no area to within float32 resolution
-  uint32_t duplicateFaces = 0;   // set aside: the same three vertices as an earlier face, in any order
-  uint32_t flippedFaces = 0;     // turned so that neighbours agree (the smaller part of each component is);
-                                 // a turned face has its second and third corner swapped
+  uint32_t degenerateFaces = 0;            // set aside: a repeated vertex
+  uint32_t duplicateFaces = 0;  // set aside: the same three vertices as an earlier face, in any order
+  uint32_t flippedFaces = 0;    // turned so that neighbours agree (the smaller part of each component is);
+                                // a turned face has its second and third corner swapped
 };
 
 // Welds a triangle soup into a TriangleMesh. positions[3 * v + c], indices[3 * t + corner].

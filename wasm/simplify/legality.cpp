@@ -10,6 +10,8 @@ constexpr double kSmallestCosine = 0.2;
 // A face whose height is a smaller part of its longest edge has no area to speak of; it may not come into
 // being, though one that is there already may stay as it is.
 constexpr double kSmallestHeight = 1e-6;
+// Below this the height is float32 noise, so the face has no side that could turn over.
+constexpr double kNoise = 1e-8;
 
 // Twice the area over the square of the longest edge: the height over that edge as a part of it. Squared.
 double squaredFlatness(const Vec3& areaNormal, const Vec3& p, const Vec3& q, const Vec3& r) {
@@ -21,6 +23,7 @@ double squaredFlatness(const Vec3& areaNormal, const Vec3& p, const Vec3& q, con
 bool isSpoilt(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& target) {
   const Vec3 side = r - q;
   const Vec3 before = cross(side, p - q), after = cross(side, target - q);
+  if (!(squaredFlatness(before, p, q, r) > kNoise * kNoise)) return false;
   const double cosine = dot(before, after);
   const double lengths = squaredLength(before) * squaredLength(after);
   if (cosine <= 0 || cosine * cosine < kSmallestCosine * kSmallestCosine * lengths) return true;

@@ -19,7 +19,7 @@ export function describeHealth(body: Body, weld: WeldResult, inspection: Inspect
   };
   const seams = counted(weldedVertices, 'seam vertex', 'seam vertices');
   add('repaired', weldedVertices, `${seams} welded`);
-  add('repaired', degenerateFaces, `${counted(degenerateFaces, 'face')} without area set aside`);
+  add('repaired', degenerateFaces, `${counted(degenerateFaces, 'face')} with a repeated vertex set aside`);
   add('repaired', duplicateFaces, `${counted(duplicateFaces, 'duplicate face')} set aside`);
   const neighbours = flippedFaces === 1 ? 'its neighbours' : 'their neighbours';
   add('repaired', flippedFaces, `${counted(flippedFaces, 'face')} turned to agree with ${neighbours}`);

@@ -98,7 +98,7 @@ export function prepareBody(core: Core, body: Body, settings: Settings): Prepare
   const { mesh } = weld;
   if (quality === null)
     throw new Error(
-      `Body "${body.name}" has no usable face, ${weld.degenerateFaces} without area: repair it and export it again.`,
+      `Body "${body.name}" has no usable face, ${weld.degenerateFaces} with a repeated vertex: repair it and export it again.`,
     );
   return { body, weld, mesh, diagonal: diagonalOf(mesh), inspection, quality };
 }
