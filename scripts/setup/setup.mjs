@@ -120,9 +120,9 @@ function setUpEmscripten() {
 }
 
 function unpackEmscripten() {
-  const llvm = ['clang-19', 'lld-19', 'llvm-19', 'node-acorn'];
-  const isThere = existsSync('/usr/lib/llvm-19/bin/clang') && existsSync('/usr/share/nodejs/acorn');
-  if (!isThere || !existsSync('/usr/lib/llvm-19/bin/wasm-ld')) apt(llvm);
+  const llvm = ['clang-19', 'lld-19', 'llvm-19'];
+  const programs = ['clang', 'wasm-ld', 'llvm-ar'].map((name) => `/usr/lib/llvm-19/bin/${name}`);
+  if (!programs.every((program) => existsSync(program))) apt(llvm);
   console.log('Unpacking Emscripten into .toolchain/ ...');
   mkdirSync(join(root, '.toolchain'), { recursive: true });
   run('bash', [join(root, 'scripts', 'setup', 'toolchain.sh'), folders.toolchain], { quiet: true });

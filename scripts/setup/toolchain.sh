@@ -40,7 +40,8 @@ done
 
 emscripten="$target/usr/share/emscripten"
 mkdir -p "$emscripten/node_modules"
-ln -sfn /usr/share/nodejs/acorn "$emscripten/node_modules/acorn"
+# Debian's node-acorn would bring Debian's own Node along; the project has acorn from npm.
+ln -sfn "$(realpath "$(dirname "$0")/../../node_modules/acorn")" "$emscripten/node_modules/acorn"
 # Scripts of Emscripten are CommonJS unless their name says otherwise, whatever the project around them is.
 echo '{ "type": "commonjs" }' > "$target/package.json"
 cat > "$emscripten/.emscripten" <<CONFIG
