@@ -46,12 +46,12 @@ export class Client {
   }
 
   /** One call of the worker, which ends early with CANCELLED when `cancel` is called meanwhile. */
-  async call<T>(make: (remote: Remote<WorkerApi>) => Promise<unknown>): Promise<T> {
-    await this.started;
+  call<T>(make: (remote: Remote<WorkerApi>) => Promise<unknown>): Promise<T> {
     this.said = null;
     return new Promise<T>((resolve, reject) => {
+      // From here on it can be cancelled, also while a fresh worker is still starting.
       this.abandon = reject;
-      make(this.remote).then((value) => resolve(value as T), reject);
+      this.started.then(() => make(this.remote)).then((value) => resolve(value as T), reject);
     }).finally(() => (this.abandon = null));
   }
 
@@ -65,15 +65,23 @@ export class Client {
   /** Stops the running call: by a wish in shared memory, or by a fresh worker that opens the same files again. */
   cancel(): void {
     if (!this.abandon) return;
-    if (this.job) {
-      Atomics.store(this.job, 0, 1);
-      return;
-    }
+    if (this.job) return this.wishToStop(this.job);
     this.worker.terminate();
     this.abandon(new Error(CANCELLED));
     this.started = this.startWorker().then(async (started) => {
       if (this.files) await this.remote.open(this.files);
       return started;
     });
+  }
+
+  /** A call clears the wish as it starts, so the wish is repeated until this call has ended. */
+  private wishToStop(job: Int32Array): void {
+    const call = this.abandon;
+    const repeat = () => {
+      if (this.abandon !== call) return clearInterval(timer);
+      Atomics.store(job, 0, 1);
+    };
+    const timer = setInterval(repeat, 15);
+    repeat();
   }
 }
