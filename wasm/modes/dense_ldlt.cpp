@@ -10,13 +10,15 @@ namespace limber {
 
 namespace {
 
-constexpr Eigen::Index kPanel = 48;    // columns eliminated at once
+constexpr Eigen::Index kPanel = 32;    // columns eliminated at once
 constexpr Eigen::Index kStripe = 96;   // columns of an update given to one thread
-constexpr double kTinyPivot = 1e-300;  // keeps a vanished pivot's quotient finite
+constexpr double kTinyPivot = 1e-200;  // keeps a vanished pivot's quotients finite
+constexpr double kWorkForThreads = 4e6;
 
-using Block = Eigen::Block<Eigen::MatrixXd>;
+using Columns = Eigen::Map<Eigen::MatrixXd>;
 
-// LDL^T of the small square block on the diagonal, column by column.
+// LDL^T of a small square block on the diagonal, column by column.
+template <class Block>
 void factoriseDiagonalBlock(Block a, Eigen::Ref<Eigen::VectorXd> d) {
   for (Eigen::Index j = 0; j < a.cols(); ++j) {
     const Eigen::Index below = a.rows() - j - 1;
@@ -32,30 +34,40 @@ void factoriseDiagonalBlock(Block a, Eigen::Ref<Eigen::VectorXd> d) {
 
 }  // namespace
 
-void partialLdlt(Eigen::MatrixXd& a, Eigen::Index pivots, Eigen::Ref<Eigen::VectorXd> d, Job& job) {
+void partialLdlt(Columns columns, Eigen::Ref<Eigen::VectorXd> d, Eigen::MatrixXd& update, Job& job) {
+  const Eigen::Index pivots = columns.cols(), rows = columns.rows(), boundary = rows - pivots;
   Eigen::MatrixXd scaled;
   for (Eigen::Index start = 0; start < pivots; start += kPanel) {
     job.check();
-    const Eigen::Index width = std::min(kPanel, pivots - start), next = start + width,
-                       below = a.rows() - next;
-    factoriseDiagonalBlock(a.block(start, start, width, width), d.segment(start, width));
-    auto panel = a.block(next, start, below, width);
-    a.block(start, start, width, width)
-        .triangularView<Eigen::UnitLower>()
-        .transpose()
-        .solveInPlace<Eigen::OnTheRight>(panel);
-    scaled = panel.transpose();  // D L^T
+    const Eigen::Index width = std::min(kPanel, pivots - start), next = start + width, below = rows - next;
+    auto diagonal = columns.block(start, start, width, width);
+    factoriseDiagonalBlock(diagonal, d.segment(start, width));
+    auto panel = columns.block(next, start, below, width);
+    diagonal.triangularView<Eigen::UnitLower>().transpose().solveInPlace<Eigen::OnTheRight>(panel);
+    const Eigen::Index left = pivots - next;
+    scaled = panel.topRows(left).transpose();  // D L^T
     panel *= d.segment(start, width).cwiseInverse().asDiagonal();
-    const auto stripes = static_cast<size_t>((below + kStripe - 1) / kStripe);
-    parallelFor(stripes, 1, [&](size_t begin, size_t end) {
-      for (size_t stripe = begin; stripe < end; ++stripe) {
-        const Eigen::Index first = static_cast<Eigen::Index>(stripe) * kStripe;
-        const Eigen::Index columns = std::min(kStripe, below - first);
-        a.block(next + first, next + first, below - first, columns).noalias() -=
-            panel.bottomRows(below - first) * scaled.middleCols(first, columns);
-      }
-    });
+    for (Eigen::Index first = 0; first < left; first += kStripe) {
+      const Eigen::Index count = std::min(kStripe, left - first);
+      columns.block(next + first, next + first, below - first, count).noalias() -=
+          panel.bottomRows(below - first) * scaled.middleCols(first, count);
+    }
   }
+  if (boundary == 0) return;
+  const auto lower = columns.bottomRows(boundary);
+  scaled.noalias() = d.asDiagonal() * lower.transpose();
+  const auto updateStripe = [&](Eigen::Index first) {
+    job.check();
+    const Eigen::Index count = std::min(kStripe, boundary - first);
+    update.block(first, first, boundary - first, count).noalias() -=
+        lower.bottomRows(boundary - first) * scaled.middleCols(first, count);
+  };
+  const auto stripes = static_cast<size_t>((boundary + kStripe - 1) / kStripe);
+  const double work = static_cast<double>(boundary) * boundary * pivots;
+  parallelFor(stripes, work > kWorkForThreads ? 1 : stripes, [&](size_t begin, size_t end) {
+    for (size_t stripe = begin; stripe < end; ++stripe)
+      updateStripe(static_cast<Eigen::Index>(stripe) * kStripe);
+  });
 }
 
 }  // namespace limber

@@ -9,100 +9,21 @@
 #include <string>
 
 #include "modes/dense_eigensolver.h"
-#include "modes/factorisation.h"
+#include "modes/pencil.h"
 
 namespace limber {
 
 namespace {
 
-constexpr int kDenseLimit = 240;  // unknowns with mass
+constexpr int kDenseLimit = 120;  // unknowns with mass
 constexpr int kExtraPairs = 4;    // computed beyond the wanted ones, to find a gap and catch whole clusters
+constexpr int kBasisBeyond = 24;  // Lanczos vectors more than pairs
+constexpr double kLanczosTolerance = 1e-10;
 constexpr double kZeroRatio = 1e-4;  // an eigenvalue below this part of the shift's size is a zero mode
-constexpr double kGoodResidual = 1e-8;
+constexpr double kGoodResidual = 1e-8, kGoodInverseResidual = 1e-10;
 constexpr double kTrustedInverseResidual = 1e-2;  // the eigenvalue's error is of the size of its square
-
-// All that is asked of the model here.
-class Pencil {
- public:
-  Pencil(const StiffnessModel& model, Job& job) : model_(model), factorisation_(model), job_(job) {
-    for (Eigen::Index i = 0; i < model.mass.size(); ++i)
-      if (model.mass[i] > 0) heavy_.push_back(i);
-    rootMass_ = model.mass(heavy_).cwiseSqrt();
-  }
-
-  void shiftTo(double sigma) {
-    job_.begin(Phase::Factorise);
-    factorisation_.factorise(sigma, job_);
-  }
-  uint32_t countBelow(double lambda) {
-    shiftTo(lambda);
-    return factorisation_.negativePivots();
-  }
-  uint64_t factorNonzeros() const { return factorisation_.nonzeros(); }
-  Eigen::Index heavyCount() const { return rootMass_.size(); }
-  Job& job() const { return job_; }
-
-  // M^1/2 (K - sigma M)^-1 M^1/2 on the unknowns with mass.
-  Eigen::VectorXd invert(const Eigen::Ref<const Eigen::VectorXd>& x) const {
-    Eigen::VectorXd full = Eigen::VectorXd::Zero(model_.mass.size());
-    full(heavy_) = rootMass_.cwiseProduct(x);
-    factorisation_.solve(full);
-    return rootMass_.cwiseProduct(full(heavy_));
-  }
-
-  // (K - sigma M)^-1 M phi for each column, all unknowns: one step of inverse iteration.
-  Eigen::MatrixXd iterate(const Eigen::MatrixXd& phi) const {
-    Eigen::MatrixXd out(phi.rows(), phi.cols());
-    for (Eigen::Index k = 0; k < phi.cols(); ++k) {
-      Eigen::VectorXd x = model_.mass.cwiseProduct(phi.col(k));
-      factorisation_.solve(x);
-      out.col(k) = x / std::sqrt(x.cwiseProduct(model_.mass).dot(x));
-      job_.check();
-    }
-    return out;
-  }
-
-  // From scaled unknowns with mass to all unknowns; the massless ones are filled in by `iterate`.
-  Eigen::MatrixXd expand(const Eigen::MatrixXd& y) const {
-    Eigen::MatrixXd phi = Eigen::MatrixXd::Zero(model_.mass.size(), y.cols());
-    phi(heavy_, Eigen::all) = rootMass_.cwiseInverse().asDiagonal() * y;
-    return phi;
-  }
-  Eigen::MatrixXd restrict(const Eigen::MatrixXd& phi) const {
-    return rootMass_.asDiagonal() * phi(heavy_, Eigen::all);
-  }
-
-  // |phi - (lambda - sigma) (K - sigma M)^-1 M phi| / |phi| over the displacements: where needle triangles
-  // make K so stiff that rounding alone fills the residual, this still tells whether a pair is right.
-  double inverseResidual(double lambda, double sigma, const Eigen::VectorXd& phi) const {
-    Eigen::VectorXd x = model_.mass.cwiseProduct(phi);
-    factorisation_.solve(x);
-    const Eigen::VectorXd own = phi(heavy_);
-    return (own - (lambda - sigma) * x(heavy_)).norm() / own.norm();
-  }
-
-  double residual(double lambda, const Eigen::VectorXd& phi) const {
-    const Eigen::VectorXd inertia = model_.mass.cwiseProduct(phi);
-    return (model_.stiffness * phi - lambda * inertia).norm() / (std::abs(lambda) * inertia.norm());
-  }
-
-  // Rayleigh-Ritz: the best eigenpairs within the span of the columns, ascending.
-  void ritz(Eigen::MatrixXd& phi, Eigen::VectorXd& lambda) const {
-    const Eigen::MatrixXd k = phi.transpose() * (model_.stiffness * phi);
-    const Eigen::MatrixXd m = phi.transpose() * (model_.mass.asDiagonal() * phi);
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver((k + k.transpose()) / 2,
-                                                                           (m + m.transpose()) / 2);
-    lambda = solver.eigenvalues();
-    phi *= solver.eigenvectors();
-  }
-
- private:
-  const StiffnessModel& model_;
-  Factorisation factorisation_;
-  Job& job_;
-  std::vector<Eigen::Index> heavy_;
-  Eigen::VectorXd rootMass_;
-};
+constexpr double kRoundedResidual = 5e-8;         // above it more digits are asked for
+constexpr int kRefinements = 5;
 
 // What Spectra multiplies with: the inverted pencil, away from the pairs that are known already.
 class InverseOperator {
@@ -142,53 +63,65 @@ Eigen::VectorXd startVector(Eigen::Index size) {
   return x;
 }
 
-// Up to `count` eigenvectors of lowest lambda (scaled unknowns with mass) orthogonal to `known`, in any
-// order.
-Eigen::MatrixXd lanczos(const Pencil& pencil, const Eigen::MatrixXd& known, int count) {
+// Eigenpairs as they are known so far, zero modes too, ascending.
+struct Search {
+  Eigen::VectorXd lambda;
+  Eigen::MatrixXd phi;
+  Eigen::VectorXd inverseResidual;
+};
+
+// Up to `count` pairs of lowest lambda that are orthogonal to `known` (restricted to the heavy unknowns).
+Search lanczos(const Pencil& pencil, const Eigen::MatrixXd& known, int count) {
   pencil.job().begin(Phase::Solve);
   const auto size = static_cast<int>(pencil.heavyCount());
-  const int wanted = std::min(count, size - 1), basis = std::min(size, 2 * wanted + 12);
-  InverseOperator inverse(pencil, known, 2 * basis);
+  const int wanted = std::min(count, size - 1), basis = std::min(size, wanted + kBasisBeyond);
+  InverseOperator inverse(pencil, known, basis + kBasisBeyond);
   Spectra::SymEigsSolver<InverseOperator> solver(inverse, wanted, basis);
   Eigen::VectorXd start = startVector(size);
   if (known.cols() > 0) start -= known * (known.transpose() * start);
   solver.init(start.data());
-  solver.compute(Spectra::SortRule::LargestAlge, 300, 1e-10);
-  return solver.eigenvectors();
+  solver.compute(Spectra::SortRule::LargestAlge, 100, kLanczosTolerance);
+  return {
+      solver.eigenvalues().cwiseInverse().array() + pencil.shift(), pencil.expand(solver.eigenvectors()), {}};
 }
-
-struct Search {
-  Eigen::VectorXd lambda;  // zero modes too, ascending
-  Eigen::MatrixXd phi;
-};
 
 Eigen::Index zeroCount(const Search& search, double sigma) {
   return (search.lambda.array() < kZeroRatio * std::abs(sigma)).count();
 }
 
-double worstResidual(const Pencil& pencil, const Search& search, Eigen::Index first, Eigen::Index last) {
-  double worst = 0;
-  for (Eigen::Index k = first; k < last; ++k)
-    worst = std::max(worst, pencil.residual(search.lambda[k], search.phi.col(k)));
-  return worst;
+// One step of block inverse iteration with Rayleigh-Ritz. As K x = M phi + sigma M x for x = (K - sigma M)^-1
+// M phi, x^T K x needs no product with K, whose stiffest entries would only add rounding. The inverse
+// residual is that of the pairs before the step.
+void iterate(const Pencil& pencil, Search& search) {
+  const Eigen::MatrixXd x = pencil.inverseStep(search.phi);
+  const Eigen::MatrixXd h = pencil.massProduct(x, search.phi), g = pencil.massProduct(x, x);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz((h + h.transpose()) / 2,
+                                                                       (g + g.transpose()) / 2);
+  const Eigen::MatrixXd before = search.phi * ritz.eigenvectors();
+  search.lambda = ritz.eigenvalues().array() + pencil.shift();
+  search.phi = x * ritz.eigenvectors();
+  const Eigen::MatrixXd change = pencil.restrict(before - search.phi * ritz.eigenvalues().asDiagonal());
+  search.inverseResidual =
+      change.colwise().norm().cwiseQuotient(pencil.restrict(before).colwise().norm()).transpose();
 }
 
-// Block inverse iteration until the wanted residuals are good or no longer fall.
-void refine(const Pencil& pencil, Search& search, double sigma, int elasticCount) {
+// Steps until the wanted pairs are good or get no better.
+void refine(const Pencil& pencil, Search& search, int elasticCount) {
   double before = HUGE_VAL;
-  for (int step = 0; step < 6; ++step) {
-    search.phi = pencil.iterate(search.phi);
-    pencil.ritz(search.phi, search.lambda);
-    const Eigen::Index first = zeroCount(search, sigma);
-    const double worst = worstResidual(pencil, search, first,
-                                       std::min<Eigen::Index>(first + elasticCount, search.lambda.size()));
-    if (worst < kGoodResidual || (step > 0 && worst > 0.5 * before)) return;
+  for (int step = 0; step < kRefinements; ++step) {
+    iterate(pencil, search);
+    const Eigen::Index first = zeroCount(search, pencil.shift());
+    const Eigen::Index last = std::min<Eigen::Index>(first + elasticCount, search.lambda.size());
+    double worst = 0;
+    for (Eigen::Index k = first; k < last; ++k)
+      worst = std::max({worst, pencil.residual(search.lambda[k], search.phi.col(k)) / kGoodResidual,
+                        search.inverseResidual[k] / kGoodInverseResidual});
+    if (worst <= 1 || worst > 0.5 * before) return;
     before = worst;
   }
 }
 
-// The eigenvalue index after which the widest relative gap lies, from the last wanted pair on: a place to
-// count below.
+// The index after which the widest relative gap lies, from the last wanted pair on: a place to count below.
 Eigen::Index gapAfter(const Search& search, Eigen::Index lastWanted) {
   Eigen::Index best = lastWanted;
   double widest = -1;
@@ -203,21 +136,47 @@ Eigen::Index gapAfter(const Search& search, Eigen::Index lastWanted) {
 }
 
 // Adds the pairs that a single start vector missed (members of clusters), as inertia counts them.
-void addMissing(Pencil& pencil, Search& search, double sigma, int elasticCount) {
+void addMissing(Pencil& pencil, Search& search, int elasticCount) {
+  const double sigma = pencil.shift();
   for (int attempt = 0; attempt < 4; ++attempt) {
     const Eigen::Index lastWanted = zeroCount(search, sigma) + elasticCount - 1;
     if (lastWanted + 1 >= search.lambda.size()) return;
     const Eigen::Index gap = gapAfter(search, lastWanted);
     const double between = (search.lambda[gap] + search.lambda[gap + 1]) / 2;
     const auto missing = static_cast<int>(pencil.countBelow(between)) - static_cast<int>(gap + 1);
-    pencil.shiftTo(sigma);
     if (missing <= 0) return;
-    const Eigen::MatrixXd known = pencil.restrict(search.phi);
-    const Eigen::MatrixXd more = pencil.expand(lanczos(pencil, known, missing + 2));
-    Eigen::MatrixXd all(search.phi.rows(), search.phi.cols() + more.cols());
-    all << search.phi, more;
+    pencil.shiftTo(sigma);
+    const Search more = lanczos(pencil, pencil.restrict(search.phi), missing + 2);
+    Eigen::MatrixXd all(search.phi.rows(), search.phi.cols() + more.phi.cols());
+    all << search.phi, more.phi;
     search.phi = all;
-    refine(pencil, search, sigma, elasticCount);
+    refine(pencil, search, elasticCount);
+  }
+}
+
+// The lowest pairs, found with a shift that suits them.
+Search searchLowest(Pencil& pencil, const EigenOptions& options) {
+  double sigma = -options.scale;
+  int zeros = options.zeroExpected;
+  for (int pass = 0;; ++pass) {
+    pencil.shiftTo(sigma);
+    Search search = lanczos(pencil, {}, zeros + options.elasticCount + kExtraPairs);
+    zeros = static_cast<int>(zeroCount(search, sigma));
+    const bool isLast = pass == 3 || search.lambda.size() >= pencil.heavyCount() - 1;
+    if (zeros < search.lambda.size()) {
+      const double first = search.lambda[zeros];
+      const bool isGoodShift = -sigma > 0.005 * first && -sigma < 15 * first;
+      const bool isComplete = search.lambda.size() >= zeros + options.elasticCount;
+      if (isLast || (isGoodShift && isComplete)) {
+        refine(pencil, search, options.elasticCount);
+        return search;
+      }
+      if (!isGoodShift) sigma = -0.5 * first;
+    } else {
+      if (isLast) return search;
+      sigma *= 10;  // nothing elastic among so many: look further
+      zeros = std::min(zeros + options.elasticCount, static_cast<int>(pencil.heavyCount()) - 1);
+    }
   }
 }
 
@@ -227,47 +186,45 @@ EigenPairs collect(const Search& search, Eigen::Index zeros, int elasticCount) {
   const Eigen::Index count = std::min<Eigen::Index>(elasticCount, search.lambda.size() - zeros);
   pairs.lambda = search.lambda.segment(zeros, count);
   pairs.phi = search.phi.middleCols(zeros, count);
+  for (Eigen::Index k = 0; k < count; ++k) pairs.inverseResidual.push_back(search.inverseResidual[zeros + k]);
   return pairs;
 }
 
-void requireConvergence(const Pencil& pencil, const EigenPairs& pairs, double sigma) {
-  Eigen::Index good = 0;
-  for (Eigen::Index k = 0; k < pairs.lambda.size(); ++k)
-    good += pencil.inverseResidual(pairs.lambda[k], sigma, pairs.phi.col(k)) <= kTrustedInverseResidual;
-  if (good == pairs.lambda.size()) return;
+void requireConvergence(const EigenPairs& pairs) {
+  const auto good = std::count_if(pairs.inverseResidual.begin(), pairs.inverseResidual.end(),
+                                  [](double residual) { return residual <= kTrustedInverseResidual; });
+  if (static_cast<size_t>(good) == pairs.inverseResidual.size()) return;
   throw std::runtime_error(
       "The modes did not converge: only " + std::to_string(good) + " of " +
-      std::to_string(pairs.lambda.size()) +
+      std::to_string(pairs.inverseResidual.size()) +
       " can be trusted; remove needle triangles, weld the mesh or make the shell thicker.");
+}
+
+// Where triangles are small or thin, rounding phi to doubles alone fills the residual: there it is taken of
+// phi with more digits.
+void lookBehindRounding(Pencil& pencil, double sigma, EigenPairs& pairs) {
+  if (std::all_of(pairs.residual.begin(), pairs.residual.end(),
+                  [](double r) { return r <= kRoundedResidual; }))
+    return;
+  if (pencil.shift() != sigma) pencil.shiftTo(sigma);
+  for (size_t k = 0; k < pairs.residual.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    if (pairs.residual[k] > kRoundedResidual)
+      pairs.residual[k] = pencil.extendedResidual(pairs.lambda[column], pairs.phi.col(column), 3);
+  }
 }
 
 EigenPairs solveBySearch(const StiffnessModel& model, const EigenOptions& options, Job& job) {
   Pencil pencil(model, job);
-  double sigma = -options.scale;
-  int zeros = options.zeroExpected;
-  Search search;
-  for (int pass = 0;; ++pass) {
-    pencil.shiftTo(sigma);
-    search.phi = pencil.expand(lanczos(pencil, {}, zeros + options.elasticCount + kExtraPairs));
-    refine(pencil, search, sigma, options.elasticCount);
-    zeros = static_cast<int>(zeroCount(search, sigma));
-    if (zeros >= search.lambda.size()) {  // nothing elastic yet: look further
-      zeros += options.elasticCount;
-      if (pass < 3) continue;
-      break;
-    }
-    const double first = search.lambda[zeros];
-    const bool isComplete = search.lambda.size() >= zeros + options.elasticCount;
-    const bool isGoodShift = -sigma > 0.02 * first && -sigma < 30 * first;
-    if (pass >= 2 || (isComplete && isGoodShift)) break;
-    if (!isGoodShift) sigma = -0.5 * first;
-  }
-  addMissing(pencil, search, sigma, options.elasticCount);
+  Search search = searchLowest(pencil, options);
+  const double sigma = pencil.shift();
+  addMissing(pencil, search, options.elasticCount);
   EigenPairs pairs = collect(search, zeroCount(search, sigma), options.elasticCount);
+  requireConvergence(pairs);
   pairs.factorNonzeros = pencil.factorNonzeros();
   for (Eigen::Index k = 0; k < pairs.lambda.size(); ++k)
     pairs.residual.push_back(pencil.residual(pairs.lambda[k], pairs.phi.col(k)));
-  requireConvergence(pencil, pairs, sigma);
+  lookBehindRounding(pencil, sigma, pairs);
   return pairs;
 }
 
@@ -275,8 +232,9 @@ EigenPairs solveSmall(const StiffnessModel& model, const EigenOptions& options, 
   job.begin(Phase::Solve);
   const DensePairs dense = solveDensely(model);
   const double largest = dense.lambda.size() ? dense.lambda[dense.lambda.size() - 1] : 0;
-  const auto zeros = (dense.lambda.array() < 1e-9 * largest).count();
-  EigenPairs pairs = collect({dense.lambda, dense.phi}, zeros, options.elasticCount);
+  const auto zeros = (dense.lambda.array() < 1e-12 * largest).count();
+  EigenPairs pairs = collect({dense.lambda, dense.phi, Eigen::VectorXd::Zero(dense.lambda.size())}, zeros,
+                             options.elasticCount);
   for (Eigen::Index k = 0; k < pairs.lambda.size(); ++k) {
     const Eigen::VectorXd inertia = model.mass.cwiseProduct(pairs.phi.col(k));
     const Eigen::VectorXd force = model.stiffness * pairs.phi.col(k) - pairs.lambda[k] * inertia;

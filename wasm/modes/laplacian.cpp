@@ -21,7 +21,6 @@ StiffnessModel laplacianModel(const TriangleMesh& mesh, const Topology& topology
   model.stiffness.setFromTriplets(entries.begin(), entries.end());
   const auto areas = lumpedAreas(mesh);
   model.mass = Eigen::Map<const Eigen::VectorXd>(areas.data(), n);
-  model.nodes = mesh.positions;
   model.firstUnknown.resize(n + 1);
   std::iota(model.firstUnknown.begin(), model.firstUnknown.end(), 0u);
   return model;

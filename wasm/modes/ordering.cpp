@@ -3,127 +3,149 @@
 #include <algorithm>
 #include <numeric>
 
+#include "modes/minimum_degree.h"
+#include "modes/separator.h"
+
 namespace limber {
 
 namespace {
 
-constexpr uint32_t kLeafUnknowns = 40;
+constexpr size_t kLeafNodes = 10;  // heavy ones: fewer are not cut any further
+constexpr uint32_t kNone = UINT32_MAX;
 
-// Neighbours of each node: neighbours[start[i] .. start[i + 1]).
-struct NodeGraph {
-  std::vector<uint32_t> start, neighbours;
+// A separator, or a remainder that is not cut any further.
+struct Part {
+  std::vector<uint32_t> nodes;
+  uint32_t parent = kNone;  // the separator that cut it off
+  uint32_t depth = 0;
+  bool isLeaf = false;
 };
 
-NodeGraph nodeGraph(const StiffnessModel& model) {
-  std::vector<uint32_t> nodeOf(model.unknownCount());
-  for (uint32_t i = 0; i < model.nodeCount(); ++i)
-    for (uint32_t u = model.firstUnknown[i]; u < model.firstUnknown[i + 1]; ++u) nodeOf[u] = i;
-  NodeGraph graph;
-  graph.start.push_back(0);
-  for (uint32_t i = 0; i < model.nodeCount(); ++i) {
-    // All unknowns of a node are coupled alike: its first stands for it.
-    uint32_t last = i;
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(model.stiffness, model.firstUnknown[i]); entry;
-         ++entry) {
-      const uint32_t other = nodeOf[static_cast<size_t>(entry.row())];
-      if (other != i && other != last) graph.neighbours.push_back(other);
-      last = other;
-    }
-    graph.start.push_back(static_cast<uint32_t>(graph.neighbours.size()));
-  }
-  return graph;
-}
-
+// Cuts a graph into parts; parents stand before their children.
 class Dissector {
  public:
-  explicit Dissector(const StiffnessModel& model)
-      : model_(model), graph_(nodeGraph(model)), side_(model.nodeCount(), 0) {}
+  Dissector(const NodeGraph& graph, const Job& job)
+      : graph_(graph), job_(job), subgraph_(graph), reached_(graph.nodeCount(), 0) {}
 
-  Dissection run() {
-    std::vector<uint32_t> all(model_.nodeCount());
-    std::iota(all.begin(), all.end(), 0u);
-    if (!all.empty()) split(std::move(all), 0);
-    return std::move(dissection_);
+  std::vector<Part> run(std::vector<uint32_t> nodes) {
+    divide(std::move(nodes), kNone, 0);
+    return std::move(parts_);
   }
 
  private:
-  uint32_t weight(const std::vector<uint32_t>& nodes) const {
-    uint32_t sum = 0;
-    for (uint32_t i : nodes) sum += model_.firstUnknown[i + 1] - model_.firstUnknown[i];
-    return sum;
+  // Recursion is as deep as the tree, some tens of levels.
+  void divide(std::vector<uint32_t> nodes, uint32_t parent, uint32_t depth) {
+    std::vector<std::vector<uint32_t>> pieces = connectedPieces(nodes);
+    nodes = {};
+    for (auto& piece : pieces) divideConnected(std::move(piece), parent, depth);
   }
 
-  uint32_t addPart(std::vector<uint32_t> nodes, std::vector<uint32_t> children, uint32_t depth) {
-    std::sort(nodes.begin(), nodes.end());
-    dissection_.parts.push_back({std::move(nodes), std::move(children), depth});
-    return static_cast<uint32_t>(dissection_.parts.size() - 1);
+  void divideConnected(std::vector<uint32_t> nodes, uint32_t parent, uint32_t depth) {
+    const auto part = static_cast<uint32_t>(parts_.size());
+    std::vector<uint32_t> half[3];
+    if (nodes.size() > kLeafNodes) {
+      const Sides sides = separate(subgraph_.of(nodes), job_);
+      for (size_t k = 0; k < nodes.size(); ++k) half[sides[k]].push_back(nodes[k]);
+    }
+    const bool isLeaf = half[Left].empty() || half[Right].empty();
+    parts_.push_back({isLeaf ? std::move(nodes) : std::move(half[Between]), parent, depth, isLeaf});
+    if (isLeaf) return;
+    nodes = {};
+    divide(std::move(half[Left]), part, depth + 1);
+    divide(std::move(half[Right]), part, depth + 1);
   }
 
-  int longestAxis(const std::vector<uint32_t>& nodes) const {
-    Vec3 low = model_.nodes[nodes[0]], high = low;
-    for (uint32_t i : nodes)
-      for (int axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], model_.nodes[i][axis]);
-        high[axis] = std::max(high[axis], model_.nodes[i][axis]);
-      }
-    const Vec3 size = high - low;
-    return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  // The nodes by connected piece, in the order in which the pieces come first.
+  std::vector<std::vector<uint32_t>> connectedPieces(const std::vector<uint32_t>& nodes) {
+    const uint32_t inside = ++marks_, found = ++marks_;
+    for (uint32_t i : nodes) reached_[i] = inside;
+    std::vector<std::vector<uint32_t>> pieces;
+    for (uint32_t seed : nodes) {
+      if (reached_[seed] == found) continue;
+      std::vector<uint32_t>& piece = pieces.emplace_back(1, seed);
+      reached_[seed] = found;
+      for (size_t head = 0; head < piece.size(); ++head)
+        for (uint32_t j : graph_.around(piece[head]))
+          if (reached_[j] == inside) {
+            reached_[j] = found;
+            piece.push_back(j);
+          }
+    }
+    return pieces;
   }
 
-  // The nodes of one half that touch the other.
-  std::vector<uint32_t> rim(const std::vector<uint32_t>& half, uint32_t otherMark) const {
-    std::vector<uint32_t> touching;
-    for (uint32_t i : half)
-      for (uint32_t k = graph_.start[i]; k < graph_.start[i + 1]; ++k)
-        if (side_[graph_.neighbours[k]] == otherMark) {
-          touching.push_back(i);
-          break;
-        }
-    return touching;
-  }
-
-  void remove(std::vector<uint32_t>& from, const std::vector<uint32_t>& what) {
-    for (uint32_t i : what) side_[i] = 0;
-    std::erase_if(from, [&](uint32_t i) { return side_[i] == 0; });
-  }
-
-  // Recursion is as deep as the tree: each level halves the nodes.
-  uint32_t split(std::vector<uint32_t> nodes, uint32_t depth) {
-    if (weight(nodes) <= kLeafUnknowns) return addPart(std::move(nodes), {}, depth);
-    const int axis = longestAxis(nodes);
-    const auto middle = nodes.begin() + static_cast<std::ptrdiff_t>(nodes.size() / 2);
-    std::nth_element(nodes.begin(), middle, nodes.end(), [&](uint32_t a, uint32_t b) {
-      const double pa = model_.nodes[a][axis], pb = model_.nodes[b][axis];
-      return pa != pb ? pa < pb : a < b;
-    });
-    std::vector<uint32_t> left(nodes.begin(), middle), right(middle, nodes.end());
-    const uint32_t leftMark = ++marks_, rightMark = ++marks_;
-    for (uint32_t i : left) side_[i] = leftMark;
-    for (uint32_t i : right) side_[i] = rightMark;
-    std::vector<uint32_t> leftRim = rim(left, rightMark), rightRim = rim(right, leftMark);
-    const bool takeLeft = weight(leftRim) <= weight(rightRim);
-    std::vector<uint32_t> separator = std::move(takeLeft ? leftRim : rightRim);
-    remove(takeLeft ? left : right, separator);
-    nodes.clear();
-    nodes.shrink_to_fit();
-    std::vector<uint32_t> children;
-    if (!left.empty()) children.push_back(split(std::move(left), depth + 1));
-    if (!right.empty()) children.push_back(split(std::move(right), depth + 1));
-    return addPart(std::move(separator), std::move(children), depth);
-  }
-
-  const StiffnessModel& model_;
-  NodeGraph graph_;
-  std::vector<uint32_t>
-      side_;  // mark of the half that a node is in at the moment; marks are never used twice
+  const NodeGraph& graph_;
+  const Job& job_;
+  Subgraph subgraph_;
+  std::vector<uint32_t> reached_;
   uint32_t marks_ = 0;
-  Dissection dissection_;
+  std::vector<Part> parts_;
 };
+
+uint32_t commonAncestor(const std::vector<Part>& parts, uint32_t a, uint32_t b) {
+  while (a != b) {
+    uint32_t& deeper = a != kNone && (b == kNone || parts[a].depth >= parts[b].depth) ? a : b;
+    deeper = parts[deeper].parent;
+  }
+  return a;
+}
+
+// Where a light node goes: to the deepest part of its heavy neighbours, or, if some neighbour that has a part
+// already lies on another branch, to where the branches meet. So no two neighbours end up on different
+// branches.
+uint32_t partFor(uint32_t node, const NodeGraph& graph, const std::vector<Part>& parts,
+                 const std::vector<uint32_t>& partOf, uint32_t heaviest) {
+  uint32_t part = kNone;
+  for (uint32_t j : graph.around(node))
+    if (graph.weight[j] == heaviest && (part == kNone || parts[partOf[j]].depth > parts[part].depth))
+      part = partOf[j];
+  for (uint32_t j : graph.around(node)) {
+    if (partOf[j] == kNone) continue;
+    const uint32_t common = commonAncestor(parts, part, partOf[j]);
+    if (common != partOf[j]) part = common;
+  }
+  return part;
+}
+
+// The dissection of the heavy nodes, with the light ones where they belong.
+std::vector<Part> dissect(const NodeGraph& graph, const Job& job) {
+  const uint32_t heaviest = *std::max_element(graph.weight.begin(), graph.weight.end());
+  std::vector<uint32_t> heavy;
+  for (uint32_t i = 0; i < graph.nodeCount(); ++i)
+    if (graph.weight[i] == heaviest) heavy.push_back(i);
+  const NodeGraph heavyGraph = Subgraph(graph).of(heavy);
+  std::vector<uint32_t> all(heavy.size());
+  std::iota(all.begin(), all.end(), 0u);
+  std::vector<Part> parts = Dissector(heavyGraph, job).run(std::move(all));
+  std::vector<uint32_t> partOf(graph.nodeCount(), kNone);
+  for (uint32_t p = 0; p < parts.size(); ++p)
+    for (uint32_t& node : parts[p].nodes) {
+      node = heavy[node];
+      partOf[node] = p;
+    }
+  for (uint32_t i = 0; i < graph.nodeCount(); ++i) {
+    if (graph.weight[i] == heaviest) continue;
+    const uint32_t part = partFor(i, graph, parts, partOf, heaviest);
+    partOf[i] = part == kNone ? 0 : part;  // without neighbours: anywhere
+    parts[partOf[i]].nodes.push_back(i);
+  }
+  return parts;
+}
 
 }  // namespace
 
-Dissection dissect(const StiffnessModel& model) {
-  return Dissector(model).run();
+std::vector<uint32_t> eliminationOrder(const NodeGraph& graph, const Job& job) {
+  if (graph.nodeCount() == 0) return {};
+  const std::vector<Part> parts = dissect(graph, job);
+  std::vector<uint32_t> order;
+  MinimumDegree minimumDegree(graph);
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {  // children before parents
+    if (part->isLeaf)
+      minimumDegree.order(part->nodes, order);
+    else
+      order.insert(order.end(), part->nodes.begin(), part->nodes.end());
+  }
+  return order;
 }
 
 }  // namespace limber
