@@ -27,6 +27,8 @@ export function longFunctions(files) {
 }
 
 function startsFunction(line) {
-  const isBlock = /^ *(namespace|struct|class|enum|union|for|while|if|else|switch|do|extern)\b|^ *:/.test(line);
+  const isBlock = /^ *(namespace|struct|class|enum|union|for|while|if|else|switch|do|extern)\b|^ *:/.test(
+    line,
+  );
   return line.endsWith('{') && !isBlock && /\)( const| noexcept| override)*( -> [\w:<>]+)? \{$/.test(line);
 }
