@@ -11,7 +11,7 @@ namespace limber {
 namespace {
 
 constexpr double kMoved = 1.0 / 12;    // of a cell's mass
-constexpr double kLargestPart = 0.25;  // of a node's mass that moves at a time
+constexpr double kLargestPart = 0.25;  // of the mass of a node that is moved at a time, from it or to it
 
 // Corner of a cell on one side of an axis, `lateral` as in Lattice::ends.
 uint32_t cornerAt(int axis, uint32_t lateral, uint32_t side) {
@@ -53,7 +53,7 @@ std::vector<double> latticeMass(const Lattice& lattice, const Hexahedron& brick)
         double wanted = kMoved * std::abs(end) * size.x * size.y * size.z;
         // What the end's node does not have moves one cell further inside: the moment is the same.
         for (int attempt = 0; attempt < 2 && inner != kNone; ++attempt) {
-          const double part = std::min(wanted, kLargestPart * mass[outer]);
+          const double part = std::min(wanted, kLargestPart * std::min(mass[outer], mass[inner]));
           mass[outer] -= part;
           mass[inner] += part;
           wanted -= part;
