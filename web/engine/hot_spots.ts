@@ -1,7 +1,7 @@
 /** Whether modes strain the same places: the hot spots of one and another, and what they share. */
 
-/** The strain rank from which a face is hot: the tenth of its part that the mode strains most. */
-export const HOT_RANK = 0.9;
+/** The strain rank, a float32, from which a face is hot: the tenth of its part that the mode strains most. */
+export const HOT_RANK = Math.fround(0.9);
 
 /** Two modes that share less than this part of their hot faces strain different places. */
 export const DIFFERENT_BELOW = 0.25;

@@ -5,7 +5,7 @@ import type { FieldName } from '../state/store';
 import { gradient } from '../viewer/colours';
 import { Choice, Toggle } from './controls';
 import { curvatureScale } from './curvature_scale';
-import { guidingModes } from './motion_panel';
+import { guidingModes } from './mode_choice';
 
 const FIELDS: { value: FieldName; text: string; title: string }[] = [
   { value: 'none', text: 'Plain', title: 'No colours (1)' },

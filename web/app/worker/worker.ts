@@ -16,7 +16,7 @@ import { meshReport, modesReport, startReport, stopReport, worstSurface } from '
 import { CANCELLED } from './protocol';
 import type { WorkerApi } from './protocol';
 import { BodyStages } from './session';
-import { strainStrips } from './strips';
+import { strainOverview } from './strain_overview';
 
 let core: Core;
 let model: OpenModel | null = null;
@@ -97,13 +97,16 @@ const api: WorkerApi = {
         minAngle,
         meanMinAngle,
         health: describeHealth(source, weld, inspection),
+        vertexOfSource: weld.vertexOfSource,
+        pinAttributes: stagesOf(body).pinAttributes(),
       };
     }),
+  pins: (body, settings) => speak(() => ({ text: settings.pins, vertices: stagesOf(body).pinned(settings) })),
   modes: (body, settings) =>
     speak(() => {
       checkSettings(settings);
       const modes = stagesOf(body).modes(settings);
-      return { ...modes, strips: strainStrips(core, stagesOf(body).prepared(settings).mesh, modes) };
+      return { ...modes, ...strainOverview(core, stagesOf(body).prepared(settings).mesh, modes) };
     }),
   guidance: (body, settings) =>
     speak(() => {
