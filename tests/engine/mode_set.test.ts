@@ -1,6 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import type { ComponentModes, Mode, ModeName } from '../../web/engine/core';
-import { describeModels, leadingMode, localModes, suggestedModes } from '../../web/engine/mode_set';
+import {
+  describeModels,
+  leadingMode,
+  localModes,
+  spellModes,
+  suggestedModes,
+} from '../../web/engine/mode_set';
 
 const part = (change: Partial<ComponentModes> = {}): ComponentModes => ({
   faces: 10,
@@ -46,6 +52,14 @@ describe('a layer of several parts', () => {
     expect(localModes(set, [1, 2, 3])).toEqual([2]);
     expect(suggestedModes(set, 2)).toEqual([1, 3]);
     expect(suggestedModes(set, 6)).toEqual([1, 3, 4]);
+  });
+});
+
+describe('numbers of modes', () => {
+  it('are spelt with runs of three and more as one', () => {
+    expect(spellModes([2])).toBe('2');
+    expect(spellModes([2, 1])).toBe('1, 2');
+    expect(spellModes([6, 1, 2, 5, 4])).toBe('1, 2, 4 to 6');
   });
 });
 

@@ -55,5 +55,5 @@ export function describeHotSpots(pairs: ModePair[]): string {
   const [{ first, second, common }, ...others] = pairs;
   const more = others.length === 1 ? 'so does 1 more pair' : `so do ${others.length} more pairs`;
   const end = others.length === 0 ? 'both are kept' : `${more}, and all are kept`;
-  return `Modes ${first} and ${second} strain different places (${Math.round(100 * common)} % in common): ${end}.`;
+  return `Modes ${first} and ${second} strain different places (${Math.floor(100 * common)} % in common): ${end}.`;
 }

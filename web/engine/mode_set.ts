@@ -52,3 +52,15 @@ export function describeModels(components: ComponentModes[]): string {
     .map(([count, one, many]) => counted(count, one, many))
     .join(', ');
 }
+
+/** Numbers in words, ascending, runs of three and more as one: "1, 2, 4 to 6". */
+export function spellModes(modes: number[]): string {
+  const sorted = [...modes].sort((a, b) => a - b);
+  const runs: number[][] = [];
+  for (const mode of sorted) {
+    const run = runs.at(-1);
+    if (run && run.at(-1) === mode - 1) run.push(mode);
+    else runs.push([mode]);
+  }
+  return runs.map((run) => (run.length > 2 ? `${run[0]} to ${run.at(-1)}` : run.join(', '))).join(', ');
+}

@@ -26,7 +26,7 @@ export function Gallery() {
     thumbnails.current?.show(body.mesh, layerShapes(modes), canvases);
   }, [modes, body]);
   useEffect(() => {
-    if (thumbnails.current) thumbnails.current.moving = view.playing.value;
+    thumbnails.current?.move(view.playing.value);
   }, [view.playing.value, modes]);
   useEffect(() => () => thumbnails.current?.dispose(), []);
   if (!modes) return <p class="empty">{status.paused.value ? 'Stopped.' : 'Finding modes ...'}</p>;
@@ -64,28 +64,36 @@ function ModeCard({ layer, modes }: { layer: number; modes: ModesResult }) {
     .filter(Boolean)
     .join(', ');
   return (
-    <li>
+    <li class="mode-card">
       <button
         type="button"
         class="mode"
         aria-pressed={isChosen}
-        title={
-          isChosen
-            ? 'Guides. Shift-click leaves it out.'
-            : 'Click to let this mode guide alone, Shift-click to add it.'
-        }
         onClick={(event) => chooseMode(layer + 1, event.shiftKey || event.metaKey || event.ctrlKey)}
       >
         <canvas width={2 * THUMBNAIL.width} height={2 * THUMBNAIL.height} aria-hidden="true" />
         <span class="strip" aria-hidden="true" style={{ background: stripGradient(modes.strips, layer) }} />
         <span class="caption">
           <span>
+            <span class="spoken">Mode </span>
             {layer + 1} {mode?.name ?? ''}
           </span>
           {mode && <Frequency modes={modes} mode={mode} />}
         </span>
         {words && <span class="caption muted">{words}</span>}
       </button>
+      <input
+        type="checkbox"
+        class="guides"
+        aria-label={`Mode ${layer + 1} guides`}
+        title="Blends this mode with the others that are ticked"
+        checked={isChosen}
+        onChange={(event) => {
+          chooseMode(layer + 1, true);
+          // The last one stays.
+          event.currentTarget.checked = guidingModes().includes(layer + 1);
+        }}
+      />
     </li>
   );
 }

@@ -25,9 +25,7 @@ export function MaterialSelect() {
           if (chosen !== CUSTOM) changeSettings({ ...MATERIALS[chosen as MaterialName] });
         }}
       />
-      {resolveModel(settings) === 'laplacian' && (
-        <p class="hint">The Laplacian knows no material: choose Solid or Shell for real frequencies.</p>
-      )}
+      {resolveModel(settings) === 'laplacian' && <p class="hint">The Laplacian knows no material.</p>}
     </>
   );
 }

@@ -1,7 +1,7 @@
 /** What is worth a word about the chosen modes, under the gallery. */
 
 import { describeHotSpots, differentPairs } from '../../engine/hot_spots';
-import { localModes, suggestedModes } from '../../engine/mode_set';
+import { localModes, spellModes, suggestedModes } from '../../engine/mode_set';
 import { resolveModes } from '../../engine/options';
 import { changeSettings, wants } from '../state/store';
 import type { ModesResult } from '../worker/protocol';
@@ -16,7 +16,7 @@ export function ModeNotes({ modes }: { modes: ModesResult }) {
       {local.length > 0 && <LocalNote modes={modes} local={local} />}
       {hotSpots && <p>{hotSpots}</p>}
       {local.length === 0 && !hotSpots && (
-        <p class="muted">Click the mode that looks like the motion you expect; Shift-click blends several.</p>
+        <p class="muted">Click the mode that looks like the motion you expect; tick more to blend several.</p>
       )}
     </div>
   );
@@ -39,8 +39,6 @@ function LocalNote({ modes, local }: { modes: ModesResult; local: number[] }) {
 }
 
 function describeLocal(local: number[]): string {
-  const names = [...local];
-  const last = names.pop();
-  if (names.length === 0) return `Mode ${last} is local: little of the body moves.`;
-  return `Modes ${names.join(', ')} and ${last} are local: little of the body moves.`;
+  const subject = local.length === 1 ? `Mode ${local[0]} is` : `Modes ${spellModes(local)} are`;
+  return `${subject} local: little of the body moves.`;
 }

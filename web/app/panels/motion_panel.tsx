@@ -131,10 +131,11 @@ function SolveNotes() {
   const coarseVertices = coarseVerticesOf(modes);
   const residuals = coarseVertices > 0 ? [] : describeSolve(modes.modes, 0);
   const rigid = `${found} rigid motions found, ${expected} expected`;
+  const models = wants.settings.value.model === 'auto' ? `${describeModels(modes.components)}. ` : '';
   return (
     <>
-      {wants.settings.value.model === 'auto' && <p class="hint">{describeModels(modes.components)}.</p>}
       <p class={expected === found && residuals.length === 0 ? 'hint' : 'hint warning'}>
+        {models}
         {[rigid, ...residuals].join('; ')}.
       </p>
       {coarseVertices > 0 && (

@@ -25,17 +25,25 @@ export function PinsSection() {
         >
           Pick
         </button>
-        <button type="button" class="quiet" disabled={pins === ''} onClick={() => holdInPlace('')}>
-          Clear
-        </button>
       </div>
       {isPicking.value && (
         <p class="hint">Click a vertex or paint over the surface. Shift lets go, Esc leaves.</p>
       )}
       <AttributeSelect />
-      <p class="hint" role="status">
-        {describePins()}
-      </p>
+      <div class="held">
+        <p class="hint" role="status">
+          {describePins()}
+        </p>
+        <button
+          type="button"
+          class="quiet"
+          disabled={pins === ''}
+          aria-label="Clear what is held"
+          onClick={() => holdInPlace('')}
+        >
+          Clear
+        </button>
+      </div>
       <PinsText />
     </Section>
   );

@@ -6,9 +6,9 @@ import type { TriangleMesh } from '../../engine/core';
 const vertexShader = /* glsl */ `
   uniform float size;
   void main() {
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    vec3 place = (modelViewMatrix * vec4(position, 1.0)).xyz;
     // A little towards the eye, so that the surface around the vertex does not cut the dot.
-    gl_Position.z -= 0.0015 * gl_Position.w;
+    gl_Position = projectionMatrix * vec4(0.985 * place, 1.0);
     gl_PointSize = size;
   }
 `;
@@ -16,10 +16,12 @@ const vertexShader = /* glsl */ `
 const fragmentShader = /* glsl */ `
   uniform vec3 fill;
   uniform vec3 rim;
+  uniform float size;
+  uniform float rimWidth;
   void main() {
     float radius = length(gl_PointCoord - 0.5);
     if (radius > 0.5) discard;
-    gl_FragColor = vec4(radius > 0.34 ? rim : fill, 1.0);
+    gl_FragColor = vec4((0.5 - radius) * size < rimWidth ? rim : fill, 1.0);
     #include <colorspace_fragment>
   }
 `;
@@ -33,7 +35,12 @@ export class PinDots {
   readonly points: Points<BufferGeometry, ShaderMaterial>;
 
   constructor(private readonly pixelRatio: number) {
-    const uniforms = { size: { value: 1 }, fill: { value: new Color() }, rim: { value: new Color() } };
+    const uniforms = {
+      size: { value: 1 },
+      rimWidth: { value: 0 },
+      fill: { value: new Color() },
+      rim: { value: new Color() },
+    };
     const material = new ShaderMaterial({ vertexShader, fragmentShader, uniforms });
     this.points = new Points(new BufferGeometry(), material);
     this.points.frustumCulled = false;
@@ -48,7 +55,10 @@ export class PinDots {
     this.points.geometry = new BufferGeometry();
     this.points.geometry.setAttribute('position', new BufferAttribute(places, 3));
     this.points.visible = places.length > 0;
-    this.points.material.uniforms.size.value = this.pixelRatio * diameter(places.length / 3);
+    const { uniforms } = this.points.material;
+    const [size, rimWidth] = inPixels(places.length / 3);
+    uniforms.size.value = this.pixelRatio * size;
+    uniforms.rimWidth.value = this.pixelRatio * rimWidth;
   }
 
   look({ fill, rim }: DotLook): void {
@@ -57,5 +67,8 @@ export class PinDots {
   }
 }
 
-/** In CSS pixels: many dots are small, so that the surface is still seen between them. */
-const diameter = (count: number): number => (count <= 200 ? 10 : count <= 2000 ? 7 : 5);
+/** Diameter and rim in CSS pixels: many dots are small and without a rim, which would hide its neighbours. */
+function inPixels(count: number): [number, number] {
+  if (count <= 40) return [10, 1.5];
+  return count <= 400 ? [7, 1] : [4, 0];
+}
