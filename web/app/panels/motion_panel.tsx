@@ -1,5 +1,6 @@
 /** Step 2: what resists, what it is made of, what is held, and how it swings. */
 
+import { counted } from '../../engine/document/model';
 import { describeSolve } from '../../engine/health';
 import { coarseVerticesOf, describeModels } from '../../engine/mode_set';
 import { OPTIONS, resolveModel } from '../../engine/options';
@@ -130,7 +131,7 @@ function SolveNotes() {
   const [expected, found] = [total('zeroModesExpected'), total('zeroModesFound')];
   const coarseVertices = coarseVerticesOf(modes);
   const residuals = coarseVertices > 0 ? [] : describeSolve(modes.modes, 0);
-  const rigid = `${found} rigid motions found, ${expected} expected`;
+  const rigid = `${counted(found, 'rigid motion')} found, ${expected} expected`;
   const models = wants.settings.value.model === 'auto' ? `${describeModels(modes.components)}. ` : '';
   return (
     <>

@@ -96,16 +96,16 @@ function PinsText() {
     <>
       <details class="more as-text">
         <summary>As text</summary>
-        <label for={id} class="hint">
+        <p id={`${id}-help`} class="hint">
           {OPTIONS.pins.help}
-        </label>
+        </p>
         <input
-          id={id}
+          aria-label="Held in place, as text"
           type="text"
           spellcheck={false}
           autocomplete="off"
           aria-invalid={refused !== null}
-          aria-describedby={refused ? `${id}-refused` : undefined}
+          aria-describedby={refused ? `${id}-refused` : `${id}-help`}
           value={refused ? refused.text : wants.settings.value.pins}
           onChange={(event) => holdInPlace(event.currentTarget.value)}
         />

@@ -70,5 +70,6 @@ export class PinDots {
 /** Diameter and rim in CSS pixels: many dots are small and without a rim, which would hide its neighbours. */
 function inPixels(count: number): [number, number] {
   if (count <= 40) return [10, 1.5];
-  return count <= 400 ? [7, 1] : [4, 0];
+  if (count <= 150) return [7, 1];
+  return count <= 500 ? [5, 0] : [4, 0];
 }
