@@ -2,7 +2,7 @@ import AxeBuilder from '@axe-core/playwright';
 import { Document, WebIO } from '@gltf-transform/core';
 import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
-import { sheetObj } from './meshes';
+import { sheetObj, sheetWithTailObj } from './meshes';
 import { drop, goTo, openPage, readout, writeScratch } from './page';
 
 const firstMode = (page: Page) => page.getByRole('button', { name: /^Mode 1 / });
@@ -126,6 +126,29 @@ test('modes that strain different places are named', async ({ page }) => {
   for (let mode = 2; mode <= 8; mode++) await page.getByLabel(`Mode ${mode} guides`).check();
   await expect(notes).toContainText(/Modes \d and \d strain different places \(\d+ % in common\)/);
   await expect(page.locator('.legend')).toContainText('Strain rank, modes 1 to 8');
+});
+
+test('a local mode is named and left out on request', async ({ page }) => {
+  await openPage(page);
+  await drop(page, writeScratch('tail.obj', sheetWithTailObj()));
+  await expect(page.locator('.filename')).toHaveText('tail.obj');
+  await goTo(page, 'Motion');
+  await model(page, 'Shell').click();
+  await expect(page.getByText('6 rigid motions found, 6 expected.')).toBeVisible();
+  await expect(page.locator('.mode-notes')).toContainText('Mode 1 is local: little of the body moves.');
+  await button(page, 'Leave local modes out').click();
+  await expect(page.locator('.mode-notes')).not.toContainText('local');
+  await expect(firstMode(page)).toHaveAttribute('aria-pressed', 'false');
+});
+
+test('a model that does not fit says so, and marks the modes that are still shown', async ({ page }) => {
+  await openPage(page);
+  await drop(page, writeScratch('sheet.obj', sheetObj(8)));
+  await expect(readout(page, 'Faces')).toContainText('128');
+  await goTo(page, 'Motion');
+  await model(page, 'Solid').click();
+  await expect(page.getByRole('alert')).toContainText('not closed');
+  await expect(page.getByText('The modes shown are those of earlier settings.')).toBeVisible();
 });
 
 test('directions are offered where the Laplacian is used', async ({ page }) => {

@@ -3,7 +3,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type { Mode } from '../../engine/core';
 import { leadingMode } from '../../engine/mode_set';
-import { results, status, view } from '../state/store';
+import { areModesStale, results, status, view } from '../state/store';
 import { STRIP } from '../worker/protocol';
 import type { ModesResult } from '../worker/protocol';
 import { colourAt } from '../viewer/colours';
@@ -32,7 +32,7 @@ export function Gallery() {
   if (!modes) return <p class="empty">{status.paused.value ? 'Stopped.' : 'Finding modes ...'}</p>;
   return (
     <>
-      <ul class="gallery" ref={list} aria-label="Modes">
+      <ul class={areModesStale.value ? 'gallery stale' : 'gallery'} ref={list} aria-label="Modes">
         {Array.from({ length: modes.layerCount }, (_, layer) => (
           <ModeCard key={layer} layer={layer} modes={modes} />
         ))}

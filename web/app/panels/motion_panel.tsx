@@ -5,7 +5,7 @@ import { describeSolve } from '../../engine/health';
 import { coarseVerticesOf, describeModels } from '../../engine/mode_set';
 import { OPTIONS, resolveModel } from '../../engine/options';
 import type { Settings } from '../../engine/options';
-import { changeSettings, results, view, wants } from '../state/store';
+import { areModesStale, changeSettings, results, view, wants } from '../state/store';
 import { Choice, Range, Section, SettingRange, Toggle, count } from './controls';
 import { MaterialNumbers, MaterialSelect } from './material_section';
 import { PinsSection } from './pins_section';
@@ -126,6 +126,7 @@ function ExactToggle() {
 function SolveNotes() {
   const modes = results.modes.value;
   if (!modes) return null;
+  if (areModesStale.value) return <p class="hint">The modes shown are those of earlier settings.</p>;
   const total = (key: 'zeroModesExpected' | 'zeroModesFound') =>
     modes.components.reduce((sum, component) => sum + component[key], 0);
   const [expected, found] = [total('zeroModesExpected'), total('zeroModesFound')];

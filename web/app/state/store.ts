@@ -4,6 +4,7 @@ import { computed, signal } from '@preact/signals';
 import type { Curvature, MeshAt, Progress, StrainGuidance } from '../../engine/core';
 import { defaultSettings } from '../../engine/options';
 import type { Settings } from '../../engine/options';
+import { modesKey } from './keys';
 import type {
   BodySummary,
   ExportResult,
@@ -78,6 +79,11 @@ export const status = {
 export function changeSettings(change: Partial<Settings>): void {
   wants.settings.value = { ...wants.settings.value, ...change };
 }
+
+/** Whether the shown modes are those of earlier settings: others are on their way, or could not be found. */
+export const areModesStale = computed(
+  () => results.modes.value !== null && results.modes.value.key !== modesKey(wants.settings.value),
+);
 
 /** Whether the pick tool is in use. */
 export const isPicking = computed(

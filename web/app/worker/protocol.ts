@@ -60,7 +60,10 @@ export interface StrainOverview {
   shared: Float32Array;
 }
 
-export interface ModesResult extends ModeSet, StrainOverview {}
+export interface ModesResult extends ModeSet, StrainOverview {
+  /** what they were made from, see modesKey */
+  key: string;
+}
 
 export const STRIP = 24;
 

@@ -13,6 +13,7 @@ import type { Settings } from '../../engine/options';
 import { exportedBody, startStopwatch } from '../../engine/pipeline';
 import type { Report } from '../../engine/report';
 import { meshReport, modesReport, startReport, stopReport, worstSurface } from '../../engine/report';
+import { modesKey } from '../state/keys';
 import { CANCELLED } from './protocol';
 import type { WorkerApi } from './protocol';
 import { BodyStages } from './session';
@@ -106,7 +107,8 @@ const api: WorkerApi = {
     speak(() => {
       checkSettings(settings);
       const modes = stagesOf(body).modes(settings);
-      return { ...modes, ...strainOverview(core, stagesOf(body).prepared(settings).mesh, modes) };
+      const overview = strainOverview(core, stagesOf(body).prepared(settings).mesh, modes);
+      return { ...modes, ...overview, key: modesKey(settings) };
     }),
   guidance: (body, settings) =>
     speak(() => {
