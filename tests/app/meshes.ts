@@ -1,5 +1,31 @@
 /** Small meshes as OBJ text, made for the tests. */
 
+/** A flat sheet of 8 x 8 with a tail of 8 x 0.25: the tail moves alone long before the sheet does. */
+export function sheetWithTailObj(): string {
+  const lines: string[] = [];
+  const numberOf = new Map<string, number>();
+  const vertex = (x: number, y: number): number => {
+    const place = `v ${x} ${y} 0`;
+    if (!numberOf.has(place)) {
+      lines.push(place);
+      numberOf.set(place, numberOf.size + 1);
+    }
+    return numberOf.get(place)!;
+  };
+  const square = (x: number, y: number, height: number): void => {
+    const [a, b] = [vertex(x, y), vertex(x + 1, y)];
+    const [c, d] = [vertex(x + 1, y + height), vertex(x, y + height)];
+    lines.push(`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`);
+  };
+  const rows = [0, 1, 2, 3, 3.25, 4, 5, 6, 7, 8];
+  for (let x = 0; x < 8; x++)
+    rows.slice(1).forEach((top, row) => {
+      square(x, rows[row], top - rows[row]);
+    });
+  for (let x = 8; x < 16; x++) square(x, 3, 0.25);
+  return `${lines.join('\n')}\n`;
+}
+
 /** A wavy sheet of cells x cells squares. */
 export function sheetObj(cells: number): string {
   const lines: string[] = [];

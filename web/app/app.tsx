@@ -6,7 +6,7 @@ import { Empty } from './panels/empty';
 import { ExportPanel } from './panels/export_panel';
 import { Gallery } from './panels/gallery';
 import { Help } from './panels/help';
-import { MaterialPanel, ModelFacts } from './panels/model_panel';
+import { ModelFacts, ReadingPanel } from './panels/model_panel';
 import { MotionPanel } from './panels/motion_panel';
 import { Notices } from './panels/notices';
 import { Readouts } from './panels/readouts';
@@ -58,7 +58,7 @@ function Right() {
   if (wants.exportOpen.value) return <ExportPanel />;
   return (
     <aside class="panel right" aria-label="Settings of this step">
-      {view.step.value === 'model' && <MaterialPanel />}
+      {view.step.value === 'model' && <ReadingPanel />}
       {view.step.value === 'motion' && <MotionPanel />}
       {view.step.value === 'reduce' && <ReducePanel />}
     </aside>

@@ -6,6 +6,10 @@ import type { Settings } from '../engine/options';
 const quoted = (word: string): string =>
   /^[\w./:-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
 
+/** A switch stands alone. */
+const valueOf = (value: Settings[keyof Settings]): string[] =>
+  value === true ? [] : [value === Infinity ? 'inf' : String(value)];
+
 export function commandLine(
   settings: Settings,
   input: string,
@@ -14,7 +18,7 @@ export function commandLine(
 ): string {
   const flags = (Object.keys(OPTIONS) as (keyof Settings)[])
     .filter((key) => key !== 'threads' && String(settings[key]) !== String(OPTIONS[key].default))
-    .flatMap((key) => [`--${OPTIONS[key].flag}`, settings[key] === Infinity ? 'inf' : String(settings[key])]);
+    .flatMap((key) => [`--${OPTIONS[key].flag}`, ...valueOf(settings[key])]);
   const words = ['limber', 'optimize', input, output, '--faces', String(faces), ...flags];
   return [...words, ...(fields ? ['--fields'] : [])].map(quoted).join(' ');
 }

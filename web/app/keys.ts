@@ -3,7 +3,7 @@
 import { pickFiles } from './files';
 import { stageHandle } from './panels/stage_view';
 import { cancelRunning } from './state/runner';
-import { results, view, wantedFaces, wants } from './state/store';
+import { isPicking, results, view, wantedFaces, wants } from './state/store';
 import type { Layout } from './state/store';
 
 const LAYOUTS: Layout[] = ['both', 'original', 'optimized'];
@@ -19,7 +19,10 @@ const PLAIN: Record<string, () => void> = {
   v: () => (view.layout.value = LAYOUTS[(LAYOUTS.indexOf(view.layout.value) + 1) % LAYOUTS.length]),
   arrowleft: () => stepFaces(-1),
   arrowright: () => stepFaces(1),
-  escape: cancelRunning,
+  escape: () => {
+    if (isPicking.value) view.picking.value = false;
+    else cancelRunning();
+  },
   '?': () => (view.helpOpen.value = !view.helpOpen.value),
 };
 
@@ -39,6 +42,7 @@ function stepFaces(direction: number): void {
 }
 
 function isTyping(target: EventTarget | null): boolean {
+  if (target instanceof HTMLSelectElement) return true;
   return target instanceof HTMLInputElement && target.type !== 'checkbox';
 }
 
@@ -50,7 +54,11 @@ export function listenToKeys(): void {
     if (!action || event.altKey) return;
     if (!hasControl && isTyping(event.target) && key !== 'escape') return;
     // Space and Enter on a button press it.
-    if (key === ' ' && event.target instanceof HTMLElement && event.target.closest('button, summary, input'))
+    if (
+      key === ' ' &&
+      event.target instanceof HTMLElement &&
+      event.target.closest('button, summary, input, select')
+    )
       return;
     event.preventDefault();
     action();

@@ -49,6 +49,21 @@ export function Range({ label, min, max, step, value, shown, title, onInput }: R
   );
 }
 
+/** Settings that span orders of magnitude: equal steps of the slider are equal factors. */
+const LOGARITHMIC = new Set<NumberKey>(['young', 'density', 'thickness']);
+
+/** A slider's position for a value, and back, over `span`. */
+function scaleOf(name: NumberKey, { min, max, step }: { min: number; max: number; step: number }) {
+  if (!LOGARITHMIC.has(name)) return { min, max, step, toSlider: Number, fromSlider: Number };
+  return {
+    min: Math.log10(min),
+    max: Math.log10(max),
+    step: 0.01,
+    toSlider: Math.log10,
+    fromSlider: (position: number) => Number((10 ** position).toPrecision(2)),
+  };
+}
+
 /** A setting as a slider over its useful span, with the exact number beside it. */
 export function SettingRange({ name }: { name: NumberKey }) {
   const id = useId();
@@ -57,7 +72,7 @@ export function SettingRange({ name }: { name: NumberKey }) {
   const set = (next: number) => {
     if (Number.isFinite(next)) changeSettings({ [name]: Math.min(max, Math.max(min, next)) });
   };
-  const span = slider ?? { min, max };
+  const scale = scaleOf(name, { ...(slider ?? { min, max }), step });
   return (
     <div class="control" title={help}>
       <label for={id}>{label}</label>
@@ -76,12 +91,38 @@ export function SettingRange({ name }: { name: NumberKey }) {
       <input
         id={id}
         type="range"
-        min={span.min}
-        max={span.max}
-        step={step}
-        value={value}
-        onInput={(event) => set(event.currentTarget.valueAsNumber)}
+        min={scale.min}
+        max={scale.max}
+        step={scale.step}
+        value={scale.toSlider(value)}
+        aria-valuetext={`${value}${unit ? ` ${unit}` : ''}`}
+        onInput={(event) => set(scale.fromSlider(event.currentTarget.valueAsNumber))}
       />
+    </div>
+  );
+}
+
+interface SelectProps {
+  label: string;
+  options: readonly { value: string; text: string }[];
+  value: string;
+  title?: string;
+  onChange(value: string): void;
+}
+
+/** One of many choices. */
+export function Select({ label, options, value, title, onChange }: SelectProps) {
+  const id = useId();
+  return (
+    <div class="control" title={title}>
+      <label for={id}>{label}</label>
+      <select id={id} value={value} onChange={(event) => onChange(event.currentTarget.value)}>
+        {options.map((option) => (
+          <option key={option.value} value={option.value}>
+            {option.text}
+          </option>
+        ))}
+      </select>
     </div>
   );
 }

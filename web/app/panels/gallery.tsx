@@ -1,13 +1,16 @@
 /** The gallery of modes: moving pictures, frequency, and where along the body each one strains it. */
 
 import { useEffect, useRef } from 'preact/hooks';
-import { results, status, view } from '../state/store';
+import type { Mode } from '../../engine/core';
+import { leadingMode } from '../../engine/mode_set';
+import { areModesStale, results, status, view } from '../state/store';
 import { STRIP } from '../worker/protocol';
 import type { ModesResult } from '../worker/protocol';
 import { colourAt } from '../viewer/colours';
 import { THUMBNAIL, Thumbnails } from '../viewer/thumbnails';
-import { chooseMode, guidingModes, isNominal } from './motion_panel';
 import { count } from './controls';
+import { chooseMode, guidingModes } from './mode_choice';
+import { ModeNotes } from './mode_notes';
 
 const AXES = ['across, thin', 'across, wide', 'along'];
 
@@ -23,16 +26,19 @@ export function Gallery() {
     thumbnails.current?.show(body.mesh, layerShapes(modes), canvases);
   }, [modes, body]);
   useEffect(() => {
-    if (thumbnails.current) thumbnails.current.moving = view.playing.value;
+    thumbnails.current?.move(view.playing.value);
   }, [view.playing.value, modes]);
   useEffect(() => () => thumbnails.current?.dispose(), []);
   if (!modes) return <p class="empty">{status.paused.value ? 'Stopped.' : 'Finding modes ...'}</p>;
   return (
-    <ul class="gallery" ref={list} aria-label="Modes">
-      {Array.from({ length: modes.layerCount }, (_, layer) => (
-        <ModeCard key={layer} layer={layer} modes={modes} />
-      ))}
-    </ul>
+    <>
+      <ul class={areModesStale.value ? 'gallery stale' : 'gallery'} ref={list} aria-label="Modes">
+        {Array.from({ length: modes.layerCount }, (_, layer) => (
+          <ModeCard key={layer} layer={layer} modes={modes} />
+        ))}
+      </ul>
+      <ModeNotes modes={modes} />
+    </>
   );
 }
 
@@ -50,16 +56,15 @@ function layerShapes(modes: ModesResult): Float32Array[] {
 }
 
 function ModeCard({ layer, modes }: { layer: number; modes: ModesResult }) {
-  const own = modes.modes.filter((mode) => mode.layer === layer);
+  const mode = leadingMode(modes, layer);
+  const parts = modes.modes.filter((one) => one.layer === layer).length;
   const isChosen = guidingModes().includes(layer + 1);
-  const frequency = own.length > 0 ? own[0].omega / (2 * Math.PI) : 0;
-  const nominal = isNominal();
-  const axis = own[0]?.axis ?? -1;
-  const words = [axis >= 0 ? AXES[axis] : '', own.length > 1 ? `${count(own.length)} parts` : '']
+  const axis = mode?.axis ?? -1;
+  const words = [axis >= 0 ? AXES[axis] : '', parts > 1 ? `${count(parts)} parts` : '']
     .filter(Boolean)
     .join(', ');
   return (
-    <li>
+    <li class="mode-card">
       <button
         type="button"
         class="mode"
@@ -70,20 +75,38 @@ function ModeCard({ layer, modes }: { layer: number; modes: ModesResult }) {
         <span class="strip" aria-hidden="true" style={{ background: stripGradient(modes.strips, layer) }} />
         <span class="caption">
           <span>
-            {layer + 1} {own[0]?.name ?? ''}
+            <span class="spoken">Mode </span>
+            {layer + 1} {mode?.name ?? ''}
           </span>
-          <span
-            class="muted"
-            title={
-              nominal ? 'A Laplacian has no physical frequency; this one is in proportion only' : undefined
-            }
-          >
-            {frequency.toPrecision(3)} {nominal ? 'nom.' : 'Hz'}
-          </span>
+          {mode && <Frequency modes={modes} mode={mode} />}
         </span>
         {words && <span class="caption muted">{words}</span>}
       </button>
+      <input
+        type="checkbox"
+        class="guides"
+        aria-label={`Mode ${layer + 1} guides`}
+        title="Blends this mode with the others that are ticked"
+        checked={isChosen}
+        onChange={(event) => {
+          chooseMode(layer + 1, true);
+          // The last one stays.
+          event.currentTarget.checked = guidingModes().includes(layer + 1);
+        }}
+      />
     </li>
+  );
+}
+
+function Frequency({ modes, mode }: { modes: ModesResult; mode: Mode }) {
+  const isNominal = modes.components[mode.component].model === 'laplacian';
+  return (
+    <span
+      class="muted"
+      title={isNominal ? 'A Laplacian has no physical frequency; this one is in proportion only' : undefined}
+    >
+      {(mode.omega / (2 * Math.PI)).toPrecision(3)} {isNominal ? 'nom.' : 'Hz'}
+    </span>
   );
 }
 

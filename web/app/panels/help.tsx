@@ -12,7 +12,7 @@ const KEYS: [string, string][] = [
   ['← →', 'one collapse back or on'],
   ['Ctrl+O', 'open a file'],
   ['Ctrl+E', 'export'],
-  ['Esc', 'cancel what is running'],
+  ['Esc', 'leave the pick tool, or cancel what is running'],
   ['?', 'this help'],
 ];
 

@@ -1,11 +1,12 @@
 /** What the colours mean. */
 
+import { spellModes } from '../../engine/mode_set';
 import { results, view } from '../state/store';
 import type { FieldName } from '../state/store';
 import { gradient } from '../viewer/colours';
 import { Choice, Toggle } from './controls';
 import { curvatureScale } from './curvature_scale';
-import { guidingModes } from './motion_panel';
+import { guidingModes } from './mode_choice';
 
 const FIELDS: { value: FieldName; text: string; title: string }[] = [
   { value: 'none', text: 'Plain', title: 'No colours (1)' },
@@ -33,14 +34,17 @@ function Scale() {
   const curvature = results.curvature.value?.vertex;
   const { diagonal } = results.body.value!;
   if (view.field.value === 'strain')
-    return (
-      <Bar map="viridis" title={`Strain rank, mode ${guidingModes().join(' + ')}`} low="least" high="most" />
-    );
+    return <Bar map="viridis" title={strainTitle()} low="least" high="most" />;
   if (view.field.value === 'curvature' && curvature) {
     const high = (curvatureScale(curvature) * diagonal).toPrecision(2);
     return <Bar map="cividis" title="Mean curvature x diagonal" low="0" high={high} />;
   }
   return null;
+}
+
+function strainTitle(): string {
+  const modes = guidingModes();
+  return `Strain rank, mode${modes.length === 1 ? '' : 's'} ${spellModes(modes)}`;
 }
 
 function Bar({
@@ -58,7 +62,7 @@ function Bar({
     <div class="bar">
       <span class="ends">
         <span class="muted">{low}</span>
-        <span>{title}</span>
+        <span class="bar-title">{title}</span>
         <span class="muted">{high}</span>
       </span>
       <span class="colours" style={{ background: gradient(map) }} />

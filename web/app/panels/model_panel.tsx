@@ -83,23 +83,12 @@ function Health() {
   );
 }
 
-export function MaterialPanel() {
+/** How the file is read. */
+export function ReadingPanel() {
   return (
-    <>
-      <Section
-        title="Material"
-        hint="Rubber by default. It sets the frequencies and how a shell shares bending and stretching."
-      >
-        <SettingRange name="thickness" />
-        <SettingRange name="young" />
-        <SettingRange name="poisson" />
-        <SettingRange name="density" />
-      </Section>
-      <details class="more">
-        <summary>More</summary>
-        <SettingRange name="unit" />
-        <SettingRange name="weld" />
-      </details>
-    </>
+    <Section title="Reading" hint="The unit changes frequencies, not the mesh.">
+      <SettingRange name="unit" />
+      <SettingRange name="weld" />
+    </Section>
   );
 }

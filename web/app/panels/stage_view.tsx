@@ -4,14 +4,15 @@ import { useSignalEffect } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { MeshAt } from '../../engine/core';
 import { isDark } from '../scheme';
-import { results, view } from '../state/store';
+import { isPicking, results, view } from '../state/store';
 import type { Field } from '../viewer/body_geometry';
 import { Stage } from '../viewer/stage';
 import type { PaneName } from '../viewer/stage';
 import { count } from './controls';
 import { curvatureScale } from './curvature_scale';
 import { Legend } from './legend';
-import { guidingModes } from './motion_panel';
+import { guidingModes } from './mode_choice';
+import { connectPicking, showPins } from './picking';
 
 export const stageHandle: { current: Stage | null } = { current: null };
 
@@ -21,6 +22,7 @@ export function StageView() {
   useEffect(() => {
     try {
       stageHandle.current = new Stage(canvas.current!);
+      connectPicking(canvas.current!, stageHandle.current);
       showAll();
     } catch {
       setFailed(true);
@@ -33,11 +35,16 @@ export function StageView() {
   useSignalEffect(showShapes);
   useSignalEffect(showLook);
   useSignalEffect(showSwing);
+  useSignalEffect(() => showPins(stageHandle.current));
   return (
-    <div class="stage">
+    <div class={isPicking.value ? 'stage picking' : 'stage'}>
       <canvas
         ref={canvas}
-        aria-label="The mesh. Drag to turn, scroll to zoom, right-drag to move."
+        aria-label={
+          isPicking.value
+            ? 'The mesh at rest. Click a vertex or drag over the surface to hold it in place; Shift lets go.'
+            : 'The mesh. Drag to turn, scroll to zoom, right-drag to move.'
+        }
         role="img"
       />
       {failed && (
@@ -60,6 +67,7 @@ function showAll(): void {
     showShapes,
     showLook,
     showSwing,
+    () => showPins(stageHandle.current),
   ])
     show();
 }
@@ -146,8 +154,10 @@ function showLook(): void {
 
 function showSwing(): void {
   const body = results.body.value;
-  const moves = view.step.value !== 'model' && view.playing.value;
-  const amplitude = body && view.step.value !== 'model' ? (view.amplitude.value / 100) * body.diagonal : 0;
+  // Picking is on the shape at rest.
+  const isMoving = view.step.value !== 'model' && !isPicking.value;
+  const moves = isMoving && view.playing.value;
+  const amplitude = body && isMoving ? (view.amplitude.value / 100) * body.diagonal : 0;
   stageHandle.current?.animate(moves, amplitude, view.speed.value);
 }
 

@@ -77,7 +77,10 @@ function Steps() {
           key={id}
           type="button"
           aria-current={view.step.value === id ? 'step' : undefined}
-          onClick={() => (view.step.value = id)}
+          onClick={() => {
+            view.step.value = id;
+            view.picking.value = false;
+          }}
         >
           <span class="ordinal">{i + 1}</span>
           {text}

@@ -5,6 +5,8 @@ import type { Settings } from '../../engine/options';
 
 export const prepareKey = ({ weld }: Settings): string => `${weld}`;
 
+export const pinsKey = (settings: Settings): string => `${prepareKey(settings)} ${settings.pins}`;
+
 export function modesKey(settings: Settings): string {
   const { modeCount, direction, pins, exact, young, poisson, density, thickness, unit } = settings;
   return [

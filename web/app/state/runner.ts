@@ -4,10 +4,11 @@ import { batch, effect, signal, untracked } from '@preact/signals';
 import type { Signal } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { CANCELLED } from '../worker/protocol';
+import type { PinsResult } from '../worker/protocol';
 import { Client } from './client';
-import { guidanceKey, historyKey, modesKey, prepareKey } from './keys';
+import { guidanceKey, historyKey, modesKey, pinsKey, prepareKey } from './keys';
 import { shareInProportion } from '../../engine/share';
-import { results, status, wantedFaces, wants } from './store';
+import { changeSettings, results, status, view, wantedFaces, wants } from './store';
 
 interface Stage {
   what: string;
@@ -38,6 +39,12 @@ const stages: Stage[] = [
     key: keyed(() => prepareKey(settings())),
     run: () => client.call((worker) => worker.prepare(body(), settings())),
     result: results.body,
+  },
+  {
+    what: 'Finding pins',
+    key: afterBody(() => pinsKey(settings())),
+    run: findPins,
+    result: results.pins,
   },
   {
     what: 'Finding modes',
@@ -89,6 +96,24 @@ const stages: Stage[] = [
   },
 ];
 
+/** Pins that the body has not are refused with a sentence, and those before them stay; a new file begins with none. */
+async function findPins(): Promise<unknown> {
+  const text = settings().pins;
+  try {
+    const pins = await client.call<PinsResult>((worker) => worker.pins(body(), settings()));
+    if (status.refusedPins.value?.text === text) status.refusedPins.value = null;
+    return pins;
+  } catch (error) {
+    if (!(error instanceof Error) || error.message === CANCELLED || text === '') throw error;
+    const last = results.pins.value;
+    batch(() => {
+      status.refusedPins.value = { text, why: error.message };
+      changeSettings({ pins: last && last.text !== text ? last.text : '' });
+    });
+    return last;
+  }
+}
+
 /** How many faces each body of the file keeps: the shown body's share, the others in proportion. */
 export function bodyTargets(): number[] {
   const file = results.file.value;
@@ -119,6 +144,10 @@ export function openFiles(files: SourceFile[]): Promise<void> {
         wants.body.value = 0;
         wants.faces.value = null;
         wants.exportOpen.value = false;
+        // Pins and modes are those of the file before.
+        changeSettings({ pins: '', modes: 'auto', modeWeights: [] });
+        status.refusedPins.value = null;
+        view.picking.value = false;
         status.notice.value = file.notes.length > 0 ? { kind: 'info', text: file.notes.join('; ') } : null;
       });
     }).catch((error: unknown) => complain(error));

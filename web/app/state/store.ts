@@ -4,12 +4,14 @@ import { computed, signal } from '@preact/signals';
 import type { Curvature, MeshAt, Progress, StrainGuidance } from '../../engine/core';
 import { defaultSettings } from '../../engine/options';
 import type { Settings } from '../../engine/options';
+import { modesKey } from './keys';
 import type {
   BodySummary,
   ExportResult,
   HistorySummary,
   ModesResult,
   OpenedFile,
+  PinsResult,
   ResultMetrics,
 } from '../worker/protocol';
 
@@ -38,6 +40,7 @@ export const results = {
   opened: signal(0),
   file: signal<OpenedFile | null>(null),
   body: signal<BodySummary | null>(null),
+  pins: signal<PinsResult | null>(null),
   modes: signal<ModesResult | null>(null),
   guidance: signal<StrainGuidance | null>(null),
   curvature: signal<Curvature | null>(null),
@@ -58,6 +61,8 @@ export const view = {
   speed: signal(1),
   theme: signal<Theme>('system'),
   helpOpen: signal(false),
+  /** the stage's left button pins vertices instead of turning the view */
+  picking: signal(false),
 };
 
 /** What is going on. */
@@ -66,12 +71,24 @@ export const status = {
   /** what was cancelled and waits for a word */
   paused: signal<string | null>(null),
   notice: signal<Notice | null>(null),
+  /** the last text for the pins that does not hold, and why */
+  refusedPins: signal<{ text: string; why: string } | null>(null),
   threads: signal(0),
 };
 
 export function changeSettings(change: Partial<Settings>): void {
   wants.settings.value = { ...wants.settings.value, ...change };
 }
+
+/** Whether the shown modes are those of earlier settings: others are on their way, or could not be found. */
+export const areModesStale = computed(
+  () => results.modes.value !== null && results.modes.value.key !== modesKey(wants.settings.value),
+);
+
+/** Whether the pick tool is in use. */
+export const isPicking = computed(
+  () => view.picking.value && view.step.value === 'motion' && results.body.value !== null,
+);
 
 /** How many faces the shown body should keep. */
 export const wantedFaces = computed(() => {

@@ -7,6 +7,8 @@ import { bodyGeometry, setDisplacement, setField } from './body_geometry';
 import type { Field } from './body_geometry';
 import { mapTexture } from './colours';
 import type { MapName } from './colours';
+import { PinDots } from './pin_dots';
+import type { DotLook } from './pin_dots';
 import { surfaceMaterial } from './surface_material';
 
 CameraControls.install({ THREE });
@@ -22,7 +24,7 @@ export interface Look {
 class Pane {
   readonly scene = new THREE.Scene();
   private readonly body: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
-  private mesh: TriangleMesh | null = null;
+  mesh: TriangleMesh | null = null;
   private field: Field | null = null;
   private shape: Float32Array | null = null;
 
@@ -94,6 +96,7 @@ export class Stage {
   private readonly timer = new THREE.Timer();
   private readonly maps: Record<MapName, THREE.DataTexture>;
   private readonly panes: Record<PaneName, Pane>;
+  private readonly dots: PinDots;
   private shown: PaneName[] = ['original'];
   private stale = true;
   private swinging = false;
@@ -106,6 +109,8 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.maps = { viridis: mapTexture('viridis'), cividis: mapTexture('cividis') };
     this.panes = { original: new Pane(this.maps.viridis), optimized: new Pane(this.maps.viridis) };
+    this.dots = new PinDots(this.renderer.getPixelRatio());
+    this.panes.original.scene.add(this.dots.points);
     this.controls = new CameraControls(this.camera, canvas);
     this.controls.dollyToCursor = true;
     this.controls.smoothTime = 0.08;
@@ -134,6 +139,31 @@ export class Stage {
   look(look: Look): void {
     for (const pane of Object.values(this.panes)) pane.look(look);
     this.stale = true;
+  }
+
+  /** Dots at these vertices of the original, at rest. */
+  pin(vertices: Iterable<number>): void {
+    const { mesh } = this.panes.original;
+    this.dots.show(
+      mesh ?? { positions: new Float32Array(), triangles: new Uint32Array() },
+      mesh ? vertices : [],
+    );
+    this.stale = true;
+  }
+
+  colourPins(look: DotLook): void {
+    this.dots.look(look);
+    this.stale = true;
+  }
+
+  /** The ray of sight through a place of the page, in the pane that it lies in. */
+  rayAt(clientX: number, clientY: number): THREE.Ray {
+    const box = this.canvas.getBoundingClientRect();
+    const across = ((clientX - box.left) / box.width) * this.shown.length;
+    const place = new THREE.Vector2(2 * (across % 1) - 1, 1 - (2 * (clientY - box.top)) / box.height);
+    const caster = new THREE.Raycaster();
+    caster.setFromCamera(place, this.camera);
+    return caster.ray;
   }
 
   arrange(shown: PaneName[]): void {

@@ -25,7 +25,7 @@ export class Thumbnails {
   private lastDrawn = 0;
   private amplitude = 0;
   private faces = 0;
-  moving = true;
+  private moving = true;
   visible = true;
 
   constructor() {
@@ -59,6 +59,12 @@ export class Thumbnails {
     this.camera.lookAt(sphere.center);
     this.camera.updateProjectionMatrix();
     this.draw(0);
+  }
+
+  /** Lets them swing, or stand still at full swing. */
+  move(moving: boolean): void {
+    this.moving = moving;
+    this.draw(this.lastDrawn);
   }
 
   colour(clay: string): void {

@@ -39,11 +39,30 @@ export interface BodySummary {
   minAngle: number;
   meanMinAngle: number;
   health: HealthNote[];
+  /** per vertex of the file: its vertex in `mesh`, or NONE */
+  vertexOfSource: Uint32Array;
+  /** names of attributes that can say which vertices are held in place */
+  pinAttributes: string[];
 }
 
-export interface ModesResult extends ModeSet {
+/** The vertices that a text pins. */
+export interface PinsResult {
+  text: string;
+  /** of the prepared mesh, ascending */
+  vertices: Uint32Array;
+}
+
+/** Where each mode strains the body. */
+export interface StrainOverview {
   /** strips[layer * STRIP + i]: mean strain rank of that mode along the body's longest axis */
   strips: Float32Array;
+  /** shared[a * layerCount + b]: the part of the hot faces of layer a that are hot in layer b too, see hot_spots.ts */
+  shared: Float32Array;
+}
+
+export interface ModesResult extends ModeSet, StrainOverview {
+  /** what they were made from, see modesKey */
+  key: string;
 }
 
 export const STRIP = 24;
@@ -77,6 +96,8 @@ export interface WorkerApi {
   start(wasmFolder: string, threads: number, onProgress: (progress: Progress) => void): Promise<Started>;
   open(files: SourceFile[]): Promise<OpenedFile>;
   prepare(body: number, settings: Settings): Promise<BodySummary>;
+  /** Throws where the text of the pins names what the body has not. */
+  pins(body: number, settings: Settings): Promise<PinsResult>;
   modes(body: number, settings: Settings): Promise<ModesResult>;
   guidance(body: number, settings: Settings): Promise<StrainGuidance>;
   curvature(body: number, settings: Settings): Promise<Curvature>;

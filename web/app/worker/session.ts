@@ -1,5 +1,6 @@
 /** One opened file and what has been computed for each of its bodies. A stage runs again when its inputs have changed. */
 
+import type { Primitive } from '@gltf-transform/core';
 import type { Core, Curvature, History, MeshAt, ModeSet, StrainGuidance } from '../../engine/core';
 import type { OpenModel } from '../../engine/document/open';
 import type { Settings } from '../../engine/options';
@@ -13,7 +14,10 @@ import {
   reduceTo,
 } from '../../engine/pipeline';
 import type { Measured, PreparedBody } from '../../engine/pipeline';
-import { guidanceKey, historyKey, modesKey, prepareKey } from '../state/keys';
+import { guidanceKey, historyKey, modesKey, pinsKey, prepareKey } from '../state/keys';
+
+const isScalar = (primitive: Primitive, name: string): boolean =>
+  primitive.getAttribute(name)?.getType() === 'SCALAR';
 
 /** The last value of a stage and the inputs that it was made from. */
 class Stage<T> {
@@ -31,6 +35,7 @@ class Stage<T> {
 
 export class BodyStages {
   private readonly preparedStage = new Stage<PreparedBody>();
+  private readonly pinsStage = new Stage<Uint32Array>();
   private readonly modesStage = new Stage<ModeSet>();
   private readonly guidanceStage = new Stage<StrainGuidance>();
   private readonly curvatureStage = new Stage<Curvature>();
@@ -50,12 +55,28 @@ export class BodyStages {
     );
   }
 
+  pinned(settings: Settings): Uint32Array {
+    return this.pinsStage.get(pinsKey(settings), () =>
+      findPins(settings.pins, this.model.document, this.prepared(settings)),
+    );
+  }
+
   modes(settings: Settings): ModeSet {
-    return this.modesStage.get(modesKey(settings), () => {
-      const prepared = this.prepared(settings);
-      const pinned = findPins(settings.pins, this.model.document, prepared);
-      return findModes(this.core, prepared, settings, pinned);
-    });
+    return this.modesStage.get(modesKey(settings), () =>
+      findModes(this.core, this.prepared(settings), settings, this.pinned(settings)),
+    );
+  }
+
+  /** Names of the body's attributes that `attribute:NAME` can sensibly name: custom ones, colours, plain numbers. */
+  pinAttributes(): string[] {
+    const body = this.model.bodies[this.index];
+    const primitives = this.model.document.getRoot().listMeshes()[body.mesh].listPrimitives();
+    const names = body.spans.flatMap(({ primitive }) =>
+      primitives[primitive]
+        .listSemantics()
+        .filter((name) => /^(_|COLOR_)/.test(name) || isScalar(primitives[primitive], name)),
+    );
+    return [...new Set(names)].sort();
   }
 
   guidance(settings: Settings): StrainGuidance {

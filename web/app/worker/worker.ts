@@ -13,10 +13,11 @@ import type { Settings } from '../../engine/options';
 import { exportedBody, startStopwatch } from '../../engine/pipeline';
 import type { Report } from '../../engine/report';
 import { meshReport, modesReport, startReport, stopReport, worstSurface } from '../../engine/report';
+import { modesKey } from '../state/keys';
 import { CANCELLED } from './protocol';
 import type { WorkerApi } from './protocol';
 import { BodyStages } from './session';
-import { strainStrips } from './strips';
+import { strainOverview } from './strain_overview';
 
 let core: Core;
 let model: OpenModel | null = null;
@@ -97,13 +98,17 @@ const api: WorkerApi = {
         minAngle,
         meanMinAngle,
         health: describeHealth(source, weld, inspection),
+        vertexOfSource: weld.vertexOfSource,
+        pinAttributes: stagesOf(body).pinAttributes(),
       };
     }),
+  pins: (body, settings) => speak(() => ({ text: settings.pins, vertices: stagesOf(body).pinned(settings) })),
   modes: (body, settings) =>
     speak(() => {
       checkSettings(settings);
       const modes = stagesOf(body).modes(settings);
-      return { ...modes, strips: strainStrips(core, stagesOf(body).prepared(settings).mesh, modes) };
+      const overview = strainOverview(core, stagesOf(body).prepared(settings).mesh, modes);
+      return { ...modes, ...overview, key: modesKey(settings) };
     }),
   guidance: (body, settings) =>
     speak(() => {

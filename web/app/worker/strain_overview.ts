@@ -1,23 +1,31 @@
-/** Where along the body each mode strains it, for the gallery's strips. */
+/** Where each mode strains the body: along it, for the gallery's strips, and beside the other modes. */
 
 import type { Core, ModeSet, TriangleMesh } from '../../engine/core';
+import { hotFaces, sharedHotSpots } from '../../engine/hot_spots';
 import { STRIP } from './protocol';
+import type { StrainOverview } from './protocol';
 
-/** strips[layer * STRIP + i]: mean strain rank of the faces whose centre lies in slab i along the longest axis. */
-export function strainStrips(core: Core, mesh: TriangleMesh, modes: ModeSet): Float32Array {
+/** Each layer alone is ranked once; the strip takes means of the faces whose centre lies in slab i of the longest axis. */
+export function strainOverview(core: Core, mesh: TriangleMesh, modes: ModeSet): StrainOverview {
   const slab = slabOfTriangle(mesh);
   const strips = new Float32Array(modes.layerCount * STRIP);
-  for (let layer = 0; layer < modes.layerCount; layer++) {
+  const hot = Array.from({ length: modes.layerCount }, (_, layer) => {
     const { rank } = core.strainGuidance(mesh, modes, { layers: [layer], weights: [1], p: 2, threshold: 0 });
-    const sums = new Float64Array(STRIP);
-    const counts = new Float64Array(STRIP);
-    rank.forEach((value, triangle) => {
-      sums[slab[triangle]] += value;
-      counts[slab[triangle]] += 1;
-    });
-    for (let i = 0; i < STRIP; i++) strips[layer * STRIP + i] = counts[i] > 0 ? sums[i] / counts[i] : 0;
-  }
-  return strips;
+    strips.set(meanOverSlabs(rank, slab), layer * STRIP);
+    return hotFaces(rank);
+  });
+  return { strips, shared: sharedHotSpots(hot) };
+}
+
+/** Per slab; 0 where it holds no face. */
+function meanOverSlabs(rank: Float32Array, slab: Uint8Array): Float64Array {
+  const sums = new Float64Array(STRIP);
+  const counts = new Float64Array(STRIP);
+  rank.forEach((value, triangle) => {
+    sums[slab[triangle]] += value;
+    counts[slab[triangle]] += 1;
+  });
+  return sums.map((sum, i) => (counts[i] > 0 ? sum / counts[i] : 0));
 }
 
 function slabOfTriangle({ positions, triangles }: TriangleMesh): Uint8Array {

@@ -1,0 +1,58 @@
+/** What the pick tool does to the pins, and the dots that show them. */
+
+import { batch } from '@preact/signals';
+import { editPins } from '../../engine/pin_edits';
+import { isDark } from '../scheme';
+import { holdInPlace } from '../state/pins';
+import { isPicking, results, view, wants } from '../state/store';
+import { PickTool } from '../viewer/pick_tool';
+import type { Stage } from '../viewer/stage';
+
+/** Of the brush, over the diagonal of the body. */
+const BRUSH = 0.02;
+
+const shownPins = (): Uint32Array => results.pins.value?.vertices ?? new Uint32Array();
+
+export function connectPicking(canvas: HTMLCanvasElement, stage: Stage): PickTool {
+  return new PickTool(canvas, {
+    mesh: () => (isPicking.value ? (results.body.value?.mesh ?? null) : null),
+    rayAt: (x, y) => stage.rayAt(x, y),
+    brush: () => BRUSH * results.body.value!.diagonal,
+    paint: (vertices, isErasing) => {
+      stage.pin(afterEdit([...vertices], !isErasing));
+    },
+    finish: (vertices, isErasing, isClick) => {
+      const isHeld = isClick && shownPins().includes(vertices[0]);
+      pinByHand(vertices, !isErasing && !isHeld);
+    },
+  });
+}
+
+function afterEdit(vertices: number[], isPinning: boolean): Set<number> {
+  const pinned = new Set(shownPins());
+  for (const vertex of vertices)
+    if (isPinning) pinned.add(vertex);
+    else pinned.delete(vertex);
+  return pinned;
+}
+
+function pinByHand(vertices: number[], isPinning: boolean): void {
+  const body = results.body.value;
+  if (!body) return;
+  const pinned = shownPins();
+  const { pins } = wants.settings.value;
+  const text = editPins(pins, pinned, { isPinning, vertices }, body.vertexOfSource);
+  const after = afterEdit(vertices, isPinning);
+  batch(() => {
+    holdInPlace(text);
+    // The worker will find the same: until then the next stroke goes on from here.
+    results.pins.value = { text, vertices: Uint32Array.from(after).sort() };
+  });
+}
+
+/** Pins belong to the motion: they are shown where something moves. */
+export function showPins(stage: Stage | null): void {
+  const isShown = view.step.value !== 'model' && results.body.value !== null;
+  stage?.pin(isShown ? shownPins() : []);
+  stage?.colourPins(isDark.value ? { fill: '#ff9d5c', rim: '#1a0d04' } : { fill: '#e8590c', rim: '#ffffff' });
+}

@@ -1,0 +1,75 @@
+/** Dots over the surface, one for each vertex that is held in place. */
+
+import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial } from 'three';
+import type { TriangleMesh } from '../../engine/core';
+
+const vertexShader = /* glsl */ `
+  uniform float size;
+  void main() {
+    vec3 place = (modelViewMatrix * vec4(position, 1.0)).xyz;
+    // A little towards the eye, so that the surface around the vertex does not cut the dot.
+    gl_Position = projectionMatrix * vec4(0.985 * place, 1.0);
+    gl_PointSize = size;
+  }
+`;
+
+const fragmentShader = /* glsl */ `
+  uniform vec3 fill;
+  uniform vec3 rim;
+  uniform float size;
+  uniform float rimWidth;
+  void main() {
+    float radius = length(gl_PointCoord - 0.5);
+    if (radius > 0.5) discard;
+    gl_FragColor = vec4((0.5 - radius) * size < rimWidth ? rim : fill, 1.0);
+    #include <colorspace_fragment>
+  }
+`;
+
+export interface DotLook {
+  fill: string;
+  rim: string;
+}
+
+export class PinDots {
+  readonly points: Points<BufferGeometry, ShaderMaterial>;
+
+  constructor(private readonly pixelRatio: number) {
+    const uniforms = {
+      size: { value: 1 },
+      rimWidth: { value: 0 },
+      fill: { value: new Color() },
+      rim: { value: new Color() },
+    };
+    const material = new ShaderMaterial({ vertexShader, fragmentShader, uniforms });
+    this.points = new Points(new BufferGeometry(), material);
+    this.points.frustumCulled = false;
+    this.points.visible = false;
+  }
+
+  show({ positions }: TriangleMesh, vertices: Iterable<number>): void {
+    const places = Float32Array.from(
+      [...vertices].flatMap((vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]),
+    );
+    this.points.geometry.dispose();
+    this.points.geometry = new BufferGeometry();
+    this.points.geometry.setAttribute('position', new BufferAttribute(places, 3));
+    this.points.visible = places.length > 0;
+    const { uniforms } = this.points.material;
+    const [size, rimWidth] = inPixels(places.length / 3);
+    uniforms.size.value = this.pixelRatio * size;
+    uniforms.rimWidth.value = this.pixelRatio * rimWidth;
+  }
+
+  look({ fill, rim }: DotLook): void {
+    this.points.material.uniforms.fill.value.set(fill);
+    this.points.material.uniforms.rim.value.set(rim);
+  }
+}
+
+/** Diameter and rim in CSS pixels: many dots are small and without a rim, which would hide its neighbours. */
+function inPixels(count: number): [number, number] {
+  if (count <= 40) return [10, 1.5];
+  if (count <= 150) return [7, 1];
+  return count <= 500 ? [5, 0] : [4, 0];
+}

@@ -1,0 +1,59 @@
+/** Whether modes strain the same places: the hot spots of one and another, and what they share. */
+
+/** The strain rank, a float32, from which a face is hot: the tenth of its part that the mode strains most. */
+export const HOT_RANK = Math.fround(0.9);
+
+/** Two modes that share less than this part of their hot faces strain different places. */
+export const DIFFERENT_BELOW = 0.25;
+
+/** Per triangle 1 where it is hot; `rank` as StrainGuidance gives it for one mode. */
+export function hotFaces(rank: Float32Array): Uint8Array {
+  return Uint8Array.from(rank, (value) => (value >= HOT_RANK ? 1 : 0));
+}
+
+/**
+ * shared[a * hot.length + b]: the part, in [0, 1], of the hot faces of layer a that are hot in layer b too; 0 where a has
+ * none. `hot`: one array a layer, of equal sizes.
+ */
+export function sharedHotSpots(hot: Uint8Array[]): Float32Array {
+  const shared = new Float32Array(hot.length * hot.length);
+  hot.forEach((a, i) => {
+    const count = a.reduce((sum, isHot) => sum + isHot, 0);
+    hot.forEach((b, j) => {
+      const common = a.reduce((sum, isHot, face) => sum + (isHot & b[face]), 0);
+      shared[i * hot.length + j] = count > 0 ? common / count : 0;
+    });
+  });
+  return shared;
+}
+
+export interface ModePair {
+  /** modes from 1, first < second */
+  first: number;
+  second: number;
+  /** of their hot faces, in [0, 1]: the larger of the two parts */
+  common: number;
+}
+
+/** Pairs among `modes` (numbers from 1) that strain different places, those with least in common first. */
+export function differentPairs(shared: Float32Array, layerCount: number, modes: number[]): ModePair[] {
+  const known = modes.filter((mode) => mode <= layerCount).sort((a, b) => a - b);
+  const part = (a: number, b: number) => shared[(a - 1) * layerCount + b - 1];
+  const pairs = known.flatMap((first, i) =>
+    known
+      .slice(i + 1)
+      .map((second) => ({ first, second, common: Math.max(part(first, second), part(second, first)) })),
+  );
+  return pairs
+    .filter(({ common }) => common < DIFFERENT_BELOW)
+    .sort((a, b) => a.common - b.common || a.first - b.first || a.second - b.second);
+}
+
+/** One sentence on guiding modes that strain different places; '' where none do. */
+export function describeHotSpots(pairs: ModePair[]): string {
+  if (pairs.length === 0) return '';
+  const [{ first, second, common }, ...others] = pairs;
+  const more = others.length === 1 ? 'so does 1 more pair' : `so do ${others.length} more pairs`;
+  const end = others.length === 0 ? 'both are kept' : `${more}, and all are kept`;
+  return `Modes ${first} and ${second} strain different places (${Math.floor(100 * common)} % in common): ${end}.`;
+}
