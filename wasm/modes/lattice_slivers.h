@@ -17,10 +17,11 @@ struct Sliver {
   int sign;                                // -1 where the body is wound inwards
 };
 
-// How a piece that the lattice's rays hardly meet fills its cell: by rays of its own, spread evenly over the
-// box around the piece. Only what lies between two of the piece's own triangles counts, so of a piece that
-// reaches from one side of the cell to the other something may be missed; of the three directions the one
-// that finds most is taken. Exact for struts and plates along the axes.
+// How a piece that is too thin for the lattice's rays fills its cell: by rays of its own, spread evenly over
+// the box around its surface. They see the piece's triangles within the cell and nothing else: a ray that
+// runs inside from one side of the cell to the other finds nothing. Of the three directions the one that
+// finds most is taken. Exact for struts and plates along the axes. Zero where the surface faces inwards on
+// the whole, as folds do that are turned inside out.
 CellMeasure measureSliver(const Sliver& sliver);
 
 }  // namespace limber
