@@ -11,7 +11,7 @@ import json
 import time
 
 import numpy as np
-from scipy.sparse import csc_matrix, diags
+from scipy.sparse import csc_matrix
 from scipy.sparse.linalg import LinearOperator, eigsh
 from sksparse.cholmod import analyze
 
@@ -27,15 +27,26 @@ def read_matrix(path):
         row = np.fromfile(file, np.int32, entries)
         value = np.fromfile(file, np.float64, entries)
         mass = np.fromfile(file, np.float64, size)
-    lower = csc_matrix((value, row, column_start), shape=(size, size))
-    return lower + lower.T - diags(lower.diagonal()), mass, shift
+    column = np.repeat(np.arange(size, dtype=np.int32), np.diff(column_start))
+    below = row != column
+    rows = np.concatenate((row, column[below]))
+    columns = np.concatenate((column, row[below]))
+    values = np.concatenate((value, value[below]))
+    # Through triplets: a sum of sparse matrices would drop the entries that are 0.
+    return csc_matrix((values, (rows, columns)), shape=(size, size)), mass, shift
+
+
+def shifted_matrix(stiffness, mass, shift):
+    shifted = stiffness.copy()
+    shifted.setdiag(stiffness.diagonal() - shift * mass)
+    return shifted
 
 
 def solve(stiffness, mass, shift, mode_count):
     """Everything from K and M to eigenpairs, timed in parts. M is singular, so the search runs on the symmetric form
     M^1/2 (K - shift M)^-1 M^1/2 over the unknowns with mass, as ours does."""
     start = time.perf_counter()
-    shifted = (stiffness - shift * diags(mass)).tocsc()
+    shifted = shifted_matrix(stiffness, mass, shift)
     factor = analyze(shifted, mode="supernodal", ordering_method="metis")
     analysed = time.perf_counter()
     factor.cholesky_inplace(shifted)
@@ -68,7 +79,7 @@ def solve(stiffness, mass, shift, mode_count):
 
 def count_nonzeros(stiffness, mass, shift):
     """Nonzeros of L for CHOLMOD's order by METIS, and for its own nested dissection (which uses METIS and CAMD)."""
-    shifted = (stiffness - shift * diags(mass)).tocsc()
+    shifted = shifted_matrix(stiffness, mass, shift)
     counts = {}
     for ordering in ("metis", "nesdis"):
         factor = analyze(shifted, mode="simplicial", ordering_method=ordering)

@@ -23,6 +23,9 @@
 #include "mesh/topology.h"
 #include "modes/eigensolver.h"
 #include "modes/factorisation.h"
+#include "modes/front_tree.h"
+#include "modes/node_graph.h"
+#include "modes/ordering.h"
 #include "modes/shell.h"
 
 namespace limber {
@@ -96,6 +99,31 @@ double shiftOf(double scale, double first) {
   return scale > 0.005 * first && scale < 15 * first ? -scale : -0.5 * first;
 }
 
+// Seconds in each phase of one call, and how often it was begun, as the job's observer sees them.
+struct PhaseClock {
+  double seconds[3] = {};  // assembling with ordering, factorising, solving
+  int begun[3] = {};
+
+  void watch(Job& job) {
+    job.observer = [this](Phase phase, double fraction) {
+      const double now = limber::seconds();
+      if (current_ >= 0) seconds[current_] += now - last_;
+      last_ = now;
+      const int index = static_cast<int>(phase) - static_cast<int>(Phase::Assemble);
+      current_ = index >= 0 && index < 3 ? index : -1;
+      if (current_ >= 0 && fraction == 0) ++begun[current_];
+    };
+  }
+  void stop(Job& job) {
+    job.observer(Phase::Idle, 0);
+    job.observer = nullptr;
+  }
+
+ private:
+  int current_ = -1;
+  double last_ = 0;
+};
+
 void exportMatrix(const StiffnessModel& model, double shift, const std::string& path) {
   const Eigen::SparseMatrix<double> lower = model.stiffness.triangularView<Eigen::Lower>();
   const uint32_t sizes[2] = {static_cast<uint32_t>(lower.rows()), static_cast<uint32_t>(lower.nonZeros())};
@@ -109,6 +137,33 @@ void exportMatrix(const StiffnessModel& model, double shift, const std::string& 
   write(lower.innerIndexPtr(), sizes[1]);
   write(lower.valuePtr(), sizes[1]);
   write(model.mass.data(), sizes[0]);
+}
+
+// Nonzeros of L for our order of elimination without the zeros that merged fronts store: for each node, the
+// columns that it appears in are found by walking the elimination tree up from its couplings (Liu 1990).
+uint64_t exactNonzeros(const StiffnessModel& model) {
+  const Job job;
+  const NodeGraph graph = nodeGraph(model);
+  std::vector<uint32_t> order;
+  for (const FrontNodes& front : buildFrontTree(graph, eliminationOrder(graph, job), job))
+    order.insert(order.end(), front.pivots.begin(), front.pivots.end());
+  const uint32_t count = graph.nodeCount();
+  std::vector<uint32_t> position(count), parent(count, count), visitor(count, count);
+  for (uint32_t k = 0; k < count; ++k) position[order[k]] = k;
+  uint64_t nonzeros = 0;
+  for (uint32_t row = 0; row < count; ++row) {
+    const uint64_t weight = graph.weight[order[row]];
+    nonzeros += weight * (weight + 1) / 2;
+    visitor[row] = row;
+    for (uint32_t neighbour : graph.around(order[row]))
+      for (uint32_t column = position[neighbour]; column < row && visitor[column] != row;
+           column = parent[column]) {
+        nonzeros += weight * graph.weight[order[column]];
+        visitor[column] = row;
+        if (parent[column] == count) parent[column] = row;
+      }
+  }
+  return nonzeros;
 }
 
 // M^1/2 (K - shift M)^-1 M^1/2 over the unknowns with mass, by SimplicialLDLT with its default order (AMD).
@@ -159,11 +214,15 @@ void run(const Options& options) {
   const TriangleMesh mesh = readMesh(options.mesh);
   const double thickness = options.thickness / 100, scale = 300 * thickness * thickness;
   Job job;
+  PhaseClock clock;
+  clock.watch(job);
   const double start = seconds();
+  job.begin(Phase::Assemble);
   const StiffnessModel model = shellModel(mesh, buildTopology(mesh), thickness, kPoisson);
   const double assembled = seconds();
   const EigenPairs pairs = solveEigenproblem(model, {options.modeCount, kZeroModes, scale}, job);
   const double solved = seconds();
+  clock.stop(job);
   const double shift = shiftOf(scale, pairs.lambda[0]);
 
   Factorisation factorisation(model, job);
@@ -171,16 +230,21 @@ void run(const Options& options) {
   factorisation.factorise(shift, job);
   const double factorised = seconds();
   Eigen::VectorXd x = Eigen::VectorXd::Ones(model.mass.size());
-  factorisation.solve(x, job);
+  constexpr int kSolves = 10;
+  for (int i = 0; i < kSolves; ++i) factorisation.solve(x, job);
   const double substituted = seconds();
   std::printf(
       "{\"vertices\":%u,\"unknowns\":%u,\"threads\":%d,\"shift\":%.17g,\"firstLambda\":%.9g,\"zeroModes\":%u",
       mesh.vertexCount(), model.unknownCount(), options.threads, shift, pairs.lambda[0], pairs.zeroCount);
   std::printf(",\"seconds\":%.4f,\"assemble\":%.4f,\"order\":%.4f,\"factorise\":%.4f,\"substitute\":%.4f",
               solved - start, assembled - start, ordered - solved, factorised - ordered,
-              substituted - factorised);
-  std::printf(",\"nonzeros\":%llu,\"multiplications\":%.6g",
-              static_cast<unsigned long long>(factorisation.nonzeros()), factorisation.work());
+              (substituted - factorised) / kSolves);
+  std::printf(",\"nonzeros\":%llu,\"exactNonzeros\":%llu,\"multiplications\":%.6g",
+              static_cast<unsigned long long>(factorisation.nonzeros()),
+              static_cast<unsigned long long>(exactNonzeros(model)), factorisation.work());
+  std::printf(
+      ",\"phases\":{\"assembleAndOrder\":%.4f,\"factorise\":%.4f,\"solve\":%.4f,\"factorisations\":%d}",
+      clock.seconds[0], clock.seconds[1], clock.seconds[2], clock.begun[1]);
   if (!options.matrixFile.empty()) exportMatrix(model, shift, options.matrixFile);
   if (options.simplicial) runSimplicial(model, shift, options.modeCount + kZeroModes);
   std::printf("}\n");
