@@ -6,6 +6,7 @@
 #include <emscripten/heap.h>
 #include <emscripten/val.h>
 
+#include <algorithm>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -19,8 +20,8 @@
 #include "mesh/inspect.h"
 #include "mesh/topology.h"
 #include "mesh/weld.h"
-#include "modes/modes.h"
 #include "pipeline/fidelity.h"
+#include "pipeline/find_modes.h"
 #include "pipeline/guidance.h"
 #include "simplify/history.h"
 #include "simplify/simplify.h"
@@ -131,17 +132,24 @@ val jsInspect(const val& mesh) {
 
 // ---- modes ----
 
-val jsComputeModes(const val& jsMeshIn, const val& in) {
+// In the order of the enums.
+const std::vector<std::string> modelNames = {"laplacian", "shell", "solid", "auto"};
+const std::vector<std::string> modeNames = {"bend", "twist", "stretch", "breathe", "local"};
+
+val jsFindModes(const val& jsMeshIn, const val& in) {
   const TriangleMesh mesh = meshOf(jsMeshIn);
   ModesOptions options;
-  options.model = in["model"].as<std::string>() == "shell" ? Model::Shell : Model::Laplacian;
+  const auto model = std::find(modelNames.begin(), modelNames.end(), in["model"].as<std::string>());
+  options.model = static_cast<Model>(model - modelNames.begin());
+  options.direction = in["direction"].as<int>();
+  options.pinned = vectorOf<uint32_t>(in["pinned"]);
   options.modeCount = in["modeCount"].as<int>();
   options.thickness = in["thickness"].as<double>();
   options.young = in["young"].as<double>();
   options.poisson = in["poisson"].as<double>();
   options.density = in["density"].as<double>();
   options.unit = in["unit"].as<double>();
-  const ModeSet set = computeModes(mesh, options, theJob);
+  const ModeSet set = findModes(mesh, options, in["exact"].as<bool>(), theJob);
 
   val modes = val::array(), components = val::array(), out = val::object();
   for (const Mode& mode : set.modes) {
@@ -151,11 +159,15 @@ val jsComputeModes(const val& jsMeshIn, const val& in) {
     entry.set("component", mode.component);
     entry.set("layer", mode.layer);
     entry.set("axis", mode.axis);
+    entry.set("name", modeNames[static_cast<size_t>(mode.name)]);
     modes.call<void>("push", entry);
   }
   for (const ComponentModes& component : set.components) {
     val entry = val::object();
     entry.set("faces", component.faces);
+    entry.set("model", modelNames[static_cast<size_t>(component.model)]);
+    entry.set("host", component.host);
+    entry.set("coarseVertices", component.coarseVertices);
     entry.set("zeroModesExpected", component.zeroModesExpected);
     entry.set("zeroModesFound", component.zeroModesFound);
     entry.set("modeCount", component.modeCount);
@@ -183,6 +195,13 @@ std::vector<double> omegaTable(const val& modeSet) {
     if (at >= omega.size())
       throw std::invalid_argument("A mode names a component or layer that its set does not have.");
     omega[at] = modes[i]["omega"].as<double>();
+  }
+  for (uint32_t component = 0; component < componentCount; ++component) {  // cavities have their host's
+    const auto host = modeSet["components"][component]["host"].as<uint32_t>();
+    if (host >= componentCount)
+      throw std::invalid_argument("A part of the modes names a host that is not there.");
+    for (uint32_t layer = 0; layer < layerCount; ++layer)
+      omega[size_t{component} * layerCount + layer] = omega[size_t{host} * layerCount + layer];
   }
   return omega;
 }
@@ -352,7 +371,7 @@ EMSCRIPTEN_BINDINGS(limber) {
   using namespace limber;
   emscripten::function("weld", &Guarded<&jsWeld>::call);
   emscripten::function("inspect", &Guarded<&jsInspect>::call);
-  emscripten::function("computeModes", &Guarded<&jsComputeModes>::call);
+  emscripten::function("findModes", &Guarded<&jsFindModes>::call);
   emscripten::function("strainGuidance", &Guarded<&jsStrainGuidance>::call);
   emscripten::function("meanCurvature", &Guarded<&jsMeanCurvature>::call);
   emscripten::function("simplify", &Guarded<&jsSimplify>::call);

@@ -12,13 +12,16 @@ const shell = {
   poisson: 0.3,
   density: 1000,
   unit: 1,
+  direction: -1,
+  pinned: new Uint32Array(),
+  exact: false,
 };
 const paper = { method: 'paper' as const, strainWeight: 0.05, curvatureWeight: 1, qualityWeight: 0.01 };
 
 /** Everything that the core computes on the way from a mesh to a smaller one. */
 function results(core: Core) {
   const { mesh } = core.weld(torus().positions, torus().triangles, { tolerance: 0 });
-  const modes = core.computeModes(mesh, shell);
+  const modes = core.findModes(mesh, shell);
   const guidance = core.strainGuidance(mesh, modes, { layers: [0, 1], weights: [], p: 2, threshold: 0.2 });
   const curvature = core.meanCurvature(mesh);
   const history = core.simplify(mesh, guidance.rank, curvature.vertex, paper);
@@ -63,7 +66,7 @@ describe('the core', () => {
   it.each([1, 2])('tells its progress in words with %i threads', async (threads) => {
     const heard: Progress[] = [];
     const core = await loadTestCore(threads, (progress) => heard.push(progress));
-    core.computeModes(torus(), shell);
+    core.findModes(torus(), shell);
     expect(new Set(heard.map(({ phase }) => phase))).toContain('solving for modes');
     for (const { fraction } of heard) expect(fraction >= 0 && fraction <= 1).toBe(true);
   });
@@ -73,7 +76,7 @@ describe('the core', () => {
     const core = await loadTestCore(2, ({ fraction }) => fraction > 0 && wish());
     const mesh = grid(40, 40);
     wish = () => void Atomics.store(core.job!, 0, 1);
-    const run = () => core.computeModes(mesh, { ...shell, modeCount: 12 });
+    const run = () => core.findModes(mesh, { ...shell, modeCount: 12 });
     expect(run).toThrow(expect.objectContaining({ name: 'Cancelled' }));
     wish = () => {};
     expect(run().modes).toHaveLength(12);

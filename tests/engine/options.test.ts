@@ -87,7 +87,7 @@ describe('settings', () => {
     const paper = defaultSettings();
     expect([resolveModel(paper), resolveModes(paper)]).toEqual(['laplacian', [1]]);
     const other: Settings = { ...paper, method: 'qem' };
-    expect([resolveModel(other), resolveModes(other)]).toEqual(['shell', [1, 2, 3, 4, 5, 6]]);
+    expect([resolveModel(other), resolveModes(other)]).toEqual(['auto', [1, 2, 3, 4, 5, 6]]);
     expect(resolveModes({ ...other, modeCount: 3 })).toEqual([1, 2, 3]);
     expect(resolveModes({ ...paper, modes: 'all', modeCount: 3 })).toEqual([1, 2, 3]);
     expect(resolveModel({ ...paper, model: 'shell' })).toBe('shell');

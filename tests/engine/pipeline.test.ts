@@ -116,7 +116,7 @@ describe('guidance', () => {
 describe('optimizing', () => {
   const optimize = (target: number, change: Partial<Settings> = {}, mesh = torus()) => {
     const used = settings(change);
-    return optimizeBody(core, prepareBody(core, bodyOf(mesh), used), used, target);
+    return optimizeBody(core, prepareBody(core, bodyOf(mesh), used), used, { targetFaces: target });
   };
 
   it.each(['paper', 'qem'] as const)('with %s reaches the target and keeps the topology', (method) => {

@@ -54,10 +54,9 @@ describe('a report', () => {
 
   it('numbers components through and sorts the modes of all bodies', () => {
     const settings = { ...defaultSettings(), model: 'shell' as const, modeCount: 3 };
-    const sets = [prepare(grid(4, 4)), prepare(torus())].map((prepared) => ({
-      modes: findModes(core, prepared, settings),
-      model: 'shell' as const,
-    }));
+    const sets = [prepare(grid(4, 4)), prepare(torus())].map((prepared) =>
+      findModes(core, prepared, settings),
+    );
     const report = modesReport(sets);
     expect(report.components.map(({ faces }) => faces)).toEqual([32, 576]);
     expect(report.zeroModes).toEqual({ expected: 12, found: 12 });
@@ -66,7 +65,9 @@ describe('a report', () => {
     expect(omegas).toEqual([...omegas].sort((a, b) => a - b));
     expect(report.modes[0].frequency).toBeCloseTo(report.modes[0].omega / (2 * Math.PI), 9);
     expect(report.modes[0]).not.toHaveProperty('nominal');
-    expect(modesReport([{ ...sets[0], model: 'laplacian' }]).modes[0].nominal).toBe(true);
+    const laplacian = findModes(core, prepare(grid(4, 4)), { ...settings, model: 'laplacian' });
+    expect(modesReport([laplacian]).modes[0]).toMatchObject({ nominal: true, along: 'shortest' });
+    expect(modesReport([...sets, laplacian]).model).toBe('mixed');
   });
 
   it('is exhausted where one body missed, and tells the share of each reason', () => {

@@ -76,7 +76,9 @@ function optimize(model: OpenModel): OptimizedBody[] {
   const settings = defaultSettings();
   return model.bodies.map((body) => {
     const prepared = prepareBody(core, body, settings);
-    return optimizeBody(core, prepared, settings, Math.floor(prepared.mesh.triangles.length / 6));
+    return optimizeBody(core, prepared, settings, {
+      targetFaces: Math.floor(prepared.mesh.triangles.length / 6),
+    });
   });
 }
 

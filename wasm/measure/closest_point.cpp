@@ -26,7 +26,7 @@ double closestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 // Barycentric coordinates of the point of a triangle closest to p: its foot on the plane where that lies
 // inside, else the closest of its three edges' closest points. Any triangle, needles and points included.
-void closestOnTriangle(const Vec3& p, const Vec3 (&corner)[3], double (&barycentric)[3]) {
+void closestBarycentric(const Vec3& p, const Vec3 (&corner)[3], double (&barycentric)[3]) {
   const Vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
   const double squaredNormal = squaredLength(normal);
   if (squaredNormal > 0) {
@@ -54,6 +54,16 @@ void closestOnTriangle(const Vec3& p, const Vec3 (&corner)[3], double (&barycent
 }
 
 }  // namespace
+
+SurfacePoint closestOnTriangle(const TriangleMesh& mesh, uint32_t t, const Vec3& point) {
+  const Vec3 corner[3] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+  SurfacePoint found;
+  found.triangle = t;
+  closestBarycentric(point, corner, found.barycentric);
+  for (int c = 0; c < 3; ++c) found.position += corner[c] * found.barycentric[c];
+  found.distance = length(found.position - point);
+  return found;
+}
 
 ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh) : mesh_(mesh), order_(mesh.triangleCount()) {
   std::iota(order_.begin(), order_.end(), 0u);
@@ -125,7 +135,7 @@ SurfacePoint ClosestPointTree::closest(const Vec3& point) const {
       const uint32_t t = order_[i];
       const Vec3 corner[3] = {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
       double barycentric[3];
-      closestOnTriangle(point, corner, barycentric);
+      closestBarycentric(point, corner, barycentric);
       const Vec3 position =
           corner[0] * barycentric[0] + corner[1] * barycentric[1] + corner[2] * barycentric[2];
       const double squared = squaredLength(point - position);

@@ -15,6 +15,9 @@ struct SurfacePoint {
   double distance = 0;
 };
 
+// The point of triangle t closest to `point`; any triangle, needles and points included.
+SurfacePoint closestOnTriangle(const TriangleMesh& mesh, uint32_t t, const Vec3& point);
+
 // Bounding volume hierarchy over the triangles of a mesh that must outlive it. Built once, queried from any
 // thread.
 class ClosestPointTree {

@@ -216,6 +216,8 @@ void lookBehindRounding(Pencil& pencil, double sigma, EigenPairs& pairs) {
 
 EigenPairs solveBySearch(const StiffnessModel& model, const EigenOptions& options, Job& job) {
   Pencil pencil(model, job);
+  // Lanczos' basis, and the found pairs a few times over while they are refined.
+  pencil.requireMemoryFor(kBasisBeyond + 5 * (options.zeroExpected + options.elasticCount + kExtraPairs));
   Search search = searchLowest(pencil, options);
   const double sigma = pencil.shift();
   addMissing(pencil, search, options.elasticCount);
@@ -250,6 +252,34 @@ EigenPairs solveSmall(const StiffnessModel& model, const EigenOptions& options, 
 EigenPairs solveEigenproblem(const StiffnessModel& model, const EigenOptions& options, Job& job) {
   const bool isSmall = (model.mass.array() > 0).count() <= kDenseLimit;
   return isSmall ? solveSmall(model, options, job) : solveBySearch(model, options, job);
+}
+
+EigenPairs refineEigenpairs(const StiffnessModel& model, const Eigen::MatrixXd& start,
+                            const RefineOptions& options, Job& job) {
+  Pencil pencil(model, job);
+  pencil.requireMemoryFor(4 * static_cast<int>(start.cols()));
+  pencil.shiftTo(options.shift);
+  job.begin(Phase::Solve);
+  Search search{Eigen::VectorXd::Zero(start.cols()), start, {}};
+  Eigen::Index zeros = 0;
+  for (int step = 0; step < options.largestStepCount; ++step) {
+    const Eigen::VectorXd before = search.lambda;
+    iterate(pencil, search);
+    zeros = zeroCount(search, options.shift);
+    const Eigen::Index count = std::min<Eigen::Index>(options.elasticCount, search.lambda.size() - zeros);
+    const double change = (search.lambda - before)
+                              .segment(zeros, count)
+                              .cwiseAbs()
+                              .cwiseQuotient(search.lambda.segment(zeros, count))
+                              .maxCoeff();
+    job.report(static_cast<double>(step + 1) / options.largestStepCount);
+    if (step > 0 && change < options.tolerance) break;
+  }
+  EigenPairs pairs = collect(search, zeros, options.elasticCount);
+  pairs.factorNonzeros = pencil.factorNonzeros();
+  for (Eigen::Index k = 0; k < pairs.lambda.size(); ++k)
+    pairs.residual.push_back(pencil.residual(pairs.lambda[k], pairs.phi.col(k)));
+  return pairs;
 }
 
 }  // namespace limber

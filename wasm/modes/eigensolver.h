@@ -38,4 +38,17 @@ struct EigenPairs {
 // above 1e-2.
 EigenPairs solveEigenproblem(const StiffnessModel& model, const EigenOptions& options, Job& job);
 
+struct RefineOptions {
+  double shift = -1;        // < 0, of the size of the first elastic eigenvalue
+  double tolerance = 1e-4;  // on the relative change of the wanted eigenvalues in a step
+  int elasticCount = 12;
+  int largestStepCount = 4;
+};
+
+// Block inverse iteration from `start` (unknowns x columns, the zero modes among them; massless unknowns may
+// be 0), until the eigenvalues stand. It needs one factorisation and finds what `start` approximates; nothing
+// proves that no pair is missing. Residuals are what they are: not those of an exact solve. Throws Cancelled.
+EigenPairs refineEigenpairs(const StiffnessModel& model, const Eigen::MatrixXd& start,
+                            const RefineOptions& options, Job& job);
+
 }  // namespace limber

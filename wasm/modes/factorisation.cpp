@@ -275,6 +275,23 @@ uint64_t Factorisation::nonzeros() const {
   return sum;
 }
 
+// The updates of a whole task may wait at once, on each thread; more do not.
+uint64_t Factorisation::memory() const {
+  const auto updateBytes = [&](uint32_t f) {
+    return sizeof(double) * uint64_t{fronts_[f].boundaryCount} * fronts_[f].boundaryCount;
+  };
+  uint64_t largestTask = 0, waiting = 0;
+  for (const Task& task : tasks_) {
+    uint64_t inside = 0;
+    for (uint32_t f = task.firstFront; f <= task.root; ++f) inside = std::max(inside, 3 * updateBytes(f));
+    largestTask = std::max(largestTask, inside);
+    waiting += updateBytes(task.root);
+  }
+  for (uint32_t f : top_) largestTask = std::max(largestTask, 2 * updateBytes(f));
+  return sizeof(double) * (valueCount_ + slotCount_ + model_.unknownCount()) + waiting +
+         static_cast<uint64_t>(threadCount()) * largestTask;
+}
+
 double Factorisation::work() const {
   double sum = 0;
   for (const Front& front : fronts_) sum += front.work;

@@ -30,6 +30,9 @@ class Factorisation {
   uint32_t negativePivots() const;
   // Entries of L below and on the diagonal, stored zeros included.
   uint64_t nonzeros() const;
+  // Bytes that a factorisation takes beside the model, at its peak: L and the updates that wait for their
+  // parents.
+  uint64_t memory() const;
   // Multiplications of one factorisation, about.
   double work() const;
 

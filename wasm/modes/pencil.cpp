@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/memory.h"
 #include "modes/extended_residual.h"
 
 namespace limber {
@@ -10,6 +11,11 @@ Pencil::Pencil(const StiffnessModel& model, Job& job) : model_(model), factorisa
   for (Eigen::Index i = 0; i < model.mass.size(); ++i)
     if (model.mass[i] > 0) heavy_.push_back(i);
   rootMass_ = model.mass(heavy_).cwiseSqrt();
+}
+
+void Pencil::requireMemoryFor(int vectorCount) const {
+  const uint64_t vectors = sizeof(double) * model_.unknownCount() * static_cast<uint64_t>(vectorCount);
+  requireMemory(factorisation_.memory() + vectors, "Solving this mesh as it is");
 }
 
 void Pencil::shiftTo(double sigma) {

@@ -41,6 +41,8 @@ class Pencil {
   Eigen::MatrixXd massProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const;
 
   Eigen::Index heavyCount() const { return rootMass_.size(); }
+  // Throws std::runtime_error where a factorisation and `vectorCount` vectors of all unknowns would not fit.
+  void requireMemoryFor(int vectorCount) const;
   uint64_t factorNonzeros() const { return factorisation_.nonzeros(); }
   Job& job() const { return job_; }
 

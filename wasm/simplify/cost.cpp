@@ -23,7 +23,10 @@ double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
 
 CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const Guidance& guidance,
                      const SimplifyOptions& options)
-    : mesh_(mesh), lengthScale_(kFrameDiagonal / mesh.diagonal()), guidance_(guidance) {
+    : mesh_(mesh),
+      lengthScale_(kFrameDiagonal / mesh.diagonal()),
+      sizeWeight_(kShortness + options.sizeWeight),
+      guidance_(guidance) {
   lengthScale_ *= lengthScale_;
   collectQuadrics();
   if (options.method == Method::Qem) return;
@@ -86,7 +89,7 @@ Placement CostModel::place(uint32_t edge) const {
   const Quadric sum = quadrics_[a] + quadrics_[b];
   const auto at = [&](const Vec3& target) {
     return Placement{target,
-                     lengthScale_ * (normalizedError(sum, target) + kShortness * squaredLength(q - p))};
+                     lengthScale_ * (normalizedError(sum, target) + sizeWeight_ * squaredLength(q - p))};
   };
   const bool aOnBorder = mesh_.freedom(a) == Freedom::Border, bOnBorder = mesh_.freedom(b) == Freedom::Border;
   if (aOnBorder != bOnBorder) return at(mesh_.stored(aOnBorder ? p : q));

@@ -27,7 +27,7 @@ struct Placement {
 // units; the frame fixes them.
 // Where planes leave the order open (flat faces, straight creases), E_QEM would be rounding noise; a term of
 // kShortness times the squared length of the edge, far below what float32 coordinates show, takes shorter
-// edges first there.
+// edges first there; the size weight adds to it.
 class CostModel {
  public:
   // Keeps references to all of them. Works on many edges: reports to `job`.
@@ -58,6 +58,7 @@ class CostModel {
 
   const CollapseMesh& mesh_;
   double lengthScale_;  // squared lengths of the mesh -> of the frame whose diagonal is 300
+  double sizeWeight_;   // of the squared length of an edge
   std::vector<Quadric> quadrics_;
 
   double strainWeight_ = 0, curvatureWeight_ = 0, qualityWeight_ = 0;

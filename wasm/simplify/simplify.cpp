@@ -44,6 +44,7 @@ class Simplification {
         heap_(mesh_.edgeCount()),
         hasRefused_(mesh_.vertexCount(), 0),
         revaluedAt_(costs_.dependsOnSurroundings() ? mesh_.edgeCount() : 0, kNone),
+        stopFaces_(options.stopFaces),
         job_(job) {
     history_.vertexCount = input.vertexCount();
     history_.triangleCount = input.triangleCount();
@@ -52,12 +53,13 @@ class Simplification {
   History run() {
     queueAll();
     do {
-      while (!heap_.empty()) tryCheapest();
-    } while (queueWhatIsLegal());
+      while (!heap_.empty() && !isDone()) tryCheapest();
+    } while (!isDone() && queueWhatIsLegal());
     return std::move(history_);
   }
 
  private:
+  bool isDone() const { return mesh_.triangleCount() <= stopFaces_; }
   void queueAll();
   void tryCheapest();
   bool queueWhatIsLegal();
@@ -74,6 +76,7 @@ class Simplification {
   EdgeHeap heap_;
   std::vector<uint8_t> hasRefused_;   // per vertex: an edge of it may have been refused since the last retry
   std::vector<uint32_t> revaluedAt_;  // per edge: the collapse after which it got its last cost
+  uint32_t stopFaces_;
   Job& job_;
   History history_;
 };

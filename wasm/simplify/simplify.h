@@ -15,6 +15,8 @@ struct SimplifyOptions {
   double strainWeight = 0;     // alpha of Eq. 11
   double curvatureWeight = 0;  // beta
   double qualityWeight = 0;    // gamma
+  double sizeWeight = 0;       // of an edge's squared length beside E_QEM: 0.003 keeps triangles even
+  uint32_t stopFaces = 0;      // stops as soon as no more are left
 };
 
 // What guides `paper`; `qem` ignores both. Empty spans count as 0 everywhere.
@@ -23,12 +25,13 @@ struct Guidance {
   std::span<const float> curvature;  // per vertex, in [0, 1]: mean curvature over its maximum
 };
 
-// Collapses edges, cheapest first, until no legal edge is left, and records every step.
-// qem: area-weighted normalised plane quadrics with border quadrics (Garland 1999). paper: Eq. 11 with E_QEM
-// in a frame whose bounding diagonal is 300 (Eq. 11 carries no length; see docs/paper.md). Legal: the link
-// condition holds (components, boundary loops and genus stay), no face turns over, non-manifold edges and
-// vertices stay untouched. A refused edge is tried again when its surroundings change. Ties go to the lower
-// vertex indices. Throws Cancelled, and std::invalid_argument where a guidance field has the wrong size.
+// Collapses edges, cheapest first, until no legal edge is left or `stopFaces` are reached, and records every
+// step. qem: area-weighted normalised plane quadrics with border quadrics (Garland 1999). paper: Eq. 11 with
+// E_QEM in a frame whose bounding diagonal is 300 (Eq. 11 carries no length; see docs/paper.md). Legal: the
+// link condition holds (components, boundary loops and genus stay), no face turns over, non-manifold edges
+// and vertices stay untouched. A refused edge is tried again when its surroundings change. Ties go to the
+// lower vertex indices. Throws Cancelled, and std::invalid_argument where a guidance field has the wrong
+// size.
 History simplify(const TriangleMesh& mesh, const Guidance& guidance, const SimplifyOptions& options,
                  Job& job);
 

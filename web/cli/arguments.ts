@@ -1,6 +1,7 @@
 /** The words of a command line as a command with its operands, settings and flags. */
 
 import { parseArgs } from 'node:util';
+import { MATERIALS, MATERIAL_NAMES } from '../engine/materials';
 import { OPTIONS, checkSettings, defaultSettings } from '../engine/options';
 import type { OptionSpec, Settings } from '../engine/options';
 import { UsageError } from './failure';
@@ -128,7 +129,7 @@ function checkOperands(command: Command, operands: string[]): void {
 }
 
 function readSettings(command: Command, values: Map<string, string>): Settings {
-  const settings = { ...defaultSettings(), ...COMMAND_SPECS[command].defaults };
+  const settings = { ...defaultSettings(), ...COMMAND_SPECS[command].defaults, ...readPreset(values) };
   const keys: (keyof Settings)[] = [
     ...settingsOf(command),
     ...(command === 'compare' ? ['modeCount' as const] : []),
@@ -137,14 +138,25 @@ function readSettings(command: Command, values: Map<string, string>): Settings {
     const text = values.get(OPTIONS[key].flag);
     if (text !== undefined) Object.assign(settings, { [key]: readSetting(OPTIONS[key], text) });
   }
-  if (command === 'modes' && settings.model === 'auto') settings.model = 'shell';
   checkSettings(settings);
   return settings;
 }
 
+function readPreset(values: Map<string, string>): Partial<Settings> {
+  const name = values.get('material-preset');
+  if (name === undefined) return {};
+  const known = MATERIAL_NAMES.find((candidate) => candidate === name);
+  if (!known) throw new UsageError(`--material-preset is ${name}: give one of ${MATERIAL_NAMES.join(', ')}.`);
+  return MATERIALS[known];
+}
+
 /** The value that `text` stands for; text that is no number comes back as it is, and the range check refuses it. */
 function readSetting(option: OptionSpec, text: string): unknown {
-  const isWord = option.kind === 'choice' || (option.kind === 'modes' && ['auto', 'all'].includes(text));
+  if (option.kind === 'switch') return true;
+  const isWord =
+    option.kind === 'pins' ||
+    option.kind === 'choice' ||
+    (option.kind === 'modes' && ['auto', 'all'].includes(text));
   if (isWord) return text;
   const isList = option.kind === 'modes' || option.kind === 'numbers';
   return isList ? text.split(',').map(readNumber) : readNumber(text);

@@ -1,5 +1,6 @@
 /** The flags of every command: those of the settings come from the engine's options. */
 
+import { MATERIAL_NAMES } from '../engine/materials';
 import { OPTIONS } from '../engine/options';
 import type { OptionGroup, Settings } from '../engine/options';
 
@@ -29,6 +30,13 @@ const REPORT: Flag = {
   value: 'FILE|-',
   help: 'Write the JSON report to FILE, or alone to stdout.',
   group: 'output',
+};
+/** Sets the whole material; flags that name a part of it count after it. */
+const MATERIAL_PRESET: Flag = {
+  name: 'material-preset',
+  value: MATERIAL_NAMES.join('|'),
+  help: 'A whole material by name; other flags change parts of it. Default: rubber.',
+  group: 'material',
 };
 const COMMON: Flag[] = [
   REPORT,
@@ -84,7 +92,8 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
       },
       ...COMMON,
     ],
-    defaults: { model: 'shell', modes: 'all' },
+    // qem has no model of its own: `auto` stays what suits each part.
+    defaults: { modes: 'all', method: 'qem' },
   },
   compare: {
     operands: ['A', 'B'],
@@ -113,16 +122,18 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
 /** Flags and values that are planned and not there yet. */
 export const LATER_FLAGS = new Set(
   (
-    'max-deviation min-angle max-frequency-error fit size-weight direction pins exact material-preset ' +
+    'max-deviation min-angle max-frequency-error fit size-weight ' +
     'bind lods symmetry scenario material seconds substeps record'
   ).split(' '),
 );
-export const LATER_VALUES: Record<string, string[]> = { method: ['limber'], model: ['solid'] };
+export const LATER_VALUES: Record<string, string[]> = { method: ['limber'] };
 export const LATER_COMMANDS = ['simulate'];
 
 const PLACEHOLDERS: Partial<Record<keyof Settings, string>> = {
   method: 'paper|qem',
-  model: 'auto|shell|laplacian',
+  model: 'auto|shell|solid|laplacian',
+  direction: 'all|x|y|z',
+  pins: 'SPEC',
   modes: 'auto|all|K[,K...]',
   modeWeights: 'W[,W...]',
   p: 'P|inf',
@@ -144,6 +155,7 @@ export function settingsOf(command: Command): (keyof Settings)[] {
 export function flagsOf(command: Command): Flag[] {
   const settings = settingsOf(command).map((key): Flag => {
     const { flag, help, group } = OPTIONS[key];
+    if (OPTIONS[key].kind === 'switch') return { name: flag, help, group };
     return {
       name: flag,
       value: PLACEHOLDERS[key] ?? 'N',
@@ -151,12 +163,13 @@ export function flagsOf(command: Command): Flag[] {
       group,
     };
   });
-  return [...COMMAND_SPECS[command].flags, ...settings];
+  const preset = COMMAND_SPECS[command].groups.includes('material') ? [MATERIAL_PRESET] : [];
+  return [...COMMAND_SPECS[command].flags, ...settings, ...preset];
 }
 
 function defaultNote(command: Command, key: keyof Settings): string {
   const value = COMMAND_SPECS[command].defaults[key] ?? OPTIONS[key].default;
-  return Array.isArray(value)
+  return Array.isArray(value) || value === ''
     ? ''
     : ` Default: ${String(value)}${OPTIONS[key].unit ? ` ${OPTIONS[key].unit}` : ''}.`;
 }

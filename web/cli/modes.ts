@@ -3,12 +3,12 @@
 import { basename } from 'node:path';
 import { droppedByExport, exportGlb } from '../engine/document/export';
 import { shapeTargets } from '../engine/document/shapes';
-import { describeResiduals } from '../engine/health';
-import { resolveModel, resolveModes } from '../engine/options';
-import { describeSize } from '../engine/health';
+import { describeSize, describeSolve } from '../engine/health';
+import { resolveModes } from '../engine/options';
 import { exportedMesh, findModes, materialOf, startStopwatch } from '../engine/pipeline';
 import type { PreparedBody } from '../engine/pipeline';
 import type { ModeSet } from '../engine/core';
+import { findPins } from '../engine/pins';
 import { modesReport, startReport } from '../engine/report';
 import type { Report } from '../engine/report';
 import type { Arguments } from './arguments';
@@ -34,7 +34,8 @@ export async function runModes(args: Arguments): Promise<number> {
   const weld = stopwatch();
   const sets = prepared.map((body) => {
     session.activity = body?.body.name ?? '';
-    return body ? findModes(session.core, body, settings) : null;
+    if (!body) return null;
+    return findModes(session.core, body, settings, findPins(settings.pins, model.document, body));
   });
   const solved = stopwatch();
   if (args.shapes !== null) {
@@ -43,16 +44,14 @@ export async function runModes(args: Arguments): Promise<number> {
     const dropped = droppedByExport(model);
     if (dropped.length > 0) session.warnings.push(`${args.shapes} leaves out ${dropped.join(', ')}`);
   }
+  const { method: _, ...motion } = settings;
   const used = {
-    ...settings,
-    model: resolveModel(settings),
+    ...motion,
     ...(args.mesh !== null ? { mesh: args.mesh } : {}),
   };
   const report = startReport(session.core, 'modes', used, usable(prepared));
-  const found = sets.filter((set) => set !== null).map((modes) => ({ modes, model: resolveModel(settings) }));
-  Object.assign(report, modesReport(found));
-  const doubt = describeResiduals(report.modes ?? []);
-  if (doubt) session.warnings.push(doubt);
+  Object.assign(report, modesReport(sets.filter((set) => set !== null)));
+  session.warnings.push(...describeSolve(report.modes!, report.solve!.coarseVertices ?? 0));
   report.timings = { load, weld, modes: solved, export: stopwatch(), total: total() };
   finish(session, report, modesText(args, report));
   return EXIT.done;
@@ -69,10 +68,21 @@ function modesText(
   { modes, components, zeroModes, model, timings }: Report,
 ): string {
   const isNominal = model === 'laplacian';
+  const isAlong = modes!.some(({ along }) => along !== undefined);
   const many = components!.length > 1;
-  const header = ['mode', 'frequency', 'omega', 'residual', ...(many ? ['part'] : [])];
-  const rows = modes!.map(({ name, frequency, omega, residual, component }) => [
+  const header = [
+    'mode',
+    'name',
+    ...(isAlong ? ['along'] : []),
+    'frequency',
+    'omega',
+    'residual',
+    ...(many ? ['part'] : []),
+  ];
+  const rows = modes!.map(({ name, along, frequency, omega, residual, component }, i) => [
+    String(i + 1),
     name,
+    ...(isAlong ? [`${along} axis`] : []),
     `${frequency.toPrecision(4)} Hz`,
     `${omega.toPrecision(4)} rad/s`,
     residual.toExponential(1),

@@ -2,7 +2,8 @@
 
 import { basename } from 'node:path';
 import { droppedByExport, exportGlb } from '../engine/document/export';
-import { describeResiduals } from '../engine/health';
+import { describeSolve } from '../engine/health';
+import { findPins } from '../engine/pins';
 import { resolveModel, resolveModes } from '../engine/options';
 import { exportedBody, optimizeBody, startStopwatch } from '../engine/pipeline';
 import type { OptimizedBody, PreparedBody, Timings } from '../engine/pipeline';
@@ -38,7 +39,8 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const optimized = prepared.map((body, i) => {
     if (!body) return null;
     session.activity = body.body.name;
-    return optimizeBody(session.core, body, args.settings, targets[i]);
+    const pinned = findPins(args.settings.pins, model.document, body);
+    return optimizeBody(session.core, body, args.settings, { targetFaces: targets[i], pinned });
   });
   const done = optimized.filter((body) => body !== null);
   stopwatch();
@@ -51,8 +53,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
   if (dropped.length > 0) session.warnings.push(`${output} leaves out ${dropped.join(', ')}`);
   const report = startReport(session.core, 'optimize', optionsAsUsed(args), usable(prepared));
   fillReport(report, done);
-  const doubt = describeResiduals(report.modes ?? []);
-  if (doubt) session.warnings.push(doubt);
+  session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0));
   report.timings = { load, weld, ...sumTimings(done), export: stopwatch(), total: total() };
   const missed = report.stop!.reason === 'exhausted' ? describeMiss(done) : '';
   finish(session, report, summaryLine(args, done, report.timings.total), missed);
@@ -84,7 +85,7 @@ function shareTargets({ faces, ratio }: Arguments, bodies: (PreparedBody | null)
 
 function fillReport(report: Report, done: OptimizedBody[]): void {
   report.output = meshReport(done.map(({ measured }) => measured));
-  const sets = done.flatMap(({ modes, model }) => (modes && model ? [{ modes, model }] : []));
+  const sets = done.flatMap(({ modes }) => modes ?? []);
   if (sets.length > 0) Object.assign(report, modesReport(sets));
   report.surface = worstSurface(done.map(({ measured }) => measured.distance));
   report.stop = stopReport(done.map(stopOf));

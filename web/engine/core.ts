@@ -47,10 +47,20 @@ export interface Inspection {
   orientationClashes: number;
 }
 
-export type Model = 'laplacian' | 'shell';
+export type Model = 'laplacian' | 'shell' | 'solid';
+
+/** `local`: less than a tenth of the surface takes part; see wasm/modes/mode_character.h for the rule. */
+export type ModeName = 'bend' | 'twist' | 'stretch' | 'breathe' | 'local';
 
 export interface ModesOptions {
-  model: Model;
+  /** 'auto': solid for closed parts, shell for others */
+  model: Model | 'auto';
+  /** laplacian: 0 x, 1 y, 2 z; -1: every mode along each principal axis in turn */
+  direction: number;
+  /** vertices that are held in place */
+  pinned: Uint32Array;
+  /** false: shells of more than 8,000 vertices are solved on a decimated copy and refined */
+  exact: boolean;
   /** elastic modes per component */
   modeCount: number;
   /** in units of the mesh */
@@ -75,10 +85,16 @@ export interface Mode {
   layer: number;
   /** laplacian: the principal axis it moves along, 0 shortest .. 2 longest; otherwise -1 */
   axis: number;
+  name: ModeName;
 }
 
 export interface ComponentModes {
   faces: number;
+  model: Model;
+  /** the component whose modes it takes part in: itself, but for a cavity of a solid */
+  host: number;
+  /** of the copy that was solved in its place; 0: solved as it is */
+  coarseVertices: number;
   zeroModesExpected: number;
   zeroModesFound: number;
   modeCount: number;
@@ -237,7 +253,7 @@ export interface Core {
   job: Int32Array | null;
   weld(positions: Float32Array, indices: Uint32Array, options: WeldOptions): WeldResult;
   inspect(mesh: TriangleMesh): Inspection;
-  computeModes(mesh: TriangleMesh, options: ModesOptions): ModeSet;
+  findModes(mesh: TriangleMesh, options: ModesOptions): ModeSet;
   strainGuidance(mesh: TriangleMesh, modes: ModeSet, options: GuidanceOptions): StrainGuidance;
   meanCurvature(mesh: TriangleMesh): Curvature;
   /** strain: rank per triangle; curvature: per vertex, over its maximum; empty arrays count as 0 */

@@ -52,9 +52,15 @@ export function describeSize(metres: number): string {
 /** Residuals above this are worth a word. */
 const GOOD_RESIDUAL = 1e-7;
 
-/** What to say of modes whose residual is large; null where all are good. */
-export function describeResiduals(modes: { residual: number }[]): string | null {
+/** What to say of how modes were found, a clause each: a coarse copy, or large residuals. */
+export function describeSolve(modes: { residual: number }[], coarseVertices: number): string[] {
+  if (coarseVertices > 0)
+    return [
+      `the modes come from a copy with ${counted(coarseVertices, 'vertex', 'vertices')} (--exact solves the mesh itself)`,
+    ];
   const worst = modes.reduce((largest, { residual }) => Math.max(largest, residual), 0);
-  if (worst <= GOOD_RESIDUAL) return null;
-  return `the largest residual of the modes is ${worst.toExponential(1)}: needle triangles leave their last digits to rounding`;
+  if (worst <= GOOD_RESIDUAL) return [];
+  return [
+    `the largest residual of the modes is ${worst.toExponential(1)}: needle triangles leave their last digits to rounding`,
+  ];
 }

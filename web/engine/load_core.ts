@@ -26,7 +26,7 @@ type CreateModule = (options: {
 const FUNCTIONS: readonly (keyof CoreFunctions)[] = [
   'weld',
   'inspect',
-  'computeModes',
+  'findModes',
   'strainGuidance',
   'meanCurvature',
   'simplify',

@@ -1,6 +1,7 @@
 /** Whether a value is one that a setting allows, and the sentence where it is not. */
 
 import type { OptionSpec, Settings } from './options';
+import { parsePins } from './pins';
 
 /** `range` in words: "a number from 0 to 1". */
 function describeRange(option: OptionSpec): string {
@@ -8,12 +9,14 @@ function describeRange(option: OptionSpec): string {
   const noun = kind === 'integer' || kind === 'modes' ? 'a whole number' : 'a number';
   const range = max === Infinity ? `${noun} of at least ${min}, or inf` : `${noun} from ${min} to ${max}`;
   if (kind === 'choice') return `one of ${option.choices!.join(', ')}`;
+  if (kind === 'switch') return 'true or false';
   if (kind === 'modes') return `auto, all, or numbers from ${min} to ${max} with commas`;
   return kind === 'numbers' ? `numbers from ${min} to ${max} with commas` : range;
 }
 
 /** Throws one sentence that names the flag, its range and its default. */
 export function checkOption(option: OptionSpec, value: Settings[keyof Settings]): void {
+  if (option.kind === 'pins') parsePins(String(value));
   if (isAllowed(option, value)) return;
   const shown = Array.isArray(value) ? value.join(',') || 'an empty list' : String(value);
   throw new Error(
@@ -29,6 +32,8 @@ function describeDefault(option: OptionSpec): string {
 function isAllowed(option: OptionSpec, value: Settings[keyof Settings]): boolean {
   const { kind, choices } = option;
   if (kind === 'choice') return choices!.includes(String(value));
+  if (kind === 'pins') return typeof value === 'string';
+  if (kind === 'switch') return typeof value === 'boolean';
   if (kind === 'modes' && (value === 'auto' || value === 'all')) return true;
   const entries: unknown[] = Array.isArray(value) ? value : [value];
   const isList = kind === 'modes' || kind === 'numbers';

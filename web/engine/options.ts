@@ -21,6 +21,12 @@ export interface Settings {
   /** p of Eq. 6, in [1, Infinity] */
   p: number;
   strainThreshold: number;
+  /** laplacian: the axis that modes move along; 'all': each principal axis in turn */
+  direction: 'all' | 'x' | 'y' | 'z';
+  /** what is held in place, see pins.ts; '' for nothing */
+  pins: string;
+  /** solve large shells as they are, not on a decimated copy */
+  exact: boolean;
   /** alpha of Eq. 11 */
   strainWeight: number;
   /** beta of Eq. 11 */
@@ -46,9 +52,9 @@ export type OptionGroup = 'method' | 'motion' | 'material' | 'common';
 
 /**
  * How a setting is written: `choice` one of `choices`; `integer` and `number` within [min, max]; `modes` auto, all or a
- * list of integers; `numbers` a list within [min, max] each.
+ * list of integers; `numbers` a list within [min, max] each; `pins` as pins.ts says; `switch` on or off.
  */
-export type OptionKind = 'choice' | 'integer' | 'number' | 'modes' | 'numbers';
+export type OptionKind = 'choice' | 'integer' | 'number' | 'modes' | 'numbers' | 'pins' | 'switch';
 
 export interface OptionSpec {
   /** without the dashes */
@@ -123,10 +129,10 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     label: 'Model',
     ...none,
     default: 'auto',
-    help: 'What resists deformation: shell (membrane and bending), laplacian (unit springs), or auto.',
+    help: 'What resists deformation: shell (membrane and bending), solid (the inside), laplacian (unit springs), or auto: solid where a part is closed, shell where it is open; laplacian for the paper.',
     group: 'motion',
     kind: 'choice',
-    choices: ['auto', 'shell', 'laplacian'],
+    choices: ['auto', 'shell', 'solid', 'laplacian'],
   },
   modeCount: {
     flag: 'modes',
@@ -184,6 +190,34 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     help: 'Strain ranks below this do not count.',
     group: 'motion',
     kind: 'number',
+  },
+  direction: {
+    flag: 'direction',
+    label: 'Direction',
+    ...none,
+    default: 'all',
+    help: 'Laplacian only: the axis that the modes move along, x, y or z; all takes each principal axis in turn.',
+    group: 'motion',
+    kind: 'choice',
+    choices: ['all', 'x', 'y', 'z'],
+  },
+  pins: {
+    flag: 'pins',
+    label: 'Held in place',
+    ...none,
+    default: '',
+    help: 'What is held in place: low:PCT, high:PCT (ends of the longest axis), box:x0,y0,z0,x1,y1,z1, attribute:NAME, vertices:i,j, joined by +.',
+    group: 'motion',
+    kind: 'pins',
+  },
+  exact: {
+    flag: 'exact',
+    label: 'Solve the mesh itself',
+    ...none,
+    default: false,
+    help: 'Solve shells of more than 8,000 vertices as they are, not by way of a decimated copy.',
+    group: 'motion',
+    kind: 'switch',
   },
   young: {
     flag: 'young',
@@ -300,12 +334,10 @@ export function checkSettings(settings: Settings): void {
     );
 }
 
-/**
- * The model that guides: as asked; otherwise the paper's own for the paper's method, and a shell.
- */
-export function resolveModel(settings: Settings): Model {
+/** The model that guides: as asked; otherwise the paper's own for the paper's method, and what suits each part. */
+export function resolveModel(settings: Settings): 'auto' | Model {
   if (settings.model !== 'auto') return settings.model;
-  return settings.method === 'paper' ? 'laplacian' : 'shell';
+  return settings.method === 'paper' ? 'laplacian' : 'auto';
 }
 
 /** The elastic modes that guide, from 1: `auto` is the first for the paper's method and otherwise the first six. */

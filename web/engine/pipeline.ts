@@ -9,7 +9,6 @@ import type {
   History,
   Inspection,
   MeshAt,
-  Model,
   ModeSet,
   Quality,
   StrainGuidance,
@@ -73,9 +72,8 @@ export interface Timings {
 
 export interface OptimizedBody {
   prepared: PreparedBody;
-  /** both null for a method that needs none */
+  /** null for a method that needs none */
   modes: ModeSet | null;
-  model: Model | null;
   guidance: StrainGuidance | null;
   curvature: Curvature;
   history: History;
@@ -103,12 +101,23 @@ export function prepareBody(core: Core, body: Body, settings: Settings): Prepare
   return { body, weld, mesh, diagonal: diagonalOf(mesh), inspection, quality };
 }
 
-/** Elastic modes of every component, with the material of `settings` on the body in its first node's scale. */
-export function findModes(core: Core, prepared: PreparedBody, settings: Settings): ModeSet {
-  const { modeCount } = settings;
-  return core.computeModes(prepared.mesh, {
+/**
+ * Elastic modes of every component, with the material of `settings` on the body in its first node's scale. `pinned`:
+ * vertices of the prepared mesh, see `findPins`.
+ */
+export function findModes(
+  core: Core,
+  prepared: PreparedBody,
+  settings: Settings,
+  pinned: Uint32Array = new Uint32Array(),
+): ModeSet {
+  const { modeCount, direction, exact } = settings;
+  return core.findModes(prepared.mesh, {
     model: resolveModel(settings),
     modeCount,
+    direction: ['x', 'y', 'z'].indexOf(direction),
+    pinned,
+    exact,
     ...materialOf(prepared, settings),
   });
 }
@@ -196,16 +205,16 @@ export function compareTopology(before: Inspection, after: Inspection): Certific
   return { components, boundaryLoops, genus, kept: components && boundaryLoops && genus };
 }
 
-/** Everything in order. `target` says how many of the usable faces may stay. */
+/** Everything in order. `targetFaces` says how many of the usable faces may stay. */
 export function optimizeBody(
   core: Core,
   prepared: PreparedBody,
   settings: Settings,
-  targetFaces: number,
+  { targetFaces, pinned }: { targetFaces: number; pinned?: Uint32Array },
 ): OptimizedBody {
   const stopwatch = startStopwatch();
   const needsModes = settings.method !== 'qem';
-  const modes = needsModes ? findModes(core, prepared, settings) : null;
+  const modes = needsModes ? findModes(core, prepared, settings, pinned) : null;
   const modesTime = stopwatch();
   const guidance = modes ? findGuidance(core, prepared, modes, settings) : null;
   const curvature = core.meanCurvature(prepared.mesh);
@@ -216,8 +225,7 @@ export function optimizeBody(
   const reduce = stopwatch();
   const measured = measureResult(core, prepared, result);
   const timings = { weld: 0, modes: modesTime, fields, simplify, reduce, measure: stopwatch() };
-  const model = needsModes ? resolveModel(settings) : null;
-  return { prepared, modes, model, guidance, curvature, history, targetFaces, result, measured, timings };
+  return { prepared, modes, guidance, curvature, history, targetFaces, result, measured, timings };
 }
 
 /** What `exportGlb` wants to know of a result. Fields go from triangles to vertices as means over the input's faces. */

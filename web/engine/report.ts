@@ -11,12 +11,14 @@ import type {
   Fidelity,
   Inspection,
   Model,
+  ModeName,
   ModeSet,
   Quality,
   Refused,
   SurfaceDistance,
   WeldResult,
 } from './core';
+import { coarseVerticesOf } from './mode_set';
 import { VERSION } from './version';
 
 export interface Report {
@@ -35,11 +37,20 @@ export interface Report {
   zeroModes?: ZeroModes;
   /** elastic ones, ascending */
   modes?: ModeReport[];
-  solve?: { exact: boolean; factorNonzeros: number };
+  solve?: SolveReport;
   surface?: SurfaceDistance;
   fidelity?: Fidelity;
   stop?: StopReport;
   timings: Record<string, number>;
+}
+
+export interface SolveReport {
+  /** no part was solved by way of a coarse copy */
+  exact: boolean;
+  /** of the largest coarse copy; absent where exact */
+  coarseVertices?: number;
+  /** of the largest factor L */
+  factorNonzeros: number;
 }
 
 export interface MeshReport {
@@ -79,8 +90,10 @@ export interface ModeReport {
   /** Hz */
   frequency: number;
   residual: number;
-  name: string;
+  name: ModeName;
   component: number;
+  /** laplacian: which principal axis it moves along */
+  along?: string;
   /** the model has no physical frequencies: these are only in proportion */
   nominal?: true;
 }
@@ -154,39 +167,48 @@ function angles(bodies: InspectedBody[]): Pick<MeshReport, 'minAngle' | 'meanMin
 }
 
 /** The keys about vibration: model, components, zeroModes, modes, solve. */
-export function modesReport(sets: { modes: ModeSet; model: Model }[]) {
+export function modesReport(sets: ModeSet[]) {
   const components: ComponentReport[] = [];
   const modes: ModeReport[] = [];
   // One by one: a file may have more parts than a call can take arguments.
-  for (const { modes: set, model } of sets) {
+  for (const set of sets) {
     const first = components.length;
-    for (const mode of set.modes) modes.push(modeReport(mode, model, first));
-    for (const { faces, zeroModesExpected, zeroModesFound } of set.components)
+    for (const mode of set.modes) modes.push(modeReport(mode, set.components[mode.component].model, first));
+    for (const { faces, model, zeroModesExpected, zeroModesFound } of set.components)
       components.push({ faces, model, zeroModes: { expected: zeroModesExpected, found: zeroModesFound } });
   }
   modes.sort((a, b) => a.omega - b.omega || a.component - b.component);
-  const models = new Set(sets.map(({ model }) => model));
+  const models = new Set(components.map(({ model }) => model));
   return {
-    model: models.size === 1 ? sets[0].model : ('mixed' as const),
+    model: models.size === 1 ? components[0].model : ('mixed' as const),
     components,
     zeroModes: {
       expected: sum(components.map(({ zeroModes }) => zeroModes.expected)),
       found: sum(components.map(({ zeroModes }) => zeroModes.found)),
     },
     modes,
-    solve: { exact: true, factorNonzeros: Math.max(0, ...sets.map(({ modes: set }) => set.factorNonzeros)) },
+    solve: solveReport(sets),
   };
 }
 
+function solveReport(sets: ModeSet[]): SolveReport {
+  const largest = (values: number[]) => values.reduce((most, value) => Math.max(most, value), 0);
+  const coarseVertices = largest(sets.map(coarseVerticesOf));
+  const factorNonzeros = largest(sets.map((set) => set.factorNonzeros));
+  return coarseVertices > 0
+    ? { exact: false, coarseVertices, factorNonzeros }
+    : { exact: true, factorNonzeros };
+}
+
 function modeReport(mode: ModeSet['modes'][number], model: Model, firstComponent: number): ModeReport {
-  const { omega, residual, component, layer, axis } = mode;
-  const along = axis >= 0 ? `, along the ${AXES[axis]} axis` : '';
+  const { omega, residual, component, axis, name } = mode;
   return {
     omega,
     frequency: omega / (2 * Math.PI),
     residual,
-    name: `mode ${layer + 1}${along}`,
+    name,
     component: firstComponent + component,
+    ...(axis >= 0 ? { along: AXES[axis] } : {}),
     ...(model === 'laplacian' ? { nominal: true as const } : {}),
   };
 }

@@ -6,7 +6,7 @@ import { STRIP } from '../worker/protocol';
 import type { ModesResult } from '../worker/protocol';
 import { colourAt } from '../viewer/colours';
 import { THUMBNAIL, Thumbnails } from '../viewer/thumbnails';
-import { chooseMode, guidingModes, shownModel } from './motion_panel';
+import { chooseMode, guidingModes, isNominal } from './motion_panel';
 import { count } from './controls';
 
 const AXES = ['across, thin', 'across, wide', 'along'];
@@ -53,7 +53,7 @@ function ModeCard({ layer, modes }: { layer: number; modes: ModesResult }) {
   const own = modes.modes.filter((mode) => mode.layer === layer);
   const isChosen = guidingModes().includes(layer + 1);
   const frequency = own.length > 0 ? own[0].omega / (2 * Math.PI) : 0;
-  const nominal = shownModel() === 'laplacian';
+  const nominal = isNominal();
   const axis = own[0]?.axis ?? -1;
   const words = [axis >= 0 ? AXES[axis] : '', own.length > 1 ? `${count(own.length)} parts` : '']
     .filter(Boolean)
@@ -69,7 +69,9 @@ function ModeCard({ layer, modes }: { layer: number; modes: ModesResult }) {
         <canvas width={2 * THUMBNAIL.width} height={2 * THUMBNAIL.height} aria-hidden="true" />
         <span class="strip" aria-hidden="true" style={{ background: stripGradient(modes.strips, layer) }} />
         <span class="caption">
-          <span>Mode {layer + 1}</span>
+          <span>
+            {layer + 1} {own[0]?.name ?? ''}
+          </span>
           <span
             class="muted"
             title={

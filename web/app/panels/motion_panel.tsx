@@ -1,19 +1,25 @@
 /** Step 2: how the body bends, and which of its modes count. */
 
-import { describeResiduals } from '../../engine/health';
+import { describeSolve } from '../../engine/health';
+import { coarseVerticesOf } from '../../engine/mode_set';
 import { resolveModel, resolveModes } from '../../engine/options';
 import type { Settings } from '../../engine/options';
 import { changeSettings, results, view, wants } from '../state/store';
 import { Choice, Range, Section, SettingRange, Toggle } from './controls';
 
 const MODELS: { value: Settings['model']; text: string; title: string }[] = [
-  { value: 'auto', text: 'Auto', title: "The paper's Laplacian for its method, otherwise a shell" },
+  {
+    value: 'auto',
+    text: 'Auto',
+    title: "The paper's Laplacian for its method, otherwise solid where closed and shell where open",
+  },
   {
     value: 'laplacian',
     text: 'Laplacian',
     title: 'Unit springs along the edges: smooth, nominal frequencies',
   },
   { value: 'shell', text: 'Shell', title: 'A thin sheet that stretches and bends: physical frequencies' },
+  { value: 'solid', text: 'Solid', title: 'A body filled with material: closed parts only' },
 ];
 
 export function MotionPanel() {
@@ -73,12 +79,9 @@ function ZeroModes() {
   const total = (key: 'zeroModesExpected' | 'zeroModesFound') =>
     modes.components.reduce((sum, component) => sum + component[key], 0);
   const [expected, found] = [total('zeroModesExpected'), total('zeroModesFound')];
-  const doubt = describeResiduals(modes.modes);
-  return (
-    <p class={expected === found && !doubt ? 'hint' : 'hint warning'}>
-      {found} rigid motions found, {expected} expected{doubt && `; ${doubt}`}.
-    </p>
-  );
+  const notes = describeSolve(modes.modes, coarseVerticesOf(modes));
+  const text = [`${found} rigid motions found, ${expected} expected`, ...notes].join('; ');
+  return <p class={expected === found && notes.length === 0 ? 'hint' : 'hint warning'}>{text}.</p>;
 }
 
 /** The guiding modes, from 1. */
@@ -94,4 +97,5 @@ export function chooseMode(mode: number, blend: boolean): void {
   if (next.length > 0) changeSettings({ modes: next, modeWeights: [] });
 }
 
-export const shownModel = (): string => resolveModel(wants.settings.value);
+/** Whether frequencies are only in proportion. */
+export const isNominal = (): boolean => resolveModel(wants.settings.value) === 'laplacian';

@@ -6,11 +6,14 @@ import type { Settings } from '../../engine/options';
 export const prepareKey = ({ weld }: Settings): string => `${weld}`;
 
 export function modesKey(settings: Settings): string {
-  const { modeCount, young, poisson, density, thickness, unit } = settings;
+  const { modeCount, direction, pins, exact, young, poisson, density, thickness, unit } = settings;
   return [
     prepareKey(settings),
     resolveModel(settings),
     modeCount,
+    direction,
+    pins,
+    exact,
     young,
     poisson,
     density,

@@ -2,8 +2,8 @@
 
 import type { Core, Curvature, History, MeshAt, ModeSet, StrainGuidance } from '../../engine/core';
 import type { OpenModel } from '../../engine/document/open';
-import { resolveModel } from '../../engine/options';
 import type { Settings } from '../../engine/options';
+import { findPins } from '../../engine/pins';
 import {
   buildHistory,
   findGuidance,
@@ -51,9 +51,11 @@ export class BodyStages {
   }
 
   modes(settings: Settings): ModeSet {
-    return this.modesStage.get(modesKey(settings), () =>
-      findModes(this.core, this.prepared(settings), settings),
-    );
+    return this.modesStage.get(modesKey(settings), () => {
+      const prepared = this.prepared(settings);
+      const pinned = findPins(settings.pins, this.model.document, prepared);
+      return findModes(this.core, prepared, settings, pinned);
+    });
   }
 
   guidance(settings: Settings): StrainGuidance {
@@ -92,7 +94,7 @@ export class BodyStages {
   }
 
   /** For the report: the modes that guided, where the method has any. */
-  guidingModes(settings: Settings) {
-    return settings.method === 'qem' ? null : { modes: this.modes(settings), model: resolveModel(settings) };
+  guidingModes(settings: Settings): ModeSet | null {
+    return settings.method === 'qem' ? null : this.modes(settings);
   }
 }

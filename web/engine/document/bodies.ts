@@ -67,8 +67,9 @@ function gather(file: string, name: string, mesh: Mesh): Gathering {
     else if (!positions?.getArray() || positions.getCount() === 0) gathering.skipped.empty += 1;
     else {
       const where = `${file}, mesh "${name}", primitive ${number}`;
-      gathering.spans.push({ primitive: number, first: gathering.indices.length / 3 });
+      const firstTriangle = gathering.indices.length / 3;
       const first = addPositions(gathering, positions, where);
+      gathering.spans.push({ primitive: number, first: firstTriangle, firstVertex: first });
       for (const vertex of cornersOf(primitive, positions.getCount(), where))
         gathering.indices.push(first + vertex);
     }

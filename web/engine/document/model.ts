@@ -14,6 +14,8 @@ export type Format = 'glb' | 'gltf' | 'obj' | 'stl' | 'ply';
 export interface PrimitiveSpan {
   primitive: number;
   first: number;
+  /** the body's vertex that the primitive's attributes begin at */
+  firstVertex: number;
 }
 
 /** All triangles of one mesh of the document, in its own space, as they came: not welded. */

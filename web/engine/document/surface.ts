@@ -32,7 +32,7 @@ export function modelOfSurfaces(name: string, format: Format, file: SurfaceFile)
     const primitive = document.createPrimitive().setAttribute('POSITION', positions).setIndices(indices);
     const mesh = document.createMesh(surface.name).addPrimitive(primitive);
     scene.addChild(document.createNode(surface.name).setMesh(mesh));
-    return { ...surface, mesh: index, spans: [{ primitive: 0, first: 0 }], scale: 1 };
+    return { ...surface, mesh: index, spans: [{ primitive: 0, first: 0, firstVertex: 0 }], scale: 1 };
   });
   return { name, format, document, bodies, notes: file.notes, unread: file.unread };
 }

@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "modes/mode_character.h"
+#include "modes/modes.h"
+#include "modes/pins.h"
+#include "shapes.h"
+
+namespace limber {
+namespace {
+
+TEST(Pins, leaveTheRigidMotionsThatTheyDoNotHold) {
+  EXPECT_EQ(rigidMotionsLeft({}), 6u);
+  EXPECT_EQ(rigidMotionsLeft({{1, 2, 3}}), 3u);
+  EXPECT_EQ(rigidMotionsLeft({{0, 0, 0}, {1, 1, 0}, {0.5, 0.5, 0}}), 1u);
+  EXPECT_EQ(rigidMotionsLeft({{0, 0, 0}, {1, 1, 0}, {0.5, 0.4, 0}}), 0u);
+}
+
+class PinnedSheet : public testing::TestWithParam<std::vector<uint32_t>> {};
+
+TEST_P(PinnedSheet, hasTheZeroModesThatItsPinsLeave) {
+  const TriangleMesh mesh = shapes::grid(9, 7);
+  ModesOptions options{Model::Shell, 4, 0.02, 1, 0.3, 1, 1};
+  options.pinned = GetParam();
+  Job job;
+  const ModeSet set = computeModes(mesh, options, job);
+  EXPECT_EQ(set.components[0].zeroModesFound, set.components[0].zeroModesExpected);
+  for (const Mode& mode : set.modes) EXPECT_LE(mode.residual, 1e-7);
+  for (uint32_t layer = 0; layer < 4; ++layer)
+    for (uint32_t v : options.pinned)
+      for (uint32_t c = 0; c < 3; ++c)
+        EXPECT_EQ(set.shapes[(size_t{layer} * mesh.vertexCount() + v) * 3 + c], 0.0f);
+}
+
+INSTANTIATE_TEST_SUITE_P(Corners, PinnedSheet,
+                         testing::Values(std::vector<uint32_t>{}, std::vector<uint32_t>{0},
+                                         std::vector<uint32_t>{0, 9}, std::vector<uint32_t>{0, 9, 70},
+                                         std::vector<uint32_t>{0, 1, 2, 3, 4}));
+
+TEST(PinnedModes, ofAPlateClampedAllAroundAreThoseOfTheTables) {
+  // One strip of cells around the unit square is pinned with it, which holds the slope at the edge.
+  const int cells = 34;
+  TriangleMesh mesh = shapes::grid(cells, cells, cells / 32.0, cells / 32.0);
+  const double thickness = 0.01;
+  ModesOptions options{Model::Shell, 3, thickness, 1, 0.3, 1, 1};
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    const double x = mesh.positions[v].x - 1 / 32.0, y = mesh.positions[v].y - 1 / 32.0;
+    if (x < 1e-9 || y < 1e-9 || x > 1 - 1e-9 || y > 1 - 1e-9) options.pinned.push_back(v);
+  }
+  Job job;
+  const ModeSet set = computeModes(mesh, options, job);
+  // Leissa 1969: omega a^2 sqrt(rho h / D).
+  const double expected[] = {35.985, 73.394, 73.394};
+  const double scale = std::sqrt(12 * (1 - 0.09)) / thickness;
+  for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(set.modes[k].omega * scale / expected[k], 1, 0.03);
+  EXPECT_EQ(set.components[0].zeroModesExpected, 0u);
+}
+
+TEST(PinnedModes, ofALaplacianHaveNoZeroMode) {
+  const TriangleMesh mesh = shapes::grid(30, 4, 7.5, 1);
+  ModesOptions options{Model::Laplacian, 6, 0.02, 1, 0.3, 1, 1};
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    if (mesh.positions[v].x == 0) options.pinned.push_back(v);
+  Job job;
+  ModeSet set = computeModes(mesh, options, job);
+  EXPECT_EQ(set.components[0].zeroModesExpected, 0u);
+  EXPECT_EQ(set.components[0].zeroModesFound, 0u);
+  // A quarter wave, then three quarters: 1 to 3.
+  EXPECT_NEAR(set.modes[3].omega / set.modes[0].omega, 3, 0.1);
+  options.direction = 1;
+  set = computeModes(mesh, options, job);
+  EXPECT_NEAR(set.modes[1].omega / set.modes[0].omega, 3, 0.1);
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    EXPECT_EQ(set.shapes[3 * v], 0.0f);
+    EXPECT_EQ(set.shapes[3 * v + 2], 0.0f);
+  }
+}
+
+TEST(PinnedModes, ofAPartThatIsHeldWholeAreNone) {
+  const TriangleMesh sheet = shapes::grid(4, 4);
+  TriangleMesh other = sheet;
+  for (Vec3& p : other.positions) p.z += 1;
+  const TriangleMesh mesh = shapes::together(sheet, other);
+  ModesOptions options{Model::Shell, 2, 0.02, 1, 0.3, 1, 1};
+  for (uint32_t v = 0; v < sheet.vertexCount(); ++v) options.pinned.push_back(v);
+  Job job;
+  const ModeSet set = computeModes(mesh, options, job);
+  EXPECT_EQ(set.components[0].modeCount, 0u);
+  EXPECT_EQ(set.components[0].zeroModesExpected, 0u);
+  EXPECT_EQ(set.components[1].modeCount, 2u);
+  options.pinned = {1000};
+  EXPECT_THROW(computeModes(mesh, options, job), std::invalid_argument);
+}
+
+TEST(ModeNames, tellBendingTwistingStretchingBreathingAndLocalMotionApart) {
+  const TriangleMesh bar = shapes::box(4, 4, 12, 0.25);
+  const ModeObserver observer(bar);
+  const auto name = [&](const auto& field) {
+    std::vector<Vec3> shape;
+    for (const Vec3& p : bar.positions) shape.push_back(field(p - Vec3{0.5, 0.5, 1.5}));
+    return nameOf(observer.observe(shape));
+  };
+  const double k = std::numbers::pi / 3;
+  EXPECT_EQ(name([&](const Vec3& p) { return Vec3{std::cos(k * p.z), 0, -k * p.x * -std::sin(k * p.z)}; }),
+            ModeName::Bend);
+  EXPECT_EQ(name([&](const Vec3& p) { return std::sin(k * p.z) * Vec3{-p.y, p.x, 0}; }), ModeName::Twist);
+  EXPECT_EQ(name([&](const Vec3& p) {
+              return Vec3{-0.3 * k * p.x * std::cos(k * p.z), -0.3 * k * p.y * std::cos(k * p.z),
+                          std::sin(k * p.z)};
+            }),
+            ModeName::Stretch);
+  EXPECT_EQ(name([&](const Vec3& p) { return p.z > 1.4 && p.x > 0.4 ? Vec3{0, 0, 1} : Vec3{}; }),
+            ModeName::Local);
+  const TriangleMesh ball = shapes::sphere(3);
+  EXPECT_EQ(nameOf(ModeObserver(ball).observe(ball.positions)), ModeName::Breathe);
+}
+
+}  // namespace
+}  // namespace limber

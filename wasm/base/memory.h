@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+namespace limber {
+
+// Bytes that can still be taken: in WebAssembly what is left of its largest heap, natively without bound
+// unless a limit is set.
+uint64_t memoryLeft();
+
+// Caps what memoryLeft() tells; 0 takes the cap away. For tests and for callers with less to give.
+void setMemoryLimit(uint64_t bytes);
+
+// Throws std::runtime_error with one sentence where `bytes` are more than is left. `what` begins it: "The
+// exact solve". To be called before the memory is taken.
+void requireMemory(uint64_t bytes, const char* what);
+
+}  // namespace limber

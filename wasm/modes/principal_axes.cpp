@@ -1,0 +1,37 @@
+#include "modes/principal_axes.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "modes/mass.h"
+
+namespace limber {
+
+PrincipalAxes principalAxes(const TriangleMesh& mesh) {
+  const auto areas = lumpedAreas(mesh);
+  PrincipalAxes axes;
+  double total = 0;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    axes.centre += mesh.positions[v] * areas[v];
+    total += areas[v];
+  }
+  axes.centre *= 1 / total;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3 p = mesh.positions[v] - axes.centre;
+    const Eigen::Vector3d offset(p.x, p.y, p.z);
+    covariance += areas[v] * offset * offset.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d axis = solver.eigenvectors().col(k);
+    int largest = 0;
+    for (int c = 1; c < 3; ++c)
+      if (std::abs(axis[c]) > std::abs(axis[largest]) + 1e-9) largest = c;
+    const double sign = axis[largest] < 0 ? -1 : 1;
+    axes.axis[static_cast<size_t>(k)] = {sign * axis[0], sign * axis[1], sign * axis[2]};
+  }
+  return axes;
+}
+
+}  // namespace limber

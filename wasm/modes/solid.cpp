@@ -1,0 +1,69 @@
+#include "modes/solid.h"
+
+#include <algorithm>
+
+#include "modes/element_assembly.h"
+#include "modes/lattice.h"
+
+namespace limber {
+
+namespace {
+
+// Every cell has this share of a full cell's stiffness on top of its own (but no mass of it): what is empty
+// must not leave nodes loose.
+constexpr double kEmptyStiffness = 1e-7;
+
+CellMeasure fullCell() {
+  const auto along = lagrangeIntegrals(1);
+  CellMeasure full;
+  for (int q = 0; q < 27; ++q) full[q] = along[q % 3] * along[q / 3 % 3] * along[q / 9];
+  return full;
+}
+
+StiffnessModel assemble(const Lattice& lattice, double poisson, Job& job) {
+  StiffnessModel model;
+  for (uint32_t node = 0; node <= lattice.nodeCount; ++node) model.firstUnknown.push_back(3 * node);
+  model.mass = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(lattice.nodeCount));
+  const Hexahedron brick(lattice.grid.size, poisson);
+  const CellMeasure full = fullCell();
+  ElementAssembly assembly(model.firstUnknown, lattice.copyNodes, 8);
+  for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy) {
+    if (copy % 256 == 0) job.check();
+    CellMeasure held = lattice.filled[copy];
+    const auto mass = brick.mass(held);
+    for (int k = 0; k < 8; ++k)
+      model.mass.segment<3>(3 * static_cast<Eigen::Index>(lattice.copyNodes[8 * copy + k])).array() +=
+          mass[k];
+    for (int q = 0; q < 27; ++q) held[q] += kEmptyStiffness * full[q];
+    assembly.add(copy, brick.stiffness(held));
+  }
+  model.stiffness = assembly.take();
+  return model;
+}
+
+void embed(const Lattice& lattice, SolidModel& solid) {
+  for (size_t v = 0; v < lattice.points.size(); ++v) {
+    const uint32_t copy = lattice.copyOfVertex[v];
+    const Vec3& p = lattice.points[v];
+    Vec3 local;
+    for (int axis = 0; axis < 3; ++axis) local[axis] = p[axis] - lattice.grid.along(axis, p[axis]);
+    const auto weights = trilinearWeights(local);
+    solid.embeddingWeights.insert(solid.embeddingWeights.end(), weights.begin(), weights.end());
+    const auto first = lattice.copyNodes.begin() + 8 * static_cast<std::ptrdiff_t>(copy);
+    solid.embeddingNodes.insert(solid.embeddingNodes.end(), first, first + 8);
+  }
+}
+
+}  // namespace
+
+SolidModel solidModel(const TriangleMesh& body, const SolidOptions& options, Job& job) {
+  const Lattice lattice = buildLattice(body, options.targetCells, job);
+  SolidModel solid;
+  solid.model = assemble(lattice, options.poisson, job);
+  const Vec3& size = lattice.grid.size;
+  solid.cellSize = std::max({size.x, size.y, size.z});
+  embed(lattice, solid);
+  return solid;
+}
+
+}  // namespace limber

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "base/job.h"
+#include "modes/modes.h"
+
+namespace limber {
+
+// A shell part of more vertices than this is solved on a decimated copy, unless the exact solve is asked for.
+inline constexpr uint32_t kExactVertices = 8000;
+
+// Modes of every part. Large shells (kExactVertices) are solved on an evenly decimated copy of at least 8,000
+// vertices, and the shapes are carried back; ComponentModes::coarseVertices tells. `exact` solves all of them
+// as they are. Errors as computeModes.
+ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& options, bool exact, Job& job);
+
+}  // namespace limber
