@@ -22,8 +22,8 @@ interface Axis {
 }
 
 function logarithmicAxis(values: number[], start: number, end: number): Axis {
-  const low = Math.min(...values) / 1.3;
   const high = Math.max(...values) * 1.3;
+  const low = Math.min(Math.min(...values) / 1.3, high / 10);
   const at = (value: number) => start + ((end - start) * Math.log(value / low)) / Math.log(high / low);
   const ticks: number[] = [];
   for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); power++)
@@ -47,7 +47,7 @@ function text(x: number, y: number, content: string, style = ''): string {
 }
 
 /** White behind, so that it can be read on a dark page too. */
-export function convergencePlot({ title, quantities, runs }: CaseResult): string {
+export function convergencePlot({ title, quantities, runs, isSecondOrder }: CaseResult): string {
   const points = runs.map((run) => ({ kind: run.kind, x: run.faces, y: worstError(run, quantities) }));
   const [left, right] = [FRAME.left, WIDTH - FRAME.right];
   const [top, bottom] = [FRAME.top, HEIGHT - FRAME.bottom];
@@ -97,7 +97,7 @@ export function convergencePlot({ title, quantities, runs }: CaseResult): string
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${HEIGHT}" width="${WIDTH}" height="${HEIGHT}" font-family="sans-serif" font-size="12" fill="#222">`,
     `<rect width="${WIDTH}" height="${HEIGHT}" fill="#fff"/>`,
     ...grid,
-    ...secondOrder(x, y, points, top + 12 + 22 * kinds.length, right),
+    ...(isSecondOrder ? secondOrder(x, y, points, top + 12 + 22 * kinds.length, right) : []),
     ...curves,
     '</svg>',
     '',

@@ -30,6 +30,8 @@ export interface CaseResult {
   reading: string;
   quantities: Quantity[];
   runs: Run[];
+  /** the error should fall with the square of the cell size, and the plot has a line to compare with */
+  isSecondOrder: boolean;
   /** of the frequencies in the table */
   digits: number;
 }

@@ -74,6 +74,7 @@ export function plateCases(core: Core): CaseResult[] {
       ...TEXTS[support],
       quantities: values.map((analytic, k) => ({ name: `mode ${k + 1}`, analytic })),
       runs: KINDS.flatMap((kind) => CELLS.map((cells) => plateRun(core, support, cells, kind))),
+      isSecondOrder: true,
       digits: 3,
     };
   });

@@ -66,6 +66,7 @@ export function sphereCase(core: Core): CaseResult {
       { name: 'breathing', analytic: breathing(POISSON, 1)[0] },
     ],
     runs: KINDS.flatMap((kind) => [4, 8, 16, 32].map((cuts) => sphereRun(core, cuts, kind))),
+    isSecondOrder: false,
     digits: 4,
   };
 }
