@@ -1,7 +1,10 @@
 #include "modes/lattice.h"
 
+#include <algorithm>
+
 #include "mesh/topology.h"
 #include "modes/lattice_pieces.h"
+#include "modes/lattice_slivers.h"
 
 namespace limber {
 
@@ -25,6 +28,16 @@ std::array<std::array<double, 3>, kSamples> integralsOfShares() {
   return shares;
 }
 
+// A ray's part of a cell's cross-section, by a linear weight that is 1 on one side of the cell (0: the low
+// one).
+double rayShare(int side, int sample) {
+  const double place = (sample + 0.5) / kSamples;
+  return (side ? place : 1 - place) / kSamples;
+}
+
+// A piece that fewer rays run through, of about 3 kSamples^2 through a full cell, is measured on its own.
+constexpr uint32_t kFewStretches = kSamples * kSamples;
+
 class Builder {
  public:
   Builder(const TriangleMesh& body, uint32_t targetCells, Job& job) : body_(body), job_(job) {
@@ -34,16 +47,22 @@ class Builder {
 
   Lattice build() {
     fragments_ = cutIntoFragments(lattice_.points, body_.triangles, lattice_.grid, job_);
-    const int sign = signedVolume(body_) < 0 ? -1 : 1;
+    sign_ = signedVolume(body_) < 0 ? -1 : 1;
     for (int axis = 0; axis < 3; ++axis)
-      families_.push_back(castRays(lattice_.points, body_.triangles, lattice_.grid, axis, sign, job_));
+      families_.push_back(castRays(lattice_.points, body_.triangles, lattice_.grid, axis, sign_, job_));
     LatticePieces pieces(lattice_.grid, fragments_, families_);
     joinWithinCells(pieces);
-    corners_.reset(8 * size_t{pieces.copyCount()});
-    lattice_.filled.resize(pieces.copyCount());
+    const uint32_t copyCount = pieces.copyCount();
+    corners_.reset(8 * size_t{copyCount});
+    connected_.reset(copyCount);
+    lattice_.filled.resize(copyCount);
+    lattice_.ends.resize(copyCount);
+    stretchCount_.assign(copyCount, 0);
     joinThroughTriangles(pieces);
     for (const RayFamily& family : families_) followRays(pieces, family);
-    numberNodes(pieces.copyCount());
+    measureSlivers(pieces);
+    attachLooseCopies(pieces);
+    numberNodes(copyCount);
     placeVertices(pieces);
     return std::move(lattice_);
   }
@@ -56,14 +75,28 @@ class Builder {
         const uint32_t* triangle = &topology.edgeTriangles[edge.firstUse + use - 1];
         pieces.joinAlongEdge(triangle[0], triangle[1], lattice_.points[edge.a], lattice_.points[edge.b]);
       }
+    joinAroundVertices(pieces);
     job_.check();
     for (const RayFamily& family : families_) pieces.joinAlongRays(family);
     job_.check();
     pieces.numberCopies();
   }
 
+  // Also where a surface touches itself in a vertex alone: one component is one body.
+  void joinAroundVertices(LatticePieces& pieces) {
+    std::vector<uint32_t> first(body_.vertexCount(), kNone);
+    for (uint32_t t = 0; t < body_.triangleCount(); ++t)
+      for (uint32_t v : body_.triangles[t]) {
+        const uint32_t fragment = fragments_.find(t, lattice_.grid.cellOf(lattice_.points[v]));
+        if (fragment == kNone) continue;
+        if (first[v] == kNone) first[v] = fragment;
+        pieces.joinFragments(first[v], fragment);
+      }
+  }
+
   // `next` lies beyond `copy` along the axis: they share the four nodes between them.
   void joinCopies(uint32_t copy, uint32_t next, int axis) {
+    connected_.join(copy, next);
     for (uint32_t corner = 0; corner < 8; ++corner)
       if (corner >> axis & 1) corners_.join(8 * copy + corner, 8 * next + (corner ^ (1u << axis)));
   }
@@ -92,6 +125,11 @@ class Builder {
       if (!stretch.isFirst && before != kNone && copy != kNone) joinCopies(before, copy, axis);
       before = copy;
       if (copy == kNone) return;
+      ++stretchCount_[copy];
+      for (int lateral = 0; lateral < 4; ++lateral)
+        lattice_.ends[copy][4 * axis + lateral] += (stretch.isLast - stretch.isFirst) *
+                                                   rayShare(lateral & 1, stretch.sample[u]) *
+                                                   rayShare(lateral >> 1, stretch.sample[v]);
       const auto begin = lagrangeIntegrals(stretch.begin), end = lagrangeIntegrals(stretch.end);
       for (int k = 0; k < 3; ++k)
         for (int j = 0; j < 3; ++j)
@@ -100,6 +138,43 @@ class Builder {
                 (end[k] - begin[k]) * shares[stretch.sample[u]][i] * shares[stretch.sample[v]][j] / 3;
     });
     job_.check();
+  }
+
+  void measureSlivers(const LatticePieces& pieces) {
+    std::vector<std::vector<uint32_t>> trianglesOf(pieces.copyCount());
+    for (uint32_t t = 0; t < body_.triangleCount(); ++t)
+      for (uint32_t f = fragments_.start[t]; f < fragments_.start[t + 1]; ++f)
+        if (stretchCount_[pieces.copyOfFragment(f)] < kFewStretches)
+          trianglesOf[pieces.copyOfFragment(f)].push_back(t);
+    for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy) {
+      if (trianglesOf[copy].empty()) continue;
+      job_.check();
+      const CellMeasure measure = measureSliver({lattice_.points, body_.triangles, trianglesOf[copy],
+                                                 lattice_.grid.positionOf(pieces.cellOfCopy(copy)), sign_});
+      if (filledFraction(measure) > 0) lattice_.filled[copy] = measure;
+    }
+  }
+
+  // Copies that no ray tells to be connected with the rest: the surfaces of cavities so small that they lie
+  // between the rays. They join the fullest piece around them.
+  void attachLooseCopies(const LatticePieces& pieces) {
+    std::vector<uint64_t> stretches(pieces.copyCount(), 0);
+    for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy)
+      stretches[connected_.find(copy)] += stretchCount_[copy];
+    const auto& cells = pieces.cellsOfCopies();
+    std::vector<std::pair<uint32_t, uint32_t>> joints;
+    for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy) {
+      if (stretches[connected_.find(copy)] > 0) continue;
+      const auto [first, last] = std::equal_range(cells.begin(), cells.end(), cells[copy]);
+      uint32_t fullest = copy;
+      for (auto c = static_cast<uint32_t>(first - cells.begin()); c < last - cells.begin(); ++c)
+        if (stretchCount_[c] > stretchCount_[fullest]) fullest = c;
+      if (fullest != copy) joints.push_back({copy, fullest});
+    }
+    for (const auto& [copy, host] : joints) {
+      for (uint32_t corner = 0; corner < 8; ++corner) corners_.join(8 * copy + corner, 8 * host + corner);
+      lattice_.filled[copy] = {};
+    }
   }
 
   void numberNodes(uint32_t copyCount) {
@@ -125,7 +200,10 @@ class Builder {
   Lattice lattice_;
   Fragments fragments_;
   std::vector<RayFamily> families_;
-  DisjointSets corners_;
+  DisjointSets corners_;    // of copies, [8 * copy + corner]: joined ones are one node
+  DisjointSets connected_;  // copies
+  std::vector<uint32_t> stretchCount_;
+  int sign_ = 1;  // -1 where the body is wound inwards
 };
 
 }  // namespace

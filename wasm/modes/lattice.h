@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct Lattice {
   LatticeGrid grid;
   std::vector<uint32_t> copyNodes;  // [8 * copy + corner], corners as in `trilinearWeights`
   std::vector<CellMeasure> filled;  // of each copy
+  // [4 * axis + lateral] of each copy: the share of the cell's cross-section where the body ends on the far
+  // side of the axis less that where it ends on the near side, by the bilinear weights of the cell's four
+  // edges along the axis (lateral = side along axis + 1, plus twice that along axis + 2).
+  std::vector<std::array<double, 12>> ends;
   uint32_t nodeCount = 0;
   std::vector<Vec3> points;            // the vertices in lattice units
   std::vector<uint32_t> copyOfVertex;  // the copy of the piece that the vertex bounds

@@ -74,7 +74,7 @@ void LatticePieces::joinAlongEdge(uint32_t triangleA, uint32_t triangleB, const 
   while (a < endA && b < endB) {
     const uint32_t cellA = fragments_.cell[a], cellB = fragments_.cell[b];
     if (cellA == cellB && (isInOneCell || runsThrough(from, to, grid_.positionOf(cellA))))
-      sets_.join(fragmentItem_ + a, fragmentItem_ + b);
+      joinFragments(a, b);
     if (cellA <= cellB) ++a;
     if (cellB <= cellA) ++b;
   }

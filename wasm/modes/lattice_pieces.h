@@ -35,7 +35,7 @@ struct Stretch {
   uint32_t cell;
   std::array<int, 3> sample;  // numbers of the ray's samples within the cell; its own axis is unused
   double begin, end;          // along the ray within the cell, in [0, 1]
-  bool isFirst;               // the interval begins here; else it comes from the cell before
+  bool isFirst, isLast;       // the interval begins, ends in this cell
   uint32_t firstCrossing, lastCrossing;  // the interval's crossings in this cell are [first, last)
 };
 
@@ -46,6 +46,8 @@ class LatticePieces {
  public:
   LatticePieces(const LatticeGrid& grid, const Fragments& fragments, const std::vector<RayFamily>& families);
 
+  // Two fragments of triangles that touch within the fragments' common cell.
+  void joinFragments(uint32_t a, uint32_t b) { sets_.join(fragmentItem_ + a, fragmentItem_ + b); }
   // Two triangles with a common edge between `from` and `to` (lattice units) are connected where it runs.
   void joinAlongEdge(uint32_t triangleA, uint32_t triangleB, const Vec3& from, const Vec3& to);
   void joinAlongRays(const RayFamily& family);
@@ -53,6 +55,8 @@ class LatticePieces {
   void numberCopies();
 
   uint32_t copyCount() const { return static_cast<uint32_t>(cellOfCopy_.size()); }
+  // Ascending.
+  const std::vector<uint32_t>& cellsOfCopies() const { return cellOfCopy_; }
   uint32_t cellOfCopy(uint32_t copy) const { return cellOfCopy_[copy]; }
   uint32_t copyOfFragment(uint32_t fragment) const { return copyOfItem_[fragmentItem_ + fragment]; }
   // The copy that a stretch runs through, or kNone where it is too short to tell.
@@ -101,6 +105,7 @@ void LatticePieces::forEachStretch(const RayFamily& family, const Visit& visit) 
       stretch.begin = c == first ? begin - c : 0;
       stretch.end = c == last ? end - c : 1;
       stretch.isFirst = c == first;
+      stretch.isLast = c == last;
       stretch.firstCrossing = stretch.lastCrossing;
       while (stretch.lastCrossing <= interval.last &&
              grid_.along(axis, family.crossings[stretch.lastCrossing].depth) <= c)

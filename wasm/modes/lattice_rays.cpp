@@ -9,12 +9,20 @@ namespace limber {
 
 namespace {
 
-// Twice the signed area of (a, b, p), seen along the ray. Always taken with the lower vertex first, so that
-// two triangles at an edge agree on the side of p to the last bit: a closed surface has no cracks.
+// On which side of an edge a point lies, seen along the line.
 struct Side {
-  double area;    // of the edge as the triangle runs it
-  bool isInside;  // p lies to the left of it
+  double area;    // twice that of (from, to, point)
+  bool isInside;  // the point lies to the left
 };
+
+// Always taken with the lower vertex first, and a point on the edge counts to one side.
+Side sideOf(const std::vector<Vec3>& points, uint32_t from, uint32_t to, int axis, double u, double v) {
+  const int axisU = (axis + 1) % 3, axisV = (axis + 2) % 3;
+  const bool isTurned = from > to;
+  const Vec3 &a = points[isTurned ? to : from], &b = points[isTurned ? from : to];
+  const double area = (a[axisU] - u) * (b[axisV] - v) - (a[axisV] - v) * (b[axisU] - u);
+  return isTurned ? Side{-area, area < 0} : Side{area, area >= 0};
+}
 
 class Caster {
  public:
@@ -31,7 +39,10 @@ class Caster {
       for (int b = firstV; b <= lastV; ++b) {
         const double u = a / kSamples + samplePlace(u_, a % kSamples);
         const double v = b / kSamples + samplePlace(v_, b % kSamples);
-        meet(triangle, t, static_cast<uint32_t>(a * raysAlongV_ + b), u, v);
+        const auto hit = hitTriangle(points_, triangle, family_.axis, u, v);
+        if (hit)
+          family_.crossings.push_back(
+              {static_cast<uint32_t>(a * raysAlongV_ + b), t, hit->depth, hit->isEntry});
       }
   }
 
@@ -43,30 +54,6 @@ class Caster {
     const double first = samplePlace(axis, 0);
     return {std::max(0, static_cast<int>(std::floor((low - first) * kSamples))),
             std::min(count - 1, static_cast<int>(std::ceil((high - first) * kSamples)))};
-  }
-
-  Side sideOf(uint32_t from, uint32_t to, double u, double v) const {
-    const bool isTurned = from > to;
-    const Vec3 &a = points_[isTurned ? to : from], &b = points_[isTurned ? from : to];
-    const double area = (a[u_] - u) * (b[v_] - v) - (a[v_] - v) * (b[u_] - u);
-    return isTurned ? Side{-area, area < 0} : Side{area, area >= 0};
-  }
-
-  void meet(const Triangle& triangle, uint32_t t, uint32_t ray, double u, double v) {
-    std::array<Side, 3> sides;
-    for (int c = 0; c < 3; ++c) sides[c] = sideOf(triangle[(c + 1) % 3], triangle[(c + 2) % 3], u, v);
-    if (sides[0].isInside != sides[1].isInside || sides[1].isInside != sides[2].isInside) return;
-    double depth = 0, total = 0, low = HUGE_VAL, high = -HUGE_VAL;
-    for (int c = 0; c < 3; ++c) {
-      const double corner = points_[triangle[c]][family_.axis];
-      depth += sides[c].area * corner;
-      total += sides[c].area;
-      low = std::min(low, corner);
-      high = std::max(high, corner);
-    }
-    depth = total != 0 ? std::clamp(depth / total, low, high) : low;
-    // A triangle that turns left around the ray looks along it: there the ray leaves.
-    family_.crossings.push_back({ray, t, depth, !sides[0].isInside});
   }
 
   const std::vector<Vec3>& points_;
@@ -95,6 +82,25 @@ void addIntervals(RayFamily& family, uint32_t begin, uint32_t end, int sign) {
 }
 
 }  // namespace
+
+std::optional<LineHit> hitTriangle(const std::vector<Vec3>& points, const Triangle& triangle, int axis,
+                                   double u, double v) {
+  std::array<Side, 3> sides;
+  for (int c = 0; c < 3; ++c)
+    sides[c] = sideOf(points, triangle[(c + 1) % 3], triangle[(c + 2) % 3], axis, u, v);
+  if (sides[0].isInside != sides[1].isInside || sides[1].isInside != sides[2].isInside) return {};
+  double depth = 0, total = 0, low = HUGE_VAL, high = -HUGE_VAL;
+  for (int c = 0; c < 3; ++c) {
+    const double corner = points[triangle[c]][axis];
+    depth += sides[c].area * corner;
+    total += sides[c].area;
+    low = std::min(low, corner);
+    high = std::max(high, corner);
+  }
+  depth = total != 0 ? std::clamp(depth / total, low, high) : low;
+  // A triangle that turns left around the line looks along it: there the line leaves.
+  return LineHit{depth, !sides[0].isInside};
+}
 
 RayFamily castRays(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
                    const LatticeGrid& grid, int axis, int sign, Job& job) {

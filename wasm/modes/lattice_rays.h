@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/job.h"
@@ -17,6 +18,15 @@ inline double samplePlace(int axis, int s) {
   constexpr double offset[3] = {1.7320508e-4, 2.2360680e-4, -1.4142136e-4};
   return (s + 0.5) / kSamples + offset[axis];
 }
+
+// Where the line along `axis` through (u, v), coordinates along axis + 1 and axis + 2, crosses a triangle.
+// Two triangles at an edge agree to the last bit on which of them it crosses: a closed surface has no cracks.
+struct LineHit {
+  double depth;
+  bool isEntry;  // against the triangle's normal
+};
+std::optional<LineHit> hitTriangle(const std::vector<Vec3>& points, const Triangle& triangle, int axis,
+                                   double u, double v);
 
 // The rays along one axis through all sample points. Ray (a, b) has the number a * (count[v] * kSamples) + b,
 // a and b being sample numbers along u = axis + 1 and v = axis + 2 (modulo 3), over all cells.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr size_t kSections = 16;           // at most
 constexpr size_t kVerticesOfSection = 16;  // fewer sections where there are less
-constexpr double kLocal = 0.1, kBreathe = 0.5;
+constexpr double kLocal = 0.28, kBreathe = 0.5;
 constexpr double kExplained = 0.5;  // of the energy: below it rigid sections say nothing
 
 Eigen::Vector3d eigen(const Vec3& v) {
@@ -77,12 +77,12 @@ ModeObserver::ModeObserver(const TriangleMesh& mesh) : mesh_(mesh), mass_(lumped
 
 ModeCharacter ModeObserver::observe(const std::vector<Vec3>& shape) const {
   ModeCharacter sums;
-  double mass = 0, energy = 0, fourth = 0, outward = 0;
+  double mass = 0, energy = 0, amplitude = 0, outward = 0;
   for (size_t v = 0; v < shape.size(); ++v) {
     const double square = squaredLength(shape[v]);
     mass += mass_[v];
     energy += mass_[v] * square;
-    fourth += mass_[v] * square * square;
+    amplitude += mass_[v] * std::sqrt(square);
     if (!normal_.empty()) outward += mass_[v] * dot(shape[v], normal_[v]);
   }
   if (!(energy > 0)) return sums;
@@ -107,7 +107,7 @@ ModeCharacter ModeObserver::observe(const std::vector<Vec3>& shape) const {
   sums.bend /= energy;
   sums.twist /= energy;
   sums.breathe = outward * outward / (mass * energy);
-  sums.participation = energy * energy / (mass * fourth);
+  sums.participation = amplitude * amplitude / (mass * energy);
   return sums;
 }
 

@@ -4,6 +4,7 @@
 
 #include "modes/element_assembly.h"
 #include "modes/lattice.h"
+#include "modes/lattice_mass.h"
 
 namespace limber {
 
@@ -23,21 +24,20 @@ CellMeasure fullCell() {
 StiffnessModel assemble(const Lattice& lattice, double poisson, Job& job) {
   StiffnessModel model;
   for (uint32_t node = 0; node <= lattice.nodeCount; ++node) model.firstUnknown.push_back(3 * node);
-  model.mass = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(lattice.nodeCount));
   const Hexahedron brick(lattice.grid.size, poisson);
   const CellMeasure full = fullCell();
   ElementAssembly assembly(model.firstUnknown, lattice.copyNodes, 8);
   for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy) {
     if (copy % 256 == 0) job.check();
     CellMeasure held = lattice.filled[copy];
-    const auto mass = brick.mass(held);
-    for (int k = 0; k < 8; ++k)
-      model.mass.segment<3>(3 * static_cast<Eigen::Index>(lattice.copyNodes[8 * copy + k])).array() +=
-          mass[k];
     for (int q = 0; q < 27; ++q) held[q] += kEmptyStiffness * full[q];
     assembly.add(copy, brick.stiffness(held));
   }
   model.stiffness = assembly.take();
+  const std::vector<double> mass = latticeMass(lattice, brick);
+  model.mass.resize(3 * static_cast<Eigen::Index>(lattice.nodeCount));
+  for (uint32_t node = 0; node < lattice.nodeCount; ++node)
+    model.mass.segment<3>(3 * static_cast<Eigen::Index>(node)).setConstant(mass[node]);
   return model;
 }
 

@@ -49,7 +49,7 @@ export interface Inspection {
 
 export type Model = 'laplacian' | 'shell' | 'solid';
 
-/** `local`: less than a tenth of the surface takes part; see wasm/modes/mode_character.h for the rule. */
+/** `local`: little of the surface takes part; see wasm/modes/mode_character.h for the rule. */
 export type ModeName = 'bend' | 'twist' | 'stretch' | 'breathe' | 'local';
 
 export interface ModesOptions {
