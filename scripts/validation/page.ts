@@ -1,7 +1,10 @@
 /** The page of all cases, as Markdown. */
 
-import { errorPercent, finestErrors } from './cases/case';
+import { errorPercent, facesWithin, finestErrors } from './cases/case';
 import type { CaseResult, Run } from './cases/case';
+
+/** % */
+const TRUSTED = 3;
 
 const row = (cells: string[]) => `| ${cells.join(' | ')} |`;
 const signed = (value: number) => `${value < 0 ? '-' : '+'}${Math.abs(value).toFixed(2)} %`;
@@ -40,7 +43,10 @@ function section(result: CaseResult): string {
   ];
   if (hasPlot(result)) {
     const worst = finestErrors(result.runs, result.quantities);
-    parts.push(`Worst error on the finest mesh of each kind: ${worst}.`);
+    const within = facesWithin(TRUSTED, result.runs, result.quantities);
+    parts.push(
+      `**Trust:** the worst of these frequencies is off by ${worst} on the finest mesh of each kind, and by less than ${TRUSTED} %: ${within}.`,
+    );
     parts.push(`![Worst error over the faces: ${result.title}](images/validation/${result.id}.svg)`);
   }
   return [...parts, table(result)].join('\n\n');

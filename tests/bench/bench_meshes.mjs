@@ -74,7 +74,7 @@ export function bumpySphere(faces) {
 
 const octants = () => [1, -1].flatMap((x) => [1, -1].flatMap((y) => [1, -1].map((z) => [x, y, z])));
 
-/** Positions and faces of an OBJ file, polygons as fans, equal positions as one vertex; its largest component. */
+/** Positions and faces of an OBJ file, polygons as fans. */
 export function readObj(path) {
   const positions = [];
   const triangles = [];
@@ -123,14 +123,4 @@ export function writeMesh(path, { positions, triangles }) {
     path,
     Buffer.concat([counts, positions, triangles].map((array) => Buffer.from(array.buffer))),
   );
-}
-
-export function readMesh(path) {
-  const bytes = readFileSync(path);
-  const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length);
-  const [vertices, faces] = new Uint32Array(buffer, 0, 2);
-  return {
-    positions: new Float32Array(buffer, 8, 3 * vertices),
-    triangles: new Uint32Array(buffer, 8 + 12 * vertices, 3 * faces),
-  };
 }

@@ -94,3 +94,15 @@ export function finestErrors(runs: Run[], quantities: Quantity[]): string {
   const [low, high] = [Math.min(...errors), Math.max(...errors)].map((value) => value.toPrecision(2));
   return low === high ? `${low} %` : `${low} to ${high} %`;
 }
+
+/** From how many faces on each kind of mesh stays within `percent`, e.g. "regular from 512 faces, graded never". */
+export function facesWithin(percent: number, runs: Run[], quantities: Quantity[]): string {
+  return finest(runs)
+    .map(({ kind }) => {
+      const own = runs.filter((run) => run.kind === kind);
+      const lastOutside = own.findLastIndex((run) => !(worstError(run, quantities) <= percent));
+      const first = own[lastOutside + 1];
+      return first ? `${kind} from ${first.faces} faces` : `${kind} on none of these`;
+    })
+    .join(', ');
+}

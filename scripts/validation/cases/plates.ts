@@ -61,7 +61,7 @@ const TEXTS: Record<Support, Pick<CaseResult, 'title' | 'setting' | 'reference' 
     reference:
       "Ritz's method with 12 x 12 Legendre polynomials (published: 3.471 8.507 21.29 27.20 30.96 54.19; the corners at the clamped side make it converge slowly, so the last digit of the reference is uncertain).",
     reading:
-      'Only the mesh differs; the two corners at the clamped side, where the moments grow without bound, cost a little more than elsewhere.',
+      'Only the mesh differs, and it behaves as for the free plate; the last digit of the reference is the less certain one here.',
   },
 };
 
