@@ -151,7 +151,10 @@ class Builder {
       job_.check();
       const CellMeasure measure = measureSliver({lattice_.points, body_.triangles, trianglesOf[copy],
                                                  lattice_.grid.positionOf(pieces.cellOfCopy(copy)), sign_});
-      if (filledFraction(measure) > 0) lattice_.filled[copy] = measure;
+      // Less is found where the piece is thick but hardly reaches into the cell: there the lattice's rays
+      // will do.
+      if (filledFraction(measure) > 0.5 * filledFraction(lattice_.filled[copy]))
+        lattice_.filled[copy] = measure;
     }
   }
 

@@ -81,23 +81,19 @@ class Rays {
       }
   }
 
-  // What lies before the first exit is inside: the ray came into the cell within the piece.
+  // What lies between an entry and an exit is inside.
   void addRay(int a, int b, CellMeasure& measure) {
     auto& hits = hits_[a * kRays + b];
     std::stable_sort(hits.begin(), hits.end(),
                      [](const LineHit& p, const LineHit& q) { return p.depth < q.depth; });
-    int winding = 0, lowest = 0;
-    const auto step = [&](const LineHit& hit) { return hit.isEntry ? sliver_.sign : -sliver_.sign; };
-    for (const LineHit& hit : hits) lowest = std::min(lowest, winding += step(hit));
-    winding = -lowest;
+    int winding = 0;
     double before = 0;
     for (const LineHit& hit : hits) {
       const double depth = std::clamp(hit.depth - sliver_.place[axis_], 0.0, 1.0);
       if (winding > 0) addStretch(a, b, {before, depth}, measure);
-      winding += step(hit);
+      winding = std::max(0, winding + (hit.isEntry ? sliver_.sign : -sliver_.sign));
       before = depth;
     }
-    if (winding > 0) addStretch(a, b, {before, 1}, measure);
   }
 
   static std::array<double, 3> integrals(double from, double to) {

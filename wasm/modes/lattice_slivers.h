@@ -18,9 +18,9 @@ struct Sliver {
 };
 
 // How a piece that the lattice's rays hardly meet fills its cell: by rays of its own, spread evenly over the
-// box around the piece. They see the triangles that bound the piece and nothing else, so a ray that runs
-// inside from one side of the cell to the other finds nothing; of the three directions the one that finds
-// most is taken. Exact for struts and plates along the axes.
+// box around the piece. Only what lies between two of the piece's own triangles counts, so of a piece that
+// reaches from one side of the cell to the other something may be missed; of the three directions the one
+// that finds most is taken. Exact for struts and plates along the axes.
 CellMeasure measureSliver(const Sliver& sliver);
 
 }  // namespace limber
