@@ -170,6 +170,12 @@ describe('computed against analytic', () => {
       expectNear(barRun(core, false, 4, kind).computed, references, 1.5);
   });
 
+  it('a clamp holds a solid beam by its end, however few vertices that has', () => {
+    const bar = { side: 1, length: 6, poisson: 0.3 };
+    const references = [...timoshenkoBending(bar, true, 2), twist(bar, 0.5), stretch(bar, 0.5)];
+    expectNear(barRun(core, true, 2, 'irregular').computed, references, 1.5);
+  });
+
   it("a solid sphere has Lamb's frequencies within 2 %, breathing too", () => {
     const references = [
       ...torsional(2, 1),

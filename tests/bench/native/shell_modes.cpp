@@ -139,33 +139,6 @@ void exportMatrix(const StiffnessModel& model, double shift, const std::string& 
   write(model.mass.data(), sizes[0]);
 }
 
-// Nonzeros of L for our order of elimination without the zeros that merged fronts store: for each node, the
-// columns that it appears in are found by walking the elimination tree up from its couplings (Liu 1990).
-uint64_t exactNonzeros(const StiffnessModel& model) {
-  const Job job;
-  const NodeGraph graph = nodeGraph(model);
-  std::vector<uint32_t> order;
-  for (const FrontNodes& front : buildFrontTree(graph, eliminationOrder(graph, job), job))
-    order.insert(order.end(), front.pivots.begin(), front.pivots.end());
-  const uint32_t count = graph.nodeCount();
-  std::vector<uint32_t> position(count), parent(count, count), visitor(count, count);
-  for (uint32_t k = 0; k < count; ++k) position[order[k]] = k;
-  uint64_t nonzeros = 0;
-  for (uint32_t row = 0; row < count; ++row) {
-    const uint64_t weight = graph.weight[order[row]];
-    nonzeros += weight * (weight + 1) / 2;
-    visitor[row] = row;
-    for (uint32_t neighbour : graph.around(order[row]))
-      for (uint32_t column = position[neighbour]; column < row && visitor[column] != row;
-           column = parent[column]) {
-        nonzeros += weight * graph.weight[order[column]];
-        visitor[column] = row;
-        if (parent[column] == count) parent[column] = row;
-      }
-  }
-  return nonzeros;
-}
-
 // Entries of L that our fronts store, the zeros among them too.
 uint64_t storedNonzeros(const StiffnessModel& model) {
   const Job job;
@@ -256,9 +229,8 @@ void run(const Options& options) {
   std::printf(",\"seconds\":%.4f,\"assemble\":%.4f,\"order\":%.4f,\"factorise\":%.4f,\"substitute\":%.4f",
               solved - start, assembled - start, ordered - solved, factorised - ordered,
               (substituted - factorised) / kSolves);
-  std::printf(",\"nonzeros\":%llu,\"exactNonzeros\":%llu,\"storedNonzeros\":%llu,\"multiplications\":%.6g",
+  std::printf(",\"nonzeros\":%llu,\"storedNonzeros\":%llu,\"multiplications\":%.6g",
               static_cast<unsigned long long>(factorisation.nonzeros()),
-              static_cast<unsigned long long>(exactNonzeros(model)),
               static_cast<unsigned long long>(storedNonzeros(model)), factorisation.work());
   std::printf(
       ",\"phases\":{\"assembleAndOrder\":%.4f,\"factorise\":%.4f,\"solve\":%.4f,\"factorisations\":%d}",
