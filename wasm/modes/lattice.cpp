@@ -35,6 +35,10 @@ double rayShare(int side, int sample) {
   return (side ? place : 1 - place) / kSamples;
 }
 
+// Less than this part of a cell is what rays find of a side of the body that happens to lie in a side of
+// cells.
+constexpr double kHardly = 1e-3;
+
 class Builder {
  public:
   Builder(const TriangleMesh& body, uint32_t targetCells, Job& job) : body_(body), job_(job) {
@@ -141,7 +145,7 @@ class Builder {
 
   // Few rays run through a thin piece, or many of them cross it from surface to surface within the cell.
   bool isSliver(uint32_t copy) const {
-    return stretchCount_[copy] < kSamples * kSamples || 3 * crossedCount_[copy] >= stretchCount_[copy];
+    return stretchCount_[copy] <= kSamples * kSamples || 3 * crossedCount_[copy] >= stretchCount_[copy];
   }
 
   void measureSlivers(const LatticePieces& pieces) {
@@ -152,11 +156,12 @@ class Builder {
     for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy) {
       if (trianglesOf[copy].empty()) continue;
       job_.check();
-      const CellMeasure measure = measureSliver({lattice_.points, body_.triangles, trianglesOf[copy],
-                                                 lattice_.grid.positionOf(pieces.cellOfCopy(copy)), sign_});
+      const CellMeasure measure =
+          measureSliver({lattice_.points, body_.triangles, trianglesOf[copy],
+                         lattice_.grid.positionOf(pieces.cellOfCopy(copy)), sign_, stretchCount_[copy] > 0});
       // Where the two differ widely the piece has a fold or is thick, and the lattice's rays will do.
       const double own = filledFraction(measure), common = filledFraction(lattice_.filled[copy]);
-      if (common == 0 || (own > 0.4 * common && own < 2.5 * common)) lattice_.filled[copy] = measure;
+      if (common < kHardly || (own > 0.4 * common && own < 2.5 * common)) lattice_.filled[copy] = measure;
     }
   }
 

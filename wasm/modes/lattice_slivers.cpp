@@ -41,13 +41,19 @@ Bounds boxOf(const std::vector<std::vector<Vec3>>& polygons) {
   return box;
 }
 
-// Do the polygons face away from a point between them, on the whole? Six times the volume of the cones to it.
-bool isFacingOut(const std::vector<std::vector<Vec3>>& polygons, const Vec3& centre, int sign) {
-  double volume = 0;
+// Do the polygons face away from each other? As by the divergence theorem: six times the volume between them
+// along each axis, where the piece has no end on a side of the cell across that axis. `byOneAxis`: one of
+// them will do.
+bool isFacingOut(const std::vector<std::vector<Vec3>>& polygons, const Vec3& centre, int sign,
+                 bool byOneAxis) {
+  Vec3 volume;
   for (const auto& polygon : polygons)
-    for (size_t i = 2; i < polygon.size(); ++i)
-      volume += dot(polygon[0] - centre, cross(polygon[i - 1] - centre, polygon[i] - centre));
-  return sign * volume > 0;
+    for (size_t i = 2; i < polygon.size(); ++i) {
+      const Vec3 &a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
+      const Vec3 normal = cross(b - a, c - a), place = a + b + c - 3 * centre;
+      for (int axis = 0; axis < 3; ++axis) volume[axis] += sign * place[axis] * normal[axis];
+    }
+  return byOneAxis ? std::max({volume.x, volume.y, volume.z}) > 0 : volume.x + volume.y + volume.z > 0;
 }
 
 // The rays of one direction across the box.
@@ -148,7 +154,8 @@ CellMeasure measureSliver(const Sliver& sliver) {
   for (uint32_t t : sliver.around) polygons.push_back(clipped(sliver, sliver.triangles[t]));
   const Bounds box = boxOf(polygons);
   CellMeasure best = {};
-  if (!(box.low.x <= box.high.x) || !isFacingOut(polygons, (box.low + box.high) / 2, sliver.sign))
+  if (!(box.low.x <= box.high.x) ||
+      !isFacingOut(polygons, (box.low + box.high) / 2, sliver.sign, sliver.isMet))
     return best;
   for (int axis = 0; axis < 3; ++axis) {
     const CellMeasure measure = Rays(sliver, box, axis).measure();
