@@ -24,6 +24,28 @@ CellMeasure fullCell() {
   return full;
 }
 
+// A node that is this much lighter than the heaviest one in its cells gives its mass away: what hangs on it
+// is a sliver at the rim of the body, which follows its neighbours and must not swing on its own.
+constexpr double kLightest = 0.01;
+
+void dropLightMasses(const Lattice& lattice, std::vector<double>& mass) {
+  std::vector<double> heaviest(mass.size(), 0.0);
+  for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy) {
+    const uint32_t* nodes = &lattice.copyNodes[8 * size_t{copy}];
+    double most = 0;
+    for (int k = 0; k < 8; ++k) most = std::max(most, mass[nodes[k]]);
+    for (int k = 0; k < 8; ++k) heaviest[nodes[k]] = std::max(heaviest[nodes[k]], most);
+  }
+  double before = 0, after = 0;
+  for (size_t node = 0; node < mass.size(); ++node) {
+    before += mass[node];
+    if (mass[node] < kLightest * heaviest[node]) mass[node] = 0;
+    after += mass[node];
+  }
+  if (after > 0)
+    for (double& value : mass) value *= before / after;
+}
+
 StiffnessModel assemble(const Lattice& lattice, double poisson, Job& job) {
   StiffnessModel model;
   for (uint32_t node = 0; node <= lattice.nodeCount; ++node) model.firstUnknown.push_back(3 * node);
@@ -39,7 +61,8 @@ StiffnessModel assemble(const Lattice& lattice, double poisson, Job& job) {
     assembly.add(copy, brick.stiffness(held));
   }
   model.stiffness = assembly.take();
-  const std::vector<double> mass = latticeMass(lattice, brick);
+  std::vector<double> mass = latticeMass(lattice, brick);
+  dropLightMasses(lattice, mass);
   model.mass.resize(3 * static_cast<Eigen::Index>(lattice.nodeCount));
   for (uint32_t node = 0; node < lattice.nodeCount; ++node)
     model.mass.segment<3>(3 * static_cast<Eigen::Index>(node)).setConstant(mass[node]);
