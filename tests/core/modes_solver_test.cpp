@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <thread>
 
 #include "base/parallel.h"
@@ -45,6 +46,32 @@ TEST(EliminationOrder, takesEveryNodeOnceAndItsFrontsReachOnlyForwards) {
       for (uint32_t node : fronts[f].boundary) EXPECT_GT(frontOf[node], f);
     EXPECT_EQ(std::count(frontOf.begin(), frontOf.end(), UINT32_MAX), 0);
   }
+}
+
+TEST(Factorisation, countsTheNonzerosThatAnEliminationLeaves) {
+  // Against symbolic elimination of the matrix in the factorisation's own order, entry by entry.
+  const StiffnessModel model = shellOf(shapes::torus(12, 7));
+  const NodeGraph graph = nodeGraph(model);
+  Job job;
+  const std::vector<FrontNodes> fronts = buildFrontTree(graph, eliminationOrder(graph, job), job);
+  std::vector<uint32_t> order;
+  for (const FrontNodes& front : fronts) order.insert(order.end(), front.pivots.begin(), front.pivots.end());
+  std::vector<std::set<uint32_t>> later(graph.nodeCount());
+  std::vector<uint32_t> place(graph.nodeCount());
+  for (uint32_t p = 0; p < order.size(); ++p) place[order[p]] = p;
+  for (uint32_t i = 0; i < graph.nodeCount(); ++i)
+    for (uint32_t j : graph.around(i))
+      if (place[j] > place[i]) later[place[i]].insert(place[j]);
+  uint64_t expected = 0;
+  for (uint32_t p = 0; p < order.size(); ++p) {
+    const uint64_t weight = graph.weight[order[p]];
+    expected += weight * (weight + 1) / 2;
+    for (uint32_t q : later[p]) expected += weight * graph.weight[order[q]];
+    if (later[p].empty()) continue;
+    const uint32_t parent = *later[p].begin();
+    later[parent].insert(std::next(later[p].begin()), later[p].end());
+  }
+  EXPECT_EQ(Factorisation(model, job).nonzeros(), expected);
 }
 
 TEST(EliminationOrder, keepsTheFactorOfARegularSheetNearNestedDissectionsOwn) {

@@ -16,7 +16,7 @@ import type { Report } from '../../web/engine/report';
 import { VERSION } from '../../web/engine/version';
 import { SQUARE_OBJ } from './support/files';
 import { readGlb } from './support/gltf';
-import { grid, toObj, torus } from './support/shapes';
+import { box, grid, toObj, torus } from './support/shapes';
 import { together } from './support/bodies';
 
 const program = new URL('../../dist/cli/limber.mjs', import.meta.url).pathname;
@@ -223,7 +223,19 @@ describe('a wrong command line', () => {
       '--mode is 1,x: give auto, all, or numbers from 1 to 100 with commas (default: auto).',
     ],
     ['optimize torus.obj a.glb --method limber', '--method limber is not available yet.'],
-    ['optimize torus.obj a.glb --model solid', '--model solid is not available yet.'],
+    [
+      'modes grid.obj --model solid',
+      'Part 1 of the mesh is not closed, so it has no inside for the solid model: close its holes, or use the model shell or auto.',
+    ],
+    [
+      'modes torus.obj --material-preset wood',
+      '--material-preset is wood: give one of rubber, foam, cotton, silk, leather, paper.',
+    ],
+    ['modes torus.obj --direction w', '--direction is w: give one of all, x, y, z (default: all).'],
+    [
+      'modes torus.obj --pins low',
+      '--pins has "low": give low:PCT, high:PCT, box:x0,y0,z0,x1,y1,z1, attribute:NAME or vertices:i,j, joined by +.',
+    ],
     ['optimize torus.obj a.glb --max-deviation 0.5', '--max-deviation is not available yet.'],
     ['optimize torus.obj a.glb --fit on', '--fit is not available yet.'],
     ['inspect torus.obj --faces 10', 'limber inspect has no --faces: see limber inspect --help.'],
@@ -252,18 +264,46 @@ describe('help', () => {
 });
 
 describe('limber modes', () => {
-  it('lists the modes of the shell, ascending', () => {
+  it('lists the modes with their names, ascending', () => {
     const { code, stdout } = limber('modes', 'grid.obj', '--modes', '4');
     expect(code).toBe(0);
     expect(stdout).toMatch(
-      /^grid\.obj: shell model, 6 of 6 zero modes found, \d+\.\d s\nmode +frequency +omega +residual\n/,
+      /^grid\.obj: shell model, 6 of 6 zero modes found, \d+\.\d s\nmode +name +frequency +omega +residual\n/,
     );
+    expect(stdout).toMatch(/\n1 +(bend|twist) +\d/);
     expect(stdout.trim().split('\n')).toHaveLength(6);
+  });
+
+  it('takes the solid model for closed bodies: a bar bends, bends, twists, stretches, bends and bends', () => {
+    writeFileSync(path('bar.obj'), toObj(box(4, 4, 12)));
+    const { model, modes, zeroModes } = report(limber('modes', 'bar.obj', '--modes', '6', '--json').stdout);
+    expect([model, zeroModes]).toEqual(['solid', { expected: 6, found: 6 }]);
+    expect(modes!.map(({ name }) => name)).toEqual(['bend', 'bend', 'twist', 'stretch', 'bend', 'bend']);
+  });
+
+  it('holds what --pins names, and scales with the material', () => {
+    const run = (...flags: string[]) =>
+      report(limber('modes', 'grid.obj', '--modes', '2', '--json', ...flags).stdout);
+    const held = run('--pins', 'low:20');
+    expect(held.zeroModes).toEqual({ expected: 0, found: 0 });
+    expect(held.options.pins).toBe('low:20');
+    const stiff = run('--material-preset', 'rubber', '--young', '4e6');
+    expect(stiff.options).toMatchObject({ young: 4e6, density: 1000 });
+    expect(stiff.modes![0].omega / run().modes![0].omega).toBeCloseTo(2, 6);
+  });
+
+  it('moves a laplacian along one axis with --direction', () => {
+    const { modes, zeroModes } = report(
+      limber('modes', 'grid.obj', '--model', 'laplacian', '--direction', 'z', '--modes', '2', '--json')
+        .stdout,
+    );
+    expect(zeroModes).toEqual({ expected: 1, found: 1 });
+    expect(modes!.every((mode) => mode.along === undefined)).toBe(true);
   });
 
   it('reports them, and nothing that it does not produce', () => {
     const found = report(limber('modes', 'two.obj', '--modes', '4', '--json').stdout);
-    expect(found).toMatchObject({ command: 'modes', model: 'shell', zeroModes: { expected: 12, found: 12 } });
+    expect(found).toMatchObject({ command: 'modes', model: 'mixed', zeroModes: { expected: 12, found: 12 } });
     expect(found.modes).toHaveLength(8);
     for (const key of ['output', 'surface', 'stop', 'fidelity']) expect(found).not.toHaveProperty(key);
   });
@@ -273,7 +313,7 @@ describe('limber modes', () => {
     const { modes } = report(stdout);
     expect(modes!.every(({ nominal }) => nominal === true)).toBe(true);
     expect(modes![0].omega).toBe(modes![2].omega);
-    expect(modes!.map(({ name }) => name)[1]).toBe('mode 2, along the middle axis');
+    expect(modes!.map(({ along }) => along).slice(0, 3)).toEqual(['shortest', 'middle', 'longest']);
   });
 
   it('shows them as morph targets with --shapes', async () => {

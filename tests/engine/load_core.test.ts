@@ -22,6 +22,9 @@ const paper = { method: 'paper' as const, strainWeight: 0.05, curvatureWeight: 1
 function results(core: Core) {
   const { mesh } = core.weld(torus().positions, torus().triangles, { tolerance: 0 });
   const modes = core.findModes(mesh, shell);
+  const solid = core.findModes(mesh, { ...shell, model: 'solid', pinned: Uint32Array.from([0, 1, 2]) });
+  const large = core.weld(torus(96, 90).positions, torus(96, 90).triangles, { tolerance: 0 }).mesh;
+  const coarse = core.findModes(large, shell);
   const guidance = core.strainGuidance(mesh, modes, { layers: [0, 1], weights: [], p: 2, threshold: 0.2 });
   const curvature = core.meanCurvature(mesh);
   const history = core.simplify(mesh, guidance.rank, curvature.vertex, paper);
@@ -31,6 +34,8 @@ function results(core: Core) {
   return {
     mesh,
     modes,
+    solid,
+    coarse,
     guidance,
     curvature,
     history,
@@ -80,6 +85,33 @@ describe('the core', () => {
     expect(run).toThrow(expect.objectContaining({ name: 'Cancelled' }));
     wish = () => {};
     expect(run().modes).toHaveLength(12);
+  });
+
+  it('is right after a hundred calls that were cancelled at random times, and keeps no memory of them', async () => {
+    let countdown = Infinity;
+    const core = await loadTestCore(2, () => {
+      if (--countdown === 0) Atomics.store(core.job!, 0, 1);
+    });
+    const { positions, triangles } = torus(48, 24);
+    const solve = (model: 'shell' | 'solid') =>
+      core.findModes({ positions, triangles }, { ...shell, model, modeCount: 6 });
+    const expected = { shell: solve('shell'), solid: solve('solid') };
+    const heap = core.peakHeapBytes();
+    let [cancelled, seed] = [0, 1];
+    for (let i = 0; i < 100; ++i) {
+      seed = (seed * 48271) % 2147483647;
+      countdown = 1 + (seed % 120);
+      try {
+        solve(i % 2 === 0 ? 'shell' : 'solid');
+      } catch (error) {
+        expect((error as Error).name).toBe('Cancelled');
+        ++cancelled;
+      }
+    }
+    countdown = Infinity;
+    expect(cancelled).toBeGreaterThan(60);
+    expect({ shell: solve('shell'), solid: solve('solid') }).toEqual(expected);
+    expect(core.peakHeapBytes()).toBeLessThan(1.3 * heap);
   });
 
   it('throws its sentence as an Error', async () => {

@@ -9,12 +9,15 @@ const [start, end] = ['<!-- options:start -->', '<!-- options:end -->'];
 
 function range(option: OptionSpec): string {
   if (option.kind === 'choice') return option.choices!.join(', ');
+  if (option.kind === 'switch') return 'given or not';
+  if (option.kind === 'pins') return 'terms joined by +';
   if (option.kind === 'modes') return 'auto, all, 1,2,...';
   return `${option.min} to ${option.max === Infinity ? 'inf' : option.max}${option.unit ? ` ${option.unit}` : ''}`;
 }
 
 function defaultOf({ default: value, unit }: OptionSpec): string {
   if (Array.isArray(value)) return value.length ? value.join(',') : '(none)';
+  if (value === '') return '(none)';
   return `${value}${unit && value !== 0 ? ` ${unit}` : ''}`;
 }
 

@@ -78,6 +78,7 @@ void Factorisation::buildFronts(const Job& job) {
     front.children = nodes.children;
     for (uint32_t child : front.children) front.subtreeWork += fronts_[child].subtreeWork;
     position += front.pivotCount;
+    storedZeros_ += nodes.zeros;
     valueCount_ += size_t{front.rows()} * front.pivotCount;
     fronts_.push_back(std::move(front));
   }
@@ -272,7 +273,7 @@ uint64_t Factorisation::nonzeros() const {
     const uint64_t pivots = front.pivotCount;
     sum += pivots * (pivots + 1) / 2 + pivots * front.boundaryCount;
   }
-  return sum;
+  return sum - storedZeros_;
 }
 
 // The updates of a whole task may wait at once, on each thread; more do not.

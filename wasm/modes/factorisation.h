@@ -28,7 +28,7 @@ class Factorisation {
 
   // How many eigenvalues of (K, M) lie below the shift.
   uint32_t negativePivots() const;
-  // Entries of L below and on the diagonal, stored zeros included.
+  // Entries of L below and on the diagonal; the zeros that are stored to make fronts larger do not count.
   uint64_t nonzeros() const;
   // Bytes that a factorisation takes beside the model, at its peak: L and the updates that wait for their
   // parents.
@@ -74,6 +74,7 @@ class Factorisation {
   std::vector<uint32_t> top_;  // fronts above the tasks
   uint32_t slotCount_ = 0;
   size_t valueCount_ = 0;
+  uint64_t storedZeros_ = 0;
   Eigen::VectorXd values_, diagonal_;     // L without its diagonal of ones; D by position
   std::vector<Eigen::MatrixXd> updates_;  // of fronts whose parent has not taken it yet, lower triangle
 };

@@ -84,7 +84,7 @@ class TreeBuilder {
   // Merging pays where few zeros are stored in proportion, or the front is small anyway.
   static bool isWorthwhile(uint64_t pivots, uint64_t entries, uint64_t zeros) {
     const double share = static_cast<double>(zeros) / static_cast<double>(entries);
-    return pivots <= 8 || (pivots <= 24 && share < 0.6) || (pivots <= 64 && share < 0.15) || share < 0.05;
+    return pivots <= 8 || (pivots <= 16 && share < 0.3) || (pivots <= 64 && share < 0.08) || share < 0.03;
   }
 
   void mergeChildren(uint32_t s) {
@@ -142,6 +142,7 @@ class TreeBuilder {
     for (uint32_t f = 0; f < sequence.size(); ++f) {
       Supernode& s = supernodes_[sequence[f]];
       for (uint32_t p : s.pivots) fronts[f].pivots.push_back(order_[p]);
+      fronts[f].zeros = s.zeros;
       std::sort(s.boundary.begin(), s.boundary.end(),
                 [&](uint32_t a, uint32_t b) { return newPosition[a] < newPosition[b]; });
       for (uint32_t p : s.boundary) fronts[f].boundary.push_back(order_[p]);

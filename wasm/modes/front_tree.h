@@ -13,6 +13,7 @@ struct FrontNodes {
   std::vector<uint32_t> pivots;    // nodes, in the order of elimination
   std::vector<uint32_t> boundary;  // nodes eliminated later that the pivots are coupled to, likewise
   std::vector<uint32_t> children;  // fronts whose boundaries reach first into this one, ascending
+  uint64_t zeros = 0;              // entries of its columns that are stored though they are 0
 };
 
 // Which fronts an order of elimination gives (children before parents, every subtree consecutive). Fronts are

@@ -35,8 +35,9 @@ double rayShare(int side, int sample) {
   return (side ? place : 1 - place) / kSamples;
 }
 
-// A piece that fewer rays run through, of about 3 kSamples^2 through a full cell, is measured on its own.
-constexpr uint32_t kFewStretches = kSamples * kSamples;
+// Less than this part of a cell is what rays find of a side of the body that happens to lie in a side of
+// cells.
+constexpr double kHardly = 1e-3;
 
 class Builder {
  public:
@@ -58,6 +59,7 @@ class Builder {
     lattice_.filled.resize(copyCount);
     lattice_.ends.resize(copyCount);
     stretchCount_.assign(copyCount, 0);
+    crossedCount_.assign(copyCount, 0);
     joinThroughTriangles(pieces);
     for (const RayFamily& family : families_) followRays(pieces, family);
     measureSlivers(pieces);
@@ -126,6 +128,7 @@ class Builder {
       before = copy;
       if (copy == kNone) return;
       ++stretchCount_[copy];
+      if (stretch.isFirst && stretch.isLast) ++crossedCount_[copy];
       for (int lateral = 0; lateral < 4; ++lateral)
         lattice_.ends[copy][4 * axis + lateral] += (stretch.isLast - stretch.isFirst) *
                                                    rayShare(lateral & 1, stretch.sample[u]) *
@@ -140,18 +143,25 @@ class Builder {
     job_.check();
   }
 
+  // Few rays run through a thin piece, or many of them cross it from surface to surface within the cell.
+  bool isSliver(uint32_t copy) const {
+    return stretchCount_[copy] <= kSamples * kSamples || 3 * crossedCount_[copy] >= stretchCount_[copy];
+  }
+
   void measureSlivers(const LatticePieces& pieces) {
     std::vector<std::vector<uint32_t>> trianglesOf(pieces.copyCount());
     for (uint32_t t = 0; t < body_.triangleCount(); ++t)
       for (uint32_t f = fragments_.start[t]; f < fragments_.start[t + 1]; ++f)
-        if (stretchCount_[pieces.copyOfFragment(f)] < kFewStretches)
-          trianglesOf[pieces.copyOfFragment(f)].push_back(t);
+        if (isSliver(pieces.copyOfFragment(f))) trianglesOf[pieces.copyOfFragment(f)].push_back(t);
     for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy) {
       if (trianglesOf[copy].empty()) continue;
       job_.check();
-      const CellMeasure measure = measureSliver({lattice_.points, body_.triangles, trianglesOf[copy],
-                                                 lattice_.grid.positionOf(pieces.cellOfCopy(copy)), sign_});
-      if (filledFraction(measure) > 0) lattice_.filled[copy] = measure;
+      const CellMeasure measure =
+          measureSliver({lattice_.points, body_.triangles, trianglesOf[copy],
+                         lattice_.grid.positionOf(pieces.cellOfCopy(copy)), sign_, stretchCount_[copy] > 0});
+      // Where the two differ widely the piece has a fold or is thick, and the lattice's rays will do.
+      const double own = filledFraction(measure), common = filledFraction(lattice_.filled[copy]);
+      if (common < kHardly || (own > 0.4 * common && own < 2.5 * common)) lattice_.filled[copy] = measure;
     }
   }
 
@@ -200,10 +210,11 @@ class Builder {
   Lattice lattice_;
   Fragments fragments_;
   std::vector<RayFamily> families_;
-  DisjointSets corners_;    // of copies, [8 * copy + corner]: joined ones are one node
-  DisjointSets connected_;  // copies
-  std::vector<uint32_t> stretchCount_;
-  int sign_ = 1;  // -1 where the body is wound inwards
+  DisjointSets corners_;                // of copies, [8 * copy + corner]: joined ones are one node
+  DisjointSets connected_;              // copies
+  std::vector<uint32_t> stretchCount_;  // of each copy: stretches of rays through it
+  std::vector<uint32_t> crossedCount_;  // those of them that begin and end within the cell
+  int sign_ = 1;                        // -1 where the body is wound inwards
 };
 
 }  // namespace

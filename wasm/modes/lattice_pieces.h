@@ -35,7 +35,7 @@ struct Stretch {
   uint32_t cell;
   std::array<int, 3> sample;  // numbers of the ray's samples within the cell; its own axis is unused
   double begin, end;          // along the ray within the cell, in [0, 1]
-  bool isFirst, isLast;                  // the interval begins, ends in this cell
+  bool isFirst, isLast;       // the interval begins, ends in this cell
   uint32_t firstCrossing, lastCrossing;  // the interval's crossings in this cell are [first, last)
 };
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kRays = 24;  // along each side of the box
 
-// Grows `box` by the part of a triangle within the cell.
-void growByClipped(const Sliver& sliver, const Triangle& triangle, Bounds& box) {
+// The part of a triangle within the cell.
+std::vector<Vec3> clipped(const Sliver& sliver, const Triangle& triangle) {
   std::vector<Vec3> polygon;
   for (uint32_t v : triangle) polygon.push_back(sliver.points[v]);
   for (int plane = 0; plane < 6; ++plane) {
@@ -27,11 +27,33 @@ void growByClipped(const Sliver& sliver, const Triangle& triangle, Bounds& box) 
     }
     polygon = kept;
   }
-  for (const Vec3& p : polygon)
-    for (int axis = 0; axis < 3; ++axis) {
-      box.low[axis] = std::min(box.low[axis], p[axis]);
-      box.high[axis] = std::max(box.high[axis], p[axis]);
+  return polygon;
+}
+
+Bounds boxOf(const std::vector<std::vector<Vec3>>& polygons) {
+  Bounds box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+  for (const auto& polygon : polygons)
+    for (const Vec3& p : polygon)
+      for (int axis = 0; axis < 3; ++axis) {
+        box.low[axis] = std::min(box.low[axis], p[axis]);
+        box.high[axis] = std::max(box.high[axis], p[axis]);
+      }
+  return box;
+}
+
+// Do the polygons face away from each other? As by the divergence theorem: six times the volume between them
+// along each axis, where the piece has no end on a side of the cell across that axis. `byOneAxis`: one of
+// them will do.
+bool isFacingOut(const std::vector<std::vector<Vec3>>& polygons, const Vec3& centre, int sign,
+                 bool byOneAxis) {
+  Vec3 volume;
+  for (const auto& polygon : polygons)
+    for (size_t i = 2; i < polygon.size(); ++i) {
+      const Vec3 &a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
+      const Vec3 normal = cross(b - a, c - a), place = a + b + c - 3 * centre;
+      for (int axis = 0; axis < 3; ++axis) volume[axis] += sign * place[axis] * normal[axis];
     }
+  return byOneAxis ? std::max({volume.x, volume.y, volume.z}) > 0 : volume.x + volume.y + volume.z > 0;
 }
 
 // The rays of one direction across the box.
@@ -77,25 +99,27 @@ class Rays {
     for (int a = firstU; a <= lastU; ++a)
       for (int b = firstV; b <= lastV; ++b) {
         const auto hit = hitTriangle(sliver_.points, triangle, axis_, place(u_, a + 0.5), place(v_, b + 0.5));
-        if (hit) hits_[a * kRays + b].push_back(*hit);
+        if (!hit) continue;
+        const double depth = hit->depth - sliver_.place[axis_];
+        if (depth >= 0 && depth <= 1) hits_[a * kRays + b].push_back({depth, hit->isEntry});
       }
   }
 
-  // What lies before the first exit is inside: the ray came into the cell within the piece.
+  // A ray that leaves before it has entered came into the cell within the piece; one that has entered and
+  // does not leave goes on beyond the cell.
   void addRay(int a, int b, CellMeasure& measure) {
     auto& hits = hits_[a * kRays + b];
     std::stable_sort(hits.begin(), hits.end(),
                      [](const LineHit& p, const LineHit& q) { return p.depth < q.depth; });
-    int winding = 0, lowest = 0;
     const auto step = [&](const LineHit& hit) { return hit.isEntry ? sliver_.sign : -sliver_.sign; };
+    int winding = 0, lowest = 0;
     for (const LineHit& hit : hits) lowest = std::min(lowest, winding += step(hit));
     winding = -lowest;
     double before = 0;
     for (const LineHit& hit : hits) {
-      const double depth = std::clamp(hit.depth - sliver_.place[axis_], 0.0, 1.0);
-      if (winding > 0) addStretch(a, b, {before, depth}, measure);
+      if (winding > 0) addStretch(a, b, {before, hit.depth}, measure);
       winding += step(hit);
-      before = depth;
+      before = hit.depth;
     }
     if (winding > 0) addStretch(a, b, {before, 1}, measure);
   }
@@ -126,10 +150,13 @@ class Rays {
 }  // namespace
 
 CellMeasure measureSliver(const Sliver& sliver) {
-  Bounds box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
-  for (uint32_t t : sliver.around) growByClipped(sliver, sliver.triangles[t], box);
+  std::vector<std::vector<Vec3>> polygons;
+  for (uint32_t t : sliver.around) polygons.push_back(clipped(sliver, sliver.triangles[t]));
+  const Bounds box = boxOf(polygons);
   CellMeasure best = {};
-  if (!(box.low.x <= box.high.x)) return best;
+  if (!(box.low.x <= box.high.x) ||
+      !isFacingOut(polygons, (box.low + box.high) / 2, sliver.sign, sliver.isMet))
+    return best;
   for (int axis = 0; axis < 3; ++axis) {
     const CellMeasure measure = Rays(sliver, box, axis).measure();
     if (filledFraction(measure) > filledFraction(best)) best = measure;

@@ -14,7 +14,9 @@ namespace {
 
 constexpr size_t kSections = 16;           // at most
 constexpr size_t kVerticesOfSection = 16;  // fewer sections where there are less
-constexpr double kLocal = 0.28, kBreathe = 0.5;
+constexpr double kLocal = 0.2, kBreathe = 0.5;
+constexpr double kWhole =
+    0.95;  // of the energy in one motion of rigid sections: a beam moves, however light its tip
 constexpr double kExplained = 0.5;  // of the energy: below it rigid sections say nothing
 
 Eigen::Vector3d eigen(const Vec3& v) {
@@ -112,10 +114,10 @@ ModeCharacter ModeObserver::observe(const std::vector<Vec3>& shape) const {
 }
 
 ModeName nameOf(const ModeCharacter& character) {
-  if (character.participation < kLocal) return ModeName::Local;
+  const double most = std::max({character.stretch, character.twist, character.bend});
+  if (character.participation < kLocal && most < kWhole) return ModeName::Local;
   if (character.breathe > kBreathe) return ModeName::Breathe;
   if (character.stretch + character.twist + character.bend < kExplained) return ModeName::Bend;
-  const double most = std::max({character.stretch, character.twist, character.bend});
   if (most == character.bend) return ModeName::Bend;
   return most == character.twist ? ModeName::Twist : ModeName::Stretch;
 }

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "modes/eigensolver.h"
 #include "modes/laplacian.h"
+#include "modes/pinned_patch.h"
 #include "modes/pins.h"
 #include "modes/principal_axes.h"
 #include "modes/shell.h"
@@ -106,12 +107,23 @@ Eigen::MatrixXd rigidMotions(const Part& part) {
   return motions;
 }
 
+double enclosedVolume(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    sum += dot(mesh.corner(t, 0), cross(mesh.corner(t, 1), mesh.corner(t, 2))) / 6;
+  return std::abs(sum);
+}
+
 PartModes solveSolid(const Part& part, const ModesOptions& options, Job& job) {
   job.begin(Phase::Assemble);
   SolidOptions solidOptions;
   solidOptions.poisson = options.poisson;
-  SolidModel solid = solidModel(part.mesh, solidOptions, job);
-  for (uint32_t v : part.pinned)
+  TriangleMesh mesh = part.mesh;
+  std::vector<uint32_t> pinned = part.pinned;
+  if (!pinned.empty())  // to about the size of a cell
+    refinePinnedFaces(mesh, pinned, std::cbrt(enclosedVolume(mesh) / solidOptions.targetCells));
+  SolidModel solid = solidModel(mesh, solidOptions, job);
+  for (uint32_t v : pinned)
     holdPoint(solid.model, {&solid.embeddingNodes[8 * size_t{v}], &solid.embeddingWeights[8 * size_t{v}]},
               kPinStiffness * solid.cellSize);
   const auto zeros = static_cast<int>(rigidMotionsLeft(pinnedPoints(part)));

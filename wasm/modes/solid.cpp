@@ -10,9 +10,12 @@ namespace limber {
 
 namespace {
 
-// Every cell has this share of a full cell's stiffness on top of its own (but no mass of it): what is empty
-// must not leave nodes loose.
-constexpr double kEmptyStiffness = 1e-7;
+// Stiffness that a cell has on top of its own, by that of a full cell: what is empty must not leave nodes
+// loose, and mass must not hang on next to nothing where a piece is a sliver that hardly reaches its nodes.
+// No mass comes with it. A strut of a tenth of a cell becomes stiffer by a tenth, one of a third by a
+// hundredth.
+constexpr double kEmptyStiffness = 1e-7, kStiffnessOfMass = 1e-3;
+constexpr double kSliver = 0.5;  // filled up to this: the second kind is added
 
 CellMeasure fullCell() {
   const auto along = lagrangeIntegrals(1);
@@ -30,7 +33,9 @@ StiffnessModel assemble(const Lattice& lattice, double poisson, Job& job) {
   for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy) {
     if (copy % 256 == 0) job.check();
     CellMeasure held = lattice.filled[copy];
-    for (int q = 0; q < 27; ++q) held[q] += kEmptyStiffness * full[q];
+    const double fraction = filledFraction(held);
+    const double added = kEmptyStiffness + (fraction < kSliver ? kStiffnessOfMass * fraction : 0);
+    for (int q = 0; q < 27; ++q) held[q] += added * full[q];
     assembly.add(copy, brick.stiffness(held));
   }
   model.stiffness = assembly.take();

@@ -20,7 +20,7 @@ struct SolidModel {
 
 struct SolidOptions {
   double poisson = 0.3;
-  uint32_t targetCells = 4000;  // a wish for the number of cells that hold a part of the body
+  uint32_t targetCells = 2500;  // a wish for the number of cells that hold a part of the body
 };
 
 // `body`: closed and oriented, any number of shells, those of cavities turned the other way; every vertex is

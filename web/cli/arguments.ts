@@ -142,6 +142,7 @@ function readSettings(command: Command, values: Map<string, string>): Settings {
   return settings;
 }
 
+/** The four numbers of --material-preset. */
 function readPreset(values: Map<string, string>): Partial<Settings> {
   const name = values.get('material-preset');
   if (name === undefined) return {};

@@ -5,6 +5,7 @@ import { droppedByExport, exportGlb } from '../engine/document/export';
 import { shapeTargets } from '../engine/document/shapes';
 import { describeSize, describeSolve } from '../engine/health';
 import { resolveModes } from '../engine/options';
+import type { Settings } from '../engine/options';
 import { exportedMesh, findModes, materialOf, startStopwatch } from '../engine/pipeline';
 import type { PreparedBody } from '../engine/pipeline';
 import type { ModeSet } from '../engine/core';
@@ -44,11 +45,9 @@ export async function runModes(args: Arguments): Promise<number> {
     const dropped = droppedByExport(model);
     if (dropped.length > 0) session.warnings.push(`${args.shapes} leaves out ${dropped.join(', ')}`);
   }
-  const { method: _, ...motion } = settings;
-  const used = {
-    ...motion,
-    ...(args.mesh !== null ? { mesh: args.mesh } : {}),
-  };
+  const used: Partial<Settings> & { mesh?: string } = { ...settings };
+  delete used.method; // it only keeps `auto` from meaning the paper's model
+  if (args.mesh !== null) used.mesh = args.mesh;
   const report = startReport(session.core, 'modes', used, usable(prepared));
   Object.assign(report, modesReport(sets.filter((set) => set !== null)));
   session.warnings.push(...describeSolve(report.modes!, report.solve!.coarseVertices ?? 0));

@@ -45,6 +45,35 @@ export function cube(): TriangleMesh {
   return { positions, triangles: Uint32Array.from(triangles) };
 }
 
+/** The surface of a box of cellsX x cellsY x cellsZ unit cells, two triangles each. */
+export function box(cellsX: number, cellsY: number, cellsZ: number): TriangleMesh {
+  const cells = [cellsX, cellsY, cellsZ];
+  const numbers = new Map<string, number>();
+  const triangles: number[] = [];
+  const at = (point: number[]): number => {
+    const key = point.join();
+    if (!numbers.has(key)) numbers.set(key, numbers.size);
+    return numbers.get(key)!;
+  };
+  for (const [axis, side] of [0, 1, 2].flatMap((one) => [[one, 0] as const, [one, 1] as const])) {
+    const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+    for (let j = 0; j < cells[v]; ++j)
+      for (let i = 0; i < cells[u]; ++i) {
+        const corner = (di: number, dj: number): number => {
+          const point = [0, 0, 0];
+          point[axis] = side * cells[axis];
+          point[u] = i + di;
+          point[v] = j + dj;
+          return at(point);
+        };
+        const [a, b, c, d] = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+        triangles.push(...(side ? [a, b, c, a, c, d] : [a, c, b, a, d, c]));
+      }
+  }
+  const positions = Float32Array.from([...numbers.keys()].flatMap((key) => key.split(',').map(Number)));
+  return { positions, triangles: Uint32Array.from(triangles) };
+}
+
 export function toObj({ positions, triangles }: TriangleMesh): string {
   const lines: string[] = [];
   for (let v = 0; v < positions.length; v += 3) lines.push(`v ${positions.slice(v, v + 3).join(' ')}`);

@@ -1,0 +1,44 @@
+/** A free elastic sphere (Lamb 1882): omega R / c_T, c_T = sqrt(G / rho) the speed of shear waves. */
+
+import { signChanges } from './roots';
+
+const HIGHEST = 12;
+
+/** Spherical Bessel function j_l(x), x > 0, by the recurrence upwards: for l not much above x. */
+function bessel(l: number, x: number): number {
+  let [low, high] = [Math.sin(x) / x, Math.sin(x) / x ** 2 - Math.cos(x) / x];
+  if (l === 0) return low;
+  for (let k = 1; k < l; k++) [low, high] = [high, ((2 * k + 1) / x) * high - low];
+  return high;
+}
+
+/** c_T / c_L. */
+const speedRatio = (poisson: number) => Math.sqrt((1 - 2 * poisson) / (2 * (1 - poisson)));
+
+/** Twists on spheres about the centre, degree l >= 1; each counts 2 l + 1 times. */
+export function torsional(l: number, count: number): number[] {
+  const condition = (x: number) => (l - 1) * bessel(l, x) - x * bessel(l + 1, x);
+  return signChanges(condition, 0.5, HIGHEST, 2000, count);
+}
+
+/** In and out everywhere, degree 0; each counts once. */
+export function breathing(poisson: number, count: number): number[] {
+  const condition = (x: number): number => {
+    const y = speedRatio(poisson) * x;
+    return (1 - x ** 2 / 4) * Math.sin(y) - y * Math.cos(y);
+  };
+  return signChanges(condition, 0.5, HIGHEST, 2000, count);
+}
+
+/** Degree l >= 1 with radial motion: the determinant of the two boundary conditions; each counts 2 l + 1 times. */
+export function spheroidal(l: number, poisson: number, count: number): number[] {
+  const condition = (x: number): number => {
+    const y = speedRatio(poisson) * x;
+    const normalLong = (l * l - l - x ** 2 / 2) * bessel(l, y) + 2 * y * bessel(l + 1, y);
+    const normalShear = l * (l + 1) * ((l - 1) * bessel(l, x) - x * bessel(l + 1, x));
+    const tangentLong = (l - 1) * bessel(l, y) - y * bessel(l + 1, y);
+    const tangentShear = (l * l - 1 - x ** 2 / 2) * bessel(l, x) + x * bessel(l + 1, x);
+    return normalLong * tangentShear - normalShear * tangentLong;
+  };
+  return signChanges(condition, 0.5, HIGHEST, 2000, count);
+}

@@ -1,0 +1,77 @@
+// What tests/bench/modes.mjs measures with: our native program, the Python peer, the bundled engine.
+
+import { execFile, spawnSync } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { promisify } from 'node:util';
+import { build } from 'vite';
+import { findHeaders, run } from '../../scripts/setup/environment.mjs';
+
+const execute = promisify(execFile);
+const root = resolve(import.meta.dirname, '..', '..');
+const folder = join(root, 'build', 'bench');
+const here = (name) => join(import.meta.dirname, name);
+
+/** Runs a program that prints JSON. */
+async function jsonOf(program, args, environment = {}) {
+  const options = { env: { ...process.env, ...environment }, maxBuffer: 1 << 26 };
+  const { stdout } = await execute(program, args, options);
+  return JSON.parse(stdout);
+}
+
+/** The engine's loader as one file, for Node and the browser. */
+export async function bundleEngine() {
+  const outDir = join(folder, 'engine');
+  const ssr = 'web/engine/load_core.ts';
+  await build({
+    root,
+    configFile: false,
+    logLevel: 'warn',
+    publicDir: false,
+    build: { ssr, outDir, emptyOutDir: true, target: 'es2022' },
+  });
+}
+
+/** The native program, optimised: (mesh, options) -> what it prints. */
+export function buildNative() {
+  const options = ['-DLIMBER_BENCH=ON', '-DLIMBER_TESTS=OFF', `-DLIMBER_HEADERS=${findHeaders()}`];
+  run('cmake', ['--preset', 'release', '-B', folder, ...options], { quiet: true });
+  run('ninja', ['-C', folder, 'shell_modes'], { quiet: true });
+  const program = join(folder, 'tests', 'bench', 'shell_modes');
+  return (mesh, ...args) => jsonOf(program, [mesh, ...args]);
+}
+
+/** A fresh Node process for every measurement. */
+export const runInNode = (mesh, threads, options) =>
+  jsonOf(process.execPath, [here('modes_node.mjs'), mesh, String(threads), JSON.stringify(options)]);
+
+const hasPackages = (python) =>
+  spawnSync(python, ['-c', 'import numpy, scipy, sksparse.cholmod'], { stdio: 'ignore' }).status === 0;
+
+/** A Python that has the peer's packages: $LIMBER_BENCH_PYTHON, python3, or one of our own in build/bench; or null. */
+function findPython() {
+  const own = join(folder, 'python', 'bin', 'python');
+  const found = [process.env.LIMBER_BENCH_PYTHON, own, 'python3'].find(
+    (python) => python && hasPackages(python),
+  );
+  if (found) return found;
+  if (!existsSync(own) && spawnSync('python3', ['-m', 'venv', join(folder, 'python')]).status !== 0)
+    return null;
+  // scikit-sparse 0.5 needs SuiteSparse 7.
+  for (const version of ['scikit-sparse', 'scikit-sparse<0.5']) {
+    spawnSync(own, ['-m', 'pip', 'install', '--quiet', 'numpy', 'scipy', version], { stdio: 'ignore' });
+    if (hasPackages(own)) return own;
+  }
+  return null;
+}
+
+/** (matrix, threads of its BLAS, options) -> what the peer prints; null where Python or a package is not here. */
+export function findPeer() {
+  const python = findPython();
+  if (!python) return null;
+  return (matrix, threads, ...args) =>
+    jsonOf(python, [here('modes_peer.py'), matrix, ...args], {
+      OPENBLAS_NUM_THREADS: String(threads),
+      OMP_NUM_THREADS: String(threads),
+    });
+}

@@ -1,0 +1,126 @@
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { Core } from '../../web/engine/core';
+import { openModel } from '../../web/engine/document/open';
+import { MATERIAL_NAMES, MATERIALS, materialNameOf } from '../../web/engine/materials';
+import { checkSettings, defaultSettings } from '../../web/engine/options';
+import { findPins, parsePins } from '../../web/engine/pins';
+import { findModes, prepareBody } from '../../web/engine/pipeline';
+import { loadTestCore } from './support/core';
+import { textFile } from './support/files';
+import { addMesh, floats, glbFile, primitiveOf, startDocument } from './support/gltf';
+import { grid, toObj, torus } from './support/shapes';
+
+let core: Core;
+beforeAll(async () => {
+  core = await loadTestCore(1);
+});
+
+/** A sheet of 6 x 2 cells over [0, 1]^2 whose file has a vertex that no face uses, first. */
+async function sheet() {
+  const text = `v 9 9 9\n${toObj(grid(6, 2)).replace(/^f (\d+) (\d+) (\d+)$/gm, (_, a, b, c) => `f ${+a + 1} ${+b + 1} ${+c + 1}`)}`;
+  const model = await openModel([textFile('sheet.obj', text)]);
+  return { document: model.document, prepared: prepareBody(core, model.bodies[0], defaultSettings()) };
+}
+
+const pinsOf = async (text: string) => {
+  const { document, prepared } = await sheet();
+  return [...findPins(text, document, prepared)];
+};
+
+describe('pins', () => {
+  it('are none for an empty text', async () => {
+    expect(parsePins('')).toEqual([]);
+    expect(await pinsOf('')).toEqual([]);
+  });
+
+  it('take the ends of the longest axis', async () => {
+    expect(await pinsOf('low:0')).toEqual([0, 7, 14]);
+    expect(await pinsOf('high:20')).toEqual([5, 6, 12, 13, 19, 20]);
+  });
+
+  it('take what a box holds, in any order of its corners', async () => {
+    expect(await pinsOf('box:0.9,-1,-1,2,0.1,1')).toEqual([6]);
+    expect(await pinsOf('box:2,0.1,1,0.9,-1,-1')).toEqual([6]);
+  });
+
+  it('name vertices by their number in the file, and join terms', async () => {
+    const { document, prepared } = await sheet();
+    const first = prepared.weld.vertexOfSource.findIndex((vertex) => vertex === 0);
+    expect([...findPins(`vertices:${first}+high:0`, document, prepared)]).toEqual([0, 6, 13, 20]);
+  });
+
+  it('take vertices whose attribute is above one half, of any primitive', async () => {
+    const document = startDocument();
+    const [one, two] = [primitiveOf(document, grid(1, 1)), primitiveOf(document, torus())];
+    const values = new Float32Array(288).fill(0);
+    values[5] = 1;
+    values[6] = 0.4;
+    two.setAttribute('_PIN', floats(document, 'SCALAR', values));
+    addMesh(document, 'both', [one, two]);
+    const model = await openModel([await glbFile(document)]);
+    const prepared = prepareBody(core, model.bodies[0], defaultSettings());
+    const [vertex] = findPins('attribute:_PIN', model.document, prepared);
+    expect([...findPins('attribute:_PIN', model.document, prepared)]).toHaveLength(1);
+    expect([...prepared.mesh.positions.slice(3 * vertex, 3 * vertex + 3)]).toEqual([
+      ...torus().positions.slice(15, 18),
+    ]);
+    expect(() => findPins('attribute:_NO', model.document, prepared)).toThrow(
+      '--pins names the attribute _NO, but "both" has POSITION, _PIN: name one of these.',
+    );
+  });
+
+  it.each(['low', 'low:', 'low:x', 'low:101', 'box:1,2,3', 'vertices:1.5', 'vertices:', 'top:5', 'low:5+'])(
+    '"%s" is refused with the forms',
+    (text) => {
+      expect(() => checkSettings({ ...defaultSettings(), pins: text })).toThrow(
+        /^--pins has ".*": give low:PCT, high:PCT, box:.*, attribute:NAME or vertices:i,j, joined by \+\.$/,
+      );
+    },
+  );
+
+  it('refuse a vertex that the body does not have', async () => {
+    await expect(pinsOf('vertices:400')).rejects.toThrow(
+      /^--pins names vertex 400, but "sheet" has only \d+: name one below that\.$/,
+    );
+  });
+
+  it('leave no rigid motion once a body is held at an end', async () => {
+    const { document, prepared } = await sheet();
+    const settings = { ...defaultSettings(), model: 'shell' as const, modeCount: 3 };
+    const free = findModes(core, prepared, settings);
+    const held = findModes(core, prepared, settings, findPins('low:0', document, prepared));
+    expect([free.components[0].zeroModesFound, held.components[0].zeroModesFound]).toEqual([6, 1]);
+    const clamped = findModes(core, prepared, settings, findPins('low:20', document, prepared));
+    expect(clamped.components[0]).toMatchObject({ zeroModesExpected: 0, zeroModesFound: 0 });
+    expect(clamped.modes[0].omega).toBeLessThan(free.modes[0].omega);
+  });
+});
+
+describe('materials', () => {
+  it('are all within the ranges of the settings, and known again by their numbers', () => {
+    for (const name of MATERIAL_NAMES) {
+      const settings = { ...defaultSettings(), ...MATERIALS[name] };
+      checkSettings(settings);
+      expect(materialNameOf(settings)).toBe(name);
+    }
+    expect(materialNameOf(defaultSettings())).toBe('rubber');
+    expect(materialNameOf({ ...defaultSettings(), density: 7 })).toBeNull();
+  });
+
+  it('all give modes, thin as they are', () => {
+    const { mesh } = core.weld(torus(40, 20).positions, torus(40, 20).triangles, { tolerance: 0 });
+    for (const name of MATERIAL_NAMES) {
+      const { thickness, ...material } = MATERIALS[name];
+      const options = { model: 'shell' as const, modeCount: 4, direction: -1, exact: true, unit: 1 };
+      const length = (thickness / 100) * 3.7;
+      const set = core.findModes(mesh, {
+        ...options,
+        ...material,
+        thickness: length,
+        pinned: new Uint32Array(),
+      });
+      expect(set.components[0].zeroModesFound).toBe(6);
+      for (const { residual } of set.modes) expect(residual).toBeLessThan(1e-6);
+    }
+  });
+});
