@@ -1,7 +1,7 @@
 /** Small meshes as OBJ text, made for the tests. */
 
-/** A flat sheet of 8 x 8 with a tail of 8 x 0.25: the tail moves alone long before the sheet does. */
-export function sheetWithTailObj(): string {
+/** A flat sheet of 8 x 8 with prongs of 8 x 0.25 side by side: they move against each other long before the sheet does. */
+export function combObj(): string {
   const lines: string[] = [];
   const numberOf = new Map<string, number>();
   const vertex = (x: number, y: number): number => {
@@ -17,12 +17,14 @@ export function sheetWithTailObj(): string {
     const [c, d] = [vertex(x + 1, y + height), vertex(x, y + height)];
     lines.push(`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`);
   };
-  const rows = [0, 1, 2, 3, 3.25, 4, 5, 6, 7, 8];
+  const rows = Array.from({ length: 8 }, (_, y) => [y, y + 0.25])
+    .flat()
+    .concat(8);
   for (let x = 0; x < 8; x++)
     rows.slice(1).forEach((top, row) => {
       square(x, rows[row], top - rows[row]);
     });
-  for (let x = 8; x < 16; x++) square(x, 3, 0.25);
+  for (let x = 8; x < 16; x++) for (let y = 1; y < 7; y++) square(x, y, 0.25);
   return `${lines.join('\n')}\n`;
 }
 

@@ -30,6 +30,7 @@ export function Gallery() {
   }, [view.playing.value, modes]);
   useEffect(() => () => thumbnails.current?.dispose(), []);
   if (!modes) return <p class="empty">{status.paused.value ? 'Stopped.' : 'Finding modes ...'}</p>;
+  if (modes.layerCount === 0) return <p class="empty">No part can move: let go of some vertices.</p>;
   return (
     <>
       <ul class={areModesStale.value ? 'gallery stale' : 'gallery'} ref={list} aria-label="Modes">

@@ -17,6 +17,7 @@ export function connectPicking(canvas: HTMLCanvasElement, stage: Stage): PickToo
   return new PickTool(canvas, {
     mesh: () => (isPicking.value ? (results.body.value?.mesh ?? null) : null),
     rayAt: (x, y) => stage.rayAt(x, y),
+    hover: (vertex) => stage.offer(vertex),
     brush: () => BRUSH * results.body.value!.diagonal,
     paint: (vertices, isErasing) => {
       stage.pin(afterEdit([...vertices], !isErasing));
@@ -54,5 +55,6 @@ function pinByHand(vertices: number[], isPinning: boolean): void {
 export function showPins(stage: Stage | null): void {
   const isShown = view.step.value !== 'model' && results.body.value !== null;
   stage?.pin(isShown ? shownPins() : []);
+  if (!isPicking.value) stage?.offer(null);
   stage?.colourPins(isDark.value ? { fill: '#ff9d5c', rim: '#1a0d04' } : { fill: '#e8590c', rim: '#ffffff' });
 }

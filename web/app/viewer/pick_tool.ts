@@ -11,6 +11,8 @@ export interface PickHost {
   rayAt(clientX: number, clientY: number): Ray;
   /** radius of the brush, in units of the mesh */
   brush(): number;
+  /** the vertex that a click would take; null where there is none */
+  hover(vertex: number | null): void;
   /** while a stroke goes on: the vertices that it has touched */
   paint(vertices: ReadonlySet<number>, isErasing: boolean): void;
   /** the end of a stroke; `isClick`: of one vertex, without a drag */
@@ -32,6 +34,7 @@ const CLICK_PIXELS = 4;
 export class PickTool {
   private picker: { mesh: TriangleMesh; tree: Picker } | null = null;
   private stroke: Stroke | null = null;
+  private hovered: number | null = null;
 
   /** Listens on the canvas ahead of the camera, which gets every drag that does not begin on the body. */
   constructor(
@@ -42,6 +45,7 @@ export class PickTool {
     canvas.addEventListener('pointermove', (event) => this.move(event));
     canvas.addEventListener('pointerup', (event) => this.end(event));
     canvas.addEventListener('pointercancel', () => this.abandon());
+    canvas.addEventListener('pointerleave', () => this.hover(null));
   }
 
   /** Forgets a stroke that has not ended. */
@@ -67,6 +71,8 @@ export class PickTool {
 
   private move(event: PointerEvent): void {
     const { stroke } = this;
+    // A button that is held down turns the view.
+    if (!stroke && event.buttons === 0) this.hover(this.vertexAt(event));
     if (!stroke || event.pointerId !== stroke.pointer) return;
     const distance = Math.hypot(event.clientX - stroke.startX, event.clientY - stroke.startY);
     if (stroke.isClick && distance < CLICK_PIXELS) return;
@@ -80,6 +86,12 @@ export class PickTool {
     if (!stroke || event.pointerId !== stroke.pointer) return;
     this.stroke = null;
     this.host.finish([...stroke.vertices], stroke.isErasing, stroke.isClick);
+  }
+
+  private hover(vertex: number | null): void {
+    if (vertex === this.hovered) return;
+    this.hovered = vertex;
+    this.host.hover(vertex);
   }
 
   private touch({ vertices }: Stroke, { clientX, clientY }: PointerEvent): void {

@@ -97,6 +97,7 @@ export class Stage {
   private readonly maps: Record<MapName, THREE.DataTexture>;
   private readonly panes: Record<PaneName, Pane>;
   private readonly dots: PinDots;
+  private readonly candidate: PinDots;
   private shown: PaneName[] = ['original'];
   private stale = true;
   private swinging = false;
@@ -110,7 +111,8 @@ export class Stage {
     this.maps = { viridis: mapTexture('viridis'), cividis: mapTexture('cividis') };
     this.panes = { original: new Pane(this.maps.viridis), optimized: new Pane(this.maps.viridis) };
     this.dots = new PinDots(this.renderer.getPixelRatio());
-    this.panes.original.scene.add(this.dots.points);
+    this.candidate = new PinDots(this.renderer.getPixelRatio());
+    this.panes.original.scene.add(this.dots.points, this.candidate.points);
     this.controls = new CameraControls(this.camera, canvas);
     this.controls.dollyToCursor = true;
     this.controls.smoothTime = 0.08;
@@ -143,16 +145,23 @@ export class Stage {
 
   /** Dots at these vertices of the original, at rest. */
   pin(vertices: Iterable<number>): void {
+    this.showDots(this.dots, vertices);
+  }
+
+  /** A dot at the vertex that a click would take. */
+  offer(vertex: number | null): void {
+    this.showDots(this.candidate, vertex === null ? [] : [vertex]);
+  }
+
+  private showDots(dots: PinDots, vertices: Iterable<number>): void {
     const { mesh } = this.panes.original;
-    this.dots.show(
-      mesh ?? { positions: new Float32Array(), triangles: new Uint32Array() },
-      mesh ? vertices : [],
-    );
+    dots.show(mesh ?? { positions: new Float32Array(), triangles: new Uint32Array() }, mesh ? vertices : []);
     this.stale = true;
   }
 
   colourPins(look: DotLook): void {
     this.dots.look(look);
+    this.candidate.look({ fill: look.rim, rim: look.fill });
     this.stale = true;
   }
 
