@@ -11,6 +11,7 @@ namespace limber {
 namespace {
 
 constexpr size_t kVerticesPerRange = 4096;
+constexpr size_t kSmallFan = 16;
 
 // The two edges of triangle t that meet in vertex v.
 std::array<uint32_t, 2> edgesAt(const TriangleMesh& mesh, const Topology& topology, uint32_t t, uint32_t v) {
@@ -41,23 +42,58 @@ FanEnd turnAround(const TriangleMesh& mesh, const Topology& topology, uint32_t v
   }
 }
 
-VertexKind classify(const TriangleMesh& mesh, const Topology& topology, uint32_t v) {
+// The kinds that edges alone decide: the ends of edges with one or with more than two triangles.
+std::vector<VertexKind> classifyByEdges(const TriangleMesh& mesh, const Topology& topology) {
+  std::vector<VertexKind> kinds(mesh.vertexCount(), VertexKind::Interior);
+  for (const Topology::Edge& edge : topology.edges) {
+    if (edge.useCount == 2) continue;
+    for (uint32_t v : {edge.a, edge.b})
+      if (kinds[v] != VertexKind::NonManifoldEdge)
+        kinds[v] = edge.useCount == 1 ? VertexKind::Border : VertexKind::NonManifoldEdge;
+  }
+  return kinds;
+}
+
+// Both tell whether one fan holds all triangles of a vertex that is not at the end of a non-manifold edge.
+// Walking depends on one look-up after the other, which takes longer than to fetch the few edges of a usual
+// vertex at once and to string them together.
+bool isOneFanByWalking(const TriangleMesh& mesh, const Topology& topology, uint32_t v, bool onBorder) {
   const auto around = topology.trianglesAround(v);
-  if (around.empty()) return VertexKind::Unused;
-  uint32_t start = around[0], entry = edgesAt(mesh, topology, start, v)[0];
-  bool border = false;
+  const auto walk = [&](uint32_t t, uint32_t entry) {
+    return turnAround(mesh, topology, v, t, entry).passed == around.size();
+  };
+  if (!onBorder) return walk(around[0], edgesAt(mesh, topology, around[0], v)[0]);
+  // An open fan has to be walked from one of its ends.
   for (uint32_t t : around)
-    for (uint32_t e : edgesAt(mesh, topology, t, v)) {
-      if (topology.edges[e].useCount > 2) return VertexKind::NonManifoldEdge;
-      if (topology.edges[e].useCount == 1 && !border) {
-        border = true;
-        start = t;
-        entry = e;
+    for (uint32_t e : edgesAt(mesh, topology, t, v))
+      if (topology.edges[e].useCount == 1) return walk(t, e);
+  return false;
+}
+
+bool isOneFanByStringing(const TriangleMesh& mesh, const Topology& topology, uint32_t v) {
+  const auto around = topology.trianglesAround(v);
+  std::array<std::array<uint32_t, 2>, kSmallFan> pairs;
+  for (size_t i = 0; i < around.size(); ++i) pairs[i] = edgesAt(mesh, topology, around[i], v);
+  size_t strung = 1;  // pairs[0 .. strung) hang together
+  for (int end : {1, 0}) {
+    uint32_t loose = pairs[0][end];
+    for (size_t i = strung; i < around.size();) {
+      const bool first = pairs[i][0] == loose, second = pairs[i][1] == loose;
+      if (first || second) {
+        loose = pairs[i][first ? 1 : 0];
+        std::swap(pairs[i], pairs[strung++]);
+        i = strung;
+      } else {
+        ++i;
       }
     }
-  const FanEnd fan = turnAround(mesh, topology, v, start, entry);
-  if (fan.passed < around.size()) return VertexKind::NonManifold;
-  return border ? VertexKind::Border : VertexKind::Interior;
+  }
+  return strung == around.size();
+}
+
+bool isOneFan(const TriangleMesh& mesh, const Topology& topology, uint32_t v, bool onBorder) {
+  return topology.trianglesAround(v).size() <= kSmallFan ? isOneFanByStringing(mesh, topology, v)
+                                                         : isOneFanByWalking(mesh, topology, v, onBorder);
 }
 
 uint32_t rootOf(std::vector<uint32_t>& parent, uint32_t e) {
@@ -68,9 +104,15 @@ uint32_t rootOf(std::vector<uint32_t>& parent, uint32_t e) {
 }  // namespace
 
 std::vector<VertexKind> classifyVertices(const TriangleMesh& mesh, const Topology& topology) {
-  std::vector<VertexKind> kinds(mesh.vertexCount());
+  std::vector<VertexKind> kinds = classifyByEdges(mesh, topology);
   parallelFor(kinds.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
-    for (size_t v = begin; v < end; ++v) kinds[v] = classify(mesh, topology, static_cast<uint32_t>(v));
+    for (auto v = static_cast<uint32_t>(begin); v < end; ++v) {
+      if (kinds[v] == VertexKind::NonManifoldEdge) continue;
+      if (topology.trianglesAround(v).empty())
+        kinds[v] = VertexKind::Unused;
+      else if (!isOneFan(mesh, topology, v, kinds[v] == VertexKind::Border))
+        kinds[v] = VertexKind::NonManifold;
+    }
   });
   return kinds;
 }

@@ -53,6 +53,17 @@ std::vector<EdgeUse> collectEdgeUses(const TriangleMesh& mesh, std::vector<uint3
   return uses;
 }
 
+// Most vertices have few uses, for which plain insertion is much faster than a general sort.
+void sortUses(EdgeUse* begin, EdgeUse* end) {
+  if (end - begin > 32) return std::sort(begin, end);
+  for (EdgeUse* next = begin; next != end; ++next) {
+    const EdgeUse use = *next;
+    EdgeUse* place = next;
+    for (; place != begin && use < place[-1]; --place) *place = place[-1];
+    *place = use;
+  }
+}
+
 void collectEdges(const TriangleMesh& mesh, Topology& topology) {
   std::vector<uint32_t> start;
   std::vector<EdgeUse> uses = collectEdgeUses(mesh, start);
@@ -60,7 +71,7 @@ void collectEdges(const TriangleMesh& mesh, Topology& topology) {
   topology.edgeTriangles.reserve(uses.size());
   topology.edgeOfCorner.resize(uses.size());
   for (uint32_t a = 0; a < mesh.vertexCount(); ++a) {
-    std::sort(uses.begin() + start[a], uses.begin() + start[a + 1]);
+    sortUses(uses.data() + start[a], uses.data() + start[a + 1]);
     for (uint32_t i = start[a]; i < start[a + 1]; ++i) {
       if (i == start[a] || uses[i].largerVertex != uses[i - 1].largerVertex)
         topology.edges.push_back({a, uses[i].largerVertex, i, 0});

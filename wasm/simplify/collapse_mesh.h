@@ -7,6 +7,7 @@
 
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
+#include "simplify/real_pair.h"
 
 namespace limber {
 
@@ -90,9 +91,12 @@ class CollapseMesh {
   }
   // Where to store a point that was computed: its coordinates in the file are rounded to steps of 1e-9 of the
   // diagonal first, so that rounding noise around 0 becomes 0.
-  Vec3 rounded(const Vec3& p) const {
-    const Vec3 shift{rounder_, rounder_, rounder_};
-    return stored((p + origin_ + shift) - shift - origin_);
+  template <class Real>
+  Point<Real> rounded(const Point<Real>& p) const {
+    const auto round = [&](Real x, double origin) {
+      return asFloat(((x + origin) + rounder_) - rounder_) - origin;
+    };
+    return {round(p.x, origin_.x), round(p.y, origin_.y), round(p.z, origin_.z)};
   }
 
   // Carries out a legal collapse and returns the up to two further edges that are gone (else kNone): they

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "simplify/collapse_mesh.h"
@@ -27,7 +29,11 @@ struct Placement {
 // units; the frame fixes them.
 // Where planes leave the order open (flat faces, straight creases), E_QEM would be rounding noise; a term of
 // kShortness times the squared length of the edge, far below what float32 coordinates show, takes shorter
-// edges first there; the size weight adds to it.
+// edges first there; for `qem` the size weight adds to it.
+//
+// limber: (3 E_QEM + s (1 + w sigma) L^2) (1 + g (1 / q - 1)), with L the edge's length, sigma the larger strain rank at
+// its ends, q the worst quality (Eq. 9) among the changed triangles after the collapse, and s, w, g the weights of size,
+// strain and quality. All terms are squared lengths or pure numbers, so units do not matter.
 class CostModel {
  public:
   // Keeps references to all of them. Works on many edges: reports to `job`.
@@ -38,13 +44,13 @@ class CostModel {
   // borders keep their shape; where the optimum lies far off, the best of the middle and the ends.
   Placement place(uint32_t edge) const;
 
-  // The cost of an edge. May be called for different edges at the same time.
-  double evaluate(uint32_t edge);
+  // costs[i]: the cost of edges[i]. May be called for different edges at the same time.
+  void evaluate(std::span<const uint32_t> edges, std::span<double> costs);
 
   // Whether costs depend on the triangles around an edge's ends, not on the ends alone; then `revalue` gives
-  // the new cost of an edge whose own ends have stayed as they were since its last `evaluate`.
+  // the new costs of edges whose own ends have stayed as they were since their last `evaluate`.
   bool dependsOnSurroundings() const { return qualityWeight_ > 0; }
-  double revalue(uint32_t edge) const;
+  void revalue(std::span<const uint32_t> edges, std::span<double> costs) const;
 
   // To be called before the mesh carries out a collapse; updates what is known of the kept vertex.
   void collapse(const Collapse& step);
@@ -52,12 +58,27 @@ class CostModel {
  private:
   void collectQuadrics();
   void startGuidance(const TriangleMesh& input);
+  std::array<Placement, 2> placeTwo(uint32_t e, uint32_t f) const;
+  template <class Visit>
+  void placeAll(std::span<const uint32_t> edges, const Visit& visit) const;
+  template <class Real>
+  struct Optimum;
+  template <class Real>
+  Optimum<Real> findOptimum(const QuadricOf<Real>& sum, const Point<Real>& p, const Point<Real>& q) const;
+  int endsOnBorder(uint32_t edge) const;
+  double total(uint32_t edge, const Placement& placement) const;
   double guidanceCost(uint32_t edge, const Vec3& target) const;
   double meanBadness(uint32_t edge, const Vec3& target) const;
+  double worstQuality(uint32_t edge, const Vec3& target) const;
+  template <class Visit>
+  void forEachChanged(uint32_t edge, const Visit& visit) const;
+  uint32_t nearestVertex(const Vec3& target, uint32_t edge) const;
   Vec3 inFile(const Vec3& p) const;
 
   const CollapseMesh& mesh_;
   double lengthScale_;  // squared lengths of the mesh -> of the frame whose diagonal is 300
+  Method method_;
+  double shortness_;    // of the squared length of an edge within the error
   double sizeWeight_;   // of the squared length of an edge
   std::vector<Quadric> quadrics_;
 
@@ -65,9 +86,9 @@ class CostModel {
   Guidance guidance_;
   NearestTriangle nearestTriangle_;
   NearestVertex nearestVertex_;
-  std::vector<float> strain_;         // per vertex: at the nearest input triangle
-  std::vector<float> curvature_;      // per vertex: at the nearest input vertex
-  std::vector<float> guidanceCosts_;  // per edge: alpha E_strain + beta E_curv of its last `evaluate`
+  std::vector<uint32_t> triangleOfVertex_;  // the input triangle that is nearest to a vertex
+  std::vector<uint32_t> vertexOfVertex_;    // the input vertex that is nearest to a vertex
+  std::vector<float> guidanceCosts_;        // per edge: alpha E_strain + beta E_curv of its last `evaluate`
 };
 
 }  // namespace limber

@@ -74,15 +74,6 @@ uint32_t KdTree::build(const std::vector<Bounds>& boxes, uint32_t begin, uint32_
   return index;
 }
 
-double KdTree::squaredDistance(const Bounds& box, const Vec3& p) {
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double outside = std::max({box.low[axis] - p[axis], p[axis] - box.high[axis], 0.0});
-    sum += outside * outside;
-  }
-  return sum;
-}
-
 NearestTriangle::NearestTriangle(const TriangleMesh& mesh)
     : mesh_(&mesh), step_(kDistanceStep * bounds(mesh).diagonal()) {
   std::vector<Bounds> boxes(mesh.triangleCount());
@@ -97,7 +88,7 @@ Vec3 NearestTriangle::centre(uint32_t t) const {
   return (mesh_->corner(t, 0) + mesh_->corner(t, 1) + mesh_->corner(t, 2)) / 3;
 }
 
-uint32_t NearestTriangle::find(const Vec3& p) const {
+uint32_t NearestTriangle::find(const Vec3& p, uint32_t guess) const {
   const auto rankOf = [&](uint32_t t) {
     const Vec3 point = closestPoint(p, mesh_->corner(t, 0), mesh_->corner(t, 1), mesh_->corner(t, 2));
     const double steps = std::floor(length(p - point) / step_);
@@ -107,7 +98,7 @@ uint32_t NearestTriangle::find(const Vec3& p) const {
     const double distance = (std::get<0>(rank) + 1) * step_;
     return distance * distance;
   };
-  return tree_.nearest<TriangleRank>(p, rankOf, reach);
+  return tree_.nearest(p, guess, rankOf, reach);
 }
 
 uint32_t NearestTriangle::findAround(uint32_t vertex, std::span<const Corner> star) const {
@@ -127,10 +118,10 @@ NearestVertex::NearestVertex(const TriangleMesh& mesh) : mesh_(&mesh) {
   tree_ = KdTree(boxes);
 }
 
-uint32_t NearestVertex::find(const Vec3& p) const {
+uint32_t NearestVertex::find(const Vec3& p, uint32_t guess) const {
   const auto rankOf = [&](uint32_t v) { return VertexRank(squaredLength(p - mesh_->positions[v]), v); };
   const auto reach = [](const VertexRank& rank) { return std::get<0>(rank); };
-  return tree_.nearest<VertexRank>(p, rankOf, reach);
+  return tree_.nearest(p, guess, rankOf, reach);
 }
 
 }  // namespace limber

@@ -23,12 +23,14 @@ double squaredFlatness(const Vec3& areaNormal, const Vec3& p, const Vec3& q, con
 bool isSpoilt(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& target) {
   const Vec3 side = r - q;
   const Vec3 before = cross(side, p - q), after = cross(side, target - q);
-  if (!(squaredFlatness(before, p, q, r) > kNoise * kNoise)) return false;
   const double cosine = dot(before, after);
   const double lengths = squaredLength(before) * squaredLength(after);
-  if (cosine <= 0 || cosine * cosine < kSmallestCosine * kSmallestCosine * lengths) return true;
+  const bool turns = cosine <= 0 || cosine * cosine < kSmallestCosine * kSmallestCosine * lengths;
   const double flatness = squaredFlatness(after, target, q, r);
-  return !(flatness > kSmallestHeight * kSmallestHeight) && !(flatness >= squaredFlatness(before, p, q, r));
+  if (!turns && flatness > kSmallestHeight * kSmallestHeight) return false;
+  const double flatnessBefore = squaredFlatness(before, p, q, r);
+  if (!(flatnessBefore > kNoise * kNoise)) return false;
+  return turns || !(flatness >= flatnessBefore);
 }
 
 }  // namespace

@@ -48,27 +48,33 @@ class Simplification {
         job_(job) {
     history_.vertexCount = input.vertexCount();
     history_.triangleCount = input.triangleCount();
+    for (auto* list : {&history_.kept, &history_.removed, &history_.trianglesAfter})
+      list->reserve(input.vertexCount());
+    history_.positions.reserve(3 * size_t{input.vertexCount()});
   }
 
   History run() {
     queueAll();
-    do {
-      while (!heap_.empty() && !isDone()) tryCheapest();
-    } while (!isDone() && queueWhatIsLegal());
+    do collapseAll();
+    while (!isDone() && queueWhatIsLegal());
     return std::move(history_);
   }
 
  private:
   bool isDone() const { return mesh_.triangleCount() <= stopFaces_; }
   void queueAll();
+  // Not to be inlined where there is something to destroy: with Emscripten's exceptions every call from there
+  // takes a way through JavaScript.
+  [[gnu::noinline]] void collapseAll();
   void tryCheapest();
   bool queueWhatIsLegal();
   Collapse planned(uint32_t edge) const;
   void carryOut(const Collapse& step);
   void record(const Collapse& step);
   void updateCosts(uint32_t kept);
-  void updateAround(uint32_t neighbour);
-  void retryAround(uint32_t neighbour);
+  void collectSurroundings(uint32_t neighbour);
+  void collectRefused(uint32_t neighbour);
+  void queueEdges();
 
   CollapseMesh mesh_;
   CostModel costs_;
@@ -77,22 +83,28 @@ class Simplification {
   std::vector<uint8_t> hasRefused_;   // per vertex: an edge of it may have been refused since the last retry
   std::vector<uint32_t> revaluedAt_;  // per edge: the collapse after which it got its last cost
   uint32_t stopFaces_;
+  std::vector<uint32_t> edges_;       // scratch: edges to price, and their costs
+  std::vector<double> edgeCosts_;
   Job& job_;
   History history_;
 };
 
 void Simplification::queueAll() {
-  std::vector<double> cost(mesh_.edgeCount());
-  parallelFor(cost.size(), kEdgesPerRange, [&](size_t begin, size_t end) {
-    job_.check();
-    for (size_t e = begin; e < end; ++e) {
-      const auto edge = static_cast<uint32_t>(e);
-      if (legality_.forever(edge) == Verdict::Legal) cost[e] = costs_.evaluate(edge);
-    }
-  });
+  edges_.clear();
   for (uint32_t edge = 0; edge < mesh_.edgeCount(); ++edge)
-    if (legality_.forever(edge) == Verdict::Legal) heap_.append(edge, cost[edge]);
+    if (legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
+  edgeCosts_.resize(edges_.size());
+  parallelFor(edges_.size(), kEdgesPerRange, [&](size_t begin, size_t end) {
+    job_.check();
+    costs_.evaluate(std::span(edges_).subspan(begin, end - begin),
+                    std::span(edgeCosts_).subspan(begin, end - begin));
+  });
+  for (size_t i = 0; i < edges_.size(); ++i) heap_.append(edges_[i], edgeCosts_[i]);
   heap_.build();
+}
+
+void Simplification::collapseAll() {
+  while (!heap_.empty() && !isDone()) tryCheapest();
 }
 
 void Simplification::tryCheapest() {
@@ -134,34 +146,47 @@ void Simplification::record(const Collapse& step) {
 // The edges of the kept vertex have new costs. Those of its neighbours have new surroundings: some methods
 // price these, and for all of them a collapse that was refused may have become legal.
 void Simplification::updateCosts(uint32_t kept) {
+  edges_.clear();
   mesh_.forEachEdge(kept, [&](uint32_t edge, uint32_t) {
-    if (legality_.forever(edge) == Verdict::Legal) heap_.set(edge, costs_.evaluate(edge));
+    if (legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
     if (costs_.dependsOnSurroundings()) revaluedAt_[edge] = history_.collapseCount();
   });
   hasRefused_[kept] = 0;
+  edgeCosts_.resize(edges_.size());
+  costs_.evaluate(edges_, edgeCosts_);
+  queueEdges();
+
+  edges_.clear();
   mesh_.forEachEdge(kept, [&](uint32_t, uint32_t neighbour) {
     if (mesh_.freedom(neighbour) == Freedom::Locked) return;
     if (costs_.dependsOnSurroundings())
-      updateAround(neighbour);
+      collectSurroundings(neighbour);
     else if (hasRefused_[neighbour])
-      retryAround(neighbour);
+      collectRefused(neighbour);
+    hasRefused_[neighbour] = 0;
   });
+  if (edges_.empty()) return;
+  edgeCosts_.resize(edges_.size());
+  costs_.revalue(edges_, edgeCosts_);
+  queueEdges();
 }
 
-void Simplification::updateAround(uint32_t neighbour) {
-  hasRefused_[neighbour] = 0;
+void Simplification::queueEdges() {
+  for (size_t i = 0; i < edges_.size(); ++i) heap_.set(edges_[i], edgeCosts_[i]);
+}
+
+void Simplification::collectSurroundings(uint32_t neighbour) {
   mesh_.forEachEdge(neighbour, [&](uint32_t edge, uint32_t) {
     if (revaluedAt_[edge] == history_.collapseCount()) return;
     revaluedAt_[edge] = history_.collapseCount();
-    if (legality_.forever(edge) == Verdict::Legal) heap_.set(edge, costs_.revalue(edge));
+    if (legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
   });
 }
 
-void Simplification::retryAround(uint32_t neighbour) {
-  hasRefused_[neighbour] = 0;
+// An edge between two such neighbours is collected twice, which does no harm.
+void Simplification::collectRefused(uint32_t neighbour) {
   mesh_.forEachEdge(neighbour, [&](uint32_t edge, uint32_t) {
-    if (!heap_.contains(edge) && legality_.forever(edge) == Verdict::Legal)
-      heap_.set(edge, costs_.evaluate(edge));
+    if (!heap_.contains(edge) && legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
   });
 }
 
@@ -169,6 +194,7 @@ void Simplification::retryAround(uint32_t neighbour) {
 // whether there is anything to do.
 bool Simplification::queueWhatIsLegal() {
   history_.refused = {};
+  edges_.clear();
   for (uint32_t edge = 0; edge < mesh_.edgeCount(); ++edge) {
     if (mesh_.trianglesOnEdge(edge) == 0) continue;
     if (edge % kEdgesPerRange == 0) job_.check();
@@ -177,8 +203,11 @@ bool Simplification::queueWhatIsLegal() {
     history_.refused.lock += verdict == Verdict::Locked;
     history_.refused.topology += verdict == Verdict::Topology;
     history_.refused.flip += verdict == Verdict::Flip;
-    if (verdict == Verdict::Legal) heap_.set(edge, costs_.evaluate(edge));
+    if (verdict == Verdict::Legal) edges_.push_back(edge);
   }
+  edgeCosts_.resize(edges_.size());
+  costs_.evaluate(edges_, edgeCosts_);
+  queueEdges();
   return !heap_.empty();
 }
 

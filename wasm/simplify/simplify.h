@@ -8,18 +8,18 @@
 
 namespace limber {
 
-enum class Method : int32_t { Qem = 0, Paper = 1 };
+enum class Method : int32_t { Qem = 0, Paper = 1, Limber = 2 };
 
 struct SimplifyOptions {
   Method method = Method::Paper;
   double strainWeight = 0;     // alpha of Eq. 11
   double curvatureWeight = 0;  // beta
   double qualityWeight = 0;    // gamma
-  double sizeWeight = 0;       // of an edge's squared length beside E_QEM: 0.003 keeps triangles even
+  double sizeWeight = 0;       // of an edge's squared length: qem beside E_QEM, limber as s (0 for paper)
   uint32_t stopFaces = 0;      // stops as soon as no more are left
 };
 
-// What guides `paper`; `qem` ignores both. Empty spans count as 0 everywhere.
+// What guides `paper`; `limber` takes the strain alone, `qem` nothing. Empty spans count as 0 everywhere.
 struct Guidance {
   std::span<const float> strain;     // per triangle, in [0, 1]: rank of the (combined) strain
   std::span<const float> curvature;  // per vertex, in [0, 1]: mean curvature over its maximum

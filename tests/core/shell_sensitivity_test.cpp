@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include "modes/eigensolver.h"
+#include "modes/shell.h"
+#include "modes/shell_sensitivity.h"
+#include "shapes.h"
+
+namespace limber {
+namespace {
+
+TEST(EigenvalueSensitivity, isWhatMovingAVertexDoesToTheEigenvalue) {
+  // Without symmetry all eigenvalues are simple. The grid is bent, so that membrane and bending both count.
+  TriangleMesh mesh = shapes::jittered(shapes::grid(6, 4, 1, 0.7), 0.02, 3);
+  for (Vec3& p : mesh.positions) p.z += 0.3 * p.x * p.x + 0.1 * p.y;
+  const Topology topology = buildTopology(mesh);
+  const ShellMaterial material{0.03, 0.3};
+  Job job;
+  const auto solve = [&](const TriangleMesh& at) {
+    return solveEigenproblem(shellModel(at, topology, material.thickness, material.poisson), {6, 6, 0.05}, job);
+  };
+  const EigenPairs pairs = solve(mesh);
+  for (int k = 0; k < 6; ++k) {
+    const Eigen::VectorXd slope =
+        eigenvalueSensitivity(mesh, topology, material, pairs.lambda[k], pairs.phi.col(k));
+    const double size = slope.cwiseAbs().maxCoeff();
+    for (uint32_t v : {0u, 9u, 17u, 30u})
+      for (int axis = 0; axis < 3; ++axis) {
+        const double step = 1e-5;
+        TriangleMesh there = mesh, back = mesh;
+        there.positions[v][axis] += step;
+        back.positions[v][axis] -= step;
+        const double difference = (solve(there).lambda[k] - solve(back).lambda[k]) / (2 * step);
+        EXPECT_NEAR(slope[3 * v + axis], difference, 1e-4 * size);
+      }
+  }
+}
+
+TEST(EigenvalueSensitivity, isZeroForRigidMotionsOfTheMesh) {
+  const TriangleMesh mesh = shapes::jittered(shapes::sphere(1), 0.05, 4);
+  const Topology topology = buildTopology(mesh);
+  Job job;
+  const EigenPairs pairs = solveEigenproblem(shellModel(mesh, topology, 0.05, 0.3), {3, 6, 0.05}, job);
+  const Eigen::VectorXd slope = eigenvalueSensitivity(mesh, topology, {0.05, 0.3}, pairs.lambda[0], pairs.phi.col(0));
+  double shift = 0, turn = 0;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    shift += slope[3 * v];
+    turn += slope[3 * v + 1] * mesh.positions[v].x - slope[3 * v] * mesh.positions[v].y;
+  }
+  EXPECT_NEAR(shift, 0, 1e-7 * slope.norm());
+  EXPECT_NEAR(turn, 0, 1e-7 * slope.norm());
+}
+
+}  // namespace
+}  // namespace limber

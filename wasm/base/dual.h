@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+namespace limber {
+
+// A number and its derivatives by N variables: forward-mode differentiation, exact to rounding.
+template <int N>
+struct Dual {
+  double value = 0;
+  std::array<double, N> slope{};
+
+  Dual() = default;
+  Dual(double constant) : value(constant) {}  // NOLINT: constants mix freely with duals
+  static Dual variable(double value, int index) {
+    Dual x(value);
+    x.slope[static_cast<size_t>(index)] = 1;
+    return x;
+  }
+  // f(x) for f with value `f` and derivative `d` there.
+  Dual chain(double f, double d) const {
+    Dual y(f);
+    for (size_t i = 0; i < N; ++i) y.slope[i] = d * slope[i];
+    return y;
+  }
+  Dual& operator+=(const Dual& b) { return *this = *this + b; }
+
+  friend Dual operator+(Dual a, const Dual& b) {
+    a.value += b.value;
+    for (size_t i = 0; i < N; ++i) a.slope[i] += b.slope[i];
+    return a;
+  }
+  friend Dual operator-(Dual a, const Dual& b) {
+    a.value -= b.value;
+    for (size_t i = 0; i < N; ++i) a.slope[i] -= b.slope[i];
+    return a;
+  }
+  friend Dual operator-(const Dual& a) { return a.chain(-a.value, -1); }
+  friend Dual operator*(const Dual& a, const Dual& b) {
+    Dual y(a.value * b.value);
+    for (size_t i = 0; i < N; ++i) y.slope[i] = a.slope[i] * b.value + a.value * b.slope[i];
+    return y;
+  }
+  friend Dual operator/(const Dual& a, const Dual& b) { return a * b.chain(1 / b.value, -1 / (b.value * b.value)); }
+};
+
+template <int N>
+Dual<N> sqrt(const Dual<N>& x) {
+  const double root = std::sqrt(x.value);
+  return x.chain(root, 0.5 / root);
+}
+
+}  // namespace limber

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "base/vec3.h"
+
+namespace limber {
+
+// Two numbers that are computed side by side, in one SIMD register where the machine has them (SSE2, wasm
+// simd128). Its operators are built into GCC and Clang. Every operation rounds each lane as it would round a
+// double, so that the same formula gives the same bits in both.
+using RealPair = double __attribute__((vector_size(16)));
+
+// The nearest float32, as double.
+inline double asFloat(double x) {
+  return static_cast<float>(x);
+}
+inline RealPair asFloat(RealPair x) {
+  using FloatPair = float __attribute__((vector_size(8)));
+  return __builtin_convertvector(__builtin_convertvector(x, FloatPair), RealPair);
+}
+
+// A point whose coordinates are doubles or pairs.
+template <class Real>
+struct Point {
+  Real x, y, z;
+};
+
+template <class Real>
+Point<Real> operator+(const Point<Real>& a, const Point<Real>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class Real>
+Point<Real> operator-(const Point<Real>& a, const Point<Real>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class Real, class Factor>
+Point<Real> operator*(const Point<Real>& a, Factor s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class Real>
+Real dot(const Point<Real>& a, const Point<Real>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+inline Point<double> asPoint(const Vec3& p) {
+  return {p.x, p.y, p.z};
+}
+inline Vec3 asVec3(const Point<double>& p) {
+  return {p.x, p.y, p.z};
+}
+inline Point<RealPair> asPair(const Vec3& p, const Vec3& q) {
+  return {RealPair{p.x, q.x}, RealPair{p.y, q.y}, RealPair{p.z, q.z}};
+}
+inline Vec3 lane(const Point<RealPair>& p, int i) {
+  return {p.x[i], p.y[i], p.z[i]};
+}
+
+}  // namespace limber
