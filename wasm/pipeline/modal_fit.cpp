@@ -1,0 +1,265 @@
+#include "pipeline/modal_fit.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "modes/factorisation.h"
+#include "modes/pins.h"
+#include "pipeline/delaunay_flips.h"
+#include "pipeline/guarded_step.h"
+#include "pipeline/modal_target.h"
+#include "pipeline/surface_fit.h"
+
+namespace limber {
+
+namespace {
+
+constexpr int kSurfaceRounds = 3, kModalRounds = 10;
+constexpr uint32_t kSamplesPerTriangle = 6;
+constexpr double kClip = 0.1;          // of a residual, in a step
+constexpr uint32_t kFewestFaces = 12;  // smaller components stay as they are
+
+// The root mean square distance may grow to this much of the simplified mesh's, or to this part of the
+// diagonal.
+constexpr double kBudget = 1.3, kLeastBudget = 2e-4;
+// A residual of 1 % is worth 0.3 budgets of distance at first; then the worth is steered so that the budget
+// is used up.
+constexpr double kFirstWorth = 0.3 / 0.01, kLeastChange = 0.3, kMostChange = 1.5;
+// How firmly vertices hold their places: more where a step gains less than foretold.
+constexpr double kFirstHold = 0.01, kLeastHold = 0.003, kMostHold = 10;
+constexpr double kPoorGain = 0.3, kGoodGain = 0.7;
+
+// A component of the original and what has become of it, in the frame where the original's diagonal is 1.
+struct FitPart {
+  TriangleMesh original, simplified;
+  std::vector<uint32_t> vertexOfResult;    // per vertex of `simplified`
+  std::vector<uint32_t> triangleOfResult;  // per triangle of it
+  std::vector<uint8_t> locked;             // per vertex of it
+  std::vector<std::array<uint32_t, 2>> fixedEdges;
+  Vec3 origin;
+  double diagonal = 1;
+};
+
+// The triangles of a mesh that belong to one component; `vertexOf` and `triangleOf` say where they come from.
+TriangleMesh extract(const TriangleMesh& mesh, const std::vector<uint32_t>& componentOfVertex,
+                     uint32_t component, std::vector<uint32_t>& vertexOf, std::vector<uint32_t>& triangleOf) {
+  TriangleMesh part;
+  std::vector<uint32_t> number(mesh.vertexCount(), kNone);
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    if (componentOfVertex[v] != component) continue;
+    number[v] = part.vertexCount();
+    vertexOf.push_back(v);
+    part.positions.push_back(mesh.positions[v]);
+  }
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    if (componentOfVertex[a] != component) continue;
+    triangleOf.push_back(t);
+    part.triangles.push_back({number[a], number[b], number[c]});
+  }
+  return part;
+}
+
+void intoFrame(TriangleMesh& mesh, const FitPart& part) {
+  for (Vec3& p : mesh.positions) p = (p - part.origin) / part.diagonal;
+}
+
+std::vector<FitPart> partsOf(const TriangleMesh& original, const MeshAt& simplified,
+                             const ModalFitOptions& options) {
+  const Topology topology = buildTopology(original);
+  const TriangleMesh& mesh = simplified.mesh;
+  std::vector<uint32_t> componentOfResult(mesh.vertexCount());
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    componentOfResult[v] = topology.componentOfVertex[simplified.inputOfVertex[v]];
+  std::vector<FitPart> parts;
+  for (uint32_t component = 0; component < topology.componentCount; ++component) {
+    FitPart part;
+    std::vector<uint32_t> vertexOfInput, triangleOfInput;
+    part.original = extract(original, topology.componentOfVertex, component, vertexOfInput, triangleOfInput);
+    part.simplified = extract(mesh, componentOfResult, component, part.vertexOfResult, part.triangleOfResult);
+    if (part.simplified.triangleCount() < kFewestFaces) continue;
+    const Bounds box = bounds(part.original);
+    part.origin = box.low;
+    part.diagonal = box.diagonal();
+    intoFrame(part.original, part);
+    intoFrame(part.simplified, part);
+    for (uint32_t v : part.vertexOfResult)
+      part.locked.push_back(!options.locked.empty() && options.locked[v]);
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+// A solved step of the quadratic model: A dx = g, and A^-1 times further columns.
+struct Solved {
+  Eigen::VectorXd step;
+  Eigen::MatrixXd columns;
+};
+
+Solved solve(SurfaceFit& fit, const Eigen::MatrixXd& columns, const std::vector<uint8_t>& locked, Job& job) {
+  StiffnessModel model;
+  for (uint32_t v = 0; v <= locked.size(); ++v) model.firstUnknown.push_back(3 * v);
+  model.mass = Eigen::VectorXd::Zero(fit.pull.size());
+  model.stiffness = std::move(fit.stiffness);
+  std::vector<uint32_t> held;
+  for (uint32_t v = 0; v < locked.size(); ++v)
+    if (locked[v]) held.insert(held.end(), {3 * v, 3 * v + 1, 3 * v + 2});
+  if (!held.empty()) holdUnknowns(model, held);
+  Eigen::MatrixXd right(fit.pull.size(), 1 + columns.cols());
+  right << fit.pull, columns;
+  for (uint32_t row : held) right.row(row).setZero();
+  Factorisation factorisation(model, job);
+  factorisation.factorise(0, job);
+  factorisation.solve(right, job);
+  return {right.col(0), right.rightCols(columns.cols())};
+}
+
+// Edges flipped to Delaunay, vertices fitted to the surface.
+uint32_t fitToSurface(FitPart& part, const FitSamples& samples, Job& job) {
+  uint32_t flips = 0;
+  for (int round = 0; round < kSurfaceRounds; ++round) {
+    flips += flipToDelaunay(part.simplified, part.fixedEdges);
+    const Topology topology = buildTopology(part.simplified);
+    SurfaceFit fit = fitSurface(part.simplified, topology, samples, {});
+    const Solved solved = solve(fit, Eigen::MatrixXd(fit.pull.size(), 0), part.locked, job);
+    part.simplified = GuardedStep(part.simplified, topology).apply(part.simplified, solved.step);
+  }
+  return flips;
+}
+
+// The minimum of dx^T A dx - 2 g^T dx + worth |r + J dx|^2, by Woodbury: J has few rows.
+Eigen::VectorXd gaussNewtonStep(SurfaceFit& fit, const Mismatch& mismatch, double worth,
+                                const std::vector<uint8_t>& locked, Job& job) {
+  const Solved solved = solve(fit, mismatch.slope, locked, job);
+  const Eigen::Index count = mismatch.residual.size();
+  const Eigen::MatrixXd small =
+      Eigen::MatrixXd::Identity(count, count) / worth + mismatch.slope.transpose() * solved.columns;
+  const Eigen::VectorXd clipped = mismatch.residual.cwiseMax(-kClip).cwiseMin(kClip);
+  return solved.step -
+         solved.columns * small.ldlt().solve(clipped + mismatch.slope.transpose() * solved.step);
+}
+
+Eigen::VectorXd difference(const TriangleMesh& after, const TriangleMesh& before) {
+  Eigen::VectorXd moved(3 * static_cast<Eigen::Index>(after.vertexCount()));
+  for (uint32_t v = 0; v < after.vertexCount(); ++v)
+    for (int axis = 0; axis < 3; ++axis)
+      moved[3 * static_cast<Eigen::Index>(v) + axis] = after.positions[v][axis] - before.positions[v][axis];
+  return moved;
+}
+
+// Gauss-Newton rounds towards the original's modes within a budget of distance from its surface.
+class ModalSearch {
+ public:
+  ModalSearch(const FitPart& part, const FitSamples& samples, ModalTarget& target, double budget, Job& job)
+      : part_(part),
+        samples_(samples),
+        target_(target),
+        budget_(budget),
+        job_(job),
+        topology_(buildTopology(part.simplified)),
+        guard_(part.simplified, topology_),
+        current_(part.simplified) {
+    compare();
+    worth_ = fit_.area * (kFirstWorth * budget_) * (kFirstWorth * budget_);
+  }
+
+  // The best mesh of all rounds: the least mismatch, where distances beyond the budget count against it.
+  TriangleMesh run(int rounds) {
+    before_ = mismatch_.meanSquare();
+    keepBest();
+    for (int round = 0; round < rounds && mismatch_.residual.size() > 0; ++round) {
+      step();
+      keepBest();
+    }
+    return best_;
+  }
+
+  double meanSquareBefore() const { return before_; }
+  double meanSquareAfter() const { return after_; }
+
+ private:
+  void compare() {
+    target_.bind(current_);
+    mismatch_ = target_.compare(current_, topology_, job_);
+    fit_ = fitSurface(current_, topology_, samples_, {0, hold_});
+  }
+
+  void step() {
+    TriangleMesh next = guard_.apply(current_, gaussNewtonStep(fit_, mismatch_, worth_, part_.locked, job_));
+    const Eigen::VectorXd foretold =
+        mismatch_.residual + mismatch_.slope.transpose() * difference(next, current_);
+    const double was = mismatch_.residual.squaredNorm();
+    current_ = std::move(next);
+    compare();
+    const double gain = was - mismatch_.residual.squaredNorm(), hoped = was - foretold.squaredNorm();
+    if (gain < kPoorGain * hoped)
+      hold_ = std::min(kMostHold, 3 * hold_);
+    else if (gain > kGoodGain * hoped)
+      hold_ = std::max(kLeastHold, hold_ / 2);
+    if (fit_.meanSquare > 0)
+      worth_ *= std::clamp(budget_ * budget_ / fit_.meanSquare, kLeastChange, kMostChange);
+  }
+
+  void keepBest() {
+    const double excess = std::max(1.0, fit_.meanSquare / (budget_ * budget_));
+    const double merit = mismatch_.meanSquare() * excess * excess;
+    if (merit >= merit_) return;
+    merit_ = merit;
+    after_ = mismatch_.meanSquare();
+    best_ = current_;
+  }
+
+  const FitPart& part_;
+  const FitSamples& samples_;
+  ModalTarget& target_;
+  double budget_;
+  Job& job_;
+  Topology topology_;
+  GuardedStep guard_;
+  TriangleMesh current_, best_;
+  Mismatch mismatch_;
+  SurfaceFit fit_;
+  double hold_ = kFirstHold, worth_ = 0, merit_ = HUGE_VAL, before_ = 0, after_ = 0;
+};
+
+void putBack(const FitPart& part, TriangleMesh& mesh) {
+  for (uint32_t v = 0; v < part.vertexOfResult.size(); ++v) {
+    if (part.locked[v]) continue;
+    const Vec3 p = part.origin + part.diagonal * part.simplified.positions[v];
+    mesh.positions[part.vertexOfResult[v]] = {static_cast<float>(p.x), static_cast<float>(p.y),
+                                              static_cast<float>(p.z)};
+  }
+  for (uint32_t t = 0; t < part.triangleOfResult.size(); ++t) {
+    const auto& [a, b, c] = part.simplified.triangles[t];
+    mesh.triangles[part.triangleOfResult[t]] = {part.vertexOfResult[a], part.vertexOfResult[b],
+                                                part.vertexOfResult[c]};
+  }
+}
+
+}  // namespace
+
+ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
+                        const ModalFitOptions& options, Job& job) {
+  job.begin(Phase::Fit);
+  ModalFitResult fitted{simplified, {}, {}, 0};
+  for (FitPart& part : partsOf(original, simplified, options)) {
+    const FitSamples samples =
+        sampleForFit(part.original, kSamplesPerTriangle * part.simplified.triangleCount());
+    const SurfaceFit start = fitSurface(part.simplified, buildTopology(part.simplified), samples, {});
+    fitted.flips += fitToSurface(part, samples, job);
+    ModalTarget target(part.original, {options.thickness / part.diagonal, options.poisson}, options.modeCount,
+                       job);
+    if (!target.empty()) {
+      const double budget = std::max(kBudget * std::sqrt(start.meanSquare), kLeastBudget);
+      ModalSearch search(part, samples, target, budget, job);
+      part.simplified = search.run(kModalRounds);
+      fitted.errorBefore.push_back(50 * std::sqrt(search.meanSquareBefore()));
+      fitted.errorAfter.push_back(50 * std::sqrt(search.meanSquareAfter()));
+    }
+    putBack(part, fitted.result.mesh);
+  }
+  return fitted;
+}
+
+}  // namespace limber
