@@ -29,12 +29,18 @@ void checkSize(size_t found, size_t expected, const char* field, const char* ite
 void check(const TriangleMesh& input, const Charts& charts, const MeshAt& result) {
   checkSize(charts.wedges.size(), 3 * size_t{input.triangleCount()}, "wedges", "corners");
   checkSize(charts.groups.size(), input.triangleCount(), "groups", "triangles");
-  const auto count = result.mesh.vertexCount();
-  const bool fits =
+  const auto belongs = [&](uint32_t t) {
+    for (int c = 0; c < 3; ++c) {
+      const uint32_t v = input.triangles[result.inputOfTriangle[t]][c];
+      if (result.vertexOfInput[v] != result.mesh.triangles[t][c]) return false;
+    }
+    return true;
+  };
+  bool fits =
       result.vertexOfInput.size() == input.vertexCount() &&
       result.inputOfTriangle.size() == result.mesh.triangleCount() &&
-      std::ranges::all_of(result.vertexOfInput, [&](uint32_t v) { return v == kNone || v < count; }) &&
       std::ranges::all_of(result.inputOfTriangle, [&](uint32_t t) { return t < input.triangleCount(); });
+  for (uint32_t t = 0; fits && t < result.mesh.triangleCount(); ++t) fits = belongs(t);
   if (!fits)
     throw std::invalid_argument(
         "The result was made from another mesh: reduce this mesh and ask for the sources of that.");

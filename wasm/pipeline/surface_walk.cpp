@@ -31,7 +31,8 @@ SurfacePoint SurfaceWalk::closest(const Vec3& point, std::span<const uint32_t> s
                                   const MayCross& mayCross) {
   ++walk_;
   visited_.clear();
-  best_ = SurfacePoint{.distance = HUGE_VAL};
+  best_ = {};
+  best_.distance = HUGE_VAL;
   for (const uint32_t triangle : start) visit(triangle, point);
   // A triangle that holds the closest point so far leads on; one that has been beaten never will again.
   for (size_t i = 0; i < visited_.size(); ++i) {
