@@ -45,7 +45,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const done = optimized.filter((body) => body !== null);
   stopwatch();
   const exported = optimized.map((body) =>
-    body ? exportedBody(body.prepared, body.result, args.fields ? body : null) : null,
+    body ? exportedBody(session.core, body.prepared, body.result, args.fields ? body : null) : null,
   );
   const bytes = await exportGlb(model, exported, { fields: args.fields });
   writeWhole(output, bytes);
