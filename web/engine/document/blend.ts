@@ -1,6 +1,7 @@
 /** Vertex attributes at points of a surface: mixed from the corners of a triangle by their shares. */
 
 import type { Accessor } from '@gltf-transform/core';
+import { length3 } from '../exact_math';
 
 /** What each written vertex is made of. */
 export interface VertexSources {
@@ -87,7 +88,7 @@ export function blendDirections(
       mixed[c] = 0;
       for (let k = 0; k < 3; ++k) mixed[c] += shares[3 * i + k] * array[size * vertices[3 * i + k] + c];
     }
-    const length = Math.sqrt(mixed[0] * mixed[0] + mixed[1] * mixed[1] + mixed[2] * mixed[2]);
+    const length = length3(mixed[0], mixed[1], mixed[2]);
     // Opposite vectors leave nothing but rounding.
     const direction = length > 1e-3 * scale ? mixed.map((value) => value / length) : fallback(i);
     for (let c = 0; c < 3; ++c)

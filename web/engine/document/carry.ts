@@ -1,6 +1,7 @@
 /** Writes a primitive's attributes and morph targets for new vertices that are made of its old ones. */
 
 import type { Accessor, Buffer, Document, Primitive } from '@gltf-transform/core';
+import { length3 } from '../exact_math';
 import { blendDirections, blendLinear, takeNearest } from './blend';
 import type { Values, VertexSources } from './blend';
 import { mergeInfluences } from './influences';
@@ -106,9 +107,9 @@ function hasNoBetween(semantic: string, accessor: Accessor): boolean {
   );
 }
 
-function anyPerpendicular([x, y, z]: ArrayLike<number> & Iterable<number>): number[] {
-  const isAlongX = Math.abs(x) > Math.abs(y);
-  const [a, b, c] = isAlongX ? [-z, 0, x] : [0, z, -y];
-  const length = Math.sqrt(a * a + b * b + c * c);
-  return length > 0 ? [a / length, b / length, c / length] : [1, 0, 0];
+function anyPerpendicular(normal: ArrayLike<number>): number[] {
+  const isAlongX = Math.abs(normal[0]) > Math.abs(normal[1]);
+  const [x, y, z] = isAlongX ? [-normal[2], 0, normal[0]] : [0, normal[2], -normal[1]];
+  const length = length3(x, y, z);
+  return length > 0 ? [x / length, y / length, z / length] : [1, 0, 0];
 }

@@ -12,7 +12,7 @@ import type {
   Property,
   Texture,
 } from '@gltf-transform/core';
-import { MeshFeatures } from '@gltf-transform/extensions';
+import { Features } from '@gltf-transform/extensions';
 
 /** Extensions of primitives that speak of materials, or of attributes by their name. */
 const CARRIED = new Set(['KHR_materials_variants', 'EXT_structural_metadata']);
@@ -60,7 +60,7 @@ function dropWeightChannels(animation: Animation, nodes: Node[]): void {
 
 /** Whether an extension of a primitive still says the truth about new vertices. */
 function isCarried(extension: ExtensionProperty): boolean {
-  if (extension instanceof MeshFeatures)
+  if (extension instanceof Features)
     // Without attribute and texture the features are counted by the vertices, which change.
     return extension
       .listFeatureIDs()
