@@ -91,8 +91,8 @@ property list uchar int vertex_indices\nproperty list uchar float texcoord\nend_
     expect(values('NORMAL')).toEqual([0, 0, 1, 0, 0.6, 0.8, 0, 0, 1].map(Math.fround));
     // PLY counts from the lower left corner of a picture, glTF from the upper left.
     expect(values('TEXCOORD_0')).toEqual([0, 0.75, 1, 1, 0, 0]);
-    // sRGB 55 is 0.0382 of full light, 10 is 0.00304.
-    expect(values('COLOR_0').slice(0, 7)).toEqual([65535, 0, 2503, 0, 0, 0, 199]);
+    // sRGB 55 is 0.0382 of full light, 10 is 0.0030.
+    expect(values('COLOR_0').slice(0, 7)).toEqual([65535, 0, 2504, 0, 0, 0, 199]);
     expect(unread).toEqual(['UV coordinates of faces']);
   });
 
