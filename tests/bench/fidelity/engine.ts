@@ -1,0 +1,6 @@
+// What the evaluation uses of the engine, as one entry for its bundle; and the samples, from where they are made.
+
+export { samples } from '../../../scripts/samples/samples';
+export { loadCore } from '../../../web/engine/load_core';
+export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/options';
+export { materialOf, measureResult, optimizeBody, prepareBody } from '../../../web/engine/pipeline';

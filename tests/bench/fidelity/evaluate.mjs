@@ -1,0 +1,39 @@
+// How well every method keeps the motion of every mesh, as tables, plots and pictures.
+// Usage: npm run build && node tests/bench/fidelity/evaluate.mjs [--write] [--all] ...
+//   --quick        a few meshes, 25 %, our methods alone, printed in a minute: for tuning
+//   --set KEY=VALUE      changes a setting of our methods (several times), as in web/engine/options.ts: --set fit=off
+//   --methods a,b  --meshes a,b  --ratios 0.5,0.25      which to run; a mesh is named by how its name begins
+
+import { parseArgs } from 'node:util';
+import { loadEngine } from './load_engine.mjs';
+import { loadMeshes } from './meshes.mjs';
+import { ourMethods } from './methods.mjs';
+import { printQuickTable } from './quick.mjs';
+import { readChanges } from './settings.mjs';
+
+const { values: options } = parseArgs({
+  options: {
+    quick: { type: 'boolean', default: false },
+    all: { type: 'boolean', default: false },
+    set: { type: 'string', multiple: true, default: [] },
+    methods: { type: 'string' },
+    meshes: { type: 'string' },
+    ratios: { type: 'string' },
+  },
+});
+const listOf = (text) => text?.split(',').map((part) => part.trim());
+const missing = [];
+const loaded = await loadEngine();
+const changes = readChanges(loaded.engine, options.set);
+const meshes = loadMeshes(loaded, {
+  names: listOf(options.meshes),
+  isWanted: ({ large, quick }) => (options.quick ? quick : options.all || !large),
+  missing,
+});
+const methods = ourMethods(loaded, changes).filter(
+  ({ name }) => !options.methods || listOf(options.methods).includes(name),
+);
+const ratios = listOf(options.ratios)?.map(Number) ?? [0.25];
+for (const ratio of ratios) printQuickTable(loaded, meshes, methods, ratio);
+if (missing.length) console.log(`\nMISSING HERE:\n${missing.map((what) => `- ${what}`).join('\n')}`);
+process.exit(0); // the core's threads would keep Node alive
