@@ -3,4 +3,11 @@
 export { samples } from '../../../scripts/samples/samples';
 export { loadCore } from '../../../web/engine/load_core';
 export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/options';
-export { materialOf, measureResult, optimizeBody, prepareBody } from '../../../web/engine/pipeline';
+export {
+  findGuidance,
+  findModes,
+  materialOf,
+  measureResult,
+  optimizeBody,
+  prepareBody,
+} from '../../../web/engine/pipeline';

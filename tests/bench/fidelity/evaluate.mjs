@@ -7,8 +7,9 @@
 import { parseArgs } from 'node:util';
 import { loadEngine } from './load_engine.mjs';
 import { loadMeshes } from './meshes.mjs';
-import { ourMethods } from './methods.mjs';
+import { ourMethods, peerMethods } from './methods.mjs';
 import { printQuickTable } from './quick.mjs';
+import { runCases } from './run_cases.mjs';
 import { readChanges } from './settings.mjs';
 
 const { values: options } = parseArgs({
@@ -30,10 +31,16 @@ const meshes = loadMeshes(loaded, {
   isWanted: ({ large, quick }) => (options.quick ? quick : options.all || !large),
   missing,
 });
-const methods = ourMethods(loaded, changes).filter(
-  ({ name }) => !options.methods || listOf(options.methods).includes(name),
-);
-const ratios = listOf(options.ratios)?.map(Number) ?? [0.25];
-for (const ratio of ratios) printQuickTable(loaded, meshes, methods, ratio);
+const wanted = listOf(options.methods);
+const isChosen = ({ name }) => !wanted || wanted.includes(name);
+const ours = ourMethods(loaded, changes);
+if (options.quick) {
+  for (const ratio of listOf(options.ratios)?.map(Number) ?? [0.25])
+    printQuickTable(loaded, meshes, ours.filter(isChosen), ratio);
+} else {
+  const ratios = listOf(options.ratios)?.map(Number) ?? [0.5, 0.25, 0.1];
+  const methods = [...ours, ...(await peerMethods(loaded, missing))].filter(isChosen);
+  runCases(loaded, { meshes, methods, ratios });
+}
 if (missing.length) console.log(`\nMISSING HERE:\n${missing.map((what) => `- ${what}`).join('\n')}`);
 process.exit(0); // the core's threads would keep Node alive

@@ -1,7 +1,12 @@
-// The methods that are compared, as data: { name, isOurs, run(mesh, faces) -> { mesh, seconds } }.
+// The methods that are compared, as data: { name, isOurs, version, run(mesh, faces) -> { mesh, seconds } };
+// results of the same name and version are the same.
+
+import { meshoptimizerPeers } from './meshoptimizer_peers.mjs';
+import { pythonPeers } from './python_peers.mjs';
 
 /** A method of ours: the engine's whole pipeline with the defaults of the method and `changes`. */
-function ours({ engine, core }, name, changes) {
+function ours(loaded, name, changes) {
+  const { engine, core } = loaded;
   const settings = { ...engine.defaultSettings(), ...changes };
   engine.checkSettings(settings);
   const run = ({ prepared }, targetFaces) => {
@@ -9,7 +14,8 @@ function ours({ engine, core }, name, changes) {
     const { result, timings } = engine.optimizeBody(core, prepared, settings, { targetFaces });
     return { mesh: result.mesh, seconds: (performance.now() - started) / 1000 - timings.measure };
   };
-  return { name, isOurs: true, settings, run };
+  const version = `${loaded.version} ${JSON.stringify(settings)}`;
+  return { name, isOurs: true, version, run };
 }
 
 /** Ours that this build of the engine knows; `changes` go to each of them. */
@@ -21,4 +27,9 @@ export function ourMethods(loaded, changes = {}) {
     if (method !== 'limber' || !knowsFit || 'fit' in changes) return [plain];
     return [plain, ours(loaded, 'limber, no fit', { ...changes, method, fit: false })];
   });
+}
+
+/** Those of others; what is not here is pushed to `missing`. */
+export async function peerMethods(loaded, missing) {
+  return [...(await meshoptimizerPeers(loaded)), ...pythonPeers(missing)];
 }
