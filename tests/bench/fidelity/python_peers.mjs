@@ -26,14 +26,14 @@ function findPython(name) {
   return versionOf(own, name) ? own : null;
 }
 
-/** A mesh as tests/bench/bench_meshes.mjs writes it. */
+/** A mesh as tests/bench/bench_meshes.mjs writes it, each array with its own buffer. */
 export function readMesh(path) {
   const { buffer, byteOffset, length } = readFileSync(path);
   const bytes = buffer.slice(byteOffset, byteOffset + length);
   const [vertices, triangles] = new Uint32Array(bytes, 0, 2);
   return {
-    positions: new Float32Array(bytes, 8, 3 * vertices),
-    triangles: new Uint32Array(bytes, 8 + 12 * vertices, 3 * triangles),
+    positions: new Float32Array(bytes, 8, 3 * vertices).slice(),
+    triangles: new Uint32Array(bytes, 8 + 12 * vertices, 3 * triangles).slice(),
   };
 }
 

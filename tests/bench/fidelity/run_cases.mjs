@@ -4,7 +4,7 @@ import { cached, fingerprintOf } from './cache.mjs';
 import { hashOf } from './load_engine.mjs';
 import { measure } from './measure.mjs';
 
-/** One result: { mesh, kind, method, isOurs, ratio, ...measure(), seconds, meshOf() }. */
+/** One result: { mesh, kind, method, isOurs, ratio, targetFaces, ...measure(), seconds, meshOf() }. */
 export function runCases(loaded, { meshes, methods, ratios }) {
   const fingerprint = fingerprintOf(loaded);
   const total = meshes.length * methods.length * ratios.length;
@@ -15,7 +15,9 @@ export function runCases(loaded, { meshes, methods, ratios }) {
         const key = hashOf(fingerprint, mesh.hash, method.name, method.version, String(ratio));
         const { record, meshOf } = cached(key, () => runCase(loaded, mesh, method, ratio));
         const { name, isOurs } = method;
-        cases.push({ mesh: mesh.name, kind: mesh.kind, method: name, isOurs, ratio, ...record, meshOf });
+        const targetFaces = ratio * mesh.faces;
+        const about = { mesh: mesh.name, kind: mesh.kind, method: name, isOurs, ratio, targetFaces };
+        cases.push({ ...about, ...record, meshOf });
         console.log(`${cases.length}/${total} ${lineOf(cases.at(-1))}`);
       }
   return cases;
