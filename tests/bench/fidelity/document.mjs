@@ -4,12 +4,12 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { join } from 'node:path';
 import { format, resolveConfig } from 'prettier';
-import { root } from './load_engine.mjs';
+import { imageFolder, root } from './load_engine.mjs';
 import { LEFT_OUT } from './meshes.mjs';
+import { PICTURES, fileOf } from './pictures.mjs';
 import { facesPlot, meshPlot } from './plots.mjs';
 import { meansTable, meshTable, remarks, targetTable } from './tables.mjs';
 
-export const imageFolder = join(root, 'docs', 'images', 'simplification');
 const [BEGIN, END] = ['<!-- fidelity: begin -->', '<!-- fidelity: end -->'];
 const percent = (ratio) => `${100 * ratio} %`;
 
@@ -46,6 +46,9 @@ function sectionsOf(cases, ratios) {
     '![Mean frequency error of every mesh by every method](images/simplification/frequencies.svg)',
     meansTable(cases, 0.25),
     ...DETAILS.flatMap(([title, options]) => [`#### ${title}`, meshTable(cases, 0.25, options)]),
+    '### As pictures, at 25 %',
+    ...PICTURES.map(({ mesh }) => `![${mesh} by every method](images/simplification/${fileOf(mesh)})`),
+    '_Spot by Keenan Crane (public domain), the skirt from Codim-IPC (Apache-2.0)._',
     '### At other counts',
     '![Mean frequency error over the count of faces](images/simplification/faces.svg)',
     ...others.flatMap((ratio) => [

@@ -8,6 +8,7 @@ import { build } from 'vite';
 
 export const root = resolve(import.meta.dirname, '..', '..', '..');
 export const scratch = join(root, 'build', 'bench', 'fidelity');
+export const imageFolder = join(root, 'docs', 'images', 'simplification');
 const wasm = join(root, 'public', 'wasm');
 
 /** First 16 hexadecimal digits of the SHA-256 of all parts, which are strings or typed arrays. */

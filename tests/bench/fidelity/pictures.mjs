@@ -5,8 +5,7 @@ import { join } from 'node:path';
 import { chromium } from '@playwright/test';
 import { build } from 'vite';
 import { findChromium } from '../../../scripts/setup/environment.mjs';
-import { imageFolder } from './document.mjs';
-import { root, scratch } from './load_engine.mjs';
+import { imageFolder, root, scratch } from './load_engine.mjs';
 
 const RATIO = 0.25;
 const COLUMNS = 4;
@@ -16,7 +15,7 @@ const PANEL = { width: 300, height: 300 };
 export const PICTURES = [
   { mesh: 'bar', view: [1, 0.6, 1.2] },
   { mesh: 'hanging cloth', view: [0.3, 0.25, 1] },
-  { mesh: 'spot', view: [-0.8, 0.4, -1] },
+  { mesh: 'spot', view: [-0.9, 0.4, -0.9] },
   { mesh: 'eiffel', view: [0.5, 0.25, 1] },
   { mesh: 'skirt', view: [0.4, 0.35, 1] },
 ];

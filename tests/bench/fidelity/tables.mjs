@@ -39,10 +39,15 @@ export function meansTable(cases, ratio) {
     const own = chosen.filter((one) => one.method === method);
     const common = own.filter(({ mesh }) => !failed.has(mesh));
     const means = COLUMNS.map(([, key, digits]) => meanOf(common.map((one) => one[key])).toFixed(digits));
+    const errors = common.map((one) => one.frequencyErrorMean).sort((a, b) => a - b);
+    const median = errors[Math.floor(errors.length / 2)]?.toFixed(2);
     const changed = own.filter((one) => !one.topologyKept).length;
-    return [method, ...means, `${changed} of ${own.length}`];
+    return [method, median, ...means, `${changed} of ${own.length}`];
   });
-  return table(['mean over meshes', ...COLUMNS.map(([title]) => title), 'topology changed'], rows);
+  return table(
+    ['mean over meshes', 'median f 1-10', ...COLUMNS.map(([title]) => title), 'topology changed'],
+    rows,
+  );
 }
 
 /** A line a mesh, a column a method; the best of each line is bold. */

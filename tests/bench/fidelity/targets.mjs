@@ -6,6 +6,8 @@ import { BEST_PEER } from './meshoptimizer_peers.mjs';
 export const SUBJECT = 'limber';
 const RATIO = 0.25;
 
+const NOT_KNOWN = ['no mesh to tell', null];
+
 export const meanOf = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
 /** Pairs of both methods' cases on the same mesh, where both could be measured. */
@@ -21,7 +23,7 @@ function pairsOf(cases, first, second) {
 /** Mean over the meshes of `first` over that of `second`. */
 function ratioOfMeans(cases, [first, second], key, limit) {
   const pairs = pairsOf(cases, first, second);
-  if (pairs.length === 0) return [`no mesh with both`, null];
+  if (pairs.length === 0) return NOT_KNOWN;
   const [a, b] = [0, 1].map((side) => meanOf(pairs.map((pair) => pair[side][key])));
   const text = `${a.toFixed(3)} / ${b.toFixed(3)} = ${(a / b).toFixed(3)}`;
   return [`${text} (${pairs.length} meshes)`, a / b <= limit];
@@ -29,12 +31,10 @@ function ratioOfMeans(cases, [first, second], key, limit) {
 
 function neverWorse(cases) {
   const pairs = pairsOf(cases, SUBJECT, BEST_PEER);
+  if (pairs.length === 0) return NOT_KNOWN;
   const worse = pairs.filter(([a, b]) => a.frequencyErrorMean > b.frequencyErrorMean);
   const names = worse.map(([a]) => a.mesh).join(', ');
-  return [
-    worse.length > 0 ? `worse on ${names}` : `on none of ${pairs.length}`,
-    pairs.length > 0 && worse.length === 0,
-  ];
+  return [worse.length > 0 ? `worse on ${names}` : `on none of ${pairs.length}`, worse.length === 0];
 }
 
 /** The least of `key` over the subject's meshes of these kinds; meshes below the limit are named. */
@@ -43,20 +43,20 @@ function atLeast(cases, key, limit, kinds) {
     ({ method, ratio, kind, failure }) =>
       method === SUBJECT && ratio === RATIO && kinds.includes(kind) && !failure,
   );
+  if (own.length === 0) return NOT_KNOWN;
   const below = own.filter((one) => one[key] < limit);
   const lowest = Math.min(...own.map((one) => one[key])).toFixed(3);
   const names = below.map((one) => `${one.mesh} ${one[key].toFixed(3)}`).join(', ');
-  return [below.length > 0 ? `below on ${names}` : `lowest ${lowest}`, own.length > 0 && below.length === 0];
+  return [below.length > 0 ? `below on ${names}` : `lowest ${lowest}`, below.length === 0];
 }
 
 function topologyKept(cases) {
   const own = cases.filter(({ method }) => method === SUBJECT);
+  if (own.length === 0) return NOT_KNOWN;
   const changed = own.filter((one) => !one.topologyKept);
   const names = changed.map(({ mesh, ratio }) => `${mesh} at ${100 * ratio} %`).join(', ');
-  return [
-    changed.length > 0 ? `changed on ${names}` : `in none of ${own.length} cases`,
-    own.length > 0 && changed.length === 0,
-  ];
+  const found = changed.length > 0 ? `changed on ${names}` : `in none of ${own.length} cases`;
+  return [found, changed.length === 0];
 }
 
 const ANY_KIND = ['organic', 'cloth', 'hard'];
