@@ -19,6 +19,9 @@ import {
   WireframeGeometry,
 } from 'three';
 
+/** What is seen over what is filled. */
+const MARGIN = 1.08;
+
 interface Panel {
   title: string;
   note: string;
@@ -56,23 +59,23 @@ function sceneOf({ positions, triangles }: Panel): Scene {
   return scene;
 }
 
-/** Sees the whole of `box` from the direction `view`, the same for every panel. */
-function cameraFor(box: Box3, view: Vector3, aspect: number): OrthographicCamera {
-  const centre = box.getCenter(new Vector3());
+/** Sees all of `positions` from the direction `view`, as large as `aspect` (width over height) lets it. */
+function cameraFor(positions: number[], view: Vector3, aspect: number): OrthographicCamera {
+  const box = new Box3().setFromArray(positions);
   const distance = 2 * box.getSize(new Vector3()).length();
   const camera = new OrthographicCamera(-1, 1, 1, -1, 0.1 * distance, 2 * distance);
+  const centre = box.getCenter(new Vector3());
   camera.position.copy(centre).addScaledVector(view, distance);
   camera.lookAt(centre);
   camera.updateMatrixWorld();
-  const corners = [box.min, box.max].flatMap((a) =>
-    [box.min, box.max].flatMap((b) => [box.min, box.max].map((c) => new Vector3(a.x, b.y, c.z))),
-  );
-  const seen = corners.map((corner) => corner.applyMatrix4(camera.matrixWorldInverse));
-  const height = Math.max(...seen.map(({ y }) => Math.abs(y)), ...seen.map(({ x }) => Math.abs(x) / aspect));
-  camera.top = 1.04 * height;
-  camera.bottom = -camera.top;
-  camera.right = camera.top * aspect;
-  camera.left = -camera.right;
+  const points = new BufferAttribute(Float32Array.from(positions), 3);
+  const seen = new Box3().setFromBufferAttribute(points.applyMatrix4(camera.matrixWorldInverse));
+  const [size, middle] = [seen.getSize(new Vector3()), seen.getCenter(new Vector3())];
+  const halfHeight = (MARGIN * Math.max(size.y, size.x / aspect)) / 2;
+  camera.top = middle.y + halfHeight;
+  camera.bottom = middle.y - halfHeight;
+  camera.right = middle.x + halfHeight * aspect;
+  camera.left = middle.x - halfHeight * aspect;
   camera.updateProjectionMatrix();
   return camera;
 }
@@ -88,8 +91,7 @@ function draw({ panels, view, columns, width, height }: Picture): void {
   const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
   renderer.setSize(width, height);
   const [{ positions }] = panels;
-  const box = new Box3().setFromArray(positions);
-  const camera = cameraFor(box, new Vector3(...view).normalize(), width / height);
+  const camera = cameraFor(positions, new Vector3(...view).normalize(), width / height);
   document.body.style.cssText = `margin:0;background:#fff;font:14px sans-serif;color:#222;display:grid;grid-template-columns:repeat(${columns},${width}px);width:${columns * width}px`;
   for (const panel of panels) {
     const scene = sceneOf(panel);
