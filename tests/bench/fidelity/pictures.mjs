@@ -79,7 +79,7 @@ export async function writePictures(cases, meshes, missing) {
     for (const { mesh: name, view, height } of PICTURES) {
       const mesh = meshes.find((one) => one.name === name);
       if (!mesh) continue;
-      const page = await browser.newPage();
+      const page = await browser.newPage({ viewport: { width: COLUMNS * WIDTH, height: 100 } });
       await page.addScriptTag({ path });
       await page.evaluate((picture) => globalThis.draw(picture), {
         ...{ panels: panelsOf(cases, mesh), view, columns: COLUMNS, width: WIDTH, height },
