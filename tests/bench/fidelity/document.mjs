@@ -41,6 +41,7 @@ function sectionsOf(cases, ratios) {
   const others = ratios.filter((ratio) => ratio !== 0.25);
   return [
     '### Against the targets',
+    'Means are over the meshes on which both methods reached the count; meshes below name what falls short.',
     targetTable(cases),
     '### At 25 % of the faces',
     '![Mean frequency error of every mesh by every method](images/simplification/frequencies.svg)',

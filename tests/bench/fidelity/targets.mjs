@@ -10,9 +10,13 @@ const NOT_KNOWN = ['no mesh to tell', null];
 
 export const meanOf = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
-/** Pairs of both methods' cases on the same mesh, where both could be measured. */
+/** Whether a result has the count that was asked for, to 1 %: others are not compared in size-dependent numbers. */
+export const reachedCount = ({ faces, targetFaces }) => faces <= 1.01 * targetFaces;
+
+/** Pairs of both methods' cases on the same mesh, where both reached the count and could be measured. */
 function pairsOf(cases, first, second) {
-  const of = (method) => cases.filter((one) => one.ratio === RATIO && one.method === method && !one.failure);
+  const of = (method) =>
+    cases.filter((one) => one.ratio === RATIO && one.method === method && !one.failure && reachedCount(one));
   return of(first).flatMap((a) =>
     of(second)
       .filter((b) => b.mesh === a.mesh)
