@@ -2,8 +2,8 @@
 
 import { SUBJECT, meanOf } from './targets.mjs';
 
-const WIDTH = 860;
-const FRAME = { left: 110, right: 210, top: 40, bottom: 46 };
+const WIDTH = 880;
+const FRAME = { left: 110, right: 230, top: 40, bottom: 46 };
 const ROW = 24;
 /** Our own in blue, those of others in warm colours and greys; a shape each, for those who do not see colours. */
 const STYLES = {
