@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/manifold.h"
-#include "mesh/orientation.h"
-
 namespace limber {
 
-CollapseMesh::CollapseMesh(const TriangleMesh& mesh) : livingTriangles_(mesh.triangleCount()) {
+CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
+    : livingTriangles_(mesh.triangleCount()) {
   const Topology topology = buildTopology(mesh);
   const Bounds box = bounds(mesh);
   diagonal_ = box.diagonal();
@@ -32,7 +30,9 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh) : livingTriangles_(mesh.tri
   }
   heirOf_.assign(edges_.size(), kNone);
   collectStars(mesh, topology);
-  classify(mesh, topology);
+  Lines lines = findLines(mesh, topology, wishes);
+  isLine_ = std::move(lines.isLine);
+  roles_ = std::move(lines.roles);
 }
 
 void CollapseMesh::collectStars(const TriangleMesh& mesh, const Topology& topology) {
@@ -47,18 +47,6 @@ void CollapseMesh::collectStars(const TriangleMesh& mesh, const Topology& topolo
       pool_.push_back(4 * t + (triangle[1] == v ? 1 : triangle[2] == v ? 2 : 0));
     }
   }
-}
-
-void CollapseMesh::classify(const TriangleMesh& mesh, const Topology& topology) {
-  const auto kinds = classifyVertices(mesh, topology);
-  freedom_.resize(mesh.vertexCount());
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
-    freedom_[v] = kinds[v] == VertexKind::Interior ? Freedom::Free
-                  : kinds[v] == VertexKind::Border ? Freedom::Border
-                                                   : Freedom::Locked;
-  const auto clashes = findClashes(mesh, topology);
-  for (uint32_t e = 0; e < edgeCount(); ++e)
-    if (clashes[e]) freedom_[edges_[e].a] = freedom_[edges_[e].b] = Freedom::Locked;
 }
 
 bool CollapseMesh::isOn(const Face& face, uint32_t edge) const {
@@ -118,6 +106,7 @@ std::array<uint32_t, 2> CollapseMesh::collapse(const Collapse& step) {
     const uint32_t heir = face.edges[3 - c - third], dying = face.edges[c];
     trianglesOnEdge_[heir] = static_cast<uint8_t>(trianglesOnEdge_[heir] + trianglesOnEdge_[dying] - 2);
     trianglesOnEdge_[dying] = 0;
+    isLine_[heir] |= isLine_[dying];
     heirOf_[dying] = heir;
     gone[goneCount++] = dying;
     removeFromStar(face.vertices[third], triangleOf(corner));
@@ -131,7 +120,6 @@ std::array<uint32_t, 2> CollapseMesh::collapse(const Collapse& step) {
   }
   storeStar(joined_, step);
   positions_[step.kept] = step.target;
-  if (freedom_[step.removed] == Freedom::Border) freedom_[step.kept] = Freedom::Border;
   return gone;
 }
 

@@ -25,6 +25,7 @@ double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
 CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const Guidance& guidance,
                      const SimplifyOptions& options)
     : mesh_(mesh),
+      keep_(options.wishes.keep.begin(), options.wishes.keep.end()),
       lengthScale_(kFrameDiagonal / mesh.diagonal()),
       method_(options.method),
       shortness_(kShortness + (options.method == Method::Qem ? options.sizeWeight : 0)),
@@ -34,7 +35,8 @@ CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const 
   collectQuadrics();
   if (options.method == Method::Qem) return;
   strainWeight_ = guidance.strain.empty() ? 0 : options.strainWeight;
-  curvatureWeight_ = guidance.curvature.empty() || options.method == Method::Limber ? 0 : options.curvatureWeight;
+  curvatureWeight_ =
+      guidance.curvature.empty() || options.method == Method::Limber ? 0 : options.curvatureWeight;
   qualityWeight_ = options.qualityWeight;
   startGuidance(input);
 }
@@ -52,12 +54,12 @@ void CostModel::collectQuadrics() {
     plane.area = area;
     for (uint32_t v : vertices) quadrics_[v] = quadrics_[v] + plane;
     for (int c = 0; c < 3; ++c) {
-      if (mesh_.trianglesOnEdge(edges[c]) != 1) continue;
+      if (!mesh_.isLine(edges[c])) continue;
       const uint32_t from = vertices[nextIndex(c)], to = vertices[previousIndex(c)];
       const Vec3 along = mesh_.position(to) - mesh_.position(from);
-      const Quadric border = planeQuadric(normalized(cross(along, normal)), mesh_.position(from),
-                                          kBorderWeight * squaredLength(along));
-      for (uint32_t v : {from, to}) quadrics_[v] = quadrics_[v] + border;
+      const Quadric line = planeQuadric(normalized(cross(along, normal)), mesh_.position(from),
+                                        kBorderWeight * squaredLength(along));
+      for (uint32_t v : {from, to}) quadrics_[v] = quadrics_[v] + line;
     }
   }
 }
@@ -110,7 +112,8 @@ Placement CostModel::place(uint32_t edge) const {
     const double error = normalizedError(sum, asPoint(target)) + shortness_ * squaredLength(q - p);
     return Placement{target, lengthScale_ * error};
   };
-  if (endsOnBorder(edge) == 1) return at(mesh_.stored(mesh_.freedom(a) == Freedom::Border ? p : q));
+  if (const uint32_t fixed = mesh_.fixedEnd(edge); fixed != kNone)
+    return at(mesh_.stored(mesh_.position(fixed)));
   const auto optimum = findOptimum(sum, asPoint(p), asPoint(q));
   if (!(optimum.overreach > 0)) return {asVec3(optimum.target), optimum.error};
   const Vec3 middle = asVec3(mesh_.rounded(asPoint((p + q) * 0.5)));
@@ -120,7 +123,7 @@ Placement CostModel::place(uint32_t edge) const {
 
 // The same as `place` for each, bit by bit, in less time.
 std::array<Placement, 2> CostModel::placeTwo(uint32_t e, uint32_t f) const {
-  if (endsOnBorder(e) == 1 || endsOnBorder(f) == 1) return {place(e), place(f)};
+  if (mesh_.fixedEnd(e) != kNone || mesh_.fixedEnd(f) != kNone) return {place(e), place(f)};
   const auto [a, b] = mesh_.edge(e);
   const auto [c, d] = mesh_.edge(f);
   const auto sum = asPair(quadrics_[a] + quadrics_[b], quadrics_[c] + quadrics_[d]);
@@ -144,11 +147,6 @@ void CostModel::placeAll(std::span<const uint32_t> edges, const Visit& visit) co
   if (i < edges.size()) visit(i, place(edges[i]));
 }
 
-int CostModel::endsOnBorder(uint32_t edge) const {
-  const auto [a, b] = mesh_.edge(edge);
-  return (mesh_.freedom(a) == Freedom::Border) + (mesh_.freedom(b) == Freedom::Border);
-}
-
 void CostModel::evaluate(std::span<const uint32_t> edges, std::span<double> costs) {
   placeAll(edges, [&](size_t i, const Placement& placement) {
     if (!guidanceCosts_.empty())
@@ -161,8 +159,15 @@ void CostModel::revalue(std::span<const uint32_t> edges, std::span<double> costs
   placeAll(edges, [&](size_t i, const Placement& placement) { costs[i] = total(edges[i], placement); });
 }
 
-// Eq. 11, limber's product, or E_QEM alone.
 double CostModel::total(uint32_t edge, const Placement& placement) const {
+  const double cost = methodCost(edge, placement);
+  if (keep_.empty()) return cost;
+  const auto [a, b] = mesh_.edge(edge);
+  return cost * (1 + Wishes::kKeepFactor * std::max(keep_[a], keep_[b]));
+}
+
+// Eq. 11, limber's product, or E_QEM alone.
+double CostModel::methodCost(uint32_t edge, const Placement& placement) const {
   if (guidanceCosts_.empty()) return placement.error;
   if (method_ == Method::Limber) {
     const double badness = 1 / std::max(worstQuality(edge, placement.target), kWorstQuality) - 1;
@@ -209,7 +214,8 @@ double CostModel::meanBadness(uint32_t edge, const Vec3& target) const {
 
 double CostModel::worstQuality(uint32_t edge, const Vec3& target) const {
   double worst = 1;
-  forEachChanged(edge, [&](const Vec3& q, const Vec3& r) { worst = std::min(worst, triangleQuality(target, q, r)); });
+  forEachChanged(
+      edge, [&](const Vec3& q, const Vec3& r) { worst = std::min(worst, triangleQuality(target, q, r)); });
   return worst;
 }
 
@@ -228,6 +234,7 @@ void CostModel::forEachChanged(uint32_t edge, const Visit& visit) const {
 
 void CostModel::collapse(const Collapse& step) {
   quadrics_[step.kept] = quadrics_[step.kept] + quadrics_[step.removed];
+  if (!keep_.empty()) keep_[step.kept] = std::max(keep_[step.kept], keep_[step.removed]);
   if (curvatureWeight_ != 0) vertexOfVertex_[step.kept] = nearestVertex(step.target, step.edge);
   if (strainWeight_ == 0 || step.target == mesh_.position(step.kept)) return;
   uint32_t& nearest = triangleOfVertex_[step.kept];

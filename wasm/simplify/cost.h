@@ -22,26 +22,27 @@ struct Placement {
 //
 // E_QEM is Eq. 7 with area-weighted plane quadrics, normalised (Garland 1999): each vertex starts with the
 // planes of its triangles, weighted by their areas, and with the areas' sum; both add up in a collapse, and
-// the error is the sum of squares over the area: a mean squared distance. A border edge adds the plane
-// through it that stands on its triangle to both of its ends, weighted by kBorderWeight times its squared
-// length but not counted as area. Lengths are measured where the diagonal of the bounding box is 300.
-// Deviation: Eq. 11 adds terms without a length to a squared length, so its result depends on the file's
+// the error is the sum of squares over the area: a mean squared distance. A border or other line (see Wishes)
+// adds the planes through it that stand on its triangles to both of its ends, weighted by kBorderWeight times
+// its squared length but not counted as area. Lengths are measured where the diagonal of the bounding box is
+// 300. Deviation: Eq. 11 adds terms without a length to a squared length, so its result depends on the file's
 // units; the frame fixes them.
 // Where planes leave the order open (flat faces, straight creases), E_QEM would be rounding noise; a term of
 // kShortness times the squared length of the edge, far below what float32 coordinates show, takes shorter
 // edges first there; for `qem` the size weight adds to it.
 //
-// limber: (3 E_QEM + s (1 + w sigma) L^2) (1 + g (1 / q - 1)), with L the edge's length, sigma the larger strain rank at
-// its ends, q the worst quality (Eq. 9) among the changed triangles after the collapse, and s, w, g the weights of size,
-// strain and quality. All terms are squared lengths or pure numbers, so units do not matter.
+// limber: (3 E_QEM + s (1 + w sigma) L^2) (1 + g (1 / q - 1)), with L the edge's length, sigma the larger
+// strain rank at its ends, q the worst quality (Eq. 9) among the changed triangles after the collapse, and s,
+// w, g the weights of size, strain and quality. All terms are squared lengths or pure numbers, so units do
+// not matter.
 class CostModel {
  public:
   // Keeps references to all of them. Works on many edges: reports to `job`.
   CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const Guidance& guidance,
             const SimplifyOptions& options);
 
-  // The place of least error for an edge, on the border's end where just one end is on a border, so that
-  // borders keep their shape; where the optimum lies far off, the best of the middle and the ends.
+  // The place of least error for an edge, or its fixed end where it has one, so that lines keep their shape;
+  // where the optimum lies far off, the best of the middle and the ends.
   Placement place(uint32_t edge) const;
 
   // costs[i]: the cost of edges[i]. May be called for different edges at the same time.
@@ -65,8 +66,8 @@ class CostModel {
   struct Optimum;
   template <class Real>
   Optimum<Real> findOptimum(const QuadricOf<Real>& sum, const Point<Real>& p, const Point<Real>& q) const;
-  int endsOnBorder(uint32_t edge) const;
   double total(uint32_t edge, const Placement& placement) const;
+  double methodCost(uint32_t edge, const Placement& placement) const;
   double guidanceCost(uint32_t edge, const Vec3& target) const;
   double meanBadness(uint32_t edge, const Vec3& target) const;
   double worstQuality(uint32_t edge, const Vec3& target) const;
@@ -78,9 +79,10 @@ class CostModel {
   const CollapseMesh& mesh_;
   double lengthScale_;  // squared lengths of the mesh -> of the frame whose diagonal is 300
   Method method_;
-  double shortness_;    // of the squared length of an edge within the error
-  double sizeWeight_;   // of the squared length of an edge
+  double shortness_;   // of the squared length of an edge within the error
+  double sizeWeight_;  // of the squared length of an edge
   std::vector<Quadric> quadrics_;
+  std::vector<float> keep_;  // [v]: the largest keep weight of those that have become v; or empty
 
   double strainWeight_ = 0, curvatureWeight_ = 0, qualityWeight_ = 0;
   Guidance guidance_;

@@ -42,6 +42,15 @@ Verdict Legality::check(const Collapse& step) {
   return Verdict::Legal;
 }
 
+// Whether a member of a pinned set would be removed by a vertex that is in other sets, or a vertex in no set
+// by a member that moves.
+bool Legality::mixesPinnedSets(uint32_t edge) const {
+  const auto [a, b] = mesh_.edge(edge);
+  if (pinnedSets_[a] == pinnedSets_[b]) return false;
+  const uint32_t kept = mesh_.fixedEnd(edge);
+  return kept == kNone || pinnedSets_[kept == a ? b : a] != 0;
+}
+
 // The link condition: the links of the two ends meet in the link of the edge and nowhere else, where at
 // borders a virtual vertex is taken to close each of them (Dey et al. 1999). Then the collapse is a
 // homeomorphism, so components, loops and genus stay. In terms of vertices, the ends have no common
@@ -50,17 +59,31 @@ Verdict Legality::check(const Collapse& step) {
 // - a lone triangle, whose other two edges are borders, so that the edge from the third vertex to the virtual
 //   one lies in both links.
 // (A border loop of three edges is caught as a common neighbour, inner edges between borders by `forever`.)
+// Lines are closed by the same virtual vertex, so that the pair of surface and lines stays what it is: an
+// edge whose both ends are on lines must be one, and no triangle may vanish between three.
 bool Legality::keepsTopology(const Collapse& step) {
   const auto triangles = static_cast<uint32_t>(mesh_.trianglesOnEdge(step.edge));
   const auto starKept = mesh_.star(step.kept), starRemoved = mesh_.star(step.removed);
   if (triangles == 1) {
     if (starKept.size() == 1 && starRemoved.size() == 1) return false;
   } else {
-    const bool inside =
-        mesh_.freedom(step.kept) == Freedom::Free && mesh_.freedom(step.removed) == Freedom::Free;
+    const bool inside = !mesh_.role(step.kept).onBorder && !mesh_.role(step.removed).onBorder;
     if (inside && starKept.size() == 3 && starRemoved.size() == 3) return false;
   }
+  if (joinsLines(step)) return false;
   return countCommonNeighbours(step.kept, step.removed) == triangles;
+}
+
+// Whether a triangle would vanish whose two other edges are both lines.
+bool Legality::joinsLines(const Collapse& step) const {
+  if (!mesh_.role(step.kept).onLine || !mesh_.role(step.removed).onLine) return false;
+  for (const Corner corner : mesh_.star(step.removed)) {
+    const auto& edges = mesh_.face(triangleOf(corner)).edges;
+    const int lines = mesh_.isLine(edges[0]) + mesh_.isLine(edges[1]) + mesh_.isLine(edges[2]);
+    const bool vanishes = edges[0] == step.edge || edges[1] == step.edge || edges[2] == step.edge;
+    if (vanishes && lines == 3) return true;
+  }
+  return false;
 }
 
 uint32_t Legality::countCommonNeighbours(uint32_t a, uint32_t b) {

@@ -38,9 +38,9 @@ class Simplification {
  public:
   Simplification(const TriangleMesh& input, const Guidance& guidance, const SimplifyOptions& options,
                  Job& job)
-      : mesh_(input),
+      : mesh_(input, options.wishes),
         costs_(input, mesh_, guidance, options),
-        legality_(mesh_),
+        legality_(mesh_, options.wishes),
         heap_(mesh_.edgeCount()),
         hasRefused_(mesh_.vertexCount(), 0),
         revaluedAt_(costs_.dependsOnSurroundings() ? mesh_.edgeCount() : 0, kNone),
@@ -83,7 +83,7 @@ class Simplification {
   std::vector<uint8_t> hasRefused_;   // per vertex: an edge of it may have been refused since the last retry
   std::vector<uint32_t> revaluedAt_;  // per edge: the collapse after which it got its last cost
   uint32_t stopFaces_;
-  std::vector<uint32_t> edges_;       // scratch: edges to price, and their costs
+  std::vector<uint32_t> edges_;  // scratch: edges to price, and their costs
   std::vector<double> edgeCosts_;
   Job& job_;
   History history_;
@@ -115,13 +115,14 @@ void Simplification::tryCheapest() {
     hasRefused_[step.kept] = hasRefused_[step.removed] = 1;
 }
 
-// Of the two ends the one on a border stays, else the one nearer to the target, else the lower one.
+// Of the two ends the fixed one stays, else the one nearer to the target, else the lower one.
 Collapse Simplification::planned(uint32_t edge) const {
   const auto [a, b] = mesh_.edge(edge);
   const Vec3 target = costs_.place(edge).target;
   const double toA = squaredLength(target - mesh_.position(a)),
                toB = squaredLength(target - mesh_.position(b));
-  const bool keepsA = toA != toB ? toA < toB : a < b;
+  const uint32_t fixed = mesh_.fixedEnd(edge);
+  const bool keepsA = fixed != kNone ? fixed == a : toA != toB ? toA < toB : a < b;
   return keepsA ? Collapse{edge, a, b, target} : Collapse{edge, b, a, target};
 }
 
@@ -158,7 +159,7 @@ void Simplification::updateCosts(uint32_t kept) {
 
   edges_.clear();
   mesh_.forEachEdge(kept, [&](uint32_t, uint32_t neighbour) {
-    if (mesh_.freedom(neighbour) == Freedom::Locked) return;
+    if (mesh_.role(neighbour).freedom == Freedom::Locked) return;
     if (costs_.dependsOnSurroundings())
       collectSurroundings(neighbour);
     else if (hasRefused_[neighbour])
@@ -217,6 +218,7 @@ History simplify(const TriangleMesh& mesh, const Guidance& guidance, const Simpl
                  Job& job) {
   checkGuidance(mesh, guidance);
   checkWeights(options);
+  checkWishes(mesh, options.wishes);
   job.begin(Phase::Simplify);
   History history = Simplification(mesh, guidance, options, job).run();
   job.report(1);
