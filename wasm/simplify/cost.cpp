@@ -25,11 +25,11 @@ double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
 CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const Guidance& guidance,
                      const SimplifyOptions& options)
     : mesh_(mesh),
-      keep_(options.wishes.keep.begin(), options.wishes.keep.end()),
       lengthScale_(kFrameDiagonal / mesh.diagonal()),
       method_(options.method),
       shortness_(kShortness + (options.method == Method::Qem ? options.sizeWeight : 0)),
       sizeWeight_(options.sizeWeight),
+      keep_(options.wishes.keep.begin(), options.wishes.keep.end()),
       guidance_(guidance) {
   lengthScale_ *= lengthScale_;
   collectQuadrics();

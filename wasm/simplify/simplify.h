@@ -18,7 +18,7 @@ struct SimplifyOptions {
   double qualityWeight = 0;    // gamma
   double sizeWeight = 0;       // of an edge's squared length: qem beside E_QEM, limber as s (0 for paper)
   uint32_t stopFaces = 0;      // stops as soon as no more are left
-  Wishes wishes;
+  Wishes wishes{};
 };
 
 // What guides `paper`; `limber` takes the strain alone, `qem` nothing. Empty spans count as 0 everywhere.

@@ -23,14 +23,15 @@ enum class Borders : int32_t {
 struct Wishes {
   // [3 * t + c]: corners at one vertex with the same number share all their attributes. Wedges that differ at
   // every edge, as those of flat shading, would make every edge a line: leave such attributes out.
-  std::span<const uint32_t> wedges;
-  std::span<const uint32_t> groups;  // [t]: the primitive or material
-  std::span<const uint8_t> locked;   // [v]: not 0: neither moved nor removed
-  std::span<const float> keep;  // [v] in [0, 1]: a cost is multiplied by 1 + 99 keep, the larger of its ends'
-  std::span<const uint32_t> pinnedSets;  // [v]: bit k is set for the members of set k
+  std::span<const uint32_t> wedges{};
+  std::span<const uint32_t> groups{};  // [t]: the primitive or material
+  std::span<const uint8_t> locked{};   // [v]: not 0: neither moved nor removed
+  std::span<const float>
+      keep{};  // [v] in [0, 1]: a cost is multiplied by 1 + 99 keep, the larger of its ends'
+  std::span<const uint32_t> pinnedSets{};  // [v]: bit k is set for the members of set k
   // [wedge * attributeDimension + i], or [v * attributeDimension + i] without wedges: what CostModel adds to
   // the error. Scaled so that a difference of 1 weighs as much as a distance of the bounding diagonal.
-  std::span<const float> attributes;
+  std::span<const float> attributes{};
   uint32_t attributeDimension = 0;  // at most kAttributeLimit
   // An edge whose triangles' normals differ by more than this (degrees) is a crease; 0: none is.
   double creaseAngle = 0;
