@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simplify/sectors.h"
+
 namespace limber {
 
 CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
@@ -31,6 +33,10 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
   heirOf_.assign(edges_.size(), kNone);
   collectStars(mesh, topology);
   Lines lines = findLines(mesh, topology, wishes);
+  if (!wishes.wedges.empty() || !wishes.attributes.empty()) {
+    sectorOfCorner_ = findSectors(mesh, topology, lines);
+    heirOfSector_.assign(sectorOfCorner_.empty() ? 0 : std::ranges::max(sectorOfCorner_) + 1, kNone);
+  }
   isLine_ = std::move(lines.isLine);
   roles_ = std::move(lines.roles);
 }
@@ -61,11 +67,20 @@ void CollapseMesh::removeFromStar(uint32_t v, uint32_t triangle) {
   *found = corners[--star.count];
 }
 
+// The sector at the removed corner of a vanishing triangle joins that at the kept one.
+void CollapseMesh::joinSectors(uint32_t triangle, int removed, int kept) {
+  if (!sectorOfCorner_.empty()) heirOfSector_[sector(triangle, removed)] = sector(triangle, kept);
+}
+
 // Gives a corner of the removed vertex to the kept one, with the two edges that meet in it.
 void CollapseMesh::takeOver(Corner corner, const Collapse& step) {
   Face& face = faces_[triangleOf(corner)];
   const int c = indexOf(corner);
   face.vertices[c] = step.kept;
+  if (!sectorOfCorner_.empty()) {
+    uint32_t& sector = sectorOfCorner_[3 * size_t{triangleOf(corner)} + c];
+    sector = heirOfSector_[sector];
+  }
   for (const int side : {nextIndex(c), previousIndex(c)}) {
     if (heirOf_[face.edges[side]] != kNone) face.edges[side] = heirOf_[face.edges[side]];
     Edge& edge = edges_[face.edges[side]];
@@ -109,6 +124,7 @@ std::array<uint32_t, 2> CollapseMesh::collapse(const Collapse& step) {
     isLine_[heir] |= isLine_[dying];
     heirOf_[dying] = heir;
     gone[goneCount++] = dying;
+    joinSectors(triangleOf(corner), 3 - c - third, c);
     removeFromStar(face.vertices[third], triangleOf(corner));
     --livingTriangles_;
   }

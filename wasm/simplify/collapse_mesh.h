@@ -68,6 +68,11 @@ class CollapseMesh {
     const Freedom atA = roles_[a].freedom, atB = roles_[b].freedom;
     return atA == atB ? kNone : atA > atB ? a : b;
   }
+  // The sector of corner c of a triangle (see findSectors), where wedges or attributes are among the wishes.
+  uint32_t sector(uint32_t t, int c) const { return sectorOfCorner_[3 * size_t{t} + c]; }
+  uint32_t sectorCount() const { return static_cast<uint32_t>(heirOfSector_.size()); }
+  // Per sector the one that it has joined, or kNone.
+  const std::vector<uint32_t>& heirOfSector() const { return heirOfSector_; }
   // The corners at a vertex, in no special order.
   std::span<const Corner> star(uint32_t v) const { return {pool_.data() + stars_[v].begin, stars_[v].count}; }
 
@@ -114,6 +119,7 @@ class CollapseMesh {
   void collectStars(const TriangleMesh& mesh, const Topology& topology);
   bool isOn(const Face& face, uint32_t edge) const;
   void removeFromStar(uint32_t v, uint32_t triangle);
+  void joinSectors(uint32_t triangle, int removed, int kept);
   void takeOver(Corner corner, const Collapse& step);
   void storeStar(const std::vector<Corner>& star, const Collapse& step);
 
@@ -127,7 +133,8 @@ class CollapseMesh {
   std::vector<Edge> edges_;
   std::vector<uint8_t> trianglesOnEdge_, isLine_;
   std::vector<Star> stars_;
-  std::vector<Corner> pool_;      // the stars' places
+  std::vector<Corner> pool_;  // the stars' places
+  std::vector<uint32_t> sectorOfCorner_, heirOfSector_;
   std::vector<uint32_t> heirOf_;  // of an edge that is gone: the edge it has become
   std::vector<Corner> joined_;    // scratch
 };

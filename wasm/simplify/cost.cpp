@@ -29,6 +29,7 @@ CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const 
       method_(options.method),
       shortness_(kShortness + (options.method == Method::Qem ? options.sizeWeight : 0)),
       sizeWeight_(options.sizeWeight),
+      attributes_(mesh, options.wishes),
       keep_(options.wishes.keep.begin(), options.wishes.keep.end()),
       guidance_(guidance) {
   lengthScale_ *= lengthScale_;
@@ -104,10 +105,17 @@ CostModel::Optimum<Real> CostModel::findOptimum(const QuadricOf<Real>& sum, cons
           dot(way, way) - kReach * kReach * square};
 }
 
+// What the planes and attributes around both ends make of the place of an edge's collapse.
+Quadric CostModel::sumOf(uint32_t edge) const {
+  const auto [a, b] = mesh_.edge(edge);
+  const Quadric planes = quadrics_[a] + quadrics_[b];
+  return attributes_.empty() ? planes : planes + attributes_.residual(edge);
+}
+
 Placement CostModel::place(uint32_t edge) const {
   const auto [a, b] = mesh_.edge(edge);
   const Vec3 &p = mesh_.position(a), &q = mesh_.position(b);
-  const Quadric sum = quadrics_[a] + quadrics_[b];
+  const Quadric sum = sumOf(edge);
   const auto at = [&](const Vec3& target) {
     const double error = normalizedError(sum, asPoint(target)) + shortness_ * squaredLength(q - p);
     return Placement{target, lengthScale_ * error};
@@ -126,7 +134,7 @@ std::array<Placement, 2> CostModel::placeTwo(uint32_t e, uint32_t f) const {
   if (mesh_.fixedEnd(e) != kNone || mesh_.fixedEnd(f) != kNone) return {place(e), place(f)};
   const auto [a, b] = mesh_.edge(e);
   const auto [c, d] = mesh_.edge(f);
-  const auto sum = asPair(quadrics_[a] + quadrics_[b], quadrics_[c] + quadrics_[d]);
+  const auto sum = asPair(sumOf(e), sumOf(f));
   const auto optimum = findOptimum(sum, asPair(mesh_.position(a), mesh_.position(c)),
                                    asPair(mesh_.position(b), mesh_.position(d)));
   const auto placement = [&](uint32_t edge, int i) {
@@ -234,6 +242,7 @@ void CostModel::forEachChanged(uint32_t edge, const Visit& visit) const {
 
 void CostModel::collapse(const Collapse& step) {
   quadrics_[step.kept] = quadrics_[step.kept] + quadrics_[step.removed];
+  attributes_.collapse(step);
   if (!keep_.empty()) keep_[step.kept] = std::max(keep_[step.kept], keep_[step.removed]);
   if (curvatureWeight_ != 0) vertexOfVertex_[step.kept] = nearestVertex(step.target, step.edge);
   if (strainWeight_ == 0 || step.target == mesh_.position(step.kept)) return;

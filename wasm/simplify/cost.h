@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "simplify/attribute_quadrics.h"
 #include "simplify/collapse_mesh.h"
 #include "simplify/kd_tree.h"
 #include "simplify/quadric.h"
@@ -66,6 +67,7 @@ class CostModel {
   struct Optimum;
   template <class Real>
   Optimum<Real> findOptimum(const QuadricOf<Real>& sum, const Point<Real>& p, const Point<Real>& q) const;
+  Quadric sumOf(uint32_t edge) const;
   double total(uint32_t edge, const Placement& placement) const;
   double methodCost(uint32_t edge, const Placement& placement) const;
   double guidanceCost(uint32_t edge, const Vec3& target) const;
@@ -82,6 +84,7 @@ class CostModel {
   double shortness_;   // of the squared length of an edge within the error
   double sizeWeight_;  // of the squared length of an edge
   std::vector<Quadric> quadrics_;
+  AttributeQuadrics attributes_;
   std::vector<float> keep_;  // [v]: the largest keep weight of those that have become v; or empty
 
   double strainWeight_ = 0, curvatureWeight_ = 0, qualityWeight_ = 0;
