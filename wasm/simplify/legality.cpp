@@ -1,6 +1,8 @@
 #include "simplify/legality.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace limber {
 namespace {
@@ -33,12 +35,29 @@ bool isSpoilt(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& target) {
   return turns || !(flatness >= flatnessBefore);
 }
 
+// The largest cosine of an angle of triangle (p, q, r), so that of its smallest; 1 where an edge has no
+// length.
+double largestCosine(const Vec3& p, const Vec3& q, const Vec3& r) {
+  const auto cosineAt = [](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double lengths = squaredLength(b - a) * squaredLength(c - a);
+    return lengths > 0 ? dot(b - a, c - a) / std::sqrt(lengths) : 1;
+  };
+  return std::max({cosineAt(p, q, r), cosineAt(q, r, p), cosineAt(r, p, q)});
+}
+
 }  // namespace
+
+Legality::Legality(const CollapseMesh& mesh, const SimplifyOptions& options)
+    : mesh_(mesh),
+      pinnedSets_(options.wishes.pinnedSets),
+      largestCosine_(std::cos(options.minAngle * std::numbers::pi / 180)),
+      seen_(mesh.vertexCount(), 0) {}
 
 Verdict Legality::check(const Collapse& step) {
   if (const Verdict verdict = forever(step.edge); verdict != Verdict::Legal) return verdict;
   if (!keepsTopology(step)) return Verdict::Topology;
   if (spoilsAnyFace(step.kept, step) || spoilsAnyFace(step.removed, step)) return Verdict::Flip;
+  if (largestCosine_ < 1 && spoilsAngles(step)) return Verdict::Angle;
   return Verdict::Legal;
 }
 
@@ -102,6 +121,22 @@ uint32_t Legality::countCommonNeighbours(uint32_t a, uint32_t b) {
     if (seen_[v] == around) seen_[v] = common;
   });
   return count;
+}
+
+// Whether the smallest angle among the changed triangles is below the wanted one after the collapse, and no
+// larger than the smallest among all triangles of both ends before.
+bool Legality::spoilsAngles(const Collapse& step) const {
+  double before = -1, after = -1;
+  for (const uint32_t v : {step.kept, step.removed})
+    for (const Corner corner : mesh_.star(v)) {
+      const CollapseMesh::Face& face = mesh_.face(triangleOf(corner));
+      const int next = nextIndex(indexOf(corner)), previous = previousIndex(indexOf(corner));
+      const Vec3 &q = mesh_.position(face.vertices[next]), &r = mesh_.position(face.vertices[previous]);
+      before = std::max(before, largestCosine(mesh_.position(v), q, r));
+      const bool vanishes = face.edges[next] == step.edge || face.edges[previous] == step.edge;
+      if (!vanishes) after = std::max(after, largestCosine(step.target, q, r));
+    }
+  return after > largestCosine_ && after >= before;
 }
 
 bool Legality::spoilsAnyFace(uint32_t v, const Collapse& step) const {

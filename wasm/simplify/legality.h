@@ -5,19 +5,18 @@
 #include <vector>
 
 #include "simplify/collapse_mesh.h"
-#include "simplify/history.h"
+#include "simplify/simplify.h"
 
 namespace limber {
 
 // Why a collapse may not be, in the order in which the rules are asked.
-enum class Verdict : uint8_t { Legal, Locked, Topology, Flip };
+enum class Verdict : uint8_t { Legal, Locked, Topology, Flip, Angle, Deviation };
 
 // The rules that keep a surface what it is. Holds scratch memory; not for use from several threads.
 class Legality {
  public:
-  // Keeps a reference to `mesh` and to the lists of `wishes`.
-  Legality(const CollapseMesh& mesh, const Wishes& wishes)
-      : mesh_(mesh), pinnedSets_(wishes.pinnedSets), seen_(mesh.vertexCount(), 0) {}
+  // Keeps a reference to `mesh` and to the lists of `options`.
+  Legality(const CollapseMesh& mesh, const SimplifyOptions& options);
 
   // Whether an edge cannot collapse as long as its own ends stay what they are: an end that must stay, ends
   // of different pinned sets, or an edge that joins two vertices of lines without being one. Legal where it
@@ -31,7 +30,7 @@ class Legality {
     return atA.onLine && atB.onLine && !mesh_.isLine(edge) ? Verdict::Topology : Verdict::Legal;
   }
 
-  // Asks every rule.
+  // Asks every rule but the deviation, which DeviationLimit knows.
   Verdict check(const Collapse& step);
 
  private:
@@ -40,9 +39,11 @@ class Legality {
   bool joinsLines(const Collapse& step) const;
   uint32_t countCommonNeighbours(uint32_t a, uint32_t b);
   bool spoilsAnyFace(uint32_t v, const Collapse& step) const;
+  bool spoilsAngles(const Collapse& step) const;
 
   const CollapseMesh& mesh_;
   std::span<const uint32_t> pinnedSets_;
+  double largestCosine_;        // of an angle that a collapse may make
   std::vector<uint32_t> seen_;  // per vertex: the last mark that was set on it
   uint32_t mark_ = 0;
 };

@@ -1,12 +1,14 @@
 #include "simplify/simplify.h"
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "base/parallel.h"
 #include "simplify/collapse_mesh.h"
 #include "simplify/cost.h"
+#include "simplify/deviation_limit.h"
 #include "simplify/edge_heap.h"
 #include "simplify/legality.h"
 
@@ -27,10 +29,14 @@ void checkGuidance(const TriangleMesh& mesh, const Guidance& guidance) {
   checkSize(guidance.curvature.size(), mesh.vertexCount(), "curvature", "vertices");
 }
 
-void checkWeights(const SimplifyOptions& options) {
-  for (double weight : {options.strainWeight, options.curvatureWeight, options.qualityWeight})
+void checkNumbers(const SimplifyOptions& options) {
+  for (double weight :
+       {options.strainWeight, options.curvatureWeight, options.qualityWeight, options.sizeWeight})
     if (!(weight >= 0) || !std::isfinite(weight))
-      throw std::invalid_argument("The weights of strain, curvature and quality must be numbers >= 0.");
+      throw std::invalid_argument("The weights of strain, curvature, quality and size must be numbers >= 0.");
+  if (!(options.maxDeviation >= 0) || !(options.minAngle >= 0 && options.minAngle < 60))
+    throw std::invalid_argument(
+        "The largest deviation must be >= 0, the smallest angle between 0 and 60 degrees.");
 }
 
 // The collapse loop (Algorithm 2), from the input down to the floor.
@@ -40,12 +46,13 @@ class Simplification {
                  Job& job)
       : mesh_(input, options.wishes),
         costs_(input, mesh_, guidance, options),
-        legality_(mesh_, options.wishes),
+        legality_(mesh_, options),
         heap_(mesh_.edgeCount()),
         hasRefused_(mesh_.vertexCount(), 0),
         revaluedAt_(costs_.dependsOnSurroundings() ? mesh_.edgeCount() : 0, kNone),
         stopFaces_(options.stopFaces),
         job_(job) {
+    if (options.maxDeviation > 0) deviation_.emplace(input, mesh_, options.maxDeviation);
     history_.vertexCount = input.vertexCount();
     history_.triangleCount = input.triangleCount();
     for (auto* list : {&history_.kept, &history_.removed, &history_.trianglesAfter})
@@ -57,6 +64,8 @@ class Simplification {
     queueAll();
     do collapseAll();
     while (!isDone() && queueWhatIsLegal());
+    if (isDone()) history_.refused = {};
+    history_.stop = stopReason();
     return std::move(history_);
   }
 
@@ -69,6 +78,8 @@ class Simplification {
   void tryCheapest();
   bool queueWhatIsLegal();
   Collapse planned(uint32_t edge) const;
+  Verdict judge(const Collapse& step);
+  StopReason stopReason() const;
   void carryOut(const Collapse& step);
   void record(const Collapse& step);
   void updateCosts(uint32_t kept);
@@ -79,6 +90,7 @@ class Simplification {
   CollapseMesh mesh_;
   CostModel costs_;
   Legality legality_;
+  std::optional<DeviationLimit> deviation_;
   EdgeHeap heap_;
   std::vector<uint8_t> hasRefused_;   // per vertex: an edge of it may have been refused since the last retry
   std::vector<uint32_t> revaluedAt_;  // per edge: the collapse after which it got its last cost
@@ -109,10 +121,23 @@ void Simplification::collapseAll() {
 
 void Simplification::tryCheapest() {
   const Collapse step = planned(heap_.pop());
-  if (legality_.check(step) == Verdict::Legal)
+  if (judge(step) == Verdict::Legal)
     carryOut(step);
   else
     hasRefused_[step.kept] = hasRefused_[step.removed] = 1;
+}
+
+Verdict Simplification::judge(const Collapse& step) {
+  const Verdict verdict = legality_.check(step);
+  const bool goesTooFar = verdict == Verdict::Legal && deviation_ && !deviation_->allows(step);
+  return goesTooFar ? Verdict::Deviation : verdict;
+}
+
+StopReason Simplification::stopReason() const {
+  const auto [topology, flip, lock, angle, deviation] = history_.refused;
+  if (isDone()) return StopReason::Target;
+  if (angle + deviation == 0) return StopReason::Exhausted;
+  return deviation >= angle ? StopReason::Deviation : StopReason::Angle;
 }
 
 // Of the two ends the fixed one stays, else the one nearer to the target, else the lower one.
@@ -128,6 +153,7 @@ Collapse Simplification::planned(uint32_t edge) const {
 
 void Simplification::carryOut(const Collapse& step) {
   costs_.collapse(step);
+  if (deviation_) deviation_->collapse();
   for (const uint32_t gone : mesh_.collapse(step))
     if (gone != kNone) heap_.remove(gone);
   hasRefused_[step.kept] |= hasRefused_[step.removed];
@@ -200,10 +226,12 @@ bool Simplification::queueWhatIsLegal() {
     if (mesh_.trianglesOnEdge(edge) == 0) continue;
     if (edge % kEdgesPerRange == 0) job_.check();
     const Verdict forever = legality_.forever(edge);
-    const Verdict verdict = forever == Verdict::Legal ? legality_.check(planned(edge)) : forever;
+    const Verdict verdict = forever == Verdict::Legal ? judge(planned(edge)) : forever;
     history_.refused.lock += verdict == Verdict::Locked;
     history_.refused.topology += verdict == Verdict::Topology;
     history_.refused.flip += verdict == Verdict::Flip;
+    history_.refused.angle += verdict == Verdict::Angle;
+    history_.refused.deviation += verdict == Verdict::Deviation;
     if (verdict == Verdict::Legal) edges_.push_back(edge);
   }
   edgeCosts_.resize(edges_.size());
@@ -217,7 +245,7 @@ bool Simplification::queueWhatIsLegal() {
 History simplify(const TriangleMesh& mesh, const Guidance& guidance, const SimplifyOptions& options,
                  Job& job) {
   checkGuidance(mesh, guidance);
-  checkWeights(options);
+  checkNumbers(options);
   checkWishes(mesh, options.wishes);
   job.begin(Phase::Simplify);
   History history = Simplification(mesh, guidance, options, job).run();
