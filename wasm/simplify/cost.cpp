@@ -34,6 +34,7 @@ CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const 
       guidance_(guidance) {
   lengthScale_ *= lengthScale_;
   collectQuadrics();
+  bounds_.assign(mesh.edgeCount(), 0);
   if (options.method == Method::Qem) return;
   strainWeight_ = guidance.strain.empty() ? 0 : options.strainWeight;
   curvatureWeight_ =
@@ -155,47 +156,64 @@ void CostModel::placeAll(std::span<const uint32_t> edges, const Visit& visit) co
   if (i < edges.size()) visit(i, place(edges[i]));
 }
 
-void CostModel::evaluate(std::span<const uint32_t> edges, std::span<double> costs) {
+void CostModel::setBounds(std::span<const uint32_t> edges) {
+  if (method_ == Method::Limber) {
+    for (const uint32_t edge : edges) {
+      guidanceCosts_[edge] = static_cast<float>(sizeCost(edge));
+      bounds_[edge] = static_cast<float>(guidanceCosts_[edge] * keepFactor(edge));
+    }
+    return;
+  }
   placeAll(edges, [&](size_t i, const Placement& placement) {
-    if (!guidanceCosts_.empty())
-      guidanceCosts_[edges[i]] = static_cast<float>(guidanceCost(edges[i], placement.target));
-    costs[i] = total(edges[i], placement);
+    const uint32_t edge = edges[i];
+    double bound = placement.error;
+    if (!guidanceCosts_.empty()) {
+      guidanceCosts_[edge] = static_cast<float>(guidanceCost(edge, placement.target));
+      bound += guidanceCosts_[edge];
+    }
+    bounds_[edge] = static_cast<float>(bound * keepFactor(edge));
   });
 }
 
-void CostModel::revalue(std::span<const uint32_t> edges, std::span<double> costs) const {
-  placeAll(edges, [&](size_t i, const Placement& placement) { costs[i] = total(edges[i], placement); });
-}
-
-double CostModel::total(uint32_t edge, const Placement& placement) const {
-  const double cost = methodCost(edge, placement);
-  if (keep_.empty()) return cost;
-  const auto [a, b] = mesh_.edge(edge);
-  return cost * (1 + Wishes::kKeepFactor * std::max(keep_[a], keep_[b]));
-}
-
 // Eq. 11, limber's product, or E_QEM alone.
-double CostModel::methodCost(uint32_t edge, const Placement& placement) const {
-  if (guidanceCosts_.empty()) return placement.error;
+double CostModel::cost(uint32_t edge, const Placement& placement) {
+  const double factor = keepFactor(edge);
+  if (guidanceCosts_.empty()) return placement.error * factor;
   if (method_ == Method::Limber) {
+    const double geometry = 3 * placement.error + guidanceCosts_[edge];
+    bounds_[edge] = static_cast<float>(geometry * factor);
     const double badness = 1 / std::max(worstQuality(edge, placement.target), kWorstQuality) - 1;
-    return (3 * placement.error + guidanceCosts_[edge]) * (1 + qualityWeight_ * badness);
+    return geometry * (1 + qualityWeight_ * badness) * factor;
   }
-  return placement.error + guidanceCosts_[edge] + qualityWeight_ * meanBadness(edge, placement.target);
+  return (placement.error + guidanceCosts_[edge] + qualityWeight_ * meanBadness(edge, placement.target)) *
+         factor;
 }
 
-// alpha E_strain + beta E_curv (Eq. 8); for limber the price of the edge's size, higher where it strains.
-double CostModel::guidanceCost(uint32_t edge, const Vec3& target) const {
+double CostModel::keepFactor(uint32_t edge) const {
+  if (keep_.empty()) return 1;
   const auto [a, b] = mesh_.edge(edge);
+  return 1 + Wishes::kKeepFactor * std::max(keep_[a], keep_[b]);
+}
+
+// alpha E_strain + beta E_curv (Eq. 8).
+double CostModel::guidanceCost(uint32_t edge, const Vec3& target) const {
   double cost = 0;
-  if (strainWeight_ != 0) {
-    const auto strain = [&](uint32_t v) { return guidance_.strain[triangleOfVertex_[v]]; };
-    cost += strainWeight_ * std::max(strain(a), strain(b));
-  }
-  if (method_ == Method::Limber)
-    return lengthScale_ * sizeWeight_ * (1 + cost) * squaredLength(mesh_.position(b) - mesh_.position(a));
+  if (strainWeight_ != 0) cost += strainWeight_ * strainAt(edge);
   if (curvatureWeight_ != 0) cost += curvatureWeight_ * guidance_.curvature[nearestVertex(target, edge)];
   return cost;
+}
+
+// limber's price of an edge's size, higher where it strains.
+double CostModel::sizeCost(uint32_t edge) const {
+  const auto [a, b] = mesh_.edge(edge);
+  const double strain = strainWeight_ != 0 ? strainWeight_ * strainAt(edge) : 0;
+  return lengthScale_ * sizeWeight_ * (1 + strain) * squaredLength(mesh_.position(b) - mesh_.position(a));
+}
+
+// The larger strain at the ends of an edge.
+double CostModel::strainAt(uint32_t edge) const {
+  const auto [a, b] = mesh_.edge(edge);
+  return std::max(guidance_.strain[triangleOfVertex_[a]], guidance_.strain[triangleOfVertex_[b]]);
 }
 
 // The input vertex that is nearest to the target of an edge.

@@ -46,13 +46,16 @@ class CostModel {
   // where the optimum lies far off, the best of the middle and the ends.
   Placement place(uint32_t edge) const;
 
-  // costs[i]: the cost of edges[i]. May be called for different edges at the same time.
-  void evaluate(std::span<const uint32_t> edges, std::span<double> costs);
-
-  // Whether costs depend on the triangles around an edge's ends, not on the ends alone; then `revalue` gives
-  // the new costs of edges whose own ends have stayed as they were since their last `evaluate`.
+  // Costs are found late: each edge has a bound first, which its cost never falls below while its own ends
+  // stay as they are. Sets the bounds of edges; may be called for different edges at the same time.
+  void setBounds(std::span<const uint32_t> edges);
+  float bound(uint32_t edge) const { return bounds_[edge]; }
+  // Whether the bounds of `setBounds` are the costs themselves.
+  bool boundsAreCosts() const { return method_ != Method::Limber && qualityWeight_ == 0; }
+  // Whether costs depend on the triangles around an edge's ends, not on the ends alone.
   bool dependsOnSurroundings() const { return qualityWeight_ > 0; }
-  void revalue(std::span<const uint32_t> edges, std::span<double> costs) const;
+  // The cost of an edge with a bound, whose `place` is given; raises its bound.
+  double cost(uint32_t edge, const Placement& placement);
 
   // To be called before the mesh carries out a collapse; updates what is known of the kept vertex.
   void collapse(const Collapse& step);
@@ -68,9 +71,10 @@ class CostModel {
   template <class Real>
   Optimum<Real> findOptimum(const QuadricOf<Real>& sum, const Point<Real>& p, const Point<Real>& q) const;
   Quadric sumOf(uint32_t edge) const;
-  double total(uint32_t edge, const Placement& placement) const;
-  double methodCost(uint32_t edge, const Placement& placement) const;
+  double keepFactor(uint32_t edge) const;
   double guidanceCost(uint32_t edge, const Vec3& target) const;
+  double sizeCost(uint32_t edge) const;
+  double strainAt(uint32_t edge) const;
   double meanBadness(uint32_t edge, const Vec3& target) const;
   double worstQuality(uint32_t edge, const Vec3& target) const;
   template <class Visit>
@@ -93,7 +97,8 @@ class CostModel {
   NearestVertex nearestVertex_;
   std::vector<uint32_t> triangleOfVertex_;  // the input triangle that is nearest to a vertex
   std::vector<uint32_t> vertexOfVertex_;    // the input vertex that is nearest to a vertex
-  std::vector<float> guidanceCosts_;        // per edge: alpha E_strain + beta E_curv of its last `evaluate`
+  std::vector<float> guidanceCosts_;        // per edge: what guidanceCost has given to its last `setBounds`
+  std::vector<float> bounds_;               // per edge
 };
 
 }  // namespace limber

@@ -35,6 +35,11 @@ class EdgeHeap {
     for (uint32_t place = static_cast<uint32_t>(keys_.size()); place-- > 0;) moveDown(place, keys_[place]);
   }
 
+  // Whether an edge that is not there would be popped before all others at this cost.
+  bool wouldBeFirst(uint32_t edge, double cost) const {
+    return keys_.empty() || keyOf(edge, cost) < keys_.front();
+  }
+
   uint32_t pop() {
     const uint32_t edge = edgeOf(keys_.front());
     place_[edge] = kAbsent;

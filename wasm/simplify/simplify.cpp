@@ -49,7 +49,7 @@ class Simplification {
         legality_(mesh_, options),
         heap_(mesh_.edgeCount()),
         hasRefused_(mesh_.vertexCount(), 0),
-        revaluedAt_(costs_.dependsOnSurroundings() ? mesh_.edgeCount() : 0, kNone),
+        hasCost_(mesh_.edgeCount(), 0),
         stopFaces_(options.stopFaces),
         job_(job) {
     if (options.maxDeviation > 0) deviation_.emplace(input, mesh_, options.maxDeviation);
@@ -77,23 +77,23 @@ class Simplification {
   [[gnu::noinline]] void collapseAll();
   void tryCheapest();
   bool queueWhatIsLegal();
-  Collapse planned(uint32_t edge) const;
+  Collapse planned(uint32_t edge, const Vec3& target) const;
   Verdict judge(const Collapse& step);
   StopReason stopReason() const;
   void carryOut(const Collapse& step);
   void record(const Collapse& step);
   void updateCosts(uint32_t kept);
-  void collectSurroundings(uint32_t neighbour);
-  void collectRefused(uint32_t neighbour);
-  void queueEdges();
+  void queueSurroundings(uint32_t neighbour);
+  void queueRefused(uint32_t neighbour);
+  void queueByBound(uint32_t edge);
 
   CollapseMesh mesh_;
   CostModel costs_;
   Legality legality_;
   std::optional<DeviationLimit> deviation_;
   EdgeHeap heap_;
-  std::vector<uint8_t> hasRefused_;   // per vertex: an edge of it may have been refused since the last retry
-  std::vector<uint32_t> revaluedAt_;  // per edge: the collapse after which it got its last cost
+  std::vector<uint8_t> hasRefused_;  // per vertex: an edge of it may have been refused since the last retry
+  std::vector<uint8_t> hasCost_;     // per edge: it is queued by its cost, not by its bound
   uint32_t stopFaces_;
   std::vector<uint32_t> edges_;  // scratch: edges to price, and their costs
   std::vector<double> edgeCosts_;
@@ -105,13 +105,11 @@ void Simplification::queueAll() {
   edges_.clear();
   for (uint32_t edge = 0; edge < mesh_.edgeCount(); ++edge)
     if (legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
-  edgeCosts_.resize(edges_.size());
   parallelFor(edges_.size(), kEdgesPerRange, [&](size_t begin, size_t end) {
     job_.check();
-    costs_.evaluate(std::span(edges_).subspan(begin, end - begin),
-                    std::span(edgeCosts_).subspan(begin, end - begin));
+    costs_.setBounds(std::span(edges_).subspan(begin, end - begin));
   });
-  for (size_t i = 0; i < edges_.size(); ++i) heap_.append(edges_[i], edgeCosts_[i]);
+  for (const uint32_t edge : edges_) heap_.append(edge, costs_.bound(edge));
   heap_.build();
 }
 
@@ -119,8 +117,20 @@ void Simplification::collapseAll() {
   while (!heap_.empty() && !isDone()) tryCheapest();
 }
 
+// An edge comes up by its bound first and goes back by its cost, unless that is the lowest anyway. So the
+// order is that of the costs, though most of them are never computed.
 void Simplification::tryCheapest() {
-  const Collapse step = planned(heap_.pop());
+  const uint32_t edge = heap_.pop();
+  const Placement placement = costs_.place(edge);
+  if (!costs_.boundsAreCosts() && !hasCost_[edge]) {
+    const double cost = costs_.cost(edge, placement);
+    hasCost_[edge] = 1;
+    if (!heap_.wouldBeFirst(edge, cost)) {
+      heap_.set(edge, cost);
+      return;
+    }
+  }
+  const Collapse step = planned(edge, placement.target);
   if (judge(step) == Verdict::Legal)
     carryOut(step);
   else
@@ -141,9 +151,8 @@ StopReason Simplification::stopReason() const {
 }
 
 // Of the two ends the fixed one stays, else the one nearer to the target, else the lower one.
-Collapse Simplification::planned(uint32_t edge) const {
+Collapse Simplification::planned(uint32_t edge, const Vec3& target) const {
   const auto [a, b] = mesh_.edge(edge);
-  const Vec3 target = costs_.place(edge).target;
   const double toA = squaredLength(target - mesh_.position(a)),
                toB = squaredLength(target - mesh_.position(b));
   const uint32_t fixed = mesh_.fixedEnd(edge);
@@ -176,44 +185,34 @@ void Simplification::updateCosts(uint32_t kept) {
   edges_.clear();
   mesh_.forEachEdge(kept, [&](uint32_t edge, uint32_t) {
     if (legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
-    if (costs_.dependsOnSurroundings()) revaluedAt_[edge] = history_.collapseCount();
   });
   hasRefused_[kept] = 0;
-  edgeCosts_.resize(edges_.size());
-  costs_.evaluate(edges_, edgeCosts_);
-  queueEdges();
-
-  edges_.clear();
+  costs_.setBounds(edges_);
+  for (const uint32_t edge : edges_) queueByBound(edge);
   mesh_.forEachEdge(kept, [&](uint32_t, uint32_t neighbour) {
     if (mesh_.role(neighbour).freedom == Freedom::Locked) return;
     if (costs_.dependsOnSurroundings())
-      collectSurroundings(neighbour);
+      queueSurroundings(neighbour);
     else if (hasRefused_[neighbour])
-      collectRefused(neighbour);
+      queueRefused(neighbour);
     hasRefused_[neighbour] = 0;
   });
-  if (edges_.empty()) return;
-  edgeCosts_.resize(edges_.size());
-  costs_.revalue(edges_, edgeCosts_);
-  queueEdges();
 }
 
-void Simplification::queueEdges() {
-  for (size_t i = 0; i < edges_.size(); ++i) heap_.set(edges_[i], edgeCosts_[i]);
+void Simplification::queueByBound(uint32_t edge) {
+  hasCost_[edge] = 0;
+  heap_.set(edge, costs_.bound(edge));
 }
 
-void Simplification::collectSurroundings(uint32_t neighbour) {
+void Simplification::queueSurroundings(uint32_t neighbour) {
   mesh_.forEachEdge(neighbour, [&](uint32_t edge, uint32_t) {
-    if (revaluedAt_[edge] == history_.collapseCount()) return;
-    revaluedAt_[edge] = history_.collapseCount();
-    if (legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
+    if (heap_.contains(edge) ? hasCost_[edge] : legality_.forever(edge) == Verdict::Legal) queueByBound(edge);
   });
 }
 
-// An edge between two such neighbours is collected twice, which does no harm.
-void Simplification::collectRefused(uint32_t neighbour) {
+void Simplification::queueRefused(uint32_t neighbour) {
   mesh_.forEachEdge(neighbour, [&](uint32_t edge, uint32_t) {
-    if (!heap_.contains(edge) && legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
+    if (!heap_.contains(edge) && legality_.forever(edge) == Verdict::Legal) queueByBound(edge);
   });
 }
 
@@ -226,7 +225,8 @@ bool Simplification::queueWhatIsLegal() {
     if (mesh_.trianglesOnEdge(edge) == 0) continue;
     if (edge % kEdgesPerRange == 0) job_.check();
     const Verdict forever = legality_.forever(edge);
-    const Verdict verdict = forever == Verdict::Legal ? judge(planned(edge)) : forever;
+    const Verdict verdict =
+        forever == Verdict::Legal ? judge(planned(edge, costs_.place(edge).target)) : forever;
     history_.refused.lock += verdict == Verdict::Locked;
     history_.refused.topology += verdict == Verdict::Topology;
     history_.refused.flip += verdict == Verdict::Flip;
@@ -234,9 +234,8 @@ bool Simplification::queueWhatIsLegal() {
     history_.refused.deviation += verdict == Verdict::Deviation;
     if (verdict == Verdict::Legal) edges_.push_back(edge);
   }
-  edgeCosts_.resize(edges_.size());
-  costs_.evaluate(edges_, edgeCosts_);
-  queueEdges();
+  costs_.setBounds(edges_);
+  for (const uint32_t edge : edges_) queueByBound(edge);
   return !heap_.empty();
 }
 
