@@ -68,7 +68,9 @@ void CostModel::collectQuadrics() {
 
 // An input vertex is its own nearest vertex, and its nearest triangle is one of those around it.
 void CostModel::startGuidance(const TriangleMesh& input) {
-  if (strainWeight_ != 0) {
+  if (strainWeight_ != 0 && method_ == Method::Limber) {
+    averageStrain();
+  } else if (strainWeight_ != 0) {
     nearestTriangle_ = NearestTriangle(input);
     triangleOfVertex_.resize(mesh_.vertexCount());
     for (uint32_t v = 0; v < mesh_.vertexCount(); ++v)
@@ -80,6 +82,21 @@ void CostModel::startGuidance(const TriangleMesh& input) {
     std::iota(vertexOfVertex_.begin(), vertexOfVertex_.end(), 0);
   }
   guidanceCosts_.assign(mesh_.edgeCount(), 0);
+}
+
+void CostModel::averageStrain() {
+  strainOfVertex_.assign(mesh_.vertexCount(), 0);
+  for (uint32_t v = 0; v < mesh_.vertexCount(); ++v) {
+    double sum = 0, area = 0;
+    for (const Corner corner : mesh_.star(v)) {
+      const auto& [a, b, c] = mesh_.face(triangleOf(corner)).vertices;
+      const double part =
+          length(cross(mesh_.position(b) - mesh_.position(a), mesh_.position(c) - mesh_.position(a)));
+      sum += part * guidance_.strain[triangleOf(corner)];
+      area += part;
+    }
+    if (area > 0) strainOfVertex_[v] = static_cast<float>(sum / area);
+  }
 }
 
 Vec3 CostModel::inFile(const Vec3& p) const {
@@ -213,6 +230,7 @@ double CostModel::sizeCost(uint32_t edge) const {
 // The larger strain at the ends of an edge.
 double CostModel::strainAt(uint32_t edge) const {
   const auto [a, b] = mesh_.edge(edge);
+  if (method_ == Method::Limber) return std::max(strainOfVertex_[a], strainOfVertex_[b]);
   return std::max(guidance_.strain[triangleOfVertex_[a]], guidance_.strain[triangleOfVertex_[b]]);
 }
 
@@ -259,11 +277,18 @@ void CostModel::forEachChanged(uint32_t edge, const Visit& visit) const {
 }
 
 void CostModel::collapse(const Collapse& step) {
+  if (!strainOfVertex_.empty()) {
+    const double kept = quadrics_[step.kept].area, removed = quadrics_[step.removed].area;
+    float& strain = strainOfVertex_[step.kept];
+    if (kept + removed > 0)
+      strain =
+          static_cast<float>((kept * strain + removed * strainOfVertex_[step.removed]) / (kept + removed));
+  }
   quadrics_[step.kept] = quadrics_[step.kept] + quadrics_[step.removed];
   attributes_.collapse(step);
   if (!keep_.empty()) keep_[step.kept] = std::max(keep_[step.kept], keep_[step.removed]);
   if (curvatureWeight_ != 0) vertexOfVertex_[step.kept] = nearestVertex(step.target, step.edge);
-  if (strainWeight_ == 0 || step.target == mesh_.position(step.kept)) return;
+  if (triangleOfVertex_.empty() || step.target == mesh_.position(step.kept)) return;
   uint32_t& nearest = triangleOfVertex_[step.kept];
   nearest = step.target == mesh_.position(step.removed) ? triangleOfVertex_[step.removed]
                                                         : nearestTriangle_.find(inFile(step.target), nearest);

@@ -74,6 +74,7 @@ class CostModel {
   double keepFactor(uint32_t edge) const;
   double guidanceCost(uint32_t edge, const Vec3& target) const;
   double sizeCost(uint32_t edge) const;
+  void averageStrain();
   double strainAt(uint32_t edge) const;
   double meanBadness(uint32_t edge, const Vec3& target) const;
   double worstQuality(uint32_t edge, const Vec3& target) const;
@@ -95,7 +96,8 @@ class CostModel {
   Guidance guidance_;
   NearestTriangle nearestTriangle_;
   NearestVertex nearestVertex_;
-  std::vector<uint32_t> triangleOfVertex_;  // the input triangle that is nearest to a vertex
+  std::vector<float> strainOfVertex_;       // limber: mean over the area that has become a vertex
+  std::vector<uint32_t> triangleOfVertex_;  // paper: the input triangle that is nearest to a vertex
   std::vector<uint32_t> vertexOfVertex_;    // the input vertex that is nearest to a vertex
   std::vector<float> guidanceCosts_;        // per edge: what guidanceCost has given to its last `setBounds`
   std::vector<float> bounds_;               // per edge
