@@ -14,7 +14,11 @@ constexpr double kWorstQuality = 1e-6;  // keeps the price of a needle finite
 // How far from the middle of an edge its target may lie, in lengths of the edge.
 constexpr double kReach = 2;
 
-// Eq. 9: 4 sqrt(3) A / (l1^2 + l2^2 + l3^2), 1 for an equilateral triangle, 0 for one without area.
+// Eq. 9: 4 sqrt(3) A / (l1^2 + l2^2 + l3^2), 1 for an equilateral triangle, 0 for one without area. Squared.
+double squaredQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
+  const double squares = squaredLength(q - p) + squaredLength(r - q) + squaredLength(p - r);
+  return squares > 0 ? 12 * squaredLength(cross(q - p, r - p)) / (squares * squares) : 0;
+}
 double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
   const double squares = squaredLength(q - p) + squaredLength(r - q) + squaredLength(p - r);
   return squares > 0 ? 2 * std::numbers::sqrt3 * length(cross(q - p, r - p)) / squares : 0;
@@ -192,15 +196,19 @@ void CostModel::setBounds(std::span<const uint32_t> edges) {
   });
 }
 
+double CostModel::raiseBound(uint32_t edge, const Placement& placement) {
+  if (method_ == Method::Limber)
+    bounds_[edge] = static_cast<float>((3 * placement.error + guidanceCosts_[edge]) * keepFactor(edge));
+  return bounds_[edge];
+}
+
 // Eq. 11, limber's product, or E_QEM alone.
-double CostModel::cost(uint32_t edge, const Placement& placement) {
+double CostModel::cost(uint32_t edge, const Placement& placement) const {
   const double factor = keepFactor(edge);
   if (guidanceCosts_.empty()) return placement.error * factor;
   if (method_ == Method::Limber) {
-    const double geometry = 3 * placement.error + guidanceCosts_[edge];
-    bounds_[edge] = static_cast<float>(geometry * factor);
     const double badness = 1 / std::max(worstQuality(edge, placement.target), kWorstQuality) - 1;
-    return geometry * (1 + qualityWeight_ * badness) * factor;
+    return (3 * placement.error + guidanceCosts_[edge]) * (1 + qualityWeight_ * badness) * factor;
   }
   return (placement.error + guidanceCosts_[edge] + qualityWeight_ * meanBadness(edge, placement.target)) *
          factor;
@@ -259,8 +267,8 @@ double CostModel::meanBadness(uint32_t edge, const Vec3& target) const {
 double CostModel::worstQuality(uint32_t edge, const Vec3& target) const {
   double worst = 1;
   forEachChanged(
-      edge, [&](const Vec3& q, const Vec3& r) { worst = std::min(worst, triangleQuality(target, q, r)); });
-  return worst;
+      edge, [&](const Vec3& q, const Vec3& r) { worst = std::min(worst, squaredQuality(target, q, r)); });
+  return std::sqrt(worst);
 }
 
 // Calls visit with the two corners that stay, of every triangle that a collapse changes and does not take.

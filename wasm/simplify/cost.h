@@ -54,8 +54,10 @@ class CostModel {
   bool boundsAreCosts() const { return method_ != Method::Limber && qualityWeight_ == 0; }
   // Whether costs depend on the triangles around an edge's ends, not on the ends alone.
   bool dependsOnSurroundings() const { return qualityWeight_ > 0; }
-  // The cost of an edge with a bound, whose `place` is given; raises its bound.
-  double cost(uint32_t edge, const Placement& placement);
+  // For an edge with a bound, whose `place` is given: a better bound, at the price of that place; then the
+  // cost.
+  double raiseBound(uint32_t edge, const Placement& placement);
+  double cost(uint32_t edge, const Placement& placement) const;
 
   // To be called before the mesh carries out a collapse; updates what is known of the kept vertex.
   void collapse(const Collapse& step);

@@ -14,7 +14,6 @@ class EdgeHeap {
   explicit EdgeHeap(uint32_t edgeCount) : place_(edgeCount, kAbsent) {}
 
   bool empty() const { return keys_.empty(); }
-  bool contains(uint32_t edge) const { return place_[edge] != kAbsent; }
 
   // Adds an edge or changes its cost. `cost` must not be negative nor NaN.
   void set(uint32_t edge, double cost) {

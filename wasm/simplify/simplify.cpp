@@ -49,7 +49,7 @@ class Simplification {
         legality_(mesh_, options),
         heap_(mesh_.edgeCount()),
         hasRefused_(mesh_.vertexCount(), 0),
-        hasCost_(mesh_.edgeCount(), 0),
+        places_(mesh_.edgeCount(), Place::None),
         stopFaces_(options.stopFaces),
         job_(job) {
     if (options.maxDeviation > 0) deviation_.emplace(input, mesh_, options.maxDeviation);
@@ -70,12 +70,16 @@ class Simplification {
   }
 
  private:
+  // Where an edge waits.
+  enum class Place : uint8_t { None, ByBound, ByCost };
+
   bool isDone() const { return mesh_.triangleCount() <= stopFaces_; }
   void queueAll();
   // Not to be inlined where there is something to destroy: with Emscripten's exceptions every call from there
   // takes a way through JavaScript.
   [[gnu::noinline]] void collapseAll();
   void tryCheapest();
+  bool goesBack(uint32_t edge, double cost, Place place);
   bool queueWhatIsLegal();
   Collapse planned(uint32_t edge, const Vec3& target) const;
   Verdict judge(const Collapse& step);
@@ -109,7 +113,10 @@ void Simplification::queueAll() {
     job_.check();
     costs_.setBounds(std::span(edges_).subspan(begin, end - begin));
   });
-  for (const uint32_t edge : edges_) heap_.append(edge, costs_.bound(edge));
+  for (const uint32_t edge : edges_) {
+    heap_.append(edge, costs_.bound(edge));
+    places_[edge] = Place::ByBound;
+  }
   heap_.build();
 }
 
@@ -117,24 +124,29 @@ void Simplification::collapseAll() {
   while (!heap_.empty() && !isDone()) tryCheapest();
 }
 
-// An edge comes up by its bound first and goes back by its cost, unless that is the lowest anyway. So the
-// order is that of the costs, though most of them are never computed.
+// An edge comes up by its bound first and goes back by a better one or its cost, unless that is the lowest
+// anyway. So the order is that of the costs, though most of them are never computed.
 void Simplification::tryCheapest() {
   const uint32_t edge = heap_.pop();
   const Placement placement = costs_.place(edge);
-  if (!costs_.boundsAreCosts() && !hasCost_[edge]) {
-    const double cost = costs_.cost(edge, placement);
-    hasCost_[edge] = 1;
-    if (!heap_.wouldBeFirst(edge, cost)) {
-      heap_.set(edge, cost);
-      return;
-    }
+  if (!costs_.boundsAreCosts() && places_[edge] == Place::ByBound) {
+    if (goesBack(edge, costs_.raiseBound(edge, placement), Place::ByBound)) return;
+    if (goesBack(edge, costs_.cost(edge, placement), Place::ByCost)) return;
   }
+  places_[edge] = Place::None;
   const Collapse step = planned(edge, placement.target);
   if (judge(step) == Verdict::Legal)
     carryOut(step);
   else
     hasRefused_[step.kept] = hasRefused_[step.removed] = 1;
+}
+
+// Whether another edge comes before `edge`, which has just been popped; then queues it again.
+bool Simplification::goesBack(uint32_t edge, double cost, Place place) {
+  if (heap_.wouldBeFirst(edge, cost)) return false;
+  heap_.set(edge, cost);
+  places_[edge] = place;
+  return true;
 }
 
 Verdict Simplification::judge(const Collapse& step) {
@@ -200,19 +212,21 @@ void Simplification::updateCosts(uint32_t kept) {
 }
 
 void Simplification::queueByBound(uint32_t edge) {
-  hasCost_[edge] = 0;
+  places_[edge] = Place::ByBound;
   heap_.set(edge, costs_.bound(edge));
 }
 
 void Simplification::queueSurroundings(uint32_t neighbour) {
   mesh_.forEachEdge(neighbour, [&](uint32_t edge, uint32_t) {
-    if (heap_.contains(edge) ? hasCost_[edge] : legality_.forever(edge) == Verdict::Legal) queueByBound(edge);
+    const Place place = places_[edge];
+    if (place == Place::ByBound) return;
+    if (place == Place::ByCost || legality_.forever(edge) == Verdict::Legal) queueByBound(edge);
   });
 }
 
 void Simplification::queueRefused(uint32_t neighbour) {
   mesh_.forEachEdge(neighbour, [&](uint32_t edge, uint32_t) {
-    if (!heap_.contains(edge) && legality_.forever(edge) == Verdict::Legal) queueByBound(edge);
+    if (places_[edge] == Place::None && legality_.forever(edge) == Verdict::Legal) queueByBound(edge);
   });
 }
 
