@@ -30,8 +30,7 @@ void forEachMiddle(const Vec3& p, const Vec3& q, const Vec3& r, int cuts, const 
 }  // namespace
 
 DeviationLimit::DeviationLimit(const TriangleMesh& input, const CollapseMesh& mesh, double limit)
-    : input_(input),
-      mesh_(mesh),
+    : mesh_(mesh),
       squaredLimit_(kMargin * kMargin * limit * limit),
       nearest_(input),
       first_(input.triangleCount(), kNone) {

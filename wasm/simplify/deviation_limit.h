@@ -15,7 +15,7 @@ namespace limber {
 // margin of 5 % is for what lies between.
 class DeviationLimit {
  public:
-  // Keeps references to both. `limit` is a length in the mesh's units.
+  // Keeps a reference to both. `limit` is a length in the mesh's units.
   DeviationLimit(const TriangleMesh& input, const CollapseMesh& mesh, double limit);
 
   // Whether a collapse that is legal otherwise stays within the limit. Its time grows with the samples there.
@@ -36,7 +36,6 @@ class DeviationLimit {
   bool isNearInput(const Changed& changed, const Vec3& target) const;
   void attach(uint32_t sample, uint32_t triangle);
 
-  const TriangleMesh& input_;
   const CollapseMesh& mesh_;
   double squaredLimit_;
   NearestTriangle nearest_;

@@ -97,7 +97,7 @@ class Simplification {
   std::optional<DeviationLimit> deviation_;
   EdgeHeap heap_;
   std::vector<uint8_t> hasRefused_;  // per vertex: an edge of it may have been refused since the last retry
-  std::vector<uint8_t> hasCost_;     // per edge: it is queued by its cost, not by its bound
+  std::vector<Place> places_;        // per edge
   uint32_t stopFaces_;
   std::vector<uint32_t> edges_;  // scratch: edges to price, and their costs
   std::vector<double> edgeCosts_;
