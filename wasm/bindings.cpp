@@ -233,12 +233,23 @@ val jsMeanCurvature(const val& jsMeshIn) {
 
 // ---- simplification ----
 
+// In the order of the enum.
+const std::vector<std::string> methodNames = {"qem", "paper", "limber"};
+
+Method methodOf(const std::string& name) {
+  const auto found = std::find(methodNames.begin(), methodNames.end(), name);
+  if (found == methodNames.end())
+    throw std::invalid_argument("There is no method \"" + name + "\": take qem, paper or limber.");
+  return static_cast<Method>(found - methodNames.begin());
+}
+
 val jsSimplify(const val& mesh, const val& strain, const val& curvature, const val& in) {
   SimplifyOptions options;
-  options.method = in["method"].as<std::string>() == "qem" ? Method::Qem : Method::Paper;
+  options.method = methodOf(in["method"].as<std::string>());
   options.strainWeight = in["strainWeight"].as<double>();
   options.curvatureWeight = in["curvatureWeight"].as<double>();
   options.qualityWeight = in["qualityWeight"].as<double>();
+  if (!in["sizeWeight"].isUndefined()) options.sizeWeight = in["sizeWeight"].as<double>();
   const auto strainField = vectorOf<float>(strain), curvatureField = vectorOf<float>(curvature);
   const History history = simplify(meshOf(mesh), {strainField, curvatureField}, options, theJob);
   val out = val::object(), refused = val::object();

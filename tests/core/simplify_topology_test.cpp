@@ -122,8 +122,8 @@ TEST(Simplify, saysForEveryEdgeOfTheFloorWhyItStays) {
   for (const auto& [name, mesh, history] : everyRun()) {
     SCOPED_TRACE(name);
     const TriangleMesh floor = meshAt(mesh, history, 0).mesh;
-    const auto& [topology, flip, lock] = history.refused;
-    EXPECT_EQ(topology + flip + lock, buildTopology(floor).edges.size());
+    const auto& [topology, flip, lock, angle, deviation] = history.refused;
+    EXPECT_EQ(topology + flip + lock + angle + deviation, buildTopology(floor).edges.size());
     if (inspect(mesh).genus.has_value()) {
       EXPECT_EQ(lock, 0u);
     }

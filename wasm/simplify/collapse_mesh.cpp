@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/manifold.h"
-#include "mesh/orientation.h"
+#include "simplify/sectors.h"
 
 namespace limber {
 
-CollapseMesh::CollapseMesh(const TriangleMesh& mesh) : livingTriangles_(mesh.triangleCount()) {
+CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
+    : livingTriangles_(mesh.triangleCount()) {
   const Topology topology = buildTopology(mesh);
   const Bounds box = bounds(mesh);
   diagonal_ = box.diagonal();
@@ -32,7 +32,13 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh) : livingTriangles_(mesh.tri
   }
   heirOf_.assign(edges_.size(), kNone);
   collectStars(mesh, topology);
-  classify(mesh, topology);
+  Lines lines = findLines(mesh, topology, wishes);
+  if (!wishes.wedges.empty() || !wishes.attributes.empty()) {
+    sectorOfCorner_ = findSectors(mesh, topology, lines);
+    heirOfSector_.assign(sectorOfCorner_.empty() ? 0 : std::ranges::max(sectorOfCorner_) + 1, kNone);
+  }
+  isLine_ = std::move(lines.isLine);
+  roles_ = std::move(lines.roles);
 }
 
 void CollapseMesh::collectStars(const TriangleMesh& mesh, const Topology& topology) {
@@ -49,18 +55,6 @@ void CollapseMesh::collectStars(const TriangleMesh& mesh, const Topology& topolo
   }
 }
 
-void CollapseMesh::classify(const TriangleMesh& mesh, const Topology& topology) {
-  const auto kinds = classifyVertices(mesh, topology);
-  freedom_.resize(mesh.vertexCount());
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
-    freedom_[v] = kinds[v] == VertexKind::Interior ? Freedom::Free
-                  : kinds[v] == VertexKind::Border ? Freedom::Border
-                                                   : Freedom::Locked;
-  const auto clashes = findClashes(mesh, topology);
-  for (uint32_t e = 0; e < edgeCount(); ++e)
-    if (clashes[e]) freedom_[edges_[e].a] = freedom_[edges_[e].b] = Freedom::Locked;
-}
-
 bool CollapseMesh::isOn(const Face& face, uint32_t edge) const {
   return face.edges[0] == edge || face.edges[1] == edge || face.edges[2] == edge;
 }
@@ -73,11 +67,20 @@ void CollapseMesh::removeFromStar(uint32_t v, uint32_t triangle) {
   *found = corners[--star.count];
 }
 
+// The sector at the removed corner of a vanishing triangle joins that at the kept one.
+void CollapseMesh::joinSectors(uint32_t triangle, int removed, int kept) {
+  if (!sectorOfCorner_.empty()) heirOfSector_[sector(triangle, removed)] = sector(triangle, kept);
+}
+
 // Gives a corner of the removed vertex to the kept one, with the two edges that meet in it.
 void CollapseMesh::takeOver(Corner corner, const Collapse& step) {
   Face& face = faces_[triangleOf(corner)];
   const int c = indexOf(corner);
   face.vertices[c] = step.kept;
+  if (!sectorOfCorner_.empty()) {
+    uint32_t& sector = sectorOfCorner_[3 * size_t{triangleOf(corner)} + c];
+    sector = heirOfSector_[sector];
+  }
   for (const int side : {nextIndex(c), previousIndex(c)}) {
     if (heirOf_[face.edges[side]] != kNone) face.edges[side] = heirOf_[face.edges[side]];
     Edge& edge = edges_[face.edges[side]];
@@ -118,8 +121,10 @@ std::array<uint32_t, 2> CollapseMesh::collapse(const Collapse& step) {
     const uint32_t heir = face.edges[3 - c - third], dying = face.edges[c];
     trianglesOnEdge_[heir] = static_cast<uint8_t>(trianglesOnEdge_[heir] + trianglesOnEdge_[dying] - 2);
     trianglesOnEdge_[dying] = 0;
+    isLine_[heir] |= isLine_[dying];
     heirOf_[dying] = heir;
     gone[goneCount++] = dying;
+    joinSectors(triangleOf(corner), 3 - c - third, c);
     removeFromStar(face.vertices[third], triangleOf(corner));
     --livingTriangles_;
   }
@@ -131,7 +136,6 @@ std::array<uint32_t, 2> CollapseMesh::collapse(const Collapse& step) {
   }
   storeStar(joined_, step);
   positions_[step.kept] = step.target;
-  if (freedom_[step.removed] == Freedom::Border) freedom_[step.kept] = Freedom::Border;
   return gone;
 }
 

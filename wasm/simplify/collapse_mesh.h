@@ -7,6 +7,7 @@
 
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
+#include "simplify/lines.h"
 #include "simplify/real_pair.h"
 
 namespace limber {
@@ -25,13 +26,6 @@ inline int nextIndex(int c) {
 inline int previousIndex(int c) {
   return c == 0 ? 2 : c - 1;
 }
-
-// What may happen to a vertex.
-enum class Freedom : uint8_t {
-  Free,    // inside the surface
-  Border,  // on a border: it stays on it
-  Locked,  // at a non-manifold vertex or edge, or where windings clash: neither moved nor removed
-};
 
 // A collapse: the triangles on `edge` vanish, `kept` goes to `target` and takes over the others of `removed`.
 struct Collapse {
@@ -52,7 +46,7 @@ class CollapseMesh {
     Triangle edges;  // edges[c] is opposite to vertices[c]
   };
 
-  explicit CollapseMesh(const TriangleMesh& mesh);
+  explicit CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes = {});
 
   uint32_t edgeCount() const { return static_cast<uint32_t>(edges_.size()); }
   uint32_t vertexCount() const { return static_cast<uint32_t>(positions_.size()); }
@@ -64,7 +58,21 @@ class CollapseMesh {
   int trianglesOnEdge(uint32_t e) const { return trianglesOnEdge_[e]; }
   const Face& face(uint32_t t) const { return faces_[t]; }
   const Vec3& position(uint32_t v) const { return positions_[v]; }
-  Freedom freedom(uint32_t v) const { return freedom_[v]; }
+  const VertexRole& role(uint32_t v) const { return roles_[v]; }
+  // Whether an edge is a border or another line.
+  bool isLine(uint32_t e) const { return trianglesOnEdge_[e] == 1 || isLine_[e] != 0; }
+  // The end of an edge that the wishes or a line keep in place while the other end is removed; kNone where
+  // both ends are alike.
+  uint32_t fixedEnd(uint32_t e) const {
+    const auto [a, b] = edges_[e];
+    const Freedom atA = roles_[a].freedom, atB = roles_[b].freedom;
+    return atA == atB ? kNone : atA > atB ? a : b;
+  }
+  // The sector of corner c of a triangle (see findSectors), where wedges or attributes are among the wishes.
+  uint32_t sector(uint32_t t, int c) const { return sectorOfCorner_[3 * size_t{t} + c]; }
+  uint32_t sectorCount() const { return static_cast<uint32_t>(heirOfSector_.size()); }
+  // Per sector the one that it has joined, or kNone.
+  const std::vector<uint32_t>& heirOfSector() const { return heirOfSector_; }
   // The corners at a vertex, in no special order.
   std::span<const Corner> star(uint32_t v) const { return {pool_.data() + stars_[v].begin, stars_[v].count}; }
 
@@ -99,8 +107,8 @@ class CollapseMesh {
     return {round(p.x, origin_.x), round(p.y, origin_.y), round(p.z, origin_.z)};
   }
 
-  // Carries out a legal collapse and returns the up to two further edges that are gone (else kNone): they
-  // have become one with edges of `kept`.
+  // Carries out a legal collapse, whose kept vertex must be its `fixedEnd` if there is one, and returns the
+  // up to two further edges that are gone (else kNone): they have become one with edges of `kept`.
   std::array<uint32_t, 2> collapse(const Collapse& step);
 
  private:
@@ -109,9 +117,9 @@ class CollapseMesh {
   };
 
   void collectStars(const TriangleMesh& mesh, const Topology& topology);
-  void classify(const TriangleMesh& mesh, const Topology& topology);
   bool isOn(const Face& face, uint32_t edge) const;
   void removeFromStar(uint32_t v, uint32_t triangle);
+  void joinSectors(uint32_t triangle, int removed, int kept);
   void takeOver(Corner corner, const Collapse& step);
   void storeStar(const std::vector<Corner>& star, const Collapse& step);
 
@@ -120,12 +128,13 @@ class CollapseMesh {
   double rounder_ = 0;  // adding and subtracting it rounds to the steps of `rounded`
   uint32_t livingTriangles_ = 0;
   std::vector<Vec3> positions_;
-  std::vector<Freedom> freedom_;
+  std::vector<VertexRole> roles_;
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
-  std::vector<uint8_t> trianglesOnEdge_;
+  std::vector<uint8_t> trianglesOnEdge_, isLine_;
   std::vector<Star> stars_;
-  std::vector<Corner> pool_;      // the stars' places
+  std::vector<Corner> pool_;  // the stars' places
+  std::vector<uint32_t> sectorOfCorner_, heirOfSector_;
   std::vector<uint32_t> heirOf_;  // of an edge that is gone: the edge it has become
   std::vector<Corner> joined_;    // scratch
 };

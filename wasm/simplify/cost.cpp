@@ -14,7 +14,11 @@ constexpr double kWorstQuality = 1e-6;  // keeps the price of a needle finite
 // How far from the middle of an edge its target may lie, in lengths of the edge.
 constexpr double kReach = 2;
 
-// Eq. 9: 4 sqrt(3) A / (l1^2 + l2^2 + l3^2), 1 for an equilateral triangle, 0 for one without area.
+// Eq. 9: 4 sqrt(3) A / (l1^2 + l2^2 + l3^2), 1 for an equilateral triangle, 0 for one without area. Squared.
+double squaredQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
+  const double squares = squaredLength(q - p) + squaredLength(r - q) + squaredLength(p - r);
+  return squares > 0 ? 12 * squaredLength(cross(q - p, r - p)) / (squares * squares) : 0;
+}
 double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
   const double squares = squaredLength(q - p) + squaredLength(r - q) + squaredLength(p - r);
   return squares > 0 ? 2 * std::numbers::sqrt3 * length(cross(q - p, r - p)) / squares : 0;
@@ -29,9 +33,12 @@ CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const 
       method_(options.method),
       shortness_(kShortness + (options.method == Method::Qem ? options.sizeWeight : 0)),
       sizeWeight_(options.sizeWeight),
+      attributes_(mesh, options.wishes),
+      keep_(options.wishes.keep.begin(), options.wishes.keep.end()),
       guidance_(guidance) {
   lengthScale_ *= lengthScale_;
   collectQuadrics();
+  bounds_.assign(mesh.edgeCount(), 0);
   if (options.method == Method::Qem) return;
   strainWeight_ = guidance.strain.empty() ? 0 : options.strainWeight;
   curvatureWeight_ =
@@ -53,19 +60,21 @@ void CostModel::collectQuadrics() {
     plane.area = area;
     for (uint32_t v : vertices) quadrics_[v] = quadrics_[v] + plane;
     for (int c = 0; c < 3; ++c) {
-      if (mesh_.trianglesOnEdge(edges[c]) != 1) continue;
+      if (!mesh_.isLine(edges[c])) continue;
       const uint32_t from = vertices[nextIndex(c)], to = vertices[previousIndex(c)];
       const Vec3 along = mesh_.position(to) - mesh_.position(from);
-      const Quadric border = planeQuadric(normalized(cross(along, normal)), mesh_.position(from),
-                                          kBorderWeight * squaredLength(along));
-      for (uint32_t v : {from, to}) quadrics_[v] = quadrics_[v] + border;
+      const Quadric line = planeQuadric(normalized(cross(along, normal)), mesh_.position(from),
+                                        kBorderWeight * squaredLength(along));
+      for (uint32_t v : {from, to}) quadrics_[v] = quadrics_[v] + line;
     }
   }
 }
 
 // An input vertex is its own nearest vertex, and its nearest triangle is one of those around it.
 void CostModel::startGuidance(const TriangleMesh& input) {
-  if (strainWeight_ != 0) {
+  if (strainWeight_ != 0 && method_ == Method::Limber) {
+    averageStrain();
+  } else if (strainWeight_ != 0) {
     nearestTriangle_ = NearestTriangle(input);
     triangleOfVertex_.resize(mesh_.vertexCount());
     for (uint32_t v = 0; v < mesh_.vertexCount(); ++v)
@@ -77,6 +86,21 @@ void CostModel::startGuidance(const TriangleMesh& input) {
     std::iota(vertexOfVertex_.begin(), vertexOfVertex_.end(), 0);
   }
   guidanceCosts_.assign(mesh_.edgeCount(), 0);
+}
+
+void CostModel::averageStrain() {
+  strainOfVertex_.assign(mesh_.vertexCount(), 0);
+  for (uint32_t v = 0; v < mesh_.vertexCount(); ++v) {
+    double sum = 0, area = 0;
+    for (const Corner corner : mesh_.star(v)) {
+      const auto& [a, b, c] = mesh_.face(triangleOf(corner)).vertices;
+      const double part =
+          length(cross(mesh_.position(b) - mesh_.position(a), mesh_.position(c) - mesh_.position(a)));
+      sum += part * guidance_.strain[triangleOf(corner)];
+      area += part;
+    }
+    if (area > 0) strainOfVertex_[v] = static_cast<float>(sum / area);
+  }
 }
 
 Vec3 CostModel::inFile(const Vec3& p) const {
@@ -103,15 +127,23 @@ CostModel::Optimum<Real> CostModel::findOptimum(const QuadricOf<Real>& sum, cons
           dot(way, way) - kReach * kReach * square};
 }
 
+// What the planes and attributes around both ends make of the place of an edge's collapse.
+Quadric CostModel::sumOf(uint32_t edge) const {
+  const auto [a, b] = mesh_.edge(edge);
+  const Quadric planes = quadrics_[a] + quadrics_[b];
+  return attributes_.empty() ? planes : planes + attributes_.residual(edge);
+}
+
 Placement CostModel::place(uint32_t edge) const {
   const auto [a, b] = mesh_.edge(edge);
   const Vec3 &p = mesh_.position(a), &q = mesh_.position(b);
-  const Quadric sum = quadrics_[a] + quadrics_[b];
+  const Quadric sum = sumOf(edge);
   const auto at = [&](const Vec3& target) {
     const double error = normalizedError(sum, asPoint(target)) + shortness_ * squaredLength(q - p);
     return Placement{target, lengthScale_ * error};
   };
-  if (endsOnBorder(edge) == 1) return at(mesh_.stored(mesh_.freedom(a) == Freedom::Border ? p : q));
+  if (const uint32_t fixed = mesh_.fixedEnd(edge); fixed != kNone)
+    return at(mesh_.stored(mesh_.position(fixed)));
   const auto optimum = findOptimum(sum, asPoint(p), asPoint(q));
   if (!(optimum.overreach > 0)) return {asVec3(optimum.target), optimum.error};
   const Vec3 middle = asVec3(mesh_.rounded(asPoint((p + q) * 0.5)));
@@ -121,10 +153,10 @@ Placement CostModel::place(uint32_t edge) const {
 
 // The same as `place` for each, bit by bit, in less time.
 std::array<Placement, 2> CostModel::placeTwo(uint32_t e, uint32_t f) const {
-  if (endsOnBorder(e) == 1 || endsOnBorder(f) == 1) return {place(e), place(f)};
+  if (mesh_.fixedEnd(e) != kNone || mesh_.fixedEnd(f) != kNone) return {place(e), place(f)};
   const auto [a, b] = mesh_.edge(e);
   const auto [c, d] = mesh_.edge(f);
-  const auto sum = asPair(quadrics_[a] + quadrics_[b], quadrics_[c] + quadrics_[d]);
+  const auto sum = asPair(sumOf(e), sumOf(f));
   const auto optimum = findOptimum(sum, asPair(mesh_.position(a), mesh_.position(c)),
                                    asPair(mesh_.position(b), mesh_.position(d)));
   const auto placement = [&](uint32_t edge, int i) {
@@ -145,45 +177,69 @@ void CostModel::placeAll(std::span<const uint32_t> edges, const Visit& visit) co
   if (i < edges.size()) visit(i, place(edges[i]));
 }
 
-int CostModel::endsOnBorder(uint32_t edge) const {
-  const auto [a, b] = mesh_.edge(edge);
-  return (mesh_.freedom(a) == Freedom::Border) + (mesh_.freedom(b) == Freedom::Border);
-}
-
-void CostModel::evaluate(std::span<const uint32_t> edges, std::span<double> costs) {
+void CostModel::setBounds(std::span<const uint32_t> edges) {
+  if (method_ == Method::Limber) {
+    for (const uint32_t edge : edges) {
+      guidanceCosts_[edge] = static_cast<float>(sizeCost(edge));
+      bounds_[edge] = static_cast<float>(guidanceCosts_[edge] * keepFactor(edge));
+    }
+    return;
+  }
   placeAll(edges, [&](size_t i, const Placement& placement) {
-    if (!guidanceCosts_.empty())
-      guidanceCosts_[edges[i]] = static_cast<float>(guidanceCost(edges[i], placement.target));
-    costs[i] = total(edges[i], placement);
+    const uint32_t edge = edges[i];
+    double bound = placement.error;
+    if (!guidanceCosts_.empty()) {
+      guidanceCosts_[edge] = static_cast<float>(guidanceCost(edge, placement.target));
+      bound += guidanceCosts_[edge];
+    }
+    bounds_[edge] = static_cast<float>(bound * keepFactor(edge));
   });
 }
 
-void CostModel::revalue(std::span<const uint32_t> edges, std::span<double> costs) const {
-  placeAll(edges, [&](size_t i, const Placement& placement) { costs[i] = total(edges[i], placement); });
+double CostModel::raiseBound(uint32_t edge, const Placement& placement) {
+  if (method_ == Method::Limber)
+    bounds_[edge] = static_cast<float>((3 * placement.error + guidanceCosts_[edge]) * keepFactor(edge));
+  return bounds_[edge];
 }
 
 // Eq. 11, limber's product, or E_QEM alone.
-double CostModel::total(uint32_t edge, const Placement& placement) const {
-  if (guidanceCosts_.empty()) return placement.error;
+double CostModel::cost(uint32_t edge, const Placement& placement) const {
+  const double factor = keepFactor(edge);
+  if (guidanceCosts_.empty()) return placement.error * factor;
   if (method_ == Method::Limber) {
     const double badness = 1 / std::max(worstQuality(edge, placement.target), kWorstQuality) - 1;
-    return (3 * placement.error + guidanceCosts_[edge]) * (1 + qualityWeight_ * badness);
+    return (3 * placement.error + guidanceCosts_[edge]) * (1 + qualityWeight_ * badness) * factor;
   }
-  return placement.error + guidanceCosts_[edge] + qualityWeight_ * meanBadness(edge, placement.target);
+  return (placement.error + guidanceCosts_[edge] + qualityWeight_ * meanBadness(edge, placement.target)) *
+         factor;
 }
 
-// alpha E_strain + beta E_curv (Eq. 8); for limber the price of the edge's size, higher where it strains.
-double CostModel::guidanceCost(uint32_t edge, const Vec3& target) const {
+double CostModel::keepFactor(uint32_t edge) const {
+  if (keep_.empty()) return 1;
   const auto [a, b] = mesh_.edge(edge);
+  return 1 + Wishes::kKeepFactor * std::max(keep_[a], keep_[b]);
+}
+
+// alpha E_strain + beta E_curv (Eq. 8).
+double CostModel::guidanceCost(uint32_t edge, const Vec3& target) const {
   double cost = 0;
-  if (strainWeight_ != 0) {
-    const auto strain = [&](uint32_t v) { return guidance_.strain[triangleOfVertex_[v]]; };
-    cost += strainWeight_ * std::max(strain(a), strain(b));
-  }
-  if (method_ == Method::Limber)
-    return lengthScale_ * sizeWeight_ * (1 + cost) * squaredLength(mesh_.position(b) - mesh_.position(a));
+  if (strainWeight_ != 0) cost += strainWeight_ * strainAt(edge);
   if (curvatureWeight_ != 0) cost += curvatureWeight_ * guidance_.curvature[nearestVertex(target, edge)];
   return cost;
+}
+
+// limber's price of an edge's size, higher where it strains.
+double CostModel::sizeCost(uint32_t edge) const {
+  const auto [a, b] = mesh_.edge(edge);
+  const double strain = strainWeight_ != 0 ? strainWeight_ * strainAt(edge) : 0;
+  return lengthScale_ * sizeWeight_ * (1 + strain) * squaredLength(mesh_.position(b) - mesh_.position(a));
+}
+
+// The larger strain at the ends of an edge.
+double CostModel::strainAt(uint32_t edge) const {
+  const auto [a, b] = mesh_.edge(edge);
+  if (method_ == Method::Limber) return std::max(strainOfVertex_[a], strainOfVertex_[b]);
+  return std::max(guidance_.strain[triangleOfVertex_[a]], guidance_.strain[triangleOfVertex_[b]]);
 }
 
 // The input vertex that is nearest to the target of an edge.
@@ -211,8 +267,8 @@ double CostModel::meanBadness(uint32_t edge, const Vec3& target) const {
 double CostModel::worstQuality(uint32_t edge, const Vec3& target) const {
   double worst = 1;
   forEachChanged(
-      edge, [&](const Vec3& q, const Vec3& r) { worst = std::min(worst, triangleQuality(target, q, r)); });
-  return worst;
+      edge, [&](const Vec3& q, const Vec3& r) { worst = std::min(worst, squaredQuality(target, q, r)); });
+  return std::sqrt(worst);
 }
 
 // Calls visit with the two corners that stay, of every triangle that a collapse changes and does not take.
@@ -229,9 +285,18 @@ void CostModel::forEachChanged(uint32_t edge, const Visit& visit) const {
 }
 
 void CostModel::collapse(const Collapse& step) {
+  if (!strainOfVertex_.empty()) {
+    const double kept = quadrics_[step.kept].area, removed = quadrics_[step.removed].area;
+    float& strain = strainOfVertex_[step.kept];
+    if (kept + removed > 0)
+      strain =
+          static_cast<float>((kept * strain + removed * strainOfVertex_[step.removed]) / (kept + removed));
+  }
   quadrics_[step.kept] = quadrics_[step.kept] + quadrics_[step.removed];
+  attributes_.collapse(step);
+  if (!keep_.empty()) keep_[step.kept] = std::max(keep_[step.kept], keep_[step.removed]);
   if (curvatureWeight_ != 0) vertexOfVertex_[step.kept] = nearestVertex(step.target, step.edge);
-  if (strainWeight_ == 0 || step.target == mesh_.position(step.kept)) return;
+  if (triangleOfVertex_.empty() || step.target == mesh_.position(step.kept)) return;
   uint32_t& nearest = triangleOfVertex_[step.kept];
   nearest = step.target == mesh_.position(step.removed) ? triangleOfVertex_[step.removed]
                                                         : nearestTriangle_.find(inFile(step.target), nearest);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "simplify/attribute_quadrics.h"
 #include "simplify/collapse_mesh.h"
 #include "simplify/kd_tree.h"
 #include "simplify/quadric.h"
@@ -22,10 +23,10 @@ struct Placement {
 //
 // E_QEM is Eq. 7 with area-weighted plane quadrics, normalised (Garland 1999): each vertex starts with the
 // planes of its triangles, weighted by their areas, and with the areas' sum; both add up in a collapse, and
-// the error is the sum of squares over the area: a mean squared distance. A border edge adds the plane
-// through it that stands on its triangle to both of its ends, weighted by kBorderWeight times its squared
-// length but not counted as area. Lengths are measured where the diagonal of the bounding box is 300.
-// Deviation: Eq. 11 adds terms without a length to a squared length, so its result depends on the file's
+// the error is the sum of squares over the area: a mean squared distance. A border or other line (see Wishes)
+// adds the planes through it that stand on its triangles to both of its ends, weighted by kBorderWeight times
+// its squared length but not counted as area. Lengths are measured where the diagonal of the bounding box is
+// 300. Deviation: Eq. 11 adds terms without a length to a squared length, so its result depends on the file's
 // units; the frame fixes them.
 // Where planes leave the order open (flat faces, straight creases), E_QEM would be rounding noise; a term of
 // kShortness times the squared length of the edge, far below what float32 coordinates show, takes shorter
@@ -41,17 +42,22 @@ class CostModel {
   CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const Guidance& guidance,
             const SimplifyOptions& options);
 
-  // The place of least error for an edge, on the border's end where just one end is on a border, so that
-  // borders keep their shape; where the optimum lies far off, the best of the middle and the ends.
+  // The place of least error for an edge, or its fixed end where it has one, so that lines keep their shape;
+  // where the optimum lies far off, the best of the middle and the ends.
   Placement place(uint32_t edge) const;
 
-  // costs[i]: the cost of edges[i]. May be called for different edges at the same time.
-  void evaluate(std::span<const uint32_t> edges, std::span<double> costs);
-
-  // Whether costs depend on the triangles around an edge's ends, not on the ends alone; then `revalue` gives
-  // the new costs of edges whose own ends have stayed as they were since their last `evaluate`.
+  // Costs are found late: each edge has a bound first, which its cost never falls below while its own ends
+  // stay as they are. Sets the bounds of edges; may be called for different edges at the same time.
+  void setBounds(std::span<const uint32_t> edges);
+  float bound(uint32_t edge) const { return bounds_[edge]; }
+  // Whether the bounds of `setBounds` are the costs themselves.
+  bool boundsAreCosts() const { return method_ != Method::Limber && qualityWeight_ == 0; }
+  // Whether costs depend on the triangles around an edge's ends, not on the ends alone.
   bool dependsOnSurroundings() const { return qualityWeight_ > 0; }
-  void revalue(std::span<const uint32_t> edges, std::span<double> costs) const;
+  // For an edge with a bound, whose `place` is given: a better bound, at the price of that place; then the
+  // cost.
+  double raiseBound(uint32_t edge, const Placement& placement);
+  double cost(uint32_t edge, const Placement& placement) const;
 
   // To be called before the mesh carries out a collapse; updates what is known of the kept vertex.
   void collapse(const Collapse& step);
@@ -66,9 +72,12 @@ class CostModel {
   struct Optimum;
   template <class Real>
   Optimum<Real> findOptimum(const QuadricOf<Real>& sum, const Point<Real>& p, const Point<Real>& q) const;
-  int endsOnBorder(uint32_t edge) const;
-  double total(uint32_t edge, const Placement& placement) const;
+  Quadric sumOf(uint32_t edge) const;
+  double keepFactor(uint32_t edge) const;
   double guidanceCost(uint32_t edge, const Vec3& target) const;
+  double sizeCost(uint32_t edge) const;
+  void averageStrain();
+  double strainAt(uint32_t edge) const;
   double meanBadness(uint32_t edge, const Vec3& target) const;
   double worstQuality(uint32_t edge, const Vec3& target) const;
   template <class Visit>
@@ -82,14 +91,18 @@ class CostModel {
   double shortness_;   // of the squared length of an edge within the error
   double sizeWeight_;  // of the squared length of an edge
   std::vector<Quadric> quadrics_;
+  AttributeQuadrics attributes_;
+  std::vector<float> keep_;  // [v]: the largest keep weight of those that have become v; or empty
 
   double strainWeight_ = 0, curvatureWeight_ = 0, qualityWeight_ = 0;
   Guidance guidance_;
   NearestTriangle nearestTriangle_;
   NearestVertex nearestVertex_;
-  std::vector<uint32_t> triangleOfVertex_;  // the input triangle that is nearest to a vertex
+  std::vector<float> strainOfVertex_;       // limber: mean over the area that has become a vertex
+  std::vector<uint32_t> triangleOfVertex_;  // paper: the input triangle that is nearest to a vertex
   std::vector<uint32_t> vertexOfVertex_;    // the input vertex that is nearest to a vertex
-  std::vector<float> guidanceCosts_;        // per edge: alpha E_strain + beta E_curv of its last `evaluate`
+  std::vector<float> guidanceCosts_;        // per edge: what guidanceCost has given to its last `setBounds`
+  std::vector<float> bounds_;               // per edge
 };
 
 }  // namespace limber

@@ -14,7 +14,6 @@ class EdgeHeap {
   explicit EdgeHeap(uint32_t edgeCount) : place_(edgeCount, kAbsent) {}
 
   bool empty() const { return keys_.empty(); }
-  bool contains(uint32_t edge) const { return place_[edge] != kAbsent; }
 
   // Adds an edge or changes its cost. `cost` must not be negative nor NaN.
   void set(uint32_t edge, double cost) {
@@ -33,6 +32,11 @@ class EdgeHeap {
   void build() {
     for (uint32_t place = 0; place < keys_.size(); ++place) store(place, keys_[place]);
     for (uint32_t place = static_cast<uint32_t>(keys_.size()); place-- > 0;) moveDown(place, keys_[place]);
+  }
+
+  // Whether an edge that is not there would be popped before all others at this cost.
+  bool wouldBeFirst(uint32_t edge, double cost) const {
+    return keys_.empty() || keyOf(edge, cost) < keys_.front();
   }
 
   uint32_t pop() {

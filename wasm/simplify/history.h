@@ -7,21 +7,34 @@
 
 namespace limber {
 
-// Why the edges that are left at the floor cannot collapse, each counted under its first reason.
-struct Refused {
-  uint32_t topology = 0;  // the link condition: components, holes or handles would change
-  uint32_t flip = 0;      // a face would turn over or lose its area
-  uint32_t lock = 0;      // a non-manifold edge or vertex
+// Why a history ends.
+enum class StopReason : int32_t {
+  Target = 0,     // the wanted number of triangles is reached
+  Deviation = 1,  // whatever is legal otherwise would go too far from the input
+  Angle = 2,      // whatever is legal otherwise would make an angle too small
+  Exhausted = 3,  // no legal collapse is left
 };
 
-// Every collapse from the input down to the floor, in order. Collapse i moves vertex kept[i] to position i,
-// gives it the triangles of removed[i], and leaves trianglesAfter[i] triangles.
+// Why the edges that are left at the end cannot collapse, each counted under its first reason; all 0 where
+// the history ended at its target.
+struct Refused {
+  uint32_t topology = 0;   // the link condition: components, holes or handles would change
+  uint32_t flip = 0;       // a face would turn over or lose its area
+  uint32_t lock = 0;       // a non-manifold edge or vertex, or what the wishes hold in place
+  uint32_t angle = 0;      // an angle below `minAngle` would come into being
+  uint32_t deviation = 0;  // the surface would be farther than `maxDeviation` from the input
+};
+
+// Every collapse from the input down to the floor, or to where a target stopped it, in order. 24 bytes each.
+// Collapse i moves vertex kept[i] to position i, gives it the triangles of removed[i], and leaves
+// trianglesAfter[i] triangles.
 struct History {
   uint32_t vertexCount = 0, triangleCount = 0;  // of the input
   std::vector<uint32_t> kept, removed;          // vertices of the input
   std::vector<float> positions;                 // positions[3 * i + c]
   std::vector<uint32_t> trianglesAfter;         // strictly descending
-  Refused refused;                              // at the floor
+  Refused refused;                              // at the end
+  StopReason stop = StopReason::Exhausted;
 
   uint32_t collapseCount() const { return static_cast<uint32_t>(kept.size()); }
 };

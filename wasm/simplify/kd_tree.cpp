@@ -17,7 +17,15 @@ Bounds joined(const Bounds& a, const Bounds& b) {
   return box;
 }
 
-// The point of triangle abc that is nearest to p: on its plane, or on the nearest of its edges.
+// Orders triangles by their distance in steps, then by the distance of their centres, then by index.
+using TriangleRank = std::tuple<double, double, uint32_t>;
+using VertexRank = std::tuple<double, uint32_t>;
+
+// A millionth of the diagonal: a few times what float32 coordinates resolve.
+constexpr double kDistanceStep = 1e-6;
+
+}  // namespace
+
 Vec3 closestPoint(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 n = cross(b - a, c - a);
   const double area = squaredLength(n);
@@ -36,15 +44,6 @@ Vec3 closestPoint(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   }
   return best;
 }
-
-// Orders triangles by their distance in steps, then by the distance of their centres, then by index.
-using TriangleRank = std::tuple<double, double, uint32_t>;
-using VertexRank = std::tuple<double, uint32_t>;
-
-// A millionth of the diagonal: a few times what float32 coordinates resolve.
-constexpr double kDistanceStep = 1e-6;
-
-}  // namespace
 
 KdTree::KdTree(const std::vector<Bounds>& boxes) : items_(boxes.size()) {
   std::iota(items_.begin(), items_.end(), 0);
@@ -99,6 +98,14 @@ uint32_t NearestTriangle::find(const Vec3& p, uint32_t guess) const {
     return distance * distance;
   };
   return tree_.nearest(p, guess, rankOf, reach);
+}
+
+bool NearestTriangle::isWithin(const Vec3& p, double squaredDistance, uint32_t guess) const {
+  const auto isNear = [&](uint32_t t) {
+    const Vec3 point = closestPoint(p, mesh_->corner(t, 0), mesh_->corner(t, 1), mesh_->corner(t, 2));
+    return squaredLength(p - point) <= squaredDistance;
+  };
+  return isNear(guess) || tree_.any(p, squaredDistance, isNear);
 }
 
 uint32_t NearestTriangle::findAround(uint32_t vertex, std::span<const Corner> star) const {

@@ -11,6 +11,9 @@
 
 namespace limber {
 
+// The point of triangle abc that is nearest to p: on its plane, or on the nearest of its edges.
+Vec3 closestPoint(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
 // A balanced kd-tree over items that have a centre and a bounding box: split at the median centre along the
 // longest axis; every node knows the box around its items, so that searches by the distance to the items
 // themselves, not to their centres, are exact.
@@ -25,6 +28,11 @@ class KdTree {
   // changes the time alone: the nearer it is the less is searched.
   template <class RankOf, class Reach>
   uint32_t nearest(const Vec3& p, uint32_t guess, const RankOf& rankOf, const Reach& reach) const;
+
+  // Whether `isNear(item)` holds for any item whose box is within a squared distance of p; nearer ones are
+  // asked first, and none after the first that says yes.
+  template <class IsNear>
+  bool any(const Vec3& p, double squaredDistance, const IsNear& isNear) const;
 
  private:
   static constexpr uint32_t kLeafSize = 8;
@@ -60,7 +68,9 @@ class NearestTriangle {
 
   // `guess`: any triangle, better a near one.
   uint32_t find(const Vec3& p, uint32_t guess) const;
-  // The same for a vertex of the mesh, found among the triangles around it; kNone if there are none.
+  // Whether a triangle of the mesh lies within a squared distance of p.
+  bool isWithin(const Vec3& p, double squaredDistance, uint32_t guess) const;
+  // As `find` for a vertex of the mesh, found among the triangles around it; kNone if there are none.
   uint32_t findAround(uint32_t vertex, std::span<const Corner> star) const;
 
  private:
@@ -121,6 +131,29 @@ uint32_t KdTree::nearest(const Vec3& p, uint32_t guess, const RankOf& rankOf, co
     }
   }
   return best;
+}
+
+template <class IsNear>
+bool KdTree::any(const Vec3& p, double limit, const IsNear& isNear) const {
+  std::array<uint32_t, kDepth> waiting;
+  int count = 0;
+  waiting[count++] = 0;
+  while (count > 0) {
+    const uint32_t index = waiting[--count];
+    const Node& node = nodes_[index];
+    if (node.right == 0) {
+      for (uint32_t i = node.begin; i < node.end; ++i)
+        if (isNear(items_[i])) return true;
+      continue;
+    }
+    const uint32_t left = index + 1;
+    const double toLeft = squaredDistance(nodes_[left].box, p),
+                 toRight = squaredDistance(nodes_[node.right].box, p);
+    const bool rightFirst = toRight < toLeft;
+    if (std::max(toLeft, toRight) <= limit) waiting[count++] = rightFirst ? left : node.right;
+    if (std::min(toLeft, toRight) <= limit) waiting[count++] = rightFirst ? node.right : left;
+  }
+  return false;
 }
 
 }  // namespace limber

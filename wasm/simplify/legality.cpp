@@ -1,6 +1,8 @@
 #include "simplify/legality.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace limber {
 namespace {
@@ -33,13 +35,39 @@ bool isSpoilt(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& target) {
   return turns || !(flatness >= flatnessBefore);
 }
 
+// The largest cosine of an angle of triangle (p, q, r), so that of its smallest; 1 where an edge has no
+// length.
+double largestCosine(const Vec3& p, const Vec3& q, const Vec3& r) {
+  const auto cosineAt = [](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double lengths = squaredLength(b - a) * squaredLength(c - a);
+    return lengths > 0 ? dot(b - a, c - a) / std::sqrt(lengths) : 1;
+  };
+  return std::max({cosineAt(p, q, r), cosineAt(q, r, p), cosineAt(r, p, q)});
+}
+
 }  // namespace
+
+Legality::Legality(const CollapseMesh& mesh, const SimplifyOptions& options)
+    : mesh_(mesh),
+      pinnedSets_(options.wishes.pinnedSets),
+      largestCosine_(std::cos(options.minAngle * std::numbers::pi / 180)),
+      seen_(mesh.vertexCount(), 0) {}
 
 Verdict Legality::check(const Collapse& step) {
   if (const Verdict verdict = forever(step.edge); verdict != Verdict::Legal) return verdict;
   if (!keepsTopology(step)) return Verdict::Topology;
   if (spoilsAnyFace(step.kept, step) || spoilsAnyFace(step.removed, step)) return Verdict::Flip;
+  if (largestCosine_ < 1 && spoilsAngles(step)) return Verdict::Angle;
   return Verdict::Legal;
+}
+
+// Whether a member of a pinned set would be removed by a vertex that is in other sets, or a vertex in no set
+// by a member that moves.
+bool Legality::mixesPinnedSets(uint32_t edge) const {
+  const auto [a, b] = mesh_.edge(edge);
+  if (pinnedSets_[a] == pinnedSets_[b]) return false;
+  const uint32_t kept = mesh_.fixedEnd(edge);
+  return kept == kNone || pinnedSets_[kept == a ? b : a] != 0;
 }
 
 // The link condition: the links of the two ends meet in the link of the edge and nowhere else, where at
@@ -50,17 +78,31 @@ Verdict Legality::check(const Collapse& step) {
 // - a lone triangle, whose other two edges are borders, so that the edge from the third vertex to the virtual
 //   one lies in both links.
 // (A border loop of three edges is caught as a common neighbour, inner edges between borders by `forever`.)
+// Lines are closed by the same virtual vertex, so that the pair of surface and lines stays what it is: an
+// edge whose both ends are on lines must be one, and no triangle may vanish between three.
 bool Legality::keepsTopology(const Collapse& step) {
   const auto triangles = static_cast<uint32_t>(mesh_.trianglesOnEdge(step.edge));
   const auto starKept = mesh_.star(step.kept), starRemoved = mesh_.star(step.removed);
   if (triangles == 1) {
     if (starKept.size() == 1 && starRemoved.size() == 1) return false;
   } else {
-    const bool inside =
-        mesh_.freedom(step.kept) == Freedom::Free && mesh_.freedom(step.removed) == Freedom::Free;
+    const bool inside = !mesh_.role(step.kept).onBorder && !mesh_.role(step.removed).onBorder;
     if (inside && starKept.size() == 3 && starRemoved.size() == 3) return false;
   }
+  if (joinsLines(step)) return false;
   return countCommonNeighbours(step.kept, step.removed) == triangles;
+}
+
+// Whether a triangle would vanish whose two other edges are both lines.
+bool Legality::joinsLines(const Collapse& step) const {
+  if (!mesh_.role(step.kept).onLine || !mesh_.role(step.removed).onLine) return false;
+  for (const Corner corner : mesh_.star(step.removed)) {
+    const auto& edges = mesh_.face(triangleOf(corner)).edges;
+    const int lines = mesh_.isLine(edges[0]) + mesh_.isLine(edges[1]) + mesh_.isLine(edges[2]);
+    const bool vanishes = edges[0] == step.edge || edges[1] == step.edge || edges[2] == step.edge;
+    if (vanishes && lines == 3) return true;
+  }
+  return false;
 }
 
 uint32_t Legality::countCommonNeighbours(uint32_t a, uint32_t b) {
@@ -79,6 +121,22 @@ uint32_t Legality::countCommonNeighbours(uint32_t a, uint32_t b) {
     if (seen_[v] == around) seen_[v] = common;
   });
   return count;
+}
+
+// Whether the smallest angle among the changed triangles is below the wanted one after the collapse, and no
+// larger than the smallest among all triangles of both ends before.
+bool Legality::spoilsAngles(const Collapse& step) const {
+  double before = -1, after = -1;
+  for (const uint32_t v : {step.kept, step.removed})
+    for (const Corner corner : mesh_.star(v)) {
+      const CollapseMesh::Face& face = mesh_.face(triangleOf(corner));
+      const int next = nextIndex(indexOf(corner)), previous = previousIndex(indexOf(corner));
+      const Vec3 &q = mesh_.position(face.vertices[next]), &r = mesh_.position(face.vertices[previous]);
+      before = std::max(before, largestCosine(mesh_.position(v), q, r));
+      const bool vanishes = face.edges[next] == step.edge || face.edges[previous] == step.edge;
+      if (!vanishes) after = std::max(after, largestCosine(step.target, q, r));
+    }
+  return after > largestCosine_ && after >= before;
 }
 
 bool Legality::spoilsAnyFace(uint32_t v, const Collapse& step) const {

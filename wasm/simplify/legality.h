@@ -1,40 +1,49 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "simplify/collapse_mesh.h"
-#include "simplify/history.h"
+#include "simplify/simplify.h"
 
 namespace limber {
 
 // Why a collapse may not be, in the order in which the rules are asked.
-enum class Verdict : uint8_t { Legal, Locked, Topology, Flip };
+enum class Verdict : uint8_t { Legal, Locked, Topology, Flip, Angle, Deviation };
 
 // The rules that keep a surface what it is. Holds scratch memory; not for use from several threads.
 class Legality {
  public:
-  explicit Legality(const CollapseMesh& mesh) : mesh_(mesh), seen_(mesh.vertexCount(), 0) {}
+  // Keeps a reference to `mesh` and to the lists of `options`.
+  Legality(const CollapseMesh& mesh, const SimplifyOptions& options);
 
-  // Whether an edge can never collapse, whatever happens around it: a locked end, or an inner edge that
-  // joins two border vertices. Legal where it may.
+  // Whether an edge cannot collapse as long as its own ends stay what they are: an end that must stay, ends
+  // of different pinned sets, or an edge that joins two vertices of lines without being one. Legal where it
+  // may.
   Verdict forever(uint32_t edge) const {
     const auto [a, b] = mesh_.edge(edge);
-    const Freedom atA = mesh_.freedom(a), atB = mesh_.freedom(b);
-    if (atA == Freedom::Locked || atB == Freedom::Locked) return Verdict::Locked;
-    const bool joinsBorders = atA == Freedom::Border && atB == Freedom::Border;
-    return joinsBorders && mesh_.trianglesOnEdge(edge) == 2 ? Verdict::Topology : Verdict::Legal;
+    const VertexRole &atA = mesh_.role(a), &atB = mesh_.role(b);
+    if (atA.freedom == Freedom::Locked || atB.freedom == Freedom::Locked) return Verdict::Locked;
+    if (atA.freedom == Freedom::Anchored && atB.freedom == Freedom::Anchored) return Verdict::Locked;
+    if (!pinnedSets_.empty() && mixesPinnedSets(edge)) return Verdict::Locked;
+    return atA.onLine && atB.onLine && !mesh_.isLine(edge) ? Verdict::Topology : Verdict::Legal;
   }
 
-  // Asks every rule.
+  // Asks every rule but the deviation, which DeviationLimit knows.
   Verdict check(const Collapse& step);
 
  private:
+  bool mixesPinnedSets(uint32_t edge) const;
   bool keepsTopology(const Collapse& step);
+  bool joinsLines(const Collapse& step) const;
   uint32_t countCommonNeighbours(uint32_t a, uint32_t b);
   bool spoilsAnyFace(uint32_t v, const Collapse& step) const;
+  bool spoilsAngles(const Collapse& step) const;
 
   const CollapseMesh& mesh_;
+  std::span<const uint32_t> pinnedSets_;
+  double largestCosine_;        // of an angle that a collapse may make
   std::vector<uint32_t> seen_;  // per vertex: the last mark that was set on it
   uint32_t mark_ = 0;
 };

@@ -57,7 +57,7 @@ template <class Real>
 Real normalizedError(const QuadricOf<Real>& q, const Point<Real>& p) {
   const Real sum = dot(p, halfGradient(q, p) + q.b) + q.c;
   const Real mean = sum / q.area;
-  return (mean > 0) & (q.area > 0) ? mean : Real{};
+  return ((mean > 0) & (q.area > 0)) ? mean : Real{};
 }
 
 // The point of least error; where the planes leave it open (on flat faces and along straight creases), the

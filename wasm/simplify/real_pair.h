@@ -11,7 +11,12 @@ using RealPair = double __attribute__((vector_size(16)));
 
 // The nearest float32, as double.
 inline double asFloat(double x) {
-  return static_cast<float>(x);
+  float nearest = static_cast<float>(x);
+#if defined(__GNUC__) && !defined(__clang__)
+  // GCC 12 loses the rounding where it makes vectors of these lines by itself.
+  asm("" : "+m"(nearest));
+#endif
+  return nearest;
 }
 inline RealPair asFloat(RealPair x) {
   using FloatPair = float __attribute__((vector_size(8)));

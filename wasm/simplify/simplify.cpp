@@ -1,12 +1,14 @@
 #include "simplify/simplify.h"
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "base/parallel.h"
 #include "simplify/collapse_mesh.h"
 #include "simplify/cost.h"
+#include "simplify/deviation_limit.h"
 #include "simplify/edge_heap.h"
 #include "simplify/legality.h"
 
@@ -27,10 +29,14 @@ void checkGuidance(const TriangleMesh& mesh, const Guidance& guidance) {
   checkSize(guidance.curvature.size(), mesh.vertexCount(), "curvature", "vertices");
 }
 
-void checkWeights(const SimplifyOptions& options) {
-  for (double weight : {options.strainWeight, options.curvatureWeight, options.qualityWeight})
+void checkNumbers(const SimplifyOptions& options) {
+  for (double weight :
+       {options.strainWeight, options.curvatureWeight, options.qualityWeight, options.sizeWeight})
     if (!(weight >= 0) || !std::isfinite(weight))
-      throw std::invalid_argument("The weights of strain, curvature and quality must be numbers >= 0.");
+      throw std::invalid_argument("The weights of strain, curvature, quality and size must be numbers >= 0.");
+  if (!(options.maxDeviation >= 0) || !(options.minAngle >= 0 && options.minAngle < 60))
+    throw std::invalid_argument(
+        "The largest deviation must be >= 0, the smallest angle between 0 and 60 degrees.");
 }
 
 // The collapse loop (Algorithm 2), from the input down to the floor.
@@ -38,14 +44,15 @@ class Simplification {
  public:
   Simplification(const TriangleMesh& input, const Guidance& guidance, const SimplifyOptions& options,
                  Job& job)
-      : mesh_(input),
+      : mesh_(input, options.wishes),
         costs_(input, mesh_, guidance, options),
-        legality_(mesh_),
+        legality_(mesh_, options),
         heap_(mesh_.edgeCount()),
         hasRefused_(mesh_.vertexCount(), 0),
-        revaluedAt_(costs_.dependsOnSurroundings() ? mesh_.edgeCount() : 0, kNone),
+        places_(mesh_.edgeCount(), Place::None),
         stopFaces_(options.stopFaces),
         job_(job) {
+    if (options.maxDeviation > 0) deviation_.emplace(input, mesh_, options.maxDeviation);
     history_.vertexCount = input.vertexCount();
     history_.triangleCount = input.triangleCount();
     for (auto* list : {&history_.kept, &history_.removed, &history_.trianglesAfter})
@@ -57,31 +64,40 @@ class Simplification {
     queueAll();
     do collapseAll();
     while (!isDone() && queueWhatIsLegal());
+    if (isDone()) history_.refused = {};
+    history_.stop = stopReason();
     return std::move(history_);
   }
 
  private:
+  // Where an edge waits.
+  enum class Place : uint8_t { None, ByBound, ByCost };
+
   bool isDone() const { return mesh_.triangleCount() <= stopFaces_; }
   void queueAll();
   // Not to be inlined where there is something to destroy: with Emscripten's exceptions every call from there
   // takes a way through JavaScript.
   [[gnu::noinline]] void collapseAll();
   void tryCheapest();
+  bool goesBack(uint32_t edge, double cost, Place place);
   bool queueWhatIsLegal();
-  Collapse planned(uint32_t edge) const;
+  Collapse planned(uint32_t edge, const Vec3& target) const;
+  Verdict judge(const Collapse& step);
+  StopReason stopReason() const;
   void carryOut(const Collapse& step);
   void record(const Collapse& step);
   void updateCosts(uint32_t kept);
-  void collectSurroundings(uint32_t neighbour);
-  void collectRefused(uint32_t neighbour);
-  void queueEdges();
+  void queueSurroundings(uint32_t neighbour);
+  void queueRefused(uint32_t neighbour);
+  void queueByBound(uint32_t edge);
 
   CollapseMesh mesh_;
   CostModel costs_;
   Legality legality_;
+  std::optional<DeviationLimit> deviation_;
   EdgeHeap heap_;
-  std::vector<uint8_t> hasRefused_;   // per vertex: an edge of it may have been refused since the last retry
-  std::vector<uint32_t> revaluedAt_;  // per edge: the collapse after which it got its last cost
+  std::vector<uint8_t> hasRefused_;  // per vertex: an edge of it may have been refused since the last retry
+  std::vector<Place> places_;        // per edge
   uint32_t stopFaces_;
   std::vector<uint32_t> edges_;  // scratch: edges to price, and their costs
   std::vector<double> edgeCosts_;
@@ -93,13 +109,14 @@ void Simplification::queueAll() {
   edges_.clear();
   for (uint32_t edge = 0; edge < mesh_.edgeCount(); ++edge)
     if (legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
-  edgeCosts_.resize(edges_.size());
   parallelFor(edges_.size(), kEdgesPerRange, [&](size_t begin, size_t end) {
     job_.check();
-    costs_.evaluate(std::span(edges_).subspan(begin, end - begin),
-                    std::span(edgeCosts_).subspan(begin, end - begin));
+    costs_.setBounds(std::span(edges_).subspan(begin, end - begin));
   });
-  for (size_t i = 0; i < edges_.size(); ++i) heap_.append(edges_[i], edgeCosts_[i]);
+  for (const uint32_t edge : edges_) {
+    heap_.append(edge, costs_.bound(edge));
+    places_[edge] = Place::ByBound;
+  }
   heap_.build();
 }
 
@@ -107,26 +124,57 @@ void Simplification::collapseAll() {
   while (!heap_.empty() && !isDone()) tryCheapest();
 }
 
+// An edge comes up by its bound first and goes back by a better one or its cost, unless that is the lowest
+// anyway. So the order is that of the costs, though most of them are never computed.
 void Simplification::tryCheapest() {
-  const Collapse step = planned(heap_.pop());
-  if (legality_.check(step) == Verdict::Legal)
+  const uint32_t edge = heap_.pop();
+  const Placement placement = costs_.place(edge);
+  if (!costs_.boundsAreCosts() && places_[edge] == Place::ByBound) {
+    if (goesBack(edge, costs_.raiseBound(edge, placement), Place::ByBound)) return;
+    if (goesBack(edge, costs_.cost(edge, placement), Place::ByCost)) return;
+  }
+  places_[edge] = Place::None;
+  const Collapse step = planned(edge, placement.target);
+  if (judge(step) == Verdict::Legal)
     carryOut(step);
   else
     hasRefused_[step.kept] = hasRefused_[step.removed] = 1;
 }
 
-// Of the two ends the one on a border stays, else the one nearer to the target, else the lower one.
-Collapse Simplification::planned(uint32_t edge) const {
+// Whether another edge comes before `edge`, which has just been popped; then queues it again.
+bool Simplification::goesBack(uint32_t edge, double cost, Place place) {
+  if (heap_.wouldBeFirst(edge, cost)) return false;
+  heap_.set(edge, cost);
+  places_[edge] = place;
+  return true;
+}
+
+Verdict Simplification::judge(const Collapse& step) {
+  const Verdict verdict = legality_.check(step);
+  const bool goesTooFar = verdict == Verdict::Legal && deviation_ && !deviation_->allows(step);
+  return goesTooFar ? Verdict::Deviation : verdict;
+}
+
+StopReason Simplification::stopReason() const {
+  const auto [topology, flip, lock, angle, deviation] = history_.refused;
+  if (isDone()) return StopReason::Target;
+  if (angle + deviation == 0) return StopReason::Exhausted;
+  return deviation >= angle ? StopReason::Deviation : StopReason::Angle;
+}
+
+// Of the two ends the fixed one stays, else the one nearer to the target, else the lower one.
+Collapse Simplification::planned(uint32_t edge, const Vec3& target) const {
   const auto [a, b] = mesh_.edge(edge);
-  const Vec3 target = costs_.place(edge).target;
   const double toA = squaredLength(target - mesh_.position(a)),
                toB = squaredLength(target - mesh_.position(b));
-  const bool keepsA = toA != toB ? toA < toB : a < b;
+  const uint32_t fixed = mesh_.fixedEnd(edge);
+  const bool keepsA = fixed != kNone ? fixed == a : toA != toB ? toA < toB : a < b;
   return keepsA ? Collapse{edge, a, b, target} : Collapse{edge, b, a, target};
 }
 
 void Simplification::carryOut(const Collapse& step) {
   costs_.collapse(step);
+  if (deviation_) deviation_->collapse();
   for (const uint32_t gone : mesh_.collapse(step))
     if (gone != kNone) heap_.remove(gone);
   hasRefused_[step.kept] |= hasRefused_[step.removed];
@@ -149,44 +197,36 @@ void Simplification::updateCosts(uint32_t kept) {
   edges_.clear();
   mesh_.forEachEdge(kept, [&](uint32_t edge, uint32_t) {
     if (legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
-    if (costs_.dependsOnSurroundings()) revaluedAt_[edge] = history_.collapseCount();
   });
   hasRefused_[kept] = 0;
-  edgeCosts_.resize(edges_.size());
-  costs_.evaluate(edges_, edgeCosts_);
-  queueEdges();
-
-  edges_.clear();
+  costs_.setBounds(edges_);
+  for (const uint32_t edge : edges_) queueByBound(edge);
   mesh_.forEachEdge(kept, [&](uint32_t, uint32_t neighbour) {
-    if (mesh_.freedom(neighbour) == Freedom::Locked) return;
+    if (mesh_.role(neighbour).freedom == Freedom::Locked) return;
     if (costs_.dependsOnSurroundings())
-      collectSurroundings(neighbour);
+      queueSurroundings(neighbour);
     else if (hasRefused_[neighbour])
-      collectRefused(neighbour);
+      queueRefused(neighbour);
     hasRefused_[neighbour] = 0;
   });
-  if (edges_.empty()) return;
-  edgeCosts_.resize(edges_.size());
-  costs_.revalue(edges_, edgeCosts_);
-  queueEdges();
 }
 
-void Simplification::queueEdges() {
-  for (size_t i = 0; i < edges_.size(); ++i) heap_.set(edges_[i], edgeCosts_[i]);
+void Simplification::queueByBound(uint32_t edge) {
+  places_[edge] = Place::ByBound;
+  heap_.set(edge, costs_.bound(edge));
 }
 
-void Simplification::collectSurroundings(uint32_t neighbour) {
+void Simplification::queueSurroundings(uint32_t neighbour) {
   mesh_.forEachEdge(neighbour, [&](uint32_t edge, uint32_t) {
-    if (revaluedAt_[edge] == history_.collapseCount()) return;
-    revaluedAt_[edge] = history_.collapseCount();
-    if (legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
+    const Place place = places_[edge];
+    if (place == Place::ByBound) return;
+    if (place == Place::ByCost || legality_.forever(edge) == Verdict::Legal) queueByBound(edge);
   });
 }
 
-// An edge between two such neighbours is collected twice, which does no harm.
-void Simplification::collectRefused(uint32_t neighbour) {
+void Simplification::queueRefused(uint32_t neighbour) {
   mesh_.forEachEdge(neighbour, [&](uint32_t edge, uint32_t) {
-    if (!heap_.contains(edge) && legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
+    if (places_[edge] == Place::None && legality_.forever(edge) == Verdict::Legal) queueByBound(edge);
   });
 }
 
@@ -199,15 +239,17 @@ bool Simplification::queueWhatIsLegal() {
     if (mesh_.trianglesOnEdge(edge) == 0) continue;
     if (edge % kEdgesPerRange == 0) job_.check();
     const Verdict forever = legality_.forever(edge);
-    const Verdict verdict = forever == Verdict::Legal ? legality_.check(planned(edge)) : forever;
+    const Verdict verdict =
+        forever == Verdict::Legal ? judge(planned(edge, costs_.place(edge).target)) : forever;
     history_.refused.lock += verdict == Verdict::Locked;
     history_.refused.topology += verdict == Verdict::Topology;
     history_.refused.flip += verdict == Verdict::Flip;
+    history_.refused.angle += verdict == Verdict::Angle;
+    history_.refused.deviation += verdict == Verdict::Deviation;
     if (verdict == Verdict::Legal) edges_.push_back(edge);
   }
-  edgeCosts_.resize(edges_.size());
-  costs_.evaluate(edges_, edgeCosts_);
-  queueEdges();
+  costs_.setBounds(edges_);
+  for (const uint32_t edge : edges_) queueByBound(edge);
   return !heap_.empty();
 }
 
@@ -216,7 +258,8 @@ bool Simplification::queueWhatIsLegal() {
 History simplify(const TriangleMesh& mesh, const Guidance& guidance, const SimplifyOptions& options,
                  Job& job) {
   checkGuidance(mesh, guidance);
-  checkWeights(options);
+  checkNumbers(options);
+  checkWishes(mesh, options.wishes);
   job.begin(Phase::Simplify);
   History history = Simplification(mesh, guidance, options, job).run();
   job.report(1);

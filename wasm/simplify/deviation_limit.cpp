@@ -1,0 +1,135 @@
+#include "simplify/deviation_limit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limber {
+namespace {
+
+// Of the limit: what samples may use, so that the surface between them stays within all of it.
+constexpr double kMargin = 0.85;
+// A coarse input gets more samples on each triangle, up to about this many in all.
+constexpr double kSamples = 10000;
+constexpr int kFinest = 8;
+// Into how many parts the edges of a changed triangle are cut to sample it.
+constexpr int kCuts = 3;
+// A triangle within this part of the limit is near enough for a sample; no nearer one is looked for.
+constexpr double kNearEnough = 0.25;
+
+// Calls visit with the middles of the cuts^2 equal parts of a triangle.
+template <class Visit>
+void forEachMiddle(const Vec3& p, const Vec3& q, const Vec3& r, int cuts, const Visit& visit) {
+  const Vec3 alongQ = (q - p) / cuts, alongR = (r - p) / cuts;
+  for (int i = 0; i < cuts; ++i)
+    for (int j = 0; i + j < cuts; ++j) {
+      visit(p + alongQ * (i + 1.0 / 3) + alongR * (j + 1.0 / 3));
+      if (i + j + 1 < cuts) visit(p + alongQ * (i + 2.0 / 3) + alongR * (j + 2.0 / 3));
+    }
+}
+
+}  // namespace
+
+DeviationLimit::DeviationLimit(const TriangleMesh& input, const CollapseMesh& mesh, double limit)
+    : mesh_(mesh),
+      squaredLimit_(kMargin * kMargin * limit * limit),
+      nearest_(input),
+      first_(input.triangleCount(), kNone) {
+  for (uint32_t v = 0; v < input.vertexCount(); ++v) {
+    samples_.push_back(mesh.position(v));
+    inputOf_.push_back(mesh.star(v).empty() ? kNone : triangleOf(mesh.star(v)[0]));
+  }
+  const int cuts =
+      std::min<int>(kFinest, std::ceil(std::sqrt(kSamples / std::max(1u, input.triangleCount()))));
+  for (uint32_t t = 0; t < input.triangleCount(); ++t) addSamples(t, cuts);
+  next_.assign(samples_.size(), kNone);
+  for (uint32_t sample = 0; sample < samples_.size(); ++sample)
+    if (inputOf_[sample] != kNone) attach(sample, inputOf_[sample]);
+}
+
+void DeviationLimit::addSamples(uint32_t t, int cuts) {
+  const auto add = [&](const Vec3& p) {
+    samples_.push_back(p);
+    inputOf_.push_back(t);
+  };
+  const auto& [vertices, edges] = mesh_.face(t);
+  const Vec3 corners[] = {mesh_.position(vertices[0]), mesh_.position(vertices[1]),
+                          mesh_.position(vertices[2])};
+  forEachMiddle(corners[0], corners[1], corners[2], cuts, add);
+  for (int c = 0; c < 3; ++c) {
+    const auto [a, b] = mesh_.edge(edges[c]);
+    const bool isFirst = vertices[nextIndex(c)] == a || mesh_.trianglesOnEdge(edges[c]) != 2;
+    if (!isFirst) continue;
+    const Vec3 &from = corners[nextIndex(c)], &to = corners[previousIndex(c)];
+    for (int i = 0; i < cuts; ++i) add(from + (to - from) * ((i + 0.5) / cuts));
+  }
+}
+
+void DeviationLimit::attach(uint32_t sample, uint32_t triangle) {
+  next_[sample] = first_[triangle];
+  first_[triangle] = sample;
+}
+
+void DeviationLimit::collectChanged(const Collapse& step) {
+  changed_.clear();
+  emptied_.clear();
+  for (const uint32_t v : {step.kept, step.removed})
+    for (const Corner corner : mesh_.star(v)) {
+      const uint32_t t = triangleOf(corner);
+      const CollapseMesh::Face& face = mesh_.face(t);
+      const int next = nextIndex(indexOf(corner)), previous = previousIndex(indexOf(corner));
+      const bool vanishes = face.edges[next] == step.edge || face.edges[previous] == step.edge;
+      if (!vanishes || v == step.kept) emptied_.push_back(t);
+      if (!vanishes)
+        changed_.push_back({t, mesh_.position(face.vertices[next]), mesh_.position(face.vertices[previous])});
+    }
+}
+
+// Notes a changed triangle that is near to a sample; false where it lies too far off.
+bool DeviationLimit::placeSample(uint32_t sample, const Vec3& target) {
+  double least = squaredLimit_;
+  uint32_t triangle = kNone;
+  for (const Changed& changed : changed_) {
+    const Vec3 point = closestPoint(samples_[sample], target, changed.q, changed.r);
+    const double square = squaredLength(samples_[sample] - point);
+    if (square > least || (square == least && triangle != kNone)) continue;
+    least = square;
+    triangle = changed.triangle;
+    if (square <= kNearEnough * kNearEnough * squaredLimit_) break;
+  }
+  moving_.push_back(sample);
+  to_.push_back(triangle);
+  return triangle != kNone;
+}
+
+bool DeviationLimit::isNearInput(const Vec3& p, uint32_t guess) const {
+  const auto [x, y, z] = mesh_.inFile(p);
+  return nearest_.isWithin({x, y, z}, squaredLimit_, guess);
+}
+
+bool DeviationLimit::allows(const Collapse& step) {
+  collectChanged(step);
+  moving_.clear();
+  to_.clear();
+  const uint32_t guess = emptied_[0];
+  if (!isNearInput(step.target, guess)) return false;
+  for (const uint32_t triangle : emptied_)
+    for (uint32_t sample = first_[triangle]; sample != kNone; sample = next_[sample])
+      if (!placeSample(sample, step.target)) return false;
+  return std::ranges::all_of(changed_,
+                             [&](const Changed& changed) { return isNearInput(changed, step.target); });
+}
+
+bool DeviationLimit::isNearInput(const Changed& changed, const Vec3& target) const {
+  const auto& [triangle, q, r] = changed;
+  bool near = isNearInput((target * 2 + q) / 3, triangle) && isNearInput((target + q * 2) / 3, triangle);
+  forEachMiddle(target, q, r, kCuts,
+                [&, triangle = triangle](const Vec3& p) { near = near && isNearInput(p, triangle); });
+  return near;
+}
+
+void DeviationLimit::collapse() {
+  for (const uint32_t triangle : emptied_) first_[triangle] = kNone;
+  for (size_t i = 0; i < moving_.size(); ++i) attach(moving_[i], to_[i]);
+}
+
+}  // namespace limber

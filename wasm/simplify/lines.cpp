@@ -1,0 +1,124 @@
+#include "simplify/lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mesh/manifold.h"
+#include "mesh/orientation.h"
+
+namespace limber {
+namespace {
+
+int cornerOf(const Triangle& triangle, uint32_t v) {
+  return triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
+}
+
+// Asks of an edge with two triangles whether it is a line, rule by rule.
+class LineRules {
+ public:
+  LineRules(const TriangleMesh& mesh, const Wishes& wishes)
+      : mesh_(mesh), wishes_(wishes), creaseCosine_(std::cos(wishes.creaseAngle * std::numbers::pi / 180)) {}
+
+  bool isLine(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
+    return isSeam(edge, s, t) || isCrease(s, t) || isOutline(edge, s, t);
+  }
+
+ private:
+  bool isSeam(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
+    if (!wishes_.groups.empty() && wishes_.groups[s] != wishes_.groups[t]) return true;
+    return !wishes_.wedges.empty() &&
+           (wedge(s, edge.a) != wedge(t, edge.a) || wedge(s, edge.b) != wedge(t, edge.b));
+  }
+  uint32_t wedge(uint32_t t, uint32_t v) const {
+    return wishes_.wedges[3 * t + cornerOf(mesh_.triangles[t], v)];
+  }
+  bool isCrease(uint32_t s, uint32_t t) const {
+    if (wishes_.creaseAngle == 0) return false;
+    return dot(normalized(areaNormal(mesh_, s)), normalized(areaNormal(mesh_, t))) < creaseCosine_;
+  }
+  // Whether both ends are in a set of which a vertex across is no member.
+  bool isOutline(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
+    const auto& sets = wishes_.pinnedSets;
+    if (sets.empty()) return false;
+    const auto third = [&](uint32_t triangle) {
+      const auto& [p, q, r] = mesh_.triangles[triangle];
+      return p ^ q ^ r ^ edge.a ^ edge.b;
+    };
+    return (sets[edge.a] & sets[edge.b] & ~(sets[third(s)] & sets[third(t)])) != 0;
+  }
+
+  const TriangleMesh& mesh_;
+  const Wishes& wishes_;
+  double creaseCosine_;
+};
+
+// What is counted around every vertex to find its role.
+struct Surroundings {
+  uint32_t borders = 0, lines = 0;  // edges; borders are not counted as lines
+  bool lineLeavesSet = false;       // a border or line leads to a vertex that lacks a set of this one
+  bool leavesSet = false;           // any edge does
+};
+
+std::vector<Surroundings> lookAround(const Topology& topology, const Wishes& wishes,
+                                     const std::vector<uint8_t>& isLine) {
+  std::vector<Surroundings> around(topology.vertexStart.size() - 1);
+  for (size_t e = 0; e < topology.edges.size(); ++e) {
+    const Topology::Edge& edge = topology.edges[e];
+    const bool border = edge.useCount == 1;
+    for (const auto& [v, other] : {std::pair(edge.a, edge.b), std::pair(edge.b, edge.a)}) {
+      around[v].borders += border;
+      around[v].lines += isLine[e];
+      if (wishes.pinnedSets.empty()) continue;
+      const uint32_t own = wishes.pinnedSets[v], others = wishes.pinnedSets[other];
+      const bool leaves = (own & ~others) != 0;
+      around[v].leavesSet |= leaves;
+      around[v].lineLeavesSet |= leaves && (border || isLine[e]);
+    }
+  }
+  return around;
+}
+
+VertexRole roleOf(VertexKind kind, const Surroundings& around, bool borderFixed) {
+  VertexRole role;
+  role.onBorder = around.borders > 0;
+  role.onLine = role.onBorder || around.lines > 0;
+  const bool between = around.borders + around.lines == 2 && (around.borders == 0 || around.lines == 0);
+  if (kind != VertexKind::Interior && kind != VertexKind::Border)
+    role.freedom = Freedom::Locked;
+  else if (role.onLine)
+    role.freedom = between && !around.lineLeavesSet ? Freedom::Line : Freedom::Anchored;
+  else if (around.leavesSet)
+    role.freedom = Freedom::Anchored;
+  if (borderFixed && role.onBorder) role.freedom = std::max(role.freedom, Freedom::Anchored);
+  return role;
+}
+
+}  // namespace
+
+Lines findLines(const TriangleMesh& mesh, const Topology& topology, const Wishes& wishes) {
+  Lines lines;
+  lines.isLine.assign(topology.edges.size(), 0);
+  const LineRules rules(mesh, wishes);
+  for (size_t e = 0; e < topology.edges.size(); ++e) {
+    const Topology::Edge& edge = topology.edges[e];
+    if (edge.useCount != 2) continue;
+    const auto triangles = topology.trianglesAt(edge);
+    lines.isLine[e] = rules.isLine(edge, triangles[0], triangles[1]);
+  }
+  const auto around = lookAround(topology, wishes, lines.isLine);
+  const auto kinds = classifyVertices(mesh, topology);
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    VertexRole role = roleOf(kinds[v], around[v], wishes.borders == Borders::Fixed);
+    if (!wishes.locked.empty() && wishes.locked[v]) role.freedom = std::max(role.freedom, Freedom::Anchored);
+    lines.roles.push_back(role);
+  }
+  const auto clashes = findClashes(mesh, topology);
+  for (size_t e = 0; e < topology.edges.size(); ++e)
+    if (clashes[e])
+      for (const uint32_t v : {topology.edges[e].a, topology.edges[e].b})
+        lines.roles[v].freedom = Freedom::Locked;
+  return lines;
+}
+
+}  // namespace limber
