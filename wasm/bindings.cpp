@@ -25,6 +25,7 @@
 #include "pipeline/fidelity.h"
 #include "pipeline/find_modes.h"
 #include "pipeline/guidance.h"
+#include "pipeline/modal_fit.h"
 #include "simplify/history.h"
 #include "simplify/simplify.h"
 
@@ -236,33 +237,68 @@ val jsMeanCurvature(const val& jsMeshIn) {
 // In the order of the enum.
 const std::vector<std::string> methodNames = {"qem", "paper", "limber"};
 
+// The lists of a Wishes, which only points at them.
+struct WishLists {
+  explicit WishLists(const val& in)
+      : wedges(vectorOf<uint32_t>(in["charts"]["wedges"])),
+        groups(vectorOf<uint32_t>(in["charts"]["groups"])),
+        pinnedSets(vectorOf<uint32_t>(in["pinnedSets"])),
+        locked(vectorOf<uint8_t>(in["locked"])),
+        keep(vectorOf<float>(in["keep"])),
+        attributes(vectorOf<float>(in["attributes"]["values"])),
+        dimension(in["attributes"]["dimension"].as<uint32_t>()),
+        creaseAngle(in["creaseAngle"].as<double>()),
+        borders(in["borders"].as<std::string>() == "fixed" ? Borders::Fixed : Borders::Free) {}
+
+  Wishes wishes() const {
+    return {wedges, groups, locked, keep, pinnedSets, attributes, dimension, creaseAngle, borders};
+  }
+
+  std::vector<uint32_t> wedges, groups, pinnedSets;
+  std::vector<uint8_t> locked;
+  std::vector<float> keep, attributes;
+  uint32_t dimension;
+  double creaseAngle;
+  Borders borders;
+};
+
 Method methodOf(const std::string& name) {
-  const auto found = std::find(methodNames.begin(), methodNames.end(), name);
-  if (found == methodNames.end())
-    throw std::invalid_argument("There is no method \"" + name + "\": take qem, paper or limber.");
-  return static_cast<Method>(found - methodNames.begin());
+  return name == "qem" ? Method::Qem : name == "paper" ? Method::Paper : Method::Limber;
+}
+
+val jsRefused(const Refused& refused) {
+  val out = val::object();
+  out.set("topology", refused.topology);
+  out.set("flip", refused.flip);
+  out.set("lock", refused.lock);
+  out.set("angle", refused.angle);
+  out.set("deviation", refused.deviation);
+  return out;
 }
 
 val jsSimplify(const val& mesh, const val& strain, const val& curvature, const val& in) {
+  const WishLists lists(in["wishes"]);
   SimplifyOptions options;
   options.method = methodOf(in["method"].as<std::string>());
   options.strainWeight = in["strainWeight"].as<double>();
   options.curvatureWeight = in["curvatureWeight"].as<double>();
   options.qualityWeight = in["qualityWeight"].as<double>();
-  if (!in["sizeWeight"].isUndefined()) options.sizeWeight = in["sizeWeight"].as<double>();
+  options.sizeWeight = in["sizeWeight"].as<double>();
+  options.maxDeviation = in["maxDeviation"].as<double>();
+  options.minAngle = in["minAngle"].as<double>();
+  options.wishes = lists.wishes();
   const auto strainField = vectorOf<float>(strain), curvatureField = vectorOf<float>(curvature);
   const History history = simplify(meshOf(mesh), {strainField, curvatureField}, options, theJob);
-  val out = val::object(), refused = val::object();
-  refused.set("topology", history.refused.topology);
-  refused.set("flip", history.refused.flip);
-  refused.set("lock", history.refused.lock);
+  const char* const reasons[] = {"target", "deviation", "angle", "exhausted"};
+  val out = val::object();
   out.set("vertexCount", history.vertexCount);
   out.set("triangleCount", history.triangleCount);
   out.set("kept", typedArray(history.kept));
   out.set("removed", typedArray(history.removed));
   out.set("positions", typedArray(history.positions));
   out.set("trianglesAfter", typedArray(history.trianglesAfter));
-  out.set("refused", refused);
+  out.set("refused", jsRefused(history.refused));
+  out.set("stop", std::string(reasons[static_cast<int>(history.stop)]));
   return out;
 }
 
@@ -277,14 +313,26 @@ History historyOf(const val& in) {
   return history;
 }
 
-val jsMeshAt(const val& mesh, const val& history, uint32_t faces) {
-  const MeshAt at = meshAt(meshOf(mesh), historyOf(history), faces);
-  val out = val::object();
+std::vector<uint32_t> cornersOf(const std::vector<Triangle>& triangles) {
+  std::vector<uint32_t> corners;
+  for (const Triangle& triangle : triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return corners;
+}
+
+val jsMeshAtOf(const MeshAt& at) {
+  val out = val::object(), flips = val::object();
+  flips.set("triangles", typedArray(cornersOf(at.flips.triangles)));
+  flips.set("corners", typedArray(at.flips.corners));
   out.set("mesh", jsMesh(at.mesh));
   out.set("vertexOfInput", typedArray(at.vertexOfInput));
   out.set("inputOfVertex", typedArray(at.inputOfVertex));
   out.set("inputOfTriangle", typedArray(at.inputOfTriangle));
+  out.set("flips", flips);
   return out;
+}
+
+val jsMeshAt(const val& mesh, const val& history, uint32_t faces) {
+  return jsMeshAtOf(meshAt(meshOf(mesh), historyOf(history), faces));
 }
 
 MeshAt meshAtOf(const val& in) {
@@ -293,7 +341,30 @@ MeshAt meshAtOf(const val& in) {
   result.vertexOfInput = vectorOf<uint32_t>(in["vertexOfInput"]);
   result.inputOfVertex = vectorOf<uint32_t>(in["inputOfVertex"]);
   result.inputOfTriangle = vectorOf<uint32_t>(in["inputOfTriangle"]);
+  const auto before = vectorOf<uint32_t>(in["flips"]["triangles"]);
+  for (size_t i = 0; i + 2 < before.size(); i += 3)
+    result.flips.triangles.push_back({before[i], before[i + 1], before[i + 2]});
+  result.flips.corners = vectorOf<uint32_t>(in["flips"]["corners"]);
   return result;
+}
+
+// ---- fit ----
+
+val jsFitModes(const val& mesh, const val& result, const val& in) {
+  const auto wedges = vectorOf<uint32_t>(in["charts"]["wedges"]),
+             groups = vectorOf<uint32_t>(in["charts"]["groups"]);
+  const auto locked = vectorOf<uint8_t>(in["locked"]);
+  ModalFitOptions options;
+  options.thickness = in["thickness"].as<double>();
+  options.poisson = in["poisson"].as<double>();
+  options.charts = {wedges, groups};
+  options.locked = locked;
+  const ModalFitResult fitted = fitModes(meshOf(mesh), meshAtOf(result), options, theJob);
+  val out = val::object();
+  out.set("result", jsMeshAtOf(fitted.result));
+  out.set("errorBefore", typedArray(fitted.errorBefore));
+  out.set("errorAfter", typedArray(fitted.errorAfter));
+  return out;
 }
 
 // ---- transfer ----
@@ -418,6 +489,7 @@ EMSCRIPTEN_BINDINGS(limber) {
   emscripten::function("meanCurvature", &Guarded<&jsMeanCurvature>::call);
   emscripten::function("simplify", &Guarded<&jsSimplify>::call);
   emscripten::function("meshAt", &Guarded<&jsMeshAt>::call);
+  emscripten::function("fitModes", &Guarded<&jsFitModes>::call);
   emscripten::function("sourceOfCorners", &Guarded<&jsSourceOfCorners>::call);
   emscripten::function("bindToResult", &Guarded<&jsBindToResult>::call);
   emscripten::function("measureQuality", &Guarded<&jsMeasureQuality>::call);

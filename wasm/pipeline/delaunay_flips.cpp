@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "mesh/topology.h"
 
@@ -22,8 +23,9 @@ bool isDelaunay(const Vec3& start, const Vec3& end, const Vec3& left, const Vec3
 
 class Flipping {
  public:
-  Flipping(TriangleMesh& mesh, const std::vector<std::array<uint32_t, 2>>& fixed)
-      : mesh_(mesh), fixed_(fixed) {}
+  Flipping(TriangleMesh& mesh, const std::vector<std::array<uint32_t, 2>>& fixed,
+           std::vector<uint32_t>& corners)
+      : mesh_(mesh), fixed_(fixed), corners_(corners) {}
 
   uint32_t pass() {
     topology_ = buildTopology(mesh_);
@@ -40,6 +42,7 @@ class Flipping {
 
   TriangleMesh& mesh_;
   const std::vector<std::array<uint32_t, 2>>& fixed_;
+  std::vector<uint32_t>& corners_;
   Topology topology_;
   std::vector<uint8_t> triangleChanged_, vertexChanged_;  // in this pass
 };
@@ -76,6 +79,10 @@ bool Flipping::tryFlip(const Topology::Edge& edge) {
       if (dot(m, n) < kFlat) return false;
   first = {left, start, right};
   second = {left, right, end};
+  uint32_t *const of = &corners_[3 * size_t{uses[0]}], *const other = &corners_[3 * size_t{uses[1]}];
+  const uint32_t l = of[c], s = of[(c + 1) % 3], e = of[(c + 2) % 3], r = other[d];
+  std::tie(of[0], of[1], of[2]) = std::tuple(l, s, r);
+  std::tie(other[0], other[1], other[2]) = std::tuple(l, r, e);
   triangleChanged_[uses[0]] = triangleChanged_[uses[1]] = 1;
   // Another new edge at one of these could be the same one.
   vertexChanged_[left] = vertexChanged_[right] = 1;
@@ -84,8 +91,9 @@ bool Flipping::tryFlip(const Topology::Edge& edge) {
 
 }  // namespace
 
-uint32_t flipToDelaunay(TriangleMesh& mesh, const std::vector<std::array<uint32_t, 2>>& fixed) {
-  Flipping flipping(mesh, fixed);
+uint32_t flipToDelaunay(TriangleMesh& mesh, const std::vector<std::array<uint32_t, 2>>& fixed,
+                        std::vector<uint32_t>& corners) {
+  Flipping flipping(mesh, fixed, corners);
   uint32_t total = 0;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const uint32_t flips = flipping.pass();

@@ -3,9 +3,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "modes/factorisation.h"
 #include "modes/pins.h"
+#include "pipeline/chart_sides.h"
 #include "pipeline/delaunay_flips.h"
 #include "pipeline/guarded_step.h"
 #include "pipeline/modal_target.h"
@@ -36,7 +38,7 @@ struct FitPart {
   std::vector<uint32_t> vertexOfResult;    // per vertex of `simplified`
   std::vector<uint32_t> triangleOfResult;  // per triangle of it
   std::vector<uint8_t> locked;             // per vertex of it
-  std::vector<std::array<uint32_t, 2>> fixedEdges;
+  EdgeList originalLines, lines;           // seams, of both meshes
   Vec3 origin;
   double diagonal = 1;
 };
@@ -65,13 +67,54 @@ void intoFrame(TriangleMesh& mesh, const FitPart& part) {
   for (Vec3& p : mesh.positions) p = (p - part.origin) / part.diagonal;
 }
 
+// Which corner of the input, by chart, a corner of the result belongs to; an edge is a seam where its two
+// triangles disagree.
+EdgeList seamsOf(const MeshAt& simplified, const ChartSides& sides) {
+  const TriangleMesh& mesh = simplified.mesh;
+  const Topology topology = buildTopology(mesh);
+  const auto sideAt = [&](uint32_t t, uint32_t v) {
+    return sides.sideOf(3 * simplified.inputOfTriangle[t] + cornerAt(mesh, t, v) % 3);
+  };
+  EdgeList seams;
+  for (const Topology::Edge& edge : topology.edges) {
+    const auto around = topology.trianglesAt(edge);
+    if (around.size() == 2 && (sideAt(around[0], edge.a) != sideAt(around[1], edge.a) ||
+                               sideAt(around[0], edge.b) != sideAt(around[1], edge.b)))
+      seams.push_back({edge.a, edge.b});
+  }
+  return seams;
+}
+
+EdgeList seamsOf(const Topology& topology, const ChartSides& sides) {
+  EdgeList seams;
+  for (uint32_t e = 0; e < topology.edges.size(); ++e)
+    if (sides.isSeam(e) && topology.edges[e].useCount == 2)
+      seams.push_back({topology.edges[e].a, topology.edges[e].b});
+  return seams;
+}
+
+// Those edges of a list that lie in a part, by its own numbers.
+EdgeList within(const EdgeList& edges, const std::vector<uint32_t>& vertexOf, uint32_t vertexCount) {
+  std::vector<uint32_t> number(vertexCount, kNone);
+  for (uint32_t v = 0; v < vertexOf.size(); ++v) number[vertexOf[v]] = v;
+  EdgeList inside;
+  for (const auto& [a, b] : edges)
+    if (number[a] != kNone && number[b] != kNone) inside.push_back({number[a], number[b]});
+  return inside;
+}
+
 std::vector<FitPart> partsOf(const TriangleMesh& original, const MeshAt& simplified,
                              const ModalFitOptions& options) {
   const Topology topology = buildTopology(original);
   const TriangleMesh& mesh = simplified.mesh;
+  const ChartSides sides(original, topology, options.charts, simplified);
+  const EdgeList originalLines = seamsOf(topology, sides), lines = seamsOf(simplified, sides);
   std::vector<uint32_t> componentOfResult(mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
     componentOfResult[v] = topology.componentOfVertex[simplified.inputOfVertex[v]];
+  std::vector<uint8_t> isLocked(mesh.vertexCount(), 0);
+  for (uint32_t v = 0; v < options.locked.size(); ++v)
+    if (options.locked[v] && simplified.vertexOfInput[v] != kNone) isLocked[simplified.vertexOfInput[v]] = 1;
   std::vector<FitPart> parts;
   for (uint32_t component = 0; component < topology.componentCount; ++component) {
     FitPart part;
@@ -84,8 +127,9 @@ std::vector<FitPart> partsOf(const TriangleMesh& original, const MeshAt& simplif
     part.diagonal = box.diagonal();
     intoFrame(part.original, part);
     intoFrame(part.simplified, part);
-    for (uint32_t v : part.vertexOfResult)
-      part.locked.push_back(!options.locked.empty() && options.locked[v]);
+    part.originalLines = within(originalLines, vertexOfInput, original.vertexCount());
+    part.lines = within(lines, part.vertexOfResult, mesh.vertexCount());
+    for (uint32_t v : part.vertexOfResult) part.locked.push_back(isLocked[v]);
     parts.push_back(std::move(part));
   }
   return parts;
@@ -116,12 +160,12 @@ Solved solve(SurfaceFit& fit, const Eigen::MatrixXd& columns, const std::vector<
 }
 
 // Edges flipped to Delaunay, vertices fitted to the surface.
-uint32_t fitToSurface(FitPart& part, const FitSamples& samples, Job& job) {
+uint32_t fitToSurface(FitPart& part, const FitSamples& samples, std::vector<uint32_t>& corners, Job& job) {
   uint32_t flips = 0;
   for (int round = 0; round < kSurfaceRounds; ++round) {
-    flips += flipToDelaunay(part.simplified, part.fixedEdges);
+    flips += flipToDelaunay(part.simplified, part.lines, corners);
     const Topology topology = buildTopology(part.simplified);
-    SurfaceFit fit = fitSurface(part.simplified, topology, samples, {});
+    SurfaceFit fit = fitSurface(part.simplified, topology, samples, {.lines = &part.lines});
     const Solved solved = solve(fit, Eigen::MatrixXd(fit.pull.size(), 0), part.locked, job);
     part.simplified = GuardedStep(part.simplified, topology).apply(part.simplified, solved.step);
   }
@@ -182,7 +226,7 @@ class ModalSearch {
   void compare() {
     target_.bind(current_);
     mismatch_ = target_.compare(current_, topology_, job_);
-    fit_ = fitSurface(current_, topology_, samples_, {0, hold_});
+    fit_ = fitSurface(current_, topology_, samples_, {.evenness = 0, .hold = hold_, .lines = &part_.lines});
   }
 
   void step() {
@@ -223,18 +267,39 @@ class ModalSearch {
   double hold_ = kFirstHold, worth_ = 0, merit_ = HUGE_VAL, before_ = 0, after_ = 0;
 };
 
-void putBack(const FitPart& part, TriangleMesh& mesh) {
+void putBack(const FitPart& part, const std::vector<uint32_t>& corners, MeshAt& result) {
   for (uint32_t v = 0; v < part.vertexOfResult.size(); ++v) {
     if (part.locked[v]) continue;
     const Vec3 p = part.origin + part.diagonal * part.simplified.positions[v];
-    mesh.positions[part.vertexOfResult[v]] = {static_cast<float>(p.x), static_cast<float>(p.y),
-                                              static_cast<float>(p.z)};
+    result.mesh.positions[part.vertexOfResult[v]] = {static_cast<float>(p.x), static_cast<float>(p.y),
+                                                     static_cast<float>(p.z)};
   }
-  for (uint32_t t = 0; t < part.triangleOfResult.size(); ++t) {
-    const auto& [a, b, c] = part.simplified.triangles[t];
-    mesh.triangles[part.triangleOfResult[t]] = {part.vertexOfResult[a], part.vertexOfResult[b],
-                                                part.vertexOfResult[c]};
+  for (uint32_t t = 0; t < part.triangleOfResult.size(); ++t)
+    for (uint32_t c = 0; c < 3; ++c) {
+      const uint32_t there = part.triangleOfResult[t], corner = corners[3 * t + c];
+      result.mesh.triangles[there][c] = part.vertexOfResult[part.simplified.triangles[t][c]];
+      result.flips.corners[3 * there + c] = 3 * part.triangleOfResult[corner / 3] + corner % 3;
+    }
+}
+
+void fitPart(FitPart& part, const ModalFitOptions& options, ModalFitResult& fitted, Job& job) {
+  const FitSamples samples =
+      sampleForFit(part.original, kSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
+  const SurfaceFit start =
+      fitSurface(part.simplified, buildTopology(part.simplified), samples, {.lines = &part.lines});
+  std::vector<uint32_t> corners(3 * size_t{part.simplified.triangleCount()});
+  std::iota(corners.begin(), corners.end(), 0u);
+  fitted.flips += fitToSurface(part, samples, corners, job);
+  ModalTarget target(part.original, {options.thickness / part.diagonal, options.poisson}, options.modeCount,
+                     job);
+  if (!target.empty()) {
+    const double budget = std::max(kBudget * std::sqrt(start.meanSquare), kLeastBudget);
+    ModalSearch search(part, samples, target, budget, job);
+    part.simplified = search.run(kModalRounds);
+    fitted.errorBefore.push_back(50 * std::sqrt(search.meanSquareBefore()));
+    fitted.errorAfter.push_back(50 * std::sqrt(search.meanSquareAfter()));
   }
+  putBack(part, corners, fitted.result);
 }
 
 }  // namespace
@@ -243,22 +308,12 @@ ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
                         const ModalFitOptions& options, Job& job) {
   job.begin(Phase::Fit);
   ModalFitResult fitted{simplified, {}, {}, 0};
-  for (FitPart& part : partsOf(original, simplified, options)) {
-    const FitSamples samples =
-        sampleForFit(part.original, kSamplesPerTriangle * part.simplified.triangleCount());
-    const SurfaceFit start = fitSurface(part.simplified, buildTopology(part.simplified), samples, {});
-    fitted.flips += fitToSurface(part, samples, job);
-    ModalTarget target(part.original, {options.thickness / part.diagonal, options.poisson}, options.modeCount,
-                       job);
-    if (!target.empty()) {
-      const double budget = std::max(kBudget * std::sqrt(start.meanSquare), kLeastBudget);
-      ModalSearch search(part, samples, target, budget, job);
-      part.simplified = search.run(kModalRounds);
-      fitted.errorBefore.push_back(50 * std::sqrt(search.meanSquareBefore()));
-      fitted.errorAfter.push_back(50 * std::sqrt(search.meanSquareAfter()));
-    }
-    putBack(part, fitted.result.mesh);
-  }
+  fitted.result.flips.triangles = simplified.mesh.triangles;
+  fitted.result.flips.corners.resize(3 * size_t{simplified.mesh.triangleCount()});
+  std::iota(fitted.result.flips.corners.begin(), fitted.result.flips.corners.end(), 0u);
+  if (simplified.mesh.triangleCount() == original.triangleCount()) return fitted;
+  std::vector<FitPart> parts = partsOf(original, simplified, options);
+  for (FitPart& part : parts) fitPart(part, options, fitted, job);
   return fitted;
 }
 

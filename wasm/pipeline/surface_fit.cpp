@@ -86,22 +86,26 @@ void addContacts(const TriangleMesh& mesh, const FitSamples& samples, SurfaceFit
   }
 }
 
-// Border edges as triangles without area, so that the same search finds the closest one.
+// Edges of borders and lines as triangles without area, so that the same search finds the closest one.
 struct BorderEdges {
   TriangleMesh segments;
   std::vector<uint32_t> triangle;          // that has the edge
   std::vector<std::array<int, 2>> corner;  // its ends in that triangle
 };
 
-BorderEdges borderEdges(const TriangleMesh& mesh, const Topology& topology) {
+BorderEdges borderEdges(const TriangleMesh& mesh, const Topology& topology, const EdgeList* lines) {
   BorderEdges border;
   border.segments.positions = mesh.positions;
+  const auto isLine = [&](const Topology::Edge& edge) {
+    return edge.useCount == 1 || (lines && std::ranges::binary_search(*lines, std::array{edge.a, edge.b}));
+  };
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
     for (int c = 0; c < 3; ++c) {
-      if (topology.edges[topology.edgeOfCorner[3 * t + static_cast<uint32_t>(c)]].useCount != 1) continue;
+      const Topology::Edge& edge = topology.edges[topology.edgeOfCorner[3 * t + static_cast<uint32_t>(c)]];
+      if (topology.trianglesAt(edge)[0] != t || !isLine(edge)) continue;
       const int start = (c + 1) % 3, end = (c + 2) % 3;
-      const uint32_t a = mesh.triangles[t][static_cast<size_t>(start)],
-                     b = mesh.triangles[t][static_cast<size_t>(end)];
+      const auto& triangle = mesh.triangles[t];
+      const uint32_t a = triangle[static_cast<size_t>(start)], b = triangle[static_cast<size_t>(end)];
       border.segments.triangles.push_back({a, b, b});
       border.triangle.push_back(t);
       border.corner.push_back({start, end});
@@ -235,12 +239,12 @@ void sampleTriangle(const TriangleMesh& mesh, uint32_t t, uint32_t cuts,
 
 }  // namespace
 
-FitSamples sampleForFit(const TriangleMesh& original, uint32_t count) {
+FitSamples sampleForFit(const TriangleMesh& original, uint32_t count, const EdgeList& lines) {
   const double perTriangle = static_cast<double>(count) / std::max(1u, original.triangleCount());
   const auto cuts = static_cast<uint32_t>(std::max(1.0, std::ceil(std::sqrt(perTriangle))));
   FitSamples samples;
   for (uint32_t t = 0; t < original.triangleCount(); ++t) sampleTriangle(original, t, cuts, samples.surface);
-  for (const Triangle& segment : borderEdges(original, buildTopology(original)).segments.triangles) {
+  for (const Triangle& segment : borderEdges(original, buildTopology(original), &lines).segments.triangles) {
     const Vec3 a = original.positions[segment[0]], edge = original.positions[segment[1]] - a;
     for (uint32_t i = 0; i < 2 * cuts; ++i)
       samples.border.push_back(
@@ -257,7 +261,7 @@ SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const 
   Sums sums{std::vector(mesh.triangleCount(), zero), std::vector<Block>(mesh.vertexCount(), Block::Zero()),
             Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()))};
   addContacts(mesh, samples, fit, sums);
-  const BorderEdges border = borderEdges(mesh, topology);
+  const BorderEdges border = borderEdges(mesh, topology, options.lines);
   const double edge = std::sqrt(fit.area / std::max(1u, mesh.triangleCount()));
   addBorders(mesh, border, samples, options.borderWeight * edge, sums);
   addEvenness(mesh, border, options.evenness, options.hold, sums);

@@ -39,12 +39,21 @@ struct History {
   uint32_t collapseCount() const { return static_cast<uint32_t>(kept.size()); }
 };
 
+// Edges that were flipped after the history: the triangles as the history left them, and per corner now the
+// corner (3 * t + c) of these that it has been, which lay at the same vertex and in the same chart. Both
+// empty where nothing was flipped.
+struct Flips {
+  std::vector<Triangle> triangles;
+  std::vector<uint32_t> corners;
+};
+
 // The mesh at one moment of a history, with unused vertices dropped and the input's order kept.
 struct MeshAt {
   TriangleMesh mesh;
   std::vector<uint32_t> vertexOfInput;    // per input vertex: the vertex of `mesh` that it has become
   std::vector<uint32_t> inputOfVertex;    // per vertex of `mesh`: the input vertex that has survived as it
   std::vector<uint32_t> inputOfTriangle;  // per triangle of `mesh`: which input triangle it is
+  Flips flips;
 };
 
 // The largest mesh of the history with at most `faces` triangles; the floor where there is none. O(input),

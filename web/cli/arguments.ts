@@ -1,6 +1,7 @@
 /** The words of a command line as a command with its operands, settings and flags. */
 
 import { parseArgs } from 'node:util';
+import type { Method } from '../engine/core';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/materials';
 import { OPTIONS, checkSettings, defaultSettings } from '../engine/options';
 import type { OptionSpec, Settings } from '../engine/options';
@@ -132,7 +133,9 @@ function checkOperands(command: Command, operands: string[]): void {
 }
 
 function readSettings(command: Command, values: Map<string, string>): Settings {
-  const settings = { ...defaultSettings(), ...COMMAND_SPECS[command].defaults, ...readPreset(values) };
+  const { defaults } = COMMAND_SPECS[command];
+  const method = OPTIONS.method.choices!.find((name) => name === values.get('method')) as Method | undefined;
+  const settings = { ...defaultSettings(method ?? defaults.method), ...defaults, ...readPreset(values) };
   const keys: (keyof Settings)[] = [
     ...settingsOf(command),
     ...(command === 'compare' ? ['modeCount' as const] : []),

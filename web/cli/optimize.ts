@@ -59,7 +59,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
   fillReport(report, done);
   session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0));
   report.timings = { load, weld, ...sumTimings(done), export: stopwatch(), total: total() };
-  const missed = report.stop!.reason === 'exhausted' ? describeMiss(done) : '';
+  const missed = report.stop!.reason === 'target' ? '' : describeMiss(done);
   finish(session, report, summaryLine(args, done, report.timings.total), missed);
   return missed === '' ? EXIT.done : EXIT.missedTarget;
 }
@@ -104,7 +104,7 @@ function fillReport(report: Report, done: OptimizedBody[]): void {
 }
 
 function stopOf({ result, targetFaces, history }: OptimizedBody) {
-  return { faces: result.mesh.triangles.length / 3, targetFaces, refused: history.refused };
+  return { faces: result.mesh.triangles.length / 3, targetFaces, history };
 }
 
 function sumTimings(done: OptimizedBody[]): Record<string, number> {
@@ -114,6 +114,7 @@ function sumTimings(done: OptimizedBody[]): Record<string, number> {
     fields: sumOf('fields'),
     simplify: sumOf('simplify'),
     reduce: sumOf('reduce'),
+    ...(sumOf('fit') > 0.001 ? { fit: sumOf('fit') } : {}),
     measure: sumOf('measure'),
   };
 }
@@ -128,7 +129,7 @@ function totals(done: OptimizedBody[]) {
 }
 
 function describeMiss(done: OptimizedBody[]): string {
-  const missed = done.filter((body) => stopReport([stopOf(body)]).reason === 'exhausted');
+  const missed = done.filter((body) => stopReport([stopOf(body)]).reason !== 'target');
   const { after, target } = totals(missed);
   const where = done.length > 1 ? ` in ${plural(missed.length, 'body', 'bodies')} of ${done.length}` : '';
   const { refused } = stopReport(missed.map(stopOf));

@@ -138,26 +138,49 @@ export interface Curvature {
   triangle: Float32Array;
 }
 
-export type Method = 'qem' | 'paper';
+export type Method = 'limber' | 'paper' | 'qem';
+
+/** What a simplification has to respect; every list may be empty. See wasm/simplify/wishes.h. */
+export interface Wishes {
+  charts: Charts;
+  /** values[dimension * wedge + d], in bounding diagonals */
+  attributes: { values: Float32Array; dimension: number };
+  /** per vertex: not 0 where it neither moves nor goes */
+  locked: Uint8Array;
+  /** per vertex, 0..1: how much dearer its collapses are */
+  keep: Float32Array;
+  /** per vertex: bit k is set for the members of set k */
+  pinnedSets: Uint32Array;
+  /** degrees; edges sharper than this are lines; 0: none */
+  creaseAngle: number;
+  borders: 'free' | 'fixed';
+}
 
 export interface SimplifyOptions {
   method: Method;
-  /** alpha of Eq. 11 */
   strainWeight: number;
-  /** beta */
   curvatureWeight: number;
-  /** gamma */
   qualityWeight: number;
+  sizeWeight: number;
+  /** in units of the mesh; 0: no limit */
+  maxDeviation: number;
+  /** degrees; 0: no limit */
+  minAngle: number;
+  wishes: Wishes;
 }
 
-/** Why the edges left at the floor cannot collapse, each under its first reason. */
+/** Why the edges left at the end cannot collapse, each under its first reason. */
 export interface Refused {
   topology: number;
   flip: number;
   lock: number;
+  /** an angle below `minAngle` would come into being */
+  angle: number;
+  /** the surface would be farther than `maxDeviation` from the input */
+  deviation: number;
 }
 
-/** Every collapse down to the floor. Collapse i moves vertex kept[i] to positions[3 * i + c] and takes in removed[i]. */
+/** Every collapse down to its end. Collapse i moves vertex kept[i] to positions[3 * i + c] and takes in removed[i]. */
 export interface History {
   vertexCount: number;
   triangleCount: number;
@@ -167,6 +190,16 @@ export interface History {
   /** triangles left after collapse i, descending */
   trianglesAfter: Uint32Array;
   refused: Refused;
+  /** why it ends */
+  stop: 'target' | 'deviation' | 'angle' | 'exhausted';
+}
+
+/** Edges flipped after the history; both empty where there are none. */
+export interface Flips {
+  /** the triangles as the history left them */
+  triangles: Uint32Array;
+  /** per corner now: the corner (3 * t + c) of those that it has been */
+  corners: Uint32Array;
 }
 
 export interface MeshAt {
@@ -177,6 +210,23 @@ export interface MeshAt {
   inputOfVertex: Uint32Array;
   /** per triangle of `mesh`: which input triangle it is */
   inputOfTriangle: Uint32Array;
+  flips: Flips;
+}
+
+export interface FitOptions {
+  /** of the shell, in units of the mesh; half and twice as thick ones count too */
+  thickness: number;
+  poisson: number;
+  charts: Charts;
+  /** per input vertex: not 0 where it stays; may be empty */
+  locked: Uint8Array;
+}
+
+/** A result that vibrates like its original; frequency errors (root mean square, %) of each part that was fitted. */
+export interface Fitted {
+  result: MeshAt;
+  errorBefore: Float64Array;
+  errorAfter: Float64Array;
 }
 
 /** What parts a mesh into charts, over which no attribute may bleed. Both may be empty. */
@@ -257,6 +307,7 @@ export const PHASES = [
   'collapsing edges',
   'measuring distance',
   'comparing modes',
+  'fitting modes',
 ] as const;
 
 /** Progress of the running call. `fraction` is of the phase, in [0, 1]. */
@@ -291,6 +342,8 @@ export interface Core {
   ): History;
   /** the largest mesh of the history with at most `faces` triangles */
   meshAt(mesh: TriangleMesh, history: History, faces: number): MeshAt;
+  /** the result with its vertices moved a little and some edges flipped, so that it vibrates like `mesh` */
+  fitModes(mesh: TriangleMesh, result: MeshAt, options: FitOptions): Fitted;
   /** where the attributes of a result's corners come from, without crossing a seam */
   sourceOfCorners(mesh: TriangleMesh, charts: Charts, result: MeshAt): CornerSources;
   /** every vertex of `mesh` on `result`, whose vertices may have moved since the history made it */

@@ -9,6 +9,7 @@
 import type {
   Core,
   Fidelity,
+  History,
   Inspection,
   Model,
   ModeName,
@@ -99,7 +100,7 @@ export interface ModeReport {
 }
 
 export interface StopReport {
-  reason: 'target' | 'exhausted';
+  reason: 'target' | 'deviation' | 'angle' | 'exhausted';
   /** edges left at the floor of the history, each under its first reason */
   refused: Refused;
 }
@@ -228,21 +229,44 @@ export function worstFidelity(fidelities: Fidelity[]): Fidelity {
   return fidelities.reduce((worst, one) => (one.frequencyErrorMean > worst.frequencyErrorMean ? one : worst));
 }
 
-/** `exhausted` where any body stopped above its target. */
-export function stopReport(bodies: { faces: number; targetFaces: number; refused: Refused }[]): StopReport {
-  const total = (key: keyof Refused) => sum(bodies.map(({ refused }) => refused[key]));
+/** What stopReport wants to know of a body. */
+export interface StoppedBody {
+  faces: number;
+  targetFaces: number;
+  history: Pick<History, 'refused' | 'stop'>;
+}
+
+/** Why the bodies have as many faces as they have: that of the first one that stopped above its target, or `target`. */
+export function stopReport(bodies: StoppedBody[]): StopReport {
+  const total = (key: keyof Refused) => sum(bodies.map(({ history }) => history.refused[key]));
   return {
-    reason: bodies.every(({ faces, targetFaces }) => faces <= targetFaces) ? 'target' : 'exhausted',
-    refused: { topology: total('topology'), flip: total('flip'), lock: total('lock') },
+    reason: bodies.find(({ faces, targetFaces }) => faces > targetFaces)?.history.stop ?? 'target',
+    refused: {
+      topology: total('topology'),
+      flip: total('flip'),
+      lock: total('lock'),
+      angle: total('angle'),
+      deviation: total('deviation'),
+    },
   };
 }
 
 /** Why it stopped above the target, in words. */
-export function describeRefused({ topology, flip, lock }: Refused): string {
-  const all = topology + flip + lock;
+export function describeRefused({ topology, flip, lock, angle, deviation }: Refused): string {
+  const all = topology + flip + lock + angle + deviation;
   if (all === 0) return 'no edge is left that could collapse';
   const percent = (count: number) => `${Math.round((100 * count) / all)} %`;
-  return `of the remaining edges ${percent(topology)} would change the topology, ${percent(flip)} flip a face, ${percent(lock)} break a lock`;
+  const reasons: [number, string][] = [
+    [topology, 'change the topology'],
+    [flip, 'flip a face'],
+    [lock, 'break a lock'],
+    [angle, 'make an angle too small'],
+    [deviation, 'go too far from the surface'],
+  ];
+  const found = reasons
+    .filter(([count], i) => count > 0 || i < 3)
+    .map(([count, what]) => `${percent(count)} ${what}`);
+  return `of the remaining edges ${found[0].replace('% ', '% would ')}, ${found.slice(1).join(', ')}`;
 }
 
 function sum(values: number[]): number {
