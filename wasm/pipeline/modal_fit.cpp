@@ -17,7 +17,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kSurfaceRounds = 3, kModalRounds = 10;
+constexpr int kSurfaceRounds = 3, kModalRounds = 12;
 constexpr uint32_t kSamplesPerTriangle = 6;
 constexpr double kClip = 0.1;          // of a residual, in a step
 constexpr uint32_t kFewestFaces = 12;  // smaller components stay as they are
@@ -30,7 +30,9 @@ constexpr double kBudget = 1.3, kLeastBudget = 2e-4;
 constexpr double kFirstWorth = 0.3 / 0.01, kLeastChange = 0.3, kMostChange = 1.5;
 // How firmly vertices hold their places: more where a step gains less than foretold.
 constexpr double kFirstHold = 0.01, kLeastHold = 0.003, kMostHold = 10;
-constexpr double kPoorGain = 0.3, kGoodGain = 0.7;
+constexpr double kPoorGain = 0.3, kGoodGain = 0.7, kFirmer = 3, kLooser = 2;
+constexpr double kRetreat = 0.1;  // of the worth
+constexpr double kLost = 1.5;     // a mesh with this much of the best merit is given up
 
 // A component of the original and what has become of it, in the frame where the original's diagonal is 1.
 struct FitPart {
@@ -202,56 +204,85 @@ class ModalSearch {
         budget_(budget),
         job_(job),
         topology_(buildTopology(part.simplified)),
-        guard_(part.simplified, topology_),
-        current_(part.simplified) {
-    compare();
-    worth_ = fit_.area * (kFirstWorth * budget_) * (kFirstWorth * budget_);
+        guard_(part.simplified, topology_) {
+    state_.mesh = part.simplified;
+    measure();
+    worth_ = state_.fit.area * (kFirstWorth * budget_) * (kFirstWorth * budget_);
   }
 
   // The best mesh of all rounds: the least mismatch, where distances beyond the budget count against it.
   TriangleMesh run(int rounds) {
-    before_ = mismatch_.meanSquare();
-    keepBest();
-    for (int round = 0; round < rounds && mismatch_.residual.size() > 0; ++round) {
+    before_ = state_.mismatch.meanSquare();
+    best_ = state_;
+    for (int round = 0; round < rounds && state_.mismatch.residual.size() > 0; ++round) {
       step();
-      keepBest();
+      if (merit(state_) < merit(best_))
+        best_ = state_;
+      else if (isLost())
+        goBack();
     }
-    return best_;
+    return best_.mesh;
   }
 
   double meanSquareBefore() const { return before_; }
-  double meanSquareAfter() const { return after_; }
+  double meanSquareAfter() const { return best_.mismatch.meanSquare(); }
 
  private:
-  void compare() {
-    target_.bind(current_);
-    mismatch_ = target_.compare(current_, topology_, job_);
-    fit_ = fitSurface(current_, topology_, samples_, {.evenness = 0, .hold = hold_, .lines = &part_.lines});
+  struct State {
+    TriangleMesh mesh;
+    Mismatch mismatch;
+    SurfaceFit fit;
+  };
+
+  void measure() {
+    target_.bind(state_.mesh);
+    state_.mismatch = target_.compare(state_.mesh, topology_, job_);
+    fit();
+  }
+
+  void fit() {
+    state_.fit =
+        fitSurface(state_.mesh, topology_, samples_, {.evenness = 0, .hold = hold_, .lines = &part_.lines});
   }
 
   void step() {
-    TriangleMesh next = guard_.apply(current_, gaussNewtonStep(fit_, mismatch_, worth_, part_.locked, job_));
-    const Eigen::VectorXd foretold =
-        mismatch_.residual + mismatch_.slope.transpose() * difference(next, current_);
-    const double was = mismatch_.residual.squaredNorm();
-    current_ = std::move(next);
-    compare();
-    const double gain = was - mismatch_.residual.squaredNorm(), hoped = was - foretold.squaredNorm();
+    const Mismatch was = state_.mismatch;
+    TriangleMesh next =
+        guard_.apply(state_.mesh, gaussNewtonStep(state_.fit, was, worth_, part_.locked, job_));
+    const Eigen::VectorXd foretold = was.residual + was.slope.transpose() * difference(next, state_.mesh);
+    state_.mesh = std::move(next);
+    measure();
+    const double gain = was.residual.squaredNorm() - state_.mismatch.residual.squaredNorm();
+    const double hoped = was.residual.squaredNorm() - foretold.squaredNorm();
     if (gain < kPoorGain * hoped)
-      hold_ = std::min(kMostHold, 3 * hold_);
+      hold_ = std::min(kMostHold, kFirmer * hold_);
     else if (gain > kGoodGain * hoped)
-      hold_ = std::max(kLeastHold, hold_ / 2);
-    if (fit_.meanSquare > 0)
-      worth_ *= std::clamp(budget_ * budget_ / fit_.meanSquare, kLeastChange, kMostChange);
+      hold_ = std::max(kLeastHold, hold_ / kLooser);
+    if (state_.fit.meanSquare > 0)
+      worth_ *= std::clamp(budget_ * budget_ / state_.fit.meanSquare, kLeastChange, kMostChange);
   }
 
-  void keepBest() {
-    const double excess = std::max(1.0, fit_.meanSquare / (budget_ * budget_));
-    const double merit = mismatch_.meanSquare() * excess * excess;
-    if (merit >= merit_) return;
-    merit_ = merit;
-    after_ = mismatch_.meanSquare();
-    best_ = current_;
+  // Whether the last step has spoilt it, and not just the search for modes, which may have lost one on the
+  // way.
+  bool isLost() {
+    if (merit(state_) <= kLost * merit(best_)) return false;
+    target_.forget();
+    measure();
+    return merit(state_) > kLost * merit(best_);
+  }
+
+  // Needles bend the residuals too much for a linear step: from the best mesh again, with a firmer hold.
+  void goBack() {
+    state_ = best_;
+    target_.forget();
+    worth_ *= kRetreat;
+    hold_ = std::min(kMostHold, kFirmer * hold_);
+    fit();
+  }
+
+  double merit(const State& state) const {
+    const double excess = std::max(1.0, state.fit.meanSquare / (budget_ * budget_));
+    return state.mismatch.meanSquare() * excess * excess;
   }
 
   const FitPart& part_;
@@ -261,10 +292,8 @@ class ModalSearch {
   Job& job_;
   Topology topology_;
   GuardedStep guard_;
-  TriangleMesh current_, best_;
-  Mismatch mismatch_;
-  SurfaceFit fit_;
-  double hold_ = kFirstHold, worth_ = 0, merit_ = HUGE_VAL, before_ = 0, after_ = 0;
+  State state_, best_;
+  double hold_ = kFirstHold, worth_ = 0, before_ = 0;
 };
 
 void putBack(const FitPart& part, const std::vector<uint32_t>& corners, MeshAt& result) {

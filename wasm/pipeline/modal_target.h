@@ -32,6 +32,9 @@ class ModalTarget {
   // last call with the same triangles found.
   Mismatch compare(const TriangleMesh& mesh, const Topology& topology, Job& job);
 
+  // Lets the next call search from scratch, which proves that no mode is missing.
+  void forget() { last_ = {}; }
+
   // Binds the original's vertices to the mesh, for `compare`.
   void bind(const TriangleMesh& mesh);
 

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/parallel.h"
 #include "measure/closest_point.h"
@@ -193,10 +194,11 @@ Block freedom(const Block& normals) {
 void addEvenness(const TriangleMesh& mesh, const BorderEdges& border, double evenness, double hold,
                  Sums& sums) {
   const Surroundings around = lookAround(mesh, border);
+  const double meanArea = std::accumulate(around.area.begin(), around.area.end(), 0.0) / mesh.vertexCount();
   parallelFor(mesh.vertexCount(), kSamplesPerRange, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v) {
       const Block pull = evenness * around.area[v] * freedom(around.normals[v]);
-      sums.vertex[v] += pull + hold * around.area[v] * Block::Identity();
+      sums.vertex[v] += pull + hold * std::max(around.area[v], meanArea) * Block::Identity();
       sums.pull.segment<3>(3 * static_cast<Eigen::Index>(v)) +=
           pull * eigen(around.middle[v] - mesh.positions[v]);
     }

@@ -104,7 +104,7 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     max: 1000,
     step: 0.01,
     slider: { min: 0, max: 10 },
-    default: 3,
+    default: 1,
     help: 'Weight of the strain rank in the cost of an edge (for paper alpha of Eq. 11: 0.05).',
     group: 'method',
     kind: 'number',
