@@ -52,8 +52,10 @@ class CostModel {
   float bound(uint32_t edge) const { return bounds_[edge]; }
   // Whether the bounds of `setBounds` are the costs themselves.
   bool boundsAreCosts() const { return method_ != Method::Limber && qualityWeight_ == 0; }
-  // Whether costs depend on the triangles around an edge's ends, not on the ends alone.
-  bool dependsOnSurroundings() const { return qualityWeight_ > 0; }
+  // Whether an edge has to be queued again by its bound when the triangles around its ends change. limber,
+  // whose costs depend on these too, leaves it where it waits: the cost is found anew when it comes up, so
+  // that only an edge that has become cheaper comes late.
+  bool followsSurroundings() const { return method_ == Method::Paper && qualityWeight_ > 0; }
   // For an edge with a bound, whose `place` is given: a better bound, at the price of that place; then the
   // cost.
   double raiseBound(uint32_t edge, const Placement& placement);

@@ -131,7 +131,8 @@ void Simplification::tryCheapest() {
   const Placement placement = costs_.place(edge);
   if (!costs_.boundsAreCosts() && places_[edge] == Place::ByBound) {
     if (goesBack(edge, costs_.raiseBound(edge, placement), Place::ByBound)) return;
-    if (goesBack(edge, costs_.cost(edge, placement), Place::ByCost)) return;
+    const Place place = costs_.followsSurroundings() ? Place::ByCost : Place::ByBound;
+    if (goesBack(edge, costs_.cost(edge, placement), place)) return;
   }
   places_[edge] = Place::None;
   const Collapse step = planned(edge, placement.target);
@@ -203,7 +204,7 @@ void Simplification::updateCosts(uint32_t kept) {
   for (const uint32_t edge : edges_) queueByBound(edge);
   mesh_.forEachEdge(kept, [&](uint32_t, uint32_t neighbour) {
     if (mesh_.role(neighbour).freedom == Freedom::Locked) return;
-    if (costs_.dependsOnSurroundings())
+    if (costs_.followsSurroundings())
       queueSurroundings(neighbour);
     else if (hasRefused_[neighbour])
       queueRefused(neighbour);
