@@ -144,7 +144,7 @@ void Simplification::tryCheapest() {
 
 // Whether another edge comes before `edge`, which has just been popped; then queues it again.
 bool Simplification::goesBack(uint32_t edge, double cost, Place place) {
-  if (heap_.wouldBeFirst(edge, cost)) return false;
+  if (heap_.wouldBeFirst(edge, cost / costs_.tolerance())) return false;
   heap_.set(edge, cost);
   places_[edge] = place;
   return true;
