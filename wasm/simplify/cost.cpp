@@ -214,6 +214,26 @@ double CostModel::cost(uint32_t edge, const Placement& placement) const {
          factor;
 }
 
+CostTerms CostModel::terms(uint32_t edge, const Placement& placement) const {
+  const auto [a, b] = mesh_.edge(edge);
+  const double square = lengthScale_ * squaredLength(mesh_.position(b) - mesh_.position(a));
+  CostTerms terms;
+  terms.keep = keepFactor(edge);
+  if (method_ == Method::Limber) {
+    terms.error = 3 * placement.error;
+    terms.size = sizeWeight_ * square;
+    terms.strain = guidanceCosts_[edge] - terms.size;
+  } else {
+    terms.size = (shortness_ - kShortness) * square;
+    terms.error = placement.error - terms.size;
+    if (strainWeight_ != 0) terms.strain = strainWeight_ * strainAt(edge);
+    if (!guidanceCosts_.empty()) terms.curvature = guidanceCosts_[edge] - terms.strain;
+  }
+  terms.quality =
+      cost(edge, placement) / terms.keep - (terms.error + terms.size + terms.strain + terms.curvature);
+  return terms;
+}
+
 double CostModel::keepFactor(uint32_t edge) const {
   if (keep_.empty()) return 1;
   const auto [a, b] = mesh_.edge(edge);

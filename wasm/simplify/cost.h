@@ -19,6 +19,19 @@ struct Placement {
   double error = 0;  // E_QEM, see CostModel
 };
 
+// What a cost is made of: cost = (error + size + strain + curvature + quality) * keep, in squared lengths
+// where the diagonal is 300, but for the terms of `paper` that carry no length.
+struct CostTerms {
+  double error = 0;      // E_QEM with its weight, attributes included
+  double size = 0;       // of the squared length of the edge
+  double strain = 0;     // limber: what strain adds to the size
+  double curvature = 0;  // paper
+  double quality = 0;    // limber: what the worst triangle adds to all of the above
+  double keep = 1;       // factor of the keep weights
+
+  double total() const { return (error + size + strain + curvature + quality) * keep; }
+};
+
 // Prices collapses: E_QEM for `qem`, Eq. 11 for `paper`.
 //
 // E_QEM is Eq. 7 with area-weighted plane quadrics, normalised (Garland 1999): each vertex starts with the
@@ -63,6 +76,9 @@ class CostModel {
   // cost.
   double raiseBound(uint32_t edge, const Placement& placement);
   double cost(uint32_t edge, const Placement& placement) const;
+
+  // The parts of the same cost.
+  CostTerms terms(uint32_t edge, const Placement& placement) const;
 
   // To be called before the mesh carries out a collapse; updates what is known of the kept vertex.
   void collapse(const Collapse& step);
