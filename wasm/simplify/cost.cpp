@@ -219,18 +219,21 @@ CostTerms CostModel::terms(uint32_t edge, const Placement& placement) const {
   const double square = lengthScale_ * squaredLength(mesh_.position(b) - mesh_.position(a));
   CostTerms terms;
   terms.keep = keepFactor(edge);
+  const double strain = strainWeight_ != 0 ? strainWeight_ * strainAt(edge) : 0;
   if (method_ == Method::Limber) {
     terms.error = 3 * placement.error;
     terms.size = sizeWeight_ * square;
-    terms.strain = guidanceCosts_[edge] - terms.size;
+    terms.strain = terms.size * strain;
   } else {
     terms.size = (shortness_ - kShortness) * square;
     terms.error = placement.error - terms.size;
-    if (strainWeight_ != 0) terms.strain = strainWeight_ * strainAt(edge);
-    if (!guidanceCosts_.empty()) terms.curvature = guidanceCosts_[edge] - terms.strain;
+    terms.strain = strain;
+    if (curvatureWeight_ != 0) terms.curvature = std::max(guidanceCosts_[edge] - strain, 0.0);
   }
-  terms.quality =
-      cost(edge, placement) / terms.keep - (terms.error + terms.size + terms.strain + terms.curvature);
+  if (qualityWeight_ != 0) {
+    const double rest = (method_ == Method::Limber ? 3 : 1) * placement.error + guidanceCosts_[edge];
+    terms.quality = std::max(cost(edge, placement) / terms.keep - rest, 0.0);
+  }
   return terms;
 }
 

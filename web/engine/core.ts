@@ -138,23 +138,59 @@ export interface Curvature {
   triangle: Float32Array;
 }
 
-export type Method = 'qem' | 'paper';
+export type Method = 'qem' | 'paper' | 'limber';
+
+/** What a simplification has to respect besides the surface; see wasm/simplify/wishes.h. Every list may be left out. */
+export interface Wishes {
+  /** wedges[3 * t + corner]: equal at a vertex where all attributes are */
+  wedges?: Uint32Array;
+  /** per triangle: its primitive or material */
+  groups?: Uint32Array;
+  /** per vertex: not 0 where it may be neither moved nor removed */
+  locked?: Uint8Array;
+  /** per vertex, in [0, 1]: costs are multiplied by 1 + 99 keep */
+  keep?: Float32Array;
+  /** per vertex: bit k is set in the members of set k; survivors carry the sets, see MeshAt.inputOfVertex */
+  pinnedSets?: Uint32Array;
+  /** attributes[wedge * attributeDimension + i] (per vertex without wedges); 1 weighs as much as the bounding diagonal */
+  attributes?: Float32Array;
+  /** 1 to 8 */
+  attributeDimension?: number;
+  /** degrees; edges that bend more are creases; 0: none */
+  creaseAngle?: number;
+  borders?: 'free' | 'fixed';
+}
 
 export interface SimplifyOptions {
   method: Method;
-  /** alpha of Eq. 11 */
+  /** alpha of Eq. 11; w of limber */
   strainWeight: number;
   /** beta */
   curvatureWeight: number;
-  /** gamma */
+  /** gamma; g of limber */
   qualityWeight: number;
+  /** s of limber; of an edge's squared length for qem */
+  sizeWeight?: number;
+  /** ends the history as soon as no more are left */
+  stopFaces?: number;
+  /** refuses collapses that take the surface farther from the input: a length in units of the mesh; 0: none */
+  maxDeviation?: number;
+  /** refuses collapses that make an angle smaller than this (degrees) where there was none; 0: none */
+  minAngle?: number;
+  wishes?: Wishes;
 }
 
-/** Why the edges left at the floor cannot collapse, each under its first reason. */
+/** Why the edges left at the end cannot collapse, each under its first reason; all 0 where the history ended at stopFaces. */
 export interface Refused {
   topology: number;
   flip: number;
   lock: number;
+}
+
+/** With those that only minAngle and maxDeviation refuse. */
+export interface AllRefused extends Refused {
+  angle: number;
+  deviation: number;
 }
 
 /** Every collapse down to the floor. Collapse i moves vertex kept[i] to positions[3 * i + c] and takes in removed[i]. */
@@ -166,7 +202,29 @@ export interface History {
   positions: Float32Array;
   /** triangles left after collapse i, descending */
   trianglesAfter: Uint32Array;
-  refused: Refused;
+  refused: AllRefused;
+  /** why it ends: stopFaces, maxDeviation, minAngle, or nothing legal is left */
+  stop: 'target' | 'deviation' | 'angle' | 'exhausted';
+}
+
+/** In the order of `enum class Verdict` in wasm/simplify/legality.h. */
+export const VERDICTS = ['legal', 'lock', 'topology', 'flip', 'angle', 'deviation'] as const;
+
+/**
+ * What speaks for each vertex of a MeshAt: the terms of the cheapest collapse among its edges, legal ones first. The cost is
+ * (error + size + strain + curvature + quality) * keep; see `struct CostTerms` in wasm/simplify/cost.h.
+ */
+export interface WhyKept {
+  error: Float32Array;
+  size: Float32Array;
+  strain: Float32Array;
+  curvature: Float32Array;
+  quality: Float32Array;
+  keep: Float32Array;
+  /** the vertex at the other end, or 0xffffffff */
+  neighbour: Uint32Array;
+  /** an index of VERDICTS */
+  verdict: Uint8Array;
 }
 
 export interface MeshAt {
@@ -291,6 +349,15 @@ export interface Core {
   ): History;
   /** the largest mesh of the history with at most `faces` triangles */
   meshAt(mesh: TriangleMesh, history: History, faces: number): MeshAt;
+  /** for every vertex of meshAt(mesh, history, faces), which must come from the same strain, curvature and options */
+  whyKept(
+    mesh: TriangleMesh,
+    strain: Float32Array,
+    curvature: Float32Array,
+    options: SimplifyOptions,
+    history: History,
+    faces: number,
+  ): WhyKept;
   /** where the attributes of a result's corners come from, without crossing a seam */
   sourceOfCorners(mesh: TriangleMesh, charts: Charts, result: MeshAt): CornerSources;
   /** every vertex of `mesh` on `result`, whose vertices may have moved since the history made it */

@@ -31,6 +31,7 @@ const FUNCTIONS: readonly (keyof CoreFunctions)[] = [
   'meanCurvature',
   'simplify',
   'meshAt',
+  'whyKept',
   'sourceOfCorners',
   'bindToResult',
   'measureQuality',
