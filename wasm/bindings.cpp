@@ -28,6 +28,7 @@
 #include "pipeline/modal_fit.h"
 #include "simplify/history.h"
 #include "simplify/simplify.h"
+#include "simplify/why_kept.h"
 
 using emscripten::val;
 
@@ -234,71 +235,87 @@ val jsMeanCurvature(const val& jsMeshIn) {
 
 // ---- simplification ----
 
-// In the order of the enum.
+// In the order of the enums.
 const std::vector<std::string> methodNames = {"qem", "paper", "limber"};
-
-// The lists of a Wishes, which only points at them.
-struct WishLists {
-  explicit WishLists(const val& in)
-      : wedges(vectorOf<uint32_t>(in["charts"]["wedges"])),
-        groups(vectorOf<uint32_t>(in["charts"]["groups"])),
-        pinnedSets(vectorOf<uint32_t>(in["pinnedSets"])),
-        locked(vectorOf<uint8_t>(in["locked"])),
-        keep(vectorOf<float>(in["keep"])),
-        attributes(vectorOf<float>(in["attributes"]["values"])),
-        dimension(in["attributes"]["dimension"].as<uint32_t>()),
-        creaseAngle(in["creaseAngle"].as<double>()),
-        borders(in["borders"].as<std::string>() == "fixed" ? Borders::Fixed : Borders::Free) {}
-
-  Wishes wishes() const {
-    return {wedges, groups, locked, keep, pinnedSets, attributes, dimension, creaseAngle, borders};
-  }
-
-  std::vector<uint32_t> wedges, groups, pinnedSets;
-  std::vector<uint8_t> locked;
-  std::vector<float> keep, attributes;
-  uint32_t dimension;
-  double creaseAngle;
-  Borders borders;
-};
+const std::vector<std::string> stopNames = {"target", "deviation", "angle", "exhausted"};
 
 Method methodOf(const std::string& name) {
-  return name == "qem" ? Method::Qem : name == "paper" ? Method::Paper : Method::Limber;
+  const auto found = std::find(methodNames.begin(), methodNames.end(), name);
+  if (found == methodNames.end())
+    throw std::invalid_argument("There is no method \"" + name + "\": take qem, paper or limber.");
+  return static_cast<Method>(found - methodNames.begin());
 }
 
-val jsRefused(const Refused& refused) {
-  val out = val::object();
-  out.set("topology", refused.topology);
-  out.set("flip", refused.flip);
-  out.set("lock", refused.lock);
-  out.set("angle", refused.angle);
-  out.set("deviation", refused.deviation);
-  return out;
+template <typename T>
+std::vector<T> optionalVector(const val& array) {
+  return array.isUndefined() ? std::vector<T>() : vectorOf<T>(array);
 }
+double optionalNumber(const val& number) {
+  return number.isUndefined() ? 0 : number.as<double>();
+}
+
+// Everything that a simplification is asked for, in storage of its own.
+struct Request {
+  TriangleMesh mesh;
+  std::vector<float> strain, curvature, keep, attributes;
+  std::vector<uint32_t> wedges, groups, pinnedSets;
+  std::vector<uint8_t> locked;
+  SimplifyOptions options;
+
+  Request(const val& jsMeshIn, const val& jsStrain, const val& jsCurvature, const val& in)
+      : mesh(meshOf(jsMeshIn)), strain(vectorOf<float>(jsStrain)), curvature(vectorOf<float>(jsCurvature)) {
+    options.method = methodOf(in["method"].as<std::string>());
+    options.strainWeight = in["strainWeight"].as<double>();
+    options.curvatureWeight = in["curvatureWeight"].as<double>();
+    options.qualityWeight = in["qualityWeight"].as<double>();
+    options.sizeWeight = optionalNumber(in["sizeWeight"]);
+    options.stopFaces = static_cast<uint32_t>(optionalNumber(in["stopFaces"]));
+    options.maxDeviation = optionalNumber(in["maxDeviation"]);
+    options.minAngle = optionalNumber(in["minAngle"]);
+    if (!in["wishes"].isUndefined()) readWishes(in["wishes"]);
+  }
+  Request(const Request&) = delete;  // the options point into it
+
+  Guidance guidance() const { return {strain, curvature}; }
+
+ private:
+  void readWishes(const val& in) {
+    wedges = optionalVector<uint32_t>(in["wedges"]);
+    groups = optionalVector<uint32_t>(in["groups"]);
+    locked = optionalVector<uint8_t>(in["locked"]);
+    keep = optionalVector<float>(in["keep"]);
+    pinnedSets = optionalVector<uint32_t>(in["pinnedSets"]);
+    attributes = optionalVector<float>(in["attributes"]);
+    const bool fixed = !in["borders"].isUndefined() && in["borders"].as<std::string>() == "fixed";
+    options.wishes = {.wedges = wedges,
+                      .groups = groups,
+                      .locked = locked,
+                      .keep = keep,
+                      .pinnedSets = pinnedSets,
+                      .attributes = attributes,
+                      .attributeDimension = static_cast<uint32_t>(optionalNumber(in["attributeDimension"])),
+                      .creaseAngle = optionalNumber(in["creaseAngle"]),
+                      .borders = fixed ? Borders::Fixed : Borders::Free};
+  }
+};
 
 val jsSimplify(const val& mesh, const val& strain, const val& curvature, const val& in) {
-  const WishLists lists(in["wishes"]);
-  SimplifyOptions options;
-  options.method = methodOf(in["method"].as<std::string>());
-  options.strainWeight = in["strainWeight"].as<double>();
-  options.curvatureWeight = in["curvatureWeight"].as<double>();
-  options.qualityWeight = in["qualityWeight"].as<double>();
-  options.sizeWeight = in["sizeWeight"].as<double>();
-  options.maxDeviation = in["maxDeviation"].as<double>();
-  options.minAngle = in["minAngle"].as<double>();
-  options.wishes = lists.wishes();
-  const auto strainField = vectorOf<float>(strain), curvatureField = vectorOf<float>(curvature);
-  const History history = simplify(meshOf(mesh), {strainField, curvatureField}, options, theJob);
-  const char* const reasons[] = {"target", "deviation", "angle", "exhausted"};
-  val out = val::object();
+  const Request request(mesh, strain, curvature, in);
+  const History history = simplify(request.mesh, request.guidance(), request.options, theJob);
+  val out = val::object(), refused = val::object();
+  refused.set("topology", history.refused.topology);
+  refused.set("flip", history.refused.flip);
+  refused.set("lock", history.refused.lock);
+  refused.set("angle", history.refused.angle);
+  refused.set("deviation", history.refused.deviation);
   out.set("vertexCount", history.vertexCount);
   out.set("triangleCount", history.triangleCount);
   out.set("kept", typedArray(history.kept));
   out.set("removed", typedArray(history.removed));
   out.set("positions", typedArray(history.positions));
   out.set("trianglesAfter", typedArray(history.trianglesAfter));
-  out.set("refused", jsRefused(history.refused));
-  out.set("stop", std::string(reasons[static_cast<int>(history.stop)]));
+  out.set("refused", refused);
+  out.set("stop", stopNames[static_cast<size_t>(history.stop)]);
   return out;
 }
 
@@ -333,6 +350,32 @@ val jsMeshAtOf(const MeshAt& at) {
 
 val jsMeshAt(const val& mesh, const val& history, uint32_t faces) {
   return jsMeshAtOf(meshAt(meshOf(mesh), historyOf(history), faces));
+}
+
+// The terms as arrays, one value per vertex of meshAt(mesh, history, faces).
+val jsWhyKept(const val& mesh, const val& strain, const val& curvature, const val& in, const val& history,
+              uint32_t faces) {
+  const Request request(mesh, strain, curvature, in);
+  const auto all =
+      whyKept(request.mesh, request.guidance(), request.options, historyOf(history), faces, theJob);
+  const std::pair<const char*, double CostTerms::*> terms[] = {
+      {"error", &CostTerms::error},         {"size", &CostTerms::size},       {"strain", &CostTerms::strain},
+      {"curvature", &CostTerms::curvature}, {"quality", &CostTerms::quality}, {"keep", &CostTerms::keep}};
+  val out = val::object();
+  for (const auto& [name, term] : terms) {
+    std::vector<float> values;
+    for (const WhyKept& why : all) values.push_back(static_cast<float>(why.terms.*term));
+    out.set(name, typedArray(values));
+  }
+  std::vector<uint32_t> neighbour;
+  std::vector<uint8_t> verdict;
+  for (const WhyKept& why : all) {
+    neighbour.push_back(why.neighbour);
+    verdict.push_back(static_cast<uint8_t>(why.verdict));
+  }
+  out.set("neighbour", typedArray(neighbour));
+  out.set("verdict", typedArray(verdict));
+  return out;
 }
 
 MeshAt meshAtOf(const val& in) {
@@ -490,6 +533,7 @@ EMSCRIPTEN_BINDINGS(limber) {
   emscripten::function("simplify", &Guarded<&jsSimplify>::call);
   emscripten::function("meshAt", &Guarded<&jsMeshAt>::call);
   emscripten::function("fitModes", &Guarded<&jsFitModes>::call);
+  emscripten::function("whyKept", &Guarded<&jsWhyKept>::call);
   emscripten::function("sourceOfCorners", &Guarded<&jsSourceOfCorners>::call);
   emscripten::function("bindToResult", &Guarded<&jsBindToResult>::call);
   emscripten::function("measureQuality", &Guarded<&jsMeasureQuality>::call);

@@ -19,6 +19,9 @@ constexpr SimplifyOptions kQem{.method = Method::Qem};
 constexpr SimplifyOptions kPaper{
     .method = Method::Paper, .strainWeight = 0.05, .curvatureWeight = 1, .qualityWeight = 0.01};
 
+constexpr SimplifyOptions kLimber{
+    .method = Method::Limber, .strainWeight = 3, .qualityWeight = 0.1, .sizeWeight = 0.01};
+
 // Fields that vary smoothly and do not depend on how the mesh is numbered, scaled or turned.
 struct Fields {
   std::vector<float> strain, curvature;
@@ -53,7 +56,7 @@ void expectSameSequence(const History& a, const History& b) {
 TEST(Simplify, isTheSameOnAnyNumberOfThreads) {
   const TriangleMesh mesh = surfaces::inFloats(shapes::jittered(shapes::torus(64, 40), 0.01, 2));
   const Fields fields = fieldsOf(mesh);
-  for (const SimplifyOptions& options : {kQem, kPaper}) {
+  for (const SimplifyOptions& options : {kQem, kPaper, kLimber}) {
     const History once = run(mesh, fields, options);
     for (int threads : {1, 2, 3}) {
       setThreadCount(threads);
@@ -71,7 +74,7 @@ TEST(Simplify, doesNotDependOnTheUnitsOfTheFile) {
   for (const double scale : {1.0 / 1024, 64.0}) {
     TriangleMesh scaled = mesh;
     for (Vec3& p : scaled.positions) p *= scale;
-    for (const SimplifyOptions& options : {kQem, kPaper})
+    for (const SimplifyOptions& options : {kQem, kPaper, kLimber})
       expectSameSequence(run(scaled, fields, options), run(mesh, fields, options));
   }
 }
@@ -81,7 +84,7 @@ TEST(Simplify, doesNotDependOnTheAxes) {
   const Fields fields = fieldsOf(mesh);
   TriangleMesh turned = mesh;
   for (Vec3& p : turned.positions) p = {-p.y, p.z, -p.x};
-  for (const SimplifyOptions& options : {kQem, kPaper})
+  for (const SimplifyOptions& options : {kQem, kPaper, kLimber})
     expectSameSequence(run(turned, fields, options), run(mesh, fields, options));
 }
 
@@ -96,7 +99,7 @@ TEST(Simplify, doesNotDependOnTheNumberingWhereNoCostsAreEqual) {
   for (Triangle& t : renumbered.triangles) t = {number[t[1]], number[t[2]], number[t[0]]};
   std::shuffle(renumbered.triangles.begin(), renumbered.triangles.end(), random);
 
-  for (const SimplifyOptions& options : {kQem, kPaper}) {
+  for (const SimplifyOptions& options : {kQem, kPaper, kLimber}) {
     const History a = run(mesh, fieldsOf(mesh), options);
     const History b = run(renumbered, fieldsOf(renumbered), options);
     EXPECT_EQ(a.trianglesAfter, b.trianglesAfter);

@@ -105,6 +105,14 @@ void CollapseMesh::storeStar(const std::vector<Corner>& joined, const Collapse& 
   spare.count = 0;
 }
 
+Collapse CollapseMesh::collapseOf(uint32_t edge, const Vec3& target) const {
+  const auto [a, b] = edges_[edge];
+  const double toA = squaredLength(target - positions_[a]), toB = squaredLength(target - positions_[b]);
+  const uint32_t fixed = fixedEnd(edge);
+  const bool keepsA = fixed != kNone ? fixed == a : toA != toB ? toA < toB : a < b;
+  return keepsA ? Collapse{edge, a, b, target} : Collapse{edge, b, a, target};
+}
+
 std::array<uint32_t, 2> CollapseMesh::collapse(const Collapse& step) {
   std::array<uint32_t, 2> gone{kNone, kNone};
   int goneCount = 0;

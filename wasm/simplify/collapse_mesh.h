@@ -97,6 +97,7 @@ class CollapseMesh {
     const auto [x, y, z] = inFile(p);
     return Vec3{x, y, z} - origin_;
   }
+  Vec3 fromFile(const Vec3& p) const { return p - origin_; }
   // Where to store a point that was computed: its coordinates in the file are rounded to steps of 1e-9 of the
   // diagonal first, so that rounding noise around 0 becomes 0.
   template <class Real>
@@ -106,6 +107,10 @@ class CollapseMesh {
     };
     return {round(p.x, origin_.x), round(p.y, origin_.y), round(p.z, origin_.z)};
   }
+
+  // The collapse of an edge to `target`: of the two ends the fixed one stays, else the one nearer to the
+  // target, else the lower one.
+  Collapse collapseOf(uint32_t edge, const Vec3& target) const;
 
   // Carries out a legal collapse, whose kept vertex must be its `fixedEnd` if there is one, and returns the
   // up to two further edges that are gone (else kNone): they have become one with edges of `kept`.

@@ -214,6 +214,29 @@ double CostModel::cost(uint32_t edge, const Placement& placement) const {
          factor;
 }
 
+CostTerms CostModel::terms(uint32_t edge, const Placement& placement) const {
+  const auto [a, b] = mesh_.edge(edge);
+  const double square = lengthScale_ * squaredLength(mesh_.position(b) - mesh_.position(a));
+  CostTerms terms;
+  terms.keep = keepFactor(edge);
+  const double strain = strainWeight_ != 0 ? strainWeight_ * strainAt(edge) : 0;
+  if (method_ == Method::Limber) {
+    terms.error = 3 * placement.error;
+    terms.size = sizeWeight_ * square;
+    terms.strain = terms.size * strain;
+  } else {
+    terms.size = (shortness_ - kShortness) * square;
+    terms.error = placement.error - terms.size;
+    terms.strain = strain;
+    if (curvatureWeight_ != 0) terms.curvature = std::max(guidanceCosts_[edge] - strain, 0.0);
+  }
+  if (qualityWeight_ != 0) {
+    const double rest = (method_ == Method::Limber ? 3 : 1) * placement.error + guidanceCosts_[edge];
+    terms.quality = std::max(cost(edge, placement) / terms.keep - rest, 0.0);
+  }
+  return terms;
+}
+
 double CostModel::keepFactor(uint32_t edge) const {
   if (keep_.empty()) return 1;
   const auto [a, b] = mesh_.edge(edge);

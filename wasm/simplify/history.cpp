@@ -5,9 +5,8 @@
 #include <stdexcept>
 
 namespace limber {
-namespace {
 
-[[noreturn]] void refuse() {
+void refuseHistory() {
   throw std::invalid_argument(
       "The history does not belong to this mesh: simplify the mesh again and use the history of that.");
 }
@@ -22,16 +21,17 @@ void checkBelongs(const TriangleMesh& input, const History& history) {
                     std::ranges::none_of(history.removed, outside) &&
                     std::ranges::is_sorted(history.trianglesAfter, std::ranges::greater_equal()) &&
                     (count == 0 || history.trianglesAfter[0] < history.triangleCount);
-  if (!fits) refuse();
+  if (!fits) refuseHistory();
 }
 
-// How many collapses lead to at most `faces` triangles.
-size_t collapsesFor(const History& history, uint32_t faces) {
+uint32_t collapsesFor(const History& history, uint32_t faces) {
   if (history.triangleCount <= faces) return 0;
   const auto reached = std::ranges::lower_bound(history.trianglesAfter, faces, std::greater());
-  const auto index = static_cast<size_t>(reached - history.trianglesAfter.begin());
-  return std::min(index + 1, history.trianglesAfter.size());
+  const auto index = static_cast<uint32_t>(reached - history.trianglesAfter.begin());
+  return std::min(index + 1, history.collapseCount());
 }
+
+namespace {
 
 // Per input vertex the one that it has become after `count` collapses. Backwards, so that the survivor of
 // kept[i] is already known when removed[i] takes it over.
@@ -83,7 +83,7 @@ MeshAt meshAt(const TriangleMesh& input, const History& history, uint32_t faces)
   const auto survivor = findSurvivors(history, count);
   MeshAt result;
   collectTriangles(input, survivor, result);
-  if (count > 0 && result.mesh.triangleCount() != history.trianglesAfter[count - 1]) refuse();
+  if (count > 0 && result.mesh.triangleCount() != history.trianglesAfter[count - 1]) refuseHistory();
   numberVertices(input, history, count, survivor, result);
   return result;
 }

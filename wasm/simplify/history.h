@@ -47,6 +47,14 @@ struct Flips {
   std::vector<uint32_t> corners;
 };
 
+// How many collapses lead to the largest mesh with at most `faces` triangles; all of them where there is
+// none.
+uint32_t collapsesFor(const History& history, uint32_t faces);
+
+// Throws std::invalid_argument where a history cannot have come from this mesh. Looks at counts and ranges.
+void checkBelongs(const TriangleMesh& input, const History& history);
+[[noreturn]] void refuseHistory();
+
 // The mesh at one moment of a history, with unused vertices dropped and the input's order kept.
 struct MeshAt {
   TriangleMesh mesh;

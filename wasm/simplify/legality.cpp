@@ -107,11 +107,13 @@ bool Legality::joinsLines(const Collapse& step) const {
 
 uint32_t Legality::countCommonNeighbours(uint32_t a, uint32_t b) {
   const uint32_t around = ++mark_, common = ++mark_;
+  // In a closed fan every neighbour comes next after v in one of the triangles.
   const auto forEachNeighbour = [&](uint32_t v, const auto& visit) {
+    const bool open = mesh_.role(v).onBorder;
     for (const Corner corner : mesh_.star(v)) {
       const Triangle& triangle = mesh_.face(triangleOf(corner)).vertices;
       visit(triangle[nextIndex(indexOf(corner))]);
-      visit(triangle[previousIndex(indexOf(corner))]);
+      if (open) visit(triangle[previousIndex(indexOf(corner))]);
     }
   };
   uint32_t count = 0;

@@ -19,7 +19,7 @@ class Legality {
   Legality(const CollapseMesh& mesh, const SimplifyOptions& options);
 
   // Whether an edge cannot collapse as long as its own ends stay what they are: an end that must stay, ends
-  // of different pinned sets, or an edge that joins two vertices of lines without being one. Legal where it
+  // of different pinned sets, or a vertex of a line that would leave it. Legal where it
   // may.
   Verdict forever(uint32_t edge) const {
     const auto [a, b] = mesh_.edge(edge);
@@ -27,7 +27,8 @@ class Legality {
     if (atA.freedom == Freedom::Locked || atB.freedom == Freedom::Locked) return Verdict::Locked;
     if (atA.freedom == Freedom::Anchored && atB.freedom == Freedom::Anchored) return Verdict::Locked;
     if (!pinnedSets_.empty() && mixesPinnedSets(edge)) return Verdict::Locked;
-    return atA.onLine && atB.onLine && !mesh_.isLine(edge) ? Verdict::Topology : Verdict::Legal;
+    const VertexRole& removed = atA.freedom < atB.freedom ? atA : atB;
+    return removed.onLine && !mesh_.isLine(edge) ? Verdict::Topology : Verdict::Legal;
   }
 
   // Asks every rule but the deviation, which DeviationLimit knows.

@@ -81,7 +81,6 @@ class Simplification {
   void tryCheapest();
   bool goesBack(uint32_t edge, double cost, Place place);
   bool queueWhatIsLegal();
-  Collapse planned(uint32_t edge, const Vec3& target) const;
   Verdict judge(const Collapse& step);
   StopReason stopReason() const;
   void carryOut(const Collapse& step);
@@ -131,10 +130,11 @@ void Simplification::tryCheapest() {
   const Placement placement = costs_.place(edge);
   if (!costs_.boundsAreCosts() && places_[edge] == Place::ByBound) {
     if (goesBack(edge, costs_.raiseBound(edge, placement), Place::ByBound)) return;
-    if (goesBack(edge, costs_.cost(edge, placement), Place::ByCost)) return;
+    const Place place = costs_.followsSurroundings() ? Place::ByCost : Place::ByBound;
+    if (goesBack(edge, costs_.cost(edge, placement), place)) return;
   }
   places_[edge] = Place::None;
-  const Collapse step = planned(edge, placement.target);
+  const Collapse step = mesh_.collapseOf(edge, placement.target);
   if (judge(step) == Verdict::Legal)
     carryOut(step);
   else
@@ -143,7 +143,7 @@ void Simplification::tryCheapest() {
 
 // Whether another edge comes before `edge`, which has just been popped; then queues it again.
 bool Simplification::goesBack(uint32_t edge, double cost, Place place) {
-  if (heap_.wouldBeFirst(edge, cost)) return false;
+  if (heap_.wouldBeFirst(edge, cost / costs_.tolerance())) return false;
   heap_.set(edge, cost);
   places_[edge] = place;
   return true;
@@ -160,16 +160,6 @@ StopReason Simplification::stopReason() const {
   if (isDone()) return StopReason::Target;
   if (angle + deviation == 0) return StopReason::Exhausted;
   return deviation >= angle ? StopReason::Deviation : StopReason::Angle;
-}
-
-// Of the two ends the fixed one stays, else the one nearer to the target, else the lower one.
-Collapse Simplification::planned(uint32_t edge, const Vec3& target) const {
-  const auto [a, b] = mesh_.edge(edge);
-  const double toA = squaredLength(target - mesh_.position(a)),
-               toB = squaredLength(target - mesh_.position(b));
-  const uint32_t fixed = mesh_.fixedEnd(edge);
-  const bool keepsA = fixed != kNone ? fixed == a : toA != toB ? toA < toB : a < b;
-  return keepsA ? Collapse{edge, a, b, target} : Collapse{edge, b, a, target};
 }
 
 void Simplification::carryOut(const Collapse& step) {
@@ -203,7 +193,7 @@ void Simplification::updateCosts(uint32_t kept) {
   for (const uint32_t edge : edges_) queueByBound(edge);
   mesh_.forEachEdge(kept, [&](uint32_t, uint32_t neighbour) {
     if (mesh_.role(neighbour).freedom == Freedom::Locked) return;
-    if (costs_.dependsOnSurroundings())
+    if (costs_.followsSurroundings())
       queueSurroundings(neighbour);
     else if (hasRefused_[neighbour])
       queueRefused(neighbour);
@@ -240,7 +230,7 @@ bool Simplification::queueWhatIsLegal() {
     if (edge % kEdgesPerRange == 0) job_.check();
     const Verdict forever = legality_.forever(edge);
     const Verdict verdict =
-        forever == Verdict::Legal ? judge(planned(edge, costs_.place(edge).target)) : forever;
+        forever == Verdict::Legal ? judge(mesh_.collapseOf(edge, costs_.place(edge).target)) : forever;
     history_.refused.lock += verdict == Verdict::Locked;
     history_.refused.topology += verdict == Verdict::Topology;
     history_.refused.flip += verdict == Verdict::Flip;
@@ -255,11 +245,15 @@ bool Simplification::queueWhatIsLegal() {
 
 }  // namespace
 
-History simplify(const TriangleMesh& mesh, const Guidance& guidance, const SimplifyOptions& options,
-                 Job& job) {
+void checkRequest(const TriangleMesh& mesh, const Guidance& guidance, const SimplifyOptions& options) {
   checkGuidance(mesh, guidance);
   checkNumbers(options);
   checkWishes(mesh, options.wishes);
+}
+
+History simplify(const TriangleMesh& mesh, const Guidance& guidance, const SimplifyOptions& options,
+                 Job& job) {
+  checkRequest(mesh, guidance, options);
   job.begin(Phase::Simplify);
   History history = Simplification(mesh, guidance, options, job).run();
   job.report(1);

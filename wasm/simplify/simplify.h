@@ -34,6 +34,10 @@ struct Guidance {
   std::span<const float> curvature;  // per vertex, in [0, 1]: mean curvature over its maximum
 };
 
+// Throws std::invalid_argument where a guidance field or a wish does not fit the mesh, or an option is out of
+// its range.
+void checkRequest(const TriangleMesh& mesh, const Guidance& guidance, const SimplifyOptions& options);
+
 // Collapses edges, cheapest first, until no legal edge is left or `stopFaces` are reached, and records every
 // step. With `maxDeviation` (see DeviationLimit) or `minAngle` what they refuse is passed over and the rest
 // goes on, so that the end of the history is the target, and every mesh of it holds them. qem: area-weighted

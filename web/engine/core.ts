@@ -138,38 +138,49 @@ export interface Curvature {
   triangle: Float32Array;
 }
 
-export type Method = 'limber' | 'paper' | 'qem';
+export type Method = 'qem' | 'paper' | 'limber';
 
-/** What a simplification has to respect; every list may be empty. See wasm/simplify/wishes.h. */
+/** What a simplification has to respect besides the surface; see wasm/simplify/wishes.h. Every list may be left out. */
 export interface Wishes {
-  charts: Charts;
-  /** values[dimension * wedge + d], in bounding diagonals */
-  attributes: { values: Float32Array; dimension: number };
-  /** per vertex: not 0 where it neither moves nor goes */
-  locked: Uint8Array;
-  /** per vertex, 0..1: how much dearer its collapses are */
-  keep: Float32Array;
-  /** per vertex: bit k is set for the members of set k */
-  pinnedSets: Uint32Array;
-  /** degrees; edges sharper than this are lines; 0: none */
-  creaseAngle: number;
-  borders: 'free' | 'fixed';
+  /** wedges[3 * t + corner]: equal at a vertex where all attributes are */
+  wedges?: Uint32Array;
+  /** per triangle: its primitive or material */
+  groups?: Uint32Array;
+  /** per vertex: not 0 where it may be neither moved nor removed */
+  locked?: Uint8Array;
+  /** per vertex, in [0, 1]: costs are multiplied by 1 + 99 keep */
+  keep?: Float32Array;
+  /** per vertex: bit k is set in the members of set k; survivors carry the sets, see MeshAt.inputOfVertex */
+  pinnedSets?: Uint32Array;
+  /** attributes[wedge * attributeDimension + i] (per vertex without wedges); 1 weighs as much as the bounding diagonal */
+  attributes?: Float32Array;
+  /** 1 to 8 */
+  attributeDimension?: number;
+  /** degrees; edges that bend more are creases; 0: none */
+  creaseAngle?: number;
+  borders?: 'free' | 'fixed';
 }
 
 export interface SimplifyOptions {
   method: Method;
+  /** alpha of Eq. 11; w of limber */
   strainWeight: number;
+  /** beta */
   curvatureWeight: number;
+  /** gamma; g of limber */
   qualityWeight: number;
-  sizeWeight: number;
-  /** in units of the mesh; 0: no limit */
-  maxDeviation: number;
-  /** degrees; 0: no limit */
-  minAngle: number;
-  wishes: Wishes;
+  /** s of limber; of an edge's squared length for qem */
+  sizeWeight?: number;
+  /** ends the history as soon as no more are left */
+  stopFaces?: number;
+  /** refuses collapses that take the surface farther from the input: a length in units of the mesh; 0: none */
+  maxDeviation?: number;
+  /** refuses collapses that make an angle smaller than this (degrees) where there was none; 0: none */
+  minAngle?: number;
+  wishes?: Wishes;
 }
 
-/** Why the edges left at the end cannot collapse, each under its first reason. */
+/** Why the edges left at the end cannot collapse, each under its first reason; all 0 where the history ended at stopFaces. */
 export interface Refused {
   topology: number;
   flip: number;
@@ -192,6 +203,26 @@ export interface History {
   refused: Refused;
   /** why it ends */
   stop: 'target' | 'deviation' | 'angle' | 'exhausted';
+}
+
+/** In the order of `enum class Verdict` in wasm/simplify/legality.h. */
+export const VERDICTS = ['legal', 'lock', 'topology', 'flip', 'angle', 'deviation'] as const;
+
+/**
+ * What speaks for each vertex of a MeshAt: the terms of the cheapest collapse among its edges, legal ones first. The cost is
+ * (error + size + strain + curvature + quality) * keep; see `struct CostTerms` in wasm/simplify/cost.h.
+ */
+export interface WhyKept {
+  error: Float32Array;
+  size: Float32Array;
+  strain: Float32Array;
+  curvature: Float32Array;
+  quality: Float32Array;
+  keep: Float32Array;
+  /** the vertex at the other end, or 0xffffffff */
+  neighbour: Uint32Array;
+  /** an index of VERDICTS */
+  verdict: Uint8Array;
 }
 
 /** Edges flipped after the history; both empty where there are none. */
@@ -344,6 +375,15 @@ export interface Core {
   meshAt(mesh: TriangleMesh, history: History, faces: number): MeshAt;
   /** the result with its vertices moved a little and some edges flipped, so that it vibrates like `mesh` */
   fitModes(mesh: TriangleMesh, result: MeshAt, options: FitOptions): Fitted;
+  /** for every vertex of meshAt(mesh, history, faces), which must come from the same strain, curvature and options */
+  whyKept(
+    mesh: TriangleMesh,
+    strain: Float32Array,
+    curvature: Float32Array,
+    options: SimplifyOptions,
+    history: History,
+    faces: number,
+  ): WhyKept;
   /** where the attributes of a result's corners come from, without crossing a seam */
   sourceOfCorners(mesh: TriangleMesh, charts: Charts, result: MeshAt): CornerSources;
   /** every vertex of `mesh` on `result`, whose vertices may have moved since the history made it */

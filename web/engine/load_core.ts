@@ -32,6 +32,7 @@ const FUNCTIONS: readonly (keyof CoreFunctions)[] = [
   'simplify',
   'meshAt',
   'fitModes',
+  'whyKept',
   'sourceOfCorners',
   'bindToResult',
   'measureQuality',

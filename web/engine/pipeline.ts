@@ -203,23 +203,14 @@ export function buildHistory(
 /** What the core takes of them. */
 const MOST_COST_DIMENSIONS = 8;
 const NO_COSTS: CostAttributes = { values: new Float32Array(), dimension: 0 };
-const NO_CHARTS = { wedges: new Uint32Array(), groups: new Uint32Array() };
 
-function wishesOf(
-  prepared: PreparedBody,
-  { method, borders }: Settings,
-  pinned: Uint32Array = new Uint32Array(),
-): Wishes {
-  const respects = method !== 'paper';
-  return {
-    charts: respects ? prepared.attributes.charts : NO_CHARTS,
-    attributes: respects ? prepared.costAttributes : NO_COSTS,
-    locked: new Uint8Array(),
-    keep: new Float32Array(),
-    pinnedSets: pinned.length > 0 ? Uint32Array.from(maskOf(prepared.mesh, pinned)) : new Uint32Array(),
-    creaseAngle: 0,
-    borders,
-  };
+function wishesOf(prepared: PreparedBody, { method, borders }: Settings, pinned?: Uint32Array): Wishes {
+  const pinnedSets =
+    pinned && pinned.length > 0 ? Uint32Array.from(maskOf(prepared.mesh, pinned)) : undefined;
+  if (method === 'paper') return { pinnedSets, borders };
+  const { charts } = prepared.attributes;
+  const { values: attributes, dimension: attributeDimension } = prepared.costAttributes;
+  return { ...charts, attributes, attributeDimension, pinnedSets, borders };
 }
 
 /** Per vertex: 1 for those of the list. */

@@ -1,0 +1,147 @@
+// Time of the whole history, one thread, wasm, against meshoptimizer's simplify to 25 % on the same mesh, and of meshAt.
+// Usage: npm run build && node tests/bench/simplify.mjs [--write] [--rounds 5] [--largest 1000000]
+// --write puts the tables into docs/benchmarks.md. Ours and the peer run in turn in one process; each number is the least.
+// Real meshes are read from ../shared/meshes or $LIMBER_SHARED/meshes; what is not there is left out, and said.
+
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpus } from 'node:os';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { parseArgs } from 'node:util';
+import { MeshoptSimplifier } from 'meshoptimizer';
+import { format, resolveConfig } from 'prettier';
+import { bumpySphere, cloth, largestComponent, readObj, torus } from './bench_meshes.mjs';
+import { bundleEngine } from './modes_tools.mjs';
+
+const { values: options } = parseArgs({
+  options: {
+    write: { type: 'boolean', default: false },
+    rounds: { type: 'string', default: '5' },
+    largest: { type: 'string', default: '1000000' },
+  },
+});
+const root = resolve(import.meta.dirname, '..', '..');
+const shared = join(process.env.LIMBER_SHARED ?? join(root, '..', 'shared'), 'meshes');
+const rounds = Number(options.rounds);
+const generators = { torus, cloth, 'bumpy sphere': bumpySphere };
+const missing = [];
+const kept = 0.25;
+const million = 900_000;
+const weights = {
+  qem: { method: 'qem', strainWeight: 0, curvatureWeight: 0, qualityWeight: 0, sizeWeight: 0 },
+  limber: { method: 'limber', strainWeight: 3, curvatureWeight: 0, qualityWeight: 0.1, sizeWeight: 0.01 },
+};
+
+await MeshoptSimplifier.ready;
+await bundleEngine();
+const loader = join(root, 'build', 'bench', 'engine', 'load_core.js');
+const { loadCore } = await import(pathToFileURL(loader).href);
+const core = await loadCore({
+  threads: 1,
+  wasmFolder: pathToFileURL(join(root, 'public', 'wasm', '/')).href,
+});
+
+function* meshes() {
+  for (const name of ['skirt_4k', 'spot_uv', 'bob_genus1', 'hammer_60k', 'scorpion_100k']) {
+    const path = join(shared, `${name}.obj`);
+    if (existsSync(path)) yield { name, ...largestComponent(readObj(path)) };
+    else missing.push(`${name}.obj of ../shared/meshes`);
+  }
+  for (const faces of [10_000, 40_000, 200_000, 1_000_000])
+    for (const [name, generate] of Object.entries(generators))
+      if (faces <= Number(options.largest)) yield { name, ...generate(faces) };
+}
+
+/** Milliseconds, and what was returned. */
+function time(run) {
+  const start = performance.now();
+  const result = run();
+  return [performance.now() - start, result];
+}
+
+/** A field that varies over the body, in place of a rank of strain. */
+function strainOf({ positions, triangles }) {
+  return Float32Array.from({ length: triangles.length / 3 }, (_, t) => {
+    const [x, y] = positions.subarray(3 * triangles[3 * t], 3 * triangles[3 * t] + 2);
+    return 0.5 + 0.4 * Math.sin(3 * x + y);
+  });
+}
+
+function race(mesh) {
+  const faces = mesh.triangles.length / 3;
+  const target = Math.floor(kept * faces);
+  const strain = strainOf(mesh);
+  const none = new Float32Array();
+  const best = { peer: Infinity, qem: Infinity, limber: Infinity, meshAt: Infinity };
+  const note = (name, [milliseconds, result]) => {
+    best[name] = Math.min(best[name], milliseconds);
+    return result;
+  };
+  for (let round = 0; round < (faces > million ? Math.min(rounds, 2) : rounds); round++) {
+    note(
+      'peer',
+      time(() => MeshoptSimplifier.simplify(mesh.triangles, mesh.positions, 3, 3 * target, 1)),
+    );
+    for (const method of ['qem', 'limber']) {
+      const history = note(
+        method,
+        time(() => core.simplify(mesh, strain, none, weights[method])),
+      );
+      note(
+        'meshAt',
+        time(() => core.meshAt(mesh, history, target)),
+      );
+    }
+  }
+  return { ...best, faces, heapBytes: core.peakHeapBytes() };
+}
+
+const row = (cells) => `| ${cells.join(' | ')} |`;
+const table = (header, rows) => [row(header), row(header.map(() => '---')), ...rows.map(row)].join('\n');
+const milliseconds = (value) => `${value.toFixed(value < 10 ? 1 : 0)} ms`;
+const against = (ours, theirs, limit) =>
+  `${(ours / theirs).toFixed(2)} ${ours <= limit * theirs ? '(met)' : '(**missed**)'}`;
+
+const rows = [];
+const large = [];
+for (const mesh of meshes()) {
+  const { peer, qem, limber, meshAt, faces, heapBytes } = race(mesh);
+  const ratios = [against(qem, peer, 2), against(limber, peer, 4)];
+  const times = [peer, qem, limber].map(milliseconds);
+  const inTime = meshAt <= (faces > million ? 25 : 16) ? '' : ' (**missed**)';
+  rows.push([mesh.name, faces, ...times, ...ratios, `${milliseconds(meshAt)}${inTime}`]);
+  console.log(rows.at(-1).join('  '));
+  if (faces <= million) continue;
+  const met = Math.max(qem, limber) <= 5000 && heapBytes <= 1.5 * 2 ** 30 ? 'met' : '**MISSED**';
+  large.push([mesh.name, faces, ...times.slice(1), `${(heapBytes / 2 ** 20).toFixed(0)} MiB`, met]);
+}
+
+const sections = [
+  '### The whole history against a simplification to 25 %',
+  "Ours goes down to the floor and records every collapse, so that any count can be shown; the peer, meshoptimizer's `simplify`, stops at a quarter of the faces. Both in wasm on one thread, with all copies into and out of its memory.",
+  table(['mesh', 'faces', 'peer', 'qem', 'limber', 'qem / peer <= 2', 'limber / peer <= 4', 'meshAt'], rows),
+];
+if (large.length > 0)
+  sections.push(
+    '### A million faces',
+    table(['mesh', 'faces', 'qem', 'limber', 'wasm memory', '<= 5 s and 1.5 GiB'], large),
+  );
+if (missing.length) console.log(`\nMISSING HERE:\n${missing.map((what) => `- ${what}`).join('\n')}`);
+if (options.write) await write();
+
+/** Replaces what stands between the markers of docs/benchmarks.md; without markers it goes to the end. */
+async function write() {
+  const path = join(root, 'docs', 'benchmarks.md');
+  const [begin, end] = ['<!-- simplify: begin -->', '<!-- simplify: end -->'];
+  const introduction = [
+    `Written by \`node tests/bench/simplify.mjs --write\` on ${cpus().length} x ${cpus()[0].model.trim()}, Node ${process.versions.node}.`,
+    `Ours and the peer's ran in turn, ${rounds} rounds (two for a million faces); each number is the least.`,
+    ...(missing.length ? [`Missing: ${missing.join('; ')}.`] : []),
+  ].join(' ');
+  const content = [begin, '## Simplification', introduction, ...sections, end].join('\n\n');
+  const found = existsSync(path) ? readFileSync(path, 'utf8') : '# Benchmarks\n';
+  const before = found.includes(begin) ? found : `${found.trimEnd()}\n\n${begin}\n${end}\n`;
+  const after = `${before.split(begin)[0]}${content}${before.split(end)[1]}`;
+  writeFileSync(path, await format(after, { ...(await resolveConfig(path)), filepath: path }));
+  console.log('wrote docs/benchmarks.md');
+}
