@@ -13,7 +13,7 @@ namespace {
 // The share of the triangles' mass times their height squared that a turn has as its inertia. From 0.01 to
 // 0.25 the frequencies of plates of 8 cells a side stay within 0.6 %; less makes turns faster than the
 // vertices, which costs substeps.
-constexpr double kTurnInertia = 0.25;
+constexpr double kTurnInertia = 0.05;
 
 // Folds beyond about 150 degrees from rest count as 150 degrees: tan(theta / 2) grows without bound.
 constexpr float kLeastCosine = 0.14f;  // of 1 + cos
@@ -146,10 +146,14 @@ void BendingConstraints::advanceTurns(size_t begin, size_t end, const Advance& w
 
 namespace {
 
-// tan(half the fold from rest) and its gradient over the four vertices of a hinge.
+// Tan(half the fold from rest), and its gradient over the four vertices of a hinge, which lies along the
+// normals of its two triangles: over the flap it is `flap` times flapNormal, over the start of the edge
+// flapStart times flapNormal plus start times the triangle's own normal, and so on.
 struct Hinge {
-  Float4 turn;
-  Vec3x4 apex, start, end, flap;
+  Vec3x4 flapNormal;
+  Float4 turn, cosine;
+  Float4 flap, flapStart, flapEnd;
+  Float4 apex, start, end;
 };
 
 // As seen from the apex.
@@ -160,77 +164,102 @@ struct RestFold {
   Float4 cosine, sine;
 };
 
-Hinge hingeOf(const HingeVertices& at, const Vec3x4& unitNormal, Float4 inverseNormal, const RestFold& rest) {
+inline Hinge hingeOf(const HingeVertices& at, const Vec3x4& normal, Float4 inverseDoubleArea,
+                     const RestFold& rest) {
+  const Float4 one = splat(1), tiny = splat(1e-30f);
   const Vec3x4 edge = at.toEnd - at.toStart, across = at.toFlap - at.toStart;
-  const Vec3x4 normal = cross(at.toFlap - at.toEnd, edge);
-  const Float4 one = splat(1), squaredEdge = dot(edge, edge), edgeLength = squareRoot(squaredEdge);
-  const Float4 inverseOther = one / squareRoot(dot(normal, normal) + splat(1e-30f));
-  const Vec3x4 unitOther = normal * inverseOther;
-  const Float4 cosine = dot(unitNormal, unitOther);
-  const Float4 sine = dot(across, unitNormal) * edgeLength * inverseOther;
-  const Float4 growth = one / larger(one + cosine * rest.cosine + sine * rest.sine, splat(kLeastCosine));
-  // 1 inside, 0 on a border.
-  const Float4 inner = rest.cosine * rest.cosine + rest.sine * rest.sine;
+  const Vec3x4 flapNormal = cross(at.toFlap - at.toEnd, edge);
+  const Float4 squaredEdge = dot(edge, edge), edgeLength = squareRoot(squaredEdge);
+  const Float4 inverseFlapArea = one / squareRoot(dot(flapNormal, flapNormal) + tiny);
   Hinge hinge;
-  hinge.turn = (sine * rest.cosine - cosine * rest.sine) * growth;
-  const Float4 scale = growth * inner * edgeLength;
-  hinge.flap = unitOther * (scale * inverseOther);
-  hinge.apex = unitNormal * (scale * inverseNormal);
-  const Float4 inverseSquare = one / (squaredEdge + splat(1e-30f));
+  hinge.flapNormal = flapNormal * inverseFlapArea;
+  hinge.cosine = dot(normal, hinge.flapNormal);
+  const Float4 sine = dot(across, normal) * edgeLength * inverseFlapArea;
+  const Float4 fromRest = hinge.cosine * rest.cosine + sine * rest.sine;
+  const Float4 growth = one / larger(one + fromRest, splat(kLeastCosine));
+  hinge.turn = (sine * rest.cosine - hinge.cosine * rest.sine) * growth;
+  // On a border both of rest are 0, and so is all of the gradient.
+  const Float4 scale = growth * edgeLength * (rest.cosine * rest.cosine + rest.sine * rest.sine);
+  const Float4 inverseSquare = one / (squaredEdge + tiny);
   const Float4 flapFoot = dot(across, edge) * inverseSquare,
                apexFoot = -dot(at.toStart, edge) * inverseSquare;
-  hinge.end = hinge.flap * -flapFoot - hinge.apex * apexFoot;
-  hinge.start = hinge.flap * (flapFoot - one) + hinge.apex * (apexFoot - one);
+  hinge.flap = scale * inverseFlapArea;
+  hinge.flapEnd = -flapFoot * hinge.flap;
+  hinge.flapStart = -hinge.flap - hinge.flapEnd;
+  hinge.apex = scale * inverseDoubleArea;
+  hinge.end = -apexFoot * hinge.apex;
+  hinge.start = -hinge.apex - hinge.end;
   return hinge;
 }
 
 }  // namespace
 
-// The three hinges of a triangle, for four triangles at once.
+// The three hinges of a triangle, for four triangles at once. Corner c is the apex of edge c, the end of edge
+// c + 1 and the start of edge c + 2.
 struct BendingConstraints::Hinges {
+  Vec3x4 normal;
   Hinge hinge[3];
-
-  // How edge e's turn changes with corner c, which is apex of edge c, end of edge c + 1, start of edge c + 2.
-  const Vec3x4& gradient(int e, int c) const {
-    return c == e ? hinge[e].apex : c == (e + 1) % 3 ? hinge[e].end : hinge[e].start;
-  }
 };
 
-BendingConstraints::Hinges BendingConstraints::hingesOf(const Batch& b, const Motion* motion) {
+inline BendingConstraints::Hinges BendingConstraints::hingesOf(const Batch& b, const Motion* motion) {
   const Vec3x4 origin = gatherMotion(motion, b.corner[0]);
   const Vec3x4 corner1 = b.base1 + (gatherMotion(motion, b.corner[1]) - origin);
   const Vec3x4 corner2 = b.base2 + (gatherMotion(motion, b.corner[2]) - origin);
-  const Vec3x4 normal = cross(corner1, corner2);
-  const Float4 inverseNormal = splat(1) / squareRoot(dot(normal, normal) + splat(1e-30f));
-  const Vec3x4 unitNormal = normal * inverseNormal;
-  const Vec3x4 corners[3] = {Vec3x4{}, corner1, corner2};
+  const Vec3x4 flap0 = b.baseFlap[0] + (gatherMotion(motion, b.flap[0]) - origin);
+  const Vec3x4 flap1 = b.baseFlap[1] + (gatherMotion(motion, b.flap[1]) - origin);
+  const Vec3x4 flap2 = b.baseFlap[2] + (gatherMotion(motion, b.flap[2]) - origin);
+  const Vec3x4 normal = cross(corner1, corner2), zero = {};
+  const Float4 inverse = splat(1) / squareRoot(dot(normal, normal) + splat(1e-30f));
   Hinges hinges;
-  for (int e = 0; e < 3; ++e) {
-    const Vec3x4& apex = corners[e];
-    const Vec3x4 flap = b.baseFlap[e] + (gatherMotion(motion, b.flap[e]) - origin);
-    hinges.hinge[e] = hingeOf({corners[(e + 1) % 3] - apex, corners[(e + 2) % 3] - apex, flap - apex},
-                              unitNormal, inverseNormal, {b.restCosine[e], b.restSine[e]});
-  }
+  hinges.normal = normal * inverse;
+  hinges.hinge[0] =
+      hingeOf({corner1, corner2, flap0}, hinges.normal, inverse, {b.restCosine[0], b.restSine[0]});
+  hinges.hinge[1] = hingeOf({corner2 - corner1, zero - corner1, flap1 - corner1}, hinges.normal, inverse,
+                            {b.restCosine[1], b.restSine[1]});
+  hinges.hinge[2] = hingeOf({zero - corner2, corner1 - corner2, flap2 - corner2}, hinges.normal, inverse,
+                            {b.restCosine[2], b.restSine[2]});
   return hinges;
 }
 
 // J W J^T + compliance.
-Symmetric3x4 BendingConstraints::systemOf(const Batch& b, const Hinges& hinges) {
-  const auto coupling = [&](int e, int f) {
-    return b.weight[0] * dot(hinges.gradient(e, 0), hinges.gradient(f, 0)) +
-           b.weight[1] * dot(hinges.gradient(e, 1), hinges.gradient(f, 1)) +
-           b.weight[2] * dot(hinges.gradient(e, 2), hinges.gradient(f, 2));
-  };
+inline Symmetric3x4 BendingConstraints::systemOf(const Batch& b, const Hinges& hinges) {
+  const Hinge* hinge = hinges.hinge;
   const auto own = [&](int e) {
-    const Vec3x4& flap = hinges.hinge[e].flap;
-    return coupling(e, e) + b.flapWeight[e] * dot(flap, flap) + b.turnWeight[e];
+    const Hinge& h = hinge[e];
+    const Float4 atStart =
+        h.flapStart * h.flapStart + h.start * (h.start + splat(2) * h.flapStart * h.cosine);
+    const Float4 atEnd = h.flapEnd * h.flapEnd + h.end * (h.end + splat(2) * h.flapEnd * h.cosine);
+    return b.weight[e] * h.apex * h.apex + b.weight[(e + 1) % 3] * atStart + b.weight[(e + 2) % 3] * atEnd +
+           b.flapWeight[e] * h.flap * h.flap + b.turnWeight[e];
   };
   const auto mixed = [&](int e) {
-    const int f = (e + 1) % 3;
-    return coupling(e, f) + b.sharedFlap[e] * dot(hinges.hinge[e].flap, hinges.hinge[f].flap);
+    const int f = (e + 1) % 3, g = (e + 2) % 3;
+    const Hinge &h = hinge[e], &next = hinge[f];
+    const Float4 flaps = dot(h.flapNormal, next.flapNormal);
+    const Float4 nextStart = next.flapStart * next.cosine + next.start;
+    return b.weight[e] * h.apex * (next.flapEnd * next.cosine + next.end) +
+           b.weight[f] * next.apex * (h.flapStart * h.cosine + h.start) +
+           b.weight[g] * (h.flapEnd * (next.flapStart * flaps + h.cosine * next.start) + h.end * nextStart) +
+           b.sharedFlap[e] * h.flap * next.flap * flaps;
   };
   return {b.compliance.xx + own(0), b.compliance.xy + mixed(0), b.compliance.xz + mixed(2),
           b.compliance.yy + own(1), b.compliance.yz + mixed(1), b.compliance.zz + own(2)};
+}
+
+inline void BendingConstraints::applyTo(Motion* motion, const Batch& b, const Hinges& hinges,
+                                        const Float4 (&lambda)[3]) {
+  for (int c = 0; c < 3; ++c) {
+    const int e = (c + 1) % 3, f = (c + 2) % 3;
+    const Hinge &ended = hinges.hinge[e], &started = hinges.hinge[f];
+    const Float4 along = lambda[c] * hinges.hinge[c].apex + lambda[e] * ended.end + lambda[f] * started.start;
+    const Vec3x4 pull = ended.flapNormal * (lambda[e] * ended.flapEnd) +
+                        started.flapNormal * (lambda[f] * started.flapStart) + hinges.normal * along;
+    scatterCorrection(motion, b.corner[c], pull * b.weight[c]);
+  }
+  for (int e = 0; e < 3; ++e) {
+    const Hinge& hinge = hinges.hinge[e];
+    scatterCorrection(motion, b.flap[e], hinge.flapNormal * (lambda[e] * hinge.flap * b.flapWeight[e]));
+  }
 }
 
 void BendingConstraints::project(Particles& particles, size_t begin, size_t end) {
@@ -241,19 +270,15 @@ void BendingConstraints::project(Particles& particles, size_t begin, size_t end)
     const Hinges hinges = hingesOf(b, motion);
     Float4 turn[3];
     for (int e = 0; e < 3; ++e) {
-      Float4 psi;
-      for (int k = 0; k < 4; ++k) psi[k] = turns[b.edge[e][k]].psi + turns[b.edge[e][k]].rate;
+      const Turn &t0 = turns[b.edge[e][0]], &t1 = turns[b.edge[e][1]], &t2 = turns[b.edge[e][2]],
+                 &t3 = turns[b.edge[e][3]];
+      const Float4 psi = {t0.psi + t0.rate, t1.psi + t1.rate, t2.psi + t2.rate, t3.psi + t3.rate};
       turn[e] = -(hinges.hinge[e].turn + b.side[e] * psi);
     }
     const Vec3x4 solution = solve(systemOf(b, hinges), {turn[0], turn[1], turn[2]});
     const Float4 lambda[3] = {solution.x, solution.y, solution.z};
-    for (int c = 0; c < 3; ++c) {
-      const Vec3x4 pull = hinges.gradient(0, c) * lambda[0] + hinges.gradient(1, c) * lambda[1] +
-                          hinges.gradient(2, c) * lambda[2];
-      scatterCorrection(motion, b.corner[c], pull * b.weight[c]);
-    }
+    applyTo(motion, b, hinges, lambda);
     for (int e = 0; e < 3; ++e) {
-      scatterCorrection(motion, b.flap[e], hinges.hinge[e].flap * (lambda[e] * b.flapWeight[e]));
       const Float4 turned = lambda[e] * b.turnWeight[e] * b.side[e];
       for (int k = 0; k < 4; ++k) turns[b.edge[e][k]].rate += turned[k];
     }

@@ -68,6 +68,7 @@ class BendingConstraints {
   struct Hinges;
   static Hinges hingesOf(const Batch& batch, const Motion* motion);
   static Symmetric3x4 systemOf(const Batch& batch, const Hinges& hinges);
+  static void applyTo(Motion* motion, const Batch& batch, const Hinges& hinges, const Float4 (&lambda)[3]);
   void setTriangle(Batch& batch, int lane, uint32_t t, const Particles& particles, double substep);
 
   std::vector<Batch> batches_;
