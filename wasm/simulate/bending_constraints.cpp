@@ -18,14 +18,8 @@ constexpr double kTurnInertia = 0.05;
 // Folds beyond about 150 degrees from rest count as 150 degrees: tan(theta / 2) grows without bound.
 constexpr float kLeastCosine = 0.14f;  // of 1 + cos
 
-// Six vertices and, by the edges' vertices, three turns: two triangles that share a turn share vertices too.
-std::vector<uint32_t> stencils(const TriangleMesh& mesh, const std::vector<uint32_t>& flaps) {
-  std::vector<uint32_t> vertices;
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-    vertices.insert(vertices.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
-    vertices.insert(vertices.end(), flaps.begin() + 3 * size_t{t}, flaps.begin() + 3 * size_t{t} + 3);
-  }
-  return vertices;
+bool isRigid(const Particles& particles, uint32_t a, uint32_t b, uint32_t c) {
+  return particles.inverseMass[a] == 0 && particles.inverseMass[b] == 0 && particles.inverseMass[c] == 0;
 }
 
 // 1/(kg m2) of every edge's turn; 0 on borders and where more than two triangles meet, whose turn stays 0.
@@ -46,36 +40,51 @@ std::vector<double> turnWeights(const TriangleMesh& mesh, const Topology& topolo
 BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology& topology,
                                        const Particles& particles, const Sheet& sheet, double density,
                                        double substep, uint32_t order)
-    : triangles_(mesh.triangles),
-      turns_(topology.edges.size() + 1, Turn{0, 0}),
+    : turns_(topology.edges.size() + 1, Turn{0, 0}),
       exactPsi_(topology.edges.size(), 0.0),
-      turnWeight_(turnWeights(mesh, topology, density * sheet.thickness)),
-      count_(mesh.triangleCount()) {
+      turnWeight_(turnWeights(mesh, topology, density * sheet.thickness)) {
   const auto flaps = flapsOf(mesh, topology);
-  for (uint32_t t = 0; t < count_; ++t) {
+  // Six vertices and, by the edges' vertices, three turns: two triangles that share a turn share vertices
+  // too.
+  std::vector<uint32_t> stencils;
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    const Triangle& corner = mesh.triangles[t];
+    if (isRigid(particles, corner[0], corner[1], corner[2])) continue;
     Rest rest{};
-    std::array<bool, 3> inner;
     for (uint32_t e = 0; e < 3; ++e) {
-      const uint32_t start = mesh.triangles[t][(e + 1) % 3], end = mesh.triangles[t][(e + 2) % 3];
       rest.flap[e] = flaps[3 * size_t{t} + e];
       rest.edge[e] = topology.edgeOfCorner[3 * size_t{t} + e];
-      rest.side[e] = start < end ? 1 : -1;
-      inner[e] = rest.flap[e] != kNone;
-      if (!inner[e]) continue;
-      const Fold fold = foldOf(mesh.corner(t, static_cast<int>(e)), mesh.positions[start],
-                               mesh.positions[end], mesh.positions[rest.flap[e]]);
-      const double size = std::hypot(fold.cosine, fold.sine);  // 0 where a triangle has no plane
-      rest.cosine[e] = size > 0 ? fold.cosine / size : 1;
-      rest.sine[e] = size > 0 ? fold.sine / size : 0;
+      setHinge(rest, e, corner, mesh, particles);
     }
+    stencils.insert(stencils.end(), corner.begin(), corner.end());
+    stencils.insert(stencils.end(), rest.flap.begin(), rest.flap.end());
+    triangles_.push_back(corner);
     compliance_.push_back(bendingCompliance(mesh, t, sheet));
-    rest.stiffness = bendingStiffness(compliance_.back(), inner);
+    rest.stiffness =
+        bendingStiffness(compliance_.back(), {rest.share[0] > 0, rest.share[1] > 0, rest.share[2] > 0});
     rest_.push_back(rest);
   }
-  colouring_ = colour(stencils(mesh, flaps), 6, particles.count(), order);
+  colouring_ = colour(stencils, 6, particles.count(), order);
   batches_.resize(colouring_.batches.size());
   for (size_t i = 0; i < batches_.size(); ++i)
     for (int k = 0; k < 4; ++k) setTriangle(batches_[i], k, colouring_.batches[i][k], particles, substep);
+}
+
+void BendingConstraints::setHinge(Rest& rest, uint32_t e, const Triangle& corner, const TriangleMesh& mesh,
+                                  const Particles& particles) {
+  const uint32_t start = corner[(e + 1) % 3], end = corner[(e + 2) % 3], flap = rest.flap[e];
+  rest.side[e] = start < end ? 1 : -1;
+  rest.cosine[e] = 1;
+  if (flap == kNone) return;
+  const bool besideRigid = isRigid(particles, start, end, flap);
+  rest.share[e] = besideRigid ? 2 : 1;
+  if (besideRigid) turnWeight_[rest.edge[e]] = 0;
+  const auto& place = mesh.positions;
+  const Fold fold = foldOf(place[corner[e]], place[start], place[end], place[flap]);
+  const double size = std::hypot(fold.cosine, fold.sine);
+  if (!(size > 0)) return;  // a triangle without a plane
+  rest.cosine[e] = fold.cosine / size;
+  rest.sine[e] = fold.sine / size;
 }
 
 void BendingConstraints::setTriangle(Batch& batch, int k, uint32_t t, const Particles& particles,
@@ -86,7 +95,7 @@ void BendingConstraints::setTriangle(Batch& batch, int k, uint32_t t, const Part
   setLane(batch.base2, k, {0, 1, 0});
   std::array<bool, 3> inner{};
   for (uint32_t e = 0; e < 3; ++e) {
-    inner[e] = !empty && rest_[t].flap[e] != kNone;
+    inner[e] = !empty && rest_[t].share[e] > 0;
     const uint32_t vertex = empty ? particles.idle() : triangles_[t][e];
     const uint32_t flap = inner[e] ? rest_[t].flap[e] : particles.idle();
     batch.corner[e][k] = vertex;
@@ -96,8 +105,9 @@ void BendingConstraints::setTriangle(Batch& batch, int k, uint32_t t, const Part
     batch.flapWeight[e][k] = static_cast<float>(particles.inverseMass[flap]);
     batch.turnWeight[e][k] = inner[e] ? static_cast<float>(turnWeight_[rest_[t].edge[e]]) : 0.0f;
     batch.side[e][k] = empty ? 1 : static_cast<float>(rest_[t].side[e]);
-    batch.restCosine[e][k] = inner[e] ? static_cast<float>(rest_[t].cosine[e]) : 0.0f;
-    batch.restSine[e][k] = inner[e] ? static_cast<float>(rest_[t].sine[e]) : 0.0f;
+    batch.restCosine[e][k] = empty ? 1 : static_cast<float>(rest_[t].cosine[e]);
+    batch.restSine[e][k] = empty ? 0 : static_cast<float>(rest_[t].sine[e]);
+    batch.share[e][k] = empty ? 0 : static_cast<float>(rest_[t].share[e]);
     setLane(batch.baseFlap[e], k, outside[e]);
   }
   for (int e = 0; e < 3; ++e) {  // 0 and 1, 2 and 0, 1 and 2
@@ -161,7 +171,7 @@ struct HingeVertices {
   Vec3x4 toStart, toEnd, toFlap;
 };
 struct RestFold {
-  Float4 cosine, sine;
+  Float4 cosine, sine, share;
 };
 
 inline Hinge hingeOf(const HingeVertices& at, const Vec3x4& normal, Float4 inverseDoubleArea,
@@ -176,10 +186,9 @@ inline Hinge hingeOf(const HingeVertices& at, const Vec3x4& normal, Float4 inver
   hinge.cosine = dot(normal, hinge.flapNormal);
   const Float4 sine = dot(across, normal) * edgeLength * inverseFlapArea;
   const Float4 fromRest = hinge.cosine * rest.cosine + sine * rest.sine;
-  const Float4 growth = one / larger(one + fromRest, splat(kLeastCosine));
+  const Float4 growth = rest.share / larger(one + fromRest, splat(kLeastCosine));
   hinge.turn = (sine * rest.cosine - hinge.cosine * rest.sine) * growth;
-  // On a border both of rest are 0, and so is all of the gradient.
-  const Float4 scale = growth * edgeLength * (rest.cosine * rest.cosine + rest.sine * rest.sine);
+  const Float4 scale = growth * edgeLength;
   const Float4 inverseSquare = one / (squaredEdge + tiny);
   const Float4 flapFoot = dot(across, edge) * inverseSquare,
                apexFoot = -dot(at.toStart, edge) * inverseSquare;
@@ -212,12 +221,12 @@ inline BendingConstraints::Hinges BendingConstraints::hingesOf(const Batch& b, c
   const Float4 inverse = splat(1) / squareRoot(dot(normal, normal) + splat(1e-30f));
   Hinges hinges;
   hinges.normal = normal * inverse;
-  hinges.hinge[0] =
-      hingeOf({corner1, corner2, flap0}, hinges.normal, inverse, {b.restCosine[0], b.restSine[0]});
+  hinges.hinge[0] = hingeOf({corner1, corner2, flap0}, hinges.normal, inverse,
+                            {b.restCosine[0], b.restSine[0], b.share[0]});
   hinges.hinge[1] = hingeOf({corner2 - corner1, zero - corner1, flap1 - corner1}, hinges.normal, inverse,
-                            {b.restCosine[1], b.restSine[1]});
+                            {b.restCosine[1], b.restSine[1], b.share[1]});
   hinges.hinge[2] = hingeOf({zero - corner2, corner1 - corner2, flap2 - corner2}, hinges.normal, inverse,
-                            {b.restCosine[2], b.restSine[2]});
+                            {b.restCosine[2], b.restSine[2], b.share[2]});
   return hinges;
 }
 
@@ -287,17 +296,18 @@ void BendingConstraints::project(Particles& particles, size_t begin, size_t end)
 
 double BendingConstraints::energy(const std::vector<Vec3>& positions) const {
   double sum = 0;
-  for (uint32_t t = 0; t < count_; ++t) {
+  for (uint32_t t = 0; t < count(); ++t) {
     const Rest& rest = rest_[t];
     double s[3] = {0, 0, 0};
     for (uint32_t e = 0; e < 3; ++e) {
-      if (rest.flap[e] == kNone) continue;
+      if (rest.share[e] == 0) continue;
       const Triangle& corner = triangles_[t];
       const Fold fold = foldOf(positions[corner[e]], positions[corner[(e + 1) % 3]],
                                positions[corner[(e + 2) % 3]], positions[rest.flap[e]]);
       const double sine = fold.sine * rest.cosine[e] - fold.cosine * rest.sine[e];
       const double cosine = fold.cosine * rest.cosine[e] + fold.sine * rest.sine[e];
-      s[e] = sine / std::fmax(1 + cosine, kLeastCosine) + rest.side[e] * exactPsi_[rest.edge[e]];
+      s[e] =
+          rest.share[e] * sine / std::fmax(1 + cosine, kLeastCosine) + rest.side[e] * exactPsi_[rest.edge[e]];
     }
     const auto& k = rest.stiffness;
     sum += 0.5 * (k[0] * s[0] * s[0] + k[3] * s[1] * s[1] + k[5] * s[2] * s[2]) + k[1] * s[0] * s[1] +

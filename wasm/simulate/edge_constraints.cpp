@@ -59,8 +59,7 @@ void EdgeConstraints::rebase(const Particles& particles, size_t begin, size_t en
     Batch& batch = batches_[i];
     for (int k = 0; k < 4; ++k) {
       if (batch.a[k] == particles.idle()) continue;
-      const Vec3 d = particles.positions[batch.a[k]] - particles.positions[batch.b[k]];
-      batch.base[k] = Float4{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z), 0};
+      batch.base[k] = toFloat4(particles.positions[batch.a[k]] - particles.positions[batch.b[k]]);
     }
   }
 }

@@ -8,6 +8,10 @@
 
 namespace limber {
 
+inline Float4 toFloat4(const Vec3& v) {
+  return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0};
+}
+
 // How far a vertex has come within the running step, u, and how far it moves in the running substep, q, which
 // is its velocity times the substep. Both are (x, y, z, 0) in metres. Float positions would stand still under
 // many substeps (gravity adds less than half a unit in the last place); here the constraints change q alone,

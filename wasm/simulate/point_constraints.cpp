@@ -2,18 +2,10 @@
 
 namespace limber {
 
-namespace {
-
-Float4 narrow(const Vec3& v) {
-  return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0};
-}
-
-}  // namespace
-
-void PointConstraints::add(const TriangleMesh& mesh, const Particles& particles, const SurfaceAnchor& anchor,
-                           float compliance) {
+void PointConstraints::add(const TriangleMesh& mesh, const Particles& particles,
+                           const SurfaceAnchor& anchor) {
   Point point{};
-  double weight = double{compliance};
+  double weight = 0;
   for (int c = 0; c < 3; ++c) {
     point.vertex[c] = mesh.triangles[anchor.triangle][c];
     point.share[c] = static_cast<float>(anchor.barycentric[c]);
@@ -31,10 +23,9 @@ Vec3 PointConstraints::position(size_t i, const Particles& particles) const {
   return sum;
 }
 
-void PointConstraints::rebase(size_t i, const Particles& particles, const Vec3& from, const Vec3& to,
-                              int substeps) {
-  points_[i].gap = narrow(position(i, particles) - from);
-  points_[i].targetMove = narrow((to - from) / substeps);
+void PointConstraints::rebase(size_t i, const Particles& particles, const Way& way, int substeps) {
+  points_[i].gap = toFloat4(position(i, particles) - way.from);
+  points_[i].targetMove = toFloat4((way.to - way.from) / substeps);
 }
 
 void PointConstraints::project(Particles& particles, int substep) const {

@@ -9,17 +9,18 @@
 
 namespace limber {
 
-// Points of the surface that are held at, or drawn to, a target that moves evenly through the step.
+// Points of the surface that are held at a target, which moves evenly through the step.
 class PointConstraints {
  public:
-  // `compliance` over substep^2, in 1/kg: 0 holds the point.
-  void add(const TriangleMesh& mesh, const Particles& particles, const SurfaceAnchor& anchor,
-           float compliance);
+  void add(const TriangleMesh& mesh, const Particles& particles, const SurfaceAnchor& anchor);
   void clear() { points_.clear(); }
   size_t count() const { return points_.size(); }
 
+  struct Way {
+    Vec3 from, to;
+  };
   // Metres: where the target of point i goes within the step.
-  void rebase(size_t i, const Particles& particles, const Vec3& from, const Vec3& to, int substeps);
+  void rebase(size_t i, const Particles& particles, const Way& way, int substeps);
   // One pass over all points in order, for the given substep of the step, from 0.
   void project(Particles& particles, int substep) const;
 
@@ -30,7 +31,7 @@ class PointConstraints {
   struct Point {
     uint32_t vertex[3];
     float share[3];       // barycentric
-    float correction[3];  // w share / (sum w share^2 + compliance)
+    float correction[3];  // w share / sum w share^2
     Float4 gap;           // point - target at the start of the step
     Float4 targetMove;    // of the target in a substep
   };
