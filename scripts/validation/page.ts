@@ -56,7 +56,7 @@ const INTRODUCTION = `# Validation
 
 Frequencies of bodies whose vibrations are known, computed by the same core as everywhere else, in WebAssembly, and compared
 with the known values: over refinement, on regular, irregular and graded meshes. Nothing on this page is typed in: it is
-written, plots too, by \`node scripts/validation/validate.mjs\` (after \`npm run build\`). Reference values are formulas and
+written, plots too, by \`npm run validate\` (after \`npm run build\`). Reference values are formulas and
 small solvers in \`scripts/validation/analytic/\`, themselves checked against published tables in
 \`tests/engine/validation.test.ts\`.
 

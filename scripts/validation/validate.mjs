@@ -1,5 +1,5 @@
 // Writes docs/validation.md and its plots: computed against analytic frequencies.
-// Usage: npm run build && node scripts/validation/validate.mjs        takes about two minutes
+// Usage: npm run build && npm run validate        takes about two minutes
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';

@@ -1,8 +1,9 @@
+#include "modes/shell_sensitivity.h"
+
 #include <gtest/gtest.h>
 
 #include "modes/eigensolver.h"
 #include "modes/shell.h"
-#include "modes/shell_sensitivity.h"
 #include "shapes.h"
 
 namespace limber {
@@ -16,7 +17,8 @@ TEST(EigenvalueSensitivity, isWhatMovingAVertexDoesToTheEigenvalue) {
   const ShellMaterial material{0.03, 0.3};
   Job job;
   const auto solve = [&](const TriangleMesh& at) {
-    return solveEigenproblem(shellModel(at, topology, material.thickness, material.poisson), {6, 6, 0.05}, job);
+    return solveEigenproblem(shellModel(at, topology, material.thickness, material.poisson), {6, 6, 0.05},
+                             job);
   };
   const EigenPairs pairs = solve(mesh);
   for (int k = 0; k < 6; ++k) {
@@ -40,7 +42,8 @@ TEST(EigenvalueSensitivity, isZeroForRigidMotionsOfTheMesh) {
   const Topology topology = buildTopology(mesh);
   Job job;
   const EigenPairs pairs = solveEigenproblem(shellModel(mesh, topology, 0.05, 0.3), {3, 6, 0.05}, job);
-  const Eigen::VectorXd slope = eigenvalueSensitivity(mesh, topology, {0.05, 0.3}, pairs.lambda[0], pairs.phi.col(0));
+  const Eigen::VectorXd slope =
+      eigenvalueSensitivity(mesh, topology, {0.05, 0.3}, pairs.lambda[0], pairs.phi.col(0));
   double shift = 0, turn = 0;
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     shift += slope[3 * v];

@@ -111,7 +111,8 @@ describe('the core', () => {
     countdown = Infinity;
     expect(cancelled).toBeGreaterThan(60);
     expect({ shell: solve('shell'), solid: solve('solid') }).toEqual(expected);
-    expect(core.peakHeapBytes()).toBeLessThan(1.3 * heap);
+    // The heap grows by a quarter at a time; a hundred factors that nobody freed would fill it many times over.
+    expect(core.peakHeapBytes()).toBeLessThan(2 * heap);
   });
 
   it('throws its sentence as an Error', async () => {

@@ -1,6 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { exportGlb } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
+import { validateGlb } from '../../web/engine/document/validate';
 import { failureOf, SQUARE_OBJ, textFile } from './support/files';
 import { areaOf } from './support/shapes';
 
@@ -26,7 +28,7 @@ describe('OBJ', () => {
     ['with a joined line', SQUARE_OBJ.replace('v 1 0 0', 'v 1 \\\n 0 0')],
     [
       'with texture and normal indices',
-      SQUARE_OBJ.replace('f 1 2 3', 'vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3//1'),
+      `vt 0 0\nvn 0 0 1\n${SQUARE_OBJ.replace(/f.*\n/g, '')}f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/-1/-1 4/1/1\n`,
     ],
     ['with vertex colours', SQUARE_OBJ.replace('v 0 0 0', 'v 0 0 0 0.5 0.5 0.5')],
     ['with negative indices', SQUARE_OBJ.replace('f 1 2 3', 'f -4 -3 -2')],
@@ -41,6 +43,51 @@ describe('OBJ', () => {
     const { bodies } = await open('v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n');
     expect([...bodies[0].indices]).toEqual([0, 1, 2, 0, 2, 3]);
     expect(bodies[0].notes).toEqual(['1 polygon with more than three corners cut into triangles']);
+  });
+
+  it('splits vertices where UVs or normals differ, behind all others', async () => {
+    const { document, bodies } = await open(
+      `${SQUARE_OBJ.replace(/f.*\n/g, '')}v 9 9 9\nvt 0 0\nvt 1 0.25\nvt 1 1\nvn 0 0 2\nvn 0 3 4\n` +
+        'f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/2/1 4/2/2\n',
+    );
+    expect([...bodies[0].indices]).toEqual([0, 1, 2, 0, 5, 3]);
+    expect([...bodies[0].positions.slice(12)]).toEqual([9, 9, 9, 1, 1, 0]);
+    const [primitive] = document.getRoot().listMeshes()[0].listPrimitives();
+    const values = (name: string) => [...primitive.getAttribute(name)!.getArray()!];
+    // OBJ counts from the lower left corner of a picture, glTF from the upper left.
+    expect(values('TEXCOORD_0')).toEqual([0, 1, 1, 0.75, 1, 0, 1, 0.75, 0, 1, 1, 0.75]);
+    expect(values('NORMAL').slice(6, 12)).toEqual([0, 0, 1, 0, 0.6, 0.8].map(Math.fround));
+  });
+
+  it('leaves normals out where a corner has none, and takes colours where every vertex has one', async () => {
+    const normals = `vn 0 0 1\n${SQUARE_OBJ.replace('f 1 2 3', 'f 1//1 2//1 3//1')}`;
+    const colours = SQUARE_OBJ.replace(/^v.*$/gm, '$& 1 0.5 0');
+    const semantics = async (text: string) => {
+      const { document } = await open(text);
+      return document.getRoot().listMeshes()[0].listPrimitives()[0].listSemantics();
+    };
+    expect(await semantics(normals)).toEqual(['POSITION']);
+    expect(await semantics(colours)).toEqual(['POSITION', 'COLOR_0']);
+    expect(await semantics(colours.replace(' 1 0.5 0', ' 1'))).toEqual(['POSITION']);
+  });
+
+  it('makes a primitive of every material in an object', async () => {
+    const model = await open(
+      `${SQUARE_OBJ.replace(/f.*\n/g, '')}usemtl red\nf 1 2 3\nusemtl blue sky\nf 1 3 4\nusemtl red\nf 1 2 4\n`,
+    );
+    const { document, bodies } = model;
+    const primitives = document.getRoot().listMeshes()[0].listPrimitives();
+    expect(primitives.map((one) => one.getMaterial()!.getName())).toEqual(['red', 'blue sky']);
+    expect(primitives.map((one) => [...one.getIndices()!.getArray()!])).toEqual([
+      [0, 1, 2, 0, 1, 3],
+      [0, 2, 3],
+    ]);
+    expect(bodies[0].spans).toEqual([
+      { primitive: 0, first: 0, firstVertex: 0 },
+      { primitive: 1, first: 2, firstVertex: 0 },
+    ]);
+    const bytes = await exportGlb(model, [null], { fields: false });
+    expect(await validateGlb(bytes)).toMatchObject({ errors: 0, warnings: 0 });
   });
 
   it('makes every object a body, with its own vertices, and groups part of it', async () => {
@@ -58,7 +105,7 @@ describe('OBJ', () => {
     const { unread, notes } = await open(
       `mtllib a.mtl\nusemtl red\nvt 0 0\nl 1 2\nstrange line\n${SQUARE_OBJ}`,
     );
-    expect(unread).toEqual(['materials', 'UV coordinates']);
+    expect(unread).toEqual(['colours and textures of materials']);
     expect(notes).toEqual(['1 line or point skipped', '1 unknown line skipped, the first is line 5']);
   });
 

@@ -74,7 +74,26 @@ describe('PLY', () => {
     expect([...bodies[0].positions]).toEqual(POINTS.flat());
     expect([...bodies[0].indices]).toEqual([0, 1, 2, 0, 2, 3, 0, 3, 4, 4, 3, 2]);
     expect(bodies[0].notes).toEqual(['1 polygon with more than three corners cut into triangles']);
-    expect(unread).toEqual(['vertex colours']);
+    expect(unread).toEqual([]);
+  });
+
+  it('takes normals, UVs and colours along', async () => {
+    const triangle = `ply\nformat ascii 1.0\nelement vertex 3\n${['x', 'y', 'z', 'nx', 'ny', 'nz', 's', 't']
+      .map((name) => `property float ${name}\n`)
+      .join(
+        '',
+      )}${['red', 'green', 'blue', 'alpha'].map((name) => `property uchar ${name}\n`).join('')}element face 1
+property list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header
+0 0 0 0 0 2 0 0.25 255 0 55 255\n1 0 0 0 3 4 1 0 0 0 0 255\n0 1 0 0 0 1 nan 1 10 20 30 255\n3 0 1 2 2 0.5 0.5\n`;
+    const { document, unread } = await openModel([textFile('a.ply', triangle)]);
+    const [primitive] = document.getRoot().listMeshes()[0].listPrimitives();
+    const values = (name: string) => [...primitive.getAttribute(name)!.getArray()!];
+    expect(values('NORMAL')).toEqual([0, 0, 1, 0, 0.6, 0.8, 0, 0, 1].map(Math.fround));
+    // PLY counts from the lower left corner of a picture, glTF from the upper left.
+    expect(values('TEXCOORD_0')).toEqual([0, 0.75, 1, 1, 0, 0]);
+    // sRGB 55 is 0.0382 of full light, 10 is 0.0030.
+    expect(values('COLOR_0').slice(0, 7)).toEqual([65535, 0, 2504, 0, 0, 0, 199]);
+    expect(unread).toEqual(['UV coordinates of faces']);
   });
 
   it('unrolls triangle strips', async () => {

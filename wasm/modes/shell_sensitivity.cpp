@@ -40,8 +40,8 @@ Number planeStressEnergy(const Number& xx, const Number& yy, const Number& xy2, 
   return (xx * xx + yy * yy + xx * yy * (2 * poisson) + shear) / Number(1 - poisson * poisson);
 }
 
-// phi^T (K - lambda M) phi of one triangle, from the same strains and curvatures as modes/shell.cpp: x along edge 2, from
-// corner 0 to corner 1.
+// phi^T (K - lambda M) phi of one triangle, from the same strains and curvatures as modes/shell.cpp: x along
+// edge 2, from corner 0 to corner 1.
 Number elementTerm(const std::array<Point, 3>& corner, const ElementMode& mode, const ShellMaterial& material,
                    double lambda) {
   std::array<Point, 3> edge;  // edge c runs from corner c + 1 to corner c + 2
@@ -106,7 +106,8 @@ Eigen::VectorXd eigenvalueSensitivity(const TriangleMesh& mesh, const Topology& 
       std::array<Point, 3> corner;
       for (int c = 0; c < 3; ++c)
         for (int axis = 0; axis < 3; ++axis)
-          corner[static_cast<size_t>(c)][static_cast<size_t>(axis)] = Number::variable(mesh.corner(t, c)[axis], 3 * c + axis);
+          corner[static_cast<size_t>(c)][static_cast<size_t>(axis)] =
+              Number::variable(mesh.corner(t, c)[axis], 3 * c + axis);
       slopes[i] = elementTerm(corner, modeOf(mesh, topology, t, phi), material, lambda).slope;
     }
   });

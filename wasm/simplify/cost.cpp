@@ -34,7 +34,8 @@ CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const 
   collectQuadrics();
   if (options.method == Method::Qem) return;
   strainWeight_ = guidance.strain.empty() ? 0 : options.strainWeight;
-  curvatureWeight_ = guidance.curvature.empty() || options.method == Method::Limber ? 0 : options.curvatureWeight;
+  curvatureWeight_ =
+      guidance.curvature.empty() || options.method == Method::Limber ? 0 : options.curvatureWeight;
   qualityWeight_ = options.qualityWeight;
   startGuidance(input);
 }
@@ -209,7 +210,8 @@ double CostModel::meanBadness(uint32_t edge, const Vec3& target) const {
 
 double CostModel::worstQuality(uint32_t edge, const Vec3& target) const {
   double worst = 1;
-  forEachChanged(edge, [&](const Vec3& q, const Vec3& r) { worst = std::min(worst, triangleQuality(target, q, r)); });
+  forEachChanged(
+      edge, [&](const Vec3& q, const Vec3& r) { worst = std::min(worst, triangleQuality(target, q, r)); });
   return worst;
 }
 

@@ -31,9 +31,10 @@ struct Placement {
 // kShortness times the squared length of the edge, far below what float32 coordinates show, takes shorter
 // edges first there; for `qem` the size weight adds to it.
 //
-// limber: (3 E_QEM + s (1 + w sigma) L^2) (1 + g (1 / q - 1)), with L the edge's length, sigma the larger strain rank at
-// its ends, q the worst quality (Eq. 9) among the changed triangles after the collapse, and s, w, g the weights of size,
-// strain and quality. All terms are squared lengths or pure numbers, so units do not matter.
+// limber: (3 E_QEM + s (1 + w sigma) L^2) (1 + g (1 / q - 1)), with L the edge's length, sigma the larger
+// strain rank at its ends, q the worst quality (Eq. 9) among the changed triangles after the collapse, and s,
+// w, g the weights of size, strain and quality. All terms are squared lengths or pure numbers, so units do
+// not matter.
 class CostModel {
  public:
   // Keeps references to all of them. Works on many edges: reports to `job`.
@@ -78,8 +79,8 @@ class CostModel {
   const CollapseMesh& mesh_;
   double lengthScale_;  // squared lengths of the mesh -> of the frame whose diagonal is 300
   Method method_;
-  double shortness_;    // of the squared length of an edge within the error
-  double sizeWeight_;   // of the squared length of an edge
+  double shortness_;   // of the squared length of an edge within the error
+  double sizeWeight_;  // of the squared length of an edge
   std::vector<Quadric> quadrics_;
 
   double strainWeight_ = 0, curvatureWeight_ = 0, qualityWeight_ = 0;

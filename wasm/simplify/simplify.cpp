@@ -83,7 +83,7 @@ class Simplification {
   std::vector<uint8_t> hasRefused_;   // per vertex: an edge of it may have been refused since the last retry
   std::vector<uint32_t> revaluedAt_;  // per edge: the collapse after which it got its last cost
   uint32_t stopFaces_;
-  std::vector<uint32_t> edges_;       // scratch: edges to price, and their costs
+  std::vector<uint32_t> edges_;  // scratch: edges to price, and their costs
   std::vector<double> edgeCosts_;
   Job& job_;
   History history_;

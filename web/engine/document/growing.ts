@@ -15,6 +15,12 @@ export class GrowingFloats {
     return this.array.slice(0, this.length);
   }
 
+  push2(x: number, y: number): void {
+    if (this.length + 2 > this.array.length) this.grow();
+    this.array[this.length++] = x;
+    this.array[this.length++] = y;
+  }
+
   /** The values so far; valid until the next push. */
   view(): Float32Array {
     return this.array.subarray(0, this.length);
@@ -38,6 +44,15 @@ export class GrowingIndices {
 
   finish(): Uint32Array {
     return this.array.slice(0, this.length);
+  }
+
+  at(i: number): number {
+    return this.array[i];
+  }
+
+  /** The values so far; valid until the next push. */
+  view(): Uint32Array {
+    return this.array.subarray(0, this.length);
   }
 
   private grow(): void {

@@ -1,58 +1,86 @@
-/** Wavefront OBJ: `v` and `f` (polygons too); every `o` is a body, groups belong to their object. */
+/**
+ * Wavefront OBJ: polygons with UVs and normals, vertex colours; every `o` is a body, groups belong to their object, and each
+ * `usemtl` name in it is a primitive.
+ */
 
-import { GrowingFloats, GrowingIndices } from './growing';
+import { NONE } from '../core';
+import { GrowingFloats } from './growing';
 import { counted } from './model';
 import type { SourceFile } from './model';
+import { ObjCorners, splitVertices } from './obj_corners';
 import { triangulatePolygon } from './polygon';
 import type { Surface, SurfaceFile } from './surface';
 import { excerpt, TextScanner } from './text_scanner';
+import { attributesOfRaw } from './vertex_values';
 
 const SLASH = 47;
 
-/** What else the format knows; lines of the first kind carry something that is not taken along. */
-const UNREAD: Record<string, string> = { vt: 'UV coordinates', usemtl: 'materials' };
-const KNOWN = new Set(
-  'vn g s mtllib p l o # mg lod cstype deg surf curv curv2 end parm vp usemap'.split(' '),
-);
+/** What else the format knows, and passes over. */
+const KNOWN = new Set('g s p l o # mg lod cstype deg surf curv curv2 end parm vp usemap'.split(' '));
 const LINES_AND_POINTS = new Set(['l', 'p']);
 
 interface ObjectFaces {
   name: string;
-  indices: GrowingIndices;
+  /** corners by the name of their material, '' without one */
+  parts: Map<string, ObjCorners>;
   polygons: number;
   shortFaces: number;
+}
+
+/** Numbers from 0; NONE without UV or normal. */
+interface FaceCorner {
+  vertex: number;
+  uv: number;
+  normal: number;
 }
 
 /** What is gathered on the way through the file. */
 interface Reading {
   scan: TextScanner;
   positions: GrowingFloats;
+  uvs: GrowingFloats;
+  normals: GrowingFloats;
+  /** sRGB; of use where every vertex has one */
+  colours: GrowingFloats;
   objects: Map<string, ObjectFaces>;
   object: ObjectFaces;
-  unread: Set<string>;
+  material: string;
+  hasLibrary: boolean;
   linesAndPoints: number;
   /** the highest vertex number that did not exist yet where a face named it */
   ahead: { vertex: number; line: number } | null;
   stranger: { text: string; line: number; count: number } | null;
 }
 
-/** Throws an Error that names the line. Vertex colours and weights after the coordinates are passed over. */
+/** Throws an Error that names the line. Weights after the coordinates are passed over. */
 export function readObj(file: SourceFile): SurfaceFile {
   const reading = startReading(file);
   const { scan } = reading;
   while (!scan.atEnd) {
-    const word = scan.word();
-    if (word === 'v') readVertex(reading);
-    else if (word === 'f') readFace(reading);
-    else if (word === 'o') reading.object = objectNamed(reading.objects, scan.rest());
-    else if (word !== '') readOther(reading, word);
+    readLine(reading, scan.word());
     scan.nextLine();
   }
-  const objects = [...reading.objects.values()].filter((object) => object.indices.length > 0);
+  const objects = [...reading.objects.values()].filter(hasFaces);
   checkReading(file.name, reading, objects.length);
-  const surfaces = objects.map((object) => surfaceOf(object, reading.positions, objects.length > 1));
-  return { surfaces, notes: notesOf(reading), unread: [...reading.unread] };
+  const surfaces = objects.map((object) => surfaceOf(object, reading, objects.length > 1));
+  const unread = reading.hasLibrary ? ['colours and textures of materials'] : [];
+  return { surfaces, notes: notesOf(reading), unread };
 }
+
+function readLine(reading: Reading, word: string): void {
+  const { scan } = reading;
+  if (word === 'v') readVertex(reading);
+  else if (word === 'vt') reading.uvs.push2(scan.numberOrNaN(), scan.seekWord() ? scan.numberOrNaN() : 0);
+  else if (word === 'vn') reading.normals.push3(scan.numberOrNaN(), scan.numberOrNaN(), scan.numberOrNaN());
+  else if (word === 'f') readFace(reading);
+  else if (word === 'o') reading.object = objectNamed(reading.objects, scan.rest());
+  else if (word === 'usemtl') reading.material = scan.rest();
+  else if (word === 'mtllib') reading.hasLibrary = true;
+  else if (word !== '') readOther(reading, word);
+}
+
+const hasFaces = ({ parts }: ObjectFaces): boolean =>
+  [...parts.values()].some(({ vertices }) => vertices.length > 0);
 
 function startReading(file: SourceFile): Reading {
   const objects = new Map<string, ObjectFaces>();
@@ -60,9 +88,13 @@ function startReading(file: SourceFile): Reading {
   return {
     scan: new TextScanner(file.name, file.bytes),
     positions: new GrowingFloats(),
+    uvs: new GrowingFloats(),
+    normals: new GrowingFloats(),
+    colours: new GrowingFloats(),
     objects,
     object: objectNamed(objects, stem),
-    unread: new Set(),
+    material: '',
+    hasLibrary: false,
     linesAndPoints: 0,
     ahead: null,
     stranger: null,
@@ -72,46 +104,66 @@ function startReading(file: SourceFile): Reading {
 function objectNamed(objects: Map<string, ObjectFaces>, name: string): ObjectFaces {
   const known = objects.get(name);
   if (known) return known;
-  const object = { name, indices: new GrowingIndices(), polygons: 0, shortFaces: 0 };
+  const object = { name, parts: new Map<string, ObjCorners>(), polygons: 0, shortFaces: 0 };
   objects.set(name, object);
   return object;
 }
 
-function readVertex({ scan, positions }: Reading): void {
+function readVertex({ scan, positions, colours }: Reading): void {
   const x = Math.fround(scan.number('x'));
   const y = Math.fround(scan.number('y'));
   const z = Math.fround(scan.number('z'));
   if (!Number.isFinite(x + y + z)) scan.fail('a coordinate is too large for a 32-bit number');
   positions.push3(x, y, z);
+  if (!scan.seekWord()) return;
+  // One number alone is a weight.
+  const [red, green, blue] = [scan.numberOrNaN(), scan.numberOrNaN(), scan.numberOrNaN()];
+  if (!Number.isNaN(blue)) colours.push3(red, green, blue);
 }
 
 function readFace(reading: Reading): void {
-  const { scan, object, positions } = reading;
-  const corners: number[] = [];
+  const { scan, object } = reading;
+  const corners: FaceCorner[] = [];
   let count = 0;
   for (; scan.seekWord(); ++count) {
     const corner = readCorner(reading);
     // A repeated neighbour adds nothing to a polygon; the triangle rule below still counts it as degenerate.
-    if (corner !== corners[corners.length - 1]) corners.push(corner);
+    if (corner.vertex !== corners.at(-1)?.vertex) corners.push(corner);
   }
-  while (corners.length > 1 && corners[0] === corners[corners.length - 1]) corners.pop();
+  while (corners.length > 1 && corners[0].vertex === corners[corners.length - 1].vertex) corners.pop();
   if (count < 3) object.shortFaces += 1;
   if (count > 3) object.polygons += 1;
   if (corners.length === 0) return;
   while (corners.length < 3) corners.push(corners[corners.length - 1]);
-  const isReady = reading.ahead === null;
-  const triangles = isReady ? triangulatePolygon(corners, positions.view()) : fanOf(corners);
-  for (const corner of triangles) object.indices.push(corner);
+  const part = partOf(object, reading.material);
+  for (const i of trianglesOf(corners, reading))
+    part.push(corners[i].vertex, corners[i].uv, corners[i].normal);
 }
 
-/** Where vertices come after their faces, polygons cannot be looked at yet. */
-function fanOf(corners: number[]): number[] {
-  return corners.slice(2).flatMap((corner, i) => [corners[0], corners[i + 1], corner]);
+function partOf({ parts }: ObjectFaces, material: string): ObjCorners {
+  const known = parts.get(material);
+  if (known) return known;
+  const part = new ObjCorners();
+  parts.set(material, part);
+  return part;
 }
 
-/** Reads `v`, `v/vt`, `v//vn` or `v/vt/vn` and returns the vertex index from 0. */
-function readCorner(reading: Reading): number {
-  const { scan, positions } = reading;
+/** Triples of numbers into `corners`. Where vertices come after their faces, polygons cannot be looked at yet. */
+function trianglesOf(corners: FaceCorner[], { ahead, positions }: Reading): number[] {
+  if (corners.length === 3) return [0, 1, 2];
+  const numbers = corners.map((_, i) => i);
+  if (ahead !== null) return numbers.slice(2).flatMap((i) => [0, i - 1, i]);
+  const all = positions.view();
+  const places = Float32Array.from(
+    { length: 3 * corners.length },
+    (_, i) => all[3 * corners[Math.floor(i / 3)].vertex + (i % 3)],
+  );
+  return triangulatePolygon(numbers, places);
+}
+
+/** Reads `v`, `v/vt`, `v//vn` or `v/vt/vn`. */
+function readCorner(reading: Reading): FaceCorner {
+  const { scan, positions, uvs, normals } = reading;
   const count = positions.length / 3;
   const start = scan.at;
   const number = scan.integer();
@@ -120,17 +172,28 @@ function readCorner(reading: Reading): number {
     scan.at = start;
     scan.fail(`the corner "${excerpt(scan.word())}" is not a vertex number`);
   }
-  if (scan.peek() === SLASH) scan.word();
+  const uv = readReference(scan, uvs.length / 2);
+  const normal = readReference(scan, normals.length / 3);
+  // Whatever else stands there.
+  if (scan.peek() > 32) scan.word();
   if (number === 0) scan.fail('a face names vertex 0, but vertices are numbered from 1');
   if (number < -count) scan.fail(`a face names vertex ${number}, but only ${count} come before it`);
   if (number > count && number > (reading.ahead?.vertex ?? 0))
     reading.ahead = { vertex: number, line: scan.line };
-  return number > 0 ? number - 1 : count + number;
+  return { vertex: number > 0 ? number - 1 : count + number, uv, normal };
+}
+
+/** A slash and the number of a UV or normal, of which there are `count` so far; NONE where it names none. */
+function readReference(scan: TextScanner, count: number): number {
+  if (scan.peek() !== SLASH) return NONE;
+  scan.at += 1;
+  const number = scan.integer();
+  if (number > 0) return number - 1;
+  return number < 0 && -number <= count ? count + number : NONE;
 }
 
 function readOther(reading: Reading, word: string): void {
-  if (word in UNREAD) reading.unread.add(UNREAD[word]);
-  else if (LINES_AND_POINTS.has(word)) reading.linesAndPoints += 1;
+  if (LINES_AND_POINTS.has(word)) reading.linesAndPoints += 1;
   else if (!KNOWN.has(word) && !word.startsWith('#')) {
     const { scan, stranger } = reading;
     if (stranger) stranger.count += 1;
@@ -153,31 +216,48 @@ function checkReading(name: string, { positions, ahead, stranger }: Reading, obj
   throw new Error(`${name} has ${what}: export it as a mesh with faces.`);
 }
 
-function surfaceOf(object: ObjectFaces, positions: GrowingFloats, isOneOfMany: boolean): Surface {
+function surfaceOf(object: ObjectFaces, reading: Reading, isOneOfMany: boolean): Surface {
   const notes: string[] = [];
   if (object.polygons > 0)
     notes.push(`${counted(object.polygons, 'polygon')} with more than three corners cut into triangles`);
   if (object.shortFaces > 0)
     notes.push(`${counted(object.shortFaces, 'face')} with fewer than three corners`);
-  const indices = object.indices.finish();
-  const used = isOneOfMany ? compact(positions.view(), indices) : positions.finish();
-  return { name: object.name, positions: used, indices, notes };
+  const used = [...object.parts].filter(([, { vertices }]) => vertices.length > 0);
+  const corners = used.map(([, part]) => part);
+  const { positions, uvs, normals, colours } = reading;
+  const { vertexOf, uvOf, normalOf, indices } = splitVertices(corners, positions.length / 3, isOneOfMany);
+  const hasUvs = indices.some((v) => uvOf[v] !== NONE);
+  const hasNormals = indices.every((v) => normalOf[v] !== NONE);
+  const raw = {
+    ...(hasUvs ? { uvs: pick(uvs.view(), uvOf, 2) } : {}),
+    ...(hasNormals ? { normals: pick(normals.view(), normalOf, 3) } : {}),
+    ...(colours.length === positions.length ? { colours: pick(colours.view(), vertexOf, 3) } : {}),
+  };
+  let first = 0;
+  const parts = used.map(([material, { vertices }]) => {
+    const part = { material, first };
+    first += vertices.length / 3;
+    return part;
+  });
+  const places = pick(positions.view(), vertexOf, 3);
+  return {
+    name: object.name,
+    positions: places,
+    indices,
+    attributes: attributesOfRaw(raw, indices),
+    parts,
+    notes,
+  };
 }
 
-/** The positions that `indices` name, in order of first use; renumbers `indices` in place. */
-function compact(positions: Float32Array, indices: Uint32Array): Float32Array {
-  const renumbered = new Map<number, number>();
-  const used = new GrowingFloats();
-  indices.forEach((vertex, corner) => {
-    let place = renumbered.get(vertex);
-    if (place === undefined) {
-      place = renumbered.size;
-      renumbered.set(vertex, place);
-      used.push3(positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]);
-    }
-    indices[corner] = place;
+/** The values of the elements `which`, 0 for NONE and for what is not there. */
+function pick(values: Float32Array, which: Uint32Array, size: number): Float32Array {
+  const picked = new Float32Array(size * which.length);
+  which.forEach((from, to) => {
+    if (size * from + size > values.length) return;
+    for (let c = 0; c < size; ++c) picked[size * to + c] = values[size * from + c];
   });
-  return used.finish();
+  return picked;
 }
 
 function notesOf({ linesAndPoints, stranger }: Reading): string[] {

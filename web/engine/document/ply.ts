@@ -1,4 +1,7 @@
-/** PLY, text and binary of both byte orders: vertices, faces with any number of corners, triangle strips. One body. */
+/**
+ * PLY, text and binary of both byte orders: vertices with normals, UVs and colours, faces with any number of corners, triangle
+ * strips. One body.
+ */
 
 import { GrowingIndices } from './growing';
 import { counted } from './model';
@@ -8,20 +11,38 @@ import type { PlyElement, PlyHeader, PlyProperty, PlyType } from './ply_header';
 import { triangulatePolygon } from './polygon';
 import type { SurfaceFile } from './surface';
 import { TextScanner } from './text_scanner';
+import { attributesOfRaw } from './vertex_values';
+import type { RawAttributes } from './vertex_values';
 
 const INDEX_LISTS = ['vertex_indices', 'vertex_index'];
-const UNREAD: Record<string, string> = {
-  red: 'vertex colours',
-  diffuse_red: 'vertex colours',
-  s: 'UV coordinates',
-  u: 'UV coordinates',
-  texture_u: 'UV coordinates',
-  texcoord: 'UV coordinates',
-};
+/** Properties of faces that are passed over. */
+const UNREAD: Record<string, string> = { texcoord: 'UV coordinates of faces', red: 'colours of faces' };
+
+/** What a property of a vertex is, by its name: a component of one of these arrays. */
+const COLUMNS: { key: 'positions' | keyof RawAttributes; names: RegExp[] }[] = [
+  { key: 'positions', names: [/^x$/, /^y$/, /^z$/] },
+  { key: 'normals', names: [/^nx$/, /^ny$/, /^nz$/] },
+  { key: 'uvs', names: [/^(s|u|texture_u)$/, /^(t|v|texture_v)$/] },
+  { key: 'colours', names: [/^(diffuse_)?red$/, /^(diffuse_)?green$/, /^(diffuse_)?blue$/] },
+];
+
+/** Of integer types: what stands for a full colour. */
+const FULL: Partial<Record<PlyType, number>> = { uint8: 255, int8: 127, uint16: 65535, int16: 32767 };
+
+/** Where the values of a property go: values[size * row + component]; all vertices' values of one kind in a row. */
+interface Column {
+  values: Float32Array;
+  size: number;
+  component: number;
+  scale: number;
+  isPosition: boolean;
+}
 
 /** Values one after the other, whatever the encoding. */
 interface ValueSource {
   read(type: PlyType): number;
+  /** NaN where a text has no finite number */
+  readLoosely(type: PlyType): number;
   skip(type: PlyType): void;
   fail(problem: string): never;
 }
@@ -29,6 +50,7 @@ interface ValueSource {
 /** What is gathered on the way: polygons as their corner counts and all corners in a row. */
 interface PlyContent {
   positions: Float32Array;
+  attributes: RawAttributes;
   cornerCounts: GrowingIndices;
   corners: GrowingIndices;
 }
@@ -42,6 +64,7 @@ export function readPly(file: SourceFile): SurfaceFile {
   if (vertexCount > file.bytes.length) source.fail(`${vertexCount} vertices do not fit into the file`);
   const content: PlyContent = {
     positions: new Float32Array(3 * vertexCount),
+    attributes: emptyAttributes(header, vertexCount),
     cornerCounts: new GrowingIndices(),
     corners: new GrowingIndices(),
   };
@@ -54,26 +77,56 @@ export function readPly(file: SourceFile): SurfaceFile {
   const { indices, polygons } = triangulate(file.name, content);
   const notes =
     polygons > 0 ? [`${counted(polygons, 'polygon')} with more than three corners cut into triangles`] : [];
-  const surface = { name, positions: content.positions, indices, notes };
+  const attributes = attributesOfRaw(content.attributes, indices);
+  const surface = { name, positions: content.positions, indices, attributes, notes };
   return { surfaces: [surface], notes: [], unread: unreadOf(header) };
 }
 
 function unreadOf({ elements }: PlyHeader): string[] {
-  const names = elements.flatMap((element) => element.properties.map((property) => property.name));
-  return [...new Set(names.filter((name) => name in UNREAD).map((name) => UNREAD[name]))];
+  const faces = elements.filter((element) => element.name === 'face');
+  const names = faces.flatMap((element) => element.properties.map((property) => property.name));
+  return names.filter((name) => name in UNREAD).map((name) => UNREAD[name]);
+}
+
+/** Room for the kinds of values that vertices have all components of. */
+function emptyAttributes({ elements }: PlyHeader, vertexCount: number): RawAttributes {
+  const vertex = elements.find((element) => element.name === 'vertex');
+  const has = (name: RegExp) => vertex?.properties.some((property) => name.test(property.name));
+  const found = COLUMNS.filter(({ key, names }) => key !== 'positions' && names.every(has));
+  return Object.fromEntries(
+    found.map(({ key, names }) => [key, new Float32Array(names.length * vertexCount)]),
+  );
+}
+
+function columnOf(
+  { name, type, countType }: PlyProperty,
+  { positions, attributes }: PlyContent,
+): Column | null {
+  if (countType) return null;
+  for (const { key, names } of COLUMNS) {
+    const component = names.findIndex((pattern) => pattern.test(name));
+    const values = key === 'positions' ? positions : attributes[key];
+    if (component < 0 || !values) continue;
+    const scale = key === 'colours' ? 1 / (FULL[type] ?? 1) : 1;
+    return { values, size: names.length, component, scale, isPosition: key === 'positions' };
+  }
+  return null;
 }
 
 function readElement(source: ValueSource, element: PlyElement, content: PlyContent): void {
   const { name, count, properties } = element;
-  const isVertex = name === 'vertex';
-  const axes = properties.map((property) => (isVertex ? ['x', 'y', 'z'].indexOf(property.name) : -1));
+  const columns = properties.map((property) => (name === 'vertex' ? columnOf(property, content) : null));
   const isFace = properties.map(
     (property) => (name === 'face' || name === 'tristrips') && INDEX_LISTS.includes(property.name),
   );
   for (let row = 0; row < count; ++row)
     for (let i = 0; i < properties.length; ++i) {
-      const property = properties[i];
-      if (axes[i] >= 0) content.positions[3 * row + axes[i]] = readCoordinate(source, property, row);
+      const [property, column] = [properties[i], columns[i]];
+      if (column?.isPosition)
+        column.values[3 * row + column.component] = readCoordinate(source, property, row);
+      else if (column)
+        column.values[column.size * row + column.component] =
+          column.scale * source.readLoosely(property.type);
       else if (!isFace[i]) skipProperty(source, property);
       else if (name === 'face') readPolygon(source, property, content);
       else readStrips(source, property, content);
@@ -148,13 +201,20 @@ function trianglesOf(polygon: number[], positions: Float32Array): number[] {
 function textSource(file: SourceFile, header: PlyHeader): ValueSource {
   const scan = new TextScanner(file.name, file.bytes, header.bodyAt);
   scan.line = header.bodyLine;
+  const seek = () => {
+    if (!scan.seekWordAnywhere()) scan.fail('the file ends too early: export it again');
+  };
   return {
     read: () => {
-      if (!scan.seekWordAnywhere()) scan.fail('the file ends too early: export it again');
+      seek();
       return scan.number('a value');
     },
+    readLoosely: () => {
+      seek();
+      return scan.numberOrNaN();
+    },
     skip: () => {
-      if (!scan.seekWordAnywhere()) scan.fail('the file ends too early: export it again');
+      seek();
       scan.word();
     },
     fail: (problem) => scan.fail(problem),
@@ -195,5 +255,6 @@ function binarySource({ name, bytes }: SourceFile, header: PlyHeader): ValueSour
     at += SIZES[type];
     return start;
   };
-  return { read: (type) => readers[type](pass(type)), skip: pass, fail };
+  const read = (type: PlyType) => readers[type](pass(type));
+  return { read, readLoosely: read, skip: pass, fail };
 }

@@ -1,6 +1,7 @@
 /** Formats without a scene of their own (OBJ, STL, PLY) become a document with one node and mesh per body. */
 
 import { Document } from '@gltf-transform/core';
+import type { Accessor, Buffer, Material, Primitive } from '@gltf-transform/core';
 import type { Body, Format, OpenModel } from './model';
 
 /** One body as a reader found it. */
@@ -8,7 +9,18 @@ export interface Surface {
   name: string;
   positions: Float32Array;
   indices: Uint32Array;
+  /** what its vertices carry, under glTF's names; unit normals, the origin of UVs is the upper left corner */
+  attributes?: SurfaceAttributes;
+  /** triangles from `first` to the next part's are of this material ('': none); absent: one part without */
+  parts?: { material: string; first: number }[];
   notes: string[];
+}
+
+export interface SurfaceAttributes {
+  NORMAL?: Float32Array;
+  TEXCOORD_0?: Float32Array;
+  /** linear, 65,535 stands for 1 */
+  COLOR_0?: Uint16Array;
 }
 
 /** What a reader found in a file. */
@@ -21,18 +33,63 @@ export interface SurfaceFile {
 
 export function modelOfSurfaces(name: string, format: Format, file: SurfaceFile): OpenModel {
   const document = new Document();
-  const buffer = document.createBuffer();
+  document.createBuffer();
   const scene = document.createScene();
   document.getRoot().setDefaultScene(scene);
+  const materials = new Map<string, Material>();
   const bodies = file.surfaces.map((surface, index): Body => {
-    const positions = document.createAccessor().setType('VEC3').setBuffer(buffer);
-    const indices = document.createAccessor().setType('SCALAR').setBuffer(buffer);
-    positions.setArray(surface.positions as Float32Array<ArrayBuffer>);
-    indices.setArray(surface.indices as Uint32Array<ArrayBuffer>);
-    const primitive = document.createPrimitive().setAttribute('POSITION', positions).setIndices(indices);
-    const mesh = document.createMesh(surface.name).addPrimitive(primitive);
+    const { positions, indices, notes } = surface;
+    const parts = surface.parts ?? [{ material: '', first: 0 }];
+    const mesh = document.createMesh(surface.name);
+    for (const primitive of primitivesOf(document, surface, parts, materials)) mesh.addPrimitive(primitive);
     scene.addChild(document.createNode(surface.name).setMesh(mesh));
-    return { ...surface, mesh: index, spans: [{ primitive: 0, first: 0, firstVertex: 0 }], scale: 1 };
+    const spans = parts.map(({ first }, primitive) => ({ primitive, first, firstVertex: 0 }));
+    return { name: surface.name, positions, indices, notes, mesh: index, spans, scale: 1 };
   });
   return { name, format, document, bodies, notes: file.notes, unread: file.unread };
+}
+
+/** One per part; they share the vertices. */
+function primitivesOf(
+  document: Document,
+  { positions, indices, attributes = {} }: Surface,
+  parts: { material: string; first: number }[],
+  materials: Map<string, Material>,
+): Primitive[] {
+  const [buffer] = document.getRoot().listBuffers();
+  const shared = Object.entries({ POSITION: positions, ...attributes }).map(
+    ([semantic, array]) => [semantic, accessorOf(document, buffer, semantic, array)] as const,
+  );
+  return parts.map(({ material, first }, i) => {
+    const corners = indices.subarray(3 * first, i + 1 < parts.length ? 3 * parts[i + 1].first : undefined);
+    const accessor = document.createAccessor().setType('SCALAR').setBuffer(buffer);
+    const primitive = document
+      .createPrimitive()
+      .setIndices(accessor.setArray(corners as Uint32Array<ArrayBuffer>));
+    for (const [semantic, values] of shared) primitive.setAttribute(semantic, values);
+    return material === '' ? primitive : primitive.setMaterial(materialNamed(document, materials, material));
+  });
+}
+
+function accessorOf(
+  document: Document,
+  buffer: Buffer,
+  semantic: string,
+  array: Float32Array | Uint16Array,
+): Accessor {
+  return document
+    .createAccessor()
+    .setType(semantic === 'TEXCOORD_0' ? 'VEC2' : 'VEC3')
+    .setNormalized(array instanceof Uint16Array)
+    .setBuffer(buffer)
+    .setArray(array as Float32Array<ArrayBuffer> | Uint16Array<ArrayBuffer>);
+}
+
+/** Its name is all that is known of it. */
+function materialNamed(document: Document, materials: Map<string, Material>, name: string): Material {
+  const known = materials.get(name);
+  if (known) return known;
+  const material = document.createMaterial(name).setMetallicFactor(0);
+  materials.set(name, material);
+  return material;
 }

@@ -93,6 +93,17 @@ export class TextScanner {
     return Number.isNaN(value) ? this.slowNumber(start, what) : value;
   }
 
+  /** The next word as a number; NaN where it is not one, or the line ends. */
+  numberOrNaN(): number {
+    if (!this.seekWord()) return NaN;
+    const start = this.at;
+    const value = this.shortDecimal();
+    if (!Number.isNaN(value)) return value;
+    this.at = start;
+    const word = this.word();
+    return NUMBER.test(word) ? Number(word) : NaN;
+  }
+
   /** An integer with an optional sign; NaN where there is none. Stops at the first other byte. */
   integer(): number {
     const isNegative = this.passSign();

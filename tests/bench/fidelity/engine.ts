@@ -1,0 +1,13 @@
+// What the evaluation uses of the engine, as one entry for its bundle; and the samples, from where they are made.
+
+export { samples } from '../../../scripts/samples/samples';
+export { loadCore } from '../../../web/engine/load_core';
+export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/options';
+export {
+  findGuidance,
+  findModes,
+  materialOf,
+  measureResult,
+  optimizeBody,
+  prepareBody,
+} from '../../../web/engine/pipeline';

@@ -1,0 +1,37 @@
+// The bundled engine and a loaded core, for the evaluation.
+
+import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { build } from 'vite';
+
+export const root = resolve(import.meta.dirname, '..', '..', '..');
+export const scratch = join(root, 'build', 'bench', 'fidelity');
+export const imageFolder = join(root, 'docs', 'images', 'simplification');
+const wasm = join(root, 'public', 'wasm');
+
+/** First 16 hexadecimal digits of the SHA-256 of all parts, which are strings or typed arrays. */
+export function hashOf(...parts) {
+  const hash = createHash('sha256');
+  for (const part of parts) hash.update(part).update('\n');
+  return hash.digest('hex').slice(0, 16);
+}
+
+/** { engine, core, version }: `version` changes with the core's and the engine's code. Wants `npm run build` first. */
+export async function loadEngine() {
+  const outDir = join(scratch, 'engine');
+  await build({
+    root,
+    configFile: false,
+    logLevel: 'warn',
+    publicDir: false,
+    build: { ssr: 'tests/bench/fidelity/engine.ts', outDir, emptyOutDir: true, target: 'es2022' },
+  });
+  const bundle = join(outDir, 'engine.js');
+  const engine = await import(pathToFileURL(bundle).href);
+  const core = await engine.loadCore({ threads: 0, wasmFolder: pathToFileURL(join(wasm, '/')).href });
+  const name = core.threads > 1 ? 'threads' : 'single';
+  const version = hashOf(readFileSync(join(wasm, `limber-${name}.wasm`)), readFileSync(bundle));
+  return { engine, core, version };
+}

@@ -1,0 +1,84 @@
+// meshoptimizer's simplifiers on the welded mesh, to an exact count, whatever the error.
+
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { MeshoptSimplifier } from 'meshoptimizer';
+import { root } from './load_engine.mjs';
+
+/** A limit on the error that nothing reaches, relative to the extent. */
+const ANY_ERROR = 1e9;
+/** meshopt_SimplifyVertex_Priority of its C header; its JavaScript passes the bytes of `vertex_lock` on. */
+const PRIORITY = 4;
+/** Vertices whose strain ranks above this get the priority. */
+const STRAINED = 0.75;
+
+/** The peer whose frequencies come closest; the targets are against it. */
+export const BEST_PEER = 'meshoptimizer update';
+
+const without = new Float32Array(0);
+const indexCount = (faces) => 3 * Math.floor(faces);
+
+function simplify({ prepared }, faces) {
+  const { positions, triangles } = prepared.mesh;
+  const [indices] = MeshoptSimplifier.simplify(triangles, positions, 3, indexCount(faces), ANY_ERROR);
+  return compact(positions, indices);
+}
+
+function update({ prepared }, faces, priorities) {
+  const positions = prepared.mesh.positions.slice();
+  const indices = prepared.mesh.triangles.slice();
+  const [count] = MeshoptSimplifier.simplifyWithUpdate(
+    ...[indices, positions, 3, without, 0, [], priorities, indexCount(faces), ANY_ERROR, ['Regularize']],
+  );
+  return compact(positions, indices.slice(0, count));
+}
+
+/** The mesh of `indices` without vertices that none of them uses. */
+function compact(positions, indices) {
+  const triangles = indices.slice();
+  const [remap, count] = MeshoptSimplifier.compactMesh(triangles);
+  const kept = new Float32Array(3 * count);
+  remap.forEach((to, v) => {
+    if (to < count) kept.set(positions.subarray(3 * v, 3 * v + 3), 3 * to);
+  });
+  return { positions: kept, triangles };
+}
+
+/** Per vertex PRIORITY where a triangle around it bends much in the first six modes, by our own guidance. */
+function strainPriorities({ engine, core }, { prepared }) {
+  const settings = { ...engine.defaultSettings(), method: 'qem' };
+  const { rank } = engine.findGuidance(core, prepared, engine.findModes(core, prepared, settings), settings);
+  const priorities = new Uint8Array(prepared.mesh.positions.length / 3);
+  prepared.mesh.triangles.forEach((vertex, corner) => {
+    if (rank[Math.floor(corner / 3)] > STRAINED) priorities[vertex] = PRIORITY;
+  });
+  return priorities;
+}
+
+function timed(simplifier) {
+  return (mesh, faces) => {
+    const started = performance.now();
+    const result = simplifier(mesh, faces);
+    return { mesh: result, seconds: (performance.now() - started) / 1000 };
+  };
+}
+
+export async function meshoptimizerPeers(loaded) {
+  await MeshoptSimplifier.ready;
+  const packageFile = join(root, 'node_modules', 'meshoptimizer', 'package.json');
+  const version = `meshoptimizer ${JSON.parse(readFileSync(packageFile, 'utf8')).version}`;
+  const strained = (mesh, faces) => update(mesh, faces, strainPriorities(loaded, mesh));
+  return [
+    { name: 'meshoptimizer', version: `${version}, simplify`, run: timed(simplify) },
+    {
+      name: BEST_PEER,
+      version: `${version}, simplifyWithUpdate, Regularize`,
+      run: timed((mesh, faces) => update(mesh, faces, null)),
+    },
+    {
+      name: `${BEST_PEER} + strain`,
+      version: `${version}, simplifyWithUpdate, Regularize, priority above rank ${STRAINED}`,
+      run: timed(strained),
+    },
+  ];
+}

@@ -1,0 +1,35 @@
+// The methods that are compared, as data: { name, isOurs, version, run(mesh, faces) -> { mesh, seconds } };
+// results of the same name and version are the same.
+
+import { meshoptimizerPeers } from './meshoptimizer_peers.mjs';
+import { pythonPeers } from './python_peers.mjs';
+
+/** A method of ours: the engine's whole pipeline with the defaults of the method and `changes`. */
+function ours(loaded, name, changes) {
+  const { engine, core } = loaded;
+  const settings = { ...engine.defaultSettings(), ...changes };
+  engine.checkSettings(settings);
+  const run = ({ prepared }, targetFaces) => {
+    const started = performance.now();
+    const { result, timings } = engine.optimizeBody(core, prepared, settings, { targetFaces });
+    return { mesh: result.mesh, seconds: (performance.now() - started) / 1000 - timings.measure };
+  };
+  const version = `${loaded.version} ${JSON.stringify(settings)}`;
+  return { name, isOurs: true, version, run };
+}
+
+/** Ours that this build of the engine knows; `changes` go to each of them. */
+export function ourMethods(loaded, changes = {}) {
+  const { choices } = loaded.engine.OPTIONS.method;
+  const knowsFit = 'fit' in loaded.engine.OPTIONS;
+  return choices.flatMap((method) => {
+    const plain = ours(loaded, method, { ...changes, method });
+    if (method !== 'limber' || !knowsFit || 'fit' in changes) return [plain];
+    return [plain, ours(loaded, 'limber without fit', { ...changes, method, fit: false })];
+  });
+}
+
+/** Those of others; what is not here is pushed to `missing`. */
+export async function peerMethods(loaded, missing) {
+  return [...(await meshoptimizerPeers(loaded)), ...pythonPeers(missing)];
+}

@@ -1,0 +1,95 @@
+// Pictures of what the methods leave at 25 %, side by side, by headless Chromium.
+
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { chromium } from '@playwright/test';
+import { build } from 'vite';
+import { findChromium } from '../../../scripts/setup/environment.mjs';
+import { imageFolder, root, scratch } from './load_engine.mjs';
+
+const RATIO = 0.25;
+const COLUMNS = 4;
+const WIDTH = 300;
+
+/** `view` points from the body to the eye, +Y up; `height` of a panel in pixels, as the body needs. */
+export const PICTURES = [
+  { mesh: 'bar', view: [1, 0.6, 1.2], height: 300 },
+  { mesh: 'hanging cloth', view: [0.3, 0.25, 1], height: 290 },
+  { mesh: 'spot', view: [-0.9, 0.3, -0.9], height: 290 },
+  { mesh: 'eiffel', view: [0.5, 0.25, 1], height: 420 },
+  { mesh: 'skirt', view: [0.4, 0.9, 1], height: 220 },
+];
+const METHODS = [
+  ...['limber', 'paper', 'qem'],
+  ...['meshoptimizer', 'meshoptimizer update', 'pymeshlab', 'fast-simplification'],
+];
+
+export const fileOf = (mesh) => `${mesh.replaceAll(' ', '-')}.png`;
+
+const flat = ({ positions, triangles }) => ({ positions: [...positions], triangles: [...triangles] });
+
+function panelsOf(cases, { name, faces, prepared }) {
+  const original = { title: 'original', note: `${faces} faces`, ...flat(prepared.mesh) };
+  const own = (method) =>
+    cases.find((one) => one.mesh === name && one.method === method && one.ratio === RATIO);
+  const panels = METHODS.map(own)
+    .filter((one) => one !== undefined)
+    .map(({ method, faces: left, frequencyErrorMean, meshOf }) => ({
+      title: method,
+      note: `${left} faces, frequencies ${frequencyErrorMean?.toFixed(1) ?? '?'} % off`,
+      ...flat(meshOf()),
+    }));
+  return [original, ...panels];
+}
+
+async function buildPage() {
+  const outDir = join(scratch, 'picture');
+  await build({
+    root,
+    configFile: false,
+    logLevel: 'warn',
+    publicDir: false,
+    build: {
+      outDir,
+      lib: {
+        entry: 'tests/bench/fidelity/picture_page.ts',
+        formats: ['iife'],
+        name: 'pictures',
+        fileName: () => 'picture_page.js',
+      },
+    },
+  });
+  return join(outDir, 'picture_page.js');
+}
+
+/** Writes docs/images/simplification/MESH.png; without Chromium none, which is pushed to `missing`. */
+export async function writePictures(cases, meshes, missing) {
+  const executablePath = findChromium();
+  if (!executablePath) {
+    missing.push('Chromium, for the pictures (install one or set CHROMIUM)');
+    return;
+  }
+  mkdirSync(imageFolder, { recursive: true });
+  const path = await buildPage();
+  const browser = await chromium.launch({
+    executablePath,
+    args: ['--no-sandbox', '--enable-unsafe-swiftshader'],
+  });
+  try {
+    for (const { mesh: name, view, height } of PICTURES) {
+      const mesh = meshes.find((one) => one.name === name);
+      if (!mesh) continue;
+      const page = await browser.newPage({ viewport: { width: COLUMNS * WIDTH, height: 100 } });
+      await page.addScriptTag({ path });
+      await page.evaluate((picture) => globalThis.draw(picture), {
+        ...{ panels: panelsOf(cases, mesh), view, columns: COLUMNS, width: WIDTH, height },
+      });
+      await page.waitForFunction(() => [...document.images].every((image) => image.complete));
+      await page.locator('body').screenshot({ path: join(imageFolder, fileOf(name)) });
+      await page.close();
+      console.log(`wrote ${fileOf(name)}`);
+    }
+  } finally {
+    await browser.close();
+  }
+}

@@ -1,0 +1,34 @@
+// Every mesh by every method at every ratio, measured.
+
+import { cached, fingerprintOf } from './cache.mjs';
+import { hashOf } from './load_engine.mjs';
+import { measure } from './measure.mjs';
+
+/** One result: { mesh, kind, method, isOurs, ratio, targetFaces, ...measure(), seconds, meshOf() }. */
+export function runCases(loaded, { meshes, methods, ratios }, print = console.log) {
+  const fingerprint = fingerprintOf(loaded);
+  const total = meshes.length * methods.length * ratios.length;
+  const cases = [];
+  for (const mesh of meshes)
+    for (const ratio of ratios)
+      for (const method of methods) {
+        const key = hashOf(fingerprint, mesh.hash, method.name, method.version, String(ratio));
+        const { record, meshOf } = cached(key, () => runCase(loaded, mesh, method, ratio));
+        const { name, isOurs } = method;
+        const targetFaces = ratio * mesh.faces;
+        const about = { mesh: mesh.name, kind: mesh.kind, method: name, isOurs, ratio, targetFaces };
+        cases.push({ ...about, ...record, meshOf });
+        print(`${cases.length}/${total} ${lineOf(cases.at(-1))}`);
+      }
+  return cases;
+}
+
+function runCase(loaded, mesh, method, ratio) {
+  const { mesh: result, seconds } = method.run(mesh, ratio * mesh.faces);
+  return { record: { ...measure(loaded, mesh.prepared, result), seconds }, mesh: result };
+}
+
+function lineOf({ mesh, method, ratio, faces, frequencyErrorMean, failure }) {
+  const outcome = failure ?? `${frequencyErrorMean.toFixed(2)} %`;
+  return `${mesh}, ${100 * ratio} %, ${method}: ${faces} faces, ${outcome}`;
+}

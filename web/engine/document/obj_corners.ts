@@ -1,0 +1,105 @@
+/** Corners of an OBJ object that name a position, a UV and a normal each, as vertices that have all three. */
+
+import { NONE } from '../core';
+import { GrowingIndices } from './growing';
+
+/** Numbers per corner; NONE where a corner names no UV or normal. */
+export class ObjCorners {
+  readonly vertices = new GrowingIndices();
+  readonly uvs = new GrowingIndices();
+  readonly normals = new GrowingIndices();
+
+  push(vertex: number, uv: number, normal: number): void {
+    this.vertices.push(vertex);
+    this.uvs.push(uv);
+    this.normals.push(normal);
+  }
+}
+
+/** One vertex for each different corner. */
+export interface ObjVertices {
+  /** per vertex: where its values are */
+  vertexOf: Uint32Array;
+  uvOf: Uint32Array;
+  normalOf: Uint32Array;
+  /** vertices of the corners */
+  indices: Uint32Array;
+}
+
+/**
+ * The first corner at a position takes the position's number, so that vertices are numbered as in the file; further UVs and
+ * normals there follow behind all positions. `onlyUsed`: positions that no corner names are left out, the others are numbered
+ * in the order of their first use.
+ */
+export function splitVertices(parts: ObjCorners[], positionCount: number, onlyUsed: boolean): ObjVertices {
+  const splitter = new VertexSplitter(onlyUsed ? usedPositions(parts) : null, positionCount);
+  const indices = new Uint32Array(parts.reduce((sum, { vertices }) => sum + vertices.length, 0));
+  let at = 0;
+  for (const part of parts) {
+    const [vertices, uvs, normals] = [part.vertices.view(), part.uvs.view(), part.normals.view()];
+    for (let i = 0; i < vertices.length; ++i) indices[at++] = splitter.place(vertices[i], uvs[i], normals[i]);
+  }
+  return { ...splitter.finish(), indices };
+}
+
+/** A number per position that a corner names. */
+function usedPositions(parts: ObjCorners[]): Map<number, number> {
+  const numbers = new Map<number, number>();
+  for (const { vertices } of parts)
+    for (const vertex of vertices.view()) if (!numbers.has(vertex)) numbers.set(vertex, numbers.size);
+  return numbers;
+}
+
+class VertexSplitter {
+  private readonly baseCount: number;
+  private readonly isTaken: Uint8Array;
+  private readonly vertexOf = new GrowingIndices();
+  private readonly uvOf = new GrowingIndices();
+  private readonly normalOf = new GrowingIndices();
+  /** vertices at one position form a chain */
+  private readonly next = new Map<number, number>();
+
+  constructor(
+    private readonly numbers: Map<number, number> | null,
+    positionCount: number,
+  ) {
+    this.baseCount = numbers?.size ?? positionCount;
+    this.isTaken = new Uint8Array(this.baseCount);
+    if (numbers) for (const vertex of numbers.keys()) this.add(vertex, NONE, NONE);
+    else for (let vertex = 0; vertex < positionCount; ++vertex) this.add(vertex, NONE, NONE);
+  }
+
+  place(vertex: number, uv: number, normal: number): number {
+    const base = this.numbers ? this.numbers.get(vertex)! : vertex;
+    if (!this.isTaken[base]) {
+      this.isTaken[base] = 1;
+      this.uvOf.view()[base] = uv;
+      this.normalOf.view()[base] = normal;
+      return base;
+    }
+    let found = base;
+    for (;;) {
+      if (this.uvOf.at(found) === uv && this.normalOf.at(found) === normal) return found;
+      const following = this.next.get(found);
+      if (following === undefined) break;
+      found = following;
+    }
+    this.next.set(found, this.vertexOf.length);
+    return this.add(vertex, uv, normal);
+  }
+
+  finish(): Omit<ObjVertices, 'indices'> {
+    return {
+      vertexOf: this.vertexOf.finish(),
+      uvOf: this.uvOf.finish(),
+      normalOf: this.normalOf.finish(),
+    };
+  }
+
+  private add(vertex: number, uv: number, normal: number): number {
+    this.vertexOf.push(vertex);
+    this.uvOf.push(uv);
+    this.normalOf.push(normal);
+    return this.vertexOf.length - 1;
+  }
+}

@@ -1,0 +1,50 @@
+/** Normals, UVs and colours of formats without a scene, as glTF wants them. */
+
+import { length3 } from '../exact_math';
+import type { SurfaceAttributes } from './surface';
+
+/** What a reader found; normals need not have length 1, UVs start at the lower left corner, colours are sRGB in [0, 1]. */
+export interface RawAttributes {
+  /** normals[3 * v + c] */
+  normals?: Float32Array;
+  /** uvs[2 * v + c] */
+  uvs?: Float32Array;
+  /** colours[3 * v + c] */
+  colours?: Float32Array;
+}
+
+/** Normals are left out where one that `indices` name has no direction; UVs and colours that are no numbers become 0. */
+export function attributesOfRaw(
+  { normals, uvs, colours }: RawAttributes,
+  indices: Uint32Array,
+): SurfaceAttributes {
+  const unit = normals ? unitNormals(normals, indices) : null;
+  return {
+    ...(unit ? { NORMAL: unit } : {}),
+    ...(uvs ? { TEXCOORD_0: uvs.map((value, i) => (i % 2 === 0 ? finite(value) : 1 - finite(value))) } : {}),
+    ...(colours ? { COLOR_0: Uint16Array.from(colours, linearOf) } : {}),
+  };
+}
+
+const finite = (value: number): number => (Number.isFinite(value) ? value : 0);
+
+function unitNormals(normals: Float32Array, indices: Uint32Array): Float32Array | null {
+  const unit = new Float32Array(normals.length);
+  const isUsed = new Uint8Array(normals.length / 3);
+  for (const vertex of indices) isUsed[vertex] = 1;
+  for (let v = 0; v < isUsed.length; ++v) {
+    const [x, y, z] = normals.subarray(3 * v, 3 * v + 3);
+    const length = length3(x, y, z);
+    if (length > 0 && Number.isFinite(length)) unit.set([x / length, y / length, z / length], 3 * v);
+    else if (isUsed[v]) return null;
+    else unit[3 * v + 2] = 1;
+  }
+  return unit;
+}
+
+/** sRGB to linear light (IEC 61966-2-1); rounding to 16 bits hides what engines' powers differ in. */
+function linearOf(value: number): number {
+  const clamped = Math.min(1, Math.max(0, finite(value)));
+  const linear = clamped <= 0.04045 ? clamped / 12.92 : ((clamped + 0.055) / 1.055) ** 2.4;
+  return Math.round(65535 * linear);
+}
