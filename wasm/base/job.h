@@ -19,6 +19,7 @@ enum class Phase : int32_t {
   Simplify = 7,
   Measure = 8,
   Compare = 9,
+  Simulate = 10,
 };
 
 // Thrown out of a running call after somebody asked it to stop.

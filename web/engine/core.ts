@@ -257,6 +257,7 @@ export const PHASES = [
   'collapsing edges',
   'measuring distance',
   'comparing modes',
+  'simulating',
 ] as const;
 
 /** Progress of the running call. `fraction` is of the phase, in [0, 1]. */
