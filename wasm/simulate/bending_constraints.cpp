@@ -15,9 +15,6 @@ namespace {
 // vertices, which costs substeps.
 constexpr double kTurnInertia = 0.05;
 
-// Folds beyond about 150 degrees from rest count as 150 degrees: tan(theta / 2) grows without bound.
-constexpr float kLeastCosine = 0.14f;  // of 1 + cos
-
 bool isRigid(const Particles& particles, uint32_t a, uint32_t b, uint32_t c) {
   return particles.inverseMass[a] == 0 && particles.inverseMass[b] == 0 && particles.inverseMass[c] == 0;
 }
@@ -185,9 +182,14 @@ inline Hinge hingeOf(const HingeVertices& at, const Vec3x4& normal, Float4 inver
   hinge.flapNormal = flapNormal * inverseFlapArea;
   hinge.cosine = dot(normal, hinge.flapNormal);
   const Float4 sine = dot(across, normal) * edgeLength * inverseFlapArea;
-  const Float4 fromRest = hinge.cosine * rest.cosine + sine * rest.sine;
-  const Float4 growth = rest.share / larger(one + fromRest, splat(kLeastCosine));
-  hinge.turn = (sine * rest.cosine - hinge.cosine * rest.sine) * growth;
+  // How far it is from rest, delta. Up to 90 degrees tan(delta / 2) = sin / (1 + cos); from there on 2 -
+  // tan((180 - delta) / 2), as smooth, and without a pole. Both grow by 1 / (1 + |cos|).
+  const Float4 sineFromRest = sine * rest.cosine - hinge.cosine * rest.sine;
+  const Float4 cosineFromRest = hinge.cosine * rest.cosine + sine * rest.sine;
+  const Float4 growth = rest.share / (one + larger(cosineFromRest, -cosineFromRest));
+  const Float4 tangent = sineFromRest * growth, zero{};
+  const Float4 twice = sineFromRest < zero ? -splat(2) * rest.share : splat(2) * rest.share;
+  hinge.turn = cosineFromRest < zero ? twice - tangent : tangent;
   const Float4 scale = growth * edgeLength;
   const Float4 inverseSquare = one / (squaredEdge + tiny);
   const Float4 flapFoot = dot(across, edge) * inverseSquare,
@@ -306,8 +308,9 @@ double BendingConstraints::energy(const std::vector<Vec3>& positions) const {
                                positions[corner[(e + 2) % 3]], positions[rest.flap[e]]);
       const double sine = fold.sine * rest.cosine[e] - fold.cosine * rest.sine[e];
       const double cosine = fold.cosine * rest.cosine[e] + fold.sine * rest.sine[e];
-      s[e] =
-          rest.share[e] * sine / std::fmax(1 + cosine, kLeastCosine) + rest.side[e] * exactPsi_[rest.edge[e]];
+      const double tangent = sine / (1 + std::abs(cosine));
+      s[e] = rest.share[e] * (cosine < 0 ? std::copysign(2, sine) - tangent : tangent) +
+             rest.side[e] * exactPsi_[rest.edge[e]];
     }
     const auto& k = rest.stiffness;
     sum += 0.5 * (k[0] * s[0] * s[0] + k[3] * s[1] * s[1] + k[5] * s[2] * s[2]) + k[1] * s[0] * s[1] +

@@ -45,13 +45,15 @@ std::array<double, 6> bendingCompliance(const TriangleMesh& mesh, uint32_t t, co
     inverse[e][2] = scale * 0.5 * (f[0] * g[1] + f[1] * g[0]);
   }
   const double nu = sheet.poisson, softness = 1 / (rest.area() * sheet.bending() * (1 - nu * nu));
+  // A needle's compliance is singular to float, and its stiffness without bound: this much is added to it.
+  constexpr double kLoading = 1e-4;
   std::array<double, 6> compliance;
   int at = 0;
   for (int e = 0; e < 3; ++e)
     for (int f = e; f < 3; ++f) {
       const double *a = inverse[e], *b = inverse[f];
-      compliance[at++] =
-          softness * (a[0] * (b[0] - nu * b[1]) + a[1] * (b[1] - nu * b[0]) + 2 * (1 + nu) * a[2] * b[2]);
+      compliance[at++] = (e == f ? 1 + kLoading : 1) * softness *
+                         (a[0] * (b[0] - nu * b[1]) + a[1] * (b[1] - nu * b[0]) + 2 * (1 + nu) * a[2] * b[2]);
     }
   return compliance;
 }

@@ -87,7 +87,8 @@ inline void fromLanes(const Vec3x4& a, Float4 (&v)[4]) {
   v[3] = __builtin_shufflevector(xy23, z23, 2, 3, 6, 7);
 }
 
-// Solves the symmetric positive definite system (xx xy xz; xy yy yz; xz yz zz) s = r by L D L^T.
+// Solves the symmetric positive definite system (xx xy xz; xy yy yz; xz yz zz) s = r by L D L^T. Pivots that
+// rounding has brought to nothing count as a hundred-thousandth of their diagonal.
 struct Symmetric3x4 {
   Float4 xx, xy, xz, yy, yz, zz;
 };
@@ -95,10 +96,10 @@ inline Vec3x4 solve(const Symmetric3x4& a, const Vec3x4& r) {
   const Float4 one = splat(1);
   const Float4 inverseX = one / a.xx;
   const Float4 ly = a.xy * inverseX, lz = a.xz * inverseX;
-  const Float4 dy = a.yy - ly * a.xy, yz = a.yz - ly * a.xz;
+  const Float4 least = splat(1e-5f), dy = larger(a.yy - ly * a.xy, least * a.yy), yz = a.yz - ly * a.xz;
   const Float4 inverseY = one / dy;
   const Float4 mz = yz * inverseY;
-  const Float4 dz = a.zz - lz * a.xz - mz * yz;
+  const Float4 dz = larger(a.zz - lz * a.xz - mz * yz, least * a.zz);
   const Float4 sy = r.y - ly * r.x, sz = (r.z - lz * r.x - mz * sy) / dz;
   const Float4 y = sy * inverseY - mz * sz;
   return {r.x * inverseX - ly * y - lz * sz, y, sz};

@@ -10,8 +10,9 @@ namespace limber {
 
 namespace {
 
-// From this many constraints on, a body's stages are long enough for several threads.
-constexpr uint32_t kThreadedConstraints = 10000;
+// From this many constraints on, a body's stages (a colour's 20 microseconds or more) pay for several
+// threads.
+constexpr uint32_t kThreadedEdges = 40000, kThreadedTriangles = 20000;
 constexpr size_t kBatchGrain = 128, kVertexGrain = 4096;
 
 // Contacts are looked for within this share of the body's diagonal.
@@ -164,7 +165,7 @@ void Simulation::State::startPins() {
 }
 
 void Simulation::State::step(const Job& job) {
-  const bool threaded = constraintCount() >= kThreadedConstraints;
+  const bool threaded = constraintCount() >= (edges ? kThreadedEdges : kThreadedTriangles);
   setAccelerations();
   startPins();
   contacts.rebase(particles, obstacles, kContactReach * bounds(mesh).diagonal(), options.substeps);
