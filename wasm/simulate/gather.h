@@ -13,6 +13,11 @@ inline Vec3x4 gatherMotion(const Motion* motion, const uint32_t (&v)[4]) {
   return toLanes(moved);
 }
 
+inline Vec3x4 gatherPlaces(const Float4* place, const uint32_t (&v)[4]) {
+  const Float4 found[4] = {place[v[0]], place[v[1]], place[v[2]], place[v[3]]};
+  return toLanes(found);
+}
+
 // Adds one correction per lane to the substep's motion of four different vertices (or of the idle one, by 0).
 inline void scatterCorrection(Motion* motion, const uint32_t (&v)[4], const Vec3x4& correction) {
   Float4 moves[4];

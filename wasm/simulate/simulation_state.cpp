@@ -169,6 +169,7 @@ void Simulation::State::step(const Job& job) {
   setAccelerations();
   startPins();
   contacts.rebase(particles, obstacles, kContactReach * bounds(mesh).diagonal(), options.substeps);
+  if (volume) volume->rebase(particles);
   runStages(rebasing_, 1, threaded, job);
   runStages(substepping_, options.substeps, threaded, job);
   advance(particles, 0, particles.count(), {true, false});

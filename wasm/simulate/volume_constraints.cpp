@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "simulate/gather.h"
+
 namespace limber {
 
 namespace {
@@ -21,6 +23,14 @@ std::vector<bool> closedComponents(const TriangleMesh& mesh, const Topology& top
   return closed;
 }
 
+std::vector<VolumeBatch> batchesOf(const std::vector<Triangle>& triangles, uint32_t idle) {
+  std::vector<VolumeBatch> batches((triangles.size() + 3) / 4);
+  for (size_t i = 0; i < 4 * batches.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      batches[i / 4].corner[c][i % 4] = i < triangles.size() ? triangles[i][c] : idle;
+  return batches;
+}
+
 double volumeOf(const std::vector<Triangle>& triangles, const std::vector<Vec3>& place) {
   double six = 0;
   for (const Triangle& t : triangles) six += dot(place[t[0]], cross(place[t[1]], place[t[2]]));
@@ -31,7 +41,7 @@ double volumeOf(const std::vector<Triangle>& triangles, const std::vector<Vec3>&
 
 VolumeConstraints::VolumeConstraints(const TriangleMesh& mesh, const Topology& topology, double bulkModulus,
                                      double substep)
-    : gradient_(mesh.vertexCount()), place_(mesh.positions), substep_(substep) {
+    : base_(mesh.positions.size() + 1), place_(base_.size()), gradient_(base_.size()), substep_(substep) {
   const auto closed = closedComponents(mesh, topology);
   const auto component = componentOfTriangle(mesh, topology);
   std::vector<Body> bodies(topology.componentCount);
@@ -42,33 +52,55 @@ VolumeConstraints::VolumeConstraints(const TriangleMesh& mesh, const Topology& t
   for (Body& body : bodies) {
     body.restVolume = volumeOf(body.triangles, mesh.positions);
     body.compliance = std::abs(body.restVolume) / bulkModulus;
-    if (body.compliance > 0) bodies_.push_back(std::move(body));
+    if (!(body.compliance > 0)) continue;
+    body.batches = batchesOf(body.triangles, mesh.vertexCount());
+    bodies_.push_back(std::move(body));
   }
 }
 
-// In double: against the whole volume, what a substep changes is lost in float.
+void VolumeConstraints::rebase(const Particles& particles) {
+  for (const Body& body : bodies_)
+    for (const uint32_t v : body.vertices)
+      base_[v] = toFloat4(particles.positions[v] - particles.positions[body.vertices.front()]);
+}
+
+// Six times the volume; sets the gradient. That of a closed surface is the sum of the area normals around a
+// vertex.
+double VolumeConstraints::measure(const Body& body) {
+  double six = 0;
+  for (const VolumeBatch& batch : body.batches) {
+    const Vec3x4 a = gatherPlaces(place_.data(), batch.corner[0]);
+    const Vec3x4 b = gatherPlaces(place_.data(), batch.corner[1]);
+    const Vec3x4 c = gatherPlaces(place_.data(), batch.corner[2]);
+    const Vec3x4 normal = cross(b - a, c - a);
+    const Float4 volume = dot(a, normal);
+    // Floats would add up to too little of what changes in a substep.
+    six += (double{volume[0]} + double{volume[1]}) + (double{volume[2]} + double{volume[3]});
+    Float4 normals[4];
+    fromLanes(normal, normals);
+    for (int k = 0; k < 4; ++k)
+      for (int corner = 0; corner < 3; ++corner) gradient_[batch.corner[corner][k]] += normals[k];
+  }
+  return six;
+}
+
 void VolumeConstraints::project(Particles& particles) {
   for (const Body& body : bodies_) {
     for (const uint32_t v : body.vertices) {
-      const Float4 moved = particles.motion[v].u + particles.motion[v].q;
-      place_[v] = particles.positions[v] + Vec3{double{moved[0]}, double{moved[1]}, double{moved[2]}};
-      gradient_[v] = {};
+      place_[v] = base_[v] + particles.motion[v].u + particles.motion[v].q;
+      gradient_[v] = Float4{};
     }
-    double six = 0;
-    for (const Triangle& t : body.triangles) {
-      const Vec3 &a = place_[t[0]], &b = place_[t[1]], &c = place_[t[2]];
-      const Vec3 normal = cross(b, c);
-      six += dot(a, normal);
-      gradient_[t[0]] += normal;
-      gradient_[t[1]] += cross(c, a);
-      gradient_[t[2]] += cross(a, b);
-    }
+    const double six = measure(body);
     double weight = 0;
+    for (const uint32_t v : body.vertices) {
+      const Float4 squared = gradient_[v] * gradient_[v];
+      weight += particles.inverseMass[v] * double{squared[0] + squared[1] + squared[2]};
+    }
+    const double lambda =
+        (body.restVolume - six / 6) / (weight / 36 + body.compliance / (substep_ * substep_));
     for (const uint32_t v : body.vertices)
-      weight += particles.inverseMass[v] * squaredLength(gradient_[v]) / 36;
-    const double lambda = (body.restVolume - six / 6) / (weight + body.compliance / (substep_ * substep_));
-    for (const uint32_t v : body.vertices)
-      particles.motion[v].q += toFloat4(gradient_[v] * (lambda * particles.inverseMass[v] / 6));
+      particles.motion[v].q +=
+          gradient_[v] * splat(static_cast<float>(lambda * particles.inverseMass[v] / 6));
   }
 }
 
