@@ -1,6 +1,5 @@
-// The one file that knows both C++ and JavaScript: plain objects of web/engine/core.ts in, plain objects out.
-// Typed arrays are copied at the edge. A C++ exception is returned as an Error object, which
-// web/engine/load_core.ts throws: so no destructor on the C++ stack is skipped.
+// The functions of web/engine/core.ts; bindings_simulation.cpp has those of a running simulation. No other
+// file knows both C++ and JavaScript.
 
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
@@ -14,6 +13,7 @@
 
 #include "base/job.h"
 #include "base/parallel.h"
+#include "binding_tools.h"
 #include "fields/curvature.h"
 #include "measure/quality.h"
 #include "measure/surface_distance.h"
@@ -30,67 +30,8 @@
 #include "simplify/simplify.h"
 #include "simplify/why_kept.h"
 
-using emscripten::val;
-
 namespace limber {
 namespace {
-
-Job theJob;
-
-// ---- arrays ----
-
-template <typename T>
-std::vector<T> vectorOf(const val& array) {
-  return emscripten::convertJSArrayToNumberVector<T>(array);
-}
-
-// A copy in JavaScript's own memory. `slice` copies shared memory into a plain buffer.
-template <typename T>
-val typedArray(const std::vector<T>& values) {
-  return val(emscripten::typed_memory_view(values.size(), values.data())).template call<val>("slice");
-}
-
-std::vector<float> floatPositions(const TriangleMesh& mesh) {
-  std::vector<float> flat;
-  flat.reserve(3 * mesh.positions.size());
-  for (const Vec3& p : mesh.positions)
-    for (int c = 0; c < 3; ++c) flat.push_back(static_cast<float>(p[c]));
-  return flat;
-}
-
-std::vector<uint32_t> flatTriangles(const TriangleMesh& mesh) {
-  std::vector<uint32_t> flat;
-  flat.reserve(3 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) flat.insert(flat.end(), t.begin(), t.end());
-  return flat;
-}
-
-val jsMesh(const TriangleMesh& mesh) {
-  val out = val::object();
-  out.set("positions", typedArray(floatPositions(mesh)));
-  out.set("triangles", typedArray(flatTriangles(mesh)));
-  return out;
-}
-
-TriangleMesh meshOf(const val& in) {
-  const auto positions = vectorOf<float>(in["positions"]);
-  const auto triangles = vectorOf<uint32_t>(in["triangles"]);
-  TriangleMesh mesh;
-  mesh.positions.resize(positions.size() / 3);
-  for (size_t v = 0; v < mesh.positions.size(); ++v)
-    mesh.positions[v] = {positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]};
-  mesh.triangles.resize(triangles.size() / 3);
-  for (size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (int c = 0; c < 3; ++c) {
-      const uint32_t v = triangles[3 * t + c];
-      if (v >= mesh.positions.size())
-        throw std::invalid_argument("Triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
-                                    ", but the mesh has " + std::to_string(mesh.positions.size()) +
-                                    " vertices: weld the file's data first.");
-      mesh.triangles[t][c] = v;
-    }
-  return mesh;
-}
 
 // ---- mesh ----
 
@@ -490,31 +431,6 @@ void resetJob(const val& observer) {
       observer(static_cast<int>(phase), fraction);
     };
 }
-
-val jsError(const char* name, const std::string& message) {
-  val error = val::global("Error").new_(message);
-  error.set("name", std::string(name));
-  return error;
-}
-
-// `f` with every exception turned into an Error object that is returned.
-template <auto f>
-struct Guarded;
-template <typename... Arguments, val (*f)(Arguments...)>
-struct Guarded<f> {
-  static val call(Arguments... arguments) {
-    try {
-      return f(arguments...);
-    } catch (const Cancelled& error) {
-      return jsError("Cancelled", error.what());
-    } catch (const std::bad_alloc&) {
-      return jsError("Error",
-                     "Not enough memory for a mesh of this size: reduce it first, or ask for fewer modes.");
-    } catch (const std::exception& error) {
-      return jsError("Error", error.what());
-    }
-  }
-};
 
 double peakHeapBytes() {
   return static_cast<double>(emscripten_get_heap_size());

@@ -207,7 +207,6 @@ describe('a wrong command line', () => {
   it.each([
     ['', 'There is no command "": use optimize, modes, compare, inspect (limber --help).'],
     ['optimise', 'There is no command "optimise": did you mean "optimize"?'],
-    ['simulate a.glb', 'simulate is not available yet.'],
     ['optimize', 'IN is missing: limber optimize IN OUT.glb.'],
     ['optimize torus.obj', 'OUT.glb is missing: limber optimize IN OUT.glb.'],
     ['optimize torus.obj a.glb b.glb', '"b.glb" is one file too many: limber optimize IN OUT.glb.'],

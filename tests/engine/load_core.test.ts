@@ -21,18 +21,6 @@ const paper = {
   strainWeight: 0.05,
   curvatureWeight: 1,
   qualityWeight: 0.01,
-  sizeWeight: 0,
-  maxDeviation: 0,
-  minAngle: 0,
-  wishes: {
-    charts: { wedges: new Uint32Array(), groups: new Uint32Array() },
-    attributes: { values: new Float32Array(), dimension: 0 },
-    locked: new Uint8Array(),
-    keep: new Float32Array(),
-    pinnedSets: new Uint32Array(),
-    creaseAngle: 0,
-    borders: 'free' as const,
-  },
 };
 
 /** Everything that the core computes on the way from a mesh to a smaller one. */

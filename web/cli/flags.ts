@@ -4,7 +4,7 @@ import { MATERIAL_NAMES } from '../engine/materials';
 import { OPTIONS } from '../engine/options';
 import type { OptionGroup, Settings } from '../engine/options';
 
-export const COMMANDS = ['optimize', 'modes', 'compare', 'inspect'] as const;
+export const COMMANDS = ['optimize', 'modes', 'compare', 'simulate', 'inspect'] as const;
 export type Command = (typeof COMMANDS)[number];
 
 export interface Flag {
@@ -17,9 +17,12 @@ export interface Flag {
 
 /** A command: its operands, and which groups of settings it takes. */
 export interface CommandSpec {
+  /** in brackets where it may be left out; such ones come last */
   operands: string[];
   summary: string;
   groups: OptionGroup[];
+  /** single settings of other groups */
+  settings?: (keyof Settings)[];
   flags: Flag[];
   /** defaults that differ from the engine's */
   defaults: Partial<Settings>;
@@ -116,6 +119,14 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
     ],
     defaults: { modeCount: 10, model: 'shell' },
   },
+  simulate: {
+    operands: ['A', '[B]'],
+    summary: 'Move A, and B beside it, through a scenario: times and how far they part.',
+    groups: ['simulation', 'material', 'common'],
+    settings: ['pins'],
+    flags: COMMON,
+    defaults: {},
+  },
   inspect: {
     operands: ['IN'],
     summary: 'Tell what is in a mesh and what is wrong with it.',
@@ -127,10 +138,8 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
 
 /** Flags and values that are planned and not there yet. */
 export const LATER_FLAGS = new Set(
-  ('max-frequency-error ' + 'lods symmetry scenario material seconds substeps record').split(' '),
-);
+export const LATER_FLAGS = new Set('max-frequency-error lods symmetry record'.split(' '));
 export const LATER_VALUES: Record<string, string[]> = {};
-export const LATER_COMMANDS = ['simulate'];
 
 const PLACEHOLDERS: Partial<Record<keyof Settings, string>> = {
   method: 'limber|paper|qem',
@@ -150,12 +159,17 @@ const PLACEHOLDERS: Partial<Record<keyof Settings, string>> = {
   thickness: 'PCT',
   unit: 'METRES',
   weld: 'PCT',
+  scenario: 'twist|sway|hang|drop|pull|wind',
+  material: 'shell|springs',
+  seconds: 'S',
 };
 
 /** The settings that a command takes as flags. */
 export function settingsOf(command: Command): (keyof Settings)[] {
-  const { groups } = COMMAND_SPECS[command];
-  return (Object.keys(OPTIONS) as (keyof Settings)[]).filter((key) => groups.includes(OPTIONS[key].group));
+  const { groups, settings = [] } = COMMAND_SPECS[command];
+  return (Object.keys(OPTIONS) as (keyof Settings)[]).filter(
+    (key) => groups.includes(OPTIONS[key].group) || settings.includes(key),
+  );
 }
 
 /** All flags of a command, in the order of its help. */

@@ -3,7 +3,7 @@
  * are made from it.
  */
 
-import type { Method, Model } from './core';
+import type { Method, Model, ScenarioName, SimulationMaterial } from './core';
 import { counted } from './document/model';
 import { checkOption } from './option_check';
 
@@ -51,13 +51,22 @@ export interface Settings {
   thickness: number;
   /** metres per unit of the file */
   unit: number;
+  /** what the simulated bodies are made of */
+  material: SimulationMaterial;
+  scenario: ScenarioName;
+  /** of the simulated motion */
+  seconds: number;
+  /** of a simulated step of 1/60 s */
+  substeps: number;
+  /** 1/s */
+  damping: number;
   /** welding distance, % of the diagonal; 0: bitwise equal positions only */
   weld: number;
   /** 0: as many as there are cores, at most 8 */
   threads: number;
 }
 
-export type OptionGroup = 'target' | 'method' | 'motion' | 'material' | 'common';
+export type OptionGroup = 'target' | 'method' | 'motion' | 'material' | 'simulation' | 'common';
 
 /**
  * How a setting is written: `choice` one of `choices`; `integer` and `number` within [min, max]; `modes` auto, all or a
@@ -348,6 +357,64 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     default: 1,
     help: 'Length of one unit of the file in metres; it changes frequencies, not the mesh.',
     group: 'material',
+    kind: 'number',
+  },
+  scenario: {
+    flag: 'scenario',
+    label: 'Scenario',
+    ...none,
+    default: 'twist',
+    help: 'What happens: twist (the upper end turns by 45 degrees), sway (a blow across), hang (gravity), drop (onto a floor), pull (the upper end by a fifth of the length) or wind.',
+    group: 'simulation',
+    kind: 'choice',
+    choices: ['twist', 'sway', 'hang', 'drop', 'pull', 'wind'],
+  },
+  material: {
+    flag: 'material',
+    label: 'Simulated as',
+    ...none,
+    default: 'shell',
+    help: 'What the simulation is made of: shell (membrane and bending, the same on any mesh) or springs (the edges, as in the paper).',
+    group: 'simulation',
+    kind: 'choice',
+    choices: ['shell', 'springs'],
+  },
+  seconds: {
+    flag: 'seconds',
+    label: 'Duration',
+    unit: 's',
+    min: 0.02,
+    max: 600,
+    step: 0.1,
+    slider: { min: 0.5, max: 10 },
+    default: 2,
+    help: 'Length of the simulated motion.',
+    group: 'simulation',
+    kind: 'number',
+  },
+  substeps: {
+    flag: 'substeps',
+    label: 'Substeps',
+    min: 1,
+    max: 10000,
+    step: 1,
+    slider: { min: 5, max: 200 },
+    default: 20,
+    help: 'Substeps of a step of 1/60 s; more make stiff or fine meshes more exact (the paper takes 2,000).',
+    group: 'simulation',
+    kind: 'integer',
+  },
+  damping: {
+    flag: 'damping',
+    label: 'Damping',
+    unit: '1/s',
+    min: 0,
+    max: 100,
+    step: 0.1,
+    slider: { min: 0, max: 10 },
+    default: 0.5,
+    help: 'How fast motion dies away by itself.',
+    group: 'simulation',
     kind: 'number',
   },
   weld: {

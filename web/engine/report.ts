@@ -14,8 +14,12 @@ import type {
   Model,
   ModeName,
   ModeSet,
+  MotionComparison,
+  MotionRun,
   Quality,
   Refused,
+  ScenarioName,
+  SimulationMaterial,
   SurfaceDistance,
   WeldResult,
 } from './core';
@@ -41,8 +45,33 @@ export interface Report {
   solve?: SolveReport;
   surface?: SurfaceDistance;
   fidelity?: Fidelity;
+  simulation?: SimulationReport;
   stop?: StopReport;
   timings: Record<string, number>;
+}
+
+export interface SimulationReport {
+  material: SimulationMaterial;
+  scenario: ScenarioName;
+  substeps: number;
+  original: RunReport;
+  optimized?: RunReport;
+  /** seconds per step of the original over those of the optimized mesh */
+  speedup?: number;
+  /** edges of the original over those of the optimized mesh */
+  edgeRatio?: number;
+  /** of the worst body, in % of its diagonal */
+  deviation?: { mean: number; max: number; noiseFloor: number };
+}
+
+/** What simulating one side has cost, all its bodies together. */
+export interface RunReport {
+  constraints: number;
+  edges: number;
+  /** the shortest step, all work included */
+  secondsPerStep: number;
+  /** secondsPerStep / (substeps x constraints) */
+  nanosecondsPerConstraint: number;
 }
 
 export interface SolveReport {
@@ -227,6 +256,37 @@ export function worstSurface(distances: SurfaceDistance[]): SurfaceDistance {
 /** The worst body's fidelity: that with the largest mean frequency error. */
 export function worstFidelity(fidelities: Fidelity[]): Fidelity {
   return fidelities.reduce((worst, one) => (one.frequencyErrorMean > worst.frequencyErrorMean ? one : worst));
+}
+
+/** The cost of all bodies together, and the deviation of the worst one. */
+export function simulationReport(
+  motions: MotionComparison[],
+  { material, scenario, substeps }: Pick<SimulationReport, 'material' | 'scenario' | 'substeps'>,
+): SimulationReport {
+  const others = motions.map(({ other }) => other).filter((other) => other !== null);
+  const original = runReport(
+    motions.map((motion) => motion.original),
+    substeps,
+  );
+  const alone = { material, scenario, substeps, original };
+  if (others.length < motions.length) return alone;
+  const optimized = runReport(others, substeps);
+  const worst = motions.reduce((most, one) => (one.deviationMean > most.deviationMean ? one : most));
+  return {
+    ...alone,
+    optimized,
+    speedup: original.secondsPerStep / optimized.secondsPerStep,
+    edgeRatio: original.edges / optimized.edges,
+    deviation: { mean: worst.deviationMean, max: worst.deviationMax, noiseFloor: worst.noiseFloor },
+  };
+}
+
+function runReport(runs: MotionRun[], substeps: number): RunReport {
+  const [constraints, edges, secondsPerStep] = (['constraints', 'edges', 'secondsPerStep'] as const).map(
+    (key) => sum(runs.map((run) => run[key])),
+  );
+  const nanosecondsPerConstraint = (1e9 * secondsPerStep) / (substeps * constraints);
+  return { constraints, edges, secondsPerStep, nanosecondsPerConstraint };
 }
 
 /** What stopReport wants to know of a body. */
