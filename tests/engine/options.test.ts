@@ -59,7 +59,7 @@ describe('settings', () => {
   });
 
   it.each([
-    [{ method: 'best' }, '--method is best: give one of paper, qem (default: paper).'],
+    [{ method: 'best' }, '--method is best: give one of limber, paper, qem (default: limber).'],
     [{ modeCount: 1.5 }, '--modes is 1.5: give a whole number from 1 to 100 (default: 12).'],
     [{ modes: [0] }, '--mode is 0: give auto, all, or numbers from 1 to 100 with commas (default: auto).'],
     [

@@ -70,7 +70,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
       {
         name: 'ratio',
         value: 'R',
-        help: 'Keep this share of the faces of each body, above 0 to 1 (default: 0.5). With --faces, the first one reached stops.',
+        help: 'Keep this share of the faces of each body, above 0 to 1 (default: 0.5, where there is no other target). Of several targets the first one reached stops.',
         group: 'target',
       },
       {
@@ -137,7 +137,6 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
 };
 
 /** Flags and values that are planned and not there yet. */
-export const LATER_FLAGS = new Set(
 export const LATER_FLAGS = new Set('max-frequency-error lods symmetry record'.split(' '));
 export const LATER_VALUES: Record<string, string[]> = {};
 

@@ -225,7 +225,10 @@ export function reduceTo(core: Core, prepared: PreparedBody, history: History, f
   return core.meshAt(prepared.mesh, history, Math.max(0, Math.floor(faces)));
 }
 
-/** The result, fitted to the original's modes where the settings say so; pinned vertices stay. */
+/**
+ * The result, fitted to the original's modes where the settings say so; pinned vertices stay. Where the fit would break the
+ * largest deviation or the smallest angle that the settings ask for, the result stays as it is.
+ */
 export function fitResult(
   core: Core,
   prepared: PreparedBody,
@@ -236,12 +239,22 @@ export function fitResult(
   if (!isFitted(settings)) return none;
   const { thickness, poisson } = materialOf(prepared, settings);
   const locked = pinned && pinned.length > 0 ? maskOf(prepared.mesh, pinned) : new Uint8Array();
-  return core.fitModes(prepared.mesh, result, {
-    thickness,
-    poisson,
-    charts: prepared.attributes.charts,
-    locked,
-  });
+  const { charts } = prepared.attributes;
+  const fitted = core.fitModes(prepared.mesh, result, { thickness, poisson, charts, locked });
+  return keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings) ? fitted : none;
+}
+
+/** Whether `after` holds the targets of shape, or at least as well as `before`. */
+function keepsTargets(
+  core: Core,
+  prepared: PreparedBody,
+  [before, after]: [TriangleMesh, TriangleMesh],
+  { maxDeviation, minAngle }: Settings,
+): boolean {
+  const angleOf = (mesh: TriangleMesh) => core.measureQuality(mesh).minAngle;
+  const deviationOf = (mesh: TriangleMesh) => measureDistance(core, prepared, mesh).hausdorff;
+  if (minAngle > 0 && angleOf(after) < Math.min(minAngle, angleOf(before))) return false;
+  return maxDeviation === 0 || deviationOf(after) <= Math.max(maxDeviation, deviationOf(before));
 }
 
 /** Quality, distance and topology of a result, as a reader of the exported file finds it. */
