@@ -150,6 +150,7 @@ bool Simplification::goesBack(uint32_t edge, double cost, Place place) {
 }
 
 Verdict Simplification::judge(const Collapse& step) {
+  if (deviation_) job_.check();  // which may take a millisecond a step
   const Verdict verdict = legality_.check(step);
   const bool goesTooFar = verdict == Verdict::Legal && deviation_ && !deviation_->allows(step);
   return goesTooFar ? Verdict::Deviation : verdict;
