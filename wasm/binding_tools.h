@@ -7,6 +7,7 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <algorithm>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -55,23 +56,33 @@ inline val jsMesh(const TriangleMesh& mesh) {
   return out;
 }
 
+// Copies a typed array to where there is room for it.
+template <typename T>
+void copyTo(T* target, size_t count, const val& array) {
+  val(emscripten::typed_memory_view(count, target)).template call<void>("set", array);
+}
+
+inline void refuseTriangle(const TriangleMesh& mesh) {
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    for (const uint32_t v : mesh.triangles[t])
+      if (v >= mesh.vertexCount())
+        throw std::invalid_argument("Triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
+                                    ", but the mesh has " + std::to_string(mesh.vertexCount()) +
+                                    " vertices: weld the file's data first.");
+}
+
 inline TriangleMesh meshOf(const val& in) {
   const auto positions = vectorOf<float>(in["positions"]);
-  const auto triangles = vectorOf<uint32_t>(in["triangles"]);
+  const val triangles = in["triangles"];
   TriangleMesh mesh;
   mesh.positions.resize(positions.size() / 3);
   for (size_t v = 0; v < mesh.positions.size(); ++v)
     mesh.positions[v] = {positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]};
-  mesh.triangles.resize(triangles.size() / 3);
-  for (size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (int c = 0; c < 3; ++c) {
-      const uint32_t v = triangles[3 * t + c];
-      if (v >= mesh.positions.size())
-        throw std::invalid_argument("Triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
-                                    ", but the mesh has " + std::to_string(mesh.positions.size()) +
-                                    " vertices: weld the file's data first.");
-      mesh.triangles[t][c] = v;
-    }
+  mesh.triangles.resize(triangles["length"].as<size_t>() / 3);
+  copyTo(mesh.triangles.empty() ? nullptr : mesh.triangles[0].data(), 3 * mesh.triangles.size(), triangles);
+  uint32_t largest = 0;
+  for (const auto& [a, b, c] : mesh.triangles) largest = std::max({largest, a, b, c});
+  if (!mesh.triangles.empty() && largest >= mesh.vertexCount()) refuseTriangle(mesh);
   return mesh;
 }
 

@@ -54,7 +54,7 @@ TEST(WhyKept, theVertexWithTheLowestLegalCostGoesNext) {
         const WhyKept& why = all[at.vertexOfInput[v]];
         if (why.verdict == Verdict::Legal) next = std::min(next, why.terms.total());
       }
-      // limber takes costs within 5 % as equal, and finds one that has fallen late.
+      // limber takes costs within 8 % as equal, and finds one that has fallen late.
       if (method == Method::Limber)
         EXPECT_LE(next, 2 * least) << "collapse " << i;
       else

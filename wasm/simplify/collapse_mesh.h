@@ -79,12 +79,13 @@ class CollapseMesh {
   // Calls visit(edge, other vertex) once for each edge of a vertex that is not locked.
   template <class Visit>
   void forEachEdge(uint32_t v, const Visit& visit) const {
+    const bool open = roles_[v].onBorder;
     for (const Corner corner : star(v)) {
       const Face& face = faces_[triangleOf(corner)];
       const int next = nextIndex(indexOf(corner)), previous = nextIndex(next);
       visit(face.edges[previous], face.vertices[next]);
       // Every other edge leaves v in one of its two triangles; the last of an open fan only arrives.
-      if (trianglesOnEdge_[face.edges[next]] == 1) visit(face.edges[next], face.vertices[previous]);
+      if (open && trianglesOnEdge_[face.edges[next]] == 1) visit(face.edges[next], face.vertices[previous]);
     }
   }
 

@@ -14,14 +14,19 @@ constexpr double kWorstQuality = 1e-6;  // keeps the price of a needle finite
 // How far from the middle of an edge its target may lie, in lengths of the edge.
 constexpr double kReach = 2;
 
-// Eq. 9: 4 sqrt(3) A / (l1^2 + l2^2 + l3^2), 1 for an equilateral triangle, 0 for one without area. Squared.
-double squaredQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
-  const double squares = squaredLength(q - p) + squaredLength(r - q) + squaredLength(p - r);
-  return squares > 0 ? 12 * squaredLength(cross(q - p, r - p)) / (squares * squares) : 0;
-}
+// Eq. 9: 4 sqrt(3) A / (l1^2 + l2^2 + l3^2), 1 for an equilateral triangle, 0 for one without area.
 double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
   const double squares = squaredLength(q - p) + squaredLength(r - q) + squaredLength(p - r);
   return squares > 0 ? 2 * std::numbers::sqrt3 * length(cross(q - p, r - p)) / squares : 0;
+}
+
+// The squared qualities of two triangles (p, q, r), side by side.
+RealPair squaredQuality(const Point<RealPair>& p, const Point<RealPair>& q, const Point<RealPair>& r) {
+  const Point<RealPair> u = q - p, v = r - p, w = r - q;
+  const Point<RealPair> n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const RealPair squares = dot(u, u) + dot(v, v) + dot(w, w);
+  const RealPair quality = 12 * dot(n, n) / (squares * squares);
+  return squares > 0 ? quality : RealPair{};
 }
 
 }  // namespace
@@ -288,10 +293,21 @@ double CostModel::meanBadness(uint32_t edge, const Vec3& target) const {
 }
 
 double CostModel::worstQuality(uint32_t edge, const Vec3& target) const {
-  double worst = 1;
-  forEachChanged(
-      edge, [&](const Vec3& q, const Vec3& r) { worst = std::min(worst, squaredQuality(target, q, r)); });
-  return std::sqrt(worst);
+  const Point<RealPair> p = asPair(target, target);
+  RealPair worst{1, 1};
+  const Vec3 *firstQ = nullptr, *firstR = nullptr;  // a triangle that waits for a second one
+  const auto take = [&](const Vec3& q, const Vec3& r) {
+    const RealPair quality = squaredQuality(p, asPair(*firstQ, q), asPair(*firstR, r));
+    worst = quality < worst ? quality : worst;
+    firstQ = nullptr;
+  };
+  forEachChanged(edge, [&](const Vec3& q, const Vec3& r) {
+    if (firstQ != nullptr) return take(q, r);
+    firstQ = &q;
+    firstR = &r;
+  });
+  if (firstQ != nullptr) take(*firstQ, *firstR);
+  return std::sqrt(std::min(worst[0], worst[1]));
 }
 
 // Calls visit with the two corners that stay, of every triangle that a collapse changes and does not take.

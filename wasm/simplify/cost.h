@@ -69,8 +69,8 @@ class CostModel {
   // whose costs depend on these too, leaves it where it waits: the cost is found anew when it comes up, so
   // that only an edge that has become cheaper comes late.
   bool followsSurroundings() const { return method_ == Method::Paper && qualityWeight_ > 0; }
-  // Of two costs whose ratio is below this either may go first: for limber 1.05, which saves half of its
-  // time.
+  // Of two costs whose ratio is below this either may go first: for limber kTolerance, which saves half of
+  // its time.
   double tolerance() const { return method_ == Method::Limber ? kTolerance : 1; }
   // For an edge with a bound, whose `place` is given: a better bound, at the price of that place; then the
   // cost.
@@ -84,7 +84,7 @@ class CostModel {
   void collapse(const Collapse& step);
 
  private:
-  static constexpr double kTolerance = 1.05;
+  static constexpr double kTolerance = 1.08;
 
   void collectQuadrics();
   void startGuidance(const TriangleMesh& input);

@@ -11,8 +11,10 @@ constexpr double kMargin = 0.85;
 // A coarse input gets more samples on each triangle, up to about this many in all.
 constexpr double kSamples = 10000;
 constexpr int kFinest = 8;
-// Into how many parts the edges of a changed triangle are cut to sample it.
-constexpr int kCuts = 3;
+// The edges of a changed triangle are cut into parts of about this many limits to sample it, but into no
+// fewer than kFewestCuts nor more than kMostCuts.
+constexpr double kCutLength = 2;
+constexpr double kFewestCuts = 3, kMostCuts = 20;
 // A triangle within this part of the limit is near enough for a sample; no nearer one is looked for.
 constexpr double kNearEnough = 0.25;
 
@@ -121,9 +123,14 @@ bool DeviationLimit::allows(const Collapse& step) {
 
 bool DeviationLimit::isNearInput(const Changed& changed, const Vec3& target) const {
   const auto& [triangle, q, r] = changed;
-  bool near = isNearInput((target * 2 + q) / 3, triangle) && isNearInput((target + q * 2) / 3, triangle);
-  forEachMiddle(target, q, r, kCuts,
-                [&, triangle = triangle](const Vec3& p) { near = near && isNearInput(p, triangle); });
+  const double longest =
+      std::max({squaredLength(q - target), squaredLength(r - target), squaredLength(r - q)});
+  const double parts = std::ceil(std::sqrt(longest / squaredLimit_) / kCutLength);
+  const int cuts = static_cast<int>(std::clamp(parts, kFewestCuts, kMostCuts));
+  bool near = true;
+  const auto ask = [&, triangle = triangle](const Vec3& p) { near = near && isNearInput(p, triangle); };
+  for (int i = 1; i < cuts; ++i) ask(target + (q - target) * (1.0 * i / cuts));
+  forEachMiddle(target, q, r, cuts, ask);
   return near;
 }
 

@@ -9,10 +9,10 @@
 namespace limber {
 
 // Keeps the surface within a distance of the input, judged at samples in both directions: every vertex and,
-// on each triangle of the input, the middles of one to 64 equal parts (fewer on finer meshes) and of its
-// borders must stay that near to the triangles that have taken their place; and on every triangle that a
+// on each triangle of the input, points on its edges and the middles of one to 64 equal parts (fewer on finer
+// meshes) must stay that near to the triangles that have taken their place; and on every triangle that a
 // collapse changes, the moved corner and points inside and on its edges must lie that near to the input. A
-// margin of 5 % is for what lies between.
+// margin of 15 % is for what lies between; on large triangles over rugged borders it may take more.
 class DeviationLimit {
  public:
   // Keeps a reference to both. `limit` is a length in the mesh's units.

@@ -86,15 +86,25 @@ class EdgeHeap {
   void moveDown(uint32_t place, uint64_t key) {
     const auto size = static_cast<uint32_t>(keys_.size());
     for (uint32_t first; (first = 4 * place + 1) < size;) {
-      uint32_t least = first;
-      const uint32_t end = first + 4 < size ? first + 4 : size;
-      for (uint32_t child = first + 1; child < end; ++child)
-        if (keys_[child] < keys_[least]) least = child;
+      const uint32_t least = first + 3 < size ? leastOfFour(first) : leastOf(first, size);
       if (key <= keys_[least]) break;
       store(place, keys_[least]);
       place = least;
     }
     store(place, key);
+  }
+
+  // Without branches, which nobody could predict.
+  uint32_t leastOfFour(uint32_t first) const {
+    const uint64_t* keys = keys_.data() + first;
+    const uint32_t left = keys[1] < keys[0], right = 2 + (keys[3] < keys[2]);
+    return first + (keys[right] < keys[left] ? right : left);
+  }
+  uint32_t leastOf(uint32_t first, uint32_t end) const {
+    uint32_t least = first;
+    for (uint32_t child = first + 1; child < end; ++child)
+      if (keys_[child] < keys_[least]) least = child;
+    return least;
   }
 
   std::vector<uint64_t> keys_;

@@ -42,7 +42,10 @@ std::vector<uint32_t> findSurvivors(const History& history, size_t count) {
   return survivor;
 }
 
-void collectTriangles(const TriangleMesh& input, const std::vector<uint32_t>& survivor, MeshAt& result) {
+void collectTriangles(const TriangleMesh& input, const std::vector<uint32_t>& survivor, uint32_t expected,
+                      MeshAt& result) {
+  result.mesh.triangles.reserve(expected);
+  result.inputOfTriangle.reserve(expected);
   for (uint32_t t = 0; t < input.triangleCount(); ++t) {
     const auto& [a, b, c] = input.triangles[t];
     const Triangle triangle{survivor[a], survivor[b], survivor[c]};
@@ -82,8 +85,9 @@ MeshAt meshAt(const TriangleMesh& input, const History& history, uint32_t faces)
   const size_t count = collapsesFor(history, faces);
   const auto survivor = findSurvivors(history, count);
   MeshAt result;
-  collectTriangles(input, survivor, result);
-  if (count > 0 && result.mesh.triangleCount() != history.trianglesAfter[count - 1]) refuseHistory();
+  const uint32_t expected = count > 0 ? history.trianglesAfter[count - 1] : input.triangleCount();
+  collectTriangles(input, survivor, expected, result);
+  if (count > 0 && result.mesh.triangleCount() != expected) refuseHistory();
   numberVertices(input, history, count, survivor, result);
   return result;
 }

@@ -28,6 +28,9 @@ bool isSpoilt(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& target) {
   const double cosine = dot(before, after);
   const double lengths = squaredLength(before) * squaredLength(after);
   const bool turns = cosine <= 0 || cosine * cosine < kSmallestCosine * kSmallestCosine * lengths;
+  // No edge is longer than the other two together: mostly this says at once that there is height enough.
+  const double square = 2 * (squaredLength(side) + squaredLength(target - q));
+  if (!turns && squaredLength(after) > 4 * kSmallestHeight * kSmallestHeight * square * square) return false;
   const double flatness = squaredFlatness(after, target, q, r);
   if (!turns && flatness > kSmallestHeight * kSmallestHeight) return false;
   const double flatnessBefore = squaredFlatness(before, p, q, r);

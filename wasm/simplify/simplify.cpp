@@ -98,7 +98,7 @@ class Simplification {
   std::vector<uint8_t> hasRefused_;  // per vertex: an edge of it may have been refused since the last retry
   std::vector<Place> places_;        // per edge
   uint32_t stopFaces_;
-  std::vector<uint32_t> edges_;  // scratch: edges to price, and their costs
+  std::vector<uint32_t> edges_, neighbours_;  // scratch
   std::vector<double> edgeCosts_;
   Job& job_;
   History history_;
@@ -150,6 +150,7 @@ bool Simplification::goesBack(uint32_t edge, double cost, Place place) {
 }
 
 Verdict Simplification::judge(const Collapse& step) {
+  if (deviation_) job_.check();  // which may take a millisecond a step
   const Verdict verdict = legality_.check(step);
   const bool goesTooFar = verdict == Verdict::Legal && deviation_ && !deviation_->allows(step);
   return goesTooFar ? Verdict::Deviation : verdict;
@@ -185,20 +186,22 @@ void Simplification::record(const Collapse& step) {
 // price these, and for all of them a collapse that was refused may have become legal.
 void Simplification::updateCosts(uint32_t kept) {
   edges_.clear();
-  mesh_.forEachEdge(kept, [&](uint32_t edge, uint32_t) {
+  neighbours_.clear();
+  mesh_.forEachEdge(kept, [&](uint32_t edge, uint32_t neighbour) {
     if (legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
+    if (costs_.followsSurroundings() || hasRefused_[neighbour]) neighbours_.push_back(neighbour);
   });
   hasRefused_[kept] = 0;
   costs_.setBounds(edges_);
   for (const uint32_t edge : edges_) queueByBound(edge);
-  mesh_.forEachEdge(kept, [&](uint32_t, uint32_t neighbour) {
-    if (mesh_.role(neighbour).freedom == Freedom::Locked) return;
+  for (const uint32_t neighbour : neighbours_) {
+    if (mesh_.role(neighbour).freedom == Freedom::Locked) continue;
     if (costs_.followsSurroundings())
       queueSurroundings(neighbour);
-    else if (hasRefused_[neighbour])
+    else
       queueRefused(neighbour);
     hasRefused_[neighbour] = 0;
-  });
+  }
 }
 
 void Simplification::queueByBound(uint32_t edge) {
