@@ -81,13 +81,14 @@ void Simulation::State::makeParticles() {
 }
 
 void Simulation::State::makeConstraints() {
-  const Sheet sheet = {options.young, options.poisson, options.thickness * options.unit};
+  const Sheet sheet = {options.young, options.poisson, options.thickness * options.unit, options.density};
+  const ConstraintOptions made = {sheet, substep, options.order};
   if (options.material == Material::Springs) {
-    edges.emplace(mesh, topology, particles, sheet.stretching(), substep, options.order);
+    edges.emplace(mesh, topology, particles, made);
     return;
   }
-  membrane.emplace(mesh, particles, sheet, substep, options.order);
-  bending.emplace(mesh, topology, particles, sheet, options.density, substep, options.order);
+  membrane.emplace(mesh, particles, made);
+  bending.emplace(mesh, topology, particles, made);
   const double bulkModulus = options.young / (3 * (1 - 2 * options.poisson));
   if (options.keepsVolume) volume.emplace(mesh, topology, bulkModulus, substep);
 }
