@@ -233,6 +233,45 @@ describe('limber optimize', () => {
   });
 });
 
+describe('limber simulate', () => {
+  it('moves a body and says what it costs', () => {
+    const { code, stdout, stderr } = limber('simulate', 'grid.obj', '--scenario', 'hang', '--seconds', '0.2');
+    expect([code, stderr]).toEqual([0, '']);
+    expect(stdout).toMatch(
+      /^scenario +hang, 0\.2 s, shell, 20 substeps, grid\ngrid\.obj +256 constraints, 208 edges, \S+ ms a step, \S+ ns a constraint\n$/,
+    );
+  });
+
+  it('reports how far two bodies part, beside the noise floor', () => {
+    limber('optimize', 'torus.obj', 'half.glb', '--quiet');
+    const words = 'simulate torus.obj half.glb --scenario sway --material springs --seconds 0.3 --json';
+    const { code, stdout } = limber(...words.split(' '));
+    expect(code).toBe(0);
+    const { simulation, output, options } = report(stdout);
+    expect(output!.faces).toBe(288);
+    expect(options).toMatchObject({ scenario: 'sway', material: 'springs', seconds: 0.3, substeps: 20 });
+    expect(simulation).toMatchObject({
+      material: 'springs',
+      scenario: 'sway',
+      substeps: 20,
+      original: { constraints: 864, edges: 864 },
+      optimized: { constraints: 432, edges: 432 },
+      edgeRatio: 2,
+    });
+    const { mean, max, noiseFloor } = simulation!.deviation!;
+    expect(noiseFloor).toBeLessThan(mean);
+    expect(mean).toBeLessThan(max);
+  });
+
+  it('takes pins in the words of the other commands', () => {
+    const { code, stdout } = limber(
+      ...'simulate torus.obj torus.obj --pins high:10 --seconds 0.1 --json'.split(' '),
+    );
+    expect(code).toBe(0);
+    expect(report(stdout).simulation!.deviation).toMatchObject({ mean: 0, max: 0 });
+  });
+});
+
 describe('a wrong command line', () => {
   it.each([
     ['', 'There is no command "": use optimize, modes, compare, simulate, inspect (limber --help).'],
@@ -281,6 +320,13 @@ describe('a wrong command line', () => {
     ],
     ['optimize torus.obj a.glb --max-frequency-error 2', '--max-frequency-error is not available yet.'],
     ['inspect torus.obj --faces 10', 'limber inspect has no --faces: see limber inspect --help.'],
+    ['simulate', 'A is missing: limber simulate A [B].'],
+    ['simulate a.obj b.obj c.obj', '"c.obj" is one file too many: limber simulate A [B].'],
+    [
+      'simulate torus.obj --scenario fall',
+      '--scenario is fall: give one of twist, sway, hang, drop, pull, wind (default: twist).',
+    ],
+    ['simulate torus.obj --record out.glb', '--record is not available yet.'],
     ['compare torus.obj two.obj', 'torus.obj has 1 body and two.obj has 2: compare one with --mesh NAME.'],
   ])('limber %s', (words, message) => {
     expect(limber(...words.split(' '))).toEqual({ code: 1, stdout: '', stderr: `limber: ${message}\n` });

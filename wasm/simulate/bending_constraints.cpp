@@ -4,6 +4,7 @@
 
 #include "simulate/bending_rest.h"
 #include "simulate/gather.h"
+#include "simulate/hinge.h"
 #include "simulate/triangle_rest.h"
 
 namespace limber {
@@ -35,11 +36,10 @@ std::vector<double> turnWeights(const TriangleMesh& mesh, const Topology& topolo
 }  // namespace
 
 BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology& topology,
-                                       const Particles& particles, const Sheet& sheet, double density,
-                                       double substep, uint32_t order)
-    : turns_(topology.edges.size() + 1, Turn{0, 0}),
+                                       const Particles& particles, const ConstraintOptions& options)
+    : turns_(topology.edges.size() + 1),
       exactPsi_(topology.edges.size(), 0.0),
-      turnWeight_(turnWeights(mesh, topology, density * sheet.thickness)) {
+      turnWeight_(turnWeights(mesh, topology, options.sheet.density * options.sheet.thickness)) {
   const auto flaps = flapsOf(mesh, topology);
   // Six vertices and, by the edges' vertices, three turns: two triangles that share a turn share vertices
   // too.
@@ -56,15 +56,16 @@ BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology&
     stencils.insert(stencils.end(), corner.begin(), corner.end());
     stencils.insert(stencils.end(), rest.flap.begin(), rest.flap.end());
     triangles_.push_back(corner);
-    compliance_.push_back(bendingCompliance(mesh, t, sheet));
+    compliance_.push_back(bendingCompliance(mesh, t, options.sheet));
     rest.stiffness =
         bendingStiffness(compliance_.back(), {rest.share[0] > 0, rest.share[1] > 0, rest.share[2] > 0});
     rest_.push_back(rest);
   }
-  colouring_ = colour(stencils, 6, particles.count(), order);
+  colouring_ = colour(stencils, 6, particles.count(), options.order);
   batches_.resize(colouring_.batches.size());
   for (size_t i = 0; i < batches_.size(); ++i)
-    for (int k = 0; k < 4; ++k) setTriangle(batches_[i], k, colouring_.batches[i][k], particles, substep);
+    for (int k = 0; k < 4; ++k)
+      setTriangle(batches_[i], k, colouring_.batches[i][k], particles, options.substep);
 }
 
 void BendingConstraints::setHinge(Rest& rest, uint32_t e, const Triangle& corner, const TriangleMesh& mesh,
@@ -150,60 +151,6 @@ void BendingConstraints::advanceTurns(size_t begin, size_t end, const Advance& w
     if (what.accelerates) turn.rate -= damping * turn.rate;
   }
 }
-
-namespace {
-
-// Tan(half the fold from rest), and its gradient over the four vertices of a hinge, which lies along the
-// normals of its two triangles: over the flap it is `flap` times flapNormal, over the start of the edge
-// flapStart times flapNormal plus start times the triangle's own normal, and so on.
-struct Hinge {
-  Vec3x4 flapNormal;
-  Float4 turn, cosine;
-  Float4 flap, flapStart, flapEnd;
-  Float4 apex, start, end;
-};
-
-// As seen from the apex.
-struct HingeVertices {
-  Vec3x4 toStart, toEnd, toFlap;
-};
-struct RestFold {
-  Float4 cosine, sine, share;
-};
-
-inline Hinge hingeOf(const HingeVertices& at, const Vec3x4& normal, Float4 inverseDoubleArea,
-                     const RestFold& rest) {
-  const Float4 one = splat(1), tiny = splat(1e-30f);
-  const Vec3x4 edge = at.toEnd - at.toStart, across = at.toFlap - at.toStart;
-  const Vec3x4 flapNormal = cross(at.toFlap - at.toEnd, edge);
-  const Float4 squaredEdge = dot(edge, edge), edgeLength = squareRoot(squaredEdge);
-  const Float4 inverseFlapArea = one / squareRoot(dot(flapNormal, flapNormal) + tiny);
-  Hinge hinge;
-  hinge.flapNormal = flapNormal * inverseFlapArea;
-  hinge.cosine = dot(normal, hinge.flapNormal);
-  const Float4 sine = dot(across, normal) * edgeLength * inverseFlapArea;
-  // How far it is from rest, delta. Up to 90 degrees tan(delta / 2) = sin / (1 + cos); from there on 2 -
-  // tan((180 - delta) / 2), as smooth, and without a pole. Both grow by 1 / (1 + |cos|).
-  const Float4 sineFromRest = sine * rest.cosine - hinge.cosine * rest.sine;
-  const Float4 cosineFromRest = hinge.cosine * rest.cosine + sine * rest.sine;
-  const Float4 growth = rest.share / (one + larger(cosineFromRest, -cosineFromRest));
-  const Float4 tangent = sineFromRest * growth, zero{};
-  const Float4 twice = sineFromRest < zero ? -splat(2) * rest.share : splat(2) * rest.share;
-  hinge.turn = cosineFromRest < zero ? twice - tangent : tangent;
-  const Float4 scale = growth * edgeLength;
-  const Float4 inverseSquare = one / (squaredEdge + tiny);
-  const Float4 flapFoot = dot(across, edge) * inverseSquare,
-               apexFoot = -dot(at.toStart, edge) * inverseSquare;
-  hinge.flap = scale * inverseFlapArea;
-  hinge.flapEnd = -flapFoot * hinge.flap;
-  hinge.flapStart = -hinge.flap - hinge.flapEnd;
-  hinge.apex = scale * inverseDoubleArea;
-  hinge.end = -apexFoot * hinge.apex;
-  hinge.start = -hinge.apex - hinge.end;
-  return hinge;
-}
-
-}  // namespace
 
 // The three hinges of a triangle, for four triangles at once. Corner c is the apex of edge c, the end of edge
 // c + 1 and the start of edge c + 2.

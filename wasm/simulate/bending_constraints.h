@@ -23,9 +23,9 @@ namespace limber {
 // that is pinned whole is rigid: its edges stay in its plane, so that the neighbour has all of the fold.
 class BendingConstraints {
  public:
-  // Rest shapes are those of `mesh`, in metres; `density` in kg/m3, `substep` in seconds.
+  // Rest shapes are those of `mesh`, in metres.
   BendingConstraints(const TriangleMesh& mesh, const Topology& topology, const Particles& particles,
-                     const Sheet& sheet, double density, double substep, uint32_t order);
+                     const ConstraintOptions& options);
 
   uint32_t count() const { return static_cast<uint32_t>(triangles_.size()); }
   size_t edgeCount() const { return turns_.size() - 1; }
@@ -66,7 +66,7 @@ class BendingConstraints {
     std::array<double, 6> stiffness;  // of (s_0, s_1, s_2): 00 01 02 11 12 22; 0 on borders
   };
   struct Turn {
-    float psi, rate;  // psi before the substep; its change in the substep
+    float psi = 0, rate = 0;  // psi before the substep; its change in the substep
   };
   struct Hinges;
   static Hinges hingesOf(const Batch& batch, const Motion* motion);

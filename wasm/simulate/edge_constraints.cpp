@@ -22,13 +22,13 @@ double areaAround(const TriangleMesh& mesh, const Topology& topology, const Topo
 }  // namespace
 
 EdgeConstraints::EdgeConstraints(const TriangleMesh& mesh, const Topology& topology,
-                                 const Particles& particles, double stretching, double substep,
-                                 uint32_t order)
-    : colouring_(colour(edgeVertices(topology), 2, particles.count(), order)),
+                                 const Particles& particles, const ConstraintOptions& options)
+    : colouring_(colour(edgeVertices(topology), 2, particles.count(), options.order)),
       count_(static_cast<uint32_t>(topology.edges.size())) {
   batches_.resize(colouring_.batches.size());
   stiffness_.assign(4 * batches_.size(), 0.0);
   rest_.assign(4 * batches_.size(), 1.0);
+  const double stretching = options.sheet.stretching(), squaredSubstep = options.substep * options.substep;
   for (size_t i = 0; i < batches_.size(); ++i)
     for (int k = 0; k < 4; ++k) {
       Batch& batch = batches_[i];
@@ -43,12 +43,12 @@ EdgeConstraints::EdgeConstraints(const TriangleMesh& mesh, const Topology& topol
       const double stiffness = rest > 0 ? stretching * areaAround(mesh, topology, edge) / (rest * rest) : 0;
       const double wa = particles.inverseMass[edge.a], wb = particles.inverseMass[edge.b];
       // w / (w_a + w_b + 1 / (stiffness substep^2)), which stays finite where the stiffness is 0.
-      const double k2 = stiffness * substep * substep, divisor = (wa + wb) * k2 + 1;
+      const double inert = stiffness * squaredSubstep, divisor = (wa + wb) * inert + 1;
       batch.a[k] = edge.a;
       batch.b[k] = edge.b;
       batch.rest[k] = static_cast<float>(rest);
-      batch.shareA[k] = static_cast<float>(wa * k2 / divisor);
-      batch.shareB[k] = static_cast<float>(wb * k2 / divisor);
+      batch.shareA[k] = static_cast<float>(wa * inert / divisor);
+      batch.shareB[k] = static_cast<float>(wb * inert / divisor);
       stiffness_[4 * i + k] = stiffness;
       rest_[4 * i + k] = rest;
     }

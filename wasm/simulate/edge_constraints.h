@@ -6,6 +6,7 @@
 #include "mesh/topology.h"
 #include "simulate/colouring.h"
 #include "simulate/particles.h"
+#include "simulate/sheet.h"
 
 namespace limber {
 
@@ -15,9 +16,9 @@ namespace limber {
 // springs are another material whatever their rule.
 class EdgeConstraints {
  public:
-  // `stretching` is E h in N/m. Rest lengths are those of particles.positions; `substep` in seconds.
+  // Rest lengths are those of `mesh`, in metres.
   EdgeConstraints(const TriangleMesh& mesh, const Topology& topology, const Particles& particles,
-                  double stretching, double substep, uint32_t order);
+                  const ConstraintOptions& options);
 
   uint32_t count() const { return count_; }
   const Colouring& colouring() const { return colouring_; }

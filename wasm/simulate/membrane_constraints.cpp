@@ -6,18 +6,19 @@
 namespace limber {
 
 MembraneConstraints::MembraneConstraints(const TriangleMesh& mesh, const Particles& particles,
-                                         const Sheet& sheet, double substep, uint32_t order)
-    : triangles_(mesh.triangles), sheet_(sheet), count_(mesh.triangleCount()) {
+                                         const ConstraintOptions& options)
+    : triangles_(mesh.triangles), sheet_(options.sheet), count_(mesh.triangleCount()) {
   std::vector<uint32_t> vertices;
   for (const Triangle& t : mesh.triangles) vertices.insert(vertices.end(), t.begin(), t.end());
-  colouring_ = colour(vertices, 3, particles.count(), order);
+  colouring_ = colour(vertices, 3, particles.count(), options.order);
   for (uint32_t t = 0; t < count_; ++t) {
     const TriangleRest rest = triangleRest(mesh, t);
     rest_.push_back({rest.area(), 1 / rest.x1, -rest.x2 / (rest.x1 * rest.y2), 1 / rest.y2});
   }
   batches_.resize(colouring_.batches.size());
   for (size_t i = 0; i < batches_.size(); ++i)
-    for (int k = 0; k < 4; ++k) fill(batches_[i], k, colouring_.batches[i][k], mesh, particles, substep);
+    for (int k = 0; k < 4; ++k)
+      fill(batches_[i], k, colouring_.batches[i][k], mesh, particles, options.substep);
 }
 
 void MembraneConstraints::fill(Batch& batch, int k, uint32_t t, const TriangleMesh& mesh,

@@ -15,9 +15,8 @@ namespace limber {
 // E : C : E, on any mesh. The three components are solved together.
 class MembraneConstraints {
  public:
-  // Rest shapes are those of `mesh`, in metres; `substep` in seconds.
-  MembraneConstraints(const TriangleMesh& mesh, const Particles& particles, const Sheet& sheet,
-                      double substep, uint32_t order);
+  // Rest shapes are those of `mesh`, in metres.
+  MembraneConstraints(const TriangleMesh& mesh, const Particles& particles, const ConstraintOptions& options);
 
   uint32_t count() const { return count_; }
   const Colouring& colouring() const { return colouring_; }

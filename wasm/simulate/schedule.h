@@ -16,8 +16,10 @@ struct Stage {
 
 // Runs all stages in order, `repeats` times; a stage starts when all of the one before has ended. With
 // `threaded`, chunks are handed out to the threads of parallelFor, which spin between stages: for stages of
-// some microseconds, which a pool's sleeping threads would not pay for. Throws Cancelled, with the stages
-// left at some chunk in between. Bodies must not throw.
-void runStages(std::span<const Stage> stages, int repeats, bool threaded, const Job& job);
+// some microseconds, which a pool's sleeping threads would not pay for. Returns false where
+// threads had to wait for each other for long, as they do where other programs use the cores: better do
+// without for a while. Throws Cancelled, with the stages left at some chunk in between. Bodies must not
+// throw.
+bool runStages(std::span<const Stage> stages, int repeats, bool threaded, const Job& job);
 
 }  // namespace limber

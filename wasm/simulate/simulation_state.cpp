@@ -13,6 +13,8 @@ namespace {
 // From this many constraints on, a body's stages (a colour's 20 microseconds or more) pay for several
 // threads.
 constexpr uint32_t kThreadedEdges = 40000, kThreadedTriangles = 20000;
+// For how long a body does without them where they have been in each other's way.
+constexpr int kSerialSteps = 60;
 constexpr size_t kBatchGrain = 128, kVertexGrain = 4096;
 
 // Contacts are looked for within this share of the body's diagonal.
@@ -79,13 +81,14 @@ void Simulation::State::makeParticles() {
 }
 
 void Simulation::State::makeConstraints() {
-  const Sheet sheet = {options.young, options.poisson, options.thickness * options.unit};
+  const Sheet sheet = {options.young, options.poisson, options.thickness * options.unit, options.density};
+  const ConstraintOptions made = {sheet, substep, options.order};
   if (options.material == Material::Springs) {
-    edges.emplace(mesh, topology, particles, sheet.stretching(), substep, options.order);
+    edges.emplace(mesh, topology, particles, made);
     return;
   }
-  membrane.emplace(mesh, particles, sheet, substep, options.order);
-  bending.emplace(mesh, topology, particles, sheet, options.density, substep, options.order);
+  membrane.emplace(mesh, particles, made);
+  bending.emplace(mesh, topology, particles, made);
   const double bulkModulus = options.young / (3 * (1 - 2 * options.poisson));
   if (options.keepsVolume) volume.emplace(mesh, topology, bulkModulus, substep);
 }
@@ -165,13 +168,15 @@ void Simulation::State::startPins() {
 }
 
 void Simulation::State::step(const Job& job) {
-  const bool threaded = constraintCount() >= (edges ? kThreadedEdges : kThreadedTriangles);
+  const bool isLarge = constraintCount() >= (edges ? kThreadedEdges : kThreadedTriangles);
+  const bool threaded = isLarge && serialSteps_ == 0;
+  serialSteps_ = std::max(0, serialSteps_ - 1);
   setAccelerations();
   startPins();
   contacts.rebase(particles, obstacles, kContactReach * bounds(mesh).diagonal(), options.substeps);
   if (volume) volume->rebase(particles);
   runStages(rebasing_, 1, threaded, job);
-  runStages(substepping_, options.substeps, threaded, job);
+  if (!runStages(substepping_, options.substeps, threaded, job)) serialSteps_ = kSerialSteps;
   advance(particles, 0, particles.count(), {true, false});
   if (bending) bending->advanceTurns(0, bending->edgeCount(), {true, false}, 0);
   finishStep(particles, 0, particles.count());

@@ -60,6 +60,7 @@ struct Simulation::State {
   void startPins();
 
   std::vector<Stage> rebasing_, substepping_;
+  int serialSteps_ = 0;  // for which no threads are used
 };
 
 }  // namespace limber

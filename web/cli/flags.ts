@@ -121,7 +121,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   },
   simulate: {
     operands: ['A', '[B]'],
-    summary: 'Move A, and B beside it, through a scenario: times and how far they part.',
+    summary: 'Move A, and B beside it: times, and how far they part.',
     groups: ['simulation', 'material', 'common'],
     settings: ['pins'],
     flags: COMMON,
