@@ -20,6 +20,8 @@
 #include "mesh/inspect.h"
 #include "mesh/topology.h"
 #include "mesh/weld.h"
+#include "pipeline/binding.h"
+#include "pipeline/corner_sources.h"
 #include "pipeline/fidelity.h"
 #include "pipeline/find_modes.h"
 #include "pipeline/guidance.h"
@@ -274,6 +276,35 @@ val jsMeshAt(const val& mesh, const val& history, uint32_t faces) {
   return out;
 }
 
+MeshAt meshAtOf(const val& in) {
+  MeshAt result;
+  result.mesh = meshOf(in["mesh"]);
+  result.vertexOfInput = vectorOf<uint32_t>(in["vertexOfInput"]);
+  result.inputOfVertex = vectorOf<uint32_t>(in["inputOfVertex"]);
+  result.inputOfTriangle = vectorOf<uint32_t>(in["inputOfTriangle"]);
+  return result;
+}
+
+// ---- transfer ----
+
+val jsSourceOfCorners(const val& mesh, const val& charts, const val& result) {
+  const auto wedges = vectorOf<uint32_t>(charts["wedges"]), groups = vectorOf<uint32_t>(charts["groups"]);
+  const CornerSources sources = sourceOfCorners(meshOf(mesh), {wedges, groups}, meshAtOf(result), theJob);
+  val out = val::object();
+  out.set("triangle", typedArray(sources.triangle));
+  out.set("barycentric", typedArray(sources.barycentric));
+  return out;
+}
+
+val jsBindToResult(const val& mesh, const val& result) {
+  const Binding binding = bindToResult(meshOf(mesh), meshAtOf(result), theJob);
+  val out = val::object();
+  out.set("triangle", typedArray(binding.triangle));
+  out.set("barycentric", typedArray(binding.barycentric));
+  out.set("offset", typedArray(binding.offset));
+  return out;
+}
+
 // ---- measures ----
 
 val jsMeasureQuality(const val& mesh) {
@@ -376,6 +407,8 @@ EMSCRIPTEN_BINDINGS(limber) {
   emscripten::function("meanCurvature", &Guarded<&jsMeanCurvature>::call);
   emscripten::function("simplify", &Guarded<&jsSimplify>::call);
   emscripten::function("meshAt", &Guarded<&jsMeshAt>::call);
+  emscripten::function("sourceOfCorners", &Guarded<&jsSourceOfCorners>::call);
+  emscripten::function("bindToResult", &Guarded<&jsBindToResult>::call);
   emscripten::function("measureQuality", &Guarded<&jsMeasureQuality>::call);
   emscripten::function("measureSurfaceDistance", &Guarded<&jsMeasureSurfaceDistance>::call);
   emscripten::function("compareFidelity", &Guarded<&jsCompareFidelity>::call);

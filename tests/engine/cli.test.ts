@@ -12,6 +12,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { validateGlb } from '../../web/engine/document/validate';
+import { readBinding } from '../../web/engine/binding_file';
 import type { Report } from '../../web/engine/report';
 import { VERSION } from '../../web/engine/version';
 import { SQUARE_OBJ } from './support/files';
@@ -161,6 +162,20 @@ describe('limber optimize', () => {
       stdout: '',
       stderr: 'limber: two.obj has no body "sheets": it has "ring", "sheet".\n',
     });
+  });
+
+  it('binds every original vertex to the optimized mesh with --bind', () => {
+    expect(limber('optimize', 'two.obj', 'two.glb', '--ratio', '0.3', '--bind', 'two.json').code).toBe(0);
+    const bodies = readBinding('two.json', readFileSync(path('two.json'), 'utf8'));
+    expect(bodies.map(({ name, mesh, binding }) => [name, mesh, binding.triangle.length])).toEqual([
+      ['ring', 0, 288],
+      ['sheet', 1, 81],
+    ]);
+    for (const { faces, binding } of bodies)
+      for (const triangle of binding.triangle) expect(triangle).toBeLessThan(faces);
+    expect(limber('optimize', 'torus.obj', 'a.glb', '--bind', 'none/a.json').stderr).toBe(
+      'limber: The folder none does not exist: make it first.\n',
+    );
   });
 
   it('carries fields with --fields', async () => {

@@ -147,7 +147,7 @@ describe('optimizing', () => {
   it('gives every face and vertex of the result its origin in the file', () => {
     const soup = together(torus(), grid(8, 8));
     const { prepared, result, guidance, curvature } = optimize(200, {}, soup);
-    const exported = exportedBody(prepared, result, { guidance, curvature });
+    const exported = exportedBody(core, prepared, result, { guidance, curvature });
     expect(exported.inputOfTriangle).toHaveLength(faces(result.mesh));
     expect(Math.max(...exported.inputOfTriangle)).toBeLessThan(faces(soup));
     expect(new Set(exported.inputOfTriangle).size).toBe(faces(result.mesh));

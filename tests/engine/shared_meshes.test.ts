@@ -3,11 +3,12 @@
  * it these tests skip.
  */
 
+import type { Document, Mesh, Primitive } from '@gltf-transform/core';
 import { existsSync, readFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core } from '../../web/engine/core';
-import { exportGlb } from '../../web/engine/document/export';
+import { droppedByExport, exportGlb } from '../../web/engine/document/export';
 import { companionNames } from '../../web/engine/document/gltf';
 import { openModel } from '../../web/engine/document/open';
 import type { OpenModel } from '../../web/engine/document/open';
@@ -17,6 +18,7 @@ import { exportedBody, optimizeBody, prepareBody } from '../../web/engine/pipeli
 import type { OptimizedBody } from '../../web/engine/pipeline';
 import { loadTestCore } from './support/core';
 import { failureOf } from './support/files';
+import { readGlb } from './support/gltf';
 
 const repository = new URL('../../', import.meta.url).pathname;
 const meshes = join(process.env.LIMBER_SHARED ?? join(repository, '..', 'shared'), 'meshes');
@@ -43,6 +45,8 @@ const MODELS = [
   'gltf/Fox.glb',
   'gltf/GolfBall.glb',
   'gltf/MorphStressTest.gltf',
+  'gltf/SheenCloth.glb',
+  'gltf/terrain.glb',
   'gltf/alien.glb',
   'gltf/derived_Fox_draco.glb',
   'gltf/derived_Fox_meshopt.glb',
@@ -75,11 +79,66 @@ beforeAll(async () => {
 function optimize(model: OpenModel): OptimizedBody[] {
   const settings = defaultSettings();
   return model.bodies.map((body) => {
-    const prepared = prepareBody(core, body, settings);
+    const prepared = prepareBody(core, body, settings, model.document);
     return optimizeBody(core, prepared, settings, {
       targetFaces: Math.floor(prepared.mesh.triangles.length / 6),
     });
   });
+}
+
+/** What the validator says of the exported file and would not say if no body had been replaced. */
+async function addedMessages(model: OpenModel, bytes: Uint8Array): Promise<string[]> {
+  const codeOf = (message: string) => message.split(' ')[0];
+  const before = await validateGlb(
+    await exportGlb(
+      model,
+      model.bodies.map(() => null),
+      { fields: false },
+    ),
+  );
+  const known = new Set(before.messages.map(codeOf));
+  return (await validateGlb(bytes)).messages.filter((message) => !known.has(codeOf(message)));
+}
+
+/** Everything that has to be there before and after; normals and fields may have been added. */
+function inventory(document: Document) {
+  const root = document.getRoot();
+  return {
+    materials: root.listMaterials().map((material) => material.getName()),
+    images: root.listTextures().map((texture) => texture.getImage()?.length),
+    skins: root.listSkins().map((skin) => skin.listJoints().length),
+    animations: root.listAnimations().map((animation) => animation.listChannels().length),
+    nodes: root
+      .listNodes()
+      .map((node) => [
+        node.getName(),
+        node.getMatrix().map((value) => Number(value.toFixed(5)) + 0),
+        node.getExtras(),
+      ]),
+    // Names of morph targets are written even where they are the default ones.
+    meshes: root
+      .listMeshes()
+      .map((mesh) => [mesh.getName(), mesh.getWeights(), { ...mesh.getExtras(), targetNames: null }]),
+  };
+}
+
+const describePrimitives = (mesh: Mesh) => mesh.listPrimitives().map(describePrimitive);
+
+function describePrimitive(primitive: Primitive) {
+  const isAdded = (name: string) => ['NORMAL', 'POSITION', '_STRAIN', '_CURVATURE'].includes(name);
+  const describe = (name: string) => {
+    const accessor = primitive.getAttribute(name)!;
+    return [name, accessor.getType(), accessor.getComponentType(), accessor.getNormalized()];
+  };
+  return {
+    material: primitive.getMaterial()?.getName(),
+    targets: primitive.listTargets().map((target) => [target.getName(), ...target.listSemantics()]),
+    attributes: primitive
+      .listSemantics()
+      .filter((name) => !isAdded(name))
+      .map(describe)
+      .sort(),
+  };
 }
 
 describe.skipIf(isAbsent)('a real mesh', () => {
@@ -96,9 +155,18 @@ describe.skipIf(isAbsent)('a real mesh', () => {
           expect(zeroModesFound).toBe(zeroModesExpected);
         for (const { residual } of modes!.modes) expect(residual).toBeLessThanOrEqual(1e-7);
       }
-      const bodies = optimized.map((one) => exportedBody(one.prepared, one.result, one));
-      const validation = await validateGlb(await exportGlb(model, bodies, { fields: true }));
-      expect(validation).toEqual({ errors: 0, warnings: 0, messages: [] });
+      const bodies = optimized.map((one) => exportedBody(core, one.prepared, one.result, one));
+      const bytes = await exportGlb(model, bodies, { fields: true });
+      expect(await addedMessages(model, bytes)).toEqual([]);
+      expect(droppedByExport(model)).toEqual(model.unread);
+      const written = await readGlb(bytes);
+      expect(inventory(written)).toEqual(inventory(model.document));
+      const before = model.document.getRoot().listMeshes().map(describePrimitives);
+      written
+        .getRoot()
+        .listMeshes()
+        .map(describePrimitives)
+        .forEach((primitives, mesh) => expect(before[mesh]).toEqual(expect.arrayContaining(primitives)));
     },
   );
 

@@ -26,6 +26,8 @@ export interface Arguments {
   ratio: number | null;
   fields: boolean;
   shapes: string | null;
+  /** file for the binding of the original's vertices */
+  bind: string | null;
   /** null: every body */
   mesh: string | null;
   /** where reports go; '-' is stdout */
@@ -58,6 +60,7 @@ export function parseArguments(words: string[]): Arguments | Question {
     ratio: readTarget(values, 'ratio', 'a number above 0 and up to 1', (n) => n > 0 && n <= 1),
     fields: values.has('fields'),
     shapes: values.get('shapes') ?? null,
+    bind: values.get('bind') ?? null,
     mesh: values.get('mesh') ?? null,
     reports: [...new Set([...(report === undefined ? [] : [report]), ...(values.has('json') ? ['-'] : [])])],
     quiet: values.has('quiet'),

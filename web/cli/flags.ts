@@ -75,6 +75,12 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
         help: 'Write strain and curvature as attributes _STRAIN and _CURVATURE.',
         group: 'output',
       },
+      {
+        name: 'bind',
+        value: 'FILE',
+        help: 'Write where each original vertex lies on the optimized mesh (docs/formats.md).',
+        group: 'output',
+      },
       ...COMMON,
     ],
     defaults: {},
@@ -123,7 +129,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
 export const LATER_FLAGS = new Set(
   (
     'max-deviation min-angle max-frequency-error fit size-weight ' +
-    'bind lods symmetry scenario material seconds substeps record'
+    'lods symmetry scenario material seconds substeps record'
   ).split(' '),
 );
 export const LATER_VALUES: Record<string, string[]> = { method: ['limber'] };

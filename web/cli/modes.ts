@@ -42,7 +42,7 @@ export async function runModes(args: Arguments): Promise<number> {
   if (args.shapes !== null) {
     const shown = prepared.map((body, i) => (body ? shapesOf(args, body, sets[i]!) : null));
     writeWhole(args.shapes, await exportGlb(model, shown, { fields: false }));
-    const dropped = droppedByExport(model);
+    const dropped = droppedByExport(model, true);
     if (dropped.length > 0) session.warnings.push(`${args.shapes} leaves out ${dropped.join(', ')}`);
   }
   const used: Partial<Settings> & { mesh?: string } = { ...settings };

@@ -1,6 +1,8 @@
 /** limber optimize IN OUT */
 
 import { basename } from 'node:path';
+import { bindingOfBody, writeBinding } from '../engine/binding_file';
+import type { Core } from '../engine/core';
 import { droppedByExport, exportGlb } from '../engine/document/export';
 import { describeSolve } from '../engine/health';
 import { findPins } from '../engine/pins';
@@ -19,7 +21,7 @@ import type { Report } from '../engine/report';
 import { shareInProportion } from '../engine/share';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
-import { checkOutput, writeWhole } from './files';
+import { checkFolder, checkOutput, writeWhole } from './files';
 import { finish, openFile, prepareBodies, startSession, usable } from './session';
 import { count, percent, plural } from './words';
 
@@ -28,6 +30,7 @@ const DEFAULT_RATIO = 0.5;
 export async function runOptimize(args: Arguments): Promise<number> {
   const [input, output] = args.operands;
   checkOutput(output, input);
+  if (args.bind !== null) checkFolder(args.bind);
   const total = startStopwatch();
   const stopwatch = startStopwatch();
   const session = await startSession(args);
@@ -45,10 +48,11 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const done = optimized.filter((body) => body !== null);
   stopwatch();
   const exported = optimized.map((body) =>
-    body ? exportedBody(body.prepared, body.result, args.fields ? body : null) : null,
+    body ? exportedBody(session.core, body.prepared, body.result, args.fields ? body : null) : null,
   );
   const bytes = await exportGlb(model, exported, { fields: args.fields });
   writeWhole(output, bytes);
+  if (args.bind !== null) writeWhole(args.bind, bindingText(session.core, done));
   const dropped = droppedByExport(model);
   if (dropped.length > 0) session.warnings.push(`${output} leaves out ${dropped.join(', ')}`);
   const report = startReport(session.core, 'optimize', optionsAsUsed(args), usable(prepared));
@@ -58,6 +62,14 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const missed = report.stop!.reason === 'exhausted' ? describeMiss(done) : '';
   finish(session, report, summaryLine(args, done, report.timings.total), missed);
   return missed === '' ? EXIT.done : EXIT.missedTarget;
+}
+
+function bindingText(core: Core, done: OptimizedBody[]): string {
+  return writeBinding(
+    done.map(({ prepared, result }) =>
+      bindingOfBody(prepared, result.mesh.triangles.length / 3, core.bindToResult(prepared.mesh, result)),
+    ),
+  );
 }
 
 function optionsAsUsed(args: Arguments): object {

@@ -74,7 +74,7 @@ export function prepareBodies(session: Session, model: OpenModel): (PreparedBody
     if (!chosen.has(i)) return null;
     session.activity = body.name;
     try {
-      return prepareBody(session.core, body, session.args.settings);
+      return prepareBody(session.core, body, session.args.settings, model.document);
     } catch (error) {
       if (!(error instanceof Error) || error.constructor !== Error) throw error;
       failure ??= error;

@@ -179,6 +179,32 @@ export interface MeshAt {
   inputOfTriangle: Uint32Array;
 }
 
+/** What parts a mesh into charts, over which no attribute may bleed. Both may be empty. */
+export interface Charts {
+  /** wedges[3 * t + corner]: equal at a vertex where all attributes are */
+  wedges: Uint32Array;
+  /** per triangle: what it is drawn with */
+  groups: Uint32Array;
+}
+
+/** Where on the input the attributes of corner 3 * t + k of a result come from; see wasm/pipeline/corner_sources.h. */
+export interface CornerSources {
+  /** a triangle of the input */
+  triangle: Uint32Array;
+  /** barycentric[3 * corner + c] on it */
+  barycentric: Float32Array;
+}
+
+/** Where each vertex of the input lies on a result. */
+export interface Binding {
+  /** of the result, per input vertex; NONE where no triangle used it */
+  triangle: Uint32Array;
+  /** barycentric[3 * v + c] */
+  barycentric: Float32Array;
+  /** height above the triangle's plane, outwards, in units of the mesh */
+  offset: Float32Array;
+}
+
 export interface Quality {
   /** degrees */
   minAngle: number;
@@ -265,6 +291,10 @@ export interface Core {
   ): History;
   /** the largest mesh of the history with at most `faces` triangles */
   meshAt(mesh: TriangleMesh, history: History, faces: number): MeshAt;
+  /** where the attributes of a result's corners come from, without crossing a seam */
+  sourceOfCorners(mesh: TriangleMesh, charts: Charts, result: MeshAt): CornerSources;
+  /** every vertex of `mesh` on `result`, whose vertices may have moved since the history made it */
+  bindToResult(mesh: TriangleMesh, result: MeshAt): Binding;
   measureQuality(mesh: TriangleMesh): Quality;
   measureSurfaceDistance(a: TriangleMesh, b: TriangleMesh): SurfaceDistance;
   compareFidelity(original: TriangleMesh, other: TriangleMesh, options: FidelityOptions): Fidelity;

@@ -31,6 +31,8 @@ const FUNCTIONS: readonly (keyof CoreFunctions)[] = [
   'meanCurvature',
   'simplify',
   'meshAt',
+  'sourceOfCorners',
+  'bindToResult',
   'measureQuality',
   'measureSurfaceDistance',
   'compareFidelity',

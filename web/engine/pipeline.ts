@@ -3,6 +3,9 @@
  * is one or a few calls of the core; the page's worker and the command line run the same ones, so they give the same bytes.
  */
 
+import type { Document } from '@gltf-transform/core';
+import { attributesOf, NO_ATTRIBUTES, ownSources, sourcesInBody } from './attributes';
+import type { BodyAttributes } from './attributes';
 import type {
   Core,
   Curvature,
@@ -35,6 +38,8 @@ export interface PreparedBody {
   /** of `mesh`; weld.inspection is of the body as it came */
   inspection: Inspection;
   quality: Quality;
+  /** what its vertices carry besides their place */
+  attributes: BodyAttributes;
 }
 
 /** What an optimized mesh is like beside its original. */
@@ -90,15 +95,19 @@ export function inspectBody(core: Core, body: Body, settings: Settings): Inspect
   return { weld, inspection: core.inspect(weld.mesh), quality };
 }
 
-/** Welds and inspects. Throws an Error with one sentence where the body has no usable face. */
-export function prepareBody(core: Core, body: Body, settings: Settings): PreparedBody {
+/**
+ * Welds and inspects. Throws an Error with one sentence where the body has no usable face. `document` is where the body
+ * comes from; without it nothing is known of its attributes.
+ */
+export function prepareBody(core: Core, body: Body, settings: Settings, document?: Document): PreparedBody {
   const { weld, inspection, quality } = inspectBody(core, body, settings);
   const { mesh } = weld;
   if (quality === null)
     throw new Error(
       `Body "${body.name}" has no usable face, ${weld.degenerateFaces} with a repeated vertex: repair it and export it again.`,
     );
-  return { body, weld, mesh, diagonal: diagonalOf(mesh), inspection, quality };
+  const attributes = document ? attributesOf(document, body, weld) : NO_ATTRIBUTES;
+  return { body, weld, mesh, diagonal: diagonalOf(mesh), inspection, quality, attributes };
 }
 
 /**
@@ -230,26 +239,33 @@ export function optimizeBody(
 
 /** What `exportGlb` wants to know of a result. Fields go from triangles to vertices as means over the input's faces. */
 export function exportedBody(
+  core: Core,
   prepared: PreparedBody,
   result: MeshAt,
   fields: { guidance: StrainGuidance | null; curvature: Curvature } | null,
 ): ExportedBody {
-  const { sourceOfTriangle } = prepared.weld;
-  const inputOfTriangle = result.inputOfTriangle.map((triangle) => sourceOfTriangle[triangle]);
-  if (!fields) return { mesh: result.mesh, inputOfTriangle };
+  const { body, weld, attributes } = prepared;
+  const sources = core.sourceOfCorners(prepared.mesh, attributes.charts, result);
+  const exported = {
+    mesh: result.mesh,
+    inputOfTriangle: result.inputOfTriangle.map((triangle) => weld.sourceOfTriangle[triangle]),
+    sources: sourcesInBody(body, weld, sources),
+    isFaceted: attributes.isFaceted,
+  };
+  if (!fields) return exported;
   const strain = meanOverTriangles(prepared.mesh, fields.guidance?.rank);
   const ofResult = (field: Float32Array) =>
     Float32Array.from(result.inputOfVertex, (vertex) => field[vertex]);
   return {
-    mesh: result.mesh,
-    inputOfTriangle,
+    ...exported,
     fields: { strain: ofResult(strain), curvature: ofResult(fields.curvature.vertex) },
   };
 }
 
 /** The body as it is, welded. */
-export function exportedMesh({ mesh, weld }: PreparedBody): ExportedBody {
-  return { mesh, inputOfTriangle: weld.sourceOfTriangle };
+export function exportedMesh({ body, mesh, weld, attributes }: PreparedBody): ExportedBody {
+  const sources = sourcesInBody(body, weld, ownSources(mesh));
+  return { mesh, inputOfTriangle: weld.sourceOfTriangle, sources, isFaceted: attributes.isFaceted };
 }
 
 /** Seconds since the last call of the function that this returns. */

@@ -60,7 +60,7 @@ const PIXEL = Uint8Array.from(
   (letter) => letter.charCodeAt(0),
 );
 
-/** A primitive with everything that an export cannot carry: UVs, tangents, colours, texture, skin, morphs, animation. */
+/** A primitive with everything that vertices can carry: UVs, tangents, colours, texture, skin, morphs, animation. */
 export function addRichMesh(document: Document, name: string, mesh: TriangleMesh): Mesh {
   const vertexCount = mesh.positions.length / 3;
   const repeated = (values: number[]) => Array.from({ length: vertexCount }, () => values).flat();

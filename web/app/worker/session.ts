@@ -51,7 +51,7 @@ export class BodyStages {
 
   prepared(settings: Settings): PreparedBody {
     return this.preparedStage.get(prepareKey(settings), () =>
-      prepareBody(this.core, this.model.bodies[this.index], settings),
+      prepareBody(this.core, this.model.bodies[this.index], settings, this.model.document),
     );
   }
 

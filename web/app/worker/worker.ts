@@ -143,6 +143,7 @@ const api: WorkerApi = {
       const stopwatch = startStopwatch();
       const exported = bodies.map((stages, i) =>
         exportedBody(
+          core,
           stages.prepared(settings),
           stages.result(settings, faces[i]),
           fields

@@ -1,56 +1,47 @@
 /** What an export would lose, said before it is done. */
 
-import type { Document, Primitive } from '@gltf-transform/core';
+import type { Mesh, Primitive } from '@gltf-transform/core';
 import { counted } from './model';
 import type { OpenModel } from './model';
-
-/** Kinds of vertex attributes, in the order they are named. */
-const ATTRIBUTES: [RegExp, string][] = [
-  [/^TEXCOORD_/, 'UV coordinates'],
-  [/^TANGENT$/, 'tangents'],
-  [/^COLOR_/, 'vertex colours'],
-];
+import { uncarriedExtensions } from './prune';
 
 /**
- * What the model has and `exportGlb` leaves out where bodies are replaced, in plain words: "UV coordinates",
- * "2 textures", "1 skin". Empty: nothing is lost.
+ * What the model has and `exportGlb` leaves out where bodies are replaced, in plain words: "extension EXT_mesh_features",
+ * "2 morph targets". `replacesTargets`: shapes take the place of the bodies' own morph targets. Empty: nothing is lost.
  */
-export function droppedByExport(model: OpenModel): string[] {
-  const { document } = model;
-  const root = document.getRoot();
+export function droppedByExport(model: OpenModel, replacesTargets = false): string[] {
+  const meshes = meshesOf(model);
   const primitives = optimizedPrimitives(model);
-  const custom = new Set(
-    primitives.flatMap((one) => one.listSemantics().filter((name) => name.startsWith('_'))),
-  );
   const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length));
-  const extensions = new Set(
-    primitives.flatMap((one) => one.listExtensions().map((extension) => extension.extensionName)),
-  );
-  extensions.delete('KHR_materials_variants');
+  const isMorphed = (mesh: Mesh | null | undefined) => mesh && meshes.includes(mesh);
+  const channels = model.document
+    .getRoot()
+    .listAnimations()
+    .flatMap((animation) => animation.listChannels())
+    .filter(
+      (channel) => channel.getTargetPath() === 'weights' && isMorphed(channel.getTargetNode()?.getMesh()),
+    );
   return [
-    ...ATTRIBUTES.filter(([pattern]) => hasAttribute(primitives, pattern)).map(([, name]) => name),
-    ...[...custom].map((name) => `attribute ${name}`),
-    ...countedWhereAny(texturesOf(document), 'texture'),
-    ...countedWhereAny(targets, 'morph target'),
-    ...countedWhereAny(root.listSkins().length, 'skin'),
-    ...countedWhereAny(root.listAnimations().length, 'animation'),
-    ...[...extensions].map((name) => `extension ${name}`),
+    ...(replacesTargets ? countedWhereAny(targets, 'morph target') : []),
+    ...(replacesTargets
+      ? countedWhereAny(channels.length, 'animation of morph targets', 'animations of morph targets')
+      : []),
+    ...[...new Set(primitives.flatMap(uncarriedExtensions))].map((name) => `extension ${name}`),
     ...model.unread,
   ];
 }
 
-function optimizedPrimitives({ document, bodies }: OpenModel): Primitive[] {
+function meshesOf({ document, bodies }: OpenModel): Mesh[] {
   const meshes = document.getRoot().listMeshes();
-  return bodies.flatMap(({ mesh, spans }) => {
-    const primitives = meshes[mesh].listPrimitives();
-    return spans.map(({ primitive }) => primitives[primitive]);
+  return bodies.map(({ mesh }) => meshes[mesh]);
+}
+
+function optimizedPrimitives(model: OpenModel): Primitive[] {
+  return meshesOf(model).flatMap((mesh, i) => {
+    const primitives = mesh.listPrimitives();
+    return model.bodies[i].spans.map(({ primitive }) => primitives[primitive]);
   });
 }
 
-function hasAttribute(primitives: Primitive[], pattern: RegExp): boolean {
-  return primitives.some((primitive) => primitive.listSemantics().some((name) => pattern.test(name)));
-}
-
-const countedWhereAny = (count: number, one: string): string[] => (count > 0 ? [counted(count, one)] : []);
-
-const texturesOf = (document: Document): number => document.getRoot().listTextures().length;
+const countedWhereAny = (count: number, one: string, many?: string): string[] =>
+  count > 0 ? [counted(count, one, many)] : [];

@@ -2,21 +2,19 @@
 
 import { Mesh } from '@gltf-transform/core';
 import type { Buffer, Document, Primitive } from '@gltf-transform/core';
-import type { TriangleMesh } from '../core';
+import type { CornerSources, TriangleMesh } from '../core';
 import { VERSION } from '../version';
+import { carryAttributes, carryTargets } from './carry';
+import type { Destination } from './carry';
 import { createGltfIo } from './gltf_io';
 import type { Body, OpenModel } from './model';
-import { cornerNormals } from './normals';
-import type { CornerNormals } from './normals';
+import { resultNormals } from './normals';
+import type { ResultNormals } from './normals';
+import { disposeUnused, dropMorphing, dropUncarried, normaliseWeights } from './prune';
 import { addSwings } from './shapes';
 import type { MorphTarget } from './shapes';
-import {
-  disposeUnused,
-  dropMotion,
-  dropPrimitiveExtensions,
-  normaliseWeights,
-  stripMaterials,
-} from './prune';
+import { CARRIED, geometryOf, isUntouched } from './vertices';
+import type { PrimitiveGeometry, SourcedMesh } from './vertices';
 
 export { droppedByExport } from './dropped';
 
@@ -24,9 +22,13 @@ export interface ExportedBody {
   mesh: TriangleMesh;
   /** the triangle of the Body that each triangle of `mesh` comes from */
   inputOfTriangle: Uint32Array;
+  /** where on the Body the attributes of each corner of `mesh` come from */
+  sources: CornerSources;
+  /** its normals follow from its faces, and are computed again for those that have changed */
+  isFaceted: boolean;
   /** per vertex of `mesh` */
   fields?: { strain: Float32Array; curvature: Float32Array };
-  /** shapes to write as morph targets, with an animation each */
+  /** shapes to write as morph targets in place of its own, with an animation each */
   targets?: MorphTarget[];
 }
 
@@ -40,19 +42,12 @@ const TRIANGLES = 4;
 /** From here on an index needs 32 bits; 65,535 itself is reserved. */
 const MANY_VERTICES = 65535;
 
-/** What one primitive of the file shows of the body's mesh. */
-interface PrimitiveGeometry {
-  /** per vertex here: the vertex of the mesh, and the corner that has its normal */
-  vertexOfMesh: number[];
-  cornerOfNormal: number[];
-  indices: number[];
-}
-
 /**
  * Writes the model with `bodies[i]` in place of model.bodies[i]; null leaves a body as it is. The model stays unchanged.
- * Positions are those of the meshes to the bit; normals are smooth and split where faces meet at more than 60 degrees.
- * Faces stay with their primitive, hence with their material; hierarchy, names and extras stay; `droppedByExport` names
- * what does not. The same input gives the same bytes.
+ * Positions are those of the meshes to the bit. Every attribute and morph target is taken from the body at the corners'
+ * sources, in its own type; a body without normals gets smooth ones, split where faces meet at more than 60 degrees.
+ * Faces stay with their primitive, hence with their material; hierarchy, skins, animations, names and extras stay;
+ * `droppedByExport` names what does not. The same input gives the same bytes.
  */
 export async function exportGlb(
   model: OpenModel,
@@ -61,18 +56,16 @@ export async function exportGlb(
 ): Promise<Uint8Array> {
   const { cloneDocument } = await import('@gltf-transform/functions');
   const document = cloneDocument(model.document);
-  const buffer = mergeBuffers(document);
+  const destination = { document, buffer: mergeBuffers(document) };
   const replaced = new Set<Primitive>();
   bodies.forEach((exported, i) => {
     if (!exported) return;
     const shown = options.fields ? exported : { ...exported, fields: undefined };
-    for (const primitive of replaceMesh(document, buffer, model.bodies[i], shown)) replaced.add(primitive);
+    for (const primitive of replaceMesh(destination, model.bodies[i], shown)) replaced.add(primitive);
   });
-  if (replaced.size > 0) dropMotion(document, replaced);
-  normaliseWeights(document, replaced);
-  stripMaterials(document, replaced);
+  normaliseWeights(document);
   if (bodies.some((exported) => exported?.targets?.length))
-    addSwings(document, buffer, meshesWithTargets(replaced));
+    addSwings(document, destination.buffer, meshesWithTargets(replaced));
   disposeUnused(document, replaced);
   document.getRoot().getAsset().generator = `Limber ${VERSION}`;
   return (await createGltfIo()).writeBinary(document);
@@ -89,31 +82,41 @@ function mergeBuffers(document: Document): Buffer {
 }
 
 /** Gives the body's mesh its new geometry; returns the primitives that hold it. */
-function replaceMesh(document: Document, buffer: Buffer, body: Body, exported: ExportedBody): Primitive[] {
-  const mesh = document.getRoot().listMeshes()[body.mesh];
+function replaceMesh(destination: Destination, body: Body, exported: ExportedBody): Primitive[] {
+  const mesh = destination.document.getRoot().listMeshes()[body.mesh];
   const primitives = mesh.listPrimitives();
-  const corners = cornerNormals(exported.mesh);
+  if (exported.targets) dropMorphing(destination.document, mesh);
+  const sourced: SourcedMesh = { mesh: exported.mesh, body, sources: exported.sources };
+  const normals = resultNormals(exported.mesh);
   const trianglesOfSpan = shareOut(body, exported.inputOfTriangle);
   const written: Primitive[] = [];
-  body.spans.forEach(({ primitive: number }, span) => {
-    const primitive = primitives[number];
-    for (const target of primitive.listTargets()) {
-      primitive.removeTarget(target);
-      if (target.listParents().length === 0) target.dispose();
+  body.spans.forEach((span, i) => {
+    const primitive = primitives[span.primitive];
+    if (trianglesOfSpan[i].length === 0) {
+      primitive.dispose();
+      return;
     }
-    for (const semantic of primitive.listSemantics()) primitive.setAttribute(semantic, null);
-    dropPrimitiveExtensions(primitive);
-    if (trianglesOfSpan[span].length === 0) primitive.dispose();
-    else {
-      const geometry = geometryOf(exported.mesh, corners, trianglesOfSpan[span]);
-      const attributes = attributesOf(exported, corners, geometry);
-      writePrimitive(document, buffer, primitive.setMode(TRIANGLES), attributes, geometry.indices);
-      writeTargets(document, buffer, primitive, exported.targets ?? [], geometry);
-      written.push(primitive);
-    }
+    const keyOf = normalKeys(primitive, exported, normals);
+    const geometry = geometryOf(sourced, span, primitive, trianglesOfSpan[i], keyOf);
+    writePrimitive(destination, primitive.setMode(TRIANGLES), exported, geometry, normals);
+    written.push(primitive);
   });
-  mesh.setWeights((exported.targets ?? []).map(() => 0));
+  if (exported.targets) mesh.setWeights(exported.targets.map(() => 0));
   return written;
+}
+
+/** Where the normal of a corner comes from: its source, its face, or the faces that it is smooth with. */
+function normalKeys(
+  primitive: Primitive,
+  { inputOfTriangle, sources, isFaceted }: ExportedBody,
+  normals: ResultNormals,
+): (corner: number) => number {
+  if (!primitive.getAttribute('NORMAL')) return (corner) => normals.smoothKey(corner);
+  if (!isFaceted) return () => CARRIED;
+  return (corner) => {
+    const t = Math.floor(corner / 3);
+    return isUntouched(sources, t, inputOfTriangle[t]) ? CARRIED : normals.faceKey(corner);
+  };
 }
 
 /** Per span of the body: the triangles of the new mesh that come from it, ascending. */
@@ -127,68 +130,69 @@ function shareOut({ spans }: Body, inputOfTriangle: Uint32Array): number[][] {
   return shares;
 }
 
-/** Vertices in the order of their first use; one that lies on a sharp edge is there once for each of its normals. */
-function geometryOf(mesh: TriangleMesh, { group }: CornerNormals, triangles: number[]): PrimitiveGeometry {
-  const geometry: PrimitiveGeometry = { vertexOfMesh: [], cornerOfNormal: [], indices: [] };
-  const vertexOfGroup = new Map<number, number>();
-  for (const t of triangles)
-    for (let corner = 3 * t; corner < 3 * t + 3; ++corner) {
-      let vertex = vertexOfGroup.get(group[corner]);
-      if (vertex === undefined) {
-        vertex = geometry.vertexOfMesh.length;
-        vertexOfGroup.set(group[corner], vertex);
-        geometry.vertexOfMesh.push(mesh.triangles[corner]);
-        geometry.cornerOfNormal.push(group[corner]);
-      }
-      geometry.indices.push(vertex);
-    }
-  return geometry;
-}
-
-/** Values per vertex by attribute name: 3 floats each, or 1. */
-function attributesOf(
-  { mesh, fields }: ExportedBody,
-  { normals }: CornerNormals,
-  { vertexOfMesh, cornerOfNormal }: PrimitiveGeometry,
-): Record<string, Float32Array<ArrayBuffer>> {
-  const attributes: Record<string, Float32Array<ArrayBuffer>> = {
-    POSITION: gatherTriples(mesh.positions, vertexOfMesh),
-    NORMAL: gatherTriples(normals, cornerOfNormal),
-  };
-  if (fields) {
-    attributes._STRAIN = Float32Array.from(vertexOfMesh, (v) => fields.strain[v]);
-    attributes._CURVATURE = Float32Array.from(vertexOfMesh, (v) => fields.curvature[v]);
-  }
-  return attributes;
-}
-
-function gatherTriples(source: Float32Array, which: number[]): Float32Array<ArrayBuffer> {
-  const gathered = new Float32Array(3 * which.length);
-  which.forEach((from, to) => {
-    for (let c = 0; c < 3; ++c) gathered[3 * to + c] = source[3 * from + c];
-  });
-  return gathered;
-}
-
+/** Puts the geometry with everything that its vertices carry in place of the primitive's own. */
 function writePrimitive(
-  document: Document,
-  buffer: Buffer,
+  destination: Destination,
   primitive: Primitive,
-  attributes: Record<string, Float32Array<ArrayBuffer>>,
-  indices: number[],
+  exported: ExportedBody,
+  geometry: PrimitiveGeometry,
+  normals: ResultNormals,
 ): void {
-  for (const [semantic, array] of Object.entries(attributes)) {
-    const type = semantic.startsWith('_') ? 'SCALAR' : 'VEC3';
-    primitive.setAttribute(semantic, document.createAccessor('', buffer).setType(type).setArray(array));
+  const { vertexOfMesh, firstCorner, sources } = geometry;
+  dropUncarried(primitive);
+  carryAttributes(destination, primitive, sources, (i) => normals.at(normals.smoothKey(firstCorner[i])));
+  carryTargets(destination, primitive, sources);
+  const add = (semantic: string, values: Float32Array<ArrayBuffer>, type: 'VEC3' | 'SCALAR') => {
+    const accessor = destination.document.createAccessor('', destination.buffer).setType(type);
+    primitive.setAttribute(semantic, accessor.setArray(values));
+  };
+  add('POSITION', gatherTriples(exported.mesh.positions, vertexOfMesh), 'VEC3');
+  if (geometry.normalKey.some((key) => key !== CARRIED))
+    add('NORMAL', normalsOf(primitive, geometry, normals), 'VEC3');
+  if (exported.fields) {
+    const { strain, curvature } = exported.fields;
+    add(
+      '_STRAIN',
+      Float32Array.from(vertexOfMesh, (v) => strain[v]),
+      'SCALAR',
+    );
+    add(
+      '_CURVATURE',
+      Float32Array.from(vertexOfMesh, (v) => curvature[v]),
+      'SCALAR',
+    );
   }
-  const isLarge = attributes.POSITION.length / 3 >= MANY_VERTICES;
-  const array = isLarge ? Uint32Array.from(indices) : Uint16Array.from(indices);
+  writeIndices(destination, primitive, geometry);
+  writeTargets(destination, primitive, exported.targets ?? [], geometry);
+}
+
+/** The carried normals as floats, with the computed ones in their places. */
+function normalsOf(
+  primitive: Primitive,
+  { normalKey }: PrimitiveGeometry,
+  normals: ResultNormals,
+): Float32Array<ArrayBuffer> {
+  const carried = primitive.getAttribute('NORMAL');
+  const written = new Float32Array(3 * normalKey.length);
+  const element: number[] = [];
+  normalKey.forEach((key, i) =>
+    written.set(key === CARRIED ? carried!.getElement(i, element) : normals.at(key), 3 * i),
+  );
+  return written;
+}
+
+function writeIndices(
+  { document, buffer }: Destination,
+  primitive: Primitive,
+  geometry: PrimitiveGeometry,
+): void {
+  const isLarge = geometry.vertexOfMesh.length >= MANY_VERTICES;
+  const array = isLarge ? Uint32Array.from(geometry.indices) : Uint16Array.from(geometry.indices);
   primitive.setIndices(document.createAccessor('', buffer).setType('SCALAR').setArray(array));
 }
 
 function writeTargets(
-  document: Document,
-  buffer: Buffer,
+  { document, buffer }: Destination,
   primitive: Primitive,
   targets: MorphTarget[],
   { vertexOfMesh }: PrimitiveGeometry,
@@ -198,6 +202,14 @@ function writeTargets(
     const accessor = document.createAccessor('', buffer).setType('VEC3').setArray(array);
     primitive.addTarget(document.createPrimitiveTarget(name).setAttribute('POSITION', accessor));
   }
+}
+
+function gatherTriples(source: Float32Array, which: number[]): Float32Array<ArrayBuffer> {
+  const gathered = new Float32Array(3 * which.length);
+  which.forEach((from, to) => {
+    for (let c = 0; c < 3; ++c) gathered[3 * to + c] = source[3 * from + c];
+  });
+  return gathered;
 }
 
 function meshesWithTargets(primitives: Set<Primitive>): Set<Mesh> {

@@ -1,4 +1,4 @@
-/** Vertex normals for display: smooth, and split along sharp edges. */
+/** Vertex normals for display: smooth, and split along sharp edges; or those of the faces. */
 
 import type { TriangleMesh } from '../core';
 import { arcCosine, length3 } from '../exact_math';
@@ -11,6 +11,35 @@ export interface CornerNormals {
   group: Uint32Array;
   /** unit normals, normals[3 * corner + c]; filled at group corners only */
   normals: Float32Array;
+}
+
+/** Normals of a mesh, computed when they are first asked for. A key stands for one normal. */
+export interface ResultNormals {
+  /** equal for corners at one vertex that are joined by edges below 60 degrees */
+  smoothKey(corner: number): number;
+  /** equal for the corners of one triangle */
+  faceKey(corner: number): number;
+  /** a unit vector */
+  at(key: number): ArrayLike<number>;
+}
+
+export function resultNormals(mesh: TriangleMesh): ResultNormals {
+  const cornerCount = mesh.triangles.length;
+  let smooth: CornerNormals | null = null;
+  let flat: Float64Array | null = null;
+  const ofFace = (first: number): ArrayLike<number> => {
+    flat ??= unitFaceNormals(mesh);
+    const normal = flat.subarray(first, first + 3);
+    return normal.some((value) => value !== 0) ? normal : [0, 0, 1];
+  };
+  return {
+    smoothKey: (corner) => (smooth ??= cornerNormals(mesh)).group[corner],
+    faceKey: (corner) => cornerCount + corner - (corner % 3),
+    at: (key) => {
+      if (key >= cornerCount) return ofFace(key - cornerCount);
+      return (smooth ??= cornerNormals(mesh)).normals.subarray(3 * key, 3 * key + 3);
+    },
+  };
 }
 
 /** Angle-weighted normals over the corners of a vertex that are joined by edges below 60 degrees. */

@@ -1,0 +1,84 @@
+import { beforeAll, describe, expect, it } from 'vitest';
+import { bindingOfBody, readBinding, writeBinding } from '../../web/engine/binding_file';
+import type { BodyBinding } from '../../web/engine/binding_file';
+import { NONE } from '../../web/engine/core';
+import type { Core, MeshAt } from '../../web/engine/core';
+import { exportGlb } from '../../web/engine/document/export';
+import { openModel } from '../../web/engine/document/open';
+import type { OpenModel } from '../../web/engine/document/open';
+import { defaultSettings } from '../../web/engine/options';
+import { exportedBody, optimizeBody, prepareBody } from '../../web/engine/pipeline';
+import type { PreparedBody } from '../../web/engine/pipeline';
+import { loadTestCore } from './support/core';
+import { failureOf, textFile } from './support/files';
+import { toObj, torus } from './support/shapes';
+
+interface Bound {
+  model: OpenModel;
+  prepared: PreparedBody;
+  result: MeshAt;
+  body: BodyBinding;
+}
+
+let core: Core;
+let bound: Bound;
+beforeAll(async () => {
+  core = await loadTestCore(1);
+  // A vertex that no face uses comes first.
+  const lines = toObj(torus()).replace(/f (\d+) (\d+) (\d+)/g, (_, ...corners: string[]) =>
+    ['f', ...corners.slice(0, 3).map((corner) => Number(corner) + 1)].join(' '),
+  );
+  const model = await openModel([textFile('torus.obj', `v 9 9 9\n${lines}`)]);
+  const settings = { ...defaultSettings(), method: 'qem' as const };
+  const prepared = prepareBody(core, model.bodies[0], settings, model.document);
+  const { result } = optimizeBody(core, prepared, settings, { targetFaces: 150 });
+  const faces = result.mesh.triangles.length / 3;
+  const body = bindingOfBody(prepared, faces, core.bindToResult(prepared.mesh, result));
+  bound = { model, prepared, result, body };
+});
+
+describe('a binding file', () => {
+  it('gives back what was written', () => {
+    expect(readBinding('bind.json', writeBinding([bound.body]))).toEqual([bound.body]);
+  });
+
+  it('places every vertex of the original on the triangles of the exported file', async () => {
+    const { model, prepared, result, body } = bound;
+    const bytes = await exportGlb(model, [exportedBody(core, prepared, result, null)], { fields: false });
+    const [written] = (await openModel([{ name: 'out.glb', bytes }])).bodies;
+    const { triangle, barycentric, offset } = body.binding;
+    expect(triangle[0]).toBe(NONE);
+    for (let v = 1; v < triangle.length; ++v) {
+      const corners = [0, 1, 2].map((k) => written.indices[3 * triangle[v] + k]);
+      const [a, b, c] = corners.map((corner) => [...written.positions.slice(3 * corner, 3 * corner + 3)]);
+      const normal = unitNormal(a, b, c);
+      for (let axis = 0; axis < 3; ++axis) {
+        const foot = [a, b, c].reduce((sum, p, k) => sum + barycentric[3 * v + k] * p[axis], 0);
+        const point = foot + offset[v] * normal[axis];
+        expect(Math.abs(point - model.bodies[0].positions[3 * v + axis])).toBeLessThan(0.12);
+      }
+      expect(barycentric[3 * v] + barycentric[3 * v + 1] + barycentric[3 * v + 2]).toBeCloseTo(1, 6);
+    }
+  });
+
+  it('is refused where it is damaged', async () => {
+    const text = writeBinding([bound.body]);
+    const cases: [string, string][] = [
+      ['torus', 'is not JSON'],
+      ['{"schema":"limber-report/1"}', 'is not a limber-binding/1'],
+      [text.replace(/"offset": ".{8}/, '"offset": "'), 'has damaged arrays for "torus"'],
+      [text.replace(/"faces": \d+/, '"faces": 3'), 'names a triangle that "torus" does not have'],
+    ];
+    for (const [content, problem] of cases)
+      expect(await failureOf(() => readBinding('bind.json', content))).toBe(
+        `bind.json ${problem}: write it again with limber optimize --bind.`,
+      );
+  });
+});
+
+function unitNormal(a: number[], b: number[], c: number[]): number[] {
+  const [u, w] = [b, c].map((point) => point.map((value, axis) => value - a[axis]));
+  const normal = [0, 1, 2].map((i) => u[(i + 1) % 3] * w[(i + 2) % 3] - u[(i + 2) % 3] * w[(i + 1) % 3]);
+  const length = Math.hypot(...normal);
+  return normal.map((value) => value / length);
+}

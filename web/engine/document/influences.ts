@@ -1,0 +1,97 @@
+/** Joints and weights at points of a surface. */
+
+import type { Accessor } from '@gltf-transform/core';
+import { emptyLike, unitOf } from './blend';
+import type { Values, VertexSources } from './blend';
+
+/** JOINTS_n and WEIGHTS_n of one n. */
+export interface InfluenceSet<T> {
+  joints: T;
+  weights: T;
+}
+
+interface Influence {
+  joint: number;
+  weight: number;
+}
+
+/** Influences of a vertex in one set. */
+const PER_SET = 4;
+
+/**
+ * The influences of the three corners together, each joint once: the largest ones that the sets have room for, brought to
+ * the sum 1 in the numbers of their type. A vertex that is one vertex alone keeps what it has.
+ */
+export function mergeInfluences(
+  sets: InfluenceSet<Accessor>[],
+  sources: VertexSources,
+): InfluenceSet<Values>[] {
+  const count = sources.vertices.length / 3;
+  const merged = sets.map(({ joints, weights }) => ({
+    joints: emptyLike(joints.getArray()!, PER_SET * count),
+    weights: emptyLike(weights.getArray()!, PER_SET * count),
+  }));
+  for (let i = 0; i < count; ++i)
+    if (sources.shares[3 * i] === 1) copyInfluences(sets, sources.vertices[3 * i], merged, i);
+    else {
+      const strongest = gatherInfluences(sets, sources, i).slice(0, PER_SET * sets.length);
+      if (strongest.length > 0) writeInfluences(strongest, sets, merged, i);
+      else copyInfluences(sets, sources.vertices[3 * i], merged, i);
+    }
+  return merged;
+}
+
+function copyInfluences(
+  sets: InfluenceSet<Accessor>[],
+  from: number,
+  merged: InfluenceSet<Values>[],
+  to: number,
+): void {
+  sets.forEach((set, n) => {
+    for (const key of ['joints', 'weights'] as const)
+      for (let c = 0; c < PER_SET; ++c)
+        merged[n][key][PER_SET * to + c] = set[key].getArray()![PER_SET * from + c];
+  });
+}
+
+/** Descending by weight, then ascending by joint; those without weight are left out. */
+function gatherInfluences(
+  sets: InfluenceSet<Accessor>[],
+  { vertices, shares }: VertexSources,
+  i: number,
+): Influence[] {
+  const weightOfJoint = new Map<number, number>();
+  for (let k = 0; k < 3; ++k)
+    for (const { joints, weights } of sets)
+      for (let c = 0; c < PER_SET; ++c) {
+        const at = PER_SET * vertices[3 * i + k] + c;
+        const weight = shares[3 * i + k] * unitOf(weights) * weights.getArray()![at];
+        const joint = joints.getArray()![at];
+        if (weight > 0) weightOfJoint.set(joint, (weightOfJoint.get(joint) ?? 0) + weight);
+      }
+  return [...weightOfJoint]
+    .map(([joint, weight]) => ({ joint, weight }))
+    .sort((a, b) => b.weight - a.weight || a.joint - b.joint);
+}
+
+function writeInfluences(
+  strongest: Influence[],
+  sets: InfluenceSet<Accessor>[],
+  merged: InfluenceSet<Values>[],
+  to: number,
+): void {
+  const sum = strongest.reduce((total, { weight }) => total + weight, 0);
+  const one = merged[0].weights instanceof Float32Array ? 1 : Math.round(1 / unitOf(sets[0].weights));
+  const numbers = strongest.map(({ weight }) =>
+    one === 1 ? weight / sum : Math.round((one * weight) / sum),
+  );
+  // What rounding has added or lost is the largest one's.
+  if (one !== 1) numbers[0] += one - numbers.reduce((total, number) => total + number, 0);
+  strongest.forEach(({ joint }, rank) => {
+    const { joints, weights } = merged[Math.floor(rank / PER_SET)];
+    const at = PER_SET * to + (rank % PER_SET);
+    // A joint without weight has to be number 0.
+    joints[at] = numbers[rank] > 0 ? joint : 0;
+    weights[at] = numbers[rank];
+  });
+}
