@@ -11,6 +11,7 @@ import { attributeErrors } from './attributes.mjs';
 import { writeDocument } from './document.mjs';
 import { loadEngine } from './load_engine.mjs';
 import { loadMeshes } from './meshes.mjs';
+import { BEST_PEER, meshoptimizerPeers } from './meshoptimizer_peers.mjs';
 import { ourMethods, peerMethods } from './methods.mjs';
 import { writePictures } from './pictures.mjs';
 import { printQuickTable } from './quick.mjs';
@@ -42,8 +43,11 @@ const wanted = listOf(options.methods);
 const isChosen = ({ name }) => !wanted || wanted.includes(name);
 const ours = ourMethods(loaded, changes);
 if (options.quick) {
-  for (const ratio of listOf(options.ratios)?.map(Number) ?? [0.25])
-    printQuickTable(loaded, meshes, ours.filter(isChosen), ratio);
+  const peers = (await meshoptimizerPeers(loaded)).filter(({ name }) => name === BEST_PEER);
+  for (const ratio of listOf(options.ratios)?.map(Number) ?? [0.25]) {
+    const peer = runCases(loaded, { meshes, methods: peers, ratios: [ratio] }, () => {});
+    printQuickTable(loaded, { meshes, methods: ours.filter(isChosen), ratio, peer });
+  }
 } else {
   const ratios = listOf(options.ratios)?.map(Number) ?? [0.5, 0.25, 0.1];
   const methods = [...ours, ...(await peerMethods(loaded, missing))].filter(isChosen);

@@ -76,7 +76,7 @@ export async function meshoptimizerPeers(loaded) {
       run: timed((mesh, faces) => update(mesh, faces, null)),
     },
     {
-      name: `${BEST_PEER}, strain`,
+      name: `${BEST_PEER} + strain`,
       version: `${version}, simplifyWithUpdate, Regularize, priority above rank ${STRAINED}`,
       run: timed(strained),
     },

@@ -25,7 +25,7 @@ export function ourMethods(loaded, changes = {}) {
   return choices.flatMap((method) => {
     const plain = ours(loaded, method, { ...changes, method });
     if (method !== 'limber' || !knowsFit || 'fit' in changes) return [plain];
-    return [plain, ours(loaded, 'limber, no fit', { ...changes, method, fit: false })];
+    return [plain, ours(loaded, 'limber without fit', { ...changes, method, fit: false })];
   });
 }
 

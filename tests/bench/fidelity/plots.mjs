@@ -8,12 +8,12 @@ const ROW = 24;
 /** Our own in blue, those of others in warm colours and greys; a shape each, for those who do not see colours. */
 const STYLES = {
   [SUBJECT]: ['#0072b2', 'circle'],
-  'limber, no fit': ['#56b4e9', 'circle'],
+  'limber without fit': ['#56b4e9', 'circle'],
   qem: ['#007a5a', 'square'],
   paper: ['#6a51a3', 'square'],
   meshoptimizer: ['#e69f00', 'diamond'],
   'meshoptimizer update': ['#d55e00', 'diamond'],
-  'meshoptimizer update, strain': ['#b0468b', 'diamond'],
+  'meshoptimizer update + strain': ['#b0468b', 'diamond'],
   pymeshlab: ['#666666', 'triangle'],
   'fast-simplification': ['#a6761d', 'triangle'],
 };

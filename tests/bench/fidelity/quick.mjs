@@ -23,8 +23,11 @@ const line = (name, cells) => name.padEnd(NAME_WIDTH) + cells.map((cell) => cell
 const mean = (records, key) => records.reduce((sum, record) => sum + record[key], 0) / records.length;
 const cellsOf = (valueOf) => COLUMNS.map(([, key, digits]) => valueOf(key)?.toFixed(digits) ?? '-');
 
-/** Prints as it goes: errors in %, lengths in % of the diagonal, angles in degrees, seconds without the measuring. */
-export function printQuickTable(loaded, meshes, methods, ratio) {
+/**
+ * Prints as it goes: errors in %, lengths in % of the diagonal, angles in degrees, seconds without the measuring. The last
+ * line of a method is its means over those of `peer`, a list of cases on the same meshes.
+ */
+export function printQuickTable(loaded, { meshes, methods, ratio, peer }) {
   for (const method of methods) {
     console.log(`\n${method.name}, ${100 * ratio} % of the faces`);
     console.log(
@@ -35,26 +38,36 @@ export function printQuickTable(loaded, meshes, methods, ratio) {
     );
     const records = meshes.map((mesh) => {
       const { mesh: result, seconds } = method.run(mesh, ratio * mesh.faces);
-      const record = { ...measure(loaded, mesh.prepared, result), seconds };
-      const remarks = [
-        record.topologyKept ? '' : '  TOPOLOGY CHANGED',
-        record.failure ? `  ${record.failure}` : '',
-      ];
+      const record = { mesh: mesh.name, ...measure(loaded, mesh.prepared, result), seconds };
       console.log(
         line(
           mesh.name,
           cellsOf((key) => record[key]),
-        ) + remarks.join(''),
+        ) + remarkOn(record),
       );
       return record;
     });
-    const solved = records.filter(({ failure }) => !failure);
-    if (solved.length > 0)
-      console.log(
-        line(
-          'mean',
-          cellsOf((key) => mean(solved, key)),
-        ),
-      );
+    printMeans(records, peer);
   }
+}
+
+const remarkOn = ({ topologyKept, failure }) =>
+  [topologyKept ? '' : '  TOPOLOGY CHANGED', failure ? `  ${failure}` : ''].join('');
+
+function printMeans(records, peer) {
+  const isSolved = ({ mesh }) => [...records, ...peer].every((one) => one.mesh !== mesh || !one.failure);
+  const [own, theirs] = [records, peer].map((list) => list.filter(isSolved));
+  if (own.length === 0) return;
+  console.log(
+    line(
+      'mean',
+      cellsOf((key) => mean(own, key)),
+    ),
+  );
+  console.log(
+    line(
+      'over peer',
+      cellsOf((key) => mean(own, key) / mean(theirs, key)),
+    ),
+  );
 }

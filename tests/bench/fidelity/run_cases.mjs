@@ -5,7 +5,7 @@ import { hashOf } from './load_engine.mjs';
 import { measure } from './measure.mjs';
 
 /** One result: { mesh, kind, method, isOurs, ratio, targetFaces, ...measure(), seconds, meshOf() }. */
-export function runCases(loaded, { meshes, methods, ratios }) {
+export function runCases(loaded, { meshes, methods, ratios }, print = console.log) {
   const fingerprint = fingerprintOf(loaded);
   const total = meshes.length * methods.length * ratios.length;
   const cases = [];
@@ -18,7 +18,7 @@ export function runCases(loaded, { meshes, methods, ratios }) {
         const targetFaces = ratio * mesh.faces;
         const about = { mesh: mesh.name, kind: mesh.kind, method: name, isOurs, ratio, targetFaces };
         cases.push({ ...about, ...record, meshOf });
-        console.log(`${cases.length}/${total} ${lineOf(cases.at(-1))}`);
+        print(`${cases.length}/${total} ${lineOf(cases.at(-1))}`);
       }
   return cases;
 }
