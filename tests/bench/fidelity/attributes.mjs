@@ -17,9 +17,13 @@ const ACROSS_A_SEAM = 5;
  * One result: { mesh, method, ratio, median, mean, acrossSeams }: errors in % of the diagonal, as lengths on the surface,
  * the mean of those that lie on their own side of every seam; and the share in % of those that do not.
  */
-export async function attributeErrors({ engine, core }, methods, ratios) {
+export async function attributeErrors({ engine, core }, { methods, ratios, missing }) {
   const found = [];
-  for (const { name, file } of TEXTURED.filter((mesh) => existsSync(join(shared, mesh.file)))) {
+  for (const { name, file } of TEXTURED) {
+    if (!existsSync(join(shared, file))) {
+      missing.push(`mesh ${file} of ../shared/meshes`);
+      continue;
+    }
     const bytes = new Uint8Array(readFileSync(join(shared, file)));
     const { bodies, document } = await engine.openModel([{ name: file, bytes }]);
     const prepared = engine.prepareBody(core, bodies[0], engine.defaultSettings(), document);

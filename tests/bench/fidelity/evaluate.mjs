@@ -56,7 +56,7 @@ if (options.quick) {
   console.log(`\n${targetTable(cases)}`);
   if (options.write) {
     await writePictures(cases, meshes, missing);
-    const attributes = await attributeErrors(loaded, ours.filter(isChosen), ratios);
+    const attributes = await attributeErrors(loaded, { methods: ours.filter(isChosen), ratios, missing });
     await writeDocument(cases, { meshes, methods, ratios, attributes, missing });
   }
 }
