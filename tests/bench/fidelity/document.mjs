@@ -8,7 +8,7 @@ import { imageFolder, root } from './load_engine.mjs';
 import { LEFT_OUT } from './meshes.mjs';
 import { PICTURES, fileOf } from './pictures.mjs';
 import { facesPlot, meshPlot } from './plots.mjs';
-import { meansTable, meshTable, remarks, targetTable } from './tables.mjs';
+import { attributeTable, meansTable, meshTable, remarks, targetTable } from './tables.mjs';
 
 const [BEGIN, END] = ['<!-- fidelity: begin -->', '<!-- fidelity: end -->'];
 const percent = (ratio) => `${100 * ratio} %`;
@@ -36,7 +36,7 @@ function introduction({ meshes, methods, missing }) {
   ].join('\n\n');
 }
 
-function sectionsOf(cases, ratios) {
+function sectionsOf(cases, ratios, attributes) {
   const found = remarks(cases);
   const others = ratios.filter((ratio) => ratio !== 0.25);
   return [
@@ -58,17 +58,25 @@ function sectionsOf(cases, ratios) {
       `Mean frequency error of modes 1-10, %:`,
       meshTable(cases, ratio, FREQUENCIES),
     ]),
+    '### Texture coordinates',
+    'Our methods alone, on textured files through the whole product: at every vertex of the original, how far the texture of the result is from its own, as a length on the surface in % of the diagonal. Where a seam has moved past a vertex, the vertex counts in the last column and not in the mean.',
+    attributeTable(attributes),
     ...(found.length ? ['### Results that are not what was asked', found.join('\n')] : []),
   ];
 }
 
 /** Replaces what stands between the markers and writes the plots. */
-export async function writeDocument(cases, { meshes, methods, ratios, missing }) {
+export async function writeDocument(cases, { meshes, methods, ratios, attributes, missing }) {
   const path = join(root, 'docs', 'simplification.md');
   const before = readFileSync(path, 'utf8');
   if (!before.includes(BEGIN) || !before.includes(END))
     throw new Error(`${path} has no place for the tables: add "${BEGIN}" and "${END}".`);
-  const content = [BEGIN, introduction({ meshes, methods, missing }), ...sectionsOf(cases, ratios), END];
+  const content = [
+    BEGIN,
+    introduction({ meshes, methods, missing }),
+    ...sectionsOf(cases, ratios, attributes),
+    END,
+  ];
   const after = `${before.split(BEGIN)[0]}${content.join('\n\n')}${before.split(END)[1]}`;
   writeFileSync(path, await format(after, { ...(await resolveConfig(path)), filepath: path }));
   mkdirSync(imageFolder, { recursive: true });

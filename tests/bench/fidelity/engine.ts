@@ -1,6 +1,8 @@
 // What the evaluation uses of the engine, as one entry for its bundle; and the samples, from where they are made.
 
 export { samples } from '../../../scripts/samples/samples';
+export { costAttributesOf } from '../../../web/engine/attributes';
+export { openModel } from '../../../web/engine/document/open';
 export { loadCore } from '../../../web/engine/load_core';
 export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/options';
 export {

@@ -7,6 +7,7 @@
 //   --methods a,b  --meshes a,b  --ratios 0.5,0.25      which to run; a mesh is named by how its name begins
 
 import { parseArgs } from 'node:util';
+import { attributeErrors } from './attributes.mjs';
 import { writeDocument } from './document.mjs';
 import { loadEngine } from './load_engine.mjs';
 import { loadMeshes } from './meshes.mjs';
@@ -55,7 +56,8 @@ if (options.quick) {
   console.log(`\n${targetTable(cases)}`);
   if (options.write) {
     await writePictures(cases, meshes, missing);
-    await writeDocument(cases, { meshes, methods, ratios, missing });
+    const attributes = await attributeErrors(loaded, { methods: ours.filter(isChosen), ratios, missing });
+    await writeDocument(cases, { meshes, methods, ratios, attributes, missing });
   }
 }
 if (missing.length) console.log(`\nMISSING HERE:\n${missing.map((what) => `- ${what}`).join('\n')}`);

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { largestComponent, readObj } from '../bench_meshes.mjs';
 import { hashOf, root } from './load_engine.mjs';
 
-const shared = join(process.env.LIMBER_SHARED ?? join(root, '..', 'shared'), 'meshes');
+export const shared = join(process.env.LIMBER_SHARED ?? join(root, '..', 'shared'), 'meshes');
 
 /**
  * `kind` decides the target of the mean smallest angle: organic, cloth, or hard (edges and struts: no target). A mesh

@@ -15,7 +15,7 @@ function ours(loaded, name, changes) {
     return { mesh: result.mesh, seconds: (performance.now() - started) / 1000 - timings.measure };
   };
   const version = `${loaded.version} ${JSON.stringify(settings)}`;
-  return { name, isOurs: true, version, run };
+  return { name, isOurs: true, version, settings, run };
 }
 
 /** Ours that this build of the engine knows; `changes` go to each of them. */

@@ -82,3 +82,11 @@ export function remarks(cases) {
     return `- ${title}: ${group.map(([, , mesh, ratio]) => `${mesh} (${100 * ratio} %)`).join(', ')}.`;
   });
 }
+
+/** From attributes.mjs. */
+export function attributeTable(errors) {
+  const rows = errors.map(({ mesh, method, ratio, median, mean, acrossSeams }) => [
+    ...[mesh, `${100 * ratio} %`, method, median.toFixed(3), mean.toFixed(3), `${acrossSeams.toFixed(1)} %`],
+  ]);
+  return table(['mesh', 'faces', 'method', 'median error', 'mean error', 'beyond a seam'], rows);
+}
