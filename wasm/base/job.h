@@ -48,6 +48,11 @@ class Job {
   // Sets the progress of the phase, `fraction` in [0, 1]. Throws Cancelled. Call it at least every 50 ms of
   // work, from the thread that runs the call; pool threads use `check`.
   void report(double fraction);
+  // From now on phases and progress within are not shown, until `leave`: for a call made of many that tell
+  // their own. Only `reportWhole` shows. See WholePhase.
+  void enter(Phase phase);
+  void leave() { --depth_; }
+  void reportWhole(double fraction);
   // Throws Cancelled if somebody asked to stop. Cheap, and safe from any thread.
   void check() const {
     if (cancelRequested()) throw Cancelled();
@@ -55,6 +60,20 @@ class Job {
 
  private:
   int32_t observedPercent_ = -1;
+  int32_t depth_ = 0;
+};
+
+// One phase for as long as it lives, whatever is called meanwhile.
+class WholePhase {
+ public:
+  WholePhase(Job& job, Phase phase) : job_(job) { job_.enter(phase); }
+  ~WholePhase() { job_.leave(); }
+  WholePhase(const WholePhase&) = delete;
+  // `fraction` of the whole, in [0, 1]. Throws Cancelled.
+  void report(double fraction) { job_.reportWhole(fraction); }
+
+ private:
+  Job& job_;
 };
 
 }  // namespace limber

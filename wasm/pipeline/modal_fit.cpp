@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "modes/factorisation.h"
@@ -211,10 +212,11 @@ class ModalSearch {
   }
 
   // The best mesh of all rounds: the least mismatch, where distances beyond the budget count against it.
-  TriangleMesh run(int rounds) {
+  TriangleMesh run(int rounds, const std::function<void(double)>& report) {
     before_ = state_.mismatch.meanSquare();
     best_ = state_;
     for (int round = 0; round < rounds && state_.mismatch.residual.size() > 0; ++round) {
+      report(static_cast<double>(round) / rounds);
       step();
       if (merit(state_) < merit(best_))
         best_ = state_;
@@ -311,20 +313,31 @@ void putBack(const FitPart& part, const std::vector<uint32_t>& corners, MeshAt& 
     }
 }
 
-void fitPart(FitPart& part, const ModalFitOptions& options, ModalFitResult& fitted, Job& job) {
+// What stays the same for all parts; `report` takes the fraction of this part that is done.
+struct FitCall {
+  const ModalFitOptions& options;
+  std::function<void(double)> report;
+  Job& job;
+};
+
+constexpr double kTargetShare = 0.3;  // of the time, until the original's modes are there
+
+void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   const FitSamples samples =
       sampleForFit(part.original, kSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
   const SurfaceFit start =
       fitSurface(part.simplified, buildTopology(part.simplified), samples, {.lines = &part.lines});
   std::vector<uint32_t> corners(3 * size_t{part.simplified.triangleCount()});
   std::iota(corners.begin(), corners.end(), 0u);
-  fitted.flips += fitToSurface(part, samples, corners, job);
-  ModalTarget target(part.original, {options.thickness / part.diagonal, options.poisson}, options.modeCount,
-                     job);
+  fitted.flips += fitToSurface(part, samples, corners, call.job);
+  const ShellMaterial material{call.options.thickness / part.diagonal, call.options.poisson};
+  ModalTarget target(part.original, material, call.options.modeCount, call.job);
+  call.report(kTargetShare);
   if (!target.empty()) {
     const double budget = std::max(kBudget * std::sqrt(start.meanSquare), kLeastBudget);
-    ModalSearch search(part, samples, target, budget, job);
-    part.simplified = search.run(kModalRounds);
+    ModalSearch search(part, samples, target, budget, call.job);
+    part.simplified = search.run(
+        kModalRounds, [&](double fraction) { call.report(kTargetShare + (1 - kTargetShare) * fraction); });
     fitted.errorBefore.push_back(50 * std::sqrt(search.meanSquareBefore()));
     fitted.errorAfter.push_back(50 * std::sqrt(search.meanSquareAfter()));
   }
@@ -335,14 +348,19 @@ void fitPart(FitPart& part, const ModalFitOptions& options, ModalFitResult& fitt
 
 ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
                         const ModalFitOptions& options, Job& job) {
-  job.begin(Phase::Fit);
+  WholePhase phase(job, Phase::Fit);
   ModalFitResult fitted{simplified, {}, {}, 0};
   fitted.result.flips.triangles = simplified.mesh.triangles;
   fitted.result.flips.corners.resize(3 * size_t{simplified.mesh.triangleCount()});
   std::iota(fitted.result.flips.corners.begin(), fitted.result.flips.corners.end(), 0u);
   if (simplified.mesh.triangleCount() == original.triangleCount()) return fitted;
   std::vector<FitPart> parts = partsOf(original, simplified, options);
-  for (FitPart& part : parts) fitPart(part, options, fitted, job);
+  for (size_t i = 0; i < parts.size(); ++i) {
+    const auto report = [&](double fraction) {
+      phase.report((static_cast<double>(i) + fraction) / static_cast<double>(parts.size()));
+    };
+    fitPart(parts[i], {options, report, job}, fitted);
+  }
   return fitted;
 }
 

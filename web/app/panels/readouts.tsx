@@ -1,6 +1,7 @@
 /** The numbers under the stage. */
 
-import { results, shownMesh, view } from '../state/store';
+import { isFitted } from '../../engine/options';
+import { results, shownMesh, view, wants } from '../state/store';
 import { count, fixed } from './controls';
 
 export function Readouts() {
@@ -31,6 +32,7 @@ export function Readouts() {
         value={metrics ? `${fixed(metrics.hausdorff, 2)} %` : '...'}
         note={metrics ? `mean ${fixed(metrics.mean, 3)} %` : 'of the diagonal'}
       />
+      <FrequencyReadout />
       <Readout
         name="Topology"
         value={certificate ? (certificate.kept ? 'kept' : 'CHANGED') : '...'}
@@ -38,6 +40,21 @@ export function Readouts() {
         isBad={certificate ? !certificate.kept : false}
       />
     </dl>
+  );
+}
+
+/** Of the part that is off most; nothing without a fit. */
+function FrequencyReadout() {
+  if (!isFitted(wants.settings.value)) return null;
+  const fitted = results.fitted.value;
+  const isShown = fitted !== null && shownMesh.value === fitted.result;
+  const worst = (errors: Float64Array) => errors.reduce((most, error) => Math.max(most, error), 0);
+  return (
+    <Readout
+      name="Frequencies off"
+      value={isShown ? `${fixed(worst(fitted.errorAfter), 2)} %` : '...'}
+      note={isShown ? `${fixed(worst(fitted.errorBefore), 1)} % before the fit` : 'fitting'}
+    />
   );
 }
 
