@@ -14,7 +14,8 @@ export function longFunctions(files) {
       const lines = readFileSync(join(root, file), 'utf8').split('\n');
       return lines.flatMap((line, start) => {
         if (!startsFunction(line)) return [];
-        const indent = /^ */.exec(line)[0];
+        // The last of several initialisers of a constructor stands six columns in.
+        const indent = /^ */.exec(line)[0].slice(/^ +\w+_\(/.test(line) ? 6 : 0);
         const length = lines.slice(start).findIndex((other) => other.startsWith(`${indent}}`));
         const reason = lines
           .slice(Math.max(0, start - 8), start)

@@ -11,7 +11,8 @@ const core = {
   fields: ['base', 'mesh'],
   simplify: ['base', 'mesh'],
   measure: ['base', 'mesh'],
-  pipeline: ['base', 'mesh', 'modes', 'fields', 'simplify', 'measure'],
+  simulate: ['base', 'mesh'],
+  pipeline: ['base', 'mesh', 'modes', 'fields', 'simplify', 'measure', 'simulate'],
 };
 const web = { engine: [], app: ['engine'], cli: ['engine'] };
 

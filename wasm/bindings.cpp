@@ -1,6 +1,5 @@
-// The one file that knows both C++ and JavaScript: plain objects of web/engine/core.ts in, plain objects out.
-// Typed arrays are copied at the edge. A C++ exception is returned as an Error object, which
-// web/engine/load_core.ts throws: so no destructor on the C++ stack is skipped.
+// The functions of web/engine/core.ts; bindings_simulation.cpp has those of a running simulation. No other
+// file knows both C++ and JavaScript.
 
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
@@ -14,6 +13,7 @@
 
 #include "base/job.h"
 #include "base/parallel.h"
+#include "binding_tools.h"
 #include "fields/curvature.h"
 #include "measure/quality.h"
 #include "measure/surface_distance.h"
@@ -25,81 +25,13 @@
 #include "pipeline/fidelity.h"
 #include "pipeline/find_modes.h"
 #include "pipeline/guidance.h"
+#include "pipeline/modal_fit.h"
 #include "simplify/history.h"
 #include "simplify/simplify.h"
 #include "simplify/why_kept.h"
 
-using emscripten::val;
-
 namespace limber {
 namespace {
-
-Job theJob;
-
-// ---- arrays ----
-
-template <typename T>
-std::vector<T> vectorOf(const val& array) {
-  return emscripten::convertJSArrayToNumberVector<T>(array);
-}
-
-// A copy in JavaScript's own memory. `slice` copies shared memory into a plain buffer.
-template <typename T>
-val typedArray(const std::vector<T>& values) {
-  return val(emscripten::typed_memory_view(values.size(), values.data())).template call<val>("slice");
-}
-
-std::vector<float> floatPositions(const TriangleMesh& mesh) {
-  std::vector<float> flat;
-  flat.reserve(3 * mesh.positions.size());
-  for (const Vec3& p : mesh.positions)
-    for (int c = 0; c < 3; ++c) flat.push_back(static_cast<float>(p[c]));
-  return flat;
-}
-
-std::vector<uint32_t> flatTriangles(const TriangleMesh& mesh) {
-  std::vector<uint32_t> flat;
-  flat.reserve(3 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) flat.insert(flat.end(), t.begin(), t.end());
-  return flat;
-}
-
-val jsMesh(const TriangleMesh& mesh) {
-  val out = val::object();
-  out.set("positions", typedArray(floatPositions(mesh)));
-  out.set("triangles", typedArray(flatTriangles(mesh)));
-  return out;
-}
-
-// Copies a typed array to where there is room for it.
-template <typename T>
-void copyTo(T* target, size_t count, const val& array) {
-  val(emscripten::typed_memory_view(count, target)).call<void>("set", array);
-}
-
-void refuseTriangle(const TriangleMesh& mesh) {
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (const uint32_t v : mesh.triangles[t])
-      if (v >= mesh.vertexCount())
-        throw std::invalid_argument("Triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
-                                    ", but the mesh has " + std::to_string(mesh.vertexCount()) +
-                                    " vertices: weld the file's data first.");
-}
-
-TriangleMesh meshOf(const val& in) {
-  const auto positions = vectorOf<float>(in["positions"]);
-  const val triangles = in["triangles"];
-  TriangleMesh mesh;
-  mesh.positions.resize(positions.size() / 3);
-  for (size_t v = 0; v < mesh.positions.size(); ++v)
-    mesh.positions[v] = {positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]};
-  mesh.triangles.resize(triangles["length"].as<size_t>() / 3);
-  copyTo(mesh.triangles.empty() ? nullptr : mesh.triangles[0].data(), 3 * mesh.triangles.size(), triangles);
-  uint32_t largest = 0;
-  for (const auto& [a, b, c] : mesh.triangles) largest = std::max({largest, a, b, c});
-  if (!mesh.triangles.empty() && largest >= mesh.vertexCount()) refuseTriangle(mesh);
-  return mesh;
-}
 
 // ---- mesh ----
 
@@ -341,14 +273,26 @@ History historyOf(const val& in) {
   return history;
 }
 
-val jsMeshAt(const val& mesh, const val& history, uint32_t faces) {
-  const MeshAt at = meshAt(meshOf(mesh), historyOf(history), faces);
-  val out = val::object();
+std::vector<uint32_t> cornersOf(const std::vector<Triangle>& triangles) {
+  std::vector<uint32_t> corners;
+  for (const Triangle& triangle : triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return corners;
+}
+
+val jsMeshAtOf(const MeshAt& at) {
+  val out = val::object(), flips = val::object();
+  flips.set("triangles", typedArray(cornersOf(at.flips.triangles)));
+  flips.set("corners", typedArray(at.flips.corners));
   out.set("mesh", jsMesh(at.mesh));
   out.set("vertexOfInput", typedArray(at.vertexOfInput));
   out.set("inputOfVertex", typedArray(at.inputOfVertex));
   out.set("inputOfTriangle", typedArray(at.inputOfTriangle));
+  out.set("flips", flips);
   return out;
+}
+
+val jsMeshAt(const val& mesh, const val& history, uint32_t faces) {
+  return jsMeshAtOf(meshAt(meshOf(mesh), historyOf(history), faces));
 }
 
 // The terms as arrays, one value per vertex of meshAt(mesh, history, faces).
@@ -383,7 +327,30 @@ MeshAt meshAtOf(const val& in) {
   result.vertexOfInput = vectorOf<uint32_t>(in["vertexOfInput"]);
   result.inputOfVertex = vectorOf<uint32_t>(in["inputOfVertex"]);
   result.inputOfTriangle = vectorOf<uint32_t>(in["inputOfTriangle"]);
+  const auto before = vectorOf<uint32_t>(in["flips"]["triangles"]);
+  for (size_t i = 0; i + 2 < before.size(); i += 3)
+    result.flips.triangles.push_back({before[i], before[i + 1], before[i + 2]});
+  result.flips.corners = vectorOf<uint32_t>(in["flips"]["corners"]);
   return result;
+}
+
+// ---- fit ----
+
+val jsFitModes(const val& mesh, const val& result, const val& in) {
+  const auto wedges = vectorOf<uint32_t>(in["charts"]["wedges"]),
+             groups = vectorOf<uint32_t>(in["charts"]["groups"]);
+  const auto locked = vectorOf<uint8_t>(in["locked"]);
+  ModalFitOptions options;
+  options.thickness = in["thickness"].as<double>();
+  options.poisson = in["poisson"].as<double>();
+  options.charts = {wedges, groups};
+  options.locked = locked;
+  const ModalFitResult fitted = fitModes(meshOf(mesh), meshAtOf(result), options, theJob);
+  val out = val::object();
+  out.set("result", jsMeshAtOf(fitted.result));
+  out.set("errorBefore", typedArray(fitted.errorBefore));
+  out.set("errorAfter", typedArray(fitted.errorAfter));
+  return out;
 }
 
 // ---- transfer ----
@@ -467,31 +434,6 @@ void resetJob(const val& observer) {
     };
 }
 
-val jsError(const char* name, const std::string& message) {
-  val error = val::global("Error").new_(message);
-  error.set("name", std::string(name));
-  return error;
-}
-
-// `f` with every exception turned into an Error object that is returned.
-template <auto f>
-struct Guarded;
-template <typename... Arguments, val (*f)(Arguments...)>
-struct Guarded<f> {
-  static val call(Arguments... arguments) {
-    try {
-      return f(arguments...);
-    } catch (const Cancelled& error) {
-      return jsError("Cancelled", error.what());
-    } catch (const std::bad_alloc&) {
-      return jsError("Error",
-                     "Not enough memory for a mesh of this size: reduce it first, or ask for fewer modes.");
-    } catch (const std::exception& error) {
-      return jsError("Error", error.what());
-    }
-  }
-};
-
 double peakHeapBytes() {
   return static_cast<double>(emscripten_get_heap_size());
 }
@@ -508,6 +450,7 @@ EMSCRIPTEN_BINDINGS(limber) {
   emscripten::function("meanCurvature", &Guarded<&jsMeanCurvature>::call);
   emscripten::function("simplify", &Guarded<&jsSimplify>::call);
   emscripten::function("meshAt", &Guarded<&jsMeshAt>::call);
+  emscripten::function("fitModes", &Guarded<&jsFitModes>::call);
   emscripten::function("whyKept", &Guarded<&jsWhyKept>::call);
   emscripten::function("sourceOfCorners", &Guarded<&jsSourceOfCorners>::call);
   emscripten::function("bindToResult", &Guarded<&jsBindToResult>::call);

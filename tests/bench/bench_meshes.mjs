@@ -72,6 +72,45 @@ export function bumpySphere(faces) {
   return { positions: Float32Array.from(positions), triangles: Uint32Array.from(triangles) };
 }
 
+/** The surface of the paper's bar, 1 x 1 x 3, of `cells` x `cells` x 3 `cells` cells. */
+export function bar(cells) {
+  const size = [cells, cells, 3 * cells];
+  const vertices = new Map();
+  const positions = [];
+  const triangles = [];
+  const vertexAt = (axis, level, i, j) => {
+    const place = [0, 0, 0];
+    [place[axis], place[(axis + 1) % 3], place[(axis + 2) % 3]] = [level, i, j];
+    const key = place.join();
+    if (!vertices.has(key)) {
+      vertices.set(key, vertices.size);
+      positions.push(...place.map((x) => x / cells));
+    }
+    return vertices.get(key);
+  };
+  for (let axis = 0; axis < 3; axis++)
+    for (const side of [0, 1])
+      for (let j = 0; j < size[(axis + 2) % 3]; j++)
+        for (let i = 0; i < size[(axis + 1) % 3]; i++) {
+          const corner = (di, dj) => vertexAt(axis, side * size[axis], i + di, j + dj);
+          const [a, b, c, d] = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+          triangles.push(...(side ? [a, b, c, a, c, d] : [a, c, b, a, d, c]));
+        }
+  return { positions: Float32Array.from(positions), triangles: Uint32Array.from(triangles) };
+}
+
+/** Pairs of vertices, each edge once, in the order in which the faces name them. */
+export function edgesOf({ triangles }) {
+  const edges = new Map();
+  for (let t = 0; t < triangles.length; t += 3)
+    for (let e = 0; e < 3; e++) {
+      const [a, b] = [triangles[t + e], triangles[t + ((e + 1) % 3)]];
+      const key = `${Math.min(a, b)},${Math.max(a, b)}`;
+      if (!edges.has(key)) edges.set(key, [a, b]);
+    }
+  return [...edges.values()];
+}
+
 const octants = () => [1, -1].flatMap((x) => [1, -1].flatMap((y) => [1, -1].map((z) => [x, y, z])));
 
 /** Positions and faces of an OBJ file, polygons as fans. */

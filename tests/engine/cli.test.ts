@@ -80,9 +80,9 @@ describe('limber optimize', () => {
       expect([schema, version, command]).toEqual(['limber-report/1', VERSION, 'optimize']);
       expect(options).toMatchObject({
         faces: 200,
-        method: 'paper',
-        model: 'laplacian',
-        modes: [1],
+        method: 'limber',
+        model: 'auto',
+        modes: [1, 2, 3, 4, 5, 6],
         fields: false,
       });
       expect(options).not.toHaveProperty('ratio');
@@ -97,7 +97,7 @@ describe('limber optimize', () => {
       expect(Object.keys(others).sort()).toEqual(
         ['components', 'model', 'modes', 'peakHeapBytes', 'solve', 'threads', 'zeroModes'].sort(),
       );
-      expect(others.zeroModes).toEqual({ expected: 3, found: 3 });
+      expect(others.zeroModes).toEqual({ expected: 6, found: 6 });
       for (const { residual } of others.modes!) expect(residual).toBeLessThan(1e-7);
     }
   });
@@ -150,13 +150,43 @@ describe('limber optimize', () => {
     expect(faces('--ratio', '1')).toBe(704);
   });
 
+  it('takes the largest deviation as a target of its own', () => {
+    const { code, stdout } = limber('optimize', 'torus.obj', 'near.glb', '--max-deviation', '0.5', '--json');
+    expect(code).toBe(0);
+    const { options, output, surface, stop } = report(stdout);
+    expect(options).not.toHaveProperty('ratio');
+    expect(stop!.reason).toBe('deviation');
+    expect(stop!.refused.deviation).toBeGreaterThan(0);
+    expect(surface!.hausdorff).toBeLessThanOrEqual(0.5);
+    expect(output!.faces).toBeLessThan(576);
+  });
+
+  it('takes the smallest angle as a target of its own', () => {
+    const { code, stdout } = limber('optimize', 'torus.obj', 'round.glb', '--min-angle', '25', '--json');
+    expect(code).toBe(0);
+    const { input, output, stop } = report(stdout);
+    expect(stop!.reason).toBe('angle');
+    expect(output!.minAngle!).toBeGreaterThanOrEqual(Math.min(25, input.minAngle!) - 1e-4);
+  });
+
+  it('fits to the modes unless told not to', () => {
+    const errorOf = (...flags: string[]) => {
+      expect(limber('optimize', 'torus.obj', 'fit.glb', '--ratio', '0.3', ...flags).code).toBe(0);
+      return report(limber('compare', 'torus.obj', 'fit.glb', '--json').stdout).fidelity!.frequencyErrorMean;
+    };
+    expect(errorOf()).toBeLessThan(0.5 * errorOf('--fit', 'off'));
+  });
+
   it('optimizes only the body of --mesh', async () => {
     const { stdout } = limber('optimize', 'two.obj', 'one.glb', '--mesh', 'sheet', '--json');
-    expect(report(stdout).input.faces).toBe(128);
+    const { input, output } = report(stdout);
+    expect(input.faces).toBe(128);
+    expect(output!.faces).toBeLessThanOrEqual(64);
+    expect(output!.faces).toBeGreaterThan(60);
     const meshes = (await readGlb(readFileSync(path('one.glb')))).getRoot().listMeshes();
     const faces = meshes.map((mesh) => mesh.listPrimitives()[0].getIndices()!.getCount() / 3);
     expect(meshes.map((mesh) => mesh.getName())).toEqual(['ring', 'sheet']);
-    expect(faces).toEqual([576, 64]);
+    expect(faces).toEqual([576, output!.faces]);
     expect(limber('optimize', 'two.obj', 'one.glb', '--mesh', 'sheets')).toEqual({
       code: 1,
       stdout: '',
@@ -203,11 +233,49 @@ describe('limber optimize', () => {
   });
 });
 
+describe('limber simulate', () => {
+  it('moves a body and says what it costs', () => {
+    const { code, stdout, stderr } = limber('simulate', 'grid.obj', '--scenario', 'hang', '--seconds', '0.2');
+    expect([code, stderr]).toEqual([0, '']);
+    expect(stdout).toMatch(
+      /^scenario +hang, 0\.2 s, shell, 20 substeps, grid\ngrid\.obj +256 constraints, 208 edges, \S+ ms a step, \S+ ns a constraint\n$/,
+    );
+  });
+
+  it('reports how far two bodies part, beside the noise floor', () => {
+    limber('optimize', 'torus.obj', 'half.glb', '--quiet');
+    const words = 'simulate torus.obj half.glb --scenario sway --material springs --seconds 0.3 --json';
+    const { code, stdout } = limber(...words.split(' '));
+    expect(code).toBe(0);
+    const { simulation, output, options } = report(stdout);
+    expect(output!.faces).toBe(288);
+    expect(options).toMatchObject({ scenario: 'sway', material: 'springs', seconds: 0.3, substeps: 20 });
+    expect(simulation).toMatchObject({
+      material: 'springs',
+      scenario: 'sway',
+      substeps: 20,
+      original: { constraints: 864, edges: 864 },
+      optimized: { constraints: 432, edges: 432 },
+      edgeRatio: 2,
+    });
+    const { mean, max, noiseFloor } = simulation!.deviation!;
+    expect(noiseFloor).toBeLessThan(mean);
+    expect(mean).toBeLessThan(max);
+  });
+
+  it('takes pins in the words of the other commands', () => {
+    const { code, stdout } = limber(
+      ...'simulate torus.obj torus.obj --pins high:10 --seconds 0.1 --json'.split(' '),
+    );
+    expect(code).toBe(0);
+    expect(report(stdout).simulation!.deviation).toMatchObject({ mean: 0, max: 0 });
+  });
+});
+
 describe('a wrong command line', () => {
   it.each([
-    ['', 'There is no command "": use optimize, modes, compare, inspect (limber --help).'],
+    ['', 'There is no command "": use optimize, modes, compare, simulate, inspect (limber --help).'],
     ['optimise', 'There is no command "optimise": did you mean "optimize"?'],
-    ['simulate a.glb', 'simulate is not available yet.'],
     ['optimize', 'IN is missing: limber optimize IN OUT.glb.'],
     ['optimize torus.obj', 'OUT.glb is missing: limber optimize IN OUT.glb.'],
     ['optimize torus.obj a.glb b.glb', '"b.glb" is one file too many: limber optimize IN OUT.glb.'],
@@ -237,7 +305,6 @@ describe('a wrong command line', () => {
       'optimize torus.obj a.glb --mode 1,x',
       '--mode is 1,x: give auto, all, or numbers from 1 to 100 with commas (default: auto).',
     ],
-    ['optimize torus.obj a.glb --method limber', '--method limber is not available yet.'],
     [
       'modes grid.obj --model solid',
       'Part 1 of the mesh is not closed, so it has no inside for the solid model: close its holes, or use the model shell or auto.',
@@ -251,9 +318,15 @@ describe('a wrong command line', () => {
       'modes torus.obj --pins low',
       '--pins has "low": give low:PCT, high:PCT, box:x0,y0,z0,x1,y1,z1, attribute:NAME or vertices:i,j, joined by +.',
     ],
-    ['optimize torus.obj a.glb --max-deviation 0.5', '--max-deviation is not available yet.'],
-    ['optimize torus.obj a.glb --fit on', '--fit is not available yet.'],
+    ['optimize torus.obj a.glb --max-frequency-error 2', '--max-frequency-error is not available yet.'],
     ['inspect torus.obj --faces 10', 'limber inspect has no --faces: see limber inspect --help.'],
+    ['simulate', 'A is missing: limber simulate A [B].'],
+    ['simulate a.obj b.obj c.obj', '"c.obj" is one file too many: limber simulate A [B].'],
+    [
+      'simulate torus.obj --scenario fall',
+      '--scenario is fall: give one of twist, sway, hang, drop, pull, wind (default: twist).',
+    ],
+    ['simulate torus.obj --record out.glb', '--record is not available yet.'],
     ['compare torus.obj two.obj', 'torus.obj has 1 body and two.obj has 2: compare one with --mesh NAME.'],
   ])('limber %s', (words, message) => {
     expect(limber(...words.split(' '))).toEqual({ code: 1, stdout: '', stderr: `limber: ${message}\n` });
@@ -268,7 +341,7 @@ describe('help', () => {
   it('stands for every command, within 100 columns', () => {
     for (const words of [
       ['--help'],
-      ...['optimize', 'modes', 'compare', 'inspect'].map((name) => [name, '--help']),
+      ...['optimize', 'modes', 'compare', 'simulate', 'inspect'].map((name) => [name, '--help']),
     ]) {
       const { code, stdout, stderr } = limber(...words);
       expect([code, stderr]).toEqual([0, '']);

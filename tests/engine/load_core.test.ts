@@ -16,7 +16,12 @@ const shell = {
   pinned: new Uint32Array(),
   exact: false,
 };
-const paper = { method: 'paper' as const, strainWeight: 0.05, curvatureWeight: 1, qualityWeight: 0.01 };
+const paper = {
+  method: 'paper' as const,
+  strainWeight: 0.05,
+  curvatureWeight: 1,
+  qualityWeight: 0.01,
+};
 
 /** Everything that the core computes on the way from a mesh to a smaller one. */
 function results(core: Core) {

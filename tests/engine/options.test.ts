@@ -34,7 +34,7 @@ describe('settings', () => {
   });
 
   it('have the weights of the paper', () => {
-    const { strainWeight, curvatureWeight, qualityWeight } = defaultSettings();
+    const { strainWeight, curvatureWeight, qualityWeight } = defaultSettings('paper');
     expect([strainWeight, curvatureWeight, qualityWeight]).toEqual([0.05, 1, 0.01]);
   });
 
@@ -59,7 +59,7 @@ describe('settings', () => {
   });
 
   it.each([
-    [{ method: 'best' }, '--method is best: give one of paper, qem (default: paper).'],
+    [{ method: 'best' }, '--method is best: give one of limber, paper, qem (default: limber).'],
     [{ modeCount: 1.5 }, '--modes is 1.5: give a whole number from 1 to 100 (default: 12).'],
     [{ modes: [0] }, '--mode is 0: give auto, all, or numbers from 1 to 100 with commas (default: auto).'],
     [
@@ -84,9 +84,9 @@ describe('settings', () => {
   });
 
   it('resolve auto for the method', () => {
-    const paper = defaultSettings();
+    const paper = defaultSettings('paper');
     expect([resolveModel(paper), resolveModes(paper)]).toEqual(['laplacian', [1]]);
-    const other: Settings = { ...paper, method: 'qem' };
+    const other = defaultSettings('qem');
     expect([resolveModel(other), resolveModes(other)]).toEqual(['auto', [1, 2, 3, 4, 5, 6]]);
     expect(resolveModes({ ...other, modeCount: 3 })).toEqual([1, 2, 3]);
     expect(resolveModes({ ...paper, modes: 'all', modeCount: 3 })).toEqual([1, 2, 3]);

@@ -71,17 +71,19 @@ describe('a report', () => {
   });
 
   it('is exhausted where one body missed, and tells the share of each reason', () => {
-    const refused = { topology: 2, flip: 1, lock: 1 };
-    const reached = { faces: 10, targetFaces: 10, refused };
+    const refused = { topology: 2, flip: 1, lock: 1, angle: 0, deviation: 0 };
+    const reached = { faces: 10, targetFaces: 10, history: { refused, stop: 'exhausted' as const } };
     expect(stopReport([reached]).reason).toBe('target');
     expect(stopReport([reached, { ...reached, faces: 11 }])).toEqual({
       reason: 'exhausted',
-      refused: { topology: 4, flip: 2, lock: 2 },
+      refused: { topology: 4, flip: 2, lock: 2, angle: 0, deviation: 0 },
     });
     expect(describeRefused(refused)).toBe(
       'of the remaining edges 50 % would change the topology, 25 % flip a face, 25 % break a lock',
     );
-    expect(describeRefused({ topology: 0, flip: 0, lock: 0 })).toBe('no edge is left that could collapse');
+    expect(describeRefused({ topology: 0, flip: 0, lock: 0, angle: 0, deviation: 0 })).toBe(
+      'no edge is left that could collapse',
+    );
   });
 
   it('has the worst distance of all bodies', () => {

@@ -153,7 +153,9 @@ describe.skipIf(isAbsent)('a real mesh', () => {
         expect(measured.certificate.kept).toBe(true);
         for (const { zeroModesFound, zeroModesExpected } of modes!.components)
           expect(zeroModesFound).toBe(zeroModesExpected);
-        for (const { residual } of modes!.modes) expect(residual).toBeLessThanOrEqual(1e-7);
+        // A coarse solve is refined to frequencies, not to residuals.
+        for (const { residual, component } of modes!.modes)
+          expect(residual).toBeLessThanOrEqual(modes!.components[component].coarseVertices > 0 ? 1e-2 : 1e-7);
       }
       const bodies = optimized.map((one) => exportedBody(core, one.prepared, one.result, one));
       const bytes = await exportGlb(model, bodies, { fields: true });

@@ -42,6 +42,11 @@ struct Dual {
     for (size_t i = 0; i < N; ++i) y.slope[i] = a.slope[i] * b.value + a.value * b.slope[i];
     return y;
   }
+  friend Dual operator*(Dual a, double b) {
+    a.value *= b;
+    for (size_t i = 0; i < N; ++i) a.slope[i] *= b;
+    return a;
+  }
   friend Dual operator/(const Dual& a, const Dual& b) {
     return a * b.chain(1 / b.value, -1 / (b.value * b.value));
   }

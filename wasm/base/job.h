@@ -19,6 +19,8 @@ enum class Phase : int32_t {
   Simplify = 7,
   Measure = 8,
   Compare = 9,
+  Fit = 10,
+  Simulate = 11,
 };
 
 // Thrown out of a running call after somebody asked it to stop.

@@ -247,10 +247,26 @@ std::vector<uint32_t> invert(const std::vector<uint32_t>& inputOfTriangle, uint3
   return resultOfTriangle;
 }
 
+// Before edges were flipped a corner had the same vertex and the same chart, hence the same source.
+CornerSources sourceBeforeFlips(const TriangleMesh& input, const Charts& charts, const MeshAt& result,
+                                Job& job) {
+  MeshAt before = result;
+  before.mesh.triangles = result.flips.triangles;
+  before.flips = {};
+  const CornerSources found = sourceOfCorners(input, charts, before, job);
+  CornerSources sources;
+  for (const uint32_t corner : result.flips.corners) {
+    sources.triangle.push_back(found.triangle[corner]);
+    for (uint32_t c = 0; c < 3; ++c) sources.barycentric.push_back(found.barycentric[3 * corner + c]);
+  }
+  return sources;
+}
+
 }  // namespace
 
 CornerSources sourceOfCorners(const TriangleMesh& input, const Charts& charts, const MeshAt& result,
                               Job& job) {
+  if (!result.flips.corners.empty()) return sourceBeforeFlips(input, charts, result, job);
   check(input, charts, result);
   job.begin(Phase::Measure);
   Topology topology = buildTopology(input);

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "base/parallel.h"
-#include "measure/closest_point.h"
 #include "mesh/topology.h"
 #include "pipeline/assignment.h"
+#include "pipeline/shape_transfer.h"
 
 namespace limber {
 
@@ -46,50 +45,6 @@ Gallery lowestModes(const TriangleMesh& mesh, const FidelityOptions& options, do
   return gallery;
 }
 
-// For each vertex of the original, its closest point on the other surface.
-std::vector<SurfacePoint> bind(const TriangleMesh& original, const TriangleMesh& other) {
-  const ClosestPointTree tree(other);
-  std::vector<SurfacePoint> points(original.vertexCount());
-  parallelFor(points.size(), 256, [&](size_t begin, size_t end) {
-    for (size_t v = begin; v < end; ++v) points[v] = tree.closest(original.positions[v]);
-  });
-  return points;
-}
-
-// Shapes of the other body, at the original's vertices.
-Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& other,
-                         const std::vector<SurfacePoint>& points) {
-  Eigen::MatrixXd carried(3 * static_cast<Eigen::Index>(points.size()), shapes.cols());
-  for (size_t v = 0; v < points.size(); ++v)
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      auto row = carried.row(3 * static_cast<Eigen::Index>(v) + axis);
-      row.setZero();
-      for (int c = 0; c < 3; ++c)
-        row += points[v].barycentric[c] *
-               shapes.row(3 * static_cast<Eigen::Index>(other.triangles[points[v].triangle][c]) + axis);
-    }
-  return carried;
-}
-
-// Square roots of the lumped areas, three per vertex: |weight * shape|^2 is the modal mass but for a factor.
-Eigen::VectorXd rootMasses(const TriangleMesh& mesh) {
-  Eigen::VectorXd mass = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()));
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (uint32_t v : mesh.triangles[t])
-      mass.segment<3>(static_cast<Eigen::Index>(3 * v)).array() += triangleArea(mesh, t) / 3;
-  return mass.cwiseSqrt();
-}
-
-// Scales rows by the masses and columns to length 1, so that a MAC is a squared inner product.
-Eigen::MatrixXd massNormalised(const Eigen::MatrixXd& shapes, const Eigen::VectorXd& rootMass) {
-  Eigen::MatrixXd scaled = rootMass.asDiagonal() * shapes;
-  for (Eigen::Index k = 0; k < scaled.cols(); ++k) {
-    const double size = scaled.col(k).norm();
-    if (size > 0) scaled.col(k) /= size;
-  }
-  return scaled;
-}
-
 // The modes of both bodies at one thickness, paired.
 struct Pairing {
   std::vector<double> ratio;  // other / original frequency by the original's mode; 0 where it has no partner
@@ -119,7 +74,7 @@ class Comparison {
         other_(other),
         options_(options),
         job_(job),
-        points_(bind(original, other)),
+        points_(closestPoints(original, other)),
         rootMass_(rootMasses(original)) {}
 
   Pairing pair(double thickness, int count) const {

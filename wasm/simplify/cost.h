@@ -84,7 +84,7 @@ class CostModel {
   void collapse(const Collapse& step);
 
  private:
-  static constexpr double kTolerance = 1.1;
+  static constexpr double kTolerance = 1.08;
 
   void collectQuadrics();
   void startGuidance(const TriangleMesh& input);

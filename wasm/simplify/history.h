@@ -39,6 +39,14 @@ struct History {
   uint32_t collapseCount() const { return static_cast<uint32_t>(kept.size()); }
 };
 
+// Edges that were flipped after the history: the triangles as the history left them, and per corner now the
+// corner (3 * t + c) of these that it has been, which lay at the same vertex and in the same chart. Both
+// empty where nothing was flipped.
+struct Flips {
+  std::vector<Triangle> triangles;
+  std::vector<uint32_t> corners;
+};
+
 // How many collapses lead to the largest mesh with at most `faces` triangles; all of them where there is
 // none.
 uint32_t collapsesFor(const History& history, uint32_t faces);
@@ -53,6 +61,7 @@ struct MeshAt {
   std::vector<uint32_t> vertexOfInput;    // per input vertex: the vertex of `mesh` that it has become
   std::vector<uint32_t> inputOfVertex;    // per vertex of `mesh`: the input vertex that has survived as it
   std::vector<uint32_t> inputOfTriangle;  // per triangle of `mesh`: which input triangle it is
+  Flips flips;
 };
 
 // The largest mesh of the history with at most `faces` triangles; the floor where there is none. O(input),

@@ -1,6 +1,6 @@
 /** The command that makes the same bytes as the page. */
 
-import { OPTIONS } from '../engine/options';
+import { OPTIONS, defaultSettings } from '../engine/options';
 import type { Settings } from '../engine/options';
 
 const quoted = (word: string): string =>
@@ -16,8 +16,13 @@ export function commandLine(
   output: string,
   { faces, fields }: { faces: number; fields: boolean },
 ): string {
+  const defaults = defaultSettings(settings.method);
+  const isChanged = (key: keyof Settings) =>
+    key === 'method'
+      ? settings.method !== OPTIONS.method.default
+      : String(settings[key]) !== String(defaults[key]);
   const flags = (Object.keys(OPTIONS) as (keyof Settings)[])
-    .filter((key) => key !== 'threads' && String(settings[key]) !== String(OPTIONS[key].default))
+    .filter((key) => key !== 'threads' && isChanged(key))
     .flatMap((key) => [`--${OPTIONS[key].flag}`, ...valueOf(settings[key])]);
   const words = ['limber', 'optimize', input, output, '--faces', String(faces), ...flags];
   return [...words, ...(fields ? ['--fields'] : [])].map(quoted).join(' ');

@@ -1,19 +1,12 @@
 /** The words of a command line as a command with its operands, settings and flags. */
 
 import { parseArgs } from 'node:util';
+import type { Method } from '../engine/core';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/materials';
 import { OPTIONS, checkSettings, defaultSettings } from '../engine/options';
 import type { OptionSpec, Settings } from '../engine/options';
 import { UsageError } from './failure';
-import {
-  COMMAND_SPECS,
-  COMMANDS,
-  flagsOf,
-  LATER_COMMANDS,
-  LATER_FLAGS,
-  LATER_VALUES,
-  settingsOf,
-} from './flags';
+import { COMMAND_SPECS, COMMANDS, flagsOf, LATER_FLAGS, LATER_VALUES, settingsOf } from './flags';
 import type { Command, Flag } from './flags';
 import { nearest } from './nearest';
 
@@ -68,7 +61,6 @@ export function parseArguments(words: string[]): Arguments | Question {
 }
 
 function commandNamed(word: string): Command {
-  if (LATER_COMMANDS.includes(word)) throw new UsageError(`${word} is not available yet.`);
   const command = COMMANDS.find((candidate) => candidate === word);
   if (command) return command;
   const guess = nearest(word, COMMANDS);
@@ -125,14 +117,16 @@ function unknownFlag(command: Command, rawName: string, known: string[]): UsageE
 function checkOperands(command: Command, operands: string[]): void {
   const wanted = COMMAND_SPECS[command].operands;
   const usage = `limber ${command} ${wanted.join(' ')}`;
-  if (operands.length < wanted.length)
+  if (operands.length < wanted.filter((name) => !name.startsWith('[')).length)
     throw new UsageError(`${wanted[operands.length]} is missing: ${usage}.`);
   if (operands.length > wanted.length)
     throw new UsageError(`"${operands[wanted.length]}" is one file too many: ${usage}.`);
 }
 
 function readSettings(command: Command, values: Map<string, string>): Settings {
-  const settings = { ...defaultSettings(), ...COMMAND_SPECS[command].defaults, ...readPreset(values) };
+  const { defaults } = COMMAND_SPECS[command];
+  const method = OPTIONS.method.choices!.find((name) => name === values.get('method')) as Method | undefined;
+  const settings = { ...defaultSettings(method ?? defaults.method), ...defaults, ...readPreset(values) };
   const keys: (keyof Settings)[] = [
     ...settingsOf(command),
     ...(command === 'compare' ? ['modeCount' as const] : []),

@@ -45,7 +45,7 @@ function optionsAsUsed({ settings, mesh }: Arguments): object {
 }
 
 /** Bodies are compared in the order of the files. */
-function checkPairs({ operands }: Arguments, originals: PreparedBody[], others: PreparedBody[]): void {
+export function checkPairs({ operands }: Arguments, originals: PreparedBody[], others: PreparedBody[]): void {
   if (originals.length === others.length) return;
   const [a, b] = operands.map((path) => basename(path));
   throw new UsageError(

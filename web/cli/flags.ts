@@ -4,7 +4,7 @@ import { MATERIAL_NAMES } from '../engine/materials';
 import { OPTIONS } from '../engine/options';
 import type { OptionGroup, Settings } from '../engine/options';
 
-export const COMMANDS = ['optimize', 'modes', 'compare', 'inspect'] as const;
+export const COMMANDS = ['optimize', 'modes', 'compare', 'simulate', 'inspect'] as const;
 export type Command = (typeof COMMANDS)[number];
 
 export interface Flag {
@@ -17,9 +17,12 @@ export interface Flag {
 
 /** A command: its operands, and which groups of settings it takes. */
 export interface CommandSpec {
+  /** in brackets where it may be left out; such ones come last */
   operands: string[];
   summary: string;
   groups: OptionGroup[];
+  /** single settings of other groups */
+  settings?: (keyof Settings)[];
   flags: Flag[];
   /** defaults that differ from the engine's */
   defaults: Partial<Settings>;
@@ -56,7 +59,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   optimize: {
     operands: ['IN', 'OUT.glb'],
     summary: 'Remove triangles where they matter least for how the body bends.',
-    groups: ['method', 'motion', 'material', 'common'],
+    groups: ['target', 'method', 'motion', 'material', 'common'],
     flags: [
       {
         name: 'faces',
@@ -67,7 +70,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
       {
         name: 'ratio',
         value: 'R',
-        help: 'Keep this share of the faces of each body, above 0 to 1 (default: 0.5). With --faces, the first one reached stops.',
+        help: 'Keep this share of the faces of each body, above 0 to 1 (default: 0.5, where there is no other target). Of several targets the first one reached stops.',
         group: 'target',
       },
       {
@@ -116,6 +119,14 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
     ],
     defaults: { modeCount: 10, model: 'shell' },
   },
+  simulate: {
+    operands: ['A', '[B]'],
+    summary: 'Move A, and B beside it: times, and how far they part.',
+    groups: ['simulation', 'material', 'common'],
+    settings: ['pins'],
+    flags: COMMON,
+    defaults: {},
+  },
   inspect: {
     operands: ['IN'],
     summary: 'Tell what is in a mesh and what is wrong with it.',
@@ -126,17 +137,15 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
 };
 
 /** Flags and values that are planned and not there yet. */
-export const LATER_FLAGS = new Set(
-  (
-    'max-deviation min-angle max-frequency-error fit size-weight ' +
-    'lods symmetry scenario material seconds substeps record'
-  ).split(' '),
-);
-export const LATER_VALUES: Record<string, string[]> = { method: ['limber'] };
-export const LATER_COMMANDS = ['simulate'];
+export const LATER_FLAGS = new Set('max-frequency-error lods symmetry record'.split(' '));
+export const LATER_VALUES: Record<string, string[]> = {};
 
 const PLACEHOLDERS: Partial<Record<keyof Settings, string>> = {
-  method: 'paper|qem',
+  method: 'limber|paper|qem',
+  fit: 'on|off',
+  borders: 'free|fixed',
+  maxDeviation: 'PCT',
+  minAngle: 'DEG',
   model: 'auto|shell|solid|laplacian',
   direction: 'all|x|y|z',
   pins: 'SPEC',
@@ -149,12 +158,17 @@ const PLACEHOLDERS: Partial<Record<keyof Settings, string>> = {
   thickness: 'PCT',
   unit: 'METRES',
   weld: 'PCT',
+  scenario: 'twist|sway|hang|drop|pull|wind',
+  material: 'shell|springs',
+  seconds: 'S',
 };
 
 /** The settings that a command takes as flags. */
 export function settingsOf(command: Command): (keyof Settings)[] {
-  const { groups } = COMMAND_SPECS[command];
-  return (Object.keys(OPTIONS) as (keyof Settings)[]).filter((key) => groups.includes(OPTIONS[key].group));
+  const { groups, settings = [] } = COMMAND_SPECS[command];
+  return (Object.keys(OPTIONS) as (keyof Settings)[]).filter(
+    (key) => groups.includes(OPTIONS[key].group) || settings.includes(key),
+  );
 }
 
 /** All flags of a command, in the order of its help. */

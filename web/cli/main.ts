@@ -11,11 +11,13 @@ import { runInspect } from './inspect';
 import { runModes } from './modes';
 import { runOptimize } from './optimize';
 import { clearProgress } from './session';
+import { runSimulate } from './simulate';
 
 const RUN: Record<Command, (args: Arguments) => Promise<number>> = {
   optimize: runOptimize,
   modes: runModes,
   compare: runCompare,
+  simulate: runSimulate,
   inspect: runInspect,
 };
 

@@ -59,7 +59,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
   fillReport(report, done);
   session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0));
   report.timings = { load, weld, ...sumTimings(done), export: stopwatch(), total: total() };
-  const missed = report.stop!.reason === 'exhausted' ? describeMiss(done) : '';
+  const missed = wantsCount(args) && report.stop!.reason === 'exhausted' ? describeMiss(done) : '';
   finish(session, report, summaryLine(args, done, report.timings.total), missed);
   return missed === '' ? EXIT.done : EXIT.missedTarget;
 }
@@ -78,19 +78,24 @@ function optionsAsUsed(args: Arguments): object {
     settings.method === 'qem' ? {} : { model: resolveModel(settings), modes: resolveModes(settings) };
   const target = {
     ...(faces !== null ? { faces } : {}),
-    ...(ratio !== null || faces === null ? { ratio: ratio ?? DEFAULT_RATIO } : {}),
+    ...(wantsRatio(args) ? { ratio: ratio ?? DEFAULT_RATIO } : {}),
   };
   return { ...settings, ...guided, ...target, ...(mesh !== null ? { mesh } : {}), fields };
 }
 
+/** Whether a number of faces is a target at all: other targets stand for themselves. */
+const wantsCount = (args: Arguments): boolean => args.faces !== null || wantsRatio(args);
+const wantsRatio = ({ faces, ratio, settings }: Arguments): boolean =>
+  ratio !== null || (faces === null && settings.maxDeviation === 0 && settings.minAngle === 0);
+
 /** How many faces each body may keep: the larger of both targets, for the first one reached stops. */
-function shareTargets({ faces, ratio }: Arguments, bodies: (PreparedBody | null)[]): number[] {
+function shareTargets(args: Arguments, bodies: (PreparedBody | null)[]): number[] {
+  const { faces, ratio } = args;
   const counts = bodies.map((body) => (body ? body.mesh.triangles.length / 3 : 0));
   const share = faces === null ? null : shareInProportion(faces, counts);
-  const wantsRatio = ratio !== null || faces === null;
   return counts.map((faceCount, i) => {
     // The sum keeps 0.3 * 10 from becoming 2.
-    const byRatio = wantsRatio ? Math.floor((ratio ?? DEFAULT_RATIO) * faceCount + 1e-9) : 0;
+    const byRatio = wantsRatio(args) ? Math.floor((ratio ?? DEFAULT_RATIO) * faceCount + 1e-9) : 0;
     return Math.max(1, byRatio, share ? share[i] : 0);
   });
 }
@@ -104,7 +109,7 @@ function fillReport(report: Report, done: OptimizedBody[]): void {
 }
 
 function stopOf({ result, targetFaces, history }: OptimizedBody) {
-  return { faces: result.mesh.triangles.length / 3, targetFaces, refused: history.refused };
+  return { faces: result.mesh.triangles.length / 3, targetFaces, history };
 }
 
 function sumTimings(done: OptimizedBody[]): Record<string, number> {
@@ -114,6 +119,7 @@ function sumTimings(done: OptimizedBody[]): Record<string, number> {
     fields: sumOf('fields'),
     simplify: sumOf('simplify'),
     reduce: sumOf('reduce'),
+    ...(sumOf('fit') > 0.001 ? { fit: sumOf('fit') } : {}),
     measure: sumOf('measure'),
   };
 }

@@ -1,6 +1,6 @@
 /**
  * The typed face of the C++ core: plain data and free functions, the same names as in `wasm/`. Typed arrays are copied at
- * the edge, in and out; nothing here remembers anything between calls.
+ * the edge, in and out; nothing here remembers anything between calls but a running simulation (see simulation.ts).
  */
 
 /** An indexed triangle surface; corners counter-clockwise seen from outside. Every coordinate is a float32. */
@@ -187,15 +187,13 @@ export interface Refused {
   topology: number;
   flip: number;
   lock: number;
-}
-
-/** With those that only minAngle and maxDeviation refuse. */
-export interface AllRefused extends Refused {
+  /** an angle below `minAngle` would come into being */
   angle: number;
+  /** the surface would be farther than `maxDeviation` from the input */
   deviation: number;
 }
 
-/** Every collapse down to the floor. Collapse i moves vertex kept[i] to positions[3 * i + c] and takes in removed[i]. */
+/** Every collapse down to its end. Collapse i moves vertex kept[i] to positions[3 * i + c] and takes in removed[i]. */
 export interface History {
   vertexCount: number;
   triangleCount: number;
@@ -204,8 +202,8 @@ export interface History {
   positions: Float32Array;
   /** triangles left after collapse i, descending */
   trianglesAfter: Uint32Array;
-  refused: AllRefused;
-  /** why it ends: stopFaces, maxDeviation, minAngle, or nothing legal is left */
+  refused: Refused;
+  /** why it ends */
   stop: 'target' | 'deviation' | 'angle' | 'exhausted';
 }
 
@@ -229,6 +227,14 @@ export interface WhyKept {
   verdict: Uint8Array;
 }
 
+/** Edges flipped after the history; both empty where there are none. */
+export interface Flips {
+  /** the triangles as the history left them */
+  triangles: Uint32Array;
+  /** per corner now: the corner (3 * t + c) of those that it has been */
+  corners: Uint32Array;
+}
+
 export interface MeshAt {
   mesh: TriangleMesh;
   /** per input vertex: the vertex of `mesh` that it has become */
@@ -237,6 +243,23 @@ export interface MeshAt {
   inputOfVertex: Uint32Array;
   /** per triangle of `mesh`: which input triangle it is */
   inputOfTriangle: Uint32Array;
+  flips: Flips;
+}
+
+export interface FitOptions {
+  /** of the shell, in units of the mesh; half and twice as thick ones count too */
+  thickness: number;
+  poisson: number;
+  charts: Charts;
+  /** per input vertex: not 0 where it stays; may be empty */
+  locked: Uint8Array;
+}
+
+/** A result that vibrates like its original; frequency errors (root mean square, %) of each part that was fitted. */
+export interface Fitted {
+  result: MeshAt;
+  errorBefore: Float64Array;
+  errorAfter: Float64Array;
 }
 
 /** What parts a mesh into charts, over which no attribute may bleed. Both may be empty. */
@@ -305,6 +328,63 @@ export interface Fidelity {
   macMin: number;
 }
 
+export type SimulationMaterial = 'springs' | 'shell';
+export type ScenarioName = 'twist' | 'sway' | 'hang' | 'drop' | 'pull' | 'wind';
+
+export interface SimulationOptions {
+  /** shell: membrane and bending, the same material on any mesh; springs: the paper's edges */
+  material: SimulationMaterial;
+  /** what happens; see wasm/simulate/scenario.h */
+  scenario: ScenarioName;
+  /** of the whole scenario */
+  seconds: number;
+  /** of a step of 1/60 s */
+  substeps: number;
+  /** 1/s: velocities fall by this rate */
+  damping: number;
+  /** vertices of the original; null: what the scenario itself holds */
+  pinned: Uint32Array | null;
+  /** in units of the mesh */
+  thickness: number;
+  /** Pa */
+  young: number;
+  poisson: number;
+  /** kg/m3 */
+  density: number;
+  /** metres per unit of the mesh */
+  unit: number;
+}
+
+/** What one body has cost. */
+export interface MotionRun {
+  /** solved in a substep */
+  constraints: number;
+  /** of the mesh */
+  edges: number;
+  /** the shortest step, all work included */
+  secondsPerStep: number;
+  /** positions[(step * vertexCount + v) * 3 + c] after each step; empty unless `records` */
+  positions: Float32Array;
+}
+
+/** How far two bodies in the same scenario move apart, in % of the original's diagonal. */
+export interface MotionComparison {
+  original: MotionRun;
+  /** null where there was no other body */
+  other: MotionRun | null;
+  /** over points of the surface and steps */
+  deviationMean: number;
+  deviationMax: number;
+  /** the mean deviation of the original from itself with its constraints in another order */
+  noiseFloor: number;
+}
+
+/** A point of a surface. */
+export interface SurfacePoint {
+  triangle: number;
+  barycentric: [number, number, number];
+}
+
 /** In the order of `enum class Phase` in wasm/base/job.h. */
 export const PHASES = [
   'idle',
@@ -317,6 +397,8 @@ export const PHASES = [
   'collapsing edges',
   'measuring distance',
   'comparing modes',
+  'fitting modes',
+  'simulating',
 ] as const;
 
 /** Progress of the running call. `fraction` is of the phase, in [0, 1]. */
@@ -351,6 +433,8 @@ export interface Core {
   ): History;
   /** the largest mesh of the history with at most `faces` triangles */
   meshAt(mesh: TriangleMesh, history: History, faces: number): MeshAt;
+  /** the result with its vertices moved a little and some edges flipped, so that it vibrates like `mesh` */
+  fitModes(mesh: TriangleMesh, result: MeshAt, options: FitOptions): Fitted;
   /** for every vertex of meshAt(mesh, history, faces), which must come from the same strain, curvature and options */
   whyKept(
     mesh: TriangleMesh,
@@ -367,6 +451,23 @@ export interface Core {
   measureQuality(mesh: TriangleMesh): Quality;
   measureSurfaceDistance(a: TriangleMesh, b: TriangleMesh): SurfaceDistance;
   compareFidelity(original: TriangleMesh, other: TriangleMesh, options: FidelityOptions): Fidelity;
+  /** the whole scenario, with the original alone or with both */
+  compareMotion(
+    original: TriangleMesh,
+    other: TriangleMesh | null,
+    options: SimulationOptions & { records: boolean },
+  ): MotionComparison;
+  /** a number for the calls below; `mesh` is the original or a body that its pins are carried over to */
+  startSimulation(mesh: TriangleMesh, original: TriangleMesh, options: SimulationOptions): number;
+  /** one step of 1/60 s each, side by side */
+  stepSimulations(simulations: Uint32Array): null;
+  /** positions[3 * v + c], in units of the mesh */
+  simulationPositions(simulation: number): Float32Array;
+  /** draws a point of the surface towards `target` from now on */
+  dragSimulation(simulation: number, point: SurfacePoint, target: [number, number, number]): null;
+  releaseSimulation(simulation: number): null;
+  /** frees its memory; every simulation that was started must be ended */
+  endSimulation(simulation: number): null;
   /** the size of the wasm memory, which never shrinks */
   peakHeapBytes(): number;
 }

@@ -9,7 +9,7 @@ const MOST_THREADS = 8;
 type Observer = (phase: number, fraction: number) => void;
 type CoreFunctions = Omit<Core, 'threads' | 'job' | 'peakHeapBytes'>;
 
-/** What the module of wasm/bindings.cpp exports. */
+/** What the module of wasm/bindings.cpp and its companions exports. */
 interface CoreModule extends CoreFunctions {
   wasmMemory: WebAssembly.Memory;
   jobAddress(): number;
@@ -31,12 +31,20 @@ const FUNCTIONS: readonly (keyof CoreFunctions)[] = [
   'meanCurvature',
   'simplify',
   'meshAt',
+  'fitModes',
   'whyKept',
   'sourceOfCorners',
   'bindToResult',
   'measureQuality',
   'measureSurfaceDistance',
   'compareFidelity',
+  'compareMotion',
+  'startSimulation',
+  'stepSimulations',
+  'simulationPositions',
+  'dragSimulation',
+  'releaseSimulation',
+  'endSimulation',
 ];
 
 /**

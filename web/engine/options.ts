@@ -3,7 +3,7 @@
  * are made from it.
  */
 
-import type { Method, Model } from './core';
+import type { Method, Model, ScenarioName, SimulationMaterial } from './core';
 import { counted } from './document/model';
 import { checkOption } from './option_check';
 
@@ -27,12 +27,21 @@ export interface Settings {
   pins: string;
   /** solve large shells as they are, not on a decimated copy */
   exact: boolean;
-  /** alpha of Eq. 11 */
+  /** alpha of Eq. 11; w of limber */
   strainWeight: number;
   /** beta of Eq. 11 */
   curvatureWeight: number;
-  /** gamma of Eq. 11 */
+  /** gamma of Eq. 11; g of limber */
   qualityWeight: number;
+  /** s of limber, and beside E_QEM in qem */
+  sizeWeight: number;
+  /** limber: move vertices after the collapses so that frequencies are kept */
+  fit: 'on' | 'off';
+  /** how far the surface may move, % of the diagonal; 0: no limit */
+  maxDeviation: number;
+  /** degrees; 0: no limit */
+  minAngle: number;
+  borders: 'free' | 'fixed';
   /** Pa */
   young: number;
   poisson: number;
@@ -42,13 +51,22 @@ export interface Settings {
   thickness: number;
   /** metres per unit of the file */
   unit: number;
+  /** what the simulated bodies are made of */
+  material: SimulationMaterial;
+  scenario: ScenarioName;
+  /** of the simulated motion */
+  seconds: number;
+  /** of a simulated step of 1/60 s */
+  substeps: number;
+  /** 1/s */
+  damping: number;
   /** welding distance, % of the diagonal; 0: bitwise equal positions only */
   weld: number;
   /** 0: as many as there are cores, at most 8 */
   threads: number;
 }
 
-export type OptionGroup = 'method' | 'motion' | 'material' | 'common';
+export type OptionGroup = 'target' | 'method' | 'motion' | 'material' | 'simulation' | 'common';
 
 /**
  * How a setting is written: `choice` one of `choices`; `integer` and `number` within [min, max]; `modes` auto, all or a
@@ -82,11 +100,11 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     flag: 'method',
     label: 'Method',
     ...none,
-    default: 'paper',
-    help: 'How the next edge is chosen: paper (strain, curvature and shape, Eq. 11) or qem (area-weighted quadrics alone).',
+    default: 'limber',
+    help: 'How the next edge is chosen: limber (shape, size, quality and strain, then a fit to the modes), paper (strain, curvature and shape, Eq. 11) or qem (area-weighted quadrics alone).',
     group: 'method',
     kind: 'choice',
-    choices: ['paper', 'qem'],
+    choices: ['limber', 'paper', 'qem'],
   },
   strainWeight: {
     flag: 'strain-weight',
@@ -94,9 +112,9 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     min: 0,
     max: 1000,
     step: 0.01,
-    slider: { min: 0, max: 1 },
-    default: 0.05,
-    help: 'Weight of the strain rank in the cost of an edge (alpha of Eq. 11).',
+    slider: { min: 0, max: 10 },
+    default: 1,
+    help: 'Weight of the strain rank in the cost of an edge (for paper alpha of Eq. 11: 0.05).',
     group: 'method',
     kind: 'number',
   },
@@ -108,7 +126,7 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     step: 0.05,
     slider: { min: 0, max: 5 },
     default: 1,
-    help: 'Weight of the curvature in the cost of an edge (beta of Eq. 11).',
+    help: 'Paper only: weight of the curvature in the cost of an edge (beta of Eq. 11).',
     group: 'method',
     kind: 'number',
   },
@@ -119,10 +137,68 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     max: 1000,
     step: 0.005,
     slider: { min: 0, max: 0.5 },
-    default: 0.01,
-    help: 'Weight of the triangle shape in the cost of an edge (gamma of Eq. 11).',
+    default: 0.1,
+    help: 'Weight of the triangle shape in the cost of an edge (for paper gamma of Eq. 11: 0.01).',
     group: 'method',
     kind: 'number',
+  },
+  sizeWeight: {
+    flag: 'size-weight',
+    label: 'Even sizes',
+    min: 0,
+    max: 1000,
+    step: 0.001,
+    slider: { min: 0, max: 0.1 },
+    default: 0.01,
+    help: 'Weight of the squared length of an edge in its cost (not for paper; 0 for qem).',
+    group: 'method',
+    kind: 'number',
+  },
+  fit: {
+    flag: 'fit',
+    label: 'Fit to the modes',
+    ...none,
+    default: 'on',
+    help: 'Limber only: after the collapses, move vertices a little so that the result vibrates like the original.',
+    group: 'method',
+    kind: 'choice',
+    choices: ['on', 'off'],
+  },
+  maxDeviation: {
+    flag: 'max-deviation',
+    label: 'Largest deviation',
+    unit: '% of the diagonal',
+    min: 0,
+    max: 100,
+    step: 0.01,
+    slider: { min: 0, max: 5 },
+    default: 0,
+    help: 'Stop before collapses take the surface farther than this from the original, in % of the diagonal; 0 sets no limit.',
+    group: 'target',
+    kind: 'number',
+  },
+  minAngle: {
+    flag: 'min-angle',
+    label: 'Smallest angle',
+    unit: 'degrees',
+    min: 0,
+    max: 60,
+    step: 1,
+    slider: { min: 0, max: 40 },
+    default: 0,
+    help: 'Stop before collapses make an angle smaller than this, where the input has none; 0 sets no limit.',
+    group: 'target',
+    kind: 'number',
+  },
+  borders: {
+    flag: 'borders',
+    label: 'Open borders',
+    ...none,
+    default: 'free',
+    help: 'Vertices of open borders slide along them (free) or stay where they are (fixed).',
+    group: 'method',
+    kind: 'choice',
+    choices: ['free', 'fixed'],
   },
   model: {
     flag: 'model',
@@ -283,6 +359,64 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     group: 'material',
     kind: 'number',
   },
+  scenario: {
+    flag: 'scenario',
+    label: 'Scenario',
+    ...none,
+    default: 'twist',
+    help: 'What happens: twist (the upper end turns by 45 degrees), sway (a blow across), hang (gravity), drop (onto a floor), pull (the upper end by a fifth of the length) or wind.',
+    group: 'simulation',
+    kind: 'choice',
+    choices: ['twist', 'sway', 'hang', 'drop', 'pull', 'wind'],
+  },
+  material: {
+    flag: 'material',
+    label: 'Simulated as',
+    ...none,
+    default: 'shell',
+    help: 'What the simulation is made of: shell (membrane and bending, the same on any mesh) or springs (the edges, as in the paper).',
+    group: 'simulation',
+    kind: 'choice',
+    choices: ['shell', 'springs'],
+  },
+  seconds: {
+    flag: 'seconds',
+    label: 'Duration',
+    unit: 's',
+    min: 0.02,
+    max: 600,
+    step: 0.1,
+    slider: { min: 0.5, max: 10 },
+    default: 2,
+    help: 'Length of the simulated motion.',
+    group: 'simulation',
+    kind: 'number',
+  },
+  substeps: {
+    flag: 'substeps',
+    label: 'Substeps',
+    min: 1,
+    max: 10000,
+    step: 1,
+    slider: { min: 5, max: 200 },
+    default: 20,
+    help: 'Substeps of a step of 1/60 s; more make stiff or fine meshes more exact (the paper takes 2,000).',
+    group: 'simulation',
+    kind: 'integer',
+  },
+  damping: {
+    flag: 'damping',
+    label: 'Damping',
+    unit: '1/s',
+    min: 0,
+    max: 100,
+    step: 0.1,
+    slider: { min: 0, max: 10 },
+    default: 0.5,
+    help: 'How fast motion dies away by itself.',
+    group: 'simulation',
+    kind: 'number',
+  },
   weld: {
     flag: 'weld',
     label: 'Weld distance',
@@ -312,11 +446,27 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
 
 const keys = Object.keys(OPTIONS) as (keyof Settings)[];
 
-/** A fresh copy of the defaults. */
-export function defaultSettings(): Settings {
+/** The weights that a method starts with; those of limber are the defaults of OPTIONS. */
+const METHOD_WEIGHTS: Record<Exclude<Method, 'limber'>, Partial<Settings>> = {
+  paper: { strainWeight: 0.05, curvatureWeight: 1, qualityWeight: 0.01, sizeWeight: 0 },
+  qem: { sizeWeight: 0 },
+};
+
+/** A fresh copy of a method's defaults. */
+export function defaultSettings(method: Method = 'limber'): Settings {
   const entries = keys.map((key) => [key, structuredClone(OPTIONS[key].default)]);
-  return Object.fromEntries(entries) as unknown as Settings;
+  const settings = Object.fromEntries(entries) as unknown as Settings;
+  return { ...settings, method, ...(method === 'limber' ? {} : METHOD_WEIGHTS[method]) };
 }
+
+/** What changes with the method: itself, and its weights. */
+export function methodChange(method: Method): Partial<Settings> {
+  const { strainWeight, curvatureWeight, qualityWeight, sizeWeight } = defaultSettings(method);
+  return { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight };
+}
+
+/** Whether results are fitted to the original's modes. */
+export const isFitted = ({ method, fit }: Settings): boolean => method === 'limber' && fit === 'on';
 
 /** Throws one sentence that names the flag, its range and the cure. */
 export function checkSettings(settings: Settings): void {

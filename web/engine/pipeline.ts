@@ -4,11 +4,12 @@
  */
 
 import type { Document } from '@gltf-transform/core';
-import { attributesOf, NO_ATTRIBUTES, ownSources, sourcesInBody } from './attributes';
-import type { BodyAttributes } from './attributes';
+import { attributesOf, costAttributesOf, NO_ATTRIBUTES, ownSources, sourcesInBody } from './attributes';
+import type { BodyAttributes, CostAttributes } from './attributes';
 import type {
   Core,
   Curvature,
+  Fitted,
   History,
   Inspection,
   MeshAt,
@@ -18,12 +19,13 @@ import type {
   SurfaceDistance,
   TriangleMesh,
   WeldResult,
+  Wishes,
 } from './core';
 import type { ExportedBody } from './document/export';
 import type { Body } from './document/model';
 import { length3 } from './exact_math';
 import { modesAvailable } from './mode_set';
-import { resolveModel, resolveModes } from './options';
+import { isFitted, resolveModel, resolveModes } from './options';
 import type { Settings } from './options';
 import type { InspectedBody } from './report';
 
@@ -40,6 +42,8 @@ export interface PreparedBody {
   quality: Quality;
   /** what its vertices carry besides their place */
   attributes: BodyAttributes;
+  /** what attributes cost in a collapse */
+  costAttributes: CostAttributes;
 }
 
 /** What an optimized mesh is like beside its original. */
@@ -72,6 +76,8 @@ export interface Timings {
   simplify: number;
   /** evaluating the history at the asked count */
   reduce: number;
+  /** to the original's modes */
+  fit: number;
   measure: number;
 }
 
@@ -83,7 +89,9 @@ export interface OptimizedBody {
   curvature: Curvature;
   history: History;
   targetFaces: number;
+  /** the final mesh */
   result: MeshAt;
+  fitted: Fitted;
   measured: Measured;
   timings: Timings;
 }
@@ -106,8 +114,11 @@ export function prepareBody(core: Core, body: Body, settings: Settings, document
     throw new Error(
       `Body "${body.name}" has no usable face, ${weld.degenerateFaces} with a repeated vertex: repair it and export it again.`,
     );
+  const diagonal = diagonalOf(mesh);
   const attributes = document ? attributesOf(document, body, weld) : NO_ATTRIBUTES;
-  return { body, weld, mesh, diagonal: diagonalOf(mesh), inspection, quality, attributes };
+  const costs = document && costAttributesOf(document, body, weld, attributes, diagonal);
+  const costAttributes = costs && costs.dimension <= MOST_COST_DIMENSIONS ? costs : NO_COSTS;
+  return { body, weld, mesh, diagonal, inspection, quality, attributes, costAttributes };
 }
 
 /**
@@ -164,23 +175,86 @@ export function findGuidance(
   return core.strainGuidance(prepared.mesh, modes, { layers, weights, p, threshold });
 }
 
-/** Every collapse down to the floor. Without guidance the strain counts as 0; curvature enters over its maximum. */
+/**
+ * Every collapse down to the end. Without guidance the strain counts as 0; curvature enters over its maximum. `pinned`
+ * vertices keep their outline. The paper's method knows nothing of attributes, as printed; for others seams and borders of
+ * materials stay closed and in place, and attributes cost.
+ */
 export function buildHistory(
   core: Core,
   prepared: PreparedBody,
-  guidance: StrainGuidance | null,
-  curvature: Curvature,
+  guides: { guidance: StrainGuidance | null; curvature: Curvature; pinned?: Uint32Array },
   settings: Settings,
 ): History {
-  const { method, strainWeight, curvatureWeight, qualityWeight } = settings;
-  const strain = guidance?.rank ?? new Float32Array(0);
-  const options = { method, strainWeight, curvatureWeight, qualityWeight };
-  return core.simplify(prepared.mesh, strain, overMaximum(curvature.vertex), options);
+  const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight, minAngle } = settings;
+  const strain = guides.guidance?.rank ?? new Float32Array(0);
+  return core.simplify(prepared.mesh, strain, overMaximum(guides.curvature.vertex), {
+    method,
+    strainWeight,
+    curvatureWeight,
+    qualityWeight,
+    sizeWeight,
+    minAngle,
+    maxDeviation: (settings.maxDeviation / 100) * prepared.diagonal,
+    wishes: wishesOf(prepared, settings, guides.pinned),
+  });
+}
+
+/** What the core takes of them. */
+const MOST_COST_DIMENSIONS = 8;
+const NO_COSTS: CostAttributes = { values: new Float32Array(), dimension: 0 };
+
+function wishesOf(prepared: PreparedBody, { method, borders }: Settings, pinned?: Uint32Array): Wishes {
+  const pinnedSets =
+    pinned && pinned.length > 0 ? Uint32Array.from(maskOf(prepared.mesh, pinned)) : undefined;
+  if (method === 'paper') return { pinnedSets, borders };
+  const { charts } = prepared.attributes;
+  const { values: attributes, dimension: attributeDimension } = prepared.costAttributes;
+  return { ...charts, attributes, attributeDimension, pinnedSets, borders };
+}
+
+/** Per vertex: 1 for those of the list. */
+function maskOf({ positions }: TriangleMesh, vertices: Uint32Array): Uint8Array {
+  const mask = new Uint8Array(positions.length / 3);
+  for (const vertex of vertices) mask[vertex] = 1;
+  return mask;
 }
 
 /** The largest mesh of the history with at most `faces` faces, or the floor. */
 export function reduceTo(core: Core, prepared: PreparedBody, history: History, faces: number): MeshAt {
   return core.meshAt(prepared.mesh, history, Math.max(0, Math.floor(faces)));
+}
+
+/**
+ * The result, fitted to the original's modes where the settings say so; pinned vertices stay. Where the fit would break the
+ * largest deviation or the smallest angle that the settings ask for, the result stays as it is.
+ */
+export function fitResult(
+  core: Core,
+  prepared: PreparedBody,
+  result: MeshAt,
+  { settings, pinned }: { settings: Settings; pinned?: Uint32Array },
+): Fitted {
+  const none = { result, errorBefore: new Float64Array(), errorAfter: new Float64Array() };
+  if (!isFitted(settings)) return none;
+  const { thickness, poisson } = materialOf(prepared, settings);
+  const locked = pinned && pinned.length > 0 ? maskOf(prepared.mesh, pinned) : new Uint8Array();
+  const { charts } = prepared.attributes;
+  const fitted = core.fitModes(prepared.mesh, result, { thickness, poisson, charts, locked });
+  return keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings) ? fitted : none;
+}
+
+/** Whether `after` holds the targets of shape, or at least as well as `before`. */
+function keepsTargets(
+  core: Core,
+  prepared: PreparedBody,
+  [before, after]: [TriangleMesh, TriangleMesh],
+  { maxDeviation, minAngle }: Settings,
+): boolean {
+  const angleOf = (mesh: TriangleMesh) => core.measureQuality(mesh).minAngle;
+  const deviationOf = (mesh: TriangleMesh) => measureDistance(core, prepared, mesh).hausdorff;
+  if (minAngle > 0 && angleOf(after) < Math.min(minAngle, angleOf(before))) return false;
+  return maxDeviation === 0 || deviationOf(after) <= Math.max(maxDeviation, deviationOf(before));
 }
 
 /** Quality, distance and topology of a result, as a reader of the exported file finds it. */
@@ -228,13 +302,16 @@ export function optimizeBody(
   const guidance = modes ? findGuidance(core, prepared, modes, settings) : null;
   const curvature = core.meanCurvature(prepared.mesh);
   const fields = stopwatch();
-  const history = buildHistory(core, prepared, guidance, curvature, settings);
+  const history = buildHistory(core, prepared, { guidance, curvature, pinned }, settings);
   const simplify = stopwatch();
-  const result = reduceTo(core, prepared, history, targetFaces);
+  const reduced = reduceTo(core, prepared, history, targetFaces);
   const reduce = stopwatch();
-  const measured = measureResult(core, prepared, result);
-  const timings = { weld: 0, modes: modesTime, fields, simplify, reduce, measure: stopwatch() };
-  return { prepared, modes, guidance, curvature, history, targetFaces, result, measured, timings };
+  const fitted = fitResult(core, prepared, reduced, { settings, pinned });
+  const fit = stopwatch();
+  const measured = measureResult(core, prepared, fitted.result);
+  const timings = { weld: 0, modes: modesTime, fields, simplify, reduce, fit, measure: stopwatch() };
+  const { result } = fitted;
+  return { prepared, modes, guidance, curvature, history, targetFaces, result, fitted, measured, timings };
 }
 
 /** What `exportGlb` wants to know of a result. Fields go from triangles to vertices as means over the input's faces. */

@@ -9,12 +9,17 @@
 import type {
   Core,
   Fidelity,
+  History,
   Inspection,
   Model,
   ModeName,
   ModeSet,
+  MotionComparison,
+  MotionRun,
   Quality,
   Refused,
+  ScenarioName,
+  SimulationMaterial,
   SurfaceDistance,
   WeldResult,
 } from './core';
@@ -40,8 +45,33 @@ export interface Report {
   solve?: SolveReport;
   surface?: SurfaceDistance;
   fidelity?: Fidelity;
+  simulation?: SimulationReport;
   stop?: StopReport;
   timings: Record<string, number>;
+}
+
+export interface SimulationReport {
+  material: SimulationMaterial;
+  scenario: ScenarioName;
+  substeps: number;
+  original: RunReport;
+  optimized?: RunReport;
+  /** seconds per step of the original over those of the optimized mesh */
+  speedup?: number;
+  /** edges of the original over those of the optimized mesh */
+  edgeRatio?: number;
+  /** of the worst body, in % of its diagonal */
+  deviation?: { mean: number; max: number; noiseFloor: number };
+}
+
+/** What simulating one side has cost, all its bodies together. */
+export interface RunReport {
+  constraints: number;
+  edges: number;
+  /** the shortest step, all work included */
+  secondsPerStep: number;
+  /** secondsPerStep / (substeps x constraints) */
+  nanosecondsPerConstraint: number;
 }
 
 export interface SolveReport {
@@ -99,7 +129,7 @@ export interface ModeReport {
 }
 
 export interface StopReport {
-  reason: 'target' | 'exhausted';
+  reason: 'target' | 'deviation' | 'angle' | 'exhausted';
   /** edges left at the floor of the history, each under its first reason */
   refused: Refused;
 }
@@ -228,21 +258,75 @@ export function worstFidelity(fidelities: Fidelity[]): Fidelity {
   return fidelities.reduce((worst, one) => (one.frequencyErrorMean > worst.frequencyErrorMean ? one : worst));
 }
 
-/** `exhausted` where any body stopped above its target. */
-export function stopReport(bodies: { faces: number; targetFaces: number; refused: Refused }[]): StopReport {
-  const total = (key: keyof Refused) => sum(bodies.map(({ refused }) => refused[key]));
+/** The cost of all bodies together, and the deviation of the worst one. */
+export function simulationReport(
+  motions: MotionComparison[],
+  { material, scenario, substeps }: Pick<SimulationReport, 'material' | 'scenario' | 'substeps'>,
+): SimulationReport {
+  const others = motions.map(({ other }) => other).filter((other) => other !== null);
+  const original = runReport(
+    motions.map((motion) => motion.original),
+    substeps,
+  );
+  const alone = { material, scenario, substeps, original };
+  if (others.length < motions.length) return alone;
+  const optimized = runReport(others, substeps);
+  const worst = motions.reduce((most, one) => (one.deviationMean > most.deviationMean ? one : most));
   return {
-    reason: bodies.every(({ faces, targetFaces }) => faces <= targetFaces) ? 'target' : 'exhausted',
-    refused: { topology: total('topology'), flip: total('flip'), lock: total('lock') },
+    ...alone,
+    optimized,
+    speedup: original.secondsPerStep / optimized.secondsPerStep,
+    edgeRatio: original.edges / optimized.edges,
+    deviation: { mean: worst.deviationMean, max: worst.deviationMax, noiseFloor: worst.noiseFloor },
+  };
+}
+
+function runReport(runs: MotionRun[], substeps: number): RunReport {
+  const [constraints, edges, secondsPerStep] = (['constraints', 'edges', 'secondsPerStep'] as const).map(
+    (key) => sum(runs.map((run) => run[key])),
+  );
+  const nanosecondsPerConstraint = (1e9 * secondsPerStep) / (substeps * constraints);
+  return { constraints, edges, secondsPerStep, nanosecondsPerConstraint };
+}
+
+/** What stopReport wants to know of a body. */
+export interface StoppedBody {
+  faces: number;
+  targetFaces: number;
+  history: Pick<History, 'refused' | 'stop'>;
+}
+
+/** Why the bodies have as many faces as they have: that of the first one that stopped above its target, or `target`. */
+export function stopReport(bodies: StoppedBody[]): StopReport {
+  const total = (key: keyof Refused) => sum(bodies.map(({ history }) => history.refused[key]));
+  return {
+    reason: bodies.find(({ faces, targetFaces }) => faces > targetFaces)?.history.stop ?? 'target',
+    refused: {
+      topology: total('topology'),
+      flip: total('flip'),
+      lock: total('lock'),
+      angle: total('angle'),
+      deviation: total('deviation'),
+    },
   };
 }
 
 /** Why it stopped above the target, in words. */
-export function describeRefused({ topology, flip, lock }: Refused): string {
-  const all = topology + flip + lock;
+export function describeRefused({ topology, flip, lock, angle, deviation }: Refused): string {
+  const all = topology + flip + lock + angle + deviation;
   if (all === 0) return 'no edge is left that could collapse';
   const percent = (count: number) => `${Math.round((100 * count) / all)} %`;
-  return `of the remaining edges ${percent(topology)} would change the topology, ${percent(flip)} flip a face, ${percent(lock)} break a lock`;
+  const reasons: [number, string][] = [
+    [topology, 'change the topology'],
+    [flip, 'flip a face'],
+    [lock, 'break a lock'],
+    [angle, 'make an angle too small'],
+    [deviation, 'go too far from the surface'],
+  ];
+  const found = reasons
+    .filter(([count], i) => count > 0 || i < 3)
+    .map(([count, what]) => `${percent(count)} ${what}`);
+  return `of the remaining edges ${found[0].replace('% ', '% would ')}, ${found.slice(1).join(', ')}`;
 }
 
 function sum(values: number[]): number {

@@ -46,7 +46,7 @@ function compact(positions, indices) {
 
 /** Per vertex PRIORITY where a triangle around it bends much in the first six modes, by our own guidance. */
 function strainPriorities({ engine, core }, { prepared }) {
-  const settings = { ...engine.defaultSettings(), method: 'qem' };
+  const settings = engine.defaultSettings('qem');
   const { rank } = engine.findGuidance(core, prepared, engine.findModes(core, prepared, settings), settings);
   const priorities = new Uint8Array(prepared.mesh.positions.length / 3);
   prepared.mesh.triangles.forEach((vertex, corner) => {

@@ -7,7 +7,7 @@ import { pythonPeers } from './python_peers.mjs';
 /** A method of ours: the engine's whole pipeline with the defaults of the method and `changes`. */
 function ours(loaded, name, changes) {
   const { engine, core } = loaded;
-  const settings = { ...engine.defaultSettings(), ...changes };
+  const settings = { ...engine.defaultSettings(changes.method), ...changes };
   engine.checkSettings(settings);
   const run = ({ prepared }, targetFaces) => {
     const started = performance.now();
@@ -25,7 +25,7 @@ export function ourMethods(loaded, changes = {}) {
   return choices.flatMap((method) => {
     const plain = ours(loaded, method, { ...changes, method });
     if (method !== 'limber' || !knowsFit || 'fit' in changes) return [plain];
-    return [plain, ours(loaded, 'limber without fit', { ...changes, method, fit: false })];
+    return [plain, ours(loaded, 'limber without fit', { ...changes, method, fit: 'off' })];
   });
 }
 

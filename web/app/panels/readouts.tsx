@@ -1,13 +1,13 @@
 /** The numbers under the stage. */
 
-import { results, view } from '../state/store';
+import { results, shownMesh, view } from '../state/store';
 import { count, fixed } from './controls';
 
 export function Readouts() {
   const body = results.body.value;
   if (!body) return null;
   const total = body.mesh.triangles.length / 3;
-  const mesh = results.mesh.value;
+  const mesh = shownMesh.value;
   if (view.step.value !== 'reduce' || !mesh) return <OriginalReadouts />;
   const faces = mesh.mesh.triangles.length / 3;
   const metrics = results.metrics.value;

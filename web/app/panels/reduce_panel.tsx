@@ -2,15 +2,21 @@
 
 import { useRef } from 'preact/hooks';
 import { describeRefused } from '../../engine/report';
+import { methodChange, OPTIONS } from '../../engine/options';
 import type { Settings } from '../../engine/options';
 import { changeSettings, results, view, wantedFaces, wants } from '../state/store';
 import type { Layout } from '../state/store';
-import { Choice, Section, SettingRange, count, fixed } from './controls';
+import { Choice, Section, SettingRange, Toggle, count, fixed } from './controls';
 
 const METHODS: { value: Settings['method']; text: string; title: string }[] = [
   {
-    value: 'paper',
+    value: 'limber',
     text: 'Motion',
+    title: 'Shape, triangle sizes and strain guide the collapses; then the result is fitted to the modes',
+  },
+  {
+    value: 'paper',
+    text: 'Paper',
     title: 'Strain, curvature and triangle shape guide the collapses (Eq. 11 of the paper)',
   },
   { value: 'qem', text: 'Shape only', title: 'Area-weighted quadrics alone' },
@@ -23,7 +29,7 @@ const LAYOUTS: { value: Layout; text: string }[] = [
 ];
 
 export function ReducePanel() {
-  const { method } = wants.settings.value;
+  const { method, fit } = wants.settings.value;
   return (
     <>
       <Section title="Method">
@@ -31,14 +37,22 @@ export function ReducePanel() {
           label="Method"
           options={METHODS}
           value={method}
-          onChange={(value) => changeSettings({ method: value })}
+          onChange={(value) => changeSettings(methodChange(value))}
         />
-        {method === 'paper' && (
+        {method !== 'qem' && (
           <>
             <SettingRange name="strainWeight" />
-            <SettingRange name="curvatureWeight" />
+            {method === 'paper' && <SettingRange name="curvatureWeight" />}
             <SettingRange name="qualityWeight" />
+            {method === 'limber' && <SettingRange name="sizeWeight" />}
           </>
+        )}
+        {method === 'limber' && (
+          <Toggle
+            label={OPTIONS.fit.label}
+            checked={fit === 'on'}
+            onChange={(on) => changeSettings({ fit: on ? 'on' : 'off' })}
+          />
         )}
       </Section>
       <Section title="View">

@@ -4,7 +4,7 @@ import { useSignalEffect } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { MeshAt } from '../../engine/core';
 import { isDark } from '../scheme';
-import { isPicking, results, view } from '../state/store';
+import { isPicking, results, shownMesh, view } from '../state/store';
 import type { Field } from '../viewer/body_geometry';
 import { Stage } from '../viewer/stage';
 import type { PaneName } from '../viewer/stage';
@@ -74,7 +74,7 @@ function showAll(): void {
 
 function shownPanes(): PaneName[] {
   const layout = view.layout.value;
-  if (view.step.value !== 'reduce' || !results.mesh.value) return ['original'];
+  if (view.step.value !== 'reduce' || !shownMesh.value) return ['original'];
   return layout === 'both' ? ['original', 'optimized'] : [layout];
 }
 
@@ -85,7 +85,7 @@ function showOriginal(): void {
 }
 
 function showOptimized(): void {
-  stageHandle.current?.show('optimized', results.mesh.value?.mesh ?? null);
+  stageHandle.current?.show('optimized', shownMesh.value?.mesh ?? null);
 }
 
 function showArrangement(): void {
@@ -113,7 +113,7 @@ function fields(mesh: MeshAt | null): { original: Field | null; optimized: Field
 
 function showFields(): void {
   if (!results.body.value) return;
-  const { original, optimized } = fields(results.mesh.value);
+  const { original, optimized } = fields(shownMesh.value);
   const map = view.field.value === 'curvature' ? 'cividis' : 'viridis';
   stageHandle.current?.colour('original', original, map);
   stageHandle.current?.colour('optimized', optimized, map);
@@ -134,7 +134,7 @@ function blendedShape(): Float32Array | null {
 
 function showShapes(): void {
   const shape = view.step.value === 'model' ? null : blendedShape();
-  const mesh = results.mesh.value;
+  const mesh = shownMesh.value;
   stageHandle.current?.displace('original', shape);
   if (!mesh) return;
   const carried = new Float32Array(3 * mesh.inputOfVertex.length);
@@ -166,7 +166,7 @@ function PaneLabels() {
   if (!body) return null;
   const faces = {
     original: body.mesh.triangles.length / 3,
-    optimized: (results.mesh.value?.mesh.triangles.length ?? 0) / 3,
+    optimized: (shownMesh.value?.mesh.triangles.length ?? 0) / 3,
   };
   return (
     <div class="pane-labels">

@@ -1,6 +1,6 @@
 /** What each stage depends on, as text that is compared: a stage runs again when its key has changed. */
 
-import { resolveModel } from '../../engine/options';
+import { isFitted, resolveModel } from '../../engine/options';
 import type { Settings } from '../../engine/options';
 
 export const prepareKey = ({ weld }: Settings): string => `${weld}`;
@@ -30,7 +30,17 @@ export function guidanceKey(settings: Settings): string {
 }
 
 export function historyKey(settings: Settings): string {
-  const { method, strainWeight, curvatureWeight, qualityWeight } = settings;
-  if (method === 'qem') return `${prepareKey(settings)} qem`;
-  return [guidanceKey(settings), strainWeight, curvatureWeight, qualityWeight].join(' ');
+  const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight } = settings;
+  const { maxDeviation, minAngle, borders } = settings;
+  const common = [pinsKey(settings), method, sizeWeight, maxDeviation, minAngle, borders];
+  if (method === 'qem') return common.join(' ');
+  return [guidanceKey(settings), ...common, strainWeight, curvatureWeight, qualityWeight].join(' ');
+}
+
+/** Of what is shown and exported. */
+export function resultKey(settings: Settings): string {
+  const { fit, thickness, poisson } = settings;
+  return isFitted(settings)
+    ? [historyKey(settings), fit, thickness, poisson].join(' ')
+    : historyKey(settings);
 }

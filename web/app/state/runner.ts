@@ -6,7 +6,7 @@ import type { SourceFile } from '../../engine/document/open';
 import { CANCELLED } from '../worker/protocol';
 import type { PinsResult } from '../worker/protocol';
 import { Client } from './client';
-import { guidanceKey, historyKey, modesKey, pinsKey, prepareKey } from './keys';
+import { guidanceKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from './keys';
 import { shareInProportion } from '../../engine/share';
 import { changeSettings, results, status, view, wantedFaces, wants } from './store';
 
@@ -32,6 +32,12 @@ const where = () => (results.file.value ? `${results.opened.value} ${body()}` : 
 const keyed = (make: () => string) => () => (where() === null ? null : `${where()} ${make()}`);
 const afterBody = (make: () => string) => () => (results.body.value ? keyed(make)() : null);
 const afterHistory = (make: () => string) => () => (results.history.value ? afterBody(make)() : null);
+
+/** Once the slider has rested on a mesh. */
+const atRest = (): string | null =>
+  restedFaces.value === wantedFaces.value && results.mesh.value
+    ? afterHistory(() => `${resultKey(settings())} ${restedFaces.value}`)()
+    : null;
 
 const stages: Stage[] = [
   {
@@ -77,11 +83,14 @@ const stages: Stage[] = [
     result: results.mesh,
   },
   {
+    what: 'Fitting the result to the modes',
+    key: atRest,
+    run: () => client.call((worker) => worker.fit(body(), settings(), restedFaces.value)),
+    result: results.fitted,
+  },
+  {
     what: 'Measuring the result',
-    key: () =>
-      restedFaces.value === wantedFaces.value && results.mesh.value
-        ? afterHistory(() => `${historyKey(settings())} ${restedFaces.value}`)()
-        : null,
+    key: () => (results.fitted.value ? atRest() : null),
     run: () => client.call((worker) => worker.measure(body(), settings(), restedFaces.value)),
     result: results.metrics,
   },
@@ -89,7 +98,7 @@ const stages: Stage[] = [
     what: 'Writing and checking the file',
     key: () =>
       wants.exportOpen.value && restedFaces.value === wantedFaces.value
-        ? afterHistory(() => `${historyKey(settings())} ${bodyTargets()} ${wants.exportFields.value}`)()
+        ? afterHistory(() => `${resultKey(settings())} ${bodyTargets()} ${wants.exportFields.value}`)()
         : null,
     run: () => client.call((worker) => worker.export(settings(), bodyTargets(), wants.exportFields.value)),
     result: results.exported,

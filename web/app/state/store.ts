@@ -4,10 +4,11 @@ import { computed, signal } from '@preact/signals';
 import type { Curvature, MeshAt, Progress, StrainGuidance } from '../../engine/core';
 import { defaultSettings } from '../../engine/options';
 import type { Settings } from '../../engine/options';
-import { modesKey } from './keys';
+import { modesKey, resultKey } from './keys';
 import type {
   BodySummary,
   ExportResult,
+  FitResult,
   HistorySummary,
   ModesResult,
   OpenedFile,
@@ -46,6 +47,7 @@ export const results = {
   curvature: signal<Curvature | null>(null),
   history: signal<HistorySummary | null>(null),
   mesh: signal<MeshAt | null>(null),
+  fitted: signal<FitResult | null>(null),
   metrics: signal<ResultMetrics | null>(null),
   exported: signal<ExportResult | null>(null),
 };
@@ -84,6 +86,14 @@ export function changeSettings(change: Partial<Settings>): void {
 export const areModesStale = computed(
   () => results.modes.value !== null && results.modes.value.key !== modesKey(wants.settings.value),
 );
+
+/** What is shown as optimized: the mesh of the history while the slider moves, the fitted one once that is there. */
+export const shownMesh = computed(() => {
+  const { value: fitted } = results.fitted;
+  return fitted?.key === `${resultKey(wants.settings.value)} ${wantedFaces.value}`
+    ? fitted.result
+    : results.mesh.value;
+});
 
 /** Whether the pick tool is in use. */
 export const isPicking = computed(

@@ -2,6 +2,7 @@
 
 import type {
   Curvature,
+  Fitted,
   Inspection,
   MeshAt,
   ModeSet,
@@ -74,6 +75,11 @@ export interface HistorySummary {
   seconds: number;
 }
 
+export interface FitResult extends Fitted {
+  /** what it was made from: resultKey and the number of faces */
+  key: string;
+}
+
 export interface ResultMetrics {
   minAngle: number;
   meanMinAngle: number;
@@ -103,6 +109,8 @@ export interface WorkerApi {
   curvature(body: number, settings: Settings): Promise<Curvature>;
   history(body: number, settings: Settings): Promise<HistorySummary>;
   meshAt(body: number, settings: Settings, faces: number): Promise<MeshAt>;
+  /** The mesh that is exported: fitted to the modes where the settings say so. */
+  fit(body: number, settings: Settings, faces: number): Promise<FitResult>;
   measure(body: number, settings: Settings, faces: number): Promise<ResultMetrics>;
   export(settings: Settings, faces: number[], fields: boolean): Promise<ExportResult>;
 }

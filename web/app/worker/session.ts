@@ -1,7 +1,7 @@
 /** One opened file and what has been computed for each of its bodies. A stage runs again when its inputs have changed. */
 
 import type { Primitive } from '@gltf-transform/core';
-import type { Core, Curvature, History, MeshAt, ModeSet, StrainGuidance } from '../../engine/core';
+import type { Core, Curvature, Fitted, History, MeshAt, ModeSet, StrainGuidance } from '../../engine/core';
 import type { OpenModel } from '../../engine/document/open';
 import type { Settings } from '../../engine/options';
 import { findPins } from '../../engine/pins';
@@ -9,12 +9,13 @@ import {
   buildHistory,
   findGuidance,
   findModes,
+  fitResult,
   measureResult,
   prepareBody,
   reduceTo,
 } from '../../engine/pipeline';
 import type { Measured, PreparedBody } from '../../engine/pipeline';
-import { guidanceKey, historyKey, modesKey, pinsKey, prepareKey } from '../state/keys';
+import { guidanceKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from '../state/keys';
 
 const isScalar = (primitive: Primitive, name: string): boolean =>
   primitive.getAttribute(name)?.getType() === 'SCALAR';
@@ -41,6 +42,7 @@ export class BodyStages {
   private readonly curvatureStage = new Stage<Curvature>();
   private readonly historyStage = new Stage<{ history: History; seconds: number }>();
   private readonly resultStage = new Stage<MeshAt>();
+  private readonly fittedStage = new Stage<Fitted>();
   private readonly measuredStage = new Stage<Measured>();
 
   constructor(
@@ -97,7 +99,8 @@ export class BodyStages {
       const guidance = settings.method === 'qem' ? null : this.guidance(settings);
       const curvature = this.curvature(settings);
       const start = performance.now();
-      const history = buildHistory(this.core, prepared, guidance, curvature, settings);
+      const guides = { guidance, curvature, pinned: this.pinned(settings) };
+      const history = buildHistory(this.core, prepared, guides, settings);
       return { history, seconds: (performance.now() - start) / 1000 };
     });
   }
@@ -108,9 +111,19 @@ export class BodyStages {
     );
   }
 
+  /** The result as it is exported. */
+  fitted(settings: Settings, faces: number): Fitted {
+    return this.fittedStage.get(`${resultKey(settings)} ${faces}`, () =>
+      fitResult(this.core, this.prepared(settings), this.result(settings, faces), {
+        settings,
+        pinned: this.pinned(settings),
+      }),
+    );
+  }
+
   measured(settings: Settings, faces: number): Measured {
-    return this.measuredStage.get(`${historyKey(settings)} ${faces}`, () =>
-      measureResult(this.core, this.prepared(settings), this.result(settings, faces)),
+    return this.measuredStage.get(`${resultKey(settings)} ${faces}`, () =>
+      measureResult(this.core, this.prepared(settings), this.fitted(settings, faces).result),
     );
   }
 

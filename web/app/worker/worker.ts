@@ -13,7 +13,7 @@ import type { Settings } from '../../engine/options';
 import { exportedBody, startStopwatch } from '../../engine/pipeline';
 import type { Report } from '../../engine/report';
 import { meshReport, modesReport, startReport, stopReport, worstSurface } from '../../engine/report';
-import { modesKey } from '../state/keys';
+import { modesKey, resultKey } from '../state/keys';
 import { CANCELLED } from './protocol';
 import type { WorkerApi } from './protocol';
 import { BodyStages } from './session';
@@ -45,7 +45,7 @@ function reportOf(settings: Settings, faces: number[], seconds: number): Report 
     guiding: stages.guidingModes(settings),
     history: stages.history(settings),
     targetFaces: faces[i],
-    faces: stages.result(settings, faces[i]).mesh.triangles.length / 3,
+    faces: stages.fitted(settings, faces[i]).result.mesh.triangles.length / 3,
   }));
   const total = faces.reduce((sum, count) => sum + count, 0);
   const report = startReport(
@@ -58,7 +58,7 @@ function reportOf(settings: Settings, faces: number[], seconds: number): Report 
   const sets = results.flatMap(({ guiding }) => (guiding ? [guiding] : []));
   if (sets.length > 0) Object.assign(report, modesReport(sets));
   report.surface = worstSurface(results.map(({ measured }) => measured.distance));
-  report.stop = stopReport(results.map((result) => ({ ...result, refused: result.history.history.refused })));
+  report.stop = stopReport(results.map((result) => ({ ...result, history: result.history.history })));
   report.timings = {
     simplify: results.reduce((sum, { history }) => sum + history.seconds, 0),
     export: seconds,
@@ -124,6 +124,8 @@ const api: WorkerApi = {
       return { faces: triangleCount, floorFaces: trianglesAfter.at(-1) ?? triangleCount, refused, seconds };
     }),
   meshAt: (body, settings, faces) => speak(() => stagesOf(body).result(settings, faces)),
+  fit: (body, settings, faces) =>
+    speak(() => ({ ...stagesOf(body).fitted(settings, faces), key: `${resultKey(settings)} ${faces}` })),
   measure: (body, settings, faces) =>
     speak(() => {
       const { quality, distance, certificate, inspection } = stagesOf(body).measured(settings, faces);
@@ -145,7 +147,7 @@ const api: WorkerApi = {
         exportedBody(
           core,
           stages.prepared(settings),
-          stages.result(settings, faces[i]),
+          stages.fitted(settings, faces[i]).result,
           fields
             ? {
                 guidance: settings.method === 'qem' ? null : stages.guidance(settings),
@@ -158,7 +160,7 @@ const api: WorkerApi = {
       const validation = await validateGlb(bytes);
       const report = reportOf(settings, faces, stopwatch());
       const count = bodies.reduce(
-        (sum, s, i) => sum + s.result(settings, faces[i]).mesh.triangles.length / 3,
+        (sum, s, i) => sum + s.fitted(settings, faces[i]).result.mesh.triangles.length / 3,
         0,
       );
       return transfer({ bytes, validation, report, faces: count }, [bytes.buffer]);

@@ -1,0 +1,166 @@
+#include "pipeline/modal_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/parallel.h"
+#include "measure/quality.h"
+#include "measure/surface_distance.h"
+#include "mesh/inspect.h"
+#include "pipeline/fidelity.h"
+#include "shapes.h"
+#include "simplify/simplify.h"
+
+namespace limber {
+namespace {
+
+// A sphere with bumps: curved everywhere, without symmetry.
+TriangleMesh bumpy() {
+  TriangleMesh mesh = shapes::sphere(3);
+  for (Vec3& p : mesh.positions)
+    p *= 1 + 0.15 * std::sin(3 * p.x + 0.4) * std::cos(4 * p.y) + 0.1 * std::sin(5 * p.z + p.x);
+  for (Vec3& p : mesh.positions)
+    p = {static_cast<float>(1.3 * p.x), static_cast<float>(p.y), static_cast<float>(0.8 * p.z)};
+  return mesh;
+}
+
+TriangleMesh wavySheet() {
+  TriangleMesh mesh = shapes::grid(18, 14, 1, 0.8);
+  for (Vec3& p : mesh.positions) p.z = static_cast<float>(0.06 * std::sin(5 * p.x) * std::cos(4 * p.y));
+  return mesh;
+}
+
+MeshAt simplified(const TriangleMesh& mesh, double ratio) {
+  Job job;
+  SimplifyOptions options;
+  options.method = Method::Limber;
+  options.sizeWeight = 0.01;
+  options.qualityWeight = 0.1;
+  return meshAt(mesh, simplify(mesh, {}, options, job), static_cast<uint32_t>(ratio * mesh.triangleCount()));
+}
+
+double thicknessOf(const TriangleMesh& mesh) {
+  return 0.02 * bounds(mesh).diagonal();
+}
+
+ModalFitResult fitted(const TriangleMesh& mesh, const MeshAt& start, std::span<const uint8_t> locked = {},
+                      Charts charts = {}) {
+  Job job;
+  ModalFitOptions options;
+  options.thickness = thicknessOf(mesh);
+  options.charts = charts;
+  options.locked = locked;
+  return fitModes(mesh, start, options, job);
+}
+
+double frequencyError(const TriangleMesh& original, const TriangleMesh& other) {
+  Job job;
+  return compareFidelity(original, other, {6, thicknessOf(original), 1e6, 0.3, 1000, 1}, job)
+      .frequencyErrorMean;
+}
+
+TEST(ModalFit, bringsTheFrequenciesOfAClosedAndAnOpenMeshToThoseOfTheOriginal) {
+  for (const TriangleMesh& mesh : {bumpy(), wavySheet()}) {
+    const MeshAt start = simplified(mesh, 0.3);
+    const ModalFitResult fit = fitted(mesh, start);
+    EXPECT_LT(fit.errorAfter.at(0), fit.errorBefore.at(0));
+    // Judged from outside, by another solve and other matching.
+    EXPECT_LT(frequencyError(mesh, fit.result.mesh), 0.8 * frequencyError(mesh, start.mesh));
+  }
+}
+
+TEST(ModalFit, keepsFacesTopologyAndTheDistanceWithinItsBudget) {
+  Job job;
+  for (const TriangleMesh& mesh : {wavySheet()}) {
+    const MeshAt start = simplified(mesh, 0.3);
+    const TriangleMesh after = fitted(mesh, start).result.mesh;
+    EXPECT_EQ(after.triangleCount(), start.mesh.triangleCount());
+    const Inspection was = inspect(start.mesh), is = inspect(after);
+    EXPECT_EQ(is.components, was.components);
+    EXPECT_EQ(is.boundaryLoops, was.boundaryLoops);
+    EXPECT_EQ(is.genus, was.genus);
+    EXPECT_EQ(is.nonManifoldEdges, 0u);
+    const double limit = 1e-3 * bounds(mesh).diagonal();
+    const double before = measureSurfaceDistance(mesh, start.mesh, {}, job).mean;
+    EXPECT_LT(measureSurfaceDistance(mesh, after, {}, job).mean, 2 * std::max(before, limit));
+    EXPECT_GT(measureQuality(after).minAngle, 0.6 * measureQuality(start.mesh).minAngle);
+  }
+}
+
+TEST(ModalFit, turnsNoFaceOver) {
+  const TriangleMesh mesh = wavySheet();
+  const TriangleMesh after = fitted(mesh, simplified(mesh, 0.3)).result.mesh;
+  for (uint32_t t = 0; t < after.triangleCount(); ++t) EXPECT_GT(areaNormal(after, t).z, 0);
+}
+
+TEST(ModalFit, leavesLockedVerticesAndBordersInPlace) {
+  const TriangleMesh mesh = wavySheet();
+  const MeshAt start = simplified(mesh, 0.3);
+  std::vector<uint8_t> locked(mesh.vertexCount(), 0);
+  for (uint32_t v = 0; v < mesh.vertexCount(); v += 7) locked[v] = 1;
+  const TriangleMesh after = fitted(mesh, start, locked).result.mesh;
+  for (uint32_t v = 0; v < mesh.vertexCount(); v += 7) {
+    const uint32_t there = start.vertexOfInput[v];
+    EXPECT_EQ(after.positions[there], start.mesh.positions[there]);
+  }
+  const Bounds was = bounds(start.mesh), is = bounds(after);
+  EXPECT_NEAR(is.low.x, was.low.x, 2e-3);
+  EXPECT_NEAR(is.high.x, was.high.x, 2e-3);
+  EXPECT_NEAR(is.low.y, was.low.y, 2e-3);
+  EXPECT_NEAR(is.high.y, was.high.y, 2e-3);
+}
+
+TEST(ModalFit, flipsNoEdgeOfASeamAndTellsWhereCornersComeFrom) {
+  const TriangleMesh mesh = wavySheet();
+  // Two materials, left and right.
+  std::vector<uint32_t> groups;
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    groups.push_back(mesh.corner(t, 0).x + mesh.corner(t, 1).x + mesh.corner(t, 2).x > 1.5);
+  Job job;
+  SimplifyOptions options;
+  options.method = Method::Limber;
+  options.sizeWeight = 0.01;
+  options.qualityWeight = 0.1;
+  options.wishes.groups = groups;
+  const MeshAt start = meshAt(mesh, simplify(mesh, {}, options, job), 130);
+  const MeshAt after = fitted(mesh, start, {}, {{}, groups}).result;
+  for (uint32_t t = 0; t < after.mesh.triangleCount(); ++t)
+    for (uint32_t c = 0; c < 3; ++c) {
+      const uint32_t before = after.flips.corners[3 * t + c];
+      EXPECT_EQ(after.flips.triangles[before / 3][before % 3], after.mesh.triangles[t][c]);
+      EXPECT_EQ(groups[after.inputOfTriangle[before / 3]], groups[after.inputOfTriangle[t]]);
+    }
+  double left = 0, right = 1;
+  for (uint32_t t = 0; t < after.mesh.triangleCount(); ++t)
+    for (int c = 0; c < 3; ++c)
+      (groups[after.inputOfTriangle[t]] ? right : left) = groups[after.inputOfTriangle[t]]
+                                                              ? std::min(right, after.mesh.corner(t, c).x)
+                                                              : std::max(left, after.mesh.corner(t, c).x);
+  EXPECT_NEAR(left, 0.5, 5e-3);
+  EXPECT_NEAR(right, 0.5, 5e-3);
+}
+
+TEST(ModalFit, doesNothingToAWholeMesh) {
+  const TriangleMesh mesh = wavySheet();
+  const MeshAt whole = simplified(mesh, 1);
+  const ModalFitResult fit = fitted(mesh, whole);
+  EXPECT_EQ(fit.result.mesh.positions, mesh.positions);
+  EXPECT_EQ(fit.result.mesh.triangles, mesh.triangles);
+}
+
+TEST(ModalFit, isTheSameOnAnyNumberOfThreads) {
+  const TriangleMesh mesh = wavySheet();
+  const MeshAt start = simplified(mesh, 0.2);
+  std::vector<std::vector<Vec3>> found;
+  for (int threads : {1, 2, 4}) {
+    setThreadCount(threads);
+    found.push_back(fitted(mesh, start).result.mesh.positions);
+  }
+  setThreadCount(1);
+  EXPECT_EQ(found[1], found[0]);
+  EXPECT_EQ(found[2], found[0]);
+}
+
+}  // namespace
+}  // namespace limber

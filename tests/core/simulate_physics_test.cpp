@@ -1,0 +1,395 @@
+// Physics that any elastic body obeys, against the simulation.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "base/parallel.h"
+#include "shapes.h"
+#include "simulate/scenario.h"
+#include "simulate/simulation.h"
+
+namespace limber {
+namespace {
+
+const Vec3 kGravity = {0, -9.81, 0};
+
+SimulationOptions rubber(double thickness, int substeps, Material material = Material::Shell) {
+  SimulationOptions options;
+  options.material = material;
+  options.young = 1e6;
+  options.poisson = 0.3;
+  options.density = 1000;
+  options.thickness = thickness;
+  options.substeps = substeps;
+  return options;
+}
+
+void run(Simulation& simulation, int steps) {
+  const Job job;
+  for (int i = 0; i < steps; ++i) simulation.step(job);
+}
+
+// A third of the triangles' mass at each vertex, as the simulation has it.
+std::vector<double> massesOf(const TriangleMesh& mesh, double arealDensity) {
+  std::vector<double> masses(mesh.vertexCount(), 0.0);
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    for (const uint32_t v : mesh.triangles[t]) masses[v] += arealDensity * triangleArea(mesh, t) / 3;
+  return masses;
+}
+
+struct Momentum {
+  Vec3 linear, angular;
+};
+Momentum momentumOf(const Simulation& body, const std::vector<double>& masses) {
+  Momentum sum;
+  for (uint32_t v = 0; v < body.vertexCount(); ++v) {
+    const Vec3 p = body.velocity(v) * masses[v];
+    sum.linear += p;
+    sum.angular += cross(body.position(v), p);
+  }
+  return sum;
+}
+
+// A strong deformation at no particular place.
+std::vector<Vec3> struck(const TriangleMesh& mesh, double speed) {
+  std::vector<Vec3> velocities;
+  for (const Vec3& p : mesh.positions)
+    velocities.push_back(Vec3{std::sin(3 * p.y + p.z), std::cos(2 * p.x), std::sin(4 * p.x - p.y)} * speed);
+  return velocities;
+}
+
+TEST(SimulatedPhysics, aFreeBodyKeepsItsMomentumAndAngularMomentum) {
+  for (const TriangleMesh& mesh : {shapes::torus(12, 8), shapes::grid(6, 4), shapes::box(2, 2, 4, 0.25)})
+    for (const Material material : {Material::Springs, Material::Shell}) {
+      Simulation body(mesh, rubber(0.02, 20, material));
+      body.setVelocities(struck(mesh, 2));
+      const auto masses = massesOf(mesh, 20);
+      const Momentum before = momentumOf(body, masses);
+      run(body, 60);
+      const Momentum after = momentumOf(body, masses);
+      EXPECT_TRUE(body.isFinite());
+      const double scale = body.mass() * 2 * bounds(mesh).diagonal();
+      EXPECT_LT(length(after.linear - before.linear) / scale, 1e-4);
+      EXPECT_LT(length(after.angular - before.angular) / scale, 2e-3);
+    }
+}
+
+TEST(SimulatedPhysics, energyNeverGrowsWithoutForces) {
+  for (const Material material : {Material::Springs, Material::Shell}) {
+    const TriangleMesh mesh = shapes::torus(12, 8);
+    Simulation body(mesh, rubber(0.02, 100, material));
+    body.setVelocities(struck(mesh, 1));
+    const double start = body.kineticEnergy();
+    for (int i = 0; i < 60; ++i) {
+      run(body, 1);
+      EXPECT_LT(body.kineticEnergy() + body.elasticEnergy(), 1.01 * start);
+    }
+  }
+}
+
+TEST(SimulatedPhysics, aBodyStruckHardReturnsToItsShape) {
+  const TriangleMesh mesh = shapes::box(2, 2, 4, 0.25);
+  SimulationOptions options = rubber(0.05, 50);
+  options.damping = 6;
+  Simulation body(mesh, options);
+  body.setVelocities(struck(mesh, 3));
+  run(body, 240);
+  EXPECT_LT(body.elasticEnergy(), 1e-6 * body.mass());
+  for (uint32_t v = 1; v < body.vertexCount(); ++v)
+    EXPECT_NEAR(length(body.position(v) - body.position(0)), length(mesh.positions[v] - mesh.positions[0]),
+                1e-3);
+}
+
+TEST(SimulatedPhysics, needlesDoNotTearABodyApart) {
+  TriangleMesh mesh = shapes::torus(16, 8);
+  for (uint32_t v = 0; v < mesh.vertexCount(); v += 3) {  // onto a neighbour, but for a thousandth of the way
+    Vec3& p = mesh.positions[v];
+    p += (mesh.positions[v + 1] - p) * 0.999;
+  }
+  for (const Material material : {Material::Springs, Material::Shell}) {
+    Simulation body(mesh, rubber(0.05, 20, material));
+    body.setVelocities(struck(mesh, 2));
+    const double start = body.kineticEnergy();
+    run(body, 60);
+    ASSERT_TRUE(body.isFinite());
+    EXPECT_LT(body.kineticEnergy(), start);
+  }
+}
+
+TEST(SimulatedPhysics, aCantileverSagsAsBeamTheorySays) {
+  // Length 1, width 0.25, thickness 0.2: stiff enough that the tip sinks by 3 % of the length.
+  TriangleMesh flat = shapes::grid(13, 3, 1 + 1.0 / 12, 0.25);
+  for (Vec3& p : flat.positions) p = {p.x, 0, p.y};
+  Pins pins;
+  for (uint32_t v = 0; v < flat.vertexCount(); ++v)
+    if (flat.positions[v].x < 1.0 / 12 + 1e-9) pins.vertices.push_back(v);
+  SimulationOptions options = rubber(0.2, 800);
+  options.young = 1.2e7;
+  options.poisson = 0;
+  options.damping = 8;
+  Simulation body(flat, options, pins);
+  body.setGravity(kGravity);
+  run(body, 150);
+  const double load = 1000 * 0.2 * 9.81, rigidity = 1.2e7 * std::pow(0.2, 3) / 12;
+  const double expected = load / (8 * rigidity);
+  double sag = 0;
+  for (uint32_t v = 0; v < flat.vertexCount(); ++v)
+    if (flat.positions[v].x > 1.08) sag = std::max(sag, -body.position(v).y);
+  EXPECT_NEAR(sag / expected, 1, 0.05);
+}
+
+TEST(SimulatedPhysics, aStiffPlateHungByAnEdgeSwingsAsAPendulum) {
+  const TriangleMesh plate = shapes::grid(4, 8, 0.5, 1);
+  Pins pins;
+  for (uint32_t v = 0; v < plate.vertexCount(); ++v)
+    if (plate.positions[v].y == 1) pins.vertices.push_back(v);
+  SimulationOptions options = rubber(0.05, 100);
+  options.young = 1e7;
+  options.poisson = 0;
+  Simulation body(plate, options, pins);
+  body.setGravity(kGravity);
+  std::vector<Vec3> push;
+  for (const Vec3& p : plate.positions) push.push_back({0, 0, 0.1 * (1 - p.y)});
+  body.setVelocities(push);
+  // Lumped masses of the rows; the hinge row does not move.
+  double moment = 0, inertia = 0;
+  const auto masses = massesOf(plate, 50);
+  for (uint32_t v = 0; v < plate.vertexCount(); ++v) {
+    const double arm = 1 - plate.positions[v].y;
+    moment += masses[v] * arm;
+    inertia += masses[v] * arm * arm;
+  }
+  const double period = 2 * std::acos(-1.0) * std::sqrt(inertia / (moment * 9.81));
+  std::vector<double> crossings;
+  double before = 0;
+  for (int i = 1; i < 240 && crossings.size() < 3; ++i) {
+    run(body, 1);
+    const double now = body.position(0).z;
+    if (before * now < 0) crossings.push_back(i - now / (now - before));
+    before = now;
+  }
+  ASSERT_EQ(crossings.size(), 3u);
+  EXPECT_NEAR((crossings[2] - crossings[0]) / 60 / period, 1, 0.01);
+}
+
+TEST(SimulatedPhysics, moreSubstepsConverge) {
+  const TriangleMesh mesh = shapes::grid(6, 6);
+  const auto tip = [&](int substeps) {
+    Simulation body(mesh, rubber(0.03, substeps), {{0, 1, 2, 3, 4, 5, 6}, {}});
+    body.setGravity(kGravity);
+    run(body, 20);
+    return body.position(mesh.vertexCount() - 1);
+  };
+  const Vec3 exact = tip(3200);
+  const double coarse = length(tip(100) - exact), fine = length(tip(400) - exact);
+  EXPECT_LT(fine, 0.5 * coarse);
+}
+
+TEST(SimulatedPhysics, anotherOrderOfTheConstraintsChangesTheMotionByLittle) {
+  const TriangleMesh mesh = shapes::grid(8, 8);
+  SimulationOptions options = rubber(0.03, 50);
+  const Pins pins = {{0, 8}, {}};
+  Simulation one(mesh, options, pins);
+  options.order = 5;
+  Simulation other(mesh, options, pins);
+  for (Simulation* body : {&one, &other}) {
+    body->setGravity(kGravity);
+    run(*body, 30);
+  }
+  double largest = 0;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    largest = std::max(largest, length(one.position(v) - other.position(v)));
+  EXPECT_GT(largest, 0);
+  EXPECT_LT(largest, 0.02);
+}
+
+TEST(SimulatedPhysics, theNumberOfThreadsChangesNoBit) {
+  const TriangleMesh mesh = shapes::box(32, 32, 96, 1.0 / 32);  // large enough for threads
+  for (const Material material : {Material::Springs, Material::Shell}) {
+    std::vector<std::vector<Vec3>> runs;
+    for (const int threads : {1, 3}) {
+      setThreadCount(threads);
+      Simulation body(mesh, rubber(0.02, 3, material), {{0, 1, 2}, {}});
+      body.setGravity(kGravity);
+      run(body, 2);
+      runs.push_back(body.positions());
+    }
+    setThreadCount(1);
+    EXPECT_TRUE(runs[0] == runs[1]);
+  }
+}
+
+TEST(SimulatedPhysics, aBallDroppedOnTheGroundComesToRestOnIt) {
+  const TriangleMesh mesh = shapes::sphere(2, 0.2);
+  SimulationOptions options = rubber(0.02, 50);
+  options.damping = 2;
+  Simulation body(mesh, options);
+  body.setGravity(kGravity);
+  body.setGround(-0.5);
+  run(body, 240);
+  double lowest = 1, middle = 0;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    lowest = std::min(lowest, body.position(v).y);
+    middle += body.position(v).y / mesh.vertexCount();
+  }
+  EXPECT_NEAR(lowest, -0.5, 1e-4);
+  EXPECT_GT(middle, -0.4);
+  EXPECT_LT(body.kineticEnergy(), 0.02);  // it may still roll, by centimetres a second
+}
+
+TEST(SimulatedPhysics, frictionStopsASlidingPlateAfterCoulombsDistance) {
+  for (const double friction : {0.0, 0.5}) {
+    TriangleMesh plate = shapes::grid(4, 4);
+    for (Vec3& p : plate.positions) p = {p.x, 0, -p.y};
+    SimulationOptions options = rubber(0.05, 20);
+    options.friction = friction;
+    Simulation body(plate, options);
+    body.setGravity(kGravity);
+    body.setGround(0);
+    body.setVelocities(std::vector<Vec3>(plate.positions.size(), Vec3{2, 0, 0}));
+    run(body, 60);
+    // v^2 / (2 mu g), or v t.
+    const double expected = friction > 0 ? 4 / (2 * friction * 9.81) : 2;
+    EXPECT_NEAR((body.position(0).x - plate.positions[0].x) / expected, 1, 0.05);
+  }
+}
+
+TEST(SimulatedPhysics, clothLiesOnBallsAndCapsulesAndNotInThem) {
+  TriangleMesh cloth = shapes::grid(16, 16);
+  for (Vec3& p : cloth.positions) p = {p.x - 0.5, 0.31, 0.5 - p.y};
+  for (const Collider& collider :
+       {Collider{{0, 0, 0}, {0, 0, 0}, 0.3}, Collider{{-1, 0, 0}, {1, 0, 0}, 0.3}}) {
+    SimulationOptions options = rubber(0.01, 30);
+    options.damping = 1;
+    Simulation body(cloth, options);
+    body.setGravity(kGravity);
+    body.setColliders(std::vector<Collider>{collider});
+    run(body, 60);
+    double lowest = 1;
+    for (uint32_t v = 0; v < cloth.vertexCount(); ++v) {
+      const Vec3 p = body.position(v), radial = collider.to.x > 0 ? Vec3{0, p.y, p.z} : p;
+      EXPECT_GT(length(radial), 0.3 - 1e-4);
+      lowest = std::min(lowest, p.y);
+    }
+    EXPECT_LT(lowest, 0.1);
+    EXPECT_GT(body.position(8 * 17 + 8).y, 0.29);
+  }
+}
+
+TEST(SimulatedPhysics, aClosedBodyKeepsItsVolume) {
+  const TriangleMesh mesh = shapes::sphere(2, 0.5);
+  const auto volume = [&](bool keeps) {
+    SimulationOptions options = rubber(0.005, 50);
+    options.keepsVolume = keeps;
+    options.damping = 2;
+    Simulation body(mesh, options);
+    body.setGravity(kGravity);
+    body.setGround(-0.5);
+    run(body, 60);
+    double six = 0;
+    for (const Triangle& t : mesh.triangles)
+      six += dot(body.position(t[0]), cross(body.position(t[1]), body.position(t[2])));
+    return six / 6;
+  };
+  double rest = 0;
+  for (const Triangle& t : mesh.triangles)
+    rest += dot(mesh.positions[t[0]], cross(mesh.positions[t[1]], mesh.positions[t[2]])) / 6;
+  EXPECT_NEAR(volume(true) / rest, 1, 0.01);
+  EXPECT_LT(volume(false) / rest, 0.98);
+}
+
+TEST(SimulatedPhysics, windCarriesASheetAndLeavesTheLeeOfABallAlone) {
+  Simulation sheet(shapes::grid(4, 4), rubber(0.001, 20));
+  sheet.setWind({0, 0, 5});
+  run(sheet, 60);
+  EXPECT_GT(sheet.position(12).z, 0.5);
+  EXPECT_LT(sheet.velocity(12).z, 5);
+  Simulation along(shapes::grid(4, 4), rubber(0.001, 20));
+  along.setWind({5, 0, 0});
+  run(along, 60);
+  EXPECT_NEAR(along.position(12).x, 0.5, 1e-3);
+}
+
+TEST(SimulatedPhysics, pinsGoWhereTheyAreToldAndAnchorsToo) {
+  const TriangleMesh mesh = shapes::grid(6, 6);
+  Pins pins = {{0, 6}, {{70, {0.25, 0.25, 0.5}}}};
+  Simulation body(mesh, rubber(0.02, 20), pins);
+  std::vector<Vec3> targets = {body.position(0), body.position(6), body.position(pins.points[0])};
+  for (int i = 0; i < 30; ++i) {
+    for (Vec3& target : targets) target += Vec3{0.01, 0, 0.02};
+    body.setPinTargets(targets);
+    run(body, 1);
+  }
+  EXPECT_LT(length(body.position(0) - targets[0]), 1e-9);
+  EXPECT_LT(length(body.position(pins.points[0]) - targets[2]), 1e-4);
+  EXPECT_THROW(body.setPinTargets(std::vector<Vec3>(2)), std::invalid_argument);
+}
+
+TEST(SimulatedPhysics, aDraggedPointReachesItsTargetAndIsLetGo) {
+  const TriangleMesh mesh = shapes::grid(6, 6);
+  const SurfaceAnchor anchor = {30, {0.2, 0.3, 0.5}};
+  SimulationOptions options = rubber(0.02, 20);
+  options.damping = 2;
+  Simulation body(mesh, options);
+  const Vec3 target = body.position(anchor) + Vec3{0.3, 0.2, 0.5};
+  for (int i = 0; i < 60; ++i) {
+    body.drag(anchor, target);
+    run(body, 1);
+  }
+  EXPECT_LT(length(body.position(anchor) - target), 1e-3);
+  body.release();
+  body.setGravity(kGravity);
+  run(body, 30);
+  EXPECT_GT(length(body.position(anchor) - target), 0.3);
+}
+
+TEST(SimulatedPhysics, aTwistedBarFollowsItsEnds) {
+  const TriangleMesh bar = shapes::box(4, 4, 12, 0.25);
+  const Scenario twist = {ScenarioKind::Twist, bounds(bar), 1};
+  const Pins pins = {defaultPins(bar, twist), {}};
+  ASSERT_EQ(pins.count(), 50u);
+  Simulation body(bar, rubber(0.05, 50), pins);
+  startScenario(twist, bar.positions, body);
+  std::vector<Vec3> rest;
+  for (const uint32_t v : pins.vertices) rest.push_back(bar.positions[v]);
+  const Job job;
+  for (int i = 0; i < 60; ++i) {
+    prepareStep(twist, i * Simulation::kStep, rest, body);
+    body.step(job);
+  }
+  EXPECT_TRUE(body.isFinite());
+  for (size_t i = 0; i < rest.size(); ++i)
+    EXPECT_LT(length(body.position(pins.vertices[i]) - pinTarget(twist, rest[i], 1)), 1e-9);
+  // 45 degrees: the first corner of the top goes half its edge's length sideways times 2 sin(22.5).
+  const Vec3 corner = {1, 1, 3}, turned = pinTarget(twist, corner, 1);
+  EXPECT_NEAR(length(turned - corner), std::sqrt(0.5) * 2 * std::sin(std::acos(-1.0) / 8), 1e-12);
+}
+
+TEST(SimulatedPhysics, everyScenarioRunsOnABarAndOnASheet) {
+  for (const TriangleMesh& mesh : {shapes::box(2, 2, 6, 0.5), shapes::grid(8, 6)})
+    for (const Material material : {Material::Springs, Material::Shell})
+      for (int kind = 0; kind < 6; ++kind) {
+        const Scenario scenario = {static_cast<ScenarioKind>(kind), bounds(mesh), 1};
+        const Pins pins = {defaultPins(mesh, scenario), {}};
+        std::vector<Vec3> rest;
+        for (const uint32_t v : pins.vertices) rest.push_back(mesh.positions[v]);
+        Simulation body(mesh, rubber(0.02 * bounds(mesh).diagonal(), 20, material), pins);
+        startScenario(scenario, mesh.positions, body);
+        const Job job;
+        for (int i = 0; i < 60; ++i) {
+          prepareStep(scenario, i * Simulation::kStep, rest, body);
+          body.step(job);
+        }
+        EXPECT_TRUE(body.isFinite());
+        double moved = 0;
+        for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+          moved = std::max(moved, length(body.position(v) - mesh.positions[v]));
+        EXPECT_GT(moved, 1e-3) << "scenario " << kind;
+        EXPECT_LT(moved, 3 * bounds(mesh).diagonal()) << "scenario " << kind;
+      }
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,107 @@
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { Core, ScenarioName, SimulationOptions, TriangleMesh } from '../../web/engine/core';
+import { defaultSettings } from '../../web/engine/options';
+import { prepareBody } from '../../web/engine/pipeline';
+import { simulationReport } from '../../web/engine/report';
+import { SCENARIOS, Simulation, simulationOptions, STEP_SECONDS } from '../../web/engine/simulation';
+import { bodyOf } from './support/bodies';
+import { loadTestCore } from './support/core';
+import { failureOf } from './support/files';
+import { box, grid } from './support/shapes';
+
+let core: Core;
+let single: Core;
+beforeAll(async () => {
+  core = await loadTestCore(2);
+  single = await loadTestCore(1);
+});
+
+const settings = { ...defaultSettings(), substeps: 10 };
+const sheet = grid(12, 12);
+const coarse = grid(6, 6);
+const optionsFor = (mesh: TriangleMesh, scenario: ScenarioName): SimulationOptions =>
+  simulationOptions(prepareBody(core, bodyOf(mesh), settings), { ...settings, scenario }, null);
+
+function run(body: Simulation, steps: number): void {
+  for (let i = 0; i < steps; i++) body.step();
+}
+
+describe('a running simulation', () => {
+  it('starts in the shape of the mesh and moves with every step', () => {
+    const simulation = new Simulation(core, sheet, coarse, optionsFor(sheet, 'hang'));
+    expect(simulation.positions(0)).toEqual(sheet.positions);
+    expect(simulation.positions(1)).toEqual(coarse.positions);
+    run(simulation, 6);
+    expect(simulation.time).toBeCloseTo(6 * STEP_SECONDS, 12);
+    expect(simulation.positions(0)).not.toEqual(sheet.positions);
+    simulation.end();
+  });
+
+  it.each(SCENARIOS)('gives the same bits with one thread and with two: %s', (scenario) => {
+    const mesh = box(2, 2, 6);
+    const all = [core, single].map((one) => {
+      const simulation = new Simulation(one, mesh, null, optionsFor(mesh, scenario));
+      run(simulation, 10);
+      const positions = simulation.positions(0);
+      simulation.end();
+      return positions;
+    });
+    expect(all[0].every(Number.isFinite)).toBe(true);
+    expect(all[0]).toEqual(all[1]);
+  });
+
+  it('follows a hand and is let go', () => {
+    const simulation = new Simulation(core, sheet, null, optionsFor(sheet, 'sway'));
+    const corner = sheet.triangles.indexOf(sheet.positions.length / 3 - 1);
+    const barycentric = [0, 1, 2].map((c) => Number(c === corner % 3)) as [number, number, number];
+    const last = () => Array.from(simulation.positions(0).slice(-3));
+    const target = last().map((value) => value + 0.3) as [number, number, number];
+    simulation.drag(0, { triangle: Math.floor(corner / 3), barycentric }, target);
+    run(simulation, 60);
+    last().forEach((value, c) => expect(value).toBeCloseTo(target[c], 3));
+    simulation.release(0);
+    run(simulation, 10);
+    expect(last().some((value, c) => Math.abs(value - target[c]) > 0.01)).toBe(true);
+    simulation.end();
+  });
+
+  it('is gone once it has ended', async () => {
+    const simulation = new Simulation(core, sheet, null, optionsFor(sheet, 'drop'));
+    simulation.end();
+    expect(await failureOf(() => simulation.step())).toBe('The simulation has ended: start it again.');
+  });
+
+  it('refuses what it cannot do with a sentence', async () => {
+    const options = { ...optionsFor(sheet, 'twist'), substeps: 0 };
+    expect(await failureOf(() => new Simulation(core, sheet, null, options))).toBe(
+      'A step has 1 to 100,000 substeps.',
+    );
+    const pinned = Uint32Array.of(99999);
+    expect(
+      await failureOf(() => new Simulation(core, sheet, null, { ...options, substeps: 5, pinned })),
+    ).toBe('A pin names a vertex that the mesh does not have.');
+  });
+});
+
+describe('two motions compared', () => {
+  it('a body does not part from itself', () => {
+    const options = { ...optionsFor(sheet, 'sway'), seconds: 0.2, records: false };
+    const motion = core.compareMotion(sheet, sheet, options);
+    expect([motion.deviationMean, motion.deviationMax]).toEqual([0, 0]);
+    expect(motion.noiseFloor).toBeGreaterThan(0);
+    expect(motion.original.positions).toHaveLength(0);
+  });
+
+  it('gives the report its keys', () => {
+    const options = { ...optionsFor(sheet, 'twist'), seconds: 0.2, records: true };
+    const motion = core.compareMotion(sheet, coarse, options);
+    expect(motion.original.positions).toHaveLength(12 * sheet.positions.length);
+    const report = simulationReport([motion], options);
+    expect(report.original.edges).toBe(12 * 12 * 3 + 24);
+    expect(report.original.constraints).toBe(2 * 288);
+    expect(report.edgeRatio).toBeCloseTo(456 / 120, 12);
+    expect(report.speedup).toBeGreaterThan(1);
+    expect(report.original.nanosecondsPerConstraint).toBeGreaterThan(0);
+    expect(report.deviation!.mean).toBeLessThan(report.deviation!.max);
+  });
+});

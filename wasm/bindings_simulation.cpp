@@ -1,0 +1,157 @@
+// Running simulations, the one thing that lives between calls: JavaScript has numbers for them, and ends
+// them.
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "binding_tools.h"
+#include "pipeline/compare_motion.h"
+#include "pipeline/running_scenario.h"
+
+namespace limber {
+namespace {
+
+// In the order of the enums.
+const std::vector<std::string> materialNames = {"springs", "shell"};
+const std::vector<std::string> scenarioNames = {"twist", "sway", "hang", "drop", "pull", "wind"};
+
+template <class Enum>
+Enum named(const std::vector<std::string>& names, const val& name) {
+  const auto found = std::find(names.begin(), names.end(), name.as<std::string>());
+  if (found == names.end())
+    throw std::invalid_argument("There is no \"" + name.as<std::string>() + "\" to simulate.");
+  return static_cast<Enum>(found - names.begin());
+}
+
+Vec3 vec3Of(const val& in) {
+  return {in[0].as<double>(), in[1].as<double>(), in[2].as<double>()};
+}
+
+SimulationOptions simulationOptionsOf(const val& in) {
+  SimulationOptions options;
+  options.material = named<Material>(materialNames, in["material"]);
+  options.young = in["young"].as<double>();
+  options.poisson = in["poisson"].as<double>();
+  options.density = in["density"].as<double>();
+  options.thickness = in["thickness"].as<double>();
+  options.unit = in["unit"].as<double>();
+  options.substeps = in["substeps"].as<int>();
+  options.damping = in["damping"].as<double>();
+  return options;
+}
+
+Scenario scenarioOf(const TriangleMesh& original, const val& in) {
+  return {named<ScenarioKind>(scenarioNames, in["scenario"]), bounds(original), in["seconds"].as<double>(),
+          in["unit"].as<double>()};
+}
+
+// Vertices of the original: those asked for, or, where `pinned` is null, the scenario's own.
+std::vector<uint32_t> pinnedOf(const TriangleMesh& original, const Scenario& scenario, const val& in) {
+  if (in["pinned"].isNull()) return defaultPins(original, scenario);
+  const auto pinned = vectorOf<uint32_t>(in["pinned"]);
+  for (const uint32_t v : pinned)
+    if (v >= original.vertexCount())
+      throw std::invalid_argument("A pin names a vertex that the mesh does not have.");
+  return pinned;
+}
+
+val jsRun(const MotionRun& run) {
+  val out = val::object();
+  out.set("constraints", run.constraints);
+  out.set("edges", run.edges);
+  out.set("secondsPerStep", run.secondsPerStep);
+  out.set("positions", typedArray(run.positions));
+  return out;
+}
+
+val jsCompareMotion(const val& originalIn, const val& otherIn, const val& in) {
+  const TriangleMesh original = meshOf(originalIn);
+  MotionOptions options;
+  options.simulation = simulationOptionsOf(in);
+  options.scenario = scenarioOf(original, in);
+  options.pinned = pinnedOf(original, options.scenario, in);
+  options.records = in["records"].as<bool>();
+  TriangleMesh other;
+  if (!otherIn.isNull()) other = meshOf(otherIn);
+  const MotionComparison comparison =
+      compareMotion(original, otherIn.isNull() ? nullptr : &other, options, theJob);
+  val out = val::object();
+  out.set("original", jsRun(comparison.original));
+  out.set("other", comparison.other ? jsRun(*comparison.other) : val::null());
+  out.set("deviationMean", comparison.deviationMean);
+  out.set("deviationMax", comparison.deviationMax);
+  out.set("noiseFloor", comparison.noiseFloor);
+  return out;
+}
+
+// ---- running ones ----
+
+std::map<uint32_t, std::unique_ptr<RunningScenario>> running;
+uint32_t lastNumber = 0;
+
+RunningScenario& runningOf(uint32_t number) {
+  const auto found = running.find(number);
+  if (found == running.end()) throw std::invalid_argument("The simulation has ended: start it again.");
+  return *found->second;
+}
+
+// `mesh` is the original itself or a body that its pins are carried over to.
+val jsStartSimulation(const val& meshIn, const val& originalIn, const val& in) {
+  const TriangleMesh mesh = meshOf(meshIn), original = meshOf(originalIn);
+  const Scenario scenario = scenarioOf(original, in);
+  const auto pinned = pinnedOf(original, scenario, in);
+  auto body = std::make_unique<RunningScenario>(mesh, simulationOptionsOf(in), scenario,
+                                                carryPins(original, pinned, mesh));
+  running[++lastNumber] = std::move(body);
+  return val(lastNumber);
+}
+
+val jsStepSimulations(const val& numbers) {
+  std::vector<RunningScenario*> bodies;
+  for (const uint32_t number : vectorOf<uint32_t>(numbers)) bodies.push_back(&runningOf(number));
+  stepTogether(bodies, theJob);
+  return val::null();
+}
+
+val jsSimulationPositions(uint32_t number) {
+  const Simulation& simulation = runningOf(number).simulation();
+  std::vector<float> flat;
+  flat.reserve(3 * size_t{simulation.vertexCount()});
+  for (uint32_t v = 0; v < simulation.vertexCount(); ++v) {
+    const Vec3 p = simulation.position(v);
+    for (int c = 0; c < 3; ++c) flat.push_back(static_cast<float>(p[c]));
+  }
+  return typedArray(flat);
+}
+
+val jsDragSimulation(uint32_t number, const val& point, const val& target) {
+  const Vec3 share = vec3Of(point["barycentric"]);
+  runningOf(number).simulation().drag({point["triangle"].as<uint32_t>(), {share.x, share.y, share.z}},
+                                      vec3Of(target));
+  return val::null();
+}
+
+val jsReleaseSimulation(uint32_t number) {
+  runningOf(number).simulation().release();
+  return val::null();
+}
+
+val jsEndSimulation(uint32_t number) {
+  running.erase(number);
+  return val::null();
+}
+
+}  // namespace
+}  // namespace limber
+
+EMSCRIPTEN_BINDINGS(limber_simulation) {
+  using namespace limber;
+  emscripten::function("compareMotion", &Guarded<&jsCompareMotion>::call);
+  emscripten::function("startSimulation", &Guarded<&jsStartSimulation>::call);
+  emscripten::function("stepSimulations", &Guarded<&jsStepSimulations>::call);
+  emscripten::function("simulationPositions", &Guarded<&jsSimulationPositions>::call);
+  emscripten::function("dragSimulation", &Guarded<&jsDragSimulation>::call);
+  emscripten::function("releaseSimulation", &Guarded<&jsReleaseSimulation>::call);
+  emscripten::function("endSimulation", &Guarded<&jsEndSimulation>::call);
+}

@@ -1,0 +1,106 @@
+#include "pipeline/delaunay_flips.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "mesh/topology.h"
+
+namespace limber {
+
+namespace {
+
+constexpr int kMostPasses = 12;
+constexpr double kFlat = 0.97;     // cosine between the normals of two triangles, before and after
+constexpr double kClearly = 1e-3;  // by how much the sine of the sum of both angles must be negative
+
+// cot(a) + cot(b) < 0, scaled: a and b the angles opposite to the edge.
+bool isDelaunay(const Vec3& start, const Vec3& end, const Vec3& left, const Vec3& right) {
+  const Vec3 p = start - left, q = end - left, r = start - right, s = end - right;
+  const double sineOfSum = length(cross(p, q)) * dot(r, s) + dot(p, q) * length(cross(r, s));
+  return sineOfSum >= -kClearly * length(p) * length(q) * length(r) * length(s);
+}
+
+class Flipping {
+ public:
+  Flipping(TriangleMesh& mesh, const std::vector<std::array<uint32_t, 2>>& fixed,
+           std::vector<uint32_t>& corners)
+      : mesh_(mesh), fixed_(fixed), corners_(corners) {}
+
+  uint32_t pass() {
+    topology_ = buildTopology(mesh_);
+    triangleChanged_.assign(mesh_.triangleCount(), 0);
+    vertexChanged_.assign(mesh_.vertexCount(), 0);
+    uint32_t flips = 0;
+    for (const Topology::Edge& edge : topology_.edges) flips += tryFlip(edge);
+    return flips;
+  }
+
+ private:
+  bool tryFlip(const Topology::Edge& edge);
+  bool exists(uint32_t a, uint32_t b) const;
+
+  TriangleMesh& mesh_;
+  const std::vector<std::array<uint32_t, 2>>& fixed_;
+  std::vector<uint32_t>& corners_;
+  Topology topology_;
+  std::vector<uint8_t> triangleChanged_, vertexChanged_;  // in this pass
+};
+
+bool Flipping::exists(uint32_t a, uint32_t b) const {
+  return std::ranges::any_of(topology_.trianglesAround(a),
+                             [&](uint32_t t) { return std::ranges::count(mesh_.triangles[t], b) > 0; });
+}
+
+bool Flipping::tryFlip(const Topology::Edge& edge) {
+  if (edge.useCount != 2 || std::ranges::binary_search(fixed_, std::array{edge.a, edge.b})) return false;
+  const auto uses = topology_.trianglesAt(edge);
+  if (triangleChanged_[uses[0]] || triangleChanged_[uses[1]]) return false;
+  Triangle &first = mesh_.triangles[uses[0]], &second = mesh_.triangles[uses[1]];
+  const auto corner = [&](const Triangle& t) {
+    return static_cast<size_t>(
+        std::ranges::find_if(t, [&](uint32_t v) { return v != edge.a && v != edge.b; }) - t.begin());
+  };
+  const size_t c = corner(first), d = corner(second);
+  if (c == 3 || d == 3) return false;
+  // The first triangle runs left, start, end; the second must run the edge the other way.
+  const uint32_t left = first[c], start = first[(c + 1) % 3], end = first[(c + 2) % 3], right = second[d];
+  if (second[(d + 1) % 3] != end || left == right || vertexChanged_[left] || vertexChanged_[right])
+    return false;
+  const auto& at = mesh_.positions;
+  if (isDelaunay(at[start], at[end], at[left], at[right]) || exists(left, right)) return false;
+  const auto normal = [&](uint32_t a, uint32_t b, uint32_t e) {
+    return normalized(cross(at[b] - at[a], at[e] - at[a]));
+  };
+  const Vec3 before[2] = {normal(left, start, end), normal(right, end, start)};
+  const Vec3 after[2] = {normal(left, start, right), normal(left, right, end)};
+  for (const Vec3& m : before)
+    for (const Vec3& n : after)
+      if (dot(m, n) < kFlat) return false;
+  first = {left, start, right};
+  second = {left, right, end};
+  uint32_t *const of = &corners_[3 * size_t{uses[0]}], *const other = &corners_[3 * size_t{uses[1]}];
+  const uint32_t l = of[c], s = of[(c + 1) % 3], e = of[(c + 2) % 3], r = other[d];
+  std::tie(of[0], of[1], of[2]) = std::tuple(l, s, r);
+  std::tie(other[0], other[1], other[2]) = std::tuple(l, r, e);
+  triangleChanged_[uses[0]] = triangleChanged_[uses[1]] = 1;
+  // Another new edge at one of these could be the same one.
+  vertexChanged_[left] = vertexChanged_[right] = 1;
+  return true;
+}
+
+}  // namespace
+
+uint32_t flipToDelaunay(TriangleMesh& mesh, const std::vector<std::array<uint32_t, 2>>& fixed,
+                        std::vector<uint32_t>& corners) {
+  Flipping flipping(mesh, fixed, corners);
+  uint32_t total = 0;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const uint32_t flips = flipping.pass();
+    total += flips;
+    if (flips == 0) break;
+  }
+  return total;
+}
+
+}  // namespace limber

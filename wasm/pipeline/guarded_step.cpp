@@ -1,0 +1,76 @@
+#include "pipeline/guarded_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limber {
+
+namespace {
+
+constexpr double kStep = 0.2;         // of the shortest edge around a vertex
+constexpr double kTurned = 0.6;       // cosine between a face's normal and the one it started with
+constexpr double kThinner = 0.8;      // a face may lose this much of its quality ...
+constexpr double kGoodQuality = 0.5;  // ... or more, down to this
+constexpr int kHalvings = 5, kMostRounds = 50;
+
+// 4 sqrt(3) area / sum of squared edges (Eq. 9): 1 for an equilateral triangle.
+double qualityOf(const TriangleMesh& mesh, uint32_t t) {
+  double squares = 0;
+  for (int c = 0; c < 3; ++c) squares += squaredLength(mesh.corner(t, (c + 1) % 3) - mesh.corner(t, c));
+  return squares > 0 ? 4 * std::sqrt(3.0) * triangleArea(mesh, t) / squares : 0;
+}
+
+std::vector<double> shortestEdges(const TriangleMesh& mesh, const Topology& topology) {
+  std::vector<double> shortest(mesh.vertexCount(), HUGE_VAL);
+  for (const Topology::Edge& edge : topology.edges) {
+    const double size = length(mesh.positions[edge.a] - mesh.positions[edge.b]);
+    for (uint32_t v : {edge.a, edge.b}) shortest[v] = std::min(shortest[v], size);
+  }
+  return shortest;
+}
+
+}  // namespace
+
+GuardedStep::GuardedStep(const TriangleMesh& start, const Topology& topology) : topology_(topology) {
+  for (uint32_t t = 0; t < start.triangleCount(); ++t) {
+    normal_.push_back(normalized(areaNormal(start, t)));
+    quality_.push_back(std::min(kThinner * qualityOf(start, t), kGoodQuality));
+  }
+}
+
+bool GuardedStep::isSound(const TriangleMesh& mesh, uint32_t t) const {
+  if (squaredLength(normal_[t]) == 0) return true;
+  return dot(normalized(areaNormal(mesh, t)), normal_[t]) >= kTurned && qualityOf(mesh, t) >= quality_[t];
+}
+
+TriangleMesh GuardedStep::apply(const TriangleMesh& mesh, const Eigen::VectorXd& step) const {
+  const uint32_t n = mesh.vertexCount();
+  const std::vector<double> shortest = shortestEdges(mesh, topology_);
+  std::vector<Vec3> way(n);
+  for (uint32_t v = 0; v < n; ++v) {
+    const auto row = 3 * static_cast<Eigen::Index>(v);
+    way[v] = {step[row], step[row + 1], step[row + 2]};
+    const double size = length(way[v]), most = kStep * shortest[v];
+    if (!isFinite(way[v]))
+      way[v] = {};
+    else if (size > most)
+      way[v] *= most / size;
+  }
+  TriangleMesh moved = mesh;
+  for (int halving = 0; halving <= kMostRounds; ++halving) {
+    for (uint32_t v = 0; v < n; ++v) moved.positions[v] = mesh.positions[v] + way[v];
+    std::vector<uint8_t> isBad(n, 0);
+    bool all = true;
+    for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+      if (isSound(moved, t)) continue;
+      all = false;
+      for (uint32_t v : mesh.triangles[t]) isBad[v] = 1;
+    }
+    if (all) return moved;
+    for (uint32_t v = 0; v < n; ++v)
+      if (isBad[v]) way[v] *= halving < kHalvings ? 0.5 : 0;
+  }
+  return mesh;
+}
+
+}  // namespace limber

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/job.h"
+#include "mesh/triangle_mesh.h"
+#include "pipeline/corner_sources.h"
+#include "simplify/history.h"
+
+namespace limber {
+
+struct ModalFitOptions {
+  double thickness = 0;  // of the shell, in units of the mesh; fitted at half, once and twice this
+  double poisson = 0.3;
+  int modeCount = 16;
+  Charts charts = {};                    // of the original: seams stay in place
+  std::span<const uint8_t> locked = {};  // per vertex of the original: what it has become stays where it is
+};
+
+// How far the frequencies were off, before and after: root mean square of lambda / lambda_original - 1 over
+// all matched modes and thicknesses, halved (so of frequencies), in %; each component's.
+struct ModalFitResult {
+  MeshAt result;
+  std::vector<double> errorBefore, errorAfter;
+  uint32_t flips = 0;
+};
+
+// Moves the vertices of a simplified mesh, by far less than an edge, so that it vibrates like the original:
+// frequencies of the shell at three thicknesses (Fox and Kapoor 1968 sensitivities, Gauss-Newton), in balance
+// with the distance from the original's surface. Before that, edges are flipped to Delaunay and vertices
+// fitted to the surface. Topology and the number of faces stay; no face turns; borders, seams, creases and
+// locked vertices stay in place. Works on each component. Positions are float32 numbers. Throws Cancelled.
+ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
+                        const ModalFitOptions& options, Job& job);
+
+}  // namespace limber

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/job.h"
+#include "mesh/triangle_mesh.h"
+#include "simulate/scenario.h"
+#include "simulate/simulation.h"
+
+namespace limber {
+
+// Pins of one body carried over to another: each pinned vertex as the point of `other` closest to it, at
+// rest; as a vertex where that point is one. Ascending, each once.
+Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& other);
+
+// A body on its way through a scenario.
+class RunningScenario {
+ public:
+  // Throws std::invalid_argument as Simulation does.
+  RunningScenario(const TriangleMesh& mesh, const SimulationOptions& options, const Scenario& scenario,
+                  const Pins& pins);
+
+  // Throws Cancelled, after which it is of no use, and std::runtime_error with a sentence where the body has
+  // flown apart.
+  void step(const Job& job);
+  // Seconds from the start.
+  double time() const { return static_cast<double>(stepsDone_) * Simulation::kStep; }
+  Simulation& simulation() { return simulation_; }
+  const Simulation& simulation() const { return simulation_; }
+
+ private:
+  Scenario scenario_;
+  Simulation simulation_;
+  std::vector<Vec3> pinRest_;
+  uint64_t stepsDone_ = 0;
+};
+
+// One step of each, on as many threads as there are bodies.
+void stepTogether(std::span<RunningScenario* const> bodies, const Job& job);
+
+}  // namespace limber

@@ -1,0 +1,74 @@
+#include "simulate/colouring.h"
+
+#include <bit>
+#include <numeric>
+#include <random>
+#include <utility>
+
+#include "mesh/triangle_mesh.h"
+
+namespace limber {
+
+namespace {
+
+std::vector<uint32_t> visitingOrder(uint32_t count, uint32_t order) {
+  std::vector<uint32_t> visits(count);
+  std::iota(visits.begin(), visits.end(), 0u);
+  if (order == 0) return visits;
+  std::mt19937 random(order);  // std::shuffle differs between libraries
+  for (uint32_t i = count; i > 1; --i) std::swap(visits[i - 1], visits[random() % i]);
+  return visits;
+}
+
+// The colours that each vertex already has, 64 to a word.
+class UsedColours {
+ public:
+  explicit UsedColours(uint32_t vertexCount) : words_(vertexCount) {}
+
+  uint32_t firstFree(std::span<const uint32_t> vertices) const {
+    for (size_t word = 0;; ++word) {
+      uint64_t used = 0;
+      for (const uint32_t v : vertices)
+        if (v != kNone && word < words_[v].size()) used |= words_[v][word];
+      if (used != UINT64_MAX) return static_cast<uint32_t>(64 * word + std::countr_one(used));
+    }
+  }
+  void use(std::span<const uint32_t> vertices, uint32_t colour) {
+    for (const uint32_t v : vertices) {
+      if (v == kNone) continue;
+      if (words_[v].size() <= colour / 64) words_[v].resize(colour / 64 + 1, 0);
+      words_[v][colour / 64] |= uint64_t{1} << (colour % 64);
+    }
+  }
+
+ private:
+  std::vector<std::vector<uint64_t>> words_;
+};
+
+}  // namespace
+
+Colouring colour(std::span<const uint32_t> vertices, uint32_t stride, uint32_t vertexCount, uint32_t order) {
+  const auto count = static_cast<uint32_t>(vertices.size() / stride);
+  UsedColours used(vertexCount);
+  std::vector<std::vector<uint32_t>> members;
+  for (const uint32_t i : visitingOrder(count, order)) {
+    const auto own = vertices.subspan(size_t{i} * stride, stride);
+    const uint32_t colour = used.firstFree(own);
+    used.use(own, colour);
+    if (colour >= members.size()) members.resize(colour + 1);
+    members[colour].push_back(i);
+  }
+  Colouring colouring;
+  for (const auto& colour : members) {
+    colouring.colourStart.push_back(static_cast<uint32_t>(colouring.batches.size()));
+    for (size_t first = 0; first < colour.size(); first += 4) {
+      Colouring::Batch batch = {kNone, kNone, kNone, kNone};
+      for (size_t k = 0; k < 4 && first + k < colour.size(); ++k) batch[k] = colour[first + k];
+      colouring.batches.push_back(batch);
+    }
+  }
+  colouring.colourStart.push_back(static_cast<uint32_t>(colouring.batches.size()));
+  return colouring;
+}
+
+}  // namespace limber

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+namespace limber {
+
+// An isotropic elastic sheet, SI units.
+struct Sheet {
+  double young, poisson, thickness, density;
+  double stretching() const { return young * thickness; }  // N/m
+  double bending() const {                                 // N m
+    return young * thickness * thickness * thickness / (12 * (1 - poisson * poisson));
+  }
+};
+
+// What constraints are made with.
+struct ConstraintOptions {
+  Sheet sheet;
+  double substep;  // seconds
+  uint32_t order;  // see `colour`
+};
+
+}  // namespace limber

@@ -1,0 +1,166 @@
+#include "simulate/simulation.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "simulate/simulation_state.h"
+
+namespace limber {
+
+namespace {
+
+void requireOptions(const SimulationOptions& options) {
+  const auto require = [](bool holds, const std::string& sentence) {
+    if (!holds) throw std::invalid_argument(sentence);
+  };
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
+  require(positive(options.young), "Young's modulus must be above 0 Pa.");
+  require(options.poisson > -1 && options.poisson < 0.5, "Poisson's ratio must lie between -1 and 0.5.");
+  require(positive(options.density), "The density must be above 0 kg/m3.");
+  require(positive(options.thickness), "The thickness must be above 0.");
+  require(positive(options.unit), "The unit must be above 0 metres.");
+  require(options.substeps >= 1 && options.substeps <= 100000, "A step has 1 to 100,000 substeps.");
+  require(std::isfinite(options.friction) && options.friction >= 0, "The friction must be at least 0.");
+  require(std::isfinite(options.damping) && options.damping >= 0,
+          "The damping must be at least 0 per second.");
+}
+
+void requirePins(const TriangleMesh& mesh, const Pins& pins) {
+  for (const uint32_t v : pins.vertices)
+    if (v >= mesh.vertexCount())
+      throw std::invalid_argument("Vertex " + std::to_string(v) + " is pinned, but the mesh has " +
+                                  std::to_string(mesh.vertexCount()) + " vertices: pin others.");
+  for (const SurfaceAnchor& point : pins.points)
+    if (point.triangle >= mesh.triangleCount())
+      throw std::invalid_argument("A pin lies in triangle " + std::to_string(point.triangle) +
+                                  ", but the mesh has " + std::to_string(mesh.triangleCount()) +
+                                  " triangles: pin others.");
+}
+
+}  // namespace
+
+Simulation::Simulation(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins) {
+  requireOptions(options);
+  requirePins(mesh, pins);
+  state_ = std::make_unique<State>(mesh, options, pins);
+  state_->obstacles.friction = options.friction;
+}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+void Simulation::step(const Job& job) {
+  state_->step(job);
+}
+
+uint32_t Simulation::vertexCount() const {
+  return state_->particles.count();
+}
+
+Vec3 Simulation::position(uint32_t v) const {
+  return state_->particles.positions[v] / state_->options.unit;
+}
+
+std::vector<Vec3> Simulation::positions() const {
+  std::vector<Vec3> positions(vertexCount());
+  for (uint32_t v = 0; v < vertexCount(); ++v) positions[v] = position(v);
+  return positions;
+}
+
+Vec3 Simulation::position(const SurfaceAnchor& anchor) const {
+  Vec3 sum;
+  for (int c = 0; c < 3; ++c)
+    sum += position(state_->mesh.triangles[anchor.triangle][c]) * anchor.barycentric[c];
+  return sum;
+}
+
+Vec3 Simulation::velocity(uint32_t v) const {
+  return state_->velocity(v);
+}
+
+void Simulation::setPositions(std::span<const Vec3> positions) {
+  Particles& particles = state_->particles;
+  for (uint32_t v = 0; v < vertexCount(); ++v)
+    if (particles.inverseMass[v] > 0) particles.positions[v] = positions[v] * state_->options.unit;
+}
+
+void Simulation::setVelocities(std::span<const Vec3> velocities) {
+  Particles& particles = state_->particles;
+  for (uint32_t v = 0; v < vertexCount(); ++v) {
+    if (particles.inverseMass[v] == 0) continue;
+    particles.motion[v].q = toFloat4(velocities[v] * state_->substep);
+    particles.lost[v].q = Float4{};
+  }
+}
+
+void Simulation::setGravity(const Vec3& gravity) {
+  state_->gravity = gravity;
+}
+
+void Simulation::setWind(const Vec3& wind) {
+  state_->wind = wind;
+}
+
+void Simulation::setGround(double height) {
+  state_->obstacles.ground = height * state_->options.unit;
+}
+
+void Simulation::setColliders(std::span<const Collider> colliders) {
+  const double unit = state_->options.unit;
+  state_->obstacles.colliders.clear();
+  for (const Collider& c : colliders)
+    state_->obstacles.colliders.push_back({c.from * unit, c.to * unit, c.radius * unit});
+}
+
+void Simulation::drag(const SurfaceAnchor& anchor, const Vec3& target) {
+  if (anchor.triangle >= state_->mesh.triangleCount())
+    throw std::invalid_argument("The dragged point lies in a triangle that the mesh does not have.");
+  state_->dragged.clear();
+  state_->dragged.add(state_->mesh, state_->particles, anchor);
+  state_->dragTarget = target * state_->options.unit;
+}
+
+void Simulation::release() {
+  state_->dragged.clear();
+}
+
+void Simulation::setPinTargets(std::span<const Vec3> targets) {
+  if (targets.size() != state_->pins.count())
+    throw std::invalid_argument("There are " + std::to_string(state_->pins.count()) + " pins, but " +
+                                std::to_string(targets.size()) + " targets: give one for each.");
+  for (size_t i = 0; i < targets.size(); ++i) state_->pinTargets[i] = targets[i] * state_->options.unit;
+}
+
+double Simulation::kineticEnergy() const {
+  double sum = 0;
+  for (uint32_t v = 0; v < vertexCount(); ++v) sum += 0.5 * state_->masses[v] * squaredLength(velocity(v));
+  return sum;
+}
+
+double Simulation::elasticEnergy() const {
+  return state_->elasticEnergy();
+}
+
+bool Simulation::isFinite() const {
+  const Particles& particles = state_->particles;
+  for (uint32_t v = 0; v < vertexCount(); ++v)
+    if (!limber::isFinite(particles.positions[v]) || !limber::isFinite(velocity(v))) return false;
+  return !state_->bending || state_->bending->isFinite();
+}
+
+double Simulation::mass() const {
+  double sum = 0;
+  for (const double mass : state_->masses) sum += mass;
+  return sum;
+}
+
+uint32_t Simulation::constraintCount() const {
+  return state_->constraintCount();
+}
+
+uint32_t Simulation::edgeCount() const {
+  return static_cast<uint32_t>(state_->topology.edges.size());
+}
+
+}  // namespace limber

@@ -1,0 +1,83 @@
+/** A running simulation of one or two bodies: the only thing that lives across the boundary to the core. */
+
+import type {
+  Core,
+  ScenarioName,
+  SimulationMaterial,
+  SimulationOptions,
+  SurfacePoint,
+  TriangleMesh,
+} from './core';
+import { materialOf } from './pipeline';
+import type { PreparedBody } from './pipeline';
+import type { Settings } from './options';
+
+/** Seconds of one step, whatever the substeps. */
+export const STEP_SECONDS = 1 / 60;
+
+export const SCENARIOS: readonly ScenarioName[] = ['twist', 'sway', 'hang', 'drop', 'pull', 'wind'];
+export const SIMULATION_MATERIALS: readonly SimulationMaterial[] = ['shell', 'springs'];
+
+/** What the settings ask for, for this body and any that was made from it. `pinned`: null leaves it to the scenario. */
+export function simulationOptions(
+  original: PreparedBody,
+  settings: Settings,
+  pinned: Uint32Array | null,
+): SimulationOptions {
+  const { material, scenario, seconds, substeps, damping } = settings;
+  return { material, scenario, seconds, substeps, damping, pinned, ...materialOf(original, settings) };
+}
+
+/** The original and, where given, its optimized mesh, in the same scenario at the same time. */
+export class Simulation {
+  private readonly numbers: Uint32Array;
+  private stepsDone = 0;
+
+  /** Throws an Error with one sentence where a mesh or an option is of no use. */
+  constructor(
+    private readonly core: Core,
+    original: TriangleMesh,
+    optimized: TriangleMesh | null,
+    options: SimulationOptions,
+  ) {
+    const bodies = optimized ? [original, optimized] : [original];
+    const numbers: number[] = [];
+    try {
+      for (const body of bodies) numbers.push(core.startSimulation(body, original, options));
+    } catch (error) {
+      for (const number of numbers) core.endSimulation(number);
+      throw error;
+    }
+    this.numbers = Uint32Array.from(numbers);
+  }
+
+  /** Seconds since the start. */
+  get time(): number {
+    return this.stepsDone * STEP_SECONDS;
+  }
+
+  /** One step of 1/60 s of all bodies, on a thread each. Throws where one has flown apart. */
+  step(): void {
+    this.core.stepSimulations(this.numbers);
+    this.stepsDone += 1;
+  }
+
+  /** positions[3 * v + c] of body 0, the original, or 1, in units of the mesh; a copy. */
+  positions(body: number): Float32Array {
+    return this.core.simulationPositions(this.numbers[body]);
+  }
+
+  /** Draws a point of one body towards `target`, until it is let go. */
+  drag(body: number, point: SurfacePoint, target: [number, number, number]): void {
+    this.core.dragSimulation(this.numbers[body], point, target);
+  }
+
+  release(body: number): void {
+    this.core.releaseSimulation(this.numbers[body]);
+  }
+
+  /** Frees the memory of the core; the last call. */
+  end(): void {
+    for (const number of this.numbers) this.core.endSimulation(number);
+  }
+}
