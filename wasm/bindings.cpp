@@ -199,7 +199,7 @@ double optionalNumber(const val& number) {
 struct Request {
   TriangleMesh mesh;
   std::vector<float> strain, curvature, keep, attributes;
-  std::vector<uint32_t> wedges, groups, pinnedSets;
+  std::vector<uint32_t> wedges, groups, pinnedSets, mirror;
   std::vector<uint8_t> locked;
   SimplifyOptions options;
 
@@ -227,6 +227,7 @@ struct Request {
     keep = optionalVector<float>(in["keep"]);
     pinnedSets = optionalVector<uint32_t>(in["pinnedSets"]);
     attributes = optionalVector<float>(in["attributes"]);
+    mirror = optionalVector<uint32_t>(in["mirror"]);
     const bool fixed = !in["borders"].isUndefined() && in["borders"].as<std::string>() == "fixed";
     options.wishes = {.wedges = wedges,
                       .groups = groups,
@@ -234,6 +235,7 @@ struct Request {
                       .keep = keep,
                       .pinnedSets = pinnedSets,
                       .attributes = attributes,
+                      .mirror = mirror,
                       .attributeDimension = static_cast<uint32_t>(optionalNumber(in["attributeDimension"])),
                       .creaseAngle = optionalNumber(in["creaseAngle"]),
                       .borders = fixed ? Borders::Fixed : Borders::Free};

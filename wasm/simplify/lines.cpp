@@ -21,7 +21,7 @@ class LineRules {
       : mesh_(mesh), wishes_(wishes), creaseCosine_(std::cos(wishes.creaseAngle * std::numbers::pi / 180)) {}
 
   bool isLine(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
-    return isSeam(edge, s, t) || isCrease(s, t) || isOutline(edge, s, t);
+    return isSeam(edge, s, t) || isCrease(s, t) || isOutline(edge, s, t) || isInMirror(edge);
   }
 
  private:
@@ -46,6 +46,10 @@ class LineRules {
       return p ^ q ^ r ^ edge.a ^ edge.b;
     };
     return (sets[edge.a] & sets[edge.b] & ~(sets[third(s)] & sets[third(t)])) != 0;
+  }
+
+  bool isInMirror(const Topology::Edge& edge) const {
+    return !wishes_.mirror.empty() && wishes_.mirror[edge.a] == edge.a && wishes_.mirror[edge.b] == edge.b;
   }
 
   const TriangleMesh& mesh_;
@@ -110,7 +114,9 @@ Lines findLines(const TriangleMesh& mesh, const Topology& topology, const Wishes
   const auto kinds = classifyVertices(mesh, topology);
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     VertexRole role = roleOf(kinds[v], around[v], wishes.borders == Borders::Fixed);
-    if (!wishes.locked.empty() && wishes.locked[v]) role.freedom = std::max(role.freedom, Freedom::Anchored);
+    const bool held = (!wishes.locked.empty() && wishes.locked[v]) ||
+                      (!wishes.mirror.empty() && wishes.mirror[v] == v && !role.onLine);
+    if (held) role.freedom = std::max(role.freedom, Freedom::Anchored);
     lines.roles.push_back(role);
   }
   const auto clashes = findClashes(mesh, topology);

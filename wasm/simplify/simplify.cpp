@@ -11,6 +11,7 @@
 #include "simplify/deviation_limit.h"
 #include "simplify/edge_heap.h"
 #include "simplify/legality.h"
+#include "simplify/mirror.h"
 
 namespace limber {
 namespace {
@@ -53,6 +54,7 @@ class Simplification {
         stopFaces_(options.stopFaces),
         job_(job) {
     if (options.maxDeviation > 0) deviation_.emplace(input, mesh_, options.maxDeviation);
+    if (!options.wishes.mirror.empty()) mirror_.emplace(input, mesh_, options.wishes.mirror);
     history_.vertexCount = input.vertexCount();
     history_.triangleCount = input.triangleCount();
     for (auto* list : {&history_.kept, &history_.removed, &history_.trianglesAfter})
@@ -81,7 +83,10 @@ class Simplification {
   void tryCheapest();
   bool goesBack(uint32_t edge, double cost, Place place);
   bool queueWhatIsLegal();
+  Collapse planned(uint32_t edge, const Vec3& target) const;
   Verdict judge(const Collapse& step);
+  Verdict judgeAlone(const Collapse& step);
+  void carryOutWithImage(const Collapse& step);
   StopReason stopReason() const;
   void carryOut(const Collapse& step);
   void record(const Collapse& step);
@@ -94,12 +99,12 @@ class Simplification {
   CostModel costs_;
   Legality legality_;
   std::optional<DeviationLimit> deviation_;
+  std::optional<Mirror> mirror_;
   EdgeHeap heap_;
   std::vector<uint8_t> hasRefused_;  // per vertex: an edge of it may have been refused since the last retry
   std::vector<Place> places_;        // per edge
   uint32_t stopFaces_;
   std::vector<uint32_t> edges_, neighbours_;  // scratch
-  std::vector<double> edgeCosts_;
   Job& job_;
   History history_;
 };
@@ -134,9 +139,9 @@ void Simplification::tryCheapest() {
     if (goesBack(edge, costs_.cost(edge, placement), place)) return;
   }
   places_[edge] = Place::None;
-  const Collapse step = mesh_.collapseOf(edge, placement.target);
+  const Collapse step = planned(edge, placement.target);
   if (judge(step) == Verdict::Legal)
-    carryOut(step);
+    carryOutWithImage(step);
   else
     hasRefused_[step.kept] = hasRefused_[step.removed] = 1;
 }
@@ -149,7 +154,23 @@ bool Simplification::goesBack(uint32_t edge, double cost, Place place) {
   return true;
 }
 
+Collapse Simplification::planned(uint32_t edge, const Vec3& target) const {
+  const Collapse step = mesh_.collapseOf(edge, target);
+  return mirror_ && mirror_->isItsOwnImage(step) ? mirror_->onPlane(step) : step;
+}
+
+// With a mirror the image has to be legal too.
 Verdict Simplification::judge(const Collapse& step) {
+  if (mirror_ && !mirror_->isItsOwnImage(step)) {
+    if (!mirror_->isApart(step)) return Verdict::Locked;
+    const Collapse image = mirror_->imageOf(step);
+    if (image.edge == kNone) return Verdict::Locked;
+    if (const Verdict verdict = judgeAlone(image); verdict != Verdict::Legal) return verdict;
+  }
+  return judgeAlone(step);
+}
+
+Verdict Simplification::judgeAlone(const Collapse& step) {
   if (deviation_) job_.check();  // which may take a millisecond a step
   const Verdict verdict = legality_.check(step);
   const bool goesTooFar = verdict == Verdict::Legal && deviation_ && !deviation_->allows(step);
@@ -161,6 +182,16 @@ StopReason Simplification::stopReason() const {
   if (isDone()) return StopReason::Target;
   if (angle + deviation == 0) return StopReason::Exhausted;
   return deviation >= angle ? StopReason::Deviation : StopReason::Angle;
+}
+
+void Simplification::carryOutWithImage(const Collapse& step) {
+  if (!mirror_ || mirror_->isItsOwnImage(step)) return carryOut(step);
+  const Collapse image = mirror_->imageOf(step);
+  carryOut(step);
+  heap_.remove(image.edge);
+  places_[image.edge] = Place::None;
+  if (deviation_) deviation_->allows(image);  // prepares what the collapse hands over
+  carryOut(image);
 }
 
 void Simplification::carryOut(const Collapse& step) {
@@ -233,7 +264,7 @@ bool Simplification::queueWhatIsLegal() {
     if (edge % kEdgesPerRange == 0) job_.check();
     const Verdict forever = legality_.forever(edge);
     const Verdict verdict =
-        forever == Verdict::Legal ? judge(mesh_.collapseOf(edge, costs_.place(edge).target)) : forever;
+        forever == Verdict::Legal ? judge(planned(edge, costs_.place(edge).target)) : forever;
     history_.refused.lock += verdict == Verdict::Locked;
     history_.refused.topology += verdict == Verdict::Topology;
     history_.refused.flip += verdict == Verdict::Flip;

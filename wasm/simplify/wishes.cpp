@@ -41,6 +41,7 @@ void checkWishes(const TriangleMesh& mesh, const Wishes& wishes) {
   checkSize(wishes.locked.size(), mesh.vertexCount(), "locked vertices", "vertices");
   checkSize(wishes.keep.size(), mesh.vertexCount(), "keep weights", "vertices");
   checkSize(wishes.pinnedSets.size(), mesh.vertexCount(), "pinned sets", "vertices");
+  checkSize(wishes.mirror.size(), mesh.vertexCount(), "mirror images", "vertices");
   if (!std::ranges::all_of(wishes.keep, [](float x) { return x >= 0 && x <= 1; }))
     throw std::invalid_argument("The keep weights must lie between 0 and 1.");
   if (!(wishes.creaseAngle >= 0 && wishes.creaseAngle <= 180))

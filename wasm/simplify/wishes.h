@@ -32,6 +32,9 @@ struct Wishes {
   // [wedge * attributeDimension + i], or [v * attributeDimension + i] without wedges: what CostModel adds to
   // the error. Scaled so that a difference of 1 weighs as much as a distance of the bounding diagonal.
   std::span<const float> attributes{};
+  // [v]: the vertex that v is the mirror image of, itself on the plane of symmetry; see Mirror. Edges in the
+  // plane are lines.
+  std::span<const uint32_t> mirror{};
   uint32_t attributeDimension = 0;  // at most kAttributeLimit
   // An edge whose triangles' normals differ by more than this (degrees) is a crease; 0: none is.
   double creaseAngle = 0;

@@ -156,6 +156,8 @@ export interface Wishes {
   attributes?: Float32Array;
   /** 1 to 8 */
   attributeDimension?: number;
+  /** per vertex: its mirror image, itself on the plane of symmetry; both sides then collapse together */
+  mirror?: Uint32Array;
   /** degrees; edges that bend more are creases; 0: none */
   creaseAngle?: number;
   borders?: 'free' | 'fixed';

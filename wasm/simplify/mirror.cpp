@@ -1,0 +1,104 @@
+#include "simplify/mirror.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+namespace limber {
+namespace {
+
+// Of the diagonal: how far a vertex may lie from the image of its partner.
+constexpr double kSymmetry = 1e-4;
+
+[[noreturn]] void refuse() {
+  throw std::invalid_argument(
+      "The mirror is no symmetry of this mesh: give every vertex its image, and itself on the plane.");
+}
+
+// A triangle turned so that its lowest vertex is first.
+Triangle lowestFirst(const Triangle& t) {
+  if (t[0] < t[1] && t[0] < t[2]) return t;
+  return t[1] < t[2] ? Triangle{t[1], t[2], t[0]} : Triangle{t[2], t[0], t[1]};
+}
+
+void checkTriangles(const TriangleMesh& mesh, std::span<const uint32_t> partners) {
+  if (partners.size() != mesh.vertexCount()) refuse();
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    if (partners[v] >= mesh.vertexCount() || partners[partners[v]] != v) refuse();
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh.triangleCount());
+  for (const Triangle& t : mesh.triangles) triangles.push_back(lowestFirst(t));
+  std::ranges::sort(triangles);
+  for (const auto& [a, b, c] : mesh.triangles)
+    if (!std::ranges::binary_search(triangles, lowestFirst({partners[a], partners[c], partners[b]})))
+      refuse();
+}
+
+}  // namespace
+
+Mirror::Mirror(const TriangleMesh& input, const CollapseMesh& mesh, std::span<const uint32_t> partners)
+    : mesh_(mesh), partners_(partners) {
+  checkTriangles(input, partners);
+  fitPlane();
+  checkPositions();
+}
+
+void Mirror::fitPlane() {
+  Vec3 across;
+  double sum = 0, count = 0;
+  for (uint32_t v = 0; v < partners_.size(); ++v) {
+    const Vec3 way = mesh_.position(partners_[v]) - mesh_.position(v);
+    across += dot(across, way) < 0 ? -way : way;
+  }
+  normal_ = normalized(across);
+  for (uint32_t v = 0; v < partners_.size(); ++v) {
+    sum += dot(normal_, mesh_.position(v) + mesh_.position(partners_[v])) / 2;
+    ++count;
+  }
+  if (count > 0) offset_ = sum / count;
+}
+
+void Mirror::checkPositions() const {
+  const double limit = kSymmetry * mesh_.diagonal();
+  for (uint32_t v = 0; v < partners_.size(); ++v)
+    if (!(length(reflected(mesh_.position(v)) - mesh_.position(partners_[v])) <= limit)) refuse();
+}
+
+Collapse Mirror::onPlane(const Collapse& step) const {
+  Collapse moved = step;
+  if (mesh_.fixedEnd(step.edge) == kNone)
+    moved.target = mesh_.stored(step.target - normal_ * (dot(normal_, step.target) - offset_));
+  return moved;
+}
+
+Collapse Mirror::imageOf(const Collapse& step) const {
+  const uint32_t kept = partners_[step.kept], removed = partners_[step.removed];
+  uint32_t edge = kNone;
+  mesh_.forEachEdge(kept, [&](uint32_t e, uint32_t other) {
+    if (other == removed) edge = e;
+  });
+  return {edge, kept, removed, isOnPlane(kept) ? step.target : mesh_.stored(reflected(step.target))};
+}
+
+bool Mirror::areNeighbours(uint32_t a, uint32_t b) const {
+  bool found = false;
+  mesh_.forEachEdge(a, [&](uint32_t, uint32_t other) { found = found || other == b; });
+  return found;
+}
+
+bool Mirror::isApart(const Collapse& step) const {
+  const uint32_t kept = step.kept, removed = step.removed;
+  const uint32_t keptImage = partners_[kept], removedImage = partners_[removed];
+  if (isOnPlane(removed) || removedImage == kept || areNeighbours(removed, removedImage)) return false;
+  if (keptImage != kept)
+    return !areNeighbours(kept, keptImage) && !areNeighbours(kept, removedImage) &&
+           !areNeighbours(removed, keptImage);
+  // Both go to one vertex of the plane: what both are next to must be next to that already.
+  bool apart = true;
+  mesh_.forEachEdge(removed, [&](uint32_t, uint32_t other) {
+    if (other != kept && areNeighbours(removedImage, other) && !areNeighbours(kept, other)) apart = false;
+  });
+  return apart;
+}
+
+}  // namespace limber
