@@ -272,6 +272,13 @@ export interface SimulationOptions {
   unit: number;
 }
 
+export interface ComparisonOptions {
+  /** keep the positions of every step */
+  records: boolean;
+  /** where the original's vertices lie on the other body, which its pins are carried over by; null: by closest points */
+  binding: Pick<Binding, 'triangle' | 'barycentric'> | null;
+}
+
 /** What one body has cost. */
 export interface MotionRun {
   /** solved in a substep */
@@ -360,7 +367,7 @@ export interface Core {
   compareMotion(
     original: TriangleMesh,
     other: TriangleMesh | null,
-    options: SimulationOptions & { records: boolean },
+    options: SimulationOptions & ComparisonOptions,
   ): MotionComparison;
   /** a number for the calls below; `mesh` is the original or a body that its pins are carried over to */
   startSimulation(mesh: TriangleMesh, original: TriangleMesh, options: SimulationOptions): number;
