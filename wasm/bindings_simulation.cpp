@@ -38,6 +38,7 @@ SimulationOptions simulationOptionsOf(const val& in) {
   options.unit = in["unit"].as<double>();
   options.substeps = in["substeps"].as<int>();
   options.damping = in["damping"].as<double>();
+  options.avoidsItself = in["selfCollision"].as<bool>();
   return options;
 }
 

@@ -76,9 +76,17 @@ function recorded(
 }
 
 function optionsAsUsed({ settings, mesh }: Arguments): object {
-  const { scenario, material, seconds, substeps, damping, pins } = settings;
+  const { scenario, material, seconds, substeps, damping, selfCollision, pins } = settings;
   const { young, poisson, density, thickness, unit, weld, threads } = settings;
-  const motion = { scenario, material, seconds, substeps, damping, ...(pins === '' ? {} : { pins }) };
+  const motion = {
+    scenario,
+    material,
+    seconds,
+    substeps,
+    damping,
+    selfCollision,
+    ...(pins === '' ? {} : { pins }),
+  };
   const used = { ...motion, young, poisson, density, thickness, unit, weld, threads };
   return mesh === null ? used : { ...used, mesh };
 }

@@ -259,6 +259,8 @@ export interface SimulationOptions {
   substeps: number;
   /** 1/s: velocities fall by this rate */
   damping: number;
+  /** sheets push each other away */
+  selfCollision: boolean;
   /** vertices of the original; null: what the scenario itself holds */
   pinned: Uint32Array | null;
   /** in units of the mesh */

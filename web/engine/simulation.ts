@@ -27,8 +27,17 @@ export function simulationOptions(
   settings: Settings,
   pinned: Uint32Array | null,
 ): SimulationOptions {
-  const { material, scenario, seconds, substeps, damping } = settings;
-  return { material, scenario, seconds, substeps, damping, pinned, ...materialOf(original, settings) };
+  const { material, scenario, seconds, substeps, damping, selfCollision } = settings;
+  return {
+    material,
+    scenario,
+    seconds,
+    substeps,
+    damping,
+    selfCollision,
+    pinned,
+    ...materialOf(original, settings),
+  };
 }
 
 /**
