@@ -38,6 +38,7 @@ SimulationOptions simulationOptionsOf(const val& in) {
   options.unit = in["unit"].as<double>();
   options.substeps = in["substeps"].as<int>();
   options.damping = in["damping"].as<double>();
+  options.avoidsItself = in["selfCollision"].as<bool>();
   return options;
 }
 
@@ -54,6 +55,22 @@ std::vector<uint32_t> pinnedOf(const TriangleMesh& original, const Scenario& sce
     if (v >= original.vertexCount())
       throw std::invalid_argument("A pin names a vertex that the mesh does not have.");
   return pinned;
+}
+
+// Points of `other`, one per vertex of the original; none where `in` is null.
+std::vector<SurfaceAnchor> bindingOf(const TriangleMesh& original, const TriangleMesh& other, const val& in) {
+  std::vector<SurfaceAnchor> anchors;
+  if (in.isNull()) return anchors;
+  const auto triangles = vectorOf<uint32_t>(in["triangle"]);
+  const auto shares = vectorOf<float>(in["barycentric"]);
+  if (triangles.size() != original.vertexCount() || shares.size() != 3 * triangles.size())
+    throw std::invalid_argument("The binding is not of the original: make it again with --bind.");
+  for (size_t v = 0; v < triangles.size(); ++v) {
+    if (triangles[v] != kNone && triangles[v] >= other.triangleCount())
+      throw std::invalid_argument("The binding is not of the optimized mesh: make it again with --bind.");
+    anchors.push_back({triangles[v], {shares[3 * v], shares[3 * v + 1], shares[3 * v + 2]}});
+  }
+  return anchors;
 }
 
 val jsRun(const MotionRun& run) {
@@ -73,7 +90,10 @@ val jsCompareMotion(const val& originalIn, const val& otherIn, const val& in) {
   options.pinned = pinnedOf(original, options.scenario, in);
   options.records = in["records"].as<bool>();
   TriangleMesh other;
-  if (!otherIn.isNull()) other = meshOf(otherIn);
+  if (!otherIn.isNull()) {
+    other = meshOf(otherIn);
+    options.binding = bindingOf(original, other, in["binding"]);
+  }
   const MotionComparison comparison =
       compareMotion(original, otherIn.isNull() ? nullptr : &other, options, theJob);
   val out = val::object();

@@ -278,6 +278,36 @@ TEST(SimulatedPhysics, clothLiesOnBallsAndCapsulesAndNotInThem) {
   }
 }
 
+// The smallest distance between two vertices that are at least `apart` edges' lengths from each other at
+// rest.
+double closest(const Simulation& body, const TriangleMesh& mesh, double apart) {
+  double least = 1e9;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    for (uint32_t w = 0; w < v; ++w)
+      if (length(mesh.positions[v] - mesh.positions[w]) > apart)
+        least = std::min(least, length(body.position(v) - body.position(w)));
+  return least;
+}
+
+TEST(SimulatedPhysics, aStripThatFoldsOnTheGroundLiesOnItselfWhereItIsTold) {
+  TriangleMesh strip = shapes::grid(4, 40, 0.2, 2);  // upright, a little oblique
+  for (Vec3& p : strip.positions) p = {p.x, p.y, 0.05 * p.y * p.y};
+  for (const bool avoids : {false, true}) {
+    SimulationOptions options = rubber(0.002, 30);
+    options.damping = 1;
+    options.avoidsItself = avoids;
+    Simulation body(strip, options);
+    body.setGravity(kGravity);
+    body.setGround(0);
+    run(body, 90);
+    EXPECT_TRUE(body.isFinite());
+    if (avoids)
+      EXPECT_GT(closest(body, strip, 0.15), 0.04);
+    else
+      EXPECT_LT(closest(body, strip, 0.15), 0.04);
+  }
+}
+
 TEST(SimulatedPhysics, aClosedBodyKeepsItsVolume) {
   const TriangleMesh mesh = shapes::sphere(2, 0.5);
   const auto volume = [&](bool keeps) {

@@ -263,6 +263,20 @@ describe('limber simulate', () => {
     expect(mean).toBeLessThan(max);
   });
 
+  it('records the motion of both as a GLB without errors', async () => {
+    limber(...'optimize torus.obj half.glb --bind half.json --quiet'.split(' '));
+    const words =
+      'simulate torus.obj half.glb --scenario twist --seconds 0.2 --bind half.json --record motion.glb';
+    expect(limber(...words.split(' ')).code).toBe(0);
+    const bytes = readFileSync(path('motion.glb'));
+    expect(await validateGlb(bytes)).toMatchObject({ errors: 0, warnings: 0 });
+    const document = (await readGlb(bytes)).getRoot();
+    expect(document.listMeshes().map((mesh) => mesh.listPrimitives()[0].listTargets().length)).toEqual([
+      12, 12,
+    ]);
+    expect(document.listAnimations()[0].listChannels()).toHaveLength(2);
+  });
+
   it('takes pins in the words of the other commands', () => {
     const { code, stdout } = limber(
       ...'simulate torus.obj torus.obj --pins high:10 --seconds 0.1 --json'.split(' '),
@@ -326,7 +340,8 @@ describe('a wrong command line', () => {
       'simulate torus.obj --scenario fall',
       '--scenario is fall: give one of twist, sway, hang, drop, pull, wind (default: twist).',
     ],
-    ['simulate torus.obj --record out.glb', '--record is not available yet.'],
+    ['simulate torus.obj --bind a.json', '--bind carries pins over to B, which is missing: name both files.'],
+    ['simulate torus.obj torus.obj --bind none.json', 'none.json cannot be read: there is no such file.'],
     ['compare torus.obj two.obj', 'torus.obj has 1 body and two.obj has 2: compare one with --mesh NAME.'],
   ])('limber %s', (words, message) => {
     expect(limber(...words.split(' '))).toEqual({ code: 1, stdout: '', stderr: `limber: ${message}\n` });

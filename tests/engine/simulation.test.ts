@@ -85,7 +85,7 @@ describe('a running simulation', () => {
 
 describe('two motions compared', () => {
   it('a body does not part from itself', () => {
-    const options = { ...optionsFor(sheet, 'sway'), seconds: 0.2, records: false };
+    const options = { ...optionsFor(sheet, 'sway'), seconds: 0.2, records: false, binding: null };
     const motion = core.compareMotion(sheet, sheet, options);
     expect([motion.deviationMean, motion.deviationMax]).toEqual([0, 0]);
     expect(motion.noiseFloor).toBeGreaterThan(0);
@@ -93,7 +93,7 @@ describe('two motions compared', () => {
   });
 
   it('gives the report its keys', () => {
-    const options = { ...optionsFor(sheet, 'twist'), seconds: 0.2, records: true };
+    const options = { ...optionsFor(sheet, 'twist'), seconds: 0.2, records: true, binding: null };
     const motion = core.compareMotion(sheet, coarse, options);
     expect(motion.original.positions).toHaveLength(12 * sheet.positions.length);
     const report = simulationReport([motion], options);

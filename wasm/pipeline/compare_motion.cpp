@@ -118,8 +118,8 @@ MotionComparison compareMotion(const TriangleMesh& original, const TriangleMesh*
   MotionComparison comparison;
   comparison.original = std::move(first.run);
   if (!other) return comparison;
-  Runs::Result second =
-      runs.run({*other, carryPins(original, options.pinned, *other), bind(samples, *other), order, records});
+  Runs::Result second = runs.run({*other, carryPins(original, options.pinned, *other, options.binding),
+                                  bind(samples, *other), order, records});
   const Runs::Result reordered = runs.run({original, pins, points, order + kOtherOrder, false});
   comparison.other = std::move(second.run);
   const double percent = 100 / bounds(original).diagonal();

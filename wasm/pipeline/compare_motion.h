@@ -14,9 +14,10 @@ namespace limber {
 struct MotionOptions {
   SimulationOptions simulation;
   Scenario scenario;
-  std::vector<uint32_t> pinned;  // vertices of the original
-  uint32_t sampleCount = 1000;   // points that are followed
-  bool records = false;          // keep the positions of every step
+  std::vector<uint32_t> pinned;             // vertices of the original
+  std::vector<SurfaceAnchor> binding = {};  // of the original's vertices to `other`, see carryPins
+  uint32_t sampleCount = 1000;              // points that are followed
+  bool records = false;                     // keep the positions of every step
 };
 
 // What one body has cost, and, where asked for, how it has moved.

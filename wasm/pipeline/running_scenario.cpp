@@ -21,17 +21,23 @@ bool comesBefore(const SurfaceAnchor& a, const SurfaceAnchor& b) {
 
 }  // namespace
 
-Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& other) {
+Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& other,
+               std::span<const SurfaceAnchor> binding) {
   Pins pins;
   const ClosestPointTree tree(other);
-  for (const uint32_t v : pinned) {
+  const auto placeOf = [&](uint32_t v) {
+    if (!binding.empty()) return binding[v];
     const SurfacePoint point = tree.closest(original.positions[v]);
+    return SurfaceAnchor{point.triangle, {point.barycentric[0], point.barycentric[1], point.barycentric[2]}};
+  };
+  for (const uint32_t v : pinned) {
+    const SurfaceAnchor point = placeOf(v);
+    if (point.triangle == kNone) continue;
     const double* const share = std::max_element(point.barycentric, point.barycentric + 3);
     if (*share > kAtVertex)
       pins.vertices.push_back(other.triangles[point.triangle][share - point.barycentric]);
     else
-      pins.points.push_back(
-          {point.triangle, {point.barycentric[0], point.barycentric[1], point.barycentric[2]}});
+      pins.points.push_back(point);
   }
   std::sort(pins.vertices.begin(), pins.vertices.end());
   pins.vertices.erase(std::unique(pins.vertices.begin(), pins.vertices.end()), pins.vertices.end());

@@ -37,9 +37,8 @@ std::vector<double> turnWeights(const TriangleMesh& mesh, const Topology& topolo
 
 BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology& topology,
                                        const Particles& particles, const ConstraintOptions& options)
-    : turns_(topology.edges.size() + 1),
-      exactPsi_(topology.edges.size(), 0.0),
-      turnWeight_(turnWeights(mesh, topology, options.sheet.density * options.sheet.thickness)) {
+    : turns_(topology.edges.size() + 1), exactPsi_(topology.edges.size(), 0.0) {
+  turnWeight_ = turnWeights(mesh, topology, options.sheet.density * options.sheet.thickness);
   const auto flaps = flapsOf(mesh, topology);
   // Six vertices and, by the edges' vertices, three turns: two triangles that share a turn share vertices
   // too.

@@ -82,6 +82,7 @@ void Simulation::State::makeParticles() {
 
 void Simulation::State::makeConstraints() {
   const Sheet sheet = {options.young, options.poisson, options.thickness * options.unit, options.density};
+  if (options.avoidsItself) selfContacts.emplace(mesh, options.friction);
   const ConstraintOptions made = {sheet, substep, options.order};
   if (options.material == Material::Springs) {
     edges.emplace(mesh, topology, particles, made);
@@ -135,6 +136,7 @@ void Simulation::State::makeStages() {
                             if (volume) volume->project(particles);
                             heldPoints.project(particles, repeat);
                             dragged.project(particles, repeat);
+                            if (selfContacts) selfContacts->project(particles);
                             contacts.project(particles);
                           }});
 }
@@ -175,6 +177,7 @@ void Simulation::State::step(const Job& job) {
   startPins();
   contacts.rebase(particles, obstacles, kContactReach * bounds(mesh).diagonal(), options.substeps);
   if (volume) volume->rebase(particles);
+  if (selfContacts) selfContacts->rebase(particles, options.substeps);
   runStages(rebasing_, 1, threaded, job);
   if (!runStages(substepping_, options.substeps, threaded, job)) serialSteps_ = kSerialSteps;
   advance(particles, 0, particles.count(), {true, false});

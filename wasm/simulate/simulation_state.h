@@ -11,6 +11,7 @@
 #include "simulate/particles.h"
 #include "simulate/point_constraints.h"
 #include "simulate/schedule.h"
+#include "simulate/self_contacts.h"
 #include "simulate/simulation.h"
 #include "simulate/volume_constraints.h"
 
@@ -40,6 +41,7 @@ struct Simulation::State {
   std::optional<BendingConstraints> bending;
   std::optional<VolumeConstraints> volume;
   Contacts contacts;
+  std::optional<SelfContacts> selfContacts;
   Obstacles obstacles;
   Pins pins;
   PointConstraints heldPoints;

@@ -19,8 +19,10 @@ export interface Arguments {
   ratio: number | null;
   fields: boolean;
   shapes: string | null;
-  /** file for the binding of the original's vertices */
+  /** file for the binding of the original's vertices: optimize writes it, simulate reads it */
   bind: string | null;
+  /** where the simulated motion goes */
+  record: string | null;
   /** null: every body */
   mesh: string | null;
   /** where reports go; '-' is stdout */
@@ -54,6 +56,7 @@ export function parseArguments(words: string[]): Arguments | Question {
     fields: values.has('fields'),
     shapes: values.get('shapes') ?? null,
     bind: values.get('bind') ?? null,
+    record: values.get('record') ?? null,
     mesh: values.get('mesh') ?? null,
     reports: [...new Set([...(report === undefined ? [] : [report]), ...(values.has('json') ? ['-'] : [])])],
     quiet: values.has('quiet'),

@@ -16,6 +16,9 @@ export function readModelFiles(path: string): SourceFile[] {
   return [main, ...companions];
 }
 
+/** Throws UsageError. */
+export const readText = (path: string): string => new TextDecoder().decode(readBytes(path));
+
 function readBytes(path: string): Uint8Array {
   try {
     if (statSync(path).isDirectory()) throw new UsageError(`${path} is a folder: name the model file in it.`);

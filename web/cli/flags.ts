@@ -124,7 +124,21 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
     summary: 'Move A, and B beside it: times, and how far they part.',
     groups: ['simulation', 'material', 'common'],
     settings: ['pins'],
-    flags: COMMON,
+    flags: [
+      {
+        name: 'record',
+        value: 'OUT.glb',
+        help: 'Write the motion as morph targets with an animation, bodies side by side.',
+        group: 'output',
+      },
+      {
+        name: 'bind',
+        value: 'FILE',
+        help: 'Carry pins over to B by this file of limber optimize --bind, not by closest points.',
+        group: 'simulation',
+      },
+      ...COMMON,
+    ],
     defaults: {},
   },
   inspect: {
@@ -137,7 +151,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
 };
 
 /** Flags and values that are planned and not there yet. */
-export const LATER_FLAGS = new Set('max-frequency-error lods symmetry record'.split(' '));
+export const LATER_FLAGS = new Set('max-frequency-error lods symmetry'.split(' '));
 export const LATER_VALUES: Record<string, string[]> = {};
 
 const PLACEHOLDERS: Partial<Record<keyof Settings, string>> = {

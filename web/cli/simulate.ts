@@ -1,24 +1,31 @@
 /** limber simulate A [B]: A is the original. */
 
 import { basename } from 'node:path';
+import { readBinding } from '../engine/binding_file';
 import type { MotionComparison } from '../engine/core';
+import { recordingGlb } from '../engine/document/recording';
+import type { RecordedBody } from '../engine/document/recording';
 import { startStopwatch } from '../engine/pipeline';
 import type { PreparedBody } from '../engine/pipeline';
 import { findPins } from '../engine/pins';
 import { meshReport, simulationReport, startReport } from '../engine/report';
 import type { Report, RunReport, SimulationReport } from '../engine/report';
-import { simulationOptions } from '../engine/simulation';
+import { bindingBetween, simulationOptions, STEP_SECONDS } from '../engine/simulation';
 import type { Arguments } from './arguments';
 import { checkPairs } from './compare';
-import { EXIT } from './failure';
+import { EXIT, UsageError } from './failure';
+import { checkOutput, readText, writeWhole } from './files';
 import { finish, openFile, prepareBodies, startSession, usable } from './session';
 import { count, list } from './words';
 
 export async function runSimulate(args: Arguments): Promise<number> {
   const total = startStopwatch();
   const stopwatch = startStopwatch();
-  const session = await startSession(args);
   const { settings, operands } = args;
+  if (args.bind !== null && operands.length < 2)
+    throw new UsageError('--bind carries pins over to B, which is missing: name both files.');
+  if (args.record !== null) checkOutput(args.record, operands[0]);
+  const session = await startSession(args);
   const first = await openFile(session, operands[0]);
   const second = operands.length > 1 ? await openFile(session, operands[1]) : null;
   const load = stopwatch();
@@ -26,24 +33,60 @@ export async function runSimulate(args: Arguments): Promise<number> {
   const others = second ? usable(prepareBodies(session, second)) : null;
   if (others) checkPairs(args, originals, others);
   const weld = stopwatch();
+  const bindings = args.bind === null ? null : readBinding(basename(args.bind), readText(args.bind));
   const motions = originals.map((original, i): MotionComparison => {
     session.activity = original.body.name;
     const pinned = settings.pins === '' ? null : findPins(settings.pins, first.document, original);
-    const options = { ...simulationOptions(original, settings, pinned), records: false };
-    return session.core.compareMotion(original.mesh, others ? others[i].mesh : null, options);
+    const binding = others && bindings ? bindingBetween(original, others[i], bindings) : null;
+    const options = simulationOptions(original, settings, pinned);
+    const records = args.record !== null;
+    return session.core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
+      ...options,
+      records,
+      binding,
+    });
   });
+  const simulated = stopwatch();
+  if (args.record !== null)
+    writeWhole(args.record, await recordingGlb(recorded(motions, originals, others), STEP_SECONDS));
   const report = startReport(session.core, 'simulate', optionsAsUsed(args), originals);
   if (others) report.output = meshReport(others);
   report.simulation = simulationReport(motions, settings);
-  report.timings = { load, weld, simulate: stopwatch(), total: total() };
+  report.timings = { load, weld, simulate: simulated, export: stopwatch(), total: total() };
   finish(session, report, simulateText(args, report, originals));
   return EXIT.done;
 }
 
+/** Originals where they are, the others beside them. */
+function recorded(
+  motions: MotionComparison[],
+  originals: PreparedBody[],
+  others: PreparedBody[] | null,
+): RecordedBody[] {
+  const offset = 1.2 * Math.max(...originals.map(({ diagonal }) => diagonal));
+  return motions.flatMap(({ original, other }, i) => {
+    const { body, mesh } = originals[i];
+    const first = { name: body.name, mesh, positions: original.positions, offset: 0 };
+    if (!other) return [first];
+    return [
+      first,
+      { name: `${body.name} optimized`, mesh: others![i].mesh, positions: other.positions, offset },
+    ];
+  });
+}
+
 function optionsAsUsed({ settings, mesh }: Arguments): object {
-  const { scenario, material, seconds, substeps, damping, pins } = settings;
+  const { scenario, material, seconds, substeps, damping, selfCollision, pins } = settings;
   const { young, poisson, density, thickness, unit, weld, threads } = settings;
-  const motion = { scenario, material, seconds, substeps, damping, ...(pins === '' ? {} : { pins }) };
+  const motion = {
+    scenario,
+    material,
+    seconds,
+    substeps,
+    damping,
+    selfCollision,
+    ...(pins === '' ? {} : { pins }),
+  };
   const used = { ...motion, young, poisson, density, thickness, unit, weld, threads };
   return mesh === null ? used : { ...used, mesh };
 }

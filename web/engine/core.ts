@@ -342,6 +342,8 @@ export interface SimulationOptions {
   substeps: number;
   /** 1/s: velocities fall by this rate */
   damping: number;
+  /** sheets push each other away */
+  selfCollision: boolean;
   /** vertices of the original; null: what the scenario itself holds */
   pinned: Uint32Array | null;
   /** in units of the mesh */
@@ -353,6 +355,13 @@ export interface SimulationOptions {
   density: number;
   /** metres per unit of the mesh */
   unit: number;
+}
+
+export interface ComparisonOptions {
+  /** keep the positions of every step */
+  records: boolean;
+  /** where the original's vertices lie on the other body, which its pins are carried over by; null: by closest points */
+  binding: Pick<Binding, 'triangle' | 'barycentric'> | null;
 }
 
 /** What one body has cost. */
@@ -455,7 +464,7 @@ export interface Core {
   compareMotion(
     original: TriangleMesh,
     other: TriangleMesh | null,
-    options: SimulationOptions & { records: boolean },
+    options: SimulationOptions & ComparisonOptions,
   ): MotionComparison;
   /** a number for the calls below; `mesh` is the original or a body that its pins are carried over to */
   startSimulation(mesh: TriangleMesh, original: TriangleMesh, options: SimulationOptions): number;

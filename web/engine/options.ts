@@ -60,6 +60,7 @@ export interface Settings {
   substeps: number;
   /** 1/s */
   damping: number;
+  selfCollision: boolean;
   /** welding distance, % of the diagonal; 0: bitwise equal positions only */
   weld: number;
   /** 0: as many as there are cores, at most 8 */
@@ -416,6 +417,15 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     help: 'How fast motion dies away by itself.',
     group: 'simulation',
     kind: 'number',
+  },
+  selfCollision: {
+    flag: 'self-collision',
+    label: 'Touches itself',
+    ...none,
+    default: false,
+    help: 'Sheets push each other away where they meet, for cloth of even triangles; slower.',
+    group: 'simulation',
+    kind: 'switch',
   },
   weld: {
     flag: 'weld',

@@ -1,6 +1,7 @@
 /** A running simulation of one or two bodies: the only thing that lives across the boundary to the core. */
 
 import type {
+  Binding,
   Core,
   ScenarioName,
   SimulationMaterial,
@@ -8,6 +9,8 @@ import type {
   SurfacePoint,
   TriangleMesh,
 } from './core';
+import { NONE } from './core';
+import type { BodyBinding } from './binding_file';
 import { materialOf } from './pipeline';
 import type { PreparedBody } from './pipeline';
 import type { Settings } from './options';
@@ -24,8 +27,48 @@ export function simulationOptions(
   settings: Settings,
   pinned: Uint32Array | null,
 ): SimulationOptions {
-  const { material, scenario, seconds, substeps, damping } = settings;
-  return { material, scenario, seconds, substeps, damping, pinned, ...materialOf(original, settings) };
+  const { material, scenario, seconds, substeps, damping, selfCollision } = settings;
+  return {
+    material,
+    scenario,
+    seconds,
+    substeps,
+    damping,
+    selfCollision,
+    pinned,
+    ...materialOf(original, settings),
+  };
+}
+
+/**
+ * The binding of a file in terms of two prepared bodies: points of `optimized`, one per vertex of `original`. Throws an
+ * Error with one sentence where the file is of other bodies.
+ */
+export function bindingBetween(
+  original: PreparedBody,
+  optimized: PreparedBody,
+  bodies: BodyBinding[],
+): Pick<Binding, 'triangle' | 'barycentric'> {
+  const { vertexOfSource } = original.weld;
+  const entry = bodies.find(({ mesh }) => mesh === original.body.mesh);
+  if (!entry || entry.binding.triangle.length !== vertexOfSource.length)
+    throw new Error(
+      `The binding is not of "${original.body.name}": write it again with limber optimize --bind.`,
+    );
+  const triangleOfSource = new Uint32Array(entry.faces).fill(NONE);
+  optimized.weld.sourceOfTriangle.forEach((source, t) => {
+    if (source < entry.faces) triangleOfSource[source] = t;
+  });
+  const count = original.mesh.positions.length / 3;
+  const triangle = new Uint32Array(count).fill(NONE);
+  const barycentric = new Float32Array(3 * count);
+  vertexOfSource.forEach((v, source) => {
+    const bound = entry.binding.triangle[source];
+    if (v === NONE || bound === NONE) return;
+    triangle[v] = triangleOfSource[bound];
+    barycentric.set(entry.binding.barycentric.subarray(3 * source, 3 * source + 3), 3 * v);
+  });
+  return { triangle, barycentric };
 }
 
 /** The original and, where given, its optimized mesh, in the same scenario at the same time. */
