@@ -23,7 +23,7 @@ TEST(ShellSensitivity, isWhatMovingAVertexDoesToTheEigenvalue) {
   const EigenPairs pairs = solve(mesh);
   for (int k = 0; k < 6; ++k) {
     const ModePair itself{k, k, pairs.lambda[k]};
-    const Eigen::VectorXd slope = shellSensitivity(mesh, topology, material, pairs.phi, {&itself, 1});
+    const Eigen::VectorXd slope = shellSensitivity(mesh, topology, material, pairs.phi, {&itself, 1}, job);
     const double size = slope.cwiseAbs().maxCoeff();
     for (uint32_t v : {0u, 9u, 17u, 30u})
       for (int axis = 0; axis < 3; ++axis) {
@@ -43,7 +43,7 @@ TEST(ShellSensitivity, isZeroForRigidMotionsOfTheMesh) {
   Job job;
   const EigenPairs pairs = solveEigenproblem(shellModel(mesh, topology, 0.05, 0.3), {3, 6, 0.05}, job);
   const ModePair itself{0, 0, pairs.lambda[0]};
-  const Eigen::VectorXd slope = shellSensitivity(mesh, topology, {0.05, 0.3}, pairs.phi, {&itself, 1});
+  const Eigen::VectorXd slope = shellSensitivity(mesh, topology, {0.05, 0.3}, pairs.phi, {&itself, 1}, job);
   double shift = 0, turn = 0;
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     shift += slope[3 * v];

@@ -136,7 +136,7 @@ double inertiaOf(const ElementMode& a, const ElementMode& b, double lambda, doub
 
 Eigen::MatrixXd shellSensitivity(const TriangleMesh& mesh, const Topology& topology,
                                  const ShellMaterial& material, const Eigen::MatrixXd& psi,
-                                 std::span<const ModePair> pairs) {
+                                 std::span<const ModePair> pairs, const Job& job) {
   const auto modeCount = static_cast<size_t>(psi.cols());
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()),
                                               static_cast<Eigen::Index>(pairs.size()));
@@ -161,6 +161,7 @@ Eigen::MatrixXd shellSensitivity(const TriangleMesh& mesh, const Topology& topol
     }
   };
   for (uint32_t first = 0; first < mesh.triangleCount(); first += kTrianglesPerChunk) {
+    job.check();
     const uint32_t count = std::min(kTrianglesPerChunk, mesh.triangleCount() - first);
     parallelFor(count, kTrianglesPerRange, [&](size_t begin, size_t end) {
       for (size_t k = begin; k < end; ++k)

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <span>
 
+#include "base/job.h"
 #include "mesh/topology.h"
 
 namespace limber {
@@ -21,9 +22,9 @@ struct ModePair {
 // shell of modes/shell.h: a column of 3 x vertexCount for each pair. `psi`: unknowns x modes. For i = j, a
 // mass-normalised mode and its own lambda that is the eigenvalue's derivative (Fox and Kapoor 1968; of a
 // cluster, of this Rayleigh quotient). Element by element, by forward differentiation of an element's
-// strains. The same for any number of threads.
+// strains. The same for any number of threads. Throws Cancelled.
 Eigen::MatrixXd shellSensitivity(const TriangleMesh& mesh, const Topology& topology,
                                  const ShellMaterial& material, const Eigen::MatrixXd& psi,
-                                 std::span<const ModePair> pairs);
+                                 std::span<const ModePair> pairs, const Job& job);
 
 }  // namespace limber

@@ -49,7 +49,7 @@ bool areNear(double a, double b) {
 // Residuals of the diagonal, and of what couples modes of nearby frequencies.
 Mismatch mismatchOf(const TriangleMesh& mesh, const Topology& topology, const ShellMaterial& material,
                     const Eigen::MatrixXd& psi, const ModalTarget::Aligned& aligned,
-                    const Eigen::VectorXd& wanted) {
+                    const Eigen::VectorXd& wanted, const Job& job) {
   std::vector<ModePair> pairs;
   std::vector<double> residuals, scales;
   Mismatch mismatch;
@@ -68,7 +68,7 @@ Mismatch mismatchOf(const TriangleMesh& mesh, const Topology& topology, const Sh
   mismatch.residual =
       Eigen::Map<Eigen::VectorXd>(residuals.data(), static_cast<Eigen::Index>(residuals.size()));
   mismatch.slope =
-      shellSensitivity(mesh, topology, material, psi, pairs) *
+      shellSensitivity(mesh, topology, material, psi, pairs, job) *
       Eigen::Map<Eigen::VectorXd>(scales.data(), static_cast<Eigen::Index>(scales.size())).asDiagonal();
   return mismatch;
 }
@@ -153,7 +153,7 @@ Mismatch ModalTarget::compare(const TriangleMesh& mesh, const Topology& topology
         massNormalised(transfer(found.phi.topRows(displacements), mesh, binding_), rootMass_);
     const Aligned aligned = align(found, carried, k);
     parts.push_back(
-        mismatchOf(mesh, topology, material, found.phi * aligned.turn, aligned, reference_[k].lambda));
+        mismatchOf(mesh, topology, material, found.phi * aligned.turn, aligned, reference_[k].lambda, job));
     job.check();
   }
   return join(parts);

@@ -33,9 +33,11 @@ const keyed = (make: () => string) => () => (where() === null ? null : `${where(
 const afterBody = (make: () => string) => () => (results.body.value ? keyed(make)() : null);
 const afterHistory = (make: () => string) => () => (results.history.value ? afterBody(make)() : null);
 
-/** Once the slider has rested on a mesh. */
+/** Once the slider has rested on a mesh that is looked at. */
 const atRest = (): string | null =>
-  restedFaces.value === wantedFaces.value && results.mesh.value
+  (view.step.value === 'reduce' || wants.exportOpen.value) &&
+  restedFaces.value === wantedFaces.value &&
+  results.mesh.value
     ? afterHistory(() => `${resultKey(settings())} ${restedFaces.value}`)()
     : null;
 
