@@ -190,9 +190,9 @@ test('the step works with the keyboard alone', async ({ page }) => {
   await expect(button(page, 'Pick')).toHaveAttribute('aria-pressed', 'true');
   await page.keyboard.press('Escape');
   await expect(button(page, 'Pick')).toHaveAttribute('aria-pressed', 'false');
-  await page.getByLabel('Mode 3 guides').focus();
+  await page.getByLabel('Mode 8 guides').focus();
   await page.keyboard.press('Space');
-  await expect(page.getByRole('button', { name: /^Mode 3 / })).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByRole('button', { name: /^Mode 8 / })).toHaveAttribute('aria-pressed', 'true');
   await button(page, 'Clear what is held').focus();
   await page.keyboard.press('Enter');
   await expect(page.getByText('Nothing: the body floats freely.')).toBeVisible();
