@@ -22,6 +22,8 @@ constexpr int kSurfaceRounds = 3, kModalRounds = 12;
 constexpr uint32_t kSamplesPerTriangle = 6;
 constexpr double kClip = 0.1;          // of a residual, in a step
 constexpr uint32_t kFewestFaces = 12;  // smaller components stay as they are
+constexpr uint32_t kMostVertices =
+    20000;  // as do larger ones, which are off by little and would take minutes
 
 // The root mean square distance may grow to this much of the simplified mesh's, or to this part of the
 // diagonal.
@@ -124,7 +126,8 @@ std::vector<FitPart> partsOf(const TriangleMesh& original, const MeshAt& simplif
     std::vector<uint32_t> vertexOfInput, triangleOfInput;
     part.original = extract(original, topology.componentOfVertex, component, vertexOfInput, triangleOfInput);
     part.simplified = extract(mesh, componentOfResult, component, part.vertexOfResult, part.triangleOfResult);
-    if (part.simplified.triangleCount() < kFewestFaces) continue;
+    if (part.simplified.triangleCount() < kFewestFaces || part.simplified.vertexCount() > kMostVertices)
+      continue;
     const Bounds box = bounds(part.original);
     part.origin = box.low;
     part.diagonal = box.diagonal();

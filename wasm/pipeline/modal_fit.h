@@ -29,8 +29,9 @@ struct ModalFitResult {
 // Moves the vertices of a simplified mesh, by far less than an edge, so that it vibrates like the original:
 // frequencies of the shell at three thicknesses (Fox and Kapoor 1968 sensitivities, Gauss-Newton), in balance
 // with the distance from the original's surface. Before that, edges are flipped to Delaunay and vertices
-// fitted to the surface. Topology and the number of faces stay; no face turns; borders, seams, creases and
-// locked vertices stay in place. Works on each component. Positions are float32 numbers. Throws Cancelled.
+// fitted to the surface. Components of more than 20,000 vertices stay as they are. Topology and the number of
+// faces stay; no face turns; borders, seams, creases and locked vertices stay in place. Works on each
+// component. Positions are float32 numbers. Throws Cancelled.
 ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
                         const ModalFitOptions& options, Job& job);
 
