@@ -332,7 +332,18 @@ describe('a wrong command line', () => {
       'modes torus.obj --pins low',
       '--pins has "low": give low:PCT, high:PCT, box:x0,y0,z0,x1,y1,z1, attribute:NAME or vertices:i,j, joined by +.',
     ],
-    ['optimize torus.obj a.glb --max-frequency-error 2', '--max-frequency-error is not available yet.'],
+    [
+      'optimize torus.obj a.glb --max-frequency-error -1',
+      '--max-frequency-error is -1: give a number from 0 to 100 (default: 0).',
+    ],
+    [
+      'optimize torus.obj a.glb --lods 0.5,0',
+      '--lods is 0.5,0: give numbers from 0.0001 to 1 with commas (default: none).',
+    ],
+    [
+      'optimize torus.obj a.glb --lock low',
+      '--lock has "low": give low:PCT, high:PCT, box:x0,y0,z0,x1,y1,z1, attribute:NAME or vertices:i,j, joined by +.',
+    ],
     ['inspect torus.obj --faces 10', 'limber inspect has no --faces: see limber inspect --help.'],
     ['simulate', 'A is missing: limber simulate A [B].'],
     ['simulate a.obj b.obj c.obj', '"c.obj" is one file too many: limber simulate A [B].'],

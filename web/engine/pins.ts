@@ -17,17 +17,17 @@ export type PinTerm =
 
 const FORMS = 'low:PCT, high:PCT, box:x0,y0,z0,x1,y1,z1, attribute:NAME or vertices:i,j, joined by +';
 
-/** The terms of a text; none for an empty one. Throws one sentence that shows the forms. */
-export function parsePins(text: string): PinTerm[] {
-  return text === '' ? [] : text.split('+').map(parseTerm);
+/** The terms of the text of a flag; none for an empty one. Throws one sentence that shows the forms. */
+export function parsePins(text: string, flag = 'pins'): PinTerm[] {
+  return text === '' ? [] : text.split('+').map((term) => parseTerm(term, flag));
 }
 
-function parseTerm(term: string): PinTerm {
+function parseTerm(term: string, flag: string): PinTerm {
   const colon = term.indexOf(':');
   const [kind, value] = [term.slice(0, colon), term.slice(colon + 1)];
   const numbers = value.split(',').map((word) => (word.trim() === '' ? NaN : Number(word)));
   const refuse = (): never => {
-    throw new Error(`--pins has "${term}": give ${FORMS}.`);
+    throw new Error(`--${flag} has "${term}": give ${FORMS}.`);
   };
   if (colon < 1 || value === '') return refuse();
   if (kind === 'attribute') return { kind, name: value };
