@@ -54,6 +54,8 @@ export interface Settings {
   keep: string;
   /** which vertices stay as they are, in the words of pins.ts; '' for none */
   lock: string;
+  /** keep weights and locks that a brush has painted, see paint.ts; '' for none */
+  paint: string;
   /** Pa */
   young: number;
   poisson: number;
@@ -83,9 +85,19 @@ export type OptionGroup = 'target' | 'method' | 'motion' | 'material' | 'simulat
 
 /**
  * How a setting is written: `choice` one of `choices`; `integer` and `number` within [min, max]; `modes` auto, all or a
- * list of integers; `numbers` a list within [min, max] each; `pins` as pins.ts says; `name` any text; `switch` on or off.
+ * list of integers; `numbers` a list within [min, max] each; `pins` as pins.ts says; `paint` as paint.ts says; `name` any
+ * text; `switch` on or off.
  */
-export type OptionKind = 'choice' | 'integer' | 'number' | 'modes' | 'numbers' | 'pins' | 'name' | 'switch';
+export type OptionKind =
+  | 'choice'
+  | 'integer'
+  | 'number'
+  | 'modes'
+  | 'numbers'
+  | 'pins'
+  | 'paint'
+  | 'name'
+  | 'switch';
 
 export interface OptionSpec {
   /** without the dashes */
@@ -279,6 +291,15 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     help: 'Vertices that stay as they are, in the words of --pins.',
     group: 'method',
     kind: 'pins',
+  },
+  paint: {
+    flag: 'paint',
+    label: 'Painted',
+    ...none,
+    default: '',
+    help: 'Where triangles are kept and vertices locked, as the brush of the page writes it.',
+    group: 'method',
+    kind: 'paint',
   },
   model: {
     flag: 'model',

@@ -26,6 +26,7 @@ import type { Body } from './document/model';
 import { length3 } from './exact_math';
 import { modesAvailable } from './mode_set';
 import { isFitted, resolveModel, resolveModes } from './options';
+import { LOCKED, paintOn, wishesOfLevels } from './paint';
 import type { Settings } from './options';
 import type { InspectedBody } from './report';
 
@@ -204,13 +205,25 @@ export function buildHistory(
 const MOST_COST_DIMENSIONS = 8;
 const NO_COSTS: CostAttributes = { values: new Float32Array(), dimension: 0 };
 
-function wishesOf(prepared: PreparedBody, { method, borders }: Settings, pinned?: Uint32Array): Wishes {
+function wishesOf(prepared: PreparedBody, settings: Settings, pinned?: Uint32Array): Wishes {
+  const { method, borders } = settings;
   const pinnedSets =
     pinned && pinned.length > 0 ? Uint32Array.from(maskOf(prepared.mesh, pinned)) : undefined;
-  if (method === 'paper') return { pinnedSets, borders };
+  const painted = paintOn(settings.paint, prepared);
+  const asked = { pinnedSets, borders, ...(painted ? wishesOfLevels(painted) : {}) };
+  if (method === 'paper') return asked;
   const { charts } = prepared.attributes;
   const { values: attributes, dimension: attributeDimension } = prepared.costAttributes;
-  return { ...charts, attributes, attributeDimension, pinnedSets, borders };
+  return { ...charts, attributes, attributeDimension, ...asked };
+}
+
+/** Per vertex: 1 where the fit moves nothing, for it is pinned or locked. */
+function stayingIn(prepared: PreparedBody, { paint }: Settings, pinned?: Uint32Array): Uint8Array {
+  const mask = maskOf(prepared.mesh, pinned ?? new Uint32Array());
+  paintOn(paint, prepared)?.forEach((level, vertex) => {
+    if (level === LOCKED) mask[vertex] = 1;
+  });
+  return mask;
 }
 
 /** Per vertex: 1 for those of the list. */
@@ -238,7 +251,7 @@ export function fitResult(
   const none = { result, errorBefore: new Float64Array(), errorAfter: new Float64Array() };
   if (!isFitted(settings)) return none;
   const { thickness, poisson } = materialOf(prepared, settings);
-  const locked = pinned && pinned.length > 0 ? maskOf(prepared.mesh, pinned) : new Uint8Array();
+  const locked = stayingIn(prepared, settings, pinned);
   const { charts } = prepared.attributes;
   const fitted = core.fitModes(prepared.mesh, result, { thickness, poisson, charts, locked });
   return keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings) ? fitted : none;
