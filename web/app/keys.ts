@@ -3,8 +3,10 @@
 import { pickFiles } from './files';
 import { stageHandle } from './panels/stage_view';
 import { cancelRunning } from './state/runner';
-import { isPicking, results, view, wantedFaces, wants } from './state/store';
+import { redo, undo } from './state/undo';
+import { isBrushing, isPicking, results, view, wantedFaces, wants } from './state/store';
 import type { Layout } from './state/store';
+import { BRUSH_RADIUS } from './panels/brush_section';
 
 const LAYOUTS: Layout[] = ['both', 'original', 'optimized'];
 
@@ -21,12 +23,17 @@ const PLAIN: Record<string, () => void> = {
   arrowright: () => stepFaces(1),
   escape: () => {
     if (isPicking.value) view.picking.value = false;
+    else if (isBrushing.value) view.brush.value = { ...view.brush.value, tool: null };
     else cancelRunning();
   },
+  '[': () => sizeBrush(1 / 1.25),
+  ']': () => sizeBrush(1.25),
   '?': () => (view.helpOpen.value = !view.helpOpen.value),
 };
 
 const WITH_CONTROL: Record<string, () => void> = {
+  z: undo,
+  y: redo,
   o: () => void pickFiles(),
   e: () => {
     if (results.mesh.value) wants.exportOpen.value = !wants.exportOpen.value;
@@ -41,18 +48,33 @@ function stepFaces(direction: number): void {
   wants.faces.value = Math.min(history.faces, Math.max(history.floorFaces, shown + 2 * direction));
 }
 
+function sizeBrush(factor: number): void {
+  const { value: brush } = view.brush;
+  if (isBrushing.value)
+    view.brush.value = {
+      ...brush,
+      radius: Math.min(BRUSH_RADIUS.max, Math.max(BRUSH_RADIUS.min, brush.radius * factor)),
+    };
+}
+
 function isTyping(target: EventTarget | null): boolean {
   if (target instanceof HTMLSelectElement) return true;
   return target instanceof HTMLInputElement && target.type !== 'checkbox';
 }
 
+/** Of what is written in it. */
+const hasOwnUndo = (target: EventTarget | null): boolean =>
+  target instanceof HTMLInputElement && target.type === 'text';
+
 export function listenToKeys(): void {
   addEventListener('keydown', (event) => {
     const key = event.key.toLowerCase();
     const hasControl = event.ctrlKey || event.metaKey;
-    const action = (hasControl ? WITH_CONTROL : PLAIN)[key];
+    const action =
+      hasControl && event.shiftKey && key === 'z' ? redo : (hasControl ? WITH_CONTROL : PLAIN)[key];
     if (!action || event.altKey) return;
-    if (!hasControl && isTyping(event.target) && key !== 'escape') return;
+    const isOwn = hasControl ? hasOwnUndo(event.target) && 'zy'.includes(key) : isTyping(event.target);
+    if (isOwn && key !== 'escape') return;
     // Space and Enter on a button press it.
     if (
       key === ' ' &&

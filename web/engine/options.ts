@@ -89,15 +89,7 @@ export type OptionGroup = 'target' | 'method' | 'motion' | 'material' | 'simulat
  * text; `switch` on or off.
  */
 export type OptionKind =
-  | 'choice'
-  | 'integer'
-  | 'number'
-  | 'modes'
-  | 'numbers'
-  | 'pins'
-  | 'paint'
-  | 'name'
-  | 'switch';
+  'choice' | 'integer' | 'number' | 'modes' | 'numbers' | 'pins' | 'paint' | 'name' | 'switch';
 
 export interface OptionSpec {
   /** without the dashes */

@@ -10,9 +10,11 @@ const KEYS: [string, string][] = [
   ['B', 'blink between original and optimized'],
   ['V', 'next view: side by side, original, optimized'],
   ['← →', 'one collapse back or on'],
+  ['[ ]', 'smaller or larger brush'],
+  ['Ctrl+Z', 'undo; with Shift redo'],
   ['Ctrl+O', 'open a file'],
   ['Ctrl+E', 'export'],
-  ['Esc', 'leave the pick tool, or cancel what is running'],
+  ['Esc', 'leave the pick tool or the brush, or cancel what is running'],
   ['?', 'this help'],
 ];
 

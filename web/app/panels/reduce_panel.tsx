@@ -6,7 +6,9 @@ import { methodChange, OPTIONS } from '../../engine/options';
 import type { Settings } from '../../engine/options';
 import { changeSettings, results, view, wantedFaces, wants } from '../state/store';
 import type { Layout } from '../state/store';
+import { BrushSection, NamedLocks } from './brush_section';
 import { Choice, Section, SettingRange, Toggle, count, fixed } from './controls';
+import './reduce.css';
 
 const METHODS: { value: Settings['method']; text: string; title: string }[] = [
   {
@@ -55,6 +57,7 @@ export function ReducePanel() {
           />
         )}
       </Section>
+      <BrushSection />
       <Section title="View">
         <Choice
           label="Compare"
@@ -64,6 +67,10 @@ export function ReducePanel() {
         />
       </Section>
       <StopReason />
+      <details class="more">
+        <summary>More</summary>
+        <NamedLocks />
+      </details>
     </>
   );
 }

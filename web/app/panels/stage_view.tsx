@@ -1,10 +1,10 @@
 /** The stage in the page: hands meshes, fields and looks from the state to the viewer. */
 
-import { useSignalEffect } from '@preact/signals';
+import { effect, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { MeshAt } from '../../engine/core';
 import { isDark } from '../scheme';
-import { isPicking, results, shownMesh, view } from '../state/store';
+import { isBrushing, isPicking, results, shownMesh, view } from '../state/store';
 import type { Field } from '../viewer/body_geometry';
 import { Stage } from '../viewer/stage';
 import type { PaneName } from '../viewer/stage';
@@ -12,6 +12,7 @@ import { count } from './controls';
 import { curvatureScale } from './curvature_scale';
 import { Legend } from './legend';
 import { guidingModes } from './mode_choice';
+import { showPaint } from './brushing';
 import { connectPicking, showPins } from './picking';
 
 export const stageHandle: { current: Stage | null } = { current: null };
@@ -22,7 +23,10 @@ export function StageView() {
   useEffect(() => {
     try {
       stageHandle.current = new Stage(canvas.current!);
-      connectPicking(canvas.current!, stageHandle.current);
+      const hand = connectPicking(canvas.current!, stageHandle.current);
+      effect(() => {
+        if (isBrushing.value || isPicking.value) hand.prepare();
+      });
       showAll();
     } catch {
       setFailed(true);
@@ -36,17 +40,10 @@ export function StageView() {
   useSignalEffect(showLook);
   useSignalEffect(showSwing);
   useSignalEffect(() => showPins(stageHandle.current));
+  useSignalEffect(() => showPaint(stageHandle.current));
   return (
-    <div class={isPicking.value ? 'stage picking' : 'stage'}>
-      <canvas
-        ref={canvas}
-        aria-label={
-          isPicking.value
-            ? 'The mesh at rest. Click a vertex or drag over the surface to hold it in place; Shift lets go.'
-            : 'The mesh. Drag to turn, scroll to zoom, right-drag to move.'
-        }
-        role="img"
-      />
+    <div class={isPicking.value || isBrushing.value ? 'stage picking' : 'stage'}>
+      <canvas ref={canvas} aria-label={describeStage()} role="img" />
       {failed && (
         <p class="empty">
           This browser has no WebGL2, so there is no picture; files, numbers and export work.
@@ -56,6 +53,13 @@ export function StageView() {
       <Legend />
     </div>
   );
+}
+
+function describeStage(): string {
+  if (isBrushing.value) return 'The mesh at rest. Drag over the original to paint it; Shift erases.';
+  return isPicking.value
+    ? 'The mesh at rest. Click a vertex or drag over the surface to hold it in place; Shift lets go.'
+    : 'The mesh. Drag to turn, scroll to zoom, right-drag to move.';
 }
 
 function showAll(): void {
@@ -68,6 +72,7 @@ function showAll(): void {
     showLook,
     showSwing,
     () => showPins(stageHandle.current),
+    () => showPaint(stageHandle.current),
   ])
     show();
 }
@@ -75,7 +80,10 @@ function showAll(): void {
 function shownPanes(): PaneName[] {
   const layout = view.layout.value;
   if (view.step.value !== 'reduce' || !shownMesh.value) return ['original'];
-  return layout === 'both' ? ['original', 'optimized'] : [layout];
+  // The brush paints on the original.
+  return layout === 'both' || (isBrushing.value && layout === 'optimized')
+    ? ['original', 'optimized']
+    : [layout];
 }
 
 function showOriginal(): void {
@@ -155,7 +163,7 @@ function showLook(): void {
 function showSwing(): void {
   const body = results.body.value;
   // Picking is on the shape at rest.
-  const isMoving = view.step.value !== 'model' && !isPicking.value;
+  const isMoving = view.step.value !== 'model' && !isPicking.value && !isBrushing.value;
   const moves = isMoving && view.playing.value;
   const amplitude = body && isMoving ? (view.amplitude.value / 100) * body.diagonal : 0;
   stageHandle.current?.animate(moves, amplitude, view.speed.value);

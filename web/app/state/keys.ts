@@ -32,7 +32,9 @@ export function guidanceKey(settings: Settings): string {
 export function historyKey(settings: Settings): string {
   const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight } = settings;
   const { maxDeviation, minAngle, borders } = settings;
-  const common = [pinsKey(settings), method, sizeWeight, maxDeviation, minAngle, borders];
+  const { keep, lock, paint, symmetry, creases } = settings;
+  const wishes = [borders, keep, lock, paint, symmetry, creases];
+  const common = [pinsKey(settings), method, sizeWeight, maxDeviation, minAngle, ...wishes];
   if (method === 'qem') return common.join(' ');
   return [guidanceKey(settings), ...common, strainWeight, curvatureWeight, qualityWeight].join(' ');
 }

@@ -9,6 +9,7 @@ import { Client } from './client';
 import { guidanceKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from './keys';
 import { shareInProportion } from '../../engine/share';
 import { changeSettings, results, status, view, wantedFaces, wants } from './store';
+import { forgetUndo, startUndo, withoutUndo } from './undo';
 
 interface Stage {
   what: string;
@@ -119,7 +120,7 @@ async function findPins(): Promise<unknown> {
     const last = results.pins.value;
     batch(() => {
       status.refusedPins.value = { text, why: error.message };
-      changeSettings({ pins: last && last.text !== text ? last.text : '' });
+      withoutUndo(() => changeSettings({ pins: last && last.text !== text ? last.text : '' }));
     });
     return last;
   }
@@ -155,12 +156,14 @@ export function openFiles(files: SourceFile[]): Promise<void> {
         wants.body.value = 0;
         wants.faces.value = null;
         wants.exportOpen.value = false;
-        // Pins and modes are those of the file before.
-        changeSettings({ pins: '', modes: 'auto', modeWeights: [] });
+        // Pins, paint and modes are those of the file before.
+        changeSettings({ pins: '', lock: '', keep: '', paint: '', modes: 'auto', modeWeights: [] });
         status.refusedPins.value = null;
         view.picking.value = false;
+        view.brush.value = { ...view.brush.value, tool: null };
         status.notice.value = file.notes.length > 0 ? { kind: 'info', text: file.notes.join('; ') } : null;
       });
+      forgetUndo();
     }).catch((error: unknown) => complain(error));
   });
   return opening.then(loop);
@@ -176,6 +179,7 @@ export function showBody(index: number): void {
     wants.body.value = index;
     wants.faces.value = null;
   });
+  forgetUndo();
 }
 
 /** The user's cancel: the stage waits until its inputs change or `resume` is called. */
@@ -194,6 +198,7 @@ export function resume(): void {
 
 /** Starts following the state. */
 export function startRunner(): void {
+  startUndo();
   void client
     .ready()
     .then(() => (status.threads.value = client.threads))

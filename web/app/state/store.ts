@@ -19,6 +19,7 @@ import type {
 export type Step = 'model' | 'motion' | 'reduce';
 export type Layout = 'both' | 'original' | 'optimized';
 export type FieldName = 'none' | 'strain' | 'curvature';
+export type BrushTool = 'keep' | 'lock' | 'erase';
 export type Theme = 'system' | 'light' | 'dark';
 
 export interface Notice {
@@ -65,6 +66,12 @@ export const view = {
   helpOpen: signal(false),
   /** the stage's left button pins vertices instead of turning the view */
   picking: signal(false),
+  /** what the left button paints on the Reduce step, null: it turns the view; radius in % of the diagonal, softness 0..1 */
+  brush: signal<{ tool: BrushTool | null; radius: number; softness: number }>({
+    tool: null,
+    radius: 6,
+    softness: 0.5,
+  }),
 };
 
 /** What is going on. */
@@ -98,6 +105,11 @@ export const shownMesh = computed(() => {
 /** Whether the pick tool is in use. */
 export const isPicking = computed(
   () => view.picking.value && view.step.value === 'motion' && results.body.value !== null,
+);
+
+/** Whether the brush is in use. */
+export const isBrushing = computed(
+  () => view.brush.value.tool !== null && view.step.value === 'reduce' && results.body.value !== null,
 );
 
 /** How many faces the shown body should keep. */

@@ -3,8 +3,11 @@
 import CameraControls from 'camera-controls';
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core';
-import { bodyGeometry, setDisplacement, setField } from './body_geometry';
+import type { Levels } from '../../engine/paint';
+import { bodyGeometry, setDisplacement, setField, setPaint } from './body_geometry';
 import type { Field } from './body_geometry';
+import { BrushRing } from './brush_ring';
+import type { BrushMark } from './brush_ring';
 import { mapTexture } from './colours';
 import type { MapName } from './colours';
 import { PinDots } from './pin_dots';
@@ -27,6 +30,8 @@ class Pane {
   mesh: TriangleMesh | null = null;
   private field: Field | null = null;
   private shape: Float32Array | null = null;
+  private levels: Levels | null = null;
+  private isPaintStale = false;
 
   constructor(map: THREE.DataTexture) {
     const look = { clay: new THREE.Color(), wire: new THREE.Color(), wireStrength: 0 };
@@ -43,6 +48,7 @@ class Pane {
     this.body.geometry = mesh ? bodyGeometry(mesh) : new THREE.BufferGeometry();
     this.applyField();
     this.applyShape();
+    this.isPaintStale = true;
   }
 
   /** Mesh, field and shape may come in any order: what does not fit the mesh yet waits for the one that it belongs to. */
@@ -71,6 +77,19 @@ class Pane {
     this.applyShape();
   }
 
+  paint(levels: Levels | null): void {
+    this.levels = levels;
+    this.isPaintStale = true;
+  }
+
+  /** Once a frame, for a hand may paint more often. */
+  private applyPaint(): void {
+    const { mesh, levels } = this;
+    if (mesh && this.isPaintStale)
+      setPaint(this.body.geometry, mesh, levels?.length === mesh.positions.length / 3 ? levels : null);
+    this.isPaintStale = false;
+  }
+
   look({ clay, wire, wireStrength }: Look): void {
     const { uniforms } = this.body.material;
     uniforms.clay.value.set(clay);
@@ -79,6 +98,7 @@ class Pane {
   }
 
   swing(amplitude: number): void {
+    this.applyPaint();
     this.body.material.uniforms.amplitude.value = amplitude;
   }
 
@@ -98,6 +118,7 @@ export class Stage {
   private readonly panes: Record<PaneName, Pane>;
   private readonly dots: PinDots;
   private readonly candidate: PinDots;
+  private readonly ring = new BrushRing();
   private shown: PaneName[] = ['original'];
   private stale = true;
   private swinging = false;
@@ -112,7 +133,7 @@ export class Stage {
     this.panes = { original: new Pane(this.maps.viridis), optimized: new Pane(this.maps.viridis) };
     this.dots = new PinDots(this.renderer.getPixelRatio());
     this.candidate = new PinDots(this.renderer.getPixelRatio());
-    this.panes.original.scene.add(this.dots.points, this.candidate.points);
+    this.panes.original.scene.add(this.dots.points, this.candidate.points, this.ring.line);
     this.controls = new CameraControls(this.camera, canvas);
     this.controls.dollyToCursor = true;
     this.controls.smoothTime = 0.08;
@@ -143,6 +164,18 @@ export class Stage {
     this.stale = true;
   }
 
+  /** What a brush has painted on a body; null: nothing. */
+  paint(pane: PaneName, levels: Levels | null): void {
+    this.panes[pane].paint(levels);
+    this.stale = true;
+  }
+
+  /** The brush over the original; null takes it away. */
+  markBrush(mark: BrushMark | null): void {
+    this.ring.show(mark);
+    this.stale = true;
+  }
+
   /** Dots at these vertices of the original, at rest. */
   pin(vertices: Iterable<number>): void {
     this.showDots(this.dots, vertices);
@@ -165,10 +198,11 @@ export class Stage {
     this.stale = true;
   }
 
-  /** The ray of sight through a place of the page, in the pane that it lies in. */
-  rayAt(clientX: number, clientY: number): THREE.Ray {
+  /** The ray of sight through a place of the page; null where it does not show this pane. */
+  rayAt(name: PaneName, { clientX, clientY }: { clientX: number; clientY: number }): THREE.Ray | null {
     const box = this.canvas.getBoundingClientRect();
     const across = ((clientX - box.left) / box.width) * this.shown.length;
+    if (this.shown[Math.floor(across)] !== name) return null;
     const place = new THREE.Vector2(2 * (across % 1) - 1, 1 - (2 * (clientY - box.top)) / box.height);
     const caster = new THREE.Raycaster();
     caster.setFromCamera(place, this.camera);

@@ -27,7 +27,8 @@ export interface Started {
 export interface OpenedFile {
   name: string;
   format: string;
-  bodies: { name: string; faces: number }[];
+  /** `mesh`: its number among the meshes of the file */
+  bodies: { name: string; faces: number; mesh: number }[];
   notes: string[];
   /** what an export would leave out */
   dropped: string[];

@@ -81,7 +81,7 @@ const api: WorkerApi = {
       return {
         name: opened.name,
         format: opened.format,
-        bodies: opened.bodies.map(({ name, indices }) => ({ name, faces: indices.length / 3 })),
+        bodies: opened.bodies.map(({ name, indices, mesh }) => ({ name, faces: indices.length / 3, mesh })),
         notes: opened.notes,
         dropped: droppedByExport(opened),
       };
