@@ -1,10 +1,13 @@
-/** The bar at the top: brand, files, steps, theme, export. */
+/** The bar at the top: brand, files, steps, undo, link, theme, export. */
 
+import { useState } from 'preact/hooks';
 import { results, status, view, wants } from '../state/store';
 import type { Step, Theme } from '../state/store';
 import { pickFiles } from '../files';
 import { canRedo, canUndo, redo, undo } from '../state/undo';
-import { Samples } from './samples';
+import { count } from './controls';
+import { Samples, samples } from './samples';
+import { writeLink } from '../state/link';
 
 const STEPS: { id: Step; text: string }[] = [
   { id: 'model', text: 'Model' },
@@ -30,6 +33,7 @@ export function TopBar() {
       <Steps />
       <div class="tools">
         <UndoRedo />
+        <ShareLink />
         {status.threads.value === 1 && (
           <span
             class="chip"
@@ -96,6 +100,46 @@ function UndoRedo() {
       </button>
     </div>
   );
+}
+
+const COPIED_MILLISECONDS = 2000;
+/** Links longer than this are cut by some programs. */
+const LONG_LINK = 8000;
+
+function ShareLink() {
+  const [isCopied, setCopied] = useState(false);
+  const copy = async () => {
+    const link = shareLink();
+    await navigator.clipboard.writeText(link);
+    setCopied(true);
+    setTimeout(() => setCopied(false), COPIED_MILLISECONDS);
+    if (link.length > LONG_LINK)
+      status.notice.value = {
+        kind: 'info',
+        text: `The link has ${count(link.length)} letters, as it holds what was painted or pinned: some programs cut it.`,
+      };
+  };
+  return (
+    <button
+      type="button"
+      class="quiet"
+      disabled={!results.file.value}
+      title="Copy a link with all settings; the file itself stays here"
+      onClick={() => void copy()}
+    >
+      {isCopied ? 'Copied' : 'Share link'}
+    </button>
+  );
+}
+
+/** All settings and, where it is a sample, the file. */
+function shareLink(): string {
+  const file = results.file.value!.name;
+  const sample = samples.value.find((one) => one.file === file);
+  const { settings, faces, body } = wants;
+  const wanted = { settings: settings.value, faces: faces.value, body: body.value, file };
+  const query = sample ? `?sample=${sample.id}` : '';
+  return `${location.origin}${location.pathname}${query}#${writeLink(wanted)}`;
 }
 
 /** Back; mirrored: on again. */

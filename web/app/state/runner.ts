@@ -3,11 +3,15 @@
 import { batch, effect, signal, untracked } from '@preact/signals';
 import type { Signal } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
+import type { Settings } from '../../engine/options';
 import { CANCELLED } from '../worker/protocol';
 import type { PinsResult } from '../worker/protocol';
 import { Client } from './client';
 import { guidanceKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from './keys';
 import { shareInProportion } from '../../engine/share';
+import { takeAwaited } from './link';
+import type { Wanted } from './link';
+import { saveFiles, startSaving } from './saved_session';
 import { changeSettings, results, status, view, wantedFaces, wants } from './store';
 import { forgetUndo, startUndo, withoutUndo } from './undo';
 
@@ -21,6 +25,16 @@ interface Stage {
 
 const REST_MILLISECONDS = 180;
 const SLOW_MILLISECONDS = 200;
+
+/** Pins, paint and modes are those of one file. */
+const NOT_CARRIED_OVER: Partial<Settings> = {
+  pins: '',
+  lock: '',
+  keep: '',
+  paint: '',
+  modes: 'auto',
+  modeWeights: [],
+};
 
 /** The wanted faces, once the slider has rested. */
 const restedFaces = signal(0);
@@ -142,28 +156,33 @@ let running: Stage | null = null;
 let looping = false;
 let opening: Promise<void> = Promise.resolve();
 
-/** Opens files in place of what is shown; where they cannot be read, what is shown stays and a notice says why. */
-export function openFiles(files: SourceFile[]): Promise<void> {
+/**
+ * Opens files in place of what is shown; where they cannot be read, what is shown stays and a notice says why. `asked`:
+ * what a link or an earlier session asks of them.
+ */
+export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
   if (running) client.cancel();
   opening = opening.then(async () => {
     await whileBusy('Opening', async () => {
       const file = await client.open(files);
+      const wanted = asked ?? takeAwaited(file.name);
       done.clear();
       batch(() => {
         for (const stage of stages) stage.result.value = null;
         results.file.value = file;
         results.opened.value += 1;
-        wants.body.value = 0;
-        wants.faces.value = null;
+        wants.body.value = wanted && wanted.body < file.bodies.length ? wanted.body : 0;
+        wants.faces.value = wanted?.faces ?? null;
         wants.exportOpen.value = false;
-        // Pins, paint and modes are those of the file before.
-        changeSettings({ pins: '', lock: '', keep: '', paint: '', modes: 'auto', modeWeights: [] });
+        if (wanted) wants.settings.value = wanted.settings;
+        else changeSettings(NOT_CARRIED_OVER);
         status.refusedPins.value = null;
         view.picking.value = false;
         view.brush.value = { ...view.brush.value, tool: null };
         status.notice.value = file.notes.length > 0 ? { kind: 'info', text: file.notes.join('; ') } : null;
       });
       forgetUndo();
+      void saveFiles(files);
     }).catch((error: unknown) => complain(error));
   });
   return opening.then(loop);
@@ -199,6 +218,7 @@ export function resume(): void {
 /** Starts following the state. */
 export function startRunner(): void {
   startUndo();
+  startSaving();
   void client
     .ready()
     .then(() => (status.threads.value = client.threads))
