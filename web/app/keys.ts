@@ -3,6 +3,7 @@
 import { pickFiles } from './files';
 import { stageHandle } from './panels/stage_view';
 import { cancelRunning } from './state/runner';
+import { reset, stepOnce, twin } from './state/simulation';
 import { isPicking, results, view, wantedFaces, wants } from './state/store';
 import type { Layout } from './state/store';
 
@@ -25,6 +26,20 @@ const PLAIN: Record<string, () => void> = {
   },
   '?': () => (view.helpOpen.value = !view.helpOpen.value),
 };
+
+/** What differs while both bodies move. */
+const TEST: Record<string, () => void> = {
+  ' ': () => (twin.playing.value = !twin.playing.value),
+  '1': () => (twin.heat.value = false),
+  '2': () => (twin.heat.value = true),
+  v: () => (twin.layout.value = twin.layout.value === 'beside' ? 'over' : 'beside'),
+  d: () => (twin.driven.value = !twin.driven.value),
+  arrowright: stepOnce,
+  home: reset,
+};
+
+const plainAction = (key: string): (() => void) | undefined =>
+  (view.step.value === 'test' ? TEST[key] : undefined) ?? PLAIN[key];
 
 const WITH_CONTROL: Record<string, () => void> = {
   o: () => void pickFiles(),
@@ -50,7 +65,7 @@ export function listenToKeys(): void {
   addEventListener('keydown', (event) => {
     const key = event.key.toLowerCase();
     const hasControl = event.ctrlKey || event.metaKey;
-    const action = (hasControl ? WITH_CONTROL : PLAIN)[key];
+    const action = hasControl ? WITH_CONTROL[key] : plainAction(key);
     if (!action || event.altKey) return;
     if (!hasControl && isTyping(event.target) && key !== 'escape') return;
     // Space and Enter on a button press it.

@@ -8,6 +8,7 @@ import { listenToKeys } from './keys';
 import { loadSamples, openSample, samples } from './panels/samples';
 import { isDark } from './scheme';
 import { startRunner } from './state/runner';
+import { startSimulations } from './state/simulation';
 import './style.css';
 
 const FIRST_SAMPLE = 'tower';
@@ -18,6 +19,7 @@ effect(() => {
 render(<App />, document.getElementById('app')!);
 listenToKeys();
 startRunner();
+startSimulations();
 await loadSamples();
 const wanted = new URLSearchParams(location.search).get('sample') ?? FIRST_SAMPLE;
 const first = samples.value.find((sample) => sample.id === wanted);
