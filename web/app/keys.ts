@@ -3,6 +3,7 @@
 import { pickFiles } from './files';
 import { stageHandle } from './panels/stage_view';
 import { cancelRunning } from './state/runner';
+import { reset, stepOnce, twin } from './state/simulation';
 import { redo, undo } from './state/undo';
 import { isBrushing, isPicking, results, view, wantedFaces, wants } from './state/store';
 import type { Layout } from './state/store';
@@ -30,6 +31,20 @@ const PLAIN: Record<string, () => void> = {
   ']': () => sizeBrush(1.25),
   '?': () => (view.helpOpen.value = !view.helpOpen.value),
 };
+
+/** What differs while both bodies move. */
+const TEST: Record<string, () => void> = {
+  ' ': () => (twin.playing.value = !twin.playing.value),
+  '1': () => (twin.heat.value = false),
+  '2': () => (twin.heat.value = true),
+  v: () => (twin.layout.value = twin.layout.value === 'beside' ? 'over' : 'beside'),
+  d: () => (twin.driven.value = !twin.driven.value),
+  arrowright: stepOnce,
+  home: reset,
+};
+
+const plainAction = (key: string): (() => void) | undefined =>
+  (view.step.value === 'test' ? TEST[key] : undefined) ?? PLAIN[key];
 
 const WITH_CONTROL: Record<string, () => void> = {
   z: undo,
@@ -70,8 +85,8 @@ export function listenToKeys(): void {
   addEventListener('keydown', (event) => {
     const key = event.key.toLowerCase();
     const hasControl = event.ctrlKey || event.metaKey;
-    const action =
-      hasControl && event.shiftKey && key === 'z' ? redo : (hasControl ? WITH_CONTROL : PLAIN)[key];
+    const withControl = event.shiftKey && key === 'z' ? redo : WITH_CONTROL[key];
+    const action = hasControl ? withControl : plainAction(key);
     if (!action || event.altKey) return;
     const isOwn = hasControl ? hasOwnUndo(event.target) && 'zy'.includes(key) : isTyping(event.target);
     if (isOwn && key !== 'escape') return;

@@ -9,6 +9,7 @@ import { listenToKeys } from './keys';
 import { loadSamples } from './panels/samples';
 import { isDark } from './scheme';
 import { startRunner } from './state/runner';
+import { startSimulations } from './state/simulation';
 import './style.css';
 
 effect(() => {
@@ -17,5 +18,6 @@ effect(() => {
 render(<App />, document.getElementById('app')!);
 listenToKeys();
 startRunner();
+startSimulations();
 await loadSamples();
 await begin();

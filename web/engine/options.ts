@@ -492,7 +492,7 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     min: 1,
     max: 10000,
     step: 1,
-    slider: { min: 5, max: 200 },
+    slider: { min: 1, max: 2000 },
     default: 20,
     help: 'Substeps of a step of 1/60 s; more make stiff or fine meshes more exact (the paper takes 2,000).',
     group: 'simulation',

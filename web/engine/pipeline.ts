@@ -47,6 +47,12 @@ export interface PreparedBody {
   costAttributes: CostAttributes;
 }
 
+/** What a material needs to know of a body. */
+export interface BodySize {
+  body: { scale: number };
+  diagonal: number;
+}
+
 /** What an optimized mesh is like beside its original. */
 export interface Measured {
   /** of the mesh as a reader of the file would weld it */
@@ -144,7 +150,7 @@ export function findModes(
 }
 
 /** The material on this body: thickness in units of its mesh, and metres per such unit. */
-export function materialOf({ body, diagonal }: PreparedBody, settings: Settings) {
+export function materialOf({ body, diagonal }: BodySize, settings: Settings) {
   const { young, poisson, density, thickness, unit } = settings;
   return { young, poisson, density, thickness: (thickness / 100) * diagonal, unit: unit * body.scale };
 }

@@ -74,12 +74,12 @@ function Painted() {
     <div class="held">
       <p class="hint" role="status">
         {kept > 0 && (
-          <span class="swatch" style={{ '--swatch': PAINT.keep }}>
+          <span class="paint-key" style={{ '--paint': PAINT.keep }}>
             {count(kept)} kept
           </span>
         )}
         {locked > 0 && (
-          <span class="swatch" style={{ '--swatch': PAINT.lock }}>
+          <span class="paint-key" style={{ '--paint': PAINT.lock }}>
             {count(locked)} locked
           </span>
         )}

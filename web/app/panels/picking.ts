@@ -20,7 +20,7 @@ export function connectPicking(canvas: HTMLCanvasElement, stage: Stage): PickToo
   const hand = () => (isBrushing.value ? brush : pins);
   return new PickTool(canvas, {
     mesh: () => (isPicking.value || isBrushing.value ? (results.body.value?.mesh ?? null) : null),
-    rayAt: (clientX, clientY) => stage.rayAt('original', { clientX, clientY }),
+    rayAt: (x, y) => (stage.paneAt(x) === 'original' ? stage.rayAt(x, y) : null),
     isBroad: () => isBrushing.value,
     hover: (picked) => hand().hover(picked),
     brush: () => hand().brush(),
@@ -69,7 +69,8 @@ function pinByHand(vertices: number[], isPinning: boolean): void {
 /** Pins belong to the motion: they are shown where something moves. */
 export function showPins(stage: Stage | null): void {
   const isShown = view.step.value !== 'model' && results.body.value !== null;
-  stage?.pin(isShown ? shownPins() : []);
+  // Bodies that move carry their own.
+  if (view.step.value !== 'test') stage?.pin(isShown ? shownPins() : []);
   if (!isPicking.value) stage?.offer(null);
   stage?.colourPins(isDark.value ? { fill: '#ff9d5c', rim: '#1a0d04' } : { fill: '#e8590c', rim: '#ffffff' });
 }

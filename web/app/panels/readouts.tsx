@@ -3,10 +3,13 @@
 import { isFitted } from '../../engine/options';
 import { results, shownMesh, view, wants } from '../state/store';
 import { count, fixed } from './controls';
+import { Readout } from './readout';
+import { TestReadouts } from './test_readouts';
 
 export function Readouts() {
   const body = results.body.value;
   if (!body) return null;
+  if (view.step.value === 'test') return <TestReadouts />;
   const total = body.mesh.triangles.length / 3;
   const mesh = shownMesh.value;
   if (view.step.value !== 'reduce' || !mesh) return <OriginalReadouts />;
@@ -83,27 +86,5 @@ function OriginalReadouts() {
         note={describeTopology(inspection)}
       />
     </dl>
-  );
-}
-
-function Readout({
-  name,
-  value,
-  note,
-  isBad,
-}: {
-  name: string;
-  value: string;
-  note: string;
-  isBad?: boolean;
-}) {
-  return (
-    <div class={isBad ? 'bad' : undefined}>
-      <dt>{name}</dt>
-      <dd>
-        <strong>{value}</strong>
-        <span class="muted">{note}</span>
-      </dd>
-    </div>
   );
 }

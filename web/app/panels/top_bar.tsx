@@ -13,6 +13,7 @@ const STEPS: { id: Step; text: string }[] = [
   { id: 'model', text: 'Model' },
   { id: 'motion', text: 'Motion' },
   { id: 'reduce', text: 'Reduce' },
+  { id: 'test', text: 'Test' },
 ];
 
 const NEXT_THEME: Record<Theme, Theme> = { system: 'light', light: 'dark', dark: 'system' };

@@ -50,7 +50,7 @@ const afterHistory = (make: () => string) => () => (results.history.value ? afte
 
 /** Once the slider has rested on a mesh that is looked at. */
 const atRest = (): string | null =>
-  (view.step.value === 'reduce' || wants.exportOpen.value) &&
+  (view.step.value === 'reduce' || view.step.value === 'test' || wants.exportOpen.value) &&
   restedFaces.value === wantedFaces.value &&
   results.mesh.value
     ? afterHistory(() => `${resultKey(settings())} ${restedFaces.value}`)()
@@ -249,6 +249,7 @@ const nextStage = () =>
 async function loop(): Promise<void> {
   if (looping) return;
   looping = true;
+  status.working.value = true;
   await opening;
   for (let stage = nextStage(); stage; stage = nextStage()) {
     running = stage;
@@ -272,6 +273,7 @@ async function loop(): Promise<void> {
     }
   }
   looping = false;
+  status.working.value = false;
 }
 
 function complain(error: unknown): void {

@@ -16,7 +16,7 @@ import type {
   ResultMetrics,
 } from '../worker/protocol';
 
-export type Step = 'model' | 'motion' | 'reduce';
+export type Step = 'model' | 'motion' | 'reduce' | 'test';
 export type Layout = 'both' | 'original' | 'optimized';
 export type FieldName = 'none' | 'strain' | 'curvature';
 export type BrushTool = 'keep' | 'lock' | 'erase';
@@ -76,6 +76,8 @@ export const view = {
 
 /** What is going on. */
 export const status = {
+  /** whether stages are running or about to */
+  working: signal(false),
   busy: signal<{ what: string; progress: Progress | null } | null>(null),
   /** what was cancelled and waits for a word */
   paused: signal<string | null>(null),

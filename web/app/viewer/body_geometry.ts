@@ -20,7 +20,8 @@ export function perCorner({ triangles }: TriangleMesh, values: Float32Array, siz
   return out;
 }
 
-export function bodyGeometry(mesh: TriangleMesh): BufferGeometry {
+/** `groups`: corners that share a normal, see CornerNormals. */
+export function bodyGeometry(mesh: TriangleMesh): { geometry: BufferGeometry; groups: Uint32Array } {
   const geometry = new BufferGeometry();
   const { group, normals } = cornerNormals(mesh);
   const spread = new Float32Array(3 * group.length);
@@ -32,7 +33,7 @@ export function bodyGeometry(mesh: TriangleMesh): BufferGeometry {
   setDisplacement(geometry, mesh, null);
   setField(geometry, mesh, null);
   geometry.computeBoundingSphere();
-  return geometry;
+  return { geometry, groups: group };
 }
 
 /** Per vertex, in units of the mesh; null: none. */

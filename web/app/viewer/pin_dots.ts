@@ -51,6 +51,11 @@ export class PinDots {
     const places = Float32Array.from(
       [...vertices].flatMap((vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]),
     );
+    this.place(places);
+  }
+
+  /** places[3 * dot + c] */
+  place(places: Float32Array): void {
     this.points.geometry.dispose();
     this.points.geometry = new BufferGeometry();
     this.points.geometry.setAttribute('position', new BufferAttribute(places, 3));

@@ -13,6 +13,9 @@ import type { MapName } from './colours';
 import { PinDots } from './pin_dots';
 import type { DotLook } from './pin_dots';
 import { surfaceMaterial } from './surface_material';
+import { PropsView } from './twin_props';
+import type { Props, PropsLook } from './twin_props';
+import { MOST_SMOOTH, paintSurface, placeSurface } from './twin_surface';
 
 CameraControls.install({ THREE });
 
@@ -26,6 +29,11 @@ export interface Look {
 /** One body in its own scene. */
 class Pane {
   readonly scene = new THREE.Scene();
+  readonly dots: PinDots;
+  readonly props = new PropsView();
+  private groups: Uint32Array = new Uint32Array();
+  private isPlaced = false;
+  private veilColour: string | null = null;
   private readonly body: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
   mesh: TriangleMesh | null = null;
   private field: Field | null = null;
@@ -33,19 +41,26 @@ class Pane {
   private levels: Levels | null = null;
   private isPaintStale = false;
 
-  constructor(map: THREE.DataTexture) {
+  constructor(map: THREE.DataTexture, pixelRatio: number) {
+    this.dots = new PinDots(pixelRatio);
     const look = { clay: new THREE.Color(), wire: new THREE.Color(), wireStrength: 0 };
     this.body = new THREE.Mesh(new THREE.BufferGeometry(), surfaceMaterial(map, look));
     this.body.frustumCulled = false; // a swinging body leaves the bounds of its rest pose
     this.body.visible = false;
-    this.scene.add(this.body);
+    this.scene.add(this.body, this.dots.points, this.props.group);
   }
 
   show(mesh: TriangleMesh | null): void {
     this.body.geometry.dispose();
     this.mesh = mesh;
     this.body.visible = mesh !== null;
-    this.body.geometry = mesh ? bodyGeometry(mesh) : new THREE.BufferGeometry();
+    const { geometry, groups } = mesh
+      ? bodyGeometry(mesh)
+      : { geometry: new THREE.BufferGeometry(), groups: new Uint32Array() };
+    this.body.geometry = geometry;
+    this.groups = groups;
+    this.isPlaced = false;
+    this.body.material.uniforms.isFlat.value = false;
     this.applyField();
     this.applyShape();
     this.isPaintStale = true;
@@ -90,9 +105,30 @@ class Pane {
     this.isPaintStale = false;
   }
 
+  /** Vertices elsewhere than at rest, or back there (null), and values in [0, 1] to colour them by. */
+  place(positions: Float32Array | null, values: Float32Array | null): void {
+    const { mesh, groups } = this;
+    if (!mesh || (positions ? positions.length !== mesh.positions.length : !this.isPlaced)) return;
+    this.isPlaced = positions !== null;
+    const { isFlat, hasField } = this.body.material.uniforms;
+    isFlat.value = this.isPlaced && mesh.triangles.length > 3 * MOST_SMOOTH;
+    placeSurface(this.body.geometry, mesh, positions ?? mesh.positions, groups);
+    if (!positions) return this.applyField();
+    hasField.value = values?.length === mesh.positions.length / 3;
+    if (values && hasField.value) paintSurface(this.body.geometry, mesh, values);
+  }
+
+  /** As a veil over another body, or as itself (null). */
+  veil(colour: string | null): void {
+    const { material } = this.body;
+    material.transparent = colour !== null;
+    material.uniforms.opacity.value = colour === null ? 1 : 0.5;
+    this.veilColour = colour;
+  }
+
   look({ clay, wire, wireStrength }: Look): void {
     const { uniforms } = this.body.material;
-    uniforms.clay.value.set(clay);
+    uniforms.clay.value.set(this.veilColour ?? clay);
     uniforms.wire.value.set(wire);
     uniforms.wireStrength.value = wireStrength;
   }
@@ -116,10 +152,10 @@ export class Stage {
   private readonly timer = new THREE.Timer();
   private readonly maps: Record<MapName, THREE.DataTexture>;
   private readonly panes: Record<PaneName, Pane>;
-  private readonly dots: PinDots;
   private readonly candidate: PinDots;
   private readonly ring = new BrushRing();
   private shown: PaneName[] = ['original'];
+  private isOverlaid = false;
   private stale = true;
   private swinging = false;
   private phase = 0;
@@ -129,11 +165,14 @@ export class Stage {
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    // Panes are cleared all at once.
+    this.renderer.autoClear = false;
     this.maps = { viridis: mapTexture('viridis'), cividis: mapTexture('cividis') };
-    this.panes = { original: new Pane(this.maps.viridis), optimized: new Pane(this.maps.viridis) };
-    this.dots = new PinDots(this.renderer.getPixelRatio());
-    this.candidate = new PinDots(this.renderer.getPixelRatio());
-    this.panes.original.scene.add(this.dots.points, this.candidate.points, this.ring.line);
+    const ratio = this.renderer.getPixelRatio();
+    const pane = (): Pane => new Pane(this.maps.viridis, ratio);
+    this.panes = { original: pane(), optimized: pane() };
+    this.candidate = new PinDots(ratio);
+    this.panes.original.scene.add(this.candidate.points, this.ring.line);
     this.controls = new CameraControls(this.camera, canvas);
     this.controls.dollyToCursor = true;
     this.controls.smoothTime = 0.08;
@@ -159,6 +198,24 @@ export class Stage {
     this.stale = true;
   }
 
+  /** Vertices of a body in motion, or at rest (null), values to colour them by, and dots at [3 * dot + c]. */
+  place(
+    name: PaneName,
+    positions: Float32Array | null,
+    { values = null, dots = null }: { values?: Float32Array | null; dots?: Float32Array | null } = {},
+  ): void {
+    const pane = this.panes[name];
+    pane.place(positions, values);
+    if (dots) pane.dots.place(dots);
+    this.stale = true;
+  }
+
+  /** What bodies fall on. */
+  furnish(props: Props | null, look: PropsLook): void {
+    for (const pane of Object.values(this.panes)) pane.props.show(props, look);
+    this.stale = true;
+  }
+
   look(look: Look): void {
     for (const pane of Object.values(this.panes)) pane.look(look);
     this.stale = true;
@@ -178,7 +235,8 @@ export class Stage {
 
   /** Dots at these vertices of the original, at rest. */
   pin(vertices: Iterable<number>): void {
-    this.showDots(this.dots, vertices);
+    this.showDots(this.panes.original.dots, vertices);
+    this.panes.optimized.dots.place(new Float32Array());
   }
 
   /** A dot at the vertex that a click would take. */
@@ -193,25 +251,37 @@ export class Stage {
   }
 
   colourPins(look: DotLook): void {
-    this.dots.look(look);
+    for (const pane of Object.values(this.panes)) pane.dots.look(look);
     this.candidate.look({ fill: look.rim, rim: look.fill });
     this.stale = true;
   }
 
-  /** The ray of sight through a place of the page; null where it does not show this pane. */
-  rayAt(name: PaneName, { clientX, clientY }: { clientX: number; clientY: number }): THREE.Ray | null {
+  /** The ray of sight through a place of the page, in the pane that it lies in. */
+  rayAt(clientX: number, clientY: number): THREE.Ray {
     const box = this.canvas.getBoundingClientRect();
-    const across = ((clientX - box.left) / box.width) * this.shown.length;
-    if (this.shown[Math.floor(across)] !== name) return null;
+    const across = ((clientX - box.left) / box.width) * this.columns;
     const place = new THREE.Vector2(2 * (across % 1) - 1, 1 - (2 * (clientY - box.top)) / box.height);
     const caster = new THREE.Raycaster();
     caster.setFromCamera(place, this.camera);
     return caster.ray;
   }
 
-  arrange(shown: PaneName[]): void {
+  /** Side by side, or with a colour the later ones as veils over the first. */
+  arrange(shown: PaneName[], veil: string | null = null): void {
     this.shown = shown;
+    this.isOverlaid = veil !== null;
+    this.panes.optimized.veil(veil);
     this.resize();
+  }
+
+  private get columns(): number {
+    return this.isOverlaid ? 1 : this.shown.length;
+  }
+
+  /** The pane at a place of the page. */
+  paneAt(clientX: number): PaneName {
+    const box = this.canvas.getBoundingClientRect();
+    return this.shown[Math.floor(((clientX - box.left) / box.width) * this.columns)] ?? this.shown[0];
   }
 
   /** x = x0 + amplitude sin(theta) phi, Eq. 5; theta runs while `playing`. */
@@ -221,9 +291,13 @@ export class Stage {
     this.stale = true;
   }
 
-  /** Turns the camera to the whole body. */
-  fit(animated = true): void {
-    const sphere = this.panes.original.sphere();
+  /** Turns the camera to the whole body, and to `room` diagonals below it. */
+  fit(animated = true, room = 0): void {
+    const sphere = this.panes.original.sphere()?.clone();
+    if (sphere && room > 0) {
+      sphere.center.y -= room * sphere.radius;
+      sphere.radius *= 1 + room;
+    }
     if (!sphere || !(sphere.radius > 0)) return;
     this.camera.near = sphere.radius / 100;
     this.camera.far = sphere.radius * 100;
@@ -253,7 +327,7 @@ export class Stage {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setSize(clientWidth, clientHeight, false);
-    this.camera.aspect = clientWidth / this.shown.length / clientHeight;
+    this.camera.aspect = clientWidth / this.columns / clientHeight;
     this.camera.updateProjectionMatrix();
     this.stale = true;
   }
@@ -270,15 +344,18 @@ export class Stage {
 
   private draw(): void {
     const { clientWidth, clientHeight } = this.canvas;
-    const width = clientWidth / this.shown.length;
+    const width = clientWidth / this.columns;
     this.renderer.setScissorTest(false);
     this.renderer.clear();
     this.renderer.setScissorTest(true);
     this.shown.forEach((name, i) => {
       const pane = this.panes[name];
       pane.swing(Math.sin(this.phase) * this.settle.amplitude);
-      this.renderer.setViewport(i * width, 0, width, clientHeight);
-      this.renderer.setScissor(i * width, 0, width, clientHeight);
+      const left = this.isOverlaid ? 0 : i * width;
+      this.renderer.setViewport(left, 0, width, clientHeight);
+      this.renderer.setScissor(left, 0, width, clientHeight);
+      // A veil is not hidden by what it lies over.
+      if (this.isOverlaid && i > 0) this.renderer.clearDepth();
       this.renderer.render(pane.scene, this.camera);
     });
   }

@@ -49,6 +49,7 @@ const fragmentShader = /* glsl */ `
   uniform vec3 keep;
   uniform vec3 lock;
   uniform float hatchPixels;
+  uniform float opacity;
   void main() {
     vec3 faceNormal = normalize(cross(dFdx(vPosition), dFdy(vPosition)));
     vec3 n = isFlat ? faceNormal : normalize(vNormal);
@@ -69,7 +70,7 @@ const fragmentShader = /* glsl */ `
     float onEdge = 1.0 - min(min(edge.x, edge.y), edge.z);
     // Where triangles are smaller than a few pixels the lines would drown the surface.
     float room = 1.0 - smoothstep(0.25, 0.9, max(max(width.x, width.y), width.z));
-    gl_FragColor = vec4(mix(lit, wire, onEdge * wireStrength * (0.35 + 0.65 * room)), 1.0);
+    gl_FragColor = vec4(mix(lit, wire, onEdge * wireStrength * (0.35 + 0.65 * room)), opacity);
     #include <colorspace_fragment>
   }
 `;
@@ -87,6 +88,7 @@ export function surfaceMaterial(map: DataTexture, look: SurfaceLook): ShaderMate
       amplitude: { value: 0 },
       hasField: { value: false },
       isFlat: { value: false },
+      opacity: { value: 1 },
       clay: { value: look.clay },
       wire: { value: look.wire },
       wireStrength: { value: look.wireStrength },

@@ -37,6 +37,8 @@ export interface OpenedFile {
 export interface BodySummary {
   mesh: TriangleMesh;
   diagonal: number;
+  /** of the node that uses the body: a length of the mesh is this many of the file */
+  scale: number;
   inspection: Inspection;
   minAngle: number;
   meanMinAngle: number;

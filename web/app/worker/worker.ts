@@ -94,6 +94,7 @@ const api: WorkerApi = {
       return {
         mesh,
         diagonal,
+        scale: source.scale,
         inspection,
         minAngle,
         meanMinAngle,
