@@ -6,10 +6,8 @@ import { cancelRunning } from './state/runner';
 import { reset, stepOnce, twin } from './state/simulation';
 import { redo, undo } from './state/undo';
 import { isBrushing, isPicking, results, view, wantedFaces, wants } from './state/store';
-import type { Layout } from './state/store';
+import { blink, LAYOUT_NAMES } from './panels/compare';
 import { BRUSH_RADIUS } from './panels/brush_section';
-
-const LAYOUTS: Layout[] = ['both', 'original', 'optimized'];
 
 const PLAIN: Record<string, () => void> = {
   ' ': () => (view.playing.value = !view.playing.value),
@@ -18,8 +16,9 @@ const PLAIN: Record<string, () => void> = {
   '1': () => (view.field.value = 'none'),
   '2': () => (view.field.value = 'strain'),
   '3': () => (view.field.value = 'curvature'),
-  b: () => (view.layout.value = view.layout.value === 'original' ? 'optimized' : 'original'),
-  v: () => (view.layout.value = LAYOUTS[(LAYOUTS.indexOf(view.layout.value) + 1) % LAYOUTS.length]),
+  b: blink,
+  v: () =>
+    (view.layout.value = LAYOUT_NAMES[(LAYOUT_NAMES.indexOf(view.layout.value) + 1) % LAYOUT_NAMES.length]),
   arrowleft: () => stepFaces(-1),
   arrowright: () => stepFaces(1),
   escape: () => {

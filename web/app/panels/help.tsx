@@ -8,7 +8,7 @@ const KEYS: [string, string][] = [
   ['W', 'wireframe'],
   ['1 2 3', 'plain, strain, curvature; in Test: plain, deviation'],
   ['B', 'blink between original and optimized'],
-  ['V', 'next view: side by side, original, optimized; in Test: overlaid'],
+  ['V', 'next view: side by side, slider, original, optimized; in Test: overlaid'],
   ['← →', 'one collapse back or on; in Test: one step on'],
   ['Home', 'in Test: back to the start'],
   ['D', 'in Test: the original driven by the optimized'],

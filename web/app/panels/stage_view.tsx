@@ -12,6 +12,7 @@ import { Stage } from '../viewer/stage';
 import type { PaneName } from '../viewer/stage';
 import { count } from './controls';
 import { curvatureScale } from './curvature_scale';
+import { Compare, comparedAlone, comparedPanes, isSplit } from './compare';
 import { Legend } from './legend';
 import { guidingModes } from './mode_choice';
 import { showPaint } from './brushing';
@@ -65,6 +66,7 @@ export function StageView() {
         </p>
       )}
       <PaneLabels />
+      <Compare />
       <TwinAlert />
       <Legend />
     </div>
@@ -98,13 +100,9 @@ function showAll(): void {
 }
 
 function shownPanes(): PaneName[] {
-  const layout = view.layout.value;
   if (view.step.value === 'test' && shownMesh.value) return ['original', 'optimized'];
   if (view.step.value !== 'reduce' || !shownMesh.value) return ['original'];
-  // The brush paints on the original.
-  return layout === 'both' || (isBrushing.value && layout === 'optimized')
-    ? ['original', 'optimized']
-    : [layout];
+  return comparedPanes();
 }
 
 function showOriginal(): void {
@@ -119,7 +117,10 @@ function showOptimized(): void {
 }
 
 function showArrangement(): void {
-  stageHandle.current?.arrange(shownPanes(), isOverlaid.value ? veilColour() : null);
+  stageHandle.current?.arrange(shownPanes(), {
+    veil: isOverlaid.value ? veilColour() : null,
+    split: isSplit() ? view.split.value : null,
+  });
 }
 
 /** A field of the original, and the same seen on what is left of it. */
@@ -208,7 +209,7 @@ function PaneLabels() {
     optimized: (shownMesh.value?.mesh.triangles.length ?? 0) / 3,
   };
   return (
-    <div class="pane-labels">
+    <div class={comparedAlone() ? 'pane-labels alone' : 'pane-labels'}>
       {shownPanes().map((name) => (
         <span key={name}>
           {name === 'original' ? 'Original' : 'Optimized'}{' '}

@@ -62,6 +62,11 @@ export class Client {
     return { phase: PHASES[phase], fraction };
   }
 
+  /** Whether a running call stops without losing what the worker holds. */
+  get canStop(): boolean {
+    return this.job !== null;
+  }
+
   /** Stops the running call: by a wish in shared memory, or by a fresh worker that opens the same files again. */
   cancel(): void {
     if (!this.abandon) return;

@@ -21,6 +21,8 @@ interface Stage {
   key(): string | null;
   run(): Promise<unknown>;
   result: Signal<unknown>;
+  /** any other stage goes before it, and stops it where it runs */
+  isPatient?: boolean;
 }
 
 const REST_MILLISECONDS = 180;
@@ -120,7 +122,22 @@ const stages: Stage[] = [
     run: () => client.call((worker) => worker.export(settings(), bodyTargets(), wants.exportFields.value)),
     result: results.exported,
   },
+  {
+    what: 'Marking the deviation on the slider',
+    key: () => (isMarkingWanted() ? afterHistory(() => historyKey(settings()))() : null),
+    run: () => client.call((worker) => worker.marks(body(), settings())),
+    result: results.marks,
+    isPatient: true,
+  },
 ];
+
+/** Without shared memory a patient stage can only be stopped by a fresh worker, which has everything to do again. */
+const MOST_FACES_UNSTOPPABLE = 20_000;
+
+const isMarkingWanted = (): boolean =>
+  view.step.value === 'reduce' &&
+  results.metrics.value !== null &&
+  (client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE);
 
 /** Pins that the body has not are refused with a sentence, and those before them stay; a new file begins with none. */
 async function findPins(): Promise<unknown> {
@@ -227,7 +244,7 @@ export function startRunner(): void {
     const keys = stages.map((stage) => stage.key());
     untracked(() => {
       // A call whose inputs have changed since is of no use to anybody.
-      if (running && keys[stages.indexOf(running)] !== runningKey) client.cancel();
+      if (running && (keys[stages.indexOf(running)] !== runningKey || mustWait(running))) client.cancel();
       void loop();
     });
   });
@@ -237,6 +254,9 @@ export function startRunner(): void {
     return () => clearTimeout(timer);
   });
 }
+
+/** Whether something else is due before a patient stage goes on. */
+const mustWait = (stage: Stage): boolean => stage.isPatient === true && nextStage() !== stage;
 
 let runningKey: string | null = null;
 

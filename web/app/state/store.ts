@@ -7,6 +7,7 @@ import type { Settings } from '../../engine/options';
 import { modesKey, resultKey } from './keys';
 import type {
   BodySummary,
+  DeviationMarks,
   ExportResult,
   FitResult,
   HistorySummary,
@@ -17,7 +18,7 @@ import type {
 } from '../worker/protocol';
 
 export type Step = 'model' | 'motion' | 'reduce' | 'test';
-export type Layout = 'both' | 'original' | 'optimized';
+export type Layout = 'both' | 'slider' | 'original' | 'optimized';
 export type FieldName = 'none' | 'strain' | 'curvature';
 export type BrushTool = 'keep' | 'lock' | 'erase';
 export type Theme = 'system' | 'light' | 'dark';
@@ -47,6 +48,7 @@ export const results = {
   guidance: signal<StrainGuidance | null>(null),
   curvature: signal<Curvature | null>(null),
   history: signal<HistorySummary | null>(null),
+  marks: signal<DeviationMarks | null>(null),
   mesh: signal<MeshAt | null>(null),
   fitted: signal<FitResult | null>(null),
   metrics: signal<ResultMetrics | null>(null),
@@ -57,6 +59,8 @@ export const results = {
 export const view = {
   step: signal<Step>('model'),
   layout: signal<Layout>('both'),
+  /** of the stage: how much of it shows the original where both lie over each other */
+  split: signal(0.5),
   field: signal<FieldName>('strain'),
   wire: signal(true),
   playing: signal(!matchMedia('(prefers-reduced-motion: reduce)').matches),

@@ -156,6 +156,7 @@ export class Stage {
   private readonly ring = new BrushRing();
   private shown: PaneName[] = ['original'];
   private isOverlaid = false;
+  private split: number | null = null;
   private stale = true;
   private swinging = false;
   private phase = 0;
@@ -266,22 +267,31 @@ export class Stage {
     return caster.ray;
   }
 
-  /** Side by side, or with a colour the later ones as veils over the first. */
-  arrange(shown: PaneName[], veil: string | null = null): void {
+  /**
+   * Side by side; with a colour the later ones as veils over the first; with a split in [0, 1] the first to the left of it
+   * and the second to the right.
+   */
+  arrange(
+    shown: PaneName[],
+    { veil = null, split = null }: { veil?: string | null; split?: number | null } = {},
+  ): void {
     this.shown = shown;
     this.isOverlaid = veil !== null;
+    this.split = shown.length === 2 && veil === null ? split : null;
     this.panes.optimized.veil(veil);
     this.resize();
   }
 
   private get columns(): number {
-    return this.isOverlaid ? 1 : this.shown.length;
+    return this.isOverlaid || this.split !== null ? 1 : this.shown.length;
   }
 
   /** The pane at a place of the page. */
   paneAt(clientX: number): PaneName {
     const box = this.canvas.getBoundingClientRect();
-    return this.shown[Math.floor(((clientX - box.left) / box.width) * this.columns)] ?? this.shown[0];
+    const across = (clientX - box.left) / box.width;
+    if (this.split !== null) return this.shown[across < this.split ? 0 : 1];
+    return this.shown[Math.floor(across * this.columns)] ?? this.shown[0];
   }
 
   /** x = x0 + amplitude sin(theta) phi, Eq. 5; theta runs while `playing`. */
@@ -351,9 +361,11 @@ export class Stage {
     this.shown.forEach((name, i) => {
       const pane = this.panes[name];
       pane.swing(Math.sin(this.phase) * this.settle.amplitude);
-      const left = this.isOverlaid ? 0 : i * width;
+      const left = this.columns === 1 ? 0 : i * width;
+      const cut = this.split === null ? null : Math.round(this.split * width);
       this.renderer.setViewport(left, 0, width, clientHeight);
-      this.renderer.setScissor(left, 0, width, clientHeight);
+      if (cut === null) this.renderer.setScissor(left, 0, width, clientHeight);
+      else this.renderer.setScissor(i * cut, 0, i === 0 ? cut : width - cut, clientHeight);
       // A veil is not hidden by what it lies over.
       if (this.isOverlaid && i > 0) this.renderer.clearDepth();
       this.renderer.render(pane.scene, this.camera);

@@ -11,6 +11,7 @@ import type {
   StrainGuidance,
   TriangleMesh,
 } from '../../engine/core';
+import type { DeviationMark } from '../../engine/deviation_marks';
 import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
 import type { HealthNote } from '../../engine/health';
@@ -78,6 +79,12 @@ export interface HistorySummary {
   seconds: number;
 }
 
+export interface DeviationMarks {
+  marks: DeviationMark[];
+  /** of the history that they are for, see historyKey */
+  key: string;
+}
+
 export interface FitResult extends Fitted {
   /** what it was made from: resultKey and the number of faces */
   key: string;
@@ -111,6 +118,7 @@ export interface WorkerApi {
   guidance(body: number, settings: Settings): Promise<StrainGuidance>;
   curvature(body: number, settings: Settings): Promise<Curvature>;
   history(body: number, settings: Settings): Promise<HistorySummary>;
+  marks(body: number, settings: Settings): Promise<DeviationMarks>;
   meshAt(body: number, settings: Settings, faces: number): Promise<MeshAt>;
   /** The mesh that is exported: fitted to the modes where the settings say so. */
   fit(body: number, settings: Settings, faces: number): Promise<FitResult>;

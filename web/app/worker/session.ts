@@ -2,6 +2,8 @@
 
 import type { Primitive } from '@gltf-transform/core';
 import type { Core, Curvature, Fitted, History, MeshAt, ModeSet, StrainGuidance } from '../../engine/core';
+import { markDeviations } from '../../engine/deviation_marks';
+import type { DeviationMark } from '../../engine/deviation_marks';
 import type { OpenModel } from '../../engine/document/open';
 import type { Settings } from '../../engine/options';
 import { findPins } from '../../engine/pins';
@@ -10,6 +12,7 @@ import {
   findGuidance,
   findModes,
   fitResult,
+  measureDistance,
   measureResult,
   prepareBody,
   reduceTo,
@@ -41,6 +44,7 @@ export class BodyStages {
   private readonly guidanceStage = new Stage<StrainGuidance>();
   private readonly curvatureStage = new Stage<Curvature>();
   private readonly historyStage = new Stage<{ history: History; seconds: number }>();
+  private readonly deviationsStage = new Stage<Map<number, number>>();
   private readonly resultStage = new Stage<MeshAt>();
   private readonly fittedStage = new Stage<Fitted>();
   private readonly measuredStage = new Stage<Measured>();
@@ -109,6 +113,22 @@ export class BodyStages {
     return this.resultStage.get(`${historyKey(settings)} ${faces}`, () =>
       reduceTo(this.core, this.prepared(settings), this.history(settings).history, faces),
     );
+  }
+
+  /** What has been measured stays when a call is cancelled, so that the next one goes on from there. */
+  marks(settings: Settings): DeviationMark[] {
+    const prepared = this.prepared(settings);
+    const { history } = this.history(settings);
+    const known = this.deviationsStage.get(historyKey(settings), () => new Map<number, number>());
+    const deviationAt = (faces: number): number => {
+      const measure = () =>
+        measureDistance(this.core, prepared, reduceTo(this.core, prepared, history, faces).mesh).hausdorff;
+      const deviation = known.get(faces) ?? measure();
+      known.set(faces, deviation);
+      return deviation;
+    };
+    const { triangleCount: total, trianglesAfter } = history;
+    return markDeviations(deviationAt, { floor: trianglesAfter.at(-1) ?? total, total });
   }
 
   /** The result as it is exported. */

@@ -13,7 +13,7 @@ import type { Settings } from '../../engine/options';
 import { exportedBody, startStopwatch } from '../../engine/pipeline';
 import type { Report } from '../../engine/report';
 import { meshReport, modesReport, startReport, stopReport, worstSurface } from '../../engine/report';
-import { modesKey, resultKey } from '../state/keys';
+import { historyKey, modesKey, resultKey } from '../state/keys';
 import { CANCELLED } from './protocol';
 import type { WorkerApi } from './protocol';
 import { BodyStages } from './session';
@@ -124,6 +124,8 @@ const api: WorkerApi = {
       const { triangleCount, trianglesAfter, refused } = history;
       return { faces: triangleCount, floorFaces: trianglesAfter.at(-1) ?? triangleCount, refused, seconds };
     }),
+  marks: (body, settings) =>
+    speak(() => ({ marks: stagesOf(body).marks(settings), key: historyKey(settings) })),
   meshAt: (body, settings, faces) => speak(() => stagesOf(body).result(settings, faces)),
   fit: (body, settings, faces) =>
     speak(() => ({ ...stagesOf(body).fitted(settings, faces), key: `${resultKey(settings)} ${faces}` })),
