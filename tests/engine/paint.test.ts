@@ -1,18 +1,21 @@
+import { Document } from '@gltf-transform/core';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Core } from '../../web/engine/core';
 import { NONE } from '../../web/engine/core';
+import { findHeld } from '../../web/engine/held';
 import { defaultSettings } from '../../web/engine/options';
 import type { Settings } from '../../web/engine/options';
 import {
+  keepOfLevels,
   LOCKED,
+  lockedIn,
   painted,
   paintOn,
   parsePaint,
   STRONGEST,
   unweldLevels,
   weldLevels,
-  wishesOfLevels,
   withPaint,
 } from '../../web/engine/paint';
 import { buildHistory, prepareBody, reduceTo } from '../../web/engine/pipeline';
@@ -66,9 +69,9 @@ describe('painted levels on a welded mesh', () => {
   });
 
   it('are whole keep weights at the strongest, and locks above', () => {
-    const { keep, locked } = wishesOfLevels(Uint8Array.of(0, STRONGEST / 2, STRONGEST, LOCKED));
-    expect(keep).toEqual(Float32Array.of(0, 0.5, 1, 1));
-    expect(locked).toEqual(Uint8Array.of(0, 0, 0, 1));
+    const levels = Uint8Array.of(0, STRONGEST / 2, STRONGEST, LOCKED);
+    expect(keepOfLevels(levels)).toEqual(Float32Array.of(0, 0.5, 1, 1));
+    expect(lockedIn(levels)).toEqual([3]);
   });
 
   it('grow under the brush and are wiped off by the eraser alone', () => {
@@ -85,7 +88,7 @@ const shape = torus(24, 16);
 
 describe('a painted body', () => {
   const prepared = prepareBody(core, bodyOf(shape), defaultSettings('qem'));
-  const guides = { guidance: null, curvature: core.meanCurvature(prepared.mesh) };
+  const curvature = core.meanCurvature(prepared.mesh);
   const half = (sign: number, level: number) =>
     withPaint(
       '',
@@ -96,6 +99,8 @@ describe('a painted body', () => {
     );
   const reduced = (paint: string, method: Settings['method'], faces: number) => {
     const settings = { ...defaultSettings(method), paint };
+    const { held } = findHeld(core, new Document(), prepared, settings);
+    const guides = { guidance: null, curvature, ...held };
     return reduceTo(core, prepared, buildHistory(core, prepared, guides, settings), faces).mesh;
   };
   const share = ({ positions }: { positions: Float32Array }) =>

@@ -72,12 +72,17 @@ export function unweldLevels(welded: Levels, vertexOfSource: Uint32Array): Level
   return Uint8Array.from(vertexOfSource, (vertex) => (vertex === NONE ? 0 : welded[vertex]));
 }
 
-/** The wishes of the core that the levels stand for. */
-export function wishesOfLevels(levels: Levels): { keep: Float32Array; locked: Uint8Array } {
-  return {
-    keep: Float32Array.from(levels, (level) => Math.min(level, STRONGEST) / STRONGEST),
-    locked: levels.map((level) => (level === LOCKED ? 1 : 0)),
-  };
+/** The keep weights that the levels stand for, in [0, 1]; of a locked vertex 1. */
+export const keepOfLevels = (levels: Levels): Float32Array =>
+  Float32Array.from(levels, (level) => Math.min(level, STRONGEST) / STRONGEST);
+
+/** The vertices that stay as they are, ascending. */
+export function lockedIn(levels: Levels): number[] {
+  const locked: number[] = [];
+  levels.forEach((level, vertex) => {
+    if (level === LOCKED) locked.push(vertex);
+  });
+  return locked;
 }
 
 /** What a stroke with the brush does at a vertex, by how near it is to the middle: `nearness` in [0, 1]. */

@@ -1,11 +1,12 @@
 /** Step 3: how the next edge is chosen, and the slider that replays the collapses. */
 
 import { useRef } from 'preact/hooks';
+import type { FrequencyFinding, Tried } from '../../engine/frequency_target';
 import { describeRefused } from '../../engine/report';
 import { methodChange, OPTIONS } from '../../engine/options';
 import type { Settings } from '../../engine/options';
 import { historyKey } from '../state/keys';
-import { changeSettings, results, wantedFaces, wants } from '../state/store';
+import { changeSettings, results, shownMesh, wantedFaces, wants } from '../state/store';
 import { BrushSection, NamedLocks } from './brush_section';
 import { Choice, Section, SettingRange, Toggle, count, fixed } from './controls';
 import './reduce.css';
@@ -83,14 +84,39 @@ function MoreSettings() {
   );
 }
 
+/** Why there are more faces than asked for, and what was wished in vain. */
 function StopReason() {
   const history = results.history.value;
-  if (!history || wantedFaces.value >= history.floorFaces) return null;
+  if (!history) return null;
+  const frequency = results.fitted.value?.result === shownMesh.value ? results.fitted.value?.frequency : null;
+  const shown = (shownMesh.value?.mesh.triangles.length ?? 0) / 3;
   return (
-    <p class="hint warning">
-      Stopped at {count(history.floorFaces)} faces: {describeRefused(history.refused)}.
-    </p>
+    <>
+      {history.note !== '' && <p class="hint warning">{history.note}.</p>}
+      {wantedFaces.value < history.floorFaces && (
+        <p class="hint warning">
+          Stopped at {count(history.floorFaces)} faces: {describeRefused(history.refused)}.
+        </p>
+      )}
+      {frequency && (
+        <p class={frequency.isBinding ? 'hint warning' : 'hint'}>{describeFrequency(frequency, shown)}</p>
+      )}
+    </>
   );
+}
+
+function describeFrequency({ isBinding, error, limit, tried }: FrequencyFinding, faces: number): string {
+  const off = `the first six frequencies are off by at most ${fixed(error, 2)} %`;
+  if (!isBinding) return `With ${count(faces)} faces ${off}.`;
+  const failures = tried.filter((one) => one.error > limit && one.faces < faces);
+  const nearest = failures.reduce<Tried | null>(
+    (most, one) => (most && most.faces > one.faces ? most : one),
+    null,
+  );
+  const fewer = nearest
+    ? ` With ${count(nearest.faces)} faces it would be ${fixed(nearest.error, 2)} %.`
+    : '';
+  return `Stopped at ${count(faces)} faces, where ${off}.${fewer}`;
 }
 
 export function Scrubber() {

@@ -12,6 +12,7 @@ import type {
   TriangleMesh,
 } from '../../engine/core';
 import type { DeviationMark } from '../../engine/deviation_marks';
+import type { FrequencyFinding } from '../../engine/frequency_target';
 import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
 import type { HealthNote } from '../../engine/health';
@@ -76,6 +77,8 @@ export interface HistorySummary {
   faces: number;
   floorFaces: number;
   refused: Refused;
+  /** a sentence where a symmetry is wished that is not there; otherwise empty */
+  note: string;
   seconds: number;
 }
 
@@ -86,6 +89,8 @@ export interface DeviationMarks {
 }
 
 export interface FitResult extends Fitted {
+  /** null where frequencies are no target */
+  frequency: FrequencyFinding | null;
   /** what it was made from: resultKey and the number of faces */
   key: string;
 }

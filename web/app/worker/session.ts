@@ -6,6 +6,10 @@ import { markDeviations } from '../../engine/deviation_marks';
 import type { DeviationMark } from '../../engine/deviation_marks';
 import type { OpenModel } from '../../engine/document/open';
 import type { Settings } from '../../engine/options';
+import { findHeld } from '../../engine/held';
+import type { Held } from '../../engine/held';
+import { findFrequencyLevel } from '../../engine/optimize';
+import type { FrequencyFinding } from '../../engine/frequency_target';
 import { findPins } from '../../engine/pins';
 import {
   buildHistory,
@@ -18,7 +22,7 @@ import {
   reduceTo,
 } from '../../engine/pipeline';
 import type { Measured, PreparedBody } from '../../engine/pipeline';
-import { guidanceKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from '../state/keys';
+import { guidanceKey, heldKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from '../state/keys';
 
 const isScalar = (primitive: Primitive, name: string): boolean =>
   primitive.getAttribute(name)?.getType() === 'SCALAR';
@@ -37,16 +41,22 @@ class Stage<T> {
   }
 }
 
+export interface FittedLevel extends Fitted {
+  /** null where frequencies are no target */
+  frequency: FrequencyFinding | null;
+}
+
 export class BodyStages {
   private readonly preparedStage = new Stage<PreparedBody>();
   private readonly pinsStage = new Stage<Uint32Array>();
+  private readonly heldStage = new Stage<{ held: Held; note: string }>();
   private readonly modesStage = new Stage<ModeSet>();
   private readonly guidanceStage = new Stage<StrainGuidance>();
   private readonly curvatureStage = new Stage<Curvature>();
   private readonly historyStage = new Stage<{ history: History; seconds: number }>();
   private readonly deviationsStage = new Stage<Map<number, number>>();
   private readonly resultStage = new Stage<MeshAt>();
-  private readonly fittedStage = new Stage<Fitted>();
+  private readonly fittedStage = new Stage<FittedLevel>();
   private readonly measuredStage = new Stage<Measured>();
 
   constructor(
@@ -64,6 +74,13 @@ export class BodyStages {
   pinned(settings: Settings): Uint32Array {
     return this.pinsStage.get(pinsKey(settings), () =>
       findPins(settings.pins, this.model.document, this.prepared(settings)),
+    );
+  }
+
+  /** What the reduction holds on to, and a sentence where a symmetry is wished that is not there. */
+  held(settings: Settings): { held: Held; note: string } {
+    return this.heldStage.get(heldKey(settings), () =>
+      findHeld(this.core, this.model.document, this.prepared(settings), settings),
     );
   }
 
@@ -103,7 +120,7 @@ export class BodyStages {
       const guidance = settings.method === 'qem' ? null : this.guidance(settings);
       const curvature = this.curvature(settings);
       const start = performance.now();
-      const guides = { guidance, curvature, pinned: this.pinned(settings) };
+      const guides = { guidance, curvature, ...this.held(settings).held };
       const history = buildHistory(this.core, prepared, guides, settings);
       return { history, seconds: (performance.now() - start) / 1000 };
     });
@@ -131,14 +148,19 @@ export class BodyStages {
     return markDeviations(deviationAt, { floor: trianglesAfter.at(-1) ?? total, total });
   }
 
-  /** The result as it is exported. */
-  fitted(settings: Settings, faces: number): Fitted {
-    return this.fittedStage.get(`${resultKey(settings)} ${faces}`, () =>
-      fitResult(this.core, this.prepared(settings), this.result(settings, faces), {
-        settings,
-        pinned: this.pinned(settings),
-      }),
-    );
+  /** The result as it is exported: of more faces where frequencies would be off too far. */
+  fitted(settings: Settings, faces: number): FittedLevel {
+    return this.fittedStage.get(`${resultKey(settings)} ${faces}`, () => {
+      const prepared = this.prepared(settings);
+      const request = { settings, ...this.held(settings).held };
+      if (settings.maxFrequencyError > 0) {
+        const { history } = this.history(settings);
+        const target = { ...request, targetFaces: faces };
+        const { fitted, frequency } = findFrequencyLevel(this.core, prepared, history, target);
+        return { ...fitted, frequency };
+      }
+      return { ...fitResult(this.core, prepared, this.result(settings, faces), request), frequency: null };
+    });
   }
 
   measured(settings: Settings, faces: number): Measured {

@@ -46,6 +46,7 @@ function reportOf(settings: Settings, faces: number[], seconds: number): Report 
     history: stages.history(settings),
     targetFaces: faces[i],
     faces: stages.fitted(settings, faces[i]).result.mesh.triangles.length / 3,
+    frequency: stages.fitted(settings, faces[i]).frequency,
   }));
   const total = faces.reduce((sum, count) => sum + count, 0);
   const report = startReport(
@@ -122,7 +123,9 @@ const api: WorkerApi = {
       checkSettings(settings);
       const { history, seconds } = stagesOf(body).history(settings);
       const { triangleCount, trianglesAfter, refused } = history;
-      return { faces: triangleCount, floorFaces: trianglesAfter.at(-1) ?? triangleCount, refused, seconds };
+      const { note } = stagesOf(body).held(settings);
+      const floorFaces = trianglesAfter.at(-1) ?? triangleCount;
+      return { faces: triangleCount, floorFaces, refused, note, seconds };
     }),
   marks: (body, settings) =>
     speak(() => ({ marks: stagesOf(body).marks(settings), key: historyKey(settings) })),
