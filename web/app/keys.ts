@@ -23,6 +23,7 @@ const PLAIN: Record<string, () => void> = {
   arrowright: () => stepFaces(1),
   escape: () => {
     if (isPicking.value) view.picking.value = false;
+    else if (view.probe.value) view.probe.value = null;
     else if (isBrushing.value) view.brush.value = { ...view.brush.value, tool: null };
     else cancelRunning();
   },

@@ -9,6 +9,7 @@ import { historyKey } from '../state/keys';
 import { changeSettings, results, shownMesh, wantedFaces, wants } from '../state/store';
 import { BrushSection, NamedLocks } from './brush_section';
 import { Choice, Section, SettingRange, Toggle, count, fixed } from './controls';
+import { AskVertex } from './why_card';
 import './reduce.css';
 
 const METHODS: { value: Settings['method']; text: string; title: string }[] = [
@@ -80,6 +81,7 @@ function MoreSettings() {
       />
       {method !== 'paper' && <SettingRange name="creases" />}
       <NamedLocks />
+      <AskVertex />
     </>
   );
 }

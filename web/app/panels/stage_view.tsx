@@ -17,6 +17,7 @@ import { Legend } from './legend';
 import { guidingModes } from './mode_choice';
 import { showPaint } from './brushing';
 import { connectPicking, showPins } from './picking';
+import { connectProbe, WhyCard } from './why_card';
 import {
   connectDragging,
   isDriven,
@@ -30,6 +31,8 @@ import {
 
 export const stageHandle: { current: Stage | null } = { current: null };
 
+const getStage = (): Stage | null => stageHandle.current;
+
 export function StageView() {
   const canvas = useRef<HTMLCanvasElement>(null);
   const [failed, setFailed] = useState(false);
@@ -38,6 +41,7 @@ export function StageView() {
       stageHandle.current = new Stage(canvas.current!);
       const hand = connectPicking(canvas.current!, stageHandle.current);
       connectDragging(canvas.current!, stageHandle.current);
+      connectProbe(canvas.current!, getStage);
       effect(() => {
         if (isBrushing.value || isPicking.value) hand.prepare();
       });
@@ -67,6 +71,7 @@ export function StageView() {
       )}
       <PaneLabels />
       <Compare />
+      <WhyCard getStage={getStage} />
       <TwinAlert />
       <Legend />
     </div>

@@ -12,7 +12,7 @@ import { shareInProportion } from '../../engine/share';
 import { takeAwaited } from './link';
 import type { Wanted } from './link';
 import { saveFiles, startSaving } from './saved_session';
-import { changeSettings, results, status, view, wantedFaces, wants } from './store';
+import { changeSettings, results, shownMesh, status, view, wantedFaces, whyKey, wants } from './store';
 import { forgetUndo, startUndo, withoutUndo } from './undo';
 
 interface Stage {
@@ -121,6 +121,17 @@ const stages: Stage[] = [
         : null,
     run: () => client.call((worker) => worker.export(settings(), bodyTargets(), wants.exportFields.value)),
     result: results.exported,
+  },
+  {
+    what: 'Asking why vertices stay',
+    key: () =>
+      view.step.value === 'reduce' && view.probe.value !== null && results.metrics.value !== null
+        ? afterHistory(whyKey)()
+        : null,
+    run: () =>
+      client.call((worker) => worker.why(body(), settings(), shownMesh.value!.mesh.triangles.length / 3)),
+    result: results.why,
+    isPatient: true,
   },
   {
     what: 'Marking the deviation on the slider',

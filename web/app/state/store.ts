@@ -4,7 +4,7 @@ import { computed, signal } from '@preact/signals';
 import type { Curvature, MeshAt, Progress, StrainGuidance } from '../../engine/core';
 import { defaultSettings } from '../../engine/options';
 import type { Settings } from '../../engine/options';
-import { modesKey, resultKey } from './keys';
+import { historyKey, modesKey, resultKey } from './keys';
 import type {
   BodySummary,
   DeviationMarks,
@@ -15,6 +15,7 @@ import type {
   OpenedFile,
   PinsResult,
   ResultMetrics,
+  WhyResult,
 } from '../worker/protocol';
 
 export type Step = 'model' | 'motion' | 'reduce' | 'test';
@@ -52,6 +53,7 @@ export const results = {
   mesh: signal<MeshAt | null>(null),
   fitted: signal<FitResult | null>(null),
   metrics: signal<ResultMetrics | null>(null),
+  why: signal<WhyResult | null>(null),
   exported: signal<ExportResult | null>(null),
 };
 
@@ -68,6 +70,8 @@ export const view = {
   speed: signal(1),
   theme: signal<Theme>('system'),
   helpOpen: signal(false),
+  /** the vertex of the optimized mesh whose reasons are told, and whether it stays when the pointer leaves it */
+  probe: signal<{ vertex: number; isHeld: boolean } | null>(null),
   /** the stage's left button pins vertices instead of turning the view */
   picking: signal(false),
   /** what the left button paints on the Reduce step, null: it turns the view; radius in % of the diagonal, softness 0..1 */
@@ -107,6 +111,16 @@ export const shownMesh = computed(() => {
     ? fitted.result
     : results.mesh.value;
 });
+
+/** The reasons of the shown result, once they are known. */
+export const shownWhy = computed(() => {
+  const { value: why } = results.why;
+  return why?.key === whyKey() ? why : null;
+});
+
+/** Of the reasons that the shown result asks for. */
+export const whyKey = (): string =>
+  `${historyKey(wants.settings.value)} ${(shownMesh.value?.mesh.triangles.length ?? 0) / 3}`;
 
 /** Whether the pick tool is in use. */
 export const isPicking = computed(

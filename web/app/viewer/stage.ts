@@ -12,6 +12,8 @@ import { mapTexture } from './colours';
 import type { MapName } from './colours';
 import { PinDots } from './pin_dots';
 import type { DotLook } from './pin_dots';
+import { nearestSeen, seenAt } from './seen_vertices';
+import type { ScreenPlace, SeenBody } from './seen_vertices';
 import { surfaceMaterial } from './surface_material';
 import { PropsView } from './twin_props';
 import type { Props, PropsLook } from './twin_props';
@@ -38,16 +40,20 @@ class Pane {
   mesh: TriangleMesh | null = null;
   private field: Field | null = null;
   private shape: Float32Array | null = null;
+  /** at a vertex that is asked about */
+  readonly probe: PinDots;
+  private amplitude = 0;
   private levels: Levels | null = null;
   private isPaintStale = false;
 
   constructor(map: THREE.DataTexture, pixelRatio: number) {
     this.dots = new PinDots(pixelRatio);
+    this.probe = new PinDots(pixelRatio);
     const look = { clay: new THREE.Color(), wire: new THREE.Color(), wireStrength: 0 };
     this.body = new THREE.Mesh(new THREE.BufferGeometry(), surfaceMaterial(map, look));
     this.body.frustumCulled = false; // a swinging body leaves the bounds of its rest pose
     this.body.visible = false;
-    this.scene.add(this.body, this.dots.points, this.props.group);
+    this.scene.add(this.body, this.dots.points, this.probe.points, this.props.group);
   }
 
   show(mesh: TriangleMesh | null): void {
@@ -135,7 +141,27 @@ class Pane {
 
   swing(amplitude: number): void {
     this.applyPaint();
+    this.amplitude = amplitude;
+    this.probe.swing(amplitude);
     this.body.material.uniforms.amplitude.value = amplitude;
+  }
+
+  /** The vertex, as it moves. */
+  mark(vertex: number | null): void {
+    const shape = this.fittingShape();
+    if (vertex === null || !this.mesh) return this.probe.place(new Float32Array());
+    const at = (values: Float32Array) => values.slice(3 * vertex, 3 * vertex + 3);
+    this.probe.place(at(this.mesh.positions), shape && at(shape));
+  }
+
+  private fittingShape(): Float32Array | null {
+    return this.shape?.length === this.mesh?.positions.length ? this.shape : null;
+  }
+
+  /** Where the vertices are seen now; see `seenVertices`. */
+  seen(): SeenBody | null {
+    const { mesh, amplitude } = this;
+    return mesh && { positions: mesh.positions, shape: this.fittingShape(), amplitude };
   }
 
   sphere(): THREE.Sphere | null {
@@ -254,6 +280,7 @@ export class Stage {
   colourPins(look: DotLook): void {
     for (const pane of Object.values(this.panes)) pane.dots.look(look);
     this.candidate.look({ fill: look.rim, rim: look.fill });
+    for (const pane of Object.values(this.panes)) pane.probe.look({ fill: '#ffffff', rim: '#17212b' });
     this.stale = true;
   }
 
@@ -292,6 +319,41 @@ export class Stage {
     const across = (clientX - box.left) / box.width;
     if (this.split !== null) return this.shown[across < this.split ? 0 : 1];
     return this.shown[Math.floor(across * this.columns)] ?? this.shown[0];
+  }
+
+  /** Marks a vertex of a body; null takes the mark away. */
+  mark(name: PaneName, vertex: number | null): void {
+    this.panes[name].mark(vertex);
+    this.stale = true;
+  }
+
+  /** The vertex of a pane that is seen nearest to a place of the page, at most `pixels` from it. */
+  vertexAt(name: PaneName, { x, y }: ScreenPlace, pixels: number): number | null {
+    const body = this.panes[name].seen();
+    const box = this.canvas.getBoundingClientRect();
+    if (!body || this.paneAt(x) !== name) return null;
+    const [place, size] = this.inPane(name, { x: x - box.left, y: y - box.top });
+    return nearestSeen(body, this.camera, { ...place, ...size, pixels });
+  }
+
+  /** Where a vertex is seen, in pixels from the upper left corner of the canvas. */
+  placeOf(name: PaneName, vertex: number): ScreenPlace | null {
+    const body = this.panes[name].seen();
+    const [origin, size] = this.inPane(name, { x: 0, y: 0 });
+    if (!body || 3 * vertex >= body.positions.length) return null;
+    const { x, y } = seenAt(body, this.camera, vertex, size);
+    return { x: x - origin.x, y: y - origin.y };
+  }
+
+  /** A place of the canvas from the corner of a pane, and the size of the pane. */
+  private inPane(name: PaneName, { x, y }: ScreenPlace): [ScreenPlace, { width: number; height: number }] {
+    const { clientWidth, clientHeight } = this.canvas;
+    const width = clientWidth / this.columns;
+    const left = this.columns === 1 ? 0 : this.shown.indexOf(name) * width;
+    return [
+      { x: x - left, y },
+      { width, height: clientHeight },
+    ];
   }
 
   /** x = x0 + amplitude sin(theta) phi, Eq. 5; theta runs while `playing`. */

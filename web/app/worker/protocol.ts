@@ -10,6 +10,7 @@ import type {
   Refused,
   StrainGuidance,
   TriangleMesh,
+  WhyKept,
 } from '../../engine/core';
 import type { DeviationMark } from '../../engine/deviation_marks';
 import type { FrequencyFinding } from '../../engine/frequency_target';
@@ -82,6 +83,11 @@ export interface HistorySummary {
   seconds: number;
 }
 
+export interface WhyResult extends WhyKept {
+  /** of the result that it is about: historyKey and its number of faces */
+  key: string;
+}
+
 export interface DeviationMarks {
   marks: DeviationMark[];
   /** of the history that they are for, see historyKey */
@@ -127,6 +133,8 @@ export interface WorkerApi {
   meshAt(body: number, settings: Settings, faces: number): Promise<MeshAt>;
   /** The mesh that is exported: fitted to the modes where the settings say so. */
   fit(body: number, settings: Settings, faces: number): Promise<FitResult>;
+  /** `faces`: that the result has. */
+  why(body: number, settings: Settings, faces: number): Promise<WhyResult>;
   measure(body: number, settings: Settings, faces: number): Promise<ResultMetrics>;
   export(settings: Settings, faces: number[], fields: boolean): Promise<ExportResult>;
 }

@@ -1,7 +1,16 @@
 /** One opened file and what has been computed for each of its bodies. A stage runs again when its inputs have changed. */
 
 import type { Primitive } from '@gltf-transform/core';
-import type { Core, Curvature, Fitted, History, MeshAt, ModeSet, StrainGuidance } from '../../engine/core';
+import type {
+  Core,
+  Curvature,
+  Fitted,
+  History,
+  MeshAt,
+  ModeSet,
+  StrainGuidance,
+  WhyKept,
+} from '../../engine/core';
 import { markDeviations } from '../../engine/deviation_marks';
 import type { DeviationMark } from '../../engine/deviation_marks';
 import type { OpenModel } from '../../engine/document/open';
@@ -13,6 +22,7 @@ import type { FrequencyFinding } from '../../engine/frequency_target';
 import { findPins } from '../../engine/pins';
 import {
   buildHistory,
+  explainResult,
   findGuidance,
   findModes,
   fitResult,
@@ -21,7 +31,7 @@ import {
   prepareBody,
   reduceTo,
 } from '../../engine/pipeline';
-import type { Measured, PreparedBody } from '../../engine/pipeline';
+import type { Guides, Measured, PreparedBody } from '../../engine/pipeline';
 import { guidanceKey, heldKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from '../state/keys';
 
 const isScalar = (primitive: Primitive, name: string): boolean =>
@@ -114,13 +124,16 @@ export class BodyStages {
     );
   }
 
+  private guides(settings: Settings): Guides {
+    const guidance = settings.method === 'qem' ? null : this.guidance(settings);
+    return { guidance, curvature: this.curvature(settings), ...this.held(settings).held };
+  }
+
   history(settings: Settings): { history: History; seconds: number } {
     return this.historyStage.get(historyKey(settings), () => {
       const prepared = this.prepared(settings);
-      const guidance = settings.method === 'qem' ? null : this.guidance(settings);
-      const curvature = this.curvature(settings);
+      const guides = this.guides(settings);
       const start = performance.now();
-      const guides = { guidance, curvature, ...this.held(settings).held };
       const history = buildHistory(this.core, prepared, guides, settings);
       return { history, seconds: (performance.now() - start) / 1000 };
     });
@@ -129,6 +142,16 @@ export class BodyStages {
   result(settings: Settings, faces: number): MeshAt {
     return this.resultStage.get(`${historyKey(settings)} ${faces}`, () =>
       reduceTo(this.core, this.prepared(settings), this.history(settings).history, faces),
+    );
+  }
+
+  /** What keeps each vertex of the result. */
+  why(settings: Settings, faces: number): WhyKept {
+    return explainResult(
+      this.core,
+      this.prepared(settings),
+      { history: this.history(settings).history, faces },
+      { guides: this.guides(settings), settings },
     );
   }
 

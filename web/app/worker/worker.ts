@@ -132,6 +132,8 @@ const api: WorkerApi = {
   meshAt: (body, settings, faces) => speak(() => stagesOf(body).result(settings, faces)),
   fit: (body, settings, faces) =>
     speak(() => ({ ...stagesOf(body).fitted(settings, faces), key: `${resultKey(settings)} ${faces}` })),
+  why: (body, settings, faces) =>
+    speak(() => ({ ...stagesOf(body).why(settings, faces), key: `${historyKey(settings)} ${faces}` })),
   measure: (body, settings, faces) =>
     speak(() => {
       const { quality, distance, certificate, inspection } = stagesOf(body).measured(settings, faces);
