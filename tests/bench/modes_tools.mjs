@@ -4,7 +4,7 @@ import { execFile, spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { promisify } from 'node:util';
-import { build } from 'vite';
+import { bundleModule } from '../../scripts/setup/bundle.mjs';
 import { findHeaders, run } from '../../scripts/setup/environment.mjs';
 
 const execute = promisify(execFile);
@@ -20,17 +20,7 @@ async function jsonOf(program, args, environment = {}) {
 }
 
 /** The engine's loader as one file, for Node and the browser. */
-export async function bundleEngine() {
-  const outDir = join(folder, 'engine');
-  const ssr = 'web/engine/load_core.ts';
-  await build({
-    root,
-    configFile: false,
-    logLevel: 'warn',
-    publicDir: false,
-    build: { ssr, outDir, emptyOutDir: true, target: 'es2022' },
-  });
-}
+export const bundleEngine = () => bundleModule('web/engine/load_core.ts', join(folder, 'engine'));
 
 /** The native program, optimised: (mesh, options) -> what it prints. */
 export function buildNative() {

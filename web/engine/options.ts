@@ -3,12 +3,15 @@
  * are made from it.
  */
 
-import type { Method, Model, ScenarioName, SimulationMaterial } from './core';
+import type { Method, Model, SimulationOptions } from './core';
 import { counted } from './document/model';
 import { checkOption } from './option_check';
 
+/** Settings of a simulation that go to the core as they are. */
+type SimulationSetting = 'material' | 'scenario' | 'seconds' | 'substeps' | 'damping' | 'selfCollision';
+
 /** Everything the user wants, in the words of the flags; plain data that can be stored and sent. */
-export interface Settings {
+export interface Settings extends Pick<SimulationOptions, SimulationSetting> {
   method: Method;
   /** 'auto': what suits the method, see `resolveModel` */
   model: 'auto' | Model;
@@ -65,16 +68,6 @@ export interface Settings {
   thickness: number;
   /** metres per unit of the file */
   unit: number;
-  /** what the simulated bodies are made of */
-  material: SimulationMaterial;
-  scenario: ScenarioName;
-  /** of the simulated motion */
-  seconds: number;
-  /** of a simulated step of 1/60 s */
-  substeps: number;
-  /** 1/s */
-  damping: number;
-  selfCollision: boolean;
   /** welding distance, % of the diagonal; 0: bitwise equal positions only */
   weld: number;
   /** 0: as many as there are cores, at most 8 */
