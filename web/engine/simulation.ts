@@ -81,7 +81,7 @@ export interface TogetherOptions extends SimulationOptions {
 
 /** The original and, where given, its optimized mesh, in the same scenario at the same time. */
 export class Simulation {
-  private readonly numbers: Uint32Array;
+  private numbers: Uint32Array;
   private stepsDone = 0;
 
   /** Throws an Error with one sentence where a mesh or an option is of no use. */
@@ -137,6 +137,12 @@ export class Simulation {
 
   release(body: number): void {
     this.core.releaseSimulation(this.numbers[body]);
+  }
+
+  /** Ends the last body, and goes on with the others. */
+  endLast(): void {
+    this.core.endSimulation(this.numbers[this.numbers.length - 1]);
+    this.numbers = this.numbers.slice(0, -1);
   }
 
   /** Frees the memory of the core; the last call. */

@@ -39,6 +39,7 @@ export class Twin {
   private readonly deviation: Deviation;
   private readonly noise: Deviation;
   private latest: DeviationNow;
+  private hasNoise: boolean;
 
   /** Throws an Error with one sentence where a mesh or an option is of no use. */
   constructor(
@@ -48,6 +49,7 @@ export class Twin {
     private readonly options: TwinOptions & { diagonal: number },
   ) {
     const { measuresNoise, diagonal, ...simulated } = options;
+    this.hasNoise = measuresNoise;
     this.bodies = { original, optimized: result.mesh };
     this.binding = core.bindToResult(original, result);
     this.simulation = new Simulation(core, original, result.mesh, {
@@ -89,7 +91,7 @@ export class Twin {
   private measure(): TwinSample {
     const original = this.positions('original');
     this.latest = this.deviation.between(original, this.bound(this.positions('optimized')));
-    const noise = this.options.measuresNoise
+    const noise = this.hasNoise
       ? this.noise.between(original, this.simulation.positions(REORDERED)).mean
       : null;
     return { time: this.time, mean: this.latest.mean, max: this.latest.max, noise };
@@ -143,12 +145,19 @@ export class Twin {
     return (target) => {
       this.simulation.drag(0, points.original, target);
       this.simulation.drag(1, points.optimized, target);
-      if (this.options.measuresNoise) this.simulation.drag(REORDERED, points.original, target);
+      if (this.hasNoise) this.simulation.drag(REORDERED, points.original, target);
     };
   }
 
+  /** From now on samples have no noise floor. */
+  endNoise(): void {
+    if (!this.hasNoise) return;
+    this.hasNoise = false;
+    this.simulation.endLast();
+  }
+
   release(): void {
-    for (let body = 0; body < (this.options.measuresNoise ? 3 : 2); ++body) this.simulation.release(body);
+    for (let body = 0; body < (this.hasNoise ? 3 : 2); ++body) this.simulation.release(body);
   }
 
   end(): void {

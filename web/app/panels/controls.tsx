@@ -169,3 +169,6 @@ export function Toggle(props: { label: string; checked: boolean; onChange(checke
 
 export const count = (value: number): string => value.toLocaleString('en-US');
 export const fixed = (value: number, digits: number): string => value.toFixed(digits);
+/** Two decimals, or two figures where these would say nothing. */
+export const percent = (value: number): string =>
+  value === 0 || value >= 0.1 ? `${value.toFixed(2)} %` : `${Number(value.toPrecision(2))} %`;

@@ -2,7 +2,7 @@
 
 import type { TwinSample } from '../../engine/twin';
 import { twin } from '../state/simulation';
-import { fixed } from './controls';
+import { fixed, percent } from './controls';
 import { roundUp } from './test_scale';
 
 const [WIDTH, HEIGHT] = [1000, 100];
@@ -88,9 +88,9 @@ function describe(samples: TwinSample[]): string {
   if (!last) return 'Deviation over time: nothing has moved yet.';
   const peak = samples.reduce((most, sample) => (sample.mean > most.mean ? sample : most));
   const mean = samples.reduce((sum, sample) => sum + sample.mean, 0) / samples.length;
-  const floor = last.noise === null ? '' : `; noise floor ${fixed(last.noise, 3)} %`;
+  const floor = last.noise === null ? '' : `; noise floor ${percent(last.noise)}`;
   return (
-    `Deviation after ${fixed(last.time, 1)} s: now ${fixed(last.mean, 2)} % of the diagonal, ` +
-    `${fixed(mean, 2)} % on average, at most ${fixed(peak.mean, 2)} % at ${fixed(peak.time, 1)} s${floor}.`
+    `Deviation after ${fixed(last.time, 1)} s: now ${percent(last.mean)} of the diagonal, ` +
+    `${percent(mean)} on average, at most ${percent(peak.mean)} at ${fixed(peak.time, 1)} s${floor}.`
   );
 }

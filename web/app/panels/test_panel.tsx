@@ -7,18 +7,25 @@ import type { Held } from '../state/simulation';
 import { changeSettings, results, shownMesh, wants } from '../state/store';
 import { Choice, Section, Select, SettingRange, Toggle, count } from './controls';
 
-const SCENARIOS: { value: Settings['scenario']; text: string; hint: string }[] = [
-  { value: 'twist', text: 'Twist', hint: 'Both ends are held; the upper one turns by 45 degrees.' },
-  { value: 'sway', text: 'Sway', hint: 'The lower end is held; a blow strikes the upper one.' },
-  { value: 'hang', text: 'Hang', hint: 'The upper end is held; the rest falls.' },
-  { value: 'drop', text: 'Drop', hint: 'Falls to the floor; nothing is held.' },
+const SCENARIOS: { value: Settings['scenario']; text: string; holds: string; motion: string }[] = [
+  { value: 'twist', text: 'Twist', holds: 'Both ends', motion: 'The upper end turns by 45 degrees.' },
+  { value: 'sway', text: 'Sway', holds: 'The lower end', motion: 'A blow strikes the upper end.' },
+  { value: 'hang', text: 'Hang', holds: 'The upper end', motion: 'Gravity pulls at the rest.' },
+  { value: 'drop', text: 'Drop', holds: '', motion: 'Falls to the floor.' },
   {
     value: 'pull',
     text: 'Pull',
-    hint: 'Both ends are held; the upper one moves away by a fifth of the length.',
+    holds: 'Both ends',
+    motion: 'The upper end moves away by a fifth of the length.',
   },
-  { value: 'wind', text: 'Wind', hint: 'The upper end is held in gusts of 8 m/s.' },
+  { value: 'wind', text: 'Wind', holds: 'The upper end', motion: 'Gusts of 8 m/s, and gravity.' },
 ];
+
+/** What happens, and what is held for it. */
+function describeScenario(scenario: Settings['scenario']): string {
+  const { holds, motion } = SCENARIOS.find(({ value }) => value === scenario)!;
+  return heldNow.value === 'scenario' && holds ? `${motion} ${holds} held.` : motion;
+}
 
 const MATERIALS: { value: Settings['material']; text: string; title: string }[] = [
   { value: 'shell', text: 'Shell', title: 'Membrane and bending: the same material on any mesh' },
@@ -34,7 +41,7 @@ export function TestPanel() {
   const { scenario } = wants.settings.value;
   return (
     <>
-      <Section title="Scenario" hint={SCENARIOS.find(({ value }) => value === scenario)!.hint}>
+      <Section title="Scenario" hint={describeScenario(scenario)}>
         <Select
           label="Scenario"
           title={OPTIONS.scenario.help}
@@ -77,9 +84,9 @@ export function TestPanel() {
           onChange={(selfCollision) => changeSettings({ selfCollision })}
         />
         <Toggle
-          label="Measure the noise floor"
-          checked={twin.measuresNoise.value}
-          onChange={(measures) => (twin.measuresNoise.value = measures)}
+          label="Noise floor also in slow motion"
+          checked={twin.alwaysNoise.value}
+          onChange={(always) => (twin.alwaysNoise.value = always)}
         />
       </details>
       <Waiting />

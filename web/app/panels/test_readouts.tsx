@@ -3,7 +3,7 @@
 import type { TwinFrame } from '../worker/simulation_protocol';
 import { twin } from '../state/simulation';
 import { wants } from '../state/store';
-import { fixed } from './controls';
+import { fixed, percent } from './controls';
 import { Readout } from './readout';
 
 /** Below this the motion is slower than life. */
@@ -21,13 +21,13 @@ export function TestReadouts() {
       <Readout name="Speed-up" value={speedUp(frame)} note="original / optimized" />
       <Readout
         name="Deviation"
-        value={last ? `${fixed(last.mean, 2)} %` : '...'}
-        note={noise === null ? 'of the diagonal' : `noise floor ${fixed(noise, 2)} %`}
+        value={last ? percent(last.mean) : '...'}
+        note={noise === null ? 'noise floor left out' : `noise floor ${percent(noise)}`}
       />
       <Readout
         name="Stretch"
-        value={frame ? `${fixed(frame.bodies.original.stretch, 2)} %` : '...'}
-        note={frame ? `optimized ${fixed(frame.bodies.optimized.stretch, 2)} %` : ''}
+        value={frame ? percent(frame.bodies.original.stretch) : '...'}
+        note={frame ? `optimized ${percent(frame.bodies.optimized.stretch)}` : ''}
       />
     </dl>
   );
@@ -44,7 +44,7 @@ function Cost({ name, seconds }: { name: string; seconds: number }) {
     <Readout
       name={`${name}, a step`}
       value={seconds > 0 ? `${(1000 * seconds).toPrecision(3)} ms` : '...'}
-      note={seconds > 0 ? `${perSubstep.toPrecision(3)} µs a substep` : ''}
+      note={seconds > 0 ? `${perSubstep.toPrecision(3)} µs/substep` : ''}
     />
   );
 }

@@ -106,7 +106,6 @@ export function connectDragging(canvas: HTMLCanvasElement, stage: Stage): DragTo
 export function TwinLabels() {
   const faces = (name: PaneName) =>
     count((name === 'original' ? results.body.value!.mesh : shownMesh.value!.mesh).triangles.length / 3);
-  const optimized = isDriven.value ? 'Original, carried by the optimized' : 'Optimized';
   return (
     <div class="pane-labels">
       <span>
@@ -114,7 +113,8 @@ export function TwinLabels() {
       </span>
       <span>
         {isOverlaid.value && <span class="swatch" style={{ background: veilColour() }} />}
-        {optimized} <span class="muted">{faces('optimized')} faces</span>
+        {isDriven.value ? 'Original, carried by the optimized' : 'Optimized'}{' '}
+        <span class="muted">{faces('optimized')} faces</span>
       </span>
     </div>
   );

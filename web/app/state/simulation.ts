@@ -21,7 +21,8 @@ export const twin = {
   /** draw the original as the optimized body carries it */
   driven: signal(false),
   heat: signal(false),
-  measuresNoise: signal(true),
+  /** measure the noise floor also where time does not keep up then */
+  alwaysNoise: signal(false),
   /** null: the pins of the Motion step where there are any */
   held: signal<Held | null>(null),
   /** what is on screen; null until a simulation stands */
@@ -59,7 +60,7 @@ const key = computed<string | null>(() => {
   const values = simulationKeys.map((name) => settings[name]);
   const mesh = `${results.opened.value} ${wants.body.value} ${resultKey(settings)} ${wantedFaces.value}`;
   const pins = heldNow.value === 'pins' ? pinsKey(settings) : heldNow.value;
-  return [mesh, pins, ...values, twin.measuresNoise.value, isFittedShown()].join(' ');
+  return [mesh, pins, ...values, twin.alwaysNoise.value, isFittedShown()].join(' ');
 });
 
 const isFittedShown = (): boolean => results.fitted.value?.result === shownMesh.value;
@@ -114,7 +115,7 @@ async function start(result: MeshAt): Promise<void> {
   const setup = { number, original, result, size, settings: wants.settings.value, pinned: pinned() };
   try {
     await loaded;
-    await api.start({ ...setup, measuresNoise: twin.measuresNoise.value }, wishes());
+    await api.start({ ...setup, noise: twin.alwaysNoise.value ? 'always' : 'in real time' }, wishes());
     if (mine === number) await api.play(isMoving());
   } catch (error) {
     if (mine === number) twin.failure.value = error instanceof Error ? error.message : String(error);

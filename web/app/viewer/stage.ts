@@ -35,6 +35,7 @@ class Pane {
   readonly props = new PropsView();
   private groups: Uint32Array = new Uint32Array();
   private isPlaced = false;
+  private isBare = false;
   private veilColour: string | null = null;
   private readonly body: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
   mesh: TriangleMesh | null = null;
@@ -128,15 +129,20 @@ class Pane {
   veil(colour: string | null): void {
     const { material } = this.body;
     material.transparent = colour !== null;
-    material.uniforms.opacity.value = colour === null ? 1 : 0.5;
+    material.uniforms.opacity.value = colour === null ? 1 : 0.4;
     this.veilColour = colour;
+  }
+
+  /** Without wires: those of the veil over it would drown in them. */
+  bare(isBare: boolean): void {
+    this.isBare = isBare;
   }
 
   look({ clay, wire, wireStrength }: Look): void {
     const { uniforms } = this.body.material;
     uniforms.clay.value.set(this.veilColour ?? clay);
     uniforms.wire.value.set(wire);
-    uniforms.wireStrength.value = wireStrength;
+    uniforms.wireStrength.value = this.isBare ? 0 : wireStrength;
   }
 
   swing(amplitude: number): void {
@@ -306,6 +312,7 @@ export class Stage {
     this.isOverlaid = veil !== null;
     this.split = shown.length === 2 && veil === null ? split : null;
     this.panes.optimized.veil(veil);
+    this.panes.original.bare(this.isOverlaid);
     this.resize();
   }
 

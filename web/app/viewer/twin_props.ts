@@ -17,7 +17,33 @@ export interface PropsLook {
   body: string;
 }
 
-const LINES = 24;
+/** Lines of the floor per diagonal. */
+const LINES = 8;
+
+const floorVertex = /* glsl */ `
+  varying vec2 place;
+  void main() {
+    place = position.xz;
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  }
+`;
+
+// Squares that fade out, so that the floor has no edge.
+const floorFragment = /* glsl */ `
+  varying vec2 place;
+  uniform vec3 floorColour;
+  uniform vec3 lineColour;
+  uniform float cell;
+  uniform float radius;
+  void main() {
+    vec2 at = place / cell;
+    vec2 away = abs(fract(at - 0.5) - 0.5) / fwidth(at);
+    float line = 1.0 - min(min(away.x, away.y), 1.0);
+    float fade = 1.0 - smoothstep(0.35, 1.0, length(place) / radius);
+    gl_FragColor = vec4(mix(floorColour, lineColour, line), fade * mix(0.5, 0.8, line));
+    #include <colorspace_fragment>
+  }
+`;
 
 export class PropsView {
   readonly group = new THREE.Group();
@@ -25,7 +51,7 @@ export class PropsView {
   show(props: Props | null, look: PropsLook): void {
     for (const child of [...this.group.children]) {
       this.group.remove(child);
-      if (child instanceof THREE.Mesh || child instanceof THREE.LineSegments) child.geometry.dispose();
+      if (child instanceof THREE.Mesh) child.geometry.dispose();
     }
     if (!props) return;
     if (props.ground !== null) this.addGround(props, props.ground, look);
@@ -33,19 +59,23 @@ export class PropsView {
   }
 
   private addGround({ centre, diagonal }: Props, height: number, look: PropsLook): void {
-    const size = 3 * diagonal;
-    const disc = new THREE.Mesh(
-      new THREE.CircleGeometry(size / 2, 64).rotateX(-Math.PI / 2),
-      new THREE.MeshBasicMaterial({
-        color: look.floor,
-        transparent: true,
-        opacity: 0.55,
-        side: THREE.DoubleSide,
-      }),
-    );
+    const radius = 1.2 * diagonal;
+    const material = new THREE.ShaderMaterial({
+      vertexShader: floorVertex,
+      fragmentShader: floorFragment,
+      transparent: true,
+      side: THREE.DoubleSide,
+      uniforms: {
+        floorColour: { value: new THREE.Color(look.floor) },
+        lineColour: { value: new THREE.Color(look.line) },
+        cell: { value: diagonal / LINES },
+        radius: { value: radius },
+      },
+    });
+    const floor = new THREE.Mesh(new THREE.CircleGeometry(radius, 64).rotateX(-Math.PI / 2), material);
     // A little lower than it is, so that what rests on it is not cut by it.
-    disc.position.set(centre[0], height - 0.004 * diagonal, centre[2]);
-    this.group.add(disc, gridOf(size, look.line, disc.position));
+    floor.position.set(centre[0], height - 0.004 * diagonal, centre[2]);
+    this.group.add(floor);
   }
 
   private addCapsule({ from, to, radius }: Props['capsules'][number], look: PropsLook): void {
@@ -59,20 +89,4 @@ export class PropsView {
     sun.position.set(0.35, 0.75, 0.55);
     this.group.add(body, sun, new THREE.AmbientLight('#ffffff', 1.2));
   }
-}
-
-/** Lines across a disc. */
-function gridOf(size: number, color: string, at: THREE.Vector3): THREE.LineSegments {
-  const ends: number[] = [];
-  for (let i = 1; i < LINES; i++) {
-    const place = size * (i / LINES - 0.5);
-    const half = Math.sqrt((size / 2) ** 2 - place ** 2);
-    ends.push(place, 0, -half, place, 0, half, -half, 0, place, half, 0, place);
-  }
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.Float32BufferAttribute(ends, 3));
-  const material = new THREE.LineBasicMaterial({ color, transparent: true, opacity: 0.5 });
-  const lines = new THREE.LineSegments(geometry, material);
-  lines.position.copy(at);
-  return lines;
 }

@@ -9,6 +9,10 @@ const STEP_MILLISECONDS = 1000 * STEP_SECONDS;
 /** What is late by more than this is not caught up with: slow motion rather than a leap. */
 const MOST_BEHIND = 100;
 
+/** After so many steps the hidden run ends where time does not keep up: motion in real time is worth more. */
+const TRIED_STEPS = 30;
+const REAL_TIME = 0.9;
+
 /** Over which the pace is measured, in milliseconds. */
 const PACE_SPAN = 1000;
 
@@ -19,6 +23,7 @@ export class SimulationLoop {
   private hasNews = false;
   private hasEnded = false;
   private due = 0;
+  private tries: number;
   private readonly stepped: number[] = [];
   private samples: TwinSample[] = [];
   private exploded: TwinName[] = [];
@@ -29,9 +34,10 @@ export class SimulationLoop {
     private readonly twin: Twin,
     private readonly number: number,
     private readonly showFrame: ShowFrame,
-    wishes: TwinWishes,
+    { wishes, keepsNoise }: { wishes: TwinWishes; keepsNoise: boolean },
   ) {
     this.wishes = wishes;
+    this.tries = keepsNoise ? Infinity : TRIED_STEPS;
     this.announce();
   }
 
@@ -102,6 +108,8 @@ export class SimulationLoop {
     const now = performance.now();
     this.stepped.push(now);
     while (this.stepped[0] < now - PACE_SPAN) this.stepped.shift();
+    this.tries -= 1;
+    if (this.tries === 0 && this.pace() < REAL_TIME) this.twin.endNoise();
     this.announce();
   }
 

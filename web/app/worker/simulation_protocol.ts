@@ -14,7 +14,8 @@ export interface TwinSetup {
   settings: Settings;
   /** vertices of the original; null: what the scenario itself holds */
   pinned: Uint32Array | null;
-  measuresNoise: boolean;
+  /** whether the original runs a third time, hidden, with its constraints in another order */
+  noise: 'always' | 'in real time';
 }
 
 /** What a frame carries besides positions. */

@@ -23,11 +23,11 @@ function moved(frame: TwinFrame): TwinFrame {
   );
 }
 
-function makeTwin({ original, result, size, settings, pinned, measuresNoise }: TwinSetup): Twin {
+function makeTwin({ original, result, size, settings, pinned }: TwinSetup): Twin {
   return new Twin(core, original, result, {
     ...simulationOptions(size, settings, pinned),
     diagonal: size.diagonal,
-    measuresNoise,
+    measuresNoise: true,
   });
 }
 
@@ -42,7 +42,9 @@ const api: SimulationApi = {
   start: async (setup, wishes) => {
     loop?.end();
     loop = null;
-    loop = new SimulationLoop(makeTwin(setup), setup.number, show, wishes);
+    // A thread for each body: then the hidden run costs nothing.
+    const keepsNoise = setup.noise === 'always' || core.threads >= MOST_THREADS;
+    loop = new SimulationLoop(makeTwin(setup), setup.number, show, { wishes, keepsNoise });
   },
   wish: async (wishes) => loop?.wish(wishes),
   play: async (isPlaying) => loop?.play(isPlaying),
