@@ -5,17 +5,18 @@ import type { Settings } from '../engine/options';
 import { changedSettings } from '../engine/setting_text';
 
 const quoted = (word: string): string =>
-  /^[\w./:-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
+  /^[\w./:,+-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
 
 export function commandLine(
   settings: Settings,
   input: string,
   output: string,
-  { faces, fields }: { faces: number; fields: boolean },
+  { faces, fields, binding }: { faces: number; fields: boolean; binding: string | null },
 ): string {
   const flags = changedSettings(settings)
     .filter(({ key }) => OPTIONS[key].group !== 'simulation')
     .flatMap(({ flag, text }) => [`--${flag}`, ...(text === null ? [] : [text])]);
   const words = ['limber', 'optimize', input, output, '--faces', String(faces), ...flags];
-  return [...words, ...(fields ? ['--fields'] : [])].map(quoted).join(' ');
+  const extras = [...(fields ? ['--fields'] : []), ...(binding === null ? [] : ['--bind', binding])];
+  return [...words, ...extras].map(quoted).join(' ');
 }

@@ -74,8 +74,12 @@ function sizeBrush(factor: number): void {
 
 function isTyping(target: EventTarget | null): boolean {
   if (target instanceof HTMLSelectElement) return true;
-  return target instanceof HTMLInputElement && target.type !== 'checkbox';
+  return target instanceof HTMLInputElement && !['checkbox', 'range'].includes(target.type);
 }
+
+/** Sliders move by these keys themselves. */
+const isSliderKey = ({ target, key }: KeyboardEvent): boolean =>
+  target instanceof HTMLInputElement && target.type === 'range' && /^(Arrow|Home|End|Page)/.test(key);
 
 /** Of what is written in it. */
 const hasOwnUndo = (target: EventTarget | null): boolean =>
@@ -88,6 +92,7 @@ export function listenToKeys(): void {
     const withControl = event.shiftKey && key === 'z' ? redo : WITH_CONTROL[key];
     const action = hasControl ? withControl : plainAction(key);
     if (!action || event.altKey) return;
+    if (isSliderKey(event)) return;
     const isOwn = hasControl ? hasOwnUndo(event.target) && 'zy'.includes(key) : isTyping(event.target);
     if (isOwn && key !== 'escape') return;
     // Space and Enter on a button press it.

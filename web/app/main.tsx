@@ -11,6 +11,7 @@ import { isDark } from './scheme';
 import { startRunner } from './state/runner';
 import { startSimulations } from './state/simulation';
 import './style.css';
+import './reduce.css';
 
 effect(() => {
   document.documentElement.dataset.theme = isDark.value ? 'dark' : 'light';

@@ -10,7 +10,6 @@ import { changeSettings, results, shownMesh, wantedFaces, wants } from '../state
 import { BrushSection, NamedLocks } from './brush_section';
 import { Choice, Section, SettingRange, Toggle, count, fixed } from './controls';
 import { AskVertex } from './why_card';
-import './reduce.css';
 
 const METHODS: { value: Settings['method']; text: string; title: string }[] = [
   {

@@ -55,6 +55,11 @@ export class Client {
     }).finally(() => (this.abandon = null));
   }
 
+  /** A short call beside the running one, which goes on; it has its turn after that. */
+  aside<T>(make: (remote: Remote<WorkerApi>) => Promise<unknown>): Promise<T> {
+    return this.started.then(() => make(this.remote)).then((value) => value as T);
+  }
+
   /** Progress of the running call, read from shared memory or from what the worker said last. */
   progress(): Progress | null {
     if (!this.job) return this.said;

@@ -2,6 +2,7 @@
 
 import { isFitted, resolveModel } from '../../engine/options';
 import type { Settings } from '../../engine/options';
+import type { ExportRequest } from '../worker/protocol';
 
 export const prepareKey = ({ weld }: Settings): string => `${weld}`;
 
@@ -50,4 +51,10 @@ export function resultKey(settings: Settings): string {
   if (maxFrequencyError > 0)
     words.push([maxFrequencyError, thickness, young, poisson, density, unit].join(' '));
   return words.join(' ');
+}
+
+/** `faces` per body. */
+export function exportKey(settings: Settings, faces: number[], request: ExportRequest): string {
+  const { fields, binding, output } = request;
+  return [resultKey(settings), faces, settings.lods, fields, binding, output].join(' ');
 }

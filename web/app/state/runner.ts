@@ -5,9 +5,9 @@ import type { Signal } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import type { Settings } from '../../engine/options';
 import { CANCELLED } from '../worker/protocol';
-import type { PinsResult } from '../worker/protocol';
+import type { ExportRequest, PinsResult } from '../worker/protocol';
 import { Client } from './client';
-import { guidanceKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from './keys';
+import { exportKey, guidanceKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from './keys';
 import { shareInProportion } from '../../engine/share';
 import { takeAwaited } from './link';
 import type { Wanted } from './link';
@@ -116,10 +116,8 @@ const stages: Stage[] = [
   {
     what: 'Writing and checking the file',
     key: () =>
-      wants.exportOpen.value && restedFaces.value === wantedFaces.value
-        ? afterHistory(() => `${resultKey(settings())} ${bodyTargets()} ${wants.exportFields.value}`)()
-        : null,
-    run: () => client.call((worker) => worker.export(settings(), bodyTargets(), wants.exportFields.value)),
+      wants.exportOpen.value && restedFaces.value === wantedFaces.value ? afterHistory(exportedKey)() : null,
+    run: () => client.call((worker) => worker.export(settings(), bodyTargets(), exportRequest())),
     result: results.exported,
   },
   {
@@ -178,6 +176,21 @@ export function bodyTargets(): number[] {
   const counts = file.bodies.map(({ faces }) => faces);
   return shareInProportion(Math.round(share * counts.reduce((a, b) => a + b, 0)), counts);
 }
+
+const baseName = (name: string): string =>
+  name
+    .split('/')
+    .pop()!
+    .replace(/\.[^.]+$/, '');
+
+/** What is wanted of the export. */
+export const exportRequest = (): ExportRequest => ({
+  fields: wants.exportFields.value,
+  binding: wants.exportBinding.value,
+  output: `${baseName(results.file.value?.name ?? '')}-limber.glb`,
+});
+
+export const exportedKey = (): string => exportKey(settings(), bodyTargets(), exportRequest());
 
 const done = new Map<Stage, string>();
 let running: Stage | null = null;

@@ -37,6 +37,7 @@ export const wants = {
   faces: signal<number | null>(null),
   exportOpen: signal(false),
   exportFields: signal(false),
+  exportBinding: signal(false),
 };
 
 /** What has been computed; null until it is. `opened` counts files, so that results of an earlier one are never shown. */

@@ -111,11 +111,32 @@ export interface ResultMetrics {
   inspection: Inspection;
 }
 
+export interface ExportRequest {
+  /** strain and curvature as attributes */
+  fields: boolean;
+  /** where the original's vertices lie on the result */
+  binding: boolean;
+  /** name of the file; those of its levels follow from it */
+  output: string;
+}
+
+export interface ExportedLevel {
+  name: string;
+  faces: number;
+  bytes: Uint8Array;
+  validation: Validation;
+}
+
 export interface ExportResult {
   bytes: Uint8Array;
   validation: Validation;
   report: Report;
   faces: number;
+  levels: ExportedLevel[];
+  /** text of the binding file; null: not asked for */
+  binding: string | null;
+  /** what it was made from, see exportKey */
+  key: string;
 }
 
 /** Every call throws an Error with one sentence; a cancelled one an Error whose message is CANCELLED. */
@@ -136,7 +157,9 @@ export interface WorkerApi {
   /** `faces`: that the result has. */
   why(body: number, settings: Settings, faces: number): Promise<WhyResult>;
   measure(body: number, settings: Settings, faces: number): Promise<ResultMetrics>;
-  export(settings: Settings, faces: number[], fields: boolean): Promise<ExportResult>;
+  export(settings: Settings, faces: number[], request: ExportRequest): Promise<ExportResult>;
+  /** A ZIP archive of files by name. */
+  pack(files: Record<string, Uint8Array>): Promise<Uint8Array>;
 }
 
 export const CANCELLED = 'cancelled';

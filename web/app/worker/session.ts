@@ -17,7 +17,7 @@ import type { OpenModel } from '../../engine/document/open';
 import type { Settings } from '../../engine/options';
 import { findHeld } from '../../engine/held';
 import type { Held } from '../../engine/held';
-import { findFrequencyLevel } from '../../engine/optimize';
+import { findFrequencyLevel, levelAt } from '../../engine/optimize';
 import type { FrequencyFinding } from '../../engine/frequency_target';
 import { findPins } from '../../engine/pins';
 import {
@@ -184,6 +184,13 @@ export class BodyStages {
       }
       return { ...fitResult(this.core, prepared, this.result(settings, faces), request), frequency: null };
     });
+  }
+
+  /** A further level of detail, as the command line writes it. */
+  level(settings: Settings, targetFaces: number): MeshAt {
+    const request = { settings, targetFaces, ...this.held(settings).held };
+    const { history } = this.history(settings);
+    return levelAt(this.core, this.prepared(settings), history, request).fitted.result;
   }
 
   measured(settings: Settings, faces: number): Measured {
