@@ -33,6 +33,7 @@ export function bodyGeometry(mesh: TriangleMesh): { geometry: BufferGeometry; gr
   setDisplacement(geometry, mesh, null);
   setField(geometry, mesh, null);
   geometry.computeBoundingSphere();
+  geometry.computeBoundingBox();
   return { geometry, groups: group };
 }
 

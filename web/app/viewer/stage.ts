@@ -170,6 +170,14 @@ class Pane {
     return mesh && { positions: mesh.positions, shape: this.fittingShape(), amplitude };
   }
 
+  /** Of the bounding box. */
+  corners(): THREE.Vector3[] {
+    const box = this.mesh && this.body.geometry.boundingBox;
+    if (!box) return [];
+    const [x, y, z] = (['x', 'y', 'z'] as const).map((axis) => [box.min[axis], box.max[axis]]);
+    return x.flatMap((a) => y.flatMap((b) => z.map((c) => new THREE.Vector3(a, b, c))));
+  }
+
   sphere(): THREE.Sphere | null {
     return this.mesh ? this.body.geometry.boundingSphere : null;
   }
@@ -189,6 +197,8 @@ export class Stage {
   private shown: PaneName[] = ['original'];
   private isOverlaid = false;
   private split: number | null = null;
+  private columnsBefore = 1;
+  private steppedBack = 1;
   private stale = true;
   private swinging = false;
   private phase = 0;
@@ -313,7 +323,27 @@ export class Stage {
     this.split = shown.length === 2 && veil === null ? split : null;
     this.panes.optimized.veil(veil);
     this.panes.original.bare(this.isOverlaid);
+    this.makeRoom();
+  }
+
+  /** Panes that get narrower do not cut what was seen: the eye steps back, and forth again when they get wider. */
+  private makeRoom(): void {
+    const before = Math.max(1, this.reach());
     this.resize();
+    if (this.columns === this.columnsBefore) return;
+    this.columnsBefore = this.columns;
+    const back = this.columns > 1 ? Math.max(1, this.reach() / before) : 1;
+    void this.controls.dollyTo((this.controls.distance * back) / this.steppedBack, false);
+    this.steppedBack = back;
+  }
+
+  /** How far the original reaches from the middle of a pane, over half the width of the pane. */
+  private reach(): number {
+    this.controls.update(0);
+    this.camera.updateMatrixWorld();
+    return this.panes.original
+      .corners()
+      .reduce((most, corner) => Math.max(most, Math.abs(corner.project(this.camera).x)), 0);
   }
 
   private get columns(): number {
@@ -378,6 +408,7 @@ export class Stage {
       sphere.radius *= 1 + room;
     }
     if (!sphere || !(sphere.radius > 0)) return;
+    this.steppedBack = 1;
     this.camera.near = sphere.radius / 100;
     this.camera.far = sphere.radius * 100;
     this.camera.updateProjectionMatrix();
