@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "modes/factorisation.h"
 #include "modes/pins.h"
 #include "pipeline/chart_sides.h"
@@ -28,14 +30,14 @@ constexpr uint32_t kMostVertices =
 // The root mean square distance may grow to this much of the simplified mesh's, or to this part of the
 // diagonal.
 constexpr double kBudget = 1.3, kLeastBudget = 2e-4;
-// A residual of 1 % is worth 0.3 budgets of distance at first; then the worth is steered so that the budget
-// is used up.
-constexpr double kFirstWorth = 0.3 / 0.01, kLeastChange = 0.3, kMostChange = 1.5;
+// What a residual may be worth, in squared budgets of distance.
+constexpr double kLeastWorth = 1, kMostWorth = 1e4;
+constexpr int kHalvings = 30;  // of that range
+constexpr double kSurfaceHold = 1e-3;
 // How firmly vertices hold their places: more where a step gains less than foretold.
 constexpr double kFirstHold = 0.01, kLeastHold = 0.003, kMostHold = 10;
 constexpr double kPoorGain = 0.3, kGoodGain = 0.7, kFirmer = 3, kLooser = 2;
-constexpr double kRetreat = 0.1;  // of the worth
-constexpr double kLost = 1.5;     // a mesh with this much of the best merit is given up
+constexpr double kLost = 1.5;  // a mesh with this much of the best merit is given up
 
 // A component of the original and what has become of it, in the frame where the original's diagonal is 1.
 struct FitPart {
@@ -141,29 +143,34 @@ std::vector<FitPart> partsOf(const TriangleMesh& original, const MeshAt& simplif
   return parts;
 }
 
-// A solved step of the quadratic model: A dx = g, and A^-1 times further columns.
-struct Solved {
-  Eigen::VectorXd step;
-  Eigen::MatrixXd columns;
-};
+// A and the places of its numbers, which stay while vertices move.
+class FitSolver {
+ public:
+  FitSolver(const std::vector<uint8_t>& locked, Job& job) : job_(job) {
+    for (uint32_t v = 0; v <= locked.size(); ++v) model_.firstUnknown.push_back(3 * v);
+    for (uint32_t v = 0; v < locked.size(); ++v)
+      if (locked[v]) held_.insert(held_.end(), {3 * v, 3 * v + 1, 3 * v + 2});
+  }
 
-Solved solve(SurfaceFit& fit, const Eigen::MatrixXd& columns, const std::vector<uint8_t>& locked, Job& job) {
-  StiffnessModel model;
-  for (uint32_t v = 0; v <= locked.size(); ++v) model.firstUnknown.push_back(3 * v);
-  model.mass = Eigen::VectorXd::Zero(fit.pull.size());
-  model.stiffness = std::move(fit.stiffness);
-  std::vector<uint32_t> held;
-  for (uint32_t v = 0; v < locked.size(); ++v)
-    if (locked[v]) held.insert(held.end(), {3 * v, 3 * v + 1, 3 * v + 2});
-  if (!held.empty()) holdUnknowns(model, held);
-  Eigen::MatrixXd right(fit.pull.size(), 1 + columns.cols());
-  right << fit.pull, columns;
-  for (uint32_t row : held) right.row(row).setZero();
-  Factorisation factorisation(model, job);
-  factorisation.factorise(0, job);
-  factorisation.solve(right, job);
-  return {right.col(0), right.rightCols(columns.cols())};
-}
+  // (A + hold * inertia)^-1 of each column; locked vertices stay.
+  Eigen::MatrixXd solve(const SurfaceFit& fit, double hold, Eigen::MatrixXd columns) {
+    model_.stiffness = fit.stiffness;
+    model_.mass = fit.inertia;
+    if (!held_.empty()) holdUnknowns(model_, held_);
+    if (!structure_) structure_ = std::make_shared<const FactorStructure>(factorStructure(model_, job_));
+    for (uint32_t row : held_) columns.row(row).setZero();
+    Factorisation factorisation(model_, structure_);
+    factorisation.factorise(-hold, job_);
+    factorisation.solve(columns, job_);
+    return columns;
+  }
+
+ private:
+  Job& job_;
+  StiffnessModel model_;
+  std::vector<uint32_t> held_;
+  std::shared_ptr<const FactorStructure> structure_;
+};
 
 // Edges flipped to Delaunay, vertices fitted to the surface.
 uint32_t fitToSurface(FitPart& part, const FitSamples& samples, std::vector<uint32_t>& corners, Job& job) {
@@ -171,24 +178,46 @@ uint32_t fitToSurface(FitPart& part, const FitSamples& samples, std::vector<uint
   for (int round = 0; round < kSurfaceRounds; ++round) {
     flips += flipToDelaunay(part.simplified, part.lines, corners);
     const Topology topology = buildTopology(part.simplified);
-    SurfaceFit fit = fitSurface(part.simplified, topology, samples, {.lines = &part.lines});
-    const Solved solved = solve(fit, Eigen::MatrixXd(fit.pull.size(), 0), part.locked, job);
-    part.simplified = GuardedStep(part.simplified, topology).apply(part.simplified, solved.step);
+    const SurfaceFit fit = fitSurface(part.simplified, topology, samples, {.lines = &part.lines});
+    const Eigen::VectorXd step = FitSolver(part.locked, job).solve(fit, kSurfaceHold, fit.pull);
+    part.simplified = GuardedStep(part.simplified, topology).apply(part.simplified, step);
   }
   return flips;
 }
 
-// The minimum of dx^T A dx - 2 g^T dx + worth |r + J dx|^2, by Woodbury: J has few rows.
-Eigen::VectorXd gaussNewtonStep(SurfaceFit& fit, const Mismatch& mismatch, double worth,
-                                const std::vector<uint8_t>& locked, Job& job) {
-  const Solved solved = solve(fit, mismatch.slope, locked, job);
-  const Eigen::Index count = mismatch.residual.size();
-  const Eigen::MatrixXd small =
-      Eigen::MatrixXd::Identity(count, count) / worth + mismatch.slope.transpose() * solved.columns;
-  const Eigen::VectorXd clipped = mismatch.residual.cwiseMax(-kClip).cwiseMin(kClip);
-  return solved.step -
-         solved.columns * small.ldlt().solve(clipped + mismatch.slope.transpose() * solved.step);
-}
+// Minima of dx^T A dx - 2 g^T dx + worth |r + J dx|^2 for any worth, by Woodbury: J has few rows. With s =
+// A^-1 g, X = A^-1 J^T, G = J X and y = (1 / worth + G)^-1 (r + J s), dx = s - X y, and the first two terms
+// are y^T G y - g^T s.
+class TradeOff {
+ public:
+  // `solved`: A^-1 times the pull and the slopes.
+  TradeOff(const SurfaceFit& fit, const Mismatch& mismatch, Eigen::MatrixXd solved)
+      : solved_(std::move(solved)),
+        gain_(fit.pull.dot(solved_.col(0))),
+        gram_(mismatch.slope.transpose() * solved_.rightCols(mismatch.slope.cols())) {
+    target_ = gram_.eigenvectors().transpose() * (mismatch.residual.cwiseMax(-kClip).cwiseMin(kClip) +
+                                                  mismatch.slope.transpose() * solved_.col(0));
+  }
+
+  Eigen::VectorXd step(double worth) const {
+    return solved_.col(0) - solved_.rightCols(target_.size()) * (gram_.eigenvectors() * multipliers(worth));
+  }
+
+  // How much the surface's squared distance, over the area, would grow.
+  double growth(double worth) const {
+    return multipliers(worth).cwiseAbs2().dot(gram_.eigenvalues()) - gain_;
+  }
+
+ private:
+  Eigen::VectorXd multipliers(double worth) const {
+    return target_.array() / (1 / worth + gram_.eigenvalues().array().max(0));
+  }
+
+  Eigen::MatrixXd solved_;
+  double gain_;
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram_;
+  Eigen::VectorXd target_;
+};
 
 Eigen::VectorXd difference(const TriangleMesh& after, const TriangleMesh& before) {
   Eigen::VectorXd moved(3 * static_cast<Eigen::Index>(after.vertexCount()));
@@ -208,10 +237,10 @@ class ModalSearch {
         budget_(budget),
         job_(job),
         topology_(buildTopology(part.simplified)),
-        guard_(part.simplified, topology_) {
+        guard_(part.simplified, topology_),
+        solver_(part.locked, job) {
     state_.mesh = part.simplified;
     measure();
-    worth_ = state_.fit.area * (kFirstWorth * budget_) * (kFirstWorth * budget_);
   }
 
   // The best mesh of all rounds: the least mismatch, where distances beyond the budget count against it.
@@ -221,6 +250,10 @@ class ModalSearch {
     for (int round = 0; round < rounds && state_.mismatch.residual.size() > 0; ++round) {
       report(static_cast<double>(round) / rounds);
       step();
+      if (getenv("LOG"))
+        printf("      round %d rms %.4f %% dist %.3f merit %.4f hold %.3g\n", round,
+               50 * std::sqrt(state_.mismatch.meanSquare()), std::sqrt(state_.fit.meanSquare) / budget_,
+               50 * std::sqrt(merit(state_)), hold_);
       if (merit(state_) < merit(best_))
         best_ = state_;
       else if (isLost())
@@ -241,19 +274,40 @@ class ModalSearch {
 
   void measure() {
     target_.bind(state_.mesh);
-    state_.mismatch = target_.compare(state_.mesh, topology_, job_);
-    fit();
+    std::vector<Mismatch> parts(ModalTarget::kThicknesses);
+    parallelFor(parts.size() + 1, 1, [&](size_t k, size_t) {
+      if (k < parts.size())
+        parts[k] = target_.compare(state_.mesh, k, job_);
+      else
+        state_.fit = fitSurface(state_.mesh, topology_, samples_, {.evenness = 0, .lines = &part_.lines});
+    });
+    state_.mismatch = join(parts);
   }
 
-  void fit() {
-    state_.fit =
-        fitSurface(state_.mesh, topology_, samples_, {.evenness = 0, .hold = hold_, .lines = &part_.lines});
+  Eigen::VectorXd gaussNewtonStep() {
+    const auto& [mesh, mismatch, fit] = state_;
+    Eigen::MatrixXd columns(fit.pull.size(), 1 + mismatch.slope.cols());
+    columns << fit.pull, mismatch.slope;
+    const TradeOff tradeOff(fit, mismatch, solver_.solve(fit, hold_, std::move(columns)));
+    return tradeOff.step(affordable(tradeOff));
+  }
+
+  // The worth of residuals that uses up what is left of the budget.
+  double affordable(const TradeOff& tradeOff) const {
+    const double left = (budget_ * budget_ - state_.fit.meanSquare) * state_.fit.area;
+    const double unit = state_.fit.area * budget_ * budget_;
+    double low = kLeastWorth * unit, high = kMostWorth * unit;
+    if (tradeOff.growth(high) <= left) return high;
+    for (int halving = 0; halving < kHalvings; ++halving) {
+      const double middle = std::sqrt(low * high);
+      (tradeOff.growth(middle) <= left ? low : high) = middle;
+    }
+    return low;
   }
 
   void step() {
     const Mismatch was = state_.mismatch;
-    TriangleMesh next =
-        guard_.apply(state_.mesh, gaussNewtonStep(state_.fit, was, worth_, part_.locked, job_));
+    TriangleMesh next = guard_.apply(state_.mesh, gaussNewtonStep());
     const Eigen::VectorXd foretold = was.residual + was.slope.transpose() * difference(next, state_.mesh);
     state_.mesh = std::move(next);
     measure();
@@ -263,8 +317,6 @@ class ModalSearch {
       hold_ = std::min(kMostHold, kFirmer * hold_);
     else if (gain > kGoodGain * hoped)
       hold_ = std::max(kLeastHold, hold_ / kLooser);
-    if (state_.fit.meanSquare > 0)
-      worth_ *= std::clamp(budget_ * budget_ / state_.fit.meanSquare, kLeastChange, kMostChange);
   }
 
   // Whether the last step has spoilt it, and not just the search for modes, which may have lost one on the
@@ -280,9 +332,7 @@ class ModalSearch {
   void goBack() {
     state_ = best_;
     target_.forget();
-    worth_ *= kRetreat;
-    hold_ = std::min(kMostHold, kFirmer * hold_);
-    fit();
+    hold_ = std::min(kMostHold, kFirmer * kFirmer * hold_);
   }
 
   double merit(const State& state) const {
@@ -298,7 +348,8 @@ class ModalSearch {
   Topology topology_;
   GuardedStep guard_;
   State state_, best_;
-  double hold_ = kFirstHold, worth_ = 0, before_ = 0;
+  FitSolver solver_;
+  double hold_ = kFirstHold, before_ = 0;
 };
 
 void putBack(const FitPart& part, const std::vector<uint32_t>& corners, MeshAt& result) {
@@ -334,7 +385,7 @@ void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   std::iota(corners.begin(), corners.end(), 0u);
   fitted.flips += fitToSurface(part, samples, corners, call.job);
   const ShellMaterial material{call.options.thickness / part.diagonal, call.options.poisson};
-  ModalTarget target(part.original, material, call.options.modeCount, call.job);
+  ModalTarget target(part.original, part.simplified, {material, call.options.modeCount}, call.job);
   call.report(kTargetShare);
   if (!target.empty()) {
     const double budget = std::max(kBudget * std::sqrt(start.meanSquare), kLeastBudget);
