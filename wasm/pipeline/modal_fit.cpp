@@ -20,7 +20,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kSurfaceRounds = 3, kModalRounds = 12;
+constexpr int kSurfaceRounds = 3, kModalRounds = 30;
 constexpr uint32_t kSamplesPerTriangle = 6;
 constexpr double kClip = 0.1;          // of a residual, in a step
 constexpr uint32_t kFewestFaces = 12;  // smaller components stay as they are
@@ -35,7 +35,7 @@ constexpr double kLeastWorth = 1, kMostWorth = 1e4;
 constexpr int kHalvings = 30;  // of that range
 constexpr double kSurfaceHold = 1e-3;
 // How firmly vertices hold their places: more where a step gains less than foretold.
-constexpr double kFirstHold = 0.01, kLeastHold = 0.003, kMostHold = 10;
+constexpr double kFirstHold = 0.01, kLeastHold = 0.003, kMostHold = 1e6;
 constexpr double kPoorGain = 0.3, kGoodGain = 0.7, kFirmer = 3, kLooser = 2;
 constexpr double kLost = 1.5;  // a mesh with this much of the best merit is given up
 
@@ -349,7 +349,7 @@ class ModalSearch {
   GuardedStep guard_;
   State state_, best_;
   FitSolver solver_;
-  double hold_ = kFirstHold, before_ = 0;
+  double hold_ = getenv("HOLD")?atof(getenv("HOLD")):kFirstHold, before_ = 0;
 };
 
 void putBack(const FitPart& part, const std::vector<uint32_t>& corners, MeshAt& result) {
