@@ -21,7 +21,7 @@ constexpr size_t kShape = 3;
 constexpr size_t kParameters = 6;
 
 constexpr size_t kTrianglesPerRange = 128;
-constexpr uint32_t kTrianglesPerChunk = 4096;
+constexpr uint32_t kTrianglesPerChunk = 1024;
 
 // Strains of modes/shell.h from displacements along the triangle's own axes and rotations of its edges.
 struct Element {
@@ -75,7 +75,7 @@ struct ElementMode {
 };
 
 ElementMode modeOf(const TriangleMesh& mesh, const Topology& topology, uint32_t t, const Element& element,
-                   const Eigen::Ref<const Eigen::VectorXd>& phi) {
+                   const Eigen::Ref<const Eigen::VectorXd, 0, Eigen::InnerStride<>>& phi) {
   ElementMode mode;
   const Triangle& triangle = mesh.triangles[t];
   for (size_t v = 0; v < 3; ++v) {
@@ -191,10 +191,12 @@ std::array<double, 9> slopesOf(const Element& element, const StrainSlopes& i, co
 Eigen::MatrixXd shellSensitivity(const TriangleMesh& mesh, const Topology& topology,
                                  const ShellMaterial& material, const Eigen::MatrixXd& psi,
                                  std::span<const ModePair> pairs, const Job& job) {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const auto modeCount = static_cast<size_t>(psi.cols());
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()),
-                                              static_cast<Eigen::Index>(pairs.size()));
-  std::vector<std::array<double, 9>> slopes(kTrianglesPerChunk * pairs.size());
+  const RowMajor shapes = psi;
+  const auto pairCount = static_cast<Eigen::Index>(pairs.size());
+  RowMajor sum = RowMajor::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()), pairCount);
+  RowMajor slopes(9 * kTrianglesPerChunk, pairCount);  // nine rows a triangle
   const auto differentiate = [&](uint32_t first, size_t begin, size_t end) {
     std::vector<ElementMode> modes(modeCount);
     std::vector<StrainSlopes> strains(modeCount);
@@ -202,13 +204,16 @@ Eigen::MatrixXd shellSensitivity(const TriangleMesh& mesh, const Topology& topol
       const uint32_t t = first + static_cast<uint32_t>(at);
       const Element element = elementOf(mesh, t);
       for (size_t k = 0; k < modeCount; ++k) {
-        modes[k] = modeOf(mesh, topology, t, element, psi.col(static_cast<Eigen::Index>(k)));
+        modes[k] = modeOf(mesh, topology, t, element, shapes.col(static_cast<Eigen::Index>(k)));
         strains[k] = strainsOf(element, modes[k], material);
       }
       for (size_t p = 0; p < pairs.size(); ++p) {
         const auto i = static_cast<size_t>(pairs[p].i), j = static_cast<size_t>(pairs[p].j);
         const double inertia = inertiaOf(modes[i], modes[j], pairs[p].lambda, material.thickness);
-        slopes[at * pairs.size() + p] = slopesOf(element, strains[i], strains[j], inertia);
+        const auto slope = slopesOf(element, strains[i], strains[j], inertia);
+        for (size_t n = 0; n < 9; ++n)
+          slopes(static_cast<Eigen::Index>(9 * at + n), static_cast<Eigen::Index>(p)) =
+              std::isfinite(slope[n]) ? slope[n] : 0;
       }
     }
   };
@@ -217,13 +222,9 @@ Eigen::MatrixXd shellSensitivity(const TriangleMesh& mesh, const Topology& topol
     const uint32_t count = std::min(kTrianglesPerChunk, mesh.triangleCount() - first);
     parallelFor(count, kTrianglesPerRange,
                 [&](size_t begin, size_t end) { differentiate(first, begin, end); });
-    for (size_t p = 0; p < pairs.size(); ++p)
-      for (uint32_t k = 0; k < count; ++k) {
-        const auto& slope = slopes[k * pairs.size() + p];
-        for (uint32_t n = 0; n < 9; ++n)
-          if (std::isfinite(slope[n]))
-            sum(3 * mesh.triangles[first + k][n / 3] + n % 3, static_cast<Eigen::Index>(p)) += slope[n];
-      }
+    for (uint32_t k = 0; k < 3 * count; ++k)
+      sum.middleRows<3>(3 * static_cast<Eigen::Index>(mesh.triangles[first + k / 3][k % 3])) +=
+          slopes.middleRows<3>(3 * static_cast<Eigen::Index>(k));
   }
   return sum;
 }

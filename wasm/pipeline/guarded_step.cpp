@@ -20,7 +20,8 @@ std::vector<double> roomAround(const TriangleMesh& mesh) {
   std::vector<double> room(mesh.vertexCount(), HUGE_VAL);
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     double longest = 0;
-    for (int c = 0; c < 3; ++c) longest = std::max(longest, length(mesh.corner(t, (c + 1) % 3) - mesh.corner(t, c)));
+    for (int c = 0; c < 3; ++c)
+      longest = std::max(longest, length(mesh.corner(t, (c + 1) % 3) - mesh.corner(t, c)));
     const double height = longest > 0 ? 2 * triangleArea(mesh, t) / longest : 0;
     for (uint32_t v : mesh.triangles[t]) room[v] = std::min(room[v], height);
   }
@@ -32,13 +33,16 @@ std::vector<double> roomAround(const TriangleMesh& mesh) {
 GuardedStep::GuardedStep(const TriangleMesh& start, const Topology& topology) : topology_(topology) {
   for (uint32_t t = 0; t < start.triangleCount(); ++t) {
     normal_.push_back(normalized(areaNormal(start, t)));
-    quality_.push_back(std::min(kThinner * triangleQuality(start.corner(t, 0), start.corner(t, 1), start.corner(t, 2)), kGoodQuality));
+    quality_.push_back(
+        std::min(kThinner * triangleQuality(start.corner(t, 0), start.corner(t, 1), start.corner(t, 2)),
+                 kGoodQuality));
   }
 }
 
 bool GuardedStep::isSound(const TriangleMesh& mesh, uint32_t t) const {
   if (squaredLength(normal_[t]) == 0) return true;
-  return dot(normalized(areaNormal(mesh, t)), normal_[t]) >= kTurned && triangleQuality(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)) >= quality_[t];
+  return dot(normalized(areaNormal(mesh, t)), normal_[t]) >= kTurned &&
+         triangleQuality(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)) >= quality_[t];
 }
 
 TriangleMesh GuardedStep::apply(const TriangleMesh& mesh, const Eigen::VectorXd& step) const {
@@ -48,7 +52,7 @@ TriangleMesh GuardedStep::apply(const TriangleMesh& mesh, const Eigen::VectorXd&
   for (uint32_t v = 0; v < n; ++v) {
     const auto row = 3 * static_cast<Eigen::Index>(v);
     way[v] = {step[row], step[row + 1], step[row + 2]};
-    const double size = length(way[v]), most = (getenv("STEP")?atof(getenv("STEP")):kStep) * room[v];
+    const double size = length(way[v]), most = (getenv("STEP") ? atof(getenv("STEP")) : kStep) * room[v];
     if (!isFinite(way[v]))
       way[v] = {};
     else if (size > most)

@@ -349,7 +349,7 @@ class ModalSearch {
   GuardedStep guard_;
   State state_, best_;
   FitSolver solver_;
-  double hold_ = getenv("HOLD")?atof(getenv("HOLD")):kFirstHold, before_ = 0;
+  double hold_ = getenv("HOLD") ? atof(getenv("HOLD")) : kFirstHold, before_ = 0;
 };
 
 void putBack(const FitPart& part, const std::vector<uint32_t>& corners, MeshAt& result) {
