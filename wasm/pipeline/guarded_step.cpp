@@ -52,7 +52,7 @@ TriangleMesh GuardedStep::apply(const TriangleMesh& mesh, const Eigen::VectorXd&
   for (uint32_t v = 0; v < n; ++v) {
     const auto row = 3 * static_cast<Eigen::Index>(v);
     way[v] = {step[row], step[row + 1], step[row + 2]};
-    const double size = length(way[v]), most = (getenv("STEP") ? atof(getenv("STEP")) : kStep) * room[v];
+    const double size = length(way[v]), most = kStep * room[v];
     if (!isFinite(way[v]))
       way[v] = {};
     else if (size > most)

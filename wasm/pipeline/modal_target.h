@@ -46,8 +46,10 @@ class ModalTarget {
   // 0.6. Starts from what the last call found. Calls for different thicknesses may run side by side.
   Mismatch compare(const TriangleMesh& mesh, size_t thickness, Job& job);
 
-  // Lets the next calls search from scratch, which proves that no mode is missing.
-  void forget() { last_ = {}; }
+  // What the last calls have found for each thickness, and to go on from such again.
+  using Found = std::array<ShellVibration, kThicknesses>;
+  const Found& found() const { return last_; }
+  void startFrom(const Found& found) { last_ = found; }
 
   // There is nothing to aim at.
   bool empty() const { return reference_[kMiddle].lambda.size() == 0; }
@@ -70,8 +72,8 @@ class ModalTarget {
   ModalTargetOptions options_;
   Topology topology_;  // of the mesh
   VibratingShell shell_;
-  std::array<ShellVibration, kThicknesses> reference_;  // shapes mass-normalised over the original's vertices
-  std::array<ShellVibration, kThicknesses> last_;       // of the mesh that was compared last
+  Found reference_;  // shapes mass-normalised over the original's vertices
+  Found last_;       // of the mesh that was compared last
   std::vector<SurfacePoint> binding_;
   Eigen::VectorXd rootMass_;
 };
