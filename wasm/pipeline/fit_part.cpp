@@ -6,23 +6,35 @@ namespace limber {
 
 namespace {
 
-// The triangles of a mesh that belong to one component; `vertexOf` and `triangleOf` say where they come from.
-TriangleMesh extract(const TriangleMesh& mesh, const std::vector<uint32_t>& componentOfVertex,
-                     uint32_t component, std::vector<uint32_t>& vertexOf, std::vector<uint32_t>& triangleOf) {
+// Members of each component: vertices, triangles and some edges of a mesh, in their order.
+struct Members {
+  std::vector<uint32_t> vertices, triangles;
+  EdgeList edges;
+};
+
+std::vector<Members> membersOf(const TriangleMesh& mesh, const EdgeList& edges,
+                               const std::vector<uint32_t>& componentOfVertex, uint32_t componentCount) {
+  std::vector<Members> members(componentCount);
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) members[componentOfVertex[v]].vertices.push_back(v);
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    members[componentOfVertex[mesh.triangles[t][0]]].triangles.push_back(t);
+  for (const auto& edge : edges) members[componentOfVertex[edge[0]]].edges.push_back(edge);
+  return members;
+}
+
+// A component by its own numbers. `number`: room for one per vertex of the mesh.
+TriangleMesh extract(const TriangleMesh& mesh, const Members& members, std::vector<uint32_t>& number,
+                     EdgeList& edges) {
   TriangleMesh part;
-  std::vector<uint32_t> number(mesh.vertexCount(), kNone);
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    if (componentOfVertex[v] != component) continue;
+  for (uint32_t v : members.vertices) {
     number[v] = part.vertexCount();
-    vertexOf.push_back(v);
     part.positions.push_back(mesh.positions[v]);
   }
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+  for (uint32_t t : members.triangles) {
     const auto& [a, b, c] = mesh.triangles[t];
-    if (componentOfVertex[a] != component) continue;
-    triangleOf.push_back(t);
     part.triangles.push_back({number[a], number[b], number[c]});
   }
+  for (const auto& [a, b] : members.edges) edges.push_back({number[a], number[b]});
   return part;
 }
 
@@ -56,50 +68,45 @@ EdgeList seamsOf(const Topology& topology, const ChartSides& sides) {
   return seams;
 }
 
-// Those edges of a list that lie in a part, by its own numbers.
-EdgeList within(const EdgeList& edges, const std::vector<uint32_t>& vertexOf, uint32_t vertexCount) {
-  std::vector<uint32_t> number(vertexCount, kNone);
-  for (uint32_t v = 0; v < vertexOf.size(); ++v) number[vertexOf[v]] = v;
-  EdgeList inside;
-  for (const auto& [a, b] : edges)
-    if (number[a] != kNone && number[b] != kNone) inside.push_back({number[a], number[b]});
-  return inside;
-}
-
 }  // namespace
 
-std::vector<FitPart> fitParts(const TriangleMesh& original, const MeshAt& simplified,
-                              const FitPartOptions& options) {
+FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const FitPartOptions& options) {
   const Topology topology = buildTopology(original);
   const TriangleMesh& mesh = simplified.mesh;
   const ChartSides sides(original, topology, options.charts, simplified);
-  const EdgeList originalLines = seamsOf(topology, sides), lines = seamsOf(simplified, sides);
   std::vector<uint32_t> componentOfResult(mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
     componentOfResult[v] = topology.componentOfVertex[simplified.inputOfVertex[v]];
   std::vector<uint8_t> isLocked(mesh.vertexCount(), 0);
   for (uint32_t v = 0; v < options.locked.size(); ++v)
     if (options.locked[v] && simplified.vertexOfInput[v] != kNone) isLocked[simplified.vertexOfInput[v]] = 1;
-  std::vector<FitPart> parts;
+  const std::vector<Members> originals = membersOf(original, seamsOf(topology, sides),
+                                                   topology.componentOfVertex, topology.componentCount),
+                             results = membersOf(mesh, seamsOf(simplified, sides), componentOfResult,
+                                                 topology.componentCount);
+  std::vector<uint32_t> number(original.vertexCount());
+  FitParts found;
   for (uint32_t component = 0; component < topology.componentCount; ++component) {
-    FitPart part;
-    std::vector<uint32_t> vertexOfInput, triangleOfInput;
-    part.original = extract(original, topology.componentOfVertex, component, vertexOfInput, triangleOfInput);
-    part.simplified = extract(mesh, componentOfResult, component, part.vertexOfResult, part.triangleOfResult);
-    if (part.simplified.triangleCount() < options.fewestFaces ||
-        part.simplified.vertexCount() > options.mostVertices)
+    const Members& result = results[component];
+    if (result.triangles.size() < options.fewestFaces) continue;
+    if (result.vertices.size() > options.mostVertices) {
+      ++found.tooLarge;
       continue;
+    }
+    FitPart part;
+    part.original = extract(original, originals[component], number, part.originalLines);
+    part.simplified = extract(mesh, result, number, part.lines);
+    part.vertexOfResult = result.vertices;
+    part.triangleOfResult = result.triangles;
     const Bounds box = bounds(part.original);
     part.origin = box.low;
     part.diagonal = box.diagonal();
     intoFrame(part.original, part);
     intoFrame(part.simplified, part);
-    part.originalLines = within(originalLines, vertexOfInput, original.vertexCount());
-    part.lines = within(lines, part.vertexOfResult, mesh.vertexCount());
     for (uint32_t v : part.vertexOfResult) part.locked.push_back(isLocked[v]);
-    parts.push_back(std::move(part));
+    found.parts.push_back(std::move(part));
   }
-  return parts;
+  return found;
 }
 
 }  // namespace limber

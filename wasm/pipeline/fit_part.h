@@ -30,7 +30,10 @@ struct FitPartOptions {
 };
 
 // The components of the original, each with its result.
-std::vector<FitPart> fitParts(const TriangleMesh& original, const MeshAt& simplified,
-                              const FitPartOptions& options);
+struct FitParts {
+  std::vector<FitPart> parts;
+  uint32_t tooLarge = 0;  // left out
+};
+FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const FitPartOptions& options);
 
 }  // namespace limber

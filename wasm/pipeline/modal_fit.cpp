@@ -88,12 +88,13 @@ void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
 ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
                         const ModalFitOptions& options, Job& job) {
   WholePhase phase(job, Phase::Fit);
-  ModalFitResult fitted{simplified, {}, {}, 0};
+  ModalFitResult fitted{simplified, {}, {}, 0, 0};
   fitted.result.flips.triangles = simplified.mesh.triangles;
   fitted.result.flips.corners.resize(3 * size_t{simplified.mesh.triangleCount()});
   std::iota(fitted.result.flips.corners.begin(), fitted.result.flips.corners.end(), 0u);
   if (simplified.mesh.triangleCount() == original.triangleCount()) return fitted;
-  std::vector<FitPart> parts = fitParts(original, simplified, {options.charts, options.locked});
+  auto [parts, tooLarge] = fitParts(original, simplified, {options.charts, options.locked});
+  fitted.tooLarge = tooLarge;
   for (size_t i = 0; i < parts.size(); ++i) {
     const auto report = [&](double fraction) {
       phase.report((static_cast<double>(i) + fraction) / static_cast<double>(parts.size()));

@@ -260,6 +260,8 @@ export interface Fitted {
   result: MeshAt;
   errorBefore: Float64Array;
   errorAfter: Float64Array;
+  /** components that stay as they are, for they have more than 20,000 vertices */
+  tooLarge: number;
 }
 
 /** What parts a mesh into charts, over which no attribute may bleed. Both may be empty. */
