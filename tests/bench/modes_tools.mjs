@@ -3,6 +3,7 @@
 import { execFile, spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import { build } from 'vite';
 import { findHeaders, run } from '../../scripts/setup/environment.mjs';
@@ -30,6 +31,20 @@ export async function bundleEngine() {
     publicDir: false,
     build: { ssr, outDir, emptyOutDir: true, target: 'es2022' },
   });
+}
+
+/** The core in this process, from the built wasm. */
+export async function loadBundledCore(threads) {
+  await bundleEngine();
+  const { loadCore } = await import(pathToFileURL(join(folder, 'engine', 'load_core.js')).href);
+  return loadCore({ threads, wasmFolder: pathToFileURL(join(root, 'public', 'wasm', '/')).href });
+}
+
+/** Milliseconds, and what was returned. */
+export function timed(run) {
+  const start = performance.now();
+  const result = run();
+  return [performance.now() - start, result];
 }
 
 /** The native program, optimised: (mesh, options) -> what it prints. */

@@ -5,11 +5,10 @@
 
 import { existsSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { MeshoptSimplifier } from 'meshoptimizer';
 import { bumpySphere, cloth, largestComponent, readObj, torus } from './bench_meshes.mjs';
-import { bundleEngine } from './modes_tools.mjs';
+import { loadBundledCore, timed } from './modes_tools.mjs';
 import { table, tellMissing, writeSection } from './section.mjs';
 
 const { values: options } = parseArgs({
@@ -32,13 +31,7 @@ const weights = {
 };
 
 await MeshoptSimplifier.ready;
-await bundleEngine();
-const loader = join(root, 'build', 'bench', 'engine', 'load_core.js');
-const { loadCore } = await import(pathToFileURL(loader).href);
-const core = await loadCore({
-  threads: 1,
-  wasmFolder: pathToFileURL(join(root, 'public', 'wasm', '/')).href,
-});
+const core = await loadBundledCore(1);
 
 function* meshes() {
   for (const name of ['skirt_4k', 'spot_uv', 'bob_genus1', 'hammer_60k', 'scorpion_100k']) {
@@ -49,13 +42,6 @@ function* meshes() {
   for (const faces of [10_000, 40_000, 200_000, 1_000_000])
     for (const [name, generate] of Object.entries(generators))
       if (faces <= Number(options.largest)) yield { name, ...generate(faces) };
-}
-
-/** Milliseconds, and what was returned. */
-function time(run) {
-  const start = performance.now();
-  const result = run();
-  return [performance.now() - start, result];
 }
 
 /** A field that varies over the body, in place of a rank of strain. */
@@ -79,16 +65,16 @@ function race(mesh) {
   for (let round = 0; round < (faces > million ? Math.min(rounds, 2) : rounds); round++) {
     note(
       'peer',
-      time(() => MeshoptSimplifier.simplify(mesh.triangles, mesh.positions, 3, 3 * target, 1)),
+      timed(() => MeshoptSimplifier.simplify(mesh.triangles, mesh.positions, 3, 3 * target, 1)),
     );
     for (const method of ['qem', 'limber']) {
       const history = note(
         method,
-        time(() => core.simplify(mesh, strain, none, weights[method])),
+        timed(() => core.simplify(mesh, strain, none, weights[method])),
       );
       note(
         'meshAt',
-        time(() => core.meshAt(mesh, history, target)),
+        timed(() => core.meshAt(mesh, history, target)),
       );
     }
   }
