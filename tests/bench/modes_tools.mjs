@@ -5,7 +5,7 @@ import { existsSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
-import { build } from 'vite';
+import { bundleModule } from '../../scripts/setup/bundle.mjs';
 import { findHeaders, run } from '../../scripts/setup/environment.mjs';
 
 const execute = promisify(execFile);
@@ -21,17 +21,7 @@ async function jsonOf(program, args, environment = {}) {
 }
 
 /** The engine's loader as one file, for Node and the browser. */
-export async function bundleEngine() {
-  const outDir = join(folder, 'engine');
-  const ssr = 'web/engine/load_core.ts';
-  await build({
-    root,
-    configFile: false,
-    logLevel: 'warn',
-    publicDir: false,
-    build: { ssr, outDir, emptyOutDir: true, target: 'es2022' },
-  });
-}
+export const bundleEngine = () => bundleModule('web/engine/load_core.ts', join(folder, 'engine'));
 
 /** The core in this process, from the built wasm. */
 export async function loadBundledCore(threads) {

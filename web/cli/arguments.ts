@@ -6,7 +6,7 @@ import { MATERIALS, MATERIAL_NAMES } from '../engine/materials';
 import { OPTIONS, checkSettings, defaultSettings } from '../engine/options';
 import type { OptionSpec, Settings } from '../engine/options';
 import { UsageError } from './failure';
-import { COMMAND_SPECS, COMMANDS, flagsOf, LATER_FLAGS, LATER_VALUES, settingsOf } from './flags';
+import { COMMAND_SPECS, COMMANDS, flagsOf, settingsOf } from './flags';
 import type { Command, Flag } from './flags';
 import { nearest } from './nearest';
 
@@ -75,12 +75,9 @@ function commandNamed(word: string): Command {
 function readFlags(command: Command, words: string[]): { values: Map<string, string>; operands: string[] } {
   const flags = flagsOf(command);
   const known = new Map(flags.map((flag) => [flag.name, flag]));
-  const entries = [
-    ...flags.map(
-      ({ name, value }) => [name, { type: value ? ('string' as const) : ('boolean' as const) }] as const,
-    ),
-    ...[...LATER_FLAGS].map((name) => [name, { type: 'boolean' as const }] as const),
-  ];
+  const entries = flags.map(
+    ({ name, value }) => [name, { type: value ? ('string' as const) : ('boolean' as const) }] as const,
+  );
   const options = { ...Object.fromEntries(entries), help: { type: 'boolean' as const, short: 'h' } };
   const { tokens } = parseArgs({ args: words, options, strict: false, allowPositionals: true, tokens: true });
   const values = new Map<string, string>();
@@ -105,13 +102,11 @@ function readValue(
   }
   if (value === undefined || value.startsWith('--') || value === '')
     throw new UsageError(`--${name} needs a value: --${name} ${flag.value}.`);
-  if (LATER_VALUES[name]?.includes(value)) throw new UsageError(`--${name} ${value} is not available yet.`);
   return value;
 }
 
 function unknownFlag(command: Command, rawName: string, known: string[]): UsageError {
   const name = rawName.replace(/^-+/, '');
-  if (LATER_FLAGS.has(name)) return new UsageError(`--${name} is not available yet.`);
   const guess = nearest(name, known);
   const hint = guess ? `did you mean --${guess}?` : `see limber ${command} --help.`;
   return new UsageError(`limber ${command} has no ${rawName}: ${hint}`);
@@ -155,8 +150,7 @@ function readPreset(values: Map<string, string>): Partial<Settings> {
 function readSetting(option: OptionSpec, text: string): unknown {
   if (option.kind === 'switch') return true;
   const isWord =
-    option.kind === 'pins' ||
-    option.kind === 'choice' ||
+    ['pins', 'name', 'choice'].includes(option.kind) ||
     (option.kind === 'modes' && ['auto', 'all'].includes(text));
   if (isWord) return text;
   const isList = option.kind === 'modes' || option.kind === 'numbers';
