@@ -9,6 +9,7 @@ import type { OptimizedBody } from '../engine/optimize';
 import { exportedBody, measureResult } from '../engine/pipeline';
 import { meshReport, stopReport, worstSurface } from '../engine/report';
 import type { LevelReport, StoppedBody } from '../engine/report';
+import { facesByRatio } from '../engine/share';
 import type { Arguments } from './arguments';
 import { UsageError } from './failure';
 import { checkFolder, writeWhole } from './files';
@@ -38,9 +39,6 @@ export function checkLevels(args: Arguments): void {
     checkFolder(file);
   }
 }
-
-/** The faces that a ratio leaves of so many; the sum keeps 0.3 * 10 from becoming 2. */
-export const facesByRatio = (ratio: number, faces: number): number => Math.floor(ratio * faces + 1e-9);
 
 /** Writes every level of --lods; null is a body that stays as it is. */
 export async function writeLevels(

@@ -1,6 +1,7 @@
 /** Whether a value is one that a setting allows, and the sentence where it is not. */
 
 import type { OptionSpec, Settings } from './options';
+import { parsePaint } from './paint';
 import { parsePins } from './pins';
 
 /** `range` in words: "a number from 0 to 1". */
@@ -11,6 +12,7 @@ function describeRange(option: OptionSpec): string {
   if (kind === 'choice') return `one of ${option.choices!.join(', ')}`;
   if (kind === 'switch') return 'true or false';
   if (kind === 'name') return 'the name of an attribute';
+  if (kind === 'paint') return 'what the brush of the page writes';
   if (kind === 'modes') return `auto, all, or numbers from ${min} to ${max} with commas`;
   return kind === 'numbers' ? `numbers from ${min} to ${max} with commas` : range;
 }
@@ -18,6 +20,7 @@ function describeRange(option: OptionSpec): string {
 /** Throws one sentence that names the flag, its range and its default. */
 export function checkOption(option: OptionSpec, value: Settings[keyof Settings]): void {
   if (option.kind === 'pins') parsePins(String(value), option.flag);
+  if (option.kind === 'paint') parsePaint(String(value));
   if (isAllowed(option, value)) return;
   const shown = Array.isArray(value) ? value.join(',') || 'an empty list' : String(value);
   throw new Error(
@@ -33,7 +36,7 @@ function describeDefault(option: OptionSpec): string {
 function isAllowed(option: OptionSpec, value: Settings[keyof Settings]): boolean {
   const { kind, choices } = option;
   if (kind === 'choice') return choices!.includes(String(value));
-  if (kind === 'pins' || kind === 'name') return typeof value === 'string';
+  if (['pins', 'paint', 'name'].includes(kind)) return typeof value === 'string';
   if (kind === 'switch') return typeof value === 'boolean';
   if (kind === 'modes' && (value === 'auto' || value === 'all')) return true;
   const entries: unknown[] = Array.isArray(value) ? value : [value];
