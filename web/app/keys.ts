@@ -68,11 +68,11 @@ export function listenToKeys(): void {
     const action = hasControl ? WITH_CONTROL[key] : plainAction(key);
     if (!action || event.altKey) return;
     if (!hasControl && isTyping(event.target) && key !== 'escape') return;
-    // Space and Enter on a button press it.
+    // Space and Enter on a button press it; that of the step which is shown has nothing to do.
     if (
       key === ' ' &&
       event.target instanceof HTMLElement &&
-      event.target.closest('button, summary, input, select')
+      event.target.closest('button:not([aria-current]), summary, input, select')
     )
       return;
     event.preventDefault();
