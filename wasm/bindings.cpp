@@ -395,7 +395,7 @@ val jsMeasureSurfaceDistance(const val& a, const val& b) {
   return out;
 }
 
-val jsCompareFidelity(const val& original, const val& other, const val& in) {
+FidelityOptions fidelityOptionsOf(const val& in) {
   FidelityOptions options;
   options.modeCount = in["modeCount"].as<int>();
   options.thickness = in["thickness"].as<double>();
@@ -403,7 +403,15 @@ val jsCompareFidelity(const val& original, const val& other, const val& in) {
   options.poisson = in["poisson"].as<double>();
   options.density = in["density"].as<double>();
   options.unit = in["unit"].as<double>();
-  const Fidelity fidelity = compareFidelity(meshOf(original), meshOf(other), options, theJob);
+  return options;
+}
+
+val jsCalibrationFactor(const val& original, const val& other, const val& in) {
+  return val(calibrationFactor(meshOf(original), meshOf(other), fidelityOptionsOf(in), theJob));
+}
+
+val jsCompareFidelity(const val& original, const val& other, const val& in) {
+  const Fidelity fidelity = compareFidelity(meshOf(original), meshOf(other), fidelityOptionsOf(in), theJob);
   val out = val::object();
   out.set("frequencyErrorMean", fidelity.frequencyErrorMean);
   out.set("frequencyErrorMax", fidelity.frequencyErrorMax);
@@ -456,6 +464,7 @@ EMSCRIPTEN_BINDINGS(limber) {
   emscripten::function("bindToResult", &Guarded<&jsBindToResult>::call);
   emscripten::function("measureQuality", &Guarded<&jsMeasureQuality>::call);
   emscripten::function("measureSurfaceDistance", &Guarded<&jsMeasureSurfaceDistance>::call);
+  emscripten::function("calibrationFactor", &Guarded<&jsCalibrationFactor>::call);
   emscripten::function("compareFidelity", &Guarded<&jsCompareFidelity>::call);
   emscripten::function("setThreadCount", &setThreadCount);
   emscripten::function("threadCount", &threadCount);

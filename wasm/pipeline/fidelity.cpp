@@ -120,12 +120,16 @@ double bestFactor(const std::vector<double>& ratio, size_t count) {
   return squares > 0 ? sum / squares : 1;
 }
 
+void requireTriangles(const TriangleMesh& original, const TriangleMesh& other) {
+  if (original.triangles.empty() || other.triangles.empty())
+    throw std::invalid_argument("A mesh without a usable triangle cannot be compared.");
+}
+
 }  // namespace
 
 Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other,
                          const FidelityOptions& options, Job& job) {
-  if (original.triangles.empty() || other.triangles.empty())
-    throw std::invalid_argument("A mesh without a usable triangle cannot be compared.");
+  requireTriangles(original, other);
   job.begin(Phase::Compare);
   const Comparison comparison(original, other, options, job);
   const auto count = static_cast<size_t>(options.modeCount);
@@ -149,6 +153,17 @@ Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other
   fidelity.frequencyErrorThick =
       meanError(comparison.pair(options.thickness * 2, options.modeCount).ratio, 0, count);
   return fidelity;
+}
+
+double calibrationFactor(const TriangleMesh& original, const TriangleMesh& other,
+                         const FidelityOptions& options, Job& job) {
+  requireTriangles(original, other);
+  job.begin(Phase::Compare);
+  // As many modes as compareFidelity has, for the same pairs.
+  const Pairing pairing =
+      Comparison(original, other, options, job).pair(options.thickness, 2 * options.modeCount);
+  const double factor = bestFactor(pairing.ratio, static_cast<size_t>(options.modeCount));
+  return factor * factor;
 }
 
 }  // namespace limber

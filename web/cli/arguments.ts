@@ -156,6 +156,7 @@ function readSetting(option: OptionSpec, text: string): unknown {
   if (option.kind === 'switch') return true;
   const isWord =
     option.kind === 'pins' ||
+    option.kind === 'colliders' ||
     option.kind === 'choice' ||
     (option.kind === 'modes' && ['auto', 'all'].includes(text));
   if (isWord) return text;

@@ -11,6 +11,7 @@ import { exportedBody, optimizeBody, startStopwatch } from '../engine/pipeline';
 import type { OptimizedBody, PreparedBody, Timings } from '../engine/pipeline';
 import {
   describeRefused,
+  calibrationReport,
   meshReport,
   modesReport,
   startReport,
@@ -19,10 +20,12 @@ import {
 } from '../engine/report';
 import type { Report } from '../engine/report';
 import { shareInProportion } from '../engine/share';
+import { calibrationOf } from '../engine/simulation';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { checkFolder, checkOutput, writeWhole } from './files';
 import { finish, openFile, prepareBodies, startSession, usable } from './session';
+import type { Session } from './session';
 import { count, percent, plural } from './words';
 
 const DEFAULT_RATIO = 0.5;
@@ -46,9 +49,15 @@ export async function runOptimize(args: Arguments): Promise<number> {
     return optimizeBody(session.core, body, args.settings, { targetFaces: targets[i], pinned });
   });
   const done = optimized.filter((body) => body !== null);
+  const factors = optimized.map((body) => (body ? calibrationFor(session, body) : undefined));
   stopwatch();
-  const exported = optimized.map((body) =>
-    body ? exportedBody(session.core, body.prepared, body.result, args.fields ? body : null) : null,
+  const exported = optimized.map((body, i) =>
+    body
+      ? {
+          ...exportedBody(session.core, body.prepared, body.result, args.fields ? body : null),
+          calibration: factors[i],
+        }
+      : null,
   );
   const bytes = await exportGlb(model, exported, { fields: args.fields });
   writeWhole(output, bytes);
@@ -57,11 +66,22 @@ export async function runOptimize(args: Arguments): Promise<number> {
   if (dropped.length > 0) session.warnings.push(`${output} leaves out ${dropped.join(', ')}`);
   const report = startReport(session.core, 'optimize', optionsAsUsed(args), usable(prepared));
   fillReport(report, done);
+  if (args.settings.calibrate)
+    report.calibration = calibrationReport(
+      done.map(({ prepared }) => prepared),
+      factors.filter((factor) => factor !== undefined),
+    );
   session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0));
   report.timings = { load, weld, ...sumTimings(done), export: stopwatch(), total: total() };
   const missed = wantsCount(args) && report.stop!.reason === 'exhausted' ? describeMiss(done) : '';
   finish(session, report, summaryLine(args, done, report.timings.total), missed);
   return missed === '' ? EXIT.done : EXIT.missedTarget;
+}
+
+function calibrationFor(session: Session, { prepared, result }: OptimizedBody): number | undefined {
+  if (!session.args.settings.calibrate) return undefined;
+  session.activity = prepared.body.name;
+  return calibrationOf(session.core, prepared, result.mesh, session.args.settings);
 }
 
 function bindingText(core: Core, done: OptimizedBody[]): string {
