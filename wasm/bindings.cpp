@@ -363,6 +363,7 @@ val jsFitModes(const val& mesh, const val& result, const val& in) {
   out.set("result", jsMeshAtOf(fitted.result));
   out.set("errorBefore", typedArray(fitted.errorBefore));
   out.set("errorAfter", typedArray(fitted.errorAfter));
+  out.set("tooLarge", fitted.tooLarge);
   return out;
 }
 
@@ -446,9 +447,12 @@ val jsFrequencyErrors(const val& original, const val& modes, const val& other, c
   return out;
 }
 
+val jsCalibrationFactor(const val& original, const val& other, const val& in) {
+  return val(calibrationFactor(meshOf(original), meshOf(other), fidelityOptionsOf(in), theJob));
+}
+
 val jsCompareFidelity(const val& original, const val& other, const val& in) {
-  const FidelityOptions options = fidelityOptionsOf(in);
-  const Fidelity fidelity = compareFidelity(meshOf(original), meshOf(other), options, theJob);
+  const Fidelity fidelity = compareFidelity(meshOf(original), meshOf(other), fidelityOptionsOf(in), theJob);
   val out = val::object();
   out.set("frequencyErrorMean", fidelity.frequencyErrorMean);
   out.set("frequencyErrorMax", fidelity.frequencyErrorMax);
@@ -503,6 +507,7 @@ EMSCRIPTEN_BINDINGS(limber) {
   emscripten::function("bindToResult", &Guarded<&jsBindToResult>::call);
   emscripten::function("measureQuality", &Guarded<&jsMeasureQuality>::call);
   emscripten::function("measureSurfaceDistance", &Guarded<&jsMeasureSurfaceDistance>::call);
+  emscripten::function("calibrationFactor", &Guarded<&jsCalibrationFactor>::call);
   emscripten::function("compareFidelity", &Guarded<&jsCompareFidelity>::call);
   emscripten::function("shellModes", &Guarded<&jsShellModes>::call);
   emscripten::function("frequencyErrors", &Guarded<&jsFrequencyErrors>::call);

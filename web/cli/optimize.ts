@@ -14,6 +14,7 @@ import { exportedBody, startStopwatch } from '../engine/pipeline';
 import type { PreparedBody } from '../engine/pipeline';
 import {
   describeRefused,
+  calibrationReport,
   meshReport,
   modesReport,
   startReport,
@@ -22,6 +23,7 @@ import {
 } from '../engine/report';
 import type { Report, StoppedBody, StopReport } from '../engine/report';
 import { facesByRatio, shareInProportion } from '../engine/share';
+import { calibrationOf } from '../engine/simulation';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { checkFolder, checkOutput, writeWhole } from './files';
@@ -47,10 +49,14 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const weld = stopwatch();
   const finished = optimizeAll(session, model, prepared);
   const done = finished.flatMap((one) => (one ? [one.body] : []));
+  const factors = finished.map((one) => (one ? calibrationFor(session, one.body) : undefined));
   stopwatch();
-  const exported = finished.map((one) =>
+  const exported = finished.map((one, i) =>
     one
-      ? exportedBody(session.core, one.body.prepared, one.body.result, args.fields ? one.body : null)
+      ? {
+          ...exportedBody(session.core, one.body.prepared, one.body.result, args.fields ? one.body : null),
+          calibration: factors[i],
+        }
       : null,
   );
   writeWhole(output, await exportGlb(model, exported, { fields: args.fields }));
@@ -61,6 +67,11 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const levels = await writeLevels(session, model, finished);
   const report = startReport(session.core, 'optimize', optionsAsUsed(args), usable(prepared));
   fillReport(report, done, levels);
+  if (args.settings.calibrate)
+    report.calibration = calibrationReport(
+      done.map(({ prepared }) => prepared),
+      factors.filter((factor) => factor !== undefined),
+    );
   session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0));
   report.timings = {
     ...{ load, weld, ...sumTimings(done), export: exportTime },
@@ -92,8 +103,17 @@ function optimizeAll(
     if (note !== '') warnings.push(note);
     const onTry = (faces: number) => (session.activity = `${name}, trying ${count(faces)} faces`);
     const target = { targetFaces: targets[i], onTry, ...held };
-    return { body: optimizeBody(core, one, args.settings, target), held };
+    const body = optimizeBody(core, one, args.settings, target);
+    const { unfitted } = body.fitted;
+    if (unfitted !== '') warnings.push(`${name} is not fitted to its modes: ${unfitted}`);
+    return { body, held };
   });
+}
+
+function calibrationFor(session: Session, { prepared, result }: OptimizedBody): number | undefined {
+  if (!session.args.settings.calibrate) return undefined;
+  session.activity = prepared.body.name;
+  return calibrationOf(session.core, prepared, result.mesh, session.args.settings);
 }
 
 function bindingText(core: Core, done: OptimizedBody[]): string {

@@ -1,5 +1,6 @@
 /** Whether a value is one that a setting allows, and the sentence where it is not. */
 
+import { parseColliders } from './colliders';
 import type { OptionSpec, Settings } from './options';
 import { parsePaint } from './paint';
 import { parsePins } from './pins';
@@ -21,6 +22,7 @@ function describeRange(option: OptionSpec): string {
 export function checkOption(option: OptionSpec, value: Settings[keyof Settings]): void {
   if (option.kind === 'pins') parsePins(String(value), option.flag);
   if (option.kind === 'paint') parsePaint(String(value));
+  if (option.kind === 'colliders') parseColliders(String(value));
   if (isAllowed(option, value)) return;
   const shown = Array.isArray(value) ? value.join(',') || 'an empty list' : String(value);
   throw new Error(
@@ -36,7 +38,7 @@ function describeDefault(option: OptionSpec): string {
 function isAllowed(option: OptionSpec, value: Settings[keyof Settings]): boolean {
   const { kind, choices } = option;
   if (kind === 'choice') return choices!.includes(String(value));
-  if (['pins', 'paint', 'name'].includes(kind)) return typeof value === 'string';
+  if (['pins', 'paint', 'colliders', 'name'].includes(kind)) return typeof value === 'string';
   if (kind === 'switch') return typeof value === 'boolean';
   if (kind === 'modes' && (value === 'auto' || value === 'all')) return true;
   const entries: unknown[] = Array.isArray(value) ? value : [value];
