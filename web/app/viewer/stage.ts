@@ -10,7 +10,7 @@ import type { MapName } from './colours';
 import { PinDots } from './pin_dots';
 import type { DotLook } from './pin_dots';
 import { surfaceMaterial } from './surface_material';
-import { PropsView } from './twin_props';
+import { PropsView, reachOf } from './twin_props';
 import type { Props, PropsLook } from './twin_props';
 import { MOST_SMOOTH, paintSurface, placeSurface } from './twin_surface';
 
@@ -106,6 +106,17 @@ class Pane {
     material.transparent = colour !== null;
     material.uniforms.opacity.value = colour === null ? 1 : 0.4;
     this.veilColour = colour;
+    // Those of the body below are enough.
+    this.props.group.visible = colour === null;
+  }
+
+  /** Its depth alone, so that a veil is of one layer. */
+  drawDepth(draw: () => void): void {
+    const { material } = this.body;
+    this.props.group.visible = this.dots.points.visible = false;
+    material.colorWrite = false;
+    draw();
+    material.colorWrite = true;
   }
 
   /** Without wires: those of the veil over it would drown in them. */
@@ -141,6 +152,7 @@ export class Stage {
   private readonly candidate: PinDots;
   private shown: PaneName[] = ['original'];
   private isOverlaid = false;
+  private reach: THREE.Vector3[] = [];
   private stale = true;
   private swinging = false;
   private phase = 0;
@@ -200,6 +212,7 @@ export class Stage {
   /** What bodies fall on. */
   furnish(props: Props | null, look: PropsLook): void {
     for (const pane of Object.values(this.panes)) pane.props.show(props, look);
+    this.reach = props ? reachOf(props) : [];
     this.stale = true;
   }
 
@@ -272,13 +285,10 @@ export class Stage {
     this.stale = true;
   }
 
-  /** Turns the camera to the whole body, and to `room` diagonals below it. */
-  fit(animated = true, room = 0): void {
+  /** Turns the camera to the whole body and to what it can touch. */
+  fit(animated = true): void {
     const sphere = this.panes.original.sphere()?.clone();
-    if (sphere && room > 0) {
-      sphere.center.y -= room * sphere.radius;
-      sphere.radius *= 1 + room;
-    }
+    for (const point of this.reach) sphere?.expandByPoint(point);
     if (!sphere || !(sphere.radius > 0)) return;
     this.camera.near = sphere.radius / 100;
     this.camera.far = sphere.radius * 100;
@@ -345,7 +355,10 @@ export class Stage {
       this.renderer.setViewport(left, 0, width, clientHeight);
       this.renderer.setScissor(left, 0, width, clientHeight);
       // A veil is not hidden by what it lies over.
-      if (this.isOverlaid && i > 0) this.renderer.clearDepth();
+      if (this.isOverlaid && i > 0) {
+        this.renderer.clearDepth();
+        pane.drawDepth(() => this.renderer.render(pane.scene, this.camera));
+      }
       this.renderer.render(pane.scene, this.camera);
     });
   }
