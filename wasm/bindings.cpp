@@ -446,9 +446,12 @@ val jsFrequencyErrors(const val& original, const val& modes, const val& other, c
   return out;
 }
 
+val jsCalibrationFactor(const val& original, const val& other, const val& in) {
+  return val(calibrationFactor(meshOf(original), meshOf(other), fidelityOptionsOf(in), theJob));
+}
+
 val jsCompareFidelity(const val& original, const val& other, const val& in) {
-  const FidelityOptions options = fidelityOptionsOf(in);
-  const Fidelity fidelity = compareFidelity(meshOf(original), meshOf(other), options, theJob);
+  const Fidelity fidelity = compareFidelity(meshOf(original), meshOf(other), fidelityOptionsOf(in), theJob);
   val out = val::object();
   out.set("frequencyErrorMean", fidelity.frequencyErrorMean);
   out.set("frequencyErrorMax", fidelity.frequencyErrorMax);
@@ -503,6 +506,7 @@ EMSCRIPTEN_BINDINGS(limber) {
   emscripten::function("bindToResult", &Guarded<&jsBindToResult>::call);
   emscripten::function("measureQuality", &Guarded<&jsMeasureQuality>::call);
   emscripten::function("measureSurfaceDistance", &Guarded<&jsMeasureSurfaceDistance>::call);
+  emscripten::function("calibrationFactor", &Guarded<&jsCalibrationFactor>::call);
   emscripten::function("compareFidelity", &Guarded<&jsCompareFidelity>::call);
   emscripten::function("shellModes", &Guarded<&jsShellModes>::call);
   emscripten::function("frequencyErrors", &Guarded<&jsFrequencyErrors>::call);

@@ -14,7 +14,7 @@ namespace {
 
 // In the order of the enums.
 const std::vector<std::string> materialNames = {"springs", "shell"};
-const std::vector<std::string> scenarioNames = {"twist", "sway", "hang", "drop", "pull", "wind"};
+const std::vector<std::string> scenarioNames = {"twist", "sway", "hang", "drop", "pull", "wind", "drape"};
 
 template <class Enum>
 Enum named(const std::vector<std::string>& names, const val& name) {
@@ -38,13 +38,49 @@ SimulationOptions simulationOptionsOf(const val& in) {
   options.unit = in["unit"].as<double>();
   options.substeps = in["substeps"].as<int>();
   options.damping = in["damping"].as<double>();
+  if (!in["friction"].isUndefined()) options.friction = in["friction"].as<double>();
   options.avoidsItself = in["selfCollision"].as<bool>();
   return options;
 }
 
+Surroundings addedSurroundingsOf(const val& in) {
+  Surroundings added;
+  const auto isGiven = [](const val& value) { return !value.isUndefined() && !value.isNull(); };
+  if (isGiven(in["ground"])) added.ground = in["ground"].as<double>();
+  const val colliders = in["colliders"];
+  if (!isGiven(colliders)) return added;
+  for (int i = 0; i < colliders["length"].as<int>(); ++i) {
+    const val collider = colliders[i];
+    added.colliders.push_back(
+        {vec3Of(collider["from"]), vec3Of(collider["to"]), collider["radius"].as<double>()});
+  }
+  return added;
+}
+
 Scenario scenarioOf(const TriangleMesh& original, const val& in) {
   return {named<ScenarioKind>(scenarioNames, in["scenario"]), bounds(original), in["seconds"].as<double>(),
-          in["unit"].as<double>()};
+          in["unit"].as<double>(), addedSurroundingsOf(in)};
+}
+
+val jsVec3(const Vec3& v) {
+  val out = val::array();
+  for (int c = 0; c < 3; ++c) out.set(c, v[c]);
+  return out;
+}
+
+val jsScenarioSurroundings(const val& original, const val& in) {
+  const Surroundings all = surroundingsOf(scenarioOf(meshOf(original), in));
+  val out = val::object(), colliders = val::array();
+  for (const Collider& collider : all.colliders) {
+    val one = val::object();
+    one.set("from", jsVec3(collider.from));
+    one.set("to", jsVec3(collider.to));
+    one.set("radius", collider.radius);
+    colliders.call<void>("push", one);
+  }
+  out.set("ground", all.ground ? val(*all.ground) : val::null());
+  out.set("colliders", colliders);
+  return out;
 }
 
 // Vertices of the original: those asked for, or, where `pinned` is null, the scenario's own.
@@ -89,6 +125,7 @@ val jsCompareMotion(const val& originalIn, const val& otherIn, const val& in) {
   options.scenario = scenarioOf(original, in);
   options.pinned = pinnedOf(original, options.scenario, in);
   options.records = in["records"].as<bool>();
+  if (!in["calibration"].isUndefined()) options.calibration = in["calibration"].as<double>();
   TriangleMesh other;
   if (!otherIn.isNull()) {
     other = meshOf(otherIn);
@@ -168,6 +205,7 @@ val jsEndSimulation(uint32_t number) {
 EMSCRIPTEN_BINDINGS(limber_simulation) {
   using namespace limber;
   emscripten::function("compareMotion", &Guarded<&jsCompareMotion>::call);
+  emscripten::function("scenarioSurroundings", &Guarded<&jsScenarioSurroundings>::call);
   emscripten::function("startSimulation", &Guarded<&jsStartSimulation>::call);
   emscripten::function("stepSimulations", &Guarded<&jsStepSimulations>::call);
   emscripten::function("simulationPositions", &Guarded<&jsSimulationPositions>::call);

@@ -1,9 +1,15 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Core, ScenarioName, SimulationOptions, TriangleMesh } from '../../web/engine/core';
+import type { Collider, Core, ScenarioName, SimulationOptions, TriangleMesh } from '../../web/engine/core';
 import { defaultSettings } from '../../web/engine/options';
-import { prepareBody } from '../../web/engine/pipeline';
+import { materialOf, prepareBody } from '../../web/engine/pipeline';
 import { simulationReport } from '../../web/engine/report';
-import { SCENARIOS, Simulation, simulationOptions, STEP_SECONDS } from '../../web/engine/simulation';
+import {
+  calibrationOf,
+  SCENARIOS,
+  Simulation,
+  simulationOptions,
+  STEP_SECONDS,
+} from '../../web/engine/simulation';
 import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
 import { failureOf } from './support/files';
@@ -65,6 +71,47 @@ describe('a running simulation', () => {
     simulation.end();
   });
 
+  it('tells what it can touch: what it is given, and what the scenario has', () => {
+    const added = { ground: -3, colliders: [{ from: [0, 1, 2], to: [3, 4, 5], radius: 0.5 }] as Collider[] };
+    const touched = (scenario: ScenarioName, given: object) => {
+      const simulation = new Simulation(core, sheet, coarse, { ...optionsFor(sheet, scenario), ...given });
+      simulation.end();
+      return simulation.surroundings;
+    };
+    expect(touched('twist', {})).toEqual({ ground: null, colliders: [] });
+    expect(touched('twist', added)).toEqual(added);
+    expect(touched('drop', {}).ground).toBeLessThan(0);
+    const { colliders } = touched('drape', added);
+    expect(colliders).toHaveLength(2);
+    expect(colliders[1].from).toEqual(colliders[1].to);
+  });
+
+  it('lies on what it is given', () => {
+    const collider: Collider = { from: [0.5, -0.3, -9], to: [0.5, -0.3, 9], radius: 0.2 };
+    const options = { ...optionsFor(sheet, 'drop'), colliders: [collider] };
+    const simulation = new Simulation(core, sheet, coarse, options);
+    run(simulation, 40);
+    for (const body of [0, 1]) {
+      const positions = simulation.positions(body);
+      for (let v = 0; v < positions.length; v += 3)
+        expect(Math.hypot(positions[v] - 0.5, positions[v + 1] + 0.3)).toBeGreaterThan(0.199);
+    }
+    simulation.end();
+  });
+
+  it('is as stiff as its calibration says, the original untouched', () => {
+    const positionsOf = (calibration: number) => {
+      const simulation = new Simulation(core, sheet, coarse, { ...optionsFor(sheet, 'hang'), calibration });
+      run(simulation, 20);
+      const found = [0, 1].map((body) => simulation.positions(body));
+      simulation.end();
+      return found;
+    };
+    const [soft, stiff] = [positionsOf(1), positionsOf(4)];
+    expect(stiff[0]).toEqual(soft[0]);
+    expect(stiff[1]).not.toEqual(soft[1]);
+  });
+
   it('is gone once it has ended', async () => {
     const simulation = new Simulation(core, sheet, null, optionsFor(sheet, 'drop'));
     simulation.end();
@@ -80,6 +127,17 @@ describe('a running simulation', () => {
     expect(
       await failureOf(() => new Simulation(core, sheet, null, { ...options, substeps: 5, pinned })),
     ).toBe('A pin names a vertex that the mesh does not have.');
+  });
+});
+
+describe('a calibration', () => {
+  it('is that of the fidelity, and 1 of a body with itself', () => {
+    const original = prepareBody(core, bodyOf(sheet), settings);
+    const options = { modeCount: 10, ...materialOf(original, settings) };
+    const factor = calibrationOf(core, original, coarse, settings);
+    expect(factor).toBe(core.compareFidelity(original.mesh, coarse, options).calibrationFactor);
+    expect(factor).not.toBeCloseTo(1, 3);
+    expect(calibrationOf(core, original, original.mesh, settings)).toBeCloseTo(1, 9);
   });
 });
 

@@ -47,6 +47,7 @@ class Runs {
     std::vector<SurfaceAnchor> points;
     uint32_t order;
     bool records;
+    double calibration = 1;
   };
   struct Result {
     MotionRun run;
@@ -56,6 +57,7 @@ class Runs {
   Result run(const Body& body) {
     SimulationOptions options = options_.simulation;
     options.order = body.order;
+    options.young *= body.calibration;
     RunningScenario running(body.mesh, options, options_.scenario, body.pins);
     const Simulation& simulation = running.simulation();
     std::vector<Vec3> rest;
@@ -119,7 +121,7 @@ MotionComparison compareMotion(const TriangleMesh& original, const TriangleMesh*
   comparison.original = std::move(first.run);
   if (!other) return comparison;
   Runs::Result second = runs.run({*other, carryPins(original, options.pinned, *other, options.binding),
-                                  bind(samples, *other), order, records});
+                                  bind(samples, *other), order, records, options.calibration});
   const Runs::Result reordered = runs.run({original, pins, points, order + kOtherOrder, false});
   comparison.other = std::move(second.run);
   const double percent = 100 / bounds(original).diagonal();

@@ -16,6 +16,7 @@ struct MotionOptions {
   Scenario scenario;
   std::vector<uint32_t> pinned;             // vertices of the original
   std::vector<SurfaceAnchor> binding = {};  // of the original's vertices to `other`, see carryPins
+  double calibration = 1;                   // Young's modulus of `other` over the original's
   uint32_t sampleCount = 1000;              // points that are followed
   bool records = false;                     // keep the positions of every step
 };
@@ -38,8 +39,9 @@ struct MotionComparison {
   double noiseFloor = 0;
 };
 
-// Runs the scenario with the original and, where it is given, with `other` (the same material and the pins
-// carried over), each on its own so that its time is its own. Throws as RunningScenario.
+// Runs the scenario with the original and, where it is given, with `other` (the same material but for the
+// calibration, and the pins carried over), each on its own so that its time is its own. Throws as
+// RunningScenario.
 MotionComparison compareMotion(const TriangleMesh& original, const TriangleMesh* other,
                                const MotionOptions& options, Job& job);
 

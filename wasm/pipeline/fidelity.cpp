@@ -130,7 +130,7 @@ double largestError(const std::vector<double>& ratio, size_t count) {
   return largest;
 }
 
-void checkFaces(const TriangleMesh& original, const TriangleMesh& other) {
+void requireTriangles(const TriangleMesh& original, const TriangleMesh& other) {
   if (original.triangles.empty() || other.triangles.empty())
     throw std::invalid_argument("A mesh without a usable triangle cannot be compared.");
 }
@@ -143,7 +143,7 @@ ShellModes shellModes(const TriangleMesh& mesh, const FidelityOptions& options, 
 
 FrequencyErrors frequencyErrors(const TriangleMesh& original, const ShellModes& modes,
                                 const TriangleMesh& other, const FidelityOptions& options, Job& job) {
-  checkFaces(original, other);
+  requireTriangles(original, other);
   if (modes.shapes.size() != 3 * size_t{original.vertexCount()} * modes.omega.size())
     throw std::invalid_argument("The modes to compare with are those of another mesh.");
   job.begin(Phase::Compare);
@@ -155,7 +155,7 @@ FrequencyErrors frequencyErrors(const TriangleMesh& original, const ShellModes& 
 
 Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other,
                          const FidelityOptions& options, Job& job) {
-  checkFaces(original, other);
+  requireTriangles(original, other);
   job.begin(Phase::Compare);
   const Comparison comparison(original, other, options, job);
   const auto count = static_cast<size_t>(options.modeCount);
@@ -178,6 +178,17 @@ Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other
   fidelity.frequencyErrorThick =
       meanError(comparison.pair(options.thickness * 2, options.modeCount).ratio, 0, count);
   return fidelity;
+}
+
+double calibrationFactor(const TriangleMesh& original, const TriangleMesh& other,
+                         const FidelityOptions& options, Job& job) {
+  requireTriangles(original, other);
+  job.begin(Phase::Compare);
+  // As many modes as compareFidelity has, for the same pairs.
+  const Pairing pairing =
+      Comparison(original, other, options, job).pair(options.thickness, 2 * options.modeCount);
+  const double factor = bestFactor(pairing.ratio, static_cast<size_t>(options.modeCount));
+  return factor * factor;
 }
 
 }  // namespace limber

@@ -49,4 +49,9 @@ FrequencyErrors frequencyErrors(const TriangleMesh& original, const ShellModes& 
 Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other,
                          const FidelityOptions& options, Job& job);
 
+// Fidelity::calibrationFactor alone, for a fraction of the time: Young's modulus of `other`, times this,
+// gives it the original's first frequencies.
+double calibrationFactor(const TriangleMesh& original, const TriangleMesh& other,
+                         const FidelityOptions& options, Job& job);
+
 }  // namespace limber

@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kPinnedShare = 0.06, kMovingShare = 0.7;
 constexpr double kTurn = std::numbers::pi / 4, kPull = 0.2, kStrike = 0.5, kDropHeight = 0.3;
+// Of the ball and of the gap above it, in diagonals.
+constexpr double kBallRadius = 0.2, kBallGap = 0.01;
 constexpr double kWindSpeed = 8, kWindRise = 0.25, kGust = 1.0 / 3, kGustRate = 0.8;
 
 // From 0 to 1 with no velocity at either end.
@@ -26,14 +28,33 @@ Vec3 sizeOf(const Scenario& scenario) {
   return scenario.box.high - scenario.box.low;
 }
 
-bool hasGravity(ScenarioKind kind) {
-  return kind == ScenarioKind::Hang || kind == ScenarioKind::Drop || kind == ScenarioKind::Wind;
-}
-
 Vec3 alongAxis(int axis, double size) {
   Vec3 v;
   v[axis] = size;
   return v;
+}
+
+// m/s2.
+Vec3 gravityOf(const Scenario& scenario) {
+  switch (scenario.kind) {
+    case ScenarioKind::Hang:
+    case ScenarioKind::Drop:
+    case ScenarioKind::Wind:
+      return {0, -9.81, 0};
+    case ScenarioKind::Drape:
+      return alongAxis(scenario.across(), -9.81);
+    default:
+      return {};
+  }
+}
+
+// Under the middle of the box, as gravity has it.
+Collider ballUnder(const Scenario& scenario) {
+  const int down = scenario.across();
+  const double diagonal = scenario.box.diagonal(), radius = kBallRadius * diagonal;
+  Vec3 centre = (scenario.box.low + scenario.box.high) * 0.5;
+  centre[down] = scenario.box.low[down] - kBallGap * diagonal - radius;
+  return {centre, centre, radius};
 }
 
 }  // namespace
@@ -94,13 +115,22 @@ Vec3 initialVelocity(const Scenario& scenario, const Vec3& rest) {
   return alongAxis(scenario.across(), kStrike * scenario.box.diagonal() * scenario.unit * height * height);
 }
 
+Surroundings surroundingsOf(const Scenario& scenario) {
+  Surroundings all = scenario.added;
+  if (scenario.kind == ScenarioKind::Drop && !all.ground)
+    all.ground = scenario.box.low.y - kDropHeight * scenario.box.diagonal();
+  if (scenario.kind == ScenarioKind::Drape) all.colliders.push_back(ballUnder(scenario));
+  return all;
+}
+
 void startScenario(const Scenario& scenario, std::span<const Vec3> restPositions, Simulation& simulation) {
   std::vector<Vec3> velocities;
   for (const Vec3& rest : restPositions) velocities.push_back(initialVelocity(scenario, rest));
   simulation.setVelocities(velocities);
-  if (hasGravity(scenario.kind)) simulation.setGravity({0, -9.81, 0});
-  if (scenario.kind == ScenarioKind::Drop)
-    simulation.setGround(scenario.box.low.y - kDropHeight * scenario.box.diagonal());
+  simulation.setGravity(gravityOf(scenario));
+  const Surroundings surroundings = surroundingsOf(scenario);
+  if (surroundings.ground) simulation.setGround(*surroundings.ground);
+  simulation.setColliders(surroundings.colliders);
 }
 
 void prepareStep(const Scenario& scenario, double time, std::span<const Vec3> pinRest,

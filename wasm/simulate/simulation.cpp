@@ -108,6 +108,8 @@ void Simulation::setGround(double height) {
 
 void Simulation::setColliders(std::span<const Collider> colliders) {
   const double unit = state_->options.unit;
+  for (const Collider& c : colliders)
+    if (!(c.radius > 0)) throw std::invalid_argument("The radius of a collider must be above 0.");
   state_->obstacles.colliders.clear();
   for (const Collider& c : colliders)
     state_->obstacles.colliders.push_back({c.from * unit, c.to * unit, c.radius * unit});

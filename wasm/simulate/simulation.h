@@ -82,7 +82,8 @@ class Simulation {
   void setWind(const Vec3& wind);
   // A floor at this height along y, in units of the mesh.
   void setGround(double height);
-  // Replaces all colliders; units of the mesh. They stand still within a step.
+  // Replaces all colliders; units of the mesh. They stand still within a step. Throws std::invalid_argument
+  // where a radius is not above 0.
   void setColliders(std::span<const Collider> colliders);
   // Draws a point of the surface to `target` (units of the mesh), as a hand would, by a fifth of what is left
   // of the way in a step. `drag` again moves the target or takes another point, `release` ends it.

@@ -150,7 +150,7 @@ function readPreset(values: Map<string, string>): Partial<Settings> {
 function readSetting(option: OptionSpec, text: string): unknown {
   if (option.kind === 'switch') return true;
   const isWord =
-    ['pins', 'name', 'choice'].includes(option.kind) ||
+    ['pins', 'colliders', 'name', 'choice'].includes(option.kind) ||
     (option.kind === 'modes' && ['auto', 'all'].includes(text));
   if (isWord) return text;
   const isList = option.kind === 'modes' || option.kind === 'numbers';

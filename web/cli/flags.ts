@@ -60,6 +60,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
     operands: ['IN', 'OUT.glb'],
     summary: 'Remove triangles where they matter least for how the body bends.',
     groups: ['target', 'method', 'motion', 'material', 'common'],
+    settings: ['calibrate'],
     flags: [
       {
         name: 'faces',
@@ -174,7 +175,9 @@ const PLACEHOLDERS: Partial<Record<keyof Settings, string>> = {
   thickness: 'PCT',
   unit: 'METRES',
   weld: 'PCT',
-  scenario: 'twist|sway|hang|drop|pull|wind',
+  scenario: 'twist|sway|hang|drop|pull|wind|drape',
+  colliders: 'SPEC',
+  friction: 'MU',
   material: 'shell|springs',
   seconds: 'S',
 };

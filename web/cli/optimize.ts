@@ -10,10 +10,11 @@ import { findHeld } from '../engine/held';
 import { resolveModel, resolveModes } from '../engine/options';
 import { optimizeBody } from '../engine/optimize';
 import type { OptimizedBody, Timings } from '../engine/optimize';
-import { exportedBody, startStopwatch } from '../engine/pipeline';
+import { startStopwatch } from '../engine/pipeline';
 import type { PreparedBody } from '../engine/pipeline';
 import {
   describeRefused,
+  calibrationReport,
   meshReport,
   modesReport,
   startReport,
@@ -25,7 +26,7 @@ import { shareInProportion } from '../engine/share';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { checkFolder, checkOutput, writeWhole } from './files';
-import { checkLevels, facesByRatio, writeLevels } from './levels';
+import { checkLevels, facesByRatio, writeLevels, writtenBody } from './levels';
 import type { Finished, WrittenLevel } from './levels';
 import { finish, openFile, prepareBodies, startSession, usable } from './session';
 import type { Session } from './session';
@@ -48,12 +49,8 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const finished = optimizeAll(session, model, prepared);
   const done = finished.flatMap((one) => (one ? [one.body] : []));
   stopwatch();
-  const exported = finished.map((one) =>
-    one
-      ? exportedBody(session.core, one.body.prepared, one.body.result, args.fields ? one.body : null)
-      : null,
-  );
-  writeWhole(output, await exportGlb(model, exported, { fields: args.fields }));
+  const written = finished.map((one) => one && writtenBody(session, one.body, one.body.result));
+  writeWhole(output, await exportGlb(model, written, { fields: args.fields }));
   if (args.bind !== null) writeWhole(args.bind, bindingText(session.core, done));
   const dropped = droppedByExport(model);
   if (dropped.length > 0) session.warnings.push(`${output} leaves out ${dropped.join(', ')}`);
@@ -61,6 +58,8 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const levels = await writeLevels(session, model, finished);
   const report = startReport(session.core, 'optimize', optionsAsUsed(args), usable(prepared));
   fillReport(report, done, levels);
+  const factors = written.flatMap((one) => one?.calibration ?? []);
+  if (args.settings.calibrate) report.calibration = calibrationReport(usable(prepared), factors);
   session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0));
   report.timings = {
     ...{ load, weld, ...sumTimings(done), export: exportTime },

@@ -8,9 +8,9 @@ import type { RecordedBody } from '../engine/document/recording';
 import { startStopwatch } from '../engine/pipeline';
 import type { PreparedBody } from '../engine/pipeline';
 import { findPins } from '../engine/pins';
-import { meshReport, simulationReport, startReport } from '../engine/report';
+import { calibrationReport, meshReport, simulationReport, startReport } from '../engine/report';
 import type { Report, RunReport, SimulationReport } from '../engine/report';
-import { bindingBetween, simulationOptions, STEP_SECONDS } from '../engine/simulation';
+import { bindingBetween, calibrationOf, simulationOptions, STEP_SECONDS } from '../engine/simulation';
 import type { Arguments } from './arguments';
 import { checkPairs } from './compare';
 import { EXIT, UsageError } from './failure';
@@ -24,6 +24,7 @@ export async function runSimulate(args: Arguments): Promise<number> {
   const { settings, operands } = args;
   if (args.bind !== null && operands.length < 2)
     throw new UsageError('--bind carries pins over to B, which is missing: name both files.');
+  checkCalibration(args);
   if (args.record !== null) checkOutput(args.record, operands[0]);
   const session = await startSession(args);
   const first = await openFile(session, operands[0]);
@@ -34,6 +35,11 @@ export async function runSimulate(args: Arguments): Promise<number> {
   if (others) checkPairs(args, originals, others);
   const weld = stopwatch();
   const bindings = args.bind === null ? null : readBinding(basename(args.bind), readText(args.bind));
+  const factors =
+    others && settings.calibrate
+      ? originals.map((original, i) => calibrationOf(session.core, original, others[i].mesh, settings))
+      : null;
+  const calibration = stopwatch();
   const motions = originals.map((original, i): MotionComparison => {
     session.activity = original.body.name;
     const pinned = settings.pins === '' ? null : findPins(settings.pins, first.document, original);
@@ -44,6 +50,7 @@ export async function runSimulate(args: Arguments): Promise<number> {
       ...options,
       records,
       binding,
+      calibration: factors?.[i] ?? 1,
     });
   });
   const simulated = stopwatch();
@@ -52,9 +59,26 @@ export async function runSimulate(args: Arguments): Promise<number> {
   const report = startReport(session.core, 'simulate', optionsAsUsed(args), originals);
   if (others) report.output = meshReport(others);
   report.simulation = simulationReport(motions, settings);
-  report.timings = { load, weld, simulate: simulated, export: stopwatch(), total: total() };
+  if (factors) report.calibration = calibrationReport(originals, factors);
+  report.timings = {
+    load,
+    weld,
+    ...(factors ? { calibration } : {}),
+    simulate: simulated,
+    export: stopwatch(),
+    total: total(),
+  };
   finish(session, report, simulateText(args, report, originals));
   return EXIT.done;
+}
+
+function checkCalibration({ settings, operands }: Arguments): void {
+  if (!settings.calibrate) return;
+  if (operands.length < 2) throw new UsageError('--calibrate matches B to A: name both files.');
+  if (settings.material === 'springs')
+    throw new UsageError(
+      '--calibrate is for --material shell: springs have no stiffness against bending that a factor could match.',
+    );
 }
 
 /** Originals where they are, the others beside them. */
@@ -77,6 +101,7 @@ function recorded(
 
 function optionsAsUsed({ settings, mesh }: Arguments): object {
   const { scenario, material, seconds, substeps, damping, selfCollision, pins } = settings;
+  const { colliders, friction, calibrate } = settings;
   const { young, poisson, density, thickness, unit, weld, threads } = settings;
   const motion = {
     scenario,
@@ -85,7 +110,10 @@ function optionsAsUsed({ settings, mesh }: Arguments): object {
     substeps,
     damping,
     selfCollision,
+    friction,
+    calibrate,
     ...(pins === '' ? {} : { pins }),
+    ...(colliders === '' ? {} : { colliders }),
   };
   const used = { ...motion, young, poisson, density, thickness, unit, weld, threads };
   return mesh === null ? used : { ...used, mesh };
@@ -93,7 +121,7 @@ function optionsAsUsed({ settings, mesh }: Arguments): object {
 
 function simulateText(
   { operands, settings }: Arguments,
-  { simulation }: Report,
+  { simulation, calibration }: Report,
   bodies: PreparedBody[],
 ): string {
   const { material, scenario, substeps, original, optimized } = simulation!;
@@ -101,6 +129,10 @@ function simulateText(
   return list([
     ['scenario', `${scenario}, ${settings.seconds} s, ${material}, ${substeps} substeps, ${what}`],
     [basename(operands[0]), cost(original)],
+    ...(calibration ?? []).map(({ body, factor }): [string, string] => [
+      'calibrated stiffness',
+      `x ${factor.toFixed(4)}${bodies.length > 1 ? `, ${body}` : ''}`,
+    ]),
     ...(optimized ? pairRows(basename(operands[1]), optimized, simulation!) : []),
   ]);
 }

@@ -354,9 +354,23 @@ export interface ShellModes {
 }
 
 export type SimulationMaterial = 'springs' | 'shell';
-export type ScenarioName = 'twist' | 'sway' | 'hang' | 'drop' | 'pull' | 'wind';
+export type ScenarioName = 'twist' | 'sway' | 'hang' | 'drop' | 'pull' | 'wind' | 'drape';
 
-export interface SimulationOptions {
+/** A ball, where `from` is `to`, or a capsule; units of the mesh. */
+export interface Collider {
+  from: [number, number, number];
+  to: [number, number, number];
+  radius: number;
+}
+
+/** What a body can touch, in units of the mesh; it does not move. */
+export interface Surroundings {
+  /** height of a floor across y */
+  ground: number | null;
+  colliders: Collider[];
+}
+
+export interface SimulationOptions extends Partial<Surroundings> {
   /** shell: membrane and bending, the same material on any mesh; springs: the paper's edges */
   material: SimulationMaterial;
   /** what happens; see wasm/simulate/scenario.h */
@@ -369,6 +383,10 @@ export interface SimulationOptions {
   damping: number;
   /** sheets push each other away */
   selfCollision: boolean;
+  /** Coulomb's, against all that the body touches; left out: 0.5 */
+  friction?: number;
+  /** Young's modulus of the optimized body over the original's, see calibrationFactor; left out: 1 */
+  calibration?: number;
   /** vertices of the original; null: what the scenario itself holds */
   pinned: Uint32Array | null;
   /** in units of the mesh */
@@ -499,12 +517,16 @@ export interface Core {
     other: TriangleMesh,
     options: FidelityOptions,
   ): { mean: number; max: number };
+  /** that of compareFidelity alone, in a fraction of the time */
+  calibrationFactor(original: TriangleMesh, other: TriangleMesh, options: FidelityOptions): number;
   /** the whole scenario, with the original alone or with both */
   compareMotion(
     original: TriangleMesh,
     other: TriangleMesh | null,
     options: SimulationOptions & ComparisonOptions,
   ): MotionComparison;
+  /** all that a body can touch in this scenario: what the options add and what it has by itself */
+  scenarioSurroundings(original: TriangleMesh, options: SimulationOptions): Surroundings;
   /** a number for the calls below; `mesh` is the original or a body that its pins are carried over to */
   startSimulation(mesh: TriangleMesh, original: TriangleMesh, options: SimulationOptions): number;
   /** one step of 1/60 s each, side by side */

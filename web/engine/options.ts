@@ -66,6 +66,11 @@ export interface Settings extends Pick<SimulationOptions, SimulationSetting> {
   thickness: number;
   /** metres per unit of the file */
   unit: number;
+  /** see colliders.ts; '': what the scenario has by itself */
+  colliders: string;
+  friction: number;
+  /** give the optimized body the Young's modulus that matches the original's first frequencies */
+  calibrate: boolean;
   /** welding distance, % of the diagonal; 0: bitwise equal positions only */
   weld: number;
   /** 0: as many as there are cores, at most 8 */
@@ -76,9 +81,11 @@ export type OptionGroup = 'target' | 'method' | 'motion' | 'material' | 'simulat
 
 /**
  * How a setting is written: `choice` one of `choices`; `integer` and `number` within [min, max]; `modes` auto, all or a
- * list of integers; `numbers` a list within [min, max] each; `pins` as pins.ts says; `name` any text; `switch` on or off.
+ * list of integers; `numbers` a list within [min, max] each; `pins` as pins.ts says; `colliders` as colliders.ts says; `name`
+ * any text; `switch` on or off.
  */
-export type OptionKind = 'choice' | 'integer' | 'number' | 'modes' | 'numbers' | 'pins' | 'name' | 'switch';
+export type OptionKind =
+  'choice' | 'integer' | 'number' | 'modes' | 'numbers' | 'pins' | 'colliders' | 'name' | 'switch';
 
 export interface OptionSpec {
   /** without the dashes */
@@ -438,10 +445,10 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     label: 'Scenario',
     ...none,
     default: 'twist',
-    help: 'What happens: twist (the upper end turns by 45 degrees), sway (a blow across), hang (gravity), drop (onto a floor), pull (the upper end by a fifth of the length) or wind.',
+    help: 'What happens: twist (the upper end turns by 45 degrees), sway (a blow across), hang (gravity), drop (onto a floor), pull (the upper end by a fifth of the length), wind, or drape (onto a ball).',
     group: 'simulation',
     kind: 'choice',
-    choices: ['twist', 'sway', 'hang', 'drop', 'pull', 'wind'],
+    choices: ['twist', 'sway', 'hang', 'drop', 'pull', 'wind', 'drape'],
   },
   material: {
     flag: 'material',
@@ -497,6 +504,36 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     ...none,
     default: false,
     help: 'Sheets push each other away where they meet, for cloth of even triangles; slower.',
+    group: 'simulation',
+    kind: 'switch',
+  },
+  colliders: {
+    flag: 'colliders',
+    label: 'Can touch',
+    ...none,
+    default: '',
+    help: 'What both bodies can touch besides what the scenario has, in units of the body: ground:HEIGHT (across y), ball:x,y,z,R, capsule:x0,y0,z0,x1,y1,z1,R, joined by +.',
+    group: 'simulation',
+    kind: 'colliders',
+  },
+  friction: {
+    flag: 'friction',
+    label: 'Friction',
+    min: 0,
+    max: 10,
+    step: 0.05,
+    slider: { min: 0, max: 1 },
+    default: 0.5,
+    help: 'Against the ground and colliders: the share of the pressing force that holds what slides.',
+    group: 'simulation',
+    kind: 'number',
+  },
+  calibrate: {
+    flag: 'calibrate',
+    label: 'Calibrated',
+    ...none,
+    default: false,
+    help: 'Measure the one factor on the stiffness of the optimized mesh that gives it the first ten frequencies of the original (as shells), and use it.',
     group: 'simulation',
     kind: 'switch',
   },

@@ -47,9 +47,17 @@ export interface Report {
   surface?: SurfaceDistance;
   fidelity?: Fidelity;
   simulation?: SimulationReport;
+  calibration?: CalibrationReport[];
   stop?: StopReport;
   levels?: LevelReport[];
   timings: Record<string, number>;
+}
+
+/** Young's modulus of an optimized body over the original's, for the original's first ten frequencies. */
+export interface CalibrationReport {
+  /** its name */
+  body: string;
+  factor: number;
 }
 
 export interface SimulationReport {
@@ -283,6 +291,13 @@ export function worstSurface(distances: SurfaceDistance[]): SurfaceDistance {
 /** The worst body's fidelity: that with the largest mean frequency error. */
 export function worstFidelity(fidelities: Fidelity[]): Fidelity {
   return fidelities.reduce((worst, one) => (one.frequencyErrorMean > worst.frequencyErrorMean ? one : worst));
+}
+
+export function calibrationReport(
+  bodies: { body: { name: string } }[],
+  factors: number[],
+): CalibrationReport[] {
+  return bodies.map(({ body }, i) => ({ body: body.name, factor: factors[i] }));
 }
 
 /** The cost of all bodies together, and the deviation of the worst one. */

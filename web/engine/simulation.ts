@@ -6,10 +6,12 @@ import type {
   ScenarioName,
   SimulationMaterial,
   SimulationOptions,
+  Surroundings,
   SurfacePoint,
   TriangleMesh,
 } from './core';
 import { NONE } from './core';
+import { parseColliders } from './colliders';
 import type { BodyBinding } from './binding_file';
 import { materialOf } from './pipeline';
 import type { PreparedBody } from './pipeline';
@@ -18,7 +20,7 @@ import type { Settings } from './options';
 /** Seconds of one step, whatever the substeps. */
 export const STEP_SECONDS = 1 / 60;
 
-export const SCENARIOS: readonly ScenarioName[] = ['twist', 'sway', 'hang', 'drop', 'pull', 'wind'];
+export const SCENARIOS: readonly ScenarioName[] = ['twist', 'sway', 'hang', 'drop', 'pull', 'wind', 'drape'];
 export const SIMULATION_MATERIALS: readonly SimulationMaterial[] = ['shell', 'springs'];
 
 /** What the settings ask for, for this body and any that was made from it. `pinned`: null leaves it to the scenario. */
@@ -27,7 +29,7 @@ export function simulationOptions(
   settings: Settings,
   pinned: Uint32Array | null,
 ): SimulationOptions {
-  const { material, scenario, seconds, substeps, damping, selfCollision } = settings;
+  const { material, scenario, seconds, substeps, damping, selfCollision, friction, colliders } = settings;
   return {
     material,
     scenario,
@@ -35,10 +37,35 @@ export function simulationOptions(
     substeps,
     damping,
     selfCollision,
+    friction,
+    ...parseColliders(colliders),
     pinned,
     ...materialOf(original, settings),
   };
 }
+
+/** Modes that a body is calibrated by. */
+const CALIBRATION_MODES = 10;
+
+/**
+ * Young's modulus of `optimized` over the original's with which its first ten frequencies are the original's, both as
+ * shells of the material that the settings name: a coarse mesh is a little too soft or too stiff throughout.
+ */
+export function calibrationOf(
+  core: Core,
+  original: PreparedBody,
+  optimized: TriangleMesh,
+  settings: Settings,
+): number {
+  const material = materialOf(original, settings);
+  return core.calibrationFactor(original.mesh, optimized, { modeCount: CALIBRATION_MODES, ...material });
+}
+
+/** What the optimized body is made of. */
+const calibrated = (options: SimulationOptions): SimulationOptions => ({
+  ...options,
+  young: options.young * (options.calibration ?? 1),
+});
 
 /**
  * The binding of a file in terms of two prepared bodies: points of `optimized`, one per vertex of `original`. Throws an
@@ -75,6 +102,8 @@ export function bindingBetween(
 export class Simulation {
   private readonly numbers: Uint32Array;
   private stepsDone = 0;
+  /** what both bodies can touch */
+  readonly surroundings: Surroundings;
 
   /** Throws an Error with one sentence where a mesh or an option is of no use. */
   constructor(
@@ -86,12 +115,16 @@ export class Simulation {
     const bodies = optimized ? [original, optimized] : [original];
     const numbers: number[] = [];
     try {
-      for (const body of bodies) numbers.push(core.startSimulation(body, original, options));
+      for (const body of bodies)
+        numbers.push(
+          core.startSimulation(body, original, body === optimized ? calibrated(options) : options),
+        );
     } catch (error) {
       for (const number of numbers) core.endSimulation(number);
       throw error;
     }
     this.numbers = Uint32Array.from(numbers);
+    this.surroundings = core.scenarioSurroundings(original, options);
   }
 
   /** Seconds since the start. */

@@ -30,6 +30,8 @@ export interface ExportedBody {
   fields?: { strain: Float32Array; curvature: Float32Array };
   /** shapes to write as morph targets in place of its own, with an animation each */
   targets?: MorphTarget[];
+  /** for engines, in the mesh's extras: see CalibrationReport */
+  calibration?: number;
 }
 
 export interface ExportOptions {
@@ -101,6 +103,8 @@ function replaceMesh(destination: Destination, body: Body, exported: ExportedBod
     writePrimitive(destination, primitive.setMode(TRIANGLES), exported, geometry, normals);
     written.push(primitive);
   });
+  if (exported.calibration !== undefined)
+    mesh.setExtras({ ...mesh.getExtras(), limberCalibration: exported.calibration });
   if (exported.targets) mesh.setWeights(exported.targets.map(() => 0));
   return written;
 }

@@ -1,0 +1,27 @@
+import { expect, it } from 'vitest';
+import { parseColliders } from '../../web/engine/colliders';
+
+it('reads floors, balls and capsules', () => {
+  expect(parseColliders('')).toEqual({ ground: null, colliders: [] });
+  expect(parseColliders('ground:-0.5+ball:1,2,3,0.25+capsule:0,0,0,1,0,0,0.1')).toEqual({
+    ground: -0.5,
+    colliders: [
+      { from: [1, 2, 3], to: [1, 2, 3], radius: 0.25 },
+      { from: [0, 0, 0], to: [1, 0, 0], radius: 0.1 },
+    ],
+  });
+});
+
+it.each([
+  'floor:1',
+  'ground',
+  'ground:1,2',
+  'ball:1,2,3',
+  'ball:1,2,3,0',
+  'capsule:0,0,0,1,0,0,',
+  'ball:1,2,x,1',
+])('refuses %s with the forms', (text) => {
+  expect(() => parseColliders(text)).toThrow(
+    `--colliders has "${text}": give ground:HEIGHT, ball:x,y,z,R or capsule:x0,y0,z0,x1,y1,z1,R, joined by +.`,
+  );
+});
