@@ -4,7 +4,8 @@ import { parseArgs } from 'node:util';
 import type { Method } from '../engine/core';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/materials';
 import { OPTIONS, checkSettings, defaultSettings } from '../engine/options';
-import type { OptionSpec, Settings } from '../engine/options';
+import type { Settings } from '../engine/options';
+import { readNumber, readSetting } from '../engine/setting_text';
 import { UsageError } from './failure';
 import { COMMAND_SPECS, COMMANDS, flagsOf, settingsOf } from './flags';
 import type { Command, Flag } from './flags';
@@ -32,8 +33,6 @@ export interface Arguments {
 
 /** What to do without doing anything else. */
 export type Question = { show: 'help'; command: Command | null } | { show: 'version' };
-
-const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
 
 /** Throws UsageError with one sentence. */
 export function parseArguments(words: string[]): Arguments | Question {
@@ -144,22 +143,6 @@ function readPreset(values: Map<string, string>): Partial<Settings> {
   const known = MATERIAL_NAMES.find((candidate) => candidate === name);
   if (!known) throw new UsageError(`--material-preset is ${name}: give one of ${MATERIAL_NAMES.join(', ')}.`);
   return MATERIALS[known];
-}
-
-/** The value that `text` stands for; text that is no number comes back as it is, and the range check refuses it. */
-function readSetting(option: OptionSpec, text: string): unknown {
-  if (option.kind === 'switch') return true;
-  const isWord =
-    ['pins', 'colliders', 'name', 'choice'].includes(option.kind) ||
-    (option.kind === 'modes' && ['auto', 'all'].includes(text));
-  if (isWord) return text;
-  const isList = option.kind === 'modes' || option.kind === 'numbers';
-  return isList ? text.split(',').map(readNumber) : readNumber(text);
-}
-
-function readNumber(text: string): number | string {
-  if (/^\+?inf(inity)?$/i.test(text)) return Infinity;
-  return DECIMAL.test(text) ? Number(text) : text;
 }
 
 function readTarget(

@@ -162,6 +162,7 @@ const PLACEHOLDERS: Partial<Record<keyof Settings, string>> = {
   creases: 'DEG',
   keep: 'NAME',
   lock: 'SPEC',
+  paint: 'TEXT',
   minAngle: 'DEG',
   model: 'auto|shell|solid|laplacian',
   direction: 'all|x|y|z',

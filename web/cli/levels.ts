@@ -11,6 +11,7 @@ import type { OptimizedBody } from '../engine/optimize';
 import { exportedBody, measureResult } from '../engine/pipeline';
 import { meshReport, stopReport, worstSurface } from '../engine/report';
 import type { LevelReport, StoppedBody } from '../engine/report';
+import { facesByRatio } from '../engine/share';
 import { calibrationOf } from '../engine/simulation';
 import type { Arguments } from './arguments';
 import { UsageError } from './failure';
@@ -41,9 +42,6 @@ export function checkLevels(args: Arguments): void {
     checkFolder(file);
   }
 }
-
-/** The faces that a ratio leaves of so many; the sum keeps 0.3 * 10 from becoming 2. */
-export const facesByRatio = (ratio: number, faces: number): number => Math.floor(ratio * faces + 1e-9);
 
 /** What is written of a result, with the factor on its stiffness where that is asked. */
 export function writtenBody(

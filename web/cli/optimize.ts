@@ -22,11 +22,11 @@ import {
   worstSurface,
 } from '../engine/report';
 import type { Report, StoppedBody, StopReport } from '../engine/report';
-import { shareInProportion } from '../engine/share';
+import { facesByRatio, shareInProportion } from '../engine/share';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { checkFolder, checkOutput, writeWhole } from './files';
-import { checkLevels, facesByRatio, writeLevels, writtenBody } from './levels';
+import { checkLevels, writeLevels, writtenBody } from './levels';
 import type { Finished, WrittenLevel } from './levels';
 import { finish, openFile, prepareBodies, startSession, usable } from './session';
 import type { Session } from './session';

@@ -400,6 +400,13 @@ export interface SimulationOptions extends Partial<Surroundings> {
   unit: number;
 }
 
+export interface StartOptions extends SimulationOptions {
+  /** where the original's vertices lie on this body, which its pins are carried over by; left out: by closest points */
+  binding?: Pick<Binding, 'triangle' | 'barycentric'> | null;
+  /** of the constraints: 0 as they come, any other number an order of its own */
+  order?: number;
+}
+
 export interface ComparisonOptions {
   /** keep the positions of every step */
   records: boolean;
@@ -528,11 +535,15 @@ export interface Core {
   /** all that a body can touch in this scenario: what the options add and what it has by itself */
   scenarioSurroundings(original: TriangleMesh, options: SimulationOptions): Surroundings;
   /** a number for the calls below; `mesh` is the original or a body that its pins are carried over to */
-  startSimulation(mesh: TriangleMesh, original: TriangleMesh, options: SimulationOptions): number;
+  startSimulation(mesh: TriangleMesh, original: TriangleMesh, options: StartOptions): number;
   /** one step of 1/60 s each, side by side */
   stepSimulations(simulations: Uint32Array): null;
   /** positions[3 * v + c], in units of the mesh */
   simulationPositions(simulation: number): Float32Array;
+  /** where the pins are now, [3 * pin + c]: pinned vertices, then pinned points of the surface */
+  simulationPins(simulation: number): Float32Array;
+  /** what the last step took on its thread, in seconds; 0 before the first */
+  simulationSeconds(simulation: number): number;
   /** draws a point of the surface towards `target` from now on */
   dragSimulation(simulation: number, point: SurfacePoint, target: [number, number, number]): null;
   releaseSimulation(simulation: number): null;

@@ -5,6 +5,7 @@ import { NONE } from './core';
 import type { Core, MirrorImages } from './core';
 import { counted } from './document/model';
 import type { Settings } from './options';
+import { keepOfLevels, lockedIn, paintOn } from './paint';
 import { findPins, firstComponents } from './pins';
 import type { PreparedBody } from './pipeline';
 
@@ -30,10 +31,13 @@ export function findHeld(
   const { pins, lock, keep, symmetry } = settings;
   const images = symmetry === 'off' ? null : findMirror(core, prepared, symmetry);
   const isFound = images !== null && images.partners.length > 0;
+  const levels = paintOn(settings.paint, prepared);
+  const weights = keep === '' ? null : keepWeights(keep, document, prepared);
+  const named = findPins(lock, document, prepared, 'lock');
   const held = {
     pinned: findPins(pins, document, prepared),
-    locked: findPins(lock, document, prepared, 'lock'),
-    ...(keep === '' ? {} : { keep: keepWeights(keep, document, prepared) }),
+    locked: levels ? Uint32Array.from(new Set([...named, ...lockedIn(levels)])).sort() : named,
+    ...(levels || weights ? { keep: largerOf(weights, levels && keepOfLevels(levels)) } : {}),
     ...(isFound ? { mirror: images.partners } : {}),
   };
   return { held, note: images && !isFound ? describeLack(prepared, symmetry, images) : '' };
@@ -45,6 +49,11 @@ function findMirror(
   symmetry: Exclude<Settings['symmetry'], 'off'>,
 ): MirrorImages {
   return core.findMirrorImages(mesh, ['x', 'y', 'z'].indexOf(symmetry));
+}
+
+/** Of the attribute's weights and the painted ones, where both are there. */
+function largerOf(a: Float32Array | null, b: Float32Array | null): Float32Array {
+  return a && b ? a.map((weight, vertex) => Math.max(weight, b[vertex])) : (a ?? b)!;
 }
 
 /** The attribute's first component per welded vertex, the largest of those that were welded, within [0, 1]. */

@@ -48,6 +48,8 @@ const FUNCTIONS: readonly (keyof CoreFunctions)[] = [
   'startSimulation',
   'stepSimulations',
   'simulationPositions',
+  'simulationPins',
+  'simulationSeconds',
   'dragSimulation',
   'releaseSimulation',
   'endSimulation',

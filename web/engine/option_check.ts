@@ -2,6 +2,7 @@
 
 import { parseColliders } from './colliders';
 import type { OptionSpec, Settings } from './options';
+import { parsePaint } from './paint';
 import { parsePins } from './pins';
 
 /** `range` in words: "a number from 0 to 1". */
@@ -12,6 +13,7 @@ function describeRange(option: OptionSpec): string {
   if (kind === 'choice') return `one of ${option.choices!.join(', ')}`;
   if (kind === 'switch') return 'true or false';
   if (kind === 'name') return 'the name of an attribute';
+  if (kind === 'paint') return 'what the brush of the page writes';
   if (kind === 'modes') return `auto, all, or numbers from ${min} to ${max} with commas`;
   return kind === 'numbers' ? `numbers from ${min} to ${max} with commas` : range;
 }
@@ -20,6 +22,7 @@ function describeRange(option: OptionSpec): string {
 export function checkOption(option: OptionSpec, value: Settings[keyof Settings]): void {
   if (option.kind === 'pins') parsePins(String(value), option.flag);
   if (option.kind === 'colliders') parseColliders(String(value));
+  if (option.kind === 'paint') parsePaint(String(value));
   if (isAllowed(option, value)) return;
   const shown = Array.isArray(value) ? value.join(',') || 'an empty list' : String(value);
   throw new Error(
@@ -35,7 +38,7 @@ function describeDefault(option: OptionSpec): string {
 function isAllowed(option: OptionSpec, value: Settings[keyof Settings]): boolean {
   const { kind, choices } = option;
   if (kind === 'choice') return choices!.includes(String(value));
-  if (['pins', 'colliders', 'name'].includes(kind)) return typeof value === 'string';
+  if (['pins', 'colliders', 'paint', 'name'].includes(kind)) return typeof value === 'string';
   if (kind === 'switch') return typeof value === 'boolean';
   if (kind === 'modes' && (value === 'auto' || value === 'all')) return true;
   const entries: unknown[] = Array.isArray(value) ? value : [value];

@@ -57,6 +57,8 @@ export interface Settings extends Pick<SimulationOptions, SimulationSetting> {
   keep: string;
   /** which vertices stay as they are, in the words of pins.ts; '' for none */
   lock: string;
+  /** keep weights and locks that a brush has painted, see paint.ts; '' for none */
+  paint: string;
   /** Pa */
   young: number;
   poisson: number;
@@ -81,11 +83,11 @@ export type OptionGroup = 'target' | 'method' | 'motion' | 'material' | 'simulat
 
 /**
  * How a setting is written: `choice` one of `choices`; `integer` and `number` within [min, max]; `modes` auto, all or a
- * list of integers; `numbers` a list within [min, max] each; `pins` as pins.ts says; `colliders` as colliders.ts says; `name`
- * any text; `switch` on or off.
+ * list of integers; `numbers` a list within [min, max] each; `pins` as pins.ts says; `colliders` as colliders.ts says; `paint`
+ * as paint.ts says; `name` any text; `switch` on or off.
  */
 export type OptionKind =
-  'choice' | 'integer' | 'number' | 'modes' | 'numbers' | 'pins' | 'colliders' | 'name' | 'switch';
+  'choice' | 'integer' | 'number' | 'modes' | 'numbers' | 'pins' | 'colliders' | 'paint' | 'name' | 'switch';
 
 export interface OptionSpec {
   /** without the dashes */
@@ -279,6 +281,15 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     help: 'Vertices that stay as they are, in the words of --pins.',
     group: 'method',
     kind: 'pins',
+  },
+  paint: {
+    flag: 'paint',
+    label: 'Painted',
+    ...none,
+    default: '',
+    help: 'Where triangles are kept and vertices locked, as the brush of the page writes it.',
+    group: 'method',
+    kind: 'paint',
   },
   model: {
     flag: 'model',
@@ -479,7 +490,7 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     min: 1,
     max: 10000,
     step: 1,
-    slider: { min: 5, max: 200 },
+    slider: { min: 1, max: 2000 },
     default: 20,
     help: 'Substeps of a step of 1/60 s; more make stiff or fine meshes more exact (the paper takes 2,000).',
     group: 'simulation',

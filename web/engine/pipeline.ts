@@ -14,6 +14,8 @@ import type {
   Inspection,
   MeshAt,
   ModeSet,
+  SimplifyOptions,
+  WhyKept,
   Quality,
   StrainGuidance,
   SurfaceDistance,
@@ -45,6 +47,12 @@ export interface PreparedBody {
   attributes: BodyAttributes;
   /** what attributes cost in a collapse */
   costAttributes: CostAttributes;
+}
+
+/** What a material needs to know of a body. */
+export interface BodySize {
+  body: { scale: number };
+  diagonal: number;
 }
 
 /** What an optimized mesh is like beside its original. */
@@ -114,7 +122,7 @@ export function findModes(
 }
 
 /** The material on this body: thickness in units of its mesh, and metres per such unit. */
-export function materialOf({ body, diagonal }: PreparedBody, settings: Settings) {
+export function materialOf({ body, diagonal }: BodySize, settings: Settings) {
   const { young, poisson, density, thickness, unit } = settings;
   return { young, poisson, density, thickness: (thickness / 100) * diagonal, unit: unit * body.scale };
 }
@@ -163,19 +171,39 @@ export function buildHistory(
   guides: Guides,
   settings: Settings,
 ): History {
-  const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight, minAngle } = settings;
-  const strain = guides.guidance?.rank ?? new Float32Array(0);
-  const history = core.simplify(prepared.mesh, strain, overMaximum(guides.curvature.vertex), {
-    method,
-    strainWeight,
-    curvatureWeight,
-    qualityWeight,
-    sizeWeight,
-    minAngle,
-    maxDeviation: (settings.maxDeviation / 100) * prepared.diagonal,
-    wishes: wishesOf(prepared, settings, guides),
-  });
+  const { strain, curvature, options } = simplification(prepared, guides, settings);
+  const history = core.simplify(prepared.mesh, strain, curvature, options);
   return guides.mirror ? { ...history, mirror: guides.mirror } : history;
+}
+
+/**
+ * What keeps each vertex of reduceTo(core, prepared, history, faces); `guides` and `settings` as the history was built with.
+ */
+export function explainResult(
+  core: Core,
+  prepared: PreparedBody,
+  { history, faces }: { history: History; faces: number },
+  { guides, settings }: { guides: Guides; settings: Settings },
+): WhyKept {
+  const { strain, curvature, options } = simplification(prepared, guides, settings);
+  return core.whyKept(prepared.mesh, strain, curvature, options, history, wholeFaces(history, faces));
+}
+
+/** What the core is told of a simplification. */
+function simplification(
+  prepared: PreparedBody,
+  guides: Guides,
+  settings: Settings,
+): { strain: Float32Array; curvature: Float32Array; options: SimplifyOptions } {
+  const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight, minAngle } = settings;
+  const weights = { strainWeight, curvatureWeight, qualityWeight, sizeWeight };
+  const maxDeviation = (settings.maxDeviation / 100) * prepared.diagonal;
+  const wishes = wishesOf(prepared, settings, guides);
+  return {
+    strain: guides.guidance?.rank ?? new Float32Array(0),
+    curvature: overMaximum(guides.curvature.vertex),
+    options: { method, ...weights, minAngle, maxDeviation, wishes },
+  };
 }
 
 /** What the core takes of them. */
@@ -211,8 +239,12 @@ function maskOf({ positions }: TriangleMesh, ...lists: (Uint32Array | undefined)
  * cut between a collapse and its image.
  */
 export function reduceTo(core: Core, prepared: PreparedBody, history: History, faces: number): MeshAt {
+  return core.meshAt(prepared.mesh, history, wholeFaces(history, faces));
+}
+
+function wholeFaces(history: History, faces: number): number {
   const whole = history.mirror ? wholePairs(history, history.mirror, faces) : faces;
-  return core.meshAt(prepared.mesh, history, Math.max(0, Math.floor(whole)));
+  return Math.max(0, Math.floor(whole));
 }
 
 /** The largest number of faces up to `faces` that is not left in the middle of a pair; at least that of the floor. */
