@@ -5,14 +5,14 @@
 // apt install libsuitesparse-dev, and libopenblas0-pthread for a fast BLAS); for the browser Chromium. What is not
 // here is left out, and said. Real meshes are read from ../shared/meshes or $LIMBER_SHARED/meshes.
 
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { cpus, tmpdir } from 'node:os';
+import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
-import { format, resolveConfig } from 'prettier';
 import { bumpySphere, cloth, largestComponent, readObj, torus, writeMesh } from './bench_meshes.mjs';
 import { runInBrowser } from './modes_browser.mjs';
 import { buildNative, bundleEngine, findPeer, runInNode } from './modes_tools.mjs';
+import { table, tellMissing, writeSection } from './section.mjs';
 
 const { values: options } = parseArgs({
   options: {
@@ -33,8 +33,6 @@ const native = buildNative();
 const peer = findPeer();
 if (!peer) missing.push('SciPy with scikit-sparse (install libsuitesparse-dev, then run again)');
 
-const row = (cells) => `| ${cells.join(' | ')} |`;
-const table = (header, rows) => [row(header), row(header.map(() => '---')), ...rows.map(row)].join('\n');
 const seconds = (value) => (value === undefined ? 'missing' : `${value.toFixed(2)} s`);
 const ratio = (ours, theirs) => (theirs === undefined ? 'missing' : (ours / theirs).toFixed(2));
 const megabytes = (bytes) => `${(bytes / 2 ** 20).toFixed(0)} MiB`;
@@ -189,25 +187,13 @@ for (const name of chosen) {
   console.log(`\n${section}`);
   sections.push(section);
 }
-if (missing.length) console.log(`\nMISSING HERE:\n${missing.map((what) => `- ${what}`).join('\n')}`);
-if (options.write) await write();
+tellMissing(missing);
+if (options.write)
+  await writeSection({
+    name: 'modes',
+    title: 'Modes',
+    remark: `Ours and the peer's ran in turn, ${rounds} rounds; each number is the least.`,
+    missing,
+    sections,
+  });
 rmSync(scratch, { recursive: true });
-
-/** Replaces what stands between the markers of docs/benchmarks.md, which is made where it is not there. */
-async function write() {
-  const path = join(root, 'docs', 'benchmarks.md');
-  const [begin, end] = ['<!-- modes: begin -->', '<!-- modes: end -->'];
-  const introduction = [
-    `Written by \`node tests/bench/modes.mjs --write\` on ${cpus().length} x ${cpus()[0].model.trim()}, Node ${process.versions.node}.`,
-    `Ours and the peer's ran in turn, ${rounds} rounds; each number is the least.`,
-    ...(missing.length ? [`Missing: ${missing.join('; ')}.`] : []),
-  ].join(' ');
-  const content = [begin, '## Modes', introduction, ...sections, end].join('\n\n');
-  const before = existsSync(path) ? readFileSync(path, 'utf8') : `# Benchmarks\n\n${begin}\n${end}\n`;
-  if (!before.includes(begin))
-    throw new Error(`${path} has no place for the modes: add "${begin}" and "${end}".`);
-  const after = `${before.split(begin)[0]}${content}${before.split(end)[1]}`;
-  mkdirSync(join(root, 'docs'), { recursive: true });
-  writeFileSync(path, await format(after, { ...(await resolveConfig(path)), filepath: path }));
-  console.log('wrote docs/benchmarks.md');
-}

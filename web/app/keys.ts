@@ -95,11 +95,11 @@ export function listenToKeys(): void {
     if (isSliderKey(event)) return;
     const isOwn = hasControl ? hasOwnUndo(event.target) && 'zy'.includes(key) : isTyping(event.target);
     if (isOwn && key !== 'escape') return;
-    // Space and Enter on a button press it.
+    // Space and Enter on a button press it; that of the step which is shown has nothing to do.
     if (
       key === ' ' &&
       event.target instanceof HTMLElement &&
-      event.target.closest('button, summary, input, select')
+      event.target.closest('button:not([aria-current]), summary, input, select')
     )
       return;
     event.preventDefault();

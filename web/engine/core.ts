@@ -272,6 +272,8 @@ export interface Fitted {
   result: MeshAt;
   errorBefore: Float64Array;
   errorAfter: Float64Array;
+  /** components that stay as they are, for they have more than 20,000 vertices */
+  tooLarge: number;
 }
 
 export interface MirrorRequest extends Pick<FitOptions, 'charts' | 'locked'> {

@@ -2,7 +2,7 @@
  * All the verbs of pipeline.ts in order: from a prepared body to the level of its history that the targets lead to.
  */
 
-import type { Core, Curvature, Fitted, History, MeshAt, ModeSet, StrainGuidance } from './core';
+import type { Core, Curvature, History, MeshAt, ModeSet, StrainGuidance } from './core';
 import { searchFaces } from './frequency_target';
 import type { FrequencyFinding } from './frequency_target';
 import type { Held } from './held';
@@ -17,7 +17,7 @@ import {
   reduceTo,
   startStopwatch,
 } from './pipeline';
-import type { Measured, PreparedBody } from './pipeline';
+import type { FittedResult, Measured, PreparedBody } from './pipeline';
 
 /** Seconds by stage. */
 export interface Timings {
@@ -46,7 +46,7 @@ export interface OptimizedBody {
   targetFaces: number;
   /** the final mesh */
   result: MeshAt;
-  fitted: Fitted;
+  fitted: FittedResult;
   /** null where frequencies are no target */
   frequency: FrequencyFinding | null;
   measured: Measured;
@@ -63,7 +63,7 @@ export interface Target extends Held {
 /** A result of a history, before and after the fit. */
 export interface Level {
   reduced: MeshAt;
-  fitted: Fitted;
+  fitted: FittedResult;
 }
 
 /** The result of at most `targetFaces` faces, fitted where the settings say so. */
@@ -149,7 +149,11 @@ function chooseLevel(
   prepared: PreparedBody,
   history: History,
   target: Target & { settings: Settings },
-): { fitted: Fitted; frequency: FrequencyFinding | null; times: Pick<Timings, 'search' | 'reduce' | 'fit'> } {
+): {
+  fitted: FittedResult;
+  frequency: FrequencyFinding | null;
+  times: Pick<Timings, 'search' | 'reduce' | 'fit'>;
+} {
   const stopwatch = startStopwatch();
   if (target.settings.maxFrequencyError > 0) {
     const { fitted, frequency } = findFrequencyLevel(core, prepared, history, target);

@@ -21,8 +21,8 @@ function describeRange(option: OptionSpec): string {
 /** Throws one sentence that names the flag, its range and its default. */
 export function checkOption(option: OptionSpec, value: Settings[keyof Settings]): void {
   if (option.kind === 'pins') parsePins(String(value), option.flag);
-  if (option.kind === 'colliders') parseColliders(String(value));
   if (option.kind === 'paint') parsePaint(String(value));
+  if (option.kind === 'colliders') parseColliders(String(value));
   if (isAllowed(option, value)) return;
   const shown = Array.isArray(value) ? value.join(',') || 'an empty list' : String(value);
   throw new Error(
@@ -38,7 +38,7 @@ function describeDefault(option: OptionSpec): string {
 function isAllowed(option: OptionSpec, value: Settings[keyof Settings]): boolean {
   const { kind, choices } = option;
   if (kind === 'choice') return choices!.includes(String(value));
-  if (['pins', 'colliders', 'paint', 'name'].includes(kind)) return typeof value === 'string';
+  if (['pins', 'paint', 'colliders', 'name'].includes(kind)) return typeof value === 'string';
   if (kind === 'switch') return typeof value === 'boolean';
   if (kind === 'modes' && (value === 'auto' || value === 'all')) return true;
   const entries: unknown[] = Array.isArray(value) ? value : [value];

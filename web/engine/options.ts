@@ -83,11 +83,11 @@ export type OptionGroup = 'target' | 'method' | 'motion' | 'material' | 'simulat
 
 /**
  * How a setting is written: `choice` one of `choices`; `integer` and `number` within [min, max]; `modes` auto, all or a
- * list of integers; `numbers` a list within [min, max] each; `pins` as pins.ts says; `colliders` as colliders.ts says; `paint`
- * as paint.ts says; `name` any text; `switch` on or off.
+ * list of integers; `numbers` a list within [min, max] each; `pins` as pins.ts says; `paint` as paint.ts says; `colliders`
+ * as colliders.ts says; `name` any text; `switch` on or off.
  */
 export type OptionKind =
-  'choice' | 'integer' | 'number' | 'modes' | 'numbers' | 'pins' | 'colliders' | 'paint' | 'name' | 'switch';
+  'choice' | 'integer' | 'number' | 'modes' | 'numbers' | 'pins' | 'paint' | 'colliders' | 'name' | 'switch';
 
 export interface OptionSpec {
   /** without the dashes */

@@ -24,6 +24,7 @@ import type {
   Wishes,
 } from './core';
 import type { ExportedBody } from './document/export';
+import { counted } from './document/model';
 import type { Body } from './document/model';
 import { length3 } from './exact_math';
 import type { Held } from './held';
@@ -257,6 +258,11 @@ function wholePairs({ kept, removed, trianglesAfter }: History, mirror: Uint32Ar
   return faces;
 }
 
+/** `unfitted`: why the result, or parts of it, stay as the collapses left them; '' where nothing does. */
+export interface FittedResult extends Fitted {
+  unfitted: string;
+}
+
 /**
  * The result, fitted to the original's modes where the settings say so; pinned and locked vertices stay, and so does a mirror
  * symmetry. Where the fit would break the largest deviation or the smallest angle that the settings ask for, the result stays
@@ -267,9 +273,9 @@ export function fitResult(
   prepared: PreparedBody,
   result: MeshAt,
   { settings, ...held }: Held & { settings: Settings },
-): Fitted {
-  const none = { result, errorBefore: new Float64Array(), errorAfter: new Float64Array() };
-  if (!isFitted(settings)) return none;
+): FittedResult {
+  const none = { result, errorBefore: new Float64Array(), errorAfter: new Float64Array(), tooLarge: 0 };
+  if (!isFitted(settings)) return { ...none, unfitted: '' };
   const { thickness, poisson } = materialOf(prepared, settings);
   const locked = maskOf(prepared.mesh, held.pinned, held.locked) ?? new Uint8Array();
   const { charts } = prepared.attributes;
@@ -277,7 +283,10 @@ export function fitResult(
   const fitted = core.fitModes(mesh, result, { thickness, poisson, charts, locked });
   if (held.mirror)
     fitted.result = core.mirrorResult(mesh, result, fitted.result, { partners: held.mirror, charts, locked });
-  return keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings) ? fitted : none;
+  if (!keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
+    return { ...none, unfitted: 'the fit would break a limit of deviation or angle' };
+  const large = counted(fitted.tooLarge, 'part has', 'parts have');
+  return { ...fitted, unfitted: fitted.tooLarge > 0 ? `${large} more than 20,000 vertices` : '' };
 }
 
 /** Whether `after` holds the targets of shape, or at least as well as `before`. */

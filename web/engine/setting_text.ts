@@ -9,7 +9,7 @@ const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 export function readSetting(option: OptionSpec, text: string): unknown {
   if (option.kind === 'switch') return true;
   const isWord =
-    ['pins', 'colliders', 'paint', 'name', 'choice'].includes(option.kind) ||
+    ['pins', 'paint', 'colliders', 'name', 'choice'].includes(option.kind) ||
     (option.kind === 'modes' && ['auto', 'all'].includes(text));
   if (isWord) return text;
   const isList = option.kind === 'modes' || option.kind === 'numbers';

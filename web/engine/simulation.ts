@@ -6,8 +6,8 @@ import type {
   ScenarioName,
   SimulationMaterial,
   SimulationOptions,
-  Surroundings,
   StartOptions,
+  Surroundings,
   SurfacePoint,
   TriangleMesh,
 } from './core';
@@ -54,7 +54,7 @@ const CALIBRATION_MODES = 10;
  */
 export function calibrationOf(
   core: Core,
-  original: PreparedBody,
+  original: BodySize & { mesh: TriangleMesh },
   optimized: TriangleMesh,
   settings: Settings,
 ): number {

@@ -52,7 +52,7 @@ function FrequencyReadout() {
   const fitted = results.fitted.value;
   const isShown = fitted !== null && shownMesh.value === fitted.result;
   if (isShown && fitted.errorAfter.length === 0)
-    return <Readout name="Frequencies off" value="not fitted" note="the fit would break a limit" />;
+    return <Readout name="Frequencies off" value="not fitted" note={fitted.unfitted} />;
   const worst = (errors: Float64Array) => errors.reduce((most, error) => Math.max(most, error), 0);
   return (
     <Readout

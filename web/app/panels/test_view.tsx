@@ -95,7 +95,7 @@ function gripOn(stage: Stage, ray: Parameters<typeof gripAt>[0], clientX: number
 
 export function connectDragging(canvas: HTMLCanvasElement, stage: Stage): DragTool<PaneName> {
   return new DragTool<PaneName>(canvas, {
-    rayAt: (x, y) => (isTesting() ? stage.rayAt(x, y) : null),
+    rayAt: (x, y, fromX) => (isTesting() ? stage.rayAt(x, y, fromX) : null),
     gripAt: (ray, x) => gripOn(stage, ray, x),
     grab,
     drag: dragTo,

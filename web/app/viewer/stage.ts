@@ -209,6 +209,8 @@ export class Stage {
     this.controls = new CameraControls(this.camera, canvas);
     this.controls.dollyToCursor = true;
     this.controls.smoothTime = 0.08;
+    for (const name of ['wheel', 'pointerdown'] as const)
+      canvas.addEventListener(name, ({ clientX }) => this.aim(clientX), { capture: true, passive: true });
     new ResizeObserver(() => this.resize()).observe(canvas);
     canvas.addEventListener('webglcontextrestored', () => (this.stale = true));
     this.resize();
@@ -290,11 +292,11 @@ export class Stage {
     this.stale = true;
   }
 
-  /** The ray of sight through a place of the page, in the pane that it lies in. */
-  rayAt(clientX: number, clientY: number): THREE.Ray {
+  /** The ray of sight through a place of the page, in the pane that it lies in, or in the one of `fromX`. */
+  rayAt(clientX: number, clientY: number, fromX = clientX): THREE.Ray {
     const box = this.canvas.getBoundingClientRect();
-    const across = ((clientX - box.left) / box.width) * this.columns;
-    const place = new THREE.Vector2(2 * (across % 1) - 1, 1 - (2 * (clientY - box.top)) / box.height);
+    const across = ((clientX - box.left) / box.width) * this.columns - this.columnAt(fromX);
+    const place = new THREE.Vector2(2 * across - 1, 1 - (2 * (clientY - box.top)) / box.height);
     const caster = new THREE.Raycaster();
     caster.setFromCamera(place, this.camera);
     return caster.ray;
@@ -322,10 +324,15 @@ export class Stage {
 
   /** The pane at a place of the page. */
   paneAt(clientX: number): PaneName {
-    const box = this.canvas.getBoundingClientRect();
-    const across = (clientX - box.left) / box.width;
-    if (this.split !== null) return this.shown[across < this.split ? 0 : 1];
-    return this.shown[Math.floor(across * this.columns)] ?? this.shown[0];
+    const { left, width } = this.canvas.getBoundingClientRect();
+    if (this.split !== null) return this.shown[(clientX - left) / width < this.split ? 0 : 1];
+    return this.shown[this.columnAt(clientX)];
+  }
+
+  private columnAt(clientX: number): number {
+    const { left, width } = this.canvas.getBoundingClientRect();
+    const column = Math.floor(((clientX - left) / width) * this.columns);
+    return Math.min(this.columns - 1, Math.max(0, column));
   }
 
   /** Marks a vertex of a body; null takes the mark away. */
@@ -380,6 +387,8 @@ export class Stage {
     if (!sphere || !(sphere.radius > 0)) return;
     this.camera.near = sphere.radius / 100;
     this.camera.far = sphere.radius * 100;
+    // Farther away it would be a dot, and then nothing.
+    this.controls.maxDistance = sphere.radius * 40;
     this.camera.updateProjectionMatrix();
     const direction = new THREE.Vector3(0.75, 0.42, 1).normalize();
     const distance = (1.22 * sphere.radius) / Math.sin(this.narrowHalfAngle());
@@ -394,6 +403,13 @@ export class Stage {
       animated,
     );
     this.stale = true;
+  }
+
+  /** Zooming goes to the cursor as it lies in its own pane. */
+  private aim(clientX: number): void {
+    const { width, height } = this.canvas.getBoundingClientRect();
+    const share = width / this.columns;
+    this.controls.setViewport(this.columnAt(clientX) * share, 0, share, height);
   }
 
   /** Half the angle of view along the shorter side of a pane. */

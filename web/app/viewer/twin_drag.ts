@@ -37,8 +37,8 @@ function barycentricOf(p: Vector3, a: Vector3, b: Vector3, c: Vector3): [number,
 
 /** What the tool needs to know and whom it tells. */
 export interface DragHost<Name> {
-  /** null: nothing can be pulled now */
-  rayAt(clientX: number, clientY: number): Ray | null;
+  /** in the pane at `fromX`; null: nothing can be pulled now */
+  rayAt(clientX: number, clientY: number, fromX: number): Ray | null;
   gripAt(ray: Ray, clientX: number): { name: Name; grip: Grip } | null;
   grab(name: Name, point: SurfacePoint): void;
   drag(target: [number, number, number]): void;
@@ -46,7 +46,7 @@ export interface DragHost<Name> {
 }
 
 export class DragTool<Name> {
-  private held: { pointer: number; plane: Plane } | null = null;
+  private held: { pointer: number; fromX: number; plane: Plane } | null = null;
 
   /** Listens on the canvas ahead of the camera, which gets every drag that does not begin on a body. */
   constructor(
@@ -61,7 +61,7 @@ export class DragTool<Name> {
 
   private begin(event: PointerEvent): void {
     if (event.button !== 0 || this.held) return;
-    const ray = this.host.rayAt(event.clientX, event.clientY);
+    const ray = this.host.rayAt(event.clientX, event.clientY, event.clientX);
     const found = ray && this.host.gripAt(ray, event.clientX);
     if (!ray || !found) return;
     event.stopImmediatePropagation();
@@ -69,16 +69,15 @@ export class DragTool<Name> {
     this.canvas.classList.add('dragging');
     // The hand stays as far from the eye as it was.
     const plane = new Plane().setFromNormalAndCoplanarPoint(ray.direction, found.grip.place);
-    this.held = { pointer: event.pointerId, plane };
+    this.held = { pointer: event.pointerId, fromX: event.clientX, plane };
     this.host.grab(found.name, found.grip.point);
     this.host.drag(found.grip.place.toArray());
   }
 
-  private move(event: PointerEvent): void {
-    if (event.pointerId !== this.held?.pointer) return;
-    const target = this.host
-      .rayAt(event.clientX, event.clientY)
-      ?.intersectPlane(this.held.plane, new Vector3());
+  private move({ pointerId, clientX, clientY }: PointerEvent): void {
+    if (pointerId !== this.held?.pointer) return;
+    const { fromX, plane } = this.held;
+    const target = this.host.rayAt(clientX, clientY, fromX)?.intersectPlane(plane, new Vector3());
     if (target) this.host.drag(target.toArray());
   }
 

@@ -2,7 +2,6 @@
 
 import type {
   Curvature,
-  Fitted,
   Inspection,
   MeshAt,
   ModeSet,
@@ -18,7 +17,7 @@ import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
 import type { HealthNote } from '../../engine/health';
 import type { Settings } from '../../engine/options';
-import type { Certificate } from '../../engine/pipeline';
+import type { Certificate, FittedResult } from '../../engine/pipeline';
 import type { Report } from '../../engine/report';
 
 export interface Started {
@@ -94,7 +93,7 @@ export interface DeviationMarks {
   key: string;
 }
 
-export interface FitResult extends Fitted {
+export interface FitResult extends FittedResult {
   /** null where frequencies are no target */
   frequency: FrequencyFinding | null;
   /** what it was made from: resultKey and the number of faces */

@@ -1,16 +1,7 @@
 /** One opened file and what has been computed for each of its bodies. A stage runs again when its inputs have changed. */
 
 import type { Primitive } from '@gltf-transform/core';
-import type {
-  Core,
-  Curvature,
-  Fitted,
-  History,
-  MeshAt,
-  ModeSet,
-  StrainGuidance,
-  WhyKept,
-} from '../../engine/core';
+import type { Core, Curvature, History, MeshAt, ModeSet, StrainGuidance, WhyKept } from '../../engine/core';
 import { markDeviations } from '../../engine/deviation_marks';
 import type { DeviationMark } from '../../engine/deviation_marks';
 import type { OpenModel } from '../../engine/document/open';
@@ -31,7 +22,7 @@ import {
   prepareBody,
   reduceTo,
 } from '../../engine/pipeline';
-import type { Guides, Measured, PreparedBody } from '../../engine/pipeline';
+import type { FittedResult, Guides, Measured, PreparedBody } from '../../engine/pipeline';
 import { guidanceKey, heldKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from '../state/keys';
 
 const isScalar = (primitive: Primitive, name: string): boolean =>
@@ -51,7 +42,7 @@ class Stage<T> {
   }
 }
 
-export interface FittedLevel extends Fitted {
+export interface FittedLevel extends FittedResult {
   /** null where frequencies are no target */
   frequency: FrequencyFinding | null;
 }
