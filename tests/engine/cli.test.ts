@@ -213,6 +213,18 @@ describe('limber optimize', () => {
     expect(readFileSync(path('alone.glb')).equals(readFileSync(path('chain_lod2.glb')))).toBe(true);
   });
 
+  it('gives every level a stiffness of its own with --calibrate', async () => {
+    const words = 'optimize grid.obj soft.glb --method qem --lods 0.25 --calibrate --json';
+    const { calibration } = report(limber(...words.split(' ')).stdout);
+    const factorIn = async (name: string) => {
+      const [mesh] = (await readGlb(readFileSync(path(name)))).getRoot().listMeshes();
+      return mesh.getExtras().limberCalibration;
+    };
+    expect(await factorIn('soft.glb')).toBe(calibration![0].factor);
+    expect(await factorIn('soft_lod1.glb')).toBeGreaterThan(0);
+    expect(await factorIn('soft_lod1.glb')).not.toBe(calibration![0].factor);
+  });
+
   it('tells of a level that nothing can reach', () => {
     const words = 'optimize torus.obj chain.glb --method qem --lods 0.5,0.001 --quiet';
     const { code, stderr } = limber(...words.split(' '));
@@ -410,7 +422,7 @@ describe('a wrong command line', () => {
     ['simulate a.obj b.obj c.obj', '"c.obj" is one file too many: limber simulate A [B].'],
     [
       'simulate torus.obj --scenario fall',
-      '--scenario is fall: give one of twist, sway, hang, drop, pull, wind (default: twist).',
+      '--scenario is fall: give one of twist, sway, hang, drop, pull, wind, drape (default: twist).',
     ],
     ['simulate torus.obj --bind a.json', '--bind carries pins over to B, which is missing: name both files.'],
     ['simulate torus.obj torus.obj --bind none.json', 'none.json cannot be read: there is no such file.'],
