@@ -2,6 +2,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import type { Binding, Core, TriangleMesh } from '../../web/engine/core';
 import { NONE } from '../../web/engine/core';
 import { defaultSettings } from '../../web/engine/options';
+import type { Settings } from '../../web/engine/options';
 import { buildHistory, prepareBody, reduceTo } from '../../web/engine/pipeline';
 import { simulationOptions } from '../../web/engine/simulation';
 import { topCorners } from '../../web/engine/top_corners';
@@ -127,7 +128,7 @@ describe('twins', () => {
   const sheet = grid(12, 12);
   const settings = { ...defaultSettings('qem'), substeps: 8, scenario: 'hang' as const };
 
-  function makeTwin(faces: number, change: { young?: number; pinned?: Uint32Array } = {}) {
+  function makeTwin(faces: number, { pinned, ...change }: Partial<Settings> & { pinned?: Uint32Array } = {}) {
     const prepared = prepareBody(core, bodyOf(sheet), settings);
     const history = buildHistory(
       core,
@@ -136,7 +137,7 @@ describe('twins', () => {
       settings,
     );
     const result = reduceTo(core, prepared, history, faces);
-    const options = simulationOptions(prepared, { ...settings, ...change }, change.pinned ?? null);
+    const options = simulationOptions(prepared, { ...settings, ...change }, pinned ?? null);
     const { mesh, diagonal } = prepared;
     const twin = new Twin(core, mesh, result, { ...options, diagonal, measuresNoise: true });
     return { twin, mesh, result, diagonal };
@@ -235,6 +236,15 @@ describe('twins', () => {
       ];
       from.forEach((x, c) => expect(to[c]).toBeCloseTo(x, 1));
     }
+    twin.end();
+  });
+
+  it('know what they can touch', () => {
+    const { twin } = makeTwin(120, { scenario: 'drop', colliders: 'ball:0.5,0.5,-0.4,0.2' });
+    const { ground, colliders } = twin.surroundings;
+    expect(ground).toBeLessThan(0);
+    expect(colliders).toHaveLength(1);
+    expect(colliders[0].radius).toBeCloseTo(0.2, 6);
     twin.end();
   });
 

@@ -3,7 +3,7 @@
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { proxy, wrap } from 'comlink';
 import type { Remote } from 'comlink';
-import type { MeshAt, SurfacePoint } from '../../engine/core';
+import type { MeshAt, SurfacePoint, Surroundings } from '../../engine/core';
 import { OPTIONS } from '../../engine/options';
 import type { Settings } from '../../engine/options';
 import type { TwinName, TwinSample } from '../../engine/twin';
@@ -32,6 +32,8 @@ export const twin = {
   samples: signal<TwinSample[]>([]),
   /** the largest deviation of any vertex since the start, % */
   worst: signal(0),
+  /** what both bodies can touch */
+  surroundings: signal<Surroundings | null>(null),
   /** why nothing can be simulated */
   failure: signal<string | null>(null),
 };
@@ -55,13 +57,23 @@ const simulationKeys = (Object.keys(OPTIONS) as (keyof Settings)[]).filter((key)
 /** What the simulation is made of; null where it cannot be yet. */
 const key = computed<string | null>(() => {
   const settings = wants.settings.value;
-  if (view.step.value !== 'test' || status.working.value || !shownMesh.value || !results.body.value)
-    return null;
+  if (view.step.value !== 'test' || isPending() || !shownMesh.value || !results.body.value) return null;
   const values = simulationKeys.map((name) => settings[name]);
-  const mesh = `${results.opened.value} ${wants.body.value} ${resultKey(settings)} ${wantedFaces.value}`;
   const pins = heldNow.value === 'pins' ? pinsKey(settings) : heldNow.value;
-  return [mesh, pins, ...values, twin.alwaysNoise.value, isFittedShown()].join(' ');
+  return [meshKey(), pins, ...values, twin.alwaysNoise.value].join(' ');
 });
+
+const meshKey = (): string =>
+  [
+    results.opened.value,
+    wants.body.value,
+    resultKey(wants.settings.value),
+    wantedFaces.value,
+    isFittedShown(),
+  ].join(' ');
+
+/** Whether another mesh is still to come. */
+const isPending = (): boolean => status.working.value && !isFittedShown();
 
 const isFittedShown = (): boolean => results.fitted.value?.result === shownMesh.value;
 
@@ -112,11 +124,22 @@ async function start(result: MeshAt): Promise<void> {
   twin.failure.value = null;
   const api = remote ?? openWorker();
   const size = { body: { scale }, diagonal };
-  const setup = { number, original, result, size, settings: wants.settings.value, pinned: pinned() };
+  const setup = {
+    number,
+    original,
+    result,
+    meshKey: meshKey(),
+    size,
+    settings: wants.settings.value,
+    pinned: pinned(),
+    noise: twin.alwaysNoise.value ? ('always' as const) : ('in real time' as const),
+  };
   try {
     await loaded;
-    await api.start({ ...setup, noise: twin.alwaysNoise.value ? 'always' : 'in real time' }, wishes());
-    if (mine === number) await api.play(isMoving());
+    const surroundings = await api.start(setup, wishes());
+    if (mine !== number) return;
+    twin.surroundings.value = surroundings;
+    await api.play(isMoving());
   } catch (error) {
     if (mine === number) twin.failure.value = error instanceof Error ? error.message : String(error);
   }
