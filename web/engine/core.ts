@@ -205,6 +205,18 @@ export interface History {
   refused: Refused;
   /** why it ends */
   stop: 'target' | 'deviation' | 'angle' | 'exhausted';
+  /** Wishes.mirror, where it was among the wishes: collapses then come in pairs */
+  mirror?: Uint32Array;
+}
+
+/** The mirror symmetry of a mesh, or how far it is from one; see wasm/pipeline/mirror_images.h. */
+export interface MirrorImages {
+  /** Wishes.mirror; empty where there is no symmetry */
+  partners: Uint32Array;
+  /** without an image */
+  strayVertices: number;
+  /** without an image though their vertices have theirs */
+  strayTriangles: number;
 }
 
 /** In the order of `enum class Verdict` in wasm/simplify/legality.h. */
@@ -260,6 +272,13 @@ export interface Fitted {
   result: MeshAt;
   errorBefore: Float64Array;
   errorAfter: Float64Array;
+  /** components that stay as they are, for they have more than 20,000 vertices */
+  tooLarge: number;
+}
+
+export interface MirrorRequest extends Pick<FitOptions, 'charts' | 'locked'> {
+  /** Wishes.mirror of the history that the result comes from */
+  partners: Uint32Array;
 }
 
 /** What parts a mesh into charts, over which no attribute may bleed. Both may be empty. */
@@ -326,6 +345,14 @@ export interface Fidelity {
   frequencyErrorHigh: number;
   macMean: number;
   macMin: number;
+}
+
+/** The lowest elastic modes of a body's shell over all of its parts. */
+export interface ShellModes {
+  /** rad/s, ascending */
+  omega: Float64Array;
+  /** shapes[(k * vertexCount + v) * 3 + c] */
+  shapes: Float32Array;
 }
 
 export type SimulationMaterial = 'springs' | 'shell';
@@ -433,6 +460,7 @@ export const PHASES = [
   'comparing modes',
   'fitting modes',
   'simulating',
+  'looking for symmetry',
 ] as const;
 
 /** Progress of the running call. `fraction` is of the phase, in [0, 1]. */
@@ -469,6 +497,10 @@ export interface Core {
   meshAt(mesh: TriangleMesh, history: History, faces: number): MeshAt;
   /** the result with its vertices moved a little and some edges flipped, so that it vibrates like `mesh` */
   fitModes(mesh: TriangleMesh, result: MeshAt, options: FitOptions): Fitted;
+  /** the plane through the centre that a mesh is symmetric to: normal to axis 0, 1 or 2; -1: any that is found */
+  findMirrorImages(mesh: TriangleMesh, axis: number): MirrorImages;
+  /** `fitted`, made from `reduced` by fitModes, made its own mirror image again; see wasm/pipeline/mirror_result.h */
+  mirrorResult(mesh: TriangleMesh, reduced: MeshAt, fitted: MeshAt, request: MirrorRequest): MeshAt;
   /** for every vertex of meshAt(mesh, history, faces), which must come from the same strain, curvature and options */
   whyKept(
     mesh: TriangleMesh,
@@ -485,6 +517,15 @@ export interface Core {
   measureQuality(mesh: TriangleMesh): Quality;
   measureSurfaceDistance(a: TriangleMesh, b: TriangleMesh): SurfaceDistance;
   compareFidelity(original: TriangleMesh, other: TriangleMesh, options: FidelityOptions): Fidelity;
+  /** twice options.modeCount modes of the original, for frequencyErrors */
+  shellModes(original: TriangleMesh, options: FidelityOptions): ShellModes;
+  /** frequencyErrorMean and frequencyErrorMax of compareFidelity alone, in %: a sixth of its work */
+  frequencyErrors(
+    original: TriangleMesh,
+    modes: ShellModes,
+    other: TriangleMesh,
+    options: FidelityOptions,
+  ): { mean: number; max: number };
   /** that of compareFidelity alone, in a fraction of the time */
   calibrationFactor(original: TriangleMesh, other: TriangleMesh, options: FidelityOptions): number;
   /** the whole scenario, with the original alone or with both */

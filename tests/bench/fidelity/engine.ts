@@ -4,12 +4,12 @@ export { samples } from '../../../scripts/samples/samples';
 export { costAttributesOf } from '../../../web/engine/attributes';
 export { openModel } from '../../../web/engine/document/open';
 export { loadCore } from '../../../web/engine/load_core';
+export { optimizeBody } from '../../../web/engine/optimize';
 export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/options';
 export {
   findGuidance,
   findModes,
   materialOf,
   measureResult,
-  optimizeBody,
   prepareBody,
 } from '../../../web/engine/pipeline';

@@ -8,13 +8,15 @@ const KEYS: [string, string][] = [
   ['W', 'wireframe'],
   ['1 2 3', 'plain, strain, curvature; in Test: plain, deviation'],
   ['B', 'blink between original and optimized'],
-  ['V', 'next view: side by side, original, optimized; in Test: overlaid'],
+  ['V', 'next view: side by side, slider, original, optimized; in Test: overlaid'],
   ['← →', 'one collapse back or on; in Test: one step on'],
   ['Home', 'in Test: back to the start'],
   ['D', 'in Test: the original driven by the optimized'],
+  ['[ ]', 'smaller or larger brush'],
+  ['Ctrl+Z', 'undo; with Shift redo'],
   ['Ctrl+O', 'open a file'],
   ['Ctrl+E', 'export'],
-  ['Esc', 'leave the pick tool, or cancel what is running'],
+  ['Esc', 'leave the pick tool or the brush, or cancel what is running'],
   ['?', 'this help'],
 ];
 

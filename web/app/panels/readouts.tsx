@@ -51,6 +51,8 @@ function FrequencyReadout() {
   if (!isFitted(wants.settings.value)) return null;
   const fitted = results.fitted.value;
   const isShown = fitted !== null && shownMesh.value === fitted.result;
+  if (isShown && fitted.errorAfter.length === 0)
+    return <Readout name="Frequencies off" value="not fitted" note={fitted.unfitted} />;
   const worst = (errors: Float64Array) => errors.reduce((most, error) => Math.max(most, error), 0);
   return (
     <Readout

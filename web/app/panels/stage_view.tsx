@@ -1,20 +1,23 @@
 /** The stage in the page: hands meshes, fields and looks from the state to the viewer. */
 
-import { useSignalEffect } from '@preact/signals';
+import { effect, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { MeshAt } from '../../engine/core';
 import { isDark } from '../scheme';
 import { twin } from '../state/simulation';
-import { isPicking, results, shownMesh, view } from '../state/store';
+import { isBrushing, isPicking, results, shownMesh, view } from '../state/store';
 import type { Field } from '../viewer/body_geometry';
 import type { MapName } from '../viewer/colours';
 import { Stage } from '../viewer/stage';
 import type { PaneName } from '../viewer/stage';
 import { count } from './controls';
 import { curvatureScale } from './curvature_scale';
+import { Compare, comparedAlone, comparedPanes, isSplit } from './compare';
 import { Legend } from './legend';
 import { guidingModes } from './mode_choice';
+import { showPaint } from './brushing';
 import { connectPicking, showPins } from './picking';
+import { connectProbe, WhyCard } from './why_card';
 import {
   connectDragging,
   isDriven,
@@ -28,14 +31,20 @@ import {
 
 export const stageHandle: { current: Stage | null } = { current: null };
 
+const getStage = (): Stage | null => stageHandle.current;
+
 export function StageView() {
   const canvas = useRef<HTMLCanvasElement>(null);
   const [failed, setFailed] = useState(false);
   useEffect(() => {
     try {
       stageHandle.current = new Stage(canvas.current!);
-      connectPicking(canvas.current!, stageHandle.current);
+      const hand = connectPicking(canvas.current!, stageHandle.current);
       connectDragging(canvas.current!, stageHandle.current);
+      connectProbe(canvas.current!, getStage);
+      effect(() => {
+        if (isBrushing.value || isPicking.value) hand.prepare();
+      });
       showAll();
     } catch {
       setFailed(true);
@@ -49,10 +58,11 @@ export function StageView() {
   useSignalEffect(showLook);
   useSignalEffect(showSwing);
   useSignalEffect(() => showPins(stageHandle.current));
+  useSignalEffect(() => showPaint(stageHandle.current));
   useSignalEffect(() => showProps(stageHandle.current));
   useSignalEffect(() => showTwin(stageHandle.current));
   return (
-    <div class={isPicking.value ? 'stage picking' : 'stage'}>
+    <div class={isPicking.value || isBrushing.value ? 'stage picking' : 'stage'}>
       <canvas ref={canvas} aria-label={describeStage()} role="img" />
       {failed && (
         <p class="empty">
@@ -60,6 +70,8 @@ export function StageView() {
         </p>
       )}
       <PaneLabels />
+      <Compare />
+      <WhyCard getStage={getStage} />
       <TwinAlert />
       <Legend />
     </div>
@@ -67,6 +79,7 @@ export function StageView() {
 }
 
 function describeStage(): string {
+  if (isBrushing.value) return 'The mesh at rest. Drag over the original to paint it; Shift erases.';
   if (isPicking.value)
     return 'The mesh at rest. Click a vertex or drag over the surface to hold it in place; Shift lets go.';
   if (view.step.value === 'test')
@@ -84,6 +97,7 @@ function showAll(): void {
     showLook,
     showSwing,
     () => showPins(stageHandle.current),
+    () => showPaint(stageHandle.current),
     () => showProps(stageHandle.current),
     () => showTwin(stageHandle.current),
   ])
@@ -91,10 +105,9 @@ function showAll(): void {
 }
 
 function shownPanes(): PaneName[] {
-  const layout = view.layout.value;
   if (view.step.value === 'test' && shownMesh.value) return ['original', 'optimized'];
   if (view.step.value !== 'reduce' || !shownMesh.value) return ['original'];
-  return layout === 'both' ? ['original', 'optimized'] : [layout];
+  return comparedPanes();
 }
 
 function showOriginal(): void {
@@ -109,7 +122,10 @@ function showOptimized(): void {
 }
 
 function showArrangement(): void {
-  stageHandle.current?.arrange(shownPanes(), isOverlaid.value ? veilColour() : null);
+  stageHandle.current?.arrange(shownPanes(), {
+    veil: isOverlaid.value ? veilColour() : null,
+    split: isSplit() ? view.split.value : null,
+  });
 }
 
 /** A field of the original, and the same seen on what is left of it. */
@@ -182,7 +198,8 @@ function showLook(): void {
 function showSwing(): void {
   const body = results.body.value;
   // Picking is on the shape at rest.
-  const isMoving = (view.step.value === 'motion' || view.step.value === 'reduce') && !isPicking.value;
+  const isStill = isPicking.value || isBrushing.value;
+  const isMoving = ['motion', 'reduce'].includes(view.step.value) && !isStill;
   const moves = isMoving && view.playing.value;
   const amplitude = body && isMoving ? (view.amplitude.value / 100) * body.diagonal : 0;
   stageHandle.current?.animate(moves, amplitude, view.speed.value);
@@ -197,7 +214,7 @@ function PaneLabels() {
     optimized: (shownMesh.value?.mesh.triangles.length ?? 0) / 3,
   };
   return (
-    <div class="pane-labels">
+    <div class={comparedAlone() ? 'pane-labels alone' : 'pane-labels'}>
       {shownPanes().map((name) => (
         <span key={name}>
           {name === 'original' ? 'Original' : 'Optimized'}{' '}

@@ -3,12 +3,17 @@
 import CameraControls from 'camera-controls';
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core';
-import { bodyGeometry, setDisplacement, setField } from './body_geometry';
+import type { Levels } from '../../engine/paint';
+import { bodyGeometry, setDisplacement, setField, setPaint } from './body_geometry';
 import type { Field } from './body_geometry';
+import { BrushRing } from './brush_ring';
+import type { BrushMark } from './brush_ring';
 import { mapTexture } from './colours';
 import type { MapName } from './colours';
 import { PinDots } from './pin_dots';
 import type { DotLook } from './pin_dots';
+import { nearestSeen, seenAt } from './seen_vertices';
+import type { ScreenPlace, SeenBody } from './seen_vertices';
 import { surfaceMaterial } from './surface_material';
 import { PropsView, reachOf } from './twin_props';
 import type { Props, PropsLook } from './twin_props';
@@ -36,14 +41,20 @@ class Pane {
   mesh: TriangleMesh | null = null;
   private field: Field | null = null;
   private shape: Float32Array | null = null;
+  /** at a vertex that is asked about */
+  readonly probe: PinDots;
+  private amplitude = 0;
+  private levels: Levels | null = null;
+  private isPaintStale = false;
 
   constructor(map: THREE.DataTexture, pixelRatio: number) {
     this.dots = new PinDots(pixelRatio);
+    this.probe = new PinDots(pixelRatio);
     const look = { clay: new THREE.Color(), wire: new THREE.Color(), wireStrength: 0 };
     this.body = new THREE.Mesh(new THREE.BufferGeometry(), surfaceMaterial(map, look));
     this.body.frustumCulled = false; // a swinging body leaves the bounds of its rest pose
     this.body.visible = false;
-    this.scene.add(this.body, this.dots.points, this.props.group);
+    this.scene.add(this.body, this.dots.points, this.probe.points, this.props.group);
   }
 
   show(mesh: TriangleMesh | null): void {
@@ -59,6 +70,7 @@ class Pane {
     this.body.material.uniforms.isFlat.value = false;
     this.applyField();
     this.applyShape();
+    this.isPaintStale = true;
   }
 
   /** Mesh, field and shape may come in any order: what does not fit the mesh yet waits for the one that it belongs to. */
@@ -85,6 +97,19 @@ class Pane {
   displace(shape: Float32Array | null): void {
     this.shape = shape;
     this.applyShape();
+  }
+
+  paint(levels: Levels | null): void {
+    this.levels = levels;
+    this.isPaintStale = true;
+  }
+
+  /** Once a frame, for a hand may paint more often. */
+  private applyPaint(): void {
+    const { mesh, levels } = this;
+    if (mesh && this.isPaintStale)
+      setPaint(this.body.geometry, mesh, levels?.length === mesh.positions.length / 3 ? levels : null);
+    this.isPaintStale = false;
   }
 
   /** Vertices elsewhere than at rest, or back there (null), and values in [0, 1] to colour them by. */
@@ -132,7 +157,28 @@ class Pane {
   }
 
   swing(amplitude: number): void {
+    this.applyPaint();
+    this.amplitude = amplitude;
+    this.probe.swing(amplitude);
     this.body.material.uniforms.amplitude.value = amplitude;
+  }
+
+  /** The vertex, as it moves. */
+  mark(vertex: number | null): void {
+    const shape = this.fittingShape();
+    if (vertex === null || !this.mesh) return this.probe.place(new Float32Array());
+    const at = (values: Float32Array) => values.slice(3 * vertex, 3 * vertex + 3);
+    this.probe.place(at(this.mesh.positions), shape && at(shape));
+  }
+
+  private fittingShape(): Float32Array | null {
+    return this.shape?.length === this.mesh?.positions.length ? this.shape : null;
+  }
+
+  /** Where the vertices are seen now; see `seenVertices`. */
+  seen(): SeenBody | null {
+    const { mesh, amplitude } = this;
+    return mesh && { positions: mesh.positions, shape: this.fittingShape(), amplitude };
   }
 
   sphere(): THREE.Sphere | null {
@@ -150,9 +196,11 @@ export class Stage {
   private readonly maps: Record<MapName, THREE.DataTexture>;
   private readonly panes: Record<PaneName, Pane>;
   private readonly candidate: PinDots;
+  private readonly ring = new BrushRing();
   private shown: PaneName[] = ['original'];
   private isOverlaid = false;
   private reach: THREE.Vector3[] = [];
+  private split: number | null = null;
   private stale = true;
   private swinging = false;
   private phase = 0;
@@ -169,7 +217,7 @@ export class Stage {
     const pane = (): Pane => new Pane(this.maps.viridis, ratio);
     this.panes = { original: pane(), optimized: pane() };
     this.candidate = new PinDots(ratio);
-    this.panes.original.scene.add(this.candidate.points);
+    this.panes.original.scene.add(this.candidate.points, this.ring.line);
     this.controls = new CameraControls(this.camera, canvas);
     this.controls.dollyToCursor = true;
     this.controls.smoothTime = 0.08;
@@ -221,6 +269,18 @@ export class Stage {
     this.stale = true;
   }
 
+  /** What a brush has painted on a body; null: nothing. */
+  paint(pane: PaneName, levels: Levels | null): void {
+    this.panes[pane].paint(levels);
+    this.stale = true;
+  }
+
+  /** The brush over the original; null takes it away. */
+  markBrush(mark: BrushMark | null): void {
+    this.ring.show(mark);
+    this.stale = true;
+  }
+
   /** Dots at these vertices of the original, at rest. */
   pin(vertices: Iterable<number>): void {
     this.showDots(this.panes.original.dots, vertices);
@@ -241,6 +301,7 @@ export class Stage {
   colourPins(look: DotLook): void {
     for (const pane of Object.values(this.panes)) pane.dots.look(look);
     this.candidate.look({ fill: look.rim, rim: look.fill });
+    for (const pane of Object.values(this.panes)) pane.probe.look({ fill: '#ffffff', rim: '#17212b' });
     this.stale = true;
   }
 
@@ -254,21 +315,30 @@ export class Stage {
     return caster.ray;
   }
 
-  /** Side by side, or with a colour the later ones as veils over the first. */
-  arrange(shown: PaneName[], veil: string | null = null): void {
+  /**
+   * Side by side; with a colour the later ones as veils over the first; with a split in [0, 1] the first to the left of it
+   * and the second to the right.
+   */
+  arrange(
+    shown: PaneName[],
+    { veil = null, split = null }: { veil?: string | null; split?: number | null } = {},
+  ): void {
     this.shown = shown;
     this.isOverlaid = veil !== null;
+    this.split = shown.length === 2 && veil === null ? split : null;
     this.panes.optimized.veil(veil);
     this.panes.original.bare(this.isOverlaid);
     this.resize();
   }
 
   private get columns(): number {
-    return this.isOverlaid ? 1 : this.shown.length;
+    return this.isOverlaid || this.split !== null ? 1 : this.shown.length;
   }
 
   /** The pane at a place of the page. */
   paneAt(clientX: number): PaneName {
+    const { left, width } = this.canvas.getBoundingClientRect();
+    if (this.split !== null) return this.shown[(clientX - left) / width < this.split ? 0 : 1];
     return this.shown[this.columnAt(clientX)];
   }
 
@@ -276,6 +346,41 @@ export class Stage {
     const { left, width } = this.canvas.getBoundingClientRect();
     const column = Math.floor(((clientX - left) / width) * this.columns);
     return Math.min(this.columns - 1, Math.max(0, column));
+  }
+
+  /** Marks a vertex of a body; null takes the mark away. */
+  mark(name: PaneName, vertex: number | null): void {
+    this.panes[name].mark(vertex);
+    this.stale = true;
+  }
+
+  /** The vertex of a pane that is seen nearest to a place of the page, at most `pixels` from it. */
+  vertexAt(name: PaneName, { x, y }: ScreenPlace, pixels: number): number | null {
+    const body = this.panes[name].seen();
+    const box = this.canvas.getBoundingClientRect();
+    if (!body || this.paneAt(x) !== name) return null;
+    const [place, size] = this.inPane(name, { x: x - box.left, y: y - box.top });
+    return nearestSeen(body, this.camera, { ...place, ...size, pixels });
+  }
+
+  /** Where a vertex is seen, in pixels from the upper left corner of the canvas. */
+  placeOf(name: PaneName, vertex: number): ScreenPlace | null {
+    const body = this.panes[name].seen();
+    const [origin, size] = this.inPane(name, { x: 0, y: 0 });
+    if (!body || 3 * vertex >= body.positions.length) return null;
+    const { x, y } = seenAt(body, this.camera, vertex, size);
+    return { x: x - origin.x, y: y - origin.y };
+  }
+
+  /** A place of the canvas from the corner of a pane, and the size of the pane. */
+  private inPane(name: PaneName, { x, y }: ScreenPlace): [ScreenPlace, { width: number; height: number }] {
+    const { clientWidth, clientHeight } = this.canvas;
+    const width = clientWidth / this.columns;
+    const left = this.columns === 1 ? 0 : this.shown.indexOf(name) * width;
+    return [
+      { x: x - left, y },
+      { width, height: clientHeight },
+    ];
   }
 
   /** x = x0 + amplitude sin(theta) phi, Eq. 5; theta runs while `playing`. */
@@ -351,9 +456,11 @@ export class Stage {
     this.shown.forEach((name, i) => {
       const pane = this.panes[name];
       pane.swing(Math.sin(this.phase) * this.settle.amplitude);
-      const left = this.isOverlaid ? 0 : i * width;
+      const left = this.columns === 1 ? 0 : i * width;
+      const cut = this.split === null ? null : Math.round(this.split * width);
       this.renderer.setViewport(left, 0, width, clientHeight);
-      this.renderer.setScissor(left, 0, width, clientHeight);
+      if (cut === null) this.renderer.setScissor(left, 0, width, clientHeight);
+      else this.renderer.setScissor(i * cut, 0, i === 0 ? cut : width - cut, clientHeight);
       // A veil is not hidden by what it lies over.
       if (this.isOverlaid && i > 0) {
         this.renderer.clearDepth();
