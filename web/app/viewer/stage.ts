@@ -17,7 +17,7 @@ import type { ScreenPlace, SeenBody } from './seen_vertices';
 import { surfaceMaterial } from './surface_material';
 import { PropsView, reachOf } from './twin_props';
 import type { Props, PropsLook } from './twin_props';
-import { MOST_SMOOTH, paintSurface, placeSurface } from './twin_surface';
+import { isLarge, paintSurface, placeSurface } from './twin_surface';
 
 CameraControls.install({ THREE });
 
@@ -67,7 +67,7 @@ class Pane {
     this.body.geometry = geometry;
     this.groups = groups;
     this.isPlaced = false;
-    this.body.material.uniforms.isFlat.value = false;
+    this.body.material.uniforms.isFlat.value = isLarge(mesh);
     this.applyField();
     this.applyShape();
     this.isPaintStale = true;
@@ -89,12 +89,14 @@ class Pane {
   }
 
   colour(field: Field | null, map: THREE.DataTexture): void {
+    const isSame = field?.values === this.field?.values && field?.on === this.field?.on;
     this.field = field;
-    this.applyField();
+    if (!isSame) this.applyField();
     this.body.material.uniforms.map.value = map;
   }
 
   displace(shape: Float32Array | null): void {
+    if (shape === this.shape) return;
     this.shape = shape;
     this.applyShape();
   }
@@ -117,8 +119,7 @@ class Pane {
     const { mesh, groups } = this;
     if (!mesh || (positions ? positions.length !== mesh.positions.length : !this.isPlaced)) return;
     this.isPlaced = positions !== null;
-    const { isFlat, hasField } = this.body.material.uniforms;
-    isFlat.value = this.isPlaced && mesh.triangles.length > 3 * MOST_SMOOTH;
+    const { hasField } = this.body.material.uniforms;
     placeSurface(this.body.geometry, mesh, positions ?? mesh.positions, groups);
     if (!positions) return this.applyField();
     hasField.value = values?.length === mesh.positions.length / 3;
@@ -181,6 +182,14 @@ class Pane {
     return mesh && { positions: mesh.positions, shape: this.fittingShape(), amplitude };
   }
 
+  /** Of the bounding box. */
+  corners(): THREE.Vector3[] {
+    const box = this.mesh && this.body.geometry.boundingBox;
+    if (!box) return [];
+    const [x, y, z] = (['x', 'y', 'z'] as const).map((axis) => [box.min[axis], box.max[axis]]);
+    return x.flatMap((a) => y.flatMap((b) => z.map((c) => new THREE.Vector3(a, b, c))));
+  }
+
   sphere(): THREE.Sphere | null {
     return this.mesh ? this.body.geometry.boundingSphere : null;
   }
@@ -199,8 +208,10 @@ export class Stage {
   private readonly ring = new BrushRing();
   private shown: PaneName[] = ['original'];
   private isOverlaid = false;
-  private reach: THREE.Vector3[] = [];
   private split: number | null = null;
+  private columnsBefore = 1;
+  private steppedBack = 1;
+  private reach: THREE.Vector3[] = [];
   private stale = true;
   private swinging = false;
   private phase = 0;
@@ -328,7 +339,27 @@ export class Stage {
     this.split = shown.length === 2 && veil === null ? split : null;
     this.panes.optimized.veil(veil);
     this.panes.original.bare(this.isOverlaid);
+    this.makeRoom();
+  }
+
+  /** Panes that get narrower do not cut what was seen: the eye steps back, and forth again when they get wider. */
+  private makeRoom(): void {
+    const before = Math.max(1, this.spread());
     this.resize();
+    if (this.columns === this.columnsBefore) return;
+    this.columnsBefore = this.columns;
+    const back = this.columns > 1 ? Math.max(1, this.spread() / before) : 1;
+    void this.controls.dollyTo((this.controls.distance * back) / this.steppedBack, false);
+    this.steppedBack = back;
+  }
+
+  /** How far the original reaches from the middle of a pane, over half the width of the pane. */
+  private spread(): number {
+    this.controls.update(0);
+    this.camera.updateMatrixWorld();
+    return this.panes.original
+      .corners()
+      .reduce((most, corner) => Math.max(most, Math.abs(corner.project(this.camera).x)), 0);
   }
 
   private get columns(): number {
@@ -395,6 +426,7 @@ export class Stage {
     const sphere = this.panes.original.sphere()?.clone();
     for (const point of this.reach) sphere?.expandByPoint(point);
     if (!sphere || !(sphere.radius > 0)) return;
+    this.steppedBack = 1;
     this.camera.near = sphere.radius / 100;
     this.camera.far = sphere.radius * 100;
     // Farther away it would be a dot, and then nothing.
