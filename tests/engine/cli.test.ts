@@ -338,7 +338,7 @@ describe('a wrong command line', () => {
     ['simulate a.obj b.obj c.obj', '"c.obj" is one file too many: limber simulate A [B].'],
     [
       'simulate torus.obj --scenario fall',
-      '--scenario is fall: give one of twist, sway, hang, drop, pull, wind (default: twist).',
+      '--scenario is fall: give one of twist, sway, hang, drop, pull, wind, drape (default: twist).',
     ],
     ['simulate torus.obj --bind a.json', '--bind carries pins over to B, which is missing: name both files.'],
     ['simulate torus.obj torus.obj --bind none.json', 'none.json cannot be read: there is no such file.'],

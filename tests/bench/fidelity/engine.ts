@@ -5,6 +5,7 @@ export { costAttributesOf } from '../../../web/engine/attributes';
 export { openModel } from '../../../web/engine/document/open';
 export { loadCore } from '../../../web/engine/load_core';
 export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/options';
+export { simulationOptions } from '../../../web/engine/simulation';
 export {
   findGuidance,
   findModes,
