@@ -1,12 +1,10 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { defineConfig } from '@playwright/test';
 
+const shared = join(import.meta.dirname, 'tests', 'browser-arguments.json');
 const arguments_ = [
-  '--no-sandbox',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
+  ...(JSON.parse(readFileSync(shared, 'utf8')) as string[]),
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
 ];

@@ -25,6 +25,8 @@
 #include "pipeline/fidelity.h"
 #include "pipeline/find_modes.h"
 #include "pipeline/guidance.h"
+#include "pipeline/mirror_images.h"
+#include "pipeline/mirror_result.h"
 #include "pipeline/modal_fit.h"
 #include "simplify/history.h"
 #include "simplify/simplify.h"
@@ -171,6 +173,17 @@ val jsMeanCurvature(const val& jsMeshIn) {
   val out = val::object();
   out.set("vertex", typedArray(curvature.vertex));
   out.set("triangle", typedArray(curvature.triangle));
+  return out;
+}
+
+// ---- symmetry ----
+
+val jsFindMirrorImages(const val& mesh, int axis) {
+  const MirrorImages images = findMirrorImages(meshOf(mesh), axis, theJob);
+  val out = val::object();
+  out.set("partners", typedArray(images.partners));
+  out.set("strayVertices", images.strayVertices);
+  out.set("strayTriangles", images.strayTriangles);
   return out;
 }
 
@@ -350,7 +363,17 @@ val jsFitModes(const val& mesh, const val& result, const val& in) {
   out.set("result", jsMeshAtOf(fitted.result));
   out.set("errorBefore", typedArray(fitted.errorBefore));
   out.set("errorAfter", typedArray(fitted.errorAfter));
+  out.set("tooLarge", fitted.tooLarge);
   return out;
+}
+
+val jsMirrorResult(const val& mesh, const val& reduced, const val& fitted, const val& in) {
+  const auto partners = vectorOf<uint32_t>(in["partners"]),
+             wedges = vectorOf<uint32_t>(in["charts"]["wedges"]),
+             groups = vectorOf<uint32_t>(in["charts"]["groups"]);
+  const auto locked = vectorOf<uint8_t>(in["locked"]);
+  return jsMeshAtOf(
+      mirrorResult(meshOf(mesh), meshAtOf(reduced), meshAtOf(fitted), {partners, {wedges, groups}, locked}));
 }
 
 // ---- transfer ----
@@ -406,6 +429,24 @@ FidelityOptions fidelityOptionsOf(const val& in) {
   return options;
 }
 
+val jsShellModes(const val& mesh, const val& in) {
+  const ShellModes modes = shellModes(meshOf(mesh), fidelityOptionsOf(in), theJob);
+  val out = val::object();
+  out.set("omega", typedArray(modes.omega));
+  out.set("shapes", typedArray(modes.shapes));
+  return out;
+}
+
+val jsFrequencyErrors(const val& original, const val& modes, const val& other, const val& in) {
+  const ShellModes shellModes{vectorOf<double>(modes["omega"]), vectorOf<float>(modes["shapes"])};
+  const FrequencyErrors errors =
+      frequencyErrors(meshOf(original), shellModes, meshOf(other), fidelityOptionsOf(in), theJob);
+  val out = val::object();
+  out.set("mean", errors.mean);
+  out.set("max", errors.max);
+  return out;
+}
+
 val jsCalibrationFactor(const val& original, const val& other, const val& in) {
   return val(calibrationFactor(meshOf(original), meshOf(other), fidelityOptionsOf(in), theJob));
 }
@@ -456,9 +497,11 @@ EMSCRIPTEN_BINDINGS(limber) {
   emscripten::function("findModes", &Guarded<&jsFindModes>::call);
   emscripten::function("strainGuidance", &Guarded<&jsStrainGuidance>::call);
   emscripten::function("meanCurvature", &Guarded<&jsMeanCurvature>::call);
+  emscripten::function("findMirrorImages", &Guarded<&jsFindMirrorImages>::call);
   emscripten::function("simplify", &Guarded<&jsSimplify>::call);
   emscripten::function("meshAt", &Guarded<&jsMeshAt>::call);
   emscripten::function("fitModes", &Guarded<&jsFitModes>::call);
+  emscripten::function("mirrorResult", &Guarded<&jsMirrorResult>::call);
   emscripten::function("whyKept", &Guarded<&jsWhyKept>::call);
   emscripten::function("sourceOfCorners", &Guarded<&jsSourceOfCorners>::call);
   emscripten::function("bindToResult", &Guarded<&jsBindToResult>::call);
@@ -466,6 +509,8 @@ EMSCRIPTEN_BINDINGS(limber) {
   emscripten::function("measureSurfaceDistance", &Guarded<&jsMeasureSurfaceDistance>::call);
   emscripten::function("calibrationFactor", &Guarded<&jsCalibrationFactor>::call);
   emscripten::function("compareFidelity", &Guarded<&jsCompareFidelity>::call);
+  emscripten::function("shellModes", &Guarded<&jsShellModes>::call);
+  emscripten::function("frequencyErrors", &Guarded<&jsFrequencyErrors>::call);
   emscripten::function("setThreadCount", &setThreadCount);
   emscripten::function("threadCount", &threadCount);
   emscripten::function("jobAddress", &jobAddress);

@@ -93,10 +93,10 @@ std::vector<uint32_t> pinnedOf(const TriangleMesh& original, const Scenario& sce
   return pinned;
 }
 
-// Points of `other`, one per vertex of the original; none where `in` is null.
+// Points of `other`, one per vertex of the original; none where `in` is null or left out.
 std::vector<SurfaceAnchor> bindingOf(const TriangleMesh& original, const TriangleMesh& other, const val& in) {
   std::vector<SurfaceAnchor> anchors;
-  if (in.isNull()) return anchors;
+  if (in.isNull() || in.isUndefined()) return anchors;
   const auto triangles = vectorOf<uint32_t>(in["triangle"]);
   const auto shares = vectorOf<float>(in["barycentric"]);
   if (triangles.size() != original.vertexCount() || shares.size() != 3 * triangles.size())
@@ -157,9 +157,11 @@ RunningScenario& runningOf(uint32_t number) {
 val jsStartSimulation(const val& meshIn, const val& originalIn, const val& in) {
   const TriangleMesh mesh = meshOf(meshIn), original = meshOf(originalIn);
   const Scenario scenario = scenarioOf(original, in);
-  const auto pinned = pinnedOf(original, scenario, in);
-  auto body = std::make_unique<RunningScenario>(mesh, simulationOptionsOf(in), scenario,
-                                                carryPins(original, pinned, mesh));
+  SimulationOptions options = simulationOptionsOf(in);
+  if (!in["order"].isUndefined()) options.order = in["order"].as<uint32_t>();
+  const auto binding = bindingOf(original, mesh, in["binding"]);
+  const Pins pins = carryPins(original, pinnedOf(original, scenario, in), mesh, binding);
+  auto body = std::make_unique<RunningScenario>(mesh, options, scenario, pins);
   running[++lastNumber] = std::move(body);
   return val(lastNumber);
 }
@@ -171,15 +173,24 @@ val jsStepSimulations(const val& numbers) {
   return val::null();
 }
 
-val jsSimulationPositions(uint32_t number) {
-  const Simulation& simulation = runningOf(number).simulation();
+val flatArray(const std::vector<Vec3>& places) {
   std::vector<float> flat;
-  flat.reserve(3 * size_t{simulation.vertexCount()});
-  for (uint32_t v = 0; v < simulation.vertexCount(); ++v) {
-    const Vec3 p = simulation.position(v);
+  flat.reserve(3 * places.size());
+  for (const Vec3& p : places)
     for (int c = 0; c < 3; ++c) flat.push_back(static_cast<float>(p[c]));
-  }
   return typedArray(flat);
+}
+
+val jsSimulationPositions(uint32_t number) {
+  return flatArray(runningOf(number).simulation().positions());
+}
+
+val jsSimulationPins(uint32_t number) {
+  return flatArray(runningOf(number).pinPositions());
+}
+
+val jsSimulationSeconds(uint32_t number) {
+  return val(runningOf(number).stepSeconds());
 }
 
 val jsDragSimulation(uint32_t number, const val& point, const val& target) {
@@ -209,6 +220,8 @@ EMSCRIPTEN_BINDINGS(limber_simulation) {
   emscripten::function("startSimulation", &Guarded<&jsStartSimulation>::call);
   emscripten::function("stepSimulations", &Guarded<&jsStepSimulations>::call);
   emscripten::function("simulationPositions", &Guarded<&jsSimulationPositions>::call);
+  emscripten::function("simulationPins", &Guarded<&jsSimulationPins>::call);
+  emscripten::function("simulationSeconds", &Guarded<&jsSimulationSeconds>::call);
   emscripten::function("dragSimulation", &Guarded<&jsDragSimulation>::call);
   emscripten::function("releaseSimulation", &Guarded<&jsReleaseSimulation>::call);
   emscripten::function("endSimulation", &Guarded<&jsEndSimulation>::call);

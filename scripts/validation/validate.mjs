@@ -5,17 +5,11 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { format, resolveConfig } from 'prettier';
-import { build } from 'vite';
+import { bundleModule } from '../setup/bundle.mjs';
 import { root } from '../setup/environment.mjs';
 
 const outDir = join(root, 'build', 'validation');
-await build({
-  root,
-  configFile: false,
-  logLevel: 'warn',
-  publicDir: false,
-  build: { ssr: 'scripts/validation/main.ts', outDir, emptyOutDir: true, target: 'node20' },
-});
+await bundleModule('scripts/validation/main.ts', outDir);
 const { validate } = await import(pathToFileURL(join(outDir, 'main.js')).href);
 const wasmFolder = pathToFileURL(join(root, 'public', 'wasm', '/')).href;
 const files = await validate(wasmFolder, (line) => console.log(line));

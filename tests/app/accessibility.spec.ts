@@ -12,7 +12,7 @@ for (const colorScheme of ['light', 'dark'] as const)
       const { violations: found } = await new AxeBuilder({ page }).analyze();
       return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`);
     };
-    for (const step of ['Model', 'Motion', 'Reduce'] as const) {
+    for (const step of ['Model', 'Motion', 'Reduce', 'Test'] as const) {
       await goTo(page, step);
       await expect(page.locator('.notice.busy')).toHaveCount(0);
       expect(await violations()).toEqual([]);

@@ -30,7 +30,7 @@ export async function drop(page: Page, ...files: string[]): Promise<void> {
     await client.send('Input.dispatchDragEvent', { type, x: 640, y: 300, data });
 }
 
-export const goTo = (page: Page, step: 'Model' | 'Motion' | 'Reduce') =>
+export const goTo = (page: Page, step: 'Model' | 'Motion' | 'Reduce' | 'Test') =>
   page.getByRole('navigation', { name: 'Steps' }).getByRole('button', { name: step }).click();
 
 export const readout = (page: Page, name: string) =>

@@ -5,14 +5,14 @@
 // apt install libsuitesparse-dev, and libopenblas0-pthread for a fast BLAS); for the browser Chromium. What is not
 // here is left out, and said. Real meshes are read from ../shared/meshes or $LIMBER_SHARED/meshes.
 
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { cpus, tmpdir } from 'node:os';
+import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
-import { format, resolveConfig } from 'prettier';
 import { bumpySphere, cloth, largestComponent, readObj, torus, writeMesh } from './bench_meshes.mjs';
 import { runInBrowser } from './modes_browser.mjs';
 import { buildNative, bundleEngine, findPeer, runInNode } from './modes_tools.mjs';
+import { table, tellMissing, writeSection } from './section.mjs';
 
 const { values: options } = parseArgs({
   options: {
@@ -33,8 +33,6 @@ const native = buildNative();
 const peer = findPeer();
 if (!peer) missing.push('SciPy with scikit-sparse (install libsuitesparse-dev, then run again)');
 
-const row = (cells) => `| ${cells.join(' | ')} |`;
-const table = (header, rows) => [row(header), row(header.map(() => '---')), ...rows.map(row)].join('\n');
 const seconds = (value) => (value === undefined ? 'missing' : `${value.toFixed(2)} s`);
 const ratio = (ours, theirs) => (theirs === undefined ? 'missing' : (ours / theirs).toFixed(2));
 const megabytes = (bytes) => `${(bytes / 2 ** 20).toFixed(0)} MiB`;
@@ -94,6 +92,8 @@ async function race(mesh) {
   };
 }
 
+const OUR_COLUMNS = ['mesh', 'faces', 'wasm, first call', 'wasm, best', 'native'];
+
 async function smallSolves() {
   const rows = [];
   for (const mesh of generated(10000)) {
@@ -102,20 +102,10 @@ async function smallSolves() {
     const ours = [seconds(time.first), seconds(time.best), seconds(time.native)];
     rows.push([mesh.name, mesh.faces, ...ours, seconds(time.peer), ratio(time.best, time.peer), met]);
   }
-  const header = [
-    'mesh',
-    'faces',
-    'wasm, first call',
-    'wasm, best',
-    'native',
-    'peer',
-    'wasm / peer',
-    '<= 1.0 s',
-  ];
   return [
     '### 12 modes of a shell, 10,000 faces',
     'The full solve on 2 threads. For comparison: the paper reports 1.77 s for 9,998 faces, natively. The target holds for the first call, which still compiles.',
-    table(header, rows),
+    table([...OUR_COLUMNS, 'peer', 'wasm / peer', '<= 1.0 s'], rows),
   ];
 }
 
@@ -129,19 +119,11 @@ async function largeSolves() {
     const theirs = [seconds(time.peerOne), seconds(time.peerTwo), seconds(simplicial.seconds)];
     rows.push([mesh.name, mesh.faces, ...ours, ...theirs, ratio(time.best, time.peer), met]);
   }
-  const header = [
-    'mesh',
-    'faces',
-    'wasm, first call',
-    'wasm, best',
-    'native',
-    'peer, 1 thread',
-    'peer, 2 threads',
-  ];
+  const peers = ['peer, 1 thread', 'peer, 2 threads', 'simplicial'];
   return [
     '### 12 modes of a shell, 40,000 faces',
     'The full solve (`--exact`) on 2 threads. The peer, natively: SciPy\'s `eigsh` in shift-invert mode with the supernodal factor of CHOLMOD (scikit-sparse, METIS) on the same K, M and shift; its time counts the factorisation and the search, not the assembly, while ours counts everything and one more factorisation, which proves that no mode is missing. The ratio is to the faster of its two. "Simplicial" is Spectra with Eigen\'s SimplicialLDLT, as most programs ship it, natively.',
-    table([...header, 'simplicial', 'wasm / peer', '<= 1.5'], rows),
+    table([...OUR_COLUMNS, ...peers, 'wasm / peer', '<= 1.5'], rows),
   ];
 }
 
@@ -205,25 +187,13 @@ for (const name of chosen) {
   console.log(`\n${section}`);
   sections.push(section);
 }
-if (missing.length) console.log(`\nMISSING HERE:\n${missing.map((what) => `- ${what}`).join('\n')}`);
-if (options.write) await write();
+tellMissing(missing);
+if (options.write)
+  await writeSection({
+    name: 'modes',
+    title: 'Modes',
+    remark: `Ours and the peer's ran in turn, ${rounds} rounds; each number is the least.`,
+    missing,
+    sections,
+  });
 rmSync(scratch, { recursive: true });
-
-/** Replaces what stands between the markers of docs/benchmarks.md, which is made where it is not there. */
-async function write() {
-  const path = join(root, 'docs', 'benchmarks.md');
-  const [begin, end] = ['<!-- modes: begin -->', '<!-- modes: end -->'];
-  const introduction = [
-    `Written by \`node tests/bench/modes.mjs --write\` on ${cpus().length} x ${cpus()[0].model.trim()}, Node ${process.versions.node}.`,
-    `Ours and the peer's ran in turn, ${rounds} rounds; each number is the least.`,
-    ...(missing.length ? [`Missing: ${missing.join('; ')}.`] : []),
-  ].join(' ');
-  const content = [begin, '## Modes', introduction, ...sections, end].join('\n\n');
-  const before = existsSync(path) ? readFileSync(path, 'utf8') : `# Benchmarks\n\n${begin}\n${end}\n`;
-  if (!before.includes(begin))
-    throw new Error(`${path} has no place for the modes: add "${begin}" and "${end}".`);
-  const after = `${before.split(begin)[0]}${content}${before.split(end)[1]}`;
-  mkdirSync(join(root, 'docs'), { recursive: true });
-  writeFileSync(path, await format(after, { ...(await resolveConfig(path)), filepath: path }));
-  console.log('wrote docs/benchmarks.md');
-}

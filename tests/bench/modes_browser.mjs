@@ -13,14 +13,7 @@ const types = {
   '.js': 'text/javascript',
   '.wasm': 'application/wasm',
 };
-const browserArguments = [
-  '--no-sandbox',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-];
+const browserArguments = JSON.parse(await readFile(join(root, 'tests', 'browser-arguments.json'), 'utf8'));
 
 const worker = `
   import { loadCore } from '/engine/load_core.js';

@@ -3,8 +3,9 @@
 import { execFile, spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
-import { build } from 'vite';
+import { bundleModule } from '../../scripts/setup/bundle.mjs';
 import { findHeaders, run } from '../../scripts/setup/environment.mjs';
 
 const execute = promisify(execFile);
@@ -20,16 +21,20 @@ async function jsonOf(program, args, environment = {}) {
 }
 
 /** The engine's loader as one file, for Node and the browser. */
-export async function bundleEngine() {
-  const outDir = join(folder, 'engine');
-  const ssr = 'web/engine/load_core.ts';
-  await build({
-    root,
-    configFile: false,
-    logLevel: 'warn',
-    publicDir: false,
-    build: { ssr, outDir, emptyOutDir: true, target: 'es2022' },
-  });
+export const bundleEngine = () => bundleModule('web/engine/load_core.ts', join(folder, 'engine'));
+
+/** The core in this process, from the built wasm. */
+export async function loadBundledCore(threads) {
+  await bundleEngine();
+  const { loadCore } = await import(pathToFileURL(join(folder, 'engine', 'load_core.js')).href);
+  return loadCore({ threads, wasmFolder: pathToFileURL(join(root, 'public', 'wasm', '/')).href });
+}
+
+/** Milliseconds, and what was returned. */
+export function timed(run) {
+  const start = performance.now();
+  const result = run();
+  return [performance.now() - start, result];
 }
 
 /** The native program, optimised: (mesh, options) -> what it prints. */

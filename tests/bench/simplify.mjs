@@ -3,15 +3,13 @@
 // --write puts the tables into docs/benchmarks.md. Ours and the peer run in turn in one process; each number is the least.
 // Real meshes are read from ../shared/meshes or $LIMBER_SHARED/meshes; what is not there is left out, and said.
 
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { cpus } from 'node:os';
+import { existsSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { MeshoptSimplifier } from 'meshoptimizer';
-import { format, resolveConfig } from 'prettier';
 import { bumpySphere, cloth, largestComponent, readObj, torus } from './bench_meshes.mjs';
-import { bundleEngine } from './modes_tools.mjs';
+import { loadBundledCore, timed } from './modes_tools.mjs';
+import { table, tellMissing, writeSection } from './section.mjs';
 
 const { values: options } = parseArgs({
   options: {
@@ -29,17 +27,11 @@ const kept = 0.25;
 const million = 900_000;
 const weights = {
   qem: { method: 'qem', strainWeight: 0, curvatureWeight: 0, qualityWeight: 0, sizeWeight: 0 },
-  limber: { method: 'limber', strainWeight: 3, curvatureWeight: 0, qualityWeight: 0.1, sizeWeight: 0.01 },
+  limber: { method: 'limber', strainWeight: 1, curvatureWeight: 0, qualityWeight: 0.1, sizeWeight: 0.01 },
 };
 
 await MeshoptSimplifier.ready;
-await bundleEngine();
-const loader = join(root, 'build', 'bench', 'engine', 'load_core.js');
-const { loadCore } = await import(pathToFileURL(loader).href);
-const core = await loadCore({
-  threads: 1,
-  wasmFolder: pathToFileURL(join(root, 'public', 'wasm', '/')).href,
-});
+const core = await loadBundledCore(1);
 
 function* meshes() {
   for (const name of ['skirt_4k', 'spot_uv', 'bob_genus1', 'hammer_60k', 'scorpion_100k']) {
@@ -50,13 +42,6 @@ function* meshes() {
   for (const faces of [10_000, 40_000, 200_000, 1_000_000])
     for (const [name, generate] of Object.entries(generators))
       if (faces <= Number(options.largest)) yield { name, ...generate(faces) };
-}
-
-/** Milliseconds, and what was returned. */
-function time(run) {
-  const start = performance.now();
-  const result = run();
-  return [performance.now() - start, result];
 }
 
 /** A field that varies over the body, in place of a rank of strain. */
@@ -80,24 +65,22 @@ function race(mesh) {
   for (let round = 0; round < (faces > million ? Math.min(rounds, 2) : rounds); round++) {
     note(
       'peer',
-      time(() => MeshoptSimplifier.simplify(mesh.triangles, mesh.positions, 3, 3 * target, 1)),
+      timed(() => MeshoptSimplifier.simplify(mesh.triangles, mesh.positions, 3, 3 * target, 1)),
     );
     for (const method of ['qem', 'limber']) {
       const history = note(
         method,
-        time(() => core.simplify(mesh, strain, none, weights[method])),
+        timed(() => core.simplify(mesh, strain, none, weights[method])),
       );
       note(
         'meshAt',
-        time(() => core.meshAt(mesh, history, target)),
+        timed(() => core.meshAt(mesh, history, target)),
       );
     }
   }
   return { ...best, faces, heapBytes: core.peakHeapBytes() };
 }
 
-const row = (cells) => `| ${cells.join(' | ')} |`;
-const table = (header, rows) => [row(header), row(header.map(() => '---')), ...rows.map(row)].join('\n');
 const milliseconds = (value) => `${value.toFixed(value < 10 ? 1 : 0)} ms`;
 const against = (ours, theirs, limit) =>
   `${(ours / theirs).toFixed(2)} ${ours <= limit * theirs ? '(met)' : '(**missed**)'}`;
@@ -126,22 +109,12 @@ if (large.length > 0)
     '### A million faces',
     table(['mesh', 'faces', 'qem', 'limber', 'wasm memory', '<= 5 s and 1.5 GiB'], large),
   );
-if (missing.length) console.log(`\nMISSING HERE:\n${missing.map((what) => `- ${what}`).join('\n')}`);
-if (options.write) await write();
-
-/** Replaces what stands between the markers of docs/benchmarks.md; without markers it goes to the end. */
-async function write() {
-  const path = join(root, 'docs', 'benchmarks.md');
-  const [begin, end] = ['<!-- simplify: begin -->', '<!-- simplify: end -->'];
-  const introduction = [
-    `Written by \`node tests/bench/simplify.mjs --write\` on ${cpus().length} x ${cpus()[0].model.trim()}, Node ${process.versions.node}.`,
-    `Ours and the peer's ran in turn, ${rounds} rounds (two for a million faces); each number is the least.`,
-    ...(missing.length ? [`Missing: ${missing.join('; ')}.`] : []),
-  ].join(' ');
-  const content = [begin, '## Simplification', introduction, ...sections, end].join('\n\n');
-  const found = existsSync(path) ? readFileSync(path, 'utf8') : '# Benchmarks\n';
-  const before = found.includes(begin) ? found : `${found.trimEnd()}\n\n${begin}\n${end}\n`;
-  const after = `${before.split(begin)[0]}${content}${before.split(end)[1]}`;
-  writeFileSync(path, await format(after, { ...(await resolveConfig(path)), filepath: path }));
-  console.log('wrote docs/benchmarks.md');
-}
+tellMissing(missing);
+if (options.write)
+  await writeSection({
+    name: 'simplify',
+    title: 'Simplification',
+    remark: `Ours and the peer's ran in turn, ${rounds} rounds (two for a million faces); each number is the least.`,
+    missing,
+    sections,
+  });

@@ -8,17 +8,12 @@
 
 #include "base/parallel.h"
 #include "measure/closest_point.h"
+#include "reduced.h"
 #include "shapes.h"
-#include "simplify/simplify.h"
 #include "surfaces.h"
 
 namespace limber {
 namespace {
-
-MeshAt reduced(const TriangleMesh& mesh, uint32_t faces) {
-  Job job;
-  return meshAt(mesh, simplify(mesh, {}, {.method = Method::Qem}, job), faces);
-}
 
 Vec3 pointOf(const TriangleMesh& mesh, const Binding& binding, uint32_t v) {
   Vec3 point = normalized(areaNormal(mesh, binding.triangle[v])) * binding.offset[v];

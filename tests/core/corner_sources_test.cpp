@@ -7,17 +7,12 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
+#include "reduced.h"
 #include "shapes.h"
-#include "simplify/simplify.h"
 #include "surfaces.h"
 
 namespace limber {
 namespace {
-
-MeshAt reduced(const TriangleMesh& mesh, uint32_t faces) {
-  Job job;
-  return meshAt(mesh, simplify(mesh, {}, {.method = Method::Qem}, job), faces);
-}
 
 Vec3 sourcePoint(const TriangleMesh& input, const CornerSources& sources, uint32_t corner) {
   Vec3 point;

@@ -49,6 +49,20 @@ TEST(Fidelity, aBodyIsLikeItself) {
   EXPECT_NEAR(fidelity.calibrationFactor, 1, 1e-8);
 }
 
+TEST(FrequencyErrors, areThoseOfTheWholeComparison) {
+  const TriangleMesh mesh = shapes::jittered(shapes::grid(8, 10), 0.02, 1), other = shapes::grid(6, 7);
+  const FidelityOptions options = optionsFor(mesh, 6);
+  Job job;
+  const ShellModes modes = shellModes(mesh, options, job);
+  EXPECT_EQ(modes.omega.size(), 12u);
+  const FrequencyErrors errors = frequencyErrors(mesh, modes, other, options, job);
+  const Fidelity fidelity = compareFidelity(mesh, other, options, job);
+  EXPECT_EQ(errors.mean, fidelity.frequencyErrorMean);
+  EXPECT_EQ(errors.max, fidelity.frequencyErrorMax);
+  EXPECT_GT(errors.max, 0);
+  EXPECT_THROW(frequencyErrors(other, modes, mesh, options, job), std::invalid_argument);
+}
+
 TEST(Fidelity, doesNotDependOnTheNumberingOfVertices) {
   const TriangleMesh mesh = shapes::sphere(2);
   TriangleMesh other;

@@ -1,67 +1,18 @@
 #include <gtest/gtest.h>
 
-#include <map>
 #include <stdexcept>
-#include <tuple>
 
-#include "mesh/inspect.h"
+#include "mirrored.h"
+#include "same_topology.h"
 #include "simplify/mirror.h"
 #include "simplify/simplify.h"
-#include "surfaces.h"
 
 namespace limber {
 namespace {
 
+using mirrored::box, mirrored::Doubled, mirrored::facesOf, mirrored::sheet;
+
 constexpr Method kMethods[] = {Method::Qem, Method::Paper, Method::Limber};
-
-// A mesh, its image across x = 0, and which vertex is the image of which. Vertices with x = 0 are shared.
-struct Doubled {
-  TriangleMesh mesh;
-  std::vector<uint32_t> mirror;
-};
-Doubled doubled(const TriangleMesh& half) {
-  Doubled whole{half, {}};
-  for (uint32_t v = 0; v < half.vertexCount(); ++v) {
-    const Vec3& p = half.positions[v];
-    whole.mirror.push_back(p.x == 0 ? v : whole.mesh.vertexCount());
-    if (p.x != 0) whole.mesh.positions.push_back({-p.x, p.y, p.z});
-  }
-  for (const auto& [a, b, c] : half.triangles)
-    whole.mesh.triangles.push_back({whole.mirror[a], whole.mirror[c], whole.mirror[b]});
-  whole.mirror.resize(whole.mesh.vertexCount());
-  for (uint32_t v = 0; v < half.vertexCount(); ++v) whole.mirror[whole.mirror[v]] = v;
-  return whole;
-}
-
-// A rough sheet, its left side on the plane.
-Doubled sheet() {
-  TriangleMesh half = shapes::jittered(shapes::grid(12, 10), 0.02, 6);
-  for (int j = 0; j <= 10; ++j) half.positions[13 * j].x = 0;
-  return doubled(surfaces::inFloats(half));
-}
-
-// Half of a box, open where it lies on the plane: whole, it is closed.
-Doubled box() {
-  TriangleMesh half = surfaces::inFloats(shapes::jittered(shapes::box(5, 4, 6, 0.25), 0.01, 3));
-  std::erase_if(half.triangles, [&](const Triangle& t) {
-    return std::ranges::all_of(t, [&](uint32_t v) { return half.positions[v].x < 0.1; });
-  });
-  for (Vec3& p : half.positions)
-    if (p.x < 0.1) p.x = 0;
-  TriangleMesh used;
-  std::vector<uint32_t> number(half.vertexCount(), kNone);
-  for (Triangle t : half.triangles) {
-    for (uint32_t& v : t) {
-      if (number[v] == kNone) {
-        number[v] = used.vertexCount();
-        used.positions.push_back(half.positions[v]);
-      }
-      v = number[v];
-    }
-    used.triangles.push_back(t);
-  }
-  return doubled(used);
-}
 
 History run(const Doubled& whole, Method method, uint32_t stopFaces, double maxDeviation = 0) {
   Job job;
@@ -69,25 +20,6 @@ History run(const Doubled& whole, Method method, uint32_t stopFaces, double maxD
   options.wishes.mirror = whole.mirror;
   options.maxDeviation = maxDeviation;
   return simplify(whole.mesh, {}, options, job);
-}
-
-using Corner3 = std::tuple<double, double, double>;
-using Face = std::array<Corner3, 3>;
-
-// The triangles by their positions, the lowest corner first; `side` = -1 gives those of the image.
-std::vector<Face> facesOf(const TriangleMesh& mesh, double side) {
-  std::vector<Face> faces;
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-    Face face;
-    for (int c = 0; c < 3; ++c) {
-      const Vec3& p = mesh.corner(t, side < 0 ? 2 - c : c);
-      face[c] = {side * p.x + 0.0, p.y, p.z};
-    }
-    std::ranges::rotate(face, std::ranges::min_element(face));
-    faces.push_back(face);
-  }
-  std::ranges::sort(faces);
-  return faces;
 }
 
 TEST(Mirror, bothSidesStayImagesOfEachOtherBitByBit) {
@@ -103,10 +35,7 @@ TEST(Mirror, keepsTopologyAndReachesFarDown) {
   for (const Doubled& whole : {sheet(), box()})
     for (const Method method : kMethods) {
       const TriangleMesh floor = meshAt(whole.mesh, run(whole, method, 0), 0).mesh;
-      const Inspection before = inspect(whole.mesh), after = inspect(floor);
-      EXPECT_EQ(after.components, before.components);
-      EXPECT_EQ(after.boundaryLoops, before.boundaryLoops);
-      EXPECT_EQ(after.genus, before.genus);
+      expectSameTopology(whole.mesh, floor);
       EXPECT_LT(floor.triangleCount(), 40u);
     }
 }

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "base/parallel.h"
-#include "mesh/inspect.h"
 #include "mesh/topology.h"
+#include "same_topology.h"
 #include "simplify/simplify.h"
 #include "surfaces.h"
 
@@ -118,16 +118,6 @@ Trial draw(uint32_t seed) {
   if (random.chance(0.2)) trial.options.maxDeviation = random.real(0.01, 0.1);
   drawLists(trial, random);
   return trial;
-}
-
-void expectSameTopology(const TriangleMesh& a, const TriangleMesh& b) {
-  const Inspection before = inspect(a), after = inspect(b);
-  ASSERT_EQ(after.components, before.components);
-  ASSERT_EQ(after.boundaryLoops, before.boundaryLoops);
-  ASSERT_EQ(after.genus, before.genus);
-  ASSERT_EQ(after.eulerCharacteristic, before.eulerCharacteristic);
-  ASSERT_EQ(after.nonManifoldEdges, before.nonManifoldEdges);
-  ASSERT_EQ(after.nonManifoldVertices, before.nonManifoldVertices);
 }
 
 void expectLocksKept(const Trial& trial, const MeshAt& at) {

@@ -3,8 +3,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "mesh/inspect.h"
 #include "mesh/topology.h"
+#include "same_topology.h"
 #include "simplify/simplify.h"
 #include "simplify/wishes.h"
 #include "surfaces.h"
@@ -44,14 +44,6 @@ TriangleMesh partOf(const TriangleMesh& mesh, const std::vector<uint8_t>& isIn) 
     part.triangles.push_back(triangle);
   }
   return part;
-}
-
-void expectSameTopology(const TriangleMesh& a, const TriangleMesh& b) {
-  const Inspection before = inspect(a), after = inspect(b);
-  EXPECT_EQ(after.components, before.components);
-  EXPECT_EQ(after.boundaryLoops, before.boundaryLoops);
-  EXPECT_EQ(after.eulerCharacteristic, before.eulerCharacteristic);
-  EXPECT_EQ(after.nonManifoldVertices, before.nonManifoldVertices);
 }
 
 // Every group is on its own a surface of the same topology as in the input.

@@ -169,6 +169,67 @@ describe('limber optimize', () => {
     expect(output!.minAngle!).toBeGreaterThanOrEqual(Math.min(25, input.minAngle!) - 1e-4);
   });
 
+  it('takes the largest frequency error as a target of its own, and says what it found', () => {
+    const words = 'optimize torus.obj true.glb --max-frequency-error 4 --fit off --report true.json';
+    const { code, stdout } = limber(...words.split(' '));
+    expect(code).toBe(0);
+    const { options, output, stop, timings } = report(readFileSync(path('true.json'), 'utf8'));
+    expect(options).not.toHaveProperty('ratio');
+    expect(stop).toMatchObject({ reason: 'frequency', frequency: { limit: 4 } });
+    const { error, beyond, tried } = stop!.frequency!;
+    expect(stdout).toContain(
+      `, frequencies within ${error.toFixed(2)} % of 4 % (${beyond!.faces} faces: ${beyond!.error.toFixed(2)} %), `,
+    );
+    expect(beyond!.faces).toBeGreaterThan(0.95 * output!.faces);
+    expect(tried).toBeGreaterThan(3);
+    expect(timings.search).toBeGreaterThan(0);
+    const compared = report(limber(...'compare torus.obj true.glb --modes 6 --json'.split(' ')).stdout);
+    expect(compared.fidelity!.frequencyErrorMax).toBeCloseTo(error, 4);
+    expect(error).toBeLessThanOrEqual(4);
+  });
+
+  it('writes a file for each level of --lods, from the same history', async () => {
+    const words = 'optimize two.obj chain.glb --ratio 0.8 --lods 0.5,0.25 --method qem --report chain.json';
+    const { code, stdout } = limber(...words.split(' '));
+    expect(code).toBe(0);
+    const { output, levels } = report(readFileSync(path('chain.json'), 'utf8'));
+    expect(levels!.map(({ file, ratio }) => [file, ratio])).toEqual([
+      ['chain_lod1.glb', 0.5],
+      ['chain_lod2.glb', 0.25],
+    ]);
+    const lines = stdout.trim().split('\n');
+    expect(lines).toHaveLength(3);
+    for (const [i, { file, ratio, output: level, surface, stop }] of levels!.entries()) {
+      expect(level.faces).toBeLessThanOrEqual(704 * ratio);
+      expect(level.faces).toBeGreaterThan(704 * ratio - 6);
+      expect([level.components, level.genus, stop.reason]).toEqual([2, 1, 'target']);
+      expect(lines[i + 1]).toContain(
+        `${file}: ${level.faces} faces, deviation ${surface.hausdorff.toFixed(2)} %`,
+      );
+      expect(await validateGlb(readFileSync(path(file)))).toMatchObject({ errors: 0, warnings: 0 });
+    }
+    expect(output!.faces).toBeGreaterThan(levels![0].output.faces);
+    limber(...'optimize two.obj alone.glb --ratio 0.25 --method qem'.split(' '));
+    expect(readFileSync(path('alone.glb')).equals(readFileSync(path('chain_lod2.glb')))).toBe(true);
+  });
+
+  it('tells of a level that nothing can reach', () => {
+    const words = 'optimize torus.obj chain.glb --method qem --lods 0.5,0.001 --quiet';
+    const { code, stderr } = limber(...words.split(' '));
+    expect(code).toBe(2);
+    expect(stderr).toMatch(
+      /^limber: chain_lod2\.glb: Stopped at \d+ faces, not 1: of the remaining edges .*\.\n$/,
+    );
+  });
+
+  it('warns where there is no symmetry to keep', () => {
+    const { code, stderr } = limber(...'optimize torus.obj out.glb --method qem --symmetry z'.split(' '));
+    expect([code, stderr]).toEqual([
+      0,
+      'limber: "torus" has no mirror symmetry across z to keep: its vertices have images, but 576 triangles would have none.\n',
+    ]);
+  });
+
   it('fits to the modes unless told not to', () => {
     const errorOf = (...flags: string[]) => {
       expect(limber('optimize', 'torus.obj', 'fit.glb', '--ratio', '0.3', ...flags).code).toBe(0);
@@ -332,7 +393,18 @@ describe('a wrong command line', () => {
       'modes torus.obj --pins low',
       '--pins has "low": give low:PCT, high:PCT, box:x0,y0,z0,x1,y1,z1, attribute:NAME or vertices:i,j, joined by +.',
     ],
-    ['optimize torus.obj a.glb --max-frequency-error 2', '--max-frequency-error is not available yet.'],
+    [
+      'optimize torus.obj a.glb --max-frequency-error -1',
+      '--max-frequency-error is -1: give a number from 0 to 100 (default: 0).',
+    ],
+    [
+      'optimize torus.obj a.glb --lods 0.5,0',
+      '--lods is 0.5,0: give numbers from 0.0001 to 1 with commas (default: none).',
+    ],
+    [
+      'optimize torus.obj a.glb --lock low',
+      '--lock has "low": give low:PCT, high:PCT, box:x0,y0,z0,x1,y1,z1, attribute:NAME or vertices:i,j, joined by +.',
+    ],
     ['inspect torus.obj --faces 10', 'limber inspect has no --faces: see limber inspect --help.'],
     ['simulate', 'A is missing: limber simulate A [B].'],
     ['simulate a.obj b.obj c.obj', '"c.obj" is one file too many: limber simulate A [B].'],

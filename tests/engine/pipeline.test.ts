@@ -1,15 +1,9 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core } from '../../web/engine/core';
+import { optimizeBody } from '../../web/engine/optimize';
 import { defaultSettings } from '../../web/engine/options';
 import type { Settings } from '../../web/engine/options';
-import {
-  exportedBody,
-  findGuidance,
-  findModes,
-  materialOf,
-  optimizeBody,
-  prepareBody,
-} from '../../web/engine/pipeline';
+import { exportedBody, findGuidance, findModes, materialOf, prepareBody } from '../../web/engine/pipeline';
 import { describeHealth } from '../../web/engine/health';
 import { bodyOf, together } from './support/bodies';
 import { loadTestCore } from './support/core';

@@ -21,6 +21,7 @@ enum class Phase : int32_t {
   Compare = 9,
   Fit = 10,
   Simulate = 11,
+  Mirror = 12,
 };
 
 // Thrown out of a running call after somebody asked it to stop.

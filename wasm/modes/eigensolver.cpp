@@ -215,7 +215,7 @@ void lookBehindRounding(Pencil& pencil, double sigma, EigenPairs& pairs) {
 }
 
 EigenPairs solveBySearch(const StiffnessModel& model, const EigenOptions& options, Job& job) {
-  Pencil pencil(model, job);
+  Pencil pencil(model, options.structure, job);
   // Lanczos' basis, and the found pairs a few times over while they are refined.
   pencil.requireMemoryFor(kBasisBeyond + 5 * (options.zeroExpected + options.elasticCount + kExtraPairs));
   Search search = searchLowest(pencil, options);
@@ -247,6 +247,14 @@ EigenPairs solveSmall(const StiffnessModel& model, const EigenOptions& options, 
   return pairs;
 }
 
+// How far eigenvalues may be off: they changed by less, or shapes did, whose error counts squared.
+double errorOf(const Search& search, const Eigen::VectorXd& before, Eigen::Index first, Eigen::Index count) {
+  if (count <= 0) return 0;
+  const auto lambda = search.lambda.segment(first, count);
+  const double change = (lambda - before.segment(first, count)).cwiseAbs().cwiseQuotient(lambda).maxCoeff();
+  return std::min(change, search.inverseResidual.segment(first, count).cwiseAbs2().maxCoeff());
+}
+
 }  // namespace
 
 EigenPairs solveEigenproblem(const StiffnessModel& model, const EigenOptions& options, Job& job) {
@@ -256,7 +264,7 @@ EigenPairs solveEigenproblem(const StiffnessModel& model, const EigenOptions& op
 
 EigenPairs refineEigenpairs(const StiffnessModel& model, const Eigen::MatrixXd& start,
                             const RefineOptions& options, Job& job) {
-  Pencil pencil(model, job);
+  Pencil pencil(model, options.structure, job);
   pencil.requireMemoryFor(4 * static_cast<int>(start.cols()));
   pencil.shiftTo(options.shift);
   job.begin(Phase::Solve);
@@ -267,17 +275,12 @@ EigenPairs refineEigenpairs(const StiffnessModel& model, const Eigen::MatrixXd& 
     iterate(pencil, search);
     zeros = zeroCount(search, options.shift);
     const Eigen::Index count = std::min<Eigen::Index>(options.elasticCount, search.lambda.size() - zeros);
-    const double change = (search.lambda - before)
-                              .segment(zeros, count)
-                              .cwiseAbs()
-                              .cwiseQuotient(search.lambda.segment(zeros, count))
-                              .maxCoeff();
     job.report(static_cast<double>(step + 1) / options.largestStepCount);
-    if (step > 0 && change < options.tolerance) break;
+    if (errorOf(search, before, zeros, count - options.spareCount) < options.tolerance) break;
   }
   EigenPairs pairs = collect(search, zeros, options.elasticCount);
   pairs.factorNonzeros = pencil.factorNonzeros();
-  for (Eigen::Index k = 0; k < pairs.lambda.size(); ++k)
+  for (Eigen::Index k = 0; options.residuals && k < pairs.lambda.size(); ++k)
     pairs.residual.push_back(pencil.residual(pairs.lambda[k], pairs.phi.col(k)));
   return pairs;
 }

@@ -2,9 +2,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/job.h"
+#include "modes/factor_structure.h"
 #include "modes/stiffness_model.h"
 
 namespace limber {
@@ -13,6 +15,7 @@ struct EigenOptions {
   int elasticCount = 12;  // wanted, above the zero modes
   int zeroExpected = 6;   // a guess that sizes the search; what is found is measured
   double scale = 1;       // > 0: a rough size of the first elastic eigenvalue
+  std::shared_ptr<const FactorStructure> structure;  // of such a model, found before; null: it is found
 };
 
 // The lowest eigenpairs of K phi = lambda M phi.
@@ -40,9 +43,12 @@ EigenPairs solveEigenproblem(const StiffnessModel& model, const EigenOptions& op
 
 struct RefineOptions {
   double shift = -1;        // < 0, of the size of the first elastic eigenvalue
-  double tolerance = 1e-4;  // on the relative change of the wanted eigenvalues in a step
-  int elasticCount = 12;
+  double tolerance = 1e-4;  // on the relative error of eigenvalues
+  int elasticCount = 12;    // returned
+  int spareCount = 0;       // of these, the last ones, which may still be inexact
   int largestStepCount = 4;
+  bool residuals = true;                             // of the pairs are wanted too
+  std::shared_ptr<const FactorStructure> structure;  // as in EigenOptions
 };
 
 // Block inverse iteration from `start` (unknowns x columns, the zero modes among them; massless unknowns may

@@ -2,9 +2,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/job.h"
+#include "modes/factor_structure.h"
 #include "modes/stiffness_model.h"
 
 namespace limber {
@@ -16,6 +18,8 @@ class Factorisation {
  public:
   // Order and structure, for any number of shifts. Throws Cancelled.
   Factorisation(const StiffnessModel& model, Job& job);
+  // With a structure that was found before, of this model or of one that differs in numbers alone.
+  Factorisation(const StiffnessModel& model, std::shared_ptr<const FactorStructure> structure);
 
   // Numbers, 8 bytes a nonzero. Reports progress within the current phase; throws Cancelled, or
   // std::runtime_error where a pivot is not finite.
@@ -28,34 +32,13 @@ class Factorisation {
 
   // How many eigenvalues of (K, M) lie below the shift.
   uint32_t negativePivots() const;
-  // Entries of L below and on the diagonal; the zeros that are stored to make fronts larger do not count.
-  uint64_t nonzeros() const;
-  // Bytes that a factorisation takes beside the model, at its peak: L and the updates that wait for their
-  // parents.
-  uint64_t memory() const;
-  // Multiplications of one factorisation, about.
-  double work() const;
+  const FactorStructure& structure() const { return *structure_; }
 
  private:
-  // Rows: the pivots, then the boundary. Its columns of L are at values_[firstValue], rows x pivots.
-  struct Front {
-    uint32_t firstPivot, pivotCount;
-    uint32_t firstRow, boundaryCount;  // its boundary: boundary_[firstRow ..], slot_[firstRow ..]
-    size_t firstValue;
-    double work;         // of its own
-    double subtreeWork;  // with all below it
-    std::vector<uint32_t> children;
-    uint32_t rows() const { return pivotCount + boundaryCount; }
-  };
-  // Subtrees that threads work through on their own: fronts firstFront .. root.
-  struct Task {
-    uint32_t firstFront, root;
-    uint32_t firstSlot;  // of what it adds to the boundary of its root
-  };
+  using Front = FactorStructure::Front;
+  using Task = FactorStructure::Task;
   struct Progress;
 
-  void buildFronts(const Job& job);
-  void buildTasks();
   void factoriseFront(uint32_t f, double shift, uint32_t* localRow, Job& job);
   void assemble(const Front& front, double shift, uint32_t* localRow);
   template <class Rows>
@@ -66,15 +49,7 @@ class Factorisation {
   void backward(const Front& front, Rows& y) const;
 
   const StiffnessModel& model_;
-  std::vector<uint32_t> unknownAt_, positionOf_;  // elimination position <-> unknown
-  std::vector<Front> fronts_;                     // children before parents, subtrees consecutive
-  std::vector<uint32_t> boundary_;                // positions
-  std::vector<uint32_t> slot_;                    // where a solve keeps that row while in this task
-  std::vector<Task> tasks_;
-  std::vector<uint32_t> top_;  // fronts above the tasks
-  uint32_t slotCount_ = 0;
-  size_t valueCount_ = 0;
-  uint64_t storedZeros_ = 0;
+  std::shared_ptr<const FactorStructure> structure_;
   Eigen::VectorXd values_, diagonal_;     // L without its diagonal of ones; D by position
   std::vector<Eigen::MatrixXd> updates_;  // of fronts whose parent has not taken it yet, lower triangle
 };

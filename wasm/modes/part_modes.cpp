@@ -90,21 +90,8 @@ PartModes solveShell(const Part& part, const ModesOptions& options, Job& job) {
   const StiffnessModel model = pinnedShell(part, options, job);
   const double thickness = options.thickness / part.diagonal;
   const auto zeros = static_cast<int>(rigidMotionsLeft(pinnedPoints(part)));
-  // In this frame the first lambda is 40 h^2 for a strip, 60 for a plate, 100 to 2000 for most closed bodies.
-  const double scale = (part.pinned.empty() ? 300 : 30) * thickness * thickness;
-  return gatherShell(part, solveEigenproblem(model, {options.modeCount, zeros, scale}, job));
-}
-
-// Three translations and three rotations, a column each, over the displacements of a shell.
-Eigen::MatrixXd rigidMotions(const Part& part) {
-  const TriangleMesh& mesh = part.mesh;
-  Eigen::MatrixXd motions(3 * static_cast<Eigen::Index>(mesh.vertexCount()), 6);
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    const Vec3 p = mesh.positions[v] - Vec3{0.5, 0.5, 0.5};
-    motions.middleRows<3>(3 * static_cast<Eigen::Index>(v)) << 1, 0, 0, 0, p.z, -p.y, 0, 1, 0, -p.z, 0, p.x,
-        0, 0, 1, p.y, -p.x, 0;
-  }
-  return motions;
+  const double scale = roughFirstEigenvalue(thickness, !part.pinned.empty());
+  return gatherShell(part, solveEigenproblem(model, {options.modeCount, zeros, scale, nullptr}, job));
 }
 
 double enclosedVolume(const TriangleMesh& mesh) {
@@ -127,7 +114,7 @@ PartModes solveSolid(const Part& part, const ModesOptions& options, Job& job) {
     holdPoint(solid.model, {&solid.embeddingNodes[8 * size_t{v}], &solid.embeddingWeights[8 * size_t{v}]},
               kPinStiffness * solid.cellSize);
   const auto zeros = static_cast<int>(rigidMotionsLeft(pinnedPoints(part)));
-  const EigenPairs pairs = solveEigenproblem(solid.model, {options.modeCount, zeros, 0.5}, job);
+  const EigenPairs pairs = solveEigenproblem(solid.model, {options.modeCount, zeros, 0.5, nullptr}, job);
   return gather(part, pairs, [&](uint32_t v, Eigen::Index k) {
     Vec3 sum;
     for (size_t i = 8 * size_t{v}; i < 8 * size_t{v} + 8; ++i) {
@@ -153,8 +140,8 @@ PartModes solveLaplacian(const Part& part, const ModesOptions& options, Job& job
   }
   const auto axisCount = static_cast<int>(axes.size());
   const int scalarZeros = part.pinned.empty() ? 1 : 0;
-  const EigenPairs pairs =
-      solveEigenproblem(model, {(options.modeCount + axisCount - 1) / axisCount, scalarZeros, 5}, job);
+  const EigenPairs pairs = solveEigenproblem(
+      model, {(options.modeCount + axisCount - 1) / axisCount, scalarZeros, 5, nullptr}, job);
   PartModes modes;
   modes.zeroModesExpected = static_cast<uint32_t>(axisCount * scalarZeros);
   modes.zeroModesFound = static_cast<uint32_t>(axisCount) * pairs.zeroCount;
@@ -181,7 +168,7 @@ PartModes refineShell(const Part& part, const PartModes& start, const ModesOptio
   const Eigen::Index rigid = part.pinned.empty() ? 6 : 0,
                      elastic = static_cast<Eigen::Index>(start.shapes.size());
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(model.unknownCount(), rigid + elastic);
-  if (rigid > 0) columns.topLeftCorner(displacements, rigid) = rigidMotions(part);
+  if (rigid > 0) columns.topLeftCorner(displacements, rigid) = rigidMotions(part.mesh);
   for (Eigen::Index k = 0; k < elastic; ++k)
     for (Eigen::Index row = 0; row < displacements; ++row)
       columns(row, rigid + k) = start.shapes[static_cast<size_t>(k)][static_cast<size_t>(row / 3)][row % 3];

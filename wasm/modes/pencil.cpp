@@ -7,7 +7,10 @@
 
 namespace limber {
 
-Pencil::Pencil(const StiffnessModel& model, Job& job) : model_(model), factorisation_(model, job), job_(job) {
+Pencil::Pencil(const StiffnessModel& model, std::shared_ptr<const FactorStructure> structure, Job& job)
+    : model_(model),
+      factorisation_(structure ? Factorisation(model, std::move(structure)) : Factorisation(model, job)),
+      job_(job) {
   for (Eigen::Index i = 0; i < model.mass.size(); ++i)
     if (model.mass[i] > 0) heavy_.push_back(i);
   rootMass_ = model.mass(heavy_).cwiseSqrt();
@@ -15,7 +18,7 @@ Pencil::Pencil(const StiffnessModel& model, Job& job) : model_(model), factorisa
 
 void Pencil::requireMemoryFor(int vectorCount) const {
   const uint64_t vectors = sizeof(double) * model_.unknownCount() * static_cast<uint64_t>(vectorCount);
-  requireMemory(factorisation_.memory() + vectors, "Solving this mesh as it is");
+  requireMemory(factorisation_.structure().memory() + vectors, "Solving this mesh as it is");
 }
 
 void Pencil::shiftTo(double sigma) {

@@ -14,8 +14,8 @@ namespace limber {
 // with mass are called heavy.
 class Pencil {
  public:
-  // Both must outlive it.
-  Pencil(const StiffnessModel& model, Job& job);
+  // Model and job must outlive it. `structure`: as in EigenOptions.
+  Pencil(const StiffnessModel& model, std::shared_ptr<const FactorStructure> structure, Job& job);
 
   // Factorises K - sigma M; to be called before anything that solves.
   void shiftTo(double sigma);
@@ -43,7 +43,7 @@ class Pencil {
   Eigen::Index heavyCount() const { return rootMass_.size(); }
   // Throws std::runtime_error where a factorisation and `vectorCount` vectors of all unknowns would not fit.
   void requireMemoryFor(int vectorCount) const;
-  uint64_t factorNonzeros() const { return factorisation_.nonzeros(); }
+  uint64_t factorNonzeros() const { return factorisation_.structure().nonzeros(); }
   Job& job() const { return job_; }
 
  private:

@@ -157,6 +157,18 @@ Eigen::SparseMatrix<double> assemble(const TriangleMesh& mesh, const Topology& t
 
 }  // namespace
 
+Eigen::MatrixXd rigidMotions(const TriangleMesh& mesh) {
+  const Bounds box = bounds(mesh);
+  const Vec3 middle = 0.5 * (box.low + box.high);
+  Eigen::MatrixXd motions(3 * static_cast<Eigen::Index>(mesh.vertexCount()), 6);
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3 p = mesh.positions[v] - middle;
+    motions.middleRows<3>(3 * static_cast<Eigen::Index>(v)) << 1, 0, 0, 0, p.z, -p.y, 0, 1, 0, -p.z, 0, p.x,
+        0, 0, 1, p.y, -p.x, 0;
+  }
+  return motions;
+}
+
 StiffnessModel shellModel(const TriangleMesh& mesh, const Topology& topology, double thickness,
                           double poisson) {
   StiffnessModel model;

@@ -15,4 +15,13 @@ namespace limber {
 StiffnessModel shellModel(const TriangleMesh& mesh, const Topology& topology, double thickness,
                           double poisson);
 
+// A rough size of its first elastic eigenvalue where the bounding diagonal is 1: 40 h^2 for a free strip, 60
+// for a plate, 100 to 2000 for most closed bodies.
+inline double roughFirstEigenvalue(double thickness, bool isPinned) {
+  return (isPinned ? 30 : 300) * thickness * thickness;
+}
+
+// Three translations and three rotations, a column each, over the displacements of a shell.
+Eigen::MatrixXd rigidMotions(const TriangleMesh& mesh);
+
 }  // namespace limber

@@ -11,125 +11,179 @@ namespace limber {
 
 namespace {
 
-using Number = Dual<9>;  // derivatives by the three corners' coordinates
-using Point = std::array<Number, 3>;
+// A triangle's shape in its own plane is three numbers: corner 0 at (0, 0), 1 at (a, 0), 2 at (b, c). A
+// number and its derivatives by these.
+using Number = Dual<3>;
+using Tensor = std::array<Number, 3>;  // xx, yy, 2 xy
+constexpr size_t kShape = 3;
+
+// What an element's derivatives are taken by: a, b, c, and turns about its own axes x, y, z.
+constexpr size_t kParameters = 6;
 
 constexpr size_t kTrianglesPerRange = 128;
-constexpr uint32_t kTrianglesPerChunk = 4096;
+constexpr uint32_t kTrianglesPerChunk = 1024;
 
-Point operator-(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Number dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Point operator/(const Point& a, const Number& s) {
-  return {a[0] / s, a[1] / s, a[2] / s};
+// Strains of modes/shell.h from displacements along the triangle's own axes and rotations of its edges.
+struct Element {
+  Eigen::Matrix3d axes;  // columns: x from corner 0 to corner 1, y, normal
+  double a, b, c;
+  Number area;
+  std::array<Number, 3> gradientX, gradientY;  // of the corners' barycentric coordinates
+  std::array<Tensor, 3> bend, turn;            // curvature for a corner's w, and for an edge's rotation
+};
+
+Eigen::Matrix3d axesOf(const TriangleMesh& mesh, uint32_t t) {
+  const Vec3 x = normalized(mesh.corner(t, 1) - mesh.corner(t, 0)), n = normalized(areaNormal(mesh, t));
+  const Vec3 y = cross(n, x);
+  Eigen::Matrix3d axes;
+  axes << x.x, y.x, n.x, x.y, y.y, n.y, x.z, y.z, n.z;
+  return axes;
 }
 
-// What a mode does to one triangle.
+Element elementOf(const TriangleMesh& mesh, uint32_t t) {
+  Element element;
+  element.axes = axesOf(mesh, t);
+  const Vec3 p = mesh.corner(t, 1) - mesh.corner(t, 0), q = mesh.corner(t, 2) - mesh.corner(t, 0);
+  element.a = length(p);
+  element.b = dot(q, p) / element.a;
+  element.c = length(cross(p, q)) / element.a;
+  const Number a = Number::variable(element.a, 0), b = Number::variable(element.b, 1),
+               c = Number::variable(element.c, 2);
+  // Edge e runs from corner e + 1 to corner e + 2.
+  const std::array<Number, 3> edgeX = {b - a, -b, a}, edgeY = {c, -c, Number(0)};
+  const Number twiceArea = a * c;
+  element.area = twiceArea * 0.5;
+  std::array<Tensor, 3> slopeOf;  // t_e m_e^T
+  for (size_t e = 0; e < 3; ++e) {
+    const Number ex = edgeX[e], ey = edgeY[e], squared = ex * ex + ey * ey;
+    element.gradientX[e] = -ey / twiceArea;
+    element.gradientY[e] = ex / twiceArea;
+    slopeOf[e] = {ex * ey / squared, -(ex * ey) / squared, (ey * ey - ex * ex) / squared};
+    const Number turning = Number(1) / (sqrt(squared) * element.area);  // l_e / A, over l_e^2
+    element.turn[e] = {ey * ey * turning, ex * ex * turning, ex * ey * turning * -2.0};
+  }
+  for (size_t v = 0; v < 3; ++v)  // corner v ends edge v + 1 and starts edge v + 2
+    for (size_t k = 0; k < 3; ++k)
+      element.bend[v][k] = (slopeOf[(v + 2) % 3][k] - slopeOf[(v + 1) % 3][k]) / element.area;
+  return element;
+}
+
+// What a mode does to one triangle, along the triangle's own axes.
 struct ElementMode {
   std::array<std::array<double, 3>, 3> displacement;  // of the corners
   std::array<double, 3> turn;                         // s_e phi_e of the edge opposite to each corner
 };
 
-// What an element's geometry makes of a mode.
-struct Strains {
-  std::array<Number, 3> membrane, bending;  // xx, yy, 2 xy
-};
-
-// Triangle's own axes and what depends on them alone; x along edge 2, from corner 0 to corner 1, as in
-// modes/shell.cpp.
-struct Geometry {
-  Number area, twiceArea;
-  Point normal, x, y;
-  std::array<Number, 3> edgeX, edgeY, squared;
-  std::array<std::array<Number, 3>, 3> slopeOf;  // t_e m_e^T as (xx, yy, 2 xy)
-  std::array<Number, 3> turning;                 // l_e / A
-};
-
-Geometry geometryOf(const std::array<Point, 3>& corner) {
-  Geometry g;
-  std::array<Point, 3> edge;  // edge c runs from corner c + 1 to corner c + 2
-  for (size_t c = 0; c < 3; ++c) edge[c] = corner[(c + 2) % 3] - corner[(c + 1) % 3];
-  const Point twice = cross(edge[0], edge[1]);
-  g.twiceArea = sqrt(dot(twice, twice));
-  g.area = g.twiceArea * 0.5;
-  g.normal = twice / g.twiceArea;
-  g.x = edge[2] / sqrt(dot(edge[2], edge[2]));
-  g.y = cross(g.normal, g.x);
-  for (size_t c = 0; c < 3; ++c) {
-    const Number ex = g.edgeX[c] = dot(edge[c], g.x), ey = g.edgeY[c] = dot(edge[c], g.y);
-    const Number squared = g.squared[c] = dot(edge[c], edge[c]);
-    g.slopeOf[c] = {ex * ey / squared, -(ex * ey) / squared, (ey * ey - ex * ex) / squared};
-    g.turning[c] = sqrt(squared) / g.area;
-  }
-  return g;
-}
-
-Number along(const Point& axis, const std::array<double, 3>& u) {
-  return axis[0] * u[0] + axis[1] * u[1] + axis[2] * u[2];
-}
-
-Strains strainsOf(const Geometry& g, const ElementMode& mode) {
-  Strains strains;
-  auto& [sx, sy, sxy] = strains.membrane;
-  auto& [bx, by, bxy] = strains.bending;
-  for (size_t c = 0; c < 3; ++c) {
-    const Number gx = -g.edgeY[c] / g.twiceArea, gy = g.edgeX[c] / g.twiceArea;
-    const Number ux = along(g.x, mode.displacement[c]), uy = along(g.y, mode.displacement[c]);
-    sx += gx * ux;
-    sy += gy * uy;
-    sxy += gx * uy + gy * ux;
-    const Number turned = g.turning[c] * mode.turn[c] / g.squared[c];  // l_e / A s_e phi_e, times m_e m_e^T
-    bx += g.edgeY[c] * g.edgeY[c] * turned;
-    by += g.edgeX[c] * g.edgeX[c] * turned;
-    bxy += -(g.edgeX[c] * g.edgeY[c]) * turned * 2.0;
-  }
-  for (size_t c = 0; c < 3; ++c) {  // corner c ends edge c + 1 and starts edge c + 2
-    const Number w = along(g.normal, mode.displacement[c]) / g.area;
-    const auto &ends = g.slopeOf[(c + 1) % 3], &starts = g.slopeOf[(c + 2) % 3];
-    for (size_t k = 0; k < 3; ++k) strains.bending[k] += (starts[k] - ends[k]) * w;
-  }
-  return strains;
-}
-
-// (xx, yy, 2 xy) in plane stress of unit stiffness, one contracted with the other.
-Number planeStressProduct(const std::array<Number, 3>& a, const std::array<Number, 3>& b, double poisson) {
-  const Number normal = a[0] * b[0] + a[1] * b[1] + (a[0] * b[1] + a[1] * b[0]) * poisson;
-  return (normal + a[2] * b[2] * ((1 - poisson) / 2)) * (1 / (1 - poisson * poisson));
-}
-
-// psi_i^T (K - lambda M) psi_j of one triangle.
-std::array<double, 9> slopesOf(const Geometry& g, const Strains& a, const Strains& b,
-                               const ShellMaterial& material, double inertia) {
-  const double h = material.thickness;
-  const Number energy = planeStressProduct(a.membrane, b.membrane, material.poisson) * h +
-                        planeStressProduct(a.bending, b.bending, material.poisson) * (h * h * h / 12);
-  return (g.area * (energy - Number(inertia))).slope;
-}
-
-ElementMode modeOf(const TriangleMesh& mesh, const Topology& topology, uint32_t t,
-                   const Eigen::Ref<const Eigen::VectorXd>& phi) {
+ElementMode modeOf(const TriangleMesh& mesh, const Topology& topology, uint32_t t, const Element& element,
+                   const Eigen::Ref<const Eigen::VectorXd, 0, Eigen::InnerStride<>>& phi) {
   ElementMode mode;
   const Triangle& triangle = mesh.triangles[t];
-  for (size_t c = 0; c < 3; ++c) {
-    for (size_t axis = 0; axis < 3; ++axis) mode.displacement[c][axis] = phi[3 * triangle[c] + axis];
-    const double sign = triangle[(c + 1) % 3] < triangle[(c + 2) % 3] ? 1 : -1;
-    mode.turn[c] = sign * phi[3 * mesh.vertexCount() + topology.edgeOfCorner[3 * size_t{t} + c]];
+  for (size_t v = 0; v < 3; ++v) {
+    const Eigen::Vector3d own =
+        element.axes.transpose() * phi.segment<3>(3 * static_cast<Eigen::Index>(triangle[v]));
+    mode.displacement[v] = {own[0], own[1], own[2]};
+    const double sign = triangle[(v + 1) % 3] < triangle[(v + 2) % 3] ? 1 : -1;
+    mode.turn[v] = sign * phi[3 * mesh.vertexCount() + topology.edgeOfCorner[3 * size_t{t} + v]];
   }
   return mode;
 }
 
+// Membrane strain, then curvature.
+using Strain = std::array<double, 6>;
+
+struct StrainSlopes {
+  Strain value{}, stress{};
+  std::array<Strain, kParameters> slope{};
+};
+
+double part(const Number& x, size_t which) {
+  return which == 0 ? x.value : x.slope[which - 1];
+}
+
+// Adds the strain that displacements (and rotations) make; `which`: 0 the strain itself, k > 0 its derivative
+// by the shape.
+void addStrain(const Element& element, const ElementMode& mode, size_t which, Strain& out) {
+  for (size_t v = 0; v < 3; ++v) {
+    const auto [ux, uy, w] = mode.displacement[v];
+    const double gx = part(element.gradientX[v], which), gy = part(element.gradientY[v], which);
+    out[0] += gx * ux;
+    out[1] += gy * uy;
+    out[2] += gx * uy + gy * ux;
+    for (size_t k = 0; k < 3; ++k)
+      out[3 + k] += part(element.bend[v][k], which) * w + part(element.turn[v][k], which) * mode.turn[v];
+  }
+}
+
+// When a triangle turns by a small angle about one of its axes, displacements turn back against it.
+ElementMode turnedBack(const ElementMode& mode, size_t axis) {
+  ElementMode turned{};
+  const size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+  for (size_t v = 0; v < 3; ++v) {
+    turned.displacement[v][next] = mode.displacement[v][last];
+    turned.displacement[v][last] = -mode.displacement[v][next];
+  }
+  return turned;
+}
+
+// Plane stress of unit stiffness.
+void setStress(const double* strain, double factor, double poisson, double* stress) {
+  const double scale = factor / (1 - poisson * poisson);
+  stress[0] = scale * (strain[0] + poisson * strain[1]);
+  stress[1] = scale * (strain[1] + poisson * strain[0]);
+  stress[2] = scale * (1 - poisson) / 2 * strain[2];
+}
+
+StrainSlopes strainsOf(const Element& element, const ElementMode& mode, const ShellMaterial& material) {
+  StrainSlopes strains;
+  addStrain(element, mode, 0, strains.value);
+  for (size_t k = 0; k < kShape; ++k) addStrain(element, mode, 1 + k, strains.slope[k]);
+  for (size_t axis = 0; axis < 3; ++axis)
+    addStrain(element, turnedBack(mode, axis), 0, strains.slope[kShape + axis]);
+  const double h = material.thickness;
+  setStress(strains.value.data(), h, material.poisson, strains.stress.data());
+  setStress(strains.value.data() + 3, h * h * h / 12, material.poisson, strains.stress.data() + 3);
+  return strains;
+}
+
+double product(const Strain& a, const Strain& b) {
+  double sum = 0;
+  for (size_t k = 0; k < 6; ++k) sum += a[k] * b[k];
+  return sum;
+}
+
 // lambda h / 3 times the sum over the corners of u_i . u_j: a lumped mass for each unit of area.
 double inertiaOf(const ElementMode& a, const ElementMode& b, double lambda, double thickness) {
-  double product = 0;
-  for (size_t c = 0; c < 3; ++c)
-    for (size_t axis = 0; axis < 3; ++axis) product += a.displacement[c][axis] * b.displacement[c][axis];
-  return lambda * thickness * product / 3;
+  double sum = 0;
+  for (size_t v = 0; v < 3; ++v)
+    for (size_t axis = 0; axis < 3; ++axis) sum += a.displacement[v][axis] * b.displacement[v][axis];
+  return lambda * thickness * sum / 3;
+}
+
+// Derivatives by the corners' coordinates from those by shape and turns. Moving corner 1 along y turns the
+// triangle by 1 / a about its normal, and so on; moving all three alike changes nothing.
+std::array<double, 9> byCorners(const Element& element, const std::array<double, kParameters>& slope) {
+  const auto& [a, b, c, turnX, turnY, turnZ] = slope;
+  const Eigen::Vector3d first(a, (turnZ + element.c * b - element.b * c) / element.a,
+                              -(turnY + element.b / element.c * turnX) / element.a),
+      second(b, c, turnX / element.c);
+  std::array<double, 9> out;
+  Eigen::Map<Eigen::Matrix3d> corner(out.data());
+  corner.col(1) = element.axes * first;
+  corner.col(2) = element.axes * second;
+  corner.col(0) = -corner.col(1) - corner.col(2);
+  return out;
+}
+
+// Of psi_i^T (K - lambda M) psi_j of one triangle.
+std::array<double, 9> slopesOf(const Element& element, const StrainSlopes& i, const StrainSlopes& j,
+                               double inertia) {
+  std::array<double, kParameters> slope;
+  const double density = product(i.stress, j.value) - inertia;
+  for (size_t k = 0; k < kParameters; ++k) {
+    slope[k] = element.area.value * (product(i.stress, j.slope[k]) + product(j.stress, i.slope[k]));
+    if (k < kShape) slope[k] += element.area.slope[k] * density;
+  }
+  return byCorners(element, slope);
 }
 
 }  // namespace
@@ -137,43 +191,40 @@ double inertiaOf(const ElementMode& a, const ElementMode& b, double lambda, doub
 Eigen::MatrixXd shellSensitivity(const TriangleMesh& mesh, const Topology& topology,
                                  const ShellMaterial& material, const Eigen::MatrixXd& psi,
                                  std::span<const ModePair> pairs, const Job& job) {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const auto modeCount = static_cast<size_t>(psi.cols());
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()),
-                                              static_cast<Eigen::Index>(pairs.size()));
-  std::vector<std::array<double, 9>> slopes(kTrianglesPerChunk * pairs.size());
-  const auto differentiate = [&](uint32_t t, std::array<double, 9>* out) {
-    std::array<Point, 3> corner;
-    for (int c = 0; c < 3; ++c)
-      for (int axis = 0; axis < 3; ++axis)
-        corner[static_cast<size_t>(c)][static_cast<size_t>(axis)] =
-            Number::variable(mesh.corner(t, c)[axis], 3 * c + axis);
-    const Geometry geometry = geometryOf(corner);
-    std::vector<ElementMode> modes;
-    std::vector<Strains> strains;
-    for (size_t k = 0; k < modeCount; ++k) {
-      modes.push_back(modeOf(mesh, topology, t, psi.col(static_cast<Eigen::Index>(k))));
-      strains.push_back(strainsOf(geometry, modes.back()));
-    }
-    for (const auto& [i, j, lambda] : pairs) {
-      const auto a = static_cast<size_t>(i), b = static_cast<size_t>(j);
-      *out++ = slopesOf(geometry, strains[a], strains[b], material,
-                        inertiaOf(modes[a], modes[b], lambda, material.thickness));
+  const RowMajor shapes = psi;
+  const auto pairCount = static_cast<Eigen::Index>(pairs.size());
+  RowMajor sum = RowMajor::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()), pairCount);
+  RowMajor slopes(9 * kTrianglesPerChunk, pairCount);  // nine rows a triangle
+  const auto differentiate = [&](uint32_t first, size_t begin, size_t end) {
+    std::vector<ElementMode> modes(modeCount);
+    std::vector<StrainSlopes> strains(modeCount);
+    for (size_t at = begin; at < end; ++at) {
+      const uint32_t t = first + static_cast<uint32_t>(at);
+      const Element element = elementOf(mesh, t);
+      for (size_t k = 0; k < modeCount; ++k) {
+        modes[k] = modeOf(mesh, topology, t, element, shapes.col(static_cast<Eigen::Index>(k)));
+        strains[k] = strainsOf(element, modes[k], material);
+      }
+      for (size_t p = 0; p < pairs.size(); ++p) {
+        const auto i = static_cast<size_t>(pairs[p].i), j = static_cast<size_t>(pairs[p].j);
+        const double inertia = inertiaOf(modes[i], modes[j], pairs[p].lambda, material.thickness);
+        const auto slope = slopesOf(element, strains[i], strains[j], inertia);
+        for (size_t n = 0; n < 9; ++n)
+          slopes(static_cast<Eigen::Index>(9 * at + n), static_cast<Eigen::Index>(p)) =
+              std::isfinite(slope[n]) ? slope[n] : 0;
+      }
     }
   };
   for (uint32_t first = 0; first < mesh.triangleCount(); first += kTrianglesPerChunk) {
     job.check();
     const uint32_t count = std::min(kTrianglesPerChunk, mesh.triangleCount() - first);
-    parallelFor(count, kTrianglesPerRange, [&](size_t begin, size_t end) {
-      for (size_t k = begin; k < end; ++k)
-        differentiate(first + static_cast<uint32_t>(k), &slopes[k * pairs.size()]);
-    });
-    for (size_t p = 0; p < pairs.size(); ++p)
-      for (uint32_t k = 0; k < count; ++k) {
-        const auto& slope = slopes[k * pairs.size() + p];
-        for (uint32_t n = 0; n < 9; ++n)
-          if (std::isfinite(slope[n]))
-            sum(3 * mesh.triangles[first + k][n / 3] + n % 3, static_cast<Eigen::Index>(p)) += slope[n];
-      }
+    parallelFor(count, kTrianglesPerRange,
+                [&](size_t begin, size_t end) { differentiate(first, begin, end); });
+    for (uint32_t k = 0; k < 3 * count; ++k)
+      sum.middleRows<3>(3 * static_cast<Eigen::Index>(mesh.triangles[first + k / 3][k % 3])) +=
+          slopes.middleRows<3>(3 * static_cast<Eigen::Index>(k));
   }
   return sum;
 }

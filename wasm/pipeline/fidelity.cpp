@@ -16,33 +16,32 @@ namespace {
 constexpr int kMargin = 8;  // modes beyond the compared ones, so that a mode may change its place
 constexpr double kNeighbourhood = 0.10;  // modes this close in frequency are compared as one subspace
 
-// The lowest modes of a body over all of its parts: ascending frequencies, one column per mode, rows 3 * v +
-// c.
-struct Gallery {
-  std::vector<double> omega;
-  Eigen::MatrixXd shapes;
-};
-
-Gallery lowestModes(const TriangleMesh& mesh, const FidelityOptions& options, double thickness, int count,
-                    Job& job) {
+ShellModes lowestModes(const TriangleMesh& mesh, const FidelityOptions& options, double thickness, int count,
+                       Job& job) {
   const ModesOptions modesOptions{Model::Shell,    count,           thickness,   options.young,
                                   options.poisson, options.density, options.unit};
   const ModeSet set = computeModes(mesh, modesOptions, job);
   const auto component = buildTopology(mesh).componentOfVertex;
   const size_t n = mesh.vertexCount(),
                listed = std::min<size_t>(set.modes.size(), static_cast<size_t>(count));
-  Gallery gallery;
-  gallery.shapes = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * n), static_cast<Eigen::Index>(listed));
+  ShellModes lowest;
+  lowest.shapes.assign(3 * n * listed, 0);
   for (size_t k = 0; k < listed; ++k) {
     const Mode& mode = set.modes[k];
-    gallery.omega.push_back(mode.omega);
+    lowest.omega.push_back(mode.omega);
     for (size_t v = 0; v < n; ++v)
       if (component[v] == mode.component)
         for (size_t c = 0; c < 3; ++c)
-          gallery.shapes(static_cast<Eigen::Index>(3 * v + c), static_cast<Eigen::Index>(k)) =
-              set.shapes[(mode.layer * n + v) * 3 + c];
+          lowest.shapes[(k * n + v) * 3 + c] = set.shapes[(mode.layer * n + v) * 3 + c];
   }
-  return gallery;
+  return lowest;
+}
+
+// One column per mode, rows 3 * v + c.
+Eigen::MatrixXd columnsOf(const ShellModes& modes) {
+  const auto count = static_cast<Eigen::Index>(modes.omega.size());
+  const auto rows = count > 0 ? static_cast<Eigen::Index>(modes.shapes.size()) / count : 0;
+  return Eigen::Map<const Eigen::MatrixXf>(modes.shapes.data(), rows, count).cast<double>();
 }
 
 // The modes of both bodies at one thickness, paired.
@@ -78,10 +77,14 @@ class Comparison {
         rootMass_(rootMasses(original)) {}
 
   Pairing pair(double thickness, int count) const {
-    const Gallery a = lowestModes(original_, options_, thickness, count, job_);
-    const Gallery b = lowestModes(other_, options_, thickness, count + kMargin, job_);
-    const Eigen::MatrixXd shapesA = massNormalised(a.shapes, rootMass_);
-    const Eigen::MatrixXd shapesB = massNormalised(transfer(b.shapes, other_, points_), rootMass_);
+    return pairWith(lowestModes(original_, options_, thickness, count, job_), thickness, count);
+  }
+
+  // `a`: the original's modes.
+  Pairing pairWith(const ShellModes& a, double thickness, int count) const {
+    const ShellModes b = lowestModes(other_, options_, thickness, count + kMargin, job_);
+    const Eigen::MatrixXd shapesA = massNormalised(columnsOf(a), rootMass_);
+    const Eigen::MatrixXd shapesB = massNormalised(transfer(columnsOf(b), other_, points_), rootMass_);
     const Eigen::MatrixXd mac = (shapesA.transpose() * shapesB).cwiseAbs2();
     const std::vector<int> partner = assign(mac);
     Pairing pairing;
@@ -120,12 +123,35 @@ double bestFactor(const std::vector<double>& ratio, size_t count) {
   return squares > 0 ? sum / squares : 1;
 }
 
+double largestError(const std::vector<double>& ratio, size_t count) {
+  double largest = 0;
+  for (size_t i = 0; i < std::min(count, ratio.size()); ++i)
+    largest = std::max(largest, 100 * std::abs(ratio[i] - 1));
+  return largest;
+}
+
 void requireTriangles(const TriangleMesh& original, const TriangleMesh& other) {
   if (original.triangles.empty() || other.triangles.empty())
     throw std::invalid_argument("A mesh without a usable triangle cannot be compared.");
 }
 
 }  // namespace
+
+ShellModes shellModes(const TriangleMesh& mesh, const FidelityOptions& options, Job& job) {
+  return lowestModes(mesh, options, options.thickness, 2 * options.modeCount, job);
+}
+
+FrequencyErrors frequencyErrors(const TriangleMesh& original, const ShellModes& modes,
+                                const TriangleMesh& other, const FidelityOptions& options, Job& job) {
+  requireTriangles(original, other);
+  if (modes.shapes.size() != 3 * size_t{original.vertexCount()} * modes.omega.size())
+    throw std::invalid_argument("The modes to compare with are those of another mesh.");
+  job.begin(Phase::Compare);
+  const Comparison comparison(original, other, options, job);
+  const Pairing pairing = comparison.pairWith(modes, options.thickness, 2 * options.modeCount);
+  const auto count = static_cast<size_t>(options.modeCount);
+  return {meanError(pairing.ratio, 0, count), largestError(pairing.ratio, count)};
+}
 
 Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other,
                          const FidelityOptions& options, Job& job) {
@@ -136,8 +162,7 @@ Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other
   const Pairing pairing = comparison.pair(options.thickness, 2 * options.modeCount);
   Fidelity fidelity;
   fidelity.frequencyErrorMean = meanError(pairing.ratio, 0, count);
-  for (size_t i = 0; i < std::min(count, pairing.ratio.size()); ++i)
-    fidelity.frequencyErrorMax = std::max(fidelity.frequencyErrorMax, 100 * std::abs(pairing.ratio[i] - 1));
+  fidelity.frequencyErrorMax = largestError(pairing.ratio, count);
   fidelity.frequencyErrorHigh = meanError(pairing.ratio, count, 2 * count);
   const double factor = bestFactor(pairing.ratio, count);
   fidelity.calibrationFactor = factor * factor;

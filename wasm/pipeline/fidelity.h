@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "base/job.h"
 #include "mesh/triangle_mesh.h"
 #include "modes/modes.h"
@@ -23,6 +25,26 @@ struct FidelityOptions {
   double thickness = 0;  // in units of the mesh, > 0
   double young = 0, poisson = 0, density = 0, unit = 1;
 };
+
+// The lowest elastic modes of a body's shell over all of its parts, by ascending frequency.
+struct ShellModes {
+  std::vector<double> omega;  // rad/s
+  std::vector<float> shapes;  // [(k * vertexCount + v) * 3 + c]
+};
+
+// The first 2 * options.modeCount modes, as compareFidelity solves for them. Throws Cancelled.
+ShellModes shellModes(const TriangleMesh& mesh, const FidelityOptions& options, Job& job);
+
+// frequencyErrorMean and frequencyErrorMax of compareFidelity.
+struct FrequencyErrors {
+  double mean = 0, max = 0;
+};
+
+// The first options.modeCount frequencies alone, where `modes` are the shellModes of the original with the
+// same options: a sixth of the work of compareFidelity. Throws Cancelled, and std::invalid_argument where
+// `modes` do not fit the original.
+FrequencyErrors frequencyErrors(const TriangleMesh& original, const ShellModes& modes,
+                                const TriangleMesh& other, const FidelityOptions& options, Job& job);
 
 Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other,
                          const FidelityOptions& options, Job& job);

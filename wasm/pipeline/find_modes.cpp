@@ -10,7 +10,6 @@ namespace {
 
 constexpr uint32_t kCoarseVertices = 8000;     // of the copy, at the least
 constexpr uint32_t kCoarsestVertices = 40000;  // where nothing refines its modes
-constexpr uint32_t kRefinedVertices = 120000;  // the factor of more would take over a gigabyte
 constexpr int kSpareModes = 6;  // beyond the wanted ones: the subspace converges by the first one left out
 
 PartModes solveCoarsely(const Part& part, const ModesOptions& options, Job& job) {

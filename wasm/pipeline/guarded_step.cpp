@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/quality.h"
+
 namespace limber {
 
 namespace {
@@ -13,20 +15,17 @@ constexpr double kThinner = 0.8;      // a face may lose this much of its qualit
 constexpr double kGoodQuality = 0.5;  // ... or more, down to this
 constexpr int kHalvings = 5, kMostRounds = 50;
 
-// 4 sqrt(3) area / sum of squared edges (Eq. 9): 1 for an equilateral triangle.
-double qualityOf(const TriangleMesh& mesh, uint32_t t) {
-  double squares = 0;
-  for (int c = 0; c < 3; ++c) squares += squaredLength(mesh.corner(t, (c + 1) % 3) - mesh.corner(t, c));
-  return squares > 0 ? 4 * std::sqrt(3.0) * triangleArea(mesh, t) / squares : 0;
-}
-
-std::vector<double> shortestEdges(const TriangleMesh& mesh, const Topology& topology) {
-  std::vector<double> shortest(mesh.vertexCount(), HUGE_VAL);
-  for (const Topology::Edge& edge : topology.edges) {
-    const double size = length(mesh.positions[edge.a] - mesh.positions[edge.b]);
-    for (uint32_t v : {edge.a, edge.b}) shortest[v] = std::min(shortest[v], size);
+// Per vertex: how far it is at least from the opposite side of a triangle around it, or from a neighbour.
+std::vector<double> roomAround(const TriangleMesh& mesh) {
+  std::vector<double> room(mesh.vertexCount(), HUGE_VAL);
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    double longest = 0;
+    for (int c = 0; c < 3; ++c)
+      longest = std::max(longest, length(mesh.corner(t, (c + 1) % 3) - mesh.corner(t, c)));
+    const double height = longest > 0 ? 2 * triangleArea(mesh, t) / longest : 0;
+    for (uint32_t v : mesh.triangles[t]) room[v] = std::min(room[v], height);
   }
-  return shortest;
+  return room;
 }
 
 }  // namespace
@@ -34,23 +33,26 @@ std::vector<double> shortestEdges(const TriangleMesh& mesh, const Topology& topo
 GuardedStep::GuardedStep(const TriangleMesh& start, const Topology& topology) : topology_(topology) {
   for (uint32_t t = 0; t < start.triangleCount(); ++t) {
     normal_.push_back(normalized(areaNormal(start, t)));
-    quality_.push_back(std::min(kThinner * qualityOf(start, t), kGoodQuality));
+    quality_.push_back(
+        std::min(kThinner * triangleQuality(start.corner(t, 0), start.corner(t, 1), start.corner(t, 2)),
+                 kGoodQuality));
   }
 }
 
 bool GuardedStep::isSound(const TriangleMesh& mesh, uint32_t t) const {
   if (squaredLength(normal_[t]) == 0) return true;
-  return dot(normalized(areaNormal(mesh, t)), normal_[t]) >= kTurned && qualityOf(mesh, t) >= quality_[t];
+  return dot(normalized(areaNormal(mesh, t)), normal_[t]) >= kTurned &&
+         triangleQuality(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)) >= quality_[t];
 }
 
 TriangleMesh GuardedStep::apply(const TriangleMesh& mesh, const Eigen::VectorXd& step) const {
   const uint32_t n = mesh.vertexCount();
-  const std::vector<double> shortest = shortestEdges(mesh, topology_);
+  const std::vector<double> room = roomAround(mesh);
   std::vector<Vec3> way(n);
   for (uint32_t v = 0; v < n; ++v) {
     const auto row = 3 * static_cast<Eigen::Index>(v);
     way[v] = {step[row], step[row + 1], step[row + 2]};
-    const double size = length(way[v]), most = kStep * shortest[v];
+    const double size = length(way[v]), most = kStep * room[v];
     if (!isFinite(way[v]))
       way[v] = {};
     else if (size > most)

@@ -24,6 +24,7 @@ struct ModalFitResult {
   MeshAt result;
   std::vector<double> errorBefore, errorAfter;
   uint32_t flips = 0;
+  uint32_t tooLarge = 0;  // components that stay as they are
 };
 
 // Moves the vertices of a simplified mesh, by far less than an edge, so that it vibrates like the original:

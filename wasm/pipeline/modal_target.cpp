@@ -3,7 +3,9 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "base/parallel.h"
 #include "pipeline/assignment.h"
 #include "pipeline/find_modes.h"
 #include "pipeline/shape_transfer.h"
@@ -12,19 +14,16 @@ namespace limber {
 
 namespace {
 
-constexpr std::array<double, 3> kThickness = {0.5, 1, 2};  // of the material's
-constexpr std::array<double, 3> kWeight = {0.5, 1, 0.5};
-constexpr size_t kMiddle = 1;
-constexpr double kNoMac = 0.2, kMac = 0.6;     // a pair counts from the one on, fully from the other on
-constexpr double kNear = 0.3;                  // eigenvalues this close count as neighbours
-constexpr double kCoupling = 0.5;              // weight of what couples neighbours
-constexpr int kMargin = 4;                     // modes beyond the fitted ones that may be partners
-constexpr uint32_t kRefinedVertices = 120000;  // above, each thickness gets a coarse solve of its own
-
-ShellMaterial thicker(ShellMaterial material, double factor) {
-  material.thickness *= factor;
-  return material;
-}
+constexpr std::array<double, ModalTarget::kThicknesses> kThickness = {0.5, 1, 2};  // of the material's
+constexpr std::array<double, ModalTarget::kThicknesses> kWeight = {0.5, 1, 0.5};
+constexpr double kNoMac = 0.2, kMac = 0.6;  // a pair counts from the one on, fully from the other on
+constexpr double kNear = 0.3;               // eigenvalues this close count as neighbours
+// Weight of what couples neighbours, which keeps their shapes.
+constexpr std::array<double, ModalTarget::kThicknesses> kCoupling = {0, 0.5, 0};
+constexpr int kMargin = 4;                    // modes beyond the fitted ones that may be partners
+constexpr uint32_t kSideBySide = 30000;       // vertices of an original that is solved thrice at a time
+constexpr double kReferenceTolerance = 1e-3;  // of eigenvalues
+constexpr int kReferenceSteps = 8;
 
 // Modes by way of a coarse copy, refined where the mesh is not too large (pipeline/find_modes.h).
 ShellVibration vibrateCoarsely(const TriangleMesh& mesh, const ShellMaterial& material, int count, Job& job) {
@@ -46,32 +45,35 @@ bool areNear(double a, double b) {
   return std::abs(a - b) <= kNear * std::max(a, b);
 }
 
-// Residuals of the diagonal, and of what couples modes of nearby frequencies.
-Mismatch mismatchOf(const TriangleMesh& mesh, const Topology& topology, const ShellMaterial& material,
-                    const Eigen::MatrixXd& psi, const ModalTarget::Aligned& aligned,
-                    const Eigen::VectorXd& wanted, const Job& job) {
+// Entries of psi^T K psi that count, and what each is multiplied by.
+struct Residuals {
   std::vector<ModePair> pairs;
-  std::vector<double> residuals, scales;
-  Mismatch mismatch;
+  std::vector<double> scale;
+};
+
+// Of the diagonal, and of what couples modes of nearby frequencies; fills in all but the slope.
+Residuals residualsOf(const ModalTarget::Aligned& aligned, const Eigen::VectorXd& wanted, double coupling,
+                      Mismatch& mismatch) {
+  Residuals found;
+  std::vector<double> residuals;
   for (int i = 0; i < wanted.size(); ++i)
     for (int j = i; j < wanted.size(); ++j) {
-      const double weight = std::sqrt(aligned.weight[i] * aligned.weight[j]) * (i == j ? 1 : kCoupling);
+      const double weight = std::sqrt(aligned.weight[i] * aligned.weight[j]) * (i == j ? 1 : coupling);
       if (!(weight > 0) || (i != j && !areNear(wanted[i], wanted[j]))) continue;
       const double size = std::sqrt(wanted[i] * wanted[j]);
       const double residual = aligned.stiffness(i, j) / size - (i == j);
-      pairs.push_back({i, j, 0.5 * (aligned.stiffness(i, i) + aligned.stiffness(j, j))});
-      scales.push_back(std::sqrt(weight) / size);
+      found.pairs.push_back({i, j, 0.5 * (aligned.stiffness(i, i) + aligned.stiffness(j, j))});
+      found.scale.push_back(std::sqrt(weight) / size);
       residuals.push_back(std::sqrt(weight) * residual);
       if (i == j) mismatch.squares += weight * residual * residual;
       if (i == j) mismatch.weight += weight;
     }
   mismatch.residual =
       Eigen::Map<Eigen::VectorXd>(residuals.data(), static_cast<Eigen::Index>(residuals.size()));
-  mismatch.slope =
-      shellSensitivity(mesh, topology, material, psi, pairs, job) *
-      Eigen::Map<Eigen::VectorXd>(scales.data(), static_cast<Eigen::Index>(scales.size())).asDiagonal();
-  return mismatch;
+  return found;
 }
+
+}  // namespace
 
 Mismatch join(const std::vector<Mismatch>& parts) {
   Mismatch all;
@@ -90,30 +92,50 @@ Mismatch join(const std::vector<Mismatch>& parts) {
   return all;
 }
 
-}  // namespace
-
-ModalTarget::ModalTarget(const TriangleMesh& original, const ShellMaterial& material, int modeCount, Job& job)
-    : original_(original), material_(material), modeCount_(modeCount), rootMass_(rootMasses(original)) {
-  const Topology topology = buildTopology(original);
-  const bool isLarge = original.vertexCount() > kExactVertices;
-  const auto solve = [&](size_t k, const ShellVibration* start) {
-    const ShellMaterial here = thicker(material, kThickness[k]);
-    const bool isCoarse = isLarge && (!start || original.vertexCount() > kRefinedVertices);
-    return isCoarse ? vibrateCoarsely(original, here, modeCount, job)
-                    : vibrate(original, topology, here, modeCount, start, job);
-  };
-  reference_[kMiddle] = solve(kMiddle, nullptr);
-  if (empty()) return;
-  for (size_t k : {size_t{0}, size_t{2}}) reference_[k] = solve(k, &reference_[kMiddle]);
-  for (ShellVibration& reference : reference_) {
-    const Eigen::Index count = std::min<Eigen::Index>(reference.lambda.size(), modeCount);
-    reference.lambda.conservativeResize(count);
-    reference.phi = massNormalised(reference.phi.topLeftCorner(rootMass_.size(), count), rootMass_);
-  }
+ModalTarget::ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh,
+                         const ModalTargetOptions& options, Job& job)
+    : original_(original),
+      options_(options),
+      topology_(buildTopology(mesh)),
+      shell_(mesh, topology_, {options.material.poisson, options.modeCount + kMargin}, job),
+      rootMass_(rootMasses(original)) {
+  bind(mesh);
+  parallelFor(kThicknesses, 1, [&](size_t k, size_t) { last_[k] = shell_.solve(mesh, thicknessOf(k), job); });
+  findReference(mesh, job);
 }
 
-void ModalTarget::bind(const TriangleMesh& mesh) {
-  binding_ = closestPoints(original_, mesh);
+double ModalTarget::thicknessOf(size_t k) const {
+  return kThickness[k] * options_.material.thickness;
+}
+
+// The modes of the simplified mesh are a start for those of the original.
+void ModalTarget::findReference(const TriangleMesh& mesh, Job& job) {
+  const bool isHuge = original_.vertexCount() > kRefinedVertices;
+  const Topology topology = isHuge ? Topology{} : buildTopology(original_);
+  std::unique_ptr<VibratingShell> shell;
+  if (!isHuge)
+    shell = std::make_unique<VibratingShell>(
+        original_, topology,
+        VibrationOptions{options_.material.poisson, options_.modeCount, kReferenceTolerance, kReferenceSteps},
+        job);
+  const size_t grain = original_.vertexCount() > kSideBySide ? kThicknesses : 1;
+  parallelFor(kThicknesses, grain, [&](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) {
+      ShellVibration& reference = reference_[k];
+      reference = isHuge ? vibrateCoarsely(original_, {thicknessOf(k), options_.material.poisson},
+                                           options_.modeCount, job)
+                         : shell->follow(
+                               original_,
+                               {last_[k].thickness, last_[k].lambda, carriedToOriginal(mesh, last_[k])}, job);
+      const Eigen::Index count = std::min<Eigen::Index>(reference.lambda.size(), options_.modeCount);
+      reference.lambda.conservativeResize(count);
+      reference.phi = massNormalised(reference.phi.topLeftCorner(rootMass_.size(), count), rootMass_);
+    }
+  });
+}
+
+Eigen::MatrixXd ModalTarget::carriedToOriginal(const TriangleMesh& mesh, const ShellVibration& found) const {
+  return transfer(found.phi.topRows(3 * static_cast<Eigen::Index>(mesh.vertexCount())), mesh, binding_);
 }
 
 // The mesh's modes, turned within neighbourhoods of frequencies so that they are as close to the original's
@@ -140,23 +162,19 @@ ModalTarget::Aligned ModalTarget::align(const ShellVibration& found, const Eigen
   return aligned;
 }
 
-Mismatch ModalTarget::compare(const TriangleMesh& mesh, const Topology& topology, Job& job) {
-  const Eigen::Index displacements = 3 * static_cast<Eigen::Index>(mesh.vertexCount());
-  const Eigen::Index unknowns = displacements + static_cast<Eigen::Index>(topology.edges.size());
-  std::vector<Mismatch> parts;
-  for (size_t k = 0; k < kCount; ++k) {
-    const ShellMaterial material = thicker(material_, kThickness[k]);
-    const bool continues = last_[k].phi.rows() == unknowns;
-    ShellVibration& found = last_[k] =
-        vibrate(mesh, topology, material, modeCount_ + kMargin, continues ? &last_[k] : nullptr, job);
-    const Eigen::MatrixXd carried =
-        massNormalised(transfer(found.phi.topRows(displacements), mesh, binding_), rootMass_);
-    const Aligned aligned = align(found, carried, k);
-    parts.push_back(
-        mismatchOf(mesh, topology, material, found.phi * aligned.turn, aligned, reference_[k].lambda, job));
-    job.check();
-  }
-  return join(parts);
+Mismatch ModalTarget::compare(const TriangleMesh& mesh, size_t thickness, Job& job) {
+  ShellVibration& found = last_[thickness];
+  found = found.lambda.size() > 0 ? shell_.follow(mesh, found, job)
+                                  : shell_.solve(mesh, thicknessOf(thickness), job);
+  const Aligned aligned = align(found, massNormalised(carriedToOriginal(mesh, found), rootMass_), thickness);
+  Mismatch mismatch;
+  const auto [pairs, scale] =
+      residualsOf(aligned, reference_[thickness].lambda, kCoupling[thickness], mismatch);
+  const ShellMaterial material{found.thickness, options_.material.poisson};
+  mismatch.slope =
+      shellSensitivity(mesh, topology_, material, found.phi * aligned.turn, pairs, job) *
+      Eigen::Map<const Eigen::VectorXd>(scale.data(), static_cast<Eigen::Index>(scale.size())).asDiagonal();
+  return mismatch;
 }
 
 }  // namespace limber

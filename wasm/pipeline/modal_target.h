@@ -6,6 +6,8 @@
 
 #include "base/job.h"
 #include "measure/closest_point.h"
+#include "modes/shell_sensitivity.h"
+#include "pipeline/shape_transfer.h"
 #include "pipeline/shell_vibration.h"
 
 namespace limber {
@@ -21,24 +23,36 @@ struct Mismatch {
   double meanSquare() const { return weight > 0 ? squares / weight : 0; }
 };
 
+struct ModalTargetOptions {
+  ShellMaterial material;  // of the middle thickness
+  int modeCount = 16;
+};
+
 // The vibration that a mesh shall have: modes of its original at several thicknesses. Both in the frame where
-// the original's diagonal is 1.
+// the original's diagonal is 1. To be used within a WholePhase.
 class ModalTarget {
  public:
-  // Keeps a reference to `original`. `material`: the middle thickness.
-  ModalTarget(const TriangleMesh& original, const ShellMaterial& material, int modeCount, Job& job);
+  static constexpr size_t kThicknesses = 3;
 
-  // How far `mesh` is off; a mode counts as far as its MAC is above 0.2, fully from 0.6. Starts from what the
-  // last call with the same triangles found.
-  Mismatch compare(const TriangleMesh& mesh, const Topology& topology, Job& job);
-
-  // Lets the next call search from scratch, which proves that no mode is missing.
-  void forget() { last_ = {}; }
+  // Keeps a reference to `original`. `mesh`: what will be compared, but for
+  // the places of its vertices.
+  ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh, const ModalTargetOptions& options,
+              Job& job);
 
   // Binds the original's vertices to the mesh, for `compare`.
-  void bind(const TriangleMesh& mesh);
+  void bind(const TriangleMesh& mesh) { binding_ = closestPoints(original_, mesh); }
 
-  bool empty() const { return reference_[1].lambda.size() == 0; }
+  // How far `mesh` is off at one of the thicknesses; a mode counts as far as its MAC is above 0.2, fully from
+  // 0.6. Starts from what the last call found. Calls for different thicknesses may run side by side.
+  Mismatch compare(const TriangleMesh& mesh, size_t thickness, Job& job);
+
+  // What the last calls have found for each thickness, and to go on from such again.
+  using Found = std::array<ShellVibration, kThicknesses>;
+  const Found& found() const { return last_; }
+  void startFrom(const Found& found) { last_ = found; }
+
+  // There is nothing to aim at.
+  bool empty() const { return reference_[kMiddle].lambda.size() == 0; }
 
   // psi = phi * turn, mass-normalised, and psi^T K psi; weights by the original's mode.
   struct Aligned {
@@ -47,16 +61,24 @@ class ModalTarget {
   };
 
  private:
-  static constexpr size_t kCount = 3;
+  static constexpr size_t kMiddle = 1;
+  double thicknessOf(size_t k) const;
+  void findReference(const TriangleMesh& mesh, Job& job);
+  // Shapes of the mesh at the original's vertices.
+  Eigen::MatrixXd carriedToOriginal(const TriangleMesh& mesh, const ShellVibration& found) const;
   Aligned align(const ShellVibration& found, const Eigen::MatrixXd& carried, size_t k) const;
 
   const TriangleMesh& original_;
-  ShellMaterial material_;
-  int modeCount_;
-  std::array<ShellVibration, kCount> reference_;  // shapes mass-normalised over the original's vertices
-  std::array<ShellVibration, kCount> last_;       // of the mesh that was compared last
+  ModalTargetOptions options_;
+  Topology topology_;  // of the mesh
+  VibratingShell shell_;
+  Found reference_;  // shapes mass-normalised over the original's vertices
+  Found last_;       // of the mesh that was compared last
   std::vector<SurfacePoint> binding_;
   Eigen::VectorXd rootMass_;
 };
+
+// Several as one.
+Mismatch join(const std::vector<Mismatch>& parts);
 
 }  // namespace limber

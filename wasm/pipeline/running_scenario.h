@@ -30,10 +30,16 @@ class RunningScenario {
   double time() const { return static_cast<double>(stepsDone_) * Simulation::kStep; }
   Simulation& simulation() { return simulation_; }
   const Simulation& simulation() const { return simulation_; }
+  // Where the pins are, in units of the mesh: vertices, then points.
+  std::vector<Vec3> pinPositions() const;
+  // Seconds that the last step took on its thread; 0 before the first.
+  double stepSeconds() const { return stepSeconds_; }
 
  private:
   Scenario scenario_;
   Simulation simulation_;
+  Pins pins_;
+  double stepSeconds_ = 0;
   std::vector<Vec3> pinRest_;
   uint64_t stepsDone_ = 0;
 };

@@ -1,25 +1,50 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
+#include <memory>
 
 #include "base/job.h"
-#include "modes/parts.h"
-#include "modes/shell_sensitivity.h"
+#include "mesh/topology.h"
+#include "modes/factor_structure.h"
 
 namespace limber {
 
-// Elastic modes of a free shell in a frame where E = rho = 1. phi: unknowns x modes, mass-normalised; its
-// first 3 x vertexCount rows are displacements, and the rest may be 0 in a start.
+// Elastic modes of a free shell in a frame where E = rho = 1 and the diagonal is about 1. phi: unknowns x
+// modes, mass-normalised; its first 3 x vertexCount rows are displacements, and the rest may be 0 in a start.
 struct ShellVibration {
   double thickness = 0;
   Eigen::VectorXd lambda;
   Eigen::MatrixXd phi;
 };
 
-// The lowest `count` modes. With `start`, a vibration of nearly the same mesh (same triangles) or of the same
-// mesh at another thickness, by inverse iteration from that, which finds what the start approximates.
-ShellVibration vibrate(const TriangleMesh& mesh, const Topology& topology, const ShellMaterial& material,
-                       int count, const ShellVibration* start, Job& job);
+struct VibrationOptions {
+  double poisson = 0.3;
+  int modeCount = 16;       // some more are found, which are less exact
+  double tolerance = 1e-3;  // on the relative error of eigenvalues, where a start is followed
+  int largestStepCount = 4;
+};
+
+// A shell whose vertices may move while its triangles stay. All calls may run side by side, within a
+// WholePhase.
+class VibratingShell {
+ public:
+  // Keeps a reference to `topology`, that of all meshes that are asked for.
+  VibratingShell(const TriangleMesh& mesh, const Topology& topology, const VibrationOptions& options,
+                 const Job& job);
+
+  ShellVibration solve(const TriangleMesh& mesh, double thickness, Job& job) const;
+
+  // By inverse iteration from the vibration of nearly the same mesh, at the start's thickness. Finds what the
+  // start approximates, and as many modes.
+  ShellVibration follow(const TriangleMesh& mesh, const ShellVibration& start, Job& job) const;
+
+  // The shell's unknowns: displacements, then rotations of edges.
+  Eigen::Index unknownCount() const { return structure_->unknownCount; }
+
+ private:
+  const Topology& topology_;
+  VibrationOptions options_;
+  std::shared_ptr<const FactorStructure> structure_;
+};
 
 }  // namespace limber

@@ -191,18 +191,24 @@ Block freedom(const Block& normals) {
   return free;
 }
 
-void addEvenness(const TriangleMesh& mesh, const BorderEdges& border, double evenness, double hold,
-                 Sums& sums) {
-  const Surroundings around = lookAround(mesh, border);
-  const double meanArea = std::accumulate(around.area.begin(), around.area.end(), 0.0) / mesh.vertexCount();
+void addEvenness(const TriangleMesh& mesh, const Surroundings& around, double evenness, Sums& sums) {
   parallelFor(mesh.vertexCount(), kSamplesPerRange, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v) {
       const Block pull = evenness * around.area[v] * freedom(around.normals[v]);
-      sums.vertex[v] += pull + hold * std::max(around.area[v], meanArea) * Block::Identity();
+      sums.vertex[v] += pull;
       sums.pull.segment<3>(3 * static_cast<Eigen::Index>(v)) +=
           pull * eigen(around.middle[v] - mesh.positions[v]);
     }
   });
+}
+
+// The area around each vertex, at least the mean.
+Eigen::VectorXd inertiaOf(const std::vector<double>& area) {
+  const double mean = std::accumulate(area.begin(), area.end(), 0.0) / static_cast<double>(area.size());
+  Eigen::VectorXd inertia(3 * static_cast<Eigen::Index>(area.size()));
+  for (size_t v = 0; v < area.size(); ++v)
+    inertia.segment<3>(3 * static_cast<Eigen::Index>(v)).setConstant(std::max(area[v], mean));
+  return inertia;
 }
 
 Eigen::SparseMatrix<double> assemble(const TriangleMesh& mesh, const Topology& topology, const Sums& sums) {
@@ -266,7 +272,9 @@ SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const 
   const BorderEdges border = borderEdges(mesh, topology, options.lines);
   const double edge = std::sqrt(fit.area / std::max(1u, mesh.triangleCount()));
   addBorders(mesh, border, samples, options.borderWeight * edge, sums);
-  addEvenness(mesh, border, options.evenness, options.hold, sums);
+  const Surroundings around = lookAround(mesh, border);
+  if (options.evenness > 0) addEvenness(mesh, around, options.evenness, sums);
+  fit.inertia = inertiaOf(around.area);
   fit.stiffness = assemble(mesh, topology, sums);
   fit.pull = std::move(sums.pull);
   return fit;

@@ -33,7 +33,6 @@ FitSamples sampleForFit(const TriangleMesh& original, uint32_t count, const Edge
 
 struct SurfaceFitOptions {
   double evenness = 0.003;  // weight of moving a vertex along the surface to the middle of its surroundings
-  double hold = 1e-3;       // weight of staying in place
   double borderWeight = 3;  // of distances from borders and lines against distances from the surface
   const EdgeList* lines = nullptr;  // inner edges that stay where the lines of the original are
 };
@@ -47,6 +46,7 @@ struct SurfaceFitOptions {
 // largest.
 struct SurfaceFit {
   Eigen::SparseMatrix<double> stiffness;  // A, 3 x vertexCount, both triangles
+  Eigen::VectorXd inertia;                // diagonal, per unknown: what it weighs to stay in place
   Eigen::VectorXd pull;                   // g
   double meanSquare = 0;                  // mean squared distance of the samples, in units of the mesh
   double area = 0;                        // that the samples stand for

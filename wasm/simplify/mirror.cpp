@@ -21,53 +21,59 @@ Triangle lowestFirst(const Triangle& t) {
   return t[1] < t[2] ? Triangle{t[1], t[2], t[0]} : Triangle{t[2], t[0], t[1]};
 }
 
-void checkTriangles(const TriangleMesh& mesh, std::span<const uint32_t> partners) {
+void checkPartners(const TriangleMesh& mesh, std::span<const uint32_t> partners) {
   if (partners.size() != mesh.vertexCount()) refuse();
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
     if (partners[v] >= mesh.vertexCount() || partners[partners[v]] != v) refuse();
-  std::vector<Triangle> triangles;
-  triangles.reserve(mesh.triangleCount());
-  for (const Triangle& t : mesh.triangles) triangles.push_back(lowestFirst(t));
-  std::ranges::sort(triangles);
-  for (const auto& [a, b, c] : mesh.triangles)
-    if (!std::ranges::binary_search(triangles, lowestFirst({partners[a], partners[c], partners[b]})))
-      refuse();
+  if (trianglesWithoutImage(mesh, partners) > 0) refuse();
 }
 
 }  // namespace
 
-Mirror::Mirror(const TriangleMesh& input, const CollapseMesh& mesh, std::span<const uint32_t> partners)
-    : mesh_(mesh), partners_(partners) {
-  checkTriangles(input, partners);
-  fitPlane();
-  checkPositions();
+uint32_t trianglesWithoutImage(const TriangleMesh& mesh, std::span<const uint32_t> partners) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh.triangleCount());
+  for (const Triangle& t : mesh.triangles) triangles.push_back(lowestFirst(t));
+  std::ranges::sort(triangles);
+  return static_cast<uint32_t>(std::ranges::count_if(mesh.triangles, [&](const Triangle& t) {
+    return !std::ranges::binary_search(triangles,
+                                       lowestFirst({partners[t[0]], partners[t[2]], partners[t[1]]}));
+  }));
 }
 
-void Mirror::fitPlane() {
+MirrorPlane fitMirrorPlane(std::span<const Vec3> positions, std::span<const uint32_t> partners) {
+  MirrorPlane plane;
   Vec3 across;
-  double sum = 0, count = 0;
-  for (uint32_t v = 0; v < partners_.size(); ++v) {
-    const Vec3 way = mesh_.position(partners_[v]) - mesh_.position(v);
+  for (uint32_t v = 0; v < partners.size(); ++v) {
+    const Vec3 way = positions[partners[v]] - positions[v];
     across += dot(across, way) < 0 ? -way : way;
   }
-  normal_ = normalized(across);
-  for (uint32_t v = 0; v < partners_.size(); ++v) {
-    sum += dot(normal_, mesh_.position(v) + mesh_.position(partners_[v])) / 2;
-    ++count;
-  }
-  if (count > 0) offset_ = sum / count;
+  plane.normal = normalized(across);
+  double sum = 0;
+  for (uint32_t v = 0; v < partners.size(); ++v)
+    sum += dot(plane.normal, positions[v] + positions[partners[v]]) / 2;
+  if (!partners.empty()) plane.offset = sum / static_cast<double>(partners.size());
+  return plane;
+}
+
+Mirror::Mirror(const TriangleMesh& input, const CollapseMesh& mesh, std::span<const uint32_t> partners)
+    : mesh_(mesh), partners_(partners) {
+  checkPartners(input, partners);
+  std::vector<Vec3> positions;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) positions.push_back(mesh.position(v));
+  plane_ = fitMirrorPlane(positions, partners);
+  checkPositions();
 }
 
 void Mirror::checkPositions() const {
   const double limit = kSymmetry * mesh_.diagonal();
   for (uint32_t v = 0; v < partners_.size(); ++v)
-    if (!(length(reflected(mesh_.position(v)) - mesh_.position(partners_[v])) <= limit)) refuse();
+    if (!(length(plane_.image(mesh_.position(v)) - mesh_.position(partners_[v])) <= limit)) refuse();
 }
 
 Collapse Mirror::onPlane(const Collapse& step) const {
   Collapse moved = step;
-  if (mesh_.fixedEnd(step.edge) == kNone)
-    moved.target = mesh_.stored(step.target - normal_ * (dot(normal_, step.target) - offset_));
+  if (mesh_.fixedEnd(step.edge) == kNone) moved.target = mesh_.stored(plane_.onto(step.target));
   return moved;
 }
 
@@ -77,7 +83,7 @@ Collapse Mirror::imageOf(const Collapse& step) const {
   mesh_.forEachEdge(kept, [&](uint32_t e, uint32_t other) {
     if (other == removed) edge = e;
   });
-  return {edge, kept, removed, isOnPlane(kept) ? step.target : mesh_.stored(reflected(step.target))};
+  return {edge, kept, removed, isOnPlane(kept) ? step.target : mesh_.stored(plane_.image(step.target))};
 }
 
 bool Mirror::areNeighbours(uint32_t a, uint32_t b) const {

@@ -8,6 +8,22 @@
 
 namespace limber {
 
+// How many triangles have no triangle for an image; `partners` has a vertex of the mesh for each vertex.
+uint32_t trianglesWithoutImage(const TriangleMesh& mesh, std::span<const uint32_t> partners);
+
+// The points p with normal . p = offset.
+struct MirrorPlane {
+  Vec3 normal;  // unit
+  double offset = 0;
+
+  double height(const Vec3& p) const { return dot(normal, p) - offset; }
+  Vec3 image(const Vec3& p) const { return p - normal * (2 * height(p)); }
+  Vec3 onto(const Vec3& p) const { return p - normal * height(p); }
+};
+
+// The mean plane between vertices and their partners.
+MirrorPlane fitMirrorPlane(std::span<const Vec3> positions, std::span<const uint32_t> partners);
+
 // The plane that a mesh is symmetric to, found from pairs of vertices, and what it makes of collapses: each
 // is carried out together with its image, so that both sides stay images of each other, bit by bit where the
 // plane is x, y or z = 0. Vertices on the plane stay on it. Edges that cross the plane stay, and so does what
@@ -29,15 +45,12 @@ class Mirror {
   Collapse imageOf(const Collapse& step) const;
 
  private:
-  void fitPlane();
   void checkPositions() const;
   bool areNeighbours(uint32_t a, uint32_t b) const;
-  Vec3 reflected(const Vec3& p) const { return p - normal_ * (2 * (dot(normal_, p) - offset_)); }
 
   const CollapseMesh& mesh_;
   std::span<const uint32_t> partners_;
-  Vec3 normal_;
-  double offset_ = 0;  // the plane is normal . p = offset, where CollapseMesh has its points
+  MirrorPlane plane_;  // where CollapseMesh has its points
 };
 
 }  // namespace limber

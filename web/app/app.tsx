@@ -12,6 +12,8 @@ import { Notices } from './panels/notices';
 import { Readouts } from './panels/readouts';
 import { ReducePanel, Scrubber } from './panels/reduce_panel';
 import { StageView } from './panels/stage_view';
+import { TestBench } from './panels/test_bench';
+import { TestPanel } from './panels/test_panel';
 import { TopBar } from './panels/top_bar';
 import { results, view, wants } from './state/store';
 
@@ -61,11 +63,13 @@ function Right() {
       {view.step.value === 'model' && <ReadingPanel />}
       {view.step.value === 'motion' && <MotionPanel />}
       {view.step.value === 'reduce' && <ReducePanel />}
+      {view.step.value === 'test' && <TestPanel />}
     </aside>
   );
 }
 
 function Bottom() {
   if (view.step.value === 'motion') return <Gallery />;
+  if (view.step.value === 'test') return <TestBench />;
   return view.step.value === 'reduce' ? <Scrubber /> : null;
 }

@@ -1,29 +1,22 @@
 /** The command that makes the same bytes as the page. */
 
-import { OPTIONS, defaultSettings } from '../engine/options';
+import { OPTIONS } from '../engine/options';
 import type { Settings } from '../engine/options';
+import { changedSettings } from '../engine/setting_text';
 
 const quoted = (word: string): string =>
-  /^[\w./:-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
-
-/** A switch stands alone. */
-const valueOf = (value: Settings[keyof Settings]): string[] =>
-  value === true ? [] : [value === Infinity ? 'inf' : String(value)];
+  /^[\w./:,+-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
 
 export function commandLine(
   settings: Settings,
   input: string,
   output: string,
-  { faces, fields }: { faces: number; fields: boolean },
+  { faces, fields, binding }: { faces: number; fields: boolean; binding: string | null },
 ): string {
-  const defaults = defaultSettings(settings.method);
-  const isChanged = (key: keyof Settings) =>
-    key === 'method'
-      ? settings.method !== OPTIONS.method.default
-      : String(settings[key]) !== String(defaults[key]);
-  const flags = (Object.keys(OPTIONS) as (keyof Settings)[])
-    .filter((key) => key !== 'threads' && isChanged(key))
-    .flatMap((key) => [`--${OPTIONS[key].flag}`, ...valueOf(settings[key])]);
+  const flags = changedSettings(settings)
+    .filter(({ key }) => OPTIONS[key].group !== 'simulation')
+    .flatMap(({ flag, text }) => [`--${flag}`, ...(text === null ? [] : [text])]);
   const words = ['limber', 'optimize', input, output, '--faces', String(faces), ...flags];
-  return [...words, ...(fields ? ['--fields'] : [])].map(quoted).join(' ');
+  const extras = [...(fields ? ['--fields'] : []), ...(binding === null ? [] : ['--bind', binding])];
+  return [...words, ...extras].map(quoted).join(' ');
 }

@@ -1,6 +1,7 @@
 /** Files into the page and out of it: dialog, drop, download. */
 
 import type { SourceFile } from '../engine/document/open';
+import type { Wanted } from './state/link';
 import { openFiles } from './state/runner';
 import { status } from './state/store';
 
@@ -63,7 +64,7 @@ async function filesBelow(entry: FileSystemEntry, path: string): Promise<{ name:
 }
 
 /** A file of the page's own origin. */
-export async function openAddress(address: string, name: string): Promise<void> {
+export async function openAddress(address: string, name: string, wanted?: Wanted): Promise<void> {
   const response = await fetch(address);
   if (!response.ok) {
     status.notice.value = {
@@ -72,7 +73,7 @@ export async function openAddress(address: string, name: string): Promise<void> 
     };
     return;
   }
-  await openFiles([{ name, bytes: new Uint8Array(await response.arrayBuffer()) }]);
+  await openFiles([{ name, bytes: new Uint8Array(await response.arrayBuffer()) }], wanted);
 }
 
 export function download(name: string, content: Uint8Array | string, type: string): void {

@@ -4,13 +4,14 @@ import '@fontsource-variable/inter';
 import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { App } from './app';
+import { begin } from './begin';
 import { listenToKeys } from './keys';
-import { loadSamples, openSample, samples } from './panels/samples';
+import { loadSamples } from './panels/samples';
 import { isDark } from './scheme';
 import { startRunner } from './state/runner';
+import { startSimulations } from './state/simulation';
 import './style.css';
-
-const FIRST_SAMPLE = 'tower';
+import './reduce.css';
 
 effect(() => {
   document.documentElement.dataset.theme = isDark.value ? 'dark' : 'light';
@@ -18,7 +19,6 @@ effect(() => {
 render(<App />, document.getElementById('app')!);
 listenToKeys();
 startRunner();
+startSimulations();
 await loadSamples();
-const wanted = new URLSearchParams(location.search).get('sample') ?? FIRST_SAMPLE;
-const first = samples.value.find((sample) => sample.id === wanted);
-if (first) await openSample(first);
+await begin();

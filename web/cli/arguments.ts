@@ -4,9 +4,10 @@ import { parseArgs } from 'node:util';
 import type { Method } from '../engine/core';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/materials';
 import { OPTIONS, checkSettings, defaultSettings } from '../engine/options';
-import type { OptionSpec, Settings } from '../engine/options';
+import type { Settings } from '../engine/options';
+import { readNumber, readSetting } from '../engine/setting_text';
 import { UsageError } from './failure';
-import { COMMAND_SPECS, COMMANDS, flagsOf, LATER_FLAGS, LATER_VALUES, settingsOf } from './flags';
+import { COMMAND_SPECS, COMMANDS, flagsOf, settingsOf } from './flags';
 import type { Command, Flag } from './flags';
 import { nearest } from './nearest';
 
@@ -32,8 +33,6 @@ export interface Arguments {
 
 /** What to do without doing anything else. */
 export type Question = { show: 'help'; command: Command | null } | { show: 'version' };
-
-const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
 
 /** Throws UsageError with one sentence. */
 export function parseArguments(words: string[]): Arguments | Question {
@@ -75,12 +74,9 @@ function commandNamed(word: string): Command {
 function readFlags(command: Command, words: string[]): { values: Map<string, string>; operands: string[] } {
   const flags = flagsOf(command);
   const known = new Map(flags.map((flag) => [flag.name, flag]));
-  const entries = [
-    ...flags.map(
-      ({ name, value }) => [name, { type: value ? ('string' as const) : ('boolean' as const) }] as const,
-    ),
-    ...[...LATER_FLAGS].map((name) => [name, { type: 'boolean' as const }] as const),
-  ];
+  const entries = flags.map(
+    ({ name, value }) => [name, { type: value ? ('string' as const) : ('boolean' as const) }] as const,
+  );
   const options = { ...Object.fromEntries(entries), help: { type: 'boolean' as const, short: 'h' } };
   const { tokens } = parseArgs({ args: words, options, strict: false, allowPositionals: true, tokens: true });
   const values = new Map<string, string>();
@@ -105,13 +101,11 @@ function readValue(
   }
   if (value === undefined || value.startsWith('--') || value === '')
     throw new UsageError(`--${name} needs a value: --${name} ${flag.value}.`);
-  if (LATER_VALUES[name]?.includes(value)) throw new UsageError(`--${name} ${value} is not available yet.`);
   return value;
 }
 
 function unknownFlag(command: Command, rawName: string, known: string[]): UsageError {
   const name = rawName.replace(/^-+/, '');
-  if (LATER_FLAGS.has(name)) return new UsageError(`--${name} is not available yet.`);
   const guess = nearest(name, known);
   const hint = guess ? `did you mean --${guess}?` : `see limber ${command} --help.`;
   return new UsageError(`limber ${command} has no ${rawName}: ${hint}`);
@@ -149,24 +143,6 @@ function readPreset(values: Map<string, string>): Partial<Settings> {
   const known = MATERIAL_NAMES.find((candidate) => candidate === name);
   if (!known) throw new UsageError(`--material-preset is ${name}: give one of ${MATERIAL_NAMES.join(', ')}.`);
   return MATERIALS[known];
-}
-
-/** The value that `text` stands for; text that is no number comes back as it is, and the range check refuses it. */
-function readSetting(option: OptionSpec, text: string): unknown {
-  if (option.kind === 'switch') return true;
-  const isWord =
-    option.kind === 'pins' ||
-    option.kind === 'colliders' ||
-    option.kind === 'choice' ||
-    (option.kind === 'modes' && ['auto', 'all'].includes(text));
-  if (isWord) return text;
-  const isList = option.kind === 'modes' || option.kind === 'numbers';
-  return isList ? text.split(',').map(readNumber) : readNumber(text);
-}
-
-function readNumber(text: string): number | string {
-  if (/^\+?inf(inity)?$/i.test(text)) return Infinity;
-  return DECIMAL.test(text) ? Number(text) : text;
 }
 
 function readTarget(

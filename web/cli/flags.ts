@@ -151,15 +151,18 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   },
 };
 
-/** Flags and values that are planned and not there yet. */
-export const LATER_FLAGS = new Set('max-frequency-error lods symmetry'.split(' '));
-export const LATER_VALUES: Record<string, string[]> = {};
-
 const PLACEHOLDERS: Partial<Record<keyof Settings, string>> = {
   method: 'limber|paper|qem',
   fit: 'on|off',
   borders: 'free|fixed',
   maxDeviation: 'PCT',
+  maxFrequencyError: 'PCT',
+  lods: 'R[,R...]',
+  symmetry: 'off|on|x|y|z',
+  creases: 'DEG',
+  keep: 'NAME',
+  lock: 'SPEC',
+  paint: 'TEXT',
   minAngle: 'DEG',
   model: 'auto|shell|solid|laplacian',
   direction: 'all|x|y|z',

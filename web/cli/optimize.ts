@@ -4,11 +4,14 @@ import { basename } from 'node:path';
 import { bindingOfBody, writeBinding } from '../engine/binding_file';
 import type { Core } from '../engine/core';
 import { droppedByExport, exportGlb } from '../engine/document/export';
+import type { OpenModel } from '../engine/document/open';
 import { describeSolve } from '../engine/health';
-import { findPins } from '../engine/pins';
+import { findHeld } from '../engine/held';
 import { resolveModel, resolveModes } from '../engine/options';
-import { exportedBody, optimizeBody, startStopwatch } from '../engine/pipeline';
-import type { OptimizedBody, PreparedBody, Timings } from '../engine/pipeline';
+import { optimizeBody } from '../engine/optimize';
+import type { OptimizedBody, Timings } from '../engine/optimize';
+import { exportedBody, startStopwatch } from '../engine/pipeline';
+import type { PreparedBody } from '../engine/pipeline';
 import {
   describeRefused,
   calibrationReport,
@@ -18,12 +21,14 @@ import {
   stopReport,
   worstSurface,
 } from '../engine/report';
-import type { Report } from '../engine/report';
-import { shareInProportion } from '../engine/share';
+import type { Report, StoppedBody, StopReport } from '../engine/report';
+import { facesByRatio, shareInProportion } from '../engine/share';
 import { calibrationOf } from '../engine/simulation';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { checkFolder, checkOutput, writeWhole } from './files';
+import { checkLevels, writeLevels } from './levels';
+import type { Finished, WrittenLevel } from './levels';
 import { finish, openFile, prepareBodies, startSession, usable } from './session';
 import type { Session } from './session';
 import { count, percent, plural } from './words';
@@ -33,6 +38,7 @@ const DEFAULT_RATIO = 0.5;
 export async function runOptimize(args: Arguments): Promise<number> {
   const [input, output] = args.operands;
   checkOutput(output, input);
+  checkLevels(args);
   if (args.bind !== null) checkFolder(args.bind);
   const total = startStopwatch();
   const stopwatch = startStopwatch();
@@ -41,41 +47,67 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const load = stopwatch();
   const prepared = prepareBodies(session, model);
   const weld = stopwatch();
-  const targets = shareTargets(args, prepared);
-  const optimized = prepared.map((body, i) => {
-    if (!body) return null;
-    session.activity = body.body.name;
-    const pinned = findPins(args.settings.pins, model.document, body);
-    return optimizeBody(session.core, body, args.settings, { targetFaces: targets[i], pinned });
-  });
-  const done = optimized.filter((body) => body !== null);
-  const factors = optimized.map((body) => (body ? calibrationFor(session, body) : undefined));
+  const finished = optimizeAll(session, model, prepared);
+  const done = finished.flatMap((one) => (one ? [one.body] : []));
+  const factors = finished.map((one) => (one ? calibrationFor(session, one.body) : undefined));
   stopwatch();
-  const exported = optimized.map((body, i) =>
-    body
+  const exported = finished.map((one, i) =>
+    one
       ? {
-          ...exportedBody(session.core, body.prepared, body.result, args.fields ? body : null),
+          ...exportedBody(session.core, one.body.prepared, one.body.result, args.fields ? one.body : null),
           calibration: factors[i],
         }
       : null,
   );
-  const bytes = await exportGlb(model, exported, { fields: args.fields });
-  writeWhole(output, bytes);
+  writeWhole(output, await exportGlb(model, exported, { fields: args.fields }));
   if (args.bind !== null) writeWhole(args.bind, bindingText(session.core, done));
   const dropped = droppedByExport(model);
   if (dropped.length > 0) session.warnings.push(`${output} leaves out ${dropped.join(', ')}`);
+  const exportTime = stopwatch();
+  const levels = await writeLevels(session, model, finished);
   const report = startReport(session.core, 'optimize', optionsAsUsed(args), usable(prepared));
-  fillReport(report, done);
+  fillReport(report, done, levels);
   if (args.settings.calibrate)
     report.calibration = calibrationReport(
       done.map(({ prepared }) => prepared),
       factors.filter((factor) => factor !== undefined),
     );
   session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0));
-  report.timings = { load, weld, ...sumTimings(done), export: stopwatch(), total: total() };
-  const missed = wantsCount(args) && report.stop!.reason === 'exhausted' ? describeMiss(done) : '';
-  finish(session, report, summaryLine(args, done, report.timings.total), missed);
-  return missed === '' ? EXIT.done : EXIT.missedTarget;
+  report.timings = {
+    ...{ load, weld, ...sumTimings(done), export: exportTime },
+    ...(levels.length > 0 ? { levels: stopwatch() } : {}),
+    total: total(),
+  };
+  const missed = [
+    ...(wantsCount(args) ? [describeMiss(done.map(stopOf))] : []),
+    ...levels.map(({ bodies, report: { file } }) => describeMiss(bodies, `${file}: `)),
+  ].filter((sentence) => sentence !== '');
+  const text = [summaryLine(args, done, report.timings.total), ...levels.map(levelLine)].join('\n');
+  finish(session, report, text, missed);
+  return missed.length === 0 ? EXIT.done : EXIT.missedTarget;
+}
+
+/** null for a body that stays as it is. */
+function optimizeAll(
+  session: Session,
+  model: OpenModel,
+  prepared: (PreparedBody | null)[],
+): (Finished | null)[] {
+  const { args, core, warnings } = session;
+  const targets = shareTargets(args, prepared);
+  return prepared.map((one, i) => {
+    if (!one) return null;
+    const { name } = one.body;
+    session.activity = name;
+    const { held, note } = findHeld(core, model.document, one, args.settings);
+    if (note !== '') warnings.push(note);
+    const onTry = (faces: number) => (session.activity = `${name}, trying ${count(faces)} faces`);
+    const target = { targetFaces: targets[i], onTry, ...held };
+    const body = optimizeBody(core, one, args.settings, target);
+    const { unfitted } = body.fitted;
+    if (unfitted !== '') warnings.push(`${name} is not fitted to its modes: ${unfitted}`);
+    return { body, held };
+  });
 }
 
 function calibrationFor(session: Session, { prepared, result }: OptimizedBody): number | undefined {
@@ -106,7 +138,9 @@ function optionsAsUsed(args: Arguments): object {
 /** Whether a number of faces is a target at all: other targets stand for themselves. */
 const wantsCount = (args: Arguments): boolean => args.faces !== null || wantsRatio(args);
 const wantsRatio = ({ faces, ratio, settings }: Arguments): boolean =>
-  ratio !== null || (faces === null && settings.maxDeviation === 0 && settings.minAngle === 0);
+  ratio !== null ||
+  (faces === null &&
+    [settings.maxDeviation, settings.minAngle, settings.maxFrequencyError].every((n) => n === 0));
 
 /** How many faces each body may keep: the larger of both targets, for the first one reached stops. */
 function shareTargets(args: Arguments, bodies: (PreparedBody | null)[]): number[] {
@@ -114,22 +148,22 @@ function shareTargets(args: Arguments, bodies: (PreparedBody | null)[]): number[
   const counts = bodies.map((body) => (body ? body.mesh.triangles.length / 3 : 0));
   const share = faces === null ? null : shareInProportion(faces, counts);
   return counts.map((faceCount, i) => {
-    // The sum keeps 0.3 * 10 from becoming 2.
-    const byRatio = wantsRatio(args) ? Math.floor((ratio ?? DEFAULT_RATIO) * faceCount + 1e-9) : 0;
+    const byRatio = wantsRatio(args) ? facesByRatio(ratio ?? DEFAULT_RATIO, faceCount) : 0;
     return Math.max(1, byRatio, share ? share[i] : 0);
   });
 }
 
-function fillReport(report: Report, done: OptimizedBody[]): void {
+function fillReport(report: Report, done: OptimizedBody[], levels: WrittenLevel[]): void {
   report.output = meshReport(done.map(({ measured }) => measured));
   const sets = done.flatMap(({ modes }) => modes ?? []);
   if (sets.length > 0) Object.assign(report, modesReport(sets));
   report.surface = worstSurface(done.map(({ measured }) => measured.distance));
   report.stop = stopReport(done.map(stopOf));
+  if (levels.length > 0) report.levels = levels.map((level) => level.report);
 }
 
-function stopOf({ result, targetFaces, history }: OptimizedBody) {
-  return { faces: result.mesh.triangles.length / 3, targetFaces, history };
+function stopOf({ result, targetFaces, history, frequency }: OptimizedBody): StoppedBody {
+  return { faces: result.mesh.triangles.length / 3, targetFaces, history, frequency };
 }
 
 function sumTimings(done: OptimizedBody[]): Record<string, number> {
@@ -138,31 +172,31 @@ function sumTimings(done: OptimizedBody[]): Record<string, number> {
     ...(done.some(({ modes }) => modes) ? { modes: sumOf('modes') } : {}),
     fields: sumOf('fields'),
     simplify: sumOf('simplify'),
+    ...(done.some(({ frequency }) => frequency) ? { search: sumOf('search') } : {}),
     reduce: sumOf('reduce'),
     ...(sumOf('fit') > 0.001 ? { fit: sumOf('fit') } : {}),
     measure: sumOf('measure'),
   };
 }
 
-function totals(done: OptimizedBody[]) {
-  const sum = (values: number[]) => values.reduce((a, b) => a + b, 0);
-  return {
-    before: sum(done.map(({ prepared }) => prepared.mesh.triangles.length / 3)),
-    after: sum(done.map(({ result }) => result.mesh.triangles.length / 3)),
-    target: sum(done.map(({ targetFaces }) => targetFaces)),
-  };
-}
+const sum = (values: number[]): number => values.reduce((a, b) => a + b, 0);
 
-function describeMiss(done: OptimizedBody[]): string {
-  const missed = done.filter((body) => stopReport([stopOf(body)]).reason === 'exhausted');
-  const { after, target } = totals(missed);
-  const where = done.length > 1 ? ` in ${plural(missed.length, 'body', 'bodies')} of ${done.length}` : '';
-  const { refused } = stopReport(missed.map(stopOf));
-  return `Stopped at ${count(after)} faces${where}, not ${count(target)}: ${describeRefused(refused)}`;
+/** Why bodies are left with more faces than asked because nothing more can go; '' where none is. */
+function describeMiss(bodies: StoppedBody[], where = ''): string {
+  const missed = bodies.filter((body) => stopReport([body]).reason === 'exhausted');
+  if (missed.length === 0) return '';
+  const [after, target] = [
+    sum(missed.map(({ faces }) => faces)),
+    sum(missed.map((body) => body.targetFaces)),
+  ];
+  const which = bodies.length > 1 ? ` in ${plural(missed.length, 'body', 'bodies')} of ${bodies.length}` : '';
+  const reasons = describeRefused(stopReport(missed).refused);
+  return `${where}Stopped at ${count(after)} faces${which}, not ${count(target)}: ${reasons}`;
 }
 
 function summaryLine({ operands }: Arguments, done: OptimizedBody[], seconds: number): string {
-  const { before, after } = totals(done);
+  const before = sum(done.map(({ prepared }) => prepared.mesh.triangles.length / 3));
+  const after = sum(done.map(({ result }) => result.mesh.triangles.length / 3));
   const distance = worstSurface(done.map(({ measured }) => measured.distance));
   const broken = done.flatMap(({ measured }) =>
     (['components', 'boundaryLoops', 'genus'] as const).filter((key) => !measured.certificate[key]),
@@ -175,6 +209,21 @@ function summaryLine({ operands }: Arguments, done: OptimizedBody[], seconds: nu
     topology,
     `deviation ${distance.hausdorff.toFixed(2)} % (mean ${distance.mean.toFixed(2)} %)`,
     `smallest angle ${smallest.toFixed(1)} deg`,
+    ...frequencyWords(stopReport(done.map(stopOf))),
     `${seconds.toFixed(1)} s -> ${operands[1]}`,
   ].join(', ');
+}
+
+/** Of the target: how far the frequencies are off, and how far they would be with fewer faces. */
+function frequencyWords({ frequency }: StopReport): string[] {
+  if (!frequency) return [];
+  const { error, limit, beyond } = frequency;
+  const less = beyond ? ` (${count(beyond.faces)} faces: ${beyond.error.toFixed(2)} %)` : '';
+  return [`frequencies within ${error.toFixed(2)} % of ${limit} %${less}`];
+}
+
+function levelLine({ report: { file, output, surface } }: WrittenLevel): string {
+  const { hausdorff, mean } = surface;
+  const deviation = `deviation ${hausdorff.toFixed(2)} % (mean ${mean.toFixed(2)} %)`;
+  return `${file}: ${count(output.faces)} faces, ${deviation}`;
 }

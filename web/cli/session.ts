@@ -98,9 +98,14 @@ export const usable = (bodies: (PreparedBody | null)[]): PreparedBody[] =>
 
 /**
  * Writes the report where it was asked for; `text` is what stdout gets where the report does not go there. `missed` says
- * why a target was not reached, and is said even where nothing else is.
+ * why targets were not reached, and is said even where nothing else is.
  */
-export function finish({ args, core, warnings }: Session, report: Report, text: string, missed = ''): void {
+export function finish(
+  { args, core, warnings }: Session,
+  report: Report,
+  text: string,
+  missed: string[] = [],
+): void {
   clearProgress();
   const { timings, ...others } = report;
   const json = `${JSON.stringify({ ...others, peakHeapBytes: core.peakHeapBytes(), timings }, null, 2)}\n`;
@@ -108,5 +113,5 @@ export function finish({ args, core, warnings }: Session, report: Report, text: 
   if (args.reports.includes('-')) process.stdout.write(json);
   else if (!args.quiet) process.stdout.write(`${plain(text)}\n`);
   if (!args.quiet) for (const warning of warnings) process.stderr.write(`limber: ${plain(warning)}.\n`);
-  if (missed !== '') process.stderr.write(`limber: ${missed}.\n`);
+  for (const sentence of missed) process.stderr.write(`limber: ${plain(sentence)}.\n`);
 }

@@ -205,6 +205,18 @@ export interface History {
   refused: Refused;
   /** why it ends */
   stop: 'target' | 'deviation' | 'angle' | 'exhausted';
+  /** Wishes.mirror, where it was among the wishes: collapses then come in pairs */
+  mirror?: Uint32Array;
+}
+
+/** The mirror symmetry of a mesh, or how far it is from one; see wasm/pipeline/mirror_images.h. */
+export interface MirrorImages {
+  /** Wishes.mirror; empty where there is no symmetry */
+  partners: Uint32Array;
+  /** without an image */
+  strayVertices: number;
+  /** without an image though their vertices have theirs */
+  strayTriangles: number;
 }
 
 /** In the order of `enum class Verdict` in wasm/simplify/legality.h. */
@@ -260,6 +272,13 @@ export interface Fitted {
   result: MeshAt;
   errorBefore: Float64Array;
   errorAfter: Float64Array;
+  /** components that stay as they are, for they have more than 20,000 vertices */
+  tooLarge: number;
+}
+
+export interface MirrorRequest extends Pick<FitOptions, 'charts' | 'locked'> {
+  /** Wishes.mirror of the history that the result comes from */
+  partners: Uint32Array;
 }
 
 /** What parts a mesh into charts, over which no attribute may bleed. Both may be empty. */
@@ -328,6 +347,14 @@ export interface Fidelity {
   macMin: number;
 }
 
+/** The lowest elastic modes of a body's shell over all of its parts. */
+export interface ShellModes {
+  /** rad/s, ascending */
+  omega: Float64Array;
+  /** shapes[(k * vertexCount + v) * 3 + c] */
+  shapes: Float32Array;
+}
+
 export type SimulationMaterial = 'springs' | 'shell';
 export type ScenarioName = 'twist' | 'sway' | 'hang' | 'drop' | 'pull' | 'wind' | 'drape';
 
@@ -373,6 +400,13 @@ export interface SimulationOptions extends Partial<Surroundings> {
   density: number;
   /** metres per unit of the mesh */
   unit: number;
+}
+
+export interface StartOptions extends SimulationOptions {
+  /** where the original's vertices lie on this body, which its pins are carried over by; left out: by closest points */
+  binding?: Pick<Binding, 'triangle' | 'barycentric'> | null;
+  /** of the constraints: 0 as they come, any other number an order of its own */
+  order?: number;
 }
 
 export interface ComparisonOptions {
@@ -426,6 +460,7 @@ export const PHASES = [
   'comparing modes',
   'fitting modes',
   'simulating',
+  'looking for symmetry',
 ] as const;
 
 /** Progress of the running call. `fraction` is of the phase, in [0, 1]. */
@@ -462,6 +497,10 @@ export interface Core {
   meshAt(mesh: TriangleMesh, history: History, faces: number): MeshAt;
   /** the result with its vertices moved a little and some edges flipped, so that it vibrates like `mesh` */
   fitModes(mesh: TriangleMesh, result: MeshAt, options: FitOptions): Fitted;
+  /** the plane through the centre that a mesh is symmetric to: normal to axis 0, 1 or 2; -1: any that is found */
+  findMirrorImages(mesh: TriangleMesh, axis: number): MirrorImages;
+  /** `fitted`, made from `reduced` by fitModes, made its own mirror image again; see wasm/pipeline/mirror_result.h */
+  mirrorResult(mesh: TriangleMesh, reduced: MeshAt, fitted: MeshAt, request: MirrorRequest): MeshAt;
   /** for every vertex of meshAt(mesh, history, faces), which must come from the same strain, curvature and options */
   whyKept(
     mesh: TriangleMesh,
@@ -478,6 +517,15 @@ export interface Core {
   measureQuality(mesh: TriangleMesh): Quality;
   measureSurfaceDistance(a: TriangleMesh, b: TriangleMesh): SurfaceDistance;
   compareFidelity(original: TriangleMesh, other: TriangleMesh, options: FidelityOptions): Fidelity;
+  /** twice options.modeCount modes of the original, for frequencyErrors */
+  shellModes(original: TriangleMesh, options: FidelityOptions): ShellModes;
+  /** frequencyErrorMean and frequencyErrorMax of compareFidelity alone, in %: a sixth of its work */
+  frequencyErrors(
+    original: TriangleMesh,
+    modes: ShellModes,
+    other: TriangleMesh,
+    options: FidelityOptions,
+  ): { mean: number; max: number };
   /** that of compareFidelity alone, in a fraction of the time */
   calibrationFactor(original: TriangleMesh, other: TriangleMesh, options: FidelityOptions): number;
   /** the whole scenario, with the original alone or with both */
@@ -489,11 +537,15 @@ export interface Core {
   /** all that a body can touch in this scenario: what the options add and what it has by itself */
   scenarioSurroundings(original: TriangleMesh, options: SimulationOptions): Surroundings;
   /** a number for the calls below; `mesh` is the original or a body that its pins are carried over to */
-  startSimulation(mesh: TriangleMesh, original: TriangleMesh, options: SimulationOptions): number;
+  startSimulation(mesh: TriangleMesh, original: TriangleMesh, options: StartOptions): number;
   /** one step of 1/60 s each, side by side */
   stepSimulations(simulations: Uint32Array): null;
   /** positions[3 * v + c], in units of the mesh */
   simulationPositions(simulation: number): Float32Array;
+  /** where the pins are now, [3 * pin + c]: pinned vertices, then pinned points of the surface */
+  simulationPins(simulation: number): Float32Array;
+  /** what the last step took on its thread, in seconds; 0 before the first */
+  simulationSeconds(simulation: number): number;
   /** draws a point of the surface towards `target` from now on */
   dragSimulation(simulation: number, point: SurfacePoint, target: [number, number, number]): null;
   releaseSimulation(simulation: number): null;

@@ -2,6 +2,7 @@
 
 import { parseColliders } from './colliders';
 import type { OptionSpec, Settings } from './options';
+import { parsePaint } from './paint';
 import { parsePins } from './pins';
 
 /** `range` in words: "a number from 0 to 1". */
@@ -11,13 +12,16 @@ function describeRange(option: OptionSpec): string {
   const range = max === Infinity ? `${noun} of at least ${min}, or inf` : `${noun} from ${min} to ${max}`;
   if (kind === 'choice') return `one of ${option.choices!.join(', ')}`;
   if (kind === 'switch') return 'true or false';
+  if (kind === 'name') return 'the name of an attribute';
+  if (kind === 'paint') return 'what the brush of the page writes';
   if (kind === 'modes') return `auto, all, or numbers from ${min} to ${max} with commas`;
   return kind === 'numbers' ? `numbers from ${min} to ${max} with commas` : range;
 }
 
 /** Throws one sentence that names the flag, its range and its default. */
 export function checkOption(option: OptionSpec, value: Settings[keyof Settings]): void {
-  if (option.kind === 'pins') parsePins(String(value));
+  if (option.kind === 'pins') parsePins(String(value), option.flag);
+  if (option.kind === 'paint') parsePaint(String(value));
   if (option.kind === 'colliders') parseColliders(String(value));
   if (isAllowed(option, value)) return;
   const shown = Array.isArray(value) ? value.join(',') || 'an empty list' : String(value);
@@ -28,13 +32,13 @@ export function checkOption(option: OptionSpec, value: Settings[keyof Settings])
 
 function describeDefault(option: OptionSpec): string {
   const value = option.default;
-  return Array.isArray(value) ? '1 / omega^2' : String(value);
+  return Array.isArray(value) || value === '' ? (option.emptyMeans ?? 'none') : String(value);
 }
 
 function isAllowed(option: OptionSpec, value: Settings[keyof Settings]): boolean {
   const { kind, choices } = option;
   if (kind === 'choice') return choices!.includes(String(value));
-  if (kind === 'pins' || kind === 'colliders') return typeof value === 'string';
+  if (['pins', 'paint', 'colliders', 'name'].includes(kind)) return typeof value === 'string';
   if (kind === 'switch') return typeof value === 'boolean';
   if (kind === 'modes' && (value === 'auto' || value === 'all')) return true;
   const entries: unknown[] = Array.isArray(value) ? value : [value];

@@ -3,12 +3,15 @@
  * are made from it.
  */
 
-import type { Method, Model, ScenarioName, SimulationMaterial } from './core';
+import type { Method, Model, SimulationOptions } from './core';
 import { counted } from './document/model';
 import { checkOption } from './option_check';
 
+/** Settings of a simulation that go to the core as they are. */
+type SimulationSetting = 'material' | 'scenario' | 'seconds' | 'substeps' | 'damping' | 'selfCollision';
+
 /** Everything the user wants, in the words of the flags; plain data that can be stored and sent. */
-export interface Settings {
+export interface Settings extends Pick<SimulationOptions, SimulationSetting> {
   method: Method;
   /** 'auto': what suits the method, see `resolveModel` */
   model: 'auto' | Model;
@@ -41,7 +44,21 @@ export interface Settings {
   maxDeviation: number;
   /** degrees; 0: no limit */
   minAngle: number;
+  /** of each of the first six modes, in %; 0: no limit */
+  maxFrequencyError: number;
+  /** shares of the faces, in (0, 1], of further levels; empty: none */
+  lods: number[];
   borders: 'free' | 'fixed';
+  /** the axis across which the mesh is mirrored; 'on': whichever it is */
+  symmetry: 'off' | 'on' | 'x' | 'y' | 'z';
+  /** edges that bend more stay, degrees; 0: none */
+  creases: number;
+  /** the attribute whose first component, in [0, 1], says where triangles are kept; '' for none */
+  keep: string;
+  /** which vertices stay as they are, in the words of pins.ts; '' for none */
+  lock: string;
+  /** keep weights and locks that a brush has painted, see paint.ts; '' for none */
+  paint: string;
   /** Pa */
   young: number;
   poisson: number;
@@ -51,16 +68,6 @@ export interface Settings {
   thickness: number;
   /** metres per unit of the file */
   unit: number;
-  /** what the simulated bodies are made of */
-  material: SimulationMaterial;
-  scenario: ScenarioName;
-  /** of the simulated motion */
-  seconds: number;
-  /** of a simulated step of 1/60 s */
-  substeps: number;
-  /** 1/s */
-  damping: number;
-  selfCollision: boolean;
   /** see colliders.ts; '': what the scenario has by itself */
   colliders: string;
   friction: number;
@@ -76,10 +83,11 @@ export type OptionGroup = 'target' | 'method' | 'motion' | 'material' | 'simulat
 
 /**
  * How a setting is written: `choice` one of `choices`; `integer` and `number` within [min, max]; `modes` auto, all or a
- * list of integers; `numbers` a list within [min, max] each; `pins` as pins.ts says; `colliders` as colliders.ts says; `switch` on or off.
+ * list of integers; `numbers` a list within [min, max] each; `pins` as pins.ts says; `paint` as paint.ts says; `colliders`
+ * as colliders.ts says; `name` any text; `switch` on or off.
  */
 export type OptionKind =
-  'choice' | 'integer' | 'number' | 'modes' | 'numbers' | 'pins' | 'colliders' | 'switch';
+  'choice' | 'integer' | 'number' | 'modes' | 'numbers' | 'pins' | 'paint' | 'colliders' | 'name' | 'switch';
 
 export interface OptionSpec {
   /** without the dashes */
@@ -93,6 +101,8 @@ export interface OptionSpec {
   step: number;
   slider?: { min: number; max: number };
   default: Settings[keyof Settings];
+  /** of a list: what it stands for while it is empty, where that is not nothing */
+  emptyMeans?: string;
   /** one sentence */
   help: string;
   group: OptionGroup;
@@ -197,6 +207,30 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     group: 'target',
     kind: 'number',
   },
+  maxFrequencyError: {
+    flag: 'max-frequency-error',
+    label: 'Largest frequency error',
+    unit: '%',
+    min: 0,
+    max: 100,
+    step: 0.1,
+    slider: { min: 0, max: 10 },
+    default: 0,
+    help: 'Keep as few faces as leave each of the first six frequencies within this of the original, in %; 0 sets no limit.',
+    group: 'target',
+    kind: 'number',
+  },
+  lods: {
+    flag: 'lods',
+    label: 'Further levels',
+    min: 0.0001,
+    max: 1,
+    step: 0.01,
+    default: [],
+    help: 'Further levels of detail, one file each (OUT_lod1.glb, ...), with these shares of the faces of each body.',
+    group: 'target',
+    kind: 'numbers',
+  },
   borders: {
     flag: 'borders',
     label: 'Open borders',
@@ -206,6 +240,56 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     group: 'method',
     kind: 'choice',
     choices: ['free', 'fixed'],
+  },
+  symmetry: {
+    flag: 'symmetry',
+    label: 'Symmetry',
+    ...none,
+    default: 'off',
+    help: 'Keep the mirror symmetry of a mesh across x, y or z, through its centre, or whichever it has (on).',
+    group: 'method',
+    kind: 'choice',
+    choices: ['off', 'on', 'x', 'y', 'z'],
+  },
+  creases: {
+    flag: 'creases',
+    label: 'Creases',
+    unit: 'degrees',
+    min: 0,
+    max: 180,
+    step: 1,
+    slider: { min: 0, max: 90 },
+    default: 0,
+    help: 'Edges that bend by more than this stay edges, in degrees; 0 keeps none.',
+    group: 'method',
+    kind: 'number',
+  },
+  keep: {
+    flag: 'keep',
+    label: 'Keep triangles where',
+    ...none,
+    default: '',
+    help: 'Name of an attribute whose first component (0 to 1) says where triangles are kept: a collapse costs up to 100 times as much.',
+    group: 'method',
+    kind: 'name',
+  },
+  lock: {
+    flag: 'lock',
+    label: 'Locked vertices',
+    ...none,
+    default: '',
+    help: 'Vertices that stay as they are, in the words of --pins.',
+    group: 'method',
+    kind: 'pins',
+  },
+  paint: {
+    flag: 'paint',
+    label: 'Painted',
+    ...none,
+    default: '',
+    help: 'Where triangles are kept and vertices locked, as the brush of the page writes it.',
+    group: 'method',
+    kind: 'paint',
   },
   model: {
     flag: 'model',
@@ -247,6 +331,7 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     max: 1e6,
     step: 0.01,
     default: [],
+    emptyMeans: '1 / omega^2',
     help: 'One weight for each guiding mode (w of Eq. 6); without it 1 / omega^2.',
     group: 'motion',
     kind: 'numbers',
@@ -405,7 +490,7 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     min: 1,
     max: 10000,
     step: 1,
-    slider: { min: 5, max: 200 },
+    slider: { min: 1, max: 2000 },
     default: 20,
     help: 'Substeps of a step of 1/60 s; more make stiff or fine meshes more exact (the paper takes 2,000).',
     group: 'simulation',

@@ -17,17 +17,17 @@ export type PinTerm =
 
 const FORMS = 'low:PCT, high:PCT, box:x0,y0,z0,x1,y1,z1, attribute:NAME or vertices:i,j, joined by +';
 
-/** The terms of a text; none for an empty one. Throws one sentence that shows the forms. */
-export function parsePins(text: string): PinTerm[] {
-  return text === '' ? [] : text.split('+').map(parseTerm);
+/** The terms of the text of a flag; none for an empty one. Throws one sentence that shows the forms. */
+export function parsePins(text: string, flag = 'pins'): PinTerm[] {
+  return text === '' ? [] : text.split('+').map((term) => parseTerm(term, flag));
 }
 
-function parseTerm(term: string): PinTerm {
+function parseTerm(term: string, flag: string): PinTerm {
   const colon = term.indexOf(':');
   const [kind, value] = [term.slice(0, colon), term.slice(colon + 1)];
   const numbers = value.split(',').map((word) => (word.trim() === '' ? NaN : Number(word)));
   const refuse = (): never => {
-    throw new Error(`--pins has "${term}": give ${FORMS}.`);
+    throw new Error(`--${flag} has "${term}": give ${FORMS}.`);
   };
   if (colon < 1 || value === '') return refuse();
   if (kind === 'attribute') return { kind, name: value };
@@ -49,15 +49,23 @@ function parseTerm(term: string): PinTerm {
   return { kind, vertices: numbers };
 }
 
-/** The vertices of `prepared.mesh` that the text pins, ascending. Throws where a name or number is not in the body. */
-export function findPins(text: string, document: Document, prepared: PreparedBody): Uint32Array {
+/**
+ * The vertices of `prepared.mesh` that the text of a flag names, ascending. Throws where a name or number is not in the
+ * body.
+ */
+export function findPins(
+  text: string,
+  document: Document,
+  prepared: PreparedBody,
+  flag = 'pins',
+): Uint32Array {
   const pinned = new Set<number>();
-  for (const term of parsePins(text))
-    for (const vertex of pinnedBy(term, document, prepared)) pinned.add(vertex);
+  for (const term of parsePins(text, flag))
+    for (const vertex of pinnedBy(term, document, prepared, flag)) pinned.add(vertex);
   return Uint32Array.from(pinned).sort();
 }
 
-function pinnedBy(term: PinTerm, document: Document, prepared: PreparedBody): number[] {
+function pinnedBy(term: PinTerm, document: Document, prepared: PreparedBody, flag: string): number[] {
   const { positions } = prepared.mesh;
   const inside = (isPinned: (at: number) => boolean) =>
     Array.from({ length: positions.length / 3 }, (_, v) => v).filter((v) => isPinned(3 * v));
@@ -74,12 +82,13 @@ function pinnedBy(term: PinTerm, document: Document, prepared: PreparedBody): nu
       ? inside((at) => positions[at + axis] <= low + depth)
       : inside((at) => positions[at + axis] >= high - depth);
   }
-  const sources = term.kind === 'vertices' ? term.vertices : attributeVertices(term.name, document, prepared);
+  const sources =
+    term.kind === 'vertices' ? term.vertices : attributeVertices(term.name, document, prepared, flag);
   const { vertexOfSource } = prepared.weld;
   for (const source of sources)
     if (source >= vertexOfSource.length)
       throw new Error(
-        `--pins names vertex ${source}, but "${prepared.body.name}" has only ${vertexOfSource.length}: name one below that.`,
+        `--${flag} names vertex ${source}, but "${prepared.body.name}" has only ${vertexOfSource.length}: name one below that.`,
       );
   return sources.map((source) => vertexOfSource[source]).filter((vertex) => vertex !== NONE);
 }
@@ -98,10 +107,24 @@ function longestExtent(positions: Float32Array): { axis: number; low: number; hi
 }
 
 /** The body's vertices where the first component of an attribute is above one half. */
-function attributeVertices(name: string, document: Document, { body }: PreparedBody): number[] {
-  const mesh = document.getRoot().listMeshes()[body.mesh];
-  const primitives = mesh.listPrimitives();
-  const found: number[] = [];
+function attributeVertices(name: string, document: Document, prepared: PreparedBody, flag: string): number[] {
+  return [...firstComponents(name, document, prepared, flag)].flatMap((value, vertex) =>
+    value > 0.5 ? [vertex] : [],
+  );
+}
+
+/**
+ * The first component of an attribute at every vertex of the body; 0 where a primitive lacks it. Throws one sentence that
+ * names the flag where all do.
+ */
+export function firstComponents(
+  name: string,
+  document: Document,
+  { body }: PreparedBody,
+  flag: string,
+): Float32Array {
+  const primitives = document.getRoot().listMeshes()[body.mesh].listPrimitives();
+  const found = new Float32Array(body.positions.length / 3);
   let isThere = false;
   for (const { primitive, firstVertex } of body.spans) {
     const attribute = primitives[primitive].getAttribute(name);
@@ -109,9 +132,11 @@ function attributeVertices(name: string, document: Document, { body }: PreparedB
     isThere = true;
     const element: number[] = [];
     for (let v = 0; v < attribute.getCount(); ++v)
-      if (attribute.getElement(v, element)[0] > 0.5) found.push(firstVertex + v);
+      found[firstVertex + v] = attribute.getElement(v, element)[0];
   }
   if (isThere) return found;
   const names = [...new Set(primitives.flatMap((primitive) => primitive.listSemantics()))].join(', ');
-  throw new Error(`--pins names the attribute ${name}, but "${body.name}" has ${names}: name one of these.`);
+  throw new Error(
+    `--${flag} names the attribute ${name}, but "${body.name}" has ${names}: name one of these.`,
+  );
 }

@@ -14,6 +14,8 @@ import type {
   Inspection,
   MeshAt,
   ModeSet,
+  SimplifyOptions,
+  WhyKept,
   Quality,
   StrainGuidance,
   SurfaceDistance,
@@ -22,8 +24,10 @@ import type {
   Wishes,
 } from './core';
 import type { ExportedBody } from './document/export';
+import { counted } from './document/model';
 import type { Body } from './document/model';
 import { length3 } from './exact_math';
+import type { Held } from './held';
 import { modesAvailable } from './mode_set';
 import { isFitted, resolveModel, resolveModes } from './options';
 import type { Settings } from './options';
@@ -46,6 +50,12 @@ export interface PreparedBody {
   costAttributes: CostAttributes;
 }
 
+/** What a material needs to know of a body. */
+export interface BodySize {
+  body: { scale: number };
+  diagonal: number;
+}
+
 /** What an optimized mesh is like beside its original. */
 export interface Measured {
   /** of the mesh as a reader of the file would weld it */
@@ -64,36 +74,6 @@ export interface Certificate {
   genus: boolean;
   /** all of them */
   kept: boolean;
-}
-
-/** Seconds by stage. */
-export interface Timings {
-  weld: number;
-  modes: number;
-  /** strain and curvature */
-  fields: number;
-  /** from the guidance to the whole history */
-  simplify: number;
-  /** evaluating the history at the asked count */
-  reduce: number;
-  /** to the original's modes */
-  fit: number;
-  measure: number;
-}
-
-export interface OptimizedBody {
-  prepared: PreparedBody;
-  /** null for a method that needs none */
-  modes: ModeSet | null;
-  guidance: StrainGuidance | null;
-  curvature: Curvature;
-  history: History;
-  targetFaces: number;
-  /** the final mesh */
-  result: MeshAt;
-  fitted: Fitted;
-  measured: Measured;
-  timings: Timings;
 }
 
 /** Welds and measures a body, usable or not. */
@@ -143,7 +123,7 @@ export function findModes(
 }
 
 /** The material on this body: thickness in units of its mesh, and metres per such unit. */
-export function materialOf({ body, diagonal }: PreparedBody, settings: Settings) {
+export function materialOf({ body, diagonal }: BodySize, settings: Settings) {
   const { young, poisson, density, thickness, unit } = settings;
   return { young, poisson, density, thickness: (thickness / 100) * diagonal, unit: unit * body.scale };
 }
@@ -175,73 +155,138 @@ export function findGuidance(
   return core.strainGuidance(prepared.mesh, modes, { layers, weights, p, threshold });
 }
 
+/** What a history follows from, besides the settings. */
+export interface Guides extends Held {
+  guidance: StrainGuidance | null;
+  curvature: Curvature;
+}
+
 /**
- * Every collapse down to the end. Without guidance the strain counts as 0; curvature enters over its maximum. `pinned`
- * vertices keep their outline. The paper's method knows nothing of attributes, as printed; for others seams and borders of
- * materials stay closed and in place, and attributes cost.
+ * Every collapse down to the end. Without guidance the strain counts as 0; curvature enters over its maximum. The paper's
+ * method knows nothing of attributes, as printed; for others seams and borders of materials stay closed and in place, and
+ * attributes cost.
  */
 export function buildHistory(
   core: Core,
   prepared: PreparedBody,
-  guides: { guidance: StrainGuidance | null; curvature: Curvature; pinned?: Uint32Array },
+  guides: Guides,
   settings: Settings,
 ): History {
+  const { strain, curvature, options } = simplification(prepared, guides, settings);
+  const history = core.simplify(prepared.mesh, strain, curvature, options);
+  return guides.mirror ? { ...history, mirror: guides.mirror } : history;
+}
+
+/**
+ * What keeps each vertex of reduceTo(core, prepared, history, faces); `guides` and `settings` as the history was built with.
+ */
+export function explainResult(
+  core: Core,
+  prepared: PreparedBody,
+  { history, faces }: { history: History; faces: number },
+  { guides, settings }: { guides: Guides; settings: Settings },
+): WhyKept {
+  const { strain, curvature, options } = simplification(prepared, guides, settings);
+  return core.whyKept(prepared.mesh, strain, curvature, options, history, wholeFaces(history, faces));
+}
+
+/** What the core is told of a simplification. */
+function simplification(
+  prepared: PreparedBody,
+  guides: Guides,
+  settings: Settings,
+): { strain: Float32Array; curvature: Float32Array; options: SimplifyOptions } {
   const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight, minAngle } = settings;
-  const strain = guides.guidance?.rank ?? new Float32Array(0);
-  return core.simplify(prepared.mesh, strain, overMaximum(guides.curvature.vertex), {
-    method,
-    strainWeight,
-    curvatureWeight,
-    qualityWeight,
-    sizeWeight,
-    minAngle,
-    maxDeviation: (settings.maxDeviation / 100) * prepared.diagonal,
-    wishes: wishesOf(prepared, settings, guides.pinned),
-  });
+  const weights = { strainWeight, curvatureWeight, qualityWeight, sizeWeight };
+  const maxDeviation = (settings.maxDeviation / 100) * prepared.diagonal;
+  const wishes = wishesOf(prepared, settings, guides);
+  return {
+    strain: guides.guidance?.rank ?? new Float32Array(0),
+    curvature: overMaximum(guides.curvature.vertex),
+    options: { method, ...weights, minAngle, maxDeviation, wishes },
+  };
 }
 
 /** What the core takes of them. */
 const MOST_COST_DIMENSIONS = 8;
 const NO_COSTS: CostAttributes = { values: new Float32Array(), dimension: 0 };
 
-function wishesOf(prepared: PreparedBody, { method, borders }: Settings, pinned?: Uint32Array): Wishes {
-  const pinnedSets =
-    pinned && pinned.length > 0 ? Uint32Array.from(maskOf(prepared.mesh, pinned)) : undefined;
-  if (method === 'paper') return { pinnedSets, borders };
+function wishesOf(prepared: PreparedBody, { method, borders, creases }: Settings, held: Held): Wishes {
+  const pins = maskOf(prepared.mesh, held.pinned);
+  const wishes = {
+    pinnedSets: pins && Uint32Array.from(pins),
+    locked: maskOf(prepared.mesh, held.locked),
+    keep: held.keep,
+    mirror: held.mirror,
+    creaseAngle: creases,
+    borders,
+  };
+  if (method === 'paper') return wishes;
   const { charts } = prepared.attributes;
   const { values: attributes, dimension: attributeDimension } = prepared.costAttributes;
-  return { ...charts, attributes, attributeDimension, pinnedSets, borders };
+  return { ...wishes, ...charts, attributes, attributeDimension };
 }
 
-/** Per vertex: 1 for those of the list. */
-function maskOf({ positions }: TriangleMesh, vertices: Uint32Array): Uint8Array {
+/** Per vertex: 1 for those of the lists; undefined where they name none. */
+function maskOf({ positions }: TriangleMesh, ...lists: (Uint32Array | undefined)[]): Uint8Array | undefined {
+  if (lists.every((vertices) => !vertices?.length)) return undefined;
   const mask = new Uint8Array(positions.length / 3);
-  for (const vertex of vertices) mask[vertex] = 1;
+  for (const vertices of lists) vertices?.forEach((vertex) => (mask[vertex] = 1));
   return mask;
 }
 
-/** The largest mesh of the history with at most `faces` faces, or the floor. */
+/**
+ * The largest mesh of the history with at most `faces` faces, or the floor. A history that keeps a mirror symmetry is not
+ * cut between a collapse and its image.
+ */
 export function reduceTo(core: Core, prepared: PreparedBody, history: History, faces: number): MeshAt {
-  return core.meshAt(prepared.mesh, history, Math.max(0, Math.floor(faces)));
+  return core.meshAt(prepared.mesh, history, wholeFaces(history, faces));
+}
+
+function wholeFaces(history: History, faces: number): number {
+  const whole = history.mirror ? wholePairs(history, history.mirror, faces) : faces;
+  return Math.max(0, Math.floor(whole));
+}
+
+/** The largest number of faces up to `faces` that is not left in the middle of a pair; at least that of the floor. */
+function wholePairs({ kept, removed, trianglesAfter }: History, mirror: Uint32Array, faces: number): number {
+  const isAlone = (i: number) => mirror[kept[i]] === kept[i] && mirror[removed[i]] === removed[i];
+  for (let i = 0; i < kept.length; ++i) {
+    if (!isAlone(i)) ++i;
+    if (trianglesAfter[i] <= faces) return trianglesAfter[i];
+  }
+  return faces;
+}
+
+/** `unfitted`: why the result, or parts of it, stay as the collapses left them; '' where nothing does. */
+export interface FittedResult extends Fitted {
+  unfitted: string;
 }
 
 /**
- * The result, fitted to the original's modes where the settings say so; pinned vertices stay. Where the fit would break the
- * largest deviation or the smallest angle that the settings ask for, the result stays as it is.
+ * The result, fitted to the original's modes where the settings say so; pinned and locked vertices stay, and so does a mirror
+ * symmetry. Where the fit would break the largest deviation or the smallest angle that the settings ask for, the result stays
+ * as it is.
  */
 export function fitResult(
   core: Core,
   prepared: PreparedBody,
   result: MeshAt,
-  { settings, pinned }: { settings: Settings; pinned?: Uint32Array },
-): Fitted {
-  const none = { result, errorBefore: new Float64Array(), errorAfter: new Float64Array() };
-  if (!isFitted(settings)) return none;
+  { settings, ...held }: Held & { settings: Settings },
+): FittedResult {
+  const none = { result, errorBefore: new Float64Array(), errorAfter: new Float64Array(), tooLarge: 0 };
+  if (!isFitted(settings)) return { ...none, unfitted: '' };
   const { thickness, poisson } = materialOf(prepared, settings);
-  const locked = pinned && pinned.length > 0 ? maskOf(prepared.mesh, pinned) : new Uint8Array();
+  const locked = maskOf(prepared.mesh, held.pinned, held.locked) ?? new Uint8Array();
   const { charts } = prepared.attributes;
-  const fitted = core.fitModes(prepared.mesh, result, { thickness, poisson, charts, locked });
-  return keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings) ? fitted : none;
+  const { mesh } = prepared;
+  const fitted = core.fitModes(mesh, result, { thickness, poisson, charts, locked });
+  if (held.mirror)
+    fitted.result = core.mirrorResult(mesh, result, fitted.result, { partners: held.mirror, charts, locked });
+  if (!keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
+    return { ...none, unfitted: 'the fit would break a limit of deviation or angle' };
+  const large = counted(fitted.tooLarge, 'part has', 'parts have');
+  return { ...fitted, unfitted: fitted.tooLarge > 0 ? `${large} more than 20,000 vertices` : '' };
 }
 
 /** Whether `after` holds the targets of shape, or at least as well as `before`. */
@@ -286,32 +331,6 @@ export function compareTopology(before: Inspection, after: Inspection): Certific
   const boundaryLoops = before.boundaryLoops === after.boundaryLoops;
   const genus = before.genus === after.genus && before.eulerCharacteristic === after.eulerCharacteristic;
   return { components, boundaryLoops, genus, kept: components && boundaryLoops && genus };
-}
-
-/** Everything in order. `targetFaces` says how many of the usable faces may stay. */
-export function optimizeBody(
-  core: Core,
-  prepared: PreparedBody,
-  settings: Settings,
-  { targetFaces, pinned }: { targetFaces: number; pinned?: Uint32Array },
-): OptimizedBody {
-  const stopwatch = startStopwatch();
-  const needsModes = settings.method !== 'qem';
-  const modes = needsModes ? findModes(core, prepared, settings, pinned) : null;
-  const modesTime = stopwatch();
-  const guidance = modes ? findGuidance(core, prepared, modes, settings) : null;
-  const curvature = core.meanCurvature(prepared.mesh);
-  const fields = stopwatch();
-  const history = buildHistory(core, prepared, { guidance, curvature, pinned }, settings);
-  const simplify = stopwatch();
-  const reduced = reduceTo(core, prepared, history, targetFaces);
-  const reduce = stopwatch();
-  const fitted = fitResult(core, prepared, reduced, { settings, pinned });
-  const fit = stopwatch();
-  const measured = measureResult(core, prepared, fitted.result);
-  const timings = { weld: 0, modes: modesTime, fields, simplify, reduce, fit, measure: stopwatch() };
-  const { result } = fitted;
-  return { prepared, modes, guidance, curvature, history, targetFaces, result, fitted, measured, timings };
 }
 
 /** What `exportGlb` wants to know of a result. Fields go from triangles to vertices as means over the input's faces. */

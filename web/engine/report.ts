@@ -23,6 +23,7 @@ import type {
   SurfaceDistance,
   WeldResult,
 } from './core';
+import type { FrequencyFinding, Tried } from './frequency_target';
 import { coarseVerticesOf } from './mode_set';
 import { VERSION } from './version';
 
@@ -48,6 +49,7 @@ export interface Report {
   simulation?: SimulationReport;
   calibration?: CalibrationReport[];
   stop?: StopReport;
+  levels?: LevelReport[];
   timings: Record<string, number>;
 }
 
@@ -137,9 +139,34 @@ export interface ModeReport {
 }
 
 export interface StopReport {
-  reason: 'target' | 'deviation' | 'angle' | 'exhausted';
+  reason: 'target' | 'deviation' | 'angle' | 'frequency' | 'exhausted';
   /** edges left at the floor of the history, each under its first reason */
   refused: Refused;
+  /** where frequencies were a target: of the body with the largest error */
+  frequency?: FrequencyReport;
+}
+
+/** The largest error of the first six frequencies, in %. */
+export interface FrequencyReport {
+  /** that was asked for */
+  limit: number;
+  /** that was found */
+  error: number;
+  /** of the most faces below those found that were over the limit; absent where none were */
+  beyond?: Tried;
+  /** numbers of faces that were tried, in all bodies */
+  tried: number;
+}
+
+/** A further level of detail. */
+export interface LevelReport {
+  /** where it was written */
+  file: string;
+  /** of the faces of each body, as asked */
+  ratio: number;
+  output: MeshReport;
+  surface: SurfaceDistance;
+  stop: StopReport;
 }
 
 /** What a mesh report needs to know of one body. */
@@ -309,13 +336,16 @@ export interface StoppedBody {
   faces: number;
   targetFaces: number;
   history: Pick<History, 'refused' | 'stop'>;
+  frequency?: FrequencyFinding | null;
 }
 
 /** Why the bodies have as many faces as they have: that of the first one that stopped above its target, or `target`. */
 export function stopReport(bodies: StoppedBody[]): StopReport {
   const total = (key: keyof Refused) => sum(bodies.map(({ history }) => history.refused[key]));
+  const first = bodies.find(({ faces, targetFaces }) => faces > targetFaces);
+  const findings = bodies.flatMap((body) => (body.frequency ? [{ ...body, frequency: body.frequency }] : []));
   return {
-    reason: bodies.find(({ faces, targetFaces }) => faces > targetFaces)?.history.stop ?? 'target',
+    reason: first ? (first.frequency?.isBinding ? 'frequency' : first.history.stop) : 'target',
     refused: {
       topology: total('topology'),
       flip: total('flip'),
@@ -323,25 +353,39 @@ export function stopReport(bodies: StoppedBody[]): StopReport {
       angle: total('angle'),
       deviation: total('deviation'),
     },
+    ...(findings.length > 0 ? { frequency: frequencyReport(findings) } : {}),
   };
 }
 
-/** Why it stopped above the target, in words. */
-export function describeRefused({ topology, flip, lock, angle, deviation }: Refused): string {
+function frequencyReport(bodies: { faces: number; frequency: FrequencyFinding }[]): FrequencyReport {
+  const worst = bodies.reduce((most, one) => (one.frequency.error > most.frequency.error ? one : most));
+  const { limit, error, tried } = worst.frequency;
+  const below = tried.filter((one) => one.error > limit && one.faces < worst.faces);
+  const beyond = below.reduce<Tried | null>(
+    (most, one) => (most && most.faces >= one.faces ? most : one),
+    null,
+  );
+  return {
+    limit,
+    error,
+    ...(beyond ? { beyond } : {}),
+    tried: sum(bodies.map(({ frequency }) => frequency.tried.length)),
+  };
+}
+
+/** Why it stopped above the target, in words: the share of the edges left that each reason holds. */
+export function describeRefused(refused: Refused): string {
+  const { topology, flip, lock, angle, deviation } = refused;
   const all = topology + flip + lock + angle + deviation;
   if (all === 0) return 'no edge is left that could collapse';
-  const percent = (count: number) => `${Math.round((100 * count) / all)} %`;
-  const reasons: [number, string][] = [
-    [topology, 'change the topology'],
-    [flip, 'flip a face'],
-    [lock, 'break a lock'],
-    [angle, 'make an angle too small'],
-    [deviation, 'go too far from the surface'],
-  ];
-  const found = reasons
-    .filter(([count], i) => count > 0 || i < 3)
-    .map(([count, what]) => `${percent(count)} ${what}`);
-  return `of the remaining edges ${found[0].replace('% ', '% would ')}, ${found.slice(1).join(', ')}`;
+  const share = (count: number) => `${Math.round((100 * count) / all)} %`;
+  return [
+    `of the remaining edges ${share(topology)} would change the topology`,
+    `${share(flip)} flip a face`,
+    `${share(lock)} break a lock`,
+    ...(angle > 0 ? [`${share(angle)} make an angle too small`] : []),
+    ...(deviation > 0 ? [`${share(deviation)} go too far from the surface`] : []),
+  ].join(', ');
 }
 
 function sum(values: number[]): number {

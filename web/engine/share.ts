@@ -10,3 +10,6 @@ export function shareInProportion(total: number, weights: number[]): number[] {
   for (const i of byRemainder.slice(0, left)) shares[i] += 1;
   return shares;
 }
+
+/** The faces that a ratio leaves of so many; the sum keeps 0.3 * 10 from becoming 2. */
+export const facesByRatio = (ratio: number, faces: number): number => Math.floor(ratio * faces + 1e-9);

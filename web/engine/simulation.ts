@@ -6,6 +6,7 @@ import type {
   ScenarioName,
   SimulationMaterial,
   SimulationOptions,
+  StartOptions,
   Surroundings,
   SurfacePoint,
   TriangleMesh,
@@ -14,7 +15,7 @@ import { NONE } from './core';
 import { parseColliders } from './colliders';
 import type { BodyBinding } from './binding_file';
 import { materialOf } from './pipeline';
-import type { PreparedBody } from './pipeline';
+import type { BodySize, PreparedBody } from './pipeline';
 import type { Settings } from './options';
 
 /** Seconds of one step, whatever the substeps. */
@@ -25,7 +26,7 @@ export const SIMULATION_MATERIALS: readonly SimulationMaterial[] = ['shell', 'sp
 
 /** What the settings ask for, for this body and any that was made from it. `pinned`: null leaves it to the scenario. */
 export function simulationOptions(
-  original: PreparedBody,
+  original: BodySize,
   settings: Settings,
   pinned: Uint32Array | null,
 ): SimulationOptions {
@@ -53,7 +54,7 @@ const CALIBRATION_MODES = 10;
  */
 export function calibrationOf(
   core: Core,
-  original: PreparedBody,
+  original: BodySize & { mesh: TriangleMesh },
   optimized: TriangleMesh,
   settings: Settings,
 ): number {
@@ -98,9 +99,16 @@ export function bindingBetween(
   return { triangle, barycentric };
 }
 
+export interface TogetherOptions extends SimulationOptions {
+  /** where the original's vertices lie on the optimized mesh; left out: by closest points */
+  binding?: StartOptions['binding'];
+  /** a last body: the original once more, with its constraints in another order; how far it strays is the noise floor */
+  hasReordered?: boolean;
+}
+
 /** The original and, where given, its optimized mesh, in the same scenario at the same time. */
 export class Simulation {
-  private readonly numbers: Uint32Array;
+  private numbers: Uint32Array;
   private stepsDone = 0;
   /** what both bodies can touch */
   readonly surroundings: Surroundings;
@@ -110,15 +118,14 @@ export class Simulation {
     private readonly core: Core,
     original: TriangleMesh,
     optimized: TriangleMesh | null,
-    options: SimulationOptions,
+    { binding = null, hasReordered = false, ...options }: TogetherOptions,
   ) {
-    const bodies = optimized ? [original, optimized] : [original];
+    const bodies: [TriangleMesh, StartOptions][] = [[original, options]];
+    if (optimized) bodies.push([optimized, { ...calibrated(options), binding }]);
+    if (hasReordered) bodies.push([original, { ...options, order: 1 }]);
     const numbers: number[] = [];
     try {
-      for (const body of bodies)
-        numbers.push(
-          core.startSimulation(body, original, body === optimized ? calibrated(options) : options),
-        );
+      for (const [body, own] of bodies) numbers.push(core.startSimulation(body, original, own));
     } catch (error) {
       for (const number of numbers) core.endSimulation(number);
       throw error;
@@ -143,6 +150,16 @@ export class Simulation {
     return this.core.simulationPositions(this.numbers[body]);
   }
 
+  /** Where the pins of a body are, [3 * pin + c]. */
+  pins(body: number): Float32Array {
+    return this.core.simulationPins(this.numbers[body]);
+  }
+
+  /** What a body's last step took on its thread, in seconds. */
+  stepSeconds(body: number): number {
+    return this.core.simulationSeconds(this.numbers[body]);
+  }
+
   /** Draws a point of one body towards `target`, until it is let go. */
   drag(body: number, point: SurfacePoint, target: [number, number, number]): void {
     this.core.dragSimulation(this.numbers[body], point, target);
@@ -150,6 +167,12 @@ export class Simulation {
 
   release(body: number): void {
     this.core.releaseSimulation(this.numbers[body]);
+  }
+
+  /** Ends the last body, and goes on with the others. */
+  endLast(): void {
+    this.core.endSimulation(this.numbers[this.numbers.length - 1]);
+    this.numbers = this.numbers.slice(0, -1);
   }
 
   /** Frees the memory of the core; the last call. */

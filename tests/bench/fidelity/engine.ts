@@ -4,6 +4,7 @@ export { samples } from '../../../scripts/samples/samples';
 export { costAttributesOf } from '../../../web/engine/attributes';
 export { openModel } from '../../../web/engine/document/open';
 export { loadCore } from '../../../web/engine/load_core';
+export { optimizeBody } from '../../../web/engine/optimize';
 export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/options';
 export { simulationOptions } from '../../../web/engine/simulation';
 export {
@@ -11,6 +12,5 @@ export {
   findModes,
   materialOf,
   measureResult,
-  optimizeBody,
   prepareBody,
 } from '../../../web/engine/pipeline';

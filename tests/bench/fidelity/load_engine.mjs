@@ -4,7 +4,7 @@ import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { build } from 'vite';
+import { bundleModule } from '../../../scripts/setup/bundle.mjs';
 
 export const root = resolve(import.meta.dirname, '..', '..', '..');
 export const scratch = join(root, 'build', 'bench', 'fidelity');
@@ -21,13 +21,7 @@ export function hashOf(...parts) {
 /** { engine, core, version }: `version` changes with the core's and the engine's code. Wants `npm run build` first. */
 export async function loadEngine() {
   const outDir = join(scratch, 'engine');
-  await build({
-    root,
-    configFile: false,
-    logLevel: 'warn',
-    publicDir: false,
-    build: { ssr: 'tests/bench/fidelity/engine.ts', outDir, emptyOutDir: true, target: 'es2022' },
-  });
+  await bundleModule('tests/bench/fidelity/engine.ts', outDir);
   const bundle = join(outDir, 'engine.js');
   const engine = await import(pathToFileURL(bundle).href);
   const core = await engine.loadCore({ threads: 0, wasmFolder: pathToFileURL(join(wasm, '/')).href });

@@ -3,9 +3,9 @@
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from '@playwright/test';
-import { build } from 'vite';
+import { bundle } from '../../../scripts/setup/bundle.mjs';
 import { findChromium } from '../../../scripts/setup/environment.mjs';
-import { imageFolder, root, scratch } from './load_engine.mjs';
+import { imageFolder, scratch } from './load_engine.mjs';
 
 const RATIO = 0.25;
 const COLUMNS = 4;
@@ -44,19 +44,13 @@ function panelsOf(cases, { name, faces, prepared }) {
 
 async function buildPage() {
   const outDir = join(scratch, 'picture');
-  await build({
-    root,
-    configFile: false,
-    logLevel: 'warn',
-    publicDir: false,
-    build: {
-      outDir,
-      lib: {
-        entry: 'tests/bench/fidelity/picture_page.ts',
-        formats: ['iife'],
-        name: 'pictures',
-        fileName: () => 'picture_page.js',
-      },
+  await bundle({
+    outDir,
+    lib: {
+      entry: 'tests/bench/fidelity/picture_page.ts',
+      formats: ['iife'],
+      name: 'pictures',
+      fileName: () => 'picture_page.js',
     },
   });
   return join(outDir, 'picture_page.js');

@@ -95,3 +95,28 @@ export function triangleArea(positions: ArrayLike<number>, corners: number[]): n
   const [u, w] = [b.map((value, i) => value - a[i]), c.map((value, i) => value - a[i])];
   return Math.hypot(u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]) / 2;
 }
+
+/** A wavy sheet over [-1, 1] x [0, 1] of 2 * cellsX * cellsY cells, positions and triangles its own mirror image across x = 0. */
+export function butterfly(cellsX = 6, cellsY = 8): TriangleMesh {
+  const positions: number[] = [];
+  const triangles: number[] = [];
+  for (let j = 0; j <= cellsY; ++j)
+    for (let i = -cellsX; i <= cellsX; ++i) {
+      const [x, y] = [Math.abs(i) / cellsX, j / cellsY];
+      positions.push(i / cellsX, y, 0.2 * x * x + 0.1 * Math.sin(5 * y + 2 * x));
+    }
+  const at = (i: number, j: number) => j * (2 * cellsX + 1) + i + cellsX;
+  for (let j = 0; j < cellsY; ++j)
+    for (let i = 0; i < cellsX; ++i) {
+      triangles.push(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      triangles.push(
+        at(-i, j),
+        at(-i - 1, j + 1),
+        at(-i - 1, j),
+        at(-i, j),
+        at(-i, j + 1),
+        at(-i - 1, j + 1),
+      );
+    }
+  return { positions: Float32Array.from(positions), triangles: Uint32Array.from(triangles) };
+}

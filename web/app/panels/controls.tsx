@@ -50,7 +50,7 @@ export function Range({ label, min, max, step, value, shown, title, onInput }: R
 }
 
 /** Settings that span orders of magnitude: equal steps of the slider are equal factors. */
-const LOGARITHMIC = new Set<NumberKey>(['young', 'density', 'thickness']);
+const LOGARITHMIC = new Set<NumberKey>(['young', 'density', 'thickness', 'substeps']);
 
 /** A slider's position for a value, and back, over `span`. */
 function scaleOf(name: NumberKey, { min, max, step }: { min: number; max: number; step: number }) {
@@ -67,10 +67,11 @@ function scaleOf(name: NumberKey, { min, max, step }: { min: number; max: number
 /** A setting as a slider over its useful span, with the exact number beside it. */
 export function SettingRange({ name }: { name: NumberKey }) {
   const id = useId();
-  const { label, slider, min, max, step, unit, help } = OPTIONS[name];
+  const { label, slider, min, max, step, unit, help, kind } = OPTIONS[name];
   const value = wants.settings.value[name];
   const set = (next: number) => {
-    if (Number.isFinite(next)) changeSettings({ [name]: Math.min(max, Math.max(min, next)) });
+    const whole = kind === 'integer' ? Math.round(next) : next;
+    if (Number.isFinite(next)) changeSettings({ [name]: Math.min(max, Math.max(min, whole)) });
   };
   const scale = scaleOf(name, { ...(slider ?? { min, max }), step });
   return (
@@ -168,3 +169,6 @@ export function Toggle(props: { label: string; checked: boolean; onChange(checke
 
 export const count = (value: number): string => value.toLocaleString('en-US');
 export const fixed = (value: number, digits: number): string => value.toFixed(digits);
+/** Two decimals, or two figures where these would say nothing. */
+export const percent = (value: number): string =>
+  value === 0 || value >= 0.1 ? `${value.toFixed(2)} %` : `${Number(value.toPrecision(2))} %`;

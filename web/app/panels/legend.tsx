@@ -3,10 +3,11 @@
 import { spellModes } from '../../engine/mode_set';
 import { results, view } from '../state/store';
 import type { FieldName } from '../state/store';
-import { gradient } from '../viewer/colours';
+import { Bar } from './bar';
 import { Choice, Toggle } from './controls';
 import { curvatureScale } from './curvature_scale';
 import { guidingModes } from './mode_choice';
+import { TestLegend } from './test_legend';
 
 const FIELDS: { value: FieldName; text: string; title: string }[] = [
   { value: 'none', text: 'Plain', title: 'No colours (1)' },
@@ -16,6 +17,7 @@ const FIELDS: { value: FieldName; text: string; title: string }[] = [
 
 export function Legend() {
   if (!results.body.value) return null;
+  if (view.step.value === 'test') return <TestLegend />;
   return (
     <div class="legend">
       <Choice
@@ -45,27 +47,4 @@ function Scale() {
 function strainTitle(): string {
   const modes = guidingModes();
   return `Strain rank, mode${modes.length === 1 ? '' : 's'} ${spellModes(modes)}`;
-}
-
-function Bar({
-  map,
-  title,
-  low,
-  high,
-}: {
-  map: 'viridis' | 'cividis';
-  title: string;
-  low: string;
-  high: string;
-}) {
-  return (
-    <div class="bar">
-      <span class="ends">
-        <span class="muted">{low}</span>
-        <span class="bar-title">{title}</span>
-        <span class="muted">{high}</span>
-      </span>
-      <span class="colours" style={{ background: gradient(map) }} />
-    </div>
-  );
 }

@@ -3,10 +3,13 @@
 import { isFitted } from '../../engine/options';
 import { results, shownMesh, view, wants } from '../state/store';
 import { count, fixed } from './controls';
+import { Readout } from './readout';
+import { TestReadouts } from './test_readouts';
 
 export function Readouts() {
   const body = results.body.value;
   if (!body) return null;
+  if (view.step.value === 'test') return <TestReadouts />;
   const total = body.mesh.triangles.length / 3;
   const mesh = shownMesh.value;
   if (view.step.value !== 'reduce' || !mesh) return <OriginalReadouts />;
@@ -48,6 +51,8 @@ function FrequencyReadout() {
   if (!isFitted(wants.settings.value)) return null;
   const fitted = results.fitted.value;
   const isShown = fitted !== null && shownMesh.value === fitted.result;
+  if (isShown && fitted.errorAfter.length === 0)
+    return <Readout name="Frequencies off" value="not fitted" note={fitted.unfitted} />;
   const worst = (errors: Float64Array) => errors.reduce((most, error) => Math.max(most, error), 0);
   return (
     <Readout
@@ -83,27 +88,5 @@ function OriginalReadouts() {
         note={describeTopology(inspection)}
       />
     </dl>
-  );
-}
-
-function Readout({
-  name,
-  value,
-  note,
-  isBad,
-}: {
-  name: string;
-  value: string;
-  note: string;
-  isBad?: boolean;
-}) {
-  return (
-    <div class={isBad ? 'bad' : undefined}>
-      <dt>{name}</dt>
-      <dd>
-        <strong>{value}</strong>
-        <span class="muted">{note}</span>
-      </dd>
-    </div>
   );
 }

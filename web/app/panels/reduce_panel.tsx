@@ -1,12 +1,15 @@
 /** Step 3: how the next edge is chosen, and the slider that replays the collapses. */
 
 import { useRef } from 'preact/hooks';
+import type { FrequencyFinding, Tried } from '../../engine/frequency_target';
 import { describeRefused } from '../../engine/report';
 import { methodChange, OPTIONS } from '../../engine/options';
 import type { Settings } from '../../engine/options';
-import { changeSettings, results, view, wantedFaces, wants } from '../state/store';
-import type { Layout } from '../state/store';
+import { historyKey } from '../state/keys';
+import { changeSettings, results, shownMesh, wantedFaces, wants } from '../state/store';
+import { BrushSection, NamedLocks } from './brush_section';
 import { Choice, Section, SettingRange, Toggle, count, fixed } from './controls';
+import { AskVertex } from './why_card';
 
 const METHODS: { value: Settings['method']; text: string; title: string }[] = [
   {
@@ -22,14 +25,8 @@ const METHODS: { value: Settings['method']; text: string; title: string }[] = [
   { value: 'qem', text: 'Shape only', title: 'Area-weighted quadrics alone' },
 ];
 
-const LAYOUTS: { value: Layout; text: string }[] = [
-  { value: 'both', text: 'Both' },
-  { value: 'original', text: 'Original' },
-  { value: 'optimized', text: 'Optimized' },
-];
-
 export function ReducePanel() {
-  const { method, fit } = wants.settings.value;
+  const { method } = wants.settings.value;
   return (
     <>
       <Section title="Method">
@@ -39,43 +36,88 @@ export function ReducePanel() {
           value={method}
           onChange={(value) => changeSettings(methodChange(value))}
         />
-        {method !== 'qem' && (
-          <>
-            <SettingRange name="strainWeight" />
-            {method === 'paper' && <SettingRange name="curvatureWeight" />}
-            <SettingRange name="qualityWeight" />
-            {method === 'limber' && <SettingRange name="sizeWeight" />}
-          </>
-        )}
-        {method === 'limber' && (
-          <Toggle
-            label={OPTIONS.fit.label}
-            checked={fit === 'on'}
-            onChange={(on) => changeSettings({ fit: on ? 'on' : 'off' })}
-          />
-        )}
+        {method !== 'qem' && <SettingRange name="strainWeight" />}
+        {method === 'paper' && <SettingRange name="curvatureWeight" />}
+        {method !== 'qem' && <SettingRange name="qualityWeight" />}
       </Section>
-      <Section title="View">
-        <Choice
-          label="Compare"
-          options={LAYOUTS}
-          value={view.layout.value}
-          onChange={(layout) => (view.layout.value = layout)}
-        />
+      <Section title="Stop before">
+        <SettingRange name="maxDeviation" />
+        {method === 'qem' && <SettingRange name="minAngle" />}
+        <StopReason />
       </Section>
-      <StopReason />
+      <BrushSection />
+      <details class="more">
+        <summary>More</summary>
+        <MoreSettings />
+      </details>
     </>
   );
 }
 
+function MoreSettings() {
+  const { method, fit, symmetry, borders } = wants.settings.value;
+  return (
+    <>
+      {method !== 'qem' && <SettingRange name="minAngle" />}
+      <SettingRange name="maxFrequencyError" />
+      {method === 'limber' && <SettingRange name="sizeWeight" />}
+      {method === 'limber' && (
+        <Toggle
+          label={OPTIONS.fit.label}
+          checked={fit === 'on'}
+          onChange={(on) => changeSettings({ fit: on ? 'on' : 'off' })}
+        />
+      )}
+      <Toggle
+        label="Keep the mirror symmetry"
+        checked={symmetry !== 'off'}
+        onChange={(on) => changeSettings({ symmetry: on ? 'on' : 'off' })}
+      />
+      <Toggle
+        label="Fix open borders"
+        checked={borders === 'fixed'}
+        onChange={(on) => changeSettings({ borders: on ? 'fixed' : 'free' })}
+      />
+      {method !== 'paper' && <SettingRange name="creases" />}
+      <NamedLocks />
+      <AskVertex />
+    </>
+  );
+}
+
+/** Why there are more faces than asked for, and what was wished in vain. */
 function StopReason() {
   const history = results.history.value;
-  if (!history || wantedFaces.value >= history.floorFaces) return null;
+  if (!history) return null;
+  const frequency = results.fitted.value?.result === shownMesh.value ? results.fitted.value?.frequency : null;
+  const shown = (shownMesh.value?.mesh.triangles.length ?? 0) / 3;
   return (
-    <p class="hint warning">
-      Stopped at {count(history.floorFaces)} faces: {describeRefused(history.refused)}.
-    </p>
+    <>
+      {history.note !== '' && <p class="hint warning">{history.note}.</p>}
+      {wantedFaces.value < history.floorFaces && (
+        <p class="hint warning">
+          Stopped at {count(history.floorFaces)} faces: {describeRefused(history.refused)}.
+        </p>
+      )}
+      {frequency && (
+        <p class={frequency.isBinding ? 'hint warning' : 'hint'}>{describeFrequency(frequency, shown)}</p>
+      )}
+    </>
   );
+}
+
+function describeFrequency({ isBinding, error, limit, tried }: FrequencyFinding, faces: number): string {
+  const off = `the first six frequencies are off by at most ${fixed(error, 2)} %`;
+  if (!isBinding) return `With ${count(faces)} faces ${off}.`;
+  const failures = tried.filter((one) => one.error > limit && one.faces < faces);
+  const nearest = failures.reduce<Tried | null>(
+    (most, one) => (most && most.faces > one.faces ? most : one),
+    null,
+  );
+  const fewer = nearest
+    ? ` With ${count(nearest.faces)} faces it would be ${fixed(nearest.error, 2)} %.`
+    : '';
+  return `Stopped at ${count(faces)} faces, where ${off}.${fewer}`;
 }
 
 export function Scrubber() {
@@ -90,17 +132,20 @@ export function Scrubber() {
   return (
     <div class="scrubber">
       <label for="faces">Kept faces</label>
-      <input
-        id="faces"
-        type="range"
-        min={floor}
-        max={total}
-        step={1}
-        value={value}
-        disabled={!history}
-        aria-valuetext={`${count(value)} of ${count(total)} faces`}
-        onInput={(event) => set(event.currentTarget.valueAsNumber)}
-      />
+      <div class="track">
+        <input
+          id="faces"
+          type="range"
+          min={floor}
+          max={total}
+          step={1}
+          value={value}
+          disabled={!history}
+          aria-valuetext={`${count(value)} of ${count(total)} faces`}
+          onInput={(event) => set(event.currentTarget.valueAsNumber)}
+        />
+        <Marks />
+      </div>
       <input
         ref={field}
         type="number"
@@ -113,5 +158,38 @@ export function Scrubber() {
       />
       <span class="muted ratio">{total > 0 ? `${fixed((100 * value) / total, 1)} %` : ''}</span>
     </div>
+  );
+}
+
+/** Labels nearer to each other than this would overlap, as a share of the slider. */
+const LABEL_WIDTH = 0.045;
+
+/** Where the deviation crosses 0.1, 0.5 and 1 %; a click goes there. */
+function Marks() {
+  const history = results.history.value;
+  const found = results.marks.value;
+  if (!history || found?.key !== historyKey(wants.settings.value)) return null;
+  const { marks } = found;
+  const place = (faces: number) => (faces - history.floorFaces) / (history.faces - history.floorFaces);
+  return (
+    <>
+      {marks.map(({ deviation, faces }, i) => {
+        const isLabelled = i === 0 || place(marks[i - 1].faces) - place(faces) > LABEL_WIDTH;
+        const meaning = `Deviation of at most ${deviation} % before the fit: ${count(faces)} faces`;
+        return (
+          <button
+            key={deviation}
+            type="button"
+            class="tick"
+            style={{ left: `calc(8px + (100% - 16px) * ${place(faces)})` }}
+            title={meaning}
+            aria-label={meaning}
+            onClick={() => (wants.faces.value = faces)}
+          >
+            {isLabelled ? `${i === 0 ? 'deviation ' : ''}${deviation} %` : ''}
+          </button>
+        );
+      })}
+    </>
   );
 }

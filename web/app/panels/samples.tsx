@@ -2,6 +2,7 @@
 
 import { signal } from '@preact/signals';
 import { openAddress } from '../files';
+import type { Wanted } from '../state/link';
 
 export interface Sample {
   id: string;
@@ -20,7 +21,8 @@ export async function loadSamples(): Promise<void> {
   if (response.ok) samples.value = (await response.json()) as Sample[];
 }
 
-export const openSample = ({ file }: Sample): Promise<void> => openAddress(`./samples/${file}`, file);
+export const openSample = ({ file }: Sample, wanted?: Wanted): Promise<void> =>
+  openAddress(`./samples/${file}`, file, wanted);
 
 export function Samples() {
   return (

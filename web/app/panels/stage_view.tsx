@@ -1,20 +1,37 @@
 /** The stage in the page: hands meshes, fields and looks from the state to the viewer. */
 
-import { useSignalEffect } from '@preact/signals';
+import { effect, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { MeshAt } from '../../engine/core';
 import { isDark } from '../scheme';
-import { isPicking, results, shownMesh, view } from '../state/store';
+import { twin } from '../state/simulation';
+import { isBrushing, isPicking, results, shownMesh, view } from '../state/store';
 import type { Field } from '../viewer/body_geometry';
+import type { MapName } from '../viewer/colours';
 import { Stage } from '../viewer/stage';
 import type { PaneName } from '../viewer/stage';
 import { count } from './controls';
 import { curvatureScale } from './curvature_scale';
+import { Compare, comparedAlone, comparedPanes, isSplit } from './compare';
 import { Legend } from './legend';
 import { guidingModes } from './mode_choice';
+import { showPaint } from './brushing';
 import { connectPicking, showPins } from './picking';
+import { connectProbe, WhyCard } from './why_card';
+import {
+  connectDragging,
+  isDriven,
+  isOverlaid,
+  showProps,
+  showTwin,
+  TwinAlert,
+  TwinLabels,
+  veilColour,
+} from './test_view';
 
 export const stageHandle: { current: Stage | null } = { current: null };
+
+const getStage = (): Stage | null => stageHandle.current;
 
 export function StageView() {
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -22,7 +39,12 @@ export function StageView() {
   useEffect(() => {
     try {
       stageHandle.current = new Stage(canvas.current!);
-      connectPicking(canvas.current!, stageHandle.current);
+      const hand = connectPicking(canvas.current!, stageHandle.current);
+      connectDragging(canvas.current!, stageHandle.current);
+      connectProbe(canvas.current!, getStage);
+      effect(() => {
+        if (isBrushing.value || isPicking.value) hand.prepare();
+      });
       showAll();
     } catch {
       setFailed(true);
@@ -36,26 +58,33 @@ export function StageView() {
   useSignalEffect(showLook);
   useSignalEffect(showSwing);
   useSignalEffect(() => showPins(stageHandle.current));
+  useSignalEffect(() => showPaint(stageHandle.current));
+  useSignalEffect(() => showProps(stageHandle.current));
+  useSignalEffect(() => showTwin(stageHandle.current));
   return (
-    <div class={isPicking.value ? 'stage picking' : 'stage'}>
-      <canvas
-        ref={canvas}
-        aria-label={
-          isPicking.value
-            ? 'The mesh at rest. Click a vertex or drag over the surface to hold it in place; Shift lets go.'
-            : 'The mesh. Drag to turn, scroll to zoom, right-drag to move.'
-        }
-        role="img"
-      />
+    <div class={isPicking.value || isBrushing.value ? 'stage picking' : 'stage'}>
+      <canvas ref={canvas} aria-label={describeStage()} role="img" />
       {failed && (
         <p class="empty">
           This browser has no WebGL2, so there is no picture; files, numbers and export work.
         </p>
       )}
       <PaneLabels />
+      <Compare />
+      <WhyCard getStage={getStage} />
+      <TwinAlert />
       <Legend />
     </div>
   );
+}
+
+function describeStage(): string {
+  if (isBrushing.value) return 'The mesh at rest. Drag over the original to paint it; Shift erases.';
+  if (isPicking.value)
+    return 'The mesh at rest. Click a vertex or drag over the surface to hold it in place; Shift lets go.';
+  if (view.step.value === 'test')
+    return 'Both meshes in motion. Drag a body to pull at it, drag beside it to turn, scroll to zoom.';
+  return 'The mesh. Drag to turn, scroll to zoom, right-drag to move.';
 }
 
 function showAll(): void {
@@ -68,14 +97,17 @@ function showAll(): void {
     showLook,
     showSwing,
     () => showPins(stageHandle.current),
+    () => showPaint(stageHandle.current),
+    () => showProps(stageHandle.current),
+    () => showTwin(stageHandle.current),
   ])
     show();
 }
 
 function shownPanes(): PaneName[] {
-  const layout = view.layout.value;
+  if (view.step.value === 'test' && shownMesh.value) return ['original', 'optimized'];
   if (view.step.value !== 'reduce' || !shownMesh.value) return ['original'];
-  return layout === 'both' ? ['original', 'optimized'] : [layout];
+  return comparedPanes();
 }
 
 function showOriginal(): void {
@@ -85,15 +117,21 @@ function showOriginal(): void {
 }
 
 function showOptimized(): void {
-  stageHandle.current?.show('optimized', shownMesh.value?.mesh ?? null);
+  const mesh = isDriven.value ? results.body.value?.mesh : shownMesh.value?.mesh;
+  stageHandle.current?.show('optimized', mesh ?? null);
 }
 
 function showArrangement(): void {
-  stageHandle.current?.arrange(shownPanes());
+  stageHandle.current?.arrange(shownPanes(), {
+    veil: isOverlaid.value ? veilColour() : null,
+    split: isSplit() ? view.split.value : null,
+  });
 }
 
 /** A field of the original, and the same seen on what is left of it. */
 function fields(mesh: MeshAt | null): { original: Field | null; optimized: Field | null } {
+  // Bodies that move bring their own colours.
+  if (view.step.value === 'test') return { original: null, optimized: null };
   const rank = results.guidance.value?.rank;
   const curvature = results.curvature.value?.vertex;
   if (view.field.value === 'strain' && rank)
@@ -111,10 +149,13 @@ function fields(mesh: MeshAt | null): { original: Field | null; optimized: Field
   return { original: null, optimized: null };
 }
 
+const shownMap = (): MapName =>
+  view.field.value === 'curvature' && view.step.value !== 'test' ? 'cividis' : 'viridis';
+
 function showFields(): void {
   if (!results.body.value) return;
   const { original, optimized } = fields(shownMesh.value);
-  const map = view.field.value === 'curvature' ? 'cividis' : 'viridis';
+  const map = shownMap();
   stageHandle.current?.colour('original', original, map);
   stageHandle.current?.colour('optimized', optimized, map);
 }
@@ -133,7 +174,8 @@ function blendedShape(): Float32Array | null {
 }
 
 function showShapes(): void {
-  const shape = view.step.value === 'model' ? null : blendedShape();
+  const isSwinging = view.step.value === 'motion' || view.step.value === 'reduce';
+  const shape = isSwinging ? blendedShape() : null;
   const mesh = shownMesh.value;
   stageHandle.current?.displace('original', shape);
   if (!mesh) return;
@@ -146,16 +188,18 @@ function showShapes(): void {
 }
 
 function showLook(): void {
-  const wireStrength = view.wire.value ? (view.field.value === 'none' ? 0.55 : 0.42) : 0;
+  const isPlain = view.step.value === 'test' ? !twin.heat.value : view.field.value === 'none';
+  const wireStrength = view.wire.value ? (isPlain ? 0.55 : 0.42) : 0;
   const colours = isDark.value ? { clay: '#93a9bb', wire: '#0b1016' } : { clay: '#b9c8d4', wire: '#1c2a36' };
-  const map = view.field.value === 'curvature' ? 'cividis' : 'viridis';
-  stageHandle.current?.look({ ...colours, wireStrength, map });
+  showArrangement();
+  stageHandle.current?.look({ ...colours, wireStrength, map: shownMap() });
 }
 
 function showSwing(): void {
   const body = results.body.value;
   // Picking is on the shape at rest.
-  const isMoving = view.step.value !== 'model' && !isPicking.value;
+  const isStill = isPicking.value || isBrushing.value;
+  const isMoving = ['motion', 'reduce'].includes(view.step.value) && !isStill;
   const moves = isMoving && view.playing.value;
   const amplitude = body && isMoving ? (view.amplitude.value / 100) * body.diagonal : 0;
   stageHandle.current?.animate(moves, amplitude, view.speed.value);
@@ -164,12 +208,13 @@ function showSwing(): void {
 function PaneLabels() {
   const body = results.body.value;
   if (!body) return null;
+  if (view.step.value === 'test' && shownMesh.value) return <TwinLabels />;
   const faces = {
     original: body.mesh.triangles.length / 3,
     optimized: (shownMesh.value?.mesh.triangles.length ?? 0) / 3,
   };
   return (
-    <div class="pane-labels">
+    <div class={comparedAlone() ? 'pane-labels alone' : 'pane-labels'}>
       {shownPanes().map((name) => (
         <span key={name}>
           {name === 'original' ? 'Original' : 'Optimized'}{' '}

@@ -55,11 +55,21 @@ export class Client {
     }).finally(() => (this.abandon = null));
   }
 
+  /** A short call beside the running one, which goes on; it has its turn after that. */
+  aside<T>(make: (remote: Remote<WorkerApi>) => Promise<unknown>): Promise<T> {
+    return this.started.then(() => make(this.remote)).then((value) => value as T);
+  }
+
   /** Progress of the running call, read from shared memory or from what the worker said last. */
   progress(): Progress | null {
     if (!this.job) return this.said;
     const [phase, fraction] = [Atomics.load(this.job, 1), Atomics.load(this.job, 2) / 10000];
     return { phase: PHASES[phase], fraction };
+  }
+
+  /** Whether a running call stops without losing what the worker holds. */
+  get canStop(): boolean {
+    return this.job !== null;
   }
 
   /** Stops the running call: by a wish in shared memory, or by a fresh worker that opens the same files again. */

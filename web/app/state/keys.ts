@@ -2,10 +2,16 @@
 
 import { isFitted, resolveModel } from '../../engine/options';
 import type { Settings } from '../../engine/options';
+import type { ExportRequest } from '../worker/protocol';
 
 export const prepareKey = ({ weld }: Settings): string => `${weld}`;
 
 export const pinsKey = (settings: Settings): string => `${prepareKey(settings)} ${settings.pins}`;
+
+export const heldKey = (settings: Settings): string => {
+  const { keep, lock, paint, symmetry } = settings;
+  return [pinsKey(settings), keep, lock, paint, symmetry].join(' ');
+};
 
 export function modesKey(settings: Settings): string {
   const { modeCount, direction, pins, exact, young, poisson, density, thickness, unit } = settings;
@@ -31,16 +37,24 @@ export function guidanceKey(settings: Settings): string {
 
 export function historyKey(settings: Settings): string {
   const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight } = settings;
-  const { maxDeviation, minAngle, borders } = settings;
-  const common = [pinsKey(settings), method, sizeWeight, maxDeviation, minAngle, borders];
+  const { maxDeviation, minAngle, borders, creases } = settings;
+  const common = [heldKey(settings), method, sizeWeight, maxDeviation, minAngle, borders, creases];
   if (method === 'qem') return common.join(' ');
   return [guidanceKey(settings), ...common, strainWeight, curvatureWeight, qualityWeight].join(' ');
 }
 
 /** Of what is shown and exported. */
 export function resultKey(settings: Settings): string {
-  const { fit, thickness, poisson } = settings;
-  return isFitted(settings)
-    ? [historyKey(settings), fit, thickness, poisson].join(' ')
-    : historyKey(settings);
+  const { fit, thickness, poisson, maxFrequencyError, young, density, unit } = settings;
+  const words = [historyKey(settings)];
+  if (isFitted(settings)) words.push(fit, `${thickness} ${poisson}`);
+  if (maxFrequencyError > 0)
+    words.push([maxFrequencyError, thickness, young, poisson, density, unit].join(' '));
+  return words.join(' ');
+}
+
+/** `faces` per body. */
+export function exportKey(settings: Settings, faces: number[], request: ExportRequest): string {
+  const { fields, binding, output } = request;
+  return [resultKey(settings), faces, settings.lods, fields, binding, output].join(' ');
 }

@@ -3,12 +3,17 @@
 import { batch, effect, signal, untracked } from '@preact/signals';
 import type { Signal } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
+import type { Settings } from '../../engine/options';
 import { CANCELLED } from '../worker/protocol';
-import type { PinsResult } from '../worker/protocol';
+import type { ExportRequest, PinsResult } from '../worker/protocol';
 import { Client } from './client';
-import { guidanceKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from './keys';
+import { exportKey, guidanceKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from './keys';
 import { shareInProportion } from '../../engine/share';
-import { changeSettings, results, status, view, wantedFaces, wants } from './store';
+import { takeAwaited } from './link';
+import type { Wanted } from './link';
+import { saveFiles, startSaving } from './saved_session';
+import { changeSettings, results, shownMesh, status, view, wantedFaces, whyKey, wants } from './store';
+import { forgetUndo, startUndo, withoutUndo } from './undo';
 
 interface Stage {
   what: string;
@@ -16,10 +21,22 @@ interface Stage {
   key(): string | null;
   run(): Promise<unknown>;
   result: Signal<unknown>;
+  /** any other stage goes before it, and stops it where it runs */
+  isPatient?: boolean;
 }
 
 const REST_MILLISECONDS = 180;
 const SLOW_MILLISECONDS = 200;
+
+/** Pins, paint and modes are those of one file. */
+const NOT_CARRIED_OVER: Partial<Settings> = {
+  pins: '',
+  lock: '',
+  keep: '',
+  paint: '',
+  modes: 'auto',
+  modeWeights: [],
+};
 
 /** The wanted faces, once the slider has rested. */
 const restedFaces = signal(0);
@@ -35,7 +52,7 @@ const afterHistory = (make: () => string) => () => (results.history.value ? afte
 
 /** Once the slider has rested on a mesh that is looked at. */
 const atRest = (): string | null =>
-  (view.step.value === 'reduce' || wants.exportOpen.value) &&
+  (view.step.value === 'reduce' || view.step.value === 'test' || wants.exportOpen.value) &&
   restedFaces.value === wantedFaces.value &&
   results.mesh.value
     ? afterHistory(() => `${resultKey(settings())} ${restedFaces.value}`)()
@@ -99,13 +116,37 @@ const stages: Stage[] = [
   {
     what: 'Writing and checking the file',
     key: () =>
-      wants.exportOpen.value && restedFaces.value === wantedFaces.value
-        ? afterHistory(() => `${resultKey(settings())} ${bodyTargets()} ${wants.exportFields.value}`)()
-        : null,
-    run: () => client.call((worker) => worker.export(settings(), bodyTargets(), wants.exportFields.value)),
+      wants.exportOpen.value && restedFaces.value === wantedFaces.value ? afterHistory(exportedKey)() : null,
+    run: () => client.call((worker) => worker.export(settings(), bodyTargets(), exportRequest())),
     result: results.exported,
   },
+  {
+    what: 'Asking why vertices stay',
+    key: () =>
+      view.step.value === 'reduce' && view.probe.value !== null && results.metrics.value !== null
+        ? afterHistory(whyKey)()
+        : null,
+    run: () =>
+      client.call((worker) => worker.why(body(), settings(), shownMesh.value!.mesh.triangles.length / 3)),
+    result: results.why,
+    isPatient: true,
+  },
+  {
+    what: 'Marking the deviation on the slider',
+    key: () => (isMarkingWanted() ? afterHistory(() => historyKey(settings()))() : null),
+    run: () => client.call((worker) => worker.marks(body(), settings())),
+    result: results.marks,
+    isPatient: true,
+  },
 ];
+
+/** Without shared memory a patient stage can only be stopped by a fresh worker, which has everything to do again. */
+const MOST_FACES_UNSTOPPABLE = 20_000;
+
+const isMarkingWanted = (): boolean =>
+  view.step.value === 'reduce' &&
+  results.metrics.value !== null &&
+  (client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE);
 
 /** Pins that the body has not are refused with a sentence, and those before them stay; a new file begins with none. */
 async function findPins(): Promise<unknown> {
@@ -119,7 +160,7 @@ async function findPins(): Promise<unknown> {
     const last = results.pins.value;
     batch(() => {
       status.refusedPins.value = { text, why: error.message };
-      changeSettings({ pins: last && last.text !== text ? last.text : '' });
+      withoutUndo(() => changeSettings({ pins: last && last.text !== text ? last.text : '' }));
     });
     return last;
   }
@@ -136,31 +177,53 @@ export function bodyTargets(): number[] {
   return shareInProportion(Math.round(share * counts.reduce((a, b) => a + b, 0)), counts);
 }
 
+const baseName = (name: string): string =>
+  name
+    .split('/')
+    .pop()!
+    .replace(/\.[^.]+$/, '');
+
+/** What is wanted of the export. */
+export const exportRequest = (): ExportRequest => ({
+  fields: wants.exportFields.value,
+  binding: wants.exportBinding.value,
+  output: `${baseName(results.file.value?.name ?? '')}-limber.glb`,
+});
+
+export const exportedKey = (): string => exportKey(settings(), bodyTargets(), exportRequest());
+
 const done = new Map<Stage, string>();
 let running: Stage | null = null;
 let looping = false;
 let opening: Promise<void> = Promise.resolve();
 
-/** Opens files in place of what is shown; where they cannot be read, what is shown stays and a notice says why. */
-export function openFiles(files: SourceFile[]): Promise<void> {
+/**
+ * Opens files in place of what is shown; where they cannot be read, what is shown stays and a notice says why. `asked`:
+ * what a link or an earlier session asks of them.
+ */
+export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
   if (running) client.cancel();
   opening = opening.then(async () => {
     await whileBusy('Opening', async () => {
       const file = await client.open(files);
+      const wanted = asked ?? takeAwaited(file.name);
       done.clear();
       batch(() => {
         for (const stage of stages) stage.result.value = null;
         results.file.value = file;
         results.opened.value += 1;
-        wants.body.value = 0;
-        wants.faces.value = null;
+        wants.body.value = wanted && wanted.body < file.bodies.length ? wanted.body : 0;
+        wants.faces.value = wanted?.faces ?? null;
         wants.exportOpen.value = false;
-        // Pins and modes are those of the file before.
-        changeSettings({ pins: '', modes: 'auto', modeWeights: [] });
+        if (wanted) wants.settings.value = wanted.settings;
+        else changeSettings(NOT_CARRIED_OVER);
         status.refusedPins.value = null;
         view.picking.value = false;
+        view.brush.value = { ...view.brush.value, tool: null };
         status.notice.value = file.notes.length > 0 ? { kind: 'info', text: file.notes.join('; ') } : null;
       });
+      forgetUndo();
+      void saveFiles(files);
     }).catch((error: unknown) => complain(error));
   });
   return opening.then(loop);
@@ -176,6 +239,7 @@ export function showBody(index: number): void {
     wants.body.value = index;
     wants.faces.value = null;
   });
+  forgetUndo();
 }
 
 /** The user's cancel: the stage waits until its inputs change or `resume` is called. */
@@ -194,6 +258,8 @@ export function resume(): void {
 
 /** Starts following the state. */
 export function startRunner(): void {
+  startUndo();
+  startSaving();
   void client
     .ready()
     .then(() => (status.threads.value = client.threads))
@@ -202,7 +268,7 @@ export function startRunner(): void {
     const keys = stages.map((stage) => stage.key());
     untracked(() => {
       // A call whose inputs have changed since is of no use to anybody.
-      if (running && keys[stages.indexOf(running)] !== runningKey) client.cancel();
+      if (running && (keys[stages.indexOf(running)] !== runningKey || mustWait(running))) client.cancel();
       void loop();
     });
   });
@@ -212,6 +278,9 @@ export function startRunner(): void {
     return () => clearTimeout(timer);
   });
 }
+
+/** Whether something else is due before a patient stage goes on. */
+const mustWait = (stage: Stage): boolean => stage.isPatient === true && nextStage() !== stage;
 
 let runningKey: string | null = null;
 
@@ -224,6 +293,7 @@ const nextStage = () =>
 async function loop(): Promise<void> {
   if (looping) return;
   looping = true;
+  status.working.value = true;
   await opening;
   for (let stage = nextStage(); stage; stage = nextStage()) {
     running = stage;
@@ -247,6 +317,7 @@ async function loop(): Promise<void> {
     }
   }
   looping = false;
+  status.working.value = false;
 }
 
 function complain(error: unknown): void {

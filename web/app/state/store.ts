@@ -4,9 +4,10 @@ import { computed, signal } from '@preact/signals';
 import type { Curvature, MeshAt, Progress, StrainGuidance } from '../../engine/core';
 import { defaultSettings } from '../../engine/options';
 import type { Settings } from '../../engine/options';
-import { modesKey, resultKey } from './keys';
+import { historyKey, modesKey, resultKey } from './keys';
 import type {
   BodySummary,
+  DeviationMarks,
   ExportResult,
   FitResult,
   HistorySummary,
@@ -14,11 +15,13 @@ import type {
   OpenedFile,
   PinsResult,
   ResultMetrics,
+  WhyResult,
 } from '../worker/protocol';
 
-export type Step = 'model' | 'motion' | 'reduce';
-export type Layout = 'both' | 'original' | 'optimized';
+export type Step = 'model' | 'motion' | 'reduce' | 'test';
+export type Layout = 'both' | 'slider' | 'original' | 'optimized';
 export type FieldName = 'none' | 'strain' | 'curvature';
+export type BrushTool = 'keep' | 'lock' | 'erase';
 export type Theme = 'system' | 'light' | 'dark';
 
 export interface Notice {
@@ -34,6 +37,7 @@ export const wants = {
   faces: signal<number | null>(null),
   exportOpen: signal(false),
   exportFields: signal(false),
+  exportBinding: signal(false),
 };
 
 /** What has been computed; null until it is. `opened` counts files, so that results of an earlier one are never shown. */
@@ -46,9 +50,11 @@ export const results = {
   guidance: signal<StrainGuidance | null>(null),
   curvature: signal<Curvature | null>(null),
   history: signal<HistorySummary | null>(null),
+  marks: signal<DeviationMarks | null>(null),
   mesh: signal<MeshAt | null>(null),
   fitted: signal<FitResult | null>(null),
   metrics: signal<ResultMetrics | null>(null),
+  why: signal<WhyResult | null>(null),
   exported: signal<ExportResult | null>(null),
 };
 
@@ -56,6 +62,8 @@ export const results = {
 export const view = {
   step: signal<Step>('model'),
   layout: signal<Layout>('both'),
+  /** of the stage: how much of it shows the original where both lie over each other */
+  split: signal(0.5),
   field: signal<FieldName>('strain'),
   wire: signal(true),
   playing: signal(!matchMedia('(prefers-reduced-motion: reduce)').matches),
@@ -63,12 +71,22 @@ export const view = {
   speed: signal(1),
   theme: signal<Theme>('system'),
   helpOpen: signal(false),
+  /** the vertex of the optimized mesh whose reasons are told, and whether it stays when the pointer leaves it */
+  probe: signal<{ vertex: number; isHeld: boolean } | null>(null),
   /** the stage's left button pins vertices instead of turning the view */
   picking: signal(false),
+  /** what the left button paints on the Reduce step, null: it turns the view; radius in % of the diagonal, softness 0..1 */
+  brush: signal<{ tool: BrushTool | null; radius: number; softness: number }>({
+    tool: null,
+    radius: 6,
+    softness: 0.5,
+  }),
 };
 
 /** What is going on. */
 export const status = {
+  /** whether stages are running or about to */
+  working: signal(false),
   busy: signal<{ what: string; progress: Progress | null } | null>(null),
   /** what was cancelled and waits for a word */
   paused: signal<string | null>(null),
@@ -95,9 +113,24 @@ export const shownMesh = computed(() => {
     : results.mesh.value;
 });
 
+/** The reasons of the shown result, once they are known. */
+export const shownWhy = computed(() => {
+  const { value: why } = results.why;
+  return why?.key === whyKey() ? why : null;
+});
+
+/** Of the reasons that the shown result asks for. */
+export const whyKey = (): string =>
+  `${historyKey(wants.settings.value)} ${(shownMesh.value?.mesh.triangles.length ?? 0) / 3}`;
+
 /** Whether the pick tool is in use. */
 export const isPicking = computed(
   () => view.picking.value && view.step.value === 'motion' && results.body.value !== null,
+);
+
+/** Whether the brush is in use. */
+export const isBrushing = computed(
+  () => view.brush.value.tool !== null && view.step.value === 'reduce' && results.body.value !== null,
 );
 
 /** How many faces the shown body should keep. */

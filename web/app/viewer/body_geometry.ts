@@ -1,7 +1,9 @@
 /** A mesh as the stage draws it: corners not shared, so that faces can have their own colour and sharp edges. */
 
-import { BufferAttribute, BufferGeometry } from 'three';
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
 import type { TriangleMesh } from '../../engine/core';
+import { LOCKED, STRONGEST } from '../../engine/paint';
+import type { Levels } from '../../engine/paint';
 import { cornerNormals } from '../../engine/document/normals';
 
 /** A scalar to colour by, in [0, 1]. */
@@ -18,7 +20,8 @@ export function perCorner({ triangles }: TriangleMesh, values: Float32Array, siz
   return out;
 }
 
-export function bodyGeometry(mesh: TriangleMesh): BufferGeometry {
+/** `groups`: corners that share a normal, see CornerNormals. */
+export function bodyGeometry(mesh: TriangleMesh): { geometry: BufferGeometry; groups: Uint32Array } {
   const geometry = new BufferGeometry();
   const { group, normals } = cornerNormals(mesh);
   const spread = new Float32Array(3 * group.length);
@@ -30,7 +33,7 @@ export function bodyGeometry(mesh: TriangleMesh): BufferGeometry {
   setDisplacement(geometry, mesh, null);
   setField(geometry, mesh, null);
   geometry.computeBoundingSphere();
-  return geometry;
+  return { geometry, groups: group };
 }
 
 /** Per vertex, in units of the mesh; null: none. */
@@ -49,4 +52,23 @@ export function setField(geometry: BufferGeometry, mesh: TriangleMesh, field: Fi
   if (field?.on === 'triangles')
     values.forEach((_, corner) => (values[corner] = field.values[Math.floor(corner / 3)]));
   geometry.setAttribute('value', new BufferAttribute(values, 1));
+}
+
+/** What a brush has painted, per vertex; null: nothing. Its attribute holds (how much is kept, whether it is locked). */
+export function setPaint(geometry: BufferGeometry, { triangles }: TriangleMesh, levels: Levels | null): void {
+  if (!levels) {
+    geometry.deleteAttribute('paint');
+    return;
+  }
+  const attribute =
+    geometry.getAttribute('paint') ??
+    new BufferAttribute(new Uint8Array(2 * triangles.length), 2, true).setUsage(DynamicDrawUsage);
+  const { array } = attribute;
+  for (let corner = 0; corner < triangles.length; corner++) {
+    const level = levels[triangles[corner]];
+    array[2 * corner] = level === LOCKED ? 0 : (255 * level) / STRONGEST;
+    array[2 * corner + 1] = level === LOCKED ? 255 : 0;
+  }
+  attribute.needsUpdate = true;
+  geometry.setAttribute('paint', attribute);
 }

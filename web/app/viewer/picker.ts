@@ -3,23 +3,33 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Sphere, Vector3 } from 'three';
 import type { Ray } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
+import type { SerializedBVH } from 'three-mesh-bvh';
 import type { TriangleMesh } from '../../engine/core';
 
 export interface PickedVertex {
   vertex: number;
   /** where the ray meets the surface */
   point: Vector3;
+  /** of the face that it meets */
+  normal: Vector3;
 }
 
-export class Picker {
-  private readonly tree: MeshBVH;
+/** A tree of more triangles than this is grown in a worker: here it would hold up the page. */
+const MOST_AT_ONCE = 30_000;
 
-  constructor(private readonly mesh: TriangleMesh) {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
-    geometry.setIndex(new BufferAttribute(mesh.triangles, 1));
-    // Indirect: the mesh's own triangles stay in their order.
-    this.tree = new MeshBVH(geometry, { indirect: true });
+export class Picker {
+  private constructor(
+    private readonly mesh: TriangleMesh,
+    private readonly tree: MeshBVH,
+  ) {}
+
+  /** At once for small meshes, later for large ones. */
+  static of(mesh: TriangleMesh): Picker | Promise<Picker> {
+    const geometry = geometryOf(mesh);
+    if (mesh.triangles.length / 3 <= MOST_AT_ONCE) return new Picker(mesh, growTree(geometry));
+    return growElsewhere(mesh).then(
+      (grown) => new Picker(mesh, MeshBVH.deserialize(grown, geometry, { setIndex: false })),
+    );
   }
 
   /** The corner nearest to where the ray first meets the surface, from either side; null where it misses. */
@@ -27,28 +37,55 @@ export class Picker {
     const hit = this.tree.raycastFirst(ray, DoubleSide);
     if (!hit || typeof hit.faceIndex !== 'number') return null;
     const corners = [0, 1, 2].map((corner) => this.mesh.triangles[3 * hit.faceIndex! + corner]);
-    const distances = corners.map((vertex) => this.place(vertex).distanceToSquared(hit.point));
-    return { vertex: corners[distances.indexOf(Math.min(...distances))], point: hit.point };
+    const distances = corners.map((vertex) => this.squaredDistance(vertex, hit.point));
+    const vertex = corners[distances.indexOf(Math.min(...distances))];
+    return { vertex, point: hit.point, normal: hit.face!.normal };
   }
 
-  /** Every vertex at most `radius` from the point. */
-  around(point: Vector3, radius: number): number[] {
+  /** Every vertex at most `radius` from the point, with its distance. */
+  around(point: Vector3, radius: number): Map<number, number> {
     const sphere = new Sphere(point, radius);
-    const found = new Set<number>();
+    const found = new Map<number, number>();
     this.tree.shapecast({
       intersectsBounds: (box) => sphere.intersectsBox(box),
       intersectsTriangle: (_triangle, face) => {
         for (let corner = 0; corner < 3; corner++) {
           const vertex = this.mesh.triangles[3 * face + corner];
-          if (sphere.containsPoint(this.place(vertex))) found.add(vertex);
+          const distance = Math.sqrt(this.squaredDistance(vertex, point));
+          if (distance <= radius) found.set(vertex, distance);
         }
         return false;
       },
     });
-    return [...found];
+    return found;
   }
 
-  private place(vertex: number): Vector3 {
-    return new Vector3().fromArray(this.mesh.positions, 3 * vertex);
+  private squaredDistance(vertex: number, { x, y, z }: Vector3): number {
+    const { positions } = this.mesh;
+    const [dx, dy, dz] = [
+      positions[3 * vertex] - x,
+      positions[3 * vertex + 1] - y,
+      positions[3 * vertex + 2] - z,
+    ];
+    return dx * dx + dy * dy + dz * dz;
   }
+}
+
+export function geometryOf({ positions, triangles }: TriangleMesh): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  geometry.setIndex(new BufferAttribute(triangles, 1));
+  return geometry;
+}
+
+/** Indirect: the mesh's own triangles stay in their order. */
+export const growTree = (geometry: BufferGeometry): MeshBVH => new MeshBVH(geometry, { indirect: true });
+
+function growElsewhere(mesh: TriangleMesh): Promise<SerializedBVH> {
+  const worker = new Worker(new URL('./tree_worker.ts', import.meta.url), { type: 'module' });
+  return new Promise<SerializedBVH>((resolve, reject) => {
+    worker.onmessage = ({ data }: MessageEvent<SerializedBVH>) => resolve(data);
+    worker.onerror = ({ message }) => reject(new Error(message));
+    worker.postMessage(mesh);
+  }).finally(() => worker.terminate());
 }

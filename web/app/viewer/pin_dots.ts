@@ -5,8 +5,10 @@ import type { TriangleMesh } from '../../engine/core';
 
 const vertexShader = /* glsl */ `
   uniform float size;
+  uniform float amplitude;
+  attribute vec3 displacement;
   void main() {
-    vec3 place = (modelViewMatrix * vec4(position, 1.0)).xyz;
+    vec3 place = (modelViewMatrix * vec4(position + amplitude * displacement, 1.0)).xyz;
     // A little towards the eye, so that the surface around the vertex does not cut the dot.
     gl_Position = projectionMatrix * vec4(0.985 * place, 1.0);
     gl_PointSize = size;
@@ -37,6 +39,7 @@ export class PinDots {
   constructor(private readonly pixelRatio: number) {
     const uniforms = {
       size: { value: 1 },
+      amplitude: { value: 0 },
       rimWidth: { value: 0 },
       fill: { value: new Color() },
       rim: { value: new Color() },
@@ -51,14 +54,24 @@ export class PinDots {
     const places = Float32Array.from(
       [...vertices].flatMap((vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]),
     );
+    this.place(places);
+  }
+
+  /** places[3 * dot + c], and where they go at full swing */
+  place(places: Float32Array, displacement: Float32Array | null = null): void {
     this.points.geometry.dispose();
     this.points.geometry = new BufferGeometry();
     this.points.geometry.setAttribute('position', new BufferAttribute(places, 3));
+    if (displacement) this.points.geometry.setAttribute('displacement', new BufferAttribute(displacement, 3));
     this.points.visible = places.length > 0;
     const { uniforms } = this.points.material;
     const [size, rimWidth] = inPixels(places.length / 3);
     uniforms.size.value = this.pixelRatio * size;
     uniforms.rimWidth.value = this.pixelRatio * rimWidth;
+  }
+
+  swing(amplitude: number): void {
+    this.points.material.uniforms.amplitude.value = amplitude;
   }
 
   look({ fill, rim }: DotLook): void {

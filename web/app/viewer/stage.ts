@@ -3,13 +3,21 @@
 import CameraControls from 'camera-controls';
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core';
-import { bodyGeometry, setDisplacement, setField } from './body_geometry';
+import type { Levels } from '../../engine/paint';
+import { bodyGeometry, setDisplacement, setField, setPaint } from './body_geometry';
 import type { Field } from './body_geometry';
+import { BrushRing } from './brush_ring';
+import type { BrushMark } from './brush_ring';
 import { mapTexture } from './colours';
 import type { MapName } from './colours';
 import { PinDots } from './pin_dots';
 import type { DotLook } from './pin_dots';
+import { nearestSeen, seenAt } from './seen_vertices';
+import type { ScreenPlace, SeenBody } from './seen_vertices';
 import { surfaceMaterial } from './surface_material';
+import { PropsView } from './twin_props';
+import type { Props, PropsLook } from './twin_props';
+import { MOST_SMOOTH, paintSurface, placeSurface } from './twin_surface';
 
 CameraControls.install({ THREE });
 
@@ -23,26 +31,46 @@ export interface Look {
 /** One body in its own scene. */
 class Pane {
   readonly scene = new THREE.Scene();
+  readonly dots: PinDots;
+  readonly props = new PropsView();
+  private groups: Uint32Array = new Uint32Array();
+  private isPlaced = false;
+  private isBare = false;
+  private veilColour: string | null = null;
   private readonly body: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
   mesh: TriangleMesh | null = null;
   private field: Field | null = null;
   private shape: Float32Array | null = null;
+  /** at a vertex that is asked about */
+  readonly probe: PinDots;
+  private amplitude = 0;
+  private levels: Levels | null = null;
+  private isPaintStale = false;
 
-  constructor(map: THREE.DataTexture) {
+  constructor(map: THREE.DataTexture, pixelRatio: number) {
+    this.dots = new PinDots(pixelRatio);
+    this.probe = new PinDots(pixelRatio);
     const look = { clay: new THREE.Color(), wire: new THREE.Color(), wireStrength: 0 };
     this.body = new THREE.Mesh(new THREE.BufferGeometry(), surfaceMaterial(map, look));
     this.body.frustumCulled = false; // a swinging body leaves the bounds of its rest pose
     this.body.visible = false;
-    this.scene.add(this.body);
+    this.scene.add(this.body, this.dots.points, this.probe.points, this.props.group);
   }
 
   show(mesh: TriangleMesh | null): void {
     this.body.geometry.dispose();
     this.mesh = mesh;
     this.body.visible = mesh !== null;
-    this.body.geometry = mesh ? bodyGeometry(mesh) : new THREE.BufferGeometry();
+    const { geometry, groups } = mesh
+      ? bodyGeometry(mesh)
+      : { geometry: new THREE.BufferGeometry(), groups: new Uint32Array() };
+    this.body.geometry = geometry;
+    this.groups = groups;
+    this.isPlaced = false;
+    this.body.material.uniforms.isFlat.value = false;
     this.applyField();
     this.applyShape();
+    this.isPaintStale = true;
   }
 
   /** Mesh, field and shape may come in any order: what does not fit the mesh yet waits for the one that it belongs to. */
@@ -71,15 +99,75 @@ class Pane {
     this.applyShape();
   }
 
+  paint(levels: Levels | null): void {
+    this.levels = levels;
+    this.isPaintStale = true;
+  }
+
+  /** Once a frame, for a hand may paint more often. */
+  private applyPaint(): void {
+    const { mesh, levels } = this;
+    if (mesh && this.isPaintStale)
+      setPaint(this.body.geometry, mesh, levels?.length === mesh.positions.length / 3 ? levels : null);
+    this.isPaintStale = false;
+  }
+
+  /** Vertices elsewhere than at rest, or back there (null), and values in [0, 1] to colour them by. */
+  place(positions: Float32Array | null, values: Float32Array | null): void {
+    const { mesh, groups } = this;
+    if (!mesh || (positions ? positions.length !== mesh.positions.length : !this.isPlaced)) return;
+    this.isPlaced = positions !== null;
+    const { isFlat, hasField } = this.body.material.uniforms;
+    isFlat.value = this.isPlaced && mesh.triangles.length > 3 * MOST_SMOOTH;
+    placeSurface(this.body.geometry, mesh, positions ?? mesh.positions, groups);
+    if (!positions) return this.applyField();
+    hasField.value = values?.length === mesh.positions.length / 3;
+    if (values && hasField.value) paintSurface(this.body.geometry, mesh, values);
+  }
+
+  /** As a veil over another body, or as itself (null). */
+  veil(colour: string | null): void {
+    const { material } = this.body;
+    material.transparent = colour !== null;
+    material.uniforms.opacity.value = colour === null ? 1 : 0.4;
+    this.veilColour = colour;
+  }
+
+  /** Without wires: those of the veil over it would drown in them. */
+  bare(isBare: boolean): void {
+    this.isBare = isBare;
+  }
+
   look({ clay, wire, wireStrength }: Look): void {
     const { uniforms } = this.body.material;
-    uniforms.clay.value.set(clay);
+    uniforms.clay.value.set(this.veilColour ?? clay);
     uniforms.wire.value.set(wire);
-    uniforms.wireStrength.value = wireStrength;
+    uniforms.wireStrength.value = this.isBare ? 0 : wireStrength;
   }
 
   swing(amplitude: number): void {
+    this.applyPaint();
+    this.amplitude = amplitude;
+    this.probe.swing(amplitude);
     this.body.material.uniforms.amplitude.value = amplitude;
+  }
+
+  /** The vertex, as it moves. */
+  mark(vertex: number | null): void {
+    const shape = this.fittingShape();
+    if (vertex === null || !this.mesh) return this.probe.place(new Float32Array());
+    const at = (values: Float32Array) => values.slice(3 * vertex, 3 * vertex + 3);
+    this.probe.place(at(this.mesh.positions), shape && at(shape));
+  }
+
+  private fittingShape(): Float32Array | null {
+    return this.shape?.length === this.mesh?.positions.length ? this.shape : null;
+  }
+
+  /** Where the vertices are seen now; see `seenVertices`. */
+  seen(): SeenBody | null {
+    const { mesh, amplitude } = this;
+    return mesh && { positions: mesh.positions, shape: this.fittingShape(), amplitude };
   }
 
   sphere(): THREE.Sphere | null {
@@ -96,9 +184,11 @@ export class Stage {
   private readonly timer = new THREE.Timer();
   private readonly maps: Record<MapName, THREE.DataTexture>;
   private readonly panes: Record<PaneName, Pane>;
-  private readonly dots: PinDots;
   private readonly candidate: PinDots;
+  private readonly ring = new BrushRing();
   private shown: PaneName[] = ['original'];
+  private isOverlaid = false;
+  private split: number | null = null;
   private stale = true;
   private swinging = false;
   private phase = 0;
@@ -108,14 +198,19 @@ export class Stage {
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    // Panes are cleared all at once.
+    this.renderer.autoClear = false;
     this.maps = { viridis: mapTexture('viridis'), cividis: mapTexture('cividis') };
-    this.panes = { original: new Pane(this.maps.viridis), optimized: new Pane(this.maps.viridis) };
-    this.dots = new PinDots(this.renderer.getPixelRatio());
-    this.candidate = new PinDots(this.renderer.getPixelRatio());
-    this.panes.original.scene.add(this.dots.points, this.candidate.points);
+    const ratio = this.renderer.getPixelRatio();
+    const pane = (): Pane => new Pane(this.maps.viridis, ratio);
+    this.panes = { original: pane(), optimized: pane() };
+    this.candidate = new PinDots(ratio);
+    this.panes.original.scene.add(this.candidate.points, this.ring.line);
     this.controls = new CameraControls(this.camera, canvas);
     this.controls.dollyToCursor = true;
     this.controls.smoothTime = 0.08;
+    for (const name of ['wheel', 'pointerdown'] as const)
+      canvas.addEventListener(name, ({ clientX }) => this.aim(clientX), { capture: true, passive: true });
     new ResizeObserver(() => this.resize()).observe(canvas);
     canvas.addEventListener('webglcontextrestored', () => (this.stale = true));
     this.resize();
@@ -138,14 +233,45 @@ export class Stage {
     this.stale = true;
   }
 
+  /** Vertices of a body in motion, or at rest (null), values to colour them by, and dots at [3 * dot + c]. */
+  place(
+    name: PaneName,
+    positions: Float32Array | null,
+    { values = null, dots = null }: { values?: Float32Array | null; dots?: Float32Array | null } = {},
+  ): void {
+    const pane = this.panes[name];
+    pane.place(positions, values);
+    if (dots) pane.dots.place(dots);
+    this.stale = true;
+  }
+
+  /** What bodies fall on. */
+  furnish(props: Props | null, look: PropsLook): void {
+    for (const pane of Object.values(this.panes)) pane.props.show(props, look);
+    this.stale = true;
+  }
+
   look(look: Look): void {
     for (const pane of Object.values(this.panes)) pane.look(look);
     this.stale = true;
   }
 
+  /** What a brush has painted on a body; null: nothing. */
+  paint(pane: PaneName, levels: Levels | null): void {
+    this.panes[pane].paint(levels);
+    this.stale = true;
+  }
+
+  /** The brush over the original; null takes it away. */
+  markBrush(mark: BrushMark | null): void {
+    this.ring.show(mark);
+    this.stale = true;
+  }
+
   /** Dots at these vertices of the original, at rest. */
   pin(vertices: Iterable<number>): void {
-    this.showDots(this.dots, vertices);
+    this.showDots(this.panes.original.dots, vertices);
+    this.panes.optimized.dots.place(new Float32Array());
   }
 
   /** A dot at the vertex that a click would take. */
@@ -160,24 +286,88 @@ export class Stage {
   }
 
   colourPins(look: DotLook): void {
-    this.dots.look(look);
+    for (const pane of Object.values(this.panes)) pane.dots.look(look);
     this.candidate.look({ fill: look.rim, rim: look.fill });
+    for (const pane of Object.values(this.panes)) pane.probe.look({ fill: '#ffffff', rim: '#17212b' });
     this.stale = true;
   }
 
-  /** The ray of sight through a place of the page, in the pane that it lies in. */
-  rayAt(clientX: number, clientY: number): THREE.Ray {
+  /** The ray of sight through a place of the page, in the pane that it lies in, or in the one of `fromX`. */
+  rayAt(clientX: number, clientY: number, fromX = clientX): THREE.Ray {
     const box = this.canvas.getBoundingClientRect();
-    const across = ((clientX - box.left) / box.width) * this.shown.length;
-    const place = new THREE.Vector2(2 * (across % 1) - 1, 1 - (2 * (clientY - box.top)) / box.height);
+    const across = ((clientX - box.left) / box.width) * this.columns - this.columnAt(fromX);
+    const place = new THREE.Vector2(2 * across - 1, 1 - (2 * (clientY - box.top)) / box.height);
     const caster = new THREE.Raycaster();
     caster.setFromCamera(place, this.camera);
     return caster.ray;
   }
 
-  arrange(shown: PaneName[]): void {
+  /**
+   * Side by side; with a colour the later ones as veils over the first; with a split in [0, 1] the first to the left of it
+   * and the second to the right.
+   */
+  arrange(
+    shown: PaneName[],
+    { veil = null, split = null }: { veil?: string | null; split?: number | null } = {},
+  ): void {
     this.shown = shown;
+    this.isOverlaid = veil !== null;
+    this.split = shown.length === 2 && veil === null ? split : null;
+    this.panes.optimized.veil(veil);
+    this.panes.original.bare(this.isOverlaid);
     this.resize();
+  }
+
+  private get columns(): number {
+    return this.isOverlaid || this.split !== null ? 1 : this.shown.length;
+  }
+
+  /** The pane at a place of the page. */
+  paneAt(clientX: number): PaneName {
+    const { left, width } = this.canvas.getBoundingClientRect();
+    if (this.split !== null) return this.shown[(clientX - left) / width < this.split ? 0 : 1];
+    return this.shown[this.columnAt(clientX)];
+  }
+
+  private columnAt(clientX: number): number {
+    const { left, width } = this.canvas.getBoundingClientRect();
+    const column = Math.floor(((clientX - left) / width) * this.columns);
+    return Math.min(this.columns - 1, Math.max(0, column));
+  }
+
+  /** Marks a vertex of a body; null takes the mark away. */
+  mark(name: PaneName, vertex: number | null): void {
+    this.panes[name].mark(vertex);
+    this.stale = true;
+  }
+
+  /** The vertex of a pane that is seen nearest to a place of the page, at most `pixels` from it. */
+  vertexAt(name: PaneName, { x, y }: ScreenPlace, pixels: number): number | null {
+    const body = this.panes[name].seen();
+    const box = this.canvas.getBoundingClientRect();
+    if (!body || this.paneAt(x) !== name) return null;
+    const [place, size] = this.inPane(name, { x: x - box.left, y: y - box.top });
+    return nearestSeen(body, this.camera, { ...place, ...size, pixels });
+  }
+
+  /** Where a vertex is seen, in pixels from the upper left corner of the canvas. */
+  placeOf(name: PaneName, vertex: number): ScreenPlace | null {
+    const body = this.panes[name].seen();
+    const [origin, size] = this.inPane(name, { x: 0, y: 0 });
+    if (!body || 3 * vertex >= body.positions.length) return null;
+    const { x, y } = seenAt(body, this.camera, vertex, size);
+    return { x: x - origin.x, y: y - origin.y };
+  }
+
+  /** A place of the canvas from the corner of a pane, and the size of the pane. */
+  private inPane(name: PaneName, { x, y }: ScreenPlace): [ScreenPlace, { width: number; height: number }] {
+    const { clientWidth, clientHeight } = this.canvas;
+    const width = clientWidth / this.columns;
+    const left = this.columns === 1 ? 0 : this.shown.indexOf(name) * width;
+    return [
+      { x: x - left, y },
+      { width, height: clientHeight },
+    ];
   }
 
   /** x = x0 + amplitude sin(theta) phi, Eq. 5; theta runs while `playing`. */
@@ -187,12 +377,18 @@ export class Stage {
     this.stale = true;
   }
 
-  /** Turns the camera to the whole body. */
-  fit(animated = true): void {
-    const sphere = this.panes.original.sphere();
+  /** Turns the camera to the whole body, and to `room` diagonals below it. */
+  fit(animated = true, room = 0): void {
+    const sphere = this.panes.original.sphere()?.clone();
+    if (sphere && room > 0) {
+      sphere.center.y -= room * sphere.radius;
+      sphere.radius *= 1 + room;
+    }
     if (!sphere || !(sphere.radius > 0)) return;
     this.camera.near = sphere.radius / 100;
     this.camera.far = sphere.radius * 100;
+    // Farther away it would be a dot, and then nothing.
+    this.controls.maxDistance = sphere.radius * 40;
     this.camera.updateProjectionMatrix();
     const direction = new THREE.Vector3(0.75, 0.42, 1).normalize();
     const distance = (1.22 * sphere.radius) / Math.sin(this.narrowHalfAngle());
@@ -209,6 +405,13 @@ export class Stage {
     this.stale = true;
   }
 
+  /** Zooming goes to the cursor as it lies in its own pane. */
+  private aim(clientX: number): void {
+    const { width, height } = this.canvas.getBoundingClientRect();
+    const share = width / this.columns;
+    this.controls.setViewport(this.columnAt(clientX) * share, 0, share, height);
+  }
+
   /** Half the angle of view along the shorter side of a pane. */
   private narrowHalfAngle(): number {
     const half = THREE.MathUtils.degToRad(this.camera.fov / 2);
@@ -219,7 +422,7 @@ export class Stage {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setSize(clientWidth, clientHeight, false);
-    this.camera.aspect = clientWidth / this.shown.length / clientHeight;
+    this.camera.aspect = clientWidth / this.columns / clientHeight;
     this.camera.updateProjectionMatrix();
     this.stale = true;
   }
@@ -236,15 +439,20 @@ export class Stage {
 
   private draw(): void {
     const { clientWidth, clientHeight } = this.canvas;
-    const width = clientWidth / this.shown.length;
+    const width = clientWidth / this.columns;
     this.renderer.setScissorTest(false);
     this.renderer.clear();
     this.renderer.setScissorTest(true);
     this.shown.forEach((name, i) => {
       const pane = this.panes[name];
       pane.swing(Math.sin(this.phase) * this.settle.amplitude);
-      this.renderer.setViewport(i * width, 0, width, clientHeight);
-      this.renderer.setScissor(i * width, 0, width, clientHeight);
+      const left = this.columns === 1 ? 0 : i * width;
+      const cut = this.split === null ? null : Math.round(this.split * width);
+      this.renderer.setViewport(left, 0, width, clientHeight);
+      if (cut === null) this.renderer.setScissor(left, 0, width, clientHeight);
+      else this.renderer.setScissor(i * cut, 0, i === 0 ? cut : width - cut, clientHeight);
+      // A veil is not hidden by what it lies over.
+      if (this.isOverlaid && i > 0) this.renderer.clearDepth();
       this.renderer.render(pane.scene, this.camera);
     });
   }

@@ -42,7 +42,7 @@ export class Thumbnails {
   /** Shows one shape per canvas, in units of the mesh at full swing. */
   show(mesh: TriangleMesh, shapes: Float32Array[], canvases: HTMLCanvasElement[]): void {
     this.body.geometry.dispose();
-    const geometry = bodyGeometry(mesh);
+    const { geometry } = bodyGeometry(mesh);
     this.body.geometry = geometry;
     this.faces = mesh.triangles.length / 3;
     setField(geometry, mesh, null);

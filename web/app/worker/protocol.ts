@@ -2,7 +2,6 @@
 
 import type {
   Curvature,
-  Fitted,
   Inspection,
   MeshAt,
   ModeSet,
@@ -10,12 +9,15 @@ import type {
   Refused,
   StrainGuidance,
   TriangleMesh,
+  WhyKept,
 } from '../../engine/core';
+import type { DeviationMark } from '../../engine/deviation_marks';
+import type { FrequencyFinding } from '../../engine/frequency_target';
 import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
 import type { HealthNote } from '../../engine/health';
 import type { Settings } from '../../engine/options';
-import type { Certificate } from '../../engine/pipeline';
+import type { Certificate, FittedResult } from '../../engine/pipeline';
 import type { Report } from '../../engine/report';
 
 export interface Started {
@@ -27,7 +29,8 @@ export interface Started {
 export interface OpenedFile {
   name: string;
   format: string;
-  bodies: { name: string; faces: number }[];
+  /** `mesh`: its number among the meshes of the file */
+  bodies: { name: string; faces: number; mesh: number }[];
   notes: string[];
   /** what an export would leave out */
   dropped: string[];
@@ -36,6 +39,8 @@ export interface OpenedFile {
 export interface BodySummary {
   mesh: TriangleMesh;
   diagonal: number;
+  /** of the node that uses the body: a length of the mesh is this many of the file */
+  scale: number;
   inspection: Inspection;
   minAngle: number;
   meanMinAngle: number;
@@ -72,10 +77,25 @@ export interface HistorySummary {
   faces: number;
   floorFaces: number;
   refused: Refused;
+  /** a sentence where a symmetry is wished that is not there; otherwise empty */
+  note: string;
   seconds: number;
 }
 
-export interface FitResult extends Fitted {
+export interface WhyResult extends WhyKept {
+  /** of the result that it is about: historyKey and its number of faces */
+  key: string;
+}
+
+export interface DeviationMarks {
+  marks: DeviationMark[];
+  /** of the history that they are for, see historyKey */
+  key: string;
+}
+
+export interface FitResult extends FittedResult {
+  /** null where frequencies are no target */
+  frequency: FrequencyFinding | null;
   /** what it was made from: resultKey and the number of faces */
   key: string;
 }
@@ -90,11 +110,32 @@ export interface ResultMetrics {
   inspection: Inspection;
 }
 
+export interface ExportRequest {
+  /** strain and curvature as attributes */
+  fields: boolean;
+  /** where the original's vertices lie on the result */
+  binding: boolean;
+  /** name of the file; those of its levels follow from it */
+  output: string;
+}
+
+export interface ExportedLevel {
+  name: string;
+  faces: number;
+  bytes: Uint8Array;
+  validation: Validation;
+}
+
 export interface ExportResult {
   bytes: Uint8Array;
   validation: Validation;
   report: Report;
   faces: number;
+  levels: ExportedLevel[];
+  /** text of the binding file; null: not asked for */
+  binding: string | null;
+  /** what it was made from, see exportKey */
+  key: string;
 }
 
 /** Every call throws an Error with one sentence; a cancelled one an Error whose message is CANCELLED. */
@@ -108,11 +149,16 @@ export interface WorkerApi {
   guidance(body: number, settings: Settings): Promise<StrainGuidance>;
   curvature(body: number, settings: Settings): Promise<Curvature>;
   history(body: number, settings: Settings): Promise<HistorySummary>;
+  marks(body: number, settings: Settings): Promise<DeviationMarks>;
   meshAt(body: number, settings: Settings, faces: number): Promise<MeshAt>;
   /** The mesh that is exported: fitted to the modes where the settings say so. */
   fit(body: number, settings: Settings, faces: number): Promise<FitResult>;
+  /** `faces`: that the result has. */
+  why(body: number, settings: Settings, faces: number): Promise<WhyResult>;
   measure(body: number, settings: Settings, faces: number): Promise<ResultMetrics>;
-  export(settings: Settings, faces: number[], fields: boolean): Promise<ExportResult>;
+  export(settings: Settings, faces: number[], request: ExportRequest): Promise<ExportResult>;
+  /** A ZIP archive of files by name. */
+  pack(files: Record<string, Uint8Array>): Promise<Uint8Array>;
 }
 
 export const CANCELLED = 'cancelled';

@@ -1,21 +1,29 @@
 /** One opened file and what has been computed for each of its bodies. A stage runs again when its inputs have changed. */
 
 import type { Primitive } from '@gltf-transform/core';
-import type { Core, Curvature, Fitted, History, MeshAt, ModeSet, StrainGuidance } from '../../engine/core';
+import type { Core, Curvature, History, MeshAt, ModeSet, StrainGuidance, WhyKept } from '../../engine/core';
+import { markDeviations } from '../../engine/deviation_marks';
+import type { DeviationMark } from '../../engine/deviation_marks';
 import type { OpenModel } from '../../engine/document/open';
 import type { Settings } from '../../engine/options';
+import { findHeld } from '../../engine/held';
+import type { Held } from '../../engine/held';
+import { findFrequencyLevel, levelAt } from '../../engine/optimize';
+import type { FrequencyFinding } from '../../engine/frequency_target';
 import { findPins } from '../../engine/pins';
 import {
   buildHistory,
+  explainResult,
   findGuidance,
   findModes,
   fitResult,
+  measureDistance,
   measureResult,
   prepareBody,
   reduceTo,
 } from '../../engine/pipeline';
-import type { Measured, PreparedBody } from '../../engine/pipeline';
-import { guidanceKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from '../state/keys';
+import type { FittedResult, Guides, Measured, PreparedBody } from '../../engine/pipeline';
+import { guidanceKey, heldKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from '../state/keys';
 
 const isScalar = (primitive: Primitive, name: string): boolean =>
   primitive.getAttribute(name)?.getType() === 'SCALAR';
@@ -34,15 +42,22 @@ class Stage<T> {
   }
 }
 
+export interface FittedLevel extends FittedResult {
+  /** null where frequencies are no target */
+  frequency: FrequencyFinding | null;
+}
+
 export class BodyStages {
   private readonly preparedStage = new Stage<PreparedBody>();
   private readonly pinsStage = new Stage<Uint32Array>();
+  private readonly heldStage = new Stage<{ held: Held; note: string }>();
   private readonly modesStage = new Stage<ModeSet>();
   private readonly guidanceStage = new Stage<StrainGuidance>();
   private readonly curvatureStage = new Stage<Curvature>();
   private readonly historyStage = new Stage<{ history: History; seconds: number }>();
+  private readonly deviationsStage = new Stage<Map<number, number>>();
   private readonly resultStage = new Stage<MeshAt>();
-  private readonly fittedStage = new Stage<Fitted>();
+  private readonly fittedStage = new Stage<FittedLevel>();
   private readonly measuredStage = new Stage<Measured>();
 
   constructor(
@@ -60,6 +75,13 @@ export class BodyStages {
   pinned(settings: Settings): Uint32Array {
     return this.pinsStage.get(pinsKey(settings), () =>
       findPins(settings.pins, this.model.document, this.prepared(settings)),
+    );
+  }
+
+  /** What the reduction holds on to, and a sentence where a symmetry is wished that is not there. */
+  held(settings: Settings): { held: Held; note: string } {
+    return this.heldStage.get(heldKey(settings), () =>
+      findHeld(this.core, this.model.document, this.prepared(settings), settings),
     );
   }
 
@@ -93,13 +115,16 @@ export class BodyStages {
     );
   }
 
+  private guides(settings: Settings): Guides {
+    const guidance = settings.method === 'qem' ? null : this.guidance(settings);
+    return { guidance, curvature: this.curvature(settings), ...this.held(settings).held };
+  }
+
   history(settings: Settings): { history: History; seconds: number } {
     return this.historyStage.get(historyKey(settings), () => {
       const prepared = this.prepared(settings);
-      const guidance = settings.method === 'qem' ? null : this.guidance(settings);
-      const curvature = this.curvature(settings);
+      const guides = this.guides(settings);
       const start = performance.now();
-      const guides = { guidance, curvature, pinned: this.pinned(settings) };
       const history = buildHistory(this.core, prepared, guides, settings);
       return { history, seconds: (performance.now() - start) / 1000 };
     });
@@ -111,14 +136,52 @@ export class BodyStages {
     );
   }
 
-  /** The result as it is exported. */
-  fitted(settings: Settings, faces: number): Fitted {
-    return this.fittedStage.get(`${resultKey(settings)} ${faces}`, () =>
-      fitResult(this.core, this.prepared(settings), this.result(settings, faces), {
-        settings,
-        pinned: this.pinned(settings),
-      }),
+  /** What keeps each vertex of the result. */
+  why(settings: Settings, faces: number): WhyKept {
+    return explainResult(
+      this.core,
+      this.prepared(settings),
+      { history: this.history(settings).history, faces },
+      { guides: this.guides(settings), settings },
     );
+  }
+
+  /** What has been measured stays when a call is cancelled, so that the next one goes on from there. */
+  marks(settings: Settings): DeviationMark[] {
+    const prepared = this.prepared(settings);
+    const { history } = this.history(settings);
+    const known = this.deviationsStage.get(historyKey(settings), () => new Map<number, number>());
+    const deviationAt = (faces: number): number => {
+      const measure = () =>
+        measureDistance(this.core, prepared, reduceTo(this.core, prepared, history, faces).mesh).hausdorff;
+      const deviation = known.get(faces) ?? measure();
+      known.set(faces, deviation);
+      return deviation;
+    };
+    const { triangleCount: total, trianglesAfter } = history;
+    return markDeviations(deviationAt, { floor: trianglesAfter.at(-1) ?? total, total });
+  }
+
+  /** The result as it is exported: of more faces where frequencies would be off too far. */
+  fitted(settings: Settings, faces: number): FittedLevel {
+    return this.fittedStage.get(`${resultKey(settings)} ${faces}`, () => {
+      const prepared = this.prepared(settings);
+      const request = { settings, ...this.held(settings).held };
+      if (settings.maxFrequencyError > 0) {
+        const { history } = this.history(settings);
+        const target = { ...request, targetFaces: faces };
+        const { fitted, frequency } = findFrequencyLevel(this.core, prepared, history, target);
+        return { ...fitted, frequency };
+      }
+      return { ...fitResult(this.core, prepared, this.result(settings, faces), request), frequency: null };
+    });
+  }
+
+  /** A further level of detail, as the command line writes it. */
+  level(settings: Settings, targetFaces: number): MeshAt {
+    const request = { settings, targetFaces, ...this.held(settings).held };
+    const { history } = this.history(settings);
+    return levelAt(this.core, this.prepared(settings), history, request).fitted.result;
   }
 
   measured(settings: Settings, faces: number): Measured {

@@ -1,20 +1,17 @@
 /** The worker's entry: runs the engine, one call at a time. */
 
 import { expose, transfer } from 'comlink';
+import { zipSync } from 'fflate';
 import type { Core } from '../../engine/core';
-import { droppedByExport, exportGlb } from '../../engine/document/export';
+import { droppedByExport } from '../../engine/document/export';
 import { openModel } from '../../engine/document/open';
 import type { OpenModel } from '../../engine/document/open';
-import { validateGlb } from '../../engine/document/validate';
 import { describeHealth } from '../../engine/health';
 import { loadCore } from '../../engine/load_core';
 import { checkSettings } from '../../engine/options';
-import type { Settings } from '../../engine/options';
-import { exportedBody, startStopwatch } from '../../engine/pipeline';
-import type { Report } from '../../engine/report';
-import { meshReport, modesReport, startReport, stopReport, worstSurface } from '../../engine/report';
-import { modesKey, resultKey } from '../state/keys';
+import { exportKey, historyKey, modesKey, resultKey } from '../state/keys';
 import { CANCELLED } from './protocol';
+import { exportAll } from './exporting';
 import type { WorkerApi } from './protocol';
 import { BodyStages } from './session';
 import { strainOverview } from './strain_overview';
@@ -38,33 +35,8 @@ async function speak<T>(make: () => T | Promise<T>): Promise<T> {
   }
 }
 
-function reportOf(settings: Settings, faces: number[], seconds: number): Report {
-  const results = bodies.map((stages, i) => ({
-    prepared: stages.prepared(settings),
-    measured: stages.measured(settings, faces[i]),
-    guiding: stages.guidingModes(settings),
-    history: stages.history(settings),
-    targetFaces: faces[i],
-    faces: stages.fitted(settings, faces[i]).result.mesh.triangles.length / 3,
-  }));
-  const total = faces.reduce((sum, count) => sum + count, 0);
-  const report = startReport(
-    core,
-    'optimize',
-    { ...settings, faces: total },
-    results.map(({ prepared }) => prepared),
-  );
-  report.output = meshReport(results.map(({ measured }) => measured));
-  const sets = results.flatMap(({ guiding }) => (guiding ? [guiding] : []));
-  if (sets.length > 0) Object.assign(report, modesReport(sets));
-  report.surface = worstSurface(results.map(({ measured }) => measured.distance));
-  report.stop = stopReport(results.map((result) => ({ ...result, history: result.history.history })));
-  report.timings = {
-    simplify: results.reduce((sum, { history }) => sum + history.seconds, 0),
-    export: seconds,
-  };
-  return report;
-}
+/** The same files make the same archive. */
+const ZIP_TIME = new Date(1980, 0, 1);
 
 const api: WorkerApi = {
   start: async (wasmFolder, threads, onProgress) => {
@@ -81,7 +53,7 @@ const api: WorkerApi = {
       return {
         name: opened.name,
         format: opened.format,
-        bodies: opened.bodies.map(({ name, indices }) => ({ name, faces: indices.length / 3 })),
+        bodies: opened.bodies.map(({ name, indices, mesh }) => ({ name, faces: indices.length / 3, mesh })),
         notes: opened.notes,
         dropped: droppedByExport(opened),
       };
@@ -94,6 +66,7 @@ const api: WorkerApi = {
       return {
         mesh,
         diagonal,
+        scale: source.scale,
         inspection,
         minAngle,
         meanMinAngle,
@@ -121,11 +94,17 @@ const api: WorkerApi = {
       checkSettings(settings);
       const { history, seconds } = stagesOf(body).history(settings);
       const { triangleCount, trianglesAfter, refused } = history;
-      return { faces: triangleCount, floorFaces: trianglesAfter.at(-1) ?? triangleCount, refused, seconds };
+      const { note } = stagesOf(body).held(settings);
+      const floorFaces = trianglesAfter.at(-1) ?? triangleCount;
+      return { faces: triangleCount, floorFaces, refused, note, seconds };
     }),
+  marks: (body, settings) =>
+    speak(() => ({ marks: stagesOf(body).marks(settings), key: historyKey(settings) })),
   meshAt: (body, settings, faces) => speak(() => stagesOf(body).result(settings, faces)),
   fit: (body, settings, faces) =>
     speak(() => ({ ...stagesOf(body).fitted(settings, faces), key: `${resultKey(settings)} ${faces}` })),
+  why: (body, settings, faces) =>
+    speak(() => ({ ...stagesOf(body).why(settings, faces), key: `${historyKey(settings)} ${faces}` })),
   measure: (body, settings, faces) =>
     speak(() => {
       const { quality, distance, certificate, inspection } = stagesOf(body).measured(settings, faces);
@@ -139,32 +118,17 @@ const api: WorkerApi = {
         inspection,
       };
     }),
-  export: (settings, faces, fields) =>
+  export: (settings, faces, request) =>
     speak(async () => {
       if (!model) throw new Error('No file is open: open one first.');
-      const stopwatch = startStopwatch();
-      const exported = bodies.map((stages, i) =>
-        exportedBody(
-          core,
-          stages.prepared(settings),
-          stages.fitted(settings, faces[i]).result,
-          fields
-            ? {
-                guidance: settings.method === 'qem' ? null : stages.guidance(settings),
-                curvature: stages.curvature(settings),
-              }
-            : null,
-        ),
-      );
-      const bytes = await exportGlb(model, exported, { fields });
-      const validation = await validateGlb(bytes);
-      const report = reportOf(settings, faces, stopwatch());
-      const count = bodies.reduce(
-        (sum, s, i) => sum + s.fitted(settings, faces[i]).result.mesh.triangles.length / 3,
-        0,
-      );
-      return transfer({ bytes, validation, report, faces: count }, [bytes.buffer]);
+      const done = await exportAll({ core, model, bodies, settings, faces, request });
+      const buffers = [done, ...done.levels].map(({ bytes }) => bytes.buffer);
+      return transfer({ ...done, key: exportKey(settings, faces, request) }, buffers);
     }),
+  pack: (files) => {
+    const bytes = zipSync(files, { level: 6, mtime: ZIP_TIME });
+    return Promise.resolve(transfer(bytes, [bytes.buffer]));
+  },
 };
 
 expose(api);

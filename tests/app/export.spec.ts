@@ -1,0 +1,117 @@
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import AxeBuilder from '@axe-core/playwright';
+import { expect, test } from '@playwright/test';
+import type { Page } from '@playwright/test';
+import { unzipSync } from 'fflate';
+import { sheetObj } from './meshes';
+import { drop, goTo, keepFaces, keptFaces, openPage, scratch, writeScratch } from './page';
+
+const sheet = writeScratch('sheet-out.obj', sheetObj(16));
+const button = (page: Page, name: string) => page.getByRole('button', { name, exact: true });
+
+async function openExport(page: Page): Promise<void> {
+  await openPage(page);
+  await drop(page, sheet);
+  await expect(page.locator('.filename')).toHaveText('sheet-out.obj');
+  await goTo(page, 'Reduce');
+  await expect(keptFaces(page)).toBeEnabled();
+  await keepFaces(page, 200);
+  await button(page, 'Export').click();
+}
+
+async function saved(page: Page, name: string): Promise<Buffer> {
+  await expect(button(page, name)).toBeEnabled();
+  const [download] = await Promise.all([page.waitForEvent('download'), button(page, name).click()]);
+  return readFileSync(await download.path());
+}
+
+test('levels and the binding are checked, packed, and the same as from the command line', async ({
+  page,
+}) => {
+  await openExport(page);
+  const levels = page.getByLabel('Further levels');
+  await levels.fill('0.3, 0');
+  await levels.press('Enter');
+  await expect(page.getByRole('alert')).toContainText('This is 0.3,0: give numbers from 0.0001 to 1');
+  await levels.fill('0.3, 0.1');
+  await levels.press('Enter');
+  await page.getByLabel("Binding of the original's vertices").check();
+  await expect(page.locator('.levels')).toContainText('sheet-out-limber_lod2.glb');
+  await expect(page.locator('.levels .verdict.good')).toHaveCount(2);
+  const command = await page.locator('code.command').innerText();
+  expect(command).toContain('--faces 200 --lods 0.3,0.1 --bind sheet-out-limber.bind.json');
+  const files = unzipSync(await saved(page, 'Save all as .zip'));
+  const words = command.split(' ').slice(1);
+  const program = join(import.meta.dirname, '..', '..', 'dist', 'cli', 'limber.mjs');
+  execFileSync(process.execPath, [program, ...words, '--quiet'], { cwd: scratch });
+  const names = ['.glb', '_lod1.glb', '_lod2.glb', '.bind.json'].map((ending) => `sheet-out-limber${ending}`);
+  expect(Object.keys(files).sort()).toEqual([...names, 'sheet-out-limber.json'].sort());
+  for (const name of names) expect(readFileSync(join(scratch, name)).equals(files[name]), name).toBe(true);
+  const report = JSON.parse(new TextDecoder().decode(files['sheet-out-limber.json'])) as {
+    levels: { file: string; ratio: number }[];
+  };
+  expect(report.levels.map(({ ratio }) => ratio)).toEqual([0.3, 0.1]);
+});
+
+test('the report is saved as JSON, CSV and Markdown', async ({ page }) => {
+  await openExport(page);
+  const json = JSON.parse((await saved(page, 'Save report as JSON')).toString()) as {
+    output: { faces: number };
+  };
+  expect(json.output.faces).toBeLessThanOrEqual(200);
+  expect((await saved(page, 'Save report as CSV')).toString()).toContain(
+    `output.faces,${json.output.faces}\r\n`,
+  );
+  const text = (await saved(page, 'Save report as Markdown')).toString();
+  expect(text).toContain(`| faces | ${json.output.faces} |`);
+});
+
+test('nothing is saved while it is still that of other settings', async ({ page }) => {
+  await openExport(page);
+  await expect(button(page, 'Save .glb')).toBeEnabled();
+  const [isDisabled] = await page.evaluate(() => {
+    document.querySelector<HTMLInputElement>('.export .toggle input')!.click();
+    return new Promise<boolean[]>((resolve) =>
+      requestAnimationFrame(() =>
+        resolve([document.querySelector<HTMLButtonElement>('.export .actions button')!.disabled]),
+      ),
+    );
+  });
+  expect(isDisabled).toBe(true);
+  await expect(button(page, 'Save .glb')).toBeEnabled();
+});
+
+for (const colorScheme of ['light', 'dark'] as const)
+  test(`Reduce and Export pass axe with everything open in the ${colorScheme} scheme`, async ({
+    browser,
+    baseURL,
+  }) => {
+    const context = await browser.newContext({ baseURL, colorScheme, reducedMotion: 'reduce' });
+    const page = await context.newPage();
+    const violations = async () => {
+      const { violations: found } = await new AxeBuilder({ page }).analyze();
+      return found.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`);
+    };
+    await openPage(page);
+    await drop(page, sheet);
+    await goTo(page, 'Reduce');
+    await expect(page.locator('.tick').first()).toBeVisible();
+    await page.locator('.right summary').first().click();
+    await page.getByLabel('Why is vertex').fill('3');
+    await expect(page.locator('.why li').first()).toBeVisible();
+    await page.getByRole('button', { name: 'Slider' }).click();
+    const lock = page.getByLabel('Locked vertices');
+    await lock.fill('left');
+    await lock.press('Enter');
+    expect(await violations()).toEqual([]);
+    await page.getByRole('group', { name: 'Brush' }).getByRole('button', { name: 'Keep' }).click();
+    expect(await violations()).toEqual([]);
+    await button(page, 'Export').click();
+    await page.getByLabel('Further levels').fill('0.3');
+    await page.keyboard.press('Enter');
+    await expect(page.locator('.levels li')).toHaveCount(1);
+    expect(await violations()).toEqual([]);
+    await context.close();
+  });

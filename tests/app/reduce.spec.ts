@@ -1,0 +1,205 @@
+import { expect, test } from '@playwright/test';
+import type { Page } from '@playwright/test';
+import { sheetObj } from './meshes';
+import {
+  commandLineBytes,
+  drop,
+  goTo,
+  keepFaces,
+  keptFaces,
+  openPage,
+  readout,
+  saveGlb,
+  writeScratch,
+} from './page';
+
+const sheet = writeScratch('painted.obj', sheetObj(24));
+const button = (page: Page, name: string) => page.getByRole('button', { name, exact: true });
+const brush = (page: Page, name: string) =>
+  page.getByRole('group', { name: 'Brush' }).getByRole('button', { name });
+
+async function openSheet(page: Page): Promise<void> {
+  await openPage(page);
+  await drop(page, sheet);
+  await expect(page.locator('.filename')).toHaveText('painted.obj');
+  await goTo(page, 'Reduce');
+  await expect(keptFaces(page)).toBeEnabled();
+}
+
+/** A stroke over the middle of the original, which is the left one of two. */
+async function stroke(page: Page, height = 30): Promise<void> {
+  const box = (await page.locator('.stage canvas').boundingBox())!;
+  const [x, y] = [box.x + box.width / 4, box.y + box.height / 2];
+  await page.mouse.move(x, y - height);
+  await page.mouse.down();
+  await page.mouse.move(x, y + height, { steps: 8 });
+  await page.mouse.up();
+}
+
+const flag = async (page: Page, name: string): Promise<string> => {
+  const line = await page.locator('code.command').innerText();
+  return new RegExp(`--${name} '?([^ ']+)`).exec(line)?.[1] ?? '';
+};
+
+test('paint keeps triangles, locks vertices, is wiped off, and undone stroke by stroke', async ({ page }) => {
+  await openSheet(page);
+  await brush(page, 'Keep').click();
+  await stroke(page);
+  await expect(page.getByText(/^\d+ kept$/)).toBeVisible();
+  await brush(page, 'Lock').click();
+  await stroke(page, 10);
+  await expect(page.getByText(/^\d+ locked$/)).toBeVisible();
+  await page.keyboard.press('Control+z');
+  await expect(page.getByText(/^\d+ locked$/)).toHaveCount(0);
+  await expect(page.getByText(/^\d+ kept$/)).toBeVisible();
+  await page.keyboard.press('Control+Shift+Z');
+  await expect(page.getByText(/^\d+ locked$/)).toBeVisible();
+  await brush(page, 'Erase').click();
+  await stroke(page, 60);
+  await expect(page.getByText(/^\d+ (kept|locked)$/)).toHaveCount(0);
+  await button(page, 'Undo').click();
+  await button(page, 'Undo').click();
+  await button(page, 'Undo').click();
+  await expect(button(page, 'Undo')).toBeDisabled();
+  await expect(button(page, 'Redo')).toBeEnabled();
+});
+
+test('a painted sheet is written with the same bytes by the command line', async ({ page }) => {
+  await openSheet(page);
+  await brush(page, 'Keep').click();
+  await stroke(page);
+  await brush(page, 'Lock').click();
+  await stroke(page, 5);
+  await keepFaces(page, 400);
+  const bytes = await saveGlb(page);
+  const paint = await flag(page, 'paint');
+  expect(paint).toMatch(/^0:/);
+  expect(Buffer.from(bytes).equals(commandLineBytes(sheet, ['--faces', '400', '--paint', paint]))).toBe(true);
+});
+
+test('vertices are locked with the keyboard alone, and a text that does not hold says why', async ({
+  page,
+}) => {
+  await openSheet(page);
+  await page.locator('.right summary').first().focus();
+  await page.keyboard.press('Enter');
+  const lock = page.getByLabel('Locked vertices');
+  await lock.fill('left:3');
+  await lock.press('Enter');
+  await expect(page.getByRole('alert')).toContainText('This has "left:3": give low:PCT');
+  await lock.fill('low:6');
+  await lock.press('Enter');
+  await expect(page.getByRole('alert')).toHaveCount(0);
+  await button(page, 'Unlock').focus();
+  await page.keyboard.press('Space');
+  await expect(lock).toHaveValue('');
+});
+
+test('Escape puts the brush down, and brackets size it', async ({ page }) => {
+  await openSheet(page);
+  await brush(page, 'Keep').click();
+  await page.keyboard.press(']');
+  await expect(page.getByRole('slider', { name: 'Radius' })).toHaveValue('7.5');
+  await page.keyboard.press('Escape');
+  await expect(brush(page, 'Turn')).toHaveAttribute('aria-pressed', 'true');
+  await stroke(page);
+  await expect(page.getByText(/^\d+ kept$/)).toHaveCount(0);
+});
+
+test('a slider is undone as a whole, and the kept faces too', async ({ page }) => {
+  await openSheet(page);
+  const even = page.getByLabel('Even triangles', { exact: true });
+  const before = await even.inputValue();
+  await even.focus();
+  for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowRight');
+  await keepFaces(page, 300);
+  await button(page, 'Undo').click();
+  await expect(readout(page, 'Faces')).toContainText('→ 57');
+  await button(page, 'Undo').click();
+  await expect(even).toHaveValue(before);
+  await expect(button(page, 'Undo')).toBeDisabled();
+});
+
+const view = (page: Page, name: string) =>
+  page.getByRole('group', { name: 'Compare' }).getByRole('button', { name });
+const labels = (page: Page) => page.locator('.pane-labels');
+
+test('original and optimized are seen side by side, under a divider, or in turn', async ({ page }) => {
+  await openSheet(page);
+  await expect(labels(page)).toContainText(/Original.*Optimized/s);
+  await page.keyboard.press('v');
+  await expect(view(page, 'Slider')).toHaveAttribute('aria-pressed', 'true');
+  const divider = page.getByRole('slider', { name: 'Divider between original and optimized' });
+  await divider.focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(divider).toHaveValue('0.51');
+  await page.keyboard.press('b');
+  await expect(labels(page)).not.toContainText('Optimized');
+  await page.keyboard.press('b');
+  await expect(labels(page)).not.toContainText('Original');
+  await view(page, 'Side by side').click();
+  await expect(labels(page)).toContainText(/Original.*Optimized/s);
+});
+
+test('the slider has marks where the deviation is crossed, and a mark is a place to go to', async ({
+  page,
+}) => {
+  await openSheet(page);
+  const mark = page.getByRole('button', { name: /^Deviation of at most 1 % before the fit/ });
+  await expect(mark).toBeVisible();
+  await mark.click();
+  const faces = Number(
+    /: ([\d,]+) faces/.exec((await mark.getAttribute('aria-label'))!)![1].replace(',', ''),
+  );
+  await expect(page.getByLabel('Kept faces, exact')).toHaveValue(String(faces));
+  await expect(readout(page, 'Deviation')).toContainText(/\d\.\d+ %/);
+});
+
+test('a vertex tells why it is kept, by pointer and by its number', async ({ page }) => {
+  await openSheet(page);
+  await keepFaces(page, 100);
+  await view(page, 'Optimized alone').click();
+  await page.locator('.right summary').first().click();
+  await page.getByLabel('Why is vertex').fill('7');
+  const card = page.locator('.why');
+  await expect(card).toContainText('Vertex 7');
+  await expect(card).toContainText(/\d+ % of the vertices go before it|It cannot go/);
+  await expect(card.locator('li').first()).toContainText('%');
+  await page.keyboard.press('Escape');
+  await expect(card).toHaveCount(0);
+  const box = (await page.locator('.stage canvas').boundingBox())!;
+  await expect(async () => {
+    for (let i = 0; i < 20; i++)
+      await page.mouse.move(box.x + box.width / 2 + 5 * i, box.y + box.height / 2 + 2 * i);
+    await expect(card).toContainText(/Vertex \d+/, { timeout: 300 });
+  }).toPass();
+});
+
+test('a limit stops the slider in words, a symmetry that is not there is told of', async ({ page }) => {
+  await openSheet(page);
+  const deviation = page.getByLabel('Largest deviation, exact');
+  await deviation.fill('0.5');
+  await deviation.press('Enter');
+  await page.getByLabel('Kept faces, exact').fill('2');
+  await page.keyboard.press('Enter');
+  await expect(page.getByText(/Stopped at [\d,]+ faces: of the remaining edges .* go too far/)).toBeVisible();
+  await page.locator('.right summary').first().click();
+  await page.getByLabel('Keep the mirror symmetry').check();
+  await expect(page.getByText(/has no mirror symmetry to keep/)).toBeVisible();
+});
+
+test('a limit to frequency errors is kept, and the command line keeps the same one', async ({ page }) => {
+  await openSheet(page);
+  await page.locator('.right summary').first().click();
+  const limit = page.getByLabel('Largest frequency error, exact');
+  await limit.fill('2');
+  await limit.press('Enter');
+  await page.getByLabel('Kept faces, exact').fill('40');
+  await page.keyboard.press('Enter');
+  await expect(page.getByText(/Stopped at [\d,]+ faces, where the first six frequencies/)).toBeVisible({
+    timeout: 60_000,
+  });
+  const bytes = await saveGlb(page);
+  const line = ['--faces', '40', '--max-frequency-error', '2'];
+  expect(Buffer.from(bytes).equals(commandLineBytes(sheet, line))).toBe(true);
+});

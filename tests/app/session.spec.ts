@@ -1,0 +1,62 @@
+import { expect, test } from '@playwright/test';
+import type { Page } from '@playwright/test';
+import { sheetObj } from './meshes';
+import { drop, goTo, keepFaces, keptFaces, openPage, readout, writeScratch } from './page';
+
+const sheet = writeScratch('kept.obj', sheetObj(16));
+const brush = (page: Page, name: string) =>
+  page.getByRole('group', { name: 'Brush' }).getByRole('button', { name });
+
+test('a reload brings back the file, the settings, the paint and the slider', async ({ page }) => {
+  await openPage(page);
+  await drop(page, sheet);
+  await expect(page.locator('.filename')).toHaveText('kept.obj');
+  await goTo(page, 'Reduce');
+  await expect(keptFaces(page)).toBeEnabled();
+  await page.getByLabel('Even triangles, exact').fill('0.3');
+  await keepFaces(page, 200);
+  await brush(page, 'Keep').click();
+  const box = (await page.locator('.stage canvas').boundingBox())!;
+  await page.mouse.click(box.x + box.width / 4, box.y + box.height / 2);
+  const kept = await page.getByText(/^\d+ kept$/).innerText();
+  await page.reload();
+  await expect(page.locator('.filename')).toHaveText('kept.obj');
+  await expect(page.getByText(kept, { exact: true })).toBeVisible();
+  await expect(readout(page, 'Faces')).toContainText('512 → ');
+  await expect(page.getByLabel('Kept faces, exact')).toHaveValue('200');
+  await expect(page.getByLabel('Even triangles, exact')).toHaveValue('0.3');
+});
+
+test('a link opens the sample with all settings; one that does not hold is told of', async ({
+  page,
+  context,
+}) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await openPage(page);
+  await goTo(page, 'Reduce');
+  await expect(keptFaces(page)).toBeEnabled();
+  await page.getByRole('button', { name: 'Paper' }).click();
+  await keepFaces(page, 500);
+  await page.getByRole('button', { name: 'Share link' }).click();
+  await expect(page.getByRole('button', { name: 'Copied' })).toBeVisible();
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  expect(link).toContain('?sample=bar#method=paper&faces=500');
+  const other = await context.newPage();
+  await other.goto(link);
+  await goTo(other, 'Reduce');
+  await expect(other.getByLabel('Kept faces, exact')).toHaveValue('500');
+  await expect(other.getByRole('button', { name: 'Paper' })).toHaveAttribute('aria-pressed', 'true');
+  const wrong = await context.newPage();
+  await wrong.goto('/?sample=bar#p=0');
+  await expect(wrong.getByRole('alert')).toContainText('The link does not hold. Its p is 0: give a number');
+  await expect(readout(wrong, 'Faces')).toContainText('1,792');
+});
+
+test('a link for a file of one’s own waits for that file', async ({ page }) => {
+  await page.goto('/#quality-weight=0.4&faces=100&file=kept.obj');
+  await expect(page.getByText('This link is for kept.obj: open that file.')).toBeVisible();
+  await drop(page, sheet);
+  await goTo(page, 'Reduce');
+  await expect(page.getByLabel('Kept faces, exact')).toHaveValue('100');
+  await expect(page.getByLabel('Even triangles, exact')).toHaveValue('0.4');
+});

@@ -1,0 +1,37 @@
+// What the benchmarks of docs/benchmarks.md share: tables, and their places in the document.
+
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpus } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import { format, resolveConfig } from 'prettier';
+
+const path = join(resolve(import.meta.dirname, '..', '..'), 'docs', 'benchmarks.md');
+
+const row = (cells) => `| ${cells.join(' | ')} |`;
+export const table = (header, rows) =>
+  [row(header), row(header.map(() => '---')), ...rows.map(row)].join('\n');
+
+/** Says what was not there to be measured. */
+export function tellMissing(missing) {
+  if (missing.length) console.log(`\nMISSING HERE:\n${missing.map((what) => `- ${what}`).join('\n')}`);
+}
+
+/**
+ * Replaces what stands between the markers of a benchmark; without markers it goes to the end. `name`: of the markers and
+ * the script; `remark`: a sentence on how it was measured.
+ */
+export async function writeSection({ name, title, remark, missing, sections }) {
+  const [begin, end] = [`<!-- ${name}: begin -->`, `<!-- ${name}: end -->`];
+  const introduction = [
+    `Written by \`node tests/bench/${name}.mjs --write\` on ${cpus().length} x ${cpus()[0].model.trim()}, Node ${process.versions.node}.`,
+    remark,
+    ...(missing.length ? [`Missing: ${missing.join('; ')}.`] : []),
+  ].join(' ');
+  const content = [begin, `## ${title}`, introduction, ...sections, end].join('\n\n');
+  const found = existsSync(path) ? readFileSync(path, 'utf8') : '# Benchmarks\n';
+  const before = found.includes(begin) ? found : `${found.trimEnd()}\n\n${begin}\n${end}\n`;
+  const after = `${before.split(begin)[0]}${content}${before.split(end)[1]}`;
+  mkdirSync(dirname(path), { recursive: true });
+  writeFileSync(path, await format(after, { ...(await resolveConfig(path)), filepath: path }));
+  console.log('wrote docs/benchmarks.md');
+}

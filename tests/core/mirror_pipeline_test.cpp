@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "mesh/topology.h"
+#include "mirrored.h"
+#include "pipeline/mirror_images.h"
+#include "pipeline/mirror_result.h"
+#include "pipeline/modal_fit.h"
+#include "simplify/simplify.h"
+
+namespace limber {
+namespace {
+
+using mirrored::Doubled;
+
+Job theJob;
+
+TriangleMesh moved(TriangleMesh mesh, const Vec3& way) {
+  for (Vec3& p : mesh.positions) p += way;
+  return mesh;
+}
+
+// About z.
+TriangleMesh turned(TriangleMesh mesh, double angle) {
+  for (Vec3& p : mesh.positions)
+    p = {p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle), p.z};
+  return mesh;
+}
+
+TEST(MirrorImages, ofADoubledMeshAreItsHalves) {
+  for (const Doubled& whole : {mirrored::sheet(), mirrored::box()}) {
+    EXPECT_EQ(findMirrorImages(whole.mesh, 0, theJob).partners, whole.mirror);
+    EXPECT_EQ(findMirrorImages(whole.mesh, kAnyAxis, theJob).partners, whole.mirror);
+    EXPECT_EQ(findMirrorImages(moved(whole.mesh, {3, -2, 1}), 0, theJob).partners, whole.mirror);
+  }
+}
+
+TEST(MirrorImages, areFoundAcrossAPrincipalAxis) {
+  const Doubled whole = mirrored::sheet();
+  const TriangleMesh mesh = surfaces::inFloats(turned(whole.mesh, 0.4));
+  EXPECT_EQ(findMirrorImages(mesh, kAnyAxis, theJob).partners, whole.mirror);
+  EXPECT_TRUE(findMirrorImages(mesh, 0, theJob).partners.empty());
+}
+
+TEST(MirrorImages, ofWhatHasNoneAreCounted) {
+  Doubled whole = mirrored::sheet();
+  const MirrorImages across = findMirrorImages(whole.mesh, 1, theJob);
+  EXPECT_TRUE(across.partners.empty());
+  EXPECT_GT(across.strayVertices, whole.mesh.vertexCount() / 2);
+  // All diagonals of a grid run one way: its vertices are images, its triangles are not.
+  const MirrorImages grid = findMirrorImages(shapes::grid(4, 4), 0, theJob);
+  EXPECT_EQ(grid.strayVertices, 0u);
+  EXPECT_EQ(grid.strayTriangles, 32u);
+  whole.mesh.positions[5].z += 0.1;
+  const MirrorImages dented = findMirrorImages(whole.mesh, 0, theJob);
+  EXPECT_TRUE(dented.partners.empty());
+  EXPECT_GT(dented.strayVertices, 0u);
+}
+
+TEST(MirrorImages, refuseAFlatMeshAsItsOwnImage) {
+  EXPECT_TRUE(findMirrorImages(shapes::grid(4, 4), 2, theJob).partners.empty());
+}
+
+struct Fit {
+  Doubled whole;
+  MeshAt reduced, fitted;
+};
+
+Fit fit(const Doubled& whole) {
+  SimplifyOptions options{.method = Method::Limber, .qualityWeight = 0.1, .sizeWeight = 0.01};
+  options.stopFaces = 80;
+  options.wishes.mirror = whole.mirror;
+  const MeshAt reduced = meshAt(whole.mesh, simplify(whole.mesh, {}, options, theJob), 0);
+  const ModalFitOptions fitOptions{.thickness = 0.05, .modeCount = 4};
+  return {whole, reduced, fitModes(whole.mesh, reduced, fitOptions, theJob).result};
+}
+
+const Fit& fittedSheet() {
+  static const Fit once = fit(mirrored::sheet());
+  return once;
+}
+
+const Fit& fittedBox() {
+  static const Fit once = fit(mirrored::box());
+  return once;
+}
+
+TEST(MirrorResult, isItsOwnImageAfterAFit) {
+  for (const auto& [whole, reduced, fit] : {fittedSheet(), fittedBox()}) {
+    const TriangleMesh result = mirrorResult(whole.mesh, reduced, fit, {whole.mirror}).mesh;
+    EXPECT_EQ(mirrored::facesOf(result, 1), mirrored::facesOf(result, -1));
+    EXPECT_NE(mirrored::facesOf(result, 1), mirrored::facesOf(reduced.mesh, 1));
+    EXPECT_EQ(buildTopology(result).edges.size(), buildTopology(reduced.mesh).edges.size());
+  }
+}
+
+TEST(MirrorResult, leavesASymmetricFitAsItIs) {
+  const auto& [whole, reduced, fit] = fittedSheet();
+  const MeshAt once = mirrorResult(whole.mesh, reduced, fit, {whole.mirror});
+  const MeshAt twice = mirrorResult(whole.mesh, reduced, once, {whole.mirror});
+  EXPECT_EQ(once.mesh.positions, twice.mesh.positions);
+  EXPECT_EQ(once.mesh.triangles, twice.mesh.triangles);
+  EXPECT_EQ(once.flips.corners, twice.flips.corners);
+}
+
+TEST(MirrorResult, givesEveryCornerOneThatLayAtItsVertex) {
+  const auto& [whole, reduced, fit] = fittedBox();
+  const MeshAt result = mirrorResult(whole.mesh, reduced, fit, {whole.mirror});
+  for (uint32_t corner = 0; corner < result.flips.corners.size(); ++corner) {
+    const uint32_t was = result.flips.corners[corner];
+    EXPECT_EQ(result.flips.triangles[was / 3][was % 3], result.mesh.triangles[corner / 3][corner % 3]);
+  }
+}
+
+TEST(MirrorResult, keepsLockedVerticesInPlace) {
+  const auto& [whole, reduced, fit] = fittedSheet();
+  std::vector<uint8_t> locked(whole.mesh.vertexCount(), 0);
+  const uint32_t held = reduced.inputOfVertex[7];
+  locked[held] = 1;
+  const MeshAt result = mirrorResult(whole.mesh, reduced, fit, {whole.mirror, {}, locked});
+  EXPECT_EQ(result.mesh.positions[7], fit.mesh.positions[7]);
+  EXPECT_EQ(mirrored::facesOf(result.mesh, 1), mirrored::facesOf(result.mesh, -1));
+}
+
+// Every corner its own wedge: no flip can be repeated, so all are taken back.
+TEST(MirrorResult, doesNotFlipOverSeams) {
+  const auto& [whole, reduced, fit] = fittedSheet();
+  ASSERT_NE(fit.mesh.triangles, reduced.mesh.triangles);
+  std::vector<uint32_t> wedges(3 * size_t{whole.mesh.triangleCount()});
+  std::iota(wedges.begin(), wedges.end(), 0u);
+  const MeshAt result = mirrorResult(whole.mesh, reduced, fit, {whole.mirror, {wedges, {}}});
+  EXPECT_EQ(result.mesh.triangles, reduced.mesh.triangles);
+}
+
+TEST(MirrorResult, refusesAResultThatIsNotItsOwnImage) {
+  const Doubled whole = mirrored::sheet();
+  const MeshAt lopsided =
+      meshAt(whole.mesh, simplify(whole.mesh, {}, {.method = Method::Qem, .stopFaces = 90}, theJob), 0);
+  EXPECT_THROW(mirrorResult(whole.mesh, lopsided, lopsided, {whole.mirror}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,45 @@
+import { describe, expect, it } from 'vitest';
+import { VERDICTS } from '../../web/engine/core';
+import type { WhyKept } from '../../web/engine/core';
+import { explain } from '../../web/engine/explanation';
+
+const verdict = (name: (typeof VERDICTS)[number]) => VERDICTS.indexOf(name);
+
+/** Four vertices: cheap, dear for its strain, kept by paint, and one that cannot go. */
+const why: WhyKept = {
+  error: Float32Array.of(1, 1, 1, 1),
+  size: Float32Array.of(1, 1, 1, 1),
+  strain: Float32Array.of(0, 6, 0, 0),
+  curvature: new Float32Array(4),
+  quality: new Float32Array(4),
+  keep: Float32Array.of(1, 1, 50, 1),
+  neighbour: Uint32Array.of(1, 0, 0, 0),
+  verdict: Uint8Array.of(verdict('legal'), verdict('legal'), verdict('legal'), verdict('topology')),
+};
+
+describe('why a vertex is kept', () => {
+  it('is the largest term first, as shares of the cost', () => {
+    const { reasons } = explain(why, 1);
+    expect(reasons.map(({ text }) => text)).toEqual([
+      'it bends here',
+      'the surface would move',
+      'triangles would get larger',
+    ]);
+    expect(reasons.map(({ share }) => share)).toEqual([0.75, 0.125, 0.125]);
+  });
+
+  it('says how many go before it, of those that can go', () => {
+    expect(explain(why, 0).sentence).toBe('0 % of the vertices go before it.');
+    expect(explain(why, 1).sentence).toBe('33 % of the vertices go before it.');
+    expect(explain(why, 2)).toMatchObject({ sentence: '67 % of the vertices go before it.', keep: 50 });
+  });
+
+  it('says what refuses its collapses', () => {
+    expect(explain(why, 3).sentence).toBe('It cannot go: the topology would change.');
+  });
+
+  it('has no reasons where nothing costs anything', () => {
+    const free = { ...why, error: new Float32Array(4), size: new Float32Array(4) };
+    expect(explain(free, 0).reasons).toEqual([]);
+  });
+});

@@ -1,0 +1,253 @@
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { Binding, Core, TriangleMesh } from '../../web/engine/core';
+import { NONE } from '../../web/engine/core';
+import { defaultSettings } from '../../web/engine/options';
+import { buildHistory, prepareBody, reduceTo } from '../../web/engine/pipeline';
+import { simulationOptions } from '../../web/engine/simulation';
+import { topCorners } from '../../web/engine/top_corners';
+import { Twin } from '../../web/engine/twin';
+import type { TwinSample } from '../../web/engine/twin';
+import {
+  boundPositions,
+  Deviation,
+  edgesOf,
+  extentOf,
+  hasExploded,
+  Stretch,
+  vertexAreas,
+} from '../../web/engine/twin_measures';
+import { onOptimized, onOriginal, placeOf } from '../../web/engine/twin_points';
+import { bodyOf } from './support/bodies';
+import { loadTestCore } from './support/core';
+import { box, grid } from './support/shapes';
+
+let core: Core;
+beforeAll(async () => {
+  core = await loadTestCore(2);
+});
+
+const moved = (positions: Float32Array, by: number[], scale = 1): Float32Array =>
+  positions.map((value, i) => scale * value + by[i % 3]);
+
+describe('measures of two bodies', () => {
+  const mesh = grid(3, 2);
+
+  it('the extent is the diagonal of the box, and no number where a coordinate is none', () => {
+    expect(extentOf(Float32Array.of(0, 0, 0, 2, 3, 6))).toBe(7);
+    expect(extentOf(Float32Array.of(0, 0, 0, 2, NaN, 6))).toBeNaN();
+  });
+
+  it('a body has exploded beyond ten times its size, or where it is no number, and not by moving away', () => {
+    const { positions } = mesh;
+    const diagonal = extentOf(positions);
+    expect(hasExploded(moved(positions, [1e6, 0, 0], 9.9), diagonal)).toBe(false);
+    expect(hasExploded(moved(positions, [0, 0, 0], 10.1), diagonal)).toBe(true);
+    expect(hasExploded(positions.with(4, Infinity), diagonal)).toBe(true);
+  });
+
+  it('every edge is there once', () => {
+    const edges = edgesOf(mesh);
+    const pairs = Array.from({ length: edges.length / 2 }, (_, e) => `${edges[2 * e]} ${edges[2 * e + 1]}`);
+    expect(new Set(pairs).size).toBe(pairs.length);
+    expect(pairs.length).toBe(3 * 3 * 2 + 3 + 2);
+  });
+
+  it('twice the size is a stretch of 100 %, and a rigid motion is none', () => {
+    const stretch = new Stretch(mesh);
+    expect(stretch.mean(moved(mesh.positions, [1, 2, 3], 2))).toBeCloseTo(100, 4);
+    expect(stretch.mean(moved(mesh.positions, [1, 2, 3]))).toBeCloseTo(0, 4);
+  });
+
+  it('the areas of vertices sum to that of the surface', () => {
+    expect(vertexAreas(box(2, 2, 2)).reduce((sum, area) => sum + area, 0)).toBeCloseTo(
+      surfaceOf(box(2, 2, 2)),
+      4,
+    );
+  });
+
+  it('the deviation is that of displacements: bodies that rest apart and move alike do not deviate', () => {
+    const apart = moved(mesh.positions, [0, 0, 0.5]);
+    const deviation = new Deviation(mesh, apart, 2);
+    const [now, other] = [moved(mesh.positions, [1, 0, 0]), moved(apart, [1, 0, 0])];
+    expect(deviation.between(now, other).max).toBeCloseTo(0, 4);
+    const { mean, max, values } = deviation.between(now, moved(apart, [1, 0.1, 0]));
+    expect(mean).toBeCloseTo(5, 4);
+    expect(max).toBeCloseTo(5, 4);
+    expect(values).toHaveLength(mesh.positions.length / 3);
+  });
+});
+
+/** Of all triangles, by Heron's formula. */
+function surfaceOf({ positions, triangles }: TriangleMesh): number {
+  let area = 0;
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => {
+      const [from, to] = [3 * triangles[t + k], 3 * triangles[t + ((k + 1) % 3)]];
+      return Math.hypot(...[0, 1, 2].map((i) => positions[to + i] - positions[from + i]));
+    });
+    const half = (a + b + c) / 2;
+    area += Math.sqrt(half * (half - a) * (half - b) * (half - c));
+  }
+  return area;
+}
+
+describe('a bound surface', () => {
+  // One triangle in the plane z = 0; vertices at its corner, in its middle and unbound.
+  const triangle: TriangleMesh = {
+    positions: Float32Array.of(0, 0, 0, 3, 0, 0, 0, 3, 0),
+    triangles: Uint32Array.of(0, 1, 2),
+  };
+  const binding: Binding = {
+    triangle: Uint32Array.of(0, 0, NONE),
+    barycentric: Float32Array.of(1, 0, 0, 1 / 3, 1 / 3, 1 / 3, 0, 0, 0),
+    offset: Float32Array.of(0, 0.5, 0),
+  };
+  const rest = Float32Array.of(0, 0, 0, 1, 1, 0.5, 7, 8, 9);
+
+  it('follows the triangle, at its height above it, and stays where it is not bound', () => {
+    const turned = Float32Array.of(0, 0, 0, 0, 3, 0, 0, 0, 3); // the normal is +x now
+    const flat = boundPositions(binding, triangle, turned, { rest, offsets: false });
+    const lifted = boundPositions(binding, triangle, turned, { rest, offsets: true });
+    expect([...flat.subarray(0, 6)].map((x) => Math.round(x * 1e5) / 1e5)).toEqual([0, 0, 0, 0, 1, 1]);
+    expect([...lifted.subarray(3)].map((x) => Math.round(x * 1e5) / 1e5)).toEqual([0.5, 1, 1, 7, 8, 9]);
+  });
+});
+
+describe('the corners to hang by', () => {
+  it('are the upper ones of what stands, and those at the back of what lies', () => {
+    const upright = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0.5, 1, 0);
+    const flat = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 1);
+    const none = new Uint32Array();
+    expect([...topCorners({ positions: upright, triangles: none })]).toEqual([2, 3]);
+    expect([...topCorners({ positions: flat, triangles: none })]).toEqual([0, 1]);
+  });
+});
+
+describe('twins', () => {
+  const sheet = grid(12, 12);
+  const settings = { ...defaultSettings('qem'), substeps: 8, scenario: 'hang' as const };
+
+  function makeTwin(faces: number, change: { young?: number; pinned?: Uint32Array } = {}) {
+    const prepared = prepareBody(core, bodyOf(sheet), settings);
+    const history = buildHistory(
+      core,
+      prepared,
+      { guidance: null, curvature: core.meanCurvature(prepared.mesh), pinned: new Uint32Array() },
+      settings,
+    );
+    const result = reduceTo(core, prepared, history, faces);
+    const options = simulationOptions(prepared, { ...settings, ...change }, change.pinned ?? null);
+    const { mesh, diagonal } = prepared;
+    const twin = new Twin(core, mesh, result, { ...options, diagonal, measuresNoise: true });
+    return { twin, mesh, result, diagonal };
+  }
+
+  function steps(twin: Twin, count: number): TwinSample[] {
+    return Array.from({ length: count }, () => twin.step().sample!);
+  }
+
+  it('of the same mesh stay together, while another order of constraints does not', () => {
+    const { twin } = makeTwin(288);
+    const last = steps(twin, 20).at(-1)!;
+    expect(last.max).toBeLessThan(1e-4);
+    expect(last.noise).toBeGreaterThan(0);
+    twin.end();
+  });
+
+  it('are measured after every step, and their costs with them', () => {
+    const { twin, mesh } = makeTwin(120);
+    expect(twin.stepSeconds('original')).toBe(0);
+    const samples = steps(twin, 20);
+    expect(samples.map(({ time }) => Math.round(60 * time))).toEqual(samples.map((_, i) => i + 1));
+    const { mean, max, noise } = samples.at(-1)!;
+    expect(mean).toBeGreaterThan(noise!);
+    expect(max).toBeGreaterThan(mean);
+    expect(Math.max(...twin.deviations())).toBeCloseTo(max, 6);
+    expect(twin.deviations()).toHaveLength(mesh.positions.length / 3);
+    expect(twin.stretchOf('original')).toBeGreaterThan(0);
+    for (const name of ['original', 'optimized'] as const) expect(twin.stepSeconds(name)).toBeGreaterThan(0);
+    twin.end();
+  });
+
+  it('go on without the noise floor as they would with it', () => {
+    const [{ twin: a }, { twin: b }] = [makeTwin(120), makeTwin(120)];
+    steps(a, 5);
+    a.endNoise();
+    const samples = steps(a, 5);
+    expect(samples.every(({ noise }) => noise === null)).toBe(true);
+    expect(samples.at(-1)!.mean).toBe(steps(b, 10).at(-1)!.mean);
+    a.end();
+    b.end();
+  });
+
+  it('carry pins over by the binding: both are held in the same places', () => {
+    const { twin, mesh } = makeTwin(60, { pinned: topCorners(sheet) });
+    expect(twin.pins('original')).toHaveLength(6);
+    steps(twin, 10);
+    twin.pins('optimized').forEach((value, i) => expect(value).toBeCloseTo(twin.pins('original')[i], 1));
+    expect(twin.driven()).toHaveLength(mesh.positions.length);
+    twin.end();
+  });
+
+  it('follow one hand at the same place, from either side', () => {
+    for (const name of ['original', 'optimized'] as const) {
+      const { twin, mesh, result } = makeTwin(120);
+      const own = name === 'original' ? mesh : result.mesh;
+      const point = {
+        triangle: own.triangles.length / 3 - 1,
+        barycentric: [0.2, 0.3, 0.5] as [number, number, number],
+      };
+      const other =
+        name === 'original'
+          ? onOptimized(mesh, result.mesh, twin.binding, point)
+          : onOriginal(mesh, result.mesh, twin.binding, point);
+      const target = placeOf(own.triangles, own.positions, point).map((x) => x + 0.2) as [
+        number,
+        number,
+        number,
+      ];
+      const move = twin.drag(name, point);
+      move(target);
+      steps(twin, 60);
+      const places = [
+        placeOf(own.triangles, twin.positions(name), point),
+        placeOf(
+          (name === 'original' ? result.mesh : mesh).triangles,
+          twin.positions(name === 'original' ? 'optimized' : 'original'),
+          other,
+        ),
+      ];
+      for (const place of places) place.forEach((x, c) => expect(x).toBeCloseTo(target[c], 2));
+      twin.release();
+      twin.end();
+    }
+  });
+
+  it('a point found on the other body and back again is where it was', () => {
+    const { twin, mesh, result } = makeTwin(120);
+    for (let triangle = 0; triangle < mesh.triangles.length / 3; triangle += 17) {
+      const point = { triangle, barycentric: [0.25, 0.25, 0.5] as [number, number, number] };
+      const there = onOptimized(mesh, result.mesh, twin.binding, point);
+      const back = onOriginal(mesh, result.mesh, twin.binding, there);
+      const [from, to] = [
+        placeOf(mesh.triangles, mesh.positions, point),
+        placeOf(mesh.triangles, mesh.positions, back),
+      ];
+      from.forEach((x, c) => expect(to[c]).toBeCloseTo(x, 1));
+    }
+    twin.end();
+  });
+
+  it('one that flies apart is named', () => {
+    const { twin, result } = makeTwin(120);
+    const point = {
+      triangle: result.mesh.triangles.length / 3 - 1,
+      barycentric: [1, 0, 0] as [number, number, number],
+    };
+    twin.drag('optimized', point)([1e4, 0, 0]);
+    let exploded: string[] = [];
+    for (let i = 0; i < 60 && exploded.length === 0; i++) exploded = twin.step().exploded;
+    expect(exploded).toEqual(['original', 'optimized']);
+    twin.end();
+  });
+});

@@ -1,0 +1,112 @@
+#include "pipeline/fit_part.h"
+
+#include "mesh/topology.h"
+
+namespace limber {
+
+namespace {
+
+// Members of each component: vertices, triangles and some edges of a mesh, in their order.
+struct Members {
+  std::vector<uint32_t> vertices, triangles;
+  EdgeList edges;
+};
+
+std::vector<Members> membersOf(const TriangleMesh& mesh, const EdgeList& edges,
+                               const std::vector<uint32_t>& componentOfVertex, uint32_t componentCount) {
+  std::vector<Members> members(componentCount);
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) members[componentOfVertex[v]].vertices.push_back(v);
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    members[componentOfVertex[mesh.triangles[t][0]]].triangles.push_back(t);
+  for (const auto& edge : edges) members[componentOfVertex[edge[0]]].edges.push_back(edge);
+  return members;
+}
+
+// A component by its own numbers. `number`: room for one per vertex of the mesh.
+TriangleMesh extract(const TriangleMesh& mesh, const Members& members, std::vector<uint32_t>& number,
+                     EdgeList& edges) {
+  TriangleMesh part;
+  for (uint32_t v : members.vertices) {
+    number[v] = part.vertexCount();
+    part.positions.push_back(mesh.positions[v]);
+  }
+  for (uint32_t t : members.triangles) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    part.triangles.push_back({number[a], number[b], number[c]});
+  }
+  for (const auto& [a, b] : members.edges) edges.push_back({number[a], number[b]});
+  return part;
+}
+
+void intoFrame(TriangleMesh& mesh, const FitPart& part) {
+  for (Vec3& p : mesh.positions) p = (p - part.origin) / part.diagonal;
+}
+
+// Which corner of the input, by chart, a corner of the result belongs to; an edge is a seam where its two
+// triangles disagree.
+EdgeList seamsOf(const MeshAt& simplified, const ChartSides& sides) {
+  const TriangleMesh& mesh = simplified.mesh;
+  const Topology topology = buildTopology(mesh);
+  const auto sideAt = [&](uint32_t t, uint32_t v) {
+    return sides.sideOf(3 * simplified.inputOfTriangle[t] + cornerAt(mesh, t, v) % 3);
+  };
+  EdgeList seams;
+  for (const Topology::Edge& edge : topology.edges) {
+    const auto around = topology.trianglesAt(edge);
+    if (around.size() == 2 && (sideAt(around[0], edge.a) != sideAt(around[1], edge.a) ||
+                               sideAt(around[0], edge.b) != sideAt(around[1], edge.b)))
+      seams.push_back({edge.a, edge.b});
+  }
+  return seams;
+}
+
+EdgeList seamsOf(const Topology& topology, const ChartSides& sides) {
+  EdgeList seams;
+  for (uint32_t e = 0; e < topology.edges.size(); ++e)
+    if (sides.isSeam(e) && topology.edges[e].useCount == 2)
+      seams.push_back({topology.edges[e].a, topology.edges[e].b});
+  return seams;
+}
+
+}  // namespace
+
+FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const FitPartOptions& options) {
+  const Topology topology = buildTopology(original);
+  const TriangleMesh& mesh = simplified.mesh;
+  const ChartSides sides(original, topology, options.charts, simplified);
+  std::vector<uint32_t> componentOfResult(mesh.vertexCount());
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    componentOfResult[v] = topology.componentOfVertex[simplified.inputOfVertex[v]];
+  std::vector<uint8_t> isLocked(mesh.vertexCount(), 0);
+  for (uint32_t v = 0; v < options.locked.size(); ++v)
+    if (options.locked[v] && simplified.vertexOfInput[v] != kNone) isLocked[simplified.vertexOfInput[v]] = 1;
+  const std::vector<Members> originals = membersOf(original, seamsOf(topology, sides),
+                                                   topology.componentOfVertex, topology.componentCount),
+                             results = membersOf(mesh, seamsOf(simplified, sides), componentOfResult,
+                                                 topology.componentCount);
+  std::vector<uint32_t> number(original.vertexCount());
+  FitParts found;
+  for (uint32_t component = 0; component < topology.componentCount; ++component) {
+    const Members& result = results[component];
+    if (result.triangles.size() < options.fewestFaces) continue;
+    if (result.vertices.size() > options.mostVertices) {
+      ++found.tooLarge;
+      continue;
+    }
+    FitPart part;
+    part.original = extract(original, originals[component], number, part.originalLines);
+    part.simplified = extract(mesh, result, number, part.lines);
+    part.vertexOfResult = result.vertices;
+    part.triangleOfResult = result.triangles;
+    const Bounds box = bounds(part.original);
+    part.origin = box.low;
+    part.diagonal = box.diagonal();
+    intoFrame(part.original, part);
+    intoFrame(part.simplified, part);
+    for (uint32_t v : part.vertexOfResult) part.locked.push_back(isLocked[v]);
+    found.parts.push_back(std::move(part));
+  }
+  return found;
+}
+
+}  // namespace limber

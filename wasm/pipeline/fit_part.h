@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+#include "pipeline/chart_sides.h"
+#include "pipeline/surface_fit.h"
+#include "simplify/history.h"
+
+namespace limber {
+
+// A component of the original and what has become of it, in the frame where the original's diagonal is 1.
+struct FitPart {
+  TriangleMesh original, simplified;
+  std::vector<uint32_t> vertexOfResult;    // per vertex of `simplified`
+  std::vector<uint32_t> triangleOfResult;  // per triangle of it
+  std::vector<uint8_t> locked;             // per vertex of it
+  EdgeList originalLines, lines;           // seams, of both meshes
+  Vec3 origin;
+  double diagonal = 1;
+};
+
+struct FitPartOptions {
+  Charts charts = {};                    // of the original
+  std::span<const uint8_t> locked = {};  // per vertex of the original
+  uint32_t fewestFaces = 12;             // results of fewer are left out ...
+  uint32_t mostVertices = 20000;         // ... as are those of more
+};
+
+// The components of the original, each with its result.
+struct FitParts {
+  std::vector<FitPart> parts;
+  uint32_t tooLarge = 0;  // left out
+};
+FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const FitPartOptions& options);
+
+}  // namespace limber

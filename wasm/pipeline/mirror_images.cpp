@@ -1,0 +1,79 @@
+#include "pipeline/mirror_images.h"
+
+#include <tuple>
+
+#include "base/parallel.h"
+#include "modes/principal_axes.h"
+#include "simplify/kd_tree.h"
+#include "simplify/mirror.h"
+
+namespace limber {
+namespace {
+
+// Of the diagonal; half of what Mirror allows, whose plane is another one by a little.
+constexpr double kTolerance = 5e-5;
+constexpr size_t kVerticesPerRange = 1024;
+
+std::vector<MirrorPlane> candidates(const TriangleMesh& mesh, int axis) {
+  const PrincipalAxes principal = principalAxes(mesh);
+  std::vector<MirrorPlane> planes;
+  const auto add = [&](const Vec3& normal) { planes.push_back({normal, dot(normal, principal.centre)}); };
+  const Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int k = 0; k < 3; ++k)
+    if (axis == k || axis == kAnyAxis) add(axes[k]);
+  if (axis == kAnyAxis)
+    for (int k = 2; k >= 0; --k) add(principal.axis[static_cast<size_t>(k)]);
+  return planes;
+}
+
+// Per vertex the one at its image, or kNone where there is none or the two do not agree.
+std::vector<uint32_t> partnersAcross(const TriangleMesh& mesh, const NearestVertex& nearest,
+                                     const MirrorPlane& plane, Job& job) {
+  const double limit = kTolerance * bounds(mesh).diagonal();
+  std::vector<uint32_t> found(mesh.vertexCount(), kNone);
+  parallelFor(found.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
+    job.check();
+    auto guess = static_cast<uint32_t>(begin);
+    for (size_t v = begin; v < end; ++v) {
+      const Vec3 image = plane.image(mesh.positions[v]);
+      guess = nearest.find(image, guess);
+      if (length(mesh.positions[guess] - image) <= limit) found[v] = guess;
+    }
+  });
+  std::vector<uint32_t> partners = found;
+  for (uint32_t v = 0; v < found.size(); ++v)
+    if (found[v] != kNone && found[found[v]] != v) partners[v] = kNone;
+  return partners;
+}
+
+MirrorImages imagesAcross(const TriangleMesh& mesh, const NearestVertex& nearest, const MirrorPlane& plane,
+                          Job& job) {
+  MirrorImages images;
+  std::vector<uint32_t> partners = partnersAcross(mesh, nearest, plane, job);
+  for (const uint32_t partner : partners) images.strayVertices += partner == kNone;
+  if (images.strayVertices > 0) return images;
+  images.strayTriangles = trianglesWithoutImage(mesh, partners);
+  if (images.strayTriangles == 0) images.partners = std::move(partners);
+  return images;
+}
+
+}  // namespace
+
+MirrorImages findMirrorImages(const TriangleMesh& mesh, int axis, Job& job) {
+  job.begin(Phase::Mirror);
+  const NearestVertex nearest(mesh);
+  const std::vector<MirrorPlane> planes = candidates(mesh, axis);
+  MirrorImages best;
+  for (size_t i = 0; i < planes.size(); ++i) {
+    job.report(static_cast<double>(i) / static_cast<double>(planes.size()));
+    MirrorImages images = imagesAcross(mesh, nearest, planes[i], job);
+    if (!images.partners.empty()) return images;
+    const auto strays = [](const MirrorImages& of) {
+      return std::tuple(of.strayVertices, of.strayTriangles);
+    };
+    if (i == 0 || strays(images) < strays(best)) best = std::move(images);
+  }
+  return best;
+}
+
+}  // namespace limber

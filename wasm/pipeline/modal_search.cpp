@@ -1,0 +1,168 @@
+#include "pipeline/modal_search.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace limber {
+
+namespace {
+
+constexpr int kMostRounds = 16;
+// Rounds end once the merit falls by less than this in so many of them, or is as small as that.
+constexpr double kStagnant = 0.9, kGoodEnough = 1e-6;
+constexpr size_t kPatience = 3;
+constexpr double kClip = 0.1;  // of a residual, in a step
+// What a residual may be worth, in squared budgets of distance.
+constexpr double kLeastWorth = 1, kMostWorth = 1e4;
+constexpr int kHalvings = 30;  // of that range
+// How firmly vertices hold their places: more where a step gains less than foretold.
+constexpr double kFirstHold = 0.01, kLeastHold = 0.003, kMostHold = 1e5;
+constexpr double kPoorGain = 0.3, kGoodGain = 0.7, kFirmer = 3, kLooser = 2;
+constexpr double kLost = 1.5;  // a mesh with this much of the best merit is given up
+
+Eigen::VectorXd difference(const TriangleMesh& after, const TriangleMesh& before) {
+  Eigen::VectorXd moved(3 * static_cast<Eigen::Index>(after.vertexCount()));
+  for (uint32_t v = 0; v < after.vertexCount(); ++v)
+    for (int axis = 0; axis < 3; ++axis)
+      moved[3 * static_cast<Eigen::Index>(v) + axis] = after.positions[v][axis] - before.positions[v][axis];
+  return moved;
+}
+
+}  // namespace
+
+// Minima of dx^T A dx - 2 g^T dx + worth |r + J dx|^2 for any worth, by Woodbury: J has few rows. With s =
+// A^-1 g, X = A^-1 J^T, G = J X and y = (1 / worth + G)^-1 (r + J s), dx = s - X y, and the first two terms
+// are y^T G y - g^T s.
+class ModalSearch::TradeOff {
+ public:
+  // `solved`: A^-1 times the pull and the slopes.
+  TradeOff(const SurfaceFit& fit, const Mismatch& mismatch, Eigen::MatrixXd solved)
+      : solved_(std::move(solved)),
+        gain_(fit.pull.dot(solved_.col(0))),
+        gram_(mismatch.slope.transpose() * solved_.rightCols(mismatch.slope.cols())) {
+    target_ = gram_.eigenvectors().transpose() * (mismatch.residual.cwiseMax(-kClip).cwiseMin(kClip) +
+                                                  mismatch.slope.transpose() * solved_.col(0));
+  }
+
+  Eigen::VectorXd step(double worth) const {
+    return solved_.col(0) - solved_.rightCols(target_.size()) * (gram_.eigenvectors() * multipliers(worth));
+  }
+
+  // How much the surface's squared distance, over the area, would grow.
+  double growth(double worth) const {
+    return multipliers(worth).cwiseAbs2().dot(gram_.eigenvalues()) - gain_;
+  }
+
+ private:
+  Eigen::VectorXd multipliers(double worth) const {
+    return target_.array() / (1 / worth + gram_.eigenvalues().array().max(0));
+  }
+
+  Eigen::MatrixXd solved_;
+  double gain_;
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram_;
+  Eigen::VectorXd target_;
+};
+
+ModalSearch::ModalSearch(const FitPart& part, const FitSamples& samples, ModalTarget& target, double budget,
+                         Job& job)
+    : part_(part),
+      samples_(samples),
+      target_(target),
+      budget_(budget),
+      job_(job),
+      topology_(buildTopology(part.simplified)),
+      guard_(part.simplified, topology_),
+      solver_(part.locked, job),
+      hold_(kFirstHold) {
+  state_.mesh = part.simplified;
+  measure();
+  before_ = state_.mismatch.meanSquare();
+  best_ = state_;
+}
+
+TriangleMesh ModalSearch::run(const std::function<void(double)>& report) {
+  for (int round = 0; round < kMostRounds && state_.mismatch.residual.size() > 0 && !isDone(); ++round) {
+    report(static_cast<double>(round) / kMostRounds);
+    step();
+    if (merit(state_) < merit(best_))
+      best_ = state_;
+    else if (merit(state_) > kLost * merit(best_))
+      goBack();
+    merits_.push_back(merit(best_));
+  }
+  return best_.mesh;
+}
+
+// Little was gained since the last retreat, or a retreat could not help.
+bool ModalSearch::isDone() const {
+  if (hold_ >= kMostHold || merit(best_) < kGoodEnough) return true;
+  return merits_.size() > kPatience && merits_.back() > kStagnant * merits_[merits_.size() - 1 - kPatience];
+}
+
+void ModalSearch::measure() {
+  target_.bind(state_.mesh);
+  std::vector<Mismatch> parts(ModalTarget::kThicknesses);
+  parallelFor(parts.size() + 1, 1, [&](size_t k, size_t) {
+    if (k < parts.size())
+      parts[k] = target_.compare(state_.mesh, k, job_);
+    else
+      state_.fit = fitSurface(state_.mesh, topology_, samples_, {.evenness = 0, .lines = &part_.lines});
+  });
+  state_.mismatch = join(parts);
+  state_.found = target_.found();
+}
+
+Eigen::VectorXd ModalSearch::gaussNewtonStep() {
+  const Mismatch& mismatch = state_.mismatch;
+  const SurfaceFit& fit = state_.fit;
+  Eigen::MatrixXd columns(fit.pull.size(), 1 + mismatch.slope.cols());
+  columns << fit.pull, mismatch.slope;
+  const TradeOff tradeOff(fit, mismatch, solver_.solve(fit, hold_, std::move(columns)));
+  return tradeOff.step(affordable(tradeOff));
+}
+
+// The worth of residuals that uses up what is left of the budget.
+double ModalSearch::affordable(const TradeOff& tradeOff) const {
+  const double left = (budget_ * budget_ - state_.fit.meanSquare) * state_.fit.area;
+  const double unit = state_.fit.area * budget_ * budget_;
+  double low = kLeastWorth * unit, high = kMostWorth * unit;
+  if (tradeOff.growth(high) <= left) return high;
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    const double middle = std::sqrt(low * high);
+    (tradeOff.growth(middle) <= left ? low : high) = middle;
+  }
+  return low;
+}
+
+void ModalSearch::step() {
+  const Mismatch was = state_.mismatch;
+  TriangleMesh next = guard_.apply(state_.mesh, gaussNewtonStep());
+  const Eigen::VectorXd foretold = was.residual + was.slope.transpose() * difference(next, state_.mesh);
+  state_.mesh = std::move(next);
+  measure();
+  const double gain = was.residual.squaredNorm() - state_.mismatch.residual.squaredNorm();
+  const double hoped = was.residual.squaredNorm() - foretold.squaredNorm();
+  if (gain < kPoorGain * hoped)
+    hold_ = std::min(kMostHold, kFirmer * hold_);
+  else if (gain > kGoodGain * hoped)
+    hold_ = std::max(kLeastHold, hold_ / kLooser);
+}
+
+// Needles bend the residuals too much for a linear step: from the best mesh again, with a firmer hold.
+void ModalSearch::goBack() {
+  state_ = best_;
+  target_.startFrom(state_.found);
+  merits_.clear();
+  hold_ = std::min(kMostHold, kFirmer * kFirmer * hold_);
+}
+
+double ModalSearch::merit(const State& state) const {
+  const double excess = std::max(1.0, state.fit.meanSquare / (budget_ * budget_));
+  return state.mismatch.meanSquare() * excess * excess;
+}
+
+}  // namespace limber

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "base/job.h"
+#include "pipeline/fit_part.h"
+#include "pipeline/fit_solver.h"
+#include "pipeline/guarded_step.h"
+#include "pipeline/modal_target.h"
+
+namespace limber {
+
+// Gauss-Newton rounds towards the original's modes within a budget of distance from its surface. To be used
+// within a WholePhase.
+class ModalSearch {
+ public:
+  // Keeps references. `budget`: root mean square distance, in units of the part.
+  ModalSearch(const FitPart& part, const FitSamples& samples, ModalTarget& target, double budget, Job& job);
+
+  // The best mesh of all rounds: the least mismatch, where distances beyond the budget count against it.
+  // `report` takes the fraction that is done. Throws Cancelled.
+  TriangleMesh run(const std::function<void(double)>& report);
+
+  double meanSquareBefore() const { return before_; }
+  double meanSquareAfter() const { return best_.mismatch.meanSquare(); }
+
+ private:
+  struct State {
+    TriangleMesh mesh;
+    Mismatch mismatch;
+    SurfaceFit fit;
+    ModalTarget::Found found;
+  };
+  class TradeOff;
+
+  void measure();
+  void step();
+  Eigen::VectorXd gaussNewtonStep();
+  double affordable(const TradeOff& tradeOff) const;
+  void goBack();
+  bool isDone() const;
+  double merit(const State& state) const;
+
+  const FitPart& part_;
+  const FitSamples& samples_;
+  ModalTarget& target_;
+  double budget_;
+  Job& job_;
+  Topology topology_;
+  GuardedStep guard_;
+  FitSolver solver_;
+  State state_, best_;
+  std::vector<double> merits_;  // of the best mesh after each round since the last retreat
+  double hold_, before_ = 0;
+};
+
+}  // namespace limber

@@ -1,0 +1,92 @@
+/** What bodies fall on: a floor and balls or capsules, drawn in a scene beside a body. */
+
+import * as THREE from 'three';
+
+export interface Props {
+  /** height of the floor along y; null: none */
+  ground: number | null;
+  capsules: { from: number[]; to: number[]; radius: number }[];
+  /** of what stands on the floor, in units of the mesh */
+  centre: number[];
+  diagonal: number;
+}
+
+export interface PropsLook {
+  floor: string;
+  line: string;
+  body: string;
+}
+
+/** Lines of the floor per diagonal. */
+const LINES = 8;
+
+const floorVertex = /* glsl */ `
+  varying vec2 place;
+  void main() {
+    place = position.xz;
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  }
+`;
+
+// Squares that fade out, so that the floor has no edge.
+const floorFragment = /* glsl */ `
+  varying vec2 place;
+  uniform vec3 floorColour;
+  uniform vec3 lineColour;
+  uniform float cell;
+  uniform float radius;
+  void main() {
+    vec2 at = place / cell;
+    vec2 away = abs(fract(at - 0.5) - 0.5) / fwidth(at);
+    float line = 1.0 - min(min(away.x, away.y), 1.0);
+    float fade = 1.0 - smoothstep(0.35, 1.0, length(place) / radius);
+    gl_FragColor = vec4(mix(floorColour, lineColour, line), fade * mix(0.5, 0.8, line));
+    #include <colorspace_fragment>
+  }
+`;
+
+export class PropsView {
+  readonly group = new THREE.Group();
+
+  show(props: Props | null, look: PropsLook): void {
+    for (const child of [...this.group.children]) {
+      this.group.remove(child);
+      if (child instanceof THREE.Mesh) child.geometry.dispose();
+    }
+    if (!props) return;
+    if (props.ground !== null) this.addGround(props, props.ground, look);
+    for (const capsule of props.capsules) this.addCapsule(capsule, look);
+  }
+
+  private addGround({ centre, diagonal }: Props, height: number, look: PropsLook): void {
+    const radius = 1.2 * diagonal;
+    const material = new THREE.ShaderMaterial({
+      vertexShader: floorVertex,
+      fragmentShader: floorFragment,
+      transparent: true,
+      side: THREE.DoubleSide,
+      uniforms: {
+        floorColour: { value: new THREE.Color(look.floor) },
+        lineColour: { value: new THREE.Color(look.line) },
+        cell: { value: diagonal / LINES },
+        radius: { value: radius },
+      },
+    });
+    const floor = new THREE.Mesh(new THREE.CircleGeometry(radius, 64).rotateX(-Math.PI / 2), material);
+    // A little lower than it is, so that what rests on it is not cut by it.
+    floor.position.set(centre[0], height - 0.004 * diagonal, centre[2]);
+    this.group.add(floor);
+  }
+
+  private addCapsule({ from, to, radius }: Props['capsules'][number], look: PropsLook): void {
+    const [a, b] = [new THREE.Vector3(...from), new THREE.Vector3(...to)];
+    const geometry = new THREE.CapsuleGeometry(radius, a.distanceTo(b), 16, 48);
+    const body = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ color: look.body }));
+    body.position.copy(a).add(b).multiplyScalar(0.5);
+    if (a.distanceTo(b) > 0)
+      body.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), b.clone().sub(a).normalize());
+    const sun = new THREE.DirectionalLight('#ffffff', 2);
+    sun.position.set(0.35, 0.75, 0.55);
+    this.group.add(body, sun, new THREE.AmbientLight('#ffffff', 1.2));
+  }
+}

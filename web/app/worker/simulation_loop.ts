@@ -1,0 +1,175 @@
+/** Steps a twin at its own pace and shows the latest state, never more than the page can draw. */
+
+import { STEP_SECONDS } from '../../engine/simulation';
+import type { Twin, TwinName, TwinSample } from '../../engine/twin';
+import type { BodyState, ShowFrame, TwinFrame, TwinWishes } from './simulation_protocol';
+
+const STEP_MILLISECONDS = 1000 * STEP_SECONDS;
+
+/** What is late by more than this is not caught up with: slow motion rather than a leap. */
+const MOST_BEHIND = 100;
+
+/** After so many steps the hidden run ends where time does not keep up: motion in real time is worth more. */
+const TRIED_STEPS = 30;
+const REAL_TIME = 0.9;
+
+/** Over which the pace is measured, in milliseconds. */
+const PACE_SPAN = 1000;
+
+export class SimulationLoop {
+  wishes: TwinWishes;
+  private isPlaying = false;
+  private isShowing = false;
+  private hasNews = false;
+  private hasEnded = false;
+  private due = 0;
+  private tries: number;
+  private readonly stepped: number[] = [];
+  private samples: TwinSample[] = [];
+  private exploded: TwinName[] = [];
+  private failure: string | null = null;
+  private moveDragged: ((target: [number, number, number]) => void) | null = null;
+
+  constructor(
+    private readonly twin: Twin,
+    private readonly number: number,
+    private readonly showFrame: ShowFrame,
+    { wishes, keepsNoise }: { wishes: TwinWishes; keepsNoise: boolean },
+  ) {
+    this.wishes = wishes;
+    this.tries = keepsNoise ? Infinity : TRIED_STEPS;
+    this.announce();
+  }
+
+  play(isPlaying: boolean): void {
+    if (isPlaying === this.isPlaying) return;
+    this.isPlaying = isPlaying;
+    this.stepped.length = 0;
+    this.due = performance.now();
+    if (isPlaying) this.schedule();
+  }
+
+  /** One step while paused. */
+  step(): void {
+    if (!this.isPlaying) this.advance();
+  }
+
+  wish(wishes: TwinWishes): void {
+    this.wishes = wishes;
+    this.announce();
+  }
+
+  grab(...held: Parameters<Twin['drag']>): void {
+    this.moveDragged = this.twin.drag(...held);
+  }
+
+  drag(target: [number, number, number]): void {
+    this.moveDragged?.(target);
+  }
+
+  release(): void {
+    this.moveDragged = null;
+    this.twin.release();
+  }
+
+  end(): void {
+    this.isPlaying = false;
+    this.hasEnded = true;
+    this.twin.end();
+  }
+
+  /** The next step when it is due; between two steps messages come through. */
+  private schedule(): void {
+    const wait = this.due - performance.now();
+    if (wait > 1) setTimeout(() => this.run(), wait);
+    else afterMessages(() => this.run());
+  }
+
+  private run(): void {
+    if (!this.isPlaying) return;
+    const now = performance.now();
+    if (now >= this.due) {
+      this.due = Math.max(this.due + STEP_MILLISECONDS, now - MOST_BEHIND);
+      this.advance();
+    }
+    if (this.isPlaying) this.schedule();
+  }
+
+  private advance(): void {
+    if (this.hasEnded || this.exploded.length > 0 || this.failure) return;
+    try {
+      const { sample, exploded } = this.twin.step();
+      this.exploded = exploded;
+      if (sample) this.samples.push(sample);
+    } catch (error) {
+      this.failure = error instanceof Error ? error.message : String(error);
+    }
+    if (this.exploded.length > 0 || this.failure) this.isPlaying = false;
+    const now = performance.now();
+    this.stepped.push(now);
+    while (this.stepped[0] < now - PACE_SPAN) this.stepped.shift();
+    this.tries -= 1;
+    if (this.tries === 0 && this.pace() < REAL_TIME) this.twin.endNoise();
+    this.announce();
+  }
+
+  private announce(): void {
+    this.hasNews = true;
+    if (!this.isShowing) void this.show();
+  }
+
+  private async show(): Promise<void> {
+    this.isShowing = true;
+    while (this.hasNews && !this.hasEnded) {
+      this.hasNews = false;
+      await this.showFrame(this.frame());
+    }
+    this.isShowing = false;
+  }
+
+  private frame(): TwinFrame {
+    const { twin, number, wishes, samples, exploded, failure } = this;
+    this.samples = [];
+    return {
+      number,
+      time: twin.time,
+      bodies: { original: this.stateOf('original'), optimized: this.stateOf('optimized') },
+      driven: wishes.driven ? twin.driven() : null,
+      deviations: wishes.deviations ? twin.deviations().slice() : null,
+      samples,
+      pace: this.pace(),
+      exploded,
+      failure,
+    };
+  }
+
+  private stateOf(name: TwinName): BodyState {
+    const { twin } = this;
+    return {
+      positions: twin.positions(name),
+      pins: twin.pins(name),
+      stepSeconds: twin.stepSeconds(name),
+      stretch: twin.stretchOf(name),
+    };
+  }
+
+  private pace(): number {
+    const { stepped } = this;
+    if (stepped.length < 2) return 1;
+    return ((stepped.length - 1) * STEP_MILLISECONDS) / (stepped[stepped.length - 1] - stepped[0]);
+  }
+}
+
+const channel = new MessageChannel();
+let waiting: (() => void)[] = [];
+channel.port1.onmessage = () => {
+  const actions = waiting;
+  waiting = [];
+  for (const action of actions) action();
+};
+
+/** As soon as messages that have come meanwhile are handled; a timer of 0 would wait for milliseconds. */
+function afterMessages(action: () => void): void {
+  waiting.push(action);
+  channel.port2.postMessage(null);
+}
