@@ -51,14 +51,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const done = finished.flatMap((one) => (one ? [one.body] : []));
   const factors = finished.map((one) => (one ? calibrationFor(session, one.body) : undefined));
   stopwatch();
-  const exported = finished.map((one, i) =>
-    one
-      ? {
-          ...exportedBody(session.core, one.body.prepared, one.body.result, args.fields ? one.body : null),
-          calibration: factors[i],
-        }
-      : null,
-  );
+  const exported = finished.map((one, i) => (one ? exportedWith(session, one.body, factors[i]) : null));
   writeWhole(output, await exportGlb(model, exported, { fields: args.fields }));
   if (args.bind !== null) writeWhole(args.bind, bindingText(session.core, done));
   const dropped = droppedByExport(model);
@@ -69,8 +62,8 @@ export async function runOptimize(args: Arguments): Promise<number> {
   fillReport(report, done, levels);
   if (args.settings.calibrate)
     report.calibration = calibrationReport(
-      done.map(({ prepared }) => prepared),
-      factors.filter((factor) => factor !== undefined),
+      usable(prepared),
+      factors.flatMap((factor) => factor ?? []),
     );
   session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0));
   report.timings = {
@@ -114,6 +107,10 @@ function calibrationFor(session: Session, { prepared, result }: OptimizedBody): 
   if (!session.args.settings.calibrate) return undefined;
   session.activity = prepared.body.name;
   return calibrationOf(session.core, prepared, result.mesh, session.args.settings);
+}
+
+function exportedWith({ core, args }: Session, body: OptimizedBody, calibration: number | undefined) {
+  return { ...exportedBody(core, body.prepared, body.result, args.fields ? body : null), calibration };
 }
 
 function bindingText(core: Core, done: OptimizedBody[]): string {
