@@ -79,15 +79,17 @@ test('who wants less motion starts paused', async ({ page }) => {
   await expect(button(page, 'Play')).toBeVisible();
 });
 
-for (const name of ['Twist', 'Sway', 'Hang', 'Drape', 'Drop', 'Pull', 'Wind'])
-  test(`the scenario ${name.toLowerCase()} starts again and moves both`, async ({ page }) => {
-    await openTest(page);
+test('every scenario starts again and moves both', async ({ page }) => {
+  await openTest(page);
+  for (const name of ['Twist', 'Sway', 'Hang', 'Drape', 'Drop', 'Pull', 'Wind']) {
     await untilTime(page, 0.1);
     await scenario(page).selectOption({ label: name });
-    await untilTime(page, 0.3);
+    await expect(readout(page, 'Time')).toContainText(/^0\.[0-3]/);
+    await untilTime(page, 0.2);
     await expect(page.getByRole('alert')).toHaveCount(0);
     await expect(readout(page, 'Stretch')).toContainText(/[\d.]+ %\s*optimized [\d.]+ %/);
-  });
+  }
+});
 
 test('more substeps cost more', async ({ page }) => {
   await openTest(page);

@@ -239,6 +239,66 @@ TEST(SimulatedPhysics, aBallDroppedOnTheGroundComesToRestOnIt) {
   EXPECT_LT(body.kineticEnergy(), 0.02);  // it may still roll, by centimetres a second
 }
 
+double volumeOf(const Simulation& body, const TriangleMesh& mesh) {
+  double six = 0;
+  for (const Triangle& t : mesh.triangles)
+    six += dot(body.position(t[0]), cross(body.position(t[1]), body.position(t[2])));
+  return six / 6;
+}
+
+TEST(SimulatedPhysics, whatIsDroppedLiesStillInTheEnd) {
+  for (const TriangleMesh& mesh : {shapes::box(3, 3, 9, 1.0 / 3), shapes::grid(8, 8)}) {
+    const Scenario drop = {ScenarioKind::Drop, bounds(mesh), 5};
+    SimulationOptions options = rubber(0.02 * bounds(mesh).diagonal(), 20);
+    options.damping = 4;
+    Simulation body(mesh, options);
+    startScenario(drop, mesh.positions, body);
+    run(body, 300);
+    const auto before = body.positions();
+    run(body, 30);
+    double moved = 0, lowest = 1e9;
+    for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+      moved = std::max(moved, length(body.position(v) - before[v]));
+      lowest = std::min(lowest, body.position(v).y);
+    }
+    EXPECT_LT(moved, 2e-4 * bounds(mesh).diagonal());
+    EXPECT_NEAR(lowest, *surroundingsOf(drop).ground, 1e-5);
+  }
+}
+
+TEST(SimulatedPhysics, clothComesToRestOnTheBallThatItIsDrapedOver) {
+  const TriangleMesh cloth = shapes::grid(12, 12);
+  const Scenario drape = {ScenarioKind::Drape, bounds(cloth), 5};
+  SimulationOptions options = rubber(0.01, 20);
+  options.damping = 4;
+  Simulation body(cloth, options);
+  startScenario(drape, cloth.positions, body);
+  run(body, 300);
+  const Collider ball = surroundingsOf(drape).colliders.at(0);
+  double nearest = 1e9;
+  for (uint32_t v = 0; v < cloth.vertexCount(); ++v) {
+    nearest = std::min(nearest, length(body.position(v) - ball.from));
+    EXPECT_LT(length(body.velocity(v)), 0.02);
+  }
+  EXPECT_NEAR(nearest, ball.radius, 1e-4);
+}
+
+TEST(SimulatedPhysics, aTwistedClosedBodyKeepsWhatItHolds) {
+  const TriangleMesh mesh = shapes::sphere(2, 0.5);
+  const Scenario twist = {ScenarioKind::Twist, bounds(mesh), 1};
+  const Pins pins = {defaultPins(mesh, twist), {}};
+  std::vector<Vec3> rest;
+  for (const uint32_t v : pins.vertices) rest.push_back(mesh.positions[v]);
+  Simulation body(mesh, rubber(0.02, 20), pins);
+  const double volume = volumeOf(body, mesh);
+  startScenario(twist, mesh.positions, body);
+  for (int i = 0; i < 60; ++i) {
+    prepareStep(twist, i * Simulation::kStep, rest, body);
+    run(body, 1);
+    EXPECT_NEAR(volumeOf(body, mesh) / volume, 1, 0.02);
+  }
+}
+
 TEST(SimulatedPhysics, frictionStopsASlidingPlateAfterCoulombsDistance) {
   for (const double friction : {0.0, 0.5}) {
     TriangleMesh plate = shapes::grid(4, 4);
@@ -318,10 +378,7 @@ TEST(SimulatedPhysics, aClosedBodyKeepsItsVolume) {
     body.setGravity(kGravity);
     body.setGround(-0.5);
     run(body, 60);
-    double six = 0;
-    for (const Triangle& t : mesh.triangles)
-      six += dot(body.position(t[0]), cross(body.position(t[1]), body.position(t[2])));
-    return six / 6;
+    return volumeOf(body, mesh);
   };
   double rest = 0;
   for (const Triangle& t : mesh.triangles)
@@ -400,7 +457,7 @@ TEST(SimulatedPhysics, aTwistedBarFollowsItsEnds) {
 TEST(SimulatedPhysics, everyScenarioRunsOnABarAndOnASheet) {
   for (const TriangleMesh& mesh : {shapes::box(2, 2, 6, 0.5), shapes::grid(8, 6)})
     for (const Material material : {Material::Springs, Material::Shell})
-      for (int kind = 0; kind < 6; ++kind) {
+      for (int kind = 0; kind < 7; ++kind) {
         const Scenario scenario = {static_cast<ScenarioKind>(kind), bounds(mesh), 1};
         const Pins pins = {defaultPins(mesh, scenario), {}};
         std::vector<Vec3> rest;

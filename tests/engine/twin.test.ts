@@ -128,7 +128,10 @@ describe('twins', () => {
   const sheet = grid(12, 12);
   const settings = { ...defaultSettings('qem'), substeps: 8, scenario: 'hang' as const };
 
-  function makeTwin(faces: number, { pinned, ...change }: Partial<Settings> & { pinned?: Uint32Array } = {}) {
+  function makeTwin(
+    faces: number,
+    { pinned, core: own = core, ...change }: Partial<Settings> & { pinned?: Uint32Array; core?: Core } = {},
+  ) {
     const prepared = prepareBody(core, bodyOf(sheet), settings);
     const history = buildHistory(
       core,
@@ -139,7 +142,7 @@ describe('twins', () => {
     const result = reduceTo(core, prepared, history, faces);
     const options = simulationOptions(prepared, { ...settings, ...change }, pinned ?? null);
     const { mesh, diagonal } = prepared;
-    const twin = new Twin(core, mesh, result, { ...options, diagonal, measuresNoise: true });
+    const twin = new Twin(own, mesh, result, { ...options, diagonal, measuresNoise: true });
     return { twin, mesh, result, diagonal };
   }
 
@@ -248,7 +251,25 @@ describe('twins', () => {
     twin.end();
   });
 
-  it('one that flies apart is named', () => {
+  it.each(['original', 'optimized'] as const)('only the %s is named where only it is no number', (name) => {
+    const numbers: number[] = [];
+    const broken: Core = {
+      ...core,
+      startSimulation: (...values) => {
+        numbers.push(core.startSimulation(...values));
+        return numbers[numbers.length - 1];
+      },
+      simulationPositions: (number) => {
+        const positions = core.simulationPositions(number);
+        return number === numbers[name === 'original' ? 0 : 1] ? positions.with(0, NaN) : positions;
+      },
+    };
+    const { twin } = makeTwin(120, { core: broken });
+    expect(twin.step()).toEqual({ sample: null, exploded: [name] });
+    twin.end();
+  });
+
+  it('those that fly apart are named', () => {
     const { twin, result } = makeTwin(120);
     const point = {
       triangle: result.mesh.triangles.length / 3 - 1,

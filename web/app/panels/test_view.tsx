@@ -3,6 +3,7 @@
 import { computed } from '@preact/signals';
 import type { Vector3 } from 'three';
 import type { Surroundings } from '../../engine/core';
+import { boundsOf } from '../../engine/top_corners';
 import { isDark } from '../scheme';
 import { dragTo, grab, letGo, twin } from '../state/simulation';
 import { results, shownMesh, view, wants } from '../state/store';
@@ -60,12 +61,7 @@ const LIGHT_PROPS = { floor: '#c3ccd4', line: '#8d9aa6', body: '#d9b98c' };
 const DARK_PROPS = { floor: '#2b3541', line: '#4a5866', body: '#a8875b' };
 
 function propsOf(positions: Float32Array, diagonal: number, surroundings: Surroundings): Props {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  positions.forEach((value, i) => {
-    low[i % 3] = Math.min(low[i % 3], value);
-    high[i % 3] = Math.max(high[i % 3], value);
-  });
+  const [low, high] = boundsOf(positions);
   const centre = low.map((value, c) => (value + high[c]) / 2);
   const size = high.map((value, c) => value - low[c]);
   // By the end of its longest side.

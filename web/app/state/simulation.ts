@@ -6,10 +6,10 @@ import type { Remote } from 'comlink';
 import type { MeshAt, SurfacePoint, Surroundings } from '../../engine/core';
 import { OPTIONS } from '../../engine/options';
 import type { Settings } from '../../engine/options';
+import { topCorners } from '../../engine/top_corners';
 import type { TwinName, TwinSample } from '../../engine/twin';
 import type { SimulationApi, TwinFrame, TwinWishes } from '../worker/simulation_protocol';
 import { pinsKey, resultKey } from './keys';
-import { topCorners } from '../../engine/top_corners';
 import { results, shownMesh, status, view, wantedFaces, wants } from './store';
 
 /** What is held: what the scenario holds by itself, the two upper corners, or the pins of the Motion step. */
@@ -43,12 +43,17 @@ const NUMBERS_EVERY = 250;
 const CURVE_EVERY = 100;
 /** Of what the user still moves: a slider is not followed step by step. */
 const REST_MILLISECONDS = 200;
+/** In seconds: a worker in the middle of a longer step is not waited for. */
+const LONG_STEP = 0.3;
 /** Steps that the curve remembers: a minute. */
 const MOST_SAMPLES = 3600;
 
-export const heldNow = computed<Held>(
-  () => twin.held.value ?? (wants.settings.value.pins === '' ? 'scenario' : 'pins'),
-);
+export const heldNow = computed<Held>(() => {
+  const hasPins = wants.settings.value.pins !== '';
+  const { value: held } = twin.held;
+  if (held === null) return hasPins ? 'pins' : 'scenario';
+  return held === 'pins' && !hasPins ? 'scenario' : held;
+});
 
 const simulationKeys = (Object.keys(OPTIONS) as (keyof Settings)[]).filter((key) =>
   ['simulation', 'material'].includes(OPTIONS[key].group),
@@ -92,6 +97,10 @@ const wishes = (): TwinWishes => ({
 
 function openWorker(): Remote<SimulationApi> {
   worker = new Worker(new URL('../worker/simulation_worker.ts', import.meta.url), { type: 'module' });
+  worker.addEventListener('error', ({ message }) => {
+    closeWorker();
+    twin.failure.value = `The simulation has stopped: ${message}.`;
+  });
   const api = (remote = wrap<SimulationApi>(worker));
   loaded = api.load(new URL('wasm/', document.baseURI).href, proxy(showFrame));
   return api;
@@ -119,6 +128,7 @@ function pinned(): Uint32Array | null {
 
 async function start(result: MeshAt): Promise<void> {
   const { mesh: original, diagonal, scale } = results.body.value!;
+  if ((twin.frame.value?.bodies.original.stepSeconds ?? 0) > LONG_STEP) closeWorker();
   forget();
   const mine = number;
   twin.failure.value = null;

@@ -56,6 +56,7 @@ export class PropsView {
     if (!props) return;
     if (props.ground !== null) this.addGround(props, props.ground, look);
     for (const collider of props.colliders) this.addCollider(collider, look);
+    this.addLights();
   }
 
   private addGround({ centre, diagonal }: Props, height: number, look: PropsLook): void {
@@ -78,6 +79,12 @@ export class PropsView {
     this.group.add(floor);
   }
 
+  private addLights(): void {
+    const sun = new THREE.DirectionalLight('#ffffff', 1.1);
+    sun.position.set(0.35, 0.75, 0.55);
+    this.group.add(sun, new THREE.HemisphereLight('#ffffff', '#9a9a9a', 2));
+  }
+
   private addCollider({ from, to, radius }: Collider, look: PropsLook): void {
     const [a, b] = [new THREE.Vector3(...from), new THREE.Vector3(...to)];
     // A little smaller than it is: the triangles of what lies on it cut through its round.
@@ -86,9 +93,7 @@ export class PropsView {
     body.position.copy(a).add(b).multiplyScalar(0.5);
     if (a.distanceTo(b) > 0)
       body.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), b.clone().sub(a).normalize());
-    const sun = new THREE.DirectionalLight('#ffffff', 2);
-    sun.position.set(0.35, 0.75, 0.55);
-    this.group.add(body, sun, new THREE.AmbientLight('#ffffff', 1.2));
+    this.group.add(body);
   }
 }
 
