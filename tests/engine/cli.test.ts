@@ -213,6 +213,18 @@ describe('limber optimize', () => {
     expect(readFileSync(path('alone.glb')).equals(readFileSync(path('chain_lod2.glb')))).toBe(true);
   });
 
+  it('gives every level a stiffness of its own with --calibrate', async () => {
+    const words = 'optimize grid.obj soft.glb --method qem --lods 0.25 --calibrate --json';
+    const { calibration } = report(limber(...words.split(' ')).stdout);
+    const factorIn = async (name: string) => {
+      const [mesh] = (await readGlb(readFileSync(path(name)))).getRoot().listMeshes();
+      return mesh.getExtras().limberCalibration;
+    };
+    expect(await factorIn('soft.glb')).toBe(calibration![0].factor);
+    expect(await factorIn('soft_lod1.glb')).toBeGreaterThan(0);
+    expect(await factorIn('soft_lod1.glb')).not.toBe(calibration![0].factor);
+  });
+
   it('tells of a level that nothing can reach', () => {
     const words = 'optimize torus.obj chain.glb --method qem --lods 0.5,0.001 --quiet';
     const { code, stderr } = limber(...words.split(' '));
@@ -295,6 +307,24 @@ describe('limber optimize', () => {
 });
 
 describe('limber simulate', () => {
+  it('calibrates the second body, by the factor that optimize writes for engines', async () => {
+    const { stdout } = limber(
+      'optimize',
+      'torus.obj',
+      'soft.glb',
+      ...'--method qem --calibrate --json'.split(' '),
+    );
+    const [{ body, factor }] = report(stdout).calibration!;
+    expect(factor).not.toBeCloseTo(1, 3);
+    const document = await readGlb(readFileSync(path('soft.glb')));
+    const [mesh] = document.getRoot().listMeshes();
+    expect(mesh.getExtras()).toEqual({ limberCalibration: factor });
+    const words = 'simulate torus.obj soft.glb --calibrate --seconds 0.1 --colliders ground:-9 --json';
+    const simulated = report(limber(...words.split(' ')).stdout);
+    expect(simulated.calibration).toEqual([{ body, factor: expect.closeTo(factor, 9) as number }]);
+    expect(simulated.options).toMatchObject({ calibrate: true, colliders: 'ground:-9', friction: 0.5 });
+  });
+
   it('moves a body and says what it costs', () => {
     const { code, stdout, stderr } = limber('simulate', 'grid.obj', '--scenario', 'hang', '--seconds', '0.2');
     expect([code, stderr]).toEqual([0, '']);
@@ -410,7 +440,16 @@ describe('a wrong command line', () => {
     ['simulate a.obj b.obj c.obj', '"c.obj" is one file too many: limber simulate A [B].'],
     [
       'simulate torus.obj --scenario fall',
-      '--scenario is fall: give one of twist, sway, hang, drop, pull, wind (default: twist).',
+      '--scenario is fall: give one of twist, sway, hang, drop, pull, wind, drape (default: twist).',
+    ],
+    [
+      'simulate torus.obj --colliders floor:1',
+      '--colliders has "floor:1": give ground:HEIGHT, ball:x,y,z,R or capsule:x0,y0,z0,x1,y1,z1,R, joined by +.',
+    ],
+    ['simulate torus.obj --calibrate', '--calibrate matches B to A: name both files.'],
+    [
+      'simulate torus.obj torus.obj --calibrate --material springs',
+      '--calibrate is for --material shell: springs have no stiffness against bending that a factor could match.',
     ],
     ['simulate torus.obj --bind a.json', '--bind carries pins over to B, which is missing: name both files.'],
     ['simulate torus.obj torus.obj --bind none.json', 'none.json cannot be read: there is no such file.'],

@@ -6,6 +6,7 @@ export { openModel } from '../../../web/engine/document/open';
 export { loadCore } from '../../../web/engine/load_core';
 export { optimizeBody } from '../../../web/engine/optimize';
 export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/options';
+export { simulationOptions } from '../../../web/engine/simulation';
 export {
   findGuidance,
   findModes,

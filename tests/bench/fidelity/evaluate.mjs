@@ -3,6 +3,7 @@
 //   --write        puts tables, plots and pictures into docs/simplification.md
 //   --all          the large meshes too
 //   --quick        a few meshes, 25 %, our methods alone, printed in a minute: for tuning
+//   --motion       how far the results move apart from their originals, at 25 %, in place of all else
 //   --set KEY=VALUE      changes a setting of our methods (several times), as in web/engine/options.ts: --set fit=off
 //   --methods a,b  --meshes a,b  --ratios 0.5,0.25      which to run; a mesh is named by how its name begins
 
@@ -12,6 +13,7 @@ import { writeDocument } from './document.mjs';
 import { loadEngine } from './load_engine.mjs';
 import { loadMeshes } from './meshes.mjs';
 import { BEST_PEER, meshoptimizerPeers } from './meshoptimizer_peers.mjs';
+import { motionTable, runMotions, writeMotions } from './motion.mjs';
 import { ourMethods, peerMethods } from './methods.mjs';
 import { writePictures } from './pictures.mjs';
 import { printQuickTable } from './quick.mjs';
@@ -22,6 +24,7 @@ import { meansTable, targetTable } from './tables.mjs';
 const { values: options } = parseArgs({
   options: {
     write: { type: 'boolean', default: false },
+    motion: { type: 'boolean', default: false },
     quick: { type: 'boolean', default: false },
     all: { type: 'boolean', default: false },
     set: { type: 'string', multiple: true, default: [] },
@@ -48,6 +51,11 @@ if (options.quick) {
     const peer = runCases(loaded, { meshes, methods: peers, ratios: [ratio] }, () => {});
     printQuickTable(loaded, { meshes, methods: ours.filter(isChosen), ratio, peer });
   }
+} else if (options.motion) {
+  const methods = [...ours, ...(await peerMethods(loaded, missing))].filter(isChosen);
+  const motions = runMotions(loaded, runCases(loaded, { meshes, methods, ratios: [0.25] }), meshes);
+  console.log(`\n${motionTable(motions)}`);
+  if (options.write) await writeMotions(motions);
 } else {
   const ratios = listOf(options.ratios)?.map(Number) ?? [0.5, 0.25, 0.1];
   const methods = [...ours, ...(await peerMethods(loaded, missing))].filter(isChosen);

@@ -37,6 +37,8 @@ interface Picture {
   /** of a panel, pixels */
   width: number;
   height: number;
+  /** all panels decide what is seen, not the first alone */
+  all?: boolean;
 }
 
 function sceneOf({ positions, triangles }: Panel): Scene {
@@ -86,11 +88,11 @@ function addLights(scene: Scene, camera: OrthographicCamera): void {
   scene.add(new AmbientLight(0xffffff, 1.1), light);
 }
 
-/** A figure with its caption for every panel; the first one decides what is seen. */
-function draw({ panels, view, columns, width, height }: Picture): void {
+/** A figure with its caption for every panel. */
+function draw({ panels, view, columns, width, height, all }: Picture): void {
   const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
   renderer.setSize(width, height);
-  const [{ positions }] = panels;
+  const positions = all ? panels.flatMap((panel) => panel.positions) : panels[0].positions;
   const camera = cameraFor(positions, new Vector3(...view).normalize(), width / height);
   document.body.style.cssText = `margin:0;background:#fff;font:14px sans-serif;color:#222;display:grid;grid-template-columns:repeat(${columns},${width}px);width:${columns * width}px`;
   for (const panel of panels) {

@@ -58,30 +58,38 @@ async function buildPage() {
 
 /** Writes docs/images/simplification/MESH.png; without Chromium none, which is pushed to `missing`. */
 export async function writePictures(cases, meshes, missing) {
+  const pictures = PICTURES.flatMap(({ mesh: name, view, height }) => {
+    const mesh = meshes.find((one) => one.name === name);
+    if (!mesh) return [];
+    const panels = panelsOf(cases, mesh);
+    return [{ file: fileOf(name), picture: { panels, view, columns: COLUMNS, width: WIDTH, height } }];
+  });
+  await drawPictures(pictures, imageFolder, missing);
+}
+
+/** Writes each { file, picture }, see picture_page.ts, to the folder; without Chromium none, which is pushed to `missing`. */
+export async function drawPictures(pictures, folder, missing) {
   const executablePath = findChromium();
   if (!executablePath) {
     missing.push('Chromium, for the pictures (install one or set CHROMIUM)');
     return;
   }
-  mkdirSync(imageFolder, { recursive: true });
+  mkdirSync(folder, { recursive: true });
   const path = await buildPage();
   const browser = await chromium.launch({
     executablePath,
     args: ['--no-sandbox', '--enable-unsafe-swiftshader'],
   });
   try {
-    for (const { mesh: name, view, height } of PICTURES) {
-      const mesh = meshes.find((one) => one.name === name);
-      if (!mesh) continue;
-      const page = await browser.newPage({ viewport: { width: COLUMNS * WIDTH, height: 100 } });
+    for (const { file, picture } of pictures) {
+      const viewport = { width: picture.columns * picture.width, height: 100 };
+      const page = await browser.newPage({ viewport });
       await page.addScriptTag({ path });
-      await page.evaluate((picture) => globalThis.draw(picture), {
-        ...{ panels: panelsOf(cases, mesh), view, columns: COLUMNS, width: WIDTH, height },
-      });
+      await page.evaluate((drawn) => globalThis.draw(drawn), picture);
       await page.waitForFunction(() => [...document.images].every((image) => image.complete));
-      await page.locator('body').screenshot({ path: join(imageFolder, fileOf(name)) });
+      await page.locator('body').screenshot({ path: join(folder, file) });
       await page.close();
-      console.log(`wrote ${fileOf(name)}`);
+      console.log(`wrote ${file}`);
     }
   } finally {
     await browser.close();

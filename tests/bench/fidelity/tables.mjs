@@ -1,10 +1,8 @@
 // The tables of docs/simplification.md, in Markdown, from the cases of run_cases.mjs.
 
+import { table, unique } from './markdown.mjs';
 import { SUBJECT, TARGETS, meanOf, reachedCount } from './targets.mjs';
 
-const row = (cells) => `| ${cells.join(' | ')} |`;
-const table = (header, rows) => [row(header), row(header.map(() => '---')), ...rows.map(row)].join('\n');
-const unique = (values) => [...new Set(values)];
 const verdict = (met) => (met === null ? 'not known' : met ? 'met' : '**MISSED**');
 
 export function targetTable(cases) {

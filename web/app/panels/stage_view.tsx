@@ -12,7 +12,7 @@ import { Stage } from '../viewer/stage';
 import type { PaneName } from '../viewer/stage';
 import { count } from './controls';
 import { curvatureScale } from './curvature_scale';
-import { Compare, comparedAlone, comparedPanes, isSplit } from './compare';
+import { Compare, comparedPanes, isSplit, labelsBesideChoice } from './compare';
 import { Legend } from './legend';
 import { guidingModes } from './mode_choice';
 import { showPaint } from './brushing';
@@ -221,7 +221,7 @@ function PaneLabels() {
     optimized: (shownMesh.value?.mesh.triangles.length ?? 0) / 3,
   };
   return (
-    <div class={comparedAlone() ? 'pane-labels alone' : 'pane-labels'}>
+    <div class={`pane-labels ${labelsBesideChoice()}`}>
       {shownPanes().map((name) => (
         <span key={name}>
           {name === 'original' ? 'Original' : 'Optimized'}{' '}
