@@ -73,7 +73,7 @@ function propsOf(positions: Float32Array, diagonal: number, surroundings: Surrou
 function gripOn(stage: Stage, ray: Parameters<typeof gripAt>[0], clientX: number) {
   const frame = twin.frame.value;
   const [body, result] = [results.body.value, shownMesh.value];
-  if (!frame || !body || !result) return null;
+  if (!frame || !twin.numbers.value || !body || !result) return null;
   const names: PaneName[] = isOverlaid.value ? ['original', 'optimized'] : [stage.paneAt(clientX)];
   const found = names.flatMap((name): { name: PaneName; grip: Grip }[] => {
     // What is driven has the original's triangles.

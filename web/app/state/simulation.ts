@@ -113,6 +113,12 @@ function closeWorker(): void {
   forget();
 }
 
+/** What still runs is not what is wanted: its last picture stays, its numbers do not. */
+function outdate(): void {
+  number += 1;
+  twin.numbers.value = null;
+}
+
 function forget(): void {
   number += 1;
   twin.frame.value = twin.numbers.value = null;
@@ -215,6 +221,7 @@ export function startSimulations(): void {
     const { value: wanted } = key;
     if (view.step.value !== 'test') return untracked(closeWorker);
     if (wanted === null) return;
+    untracked(outdate);
     const timer = setTimeout(() => void start(shownMesh.value!), REST_MILLISECONDS);
     return () => clearTimeout(timer);
   });
