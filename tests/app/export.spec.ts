@@ -71,13 +71,14 @@ test('the report is saved as JSON, CSV and Markdown', async ({ page }) => {
 test('nothing is saved while it is still that of other settings', async ({ page }) => {
   await openExport(page);
   await expect(button(page, 'Save .glb')).toBeEnabled();
-  const [isDisabled] = await page.evaluate(() => {
-    document.querySelector<HTMLInputElement>('.export .toggle input')!.click();
-    return new Promise<boolean[]>((resolve) =>
-      requestAnimationFrame(() =>
-        resolve([document.querySelector<HTMLButtonElement>('.export .actions button')!.disabled]),
-      ),
+  // It may be for a moment only.
+  const isDisabled = await page.evaluate(() => {
+    const save = document.querySelector<HTMLButtonElement>('.export .actions button')!;
+    const seen = new Promise<boolean>((resolve) =>
+      new MutationObserver(() => save.disabled && resolve(true)).observe(save, { attributes: true }),
     );
+    document.querySelector<HTMLInputElement>('.export .toggle input')!.click();
+    return Promise.race([seen, new Promise<boolean>((resolve) => setTimeout(() => resolve(false), 5000))]);
   });
   expect(isDisabled).toBe(true);
   await expect(button(page, 'Save .glb')).toBeEnabled();

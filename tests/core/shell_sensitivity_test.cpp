@@ -17,8 +17,8 @@ TEST(ShellSensitivity, isWhatMovingAVertexDoesToTheEigenvalue) {
   const ShellMaterial material{0.03, 0.3};
   Job job;
   const auto solve = [&](const TriangleMesh& at) {
-    return solveEigenproblem(shellModel(at, topology, material.thickness, material.poisson), {6, 6, 0.05, nullptr},
-                             job);
+    return solveEigenproblem(shellModel(at, topology, material.thickness, material.poisson),
+                             {6, 6, 0.05, nullptr}, job);
   };
   const EigenPairs pairs = solve(mesh);
   for (int k = 0; k < 6; ++k) {
@@ -41,7 +41,8 @@ TEST(ShellSensitivity, isZeroForRigidMotionsOfTheMesh) {
   const TriangleMesh mesh = shapes::jittered(shapes::sphere(1), 0.05, 4);
   const Topology topology = buildTopology(mesh);
   Job job;
-  const EigenPairs pairs = solveEigenproblem(shellModel(mesh, topology, 0.05, 0.3), {3, 6, 0.05, nullptr}, job);
+  const EigenPairs pairs =
+      solveEigenproblem(shellModel(mesh, topology, 0.05, 0.3), {3, 6, 0.05, nullptr}, job);
   const ModePair itself{0, 0, pairs.lambda[0]};
   const Eigen::VectorXd slope = shellSensitivity(mesh, topology, {0.05, 0.3}, pairs.phi, {&itself, 1}, job);
   double shift = 0, turn = 0;

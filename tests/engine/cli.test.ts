@@ -213,6 +213,18 @@ describe('limber optimize', () => {
     expect(readFileSync(path('alone.glb')).equals(readFileSync(path('chain_lod2.glb')))).toBe(true);
   });
 
+  it('gives every level a stiffness of its own with --calibrate', async () => {
+    const words = 'optimize grid.obj soft.glb --method qem --lods 0.25 --calibrate --json';
+    const { calibration } = report(limber(...words.split(' ')).stdout);
+    const factorIn = async (name: string) => {
+      const [mesh] = (await readGlb(readFileSync(path(name)))).getRoot().listMeshes();
+      return mesh.getExtras().limberCalibration;
+    };
+    expect(await factorIn('soft.glb')).toBe(calibration![0].factor);
+    expect(await factorIn('soft_lod1.glb')).toBeGreaterThan(0);
+    expect(await factorIn('soft_lod1.glb')).not.toBe(calibration![0].factor);
+  });
+
   it('tells of a level that nothing can reach', () => {
     const words = 'optimize torus.obj chain.glb --method qem --lods 0.5,0.001 --quiet';
     const { code, stderr } = limber(...words.split(' '));

@@ -11,6 +11,7 @@ function another(key: keyof Settings): unknown {
   if (kind === 'modes') return [2, 3];
   if (kind === 'numbers') return [0.5, 0.25];
   if (kind === 'pins') return 'low:6+vertices:1,2';
+  if (kind === 'colliders') return 'ground:-1+ball:0,1,0,0.5';
   if (kind === 'paint') return '0:IA';
   if (kind === 'name') return '_KEEP +&=';
   return max;

@@ -2,6 +2,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import type { Binding, Core, TriangleMesh } from '../../web/engine/core';
 import { NONE } from '../../web/engine/core';
 import { defaultSettings } from '../../web/engine/options';
+import type { Settings } from '../../web/engine/options';
 import { buildHistory, prepareBody, reduceTo } from '../../web/engine/pipeline';
 import { simulationOptions } from '../../web/engine/simulation';
 import { topCorners } from '../../web/engine/top_corners';
@@ -127,7 +128,10 @@ describe('twins', () => {
   const sheet = grid(12, 12);
   const settings = { ...defaultSettings('qem'), substeps: 8, scenario: 'hang' as const };
 
-  function makeTwin(faces: number, change: { young?: number; pinned?: Uint32Array } = {}) {
+  function makeTwin(
+    faces: number,
+    { pinned, core: own = core, ...change }: Partial<Settings> & { pinned?: Uint32Array; core?: Core } = {},
+  ) {
     const prepared = prepareBody(core, bodyOf(sheet), settings);
     const history = buildHistory(
       core,
@@ -136,9 +140,9 @@ describe('twins', () => {
       settings,
     );
     const result = reduceTo(core, prepared, history, faces);
-    const options = simulationOptions(prepared, { ...settings, ...change }, change.pinned ?? null);
+    const options = simulationOptions(prepared, { ...settings, ...change }, pinned ?? null);
     const { mesh, diagonal } = prepared;
-    const twin = new Twin(core, mesh, result, { ...options, diagonal, measuresNoise: true });
+    const twin = new Twin(own, mesh, result, { ...options, diagonal, measuresNoise: true });
     return { twin, mesh, result, diagonal };
   }
 
@@ -238,7 +242,34 @@ describe('twins', () => {
     twin.end();
   });
 
-  it('one that flies apart is named', () => {
+  it('know what they can touch', () => {
+    const { twin } = makeTwin(120, { scenario: 'drop', colliders: 'ball:0.5,0.5,-0.4,0.2' });
+    const { ground, colliders } = twin.surroundings;
+    expect(ground).toBeLessThan(0);
+    expect(colliders).toHaveLength(1);
+    expect(colliders[0].radius).toBeCloseTo(0.2, 6);
+    twin.end();
+  });
+
+  it.each(['original', 'optimized'] as const)('only the %s is named where only it is no number', (name) => {
+    const numbers: number[] = [];
+    const broken: Core = {
+      ...core,
+      startSimulation: (...values) => {
+        numbers.push(core.startSimulation(...values));
+        return numbers[numbers.length - 1];
+      },
+      simulationPositions: (number) => {
+        const positions = core.simulationPositions(number);
+        return number === numbers[name === 'original' ? 0 : 1] ? positions.with(0, NaN) : positions;
+      },
+    };
+    const { twin } = makeTwin(120, { core: broken });
+    expect(twin.step()).toEqual({ sample: null, exploded: [name] });
+    twin.end();
+  });
+
+  it('those that fly apart are named', () => {
     const { twin, result } = makeTwin(120);
     const point = {
       triangle: result.mesh.triangles.length / 3 - 1,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "pipeline/delaunay_flips.h"
 #include "pipeline/fit_part.h"
@@ -59,27 +61,53 @@ struct FitCall {
   Job& job;
 };
 
+// A mean square above this (2.5 % of frequency) is tried once more.
+constexpr double kDoubtful = 2.5e-3;
+
 constexpr double kTargetShare = 0.3;  // of the time, until the original's modes are there
+
+// Mean squares of the mismatch before and after; nothing where the original has no modes.
+struct Searched {
+  double before, after;
+};
+
+std::optional<Searched> searchModes(FitPart& part, const FitSamples& samples, double budget,
+                                    const FitCall& call) {
+  const ShellMaterial material{call.options.thickness / part.diagonal, call.options.poisson};
+  ModalTarget target(part.original, part.simplified, {material, call.options.modeCount}, call.job);
+  call.report(kTargetShare);
+  if (target.empty()) return std::nullopt;
+  ModalSearch search(part, samples, target, budget, call.job);
+  part.simplified =
+      search.run([&](double fraction) { call.report(kTargetShare + (1 - kTargetShare) * fraction); });
+  return Searched{search.meanSquareBefore(), search.meanSquareAfter()};
+}
 
 void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   const FitSamples samples =
       sampleForFit(part.original, kSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
   const SurfaceFit start =
       fitSurface(part.simplified, buildTopology(part.simplified), samples, {.lines = &part.lines});
+  const double budget = std::max(kBudget * std::sqrt(start.meanSquare), kLeastBudget);
+  FitPart plain = part;
   std::vector<uint32_t> corners(3 * size_t{part.simplified.triangleCount()});
   std::iota(corners.begin(), corners.end(), 0u);
-  fitted.flips += fitToSurface(part, samples, corners, call.job);
-  const ShellMaterial material{call.options.thickness / part.diagonal, call.options.poisson};
-  ModalTarget target(part.original, part.simplified, {material, call.options.modeCount}, call.job);
-  call.report(kTargetShare);
-  if (!target.empty()) {
-    const double budget = std::max(kBudget * std::sqrt(start.meanSquare), kLeastBudget);
-    ModalSearch search(part, samples, target, budget, call.job);
-    part.simplified =
-        search.run([&](double fraction) { call.report(kTargetShare + (1 - kTargetShare) * fraction); });
-    fitted.errorBefore.push_back(50 * std::sqrt(search.meanSquareBefore()));
-    fitted.errorAfter.push_back(50 * std::sqrt(search.meanSquareAfter()));
+  const std::vector<uint32_t> unmoved = corners;
+  uint32_t flips = fitToSurface(part, samples, corners, call.job);
+  std::optional<Searched> found = searchModes(part, samples, budget, call);
+  // Flips and the fit to the surface can harm a mesh of slivers more than the search can mend.
+  if (found && found->after > kDoubtful) {
+    const std::optional<Searched> second = searchModes(plain, samples, budget, call);
+    if (second && second->after < found->after) {
+      std::swap(part, plain);
+      corners = unmoved;
+      flips = 0;
+      found = second;
+    }
   }
+  if (found) fitted.errorBefore.push_back(50 * std::sqrt(found->before));
+  if (found) fitted.errorAfter.push_back(50 * std::sqrt(found->after));
+  fitted.flips += flips;
   putBack(part, corners, fitted.result);
 }
 

@@ -10,7 +10,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kMostRounds = 16;
+constexpr int kMostRounds = 24;
 // Rounds end once the merit falls by less than this in so many of them, or is as small as that.
 constexpr double kStagnant = 0.9, kGoodEnough = 1e-6;
 constexpr size_t kPatience = 3;

@@ -1,7 +1,9 @@
 /** Further levels of detail of limber optimize: one file each, from the histories that are there. */
 
 import { resolve } from 'node:path';
+import type { MeshAt } from '../engine/core';
 import { exportGlb } from '../engine/document/export';
+import type { ExportedBody } from '../engine/document/export';
 import type { OpenModel } from '../engine/document/open';
 import type { Held } from '../engine/held';
 import { levelAt } from '../engine/optimize';
@@ -10,6 +12,7 @@ import { exportedBody, measureResult } from '../engine/pipeline';
 import { meshReport, stopReport, worstSurface } from '../engine/report';
 import type { LevelReport, StoppedBody } from '../engine/report';
 import { facesByRatio } from '../engine/share';
+import { calibrationOf } from '../engine/simulation';
 import type { Arguments } from './arguments';
 import { UsageError } from './failure';
 import { checkFolder, writeWhole } from './files';
@@ -40,6 +43,17 @@ export function checkLevels(args: Arguments): void {
   }
 }
 
+/** What is written of a result, with the factor on its stiffness where that is asked. */
+export function writtenBody(
+  { core, args }: Session,
+  { prepared, guidance, curvature }: OptimizedBody,
+  result: MeshAt,
+): ExportedBody {
+  const exported = exportedBody(core, prepared, result, args.fields ? { guidance, curvature } : null);
+  if (!args.settings.calibrate) return exported;
+  return { ...exported, calibration: calibrationOf(core, prepared, result.mesh, args.settings) };
+}
+
 /** Writes every level of --lods; null is a body that stays as it is. */
 export async function writeLevels(
   session: Session,
@@ -54,19 +68,20 @@ export async function writeLevels(
 }
 
 async function writeLevel(
-  { core, args }: Session,
+  session: Session,
   model: OpenModel,
   finished: (Finished | null)[],
   { ratio, file }: { ratio: number; file: string },
 ): Promise<WrittenLevel> {
+  const { core, args } = session;
   const levels = finished.map((one) => {
     if (!one) return null;
-    const { prepared, history, guidance, curvature } = one.body;
+    const { prepared, history } = one.body;
     const targetFaces = Math.max(1, facesByRatio(ratio, prepared.mesh.triangles.length / 3));
     const request = { settings: args.settings, targetFaces, ...one.held };
     const { result } = levelAt(core, prepared, history, request).fitted;
     return {
-      exported: exportedBody(core, prepared, result, args.fields ? { guidance, curvature } : null),
+      exported: writtenBody(session, one.body, result),
       measured: measureResult(core, prepared, result),
       stopped: { faces: result.mesh.triangles.length / 3, targetFaces, history },
     };

@@ -10,7 +10,7 @@ import { findHeld } from '../engine/held';
 import { resolveModel, resolveModes } from '../engine/options';
 import { optimizeBody } from '../engine/optimize';
 import type { OptimizedBody, Timings } from '../engine/optimize';
-import { exportedBody, startStopwatch } from '../engine/pipeline';
+import { startStopwatch } from '../engine/pipeline';
 import type { PreparedBody } from '../engine/pipeline';
 import {
   describeRefused,
@@ -23,11 +23,10 @@ import {
 } from '../engine/report';
 import type { Report, StoppedBody, StopReport } from '../engine/report';
 import { facesByRatio, shareInProportion } from '../engine/share';
-import { calibrationOf } from '../engine/simulation';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { checkFolder, checkOutput, writeWhole } from './files';
-import { checkLevels, writeLevels } from './levels';
+import { checkLevels, writeLevels, writtenBody } from './levels';
 import type { Finished, WrittenLevel } from './levels';
 import { finish, openFile, prepareBodies, startSession, usable } from './session';
 import type { Session } from './session';
@@ -49,10 +48,9 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const weld = stopwatch();
   const finished = optimizeAll(session, model, prepared);
   const done = finished.flatMap((one) => (one ? [one.body] : []));
-  const factors = finished.map((one) => (one ? calibrationFor(session, one.body) : undefined));
   stopwatch();
-  const exported = finished.map((one, i) => (one ? exportedWith(session, one.body, factors[i]) : null));
-  writeWhole(output, await exportGlb(model, exported, { fields: args.fields }));
+  const written = finished.map((one) => one && writtenBody(session, one.body, one.body.result));
+  writeWhole(output, await exportGlb(model, written, { fields: args.fields }));
   if (args.bind !== null) writeWhole(args.bind, bindingText(session.core, done));
   const dropped = droppedByExport(model);
   if (dropped.length > 0) session.warnings.push(`${output} leaves out ${dropped.join(', ')}`);
@@ -60,11 +58,8 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const levels = await writeLevels(session, model, finished);
   const report = startReport(session.core, 'optimize', optionsAsUsed(args), usable(prepared));
   fillReport(report, done, levels);
-  if (args.settings.calibrate)
-    report.calibration = calibrationReport(
-      usable(prepared),
-      factors.flatMap((factor) => factor ?? []),
-    );
+  const factors = written.flatMap((one) => one?.calibration ?? []);
+  if (args.settings.calibrate) report.calibration = calibrationReport(usable(prepared), factors);
   session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0));
   report.timings = {
     ...{ load, weld, ...sumTimings(done), export: exportTime },
@@ -96,21 +91,8 @@ function optimizeAll(
     if (note !== '') warnings.push(note);
     const onTry = (faces: number) => (session.activity = `${name}, trying ${count(faces)} faces`);
     const target = { targetFaces: targets[i], onTry, ...held };
-    const body = optimizeBody(core, one, args.settings, target);
-    const { unfitted } = body.fitted;
-    if (unfitted !== '') warnings.push(`${name} is not fitted to its modes: ${unfitted}`);
-    return { body, held };
+    return { body: optimizeBody(core, one, args.settings, target), held };
   });
-}
-
-function calibrationFor(session: Session, { prepared, result }: OptimizedBody): number | undefined {
-  if (!session.args.settings.calibrate) return undefined;
-  session.activity = prepared.body.name;
-  return calibrationOf(session.core, prepared, result.mesh, session.args.settings);
-}
-
-function exportedWith({ core, args }: Session, body: OptimizedBody, calibration: number | undefined) {
-  return { ...exportedBody(core, body.prepared, body.result, args.fields ? body : null), calibration };
 }
 
 function bindingText(core: Core, done: OptimizedBody[]): string {

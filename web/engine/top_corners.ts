@@ -23,7 +23,8 @@ export function topCorners({ positions }: TriangleMesh): Uint32Array {
   return Uint32Array.from(new Set([farthest(-1), farthest(1)])).sort();
 }
 
-function boundsOf(positions: Float32Array): [number[], number[]] {
+/** The lowest and the highest coordinates. */
+export function boundsOf(positions: Float32Array): [number[], number[]] {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
   positions.forEach((value, i) => {

@@ -1,6 +1,14 @@
 /** The original and its optimized mesh in one scenario, measured against each other while they move. */
 
-import type { Binding, Core, MeshAt, SimulationOptions, SurfacePoint, TriangleMesh } from './core';
+import type {
+  Binding,
+  Core,
+  MeshAt,
+  SimulationOptions,
+  SurfacePoint,
+  Surroundings,
+  TriangleMesh,
+} from './core';
 import { Simulation } from './simulation';
 import { boundPositions, Deviation, hasExploded, Stretch } from './twin_measures';
 import type { DeviationNow } from './twin_measures';
@@ -38,6 +46,8 @@ export class Twin {
   private readonly costs: Record<TwinName, number[]> = { original: [], optimized: [] };
   private readonly deviation: Deviation;
   private readonly noise: Deviation;
+  /** what both bodies can touch */
+  readonly surroundings: Surroundings;
   private latest: DeviationNow;
   private hasNoise: boolean;
 
@@ -57,6 +67,7 @@ export class Twin {
       binding: this.binding,
       hasReordered: measuresNoise,
     });
+    this.surroundings = this.simulation.surroundings;
     this.stretch = { original: new Stretch(original), optimized: new Stretch(result.mesh) };
     this.deviation = new Deviation(original, this.bound(result.mesh.positions), diagonal);
     this.noise = new Deviation(original, original.positions, diagonal);

@@ -24,8 +24,11 @@ export function comparedPanes(): PaneName[] {
   return isAlone ? [layout as PaneName] : ['original', 'optimized'];
 }
 
-/** Whether one body has the whole stage to itself, so that its label makes room for the choice of the view. */
-export const comparedAlone = (): boolean => isCompared() && comparedPanes().length === 1;
+/** How the labels of the panes make room for the choice of the view, which stands between them. */
+export function labelsBesideChoice(): 'alone' | 'compared' | '' {
+  if (!isCompared()) return '';
+  return comparedPanes().length === 1 ? 'alone' : 'compared';
+}
 
 /** From one mesh to the other in the same place. */
 export function blink(): void {

@@ -154,9 +154,14 @@ export function Choice<T extends string>({ label, options, value, onChange }: Ch
   );
 }
 
-export function Toggle(props: { label: string; checked: boolean; onChange(checked: boolean): void }) {
+export function Toggle(props: {
+  label: string;
+  title?: string;
+  checked: boolean;
+  onChange(checked: boolean): void;
+}) {
   return (
-    <label class="toggle">
+    <label class="toggle" title={props.title}>
       <input
         type="checkbox"
         checked={props.checked}

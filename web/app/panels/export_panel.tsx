@@ -1,6 +1,6 @@
 /** What the files will hold, what they leave out, what the validator says, and the save. */
 
-import { useId, useState } from 'preact/hooks';
+import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import type { Validation } from '../../engine/document/validate';
 import { checkOption } from '../../engine/option_check';
 import { OPTIONS } from '../../engine/options';
@@ -20,10 +20,13 @@ const currentExport = (): ExportResult | null =>
 export function ExportPanel() {
   const file = results.file.value;
   const exported = currentExport();
+  const panel = useRef<HTMLElement>(null);
+  // On a small screen it opens below what is in sight.
+  useEffect(() => panel.current?.scrollIntoView({ block: 'start' }), []);
   if (!file) return null;
   const { output } = exportRequest();
   return (
-    <aside class="panel export" aria-label="Export">
+    <aside class="panel export" aria-label="Export" ref={panel}>
       <div class="panel-head">
         <h2>Export</h2>
         <button

@@ -1,7 +1,7 @@
 /** The numbers under the stage. */
 
 import { isFitted } from '../../engine/options';
-import { results, shownMesh, view, wants } from '../state/store';
+import { results, shownFit, shownMesh, view, wants } from '../state/store';
 import { count, fixed } from './controls';
 import { Readout } from './readout';
 import { TestReadouts } from './test_readouts';
@@ -49,16 +49,15 @@ export function Readouts() {
 /** Of the part that is off most; nothing without a fit. */
 function FrequencyReadout() {
   if (!isFitted(wants.settings.value)) return null;
-  const fitted = results.fitted.value;
-  const isShown = fitted !== null && shownMesh.value === fitted.result;
-  if (isShown && fitted.errorAfter.length === 0)
+  const fitted = shownFit.value;
+  if (fitted?.errorAfter.length === 0)
     return <Readout name="Frequencies off" value="not fitted" note={fitted.unfitted} />;
   const worst = (errors: Float64Array) => errors.reduce((most, error) => Math.max(most, error), 0);
   return (
     <Readout
       name="Frequencies off"
-      value={isShown ? `${fixed(worst(fitted.errorAfter), 2)} %` : '...'}
-      note={isShown ? `${fixed(worst(fitted.errorBefore), 1)} % before the fit` : 'fitting'}
+      value={fitted ? `${fixed(worst(fitted.errorAfter), 2)} %` : '...'}
+      note={fitted ? `${fixed(worst(fitted.errorBefore), 1)} % before the fit` : 'fitting'}
     />
   );
 }

@@ -6,7 +6,7 @@ import { describeRefused } from '../../engine/report';
 import { methodChange, OPTIONS } from '../../engine/options';
 import type { Settings } from '../../engine/options';
 import { historyKey } from '../state/keys';
-import { changeSettings, results, shownMesh, wantedFaces, wants } from '../state/store';
+import { changeSettings, results, shownFit, shownMesh, wantedFaces, wants } from '../state/store';
 import { BrushSection, NamedLocks } from './brush_section';
 import { Choice, Section, SettingRange, Toggle, count, fixed } from './controls';
 import { AskVertex } from './why_card';
@@ -89,7 +89,7 @@ function MoreSettings() {
 function StopReason() {
   const history = results.history.value;
   if (!history) return null;
-  const frequency = results.fitted.value?.result === shownMesh.value ? results.fitted.value?.frequency : null;
+  const frequency = shownFit.value?.frequency;
   const shown = (shownMesh.value?.mesh.triangles.length ?? 0) / 3;
   return (
     <>

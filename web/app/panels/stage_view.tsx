@@ -1,6 +1,6 @@
 /** The stage in the page: hands meshes, fields and looks from the state to the viewer. */
 
-import { effect, useSignalEffect } from '@preact/signals';
+import { computed, effect, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { MeshAt } from '../../engine/core';
 import { isDark } from '../scheme';
@@ -12,7 +12,7 @@ import { Stage } from '../viewer/stage';
 import type { PaneName } from '../viewer/stage';
 import { count } from './controls';
 import { curvatureScale } from './curvature_scale';
-import { Compare, comparedAlone, comparedPanes, isSplit } from './compare';
+import { Compare, comparedPanes, isSplit, labelsBesideChoice } from './compare';
 import { Legend } from './legend';
 import { guidingModes } from './mode_choice';
 import { showPaint } from './brushing';
@@ -128,6 +128,13 @@ function showArrangement(): void {
   });
 }
 
+const scaledCurvature = computed(() => {
+  const curvature = results.curvature.value?.vertex;
+  if (!curvature) return null;
+  const scale = curvatureScale(curvature);
+  return curvature.map((value) => value / scale);
+});
+
 /** A field of the original, and the same seen on what is left of it. */
 function fields(mesh: MeshAt | null): { original: Field | null; optimized: Field | null } {
   // Bodies that move bring their own colours.
@@ -140,7 +147,7 @@ function fields(mesh: MeshAt | null): { original: Field | null; optimized: Field
       optimized: mesh && { on: 'triangles', values: Float32Array.from(mesh.inputOfTriangle, (t) => rank[t]) },
     };
   if (view.field.value === 'curvature' && curvature) {
-    const scaled = curvature.map((value) => value / curvatureScale(curvature));
+    const scaled = scaledCurvature.value!;
     return {
       original: { on: 'vertices', values: scaled },
       optimized: mesh && { on: 'vertices', values: Float32Array.from(mesh.inputOfVertex, (v) => scaled[v]) },
@@ -161,7 +168,7 @@ function showFields(): void {
 }
 
 /** The sum of the guiding modes' shapes, each of largest displacement 1 per part. */
-function blendedShape(): Float32Array | null {
+const blendedShape = computed((): Float32Array | null => {
   const modes = results.modes.value;
   const body = results.body.value;
   if (!modes || !body) return null;
@@ -171,11 +178,11 @@ function blendedShape(): Float32Array | null {
   for (const mode of chosen)
     for (let i = 0; i < size; i++) shape[i] += modes.shapes[(mode - 1) * size + i] / chosen.length;
   return chosen.length > 0 ? shape : null;
-}
+});
 
 function showShapes(): void {
   const isSwinging = view.step.value === 'motion' || view.step.value === 'reduce';
-  const shape = isSwinging ? blendedShape() : null;
+  const shape = isSwinging ? blendedShape.value : null;
   const mesh = shownMesh.value;
   stageHandle.current?.displace('original', shape);
   if (!mesh) return;
@@ -214,7 +221,7 @@ function PaneLabels() {
     optimized: (shownMesh.value?.mesh.triangles.length ?? 0) / 3,
   };
   return (
-    <div class={comparedAlone() ? 'pane-labels alone' : 'pane-labels'}>
+    <div class={`pane-labels ${labelsBesideChoice()}`}>
       {shownPanes().map((name) => (
         <span key={name}>
           {name === 'original' ? 'Original' : 'Optimized'}{' '}

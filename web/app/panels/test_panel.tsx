@@ -1,5 +1,7 @@
 /** Step 4: what happens to both bodies, how finely it is computed, and how they are shown. */
 
+import { useId, useState } from 'preact/hooks';
+import { parseColliders } from '../../engine/colliders';
 import { OPTIONS } from '../../engine/options';
 import type { Settings } from '../../engine/options';
 import { heldNow, twin } from '../state/simulation';
@@ -11,6 +13,7 @@ const SCENARIOS: { value: Settings['scenario']; text: string; holds: string; mot
   { value: 'twist', text: 'Twist', holds: 'Both ends', motion: 'The upper end turns by 45 degrees.' },
   { value: 'sway', text: 'Sway', holds: 'The lower end', motion: 'A blow strikes the upper end.' },
   { value: 'hang', text: 'Hang', holds: 'The upper end', motion: 'Gravity pulls at the rest.' },
+  { value: 'drape', text: 'Drape', holds: '', motion: 'Falls onto a ball.' },
   { value: 'drop', text: 'Drop', holds: '', motion: 'Falls to the floor.' },
   {
     value: 'pull',
@@ -65,32 +68,46 @@ export function TestPanel() {
           onChange={(driven) => (twin.driven.value = driven)}
         />
       </Section>
-      <details class="more">
-        <summary>More</summary>
-        <div class="control">
-          <span title={OPTIONS.material.help}>{OPTIONS.material.label}</span>
-          <Choice
-            label={OPTIONS.material.label}
-            options={MATERIALS}
-            value={wants.settings.value.material}
-            onChange={(material) => changeSettings({ material })}
-          />
-        </div>
-        <SettingRange name="seconds" />
-        <SettingRange name="damping" />
-        <Toggle
-          label={OPTIONS.selfCollision.label}
-          checked={wants.settings.value.selfCollision}
-          onChange={(selfCollision) => changeSettings({ selfCollision })}
-        />
-        <Toggle
-          label="Noise floor also in slow motion"
-          checked={twin.alwaysNoise.value}
-          onChange={(always) => (twin.alwaysNoise.value = always)}
-        />
-      </details>
+      <More />
       <Waiting />
     </>
+  );
+}
+
+function More() {
+  return (
+    <details class="more">
+      <summary>More</summary>
+      <div class="control">
+        <span title={OPTIONS.material.help}>{OPTIONS.material.label}</span>
+        <Choice
+          label={OPTIONS.material.label}
+          options={MATERIALS}
+          value={wants.settings.value.material}
+          onChange={(material) => changeSettings({ material })}
+        />
+      </div>
+      <SettingRange name="seconds" />
+      <SettingRange name="damping" />
+      <SettingRange name="friction" />
+      <CollidersText />
+      <Toggle
+        label={OPTIONS.calibrate.label}
+        title={OPTIONS.calibrate.help}
+        checked={wants.settings.value.calibrate}
+        onChange={(calibrate) => changeSettings({ calibrate })}
+      />
+      <Toggle
+        label={OPTIONS.selfCollision.label}
+        checked={wants.settings.value.selfCollision}
+        onChange={(selfCollision) => changeSettings({ selfCollision })}
+      />
+      <Toggle
+        label="Noise floor also in slow motion"
+        checked={twin.alwaysNoise.value}
+        onChange={(always) => (twin.alwaysNoise.value = always)}
+      />
+    </details>
   );
 }
 
@@ -109,6 +126,46 @@ function HeldSelect() {
       value={heldNow.value}
       onChange={(held) => (twin.held.value = held as Held)}
     />
+  );
+}
+
+/** A text that does not parse is refused with a sentence, and what was there stays. */
+function CollidersText() {
+  const id = useId();
+  const [refused, setRefused] = useState<{ text: string; why: string } | null>(null);
+  const take = (text: string) => {
+    const colliders = text.replaceAll(/\s/g, '');
+    try {
+      parseColliders(colliders);
+    } catch (error) {
+      setRefused({ text, why: (error as Error).message.replace(/^--colliders /, 'This ') });
+      return;
+    }
+    setRefused(null);
+    changeSettings({ colliders });
+  };
+  return (
+    <div class="control as-text">
+      <label for={id} title={OPTIONS.colliders.help}>
+        {OPTIONS.colliders.label}
+      </label>
+      <input
+        id={id}
+        type="text"
+        spellcheck={false}
+        autocomplete="off"
+        placeholder="ball:x,y,z,R"
+        aria-invalid={refused !== null}
+        aria-describedby={refused ? `${id}-refused` : undefined}
+        value={refused ? refused.text : wants.settings.value.colliders}
+        onChange={(event) => take(event.currentTarget.value)}
+      />
+      {refused && (
+        <p id={`${id}-refused`} class="hint bad" role="alert">
+          {refused.why}
+        </p>
+      )}
+    </div>
   );
 }
 

@@ -2,6 +2,8 @@
 
 import { computed } from '@preact/signals';
 import type { Vector3 } from 'three';
+import type { Surroundings } from '../../engine/core';
+import { boundsOf } from '../../engine/top_corners';
 import { isDark } from '../scheme';
 import { dragTo, grab, letGo, twin } from '../state/simulation';
 import { results, shownMesh, view, wants } from '../state/store';
@@ -22,11 +24,6 @@ export const isOverlaid = computed(
 
 export const veilColour = (): string => (isDark.value ? '#ff9d5c' : '#e8590c');
 
-/** Of the floor below the body at rest, over the diagonal: see wasm/simulate/scenario.h. */
-const DROP_HEIGHT = 0.3;
-
-let room = 0;
-
 export function showTwin(stage: Stage | null): void {
   const frame = isTesting() ? twin.frame.value : null;
   if (!stage) return;
@@ -45,30 +42,31 @@ export function showTwin(stage: Stage | null): void {
   else if (frame.driven) stage.place('optimized', frame.driven, { values, dots });
 }
 
-/** Floor and colliders of the scenario, and a view that has them in it. */
+let furnished = '';
+
+/** Floor and colliders, and a view that has them in it. */
 export function showProps(stage: Stage | null): void {
   const body = results.body.value;
-  const props = body && isTesting() ? propsOf(body.mesh.positions, body.diagonal) : null;
+  const surroundings = isTesting() ? twin.surroundings.value : null;
+  const props = body && surroundings && propsOf(body.mesh.positions, body.diagonal, surroundings);
   stage?.furnish(props, isDark.value ? DARK_PROPS : LIGHT_PROPS);
-  const wanted = props ? DROP_HEIGHT : 0;
-  if (wanted === room) return;
-  room = wanted;
-  stage?.fit(true, room);
+  const reaches = props && (props.ground !== null || props.lowest !== null || props.colliders.length > 0);
+  const key = reaches ? JSON.stringify(props) : '';
+  if (key === furnished) return;
+  furnished = key;
+  stage?.fit();
 }
 
-const LIGHT_PROPS = { floor: '#c3ccd4', line: '#8d9aa6', body: '#9fb0be' };
-const DARK_PROPS = { floor: '#2b3541', line: '#4a5866', body: '#5d6f80' };
+const LIGHT_PROPS = { floor: '#c3ccd4', line: '#8d9aa6', body: '#d9b98c' };
+const DARK_PROPS = { floor: '#2b3541', line: '#4a5866', body: '#a8875b' };
 
-function propsOf(positions: Float32Array, diagonal: number): Props | null {
-  if (wants.settings.value.scenario !== 'drop') return null;
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  positions.forEach((value, i) => {
-    low[i % 3] = Math.min(low[i % 3], value);
-    high[i % 3] = Math.max(high[i % 3], value);
-  });
+function propsOf(positions: Float32Array, diagonal: number, surroundings: Surroundings): Props {
+  const [low, high] = boundsOf(positions);
   const centre = low.map((value, c) => (value + high[c]) / 2);
-  return { ground: low[1] - DROP_HEIGHT * diagonal, capsules: [], centre, diagonal };
+  const size = high.map((value, c) => value - low[c]);
+  // By the end of its longest side.
+  const isHanging = ['hang', 'wind'].includes(wants.settings.value.scenario);
+  return { ...surroundings, centre, diagonal, lowest: isHanging ? high[1] - Math.max(...size) : null };
 }
 
 /** What the ray meets in the pane under the pointer; overlaid, the body that is nearer to the eye. */

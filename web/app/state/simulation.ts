@@ -3,13 +3,13 @@
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { proxy, wrap } from 'comlink';
 import type { Remote } from 'comlink';
-import type { MeshAt, SurfacePoint } from '../../engine/core';
+import type { MeshAt, SurfacePoint, Surroundings } from '../../engine/core';
 import { OPTIONS } from '../../engine/options';
 import type { Settings } from '../../engine/options';
+import { topCorners } from '../../engine/top_corners';
 import type { TwinName, TwinSample } from '../../engine/twin';
 import type { SimulationApi, TwinFrame, TwinWishes } from '../worker/simulation_protocol';
 import { pinsKey, resultKey } from './keys';
-import { topCorners } from '../../engine/top_corners';
 import { results, shownMesh, status, view, wantedFaces, wants } from './store';
 
 /** What is held: what the scenario holds by itself, the two upper corners, or the pins of the Motion step. */
@@ -32,6 +32,8 @@ export const twin = {
   samples: signal<TwinSample[]>([]),
   /** the largest deviation of any vertex since the start, % */
   worst: signal(0),
+  /** what both bodies can touch */
+  surroundings: signal<Surroundings | null>(null),
   /** why nothing can be simulated */
   failure: signal<string | null>(null),
 };
@@ -41,12 +43,17 @@ const NUMBERS_EVERY = 250;
 const CURVE_EVERY = 100;
 /** Of what the user still moves: a slider is not followed step by step. */
 const REST_MILLISECONDS = 200;
+/** In seconds: a worker in the middle of a longer step is not waited for. */
+const LONG_STEP = 0.3;
 /** Steps that the curve remembers: a minute. */
 const MOST_SAMPLES = 3600;
 
-export const heldNow = computed<Held>(
-  () => twin.held.value ?? (wants.settings.value.pins === '' ? 'scenario' : 'pins'),
-);
+export const heldNow = computed<Held>(() => {
+  const hasPins = wants.settings.value.pins !== '';
+  const { value: held } = twin.held;
+  if (held === null) return hasPins ? 'pins' : 'scenario';
+  return held === 'pins' && !hasPins ? 'scenario' : held;
+});
 
 const simulationKeys = (Object.keys(OPTIONS) as (keyof Settings)[]).filter((key) =>
   ['simulation', 'material'].includes(OPTIONS[key].group),
@@ -55,13 +62,23 @@ const simulationKeys = (Object.keys(OPTIONS) as (keyof Settings)[]).filter((key)
 /** What the simulation is made of; null where it cannot be yet. */
 const key = computed<string | null>(() => {
   const settings = wants.settings.value;
-  if (view.step.value !== 'test' || status.working.value || !shownMesh.value || !results.body.value)
-    return null;
+  if (view.step.value !== 'test' || isPending() || !shownMesh.value || !results.body.value) return null;
   const values = simulationKeys.map((name) => settings[name]);
-  const mesh = `${results.opened.value} ${wants.body.value} ${resultKey(settings)} ${wantedFaces.value}`;
   const pins = heldNow.value === 'pins' ? pinsKey(settings) : heldNow.value;
-  return [mesh, pins, ...values, twin.alwaysNoise.value, isFittedShown()].join(' ');
+  return [meshKey(), pins, ...values, twin.alwaysNoise.value].join(' ');
 });
+
+const meshKey = (): string =>
+  [
+    results.opened.value,
+    wants.body.value,
+    resultKey(wants.settings.value),
+    wantedFaces.value,
+    isFittedShown(),
+  ].join(' ');
+
+/** Whether another mesh is still to come. */
+const isPending = (): boolean => status.working.value && !isFittedShown();
 
 const isFittedShown = (): boolean => results.fitted.value?.result === shownMesh.value;
 
@@ -80,6 +97,10 @@ const wishes = (): TwinWishes => ({
 
 function openWorker(): Remote<SimulationApi> {
   worker = new Worker(new URL('../worker/simulation_worker.ts', import.meta.url), { type: 'module' });
+  worker.addEventListener('error', ({ message }) => {
+    closeWorker();
+    twin.failure.value = `The simulation has stopped: ${message}.`;
+  });
   const api = (remote = wrap<SimulationApi>(worker));
   loaded = api.load(new URL('wasm/', document.baseURI).href, proxy(showFrame));
   return api;
@@ -107,16 +128,28 @@ function pinned(): Uint32Array | null {
 
 async function start(result: MeshAt): Promise<void> {
   const { mesh: original, diagonal, scale } = results.body.value!;
+  if ((twin.frame.value?.bodies.original.stepSeconds ?? 0) > LONG_STEP) closeWorker();
   forget();
   const mine = number;
   twin.failure.value = null;
   const api = remote ?? openWorker();
   const size = { body: { scale }, diagonal };
-  const setup = { number, original, result, size, settings: wants.settings.value, pinned: pinned() };
+  const setup = {
+    number,
+    original,
+    result,
+    meshKey: meshKey(),
+    size,
+    settings: wants.settings.value,
+    pinned: pinned(),
+    noise: twin.alwaysNoise.value ? ('always' as const) : ('in real time' as const),
+  };
   try {
     await loaded;
-    await api.start({ ...setup, noise: twin.alwaysNoise.value ? 'always' : 'in real time' }, wishes());
-    if (mine === number) await api.play(isMoving());
+    const surroundings = await api.start(setup, wishes());
+    if (mine !== number) return;
+    twin.surroundings.value = surroundings;
+    await api.play(isMoving());
   } catch (error) {
     if (mine === number) twin.failure.value = error instanceof Error ? error.message : String(error);
   }

@@ -106,11 +106,12 @@ export const areModesStale = computed(
 );
 
 /** What is shown as optimized: the mesh of the history while the slider moves, the fitted one once that is there. */
-export const shownMesh = computed(() => {
+export const shownMesh = computed(() => shownFit.value?.result ?? results.mesh.value);
+
+/** What the fit of the shown mesh says; null until it is done. */
+export const shownFit = computed(() => {
   const { value: fitted } = results.fitted;
-  return fitted?.key === `${resultKey(wants.settings.value)} ${wantedFaces.value}`
-    ? fitted.result
-    : results.mesh.value;
+  return fitted?.key === `${resultKey(wants.settings.value)} ${wantedFaces.value}` ? fitted : null;
 });
 
 /** The reasons of the shown result, once they are known. */

@@ -5,6 +5,7 @@ import type { TriangleMesh } from '../../engine/core';
 import { LOCKED, STRONGEST } from '../../engine/paint';
 import type { Levels } from '../../engine/paint';
 import { cornerNormals } from '../../engine/document/normals';
+import { isLarge } from './twin_surface';
 
 /** A scalar to colour by, in [0, 1]. */
 export interface Field {
@@ -20,20 +21,27 @@ export function perCorner({ triangles }: TriangleMesh, values: Float32Array, siz
   return out;
 }
 
-/** `groups`: corners that share a normal, see CornerNormals. */
+/** `groups`: corners that share a normal, see CornerNormals; a large mesh has neither them nor normals. */
 export function bodyGeometry(mesh: TriangleMesh): { geometry: BufferGeometry; groups: Uint32Array } {
   const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(perCorner(mesh, mesh.positions, 3), 3));
+  const groups = isLarge(mesh) ? new Uint32Array() : setNormals(geometry, mesh);
+  setDisplacement(geometry, mesh, null);
+  setField(geometry, mesh, null);
+  geometry.computeBoundingSphere();
+  geometry.computeBoundingBox();
+  return { geometry, groups };
+}
+
+/** Returns the groups of corners that share a normal. */
+function setNormals(geometry: BufferGeometry, mesh: TriangleMesh): Uint32Array {
   const { group, normals } = cornerNormals(mesh);
   const spread = new Float32Array(3 * group.length);
   group.forEach((corner, i) => {
     for (let c = 0; c < 3; c++) spread[3 * i + c] = normals[3 * corner + c];
   });
-  geometry.setAttribute('position', new BufferAttribute(perCorner(mesh, mesh.positions, 3), 3));
   geometry.setAttribute('normal', new BufferAttribute(spread, 3));
-  setDisplacement(geometry, mesh, null);
-  setField(geometry, mesh, null);
-  geometry.computeBoundingSphere();
-  return { geometry, groups: group };
+  return group;
 }
 
 /** Per vertex, in units of the mesh; null: none. */
@@ -42,8 +50,8 @@ export function setDisplacement(
   mesh: TriangleMesh,
   shape: Float32Array | null,
 ): void {
-  const values = shape ? perCorner(mesh, shape, 3) : new Float32Array(3 * mesh.triangles.length);
-  geometry.setAttribute('displacement', new BufferAttribute(values, 3));
+  if (shape) geometry.setAttribute('displacement', new BufferAttribute(perCorner(mesh, shape, 3), 3));
+  else geometry.deleteAttribute('displacement');
 }
 
 export function setField(geometry: BufferGeometry, mesh: TriangleMesh, field: Field | null): void {

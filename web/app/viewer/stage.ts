@@ -15,9 +15,9 @@ import type { DotLook } from './pin_dots';
 import { nearestSeen, seenAt } from './seen_vertices';
 import type { ScreenPlace, SeenBody } from './seen_vertices';
 import { surfaceMaterial } from './surface_material';
-import { PropsView } from './twin_props';
+import { PropsView, reachOf } from './twin_props';
 import type { Props, PropsLook } from './twin_props';
-import { MOST_SMOOTH, paintSurface, placeSurface } from './twin_surface';
+import { isLarge, paintSurface, placeSurface } from './twin_surface';
 
 CameraControls.install({ THREE });
 
@@ -67,7 +67,7 @@ class Pane {
     this.body.geometry = geometry;
     this.groups = groups;
     this.isPlaced = false;
-    this.body.material.uniforms.isFlat.value = false;
+    this.body.material.uniforms.isFlat.value = isLarge(mesh);
     this.applyField();
     this.applyShape();
     this.isPaintStale = true;
@@ -89,12 +89,14 @@ class Pane {
   }
 
   colour(field: Field | null, map: THREE.DataTexture): void {
+    const isSame = field?.values === this.field?.values && field?.on === this.field?.on;
     this.field = field;
-    this.applyField();
+    if (!isSame) this.applyField();
     this.body.material.uniforms.map.value = map;
   }
 
   displace(shape: Float32Array | null): void {
+    if (shape === this.shape) return;
     this.shape = shape;
     this.applyShape();
   }
@@ -117,8 +119,7 @@ class Pane {
     const { mesh, groups } = this;
     if (!mesh || (positions ? positions.length !== mesh.positions.length : !this.isPlaced)) return;
     this.isPlaced = positions !== null;
-    const { isFlat, hasField } = this.body.material.uniforms;
-    isFlat.value = this.isPlaced && mesh.triangles.length > 3 * MOST_SMOOTH;
+    const { hasField } = this.body.material.uniforms;
     placeSurface(this.body.geometry, mesh, positions ?? mesh.positions, groups);
     if (!positions) return this.applyField();
     hasField.value = values?.length === mesh.positions.length / 3;
@@ -131,6 +132,17 @@ class Pane {
     material.transparent = colour !== null;
     material.uniforms.opacity.value = colour === null ? 1 : 0.4;
     this.veilColour = colour;
+    // Those of the body below are enough.
+    this.props.group.visible = colour === null;
+  }
+
+  /** Its depth alone, so that a veil is of one layer. */
+  drawDepth(draw: () => void): void {
+    const { material } = this.body;
+    this.props.group.visible = this.dots.points.visible = false;
+    material.colorWrite = false;
+    draw();
+    material.colorWrite = true;
   }
 
   /** Without wires: those of the veil over it would drown in them. */
@@ -170,6 +182,14 @@ class Pane {
     return mesh && { positions: mesh.positions, shape: this.fittingShape(), amplitude };
   }
 
+  /** Of the bounding box. */
+  corners(): THREE.Vector3[] {
+    const box = this.mesh && this.body.geometry.boundingBox;
+    if (!box) return [];
+    const [x, y, z] = (['x', 'y', 'z'] as const).map((axis) => [box.min[axis], box.max[axis]]);
+    return x.flatMap((a) => y.flatMap((b) => z.map((c) => new THREE.Vector3(a, b, c))));
+  }
+
   sphere(): THREE.Sphere | null {
     return this.mesh ? this.body.geometry.boundingSphere : null;
   }
@@ -189,6 +209,9 @@ export class Stage {
   private shown: PaneName[] = ['original'];
   private isOverlaid = false;
   private split: number | null = null;
+  private columnsBefore = 1;
+  private steppedBack = 1;
+  private reach: THREE.Vector3[] = [];
   private stale = true;
   private swinging = false;
   private phase = 0;
@@ -248,6 +271,7 @@ export class Stage {
   /** What bodies fall on. */
   furnish(props: Props | null, look: PropsLook): void {
     for (const pane of Object.values(this.panes)) pane.props.show(props, look);
+    this.reach = props ? reachOf(props) : [];
     this.stale = true;
   }
 
@@ -315,7 +339,27 @@ export class Stage {
     this.split = shown.length === 2 && veil === null ? split : null;
     this.panes.optimized.veil(veil);
     this.panes.original.bare(this.isOverlaid);
+    this.makeRoom();
+  }
+
+  /** Panes that get narrower do not cut what was seen: the eye steps back, and forth again when they get wider. */
+  private makeRoom(): void {
+    const before = Math.max(1, this.spread());
     this.resize();
+    if (this.columns === this.columnsBefore) return;
+    this.columnsBefore = this.columns;
+    const back = this.columns > 1 ? Math.max(1, this.spread() / before) : 1;
+    void this.controls.dollyTo((this.controls.distance * back) / this.steppedBack, false);
+    this.steppedBack = back;
+  }
+
+  /** How far the original reaches from the middle of a pane, over half the width of the pane. */
+  private spread(): number {
+    this.controls.update(0);
+    this.camera.updateMatrixWorld();
+    return this.panes.original
+      .corners()
+      .reduce((most, corner) => Math.max(most, Math.abs(corner.project(this.camera).x)), 0);
   }
 
   private get columns(): number {
@@ -377,14 +421,12 @@ export class Stage {
     this.stale = true;
   }
 
-  /** Turns the camera to the whole body, and to `room` diagonals below it. */
-  fit(animated = true, room = 0): void {
+  /** Turns the camera to the whole body and to what it can touch. */
+  fit(animated = true): void {
     const sphere = this.panes.original.sphere()?.clone();
-    if (sphere && room > 0) {
-      sphere.center.y -= room * sphere.radius;
-      sphere.radius *= 1 + room;
-    }
+    for (const point of this.reach) sphere?.expandByPoint(point);
     if (!sphere || !(sphere.radius > 0)) return;
+    this.steppedBack = 1;
     this.camera.near = sphere.radius / 100;
     this.camera.far = sphere.radius * 100;
     // Farther away it would be a dot, and then nothing.
@@ -452,7 +494,10 @@ export class Stage {
       if (cut === null) this.renderer.setScissor(left, 0, width, clientHeight);
       else this.renderer.setScissor(i * cut, 0, i === 0 ? cut : width - cut, clientHeight);
       // A veil is not hidden by what it lies over.
-      if (this.isOverlaid && i > 0) this.renderer.clearDepth();
+      if (this.isOverlaid && i > 0) {
+        this.renderer.clearDepth();
+        pane.drawDepth(() => this.renderer.render(pane.scene, this.camera));
+      }
       this.renderer.render(pane.scene, this.camera);
     });
   }

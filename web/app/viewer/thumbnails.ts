@@ -5,6 +5,7 @@ import type { TriangleMesh } from '../../engine/core';
 import { bodyGeometry, setDisplacement, setField } from './body_geometry';
 import { mapTexture } from './colours';
 import { surfaceMaterial } from './surface_material';
+import { isLarge } from './twin_surface';
 
 export const THUMBNAIL = { width: 148, height: 104 };
 /** Larger meshes stand still, so that the gallery never slows the page. */
@@ -44,6 +45,7 @@ export class Thumbnails {
     this.body.geometry.dispose();
     const { geometry } = bodyGeometry(mesh);
     this.body.geometry = geometry;
+    this.body.material.uniforms.isFlat.value = isLarge(mesh);
     this.faces = mesh.triangles.length / 3;
     setField(geometry, mesh, null);
     const sphere = geometry.boundingSphere!;

@@ -1,11 +1,11 @@
 /** What bodies fall on: a floor and balls or capsules, drawn in a scene beside a body. */
 
 import * as THREE from 'three';
+import type { Collider, Surroundings } from '../../engine/core';
 
-export interface Props {
-  /** height of the floor along y; null: none */
-  ground: number | null;
-  capsules: { from: number[]; to: number[]; radius: number }[];
+export interface Props extends Surroundings {
+  /** how far down a body will hang; null: no farther than it stands */
+  lowest: number | null;
   /** of what stands on the floor, in units of the mesh */
   centre: number[];
   diagonal: number;
@@ -55,11 +55,12 @@ export class PropsView {
     }
     if (!props) return;
     if (props.ground !== null) this.addGround(props, props.ground, look);
-    for (const capsule of props.capsules) this.addCapsule(capsule, look);
+    for (const collider of props.colliders) this.addCollider(collider, look);
+    this.addLights();
   }
 
   private addGround({ centre, diagonal }: Props, height: number, look: PropsLook): void {
-    const radius = 1.2 * diagonal;
+    const radius = 0.95 * diagonal;
     const material = new THREE.ShaderMaterial({
       vertexShader: floorVertex,
       fragmentShader: floorFragment,
@@ -78,15 +79,33 @@ export class PropsView {
     this.group.add(floor);
   }
 
-  private addCapsule({ from, to, radius }: Props['capsules'][number], look: PropsLook): void {
+  private addLights(): void {
+    const sun = new THREE.DirectionalLight('#ffffff', 1.1);
+    sun.position.set(0.35, 0.75, 0.55);
+    this.group.add(sun, new THREE.HemisphereLight('#ffffff', '#9a9a9a', 2));
+  }
+
+  private addCollider({ from, to, radius }: Collider, look: PropsLook): void {
     const [a, b] = [new THREE.Vector3(...from), new THREE.Vector3(...to)];
-    const geometry = new THREE.CapsuleGeometry(radius, a.distanceTo(b), 16, 48);
+    // A little smaller than it is: the triangles of what lies on it cut through its round.
+    const geometry = new THREE.CapsuleGeometry(0.97 * radius, a.distanceTo(b), 16, 48);
     const body = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ color: look.body }));
     body.position.copy(a).add(b).multiplyScalar(0.5);
     if (a.distanceTo(b) > 0)
       body.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), b.clone().sub(a).normalize());
-    const sun = new THREE.DirectionalLight('#ffffff', 2);
-    sun.position.set(0.35, 0.75, 0.55);
-    this.group.add(body, sun, new THREE.AmbientLight('#ffffff', 1.2));
+    this.group.add(body);
   }
+}
+
+/** Points that a picture of the props has to show. */
+export function reachOf({ ground, lowest, colliders, centre }: Props): THREE.Vector3[] {
+  const ends = colliders.flatMap(({ from, to, radius }) =>
+    [from, to].flatMap((end) =>
+      [-radius, radius].map((by) =>
+        new THREE.Vector3(...end).add(new THREE.Vector3(by, by, by).divideScalar(1.5)),
+      ),
+    ),
+  );
+  const floors = [ground, lowest].filter((height) => height !== null);
+  return [...ends, ...floors.map((height) => new THREE.Vector3(centre[0], height, centre[2]))];
 }

@@ -4,7 +4,11 @@ import type { BufferAttribute, BufferGeometry } from 'three';
 import type { TriangleMesh } from '../../engine/core';
 
 /** Above this many triangles faces are drawn flat, as the shader finds their normals by itself. */
-export const MOST_SMOOTH = 150_000;
+const MOST_SMOOTH = 150_000;
+
+/** Whether a mesh is shaded flat: its triangles are smaller than what could be told from smooth ones. */
+export const isLarge = (mesh: TriangleMesh | null): boolean =>
+  mesh !== null && mesh.triangles.length > 3 * MOST_SMOOTH;
 
 /** `groups`: see CornerNormals; they are those of the mesh at rest, so that creases stay where they are. */
 export function placeSurface(

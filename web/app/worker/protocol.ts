@@ -93,7 +93,9 @@ export interface DeviationMarks {
   key: string;
 }
 
-export interface FitResult extends FittedResult {
+export interface FitResult extends Omit<FittedResult, 'result'> {
+  /** null: what the history has for that number of faces, which the page has already */
+  result: MeshAt | null;
   /** null where frequencies are no target */
   frequency: FrequencyFinding | null;
   /** what it was made from: resultKey and the number of faces */

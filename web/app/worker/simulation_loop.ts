@@ -23,7 +23,9 @@ export class SimulationLoop {
   private hasNews = false;
   private hasEnded = false;
   private due = 0;
-  private tries: number;
+  private tries = TRIED_STEPS;
+  /** for all bodies' steps together; beyond it the hidden run is too dear */
+  private readonly spareSeconds: number;
   private readonly stepped: number[] = [];
   private samples: TwinSample[] = [];
   private exploded: TwinName[] = [];
@@ -34,10 +36,10 @@ export class SimulationLoop {
     private readonly twin: Twin,
     private readonly number: number,
     private readonly showFrame: ShowFrame,
-    { wishes, keepsNoise }: { wishes: TwinWishes; keepsNoise: boolean },
+    { wishes, spareSeconds }: { wishes: TwinWishes; spareSeconds: number },
   ) {
     this.wishes = wishes;
-    this.tries = keepsNoise ? Infinity : TRIED_STEPS;
+    this.spareSeconds = spareSeconds;
     this.announce();
   }
 
@@ -109,8 +111,14 @@ export class SimulationLoop {
     this.stepped.push(now);
     while (this.stepped[0] < now - PACE_SPAN) this.stepped.shift();
     this.tries -= 1;
-    if (this.tries === 0 && this.pace() < REAL_TIME) this.twin.endNoise();
+    if (this.tries === 0 && this.isTooSlow()) this.twin.endNoise();
     this.announce();
+  }
+
+  private isTooSlow(): boolean {
+    const { twin } = this;
+    const seconds = 2 * twin.stepSeconds('original') + twin.stepSeconds('optimized');
+    return this.pace() < REAL_TIME && seconds > this.spareSeconds;
   }
 
   private announce(): void {

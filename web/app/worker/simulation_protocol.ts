@@ -1,6 +1,6 @@
 /** What the page and the worker of the Test step say to each other: plain data, typed arrays moved rather than copied. */
 
-import type { MeshAt, SurfacePoint, TriangleMesh } from '../../engine/core';
+import type { MeshAt, SurfacePoint, Surroundings, TriangleMesh } from '../../engine/core';
 import type { Settings } from '../../engine/options';
 import type { BodySize } from '../../engine/pipeline';
 import type { TwinName, TwinSample } from '../../engine/twin';
@@ -10,6 +10,8 @@ export interface TwinSetup {
   number: number;
   original: TriangleMesh;
   result: MeshAt;
+  /** equal for equal meshes */
+  meshKey: string;
   size: BodySize;
   settings: Settings;
   /** vertices of the original; null: what the scenario itself holds */
@@ -57,8 +59,11 @@ export interface TwinFrame {
 
 export interface SimulationApi {
   load(wasmFolder: string, show: ShowFrame): Promise<void>;
-  /** Replaces what has been there, at rest and paused. Throws one sentence where that cannot be simulated. */
-  start(setup: TwinSetup, wishes: TwinWishes): Promise<void>;
+  /**
+   * Replaces what has been there, at rest and paused; returns what the bodies can touch. Throws one sentence where that
+   * cannot be simulated.
+   */
+  start(setup: TwinSetup, wishes: TwinWishes): Promise<Surroundings>;
   wish(wishes: TwinWishes): Promise<void>;
   play(isPlaying: boolean): Promise<void>;
   step(): Promise<void>;

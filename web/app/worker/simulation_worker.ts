@@ -3,7 +3,7 @@
 import { expose, transfer } from 'comlink';
 import type { Core } from '../../engine/core';
 import { loadCore } from '../../engine/load_core';
-import { simulationOptions } from '../../engine/simulation';
+import { calibrationOf, simulationOptions, STEP_SECONDS } from '../../engine/simulation';
 import { Twin } from '../../engine/twin';
 import { SimulationLoop } from './simulation_loop';
 import type { ShowFrame, SimulationApi, TwinFrame, TwinSetup } from './simulation_protocol';
@@ -23,9 +23,22 @@ function moved(frame: TwinFrame): TwinFrame {
   );
 }
 
-function makeTwin({ original, result, size, settings, pinned }: TwinSetup): Twin {
+let calibrated = { key: '', factor: 1 };
+
+/** It takes a while, and depends on no setting of the simulation. */
+function calibrationFor({ original, result, meshKey, size, settings }: TwinSetup): number {
+  if (!settings.calibrate) return 1;
+  const key = `${meshKey} ${settings.thickness} ${settings.poisson}`;
+  if (calibrated.key !== key)
+    calibrated = { key, factor: calibrationOf(core, { ...size, mesh: original }, result.mesh, settings) };
+  return calibrated.factor;
+}
+
+function makeTwin(setup: TwinSetup): Twin {
+  const { original, result, size, settings, pinned } = setup;
   return new Twin(core, original, result, {
     ...simulationOptions(size, settings, pinned),
+    calibration: calibrationFor(setup),
     diagonal: size.diagonal,
     measuresNoise: true,
   });
@@ -33,6 +46,9 @@ function makeTwin({ original, result, size, settings, pinned }: TwinSetup): Twin
 
 /** One for each body. */
 const MOST_THREADS = 3;
+
+/** Of the threads' time, for stepping; the page and its pictures need some too. */
+const SPARE_SHARE = 0.5;
 
 const api: SimulationApi = {
   load: async (wasmFolder, showFrame) => {
@@ -44,7 +60,10 @@ const api: SimulationApi = {
     loop = null;
     // A thread for each body: then the hidden run costs nothing.
     const keepsNoise = setup.noise === 'always' || core.threads >= MOST_THREADS;
-    loop = new SimulationLoop(makeTwin(setup), setup.number, show, { wishes, keepsNoise });
+    const spareSeconds = keepsNoise ? Infinity : SPARE_SHARE * core.threads * STEP_SECONDS;
+    const twin = makeTwin(setup);
+    loop = new SimulationLoop(twin, setup.number, show, { wishes, spareSeconds });
+    return twin.surroundings;
   },
   wish: async (wishes) => loop?.wish(wishes),
   play: async (isPlaying) => loop?.play(isPlaying),

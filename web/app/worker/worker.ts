@@ -102,7 +102,12 @@ const api: WorkerApi = {
     speak(() => ({ marks: stagesOf(body).marks(settings), key: historyKey(settings) })),
   meshAt: (body, settings, faces) => speak(() => stagesOf(body).result(settings, faces)),
   fit: (body, settings, faces) =>
-    speak(() => ({ ...stagesOf(body).fitted(settings, faces), key: `${resultKey(settings)} ${faces}` })),
+    speak(() => {
+      const fitted = stagesOf(body).fitted(settings, faces);
+      const isSame = fitted.result === stagesOf(body).result(settings, faces);
+      const result = isSame ? null : fitted.result;
+      return { ...fitted, result, key: `${resultKey(settings)} ${faces}` };
+    }),
   why: (body, settings, faces) =>
     speak(() => ({ ...stagesOf(body).why(settings, faces), key: `${historyKey(settings)} ${faces}` })),
   measure: (body, settings, faces) =>
