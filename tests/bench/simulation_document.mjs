@@ -84,11 +84,10 @@ function errorOf(mesh, result) {
     .frequencyErrorMean;
 }
 
-/** Seconds of the shortest step of 2,000 substeps of each body: steps of a tenth in turn, short enough to find the core free. */
-function stepTimes(mesh, result) {
+/** Milliseconds of the shortest step of 2,000 substeps of each: tenths of one in turn, short enough to find the core free. */
+function stepTimes(mesh, bodies) {
   const settings = { ...engine.defaultSettings(), material: 'springs', substeps: 2000 / STEP_PARTS };
   const given = engine.simulationOptions(mesh.prepared, settings, null);
-  const bodies = [mesh.prepared.mesh, result];
   const numbers = bodies.map((body) => core.startSimulation(body, mesh.prepared.mesh, given));
   const least = bodies.map(() => Infinity);
   for (const end = performance.now() + TIMED_MILLISECONDS; performance.now() < end;)
@@ -99,19 +98,6 @@ function stepTimes(mesh, result) {
     });
   for (const number of numbers) core.endSimulation(number);
   return least.map((milliseconds) => STEP_PARTS * milliseconds);
-}
-
-function rowOf(mesh, title, method, result) {
-  const [before, after] = stepTimes(mesh, result);
-  return [
-    title,
-    method,
-    `${mesh.prepared.mesh.triangles.length / 3} -> ${result.triangles.length / 3}`,
-    `${errorOf(mesh, result).toFixed(2)} %`,
-    `${before.toFixed(1)} -> ${after.toFixed(1)} ms`,
-    `x ${(before / after).toFixed(2)}`,
-    `x ${(edgesOf(mesh.prepared.mesh).length / edgesOf(result).length).toFixed(2)}`,
-  ];
 }
 
 /** The smallest result of limber, of those tried, whose frequencies are no worse than `error`. */
@@ -131,11 +117,24 @@ function rowsOf({ mesh: name, title, faces, before, after }) {
   const rows = [[...printed, `${before} -> ${after.toFixed(1)} ms`, `x ${(before / after).toFixed(2)}`, '']];
   if (!mesh) return rows;
   const papers = reduced(mesh, 'paper', faces);
-  rows.push(rowOf(mesh, title, '`--method paper`', papers));
-  rows.push(rowOf(mesh, title, '`--method limber`', reduced(mesh, 'limber', faces)));
   const small = asGoodAs(mesh, errorOf(mesh, papers), faces);
-  if (small) rows.push(rowOf(mesh, title, '`limber`, no worse than `paper`', small));
-  return rows;
+  const results = [
+    ['`--method paper`', papers],
+    ['`--method limber`', reduced(mesh, 'limber', faces)],
+    ...(small ? [['`limber`, no worse than `paper`', small]] : []),
+  ];
+  const original = mesh.prepared.mesh;
+  const [own, ...times] = stepTimes(mesh, [original, ...results.map(([, result]) => result)]);
+  const measured = results.map(([method, result], i) => [
+    title,
+    method,
+    `${mesh.faces} -> ${result.triangles.length / 3}`,
+    `${errorOf(mesh, result).toFixed(2)} %`,
+    `${own.toFixed(1)} -> ${times[i].toFixed(1)} ms`,
+    `x ${(own / times[i]).toFixed(2)}`,
+    `x ${(edgesOf(original).length / edgesOf(result).length).toFixed(2)}`,
+  ]);
+  return [...rows, ...measured];
 }
 
 async function writeTable() {
