@@ -13,7 +13,7 @@ export function TestBench() {
         <button
           type="button"
           class="primary"
-          disabled={!frame || isOver}
+          disabled={isOver}
           title="Space"
           onClick={() => (twin.playing.value = !isPlaying)}
         >
