@@ -11,8 +11,9 @@ namespace limber {
 namespace {
 
 constexpr int kMostRounds = 24;
-// Rounds end once the merit falls by less than this in so many of them, or is as small as that.
-constexpr double kStagnant = 0.9, kGoodEnough = 1e-6;
+// Rounds end once the merit falls by less than a tenth, and its root by less than this (0.1 % of frequency),
+// in so many of them, or is as small as that.
+constexpr double kStagnant = 0.9, kLittle = 2e-3, kGoodEnough = 1e-6;
 constexpr size_t kPatience = 3;
 constexpr double kClip = 0.1;  // of a residual, in a step
 // What a residual may be worth, in squared budgets of distance.
@@ -100,7 +101,9 @@ TriangleMesh ModalSearch::run(const std::function<void(double)>& report) {
 // Little was gained since the last retreat, or a retreat could not help.
 bool ModalSearch::isDone() const {
   if (hold_ >= kMostHold || merit(best_) < kGoodEnough) return true;
-  return merits_.size() > kPatience && merits_.back() > kStagnant * merits_[merits_.size() - 1 - kPatience];
+  if (merits_.size() <= kPatience) return false;
+  const double was = merits_[merits_.size() - 1 - kPatience], is = merits_.back();
+  return is > kStagnant * was && std::sqrt(was) - std::sqrt(is) < kLittle;
 }
 
 void ModalSearch::measure() {
