@@ -17,12 +17,16 @@ constexpr double kStagnant = 0.9, kLittle = 2e-3, kGoodEnough = 1e-6;
 constexpr size_t kPatience = 3;
 constexpr double kClip = 0.1;  // of a residual, in a step
 // What a residual may be worth, in squared budgets of distance.
-constexpr double kLeastWorth = 1, kMostWorth = 1e4;
+constexpr double kLeastWorth = 1, kMostWorth = 150;
 constexpr int kHalvings = 30;  // of that range
 // How firmly vertices hold their places: more where a step gains less than foretold.
-constexpr double kFirstHold = 0.01, kLeastHold = 0.003, kMostHold = 1e5;
-constexpr double kPoorGain = 0.3, kGoodGain = 0.7, kFirmer = 3, kLooser = 2;
-constexpr double kLost = 1.5;  // a mesh with this much of the best merit is given up
+constexpr double kFirstHold = 0.01, kLeastHold = 3e-4, kMostHold = 1e5;
+constexpr double kPoorGain = 0.3, kGoodGain = 0.7, kFirmer = 3, kLooser = 1.5;
+// A vertex that the guard lets make less than this of its way is held so many times as firmly, as long as
+// that goes on: the others go on without it.
+constexpr double kBlocked = 0.5, kBlockedFirmer = 4, kFreedLooser = 3, kMostFirmness = 1e6;
+constexpr double kEvenness = 2e-4;  // of the triangles: see SurfaceFitOptions
+constexpr double kLost = 1.5;       // a mesh with this much of the best merit is given up
 
 Eigen::VectorXd difference(const TriangleMesh& after, const TriangleMesh& before) {
   Eigen::VectorXd moved(3 * static_cast<Eigen::Index>(after.vertexCount()));
@@ -80,6 +84,7 @@ ModalSearch::ModalSearch(const FitPart& part, const FitSamples& samples, ModalTa
       solver_(part.locked, job),
       hold_(kFirstHold) {
   state_.mesh = part.simplified;
+  firmness_.setOnes(3 * static_cast<Eigen::Index>(part.simplified.vertexCount()));
   measure();
   before_ = state_.mismatch.meanSquare();
   best_ = state_;
@@ -113,7 +118,8 @@ void ModalSearch::measure() {
     if (k < parts.size())
       parts[k] = target_.compare(state_.mesh, k, job_);
     else
-      state_.fit = fitSurface(state_.mesh, topology_, samples_, {.evenness = 0, .lines = &part_.lines});
+      state_.fit =
+          fitSurface(state_.mesh, topology_, samples_, {.evenness = kEvenness, .lines = &part_.lines});
   });
   state_.mismatch = join(parts);
   state_.found = target_.found();
@@ -121,7 +127,8 @@ void ModalSearch::measure() {
 
 Eigen::VectorXd ModalSearch::gaussNewtonStep() {
   const Mismatch& mismatch = state_.mismatch;
-  const SurfaceFit& fit = state_.fit;
+  SurfaceFit fit = state_.fit;
+  fit.inertia.array() *= firmness_;
   Eigen::MatrixXd columns(fit.pull.size(), 1 + mismatch.slope.cols());
   columns << fit.pull, mismatch.slope;
   const TradeOff tradeOff(fit, mismatch, solver_.solve(fit, hold_, std::move(columns)));
@@ -143,8 +150,11 @@ double ModalSearch::affordable(const TradeOff& tradeOff) const {
 
 void ModalSearch::step() {
   const Mismatch was = state_.mismatch;
-  TriangleMesh next = guard_.apply(state_.mesh, gaussNewtonStep());
-  const Eigen::VectorXd foretold = was.residual + was.slope.transpose() * difference(next, state_.mesh);
+  const Eigen::VectorXd wanted = gaussNewtonStep();
+  TriangleMesh next = guard_.apply(state_.mesh, wanted);
+  const Eigen::VectorXd made = difference(next, state_.mesh);
+  holdBlocked(wanted, made);
+  const Eigen::VectorXd foretold = was.residual + was.slope.transpose() * made;
   state_.mesh = std::move(next);
   measure();
   const double gain = was.residual.squaredNorm() - state_.mismatch.residual.squaredNorm();
@@ -153,6 +163,14 @@ void ModalSearch::step() {
     hold_ = std::min(kMostHold, kFirmer * hold_);
   else if (gain > kGoodGain * hoped)
     hold_ = std::max(kLeastHold, hold_ / kLooser);
+}
+
+void ModalSearch::holdBlocked(const Eigen::VectorXd& wanted, const Eigen::VectorXd& made) {
+  for (Eigen::Index at = 0; at < wanted.size(); at += 3) {
+    const bool blocked = made.segment<3>(at).norm() < kBlocked * wanted.segment<3>(at).norm();
+    firmness_.segment<3>(at).setConstant(blocked ? std::min(kMostFirmness, kBlockedFirmer * firmness_[at])
+                                                 : std::max(1.0, firmness_[at] / kFreedLooser));
+  }
 }
 
 // Needles bend the residuals too much for a linear step: from the best mesh again, with a firmer hold.

@@ -38,6 +38,7 @@ class ModalSearch {
   void step();
   Eigen::VectorXd gaussNewtonStep();
   double affordable(const TradeOff& tradeOff) const;
+  void holdBlocked(const Eigen::VectorXd& wanted, const Eigen::VectorXd& made);
   void goBack();
   bool isDone() const;
   double merit(const State& state) const;
@@ -52,6 +53,7 @@ class ModalSearch {
   FitSolver solver_;
   State state_, best_;
   std::vector<double> merits_;  // of the best mesh after each round since the last retreat
+  Eigen::ArrayXd firmness_;     // per coordinate: by what its inertia is multiplied
   double hold_, before_ = 0;
 };
 

@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::array<double, ModalTarget::kThicknesses> kThickness = {0.5, 1, 2};  // of the material's
 constexpr std::array<double, ModalTarget::kThicknesses> kWeight = {0.5, 1, 0.5};
+constexpr Eigen::Index kFirst = 10;         // modes that count fully ...
+constexpr double kLaterWeight = 0.5;        // ... and what the later ones count
 constexpr double kNoMac = 0.2, kMac = 0.6;  // a pair counts from the one on, fully from the other on
 constexpr double kNear = 0.3;               // eigenvalues this close count as neighbours
 // Weight of what couples neighbours, which keeps their shapes.
@@ -152,8 +154,8 @@ ModalTarget::Aligned ModalTarget::align(const ShellVibration& found, const Eigen
     const int p = partner[static_cast<size_t>(i)];
     for (Eigen::Index j = 0; j < found.lambda.size(); ++j)
       if (p < 0 || !areNear(found.lambda[j], found.lambda[p])) turn(j, i) = 0;
-    aligned.weight[i] =
-        kWeight[k] * std::clamp((turn.col(i).squaredNorm() - kNoMac) / (kMac - kNoMac), 0.0, 1.0);
+    aligned.weight[i] = kWeight[k] * (i < kFirst ? 1 : kLaterWeight) *
+                        std::clamp((turn.col(i).squaredNorm() - kNoMac) / (kMac - kNoMac), 0.0, 1.0);
   }
   // The closest orthonormal columns (polar factor).
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(turn, Eigen::ComputeThinU | Eigen::ComputeThinV);
