@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "binding_tools.h"
+#include "pipeline/carry_pins.h"
 #include "pipeline/compare_motion.h"
 #include "pipeline/running_scenario.h"
 

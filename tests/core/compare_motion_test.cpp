@@ -56,25 +56,6 @@ TEST(CompareMotion, recordsEveryStepOfEveryVertex) {
   EXPECT_GT(alone.original.secondsPerStep, 0);
 }
 
-TEST(CompareMotion, carriesPinsAsVerticesWhereItCanAndAsPointsElsewhere) {
-  const TriangleMesh fine = shapes::grid(4, 4), coarse = shapes::grid(2, 2);
-  const std::vector<uint32_t> bottom = {0, 1, 2, 3, 4};
-  const Pins pins = carryPins(fine, bottom, coarse);
-  EXPECT_EQ(pins.vertices, (std::vector<uint32_t>{0, 1, 2}));
-  EXPECT_EQ(pins.points.size(), 2u);
-}
-
-TEST(CompareMotion, carriesPinsByABindingWhereThereIsOne) {
-  const TriangleMesh fine = shapes::grid(4, 4), coarse = shapes::grid(2, 2);
-  std::vector<SurfaceAnchor> binding(fine.positions.size(), SurfaceAnchor{kNone, {0, 0, 0}});
-  binding[0] = {7, {0, 1, 0}};
-  binding[1] = {3, {0.5, 0.25, 0.25}};
-  const Pins pins = carryPins(fine, std::vector<uint32_t>{0, 1, 2}, coarse, binding);
-  EXPECT_EQ(pins.vertices, (std::vector<uint32_t>{coarse.triangles[7][1]}));
-  ASSERT_EQ(pins.points.size(), 1u);
-  EXPECT_EQ(pins.points[0].triangle, 3u);
-}
-
 TEST(CompareMotion, stepsTwoBodiesTogetherAsItDoesOneByOne) {
   const TriangleMesh mesh = shapes::grid(6, 12, 0.5, 1);
   const MotionOptions options = swaying(mesh);

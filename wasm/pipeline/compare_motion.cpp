@@ -7,6 +7,7 @@
 
 #include "measure/closest_point.h"
 #include "measure/surface_samples.h"
+#include "pipeline/carry_pins.h"
 #include "pipeline/running_scenario.h"
 
 namespace limber {

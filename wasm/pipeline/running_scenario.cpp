@@ -1,50 +1,11 @@
 #include "pipeline/running_scenario.h"
 
-#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
 #include "base/parallel.h"
-#include "measure/closest_point.h"
 
 namespace limber {
-
-namespace {
-
-// A barycentric coordinate this close to 1 is a vertex.
-constexpr double kAtVertex = 1 - 1e-6;
-
-bool comesBefore(const SurfaceAnchor& a, const SurfaceAnchor& b) {
-  return a.triangle != b.triangle ? a.triangle < b.triangle
-                                  : std::lexicographical_compare(a.barycentric, a.barycentric + 3,
-                                                                 b.barycentric, b.barycentric + 3);
-}
-
-}  // namespace
-
-Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& other,
-               std::span<const SurfaceAnchor> binding) {
-  Pins pins;
-  const ClosestPointTree tree(other);
-  const auto placeOf = [&](uint32_t v) {
-    if (!binding.empty()) return binding[v];
-    const SurfacePoint point = tree.closest(original.positions[v]);
-    return SurfaceAnchor{point.triangle, {point.barycentric[0], point.barycentric[1], point.barycentric[2]}};
-  };
-  for (const uint32_t v : pinned) {
-    const SurfaceAnchor point = placeOf(v);
-    if (point.triangle == kNone) continue;
-    const double* const share = std::max_element(point.barycentric, point.barycentric + 3);
-    if (*share > kAtVertex)
-      pins.vertices.push_back(other.triangles[point.triangle][share - point.barycentric]);
-    else
-      pins.points.push_back(point);
-  }
-  std::sort(pins.vertices.begin(), pins.vertices.end());
-  pins.vertices.erase(std::unique(pins.vertices.begin(), pins.vertices.end()), pins.vertices.end());
-  std::sort(pins.points.begin(), pins.points.end(), comesBefore);
-  return pins;
-}
 
 RunningScenario::RunningScenario(const TriangleMesh& mesh, const SimulationOptions& options,
                                  const Scenario& scenario, const Pins& pins)

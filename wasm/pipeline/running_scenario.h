@@ -10,12 +10,6 @@
 
 namespace limber {
 
-// Pins of one body carried over to another: each pinned vertex as its point on `other`, by `binding` (one
-// point per vertex of the original, kNone as its triangle where it has none), or, where that is empty, as the
-// closest point at rest. A point that is a vertex becomes one. Ascending, each vertex once.
-Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& other,
-               std::span<const SurfaceAnchor> binding = {});
-
 // A body on its way through a scenario.
 class RunningScenario {
  public:

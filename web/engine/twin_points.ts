@@ -62,7 +62,7 @@ function around({ triangles }: TriangleMesh, of: Set<number>): number[] {
 }
 
 /** The closest point to `place` at rest among `candidates`; all triangles where there are none. */
-function closestPoint(mesh: TriangleMesh, place: Point, candidates: number[]): SurfacePoint {
+export function closestPoint(mesh: TriangleMesh, place: Point, candidates: number[]): SurfacePoint {
   const all =
     candidates.length > 0 ? candidates : Array.from({ length: mesh.triangles.length / 3 }, (_, t) => t);
   let best: SurfacePoint = { triangle: all[0], barycentric: [1, 0, 0] };

@@ -6,7 +6,9 @@ export { openModel } from '../../../web/engine/document/open';
 export { loadCore } from '../../../web/engine/load_core';
 export { optimizeBody } from '../../../web/engine/optimize';
 export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/options';
-export { simulationOptions } from '../../../web/engine/simulation';
+export { findPins } from '../../../web/engine/pins';
+export { STEP_SECONDS, simulationOptions } from '../../../web/engine/simulation';
+export { closestPoint, placeOf } from '../../../web/engine/twin_points';
 export {
   findGuidance,
   findModes,

@@ -13,7 +13,8 @@ import { writeDocument } from './document.mjs';
 import { loadEngine } from './load_engine.mjs';
 import { loadMeshes } from './meshes.mjs';
 import { BEST_PEER, meshoptimizerPeers } from './meshoptimizer_peers.mjs';
-import { motionTable, runMotions, writeMotions } from './motion.mjs';
+import { runMotions } from './motion.mjs';
+import { motionTable, writeMotions } from './motion_document.mjs';
 import { ourMethods, peerMethods } from './methods.mjs';
 import { writePictures } from './pictures.mjs';
 import { printQuickTable } from './quick.mjs';
@@ -53,7 +54,7 @@ if (options.quick) {
   }
 } else if (options.motion) {
   const methods = [...ours, ...(await peerMethods(loaded, missing))].filter(isChosen);
-  const motions = runMotions(loaded, runCases(loaded, { meshes, methods, ratios: [0.25] }), meshes);
+  const motions = runMotions(loaded, { meshes, methods });
   console.log(`\n${motionTable(motions)}`);
   if (options.write) await writeMotions(motions);
 } else {

@@ -7,8 +7,8 @@ import { root } from './load_engine.mjs';
 
 /** A limit on the error that nothing reaches, relative to the extent. */
 const ANY_ERROR = 1e9;
-/** meshopt_SimplifyVertex_Priority of its C header; its JavaScript passes the bytes of `vertex_lock` on. */
-const PRIORITY = 4;
+/** meshopt_SimplifyVertex_Lock and _Priority of its C header; its JavaScript passes the bytes of `vertex_lock` on. */
+const [LOCK, PRIORITY] = [1, 4];
 /** Vertices whose strain ranks above this get the priority. */
 const STRAINED = 0.75;
 
@@ -55,10 +55,24 @@ function strainPriorities({ engine, core }, { prepared }) {
   return priorities;
 }
 
+/** Per vertex LOCK on the outline of what is pinned; null where nothing is. */
+function outlineLocks({ prepared }, pinned) {
+  if (!pinned?.length) return null;
+  const { positions, triangles } = prepared.mesh;
+  const isPinned = new Set(pinned);
+  const locks = new Uint8Array(positions.length / 3);
+  for (let t = 0; t < triangles.length; t += 3) {
+    const corners = triangles.subarray(t, t + 3);
+    if (corners.every((v) => isPinned.has(v))) continue;
+    for (const v of corners) if (isPinned.has(v)) locks[v] = LOCK;
+  }
+  return locks;
+}
+
 function timed(simplifier) {
-  return (mesh, faces) => {
+  return (mesh, faces, pinned) => {
     const started = performance.now();
-    const result = simplifier(mesh, faces);
+    const result = simplifier(mesh, faces, pinned);
     return { mesh: result, seconds: (performance.now() - started) / 1000 };
   };
 }
@@ -73,7 +87,8 @@ export async function meshoptimizerPeers(loaded) {
     {
       name: BEST_PEER,
       version: `${version}, simplifyWithUpdate, Regularize`,
-      run: timed((mesh, faces) => update(mesh, faces, null)),
+      holdsPins: true,
+      run: timed((mesh, faces, pinned) => update(mesh, faces, outlineLocks(mesh, pinned))),
     },
     {
       name: `${BEST_PEER} + strain`,

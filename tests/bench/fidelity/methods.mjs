@@ -1,5 +1,5 @@
-// The methods that are compared, as data: { name, isOurs, version, run(mesh, faces) -> { mesh, seconds } };
-// results of the same name and version are the same.
+// The methods that are compared, as data: { name, isOurs, holdsPins, version, run(mesh, faces) -> { mesh, seconds } };
+// results of the same name and version are the same. Where `holdsPins`, run takes pinned vertices of the mesh too.
 
 import { meshoptimizerPeers } from './meshoptimizer_peers.mjs';
 import { pythonPeers } from './python_peers.mjs';
@@ -9,13 +9,13 @@ function ours(loaded, name, changes) {
   const { engine, core } = loaded;
   const settings = { ...engine.defaultSettings(changes.method), ...changes };
   engine.checkSettings(settings);
-  const run = ({ prepared }, targetFaces) => {
+  const run = ({ prepared }, targetFaces, pinned) => {
     const started = performance.now();
-    const { result, timings } = engine.optimizeBody(core, prepared, settings, { targetFaces });
+    const { result, timings } = engine.optimizeBody(core, prepared, settings, { targetFaces, pinned });
     return { mesh: result.mesh, seconds: (performance.now() - started) / 1000 - timings.measure };
   };
   const version = `${loaded.version} ${JSON.stringify(settings)}`;
-  return { name, isOurs: true, version, settings, run };
+  return { name, isOurs: true, holdsPins: true, version, settings, run };
 }
 
 /** Ours that this build of the engine knows; `changes` go to each of them. */

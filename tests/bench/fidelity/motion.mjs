@@ -2,102 +2,120 @@
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { format, resolveConfig } from 'prettier';
-import { hashOf, root, scratch } from './load_engine.mjs';
-import { table, unique } from './markdown.mjs';
+import { hashOf, scratch } from './load_engine.mjs';
+import { samplePoints } from './motion_points.mjs';
 import { meanOf } from './targets.mjs';
+import { runCases } from './run_cases.mjs';
 
-const SCENARIOS = ['sway', 'twist', 'drape'];
-/** Seconds of each motion, and substeps: with fewer, what a fine mesh loses to them hides what a result does. */
-const [SECONDS, SUBSTEPS] = [1, 200];
-const [BEGIN, END] = ['<!-- motion: begin -->', '<!-- motion: end -->'];
+const RATIO = 0.25;
+/** What is pinned in each motion, in the words of --pins: what the scenario pins by itself. */
+export const MOTIONS = { sway: 'low:6', twist: 'low:6+high:6', drape: '' };
+/**
+ * Seconds of each motion, and substeps: with fewer the original runs softer than its material by as much as results
+ * differ, and one that is too soft comes closest.
+ */
+export const [SECONDS, SUBSTEPS] = [1, 400];
+/** The row that shows what the solver itself is off by. */
+export const SOLVER = 'the original, half the substeps';
 
-/** { mesh, method, sway, twist, drape: { mean, noise } or null where it has flown apart } of every case. */
-export function runMotions(loaded, cases, meshes) {
-  const folder = join(scratch, 'motion');
-  mkdirSync(folder, { recursive: true });
-  return cases.map(({ mesh, method, ratio, faces, meshOf }, i) => {
-    const { prepared, hash } = meshes.find(({ name }) => name === mesh);
-    const result = meshOf();
-    const key = hashOf(loaded.version, hash, result.positions, result.triangles, `${SECONDS} ${SUBSTEPS}`);
-    const file = join(folder, `${key}.json`);
-    if (!existsSync(file)) writeFileSync(file, JSON.stringify(moveAll(loaded, prepared, result)));
-    const motions = JSON.parse(readFileSync(file, 'utf8'));
-    const said = SCENARIOS.map((name) => `${name} ${motions[name]?.mean.toFixed(3) ?? 'flew apart'}`);
-    console.log(`${i + 1}/${cases.length} ${mesh}, ${method}: ${faces} faces, ${said.join(', ')}`);
-    return { mesh, method, ratio, ...motions };
-  });
-}
-
-function moveAll({ engine, core }, prepared, result) {
-  const { positions, triangles } = result;
-  const body = { name: 'result', positions, indices: triangles, notes: [], mesh: 0, spans: [], scale: 1 };
-  const other = engine.prepareBody(core, body, engine.defaultSettings());
-  return Object.fromEntries(
-    SCENARIOS.map((scenario) => {
-      const settings = { ...engine.defaultSettings(), scenario, seconds: SECONDS, substeps: SUBSTEPS };
-      const options = engine.simulationOptions(prepared, settings, null);
-      try {
-        const motion = core.compareMotion(prepared.mesh, other.mesh, {
-          ...options,
-          records: false,
-          binding: null,
-        });
-        return [scenario, { mean: motion.deviationMean, noise: motion.noiseFloor }];
-      } catch {
-        return [scenario, null];
+/**
+ * { mesh, method, sway, twist, drape } of every mesh and method: the mean deviation, or null where it has flown apart. A
+ * method that can hold pins has a second row, `NAME, told`: its results for each motion's pins.
+ */
+export function runMotions(loaded, { meshes, methods }) {
+  mkdirSync(join(scratch, 'motion'), { recursive: true });
+  return meshes.flatMap((mesh) => {
+    const found = new Map();
+    for (const [motion, pins] of Object.entries(MOTIONS)) {
+      const pinned = loaded.engine.findPins(pins, null, mesh.prepared);
+      const bodies = bodiesOf(loaded, mesh, methods, pinned);
+      for (const [name, deviation] of deviations(loaded, mesh, { motion, pinned, bodies })) {
+        found.set(name, { ...(found.get(name) ?? { mesh: mesh.name, method: name }), [motion]: deviation });
+        console.log(`${mesh.name}, ${motion}, ${name}: ${deviation?.toFixed(3) ?? 'flew apart'}`);
       }
-    }),
-  );
-}
-
-/** A line a method: means over the meshes on which nothing flew apart. */
-export function motionTable(motions) {
-  const isWhole = (one) => SCENARIOS.every((name) => one[name]);
-  const broken = new Set(motions.filter((one) => !isWhole(one)).map(({ mesh }) => mesh));
-  const rows = unique(motions.map(({ method }) => method)).map((method) => {
-    const own = motions.filter((one) => one.method === method && !broken.has(one.mesh));
-    const mean = (key, scenario) => meanOf(own.map((one) => one[scenario][key]));
-    const overall = meanOf(SCENARIOS.map((scenario) => mean('mean', scenario)));
-    const cells = SCENARIOS.map(
-      (name) => `${mean('mean', name).toFixed(3)} (${mean('noise', name).toFixed(4)})`,
-    );
-    const flown = motions.filter((one) => one.method === method && !isWhole(one)).length;
-    return [method, overall.toFixed(3), ...cells, flown];
+    }
+    return [...found.values()];
   });
-  return table(['mean over meshes', 'all three', ...SCENARIOS, 'flew apart'], rows);
 }
 
-/** A line a mesh, a column a method: the mean over the three motions. */
-function meshTable(motions) {
-  const methods = unique(motions.map(({ method }) => method));
-  const rows = unique(motions.map(({ mesh }) => mesh)).map((mesh) => [
-    mesh,
-    ...methods.map((method) => {
-      const one = motions.find((motion) => motion.mesh === mesh && motion.method === method);
-      if (!one || SCENARIOS.some((name) => !one[name])) return 'flew apart';
-      return meanOf(SCENARIOS.map((name) => one[name].mean)).toFixed(3);
-    }),
-  ]);
-  return table(['mesh', ...methods], rows);
-}
-
-/** Replaces what stands between the markers of docs/simplification.md. */
-export async function writeMotions(motions) {
-  const path = join(root, 'docs', 'simplification.md');
-  const before = readFileSync(path, 'utf8');
-  if (!before.includes(BEGIN) || !before.includes(END))
-    throw new Error(`${path} has no place for the motions: add "${BEGIN}" and "${END}".`);
-  const content = [
-    BEGIN,
-    'Written by `node tests/bench/fidelity/evaluate.mjs --motion --write`.',
-    `Mean distance of 1,000 points of the surface from where the original takes them, over all steps of ${SECONDS} s, in % of the diagonal, at 25 % of the faces; in brackets the noise floor, the same for the original with its constraints in another order. Shell, ${SUBSTEPS} substeps.`,
-    motionTable(motions),
-    'Each mesh, the mean of the three motions:',
-    meshTable(motions),
-    END,
+/** [name, mesh, substeps] of all that moves beside the original. Where nothing is pinned there is nothing to tell. */
+function bodiesOf(loaded, mesh, methods, pinned) {
+  const told = methods
+    .filter(({ holdsPins }) => holdsPins)
+    .map((method) => (pinned.length === 0 ? method : toldOf(method, pinned)));
+  const meshOf = (method) => {
+    const [{ meshOf }] = runCases(loaded, { meshes: [mesh], methods: [method], ratios: [RATIO] }, () => {});
+    return meshOf();
+  };
+  return [
+    [SOLVER, mesh.prepared.mesh, SUBSTEPS / 2],
+    ...methods.map((method) => [method.name, meshOf(method), SUBSTEPS]),
+    ...told.map((method) => [`${method.name.replace(/, told$/, '')}, told`, meshOf(method), SUBSTEPS]),
   ];
-  const after = `${before.split(BEGIN)[0]}${content.join('\n\n')}${before.split(END)[1]}`;
-  writeFileSync(path, await format(after, { ...(await resolveConfig(path)), filepath: path }));
-  console.log('wrote the motions into docs/simplification.md');
+}
+
+function toldOf(method, pinned) {
+  const run = (mesh, faces) => method.run(mesh, faces, pinned);
+  return { ...method, name: `${method.name}, told`, version: `${method.version} ${hashOf(pinned)}`, run };
+}
+
+/** [name, mean deviation in % of the diagonal, or null] of every body. */
+function deviations(loaded, mesh, { motion, pinned, bodies }) {
+  const { engine, core, version } = loaded;
+  const settings = { ...engine.defaultSettings(), scenario: motion, seconds: SECONDS };
+  const options = engine.simulationOptions(mesh.prepared, settings, pinned);
+  const original = mesh.prepared.mesh;
+  let reference = null;
+  const points = samplePoints(original);
+  return bodies.map(([name, body, substeps]) => {
+    const key = hashOf(
+      version,
+      mesh.hash,
+      body.positions,
+      body.triangles,
+      `${motion} ${substeps} ${SECONDS}`,
+    );
+    const file = join(scratch, 'motion', `${key}.json`);
+    if (existsSync(file)) return [name, JSON.parse(readFileSync(file, 'utf8'))];
+    const run = (moving, steps) =>
+      pathsOf({ engine, core }, original, { moving, points, options: { ...options, substeps: steps } });
+    reference ??= run(original, SUBSTEPS);
+    const paths = run(body, substeps);
+    const mean = paths && (100 / mesh.prepared.diagonal) * meanDistance(reference, paths);
+    writeFileSync(file, JSON.stringify(mean));
+    return [name, mean];
+  });
+}
+
+/** How far each point of the original's surface has gone after each step, [(step * points + point) * 3 + c]. */
+function pathsOf({ engine, core }, original, { moving, points, options }) {
+  const placeOn = (point) => engine.placeOf(original.triangles, original.positions, point);
+  const bound =
+    moving === original ? points : points.map((point) => engine.closestPoint(moving, placeOn(point), []));
+  const rest = bound.map((point) => engine.placeOf(moving.triangles, moving.positions, point));
+  const body = core.startSimulation(moving, original, options);
+  const steps = Math.round(options.seconds / engine.STEP_SECONDS);
+  const paths = new Float64Array(3 * steps * points.length);
+  try {
+    for (let step = 0; step < steps; ++step) {
+      core.stepSimulations(Uint32Array.of(body));
+      const positions = core.simulationPositions(body);
+      bound.forEach((point, i) => {
+        const place = engine.placeOf(moving.triangles, positions, point);
+        for (let c = 0; c < 3; ++c) paths[3 * (step * points.length + i) + c] = place[c] - rest[i][c];
+      });
+    }
+  } catch {
+    return null;
+  } finally {
+    core.endSimulation(body);
+  }
+  return paths;
+}
+
+function meanDistance(a, b) {
+  const distances = Array.from({ length: a.length / 3 }, (_, i) =>
+    Math.hypot(a[3 * i] - b[3 * i], a[3 * i + 1] - b[3 * i + 1], a[3 * i + 2] - b[3 * i + 2]),
+  );
+  return meanOf(distances);
 }
