@@ -17,11 +17,11 @@ void advance(Particles& particles, uint32_t begin, uint32_t end, const Advance& 
   Motion *motion = particles.motion.data(), *lost = particles.lost.data();
   const Float4* acceleration = particles.acceleration.data();
   const float* damping = particles.damping.data();
-  if (what.moves)
-    for (uint32_t v = begin; v < end; ++v) addExactly(motion[v].u, lost[v].u, motion[v].q);
-  if (what.accelerates)
-    for (uint32_t v = begin; v < end; ++v)
-      addExactly(motion[v].q, lost[v].q, acceleration[v] - splat(damping[v]) * motion[v].q);
+  for (uint32_t v = begin; v < end; ++v) {
+    const Float4 q = motion[v].q;
+    if (what.moves) addExactly(motion[v].u, lost[v].u, q);
+    if (what.accelerates) addExactly(motion[v].q, lost[v].q, acceleration[v] - splat(damping[v]) * q);
+  }
 }
 
 void finishStep(Particles& particles, uint32_t begin, uint32_t end) {
