@@ -112,10 +112,7 @@ void Simulation::State::addStages(Constraints& constraints) {
     const size_t first = colouring.colourStart[c];
     substepping_.push_back({colouring.colourStart[c + 1] - first, kBatchGrain,
                             [this, &constraints, first](size_t begin, size_t end, int) {
-                              if constexpr (std::is_same_v<Constraints, EdgeConstraints>)
-                                constraints.project(first + begin, first + end);
-                              else
-                                constraints.project(particles, first + begin, first + end);
+                              constraints.project(first + begin, first + end);
                             }});
   }
 }
