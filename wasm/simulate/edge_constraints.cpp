@@ -45,8 +45,9 @@ void EdgeConstraints::setLane(Batch& batch, int k, uint32_t e, Particles& partic
   batch.a[k] = &particles.motion[spring.a];
   batch.b[k] = &particles.motion[spring.b];
   batch.base[k] = Float4{1, 0, 0, 0};
-  batch.rest[k] = static_cast<float>(spring.rest);
-  batch.shareA[k] = static_cast<float>(wa * inert / ((wa + wb) * inert + 1));
+  const double share = wa * inert / ((wa + wb) * inert + 1);
+  batch.share[k] = static_cast<float>(share);
+  batch.restShare[k] = static_cast<float>(spring.rest * share);
   batch.ratio[k] = wa > 0 ? static_cast<float>(wb / wa) : 0;
 }
 
@@ -55,7 +56,8 @@ void EdgeConstraints::rebase(const Particles& particles, size_t begin, size_t en
     for (int k = 0; k < 4; ++k) {
       const uint32_t e = colouring_.batches[i][k];
       if (e == kNone) continue;
-      batches_[i].base[k] = toFloat4(particles.positions[springs_[e].a] - particles.positions[springs_[e].b]);
+      const Spring& spring = springs_[e];
+      batches_[i].base[k] = toFloat4(particles.positions[spring.a] - particles.positions[spring.b]);
     }
 }
 
@@ -68,19 +70,18 @@ void EdgeConstraints::project(size_t begin, size_t end) const {
     const Float4 d2 = batch->base[2] + ((a2->u - b2->u) + (a2->q - b2->q));
     const Float4 d3 = batch->base[3] + ((a3->u - b3->u) + (a3->q - b3->q));
     const Float4 squared = laneSums(d0 * d0, d1 * d1, d2 * d2, d3 * d3);
-    // Far below any length: it only keeps 0 out of the division.
-    const Float4 stretch = batch->rest / squareRoot(squared + splat(1e-30f)) - splat(1);
-    const Float4 moveA = stretch * batch->shareA;
+    // 1e-30 is far below any length's square: it only keeps 0 out of the division.
+    const Float4 moveA = batch->restShare / squareRoot(squared + splat(1e-30f)) - batch->share;
     const Float4 m0 = d0 * splatLane<0>(moveA), m1 = d1 * splatLane<1>(moveA);
     const Float4 m2 = d2 * splatLane<2>(moveA), m3 = d3 * splatLane<3>(moveA);
     a0->q += m0;
-    b0->q -= m0 * splat(batch->ratio[0]);
+    b0->q -= m0 * splatLane<0>(batch->ratio);
     a1->q += m1;
-    b1->q -= m1 * splat(batch->ratio[1]);
+    b1->q -= m1 * splatLane<1>(batch->ratio);
     a2->q += m2;
-    b2->q -= m2 * splat(batch->ratio[2]);
+    b2->q -= m2 * splatLane<2>(batch->ratio);
     a3->q += m3;
-    b3->q -= m3 * splat(batch->ratio[3]);
+    b3->q -= m3 * splatLane<3>(batch->ratio);
   }
 }
 

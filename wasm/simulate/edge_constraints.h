@@ -32,10 +32,10 @@ class EdgeConstraints {
 
  private:
   struct Batch {
-    Float4 base[4];  // x_a - x_b at the start of the step
-    Float4 rest;     // length
-    Float4 shareA;   // of the correction that a takes: w_a / (w_a + w_b + compliance / substep^2)
-    float ratio[4];  // w_b / w_a, at most 1
+    Float4 base[4];    // x_a - x_b at the start of the step
+    Float4 share;      // of the correction that a takes: w_a / (w_a + w_b + compliance / substep^2)
+    Float4 restShare;  // the length at rest times that
+    Float4 ratio;      // w_b / w_a, at most 1
     // Ends; not their numbers, for finding a place by its number takes as long as a multiplication.
     Motion *a[4], *b[4];
   };
