@@ -15,15 +15,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Between two looks at the clock; a load takes a nanosecond or less.
+// Loads between two looks at the clock; each takes a nanosecond or less.
 constexpr int kSpins = 2000;
-// After so much waiting for one stage, a thread leaves its core to others for a while.
-constexpr std::chrono::microseconds kSpinning(60), kNap(50);
-// Whoever has napped so often in a run tells the others to leave: somebody else needs the cores.
-constexpr int kPatience = 4;
+// After so much waiting, for a long stage or for a thread that has lost its core, a thread naps.
+constexpr std::chrono::microseconds kSpinning(300), kNap(50);
 
 // Every chunk of every stage is claimed once per repeat, so nobody is waited for who has not begun: any
-// number of threads, at any time, gets through, and each but the first may leave.
+// number of threads, at any time, gets through.
 class Chunks {
  public:
   Chunks(std::span<const Stage> stages, int repeats, const Job& job)
@@ -36,18 +34,14 @@ class Chunks {
   }
 
   void work(size_t thread) {
-    int patience = kPatience;
     for (int repeat = 0; repeat < repeats_; ++repeat)
-      for (size_t s = 0; s < stages_.size(); ++s) {
-        const uint64_t before = static_cast<uint64_t>(repeat) * total_ + starts_[s];
-        const uint64_t all = before + chunksOf(s);
+      for (size_t s = 0; s < stages_.size() && !abandoned_; ++s) {
+        const uint64_t all = static_cast<uint64_t>(repeat) * total_ + starts_[s] + chunksOf(s);
         if (ended_.load(std::memory_order_acquire) >= all) continue;
         if (const uint64_t done = workOn(s, repeat, thread))
-          ended_.fetch_add(done, std::memory_order_acq_rel);
-        if (thread == 0 && job_.cancelRequested()) abandoned_ = true;
-        patience -= waitFor(all);
-        if (patience < 0) crowded_ = true;
-        if (abandoned_ || (crowded_ && thread > 0)) return;
+          ended_.fetch_add(done, std::memory_order_release);
+        if (job_.cancelRequested()) abandoned_ = true;
+        waitFor(all);
       }
   }
 
@@ -80,18 +74,14 @@ class Chunks {
     return 1;
   }
 
-  // Until so many chunks have ended. Returns how often it has napped.
-  int waitFor(uint64_t ended) const {
+  // Until so many chunks have ended.
+  void waitFor(uint64_t ended) const {
     const auto hasEnded = [&] { return ended_.load(std::memory_order_acquire) >= ended || abandoned_; };
     for (int spins = 0; spins < kSpins; ++spins)
-      if (hasEnded()) return 0;
-    int naps = 0;
-    for (const auto start = Clock::now(); !hasEnded();) {
-      if (Clock::now() - start < kSpinning) continue;
-      std::this_thread::sleep_for(kNap);
-      ++naps;
-    }
-    return naps;
+      if (hasEnded()) return;
+    const auto start = Clock::now();
+    while (!hasEnded())
+      if (Clock::now() - start > kSpinning) std::this_thread::sleep_for(kNap);
   }
 
   std::span<const Stage> stages_;
@@ -102,7 +92,7 @@ class Chunks {
   uint64_t total_ = 0;                    // chunks of a repeat
   std::vector<std::atomic<int>> claims_;  // repeats in which each chunk has been claimed
   alignas(64) std::atomic<uint64_t> ended_ = 0;
-  std::atomic<bool> abandoned_ = false, crowded_ = false;
+  std::atomic<bool> abandoned_ = false;
 };
 
 }  // namespace

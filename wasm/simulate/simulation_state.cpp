@@ -15,7 +15,7 @@ namespace {
 // From this many constraints on, a body's stages (a colour's 20 microseconds or more) pay for several
 // threads.
 constexpr uint32_t kThreadedEdges = 40000, kThreadedTriangles = 20000;
-constexpr size_t kBatchGrain = 32, kVertexGrain = 512;
+constexpr size_t kBatchGrain = 64, kVertexGrain = 1024;
 
 // Contacts are looked for within this share of the body's diagonal.
 constexpr double kContactReach = 0.02;
