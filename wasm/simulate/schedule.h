@@ -31,7 +31,7 @@ class ThreadChoice {
   void tell(double seconds);
 
  private:
-  static constexpr int kFirstInterval = 8, kLongestInterval = 128;  // steps between trials
+  static constexpr int kFirstInterval = 2, kLongestInterval = 128;  // steps between trials
   static constexpr double kSlower = 1.2;                            // calls for a trial
 
   double seconds_[2] = {0, 0};  // of a step, on one thread and on all; 0 until known

@@ -111,7 +111,7 @@ void Simulation::State::addStages(Constraints& constraints) {
   for (uint32_t c = 0; c < colouring.colourCount(); ++c) {
     const size_t first = colouring.colourStart[c];
     substepping_.push_back({colouring.colourStart[c + 1] - first, kBatchGrain,
-                            [this, &constraints, first](size_t begin, size_t end, int) {
+                            [&constraints, first](size_t begin, size_t end, int) {
                               constraints.project(first + begin, first + end);
                             }});
   }
