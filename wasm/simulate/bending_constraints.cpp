@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "simulate/bending_rest.h"
-#include "simulate/gather.h"
 #include "simulate/hinge.h"
 #include "simulate/triangle_rest.h"
 
@@ -36,7 +35,7 @@ std::vector<double> turnWeights(const TriangleMesh& mesh, const Topology& topolo
 }  // namespace
 
 BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology& topology,
-                                       const Particles& particles, const ConstraintOptions& options)
+                                       Particles& particles, const ConstraintOptions& options)
     : turns_(topology.edges.size() + 1), exactPsi_(topology.edges.size(), 0.0) {
   turnWeight_ = turnWeights(mesh, topology, options.sheet.density * options.sheet.thickness);
   const auto flaps = flapsOf(mesh, topology);
@@ -84,8 +83,7 @@ void BendingConstraints::setHinge(Rest& rest, uint32_t e, const Triangle& corner
   rest.sine[e] = fold.sine / size;
 }
 
-void BendingConstraints::setTriangle(Batch& batch, int k, uint32_t t, const Particles& particles,
-                                     double substep) {
+void BendingConstraints::setTriangle(Batch& batch, int k, uint32_t t, Particles& particles, double substep) {
   static const Vec3 outside[3] = {{1, 1, 0}, {-1, 1, 0}, {1, -1, 0}};  // flaps of an empty lane's triangle
   const bool empty = t == kNone;
   setLane(batch.base1, k, {1, 0, 0});
@@ -95,9 +93,9 @@ void BendingConstraints::setTriangle(Batch& batch, int k, uint32_t t, const Part
     inner[e] = !empty && rest_[t].share[e] > 0;
     const uint32_t vertex = empty ? particles.idle() : triangles_[t][e];
     const uint32_t flap = inner[e] ? rest_[t].flap[e] : particles.idle();
-    batch.corner[e][k] = vertex;
-    batch.flap[e][k] = flap;
-    batch.edge[e][k] = inner[e] ? rest_[t].edge[e] : static_cast<uint32_t>(edgeCount());
+    batch.corner[e][k] = &particles.motion[vertex];
+    batch.flap[e][k] = &particles.motion[flap];
+    batch.edge[e][k] = &turns_[inner[e] ? rest_[t].edge[e] : edgeCount()];
     batch.weight[e][k] = static_cast<float>(particles.inverseMass[vertex]);
     batch.flapWeight[e][k] = static_cast<float>(particles.inverseMass[flap]);
     batch.turnWeight[e][k] = inner[e] ? static_cast<float>(turnWeight_[rest_[t].edge[e]]) : 0.0f;
@@ -125,17 +123,17 @@ void BendingConstraints::rebase(const Particles& particles, size_t begin, size_t
   for (size_t i = begin; i < end; ++i)
     for (int k = 0; k < 4; ++k) {
       Batch& batch = batches_[i];
-      if (batch.corner[0][k] == particles.idle()) continue;
-      const auto at = [&](uint32_t v) {
-        return particles.positions[v] - particles.positions[batch.corner[0][k]];
-      };
-      setLane(batch.base1, k, at(batch.corner[1][k]));
-      setLane(batch.base2, k, at(batch.corner[2][k]));
+      const uint32_t t = colouring_.batches[i][k];
+      if (t == kNone) continue;
+      const Triangle& corner = triangles_[t];
+      const auto at = [&](uint32_t v) { return particles.positions[v] - particles.positions[corner[0]]; };
+      setLane(batch.base1, k, at(corner[1]));
+      setLane(batch.base2, k, at(corner[2]));
       for (int e = 0; e < 3; ++e) {
         // Across a border any point outside the triangle does: nothing follows from it.
-        const Vec3 start = at(batch.corner[(e + 1) % 3][k]), end = at(batch.corner[(e + 2) % 3][k]);
-        const bool border = batch.flap[e][k] == particles.idle();
-        setLane(batch.baseFlap[e], k, border ? start + end - at(batch.corner[e][k]) : at(batch.flap[e][k]));
+        const Vec3 start = at(corner[(e + 1) % 3]), end = at(corner[(e + 2) % 3]);
+        const uint32_t flap = rest_[t].flap[e];
+        setLane(batch.baseFlap[e], k, flap == kNone ? start + end - at(corner[e]) : at(flap));
       }
     }
 }
@@ -158,13 +156,13 @@ struct BendingConstraints::Hinges {
   Hinge hinge[3];
 };
 
-inline BendingConstraints::Hinges BendingConstraints::hingesOf(const Batch& b, const Motion* motion) {
-  const Vec3x4 origin = gatherMotion(motion, b.corner[0]);
-  const Vec3x4 corner1 = b.base1 + (gatherMotion(motion, b.corner[1]) - origin);
-  const Vec3x4 corner2 = b.base2 + (gatherMotion(motion, b.corner[2]) - origin);
-  const Vec3x4 flap0 = b.baseFlap[0] + (gatherMotion(motion, b.flap[0]) - origin);
-  const Vec3x4 flap1 = b.baseFlap[1] + (gatherMotion(motion, b.flap[1]) - origin);
-  const Vec3x4 flap2 = b.baseFlap[2] + (gatherMotion(motion, b.flap[2]) - origin);
+inline BendingConstraints::Hinges BendingConstraints::hingesOf(const Batch& b) {
+  const Vec3x4 origin = gatherMotion(b.corner[0]);
+  const Vec3x4 corner1 = b.base1 + (gatherMotion(b.corner[1]) - origin);
+  const Vec3x4 corner2 = b.base2 + (gatherMotion(b.corner[2]) - origin);
+  const Vec3x4 flap0 = b.baseFlap[0] + (gatherMotion(b.flap[0]) - origin);
+  const Vec3x4 flap1 = b.baseFlap[1] + (gatherMotion(b.flap[1]) - origin);
+  const Vec3x4 flap2 = b.baseFlap[2] + (gatherMotion(b.flap[2]) - origin);
   const Vec3x4 normal = cross(corner1, corner2), zero = {};
   const Float4 inverse = splat(1) / squareRoot(dot(normal, normal) + splat(1e-30f));
   Hinges hinges;
@@ -203,41 +201,38 @@ inline Symmetric3x4 BendingConstraints::systemOf(const Batch& b, const Hinges& h
           b.compliance.yy + own(1), b.compliance.yz + mixed(1), b.compliance.zz + own(2)};
 }
 
-inline void BendingConstraints::applyTo(Motion* motion, const Batch& b, const Hinges& hinges,
-                                        const Float4 (&lambda)[3]) {
+inline void BendingConstraints::apply(const Batch& b, const Hinges& hinges, const Float4 (&lambda)[3]) {
   for (int c = 0; c < 3; ++c) {
     const int e = (c + 1) % 3, f = (c + 2) % 3;
     const Hinge &ended = hinges.hinge[e], &started = hinges.hinge[f];
     const Float4 along = lambda[c] * hinges.hinge[c].apex + lambda[e] * ended.end + lambda[f] * started.start;
     const Vec3x4 pull = ended.flapNormal * (lambda[e] * ended.flapEnd) +
                         started.flapNormal * (lambda[f] * started.flapStart) + hinges.normal * along;
-    scatterCorrection(motion, b.corner[c], pull * b.weight[c]);
+    scatterCorrection(b.corner[c], pull * b.weight[c]);
   }
   for (int e = 0; e < 3; ++e) {
     const Hinge& hinge = hinges.hinge[e];
-    scatterCorrection(motion, b.flap[e], hinge.flapNormal * (lambda[e] * hinge.flap * b.flapWeight[e]));
+    scatterCorrection(b.flap[e], hinge.flapNormal * (lambda[e] * hinge.flap * b.flapWeight[e]));
   }
 }
 
-void BendingConstraints::project(Particles& particles, size_t begin, size_t end) {
-  Motion* const motion = particles.motion.data();
-  Turn* const turns = turns_.data();
+void BendingConstraints::project(size_t begin, size_t end) const {
   for (const Batch *batch = batches_.data() + begin, *last = batches_.data() + end; batch < last; ++batch) {
     const Batch& b = *batch;
-    const Hinges hinges = hingesOf(b, motion);
+    const Hinges hinges = hingesOf(b);
     Float4 turn[3];
     for (int e = 0; e < 3; ++e) {
-      const Turn &t0 = turns[b.edge[e][0]], &t1 = turns[b.edge[e][1]], &t2 = turns[b.edge[e][2]],
-                 &t3 = turns[b.edge[e][3]];
-      const Float4 psi = {t0.psi + t0.rate, t1.psi + t1.rate, t2.psi + t2.rate, t3.psi + t3.rate};
+      Turn* const(&at)[4] = b.edge[e];
+      const Float4 psi = {at[0]->psi + at[0]->rate, at[1]->psi + at[1]->rate, at[2]->psi + at[2]->rate,
+                          at[3]->psi + at[3]->rate};
       turn[e] = -(hinges.hinge[e].turn + b.side[e] * psi);
     }
     const Vec3x4 solution = solve(systemOf(b, hinges), {turn[0], turn[1], turn[2]});
     const Float4 lambda[3] = {solution.x, solution.y, solution.z};
-    applyTo(motion, b, hinges, lambda);
+    apply(b, hinges, lambda);
     for (int e = 0; e < 3; ++e) {
       const Float4 turned = lambda[e] * b.turnWeight[e] * b.side[e];
-      for (int k = 0; k < 4; ++k) turns[b.edge[e][k]].rate += turned[k];
+      for (int k = 0; k < 4; ++k) b.edge[e][k]->rate += turned[k];
     }
   }
 }

@@ -6,6 +6,7 @@
 
 #include "mesh/topology.h"
 #include "simulate/colouring.h"
+#include "simulate/gather.h"
 #include "simulate/particles.h"
 #include "simulate/sheet.h"
 
@@ -23,9 +24,10 @@ namespace limber {
 // that is pinned whole is rigid: its edges stay in its plane, so that the neighbour has all of the fold.
 class BendingConstraints {
  public:
-  // Rest shapes are those of `mesh`, in metres.
-  BendingConstraints(const TriangleMesh& mesh, const Topology& topology, const Particles& particles,
+  // Rest shapes are those of `mesh`, in metres. The particles' motion must stay where it is.
+  BendingConstraints(const TriangleMesh& mesh, const Topology& topology, Particles& particles,
                      const ConstraintOptions& options);
+  BendingConstraints(const BendingConstraints&) = delete;  // batches point to the turns
 
   uint32_t count() const { return static_cast<uint32_t>(triangles_.size()); }
   size_t edgeCount() const { return turns_.size() - 1; }
@@ -33,7 +35,7 @@ class BendingConstraints {
   void rebase(const Particles& particles, size_t begin, size_t end);
   // Moves the turns of edges [begin, end) by their rates, as `advance` does for vertices.
   void advanceTurns(size_t begin, size_t end, const Advance& what, float damping);
-  void project(Particles& particles, size_t begin, size_t end);
+  void project(size_t begin, size_t end) const;
   // Joules, of the fields as they are between steps.
   double energy(const std::vector<Vec3>& positions) const;
   bool isFinite() const;
@@ -47,6 +49,9 @@ class BendingConstraints {
   //   corner e+1 ---- corner e+2
   //            \      /
   //             flap e
+  struct Turn {
+    float psi = 0, rate = 0;  // psi before the substep; its change in the substep
+  };
   struct Batch {
     Vec3x4 base1, base2, baseFlap[3];   // from corner 0, at the start of the step
     Float4 restCosine[3], restSine[3];  // of the fold
@@ -55,7 +60,8 @@ class BendingConstraints {
     Float4 weight[3], flapWeight[3], turnWeight[3];  // 1/kg, 1/kg, 1/(kg m2)
     Float4 sharedFlap[3];  // w of flap 0 where flap 1 is the same vertex, of 0 and 2, of 1 and 2; otherwise 0
     Float4 side[3];        // the sign of psi in this triangle
-    uint32_t corner[3][4], flap[3][4], edge[3][4];
+    MotionPlaces corner[3], flap[3];
+    Turn* edge[3][4];
   };
   // What `energy` needs of a triangle, in double.
   struct Rest {
@@ -65,16 +71,13 @@ class BendingConstraints {
     std::array<double, 3> share;      // as in Batch
     std::array<double, 6> stiffness;  // of (s_0, s_1, s_2): 00 01 02 11 12 22; 0 on borders
   };
-  struct Turn {
-    float psi = 0, rate = 0;  // psi before the substep; its change in the substep
-  };
   struct Hinges;
-  static Hinges hingesOf(const Batch& batch, const Motion* motion);
+  static Hinges hingesOf(const Batch& batch);
   static Symmetric3x4 systemOf(const Batch& batch, const Hinges& hinges);
-  static void applyTo(Motion* motion, const Batch& batch, const Hinges& hinges, const Float4 (&lambda)[3]);
+  static void apply(const Batch& batch, const Hinges& hinges, const Float4 (&lambda)[3]);
   void setHinge(Rest& rest, uint32_t e, const Triangle& corner, const TriangleMesh& mesh,
                 const Particles& particles);
-  void setTriangle(Batch& batch, int lane, uint32_t t, const Particles& particles, double substep);
+  void setTriangle(Batch& batch, int lane, uint32_t t, Particles& particles, double substep);
 
   std::vector<Batch> batches_;
   std::vector<Triangle> triangles_;  // that are not rigid

@@ -21,81 +21,76 @@ double areaAround(const TriangleMesh& mesh, const Topology& topology, const Topo
 
 }  // namespace
 
-EdgeConstraints::EdgeConstraints(const TriangleMesh& mesh, const Topology& topology,
-                                 const Particles& particles, const ConstraintOptions& options)
-    : colouring_(colour(edgeVertices(topology), 2, particles.count(), options.order)),
-      count_(static_cast<uint32_t>(topology.edges.size())) {
+EdgeConstraints::EdgeConstraints(const TriangleMesh& mesh, const Topology& topology, Particles& particles,
+                                 const ConstraintOptions& options)
+    : colouring_(colour(edgeVertices(topology), 2, particles.count(), options.order)) {
+  for (const auto& edge : topology.edges) {
+    const double rest = length(mesh.positions[edge.a] - mesh.positions[edge.b]);
+    const double stiffness = options.sheet.stretching() * areaAround(mesh, topology, edge) / (rest * rest);
+    // The heavier end second, so that no ratio is without bound.
+    const bool inOrder = particles.inverseMass[edge.a] >= particles.inverseMass[edge.b];
+    springs_.push_back(
+        {inOrder ? edge.a : edge.b, inOrder ? edge.b : edge.a, rest, rest > 0 ? stiffness : 0});
+  }
   batches_.resize(colouring_.batches.size());
-  stiffness_.assign(4 * batches_.size(), 0.0);
-  rest_.assign(4 * batches_.size(), 1.0);
-  const double stretching = options.sheet.stretching(), squaredSubstep = options.substep * options.substep;
   for (size_t i = 0; i < batches_.size(); ++i)
-    for (int k = 0; k < 4; ++k) {
-      Batch& batch = batches_[i];
-      const uint32_t e = colouring_.batches[i][k];
-      batch.a[k] = batch.b[k] = particles.idle();
-      batch.base[k] = Float4{1, 0, 0, 0};
-      batch.rest[k] = 1;
-      batch.shareA[k] = batch.shareB[k] = 0;
-      if (e == kNone) continue;
-      const auto& edge = topology.edges[e];
-      const double rest = length(mesh.positions[edge.a] - mesh.positions[edge.b]);
-      const double stiffness = rest > 0 ? stretching * areaAround(mesh, topology, edge) / (rest * rest) : 0;
-      const double wa = particles.inverseMass[edge.a], wb = particles.inverseMass[edge.b];
-      // w / (w_a + w_b + 1 / (stiffness substep^2)), which stays finite where the stiffness is 0.
-      const double inert = stiffness * squaredSubstep, divisor = (wa + wb) * inert + 1;
-      batch.a[k] = edge.a;
-      batch.b[k] = edge.b;
-      batch.rest[k] = static_cast<float>(rest);
-      batch.shareA[k] = static_cast<float>(wa * inert / divisor);
-      batch.shareB[k] = static_cast<float>(wb * inert / divisor);
-      stiffness_[4 * i + k] = stiffness;
-      rest_[4 * i + k] = rest;
-    }
+    for (int k = 0; k < 4; ++k) setLane(batches_[i], k, colouring_.batches[i][k], particles, options.substep);
+}
+
+void EdgeConstraints::setLane(Batch& batch, int k, uint32_t e, Particles& particles, double substep) {
+  const Spring spring = e == kNone ? Spring{particles.idle(), particles.idle(), 1, 0} : springs_[e];
+  const double wa = particles.inverseMass[spring.a], wb = particles.inverseMass[spring.b];
+  // w_a / (w_a + w_b + 1 / (stiffness substep^2)), which stays finite where the stiffness is 0.
+  const double inert = spring.stiffness * substep * substep;
+  batch.a[k] = &particles.motion[spring.a];
+  batch.b[k] = &particles.motion[spring.b];
+  batch.base[k] = Float4{1, 0, 0, 0};
+  const double share = wa * inert / ((wa + wb) * inert + 1);
+  batch.share[k] = static_cast<float>(share);
+  batch.restShare[k] = static_cast<float>(spring.rest * share);
+  batch.ratio[k] = wa > 0 ? static_cast<float>(wb / wa) : 0;
 }
 
 void EdgeConstraints::rebase(const Particles& particles, size_t begin, size_t end) {
-  for (size_t i = begin; i < end; ++i) {
-    Batch& batch = batches_[i];
+  for (size_t i = begin; i < end; ++i)
     for (int k = 0; k < 4; ++k) {
-      if (batch.a[k] == particles.idle()) continue;
-      batch.base[k] = toFloat4(particles.positions[batch.a[k]] - particles.positions[batch.b[k]]);
+      const uint32_t e = colouring_.batches[i][k];
+      if (e == kNone) continue;
+      const Spring& spring = springs_[e];
+      batches_[i].base[k] = toFloat4(particles.positions[spring.a] - particles.positions[spring.b]);
     }
-  }
 }
 
-void EdgeConstraints::project(Particles& particles, size_t begin, size_t end) const {
-  Motion* const motion = particles.motion.data();
-  const auto lane = [&](const Batch& batch, int k) {
-    const Motion &a = motion[batch.a[k]], &b = motion[batch.b[k]];
-    return batch.base[k] + ((a.u - b.u) + (a.q - b.q));
-  };
+void EdgeConstraints::project(size_t begin, size_t end) const {
   for (const Batch *batch = batches_.data() + begin, *last = batches_.data() + end; batch < last; ++batch) {
-    const Float4 d0 = lane(*batch, 0), d1 = lane(*batch, 1), d2 = lane(*batch, 2), d3 = lane(*batch, 3);
+    Motion *const a0 = batch->a[0], *const a1 = batch->a[1], *const a2 = batch->a[2], *const a3 = batch->a[3];
+    Motion *const b0 = batch->b[0], *const b1 = batch->b[1], *const b2 = batch->b[2], *const b3 = batch->b[3];
+    const Float4 d0 = batch->base[0] + ((a0->u - b0->u) + (a0->q - b0->q));
+    const Float4 d1 = batch->base[1] + ((a1->u - b1->u) + (a1->q - b1->q));
+    const Float4 d2 = batch->base[2] + ((a2->u - b2->u) + (a2->q - b2->q));
+    const Float4 d3 = batch->base[3] + ((a3->u - b3->u) + (a3->q - b3->q));
     const Float4 squared = laneSums(d0 * d0, d1 * d1, d2 * d2, d3 * d3);
-    // Far below any length: it only keeps 0 out of the division.
-    const Float4 stretch = batch->rest / squareRoot(squared + splat(1e-30f)) - splat(1);
-    const Float4 moveA = stretch * batch->shareA, moveB = stretch * batch->shareB;
-    motion[batch->a[0]].q += d0 * splatLane<0>(moveA);
-    motion[batch->b[0]].q -= d0 * splatLane<0>(moveB);
-    motion[batch->a[1]].q += d1 * splatLane<1>(moveA);
-    motion[batch->b[1]].q -= d1 * splatLane<1>(moveB);
-    motion[batch->a[2]].q += d2 * splatLane<2>(moveA);
-    motion[batch->b[2]].q -= d2 * splatLane<2>(moveB);
-    motion[batch->a[3]].q += d3 * splatLane<3>(moveA);
-    motion[batch->b[3]].q -= d3 * splatLane<3>(moveB);
+    // 1e-30 is far below any length's square: it only keeps 0 out of the division.
+    const Float4 moveA = batch->restShare / squareRoot(squared + splat(1e-30f)) - batch->share;
+    const Float4 m0 = d0 * splatLane<0>(moveA), m1 = d1 * splatLane<1>(moveA);
+    const Float4 m2 = d2 * splatLane<2>(moveA), m3 = d3 * splatLane<3>(moveA);
+    a0->q += m0;
+    b0->q -= m0 * splatLane<0>(batch->ratio);
+    a1->q += m1;
+    b1->q -= m1 * splatLane<1>(batch->ratio);
+    a2->q += m2;
+    b2->q -= m2 * splatLane<2>(batch->ratio);
+    a3->q += m3;
+    b3->q -= m3 * splatLane<3>(batch->ratio);
   }
 }
 
 double EdgeConstraints::energy(const std::vector<Vec3>& positions) const {
   double sum = 0;
-  for (size_t i = 0; i < batches_.size(); ++i)
-    for (int k = 0; k < 4; ++k) {
-      const size_t at = 4 * i + k;
-      if (stiffness_[at] == 0) continue;
-      const double stretch = length(positions[batches_[i].a[k]] - positions[batches_[i].b[k]]) - rest_[at];
-      sum += 0.5 * stiffness_[at] * stretch * stretch;
-    }
+  for (const Spring& spring : springs_) {
+    const double stretch = length(positions[spring.a] - positions[spring.b]) - spring.rest;
+    sum += 0.5 * spring.stiffness * stretch * stretch;
+  }
   return sum;
 }
 

@@ -16,32 +16,38 @@ namespace limber {
 // springs are another material whatever their rule.
 class EdgeConstraints {
  public:
-  // Rest lengths are those of `mesh`, in metres.
-  EdgeConstraints(const TriangleMesh& mesh, const Topology& topology, const Particles& particles,
+  // Rest lengths are those of `mesh`, in metres. The particles' motion must stay where it is.
+  EdgeConstraints(const TriangleMesh& mesh, const Topology& topology, Particles& particles,
                   const ConstraintOptions& options);
 
-  uint32_t count() const { return count_; }
+  uint32_t count() const { return static_cast<uint32_t>(springs_.size()); }
   const Colouring& colouring() const { return colouring_; }
 
   // Takes over the positions at the start of a step, for batches [begin, end).
   void rebase(const Particles& particles, size_t begin, size_t end);
   // One XPBD pass (Macklin et al. 2016, Eqs. 17 and 18, with lambda = 0 as each substep starts).
-  void project(Particles& particles, size_t begin, size_t end) const;
+  void project(size_t begin, size_t end) const;
   // Joules.
   double energy(const std::vector<Vec3>& positions) const;
 
  private:
   struct Batch {
-    Float4 base[4];         // x_a - x_b at the start of the step
-    Float4 rest;            // length
-    Float4 shareA, shareB;  // of the correction that each end takes: w / (w_a + w_b + compliance / substep^2)
-    uint32_t a[4], b[4];    // vertices
+    Float4 base[4];    // x_a - x_b at the start of the step
+    Float4 share;      // of the correction that a takes: w_a / (w_a + w_b + compliance / substep^2)
+    Float4 restShare;  // the length at rest times that
+    Float4 ratio;      // w_b / w_a, at most 1
+    // Ends; not their numbers, for finding a place by its number takes as long as a multiplication.
+    Motion *a[4], *b[4];
   };
+  struct Spring {
+    uint32_t a, b;
+    double rest, stiffness;  // m, N/m
+  };
+  void setLane(Batch& batch, int lane, uint32_t e, Particles& particles, double substep);
+
   std::vector<Batch> batches_;
-  std::vector<double> stiffness_;  // N/m, [4 * batch + lane]
-  std::vector<double> rest_;
+  std::vector<Spring> springs_;  // by edge
   Colouring colouring_;
-  uint32_t count_ = 0;
 };
 
 }  // namespace limber

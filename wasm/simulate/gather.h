@@ -6,10 +6,12 @@
 
 namespace limber {
 
+// Batches hold where their vertices' motions are, not their numbers: a place takes no arithmetic.
+using MotionPlaces = Motion* [4];
+
 // How far four vertices are from where the step started, one per lane.
-inline Vec3x4 gatherMotion(const Motion* motion, const uint32_t (&v)[4]) {
-  const Float4 moved[4] = {motion[v[0]].u + motion[v[0]].q, motion[v[1]].u + motion[v[1]].q,
-                           motion[v[2]].u + motion[v[2]].q, motion[v[3]].u + motion[v[3]].q};
+inline Vec3x4 gatherMotion(const MotionPlaces& v) {
+  const Float4 moved[4] = {v[0]->u + v[0]->q, v[1]->u + v[1]->q, v[2]->u + v[2]->q, v[3]->u + v[3]->q};
   return toLanes(moved);
 }
 
@@ -19,10 +21,10 @@ inline Vec3x4 gatherPlaces(const Float4* place, const uint32_t (&v)[4]) {
 }
 
 // Adds one correction per lane to the substep's motion of four different vertices (or of the idle one, by 0).
-inline void scatterCorrection(Motion* motion, const uint32_t (&v)[4], const Vec3x4& correction) {
+inline void scatterCorrection(const MotionPlaces& v, const Vec3x4& correction) {
   Float4 moves[4];
   fromLanes(correction, moves);
-  for (int k = 0; k < 4; ++k) motion[v[k]].q += moves[k];
+  for (int k = 0; k < 4; ++k) v[k]->q += moves[k];
 }
 
 // Puts a vector of space into one lane.

@@ -1,11 +1,10 @@
 #include "simulate/membrane_constraints.h"
 
-#include "simulate/gather.h"
 #include "simulate/triangle_rest.h"
 
 namespace limber {
 
-MembraneConstraints::MembraneConstraints(const TriangleMesh& mesh, const Particles& particles,
+MembraneConstraints::MembraneConstraints(const TriangleMesh& mesh, Particles& particles,
                                          const ConstraintOptions& options)
     : triangles_(mesh.triangles), sheet_(options.sheet), count_(mesh.triangleCount()) {
   std::vector<uint32_t> vertices;
@@ -18,11 +17,10 @@ MembraneConstraints::MembraneConstraints(const TriangleMesh& mesh, const Particl
   batches_.resize(colouring_.batches.size());
   for (size_t i = 0; i < batches_.size(); ++i)
     for (int k = 0; k < 4; ++k)
-      fill(batches_[i], k, colouring_.batches[i][k], mesh, particles, options.substep);
+      setTriangle(batches_[i], k, colouring_.batches[i][k], particles, options.substep);
 }
 
-void MembraneConstraints::fill(Batch& batch, int k, uint32_t t, const TriangleMesh& mesh,
-                               const Particles& particles, double substep) {
+void MembraneConstraints::setTriangle(Batch& batch, int k, uint32_t t, Particles& particles, double substep) {
   const bool empty = t == kNone;
   const Rest rest = empty ? Rest{1, 1, 0, 1} : rest_[t];
   batch.xx[k] = static_cast<float>(rest.xx);
@@ -33,8 +31,9 @@ void MembraneConstraints::fill(Batch& batch, int k, uint32_t t, const TriangleMe
   const double gradients[3][2] = {{-rest.xx, -rest.xy - rest.yy}, {rest.xx, rest.xy}, {0, rest.yy}};
   double mass[3] = {0, 0, 0};
   for (int c = 0; c < 3; ++c) {
-    batch.corner[c][k] = empty ? particles.idle() : mesh.triangles[t][c];
-    const double w = empty ? 0 : particles.inverseMass[mesh.triangles[t][c]];
+    const uint32_t v = empty ? particles.idle() : triangles_[t][c];
+    batch.corner[c][k] = &particles.motion[v];
+    const double w = particles.inverseMass[v];
     batch.weight[c][k] = static_cast<float>(w);
     mass[0] += w * gradients[c][0] * gradients[c][0];
     mass[1] += w * gradients[c][0] * gradients[c][1];
@@ -50,24 +49,23 @@ void MembraneConstraints::fill(Batch& batch, int k, uint32_t t, const TriangleMe
 void MembraneConstraints::rebase(const Particles& particles, size_t begin, size_t end) {
   for (size_t i = begin; i < end; ++i)
     for (int k = 0; k < 4; ++k) {
-      Batch& batch = batches_[i];
-      if (batch.corner[0][k] == particles.idle()) continue;
-      const Vec3& origin = particles.positions[batch.corner[0][k]];
-      setLane(batch.base1, k, particles.positions[batch.corner[1][k]] - origin);
-      setLane(batch.base2, k, particles.positions[batch.corner[2][k]] - origin);
+      const uint32_t t = colouring_.batches[i][k];
+      if (t == kNone) continue;
+      const auto at = [&](int c) { return particles.positions[triangles_[t][c]]; };
+      setLane(batches_[i].base1, k, at(1) - at(0));
+      setLane(batches_[i].base2, k, at(2) - at(0));
     }
 }
 
-void MembraneConstraints::project(Particles& particles, size_t begin, size_t end) const {
-  Motion* const motion = particles.motion.data();
+void MembraneConstraints::project(size_t begin, size_t end) const {
   const Float4 one = splat(1), half = splat(0.5f);
   const Float4 coupling = splat(static_cast<float>(sheet_.poisson));
   const Float4 shearing = splat(static_cast<float>(2 * (1 + sheet_.poisson)));
   for (const Batch *batch = batches_.data() + begin, *last = batches_.data() + end; batch < last; ++batch) {
     const Batch& b = *batch;
-    const Vec3x4 origin = gatherMotion(motion, b.corner[0]);
-    const Vec3x4 edge1 = b.base1 + (gatherMotion(motion, b.corner[1]) - origin);
-    const Vec3x4 edge2 = b.base2 + (gatherMotion(motion, b.corner[2]) - origin);
+    const Vec3x4 origin = gatherMotion(b.corner[0]);
+    const Vec3x4 edge1 = b.base1 + (gatherMotion(b.corner[1]) - origin);
+    const Vec3x4 edge2 = b.base2 + (gatherMotion(b.corner[2]) - origin);
     // Columns of the deformation gradient F.
     const Vec3x4 f1 = edge1 * b.xx, f2 = edge1 * b.xy + edge2 * b.yy;
     const Float4 f11 = dot(f1, f1), f22 = dot(f2, f2), f12 = dot(f1, f2);
@@ -81,9 +79,9 @@ void MembraneConstraints::project(Particles& particles, size_t begin, size_t end
     const Vec3x4 lambda = solve(system, {half * (one - f11), half * (one - f22), -f12});
     const Vec3x4 stress1 = f1 * lambda.x + f2 * lambda.z, stress2 = f2 * lambda.y + f1 * lambda.z;
     const Vec3x4 pull1 = stress1 * b.xx + stress2 * b.xy, pull2 = stress2 * b.yy;
-    scatterCorrection(motion, b.corner[1], pull1 * b.weight[1]);
-    scatterCorrection(motion, b.corner[2], pull2 * b.weight[2]);
-    scatterCorrection(motion, b.corner[0], (pull1 + pull2) * -b.weight[0]);
+    scatterCorrection(b.corner[1], pull1 * b.weight[1]);
+    scatterCorrection(b.corner[2], pull2 * b.weight[2]);
+    scatterCorrection(b.corner[0], (pull1 + pull2) * -b.weight[0]);
   }
 }
 

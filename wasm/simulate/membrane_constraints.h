@@ -5,6 +5,7 @@
 
 #include "mesh/triangle_mesh.h"
 #include "simulate/colouring.h"
+#include "simulate/gather.h"
 #include "simulate/particles.h"
 #include "simulate/sheet.h"
 
@@ -15,13 +16,13 @@ namespace limber {
 // E : C : E, on any mesh. The three components are solved together.
 class MembraneConstraints {
  public:
-  // Rest shapes are those of `mesh`, in metres.
-  MembraneConstraints(const TriangleMesh& mesh, const Particles& particles, const ConstraintOptions& options);
+  // Rest shapes are those of `mesh`, in metres. The particles' motion must stay where it is.
+  MembraneConstraints(const TriangleMesh& mesh, Particles& particles, const ConstraintOptions& options);
 
   uint32_t count() const { return count_; }
   const Colouring& colouring() const { return colouring_; }
   void rebase(const Particles& particles, size_t begin, size_t end);
-  void project(Particles& particles, size_t begin, size_t end) const;
+  void project(size_t begin, size_t end) const;
   // Joules.
   double energy(const std::vector<Vec3>& positions) const;
 
@@ -32,10 +33,9 @@ class MembraneConstraints {
     Float4 mass11, mass12, mass22;  // sum over the corners of w grad_i grad_j
     Float4 compliance;              // 1 / (area E h substep^2)
     Float4 weight[3];               // w of the corners, 1/kg; 0 for all in an empty lane
-    uint32_t corner[3][4];
+    MotionPlaces corner[3];
   };
-  void fill(Batch& batch, int lane, uint32_t t, const TriangleMesh& mesh, const Particles& particles,
-            double substep);
+  void setTriangle(Batch& batch, int lane, uint32_t t, Particles& particles, double substep);
 
   std::vector<Batch> batches_;
   std::vector<Triangle> triangles_;

@@ -11,17 +11,29 @@ inline void addExactly(Float4& sum, Float4& lost, Float4 term) {
   sum = total;
 }
 
+template <bool moves, bool accelerates>
+void advanceAs(Particles& particles, uint32_t begin, uint32_t end) {
+  const Motion* const last = particles.motion.data() + end;
+  Motion* lost = particles.lost.data() + begin;
+  const Float4* acceleration = particles.acceleration.data() + begin;
+  const float* damping = particles.damping.data() + begin;
+  for (Motion* motion = particles.motion.data() + begin; motion != last;
+       ++motion, ++lost, ++acceleration, ++damping) {
+    const Float4 q = motion->q;
+    if constexpr (moves) addExactly(motion->u, lost->u, q);
+    if constexpr (accelerates) addExactly(motion->q, lost->q, *acceleration - splat(*damping) * q);
+  }
+}
+
 }  // namespace
 
 void advance(Particles& particles, uint32_t begin, uint32_t end, const Advance& what) {
-  Motion *motion = particles.motion.data(), *lost = particles.lost.data();
-  const Float4* acceleration = particles.acceleration.data();
-  const float* damping = particles.damping.data();
-  if (what.moves)
-    for (uint32_t v = begin; v < end; ++v) addExactly(motion[v].u, lost[v].u, motion[v].q);
-  if (what.accelerates)
-    for (uint32_t v = begin; v < end; ++v)
-      addExactly(motion[v].q, lost[v].q, acceleration[v] - splat(damping[v]) * motion[v].q);
+  if (what.moves && what.accelerates)
+    advanceAs<true, true>(particles, begin, end);
+  else if (what.moves)
+    advanceAs<true, false>(particles, begin, end);
+  else
+    advanceAs<false, true>(particles, begin, end);
 }
 
 void finishStep(Particles& particles, uint32_t begin, uint32_t end) {

@@ -15,11 +15,28 @@ struct Stage {
 };
 
 // Runs all stages in order, `repeats` times; a stage starts when all of the one before has ended. With
-// `threaded`, chunks are handed out to the threads of parallelFor, which spin between stages: for stages of
-// some microseconds, which a pool's sleeping threads would not pay for. Returns false where
-// threads had to wait for each other for long, as they do where other programs use the cores: better do
-// without for a while. Throws Cancelled, with the stages left at some chunk in between. Bodies must not
-// throw.
-bool runStages(std::span<const Stage> stages, int repeats, bool threaded, const Job& job);
+// `threaded`, each thread of parallelFor takes the same share of a stage in every repeat, so that it finds
+// its items in its own cache, then what others have not begun; between stages they spin, for stages of some
+// microseconds would not pay for sleeping threads. Throws Cancelled, with the stages left at some chunk in
+// between. Bodies must not throw.
+void runStages(std::span<const Stage> stages, int repeats, bool threaded, const Job& job);
+
+// Chooses between one thread and all by what steps take: where other programs use the cores, threads wait for
+// each other, and one is faster. The other choice is tried now and then, more often after it has won, and at
+// once when the usual one becomes slow.
+class ThreadChoice {
+ public:
+  bool threaded() const { return usual_ != isTrial_; }
+  // What a step took on the threads that were chosen for it.
+  void tell(double seconds);
+
+ private:
+  static constexpr int kFirstInterval = 2, kLongestInterval = 128;  // steps between trials
+  static constexpr double kSlower = 1.2;                            // calls for a trial
+
+  double seconds_[2] = {0, 0};  // of a step, on one thread and on all; 0 until known
+  bool usual_ = true, isTrial_ = false;
+  int interval_ = kFirstInterval, stepsToTrial_ = kFirstInterval;
+};
 
 }  // namespace limber

@@ -1,9 +1,11 @@
 #include "simulate/simulation_state.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
+#include "base/parallel.h"
 #include "simulate/wind.h"
 
 namespace limber {
@@ -13,9 +15,7 @@ namespace {
 // From this many constraints on, a body's stages (a colour's 20 microseconds or more) pay for several
 // threads.
 constexpr uint32_t kThreadedEdges = 40000, kThreadedTriangles = 20000;
-// For how long a body does without them where they have been in each other's way.
-constexpr int kSerialSteps = 60;
-constexpr size_t kBatchGrain = 128, kVertexGrain = 4096;
+constexpr size_t kBatchGrain = 64, kVertexGrain = 1024;
 
 // Contacts are looked for within this share of the body's diagonal.
 constexpr double kContactReach = 0.02;
@@ -111,8 +111,8 @@ void Simulation::State::addStages(Constraints& constraints) {
   for (uint32_t c = 0; c < colouring.colourCount(); ++c) {
     const size_t first = colouring.colourStart[c];
     substepping_.push_back({colouring.colourStart[c + 1] - first, kBatchGrain,
-                            [this, &constraints, first](size_t begin, size_t end, int) {
-                              constraints.project(particles, first + begin, first + end);
+                            [&constraints, first](size_t begin, size_t end, int) {
+                              constraints.project(first + begin, first + end);
                             }});
   }
 }
@@ -171,19 +171,20 @@ void Simulation::State::startPins() {
 
 void Simulation::State::step(const Job& job) {
   const bool isLarge = constraintCount() >= (edges ? kThreadedEdges : kThreadedTriangles);
-  const bool threaded = isLarge && serialSteps_ == 0;
-  serialSteps_ = std::max(0, serialSteps_ - 1);
+  const bool threaded = isLarge && threadCount() > 1 && threadChoice_.threaded();
+  const auto start = std::chrono::steady_clock::now();
   setAccelerations();
   startPins();
   contacts.rebase(particles, obstacles, kContactReach * bounds(mesh).diagonal(), options.substeps);
   if (volume) volume->rebase(particles);
   if (selfContacts) selfContacts->rebase(particles, options.substeps);
   runStages(rebasing_, 1, threaded, job);
-  if (!runStages(substepping_, options.substeps, threaded, job)) serialSteps_ = kSerialSteps;
+  runStages(substepping_, options.substeps, threaded, job);
   advance(particles, 0, particles.count(), {true, false});
   if (bending) bending->advanceTurns(0, bending->edgeCount(), {true, false}, 0);
   finishStep(particles, 0, particles.count());
   for (size_t i = 0; i < pins.vertices.size(); ++i) particles.positions[pins.vertices[i]] = pinTargets[i];
+  threadChoice_.tell(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
 Vec3 Simulation::State::velocity(uint32_t v) const {

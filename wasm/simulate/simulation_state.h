@@ -62,7 +62,7 @@ struct Simulation::State {
   void startPins();
 
   std::vector<Stage> rebasing_, substepping_;
-  int serialSteps_ = 0;  // for which no threads are used
+  ThreadChoice threadChoice_;
 };
 
 }  // namespace limber

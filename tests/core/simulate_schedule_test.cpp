@@ -1,0 +1,80 @@
+// Stages on threads, and the choice whether to use them.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <vector>
+
+#include "base/parallel.h"
+#include "simulate/schedule.h"
+
+namespace limber {
+namespace {
+
+TEST(Schedule, everyItemRunsOnceInARepeatAndAfterTheStageBefore) {
+  for (const int threads : {1, 2, 5}) {
+    setThreadCount(threads);
+    const size_t counts[] = {37, 0, 8, 1};
+    const int repeats = 50;
+    std::vector<std::vector<int>> ran;
+    for (const size_t count : counts) ran.emplace_back(count, 0);
+    std::atomic<int> disorder = 0;
+    std::vector<Stage> stages;
+    for (size_t s = 0; s < ran.size(); ++s)
+      stages.push_back({counts[s], 3, [&, s](size_t begin, size_t end, int repeat) {
+                          const size_t before = s == 2 ? 0 : s == 3 ? 2 : 3;
+                          const int expected = s == 0 ? repeat : repeat + 1;
+                          for (const int times : ran[before]) disorder += times != expected;
+                          for (size_t i = begin; i < end; ++i) disorder += ran[s][i]++ != repeat;
+                        }});
+    runStages(stages, repeats, threads > 1, Job());
+    EXPECT_EQ(disorder, 0);
+    for (const auto& stage : ran)
+      for (const int times : stage) EXPECT_EQ(times, repeats);
+  }
+  setThreadCount(1);
+}
+
+TEST(Schedule, aCancelledRunEndsEarlyOnAnyNumberOfThreads) {
+  for (const int threads : {1, 3}) {
+    setThreadCount(threads);
+    Job job;
+    std::atomic<int> ran = 0;
+    const std::vector<Stage> stages = {{64, 4, [&](size_t, size_t, int repeat) {
+                                          ++ran;
+                                          if (repeat == 10) job.requestCancel();
+                                        }}};
+    EXPECT_THROW(runStages(stages, 1000, threads > 1, job), Cancelled);
+    EXPECT_LT(ran, 20 * 16);
+  }
+  setThreadCount(1);
+}
+
+// Steps of which `threaded(step)` and `serial(step)` seconds pass; returns the seconds of all.
+template <class Threaded, class Serial>
+double passed(ThreadChoice& choice, int steps, Threaded threaded, Serial serial) {
+  double sum = 0;
+  for (int step = 0; step < steps; ++step) {
+    const double seconds = choice.threaded() ? threaded(step) : serial(step);
+    choice.tell(seconds);
+    sum += seconds;
+  }
+  return sum;
+}
+
+TEST(ThreadChoice, keepsToWhatIsFasterAndFollowsWhenThatChanges) {
+  ThreadChoice choice;
+  const auto slow = [](int) { return 3.0; };
+  const auto fast = [](int) { return 2.0; };
+  EXPECT_LT(passed(choice, 1000, fast, slow), 1.02 * 2000);
+  EXPECT_LT(passed(choice, 1000, slow, fast), 1.03 * 2000);
+  EXPECT_LT(passed(choice, 1000, fast, slow), 1.07 * 2000);
+}
+
+TEST(ThreadChoice, costsLittleWhereThreadsAreInEachOthersWay) {
+  ThreadChoice choice;
+  EXPECT_LT(passed(choice, 2000, [](int) { return 9.0; }, [](int) { return 3.0; }), 1.05 * 6000);
+}
+
+}  // namespace
+}  // namespace limber
