@@ -8,7 +8,6 @@ namespace limber {
 namespace {
 
 constexpr double kFrameDiagonal = 300;
-constexpr double kBorderWeight = 10;
 constexpr double kShortness = 1e-9;
 constexpr double kWorstQuality = 1e-6;  // keeps the price of a needle finite
 // How far from the middle of an edge its target may lie, in lengths of the edge.
@@ -42,7 +41,6 @@ CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const 
       keep_(options.wishes.keep.begin(), options.wishes.keep.end()),
       guidance_(guidance) {
   lengthScale_ *= lengthScale_;
-  collectQuadrics();
   bounds_.assign(mesh.edgeCount(), 0);
   if (options.method == Method::Qem) return;
   strainWeight_ = guidance.strain.empty() ? 0 : options.strainWeight;
@@ -50,29 +48,6 @@ CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const 
       guidance.curvature.empty() || options.method == Method::Limber ? 0 : options.curvatureWeight;
   qualityWeight_ = options.qualityWeight;
   startGuidance(input);
-}
-
-void CostModel::collectQuadrics() {
-  quadrics_.resize(mesh_.vertexCount());
-  for (uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
-    const auto& [vertices, edges] = mesh_.face(t);
-    const Vec3 &p = mesh_.position(vertices[0]), &q = mesh_.position(vertices[1]),
-               &r = mesh_.position(vertices[2]);
-    const Vec3 areaNormal = cross(q - p, r - p);
-    const double area = 0.5 * length(areaNormal);
-    const Vec3 normal = normalized(areaNormal);
-    Quadric plane = planeQuadric(normal, p, area);
-    plane.area = area;
-    for (uint32_t v : vertices) quadrics_[v] = quadrics_[v] + plane;
-    for (int c = 0; c < 3; ++c) {
-      if (!mesh_.isLine(edges[c])) continue;
-      const uint32_t from = vertices[nextIndex(c)], to = vertices[previousIndex(c)];
-      const Vec3 along = mesh_.position(to) - mesh_.position(from);
-      const Quadric line = planeQuadric(normalized(cross(along, normal)), mesh_.position(from),
-                                        kBorderWeight * squaredLength(along));
-      for (uint32_t v : {from, to}) quadrics_[v] = quadrics_[v] + line;
-    }
-  }
 }
 
 // An input vertex is its own nearest vertex, and its nearest triangle is one of those around it.
@@ -135,7 +110,7 @@ CostModel::Optimum<Real> CostModel::findOptimum(const QuadricOf<Real>& sum, cons
 // What the planes and attributes around both ends make of the place of an edge's collapse.
 Quadric CostModel::sumOf(uint32_t edge) const {
   const auto [a, b] = mesh_.edge(edge);
-  const Quadric planes = quadrics_[a] + quadrics_[b];
+  const Quadric planes = mesh_.quadric(a) + mesh_.quadric(b);
   return attributes_.empty() ? planes : planes + attributes_.residual(edge);
 }
 
@@ -325,13 +300,12 @@ void CostModel::forEachChanged(uint32_t edge, const Visit& visit) const {
 
 void CostModel::collapse(const Collapse& step) {
   if (!strainOfVertex_.empty()) {
-    const double kept = quadrics_[step.kept].area, removed = quadrics_[step.removed].area;
+    const double kept = mesh_.quadric(step.kept).area, removed = mesh_.quadric(step.removed).area;
     float& strain = strainOfVertex_[step.kept];
     if (kept + removed > 0)
       strain =
           static_cast<float>((kept * strain + removed * strainOfVertex_[step.removed]) / (kept + removed));
   }
-  quadrics_[step.kept] = quadrics_[step.kept] + quadrics_[step.removed];
   attributes_.collapse(step);
   if (!keep_.empty()) keep_[step.kept] = std::max(keep_[step.kept], keep_[step.removed]);
   if (curvatureWeight_ != 0) vertexOfVertex_[step.kept] = nearestVertex(step.target, step.edge);

@@ -86,7 +86,6 @@ class CostModel {
  private:
   static constexpr double kTolerance = 1.08;
 
-  void collectQuadrics();
   void startGuidance(const TriangleMesh& input);
   std::array<Placement, 2> placeTwo(uint32_t e, uint32_t f) const;
   template <class Visit>
@@ -113,7 +112,6 @@ class CostModel {
   Method method_;
   double shortness_;   // of the squared length of an edge within the error
   double sizeWeight_;  // of the squared length of an edge
-  std::vector<Quadric> quadrics_;
   AttributeQuadrics attributes_;
   std::vector<float> keep_;  // [v]: the largest keep weight of those that have become v; or empty
 

@@ -49,7 +49,6 @@ class Simplification {
         costs_(input, mesh_, guidance, options),
         legality_(mesh_, options),
         heap_(mesh_.edgeCount()),
-        hasRefused_(mesh_.vertexCount(), 0),
         places_(mesh_.edgeCount(), Place::None),
         stopFaces_(options.stopFaces),
         job_(job) {
@@ -101,8 +100,7 @@ class Simplification {
   std::optional<DeviationLimit> deviation_;
   std::optional<Mirror> mirror_;
   EdgeHeap heap_;
-  std::vector<uint8_t> hasRefused_;  // per vertex: an edge of it may have been refused since the last retry
-  std::vector<Place> places_;        // per edge
+  std::vector<Place> places_;  // per edge
   uint32_t stopFaces_;
   std::vector<uint32_t> edges_, neighbours_;  // scratch
   Job& job_;
@@ -143,7 +141,7 @@ void Simplification::tryCheapest() {
   if (judge(step) == Verdict::Legal)
     carryOutWithImage(step);
   else
-    hasRefused_[step.kept] = hasRefused_[step.removed] = 1;
+    for (const uint32_t v : {step.kept, step.removed}) mesh_.setMarked(v, true);
 }
 
 // Whether another edge comes before `edge`, which has just been popped; then queues it again.
@@ -199,7 +197,6 @@ void Simplification::carryOut(const Collapse& step) {
   if (deviation_) deviation_->collapse();
   for (const uint32_t gone : mesh_.collapse(step))
     if (gone != kNone) heap_.remove(gone);
-  hasRefused_[step.kept] |= hasRefused_[step.removed];
   record(step);
   updateCosts(step.kept);
 }
@@ -220,9 +217,9 @@ void Simplification::updateCosts(uint32_t kept) {
   neighbours_.clear();
   mesh_.forEachEdge(kept, [&](uint32_t edge, uint32_t neighbour) {
     if (legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
-    if (costs_.followsSurroundings() || hasRefused_[neighbour]) neighbours_.push_back(neighbour);
+    if (costs_.followsSurroundings() || mesh_.isMarked(neighbour)) neighbours_.push_back(neighbour);
   });
-  hasRefused_[kept] = 0;
+  mesh_.setMarked(kept, false);
   costs_.setBounds(edges_);
   for (const uint32_t edge : edges_) queueByBound(edge);
   for (const uint32_t neighbour : neighbours_) {
@@ -231,7 +228,7 @@ void Simplification::updateCosts(uint32_t kept) {
       queueSurroundings(neighbour);
     else
       queueRefused(neighbour);
-    hasRefused_[neighbour] = 0;
+    mesh_.setMarked(neighbour, false);
   }
 }
 
