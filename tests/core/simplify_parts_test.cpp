@@ -6,7 +6,7 @@
 
 #include "simplify/collapse_mesh.h"
 #include "simplify/cost.h"
-#include "simplify/edge_heap.h"
+#include "simplify/edge_queue.h"
 #include "simplify/kd_tree.h"
 #include "simplify/quadric.h"
 #include "surfaces.h"
@@ -46,37 +46,36 @@ TEST(Quadric, movesNoFartherThanItsPlanesAsk) {
   EXPECT_EQ(nowhere, (Vec3{4, 5, 6}));
 }
 
-TEST(EdgeHeap, givesTheCheapestFirstAndTheLowerOnATie) {
+TEST(EdgeQueue, givesTheCheapestFirstAndTheLowerOnATie) {
   constexpr uint32_t kEdges = 300;
   for (uint32_t seed = 1; seed <= 5; ++seed) {
     std::mt19937 random(seed);
-    EdgeHeap heap(kEdges);
+    EdgeQueue queue(kEdges);
     std::vector<float> cost(kEdges, -1);
     std::set<std::pair<float, uint32_t>> expected;
     const auto take = [&](uint32_t edge) { expected.erase({cost[edge], edge}); };
     for (uint32_t edge = 0; edge < kEdges; edge += 2) {
       cost[edge] = static_cast<float>(random() % 20);
-      heap.append(edge, cost[edge]);
+      queue.set(edge, cost[edge]);
       expected.insert({cost[edge], edge});
     }
-    heap.build();
     for (int step = 0; step < 3000; ++step) {
       const uint32_t edge = random() % kEdges;
       if (random() % 3 != 0) {
         take(edge);
         cost[edge] = static_cast<float>(random() % 50) / 3;
-        heap.set(edge, cost[edge]);
+        queue.set(edge, cost[edge]);
         expected.insert({cost[edge], edge});
       } else if (random() % 2) {
         take(edge);
-        heap.remove(edge);
+        queue.remove(edge);
       } else if (!expected.empty()) {
-        ASSERT_EQ(heap.pop(), expected.begin()->second) << "seed " << seed << ", step " << step;
+        ASSERT_EQ(queue.pop(), expected.begin()->second) << "seed " << seed << ", step " << step;
         expected.erase(expected.begin());
       }
-      ASSERT_EQ(heap.empty(), expected.empty());
+      ASSERT_EQ(queue.empty(), expected.empty());
       const float price = static_cast<float>(random() % 50) / 3;
-      ASSERT_EQ(heap.wouldBeFirst(kEdges, price), expected.empty() || price < expected.begin()->first);
+      ASSERT_EQ(queue.wouldBeFirst(kEdges, price), expected.empty() || price < expected.begin()->first);
     }
   }
 }

@@ -9,7 +9,7 @@
 #include "simplify/collapse_mesh.h"
 #include "simplify/cost.h"
 #include "simplify/deviation_limit.h"
-#include "simplify/edge_heap.h"
+#include "simplify/edge_queue.h"
 #include "simplify/legality.h"
 #include "simplify/mirror.h"
 
@@ -48,7 +48,7 @@ class Simplification {
       : mesh_(input, options.wishes),
         costs_(input, mesh_, guidance, options),
         legality_(mesh_, options),
-        heap_(mesh_.edgeCount()),
+        queue_(mesh_.edgeCount()),
         places_(mesh_.edgeCount(), Place::None),
         stopFaces_(options.stopFaces),
         job_(job) {
@@ -99,7 +99,7 @@ class Simplification {
   Legality legality_;
   std::optional<DeviationLimit> deviation_;
   std::optional<Mirror> mirror_;
-  EdgeHeap heap_;
+  EdgeQueue queue_;
   std::vector<Place> places_;  // per edge
   uint32_t stopFaces_;
   std::vector<uint32_t> edges_, neighbours_;  // scratch
@@ -115,21 +115,17 @@ void Simplification::queueAll() {
     job_.check();
     costs_.setBounds(std::span(edges_).subspan(begin, end - begin));
   });
-  for (const uint32_t edge : edges_) {
-    heap_.append(edge, costs_.bound(edge));
-    places_[edge] = Place::ByBound;
-  }
-  heap_.build();
+  for (const uint32_t edge : edges_) queueByBound(edge);
 }
 
 void Simplification::collapseAll() {
-  while (!heap_.empty() && !isDone()) tryCheapest();
+  while (!queue_.empty() && !isDone()) tryCheapest();
 }
 
 // An edge comes up by its bound first and goes back by a better one or its cost, unless that is the lowest
 // anyway. So the order is that of the costs, though most of them are never computed.
 void Simplification::tryCheapest() {
-  const uint32_t edge = heap_.pop();
+  const uint32_t edge = queue_.pop();
   const Placement placement = costs_.place(edge);
   if (!costs_.boundsAreCosts() && places_[edge] == Place::ByBound) {
     if (goesBack(edge, costs_.raiseBound(edge, placement), Place::ByBound)) return;
@@ -146,8 +142,8 @@ void Simplification::tryCheapest() {
 
 // Whether another edge comes before `edge`, which has just been popped; then queues it again.
 bool Simplification::goesBack(uint32_t edge, double cost, Place place) {
-  if (heap_.wouldBeFirst(edge, cost / costs_.tolerance())) return false;
-  heap_.set(edge, cost);
+  if (queue_.wouldBeFirst(edge, cost / costs_.tolerance())) return false;
+  queue_.set(edge, cost);
   places_[edge] = place;
   return true;
 }
@@ -186,7 +182,7 @@ void Simplification::carryOutWithImage(const Collapse& step) {
   if (!mirror_ || mirror_->isItsOwnImage(step)) return carryOut(step);
   const Collapse image = mirror_->imageOf(step);
   carryOut(step);
-  heap_.remove(image.edge);
+  queue_.remove(image.edge);
   places_[image.edge] = Place::None;
   if (deviation_) deviation_->allows(image);  // prepares what the collapse hands over
   carryOut(image);
@@ -196,7 +192,7 @@ void Simplification::carryOut(const Collapse& step) {
   costs_.collapse(step);
   if (deviation_) deviation_->collapse();
   for (const uint32_t gone : mesh_.collapse(step))
-    if (gone != kNone) heap_.remove(gone);
+    if (gone != kNone) queue_.remove(gone);
   record(step);
   updateCosts(step.kept);
 }
@@ -234,7 +230,7 @@ void Simplification::updateCosts(uint32_t kept) {
 
 void Simplification::queueByBound(uint32_t edge) {
   places_[edge] = Place::ByBound;
-  heap_.set(edge, costs_.bound(edge));
+  queue_.set(edge, costs_.bound(edge));
 }
 
 void Simplification::queueSurroundings(uint32_t neighbour) {
@@ -271,7 +267,7 @@ bool Simplification::queueWhatIsLegal() {
   }
   costs_.setBounds(edges_);
   for (const uint32_t edge : edges_) queueByBound(edge);
-  return !heap_.empty();
+  return !queue_.empty();
 }
 
 }  // namespace
