@@ -41,7 +41,7 @@ CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const 
       keep_(options.wishes.keep.begin(), options.wishes.keep.end()),
       guidance_(guidance) {
   lengthScale_ *= lengthScale_;
-  bounds_.assign(mesh.edgeCount(), 0);
+  plans_.resize(mesh.edgeCount());
   if (options.method == Method::Qem) return;
   strainWeight_ = guidance.strain.empty() ? 0 : options.strainWeight;
   curvatureWeight_ =
@@ -65,7 +65,7 @@ void CostModel::startGuidance(const TriangleMesh& input) {
     vertexOfVertex_.resize(mesh_.vertexCount());
     std::iota(vertexOfVertex_.begin(), vertexOfVertex_.end(), 0);
   }
-  guidanceCosts_.assign(mesh_.edgeCount(), 0);
+  if (method_ == Method::Paper) guidanceCosts_.assign(mesh_.edgeCount(), 0);
 }
 
 void CostModel::averageStrain() {
@@ -159,10 +159,8 @@ void CostModel::placeAll(std::span<const uint32_t> edges, const Visit& visit) co
 
 void CostModel::setBounds(std::span<const uint32_t> edges) {
   if (method_ == Method::Limber) {
-    for (const uint32_t edge : edges) {
-      guidanceCosts_[edge] = static_cast<float>(sizeCost(edge));
-      bounds_[edge] = static_cast<float>(guidanceCosts_[edge] * keepFactor(edge));
-    }
+    for (const uint32_t edge : edges)
+      plans_[edge].bound = static_cast<float>(sizeCost(edge) * keepFactor(edge));
     return;
   }
   placeAll(edges, [&](size_t i, const Placement& placement) {
@@ -172,26 +170,37 @@ void CostModel::setBounds(std::span<const uint32_t> edges) {
       guidanceCosts_[edge] = static_cast<float>(guidanceCost(edge, placement.target));
       bound += guidanceCosts_[edge];
     }
-    bounds_[edge] = static_cast<float>(bound * keepFactor(edge));
+    plans_[edge] = {mesh_.inFile(placement.target), static_cast<float>(bound * keepFactor(edge))};
   });
 }
 
-double CostModel::raiseBound(uint32_t edge, const Placement& placement) {
-  if (method_ == Method::Limber)
-    bounds_[edge] = static_cast<float>((3 * placement.error + guidanceCosts_[edge]) * keepFactor(edge));
-  return bounds_[edge];
+float CostModel::raiseBound(uint32_t edge) {
+  if (method_ != Method::Limber) return bound(edge);
+  const Placement placement = place(edge);
+  const double bound = (3 * placement.error + sizeCost(edge)) * keepFactor(edge);
+  plans_[edge] = {mesh_.inFile(placement.target), static_cast<float>(bound)};
+  return plans_[edge].bound;
+}
+
+double CostModel::cost(uint32_t edge) const {
+  if (boundsAreCosts()) return bound(edge);
+  if (method_ != Method::Limber) return costOf(edge, place(edge));
+  return bound(edge) * qualityFactor(edge, target(edge));
 }
 
 // Eq. 11, limber's product, or E_QEM alone.
-double CostModel::cost(uint32_t edge, const Placement& placement) const {
+double CostModel::costOf(uint32_t edge, const Placement& placement) const {
   const double factor = keepFactor(edge);
+  if (method_ == Method::Limber)
+    return (3 * placement.error + sizeCost(edge)) * qualityFactor(edge, placement.target) * factor;
   if (guidanceCosts_.empty()) return placement.error * factor;
-  if (method_ == Method::Limber) {
-    const double badness = 1 / std::max(worstQuality(edge, placement.target), kWorstQuality) - 1;
-    return (3 * placement.error + guidanceCosts_[edge]) * (1 + qualityWeight_ * badness) * factor;
-  }
   return (placement.error + guidanceCosts_[edge] + qualityWeight_ * meanBadness(edge, placement.target)) *
          factor;
+}
+
+// limber's price of the worst triangle.
+double CostModel::qualityFactor(uint32_t edge, const Vec3& target) const {
+  return 1 + qualityWeight_ * (1 / std::max(worstQuality(edge, target), kWorstQuality) - 1);
 }
 
 CostTerms CostModel::terms(uint32_t edge, const Placement& placement) const {
@@ -211,8 +220,9 @@ CostTerms CostModel::terms(uint32_t edge, const Placement& placement) const {
     if (curvatureWeight_ != 0) terms.curvature = std::max(guidanceCosts_[edge] - strain, 0.0);
   }
   if (qualityWeight_ != 0) {
-    const double rest = (method_ == Method::Limber ? 3 : 1) * placement.error + guidanceCosts_[edge];
-    terms.quality = std::max(cost(edge, placement) / terms.keep - rest, 0.0);
+    const double rest = method_ == Method::Limber ? terms.error + terms.size + terms.strain
+                                                  : placement.error + guidanceCosts_[edge];
+    terms.quality = std::max(costOf(edge, placement) / terms.keep - rest, 0.0);
   }
   return terms;
 }

@@ -62,7 +62,7 @@ class CostModel {
   // Costs are found late: each edge has a bound first, which its cost never falls below while its own ends
   // stay as they are. Sets the bounds of edges; may be called for different edges at the same time.
   void setBounds(std::span<const uint32_t> edges);
-  float bound(uint32_t edge) const { return bounds_[edge]; }
+  float bound(uint32_t edge) const { return plans_[edge].bound; }
   // Whether the bounds of `setBounds` are the costs themselves.
   bool boundsAreCosts() const { return method_ != Method::Limber && qualityWeight_ == 0; }
   // Whether an edge has to be queued again by its bound when the triangles around its ends change. limber,
@@ -72,10 +72,16 @@ class CostModel {
   // Of two costs whose ratio is below this either may go first: for limber kTolerance, which saves half of
   // its time.
   double tolerance() const { return method_ == Method::Limber ? kTolerance : 1; }
-  // For an edge with a bound, whose `place` is given: a better bound, at the price of that place; then the
-  // cost.
-  double raiseBound(uint32_t edge, const Placement& placement);
-  double cost(uint32_t edge, const Placement& placement) const;
+  // For an edge with a bound: a better one, which takes into account where it would collapse to. It holds as
+  // long as the first.
+  float raiseBound(uint32_t edge);
+  // Of an edge with a raised bound, or with one that is the cost.
+  double cost(uint32_t edge) const;
+  // Where `place` has put such an edge.
+  Vec3 target(uint32_t edge) const {
+    const auto [x, y, z] = plans_[edge].target;
+    return mesh_.fromFile({x, y, z});
+  }
 
   // The parts of the same cost.
   CostTerms terms(uint32_t edge, const Placement& placement) const;
@@ -94,12 +100,19 @@ class CostModel {
   struct Optimum;
   template <class Real>
   Optimum<Real> findOptimum(const QuadricOf<Real>& sum, const Point<Real>& p, const Point<Real>& q) const;
+  // What is known of an edge that waits.
+  struct Plan {
+    std::array<float, 3> target;  // in the file
+    float bound;
+  };
+  double costOf(uint32_t edge, const Placement& placement) const;
   Quadric sumOf(uint32_t edge) const;
   double keepFactor(uint32_t edge) const;
   double guidanceCost(uint32_t edge, const Vec3& target) const;
   double sizeCost(uint32_t edge) const;
   void averageStrain();
   double strainAt(uint32_t edge) const;
+  double qualityFactor(uint32_t edge, const Vec3& target) const;
   double meanBadness(uint32_t edge, const Vec3& target) const;
   double worstQuality(uint32_t edge, const Vec3& target) const;
   template <class Visit>
@@ -122,8 +135,8 @@ class CostModel {
   std::vector<float> strainOfVertex_;       // limber: mean over the area that has become a vertex
   std::vector<uint32_t> triangleOfVertex_;  // paper: the input triangle that is nearest to a vertex
   std::vector<uint32_t> vertexOfVertex_;    // the input vertex that is nearest to a vertex
-  std::vector<float> guidanceCosts_;        // per edge: what guidanceCost has given to its last `setBounds`
-  std::vector<float> bounds_;               // per edge
+  std::vector<float> guidanceCosts_;        // paper, per edge: guidanceCost for its last `setBounds`
+  std::vector<Plan> plans_;                 // per edge
 };
 
 }  // namespace limber

@@ -72,7 +72,7 @@ class Simplification {
 
  private:
   // Where an edge waits.
-  enum class Place : uint8_t { None, ByBound, ByCost };
+  enum class Place : uint8_t { None, ByBound, ByRaisedBound, ByCost };
 
   bool isDone() const { return mesh_.triangleCount() <= stopFaces_; }
   void queueAll();
@@ -126,14 +126,14 @@ void Simplification::collapseAll() {
 // anyway. So the order is that of the costs, though most of them are never computed.
 void Simplification::tryCheapest() {
   const uint32_t edge = queue_.pop();
-  const Placement placement = costs_.place(edge);
-  if (!costs_.boundsAreCosts() && places_[edge] == Place::ByBound) {
-    if (goesBack(edge, costs_.raiseBound(edge, placement), Place::ByBound)) return;
-    const Place place = costs_.followsSurroundings() ? Place::ByCost : Place::ByBound;
-    if (goesBack(edge, costs_.cost(edge, placement), place)) return;
+  if (!costs_.boundsAreCosts() && places_[edge] != Place::ByCost) {
+    const bool isRaised = places_[edge] == Place::ByRaisedBound;
+    if (!isRaised && goesBack(edge, costs_.raiseBound(edge), Place::ByRaisedBound)) return;
+    const Place place = costs_.followsSurroundings() ? Place::ByCost : Place::ByRaisedBound;
+    if (goesBack(edge, costs_.cost(edge), place)) return;
   }
   places_[edge] = Place::None;
-  const Collapse step = planned(edge, placement.target);
+  const Collapse step = planned(edge, costs_.target(edge));
   if (judge(step) == Verdict::Legal)
     carryOutWithImage(step);
   else
@@ -236,7 +236,7 @@ void Simplification::queueByBound(uint32_t edge) {
 void Simplification::queueSurroundings(uint32_t neighbour) {
   mesh_.forEachEdge(neighbour, [&](uint32_t edge, uint32_t) {
     const Place place = places_[edge];
-    if (place == Place::ByBound) return;
+    if (place == Place::ByBound || place == Place::ByRaisedBound) return;
     if (place == Place::ByCost || legality_.forever(edge) == Verdict::Legal) queueByBound(edge);
   });
 }
