@@ -65,7 +65,7 @@ void CostModel::startGuidance(const TriangleMesh& input) {
     vertexOfVertex_.resize(mesh_.vertexCount());
     std::iota(vertexOfVertex_.begin(), vertexOfVertex_.end(), 0);
   }
-  if (method_ == Method::Paper) guidanceCosts_.assign(mesh_.edgeCount(), 0);
+  guidanceCosts_.assign(mesh_.edgeCount(), 0);
 }
 
 void CostModel::averageStrain() {
@@ -159,8 +159,10 @@ void CostModel::placeAll(std::span<const uint32_t> edges, const Visit& visit) co
 
 void CostModel::setBounds(std::span<const uint32_t> edges) {
   if (method_ == Method::Limber) {
-    for (const uint32_t edge : edges)
-      plans_[edge].bound = static_cast<float>(sizeCost(edge) * keepFactor(edge));
+    for (const uint32_t edge : edges) {
+      guidanceCosts_[edge] = static_cast<float>(sizeCost(edge));
+      plans_[edge].bound = static_cast<float>(guidanceCosts_[edge] * keepFactor(edge));
+    }
     return;
   }
   placeAll(edges, [&](size_t i, const Placement& placement) {
@@ -174,12 +176,23 @@ void CostModel::setBounds(std::span<const uint32_t> edges) {
   });
 }
 
-float CostModel::raiseBound(uint32_t edge) {
-  if (method_ != Method::Limber) return bound(edge);
-  const Placement placement = place(edge);
-  const double bound = (3 * placement.error + sizeCost(edge)) * keepFactor(edge);
-  plans_[edge] = {mesh_.inFile(placement.target), static_cast<float>(bound)};
-  return plans_[edge].bound;
+void CostModel::raiseBounds(std::span<const uint32_t> edges) {
+  if (method_ != Method::Limber) return setBounds(edges);
+  placeAll(edges, [&](size_t i, const Placement& placement) {
+    guidanceCosts_[edges[i]] = static_cast<float>(sizeCost(edges[i]));
+    const double bound = (3 * placement.error + guidanceCosts_[edges[i]]) * keepFactor(edges[i]);
+    plans_[edges[i]] = {mesh_.inFile(placement.target), static_cast<float>(bound)};
+  });
+}
+
+double CostModel::guess(uint32_t edge, double cost) {
+  if (method_ != Method::Limber) return cost;
+  const auto size = static_cast<float>(sizeCost(edge));
+  float& before = guidanceCosts_[edge];
+  if (!(size < before)) return cost;
+  cost *= size / before;
+  before = size;
+  return cost;
 }
 
 double CostModel::cost(uint32_t edge) const {

@@ -72,9 +72,10 @@ class CostModel {
   // Of two costs whose ratio is below this either may go first: for limber kTolerance, which saves half of
   // its time.
   double tolerance() const { return method_ == Method::Limber ? kTolerance : 1; }
-  // For an edge with a bound: a better one, which takes into account where it would collapse to. It holds as
-  // long as the first.
-  float raiseBound(uint32_t edge);
+  // What to expect of the cost of an edge, which has been `cost`, after its own ends have changed.
+  double guess(uint32_t edge, double cost);
+  // Better bounds, which take into account where edges would collapse to. They hold as long as the others.
+  void raiseBounds(std::span<const uint32_t> edges);
   // Of an edge with a raised bound, or with one that is the cost.
   double cost(uint32_t edge) const;
   // Where `place` has put such an edge.
@@ -135,8 +136,9 @@ class CostModel {
   std::vector<float> strainOfVertex_;       // limber: mean over the area that has become a vertex
   std::vector<uint32_t> triangleOfVertex_;  // paper: the input triangle that is nearest to a vertex
   std::vector<uint32_t> vertexOfVertex_;    // the input vertex that is nearest to a vertex
-  std::vector<float> guidanceCosts_;        // paper, per edge: guidanceCost for its last `setBounds`
-  std::vector<Plan> plans_;                 // per edge
+  // Per edge: guidanceCost for its last `setBounds`; limber: the sizeCost that belongs to its last cost.
+  std::vector<float> guidanceCosts_;
+  std::vector<Plan> plans_;  // per edge
 };
 
 }  // namespace limber

@@ -17,13 +17,29 @@ class EdgeQueue {
  public:
   explicit EdgeQueue(uint32_t edgeCount) : waiting_(edgeCount, kAbsent), lastOf_(kBuckets, kNoChunk) {}
 
-  // The following may look for the first edge, which earlier calls have left to it.
-  bool empty() { return !findFirst(); }
-  // Whether an edge that is not there would be popped before all others at this cost.
-  bool wouldBeFirst(uint32_t edge, double cost) { return !findFirst() || keyOf(edge, cost) < heap_.front(); }
-  // Of a queue that is not empty.
+  bool isWaiting(uint32_t edge) const { return waiting_[edge] != kAbsent; }
+
+  // Brings the first edge to the front; false where none waits. Calls price(edges) for edges in doubt that
+  // come up meanwhile, those of a bucket together, which has to `set` each of them.
+  template <class Price>
+  bool findFirst(const Price& price) {
+    for (;;) {
+      while (!heap_.empty()) {
+        const uint64_t key = heap_.front();
+        const uint32_t waiting = waiting_[edgeOf(key)];
+        if (waiting == costOf(key)) return true;
+        popKey();
+        if (waiting != (costOf(key) | kDoubt)) continue;
+        doubted_.assign(1, edgeOf(key));
+        price(doubted_);
+      }
+      if (!openNextBucket()) return false;
+      if (!doubted_.empty()) price(doubted_);
+    }
+  }
+  // The following two after findFirst has found one.
+  bool wouldBeFirst(uint32_t edge, double cost) const { return keyOf(edge, cost) < heap_.front(); }
   uint32_t pop() {
-    findFirst();
     const uint32_t edge = edgeOf(heap_.front());
     waiting_[edge] = kAbsent;
     popKey();
@@ -42,6 +58,14 @@ class EdgeQueue {
       store(bits >> kShift, key);
   }
 
+  // Of an edge that waits.
+  float cost(uint32_t edge) const { return std::bit_cast<float>(waiting_[edge] & ~kDoubt); }
+  // Sets a cost that is but a guess: the edge will be priced before it comes first.
+  void doubt(uint32_t edge, double guess) {
+    waiting_[edge] &= ~kDoubt;
+    set(edge, guess);
+    waiting_[edge] |= kDoubt;
+  }
   // Takes an edge out, if it is there.
   void remove(uint32_t edge) { waiting_[edge] = kAbsent; }
 
@@ -49,6 +73,7 @@ class EdgeQueue {
   // 16 buckets for each power of two.
   static constexpr uint32_t kShift = 19, kBuckets = 1u << (32 - kShift);
   static constexpr uint32_t kAbsent = 0xffffffffu, kNoChunk = 0xffffffffu;
+  static constexpr uint32_t kDoubt = 0x80000000u;  // the sign bit, which no cost has
   // A part of a bucket, two cache lines.
   struct Chunk {
     static constexpr uint32_t kCapacity = 15;
@@ -61,7 +86,6 @@ class EdgeQueue {
   }
   static uint32_t edgeOf(uint64_t key) { return static_cast<uint32_t>(key); }
   static uint32_t costOf(uint64_t key) { return static_cast<uint32_t>(key >> 32); }
-  bool isWaiting(uint64_t key) const { return waiting_[edgeOf(key)] == costOf(key); }
 
   void store(uint32_t bucket, uint64_t key) {
     uint32_t last = lastOf_[bucket];
@@ -82,25 +106,21 @@ class EdgeQueue {
     return index;
   }
 
-  // Brings the first edge's key to the front of the heap; false where no edge waits.
-  bool findFirst() {
-    for (;;) {
-      while (!heap_.empty()) {
-        if (isWaiting(heap_.front())) return true;
-        popKey();
-      }
-      if (!openNextBucket()) return false;
-    }
-  }
+  // Moves the keys of the next bucket to the heap, or to `doubted_`.
   bool openNextBucket() {
     uint32_t next = current_ + 1;
     while (next < kBuckets && lastOf_[next] == kNoChunk) ++next;
     if (next >= kBuckets) return false;
     current_ = next;
+    doubted_.clear();
     for (uint32_t index = lastOf_[next]; index != kNoChunk;) {
       Chunk& chunk = chunks_[index];
-      for (uint32_t i = 0; i < chunk.count; ++i)
-        if (isWaiting(chunk.keys[i])) heap_.push_back(chunk.keys[i]);
+      for (uint32_t i = 0; i < chunk.count; ++i) {
+        const uint64_t key = chunk.keys[i];
+        const uint32_t waiting = waiting_[edgeOf(key)];
+        if (waiting == costOf(key)) heap_.push_back(key);
+        if (waiting == (costOf(key) | kDoubt)) doubted_.push_back(edgeOf(key));
+      }
       const uint32_t previous = chunk.previous;
       chunk.previous = spare_;
       spare_ = index;
@@ -152,7 +172,9 @@ class EdgeQueue {
     return least;
   }
 
-  std::vector<uint32_t> waiting_;  // per edge: the bits of the cost at which it waits, or kAbsent
+  // Per edge: the bits of the cost at which it waits, with kDoubt if that is in doubt; or kAbsent.
+  std::vector<uint32_t> waiting_;
+  std::vector<uint32_t> doubted_;  // scratch
   std::vector<uint64_t> heap_;     // all keys of buckets up to `current_`
   uint32_t current_ = 0;
   std::vector<uint32_t> lastOf_;  // per bucket: its last chunk, or kNoChunk

@@ -72,7 +72,7 @@ class Simplification {
 
  private:
   // Where an edge waits.
-  enum class Place : uint8_t { None, ByBound, ByRaisedBound, ByCost };
+  enum class Place : uint8_t { None, ByBound, ByCost };
 
   bool isDone() const { return mesh_.triangleCount() <= stopFaces_; }
   void queueAll();
@@ -80,7 +80,8 @@ class Simplification {
   // takes a way through JavaScript.
   [[gnu::noinline]] void collapseAll();
   void tryCheapest();
-  bool goesBack(uint32_t edge, double cost, Place place);
+  bool findFirst();
+  bool goesBack(uint32_t edge);
   bool queueWhatIsLegal();
   Collapse planned(uint32_t edge, const Vec3& target) const;
   Verdict judge(const Collapse& step);
@@ -92,6 +93,7 @@ class Simplification {
   void updateCosts(uint32_t kept);
   void queueSurroundings(uint32_t neighbour);
   void queueRefused(uint32_t neighbour);
+  void queueByBounds(std::span<const uint32_t> edges);
   void queueByBound(uint32_t edge);
 
   CollapseMesh mesh_;
@@ -115,23 +117,25 @@ void Simplification::queueAll() {
     job_.check();
     costs_.setBounds(std::span(edges_).subspan(begin, end - begin));
   });
-  for (const uint32_t edge : edges_) queueByBound(edge);
+  queueByBounds(edges_);
 }
 
 void Simplification::collapseAll() {
-  while (!queue_.empty() && !isDone()) tryCheapest();
+  while (!isDone() && findFirst()) tryCheapest();
 }
 
-// An edge comes up by its bound first and goes back by a better one or its cost, unless that is the lowest
-// anyway. So the order is that of the costs, though most of them are never computed.
+bool Simplification::findFirst() {
+  return queue_.findFirst([&](std::span<const uint32_t> edges) {
+    costs_.raiseBounds(edges);
+    for (const uint32_t edge : edges) queueByBound(edge);
+  });
+}
+
+// An edge comes up by its bound first and goes back by its cost, unless that is the lowest anyway. So the
+// order is that of the costs, though most of them are never computed.
 void Simplification::tryCheapest() {
   const uint32_t edge = queue_.pop();
-  if (!costs_.boundsAreCosts() && places_[edge] != Place::ByCost) {
-    const bool isRaised = places_[edge] == Place::ByRaisedBound;
-    if (!isRaised && goesBack(edge, costs_.raiseBound(edge), Place::ByRaisedBound)) return;
-    const Place place = costs_.followsSurroundings() ? Place::ByCost : Place::ByRaisedBound;
-    if (goesBack(edge, costs_.cost(edge), place)) return;
-  }
+  if (!costs_.boundsAreCosts() && places_[edge] == Place::ByBound && goesBack(edge)) return;
   places_[edge] = Place::None;
   const Collapse step = planned(edge, costs_.target(edge));
   if (judge(step) == Verdict::Legal)
@@ -140,11 +144,12 @@ void Simplification::tryCheapest() {
     for (const uint32_t v : {step.kept, step.removed}) mesh_.setMarked(v, true);
 }
 
-// Whether another edge comes before `edge`, which has just been popped; then queues it again.
-bool Simplification::goesBack(uint32_t edge, double cost, Place place) {
-  if (queue_.wouldBeFirst(edge, cost / costs_.tolerance())) return false;
+// Whether another edge comes before `edge`, which has just been popped by a bound; then queues it again.
+bool Simplification::goesBack(uint32_t edge) {
+  const double cost = costs_.cost(edge);
+  if (!findFirst() || queue_.wouldBeFirst(edge, cost / costs_.tolerance())) return false;
   queue_.set(edge, cost);
-  places_[edge] = place;
+  places_[edge] = costs_.followsSurroundings() ? Place::ByCost : Place::ByBound;
   return true;
 }
 
@@ -216,8 +221,14 @@ void Simplification::updateCosts(uint32_t kept) {
     if (costs_.followsSurroundings() || mesh_.isMarked(neighbour)) neighbours_.push_back(neighbour);
   });
   mesh_.setMarked(kept, false);
+  if (!costs_.followsSurroundings())
+    std::erase_if(edges_, [&](uint32_t edge) {
+      const bool waits = queue_.isWaiting(edge);
+      if (waits) queue_.doubt(edge, costs_.guess(edge, queue_.cost(edge)));
+      return waits;
+    });
   costs_.setBounds(edges_);
-  for (const uint32_t edge : edges_) queueByBound(edge);
+  queueByBounds(edges_);
   for (const uint32_t neighbour : neighbours_) {
     if (mesh_.role(neighbour).freedom == Freedom::Locked) continue;
     if (costs_.followsSurroundings())
@@ -225,6 +236,14 @@ void Simplification::updateCosts(uint32_t kept) {
     else
       queueRefused(neighbour);
     mesh_.setMarked(neighbour, false);
+  }
+}
+
+// Those that `setBounds` has just priced.
+void Simplification::queueByBounds(std::span<const uint32_t> edges) {
+  for (const uint32_t edge : edges) {
+    queueByBound(edge);
+    if (costs_.tolerance() != 1) queue_.doubt(edge, costs_.bound(edge));
   }
 }
 
@@ -236,7 +255,7 @@ void Simplification::queueByBound(uint32_t edge) {
 void Simplification::queueSurroundings(uint32_t neighbour) {
   mesh_.forEachEdge(neighbour, [&](uint32_t edge, uint32_t) {
     const Place place = places_[edge];
-    if (place == Place::ByBound || place == Place::ByRaisedBound) return;
+    if (place == Place::ByBound) return;
     if (place == Place::ByCost || legality_.forever(edge) == Verdict::Legal) queueByBound(edge);
   });
 }
@@ -266,8 +285,8 @@ bool Simplification::queueWhatIsLegal() {
     if (verdict == Verdict::Legal) edges_.push_back(edge);
   }
   costs_.setBounds(edges_);
-  for (const uint32_t edge : edges_) queueByBound(edge);
-  return !queue_.empty();
+  queueByBounds(edges_);
+  return !edges_.empty();
 }
 
 }  // namespace
