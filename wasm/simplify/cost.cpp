@@ -189,10 +189,11 @@ double CostModel::guess(uint32_t edge, double cost) {
   if (method_ != Method::Limber) return cost;
   const auto size = static_cast<float>(sizeCost(edge));
   float& before = guidanceCosts_[edge];
-  if (!(size < before)) return cost;
-  cost *= size / before;
-  before = size;
-  return cost;
+  if (size < before) {
+    cost *= size / before;
+    before = size;
+  }
+  return std::max(cost, size * keepFactor(edge));
 }
 
 double CostModel::cost(uint32_t edge) const {
