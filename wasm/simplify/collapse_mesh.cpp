@@ -46,11 +46,12 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
 }
 
 void CollapseMesh::collectStars(const TriangleMesh& mesh, const Topology& topology) {
-  pool_.reserve(4 * topology.vertexTriangles.size());
+  pool_.reserve(4 * topology.vertexTriangles.size() + mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     const auto around = topology.trianglesAround(v);
     const auto count = static_cast<uint32_t>(around.size());
-    vertices_[v].star = {topology.vertexStart[v], count, count};
+    pool_.push_back(count);
+    vertices_[v].star = {static_cast<uint32_t>(pool_.size()), count};
     for (uint32_t t : around) {
       const Triangle& triangle = mesh.triangles[t];
       pool_.push_back(4 * t + (triangle[1] == v ? 1 : triangle[2] == v ? 2 : 0));
@@ -127,14 +128,35 @@ void CollapseMesh::storeStar(const std::vector<Corner>& joined, const Collapse& 
   const auto count = static_cast<uint32_t>(joined.size());
   Star& star = vertices_[step.kept].star;
   Star& spare = vertices_[step.removed].star;
-  if (star.capacity < spare.capacity) std::swap(star, spare);
-  if (count > star.capacity) {
-    star = {static_cast<uint32_t>(pool_.size()), 0, count + count / 2};
-    pool_.resize(pool_.size() + star.capacity);
+  if (capacityOf(star) < capacityOf(spare)) std::swap(star, spare);
+  if (count > capacityOf(star)) {
+    star.begin = static_cast<uint32_t>(pool_.size()) + 1;
+    pool_.resize(star.begin + count + count / 2);
+    capacityOf(star) = count + count / 2;
   }
   std::copy(joined.begin(), joined.end(), pool_.begin() + star.begin);
   star.count = count;
   spare.count = 0;
+}
+
+uint32_t CollapseMesh::countCommonNeighbours(uint32_t a, uint32_t b) {
+  const uint32_t around = ++mark_, common = ++mark_;
+  // In a closed fan every neighbour comes next after v in one of the triangles.
+  const auto forEachNeighbour = [&](uint32_t v, const auto& visit) {
+    const bool open = role(v).onBorder;
+    for (const Corner corner : star(v)) {
+      const Triangle& triangle = faces_[triangleOf(corner)].vertices;
+      visit(vertices_[triangle[nextIndex(indexOf(corner))]].seen);
+      if (open) visit(vertices_[triangle[previousIndex(indexOf(corner))]].seen);
+    }
+  };
+  uint32_t count = 0;
+  forEachNeighbour(a, [&](uint32_t& seen) { seen = around; });
+  forEachNeighbour(b, [&](uint32_t& seen) {
+    count += seen == around;
+    seen = seen == around ? common : seen;
+  });
+  return count;
 }
 
 Collapse CollapseMesh::collapseOf(uint32_t edge, const Vec3& target) const {

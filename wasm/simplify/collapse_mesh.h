@@ -87,6 +87,9 @@ class CollapseMesh {
     return {pool_.data() + star.begin, star.count};
   }
 
+  // How many vertices are neighbours of both. Uses marks of its own in the vertices.
+  uint32_t countCommonNeighbours(uint32_t a, uint32_t b);
+
   // Calls visit(edge, other vertex) once for each edge of a vertex that is not locked.
   template <class Visit>
   void forEachEdge(uint32_t v, const Visit& visit) const {
@@ -130,7 +133,7 @@ class CollapseMesh {
 
  private:
   struct Star {
-    uint32_t begin = 0, count = 0, capacity = 0;
+    uint32_t begin = 1, count = 0;
   };
   struct Edge {
     Ends ends;
@@ -142,6 +145,7 @@ class CollapseMesh {
     Quadric quadric{};
     Vec3 position;
     Star star;
+    uint32_t seen = 0;  // the last mark of countCommonNeighbours
     VertexRole role;
     bool isMarked = false;
   };
@@ -153,6 +157,7 @@ class CollapseMesh {
   void removeFromStar(uint32_t v, uint32_t triangle);
   void joinSectors(uint32_t triangle, int removed, int kept);
   void takeOver(Corner corner, const Collapse& step);
+  uint32_t& capacityOf(const Star& star) { return pool_[star.begin - 1]; }
   void storeStar(const std::vector<Corner>& star, const Collapse& step);
 
   Vec3 origin_;
@@ -162,7 +167,8 @@ class CollapseMesh {
   std::vector<Vertex> vertices_;
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
-  std::vector<Corner> pool_;  // the stars' places
+  std::vector<Corner> pool_;  // the stars' places, each behind its capacity
+  uint32_t mark_ = 0;         // the last that was set in a vertex
   std::vector<uint32_t> sectorOfCorner_, heirOfSector_;
   std::vector<Corner> joined_;  // scratch
 };
