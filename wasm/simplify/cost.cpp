@@ -12,6 +12,7 @@ constexpr double kShortness = 1e-9;
 constexpr double kWorstQuality = 1e-6;  // keeps the price of a needle finite
 // How far from the middle of an edge its target may lie, in lengths of the edge.
 constexpr double kReach = 2;
+constexpr size_t kPlacedTogether = 16;
 
 // Eq. 9: 4 sqrt(3) A / (l1^2 + l2^2 + l3^2), 1 for an equilateral triangle, 0 for one without area.
 double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
@@ -132,29 +133,34 @@ Placement CostModel::place(uint32_t edge) const {
 }
 
 // The same as `place` for each, bit by bit, in less time.
-std::array<Placement, 2> CostModel::placeTwo(uint32_t e, uint32_t f) const {
-  if (mesh_.fixedEnd(e) != kNone || mesh_.fixedEnd(f) != kNone) return {place(e), place(f)};
-  const auto [a, b] = mesh_.edge(e);
-  const auto [c, d] = mesh_.edge(f);
-  const auto sum = asPair(sumOf(e), sumOf(f));
-  const auto optimum = findOptimum(sum, asPair(mesh_.position(a), mesh_.position(c)),
-                                   asPair(mesh_.position(b), mesh_.position(d)));
+std::array<Placement, 2> CostModel::placeTwo(const Around& e, const Around& f) const {
+  if (!e.isFree || !f.isFree) return {place(e.edge), place(f.edge)};
+  const auto optimum = findOptimum(asPair(e.sum, f.sum), asPair(e.p, f.p), asPair(e.q, f.q));
   const auto placement = [&](uint32_t edge, int i) {
     return optimum.overreach[i] > 0 ? place(edge) : Placement{lane(optimum.target, i), optimum.error[i]};
   };
-  return {placement(e, 0), placement(f, 1)};
+  return {placement(e.edge, 0), placement(f.edge, 1)};
 }
 
-// Calls visit(i, place(edges[i])) for every i.
+// Calls visit(edge, place(edge)) for every edge. Reads what some edges need before it works on any: so the
+// machine waits for all of these places of memory at once.
 template <class Visit>
 void CostModel::placeAll(std::span<const uint32_t> edges, const Visit& visit) const {
-  size_t i = 0;
-  for (; i + 1 < edges.size(); i += 2) {
-    const auto [first, second] = placeTwo(edges[i], edges[i + 1]);
-    visit(i, first);
-    visit(i + 1, second);
+  std::array<Around, kPlacedTogether> around;
+  for (size_t begin = 0; begin < edges.size(); begin += kPlacedTogether) {
+    const size_t count = std::min(edges.size() - begin, kPlacedTogether);
+    for (size_t i = 0; i < count; ++i) {
+      const uint32_t edge = edges[begin + i];
+      const auto [a, b] = mesh_.edge(edge);
+      around[i] = {edge, mesh_.fixedEnd(edge) == kNone, sumOf(edge), mesh_.position(a), mesh_.position(b)};
+    }
+    for (size_t i = 0; i + 1 < count; i += 2) {
+      const auto [first, second] = placeTwo(around[i], around[i + 1]);
+      visit(around[i].edge, first);
+      visit(around[i + 1].edge, second);
+    }
+    if (count % 2 != 0) visit(around[count - 1].edge, place(around[count - 1].edge));
   }
-  if (i < edges.size()) visit(i, place(edges[i]));
 }
 
 void CostModel::setBounds(std::span<const uint32_t> edges) {
@@ -165,8 +171,7 @@ void CostModel::setBounds(std::span<const uint32_t> edges) {
     }
     return;
   }
-  placeAll(edges, [&](size_t i, const Placement& placement) {
-    const uint32_t edge = edges[i];
+  placeAll(edges, [&](uint32_t edge, const Placement& placement) {
     double bound = placement.error;
     if (!guidanceCosts_.empty()) {
       guidanceCosts_[edge] = static_cast<float>(guidanceCost(edge, placement.target));
@@ -178,10 +183,10 @@ void CostModel::setBounds(std::span<const uint32_t> edges) {
 
 void CostModel::raiseBounds(std::span<const uint32_t> edges) {
   if (method_ != Method::Limber) return setBounds(edges);
-  placeAll(edges, [&](size_t i, const Placement& placement) {
-    guidanceCosts_[edges[i]] = static_cast<float>(sizeCost(edges[i]));
-    const double bound = (3 * placement.error + guidanceCosts_[edges[i]]) * keepFactor(edges[i]);
-    plans_[edges[i]] = {mesh_.inFile(placement.target), static_cast<float>(bound)};
+  placeAll(edges, [&](uint32_t edge, const Placement& placement) {
+    guidanceCosts_[edge] = static_cast<float>(sizeCost(edge));
+    const double bound = (3 * placement.error + guidanceCosts_[edge]) * keepFactor(edge);
+    plans_[edge] = {mesh_.inFile(placement.target), static_cast<float>(bound)};
   });
 }
 

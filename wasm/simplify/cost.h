@@ -94,7 +94,14 @@ class CostModel {
   static constexpr double kTolerance = 1.08;
 
   void startGuidance(const TriangleMesh& input);
-  std::array<Placement, 2> placeTwo(uint32_t e, uint32_t f) const;
+  // What the place of an edge's collapse is found from.
+  struct Around {
+    uint32_t edge;
+    bool isFree;  // neither end is fixed
+    Quadric sum;
+    Vec3 p, q;
+  };
+  std::array<Placement, 2> placeTwo(const Around& e, const Around& f) const;
   template <class Visit>
   void placeAll(std::span<const uint32_t> edges, const Visit& visit) const;
   template <class Real>
