@@ -80,7 +80,7 @@ void CollapseMesh::collectQuadrics() {
 }
 
 bool CollapseMesh::isOn(const Face& face, uint32_t edge) const {
-  return face.edges[0] == edge || face.edges[1] == edge || face.edges[2] == edge;
+  return (face.edges[0] == edge) | (face.edges[1] == edge) | (face.edges[2] == edge);
 }
 
 void CollapseMesh::removeFromStar(uint32_t v, uint32_t triangle) {
@@ -115,16 +115,17 @@ void CollapseMesh::takeOver(Corner corner, const Collapse& step) {
     sector = heirOfSector_[sector];
   }
   for (const int side : {nextIndex(c), previousIndex(c)}) {
-    if (const uint32_t heir = edges_[face.edges[side]].heir; heir != kNone) face.edges[side] = heir;
-    Ends& ends = edges_[face.edges[side]].ends;
-    if (ends.a == step.removed) ends.a = step.kept;
-    if (ends.b == step.removed) ends.b = step.kept;
+    uint32_t& edge = face.edges[side];
+    const uint32_t heir = edges_[edge].heir;
+    edge = heir != kNone ? heir : edge;
+    Ends& ends = edges_[edge].ends;
+    ends = {ends.a == step.removed ? step.kept : ends.a, ends.b == step.removed ? step.kept : ends.b};
   }
 }
 
 // Puts the joined star where the kept vertex's, or else the removed one's, has been, or in a new place with
 // room to grow, so that many collapses into one vertex cost no more than their sum.
-void CollapseMesh::storeStar(const std::vector<Corner>& joined, const Collapse& step) {
+void CollapseMesh::storeStar(std::span<const Corner> joined, const Collapse& step) {
   const auto count = static_cast<uint32_t>(joined.size());
   Star& star = vertices_[step.kept].star;
   Star& spare = vertices_[step.removed].star;
@@ -167,32 +168,42 @@ Collapse CollapseMesh::collapseOf(uint32_t edge, const Vec3& target) const {
   return keepsA ? Collapse{edge, a, b, target} : Collapse{edge, b, a, target};
 }
 
+// Appends the corners at v to `joined_`, but for those in triangles on `edge`: these are put at the end of
+// what it returns, of which there are at most two. Without branches, which nobody could predict.
+size_t CollapseMesh::divideStar(uint32_t v, uint32_t edge, size_t joined, std::array<Corner, 3>& onEdge) {
+  const auto corners = star(v);
+  joined_.resize(std::max(joined_.size(), joined + corners.size() + 1));
+  size_t found = 0;
+  for (const Corner corner : corners) {
+    const bool vanishes = isOn(faces_[triangleOf(corner)], edge);
+    joined_[joined] = onEdge[found] = corner;
+    joined += !vanishes;
+    found += vanishes;
+  }
+  return joined;
+}
+
 std::array<uint32_t, 2> CollapseMesh::collapse(const Collapse& step) {
   std::array<uint32_t, 2> gone{kNone, kNone};
-  int goneCount = 0;
-  joined_.clear();
-  for (const Corner corner : star(step.kept)) {
-    const Face& face = faces_[triangleOf(corner)];
-    if (!isOn(face, step.edge)) {
-      joined_.push_back(corner);
-      continue;
-    }
+  const int goneCount = edges_[step.edge].triangles;
+  std::array<Corner, 3> vanishing, others;
+  const size_t ofKept = divideStar(step.kept, step.edge, 0, vanishing);
+  const size_t all = divideStar(step.removed, step.edge, ofKept, others);
+  for (int i = 0; i < goneCount; ++i) {
     // The triangle between kept, removed and a third vertex vanishes; its other two edges become one.
+    const Corner corner = vanishing[i];
+    const Face& face = faces_[triangleOf(corner)];
     const int c = indexOf(corner);
     const int third = face.edges[nextIndex(c)] == step.edge ? nextIndex(c) : previousIndex(c);
-    gone[goneCount] = face.edges[c];
-    bequeath(gone[goneCount++], face.edges[3 - c - third]);
+    gone[i] = face.edges[c];
+    bequeath(gone[i], face.edges[3 - c - third]);
     joinSectors(triangleOf(corner), 3 - c - third, c);
     removeFromStar(face.vertices[third], triangleOf(corner));
     --livingTriangles_;
   }
   edges_[step.edge].triangles = 0;
-  for (const Corner corner : star(step.removed)) {
-    if (isOn(faces_[triangleOf(corner)], step.edge)) continue;
-    takeOver(corner, step);
-    joined_.push_back(corner);
-  }
-  storeStar(joined_, step);
+  for (size_t i = ofKept; i < all; ++i) takeOver(joined_[i], step);
+  storeStar({joined_.data(), all}, step);
   Vertex& kept = vertices_[step.kept];
   kept.position = step.target;
   kept.quadric = kept.quadric + vertices_[step.removed].quadric;

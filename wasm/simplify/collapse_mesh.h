@@ -156,9 +156,10 @@ class CollapseMesh {
   void bequeath(uint32_t dying, uint32_t heir);
   void removeFromStar(uint32_t v, uint32_t triangle);
   void joinSectors(uint32_t triangle, int removed, int kept);
+  size_t divideStar(uint32_t v, uint32_t edge, size_t joined, std::array<Corner, 3>& onEdge);
   void takeOver(Corner corner, const Collapse& step);
   uint32_t& capacityOf(const Star& star) { return pool_[star.begin - 1]; }
-  void storeStar(const std::vector<Corner>& star, const Collapse& step);
+  void storeStar(std::span<const Corner> joined, const Collapse& step);
 
   Vec3 origin_;
   double diagonal_ = 0;

@@ -112,14 +112,18 @@ class EdgeQueue {
     while (next < kBuckets && lastOf_[next] == kNoChunk) ++next;
     if (next >= kBuckets) return false;
     current_ = next;
-    doubted_.clear();
+    size_t fresh = 0, doubted = 0;
     for (uint32_t index = lastOf_[next]; index != kNoChunk;) {
       Chunk& chunk = chunks_[index];
+      heap_.resize(fresh + Chunk::kCapacity);
+      doubted_.resize(doubted + Chunk::kCapacity);
       for (uint32_t i = 0; i < chunk.count; ++i) {
-        const uint64_t key = chunk.keys[i];
+        // Without branches, which nobody could predict.
+        const uint64_t key = heap_[fresh] = chunk.keys[i];
+        doubted_[doubted] = edgeOf(key);
         const uint32_t waiting = waiting_[edgeOf(key)];
-        if (waiting == costOf(key)) heap_.push_back(key);
-        if (waiting == (costOf(key) | kDoubt)) doubted_.push_back(edgeOf(key));
+        fresh += waiting == costOf(key);
+        doubted += waiting == (costOf(key) | kDoubt);
       }
       const uint32_t previous = chunk.previous;
       chunk.previous = spare_;
@@ -127,6 +131,8 @@ class EdgeQueue {
       index = previous;
     }
     lastOf_[next] = kNoChunk;
+    heap_.resize(fresh);
+    doubted_.resize(doubted);
     for (auto place = static_cast<uint32_t>(heap_.size()); place-- > 0;) moveDown(place, heap_[place]);
     return true;
   }
