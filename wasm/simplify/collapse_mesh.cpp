@@ -63,16 +63,16 @@ void CollapseMesh::collectQuadrics() {
   for (const auto& [corners, edges] : faces_) {
     const Vec3 &p = position(corners[0]), &q = position(corners[1]), &r = position(corners[2]);
     const Vec3 areaNormal = cross(q - p, r - p);
-    const double area = 0.5 * length(areaNormal);
-    const Vec3 normal = normalized(areaNormal);
-    Quadric plane = planeQuadric(normal, p, area);
-    plane.area = area;
+    const double twiceArea = length(areaNormal);
+    // With the unit normal n that is area n n^T, found with one root and one division.
+    Quadric plane = planeQuadric(areaNormal, p, twiceArea > 0 ? 0.5 / twiceArea : 0);
+    plane.area = 0.5 * twiceArea;
     for (const uint32_t v : corners) vertices_[v].quadric = vertices_[v].quadric + plane;
     for (int c = 0; c < 3; ++c) {
       if (!isLine(edges[c])) continue;
       const uint32_t from = corners[nextIndex(c)], to = corners[previousIndex(c)];
       const Vec3 along = position(to) - position(from);
-      const Quadric line = planeQuadric(normalized(cross(along, normal)), position(from),
+      const Quadric line = planeQuadric(normalized(cross(along, areaNormal)), position(from),
                                         kBorderWeight * squaredLength(along));
       for (const uint32_t v : {from, to}) vertices_[v].quadric = vertices_[v].quadric + line;
     }

@@ -15,7 +15,9 @@ namespace limber {
 // heap. A new cost adds a key and leaves the old one where it is; that is known by its cost when it comes up.
 class EdgeQueue {
  public:
-  explicit EdgeQueue(uint32_t edgeCount) : waiting_(edgeCount, kAbsent), lastOf_(kBuckets, kNoChunk) {}
+  explicit EdgeQueue(uint32_t edgeCount) : waiting_(edgeCount, kAbsent), lastOf_(kBuckets, kNoChunk) {
+    chunks_.reserve(edgeCount / 8);
+  }
 
   bool isWaiting(uint32_t edge) const { return waiting_[edge] != kAbsent; }
 
