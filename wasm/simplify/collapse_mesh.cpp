@@ -54,7 +54,7 @@ void CollapseMesh::collectStars(const TriangleMesh& mesh, const Topology& topolo
     vertices_[v].star = {static_cast<uint32_t>(pool_.size()), count};
     for (uint32_t t : around) {
       const Triangle& triangle = mesh.triangles[t];
-      pool_.push_back(4 * t + (triangle[1] == v ? 1 : triangle[2] == v ? 2 : 0));
+      pool_.push_back(4 * t + (triangle[1] == v) + 2 * (triangle[2] == v));
     }
   }
 }
