@@ -65,14 +65,16 @@ class CostModel {
   float bound(uint32_t edge) const { return plans_[edge].bound; }
   // Whether the bounds of `setBounds` are the costs themselves.
   bool boundsAreCosts() const { return method_ != Method::Limber && qualityWeight_ == 0; }
-  // Whether an edge has to be queued again by its bound when the triangles around its ends change. limber,
-  // whose costs depend on these too, leaves it where it waits: the cost is found anew when it comes up, so
-  // that only an edge that has become cheaper comes late.
+  // Whether edges have to be queued again by their bounds when their ends or the triangles around these
+  // change. All others are left where they wait, or where `guess` puts them, and are priced anew when they
+  // come up: most have become dearer, or are gone by then. Only an edge that has become cheaper comes late,
+  // which does not show in the distance of the result (it is 0.5 % less for qem on 18 meshes at 25 %).
   bool followsSurroundings() const { return method_ == Method::Paper && qualityWeight_ > 0; }
   // Of two costs whose ratio is below this either may go first: for limber kTolerance, which saves half of
   // its time.
   double tolerance() const { return method_ == Method::Limber ? kTolerance : 1; }
-  // What to expect of the cost of an edge, which has been `cost`, after its own ends have changed.
+  // What to expect of the cost of an edge, which has been `cost`, after its own ends have changed: the same,
+  // but for limber less where the edge is shorter now, and no less than its size.
   double guess(uint32_t edge, double cost);
   // Better bounds, which take into account where edges would collapse to. They hold as long as the others.
   void raiseBounds(std::span<const uint32_t> edges);
