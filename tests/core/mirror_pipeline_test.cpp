@@ -135,8 +135,11 @@ TEST(MirrorResult, doesNotFlipOverSeams) {
 
 TEST(MirrorResult, refusesAResultThatIsNotItsOwnImage) {
   const Doubled whole = mirrored::sheet();
-  const MeshAt lopsided =
-      meshAt(whole.mesh, simplify(whole.mesh, {}, {.method = Method::Qem, .stopFaces = 90}, theJob), 0);
+  const uint32_t faces = whole.mesh.triangleCount() - 1;
+  const History once = simplify(whole.mesh, {}, {.method = Method::Qem, .stopFaces = faces}, theJob);
+  ASSERT_EQ(once.collapseCount(), 1u);
+  ASSERT_NE(whole.mirror[once.removed[0]], once.removed[0]) << "a vertex on the plane";
+  const MeshAt lopsided = meshAt(whole.mesh, once, faces);
   EXPECT_THROW(mirrorResult(whole.mesh, lopsided, lopsided, {whole.mirror}), std::invalid_argument);
 }
 

@@ -6,6 +6,11 @@
 #include "simplify/sectors.h"
 
 namespace limber {
+namespace {
+
+constexpr double kBorderWeight = 10;  // see CostModel
+
+}  // namespace
 
 CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
     : livingTriangles_(mesh.triangleCount()) {
@@ -16,51 +21,70 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
   if (diagonal_ > 0) rounder_ = std::ldexp(1.5, 52 - 30 + std::ilogb(diagonal_));
   for (int axis = 0; axis < 3; ++axis)
     origin_[axis] = static_cast<float>(0.5 * box.low[axis] + 0.5 * box.high[axis]);
-  positions_ = mesh.positions;
-  for (Vec3& p : positions_) p -= origin_;
+  vertices_.resize(mesh.vertexCount());
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) vertices_[v].position = mesh.positions[v] - origin_;
 
   faces_.resize(mesh.triangleCount());
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     faces_[t].vertices = mesh.triangles[t];
     std::copy_n(&topology.edgeOfCorner[3 * t], 3, faces_[t].edges.begin());
   }
-  edges_.reserve(topology.edges.size());
-  trianglesOnEdge_.reserve(topology.edges.size());
-  for (const Topology::Edge& edge : topology.edges) {
-    edges_.push_back({edge.a, edge.b});
-    trianglesOnEdge_.push_back(static_cast<uint8_t>(std::min(edge.useCount, 3u)));
-  }
-  heirOf_.assign(edges_.size(), kNone);
   collectStars(mesh, topology);
-  Lines lines = findLines(mesh, topology, wishes);
+  const Lines lines = findLines(mesh, topology, wishes);
   if (!wishes.wedges.empty() || !wishes.attributes.empty()) {
     sectorOfCorner_ = findSectors(mesh, topology, lines);
     heirOfSector_.assign(sectorOfCorner_.empty() ? 0 : std::ranges::max(sectorOfCorner_) + 1, kNone);
   }
-  isLine_ = std::move(lines.isLine);
-  roles_ = std::move(lines.roles);
+  edges_.reserve(topology.edges.size());
+  for (const Topology::Edge& edge : topology.edges)
+    edges_.push_back({.ends = {edge.a, edge.b},
+                      .heir = kNone,
+                      .triangles = static_cast<uint8_t>(std::min(edge.useCount, 3u)),
+                      .isLine = lines.isLine[edges_.size()]});
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) vertices_[v].role = lines.roles[v];
+  collectQuadrics();
 }
 
 void CollapseMesh::collectStars(const TriangleMesh& mesh, const Topology& topology) {
-  stars_.resize(mesh.vertexCount());
-  pool_.reserve(4 * topology.vertexTriangles.size());
+  pool_.reserve(4 * topology.vertexTriangles.size() + mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     const auto around = topology.trianglesAround(v);
     const auto count = static_cast<uint32_t>(around.size());
-    stars_[v] = {topology.vertexStart[v], count, count};
+    pool_.push_back(count);
+    vertices_[v].star = {static_cast<uint32_t>(pool_.size()), count};
     for (uint32_t t : around) {
       const Triangle& triangle = mesh.triangles[t];
-      pool_.push_back(4 * t + (triangle[1] == v ? 1 : triangle[2] == v ? 2 : 0));
+      pool_.push_back(4 * t + (triangle[1] == v) + 2 * (triangle[2] == v));
+    }
+  }
+}
+
+void CollapseMesh::collectQuadrics() {
+  for (const auto& [corners, edges] : faces_) {
+    const Vec3 &p = position(corners[0]), &q = position(corners[1]), &r = position(corners[2]);
+    const Vec3 areaNormal = cross(q - p, r - p);
+    const double twiceArea = length(areaNormal);
+    // With the unit normal n that is area n n^T, found with one root and one division.
+    Quadric plane = planeQuadric(areaNormal, p, twiceArea > 0 ? 0.5 / twiceArea : 0);
+    plane.area = 0.5 * twiceArea;
+    for (const uint32_t v : corners) vertices_[v].quadric = vertices_[v].quadric + plane;
+    for (int c = 0; c < 3; ++c) {
+      if (!isLine(edges[c])) continue;
+      const uint32_t from = corners[nextIndex(c)], to = corners[previousIndex(c)];
+      const Vec3 along = position(to) - position(from);
+      const Quadric line = planeQuadric(normalized(cross(along, areaNormal)), position(from),
+                                        kBorderWeight * squaredLength(along));
+      for (const uint32_t v : {from, to}) vertices_[v].quadric = vertices_[v].quadric + line;
     }
   }
 }
 
 bool CollapseMesh::isOn(const Face& face, uint32_t edge) const {
-  return face.edges[0] == edge || face.edges[1] == edge || face.edges[2] == edge;
+  return (face.edges[0] == edge) | (face.edges[1] == edge) | (face.edges[2] == edge);
 }
 
 void CollapseMesh::removeFromStar(uint32_t v, uint32_t triangle) {
-  Star& star = stars_[v];
+  Star& star = vertices_[v].star;
   Corner* corners = pool_.data() + star.begin;
   const auto found =
       std::find_if(corners, corners + star.count, [&](Corner c) { return triangleOf(c) == triangle; });
@@ -70,6 +94,15 @@ void CollapseMesh::removeFromStar(uint32_t v, uint32_t triangle) {
 // The sector at the removed corner of a vanishing triangle joins that at the kept one.
 void CollapseMesh::joinSectors(uint32_t triangle, int removed, int kept) {
   if (!sectorOfCorner_.empty()) heirOfSector_[sector(triangle, removed)] = sector(triangle, kept);
+}
+
+// An edge becomes one with its heir: the triangle between them is gone.
+void CollapseMesh::bequeath(uint32_t dying, uint32_t heir) {
+  Edge &from = edges_[dying], &to = edges_[heir];
+  to.triangles = static_cast<uint8_t>(to.triangles + from.triangles - 2);
+  to.isLine |= from.isLine;
+  from.triangles = 0;
+  from.heir = heir;
 }
 
 // Gives a corner of the removed vertex to the kept one, with the two edges that meet in it.
@@ -82,68 +115,98 @@ void CollapseMesh::takeOver(Corner corner, const Collapse& step) {
     sector = heirOfSector_[sector];
   }
   for (const int side : {nextIndex(c), previousIndex(c)}) {
-    if (heirOf_[face.edges[side]] != kNone) face.edges[side] = heirOf_[face.edges[side]];
-    Edge& edge = edges_[face.edges[side]];
-    if (edge.a == step.removed) edge.a = step.kept;
-    if (edge.b == step.removed) edge.b = step.kept;
+    uint32_t& edge = face.edges[side];
+    const uint32_t heir = edges_[edge].heir;
+    edge = heir != kNone ? heir : edge;
+    Ends& ends = edges_[edge].ends;
+    ends = {ends.a == step.removed ? step.kept : ends.a, ends.b == step.removed ? step.kept : ends.b};
   }
 }
 
 // Puts the joined star where the kept vertex's, or else the removed one's, has been, or in a new place with
 // room to grow, so that many collapses into one vertex cost no more than their sum.
-void CollapseMesh::storeStar(const std::vector<Corner>& joined, const Collapse& step) {
+void CollapseMesh::storeStar(std::span<const Corner> joined, const Collapse& step) {
   const auto count = static_cast<uint32_t>(joined.size());
-  Star& star = stars_[step.kept];
-  Star& spare = stars_[step.removed];
-  if (star.capacity < spare.capacity) std::swap(star, spare);
-  if (count > star.capacity) {
-    star = {static_cast<uint32_t>(pool_.size()), 0, count + count / 2};
-    pool_.resize(pool_.size() + star.capacity);
+  Star& star = vertices_[step.kept].star;
+  Star& spare = vertices_[step.removed].star;
+  if (capacityOf(star) < capacityOf(spare)) std::swap(star, spare);
+  if (count > capacityOf(star)) {
+    star.begin = static_cast<uint32_t>(pool_.size()) + 1;
+    pool_.resize(star.begin + count + count / 2);
+    capacityOf(star) = count + count / 2;
   }
   std::copy(joined.begin(), joined.end(), pool_.begin() + star.begin);
   star.count = count;
   spare.count = 0;
 }
 
+uint32_t CollapseMesh::countCommonNeighbours(uint32_t a, uint32_t b) {
+  const uint32_t around = ++mark_, common = ++mark_;
+  // In a closed fan every neighbour comes next after v in one of the triangles.
+  const auto forEachNeighbour = [&](uint32_t v, const auto& visit) {
+    const bool open = role(v).onBorder;
+    for (const Corner corner : star(v)) {
+      const Triangle& triangle = faces_[triangleOf(corner)].vertices;
+      visit(vertices_[triangle[nextIndex(indexOf(corner))]].seen);
+      if (open) visit(vertices_[triangle[previousIndex(indexOf(corner))]].seen);
+    }
+  };
+  uint32_t count = 0;
+  forEachNeighbour(a, [&](uint32_t& seen) { seen = around; });
+  forEachNeighbour(b, [&](uint32_t& seen) {
+    count += seen == around;
+    seen = seen == around ? common : seen;
+  });
+  return count;
+}
+
 Collapse CollapseMesh::collapseOf(uint32_t edge, const Vec3& target) const {
-  const auto [a, b] = edges_[edge];
-  const double toA = squaredLength(target - positions_[a]), toB = squaredLength(target - positions_[b]);
+  const auto [a, b] = edges_[edge].ends;
+  const double toA = squaredLength(target - position(a)), toB = squaredLength(target - position(b));
   const uint32_t fixed = fixedEnd(edge);
   const bool keepsA = fixed != kNone ? fixed == a : toA != toB ? toA < toB : a < b;
   return keepsA ? Collapse{edge, a, b, target} : Collapse{edge, b, a, target};
 }
 
+// Appends the corners at v to `joined_`, but for those in triangles on `edge`: these are put at the end of
+// what it returns, of which there are at most two. Without branches, which nobody could predict.
+size_t CollapseMesh::divideStar(uint32_t v, uint32_t edge, size_t joined, std::array<Corner, 3>& onEdge) {
+  const auto corners = star(v);
+  joined_.resize(std::max(joined_.size(), joined + corners.size() + 1));
+  size_t found = 0;
+  for (const Corner corner : corners) {
+    const bool vanishes = isOn(faces_[triangleOf(corner)], edge);
+    joined_[joined] = onEdge[found] = corner;
+    joined += !vanishes;
+    found += vanishes;
+  }
+  return joined;
+}
+
 std::array<uint32_t, 2> CollapseMesh::collapse(const Collapse& step) {
   std::array<uint32_t, 2> gone{kNone, kNone};
-  int goneCount = 0;
-  joined_.clear();
-  for (const Corner corner : star(step.kept)) {
-    const Face& face = faces_[triangleOf(corner)];
-    if (!isOn(face, step.edge)) {
-      joined_.push_back(corner);
-      continue;
-    }
+  const int goneCount = edges_[step.edge].triangles;
+  std::array<Corner, 3> vanishing, others;
+  const size_t ofKept = divideStar(step.kept, step.edge, 0, vanishing);
+  const size_t all = divideStar(step.removed, step.edge, ofKept, others);
+  for (int i = 0; i < goneCount; ++i) {
     // The triangle between kept, removed and a third vertex vanishes; its other two edges become one.
+    const Corner corner = vanishing[i];
+    const Face& face = faces_[triangleOf(corner)];
     const int c = indexOf(corner);
     const int third = face.edges[nextIndex(c)] == step.edge ? nextIndex(c) : previousIndex(c);
-    const uint32_t heir = face.edges[3 - c - third], dying = face.edges[c];
-    trianglesOnEdge_[heir] = static_cast<uint8_t>(trianglesOnEdge_[heir] + trianglesOnEdge_[dying] - 2);
-    trianglesOnEdge_[dying] = 0;
-    isLine_[heir] |= isLine_[dying];
-    heirOf_[dying] = heir;
-    gone[goneCount++] = dying;
+    gone[i] = face.edges[c];
+    bequeath(gone[i], face.edges[3 - c - third]);
     joinSectors(triangleOf(corner), 3 - c - third, c);
     removeFromStar(face.vertices[third], triangleOf(corner));
     --livingTriangles_;
   }
-  trianglesOnEdge_[step.edge] = 0;
-  for (const Corner corner : star(step.removed)) {
-    if (isOn(faces_[triangleOf(corner)], step.edge)) continue;
-    takeOver(corner, step);
-    joined_.push_back(corner);
-  }
-  storeStar(joined_, step);
-  positions_[step.kept] = step.target;
+  edges_[step.edge].triangles = 0;
+  for (size_t i = ofKept; i < all; ++i) takeOver(joined_[i], step);
+  storeStar({joined_.data(), all}, step);
+  Vertex& kept = vertices_[step.kept];
+  kept.position = step.target;
+  kept.quadric = kept.quadric + vertices_[step.removed].quadric;
   return gone;
 }
 

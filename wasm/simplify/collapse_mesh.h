@@ -8,6 +8,7 @@
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
 #include "simplify/lines.h"
+#include "simplify/quadric.h"
 #include "simplify/real_pair.h"
 
 namespace limber {
@@ -36,9 +37,11 @@ struct Collapse {
 // A mesh whose edges can be collapsed in constant time, in flat arrays. Triangles, edges and vertices keep
 // their indices for life; edges are those of the Topology of the input, sorted by their vertices.
 // Positions are relative to `origin`, the middle of the bounding box rounded to float32.
+// What a collapse asks of a vertex or an edge lies in one place of memory: on large meshes reading from many
+// places is what takes the time.
 class CollapseMesh {
  public:
-  struct Edge {
+  struct Ends {
     uint32_t a, b;
   };
   struct Face {
@@ -49,23 +52,28 @@ class CollapseMesh {
   explicit CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes = {});
 
   uint32_t edgeCount() const { return static_cast<uint32_t>(edges_.size()); }
-  uint32_t vertexCount() const { return static_cast<uint32_t>(positions_.size()); }
+  uint32_t vertexCount() const { return static_cast<uint32_t>(vertices_.size()); }
   uint32_t triangleCount() const { return livingTriangles_; }
   double diagonal() const { return diagonal_; }
 
-  const Edge& edge(uint32_t e) const { return edges_[e]; }
+  const Ends& edge(uint32_t e) const { return edges_[e].ends; }
   // How many triangles an edge has: 0 once it is gone, 1 on a border, 2 inside, 3 for more than two.
-  int trianglesOnEdge(uint32_t e) const { return trianglesOnEdge_[e]; }
+  int trianglesOnEdge(uint32_t e) const { return edges_[e].triangles; }
   const Face& face(uint32_t t) const { return faces_[t]; }
-  const Vec3& position(uint32_t v) const { return positions_[v]; }
-  const VertexRole& role(uint32_t v) const { return roles_[v]; }
+  const Vec3& position(uint32_t v) const { return vertices_[v].position; }
+  const VertexRole& role(uint32_t v) const { return vertices_[v].role; }
+  // The planes of the triangles and lines around a vertex and around all those that it has taken over.
+  const Quadric& quadric(uint32_t v) const { return vertices_[v].quadric; }
+  // A mark that a vertex carries for the collapse loop, false at first; `collapse` leaves it alone.
+  bool isMarked(uint32_t v) const { return vertices_[v].isMarked; }
+  void setMarked(uint32_t v, bool marked) { vertices_[v].isMarked = marked; }
   // Whether an edge is a border or another line.
-  bool isLine(uint32_t e) const { return trianglesOnEdge_[e] == 1 || isLine_[e] != 0; }
+  bool isLine(uint32_t e) const { return edges_[e].triangles == 1 || edges_[e].isLine != 0; }
   // The end of an edge that the wishes or a line keep in place while the other end is removed; kNone where
   // both ends are alike.
   uint32_t fixedEnd(uint32_t e) const {
-    const auto [a, b] = edges_[e];
-    const Freedom atA = roles_[a].freedom, atB = roles_[b].freedom;
+    const auto [a, b] = edges_[e].ends;
+    const Freedom atA = role(a).freedom, atB = role(b).freedom;
     return atA == atB ? kNone : atA > atB ? a : b;
   }
   // The sector of corner c of a triangle (see findSectors), where wedges or attributes are among the wishes.
@@ -74,18 +82,24 @@ class CollapseMesh {
   // Per sector the one that it has joined, or kNone.
   const std::vector<uint32_t>& heirOfSector() const { return heirOfSector_; }
   // The corners at a vertex, in no special order.
-  std::span<const Corner> star(uint32_t v) const { return {pool_.data() + stars_[v].begin, stars_[v].count}; }
+  std::span<const Corner> star(uint32_t v) const {
+    const Star& star = vertices_[v].star;
+    return {pool_.data() + star.begin, star.count};
+  }
+
+  // How many vertices are neighbours of both. Uses marks of its own in the vertices.
+  uint32_t countCommonNeighbours(uint32_t a, uint32_t b);
 
   // Calls visit(edge, other vertex) once for each edge of a vertex that is not locked.
   template <class Visit>
   void forEachEdge(uint32_t v, const Visit& visit) const {
-    const bool open = roles_[v].onBorder;
+    const bool open = role(v).onBorder;
     for (const Corner corner : star(v)) {
       const Face& face = faces_[triangleOf(corner)];
       const int next = nextIndex(indexOf(corner)), previous = nextIndex(next);
       visit(face.edges[previous], face.vertices[next]);
       // Every other edge leaves v in one of its two triangles; the last of an open fan only arrives.
-      if (open && trianglesOnEdge_[face.edges[next]] == 1) visit(face.edges[next], face.vertices[previous]);
+      if (open && trianglesOnEdge(face.edges[next]) == 1) visit(face.edges[next], face.vertices[previous]);
     }
   }
 
@@ -119,30 +133,45 @@ class CollapseMesh {
 
  private:
   struct Star {
-    uint32_t begin, count, capacity;
+    uint32_t begin = 1, count = 0;
+  };
+  struct Edge {
+    Ends ends;
+    uint32_t heir;      // of an edge that is gone: the edge it has become; else kNone
+    uint8_t triangles;  // see trianglesOnEdge
+    uint8_t isLine;     // whether it is a line inside the surface
+  };
+  struct alignas(128) Vertex {
+    Quadric quadric{};
+    Vec3 position;
+    Star star;
+    uint32_t seen = 0;  // the last mark of countCommonNeighbours
+    VertexRole role;
+    bool isMarked = false;
   };
 
   void collectStars(const TriangleMesh& mesh, const Topology& topology);
+  void collectQuadrics();
   bool isOn(const Face& face, uint32_t edge) const;
+  void bequeath(uint32_t dying, uint32_t heir);
   void removeFromStar(uint32_t v, uint32_t triangle);
   void joinSectors(uint32_t triangle, int removed, int kept);
+  size_t divideStar(uint32_t v, uint32_t edge, size_t joined, std::array<Corner, 3>& onEdge);
   void takeOver(Corner corner, const Collapse& step);
-  void storeStar(const std::vector<Corner>& star, const Collapse& step);
+  uint32_t& capacityOf(const Star& star) { return pool_[star.begin - 1]; }
+  void storeStar(std::span<const Corner> joined, const Collapse& step);
 
   Vec3 origin_;
   double diagonal_ = 0;
   double rounder_ = 0;  // adding and subtracting it rounds to the steps of `rounded`
   uint32_t livingTriangles_ = 0;
-  std::vector<Vec3> positions_;
-  std::vector<VertexRole> roles_;
+  std::vector<Vertex> vertices_;
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
-  std::vector<uint8_t> trianglesOnEdge_, isLine_;
-  std::vector<Star> stars_;
-  std::vector<Corner> pool_;  // the stars' places
+  std::vector<Corner> pool_;  // the stars' places, each behind its capacity
+  uint32_t mark_ = 0;         // the last that was set in a vertex
   std::vector<uint32_t> sectorOfCorner_, heirOfSector_;
-  std::vector<uint32_t> heirOf_;  // of an edge that is gone: the edge it has become
-  std::vector<Corner> joined_;    // scratch
+  std::vector<Corner> joined_;  // scratch
 };
 
 }  // namespace limber

@@ -8,11 +8,11 @@ namespace limber {
 namespace {
 
 constexpr double kFrameDiagonal = 300;
-constexpr double kBorderWeight = 10;
 constexpr double kShortness = 1e-9;
 constexpr double kWorstQuality = 1e-6;  // keeps the price of a needle finite
 // How far from the middle of an edge its target may lie, in lengths of the edge.
 constexpr double kReach = 2;
+constexpr size_t kPlacedTogether = 16;
 
 // Eq. 9: 4 sqrt(3) A / (l1^2 + l2^2 + l3^2), 1 for an equilateral triangle, 0 for one without area.
 double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
@@ -42,37 +42,13 @@ CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const 
       keep_(options.wishes.keep.begin(), options.wishes.keep.end()),
       guidance_(guidance) {
   lengthScale_ *= lengthScale_;
-  collectQuadrics();
-  bounds_.assign(mesh.edgeCount(), 0);
+  plans_.resize(mesh.edgeCount());
   if (options.method == Method::Qem) return;
   strainWeight_ = guidance.strain.empty() ? 0 : options.strainWeight;
   curvatureWeight_ =
       guidance.curvature.empty() || options.method == Method::Limber ? 0 : options.curvatureWeight;
   qualityWeight_ = options.qualityWeight;
   startGuidance(input);
-}
-
-void CostModel::collectQuadrics() {
-  quadrics_.resize(mesh_.vertexCount());
-  for (uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
-    const auto& [vertices, edges] = mesh_.face(t);
-    const Vec3 &p = mesh_.position(vertices[0]), &q = mesh_.position(vertices[1]),
-               &r = mesh_.position(vertices[2]);
-    const Vec3 areaNormal = cross(q - p, r - p);
-    const double area = 0.5 * length(areaNormal);
-    const Vec3 normal = normalized(areaNormal);
-    Quadric plane = planeQuadric(normal, p, area);
-    plane.area = area;
-    for (uint32_t v : vertices) quadrics_[v] = quadrics_[v] + plane;
-    for (int c = 0; c < 3; ++c) {
-      if (!mesh_.isLine(edges[c])) continue;
-      const uint32_t from = vertices[nextIndex(c)], to = vertices[previousIndex(c)];
-      const Vec3 along = mesh_.position(to) - mesh_.position(from);
-      const Quadric line = planeQuadric(normalized(cross(along, normal)), mesh_.position(from),
-                                        kBorderWeight * squaredLength(along));
-      for (uint32_t v : {from, to}) quadrics_[v] = quadrics_[v] + line;
-    }
-  }
 }
 
 // An input vertex is its own nearest vertex, and its nearest triangle is one of those around it.
@@ -135,7 +111,7 @@ CostModel::Optimum<Real> CostModel::findOptimum(const QuadricOf<Real>& sum, cons
 // What the planes and attributes around both ends make of the place of an edge's collapse.
 Quadric CostModel::sumOf(uint32_t edge) const {
   const auto [a, b] = mesh_.edge(edge);
-  const Quadric planes = quadrics_[a] + quadrics_[b];
+  const Quadric planes = mesh_.quadric(a) + mesh_.quadric(b);
   return attributes_.empty() ? planes : planes + attributes_.residual(edge);
 }
 
@@ -157,66 +133,93 @@ Placement CostModel::place(uint32_t edge) const {
 }
 
 // The same as `place` for each, bit by bit, in less time.
-std::array<Placement, 2> CostModel::placeTwo(uint32_t e, uint32_t f) const {
-  if (mesh_.fixedEnd(e) != kNone || mesh_.fixedEnd(f) != kNone) return {place(e), place(f)};
-  const auto [a, b] = mesh_.edge(e);
-  const auto [c, d] = mesh_.edge(f);
-  const auto sum = asPair(sumOf(e), sumOf(f));
-  const auto optimum = findOptimum(sum, asPair(mesh_.position(a), mesh_.position(c)),
-                                   asPair(mesh_.position(b), mesh_.position(d)));
+std::array<Placement, 2> CostModel::placeTwo(const Around& e, const Around& f) const {
+  if (!e.isFree || !f.isFree) return {place(e.edge), place(f.edge)};
+  const auto optimum = findOptimum(asPair(e.sum, f.sum), asPair(e.p, f.p), asPair(e.q, f.q));
   const auto placement = [&](uint32_t edge, int i) {
     return optimum.overreach[i] > 0 ? place(edge) : Placement{lane(optimum.target, i), optimum.error[i]};
   };
-  return {placement(e, 0), placement(f, 1)};
+  return {placement(e.edge, 0), placement(f.edge, 1)};
 }
 
-// Calls visit(i, place(edges[i])) for every i.
+// Calls visit(edge, place(edge)) for every edge. Reads what some edges need before it works on any: so the
+// machine waits for all of these places of memory at once.
 template <class Visit>
 void CostModel::placeAll(std::span<const uint32_t> edges, const Visit& visit) const {
-  size_t i = 0;
-  for (; i + 1 < edges.size(); i += 2) {
-    const auto [first, second] = placeTwo(edges[i], edges[i + 1]);
-    visit(i, first);
-    visit(i + 1, second);
+  std::array<Around, kPlacedTogether> around;
+  for (size_t begin = 0; begin < edges.size(); begin += kPlacedTogether) {
+    const size_t count = std::min(edges.size() - begin, kPlacedTogether);
+    for (size_t i = 0; i < count; ++i) {
+      const uint32_t edge = edges[begin + i];
+      const auto [a, b] = mesh_.edge(edge);
+      around[i] = {edge, mesh_.fixedEnd(edge) == kNone, sumOf(edge), mesh_.position(a), mesh_.position(b)};
+    }
+    for (size_t i = 0; i + 1 < count; i += 2) {
+      const auto [first, second] = placeTwo(around[i], around[i + 1]);
+      visit(around[i].edge, first);
+      visit(around[i + 1].edge, second);
+    }
+    if (count % 2 != 0) visit(around[count - 1].edge, place(around[count - 1].edge));
   }
-  if (i < edges.size()) visit(i, place(edges[i]));
 }
 
 void CostModel::setBounds(std::span<const uint32_t> edges) {
   if (method_ == Method::Limber) {
     for (const uint32_t edge : edges) {
       guidanceCosts_[edge] = static_cast<float>(sizeCost(edge));
-      bounds_[edge] = static_cast<float>(guidanceCosts_[edge] * keepFactor(edge));
+      plans_[edge].bound = static_cast<float>(guidanceCosts_[edge] * keepFactor(edge));
     }
     return;
   }
-  placeAll(edges, [&](size_t i, const Placement& placement) {
-    const uint32_t edge = edges[i];
+  placeAll(edges, [&](uint32_t edge, const Placement& placement) {
     double bound = placement.error;
     if (!guidanceCosts_.empty()) {
       guidanceCosts_[edge] = static_cast<float>(guidanceCost(edge, placement.target));
       bound += guidanceCosts_[edge];
     }
-    bounds_[edge] = static_cast<float>(bound * keepFactor(edge));
+    plans_[edge] = {mesh_.inFile(placement.target), static_cast<float>(bound * keepFactor(edge))};
   });
 }
 
-double CostModel::raiseBound(uint32_t edge, const Placement& placement) {
-  if (method_ == Method::Limber)
-    bounds_[edge] = static_cast<float>((3 * placement.error + guidanceCosts_[edge]) * keepFactor(edge));
-  return bounds_[edge];
+void CostModel::raiseBounds(std::span<const uint32_t> edges) {
+  if (method_ != Method::Limber) return setBounds(edges);
+  placeAll(edges, [&](uint32_t edge, const Placement& placement) {
+    guidanceCosts_[edge] = static_cast<float>(sizeCost(edge));
+    const double bound = (3 * placement.error + guidanceCosts_[edge]) * keepFactor(edge);
+    plans_[edge] = {mesh_.inFile(placement.target), static_cast<float>(bound)};
+  });
+}
+
+double CostModel::guess(uint32_t edge, double cost) {
+  if (method_ != Method::Limber) return cost;
+  const auto size = static_cast<float>(sizeCost(edge));
+  float& before = guidanceCosts_[edge];
+  if (size < before) {
+    cost *= size / before;
+    before = size;
+  }
+  return std::max(cost, size * keepFactor(edge));
+}
+
+double CostModel::cost(uint32_t edge) const {
+  if (boundsAreCosts()) return bound(edge);
+  if (method_ != Method::Limber) return costOf(edge, place(edge));
+  return bound(edge) * qualityFactor(edge, target(edge));
 }
 
 // Eq. 11, limber's product, or E_QEM alone.
-double CostModel::cost(uint32_t edge, const Placement& placement) const {
+double CostModel::costOf(uint32_t edge, const Placement& placement) const {
   const double factor = keepFactor(edge);
+  if (method_ == Method::Limber)
+    return (3 * placement.error + sizeCost(edge)) * qualityFactor(edge, placement.target) * factor;
   if (guidanceCosts_.empty()) return placement.error * factor;
-  if (method_ == Method::Limber) {
-    const double badness = 1 / std::max(worstQuality(edge, placement.target), kWorstQuality) - 1;
-    return (3 * placement.error + guidanceCosts_[edge]) * (1 + qualityWeight_ * badness) * factor;
-  }
   return (placement.error + guidanceCosts_[edge] + qualityWeight_ * meanBadness(edge, placement.target)) *
          factor;
+}
+
+// limber's price of the worst triangle.
+double CostModel::qualityFactor(uint32_t edge, const Vec3& target) const {
+  return 1 + qualityWeight_ * (1 / std::max(worstQuality(edge, target), kWorstQuality) - 1);
 }
 
 CostTerms CostModel::terms(uint32_t edge, const Placement& placement) const {
@@ -236,8 +239,9 @@ CostTerms CostModel::terms(uint32_t edge, const Placement& placement) const {
     if (curvatureWeight_ != 0) terms.curvature = std::max(guidanceCosts_[edge] - strain, 0.0);
   }
   if (qualityWeight_ != 0) {
-    const double rest = (method_ == Method::Limber ? 3 : 1) * placement.error + guidanceCosts_[edge];
-    terms.quality = std::max(cost(edge, placement) / terms.keep - rest, 0.0);
+    const double rest = method_ == Method::Limber ? terms.error + terms.size + terms.strain
+                                                  : placement.error + guidanceCosts_[edge];
+    terms.quality = std::max(costOf(edge, placement) / terms.keep - rest, 0.0);
   }
   return terms;
 }
@@ -325,13 +329,12 @@ void CostModel::forEachChanged(uint32_t edge, const Visit& visit) const {
 
 void CostModel::collapse(const Collapse& step) {
   if (!strainOfVertex_.empty()) {
-    const double kept = quadrics_[step.kept].area, removed = quadrics_[step.removed].area;
+    const double kept = mesh_.quadric(step.kept).area, removed = mesh_.quadric(step.removed).area;
     float& strain = strainOfVertex_[step.kept];
     if (kept + removed > 0)
       strain =
           static_cast<float>((kept * strain + removed * strainOfVertex_[step.removed]) / (kept + removed));
   }
-  quadrics_[step.kept] = quadrics_[step.kept] + quadrics_[step.removed];
   attributes_.collapse(step);
   if (!keep_.empty()) keep_[step.kept] = std::max(keep_[step.kept], keep_[step.removed]);
   if (curvatureWeight_ != 0) vertexOfVertex_[step.kept] = nearestVertex(step.target, step.edge);

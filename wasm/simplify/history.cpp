@@ -42,17 +42,22 @@ std::vector<uint32_t> findSurvivors(const History& history, size_t count) {
   return survivor;
 }
 
+// Writes every triangle behind those that are left, without a branch that nobody could predict.
 void collectTriangles(const TriangleMesh& input, const std::vector<uint32_t>& survivor, uint32_t expected,
                       MeshAt& result) {
-  result.mesh.triangles.reserve(expected);
-  result.inputOfTriangle.reserve(expected);
+  result.mesh.triangles.resize(size_t{expected} + 1);
+  result.inputOfTriangle.resize(size_t{expected} + 1);
+  uint32_t count = 0;
   for (uint32_t t = 0; t < input.triangleCount(); ++t) {
     const auto& [a, b, c] = input.triangles[t];
     const Triangle triangle{survivor[a], survivor[b], survivor[c]};
-    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
-    result.mesh.triangles.push_back(triangle);
-    result.inputOfTriangle.push_back(t);
+    result.mesh.triangles[count] = triangle;
+    result.inputOfTriangle[count] = t;
+    count += (triangle[0] != triangle[1]) & (triangle[1] != triangle[2]) & (triangle[2] != triangle[0]);
+    if (count > expected) refuseHistory();
   }
+  result.mesh.triangles.resize(count);
+  result.inputOfTriangle.resize(count);
 }
 
 // Numbers the vertices that triangles use in the input's order and puts them where they are by then.
@@ -62,6 +67,9 @@ void numberVertices(const TriangleMesh& input, const History& history, size_t co
   for (const Triangle& triangle : result.mesh.triangles)
     for (uint32_t v : triangle) used[v] = 1;
   std::vector<uint32_t> number(input.vertexCount(), kNone);
+  const size_t usedCount = static_cast<size_t>(std::ranges::count(used, 1));
+  result.inputOfVertex.reserve(usedCount);
+  result.mesh.positions.reserve(usedCount);
   for (uint32_t v = 0; v < input.vertexCount(); ++v) {
     if (!used[v]) continue;
     number[v] = static_cast<uint32_t>(result.inputOfVertex.size());

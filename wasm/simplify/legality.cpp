@@ -50,11 +50,10 @@ double largestCosine(const Vec3& p, const Vec3& q, const Vec3& r) {
 
 }  // namespace
 
-Legality::Legality(const CollapseMesh& mesh, const SimplifyOptions& options)
+Legality::Legality(CollapseMesh& mesh, const SimplifyOptions& options)
     : mesh_(mesh),
       pinnedSets_(options.wishes.pinnedSets),
-      largestCosine_(std::cos(options.minAngle * std::numbers::pi / 180)),
-      seen_(mesh.vertexCount(), 0) {}
+      largestCosine_(std::cos(options.minAngle * std::numbers::pi / 180)) {}
 
 Verdict Legality::check(const Collapse& step) {
   if (const Verdict verdict = forever(step.edge); verdict != Verdict::Legal) return verdict;
@@ -93,7 +92,7 @@ bool Legality::keepsTopology(const Collapse& step) {
     if (inside && starKept.size() == 3 && starRemoved.size() == 3) return false;
   }
   if (joinsLines(step)) return false;
-  return countCommonNeighbours(step.kept, step.removed) == triangles;
+  return mesh_.countCommonNeighbours(step.kept, step.removed) == triangles;
 }
 
 // Whether a triangle would vanish whose two other edges are both lines.
@@ -106,26 +105,6 @@ bool Legality::joinsLines(const Collapse& step) const {
     if (vanishes && lines == 3) return true;
   }
   return false;
-}
-
-uint32_t Legality::countCommonNeighbours(uint32_t a, uint32_t b) {
-  const uint32_t around = ++mark_, common = ++mark_;
-  // In a closed fan every neighbour comes next after v in one of the triangles.
-  const auto forEachNeighbour = [&](uint32_t v, const auto& visit) {
-    const bool open = mesh_.role(v).onBorder;
-    for (const Corner corner : mesh_.star(v)) {
-      const Triangle& triangle = mesh_.face(triangleOf(corner)).vertices;
-      visit(triangle[nextIndex(indexOf(corner))]);
-      if (open) visit(triangle[previousIndex(indexOf(corner))]);
-    }
-  };
-  uint32_t count = 0;
-  forEachNeighbour(a, [&](uint32_t v) { seen_[v] = around; });
-  forEachNeighbour(b, [&](uint32_t v) {
-    count += seen_[v] == around;
-    if (seen_[v] == around) seen_[v] = common;
-  });
-  return count;
 }
 
 // Whether the smallest angle among the changed triangles is below the wanted one after the collapse, and no

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "simplify/collapse_mesh.h"
 #include "simplify/simplify.h"
@@ -12,11 +11,11 @@ namespace limber {
 // Why a collapse may not be, in the order in which the rules are asked.
 enum class Verdict : uint8_t { Legal, Locked, Topology, Flip, Angle, Deviation };
 
-// The rules that keep a surface what it is. Holds scratch memory; not for use from several threads.
+// The rules that keep a surface what it is. Uses marks in the mesh; not for use from several threads.
 class Legality {
  public:
   // Keeps a reference to `mesh` and to the lists of `options`.
-  Legality(const CollapseMesh& mesh, const SimplifyOptions& options);
+  Legality(CollapseMesh& mesh, const SimplifyOptions& options);
 
   // Whether an edge cannot collapse as long as its own ends stay what they are: an end that must stay, ends
   // of different pinned sets, or a vertex of a line that would leave it. Legal where it
@@ -38,15 +37,12 @@ class Legality {
   bool mixesPinnedSets(uint32_t edge) const;
   bool keepsTopology(const Collapse& step);
   bool joinsLines(const Collapse& step) const;
-  uint32_t countCommonNeighbours(uint32_t a, uint32_t b);
   bool spoilsAnyFace(uint32_t v, const Collapse& step) const;
   bool spoilsAngles(const Collapse& step) const;
 
-  const CollapseMesh& mesh_;
+  CollapseMesh& mesh_;
   std::span<const uint32_t> pinnedSets_;
-  double largestCosine_;        // of an angle that a collapse may make
-  std::vector<uint32_t> seen_;  // per vertex: the last mark that was set on it
-  uint32_t mark_ = 0;
+  double largestCosine_;  // of an angle that a collapse may make
 };
 
 }  // namespace limber

@@ -9,7 +9,7 @@
 #include "simplify/collapse_mesh.h"
 #include "simplify/cost.h"
 #include "simplify/deviation_limit.h"
-#include "simplify/edge_heap.h"
+#include "simplify/edge_queue.h"
 #include "simplify/legality.h"
 #include "simplify/mirror.h"
 
@@ -48,8 +48,7 @@ class Simplification {
       : mesh_(input, options.wishes),
         costs_(input, mesh_, guidance, options),
         legality_(mesh_, options),
-        heap_(mesh_.edgeCount()),
-        hasRefused_(mesh_.vertexCount(), 0),
+        queue_(mesh_.edgeCount()),
         places_(mesh_.edgeCount(), Place::None),
         stopFaces_(options.stopFaces),
         job_(job) {
@@ -81,7 +80,8 @@ class Simplification {
   // takes a way through JavaScript.
   [[gnu::noinline]] void collapseAll();
   void tryCheapest();
-  bool goesBack(uint32_t edge, double cost, Place place);
+  bool findFirst();
+  bool goesBack(uint32_t edge);
   bool queueWhatIsLegal();
   Collapse planned(uint32_t edge, const Vec3& target) const;
   Verdict judge(const Collapse& step);
@@ -93,6 +93,7 @@ class Simplification {
   void updateCosts(uint32_t kept);
   void queueSurroundings(uint32_t neighbour);
   void queueRefused(uint32_t neighbour);
+  void queueByBounds(std::span<const uint32_t> edges);
   void queueByBound(uint32_t edge);
 
   CollapseMesh mesh_;
@@ -100,9 +101,8 @@ class Simplification {
   Legality legality_;
   std::optional<DeviationLimit> deviation_;
   std::optional<Mirror> mirror_;
-  EdgeHeap heap_;
-  std::vector<uint8_t> hasRefused_;  // per vertex: an edge of it may have been refused since the last retry
-  std::vector<Place> places_;        // per edge
+  EdgeQueue queue_;
+  std::vector<Place> places_;  // per edge
   uint32_t stopFaces_;
   std::vector<uint32_t> edges_, neighbours_;  // scratch
   Job& job_;
@@ -117,40 +117,39 @@ void Simplification::queueAll() {
     job_.check();
     costs_.setBounds(std::span(edges_).subspan(begin, end - begin));
   });
-  for (const uint32_t edge : edges_) {
-    heap_.append(edge, costs_.bound(edge));
-    places_[edge] = Place::ByBound;
-  }
-  heap_.build();
+  queueByBounds(edges_);
 }
 
 void Simplification::collapseAll() {
-  while (!heap_.empty() && !isDone()) tryCheapest();
+  while (!isDone() && findFirst()) tryCheapest();
 }
 
-// An edge comes up by its bound first and goes back by a better one or its cost, unless that is the lowest
-// anyway. So the order is that of the costs, though most of them are never computed.
+bool Simplification::findFirst() {
+  return queue_.findFirst([&](std::span<const uint32_t> edges) {
+    costs_.raiseBounds(edges);
+    for (const uint32_t edge : edges) queueByBound(edge);
+  });
+}
+
+// An edge comes up by its bound first and goes back by its cost, unless that is the lowest anyway. So the
+// order is that of the costs, though most of them are never computed.
 void Simplification::tryCheapest() {
-  const uint32_t edge = heap_.pop();
-  const Placement placement = costs_.place(edge);
-  if (!costs_.boundsAreCosts() && places_[edge] == Place::ByBound) {
-    if (goesBack(edge, costs_.raiseBound(edge, placement), Place::ByBound)) return;
-    const Place place = costs_.followsSurroundings() ? Place::ByCost : Place::ByBound;
-    if (goesBack(edge, costs_.cost(edge, placement), place)) return;
-  }
+  const uint32_t edge = queue_.pop();
+  if (!costs_.boundsAreCosts() && places_[edge] == Place::ByBound && goesBack(edge)) return;
   places_[edge] = Place::None;
-  const Collapse step = planned(edge, placement.target);
+  const Collapse step = planned(edge, costs_.target(edge));
   if (judge(step) == Verdict::Legal)
     carryOutWithImage(step);
   else
-    hasRefused_[step.kept] = hasRefused_[step.removed] = 1;
+    for (const uint32_t v : {step.kept, step.removed}) mesh_.setMarked(v, true);
 }
 
-// Whether another edge comes before `edge`, which has just been popped; then queues it again.
-bool Simplification::goesBack(uint32_t edge, double cost, Place place) {
-  if (heap_.wouldBeFirst(edge, cost / costs_.tolerance())) return false;
-  heap_.set(edge, cost);
-  places_[edge] = place;
+// Whether another edge comes before `edge`, which has just been popped by a bound; then queues it again.
+bool Simplification::goesBack(uint32_t edge) {
+  const double cost = costs_.cost(edge);
+  if (!findFirst() || queue_.wouldBeFirst(edge, cost / costs_.tolerance())) return false;
+  queue_.set(edge, cost);
+  places_[edge] = costs_.followsSurroundings() ? Place::ByCost : Place::ByBound;
   return true;
 }
 
@@ -188,7 +187,7 @@ void Simplification::carryOutWithImage(const Collapse& step) {
   if (!mirror_ || mirror_->isItsOwnImage(step)) return carryOut(step);
   const Collapse image = mirror_->imageOf(step);
   carryOut(step);
-  heap_.remove(image.edge);
+  queue_.remove(image.edge);
   places_[image.edge] = Place::None;
   if (deviation_) deviation_->allows(image);  // prepares what the collapse hands over
   carryOut(image);
@@ -198,8 +197,7 @@ void Simplification::carryOut(const Collapse& step) {
   costs_.collapse(step);
   if (deviation_) deviation_->collapse();
   for (const uint32_t gone : mesh_.collapse(step))
-    if (gone != kNone) heap_.remove(gone);
-  hasRefused_[step.kept] |= hasRefused_[step.removed];
+    if (gone != kNone) queue_.remove(gone);
   record(step);
   updateCosts(step.kept);
 }
@@ -220,24 +218,38 @@ void Simplification::updateCosts(uint32_t kept) {
   neighbours_.clear();
   mesh_.forEachEdge(kept, [&](uint32_t edge, uint32_t neighbour) {
     if (legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
-    if (costs_.followsSurroundings() || hasRefused_[neighbour]) neighbours_.push_back(neighbour);
+    if (costs_.followsSurroundings() || mesh_.isMarked(neighbour)) neighbours_.push_back(neighbour);
   });
-  hasRefused_[kept] = 0;
+  mesh_.setMarked(kept, false);
+  if (!costs_.followsSurroundings())
+    std::erase_if(edges_, [&](uint32_t edge) {
+      const bool waits = queue_.isWaiting(edge);
+      if (waits) queue_.doubt(edge, costs_.guess(edge, queue_.cost(edge)));
+      return waits;
+    });
   costs_.setBounds(edges_);
-  for (const uint32_t edge : edges_) queueByBound(edge);
+  queueByBounds(edges_);
   for (const uint32_t neighbour : neighbours_) {
     if (mesh_.role(neighbour).freedom == Freedom::Locked) continue;
     if (costs_.followsSurroundings())
       queueSurroundings(neighbour);
     else
       queueRefused(neighbour);
-    hasRefused_[neighbour] = 0;
+    mesh_.setMarked(neighbour, false);
+  }
+}
+
+// Those that `setBounds` has just priced.
+void Simplification::queueByBounds(std::span<const uint32_t> edges) {
+  for (const uint32_t edge : edges) {
+    queueByBound(edge);
+    if (costs_.tolerance() != 1) queue_.doubt(edge, costs_.bound(edge));
   }
 }
 
 void Simplification::queueByBound(uint32_t edge) {
   places_[edge] = Place::ByBound;
-  heap_.set(edge, costs_.bound(edge));
+  queue_.set(edge, costs_.bound(edge));
 }
 
 void Simplification::queueSurroundings(uint32_t neighbour) {
@@ -273,8 +285,8 @@ bool Simplification::queueWhatIsLegal() {
     if (verdict == Verdict::Legal) edges_.push_back(edge);
   }
   costs_.setBounds(edges_);
-  for (const uint32_t edge : edges_) queueByBound(edge);
-  return !heap_.empty();
+  queueByBounds(edges_);
+  return !edges_.empty();
 }
 
 }  // namespace

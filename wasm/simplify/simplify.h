@@ -45,6 +45,8 @@ void checkRequest(const TriangleMesh& mesh, const Guidance& guidance, const Simp
 // bounding diagonal is 300 (Eq. 11 carries no length; see docs/paper.md). Legal: the link condition holds
 // (components, boundary loops and genus stay), no face turns over, non-manifold edges and vertices stay
 // untouched. A refused edge is tried again when its surroundings change. Ties go to the lower vertex indices.
+// An edge whose cost falls when its surroundings change may come late, see CostModel::followsSurroundings;
+// `paper` with a quality weight never lets it.
 // Throws Cancelled, and std::invalid_argument where a guidance field has the wrong size.
 History simplify(const TriangleMesh& mesh, const Guidance& guidance, const SimplifyOptions& options,
                  Job& job);
