@@ -27,7 +27,7 @@ struct ModalFitResult {
   uint32_t tooLarge = 0;  // components that stay as they are
 };
 
-// Moves the vertices of a simplified mesh, by far less than an edge, so that it vibrates like the original:
+// Moves the vertices of a simplified mesh, by fractions of an edge, so that it vibrates like the original:
 // frequencies of the shell at three thicknesses (Fox and Kapoor 1968 sensitivities, Gauss-Newton), in balance
 // with the distance from the original's surface. Before that, edges are flipped to Delaunay and vertices
 // fitted to the surface. Components of more than 20,000 vertices stay as they are. Topology and the number of

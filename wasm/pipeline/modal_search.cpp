@@ -17,7 +17,7 @@ constexpr double kStagnant = 0.9, kLittle = 2e-3, kGoodEnough = 1e-6;
 constexpr size_t kPatience = 3;
 constexpr double kClip = 0.1;  // of a residual, in a step
 // What a residual may be worth, in squared budgets of distance.
-constexpr double kLeastWorth = 1, kMostWorth = 150;
+constexpr double kLeastWorth = 1, kMostWorth = 700;
 constexpr int kHalvings = 30;  // of that range
 // How firmly vertices hold their places: more where a step gains less than foretold.
 constexpr double kFirstHold = 0.01, kLeastHold = 3e-4, kMostHold = 1e5;
@@ -25,8 +25,11 @@ constexpr double kPoorGain = 0.3, kGoodGain = 0.7, kFirmer = 3, kLooser = 1.5;
 // A vertex that the guard lets make less than this of its way is held so many times as firmly, as long as
 // that goes on: the others go on without it.
 constexpr double kBlocked = 0.5, kBlockedFirmer = 4, kFreedLooser = 3, kMostFirmness = 1e6;
-constexpr double kEvenness = 2e-4;  // of the triangles: see SurfaceFitOptions
-constexpr double kLost = 1.5;       // a mesh with this much of the best merit is given up
+constexpr double kEvenness = 1e-4;  // of the triangles: see SurfaceFitOptions
+// What a vertex weighs that has come away from where the search began: along a flat wall nothing else holds
+// it, and walls whose triangles have slid far to mend small vibrations buckle elsewhere in large ones.
+constexpr double kAnchor = 5e-4;
+constexpr double kLost = 1.5;  // a mesh with this much of the best merit is given up
 
 Eigen::VectorXd difference(const TriangleMesh& after, const TriangleMesh& before) {
   Eigen::VectorXd moved(3 * static_cast<Eigen::Index>(after.vertexCount()));
@@ -128,10 +131,11 @@ void ModalSearch::measure() {
 Eigen::VectorXd ModalSearch::gaussNewtonStep() {
   const Mismatch& mismatch = state_.mismatch;
   SurfaceFit fit = state_.fit;
+  fit.pull -= kAnchor * fit.inertia.cwiseProduct(difference(state_.mesh, part_.simplified));
   fit.inertia.array() *= firmness_;
   Eigen::MatrixXd columns(fit.pull.size(), 1 + mismatch.slope.cols());
   columns << fit.pull, mismatch.slope;
-  const TradeOff tradeOff(fit, mismatch, solver_.solve(fit, hold_, std::move(columns)));
+  const TradeOff tradeOff(fit, mismatch, solver_.solve(fit, hold_ + kAnchor, std::move(columns)));
   return tradeOff.step(affordable(tradeOff));
 }
 
