@@ -21,7 +21,7 @@ constexpr double kLaterWeight = 0.5;        // ... and what the later ones count
 constexpr double kNoMac = 0.2, kMac = 0.6;  // a pair counts from the one on, fully from the other on
 constexpr double kNear = 0.3;               // eigenvalues this close count as neighbours
 // Weight of what couples neighbours, which keeps their shapes.
-constexpr std::array<double, ModalTarget::kThicknesses> kCoupling = {0, 0.5, 0};
+constexpr std::array<double, ModalTarget::kThicknesses> kCoupling = {0, 4, 0};
 constexpr int kMargin = 4;                    // modes beyond the fitted ones that may be partners
 constexpr uint32_t kSideBySide = 30000;       // vertices of an original that is solved thrice at a time
 constexpr double kReferenceTolerance = 1e-3;  // of eigenvalues
