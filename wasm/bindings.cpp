@@ -358,6 +358,8 @@ val jsFitModes(const val& mesh, const val& result, const val& in) {
   options.poisson = in["poisson"].as<double>();
   options.charts = {wedges, groups};
   options.locked = locked;
+  const auto pinned = vectorOf<uint8_t>(in["pinned"]);
+  options.pinned = pinned;
   const ModalFitResult fitted = fitModes(meshOf(mesh), meshAtOf(result), options, theJob);
   val out = val::object();
   out.set("result", jsMeshAtOf(fitted.result));

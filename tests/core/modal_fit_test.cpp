@@ -9,6 +9,7 @@
 #include "measure/surface_distance.h"
 #include "mesh/inspect.h"
 #include "pipeline/fidelity.h"
+#include "pipeline/find_modes.h"
 #include "shapes.h"
 #include "simplify/simplify.h"
 
@@ -67,6 +68,46 @@ TEST(ModalFit, bringsTheFrequenciesOfAClosedAndAnOpenMeshToThoseOfTheOriginal) {
     EXPECT_LT(fit.errorAfter.at(0), fit.errorBefore.at(0));
     // Judged from outside, by another solve and other matching.
     EXPECT_LT(frequencyError(mesh, fit.result.mesh), 0.8 * frequencyError(mesh, start.mesh));
+  }
+}
+
+// The first modes of a sheet that is clamped along one side.
+std::vector<double> clampedOmega(const TriangleMesh& mesh) {
+  Job job;
+  ModesOptions options{Model::Shell, 4, 0.02, 1e6, 0.3, 1000, 1};
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    if (mesh.positions[v].x < 0.12) options.pinned.push_back(v);
+  std::vector<double> omega;
+  for (const Mode& mode : findModes(mesh, options, true, job).modes) omega.push_back(mode.omega);
+  return omega;
+}
+
+double clampedError(const TriangleMesh& original, const TriangleMesh& other) {
+  const std::vector<double> a = clampedOmega(original), b = clampedOmega(other);
+  double sum = 0;
+  for (size_t i = 0; i < a.size(); ++i) sum += std::abs(b.at(i) / a[i] - 1) / static_cast<double>(a.size());
+  return sum;
+}
+
+TEST(ModalFit, fitsThePinnedBodyWhereItIsPinned) {
+  Job job;
+  const TriangleMesh mesh = wavySheet();
+  std::vector<uint8_t> pinned(mesh.vertexCount(), 0);
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) pinned[v] = mesh.positions[v].x < 0.12;
+  SimplifyOptions options;
+  options.method = Method::Limber;
+  options.sizeWeight = 0.01;
+  options.qualityWeight = 0.1;
+  options.wishes.locked = pinned;
+  const MeshAt start = meshAt(mesh, simplify(mesh, {}, options, job), mesh.triangleCount() / 3);
+  const ModalFitResult free = fitModes(mesh, start, {.thickness = 0.02, .locked = pinned}, job);
+  const ModalFitResult held = fitModes(mesh, start, {.thickness = 0.02, .pinned = pinned}, job);
+  const double before = clampedError(mesh, start.mesh);
+  EXPECT_LT(clampedError(mesh, held.result.mesh), 0.6 * before);
+  EXPECT_LT(clampedError(mesh, held.result.mesh), clampedError(mesh, free.result.mesh));
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    const uint32_t there = start.vertexOfInput[v];
+    if (pinned[v]) EXPECT_EQ(held.result.mesh.positions[there], start.mesh.positions[there]);
   }
 }
 

@@ -43,24 +43,6 @@ PartModes gather(const Part& part, const EigenPairs& pairs, const Displacement& 
   return modes;
 }
 
-// Displacements of pinned vertices; and a face that is pinned whole holds the slopes at its edges too, so
-// that a pinned patch clamps what is around it, while a pinned line is a hinge.
-std::vector<uint32_t> heldUnknowns(const Part& part, const Topology& topology) {
-  std::vector<uint8_t> isPinned(part.mesh.vertexCount(), 0);
-  std::vector<uint32_t> held;
-  for (uint32_t v : part.pinned) {
-    isPinned[v] = 1;
-    held.insert(held.end(), {3 * v, 3 * v + 1, 3 * v + 2});
-  }
-  for (uint32_t t = 0; t < part.mesh.triangleCount(); ++t) {
-    const auto& [a, b, c] = part.mesh.triangles[t];
-    if (!isPinned[a] || !isPinned[b] || !isPinned[c]) continue;
-    for (uint32_t corner = 3 * t; corner < 3 * t + 3; ++corner)
-      held.push_back(3 * part.mesh.vertexCount() + topology.edgeOfCorner[corner]);
-  }
-  return held;
-}
-
 // K and its structure take about a kilobyte a triangle, and L about 38 n log2(n) numbers for n vertices
 // (measured on scans); an estimate before anything is taken. Once L's structure is known, the eigensolver
 // asks again.
@@ -75,7 +57,7 @@ StiffnessModel pinnedShell(const Part& part, const ModesOptions& options, Job& j
   const double thickness = options.thickness / part.diagonal;
   const Topology topology = buildTopology(part.mesh);
   StiffnessModel model = shellModel(part.mesh, topology, thickness, options.poisson);
-  if (!part.pinned.empty()) holdUnknowns(model, heldUnknowns(part, topology));
+  if (!part.pinned.empty()) holdUnknowns(model, heldUnknowns(part.mesh, topology, part.pinned));
   return model;
 }
 

@@ -183,4 +183,21 @@ StiffnessModel shellModel(const TriangleMesh& mesh, const Topology& topology, do
   return model;
 }
 
+std::vector<uint32_t> heldUnknowns(const TriangleMesh& mesh, const Topology& topology,
+                                   std::span<const uint32_t> pinned) {
+  std::vector<uint8_t> isPinned(mesh.vertexCount(), 0);
+  std::vector<uint32_t> held;
+  for (uint32_t v : pinned) {
+    isPinned[v] = 1;
+    held.insert(held.end(), {3 * v, 3 * v + 1, 3 * v + 2});
+  }
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    if (!isPinned[a] || !isPinned[b] || !isPinned[c]) continue;
+    for (uint32_t corner = 3 * t; corner < 3 * t + 3; ++corner)
+      held.push_back(3 * mesh.vertexCount() + topology.edgeOfCorner[corner]);
+  }
+  return held;
+}
+
 }  // namespace limber

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "mesh/topology.h"
 #include "modes/stiffness_model.h"
 
@@ -20,6 +24,11 @@ StiffnessModel shellModel(const TriangleMesh& mesh, const Topology& topology, do
 inline double roughFirstEigenvalue(double thickness, bool isPinned) {
   return (isPinned ? 30 : 300) * thickness * thickness;
 }
+
+// What pinned vertices hold: their displacements; and a face that is pinned whole holds the slopes at its
+// edges too, so that a pinned patch clamps what is around it, while a pinned line is a hinge.
+std::vector<uint32_t> heldUnknowns(const TriangleMesh& mesh, const Topology& topology,
+                                   std::span<const uint32_t> pinned);
 
 // Three translations and three rotations, a column each, over the displacements of a shell.
 Eigen::MatrixXd rigidMotions(const TriangleMesh& mesh);

@@ -1,6 +1,7 @@
 #include "pipeline/fit_part.h"
 
 #include "mesh/topology.h"
+#include "modes/pins.h"
 
 namespace limber {
 
@@ -68,6 +69,29 @@ EdgeList seamsOf(const Topology& topology, const ChartSides& sides) {
   return seams;
 }
 
+// Per vertex of the result: what has become of the marked vertices of the original.
+std::vector<uint8_t> carried(const MeshAt& simplified, std::span<const uint8_t> marks) {
+  std::vector<uint8_t> there(simplified.mesh.vertexCount(), 0);
+  for (uint32_t v = 0; v < marks.size(); ++v)
+    if (marks[v] && simplified.vertexOfInput[v] != kNone) there[simplified.vertexOfInput[v]] = 1;
+  return there;
+}
+
+// Vertices of a part, by its own numbers, that are pinned in the whole. Nothing where they leave it a rigid
+// motion, or nothing to move.
+std::vector<uint32_t> pinnedOf(const TriangleMesh& part, const std::vector<uint32_t>& vertices,
+                               std::span<const uint8_t> isPinned) {
+  std::vector<uint32_t> pinned;
+  std::vector<Vec3> points;
+  for (uint32_t v = 0; v < vertices.size(); ++v)
+    if (!isPinned.empty() && isPinned[vertices[v]]) {
+      pinned.push_back(v);
+      points.push_back(part.positions[v]);
+    }
+  const bool isHeld = rigidMotionsLeft(points) == 0 && pinned.size() < vertices.size();
+  return isHeld ? pinned : std::vector<uint32_t>{};
+}
+
 }  // namespace
 
 FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const FitPartOptions& options) {
@@ -77,9 +101,8 @@ FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const 
   std::vector<uint32_t> componentOfResult(mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
     componentOfResult[v] = topology.componentOfVertex[simplified.inputOfVertex[v]];
-  std::vector<uint8_t> isLocked(mesh.vertexCount(), 0);
-  for (uint32_t v = 0; v < options.locked.size(); ++v)
-    if (options.locked[v] && simplified.vertexOfInput[v] != kNone) isLocked[simplified.vertexOfInput[v]] = 1;
+  const std::vector<uint8_t> isLocked = carried(simplified, options.locked),
+                             isPinned = carried(simplified, options.pinned);
   const std::vector<Members> originals = membersOf(original, seamsOf(topology, sides),
                                                    topology.componentOfVertex, topology.componentCount),
                              results = membersOf(mesh, seamsOf(simplified, sides), componentOfResult,
@@ -103,7 +126,10 @@ FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const 
     part.diagonal = box.diagonal();
     intoFrame(part.original, part);
     intoFrame(part.simplified, part);
-    for (uint32_t v : part.vertexOfResult) part.locked.push_back(isLocked[v]);
+    for (uint32_t v : part.vertexOfResult) part.locked.push_back(isLocked[v] || isPinned[v]);
+    part.pinnedOriginal = pinnedOf(part.original, originals[component].vertices, options.pinned);
+    part.pinned = pinnedOf(part.simplified, part.vertexOfResult, isPinned);
+    if (part.pinned.empty() || part.pinnedOriginal.empty()) part.pinned = part.pinnedOriginal = {};
     found.parts.push_back(std::move(part));
   }
   return found;

@@ -14,19 +14,20 @@ namespace limber {
 // A component of the original and what has become of it, in the frame where the original's diagonal is 1.
 struct FitPart {
   TriangleMesh original, simplified;
-  std::vector<uint32_t> vertexOfResult;    // per vertex of `simplified`
-  std::vector<uint32_t> triangleOfResult;  // per triangle of it
-  std::vector<uint8_t> locked;             // per vertex of it
-  EdgeList originalLines, lines;           // seams, of both meshes
+  std::vector<uint32_t> vertexOfResult;          // per vertex of `simplified`
+  std::vector<uint32_t> triangleOfResult;        // per triangle of it
+  std::vector<uint8_t> locked;                   // per vertex of it
+  std::vector<uint32_t> pinnedOriginal, pinned;  // vertices of both
+  EdgeList originalLines, lines;                 // seams, of both meshes
   Vec3 origin;
   double diagonal = 1;
 };
 
 struct FitPartOptions {
-  Charts charts = {};                    // of the original
-  std::span<const uint8_t> locked = {};  // per vertex of the original
-  uint32_t fewestFaces = 12;             // results of fewer are left out ...
-  uint32_t mostVertices = 20000;         // ... as are those of more
+  Charts charts = {};                                 // of the original
+  std::span<const uint8_t> locked = {}, pinned = {};  // per vertex of the original
+  uint32_t fewestFaces = 12;                          // results of fewer are left out ...
+  uint32_t mostVertices = 20000;                      // ... as are those of more
 };
 
 // The components of the original, each with its result.

@@ -74,7 +74,8 @@ struct Searched {
 std::optional<Searched> searchModes(FitPart& part, const FitSamples& samples, double budget,
                                     const FitCall& call) {
   const ShellMaterial material{call.options.thickness / part.diagonal, call.options.poisson};
-  ModalTarget target(part.original, part.simplified, {material, call.options.modeCount}, call.job);
+  ModalTarget target(part.original, part.simplified,
+                     {material, call.options.modeCount, part.pinnedOriginal, part.pinned}, call.job);
   call.report(kTargetShare);
   if (target.empty()) return std::nullopt;
   ModalSearch search(part, samples, target, budget, call.job);
@@ -121,7 +122,7 @@ ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
   fitted.result.flips.corners.resize(3 * size_t{simplified.mesh.triangleCount()});
   std::iota(fitted.result.flips.corners.begin(), fitted.result.flips.corners.end(), 0u);
   if (simplified.mesh.triangleCount() == original.triangleCount()) return fitted;
-  auto [parts, tooLarge] = fitParts(original, simplified, {options.charts, options.locked});
+  auto [parts, tooLarge] = fitParts(original, simplified, {options.charts, options.locked, options.pinned});
   fitted.tooLarge = tooLarge;
   for (size_t i = 0; i < parts.size(); ++i) {
     const auto report = [&](double fraction) {

@@ -16,6 +16,8 @@ struct ModalFitOptions {
   int modeCount = 16;
   Charts charts = {};                    // of the original: seams stay in place
   std::span<const uint8_t> locked = {};  // per vertex of the original: what it has become stays where it is
+  // The same, and where they hold a component still, it is its modes when it is held there that are fitted.
+  std::span<const uint8_t> pinned = {};
 };
 
 // How far the frequencies were off, before and after: root mean square of lambda / lambda_original - 1 over

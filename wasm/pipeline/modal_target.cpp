@@ -28,8 +28,10 @@ constexpr double kReferenceTolerance = 1e-3;  // of eigenvalues
 constexpr int kReferenceSteps = 8;
 
 // Modes by way of a coarse copy, refined where the mesh is not too large (pipeline/find_modes.h).
-ShellVibration vibrateCoarsely(const TriangleMesh& mesh, const ShellMaterial& material, int count, Job& job) {
-  const ModesOptions options{Model::Shell, count, material.thickness, 1, material.poisson, 1, 1};
+ShellVibration vibrateCoarsely(const TriangleMesh& mesh, const ShellMaterial& material,
+                               const ModalTargetOptions& asked, Job& job) {
+  ModesOptions options{Model::Shell, asked.modeCount, material.thickness, 1, material.poisson, 1, 1};
+  options.pinned.assign(asked.pinnedOriginal.begin(), asked.pinnedOriginal.end());
   const ModeSet set = findModes(mesh, options, false, job);
   const auto rows = 3 * static_cast<Eigen::Index>(mesh.vertexCount()),
              columns = static_cast<Eigen::Index>(set.modes.size());
@@ -99,7 +101,11 @@ ModalTarget::ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh,
     : original_(original),
       options_(options),
       topology_(buildTopology(mesh)),
-      shell_(mesh, topology_, {options.material.poisson, options.modeCount + kMargin}, job),
+      shell_(mesh, topology_,
+             {.poisson = options.material.poisson,
+              .modeCount = options.modeCount + kMargin,
+              .pinned = options.pinned},
+             job),
       rootMass_(rootMasses(original)) {
   bind(mesh);
   parallelFor(kThicknesses, 1, [&](size_t k, size_t) { last_[k] = shell_.solve(mesh, thicknessOf(k), job); });
@@ -118,17 +124,18 @@ void ModalTarget::findReference(const TriangleMesh& mesh, Job& job) {
   if (!isHuge)
     shell = std::make_unique<VibratingShell>(
         original_, topology,
-        VibrationOptions{options_.material.poisson, options_.modeCount, kReferenceTolerance, kReferenceSteps},
+        VibrationOptions{options_.material.poisson, options_.modeCount, kReferenceTolerance, kReferenceSteps,
+                         options_.pinnedOriginal},
         job);
   const size_t grain = original_.vertexCount() > kSideBySide ? kThicknesses : 1;
   parallelFor(kThicknesses, grain, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
       ShellVibration& reference = reference_[k];
-      reference = isHuge ? vibrateCoarsely(original_, {thicknessOf(k), options_.material.poisson},
-                                           options_.modeCount, job)
-                         : shell->follow(
-                               original_,
-                               {last_[k].thickness, last_[k].lambda, carriedToOriginal(mesh, last_[k])}, job);
+      reference =
+          isHuge
+              ? vibrateCoarsely(original_, {thicknessOf(k), options_.material.poisson}, options_, job)
+              : shell->follow(original_,
+                              {last_[k].thickness, last_[k].lambda, carriedToOriginal(mesh, last_[k])}, job);
       const Eigen::Index count = std::min<Eigen::Index>(reference.lambda.size(), options_.modeCount);
       reference.lambda.conservativeResize(count);
       reference.phi = massNormalised(reference.phi.topLeftCorner(rootMass_.size(), count), rootMass_);

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/job.h"
@@ -26,6 +28,7 @@ struct Mismatch {
 struct ModalTargetOptions {
   ShellMaterial material;  // of the middle thickness
   int modeCount = 16;
+  std::span<const uint32_t> pinnedOriginal = {}, pinned = {};  // vertices of the original and of the mesh
 };
 
 // The vibration that a mesh shall have: modes of its original at several thicknesses. Both in the frame where

@@ -2,14 +2,17 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "base/job.h"
 #include "mesh/topology.h"
 #include "modes/factor_structure.h"
+#include "modes/stiffness_model.h"
 
 namespace limber {
 
-// Elastic modes of a free shell in a frame where E = rho = 1 and the diagonal is about 1. phi: unknowns x
+// Elastic modes of a shell in a frame where E = rho = 1 and the diagonal is about 1. phi: unknowns x
 // modes, mass-normalised; its first 3 x vertexCount rows are displacements, and the rest may be 0 in a start.
 struct ShellVibration {
   double thickness = 0;
@@ -22,6 +25,7 @@ struct VibrationOptions {
   int modeCount = 16;       // some more are found, which are less exact
   double tolerance = 1e-3;  // on the relative error of eigenvalues, where a start is followed
   int largestStepCount = 4;
+  std::span<const uint32_t> pinned = {};  // vertices; they must leave no rigid motion free
 };
 
 // A shell whose vertices may move while its triangles stay. All calls may run side by side, within a
@@ -42,8 +46,11 @@ class VibratingShell {
   Eigen::Index unknownCount() const { return structure_->unknownCount; }
 
  private:
+  StiffnessModel modelOf(const TriangleMesh& mesh, double thickness) const;
+
   const Topology& topology_;
   VibrationOptions options_;
+  std::vector<uint32_t> held_;  // unknowns; none of a free shell
   std::shared_ptr<const FactorStructure> structure_;
 };
 

@@ -265,6 +265,8 @@ export interface FitOptions {
   charts: Charts;
   /** per input vertex: not 0 where it stays; may be empty */
   locked: Uint8Array;
+  /** the same, and the modes of the body held there are fitted */
+  pinned: Uint8Array;
 }
 
 /** A result that vibrates like its original; frequency errors (root mean square, %) of each part that was fitted. */

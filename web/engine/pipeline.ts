@@ -277,10 +277,11 @@ export function fitResult(
   const none = { result, errorBefore: new Float64Array(), errorAfter: new Float64Array(), tooLarge: 0 };
   if (!isFitted(settings)) return { ...none, unfitted: '' };
   const { thickness, poisson } = materialOf(prepared, settings);
-  const locked = maskOf(prepared.mesh, held.pinned, held.locked) ?? new Uint8Array();
-  const { charts } = prepared.attributes;
   const { mesh } = prepared;
-  const fitted = core.fitModes(mesh, result, { thickness, poisson, charts, locked });
+  const locked = maskOf(mesh, held.pinned, held.locked) ?? new Uint8Array();
+  const pinned = maskOf(mesh, held.pinned) ?? new Uint8Array();
+  const { charts } = prepared.attributes;
+  const fitted = core.fitModes(mesh, result, { thickness, poisson, charts, locked, pinned });
   if (held.mirror)
     fitted.result = core.mirrorResult(mesh, result, fitted.result, { partners: held.mirror, charts, locked });
   if (!keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
