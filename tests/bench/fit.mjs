@@ -83,7 +83,13 @@ function measure(mesh) {
     const charts = { wedges: new Uint32Array(), groups: new Uint32Array() };
     const locked = new Uint8Array();
     const [fitTime, result] = timed(() =>
-      core.fitModes(mesh, start, { thickness, poisson: material.poisson, charts, locked, pinned: new Uint8Array() }),
+      core.fitModes(mesh, start, {
+        thickness,
+        poisson: material.poisson,
+        charts,
+        locked,
+        pinned: new Uint8Array(),
+      }),
     );
     fitted = result;
     best.modes = Math.min(best.modes, modesTime);
