@@ -143,12 +143,12 @@ class HeldVertices {
 std::vector<SurfaceAnchor> placesOn(const TriangleMesh& original, std::span<const uint32_t> pinned,
                                     const TriangleMesh& other, std::span<const SurfaceAnchor> binding) {
   std::vector<SurfaceAnchor> places;
+  if (!binding.empty()) {
+    for (const uint32_t v : pinned) places.push_back(binding[v]);
+    return places;
+  }
   const ClosestPointTree tree(other);
   for (const uint32_t v : pinned) {
-    if (!binding.empty()) {
-      places.push_back(binding[v]);
-      continue;
-    }
     const SurfacePoint point = tree.closest(original.positions[v]);
     places.push_back({point.triangle, {point.barycentric[0], point.barycentric[1], point.barycentric[2]}});
   }

@@ -40,9 +40,7 @@ export function runMotions(loaded, { meshes, methods }) {
 
 /** [name, mesh, substeps] of all that moves beside the original. Where nothing is pinned there is nothing to tell. */
 function bodiesOf(loaded, mesh, methods, pinned) {
-  const told = methods
-    .filter(({ holdsPins }) => holdsPins)
-    .map((method) => (pinned.length === 0 ? method : toldOf(method, pinned)));
+  const told = methods.filter(({ holdsPins }) => holdsPins);
   const meshOf = (method) => {
     const [{ meshOf }] = runCases(loaded, { meshes: [mesh], methods: [method], ratios: [RATIO] }, () => {});
     return meshOf();
@@ -50,7 +48,11 @@ function bodiesOf(loaded, mesh, methods, pinned) {
   return [
     [SOLVER, mesh.prepared.mesh, SUBSTEPS / 2],
     ...methods.map((method) => [method.name, meshOf(method), SUBSTEPS]),
-    ...told.map((method) => [`${method.name.replace(/, told$/, '')}, told`, meshOf(method), SUBSTEPS]),
+    ...told.map((method) => [
+      `${method.name}, told`,
+      meshOf(pinned.length === 0 ? method : toldOf(method, pinned)),
+      SUBSTEPS,
+    ]),
   ];
 }
 
