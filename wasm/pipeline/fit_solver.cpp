@@ -11,14 +11,14 @@ FitSolver::FitSolver(const std::vector<uint8_t>& locked, Job& job) : job_(job) {
     if (locked[v]) held_.insert(held_.end(), {3 * v, 3 * v + 1, 3 * v + 2});
 }
 
-Eigen::MatrixXd FitSolver::solve(const SurfaceFit& fit, double hold, Eigen::MatrixXd columns) {
-  model_.stiffness = fit.stiffness;
-  model_.mass = fit.inertia;
+Eigen::MatrixXd FitSolver::solve(const System& system, Eigen::MatrixXd columns) {
+  model_.stiffness = system.stiffness;
+  model_.mass = system.inertia;
   if (!held_.empty()) holdUnknowns(model_, held_);
   if (!structure_) structure_ = std::make_shared<const FactorStructure>(factorStructure(model_, job_));
   for (uint32_t row : held_) columns.row(row).setZero();
   Factorisation factorisation(model_, structure_);
-  factorisation.factorise(-hold, job_);
+  factorisation.factorise(-system.hold, job_);
   factorisation.solve(columns, job_);
   return columns;
 }

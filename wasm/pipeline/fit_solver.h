@@ -18,8 +18,14 @@ class FitSolver {
   // `locked`: per vertex of the mesh, not 0 where it stays in place. The job must outlive it.
   FitSolver(const std::vector<uint8_t>& locked, Job& job);
 
-  // (A + hold * inertia)^-1 of each column, A and inertia those of the fit. Throws Cancelled.
-  Eigen::MatrixXd solve(const SurfaceFit& fit, double hold, Eigen::MatrixXd columns);
+  // Of the surface fit: A, and what each unknown weighs that is held in place, times `hold`.
+  struct System {
+    const Eigen::SparseMatrix<double>& stiffness;
+    const Eigen::VectorXd& inertia;
+    double hold;
+  };
+  // (A + hold * inertia)^-1 of each column. Throws Cancelled.
+  Eigen::MatrixXd solve(const System& system, Eigen::MatrixXd columns);
 
  private:
   Job& job_;

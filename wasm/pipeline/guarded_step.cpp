@@ -9,7 +9,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kStep = 0.2;          // of the shortest edge around a vertex
+constexpr double kStep = 0.2;          // of the lowest height around a vertex
 constexpr double kTurned = 0.6;        // cosine between a face's normal and the one it started with
 constexpr double kThinner = 0.8;       // a face may lose this much of its quality ...
 constexpr double kGoodQuality = 0.45;  // ... or more, down to this

@@ -33,7 +33,8 @@ uint32_t fitToSurface(FitPart& part, const FitSamples& samples, std::vector<uint
     flips += flipToDelaunay(part.simplified, part.lines, corners);
     const Topology topology = buildTopology(part.simplified);
     const SurfaceFit fit = fitSurface(part.simplified, topology, samples, {.lines = &part.lines});
-    const Eigen::VectorXd step = FitSolver(part.locked, job).solve(fit, kSurfaceHold, fit.pull);
+    const Eigen::VectorXd step =
+        FitSolver(part.locked, job).solve({fit.stiffness, fit.inertia, kSurfaceHold}, fit.pull);
     part.simplified = GuardedStep(part.simplified, topology).apply(part.simplified, step);
   }
   return flips;

@@ -47,9 +47,9 @@ Eigen::VectorXd difference(const TriangleMesh& after, const TriangleMesh& before
 class ModalSearch::TradeOff {
  public:
   // `solved`: A^-1 times the pull and the slopes.
-  TradeOff(const SurfaceFit& fit, const Mismatch& mismatch, Eigen::MatrixXd solved)
+  TradeOff(const Eigen::VectorXd& pull, const Mismatch& mismatch, Eigen::MatrixXd solved)
       : solved_(std::move(solved)),
-        gain_(fit.pull.dot(solved_.col(0))),
+        gain_(pull.dot(solved_.col(0))),
         gram_(mismatch.slope.transpose() * solved_.rightCols(mismatch.slope.cols())) {
     target_ = gram_.eigenvectors().transpose() * (mismatch.residual.cwiseMax(-kClip).cwiseMin(kClip) +
                                                   mismatch.slope.transpose() * solved_.col(0));
@@ -130,12 +130,14 @@ void ModalSearch::measure() {
 
 Eigen::VectorXd ModalSearch::gaussNewtonStep() {
   const Mismatch& mismatch = state_.mismatch;
-  SurfaceFit fit = state_.fit;
-  fit.pull -= kAnchor * fit.inertia.cwiseProduct(difference(state_.mesh, part_.simplified));
-  fit.inertia.array() *= firmness_;
-  Eigen::MatrixXd columns(fit.pull.size(), 1 + mismatch.slope.cols());
-  columns << fit.pull, mismatch.slope;
-  const TradeOff tradeOff(fit, mismatch, solver_.solve(fit, hold_ + kAnchor, std::move(columns)));
+  const SurfaceFit& fit = state_.fit;
+  const Eigen::VectorXd pull =
+      fit.pull - kAnchor * fit.inertia.cwiseProduct(difference(state_.mesh, part_.simplified));
+  const Eigen::VectorXd inertia = fit.inertia.array() * firmness_;
+  Eigen::MatrixXd columns(pull.size(), 1 + mismatch.slope.cols());
+  columns << pull, mismatch.slope;
+  const TradeOff tradeOff(pull, mismatch,
+                          solver_.solve({fit.stiffness, inertia, hold_ + kAnchor}, std::move(columns)));
   return tradeOff.step(affordable(tradeOff));
 }
 
