@@ -34,7 +34,7 @@ export function TestReadouts() {
 }
 
 function describePace(frame: TwinFrame | null): string {
-  if (!frame || !twin.playing.value) return 'paused';
+  if (!frame || !(twin.playing.value || frame.playing)) return 'paused';
   return frame.pace < REAL_TIME ? `slow motion x${frame.pace.toPrecision(2)}` : 'real time';
 }
 

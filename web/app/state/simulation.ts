@@ -197,7 +197,7 @@ function take(frame: TwinFrame): void {
   recorded.push(...frame.samples);
   const worst = frame.samples.reduce((most, sample) => Math.max(most, sample.max), twin.worst.value);
   const now = performance.now();
-  const isStill = !twin.playing.value || frame.exploded.length > 0;
+  const isStill = !twin.playing.value || !frame.playing;
   batch(() => {
     twin.worst.value = worst;
     twin.frame.value = frame;

@@ -49,6 +49,7 @@ export class SimulationLoop {
     this.stepped.length = 0;
     this.due = performance.now();
     if (isPlaying) this.schedule();
+    this.announce();
   }
 
   /** One step while paused. */
@@ -110,9 +111,13 @@ export class SimulationLoop {
     const now = performance.now();
     this.stepped.push(now);
     while (this.stepped[0] < now - PACE_SPAN) this.stepped.shift();
+    if (this.isPlaying) this.tryNoise();
+    this.announce();
+  }
+
+  private tryNoise(): void {
     this.tries -= 1;
     if (this.tries === 0 && this.isTooSlow()) this.twin.endNoise();
-    this.announce();
   }
 
   private isTooSlow(): boolean {
@@ -145,6 +150,7 @@ export class SimulationLoop {
       driven: wishes.driven ? twin.driven() : null,
       deviations: wishes.deviations ? twin.deviations().slice() : null,
       samples,
+      playing: this.isPlaying,
       pace: this.pace(),
       exploded,
       failure,

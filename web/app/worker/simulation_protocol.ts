@@ -49,6 +49,8 @@ export interface TwinFrame {
   deviations: Float32Array | null;
   /** of all steps since the frame before */
   samples: TwinSample[];
+  /** false: nothing moves until it is told to, so that this is the last frame */
+  playing: boolean;
   /** simulated seconds per second while it plays */
   pace: number;
   /** which bodies have flown apart; nothing moves any more then */
