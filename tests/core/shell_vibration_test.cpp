@@ -26,9 +26,9 @@ TEST(VibratingShell, followsAMeshThatMovesToWhereASearchFromScratchEnds) {
   const Topology topology = buildTopology(mesh);
   Job job;
   const WholePhase phase(job, Phase::Fit);
-  const VibratingShell shell(mesh, topology, {0.3, 8, 1e-6, 12}, job);
-  const ShellVibration followed = shell.follow(moved, shell.solve(mesh, 0.02, job), job),
-                       searched = shell.solve(moved, 0.02, job);
+  const VibratingShell shell(mesh, topology, {0.3, 1e-6, 12}, job);
+  const ShellVibration followed = shell.follow(moved, shell.solve(mesh, 0.02, 8, job), 8, job),
+                       searched = shell.solve(moved, 0.02, 8, job);
   for (int k = 0; k < 8; ++k) EXPECT_NEAR(followed.lambda[k], searched.lambda[k], 1e-4 * searched.lambda[k]);
 }
 
@@ -37,13 +37,13 @@ TEST(VibratingShell, findsTheModesOfAFineMeshFromThoseOfACoarseOne) {
   const Topology fineTopology = buildTopology(fine), coarseTopology = buildTopology(coarse);
   Job job;
   const WholePhase phase(job, Phase::Fit);
-  const VibratingShell fineShell(fine, fineTopology, {0.3, 8, 1e-6, 12}, job),
-      coarseShell(coarse, coarseTopology, {0.3, 8, 1e-6, 12}, job);
-  ShellVibration start = coarseShell.solve(coarse, 0.02, job);
+  const VibratingShell fineShell(fine, fineTopology, {0.3, 1e-6, 12}, job),
+      coarseShell(coarse, coarseTopology, {0.3, 1e-6, 12}, job);
+  ShellVibration start = coarseShell.solve(coarse, 0.02, 8, job);
   start.phi = transfer(start.phi.topRows(3 * static_cast<Eigen::Index>(coarse.vertexCount())), coarse,
                        closestPoints(fine, coarse));
-  const ShellVibration followed = fineShell.follow(fine, start, job),
-                       searched = fineShell.solve(fine, 0.02, job);
+  const ShellVibration followed = fineShell.follow(fine, start, 8, job),
+                       searched = fineShell.solve(fine, 0.02, 8, job);
   for (int k = 0; k < 8; ++k) EXPECT_NEAR(followed.lambda[k], searched.lambda[k], 1e-4 * searched.lambda[k]);
 }
 

@@ -24,7 +24,7 @@ constexpr uint32_t kSamplesPerTriangle = 6;
 
 // The root mean square distance may grow to this much of the simplified mesh's, or to this part of the
 // diagonal.
-constexpr double kBudget = 1.25, kLeastBudget = 4e-4;
+constexpr double kBudget = 1.25, kLeastBudget = 5.5e-4;
 
 // Edges flipped to Delaunay, vertices fitted to the surface.
 uint32_t fitToSurface(FitPart& part, const FitSamples& samples, std::vector<uint32_t>& corners, Job& job) {

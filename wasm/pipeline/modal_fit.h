@@ -13,7 +13,7 @@ namespace limber {
 struct ModalFitOptions {
   double thickness = 0;  // of the shell, in units of the mesh; fitted at half, once and twice this
   double poisson = 0.3;
-  int modeCount = 16;
+  int modeCount = 20;
   Charts charts = {};                    // of the original: seams stay in place
   std::span<const uint8_t> locked = {};  // per vertex of the original: what it has become stays where it is
   // The same, and where they hold a component still, it is its modes when it is held there that are fitted.

@@ -15,22 +15,22 @@ namespace limber {
 namespace {
 
 constexpr std::array<double, ModalTarget::kThicknesses> kThickness = {0.5, 1, 2};  // of the material's
-constexpr std::array<double, ModalTarget::kThicknesses> kWeight = {0.5, 1, 0.5};
+constexpr std::array<double, ModalTarget::kThicknesses> kWeight = {0.35, 1, 1.3};
 constexpr Eigen::Index kFirst = 10;         // modes that count fully ...
-constexpr double kLaterWeight = 0.5;        // ... and what the later ones count
+constexpr double kLaterWeight = 1.25;       // ... and what the later ones count
 constexpr double kNoMac = 0.2, kMac = 0.6;  // a pair counts from the one on, fully from the other on
 constexpr double kNear = 0.3;               // eigenvalues this close count as neighbours
 // Weight of what couples neighbours, which keeps their shapes.
-constexpr std::array<double, ModalTarget::kThicknesses> kCoupling = {0, 4, 0};
+constexpr std::array<double, ModalTarget::kThicknesses> kCoupling = {0, 1, 0};
 constexpr int kMargin = 4;                    // modes beyond the fitted ones that may be partners
 constexpr uint32_t kSideBySide = 30000;       // vertices of an original that is solved thrice at a time
 constexpr double kReferenceTolerance = 1e-3;  // of eigenvalues
 constexpr int kReferenceSteps = 8;
 
 // Modes by way of a coarse copy, refined where the mesh is not too large (pipeline/find_modes.h).
-ShellVibration vibrateCoarsely(const TriangleMesh& mesh, const ShellMaterial& material,
+ShellVibration vibrateCoarsely(const TriangleMesh& mesh, const ShellMaterial& material, int modeCount,
                                const ModalTargetOptions& asked, Job& job) {
-  ModesOptions options{Model::Shell, asked.modeCount, material.thickness, 1, material.poisson, 1, 1};
+  ModesOptions options{Model::Shell, modeCount, material.thickness, 1, material.poisson, 1, 1};
   options.pinned.assign(asked.pinnedOriginal.begin(), asked.pinnedOriginal.end());
   const ModeSet set = findModes(mesh, options, false, job);
   const auto rows = 3 * static_cast<Eigen::Index>(mesh.vertexCount()),
@@ -101,15 +101,17 @@ ModalTarget::ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh,
     : original_(original),
       options_(options),
       topology_(buildTopology(mesh)),
-      shell_(mesh, topology_,
-             {.poisson = options.material.poisson,
-              .modeCount = options.modeCount + kMargin,
-              .pinned = options.pinned},
-             job),
+      shell_(mesh, topology_, {.poisson = options.material.poisson, .pinned = options.pinned}, job),
       rootMass_(rootMasses(original)) {
   bind(mesh);
-  parallelFor(kThicknesses, 1, [&](size_t k, size_t) { last_[k] = shell_.solve(mesh, thicknessOf(k), job); });
+  parallelFor(kThicknesses, 1, [&](size_t k, size_t) {
+    last_[k] = shell_.solve(mesh, thicknessOf(k), modesAt(k) + kMargin, job);
+  });
   findReference(mesh, job);
+}
+
+int ModalTarget::modesAt(size_t k) const {
+  return k == kMiddle ? options_.modeCount : std::min(options_.modeCount, static_cast<int>(kFirst));
 }
 
 double ModalTarget::thicknessOf(size_t k) const {
@@ -122,21 +124,21 @@ void ModalTarget::findReference(const TriangleMesh& mesh, Job& job) {
   const Topology topology = isHuge ? Topology{} : buildTopology(original_);
   std::unique_ptr<VibratingShell> shell;
   if (!isHuge)
-    shell = std::make_unique<VibratingShell>(
-        original_, topology,
-        VibrationOptions{options_.material.poisson, options_.modeCount, kReferenceTolerance, kReferenceSteps,
-                         options_.pinnedOriginal},
-        job);
+    shell = std::make_unique<VibratingShell>(original_, topology,
+                                             VibrationOptions{options_.material.poisson, kReferenceTolerance,
+                                                              kReferenceSteps, options_.pinnedOriginal},
+                                             job);
   const size_t grain = original_.vertexCount() > kSideBySide ? kThicknesses : 1;
   parallelFor(kThicknesses, grain, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
       ShellVibration& reference = reference_[k];
       reference =
-          isHuge
-              ? vibrateCoarsely(original_, {thicknessOf(k), options_.material.poisson}, options_, job)
-              : shell->follow(original_,
-                              {last_[k].thickness, last_[k].lambda, carriedToOriginal(mesh, last_[k])}, job);
-      const Eigen::Index count = std::min<Eigen::Index>(reference.lambda.size(), options_.modeCount);
+          isHuge ? vibrateCoarsely(original_, {thicknessOf(k), options_.material.poisson}, modesAt(k),
+                                   options_, job)
+                 : shell->follow(original_,
+                                 {last_[k].thickness, last_[k].lambda, carriedToOriginal(mesh, last_[k])},
+                                 modesAt(k), job);
+      const Eigen::Index count = std::min<Eigen::Index>(reference.lambda.size(), modesAt(k));
       reference.lambda.conservativeResize(count);
       reference.phi = massNormalised(reference.phi.topLeftCorner(rootMass_.size(), count), rootMass_);
     }
@@ -173,8 +175,9 @@ ModalTarget::Aligned ModalTarget::align(const ShellVibration& found, const Eigen
 
 Mismatch ModalTarget::compare(const TriangleMesh& mesh, size_t thickness, Job& job) {
   ShellVibration& found = last_[thickness];
-  found = found.lambda.size() > 0 ? shell_.follow(mesh, found, job)
-                                  : shell_.solve(mesh, thicknessOf(thickness), job);
+  found = found.lambda.size() > 0
+              ? shell_.follow(mesh, found, modesAt(thickness) + kMargin, job)
+              : shell_.solve(mesh, thicknessOf(thickness), modesAt(thickness) + kMargin, job);
   const Aligned aligned = align(found, massNormalised(carriedToOriginal(mesh, found), rootMass_), thickness);
   Mismatch mismatch;
   const auto [pairs, scale] =

@@ -27,7 +27,7 @@ struct Mismatch {
 
 struct ModalTargetOptions {
   ShellMaterial material;  // of the middle thickness
-  int modeCount = 16;
+  int modeCount = 20;
   std::span<const uint32_t> pinnedOriginal = {}, pinned = {};  // vertices of the original and of the mesh
 };
 
@@ -65,6 +65,8 @@ class ModalTarget {
 
  private:
   static constexpr size_t kMiddle = 1;
+  // All that are fitted at the middle thickness, the first ten at the others.
+  int modesAt(size_t k) const;
   double thicknessOf(size_t k) const;
   void findReference(const TriangleMesh& mesh, Job& job);
   // Shapes of the mesh at the original's vertices.

@@ -30,18 +30,21 @@ StiffnessModel VibratingShell::modelOf(const TriangleMesh& mesh, double thicknes
   return model;
 }
 
-ShellVibration VibratingShell::solve(const TriangleMesh& mesh, double thickness, Job& job) const {
+ShellVibration VibratingShell::solve(const TriangleMesh& mesh, double thickness, int modeCount,
+                                     Job& job) const {
   const StiffnessModel model = modelOf(mesh, thickness);
   const bool isHeld = !held_.empty();
   const EigenPairs pairs = solveEigenproblem(model,
-                                             {options_.modeCount + kSpareModes, isHeld ? 0 : kRigidMotions,
+                                             {modeCount + kSpareModes, isHeld ? 0 : kRigidMotions,
                                               roughFirstEigenvalue(thickness, isHeld), structure_},
                                              job);
   return {thickness, pairs.lambda, pairs.phi};
 }
 
-ShellVibration VibratingShell::follow(const TriangleMesh& mesh, const ShellVibration& start, Job& job) const {
-  if (start.lambda.size() == 0 || unknownCount() <= kFewUnknowns) return solve(mesh, start.thickness, job);
+ShellVibration VibratingShell::follow(const TriangleMesh& mesh, const ShellVibration& start, int modeCount,
+                                      Job& job) const {
+  if (start.lambda.size() == 0 || unknownCount() <= kFewUnknowns)
+    return solve(mesh, start.thickness, modeCount, job);
   const StiffnessModel model = modelOf(mesh, start.thickness);
   const int rigid = held_.empty() ? kRigidMotions : 0;
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(unknownCount(), rigid + start.phi.cols());
@@ -53,7 +56,7 @@ ShellVibration VibratingShell::follow(const TriangleMesh& mesh, const ShellVibra
   refine.shift = -0.5 * start.lambda[0];
   refine.tolerance = options_.tolerance;
   refine.elasticCount = static_cast<int>(start.phi.cols());
-  refine.spareCount = std::max(0, refine.elasticCount - options_.modeCount);
+  refine.spareCount = std::max(0, refine.elasticCount - modeCount);
   refine.largestStepCount = options_.largestStepCount;
   refine.residuals = false;
   refine.structure = structure_;

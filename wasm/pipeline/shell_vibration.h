@@ -22,7 +22,6 @@ struct ShellVibration {
 
 struct VibrationOptions {
   double poisson = 0.3;
-  int modeCount = 16;       // some more are found, which are less exact
   double tolerance = 1e-3;  // on the relative error of eigenvalues, where a start is followed
   int largestStepCount = 4;
   std::span<const uint32_t> pinned = {};  // vertices; they must leave no rigid motion free
@@ -36,11 +35,12 @@ class VibratingShell {
   VibratingShell(const TriangleMesh& mesh, const Topology& topology, const VibrationOptions& options,
                  const Job& job);
 
-  ShellVibration solve(const TriangleMesh& mesh, double thickness, Job& job) const;
+  // Some more than `modeCount` elastic modes are found, which are less exact.
+  ShellVibration solve(const TriangleMesh& mesh, double thickness, int modeCount, Job& job) const;
 
   // By inverse iteration from the vibration of nearly the same mesh, at the start's thickness. Finds what the
-  // start approximates, and as many modes.
-  ShellVibration follow(const TriangleMesh& mesh, const ShellVibration& start, Job& job) const;
+  // start approximates, and as many modes, of which `modeCount` are exact.
+  ShellVibration follow(const TriangleMesh& mesh, const ShellVibration& start, int modeCount, Job& job) const;
 
   // The shell's unknowns: displacements, then rotations of edges.
   Eigen::Index unknownCount() const { return structure_->unknownCount; }
