@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "mesh/manifold.h"
-#include "mesh/orientation.h"
 
 namespace limber {
 namespace {
@@ -119,9 +118,8 @@ Lines findLines(const TriangleMesh& mesh, const Topology& topology, const Wishes
     if (held) role.freedom = std::max(role.freedom, Freedom::Anchored);
     lines.roles.push_back(role);
   }
-  const auto clashes = findClashes(mesh, topology);
   for (size_t e = 0; e < topology.edges.size(); ++e)
-    if (clashes[e])
+    if (topology.clashes[e])
       for (const uint32_t v : {topology.edges[e].a, topology.edges[e].b})
         lines.roles[v].freedom = Freedom::Locked;
   return lines;

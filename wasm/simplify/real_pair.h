@@ -45,6 +45,10 @@ template <class Real>
 Real dot(const Point<Real>& a, const Point<Real>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+template <class Real>
+Point<Real> cross(const Point<Real>& a, const Point<Real>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 
 inline Point<double> asPoint(const Vec3& p) {
   return {p.x, p.y, p.z};
