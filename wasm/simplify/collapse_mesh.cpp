@@ -21,16 +21,13 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
   if (diagonal_ > 0) rounder_ = std::ldexp(1.5, 52 - 30 + std::ilogb(diagonal_));
   for (int axis = 0; axis < 3; ++axis)
     origin_[axis] = static_cast<float>(0.5 * box.low[axis] + 0.5 * box.high[axis]);
-  vertices_.resize(mesh.vertexCount());
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) vertices_[v].position = mesh.positions[v] - origin_;
-
   faces_.resize(mesh.triangleCount());
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     faces_[t].vertices = mesh.triangles[t];
     std::copy_n(&topology.edgeOfCorner[3 * t], 3, faces_[t].edges.begin());
   }
-  collectStars(topology);
   const Lines lines = findLines(mesh, topology, wishes);
+  collectVertices(mesh, topology, lines);
   if (!wishes.wedges.empty() || !wishes.attributes.empty()) {
     sectorOfCorner_ = findSectors(mesh, topology, lines);
     heirOfSector_.assign(sectorOfCorner_.empty() ? 0 : std::ranges::max(sectorOfCorner_) + 1, kNone);
@@ -41,18 +38,20 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
                       .heir = kNone,
                       .triangles = static_cast<uint8_t>(std::min(edge.useCount, 3u)),
                       .isLine = lines.isLine[edges_.size()]});
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) vertices_[v].role = lines.roles[v];
   collectQuadrics();
 }
 
-void CollapseMesh::collectStars(const Topology& topology) {
-  pool_.reserve(4 * topology.vertexCorners.size() + vertices_.size());
-  for (uint32_t v = 0; v < vertexCount(); ++v) {
+void CollapseMesh::collectVertices(const TriangleMesh& mesh, const Topology& topology, const Lines& lines) {
+  vertices_.reserve(mesh.vertexCount());
+  pool_.reserve(4 * topology.vertexCorners.size() + mesh.vertexCount());
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     const auto corners = topology.cornersAt(v);
     const auto count = static_cast<uint32_t>(corners.size());
     pool_.push_back(count);
-    vertices_[v].star = {static_cast<uint32_t>(pool_.size()), count};
-    pool_.insert(pool_.end(), corners.begin(), corners.end());
+    vertices_.push_back({.position = mesh.positions[v] - origin_,
+                         .star = {static_cast<uint32_t>(pool_.size()), count},
+                         .role = lines.roles[v]});
+    for (const Corner corner : corners) pool_.push_back(corner);
   }
 }
 

@@ -145,7 +145,7 @@ class CollapseMesh {
     bool isMarked = false;
   };
 
-  void collectStars(const Topology& topology);
+  void collectVertices(const TriangleMesh& mesh, const Topology& topology, const Lines& lines);
   void collectQuadrics();
   bool isOn(const Face& face, uint32_t edge) const;
   void bequeath(uint32_t dying, uint32_t heir);
