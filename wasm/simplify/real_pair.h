@@ -1,5 +1,9 @@
 #pragma once
 
+#ifdef __wasm_simd128__
+#include <wasm_simd128.h>
+#endif
+
 #include "base/vec3.h"
 
 namespace limber {
@@ -19,8 +23,13 @@ inline double asFloat(double x) {
   return nearest;
 }
 inline RealPair asFloat(RealPair x) {
+#ifdef __wasm_simd128__
+  // Clang takes the lanes apart if it is not told how.
+  return RealPair(wasm_f64x2_promote_low_f32x4(wasm_f32x4_demote_f64x2_zero(v128_t(x))));
+#else
   using FloatPair = float __attribute__((vector_size(8)));
   return __builtin_convertvector(__builtin_convertvector(x, FloatPair), RealPair);
+#endif
 }
 
 // A point whose coordinates are doubles or pairs.
