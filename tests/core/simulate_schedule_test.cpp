@@ -27,7 +27,7 @@ TEST(Schedule, everyItemRunsOnceInARepeatAndAfterTheStageBefore) {
                           for (const int times : ran[before]) disorder += times != expected;
                           for (size_t i = begin; i < end; ++i) disorder += ran[s][i]++ != repeat;
                         }});
-    runStages(stages, repeats, threads > 1, Job());
+    runStages({{}, stages, {}, repeats}, threads > 1, Job());
     EXPECT_EQ(disorder, 0);
     for (const auto& stage : ran)
       for (const int times : stage) EXPECT_EQ(times, repeats);
@@ -44,7 +44,7 @@ TEST(Schedule, aCancelledRunEndsEarlyOnAnyNumberOfThreads) {
                                           ++ran;
                                           if (repeat == 10) job.requestCancel();
                                         }}};
-    EXPECT_THROW(runStages(stages, 1000, threads > 1, job), Cancelled);
+    EXPECT_THROW(runStages({{}, stages, {}, 1000}, threads > 1, job), Cancelled);
     EXPECT_LT(ran, 20 * 16);
   }
   setThreadCount(1);

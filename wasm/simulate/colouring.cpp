@@ -45,29 +45,38 @@ class UsedColours {
   std::vector<std::vector<uint64_t>> words_;
 };
 
+// Batches of the constraints of one colour, `members`, in their order.
+void appendBatches(const std::vector<uint32_t>& members, std::vector<Colouring::Batch>& batches) {
+  for (size_t first = 0; first < members.size(); first += 4) {
+    Colouring::Batch batch = {kNone, kNone, kNone, kNone};
+    for (size_t k = 0; k < 4 && first + k < members.size(); ++k) batch[k] = members[first + k];
+    batches.push_back(batch);
+  }
+}
+
 }  // namespace
 
-Colouring colour(std::span<const uint32_t> vertices, uint32_t stride, uint32_t vertexCount, uint32_t order) {
+Colouring colour(std::span<const uint32_t> vertices, uint32_t stride, const Blocks& blocks, uint32_t order) {
   const auto count = static_cast<uint32_t>(vertices.size() / stride);
-  UsedColours used(vertexCount);
-  std::vector<std::vector<uint32_t>> members;
+  const auto vertexCount = static_cast<uint32_t>(blocks.blockOf.size());
+  UsedColours inBlocks(vertexCount), onBorders(vertexCount);
+  std::vector<std::vector<std::vector<uint32_t>>> members(blocks.groupCount());  // by group and colour
   for (const uint32_t i : visitingOrder(count, order)) {
     const auto own = vertices.subspan(size_t{i} * stride, stride);
+    const uint32_t group = blocks.groupOf(own);
+    UsedColours& used = group < blocks.count() ? inBlocks : onBorders;
     const uint32_t colour = used.firstFree(own);
     used.use(own, colour);
-    if (colour >= members.size()) members.resize(colour + 1);
-    members[colour].push_back(i);
+    auto& colours = members[group];
+    if (colour >= colours.size()) colours.resize(colour + 1);
+    colours[colour].push_back(i);
   }
   Colouring colouring;
-  for (const auto& colour : members) {
-    colouring.colourStart.push_back(static_cast<uint32_t>(colouring.batches.size()));
-    for (size_t first = 0; first < colour.size(); first += 4) {
-      Colouring::Batch batch = {kNone, kNone, kNone, kNone};
-      for (size_t k = 0; k < 4 && first + k < colour.size(); ++k) batch[k] = colour[first + k];
-      colouring.batches.push_back(batch);
-    }
+  for (const auto& colours : members) {
+    colouring.groupStart.push_back(static_cast<uint32_t>(colouring.batches.size()));
+    for (const auto& ofColour : colours) appendBatches(ofColour, colouring.batches);
   }
-  colouring.colourStart.push_back(static_cast<uint32_t>(colouring.batches.size()));
+  colouring.groupStart.push_back(static_cast<uint32_t>(colouring.batches.size()));
   return colouring;
 }
 

@@ -21,29 +21,30 @@ double distanceToAxis(const Vec3& point, const Collider& collider) {
 
 }  // namespace
 
-void Contacts::rebase(const Particles& particles, const Obstacles& obstacles, double reach, int substeps) {
-  contacts_.clear();
-  friction_ = static_cast<float>(obstacles.friction);
-  for (uint32_t v = 0; v < particles.count(); ++v) {
+void Contacts::rebase(const Particles& particles, const Obstacles& obstacles, const ContactReach& reach,
+                      size_t block) {
+  contacts_[block].clear();
+  if (obstacles.empty()) return;
+  for (uint32_t v = blocks_.start[block]; v < blocks_.start[block + 1]; ++v) {
     if (particles.inverseMass[v] == 0) continue;
     const Vec3& x = particles.positions[v];
     const Float4 q = particles.motion[v].q;
-    const double near = reach + 2 * substeps * std::sqrt(double{dot3(q, q)});
+    const double near = reach.reach + 2 * reach.substeps * std::sqrt(double{dot3(q, q)});
     if (obstacles.ground && x.y - *obstacles.ground < near)
-      contacts_.push_back({v, true, toFloat4({0, x.y - *obstacles.ground, 0}), Float4{}, 0, 0});
+      contacts_[block].push_back({v, true, toFloat4({0, x.y - *obstacles.ground, 0}), Float4{}, 0, 0});
     for (const Collider& collider : obstacles.colliders) {
       if (distanceToAxis(x, collider) > collider.radius + near) continue;
       const Vec3 axis = collider.to - collider.from;
       const double squared = squaredLength(axis);
-      contacts_.push_back({v, false, toFloat4(x - collider.from), toFloat4(axis),
-                           squared > 0 ? static_cast<float>(1 / squared) : 0.0f,
-                           static_cast<float>(collider.radius)});
+      contacts_[block].push_back({v, false, toFloat4(x - collider.from), toFloat4(axis),
+                                  squared > 0 ? static_cast<float>(1 / squared) : 0.0f,
+                                  static_cast<float>(collider.radius)});
     }
   }
 }
 
-void Contacts::project(Particles& particles) const {
-  for (const Contact& contact : contacts_) {
+void Contacts::project(Particles& particles, float friction, size_t block) const {
+  for (const Contact& contact : contacts_[block]) {
     Motion& motion = particles.motion[contact.vertex];
     Float4 normal = {0, 1, 0, 0};
     const Float4 place = contact.base + (motion.u + motion.q);
@@ -59,7 +60,7 @@ void Contacts::project(Particles& particles) const {
     motion.q += splat(depth) * normal;
     const Float4 sliding = motion.q - splat(dot3(motion.q, normal)) * normal;
     const float slid = std::sqrt(dot3(sliding, sliding));
-    if (slid > 0) motion.q -= splat(std::min(1.0f, friction_ * depth / slid)) * sliding;
+    if (slid > 0) motion.q -= splat(std::min(1.0f, friction * depth / slid)) * sliding;
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "mesh/topology.h"
 #include "simulate/bending_constraints.h"
+#include "simulate/blocks.h"
 #include "simulate/contacts.h"
 #include "simulate/edge_constraints.h"
 #include "simulate/membrane_constraints.h"
@@ -30,8 +31,12 @@ struct Simulation::State {
   double elasticEnergy() const;
 
   SimulationOptions options;
-  TriangleMesh mesh;  // at rest, in metres
+  // Vertices have numbers of their own within, so that blocks are ranges: slotOf[vertex].
+  uint32_t blockCount;
+  std::vector<uint32_t> slotOf;
+  TriangleMesh mesh;  // at rest, in metres, by slots
   Topology topology;
+  Blocks blocks;
   double substep;              // seconds
   std::vector<double> masses;  // kg
   bool closed;                 // no border
@@ -43,7 +48,7 @@ struct Simulation::State {
   Contacts contacts;
   std::optional<SelfContacts> selfContacts;
   Obstacles obstacles;
-  Pins pins;
+  Pins pins;  // slots
   PointConstraints heldPoints;
   std::vector<Vec3> pinTargets;  // at the end of the step
   std::vector<Vec3> pinStarts;   // of points, at its start
@@ -55,13 +60,22 @@ struct Simulation::State {
   void makeParticles();
   void makeConstraints();
   void makePins();
-  template <class Constraints>
-  void addStages(Constraints& constraints);
+  template <class Visit>
+  void forEachKind(Visit visit);
+  void startBlock(size_t block);
+  void startGroup(size_t group);
+  void projectGroup(size_t group);
+  void advanceBlock(size_t block, const Advance& what);
+  void finishBlock(size_t block);
   void makeStages();
-  void setAccelerations();
   void startPins();
+  void blow();
 
-  std::vector<Stage> rebasing_, substepping_;
+  std::vector<size_t> edgeStart_;  // of blocks
+  Schedule schedule_;
+  size_t pointStage_ = 0, contactStage_ = 0;  // of those that are repeated
+  std::vector<Vec3> blown_;                   // accelerations by wind; empty without
+  ContactReach contactReach_;
   ThreadChoice threadChoice_;
 };
 
