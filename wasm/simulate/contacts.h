@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simulate/blocks.h"
+#include "simulate/contact_surface.h"
 #include "simulate/particles.h"
 #include "simulate/simulation.h"
 
@@ -43,9 +44,7 @@ class Contacts {
     uint32_t vertex;
     bool flat;    // the ground: the obstacle lies where y is below 0
     Float4 base;  // of the vertex, from the start of the axis (or the floor), at the start of the step
-    Float4 axis;  // of a capsule; 0 of a ball
-    float inverseSquare;  // 1 / |axis|^2, 0 of a ball
-    float radius;
+    ContactSurface surface;
   };
   const Blocks& blocks_;
   std::vector<std::vector<Contact>> contacts_;  // by block

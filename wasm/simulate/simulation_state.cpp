@@ -98,6 +98,7 @@ Simulation::State::State(const TriangleMesh& source, const SimulationOptions& gi
       masses(lumpedMasses(mesh, given.density * given.thickness * given.unit)),
       closed(hasNoBorder(topology)),
       contacts(blocks),
+      triangleContacts(mesh, blocks),
       pins(givenPins),
       edgeStart_(edgeStarts(topology, blocks)),
       contactReach_{kContactReach * bounds(mesh).diagonal(), given.substeps} {
@@ -180,6 +181,7 @@ void Simulation::State::startBlock(size_t block) {
 
 void Simulation::State::startGroup(size_t group) {
   if (group < blockCount) startBlock(group);
+  triangleContacts.rebase(particles, obstacles, contactReach_, group);
   forEachKind([&](auto& constraints) {
     const auto& start = constraints.colouring().groupStart;
     constraints.rebase(particles, start[group], start[group + 1]);
@@ -189,6 +191,12 @@ void Simulation::State::startGroup(size_t group) {
 void Simulation::State::finishBlock(size_t block) {
   advanceBlock(block, {true, false});
   finishStep(particles, blocks.start[block], blocks.start[block + 1]);
+}
+
+void Simulation::State::projectContacts(size_t group) {
+  const auto friction = static_cast<float>(obstacles.friction);
+  if (group < blockCount) contacts.project(particles, friction, group);
+  triangleContacts.project(particles, friction, group);
 }
 
 // Constraints are solved block by block and then border by border; pins and contacts have the last word.
@@ -217,9 +225,8 @@ void Simulation::State::makeStages() {
     if (selfContacts) selfContacts->project(particles);
   }));
   contactStage_ = repeated.size();
-  repeated.push_back(stageOf(blockCount, [this](size_t block, int) {
-    contacts.project(particles, static_cast<float>(obstacles.friction), block);
-  }));
+  repeated.push_back(stageOf(blockCount, [this](size_t block, int) { projectContacts(block); }));
+  repeated.push_back(stageOf(borderCount, [this](size_t i, int) { projectContacts(blockCount + i); }));
   schedule_.after.push_back(stageOf(blockCount, [this](size_t block, int) { finishBlock(block); }));
 }
 
@@ -254,6 +261,7 @@ void Simulation::State::step(const Job& job) {
   if (selfContacts) selfContacts->rebase(particles, options.substeps);
   schedule_.repeated[pointStage_].count = heldPoints.count() || dragged.count() || selfContacts ? 1 : 0;
   schedule_.repeated[contactStage_].count = obstacles.empty() ? 0 : blockCount;
+  schedule_.repeated[contactStage_ + 1].count = obstacles.colliders.empty() ? 0 : blocks.borderCount;
   runStages(schedule_, threaded, job);
   for (size_t i = 0; i < pins.vertices.size(); ++i) particles.positions[pins.vertices[i]] = pinTargets[i];
   threadChoice_.tell(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

@@ -14,6 +14,7 @@
 #include "simulate/schedule.h"
 #include "simulate/self_contacts.h"
 #include "simulate/simulation.h"
+#include "simulate/triangle_contacts.h"
 #include "simulate/volume_constraints.h"
 
 namespace limber {
@@ -46,6 +47,7 @@ struct Simulation::State {
   std::optional<BendingConstraints> bending;
   std::optional<VolumeConstraints> volume;
   Contacts contacts;
+  TriangleContacts triangleContacts;
   std::optional<SelfContacts> selfContacts;
   Obstacles obstacles;
   Pins pins;  // slots
@@ -63,6 +65,7 @@ struct Simulation::State {
   template <class Visit>
   void forEachKind(Visit visit);
   void startBlock(size_t block);
+  void projectContacts(size_t group);
   void startGroup(size_t group);
   void projectGroup(size_t group);
   void advanceBlock(size_t block, const Advance& what);
