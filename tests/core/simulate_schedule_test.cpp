@@ -50,6 +50,34 @@ TEST(Schedule, aCancelledRunEndsEarlyOnAnyNumberOfThreads) {
   setThreadCount(1);
 }
 
+TEST(Helpers, whoHasNothingLeftTakesPartAndEveryItemStillRunsOnceInARepeat) {
+  for (const int threads : {1, 2, 4}) {
+    setThreadCount(threads);
+    const int repeats = 200;
+    std::vector<std::vector<int>> ran(2, std::vector<int>(24, 0));
+    std::atomic<int> disorder = 0;
+    const auto scheduleOf = [&](std::vector<int>& items) {
+      const auto count = [&](size_t begin, size_t end, int repeat) {
+        for (size_t i = begin; i < end; ++i) disorder += items[i]++ != 2 * repeat;
+      };
+      const auto countAgain = [&](size_t begin, size_t end, int repeat) {
+        for (size_t i = begin; i < end; ++i) disorder += items[(i + 7) % 24]++ != 2 * repeat + 1;
+      };
+      return Schedule{{}, {{24, 1, count}, {24, 5, countAgain}}, {}, repeats};
+    };
+    Helpers helpers(ran.size());
+    parallelFor(ran.size() + 3, 1, [&](size_t i, size_t) {
+      if (i >= ran.size()) return helpers.help();
+      helpers.run(scheduleOf(ran[i]), Job());
+      helpers.endTask();
+    });
+    EXPECT_EQ(disorder, 0);
+    for (const auto& items : ran)
+      for (const int times : items) EXPECT_EQ(times, 2 * repeats);
+  }
+  setThreadCount(1);
+}
+
 // Steps of which `threaded(step)` and `serial(step)` seconds pass; returns the seconds of all.
 template <class Threaded, class Serial>
 double passed(ThreadChoice& choice, int steps, Threaded threaded, Serial serial) {

@@ -15,6 +15,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 // Loads between two looks at the clock; each takes a nanosecond or less.
 constexpr int kSpins = 2000;
 // After so much waiting, for a long stage or for a thread that has lost its core, a thread naps.
@@ -31,11 +35,13 @@ class Chunks {
     claims_ = std::vector<std::atomic<int>>(chunkCount_);
   }
 
-  void work(size_t thread) {
-    Place place = {thread, 0, 0};
+  // Returns the seconds that it has waited for other threads.
+  double work(size_t thread) {
+    Place place = {thread, 0, 0, 0};
     workThrough(schedule_.before, 1, place);
     workThrough(schedule_.repeated, schedule_.repeats, place);
     workThrough(schedule_.after, 1, place);
+    return place.waited;
   }
 
  private:
@@ -44,6 +50,7 @@ class Chunks {
   struct Place {
     size_t thread, firstChunk;
     uint64_t ended;
+    double waited;  // seconds
   };
   static size_t chunksOf(const Stage& stage) { return (stage.count + stage.grain - 1) / stage.grain; }
 
@@ -58,7 +65,7 @@ class Chunks {
           if (const uint64_t done = workOn(stage, repeat, place))
             ended_.fetch_add(done, std::memory_order_release);
           if (job_.cancelRequested()) abandoned_ = true;
-          waitFor(place.ended);
+          place.waited += waitFor(place.ended);
         }
         place.firstChunk += chunksOf(stage);
       }
@@ -89,14 +96,15 @@ class Chunks {
            claims.compare_exchange_strong(expected, repeat + 1, std::memory_order_relaxed);
   }
 
-  // Until so many chunks have ended.
-  void waitFor(uint64_t ended) const {
+  // Until so many chunks have ended. Returns the seconds that took.
+  double waitFor(uint64_t ended) const {
     const auto hasEnded = [&] { return ended_.load(std::memory_order_acquire) >= ended || abandoned_; };
-    for (int spins = 0; spins < kSpins; ++spins)
-      if (hasEnded()) return;
+    if (hasEnded()) return 0;
     const auto start = Clock::now();
+    for (int spins = 0; spins < kSpins && !hasEnded();) ++spins;
     while (!hasEnded())
       if (Clock::now() - start > kSpinning) std::this_thread::sleep_for(kNap);
+    return secondsSince(start);
   }
 
   const Schedule& schedule_;
@@ -128,6 +136,58 @@ void runStages(const Schedule& schedule, bool threaded, const Job& job) {
   runAlone(schedule.before, 1, job);
   runAlone(schedule.repeated, schedule.repeats, job);
   runAlone(schedule.after, 1, job);
+}
+
+struct Helpers::Run {
+  Chunks& chunks;
+  size_t inside = 0;   // helpers
+  double seconds = 0;  // of theirs
+};
+
+double Helpers::run(const Schedule& schedule, const Job& job) {
+  Chunks chunks(schedule, job);
+  Run run = {chunks};
+  {
+    const std::lock_guard lock(mutex_);
+    runs_.push_back(&run);
+  }
+  changed_.notify_all();
+  const double waited = chunks.work(0);
+  {
+    std::unique_lock lock(mutex_);
+    std::erase(runs_, &run);
+    changed_.wait(lock, [&] { return run.inside == 0; });
+  }
+  job.check();
+  return run.seconds - waited;
+}
+
+void Helpers::endTask() {
+  {
+    const std::lock_guard lock(mutex_);
+    --tasksLeft_;
+  }
+  changed_.notify_all();
+}
+
+void Helpers::help() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    changed_.wait(lock, [&] { return tasksLeft_ == 0 || !runs_.empty(); });
+    if (tasksLeft_ == 0) return;
+    Run& run = **std::min_element(runs_.begin(), runs_.end(),
+                                  [](const Run* a, const Run* b) { return a->inside < b->inside; });
+    ++run.inside;
+    const size_t thread = run.inside % static_cast<size_t>(threadCount());
+    lock.unlock();
+    const auto start = Clock::now();
+    const double waited = run.chunks.work(thread);
+    const double seconds = secondsSince(start) - waited;
+    lock.lock();
+    run.seconds += seconds;
+    --run.inside;
+    changed_.notify_all();
+  }
 }
 
 void ThreadChoice::tell(double seconds) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <mutex>
 #include <vector>
 
 #include "base/job.h"
@@ -27,6 +29,29 @@ struct Schedule {
 // of some microseconds would not pay for sleeping threads. Throws Cancelled, with the stages left at some
 // chunk in between. Bodies must not throw.
 void runStages(const Schedule& schedule, bool threaded, const Job& job);
+
+// Lets threads that have nothing left of their own take part in what others run. Made for `taskCount` tasks;
+// each calls `endTask` once, however it ends.
+class Helpers {
+ public:
+  explicit Helpers(size_t taskCount) : tasksLeft_(taskCount) {}
+
+  // Runs a schedule on this thread and on all that help meanwhile. Returns the seconds that these have worked
+  // on it, less those that this thread has waited for them: what it would have taken alone, roughly, less
+  // what it has. Throws Cancelled.
+  double run(const Schedule& schedule, const Job& job);
+  void endTask();
+  // Helps whatever run has the fewest helpers, until all tasks have ended.
+  void help();
+
+ private:
+  struct Run;
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<Run*> runs_;  // open ones
+  size_t tasksLeft_;
+};
 
 // Chooses between one thread and all by what steps take: where other programs use the cores, threads wait for
 // each other, and one is faster. The other choice is tried now and then, more often after it has won, and at

@@ -50,8 +50,12 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-void Simulation::step(const Job& job) {
-  state_->step(job);
+void Simulation::step(const Job& job, Helpers* helpers) {
+  state_->step(job, helpers);
+}
+
+double Simulation::helpedSeconds() const {
+  return state_->helpedSeconds;
 }
 
 uint32_t Simulation::vertexCount() const {

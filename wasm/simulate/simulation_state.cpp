@@ -253,16 +253,20 @@ void Simulation::State::startPins() {
   }
 }
 
-void Simulation::State::step(const Job& job) {
+void Simulation::State::step(const Job& job, Helpers* helpers) {
   const bool threaded = blockCount > 1 && threadCount() > 1 && threadChoice_.threaded();
   const auto start = std::chrono::steady_clock::now();
+  helpedSeconds = 0;
   blow();
   startPins();
   if (selfContacts) selfContacts->rebase(particles, options.substeps);
   schedule_.repeated[pointStage_].count = heldPoints.count() || dragged.count() || selfContacts ? 1 : 0;
   schedule_.repeated[contactStage_].count = obstacles.empty() ? 0 : blockCount;
   schedule_.repeated[contactStage_ + 1].count = obstacles.colliders.empty() ? 0 : blocks.borderCount;
-  runStages(schedule_, threaded, job);
+  if (threaded && helpers)
+    helpedSeconds = helpers->run(schedule_, job);
+  else
+    runStages(schedule_, threaded, job);
   for (size_t i = 0; i < pins.vertices.size(); ++i) particles.positions[pins.vertices[i]] = pinTargets[i];
   threadChoice_.tell(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }

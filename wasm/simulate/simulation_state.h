@@ -25,7 +25,7 @@ struct Simulation::State {
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
-  void step(const Job& job);
+  void step(const Job& job, Helpers* helpers);
   std::vector<Vec3> velocities() const;
   Vec3 velocity(uint32_t v) const;
   uint32_t constraintCount() const;
@@ -57,6 +57,7 @@ struct Simulation::State {
   PointConstraints dragged;      // none or one
   Vec3 dragTarget;
   Vec3 gravity, wind;
+  double helpedSeconds = 0;  // of the last step
 
  private:
   void makeParticles();
