@@ -13,6 +13,9 @@ constexpr int kRounds = 4;
 // A corner moves at most this many times as far as the point it carries, whatever else is pinned.
 constexpr float kMostLeverage = 10;
 
+// Of a triangle's longest edge within a step, for leaving out triangles that are too far away.
+constexpr double kMostStretch = 1.25;
+
 using Shares = std::array<float, 3>;
 
 Float4 pointAt(const Float4 (&corner)[3], const Shares& share) {
@@ -122,7 +125,7 @@ void TriangleContacts::addContacts(const Particles& particles, const Collider& c
   const ContactSurface surface = surfaceOf(collider);
   for (const auto& [corner, longest] : groups_[group].candidates) {
     if (longest <= kLeastEdge * collider.radius) continue;
-    Contact contact = {corner, {}, {}, surface};
+    Contact contact = {corner, {}, {}, surface, 0};
     float heaviest = 0;
     double farthest = 0;
     const Vec3& origin = particles.positions[corner[0]];
@@ -133,6 +136,7 @@ void TriangleContacts::addContacts(const Particles& particles, const Collider& c
       heaviest = std::max(heaviest, contact.weight[c]);
       farthest = std::max(farthest, length(place - origin));
     }
+    contact.reach = static_cast<float>(collider.radius + kMostStretch * farthest);
     if (heaviest > 0 && distanceToAxis(origin, collider) < collider.radius + near + farthest)
       contacts_[group].push_back(contact);
   }
@@ -146,6 +150,8 @@ void TriangleContacts::project(Particles& particles, float friction, size_t grou
       motion[c] = &particles.motion[contact.corner[c]];
       place[c] = contact.base[c] + (motion[c]->u + motion[c]->q);
     }
+    const Float4 fromAxis = place[0] - contact.surface.nearestOnAxis(place[0]);
+    if (dot3(fromAxis, fromAxis) > contact.reach * contact.reach) continue;
     const Shares share = nearestShares(place, contact.surface, outwards);
     const float squared = dot3(outwards, outwards), radius = contact.surface.radius;
     if (squared >= radius * radius || !(squared > 0)) continue;

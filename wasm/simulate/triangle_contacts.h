@@ -44,6 +44,7 @@ class TriangleContacts {
     Float4 base[3];  // of the corners, from the start of the axis, at the start of the step
     float weight[3];
     ContactSurface surface;
+    float reach;  // corner 0 is nearer to the axis than this, in metres, where the triangle touches
   };
   void addContacts(const Particles& particles, const Collider& collider, double near, size_t group);
 
