@@ -33,9 +33,9 @@ void forEachLane(const Colouring& colouring, Set set) {
 }
 
 // Constraint i has the vertices vertices[i * stride .. (i + 1) * stride); kNone is none. Greedy: each
-// constraint takes the first colour of its group that none of its vertices has, and the batches of a group
-// come colour by colour. `order` 0 visits the constraints as they come, any other number in an order of its
-// own.
+// constraint takes the first colour of its group that none of its vertices has. The batches of a group come
+// colour by colour; of a body that is cut, what these leave over comes last, in batches of several colours.
+// `order` 0 visits the constraints as they come, any other number in an order of its own.
 Colouring colour(std::span<const uint32_t> vertices, uint32_t stride, const Blocks& blocks, uint32_t order);
 
 }  // namespace limber

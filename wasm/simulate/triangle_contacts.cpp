@@ -116,18 +116,18 @@ void TriangleContacts::rebase(const Particles& particles, const Obstacles& obsta
   for (const Collider& collider : obstacles.colliders) {
     if (groups_[group].longest <= kLeastEdge * collider.radius) continue;
     if (distanceToAxis(center, collider) > collider.radius + near + 0.5 * extent.box.diagonal()) continue;
-    addContacts(particles, collider, near, group);
+    addContacts(particles, collider, reach, group);
   }
 }
 
-void TriangleContacts::addContacts(const Particles& particles, const Collider& collider, double near,
-                                   size_t group) {
+void TriangleContacts::addContacts(const Particles& particles, const Collider& collider,
+                                   const ContactReach& reach, size_t group) {
   const ContactSurface surface = surfaceOf(collider);
   for (const auto& [corner, longest] : groups_[group].candidates) {
     if (longest <= kLeastEdge * collider.radius) continue;
     Contact contact = {corner, {}, {}, surface, 0};
     float heaviest = 0;
-    double farthest = 0;
+    double farthest = 0, fastest = 0;
     const Vec3& origin = particles.positions[corner[0]];
     for (int c = 0; c < 3; ++c) {
       const Vec3& place = particles.positions[corner[c]];
@@ -135,7 +135,10 @@ void TriangleContacts::addContacts(const Particles& particles, const Collider& c
       contact.weight[c] = static_cast<float>(particles.inverseMass[corner[c]]);
       heaviest = std::max(heaviest, contact.weight[c]);
       farthest = std::max(farthest, length(place - origin));
+      const Float4 q = particles.motion[corner[c]].q;
+      fastest = std::max(fastest, double{dot3(q, q)});
     }
+    const double near = reach.reach + 2 * reach.substeps * std::sqrt(fastest);
     contact.reach = static_cast<float>(collider.radius + kMostStretch * farthest);
     if (heaviest > 0 && distanceToAxis(origin, collider) < collider.radius + near + farthest)
       contacts_[group].push_back(contact);

@@ -46,7 +46,8 @@ class TriangleContacts {
     ContactSurface surface;
     float reach;  // corner 0 is nearer to the axis than this, in metres, where the triangle touches
   };
-  void addContacts(const Particles& particles, const Collider& collider, double near, size_t group);
+  void addContacts(const Particles& particles, const Collider& collider, const ContactReach& reach,
+                   size_t group);
 
   std::vector<Group> groups_;
   std::vector<std::vector<Contact>> contacts_;  // by group
