@@ -29,6 +29,10 @@ struct ModalTargetOptions {
   ShellMaterial material;  // of the middle thickness
   int modeCount = 16;
   std::span<const uint32_t> pinnedOriginal = {}, pinned = {};  // vertices of the original and of the mesh
+  // For large meshes: the middle thickness alone, without what couples modes; eigenvalues to a tenth of the
+  // tolerance (there is less to mend); the mesh's first modes by way of a copy with so many vertices.
+  bool isLarge = false;
+  uint32_t coarseVertices = 8000;
 };
 
 // The vibration that a mesh shall have: modes of its original at several thicknesses. Both in the frame where
@@ -37,13 +41,16 @@ class ModalTarget {
  public:
   static constexpr size_t kThicknesses = 3;
 
-  // Keeps a reference to `original`. `mesh`: what will be compared, but for
-  // the places of its vertices.
+  // Keeps a reference to `original`. `mesh`: what will be compared, but for the places of its vertices.
   ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh, const ModalTargetOptions& options,
               Job& job);
 
   // Binds the original's vertices to the mesh, for `compare`.
   void bind(const TriangleMesh& mesh) { binding_ = closestPoints(original_, mesh); }
+
+  // Indices of the thicknesses to compare at, and whether that is best done side by side.
+  std::vector<size_t> thicknesses() const;
+  bool areSideBySide() const { return !options_.isLarge; }
 
   // How far `mesh` is off at one of the thicknesses; a mode counts as far as its MAC is above 0.2, fully from
   // 0.6. Starts from what the last call found. Calls for different thicknesses may run side by side.
