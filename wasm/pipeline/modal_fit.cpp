@@ -26,8 +26,11 @@ constexpr uint32_t kSamplesPerTriangle = 6;
 // diagonal.
 constexpr double kBudget = 1.25, kLeastBudget = 4e-4;
 
-constexpr int kMostRounds = 24, kLargeRounds = 3;
-constexpr double kGoodEnough = 1e-6, kLargeGoodEnough = 4e-8;  // 0.05 and 0.01 % of frequency, squared
+// Of large components: frequencies are off by little, so that residuals are nearly linear and long steps are
+// right.
+constexpr int kLargeRounds = 6;
+constexpr double kLargeGoodEnough = 4e-8;  // 0.01 % of frequency, squared
+constexpr double kLargeHold = 5e-4, kLargeWorth = 3500;
 constexpr uint32_t kLargeSamplesPerTriangle = 2;
 
 // Edges flipped to Delaunay, vertices fitted to the surface.
@@ -100,7 +103,7 @@ double budgetOf(const FitPart& part, const FitSamples& samples) {
 void fitLarge(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   const FitSamples samples = sampleForFit(
       part.original, kLargeSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
-  const SearchLimits limits{budgetOf(part, samples), kLargeRounds, kLargeGoodEnough};
+  const SearchLimits limits{budgetOf(part, samples), kLargeRounds, kLargeGoodEnough, kLargeHold, kLargeWorth};
   const std::optional<Searched> found = searchModes(part, samples, limits, call);
   if (!found) return;
   fitted.errorBefore.push_back(50 * std::sqrt(found->before));
@@ -114,7 +117,7 @@ void fitLarge(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
 void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   const FitSamples samples =
       sampleForFit(part.original, kSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
-  const SearchLimits limits{budgetOf(part, samples), kMostRounds, kGoodEnough};
+  const SearchLimits limits{.budget = budgetOf(part, samples)};
   FitPart plain = part;
   std::vector<uint32_t> corners(3 * size_t{part.simplified.triangleCount()});
   std::iota(corners.begin(), corners.end(), 0u);

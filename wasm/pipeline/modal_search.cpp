@@ -14,12 +14,10 @@ namespace {
 // in so many of them.
 constexpr double kStagnant = 0.9, kLittle = 2e-3;
 constexpr size_t kPatience = 3;
-constexpr double kClip = 0.1;  // of a residual, in a step
-// What a residual may be worth, in squared budgets of distance.
-constexpr double kLeastWorth = 1, kMostWorth = 700;
-constexpr int kHalvings = 30;  // of that range
-// How firmly vertices hold their places: more where a step gains less than foretold.
-constexpr double kFirstHold = 0.01, kLeastHold = 3e-4, kMostHold = 1e5;
+constexpr double kClip = 0.1;      // of a residual, in a step
+constexpr double kLeastWorth = 1;  // of a residual: see SearchLimits::mostWorth
+constexpr int kHalvings = 30;      // of that range
+constexpr double kLeastHold = 3e-4, kMostHold = 1e5;
 constexpr double kPoorGain = 0.3, kGoodGain = 0.7, kFirmer = 3, kLooser = 1.5;
 // A vertex that the guard lets make less than this of its way is held so many times as firmly, as long as
 // that goes on: the others go on without it.
@@ -84,7 +82,7 @@ ModalSearch::ModalSearch(const FitPart& part, const FitSamples& samples, ModalTa
       topology_(buildTopology(part.simplified)),
       guard_(part.simplified, topology_),
       solver_(part.locked, job),
-      hold_(kFirstHold) {
+      hold_(limits.firstHold) {
   state_.mesh = part.simplified;
   firmness_.setOnes(3 * static_cast<Eigen::Index>(part.simplified.vertexCount()));
   measure();
@@ -150,7 +148,7 @@ Eigen::VectorXd ModalSearch::gaussNewtonStep() {
 double ModalSearch::affordable(const TradeOff& tradeOff) const {
   const double left = (limits_.budget * limits_.budget - state_.fit.meanSquare) * state_.fit.area;
   const double unit = state_.fit.area * limits_.budget * limits_.budget;
-  double low = kLeastWorth * unit, high = kMostWorth * unit;
+  double low = kLeastWorth * unit, high = limits_.mostWorth * unit;
   if (tradeOff.growth(high) <= left) return high;
   for (int halving = 0; halving < kHalvings; ++halving) {
     const double middle = std::sqrt(low * high);

@@ -15,6 +15,9 @@ struct SearchLimits {
   double budget = 0;  // root mean square distance, in units of the part
   int mostRounds = 24;
   double goodEnough = 1e-6;  // mean square of the mismatch
+  double firstHold =
+      0.01;  // how firmly vertices hold their places: more where a step gains less than foretold
+  double mostWorth = 700;  // of a residual, in squared budgets of distance
 };
 
 // Gauss-Newton rounds towards the original's modes within a budget of distance from its surface. To be used

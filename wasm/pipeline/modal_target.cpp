@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "base/parallel.h"
 #include "pipeline/assignment.h"
@@ -48,6 +49,12 @@ ShellVibration vibrateCoarsely(const TriangleMesh& mesh, const ShellMaterial& ma
 
 double toleranceOf(const ModalTargetOptions& options) {
   return options.isLarge ? kLargeTolerance : kTolerance;
+}
+
+// They have no mass: whoever follows the vibration does not need them.
+ShellVibration withoutRotations(ShellVibration found, const TriangleMesh& mesh) {
+  found.phi.conservativeResize(3 * static_cast<Eigen::Index>(mesh.vertexCount()), Eigen::NoChange);
+  return found;
 }
 
 bool areNear(double a, double b) {
@@ -115,11 +122,7 @@ ModalTarget::ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh,
       rootMass_(rootMasses(original)) {
   bind(mesh);
   if (options.isLarge)
-    last_[kMiddle] = shell_.follow(
-        mesh,
-        coarseVibration(mesh, options.material,
-                        {options.modeCount + kMargin, options.pinned, options.coarseVertices}, job),
-        job);
+    for (size_t k : thicknesses()) last_[k] = startCoarsely(mesh, thicknessOf(k), job);
   else
     parallelFor(kThicknesses, 1,
                 [&](size_t k, size_t) { last_[k] = shell_.solve(mesh, thicknessOf(k), job); });
@@ -127,12 +130,20 @@ ModalTarget::ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh,
 }
 
 std::vector<size_t> ModalTarget::thicknesses() const {
-  if (options_.isLarge) return {kMiddle};
+  if (options_.isLarge) return {0, 2};
   return {0, 1, 2};
 }
 
 double ModalTarget::thicknessOf(size_t k) const {
   return kThickness[k] * options_.material.thickness;
+}
+
+// By way of a copy with fewer vertices.
+ShellVibration ModalTarget::startCoarsely(const TriangleMesh& mesh, double thickness, Job& job) const {
+  const ShellVibration start =
+      coarseVibration(mesh, {thickness, options_.material.poisson},
+                      {options_.modeCount + kMargin, options_.pinned, options_.coarseVertices}, job);
+  return withoutRotations(shell_.follow(mesh, start, job), mesh);
 }
 
 // The modes of the simplified mesh are a start for those of the original.
@@ -204,6 +215,7 @@ Mismatch ModalTarget::compare(const TriangleMesh& mesh, size_t thickness, Job& j
   mismatch.slope =
       shellSensitivity(mesh, topology_, material, found.phi * aligned.turn, pairs, job) *
       Eigen::Map<const Eigen::VectorXd>(scale.data(), static_cast<Eigen::Index>(scale.size())).asDiagonal();
+  found = withoutRotations(std::move(found), mesh);
   return mismatch;
 }
 

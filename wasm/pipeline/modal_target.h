@@ -29,7 +29,7 @@ struct ModalTargetOptions {
   ShellMaterial material;  // of the middle thickness
   int modeCount = 16;
   std::span<const uint32_t> pinnedOriginal = {}, pinned = {};  // vertices of the original and of the mesh
-  // For large meshes: the middle thickness alone, without what couples modes; eigenvalues to a tenth of the
+  // For large meshes: half and twice the thickness, without what couples modes; eigenvalues to a tenth of the
   // tolerance (there is less to mend); the mesh's first modes by way of a copy with so many vertices.
   bool isLarge = false;
   uint32_t coarseVertices = 8000;
@@ -62,7 +62,7 @@ class ModalTarget {
   void startFrom(const Found& found) { last_ = found; }
 
   // There is nothing to aim at.
-  bool empty() const { return reference_[kMiddle].lambda.size() == 0; }
+  bool empty() const { return reference_[thicknesses()[0]].lambda.size() == 0; }
 
   // psi = phi * turn, mass-normalised, and psi^T K psi; weights by the original's mode.
   struct Aligned {
@@ -71,8 +71,8 @@ class ModalTarget {
   };
 
  private:
-  static constexpr size_t kMiddle = 1;
   double thicknessOf(size_t k) const;
+  ShellVibration startCoarsely(const TriangleMesh& mesh, double thickness, Job& job) const;
   void findReference(const TriangleMesh& mesh, Job& job);
   // Shapes of the mesh at the original's vertices.
   Eigen::MatrixXd carriedToOriginal(const TriangleMesh& mesh, const ShellVibration& found) const;
