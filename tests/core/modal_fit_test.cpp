@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "measure/quality.h"
 #include "measure/surface_distance.h"
@@ -271,16 +272,22 @@ TEST(LargeModalFit, canBeCancelledAtAnyTime) {
   }
 }
 
-TEST(LargeModalFit, leavesWhatComesFromTooLargeAnOriginal) {
+TEST(LargeModalFit, leavesWhatComesFromTooLargeAnOriginalOrIsTooMuchForTheMemory) {
   Job job;
   const TriangleMesh mesh = wavySheet();
   const MeshAt start = simplified(mesh, 0.5);
   ModalFitOptions options = asLarge(mesh);
   options.mostOriginal = 100;
-  const ModalFitResult fit = fitModes(mesh, start, options, job);
-  EXPECT_EQ(fit.tooLarge, 1u);
-  EXPECT_TRUE(fit.errorAfter.empty());
-  EXPECT_EQ(fit.result.mesh.positions, start.mesh.positions);
+  const auto expectLeft = [&](const ModalFitResult& fit) {
+    EXPECT_EQ(fit.tooLarge, 1u);
+    EXPECT_TRUE(fit.errorAfter.empty());
+    EXPECT_EQ(fit.result.mesh.positions, start.mesh.positions);
+  };
+  expectLeft(fitModes(mesh, start, options, job));
+  setMemoryLimit(1000000);
+  const ModalFitResult poor = fitModes(mesh, start, asLarge(mesh), job);
+  setMemoryLimit(0);
+  expectLeft(poor);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/memory.h"
 #include "pipeline/delaunay_flips.h"
 #include "pipeline/fit_part.h"
 #include "pipeline/fit_solver.h"
@@ -32,6 +33,7 @@ constexpr int kLargeRounds = 6;
 constexpr double kLargeGoodEnough = 4e-8;  // 0.01 % of frequency, squared
 constexpr double kLargeHold = 5e-4, kLargeWorth = 3500;
 constexpr uint32_t kLargeSamplesPerTriangle = 2;
+constexpr uint64_t kLargeBytes = 20000;  // that the fit takes for each vertex of the original, as measured
 
 // Edges flipped to Delaunay, vertices fitted to the surface.
 uint32_t fitToSurface(FitPart& part, const FitSamples& samples, std::vector<uint32_t>& corners, Job& job) {
@@ -101,6 +103,10 @@ double budgetOf(const FitPart& part, const FitSamples& samples) {
 }
 
 void fitLarge(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
+  if (memoryLeft() < kLargeBytes * part.original.vertexCount()) {
+    ++fitted.tooLarge;
+    return;
+  }
   const FitSamples samples = sampleForFit(
       part.original, kLargeSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
   const SearchLimits limits{budgetOf(part, samples), kLargeRounds, kLargeGoodEnough, kLargeHold, kLargeWorth};
