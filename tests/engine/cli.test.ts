@@ -57,7 +57,7 @@ describe('limber optimize', () => {
     const { code, stdout, stderr } = limber('optimize', 'torus.obj', 'out.glb');
     expect([code, stderr]).toEqual([0, '']);
     expect(stdout).toMatch(
-      /^torus\.obj: 576 -> 288 faces \(-50\.0 %\), topology kept, deviation \d+\.\d\d % \(mean \d+\.\d\d %\), smallest angle \d+\.\d deg, \d+\.\d s -> out\.glb\n$/,
+      /^torus\.obj: 576 -> 288 faces \(-50\.0 %\), topology kept, deviation \d+\.\d\d % \(mean \d+\.\d\d %\), smallest angle \d+\.\d deg, frequencies off \d+\.\d\d % \(\d+\.\d\d % before the fit\), \d+\.\d s -> out\.glb\n$/,
     );
     expect(await validateGlb(readFileSync(path('out.glb')))).toMatchObject({ errors: 0, warnings: 0 });
   });
@@ -95,7 +95,7 @@ describe('limber optimize', () => {
         expect.arrayContaining(['load', 'modes', 'fields', 'simplify', 'export']),
       );
       expect(Object.keys(others).sort()).toEqual(
-        ['components', 'model', 'modes', 'peakHeapBytes', 'solve', 'threads', 'zeroModes'].sort(),
+        ['components', 'fit', 'model', 'modes', 'peakHeapBytes', 'solve', 'threads', 'zeroModes'].sort(),
       );
       expect(others.zeroModes).toEqual({ expected: 6, found: 6 });
       for (const { residual } of others.modes!) expect(residual).toBeLessThan(1e-7);

@@ -4,6 +4,7 @@ import { defaultSettings } from '../../web/engine/options';
 import { findModes, prepareBody } from '../../web/engine/pipeline';
 import {
   describeRefused,
+  fitReport,
   meshReport,
   modesReport,
   startReport,
@@ -68,6 +69,19 @@ describe('a report', () => {
     const laplacian = findModes(core, prepare(grid(4, 4)), { ...settings, model: 'laplacian' });
     expect(modesReport([laplacian]).modes[0]).toMatchObject({ nominal: true, along: 'shortest' });
     expect(modesReport([...sets, laplacian]).model).toBe('mixed');
+  });
+
+  it('tells how far the frequencies of the worst part are off, and what is not fitted', () => {
+    const fit = (before: number[], after: number[], unfitted = '') => ({
+      errorBefore: Float64Array.from(before),
+      errorAfter: Float64Array.from(after),
+      unfitted,
+    });
+    expect(fitReport([fit([], []), fit([], [])])).toEqual({});
+    expect(fitReport([fit([2, 4], [0.1, 0.3]), fit([5], [0.2])])).toEqual({ fit: { before: 5, after: 0.3 } });
+    expect(fitReport([fit([2], [1]), fit([], [], 'too large'), fit([], [], 'too large')])).toEqual({
+      fit: { before: 2, after: 1, unfitted: ['too large'] },
+    });
   });
 
   it('is exhausted where one body missed, and tells the share of each reason', () => {

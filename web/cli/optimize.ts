@@ -15,6 +15,7 @@ import type { PreparedBody } from '../engine/pipeline';
 import {
   describeRefused,
   calibrationReport,
+  fitReport,
   meshReport,
   modesReport,
   startReport,
@@ -139,6 +140,7 @@ function fillReport(report: Report, done: OptimizedBody[], levels: WrittenLevel[
   report.output = meshReport(done.map(({ measured }) => measured));
   const sets = done.flatMap(({ modes }) => modes ?? []);
   if (sets.length > 0) Object.assign(report, modesReport(sets));
+  Object.assign(report, fitReport(done.map(({ fitted }) => fitted)));
   report.surface = worstSurface(done.map(({ measured }) => measured.distance));
   report.stop = stopReport(done.map(stopOf));
   if (levels.length > 0) report.levels = levels.map((level) => level.report);
@@ -191,9 +193,19 @@ function summaryLine({ operands }: Arguments, done: OptimizedBody[], seconds: nu
     topology,
     `deviation ${distance.hausdorff.toFixed(2)} % (mean ${distance.mean.toFixed(2)} %)`,
     `smallest angle ${smallest.toFixed(1)} deg`,
+    ...fitWords(done),
     ...frequencyWords(stopReport(done.map(stopOf))),
     `${seconds.toFixed(1)} s -> ${operands[1]}`,
   ].join(', ');
+}
+
+/** Of the part that is off most. */
+function fitWords(done: OptimizedBody[]): string[] {
+  const { fit } = fitReport(done.map(({ fitted }) => fitted));
+  if (!fit) return [];
+  const why = fit.unfitted ? [`not fitted: ${fit.unfitted.join('; ')}`] : [];
+  const off = `frequencies off ${fit.after.toFixed(2)} % (${fit.before.toFixed(2)} % before the fit)`;
+  return fit.before > 0 ? [off, ...why] : why;
 }
 
 /** Of the target: how far the frequencies are off, and how far they would be with fewer faces. */

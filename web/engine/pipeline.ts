@@ -295,15 +295,14 @@ export function fitResult(
   return { ...fitted, unfitted: describeUnfitted(fitted) };
 }
 
-/** How large parts were fitted, or that they were not; '' where there are none. */
-export function describeLargeFit({ large, tooLarge }: Fitted): string {
-  if (tooLarge > 0) return `not all is fitted to the modes: ${describeUnfitted({ tooLarge })}`;
+/** How large parts were fitted; '' where there are none. */
+export function describeLargeFit({ large }: Fitted): string {
   if (large === 0) return '';
   const parts = counted(large, 'part has', 'parts have');
   return `${parts} more than 20,000 vertices, fitted to the modes at half and twice the thickness, in six rounds`;
 }
 
-function describeUnfitted({ tooLarge }: Pick<Fitted, 'tooLarge'>): string {
+function describeUnfitted({ tooLarge }: Fitted): string {
   if (tooLarge === 0) return '';
   return `${counted(tooLarge, 'part has', 'parts have')} more than 20,000 vertices, of too many in the original to fit`;
 }

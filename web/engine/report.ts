@@ -25,6 +25,7 @@ import type {
 } from './core';
 import type { FrequencyFinding, Tried } from './frequency_target';
 import { coarseVerticesOf } from './mode_set';
+import type { FittedResult } from './pipeline';
 import { VERSION } from './version';
 
 export interface Report {
@@ -44,6 +45,7 @@ export interface Report {
   /** elastic ones, ascending */
   modes?: ModeReport[];
   solve?: SolveReport;
+  fit?: FitReport;
   surface?: SurfaceDistance;
   fidelity?: Fidelity;
   simulation?: SimulationReport;
@@ -52,6 +54,17 @@ export interface Report {
   levels?: LevelReport[];
   timings: Record<string, number>;
 }
+
+/** How far the frequencies of a fitted part are off: the one that is off most, in %. */
+export interface FitReport {
+  before: number;
+  after: number;
+  /** why bodies, or parts of them, are not fitted */
+  unfitted?: string[];
+}
+
+/** What fitReport wants to know of a body: errors of its fitted parts. */
+export type FitOfBody = Pick<FittedResult, 'errorBefore' | 'errorAfter' | 'unfitted'>;
 
 /** Young's modulus of an optimized body over the original's, for the original's first ten frequencies. */
 export interface CalibrationReport {
@@ -329,6 +342,21 @@ function runReport(runs: MotionRun[], substeps: number): RunReport {
   );
   const nanosecondsPerConstraint = (1e9 * secondsPerStep) / (substeps * constraints);
   return { constraints, edges, secondsPerStep, nanosecondsPerConstraint };
+}
+
+/** Nothing where no body was to be fitted. */
+export function fitReport(fits: FitOfBody[]): { fit?: FitReport } {
+  const unfitted = [...new Set(fits.map((fit) => fit.unfitted).filter((why) => why !== ''))];
+  const worst = (errors: Float64Array[]) => errors.reduce((most, own) => Math.max(most, ...own), 0);
+  const [before, after] = [fits.map((fit) => fit.errorBefore), fits.map((fit) => fit.errorAfter)];
+  if (unfitted.length === 0 && after.every((errors) => errors.length === 0)) return {};
+  return {
+    fit: {
+      before: worst(before),
+      after: worst(after),
+      ...(unfitted.length > 0 ? { unfitted } : {}),
+    },
+  };
 }
 
 /** What stopReport wants to know of a body. */

@@ -7,7 +7,14 @@ import type { OpenModel } from '../../engine/document/open';
 import { validateGlb } from '../../engine/document/validate';
 import type { Settings } from '../../engine/options';
 import { exportedBody, measureResult, startStopwatch } from '../../engine/pipeline';
-import { meshReport, modesReport, startReport, stopReport, worstSurface } from '../../engine/report';
+import {
+  fitReport,
+  meshReport,
+  modesReport,
+  startReport,
+  stopReport,
+  worstSurface,
+} from '../../engine/report';
 import type { LevelReport, Report, StoppedBody } from '../../engine/report';
 import { facesByRatio } from '../../engine/share';
 import type { ExportedLevel, ExportRequest, ExportResult } from './protocol';
@@ -106,16 +113,18 @@ function bindingText({ core, bodies, settings }: Exporter, results: MeshAt[]): s
 
 function reportOf({ core, bodies, settings, faces }: Exporter): Report {
   const results = bodies.map((stages, i) => {
-    const { result, frequency } = stages.fitted(settings, faces[i]);
+    const fitted = stages.fitted(settings, faces[i]);
+    const { result, frequency } = fitted;
     const { history, seconds } = stages.history(settings);
     const stopped: StoppedBody = { faces: facesOf(result), targetFaces: faces[i], history, frequency };
-    return { stages, stopped, seconds, measured: stages.measured(settings, faces[i]) };
+    return { stages, fitted, stopped, seconds, measured: stages.measured(settings, faces[i]) };
   });
   const prepared = bodies.map((stages) => stages.prepared(settings));
   const report = startReport(core, 'optimize', { ...settings, faces: sum(faces) }, prepared);
   report.output = meshReport(results.map(({ measured }) => measured));
   const sets = results.flatMap(({ stages }) => stages.guidingModes(settings) ?? []);
   if (sets.length > 0) Object.assign(report, modesReport(sets));
+  Object.assign(report, fitReport(results.map(({ fitted }) => fitted)));
   report.surface = worstSurface(results.map(({ measured }) => measured.distance));
   report.stop = stopReport(results.map(({ stopped }) => stopped));
   report.timings = { simplify: sum(results.map(({ seconds }) => seconds)) };
