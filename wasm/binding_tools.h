@@ -35,18 +35,16 @@ val typedArray(const std::vector<T>& values) {
 }
 
 inline std::vector<float> floatPositions(const TriangleMesh& mesh) {
-  std::vector<float> flat;
-  flat.reserve(3 * mesh.positions.size());
-  for (const Vec3& p : mesh.positions)
-    for (int c = 0; c < 3; ++c) flat.push_back(static_cast<float>(p[c]));
+  std::vector<float> flat(3 * mesh.positions.size());
+  for (size_t v = 0; v < mesh.positions.size(); ++v)
+    for (int c = 0; c < 3; ++c) flat[3 * v + c] = static_cast<float>(mesh.positions[v][c]);
   return flat;
 }
 
 inline std::vector<uint32_t> flatTriangles(const TriangleMesh& mesh) {
-  std::vector<uint32_t> flat;
-  flat.reserve(3 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) flat.insert(flat.end(), t.begin(), t.end());
-  return flat;
+  if (mesh.triangles.empty()) return {};
+  const uint32_t* const first = mesh.triangles[0].data();
+  return {first, first + 3 * mesh.triangles.size()};
 }
 
 inline val jsMesh(const TriangleMesh& mesh) {

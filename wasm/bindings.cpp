@@ -365,6 +365,7 @@ val jsFitModes(const val& mesh, const val& result, const val& in) {
   out.set("result", jsMeshAtOf(fitted.result));
   out.set("errorBefore", typedArray(fitted.errorBefore));
   out.set("errorAfter", typedArray(fitted.errorAfter));
+  out.set("large", fitted.large);
   out.set("tooLarge", fitted.tooLarge);
   return out;
 }

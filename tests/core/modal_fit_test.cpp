@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "measure/quality.h"
 #include "measure/surface_distance.h"
@@ -190,17 +191,103 @@ TEST(ModalFit, doesNothingToAWholeMesh) {
   EXPECT_EQ(fit.result.mesh.triangles, mesh.triangles);
 }
 
-TEST(ModalFit, isTheSameOnAnyNumberOfThreads) {
-  const TriangleMesh mesh = wavySheet();
-  const MeshAt start = simplified(mesh, 0.2);
+template <class Fit>
+void expectTheSameOnAnyNumberOfThreads(const Fit& fit) {
   std::vector<std::vector<Vec3>> found;
   for (int threads : {1, 2, 4}) {
     setThreadCount(threads);
-    found.push_back(fitted(mesh, start).result.mesh.positions);
+    found.push_back(fit().result.mesh.positions);
   }
   setThreadCount(1);
   EXPECT_EQ(found[1], found[0]);
   EXPECT_EQ(found[2], found[0]);
+}
+
+TEST(ModalFit, isTheSameOnAnyNumberOfThreads) {
+  const TriangleMesh mesh = wavySheet();
+  const MeshAt start = simplified(mesh, 0.2);
+  expectTheSameOnAnyNumberOfThreads([&] { return fitted(mesh, start); });
+}
+
+// What is done with more than 20,000 vertices, on few.
+ModalFitOptions asLarge(const TriangleMesh& mesh) {
+  return {.thickness = thicknessOf(mesh), .largeVertices = 50, .coarseVertices = 120};
+}
+
+TEST(LargeModalFit, bringsFrequenciesToThoseOfTheOriginal) {
+  Job job;
+  for (const TriangleMesh& mesh : {bumpy(), wavySheet()}) {
+    const MeshAt start = simplified(mesh, 0.5);
+    const ModalFitResult fit = fitModes(mesh, start, asLarge(mesh), job);
+    EXPECT_EQ(fit.large, 1u);
+    EXPECT_EQ(fit.tooLarge, 0u);
+    EXPECT_LT(fit.errorAfter.at(0), 0.75 * fit.errorBefore.at(0));
+    EXPECT_LT(frequencyError(mesh, fit.result.mesh), 0.8 * frequencyError(mesh, start.mesh));
+  }
+}
+
+TEST(LargeModalFit, turnsNoFaceAndKeepsBordersLocksAndTriangles) {
+  Job job;
+  const TriangleMesh mesh = wavySheet();
+  const MeshAt start = simplified(mesh, 0.5);
+  std::vector<uint8_t> locked(mesh.vertexCount(), 0);
+  for (uint32_t v = 0; v < mesh.vertexCount(); v += 7) locked[v] = 1;
+  ModalFitOptions options = asLarge(mesh);
+  options.locked = locked;
+  const TriangleMesh after = fitModes(mesh, start, options, job).result.mesh;
+  EXPECT_EQ(after.triangles, start.mesh.triangles);
+  EXPECT_NE(after.positions, start.mesh.positions);
+  for (uint32_t t = 0; t < after.triangleCount(); ++t) EXPECT_GT(areaNormal(after, t).z, 0);
+  for (uint32_t v = 0; v < mesh.vertexCount(); v += 7)
+    EXPECT_EQ(after.positions[start.vertexOfInput[v]], start.mesh.positions[start.vertexOfInput[v]]);
+  const Bounds was = bounds(start.mesh), is = bounds(after);
+  EXPECT_NEAR(is.low.x, was.low.x, 2e-3);
+  EXPECT_NEAR(is.high.x, was.high.x, 2e-3);
+  EXPECT_NEAR(is.low.y, was.low.y, 2e-3);
+  EXPECT_NEAR(is.high.y, was.high.y, 2e-3);
+}
+
+TEST(LargeModalFit, isTheSameOnAnyNumberOfThreads) {
+  const TriangleMesh mesh = wavySheet();
+  const MeshAt start = simplified(mesh, 0.5);
+  expectTheSameOnAnyNumberOfThreads([&] {
+    Job job;
+    return fitModes(mesh, start, asLarge(mesh), job);
+  });
+}
+
+TEST(LargeModalFit, canBeCancelledAtAnyTime) {
+  const TriangleMesh mesh = wavySheet();
+  const MeshAt start = simplified(mesh, 0.5);
+  for (double moment : {0.0, 0.3, 0.5}) {
+    Job job;
+    double reached = 0;
+    job.observer = [&](Phase phase, double fraction) {
+      EXPECT_EQ(phase, Phase::Fit);
+      reached = fraction;
+      if (fraction >= moment) job.requestCancel();
+    };
+    EXPECT_THROW(fitModes(mesh, start, asLarge(mesh), job), Cancelled);
+    EXPECT_LT(reached, 1);
+  }
+}
+
+TEST(LargeModalFit, leavesWhatComesFromTooLargeAnOriginalOrIsTooMuchForTheMemory) {
+  Job job;
+  const TriangleMesh mesh = wavySheet();
+  const MeshAt start = simplified(mesh, 0.5);
+  ModalFitOptions options = asLarge(mesh);
+  options.mostOriginal = 100;
+  const auto expectLeft = [&](const ModalFitResult& fit) {
+    EXPECT_EQ(fit.tooLarge, 1u);
+    EXPECT_TRUE(fit.errorAfter.empty());
+    EXPECT_EQ(fit.result.mesh.positions, start.mesh.positions);
+  };
+  expectLeft(fitModes(mesh, start, options, job));
+  setMemoryLimit(1000000);
+  const ModalFitResult poor = fitModes(mesh, start, asLarge(mesh), job);
+  setMemoryLimit(0);
+  expectLeft(poor);
 }
 
 }  // namespace

@@ -276,11 +276,14 @@ TEST(SimulatedPhysics, clothComesToRestOnTheBallThatItIsDrapedOver) {
   run(body, 300);
   const Collider ball = surroundingsOf(drape).colliders.at(0);
   double nearest = 1e9;
-  for (uint32_t v = 0; v < cloth.vertexCount(); ++v) {
-    nearest = std::min(nearest, length(body.position(v) - ball.from));
-    EXPECT_LT(length(body.velocity(v)), 0.02);
+  for (uint32_t t = 0; t < cloth.triangleCount(); ++t) {
+    nearest = std::min(nearest, length(body.position({t, {1.0 / 3, 1.0 / 3, 1.0 / 3}}) - ball.from));
+    for (const uint32_t v : cloth.triangles[t]) {
+      EXPECT_GT(length(body.position(v) - ball.from), ball.radius - 1e-4);
+      EXPECT_LT(length(body.velocity(v)), 0.02);
+    }
   }
-  EXPECT_NEAR(nearest, ball.radius, 1e-4);
+  EXPECT_NEAR(nearest, ball.radius, 1e-3);
 }
 
 TEST(SimulatedPhysics, aTwistedClosedBodyKeepsWhatItHolds) {

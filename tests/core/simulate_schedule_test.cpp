@@ -27,7 +27,7 @@ TEST(Schedule, everyItemRunsOnceInARepeatAndAfterTheStageBefore) {
                           for (const int times : ran[before]) disorder += times != expected;
                           for (size_t i = begin; i < end; ++i) disorder += ran[s][i]++ != repeat;
                         }});
-    runStages(stages, repeats, threads > 1, Job());
+    runStages({{}, stages, {}, repeats}, threads > 1, Job());
     EXPECT_EQ(disorder, 0);
     for (const auto& stage : ran)
       for (const int times : stage) EXPECT_EQ(times, repeats);
@@ -44,8 +44,36 @@ TEST(Schedule, aCancelledRunEndsEarlyOnAnyNumberOfThreads) {
                                           ++ran;
                                           if (repeat == 10) job.requestCancel();
                                         }}};
-    EXPECT_THROW(runStages(stages, 1000, threads > 1, job), Cancelled);
+    EXPECT_THROW(runStages({{}, stages, {}, 1000}, threads > 1, job), Cancelled);
     EXPECT_LT(ran, 20 * 16);
+  }
+  setThreadCount(1);
+}
+
+TEST(Helpers, whoHasNothingLeftTakesPartAndEveryItemStillRunsOnceInARepeat) {
+  for (const int threads : {1, 2, 4}) {
+    setThreadCount(threads);
+    const int repeats = 200;
+    std::vector<std::vector<int>> ran(2, std::vector<int>(24, 0));
+    std::atomic<int> disorder = 0;
+    const auto scheduleOf = [&](std::vector<int>& items) {
+      const auto count = [&](size_t begin, size_t end, int repeat) {
+        for (size_t i = begin; i < end; ++i) disorder += items[i]++ != 2 * repeat;
+      };
+      const auto countAgain = [&](size_t begin, size_t end, int repeat) {
+        for (size_t i = begin; i < end; ++i) disorder += items[(i + 7) % 24]++ != 2 * repeat + 1;
+      };
+      return Schedule{{}, {{24, 1, count}, {24, 5, countAgain}}, {}, repeats};
+    };
+    Helpers helpers(ran.size());
+    parallelFor(ran.size() + 3, 1, [&](size_t i, size_t) {
+      if (i >= ran.size()) return helpers.help();
+      helpers.run(scheduleOf(ran[i]), Job());
+      helpers.endTask();
+    });
+    EXPECT_EQ(disorder, 0);
+    for (const auto& items : ran)
+      for (const int times : items) EXPECT_EQ(times, 2 * repeats);
   }
   setThreadCount(1);
 }

@@ -20,7 +20,7 @@ Inspection inspect(const TriangleMesh& mesh) {
       int64_t{found.vertices} - static_cast<int64_t>(topology.edges.size()) + int64_t{found.faces};
   found.nonManifoldVertices = static_cast<uint32_t>(std::ranges::count(kinds, VertexKind::NonManifold));
   for (const Topology::Edge& edge : topology.edges) found.nonManifoldEdges += edge.useCount > 2;
-  found.orientationClashes = static_cast<uint32_t>(std::ranges::count(findClashes(mesh, topology), 1));
+  found.orientationClashes = static_cast<uint32_t>(std::ranges::count(topology.clashes, 1));
   const bool manifold = found.nonManifoldEdges == 0 && found.nonManifoldVertices == 0;
   // Per component chi = 2 - 2 g - b; the sum needs no split.
   if (manifold && (found.orientationClashes == 0 || orient(mesh, topology).orientable))

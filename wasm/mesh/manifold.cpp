@@ -13,11 +13,16 @@ namespace {
 constexpr size_t kVerticesPerRange = 4096;
 constexpr size_t kSmallFan = 16;
 
-// The two edges of triangle t that meet in vertex v.
-std::array<uint32_t, 2> edgesAt(const TriangleMesh& mesh, const Topology& topology, uint32_t t, uint32_t v) {
+// The two edges that meet in a corner.
+std::array<uint32_t, 2> edgesAt(const Topology& topology, Corner corner) {
+  const uint32_t* edges = &topology.edgeOfCorner[3 * size_t{triangleOf(corner)}];
+  return {edges[nextIndex(indexOf(corner))], edges[previousIndex(indexOf(corner))]};
+}
+
+// The corner of triangle t at vertex v.
+Corner cornerAt(const TriangleMesh& mesh, uint32_t t, uint32_t v) {
   const Triangle& triangle = mesh.triangles[t];
-  const uint32_t c = triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
-  return {topology.edgeOfCorner[3 * t + (c + 1) % 3], topology.edgeOfCorner[3 * t + (c + 2) % 3]};
+  return 4 * t + (triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2);
 }
 
 // Where a walk around a vertex ended, and how many triangles it has passed.
@@ -32,7 +37,7 @@ FanEnd turnAround(const TriangleMesh& mesh, const Topology& topology, uint32_t v
                   uint32_t entry) {
   uint32_t in = entry;
   for (uint32_t passed = 1;; ++passed) {
-    const auto pair = edgesAt(mesh, topology, t, v);
+    const auto pair = edgesAt(topology, cornerAt(mesh, t, v));
     const uint32_t out = pair[0] == in ? pair[1] : pair[0];
     const Topology::Edge& edge = topology.edges[out];
     if (out == entry || edge.useCount != 2) return {out, passed};
@@ -58,22 +63,22 @@ std::vector<VertexKind> classifyByEdges(const TriangleMesh& mesh, const Topology
 // Walking depends on one look-up after the other, which takes longer than to fetch the few edges of a usual
 // vertex at once and to string them together.
 bool isOneFanByWalking(const TriangleMesh& mesh, const Topology& topology, uint32_t v, bool onBorder) {
-  const auto around = topology.trianglesAround(v);
+  const auto around = topology.cornersAt(v);
   const auto walk = [&](uint32_t t, uint32_t entry) {
     return turnAround(mesh, topology, v, t, entry).passed == around.size();
   };
-  if (!onBorder) return walk(around[0], edgesAt(mesh, topology, around[0], v)[0]);
+  if (!onBorder) return walk(triangleOf(around[0]), edgesAt(topology, around[0])[0]);
   // An open fan has to be walked from one of its ends.
-  for (uint32_t t : around)
-    for (uint32_t e : edgesAt(mesh, topology, t, v))
-      if (topology.edges[e].useCount == 1) return walk(t, e);
+  for (const Corner corner : around)
+    for (uint32_t e : edgesAt(topology, corner))
+      if (topology.edges[e].useCount == 1) return walk(triangleOf(corner), e);
   return false;
 }
 
-bool isOneFanByStringing(const TriangleMesh& mesh, const Topology& topology, uint32_t v) {
-  const auto around = topology.trianglesAround(v);
+bool isOneFanByStringing(const Topology& topology, uint32_t v) {
+  const auto around = topology.cornersAt(v);
   std::array<std::array<uint32_t, 2>, kSmallFan> pairs;
-  for (size_t i = 0; i < around.size(); ++i) pairs[i] = edgesAt(mesh, topology, around[i], v);
+  for (size_t i = 0; i < around.size(); ++i) pairs[i] = edgesAt(topology, around[i]);
   size_t strung = 1;  // pairs[0 .. strung) hang together
   for (int end : {1, 0}) {
     uint32_t loose = pairs[0][end];
@@ -92,8 +97,8 @@ bool isOneFanByStringing(const TriangleMesh& mesh, const Topology& topology, uin
 }
 
 bool isOneFan(const TriangleMesh& mesh, const Topology& topology, uint32_t v, bool onBorder) {
-  return topology.trianglesAround(v).size() <= kSmallFan ? isOneFanByStringing(mesh, topology, v)
-                                                         : isOneFanByWalking(mesh, topology, v, onBorder);
+  return topology.cornersAt(v).size() <= kSmallFan ? isOneFanByStringing(topology, v)
+                                                   : isOneFanByWalking(mesh, topology, v, onBorder);
 }
 
 uint32_t rootOf(std::vector<uint32_t>& parent, uint32_t e) {
@@ -108,7 +113,7 @@ std::vector<VertexKind> classifyVertices(const TriangleMesh& mesh, const Topolog
   parallelFor(kinds.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
     for (auto v = static_cast<uint32_t>(begin); v < end; ++v) {
       if (kinds[v] == VertexKind::NonManifoldEdge) continue;
-      if (topology.trianglesAround(v).empty())
+      if (topology.cornersAt(v).empty())
         kinds[v] = VertexKind::Unused;
       else if (!isOneFan(mesh, topology, v, kinds[v] == VertexKind::Border))
         kinds[v] = VertexKind::NonManifold;

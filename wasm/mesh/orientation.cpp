@@ -15,8 +15,7 @@ constexpr uint8_t kUnseen = 2;
 
 // Spreads from triangle `first` over edges with two triangles; side[t] becomes 0 where t agrees with `first`,
 // else 1.
-Patch spread(const Topology& topology, const std::vector<uint8_t>& clashes, uint32_t first,
-             std::vector<uint8_t>& side) {
+Patch spread(const Topology& topology, uint32_t first, std::vector<uint8_t>& side) {
   Patch patch;
   patch.triangles.push_back(first);
   side[first] = 0;
@@ -27,7 +26,7 @@ Patch spread(const Topology& topology, const std::vector<uint8_t>& clashes, uint
       const auto sharing = topology.trianglesAt(topology.edges[e]);
       if (sharing.size() != 2) continue;
       const uint32_t neighbour = sharing[sharing[0] == t ? 1 : 0];
-      const uint8_t expected = side[t] ^ clashes[e];
+      const uint8_t expected = side[t] ^ topology.clashes[e];
       if (side[neighbour] == kUnseen) {
         side[neighbour] = expected;
         patch.triangles.push_back(neighbour);
@@ -40,27 +39,13 @@ Patch spread(const Topology& topology, const std::vector<uint8_t>& clashes, uint
 
 }  // namespace
 
-std::vector<uint8_t> findClashes(const TriangleMesh& mesh, const Topology& topology) {
-  // How many triangles run the edge from its smaller vertex to its larger one.
-  std::vector<uint8_t> clashes(topology.edges.size(), 0);
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (int c = 0; c < 3; ++c) {
-      const Triangle& triangle = mesh.triangles[t];
-      clashes[topology.edgeOfCorner[3 * t + c]] += triangle[(c + 1) % 3] < triangle[(c + 2) % 3];
-    }
-  for (uint32_t e = 0; e < topology.edges.size(); ++e)
-    clashes[e] = topology.edges[e].useCount == 2 && clashes[e] != 1;
-  return clashes;
-}
-
 Orientation orient(const TriangleMesh& mesh, const Topology& topology) {
   Orientation orientation;
-  const auto clashes = findClashes(mesh, topology);
   std::vector<uint8_t> side(mesh.triangleCount(), kUnseen);
   orientation.turned.assign(mesh.triangleCount(), 0);
   for (uint32_t first = 0; first < mesh.triangleCount(); ++first) {
     if (side[first] != kUnseen) continue;
-    const Patch patch = spread(topology, clashes, first, side);
+    const Patch patch = spread(topology, first, side);
     orientation.orientable &= patch.orientable;
     if (!patch.orientable) continue;
     const auto others =

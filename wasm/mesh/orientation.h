@@ -21,7 +21,4 @@ struct Orientation {
 // is not promised. O(triangles).
 Orientation orient(const TriangleMesh& mesh, const Topology& topology);
 
-// Per edge 1 where it has two triangles and both run it the same way, else 0.
-std::vector<uint8_t> findClashes(const TriangleMesh& mesh, const Topology& topology);
-
 }  // namespace limber

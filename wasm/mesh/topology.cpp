@@ -6,50 +6,43 @@
 namespace limber {
 namespace {
 
-// One triangle's use of an edge, kept with the other uses of the edge's smaller vertex.
-struct EdgeUse {
-  uint32_t largerVertex;
-  uint32_t corner;  // 3 * t + c, opposite to the edge
-
-  bool operator<(const EdgeUse& other) const {
-    return largerVertex != other.largerVertex ? largerVertex < other.largerVertex : corner < other.corner;
-  }
-};
-
-std::pair<uint32_t, uint32_t> edgeOpposite(const Triangle& triangle, int c) {
-  return std::minmax(triangle[(c + 1) % 3], triangle[(c + 2) % 3]);
-}
-
-// Turns the number of items of bucket v in counts[v + 1] into where bucket v starts, in counts[v].
-void accumulate(std::vector<uint32_t>& counts) {
-  std::partial_sum(counts.begin(), counts.end(), counts.begin());
-}
-
-void collectVertexTriangles(const TriangleMesh& mesh, Topology& topology) {
+void collectCorners(const TriangleMesh& mesh, Topology& topology) {
   auto& start = topology.vertexStart;
   start.assign(mesh.vertexCount() + 1, 0);
   for (const Triangle& triangle : mesh.triangles)
     for (uint32_t v : triangle) ++start[v + 1];
-  accumulate(start);
-  topology.vertexTriangles.resize(start.back());
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  topology.vertexCorners.resize(start.back());
   std::vector<uint32_t> next(start.begin(), start.end() - 1);
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (uint32_t v : mesh.triangles[t]) topology.vertexTriangles[next[v]++] = t;
+    for (uint32_t c = 0; c < 3; ++c) topology.vertexCorners[next[mesh.triangles[t][c]]++] = 4 * t + c;
 }
 
-// The uses of all edges, bucketed by the smaller vertex: start[a] .. start[a + 1].
-std::vector<EdgeUse> collectEdgeUses(const TriangleMesh& mesh, std::vector<uint32_t>& start) {
-  start.assign(mesh.vertexCount() + 1, 0);
-  for (const Triangle& triangle : mesh.triangles)
-    for (int c = 0; c < 3; ++c) ++start[edgeOpposite(triangle, c).first + 1];
-  accumulate(start);
-  std::vector<EdgeUse> uses(start.back());
-  std::vector<uint32_t> next(start.begin(), start.end() - 1);
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (int c = 0; c < 3; ++c) {
-      const auto [a, b] = edgeOpposite(mesh.triangles[t], c);
-      uses[next[a]++] = {b, 3 * t + c};
-    }
+// A triangle's use of an edge, in an order by the other vertex and then by the corner: the other vertex, the
+// corner opposite to the edge, and whether the triangle runs the edge from there.
+using EdgeUse = uint64_t;
+EdgeUse edgeUse(uint32_t other, uint32_t triangle, int corner, bool fromOther) {
+  return EdgeUse{other} << 33 | EdgeUse{4 * triangle + static_cast<uint32_t>(corner)} << 1 | fromOther;
+}
+uint32_t otherVertex(EdgeUse use) {
+  return static_cast<uint32_t>(use >> 33);
+}
+Corner oppositeCorner(EdgeUse use) {
+  return static_cast<Corner>(use >> 1);
+}
+
+// Writes the uses of the edges whose smaller vertex is v and returns their end.
+EdgeUse* collectUses(const TriangleMesh& mesh, const Topology& topology, uint32_t v, EdgeUse* uses) {
+  for (const Corner corner : topology.cornersAt(v)) {
+    const uint32_t t = triangleOf(corner);
+    const int next = nextIndex(indexOf(corner)), previous = previousIndex(indexOf(corner));
+    const uint32_t after = mesh.triangles[t][next], before = mesh.triangles[t][previous];
+    // Without branches, which nobody could predict. A triangle without area may have an edge from v to v.
+    *uses = edgeUse(after, t, previous, false);
+    uses += after >= v;
+    *uses = edgeUse(before, t, next, true);
+    uses += before > v;
+  }
   return uses;
 }
 
@@ -64,20 +57,34 @@ void sortUses(EdgeUse* begin, EdgeUse* end) {
   }
 }
 
+void addEdge(uint32_t v, std::span<const EdgeUse> uses, uint32_t firstUse, Topology& topology) {
+  const auto edge = static_cast<uint32_t>(topology.edges.size());
+  topology.edges.push_back({v, otherVertex(uses[0]), firstUse, static_cast<uint32_t>(uses.size())});
+  topology.clashes.push_back(uses.size() == 2 && ((uses[0] ^ uses[1]) & 1) == 0);
+  for (const EdgeUse use : uses) {
+    const Corner corner = oppositeCorner(use);
+    topology.edgeTriangles[firstUse++] = triangleOf(corner);
+    topology.edgeOfCorner[3 * size_t{triangleOf(corner)} + indexOf(corner)] = edge;
+  }
+}
+
 void collectEdges(const TriangleMesh& mesh, Topology& topology) {
-  std::vector<uint32_t> start;
-  std::vector<EdgeUse> uses = collectEdgeUses(mesh, start);
-  topology.edges.reserve(uses.size() / 2);
-  topology.edgeTriangles.reserve(uses.size());
-  topology.edgeOfCorner.resize(uses.size());
-  for (uint32_t a = 0; a < mesh.vertexCount(); ++a) {
-    sortUses(uses.data() + start[a], uses.data() + start[a + 1]);
-    for (uint32_t i = start[a]; i < start[a + 1]; ++i) {
-      if (i == start[a] || uses[i].largerVertex != uses[i - 1].largerVertex)
-        topology.edges.push_back({a, uses[i].largerVertex, i, 0});
-      ++topology.edges.back().useCount;
-      topology.edgeTriangles.push_back(uses[i].corner / 3);
-      topology.edgeOfCorner[uses[i].corner] = static_cast<uint32_t>(topology.edges.size() - 1);
+  const size_t expected = size_t{mesh.vertexCount()} + mesh.triangleCount();  // of a disc
+  topology.edges.reserve(expected);
+  topology.clashes.reserve(expected);
+  topology.edgeTriangles.resize(3 * size_t{mesh.triangleCount()});
+  topology.edgeOfCorner.resize(3 * size_t{mesh.triangleCount()});
+  uint32_t useCount = 0;
+  std::vector<EdgeUse> uses;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    uses.resize(std::max(uses.size(), 2 * topology.cornersAt(v).size() + 1));
+    EdgeUse* const end = collectUses(mesh, topology, v, uses.data());
+    sortUses(uses.data(), end);
+    for (EdgeUse *first = uses.data(), *next; first != end; first = next) {
+      next = first + 1;
+      while (next != end && otherVertex(*next) == otherVertex(*first)) ++next;
+      addEdge(v, {first, next}, useCount, topology);
+      useCount += static_cast<uint32_t>(next - first);
     }
   }
 }
@@ -104,10 +111,15 @@ void numberComponents(const TriangleMesh& mesh, Topology& topology) {
 
 }  // namespace
 
-Topology buildTopology(const TriangleMesh& mesh) {
+Topology buildIncidence(const TriangleMesh& mesh) {
   Topology topology;
-  collectVertexTriangles(mesh, topology);
+  collectCorners(mesh, topology);
   collectEdges(mesh, topology);
+  return topology;
+}
+
+Topology buildTopology(const TriangleMesh& mesh) {
+  Topology topology = buildIncidence(mesh);
   numberComponents(mesh, topology);
   return topology;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <ranges>
 #include <span>
 #include <vector>
 
+#include "mesh/corner.h"
 #include "mesh/triangle_mesh.h"
 
 namespace limber {
@@ -18,16 +20,17 @@ struct Topology {
   std::vector<Edge> edges;
   std::vector<uint32_t> edgeTriangles;
   std::vector<uint32_t> edgeOfCorner;  // [3 * t + c]: the edge opposite to corner c of triangle t
+  std::vector<uint8_t> clashes;        // per edge 1 where it has two triangles and both run it the same way
   std::vector<uint32_t> vertexStart;   // size vertexCount + 1
-  std::vector<uint32_t>
-      vertexTriangles;  // triangles around v: vertexTriangles[vertexStart[v] .. vertexStart[v + 1])
+  std::vector<Corner> vertexCorners;   // those at v: vertexCorners[vertexStart[v] .. vertexStart[v + 1])
   std::vector<uint32_t>
       componentOfVertex;  // vertices joined by edges; components numbered by their smallest vertex
   uint32_t componentCount = 0;
 
-  std::span<const uint32_t> trianglesAround(uint32_t v) const {
-    return {vertexTriangles.data() + vertexStart[v], vertexStart[v + 1] - vertexStart[v]};
+  std::span<const Corner> cornersAt(uint32_t v) const {
+    return {vertexCorners.data() + vertexStart[v], vertexStart[v + 1] - vertexStart[v]};
   }
+  auto trianglesAround(uint32_t v) const { return cornersAt(v) | std::views::transform(triangleOf); }
   std::span<const uint32_t> trianglesAt(const Edge& e) const {
     return {edgeTriangles.data() + e.firstUse, e.useCount};
   }
@@ -35,6 +38,8 @@ struct Topology {
 
 // O(n log n). Every vertex of `mesh` should be used by a triangle; an unused one is a component of its own.
 Topology buildTopology(const TriangleMesh& mesh);
+// The same without the components: their list stays empty.
+Topology buildIncidence(const TriangleMesh& mesh);
 
 // The component of each triangle: that of its first vertex.
 std::vector<uint32_t> componentOfTriangle(const TriangleMesh& mesh, const Topology& topology);

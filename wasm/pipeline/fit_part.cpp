@@ -112,11 +112,13 @@ FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const 
   for (uint32_t component = 0; component < topology.componentCount; ++component) {
     const Members& result = results[component];
     if (result.triangles.size() < options.fewestFaces) continue;
-    if (result.vertices.size() > options.mostVertices) {
+    const bool isLarge = result.vertices.size() > options.largeVertices;
+    if (isLarge && originals[component].vertices.size() > options.mostOriginal) {
       ++found.tooLarge;
       continue;
     }
     FitPart part;
+    part.isLarge = isLarge;
     part.original = extract(original, originals[component], number, part.originalLines);
     part.simplified = extract(mesh, result, number, part.lines);
     part.vertexOfResult = result.vertices;

@@ -6,6 +6,7 @@
 
 #include "mesh/triangle_mesh.h"
 #include "pipeline/chart_sides.h"
+#include "pipeline/find_modes.h"
 #include "pipeline/surface_fit.h"
 #include "simplify/history.h"
 
@@ -21,19 +22,21 @@ struct FitPart {
   EdgeList originalLines, lines;                 // seams, of both meshes
   Vec3 origin;
   double diagonal = 1;
+  bool isLarge = false;  // more vertices in `simplified` than largeVertices
 };
 
 struct FitPartOptions {
   Charts charts = {};                                 // of the original
   std::span<const uint8_t> locked = {}, pinned = {};  // per vertex of the original
-  uint32_t fewestFaces = 12;                          // results of fewer are left out ...
-  uint32_t mostVertices = 20000;                      // ... as are those of more
+  uint32_t fewestFaces = 12;                          // results of fewer are left out
+  uint32_t largeVertices = 20000;                     // results of more are large ...
+  uint32_t mostOriginal = kRefinedVertices;  // ... and left out where the original has more than this
 };
 
 // The components of the original, each with its result.
 struct FitParts {
   std::vector<FitPart> parts;
-  uint32_t tooLarge = 0;  // left out
+  uint32_t tooLarge = 0;  // left out because they are large
 };
 FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const FitPartOptions& options);
 

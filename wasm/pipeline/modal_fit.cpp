@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/memory.h"
 #include "pipeline/delaunay_flips.h"
 #include "pipeline/fit_part.h"
 #include "pipeline/fit_solver.h"
@@ -25,6 +26,14 @@ constexpr uint32_t kSamplesPerTriangle = 6;
 // The root mean square distance may grow to this much of the simplified mesh's, or to this part of the
 // diagonal.
 constexpr double kBudget = 1.25, kLeastBudget = 5.5e-4;
+
+// Of large components: frequencies are off by little, so that residuals are nearly linear and long steps are
+// right.
+constexpr int kLargeRounds = 6;
+constexpr double kLargeGoodEnough = 4e-8;  // 0.01 % of frequency, squared
+constexpr double kLargeHold = 5e-4, kLargeWorth = 3500;
+constexpr uint32_t kLargeSamplesPerTriangle = 2;
+constexpr uint64_t kLargeBytes = 20000;  // that the fit takes for each vertex of the original, as measured
 
 // Edges flipped to Delaunay, vertices fitted to the surface.
 uint32_t fitToSurface(FitPart& part, const FitSamples& samples, std::vector<uint32_t>& corners, Job& job) {
@@ -72,34 +81,58 @@ struct Searched {
   double before, after;
 };
 
-std::optional<Searched> searchModes(FitPart& part, const FitSamples& samples, double budget,
+std::optional<Searched> searchModes(FitPart& part, const FitSamples& samples, const SearchLimits& limits,
                                     const FitCall& call) {
   const ShellMaterial material{call.options.thickness / part.diagonal, call.options.poisson};
   ModalTarget target(part.original, part.simplified,
-                     {material, call.options.modeCount, part.pinnedOriginal, part.pinned}, call.job);
+                     {material, call.options.modeCount, part.pinnedOriginal, part.pinned, part.isLarge,
+                      call.options.coarseVertices},
+                     call.job);
   call.report(kTargetShare);
   if (target.empty()) return std::nullopt;
-  ModalSearch search(part, samples, target, budget, call.job);
+  ModalSearch search(part, samples, target, limits, call.job);
   part.simplified =
       search.run([&](double fraction) { call.report(kTargetShare + (1 - kTargetShare) * fraction); });
   return Searched{search.meanSquareBefore(), search.meanSquareAfter()};
 }
 
+double budgetOf(const FitPart& part, const FitSamples& samples) {
+  const SurfaceFit start =
+      fitSurface(part.simplified, buildTopology(part.simplified), samples, {.lines = &part.lines});
+  return std::max(kBudget * std::sqrt(start.meanSquare), kLeastBudget);
+}
+
+void fitLarge(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
+  if (memoryLeft() < kLargeBytes * part.original.vertexCount()) {
+    ++fitted.tooLarge;
+    return;
+  }
+  const FitSamples samples = sampleForFit(
+      part.original, kLargeSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
+  const SearchLimits limits{budgetOf(part, samples), kLargeRounds, kLargeGoodEnough, kLargeHold, kLargeWorth};
+  const std::optional<Searched> found = searchModes(part, samples, limits, call);
+  if (!found) return;
+  fitted.errorBefore.push_back(50 * std::sqrt(found->before));
+  fitted.errorAfter.push_back(50 * std::sqrt(found->after));
+  ++fitted.large;
+  std::vector<uint32_t> corners(3 * size_t{part.simplified.triangleCount()});
+  std::iota(corners.begin(), corners.end(), 0u);
+  putBack(part, corners, fitted.result);
+}
+
 void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   const FitSamples samples =
       sampleForFit(part.original, kSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
-  const SurfaceFit start =
-      fitSurface(part.simplified, buildTopology(part.simplified), samples, {.lines = &part.lines});
-  const double budget = std::max(kBudget * std::sqrt(start.meanSquare), kLeastBudget);
+  const SearchLimits limits{.budget = budgetOf(part, samples)};
   FitPart plain = part;
   std::vector<uint32_t> corners(3 * size_t{part.simplified.triangleCount()});
   std::iota(corners.begin(), corners.end(), 0u);
   const std::vector<uint32_t> unmoved = corners;
   uint32_t flips = fitToSurface(part, samples, corners, call.job);
-  std::optional<Searched> found = searchModes(part, samples, budget, call);
+  std::optional<Searched> found = searchModes(part, samples, limits, call);
   // Flips and the fit to the surface can harm a mesh of slivers more than the search can mend.
   if (found && found->after > kDoubtful) {
-    const std::optional<Searched> second = searchModes(plain, samples, budget, call);
+    const std::optional<Searched> second = searchModes(plain, samples, limits, call);
     if (second && second->after < found->after) {
       std::swap(part, plain);
       corners = unmoved;
@@ -118,18 +151,27 @@ void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
 ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
                         const ModalFitOptions& options, Job& job) {
   WholePhase phase(job, Phase::Fit);
-  ModalFitResult fitted{simplified, {}, {}, 0, 0};
+  ModalFitResult fitted{simplified, {}, {}, 0, 0, 0};
   fitted.result.flips.triangles = simplified.mesh.triangles;
   fitted.result.flips.corners.resize(3 * size_t{simplified.mesh.triangleCount()});
   std::iota(fitted.result.flips.corners.begin(), fitted.result.flips.corners.end(), 0u);
   if (simplified.mesh.triangleCount() == original.triangleCount()) return fitted;
-  auto [parts, tooLarge] = fitParts(original, simplified, {options.charts, options.locked, options.pinned});
+  auto [parts, tooLarge] = fitParts(original, simplified,
+                                    {.charts = options.charts,
+                                     .locked = options.locked,
+                                     .pinned = options.pinned,
+                                     .largeVertices = options.largeVertices,
+                                     .mostOriginal = options.mostOriginal});
   fitted.tooLarge = tooLarge;
   for (size_t i = 0; i < parts.size(); ++i) {
     const auto report = [&](double fraction) {
       phase.report((static_cast<double>(i) + fraction) / static_cast<double>(parts.size()));
     };
-    fitPart(parts[i], {options, report, job}, fitted);
+    const FitCall call{options, report, job};
+    if (parts[i].isLarge)
+      fitLarge(parts[i], call, fitted);
+    else
+      fitPart(parts[i], call, fitted);
   }
   return fitted;
 }

@@ -6,6 +6,7 @@
 #include "base/job.h"
 #include "mesh/triangle_mesh.h"
 #include "pipeline/corner_sources.h"
+#include "pipeline/find_modes.h"
 #include "simplify/history.h"
 
 namespace limber {
@@ -18,6 +19,11 @@ struct ModalFitOptions {
   std::span<const uint8_t> locked = {};  // per vertex of the original: what it has become stays where it is
   // The same, and where they hold a component still, it is its modes when it is held there that are fitted.
   std::span<const uint8_t> pinned = {};
+  // Components with more vertices than that in the result are large: fitted at half and twice the thickness
+  // (what lies between follows), in few rounds, and not at all where they had more than this in the original:
+  // its frequencies are not known as well as they would have to be then.
+  uint32_t largeVertices = 20000, mostOriginal = kRefinedVertices;
+  uint32_t coarseVertices = 8000;  // of a copy of a large result, whose modes are where the search begins
 };
 
 // How far the frequencies were off, before and after: root mean square of lambda / lambda_original - 1 over
@@ -26,15 +32,16 @@ struct ModalFitResult {
   MeshAt result;
   std::vector<double> errorBefore, errorAfter;
   uint32_t flips = 0;
-  uint32_t tooLarge = 0;  // components that stay as they are
+  uint32_t large = 0;     // components that were fitted as large ones
+  uint32_t tooLarge = 0;  // large components that stay as they are
 };
 
 // Moves the vertices of a simplified mesh, by fractions of an edge, so that it vibrates like the original:
 // frequencies of the shell at three thicknesses (Fox and Kapoor 1968 sensitivities, Gauss-Newton), in balance
 // with the distance from the original's surface. Before that, edges are flipped to Delaunay and vertices
-// fitted to the surface. Components of more than 20,000 vertices stay as they are. Topology and the number of
-// faces stay; no face turns; borders, seams, creases and locked vertices stay in place. Works on each
-// component. Positions are float32 numbers. Throws Cancelled.
+// fitted to the surface. Large components: two thicknesses, and no flips; see largeVertices. Topology and the
+// number of faces stay; no face turns; borders, seams, creases and locked vertices stay in place. Works on
+// each component. Positions are float32 numbers. Throws Cancelled.
 ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
                         const ModalFitOptions& options, Job& job);
 

@@ -10,25 +10,22 @@ namespace limber {
 
 namespace {
 
-constexpr int kMostRounds = 24;
 // Rounds end once the merit falls by less than a tenth, and its root by less than this (0.1 % of frequency),
-// in so many of them, or is as small as that.
-constexpr double kStagnant = 0.9, kLittle = 2e-3, kGoodEnough = 1e-6;
+// in so many of them.
+constexpr double kStagnant = 0.9, kLittle = 2e-3;
 constexpr size_t kPatience = 3;
-constexpr double kClip = 0.1;  // of a residual, in a step
-// What a residual may be worth, in squared budgets of distance.
-constexpr double kLeastWorth = 1, kMostWorth = 700;
-constexpr int kHalvings = 30;  // of that range
-// How firmly vertices hold their places: more where a step gains less than foretold.
-constexpr double kFirstHold = 0.01, kLeastHold = 3e-4, kMostHold = 1e5;
+constexpr double kClip = 0.1;      // of a residual, in a step
+constexpr double kLeastWorth = 1;  // of a residual: see SearchLimits::mostWorth
+constexpr int kHalvings = 30;      // of that range
+constexpr double kLeastHold = 3e-4, kMostHold = 1e5;
 constexpr double kPoorGain = 0.3, kGoodGain = 0.7, kFirmer = 3, kLooser = 1.5;
 // A vertex that the guard lets make less than this of its way is held so many times as firmly, as long as
 // that goes on: the others go on without it.
 constexpr double kBlocked = 0.5, kBlockedFirmer = 4, kFreedLooser = 3, kMostFirmness = 1e6;
-constexpr double kEvenness = 1e-4;  // of the triangles: see SurfaceFitOptions
+constexpr double kEvenness = 2e-4;  // of the triangles: see SurfaceFitOptions
 // What a vertex weighs that has come away from where the search began: along a flat wall nothing else holds
 // it, and walls whose triangles have slid far to mend small vibrations buckle elsewhere in large ones.
-constexpr double kAnchor = 5e-4;
+constexpr double kAnchor = 1.2e-3;
 constexpr double kLost = 1.5;  // a mesh with this much of the best merit is given up
 
 Eigen::VectorXd difference(const TriangleMesh& after, const TriangleMesh& before) {
@@ -75,17 +72,17 @@ class ModalSearch::TradeOff {
   Eigen::VectorXd target_;
 };
 
-ModalSearch::ModalSearch(const FitPart& part, const FitSamples& samples, ModalTarget& target, double budget,
-                         Job& job)
+ModalSearch::ModalSearch(const FitPart& part, const FitSamples& samples, ModalTarget& target,
+                         const SearchLimits& limits, Job& job)
     : part_(part),
       samples_(samples),
       target_(target),
-      budget_(budget),
+      limits_(limits),
       job_(job),
       topology_(buildTopology(part.simplified)),
       guard_(part.simplified, topology_),
       solver_(part.locked, job),
-      hold_(kFirstHold) {
+      hold_(limits.firstHold) {
   state_.mesh = part.simplified;
   firmness_.setOnes(3 * static_cast<Eigen::Index>(part.simplified.vertexCount()));
   measure();
@@ -94,8 +91,9 @@ ModalSearch::ModalSearch(const FitPart& part, const FitSamples& samples, ModalTa
 }
 
 TriangleMesh ModalSearch::run(const std::function<void(double)>& report) {
-  for (int round = 0; round < kMostRounds && state_.mismatch.residual.size() > 0 && !isDone(); ++round) {
-    report(static_cast<double>(round) / kMostRounds);
+  for (int round = 0; round < limits_.mostRounds && state_.mismatch.residual.size() > 0 && !isDone();
+       ++round) {
+    report(static_cast<double>(round) / limits_.mostRounds);
     step();
     if (merit(state_) < merit(best_))
       best_ = state_;
@@ -108,7 +106,7 @@ TriangleMesh ModalSearch::run(const std::function<void(double)>& report) {
 
 // Little was gained since the last retreat, or a retreat could not help.
 bool ModalSearch::isDone() const {
-  if (hold_ >= kMostHold || merit(best_) < kGoodEnough) return true;
+  if (hold_ >= kMostHold || merit(best_) < limits_.goodEnough) return true;
   if (merits_.size() <= kPatience) return false;
   const double was = merits_[merits_.size() - 1 - kPatience], is = merits_.back();
   return is > kStagnant * was && std::sqrt(was) - std::sqrt(is) < kLittle;
@@ -116,14 +114,19 @@ bool ModalSearch::isDone() const {
 
 void ModalSearch::measure() {
   target_.bind(state_.mesh);
-  std::vector<Mismatch> parts(ModalTarget::kThicknesses);
-  parallelFor(parts.size() + 1, 1, [&](size_t k, size_t) {
+  const std::vector<size_t> thicknesses = target_.thicknesses();
+  std::vector<Mismatch> parts(thicknesses.size());
+  const auto measureOne = [&](size_t k) {
     if (k < parts.size())
-      parts[k] = target_.compare(state_.mesh, k, job_);
+      parts[k] = target_.compare(state_.mesh, thicknesses[k], job_);
     else
       state_.fit =
           fitSurface(state_.mesh, topology_, samples_, {.evenness = kEvenness, .lines = &part_.lines});
-  });
+  };
+  parallelFor(parts.size() + 1, target_.areSideBySide() ? 1 : parts.size() + 1,
+              [&](size_t begin, size_t end) {
+                for (size_t k = begin; k < end; ++k) measureOne(k);
+              });
   state_.mismatch = join(parts);
   state_.found = target_.found();
 }
@@ -143,9 +146,9 @@ Eigen::VectorXd ModalSearch::gaussNewtonStep() {
 
 // The worth of residuals that uses up what is left of the budget.
 double ModalSearch::affordable(const TradeOff& tradeOff) const {
-  const double left = (budget_ * budget_ - state_.fit.meanSquare) * state_.fit.area;
-  const double unit = state_.fit.area * budget_ * budget_;
-  double low = kLeastWorth * unit, high = kMostWorth * unit;
+  const double left = (limits_.budget * limits_.budget - state_.fit.meanSquare) * state_.fit.area;
+  const double unit = state_.fit.area * limits_.budget * limits_.budget;
+  double low = kLeastWorth * unit, high = limits_.mostWorth * unit;
   if (tradeOff.growth(high) <= left) return high;
   for (int halving = 0; halving < kHalvings; ++halving) {
     const double middle = std::sqrt(low * high);
@@ -188,7 +191,7 @@ void ModalSearch::goBack() {
 }
 
 double ModalSearch::merit(const State& state) const {
-  const double excess = std::max(1.0, state.fit.meanSquare / (budget_ * budget_));
+  const double excess = std::max(1.0, state.fit.meanSquare / (limits_.budget * limits_.budget));
   return state.mismatch.meanSquare() * excess * excess;
 }
 

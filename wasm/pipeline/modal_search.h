@@ -11,12 +11,22 @@
 
 namespace limber {
 
+struct SearchLimits {
+  double budget = 0;  // root mean square distance, in units of the part
+  int mostRounds = 24;
+  double goodEnough = 1e-6;  // mean square of the mismatch
+  double firstHold =
+      0.01;  // how firmly vertices hold their places: more where a step gains less than foretold
+  double mostWorth = 700;  // of a residual, in squared budgets of distance
+};
+
 // Gauss-Newton rounds towards the original's modes within a budget of distance from its surface. To be used
 // within a WholePhase.
 class ModalSearch {
  public:
-  // Keeps references. `budget`: root mean square distance, in units of the part.
-  ModalSearch(const FitPart& part, const FitSamples& samples, ModalTarget& target, double budget, Job& job);
+  // Keeps references.
+  ModalSearch(const FitPart& part, const FitSamples& samples, ModalTarget& target, const SearchLimits& limits,
+              Job& job);
 
   // The best mesh of all rounds: the least mismatch, where distances beyond the budget count against it.
   // `report` takes the fraction that is done. Throws Cancelled.
@@ -46,7 +56,7 @@ class ModalSearch {
   const FitPart& part_;
   const FitSamples& samples_;
   ModalTarget& target_;
-  double budget_;
+  SearchLimits limits_;
   Job& job_;
   Topology topology_;
   GuardedStep guard_;

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "base/parallel.h"
 #include "pipeline/assignment.h"
+#include "pipeline/coarse_vibration.h"
 #include "pipeline/find_modes.h"
 #include "pipeline/shape_transfer.h"
 
@@ -15,16 +17,17 @@ namespace limber {
 namespace {
 
 constexpr std::array<double, ModalTarget::kThicknesses> kThickness = {0.5, 1, 2};  // of the material's
-constexpr std::array<double, ModalTarget::kThicknesses> kWeight = {0.4, 1, 1.2};
+constexpr std::array<double, ModalTarget::kThicknesses> kWeight = {0.4, 1, 1.25};
 constexpr Eigen::Index kFirst = 10;         // modes that count fully ...
-constexpr double kLaterWeight = 1.25;       // ... and what the later ones count
+constexpr double kLaterWeight = 1.1;        // ... and what the later ones count
 constexpr double kNoMac = 0.2, kMac = 0.6;  // a pair counts from the one on, fully from the other on
 constexpr double kNear = 0.3;               // eigenvalues this close count as neighbours
 // Weight of what couples neighbours, which keeps their shapes.
-constexpr std::array<double, ModalTarget::kThicknesses> kCoupling = {0, 1, 0};
-constexpr int kMargin = 4;                    // modes beyond the fitted ones that may be partners
-constexpr uint32_t kSideBySide = 30000;       // vertices of an original that is solved thrice at a time
-constexpr double kReferenceTolerance = 1e-3;  // of eigenvalues
+constexpr std::array<double, ModalTarget::kThicknesses> kCoupling = {0, 1.3, 0};
+constexpr int kLargeModes = 16;          // that are fitted of large meshes, at both thicknesses
+constexpr int kMargin = 4;               // modes beyond the fitted ones that may be partners
+constexpr uint32_t kSideBySide = 30000;  // vertices of an original that is solved thrice at a time
+constexpr double kTolerance = 1e-3, kLargeTolerance = 1e-4;  // of eigenvalues
 constexpr int kReferenceSteps = 8;
 
 // Modes by way of a coarse copy, refined where the mesh is not too large (pipeline/find_modes.h).
@@ -42,6 +45,16 @@ ShellVibration vibrateCoarsely(const TriangleMesh& mesh, const ShellMaterial& ma
     for (Eigen::Index row = 0; row < rows; ++row)
       found.phi(row, k) = set.shapes[mode.layer * static_cast<size_t>(rows) + static_cast<size_t>(row)];
   }
+  return found;
+}
+
+double toleranceOf(const ModalTargetOptions& options) {
+  return options.isLarge ? kLargeTolerance : kTolerance;
+}
+
+// They have no mass: whoever follows the vibration does not need them.
+ShellVibration withoutRotations(ShellVibration found, const TriangleMesh& mesh) {
+  found.phi.conservativeResize(3 * static_cast<Eigen::Index>(mesh.vertexCount()), Eigen::NoChange);
   return found;
 }
 
@@ -101,21 +114,41 @@ ModalTarget::ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh,
     : original_(original),
       options_(options),
       topology_(buildTopology(mesh)),
-      shell_(mesh, topology_, {.poisson = options.material.poisson, .pinned = options.pinned}, job),
+      shell_(
+          mesh, topology_,
+          {.poisson = options.material.poisson, .tolerance = toleranceOf(options), .pinned = options.pinned},
+          job),
       rootMass_(rootMasses(original)) {
   bind(mesh);
-  parallelFor(kThicknesses, 1, [&](size_t k, size_t) {
-    last_[k] = shell_.solve(mesh, thicknessOf(k), modesAt(k) + kMargin, job);
-  });
+  if (options.isLarge)
+    for (size_t k : thicknesses()) last_[k] = startCoarsely(mesh, k, job);
+  else
+    parallelFor(kThicknesses, 1, [&](size_t k, size_t) {
+      last_[k] = shell_.solve(mesh, thicknessOf(k), modesAt(k) + kMargin, job);
+    });
   findReference(mesh, job);
 }
 
+std::vector<size_t> ModalTarget::thicknesses() const {
+  if (options_.isLarge) return {0, 2};
+  return {0, 1, 2};
+}
+
 int ModalTarget::modesAt(size_t k) const {
+  if (options_.isLarge) return std::min(options_.modeCount, kLargeModes);
   return k == kMiddle ? options_.modeCount : std::min(options_.modeCount, static_cast<int>(kFirst));
 }
 
 double ModalTarget::thicknessOf(size_t k) const {
   return kThickness[k] * options_.material.thickness;
+}
+
+// By way of a copy with fewer vertices.
+ShellVibration ModalTarget::startCoarsely(const TriangleMesh& mesh, size_t thickness, Job& job) const {
+  const int modeCount = modesAt(thickness) + kMargin;
+  const ShellVibration start = coarseVibration(mesh, {thicknessOf(thickness), options_.material.poisson},
+                                               {modeCount, options_.pinned, options_.coarseVertices}, job);
+  return withoutRotations(shell_.follow(mesh, start, modeCount, job), mesh);
 }
 
 // The modes of the simplified mesh are a start for those of the original.
@@ -124,13 +157,16 @@ void ModalTarget::findReference(const TriangleMesh& mesh, Job& job) {
   const Topology topology = isHuge ? Topology{} : buildTopology(original_);
   std::unique_ptr<VibratingShell> shell;
   if (!isHuge)
-    shell = std::make_unique<VibratingShell>(original_, topology,
-                                             VibrationOptions{options_.material.poisson, kReferenceTolerance,
-                                                              kReferenceSteps, options_.pinnedOriginal},
-                                             job);
+    shell =
+        std::make_unique<VibratingShell>(original_, topology,
+                                         VibrationOptions{options_.material.poisson, toleranceOf(options_),
+                                                          kReferenceSteps, options_.pinnedOriginal},
+                                         job);
   const size_t grain = original_.vertexCount() > kSideBySide ? kThicknesses : 1;
-  parallelFor(kThicknesses, grain, [&](size_t begin, size_t end) {
-    for (size_t k = begin; k < end; ++k) {
+  const std::vector<size_t> wanted = thicknesses();
+  parallelFor(wanted.size(), grain, [&](size_t begin, size_t end) {
+    for (size_t at = begin; at < end; ++at) {
+      const size_t k = wanted[at];
       ShellVibration& reference = reference_[k];
       reference =
           isHuge ? vibrateCoarsely(original_, {thicknessOf(k), options_.material.poisson}, modesAt(k),
@@ -180,12 +216,13 @@ Mismatch ModalTarget::compare(const TriangleMesh& mesh, size_t thickness, Job& j
               : shell_.solve(mesh, thicknessOf(thickness), modesAt(thickness) + kMargin, job);
   const Aligned aligned = align(found, massNormalised(carriedToOriginal(mesh, found), rootMass_), thickness);
   Mismatch mismatch;
-  const auto [pairs, scale] =
-      residualsOf(aligned, reference_[thickness].lambda, kCoupling[thickness], mismatch);
+  const double coupling = options_.isLarge ? 0 : kCoupling[thickness];
+  const auto [pairs, scale] = residualsOf(aligned, reference_[thickness].lambda, coupling, mismatch);
   const ShellMaterial material{found.thickness, options_.material.poisson};
   mismatch.slope =
       shellSensitivity(mesh, topology_, material, found.phi * aligned.turn, pairs, job) *
       Eigen::Map<const Eigen::VectorXd>(scale.data(), static_cast<Eigen::Index>(scale.size())).asDiagonal();
+  found = withoutRotations(std::move(found), mesh);
   return mismatch;
 }
 

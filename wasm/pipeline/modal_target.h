@@ -29,6 +29,10 @@ struct ModalTargetOptions {
   ShellMaterial material;  // of the middle thickness
   int modeCount = 20;
   std::span<const uint32_t> pinnedOriginal = {}, pinned = {};  // vertices of the original and of the mesh
+  // For large meshes: half and twice the thickness, without what couples modes; eigenvalues to a tenth of the
+  // tolerance (there is less to mend); the mesh's first modes by way of a copy with so many vertices.
+  bool isLarge = false;
+  uint32_t coarseVertices = 8000;
 };
 
 // The vibration that a mesh shall have: modes of its original at several thicknesses. Both in the frame where
@@ -37,13 +41,16 @@ class ModalTarget {
  public:
   static constexpr size_t kThicknesses = 3;
 
-  // Keeps a reference to `original`. `mesh`: what will be compared, but for
-  // the places of its vertices.
+  // Keeps a reference to `original`. `mesh`: what will be compared, but for the places of its vertices.
   ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh, const ModalTargetOptions& options,
               Job& job);
 
   // Binds the original's vertices to the mesh, for `compare`.
   void bind(const TriangleMesh& mesh) { binding_ = closestPoints(original_, mesh); }
+
+  // Indices of the thicknesses to compare at, and whether that is best done side by side.
+  std::vector<size_t> thicknesses() const;
+  bool areSideBySide() const { return !options_.isLarge; }
 
   // How far `mesh` is off at one of the thicknesses; a mode counts as far as its MAC is above 0.2, fully from
   // 0.6. Starts from what the last call found. Calls for different thicknesses may run side by side.
@@ -55,7 +62,7 @@ class ModalTarget {
   void startFrom(const Found& found) { last_ = found; }
 
   // There is nothing to aim at.
-  bool empty() const { return reference_[kMiddle].lambda.size() == 0; }
+  bool empty() const { return reference_[thicknesses()[0]].lambda.size() == 0; }
 
   // psi = phi * turn, mass-normalised, and psi^T K psi; weights by the original's mode.
   struct Aligned {
@@ -65,9 +72,10 @@ class ModalTarget {
 
  private:
   static constexpr size_t kMiddle = 1;
-  // All that are fitted at the middle thickness, the first ten at the others.
+  // How many are fitted: fewer at half and at twice the thickness than at the middle one.
   int modesAt(size_t k) const;
   double thicknessOf(size_t k) const;
+  ShellVibration startCoarsely(const TriangleMesh& mesh, size_t thickness, Job& job) const;
   void findReference(const TriangleMesh& mesh, Job& job);
   // Shapes of the mesh at the original's vertices.
   Eigen::MatrixXd carriedToOriginal(const TriangleMesh& mesh, const ShellVibration& found) const;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
+#include "simulate/schedule.h"
 
 namespace limber {
 
@@ -15,12 +16,12 @@ RunningScenario::RunningScenario(const TriangleMesh& mesh, const SimulationOptio
   startScenario(scenario_, mesh.positions, simulation_);
 }
 
-void RunningScenario::step(const Job& job) {
+void RunningScenario::step(const Job& job, Helpers* helpers) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   prepareStep(scenario_, time(), pinRest_, simulation_);
-  simulation_.step(job);
-  stepSeconds_ = std::chrono::duration<double>(Clock::now() - start).count();
+  simulation_.step(job, helpers);
+  stepSeconds_ = std::chrono::duration<double>(Clock::now() - start).count() + simulation_.helpedSeconds();
   ++stepsDone_;
   if (!simulation_.isFinite())
     throw std::runtime_error("The simulation has flown apart: give it more substeps or a softer material.");
@@ -34,8 +35,21 @@ std::vector<Vec3> RunningScenario::pinPositions() const {
 }
 
 void stepTogether(std::span<RunningScenario* const> bodies, const Job& job) {
-  parallelFor(bodies.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) bodies[i]->step(job);
+  if (bodies.size() == 1) return bodies[0]->step(job);
+  Helpers helpers(bodies.size());
+  const auto stepOne = [&](RunningScenario& body) {
+    try {
+      body.step(job, &helpers);
+    } catch (...) {
+      helpers.endTask();
+      throw;
+    }
+    helpers.endTask();
+  };
+  // A thread that finds no body left helps with those of others.
+  const size_t helpCount = static_cast<size_t>(threadCount()) - 1;
+  parallelFor(bodies.size() + helpCount, 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) i < bodies.size() ? stepOne(*bodies[i]) : helpers.help();
   });
 }
 

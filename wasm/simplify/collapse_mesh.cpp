@@ -14,23 +14,20 @@ constexpr double kBorderWeight = 10;  // see CostModel
 
 CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
     : livingTriangles_(mesh.triangleCount()) {
-  const Topology topology = buildTopology(mesh);
+  const Topology topology = buildIncidence(mesh);
   const Bounds box = bounds(mesh);
   diagonal_ = box.diagonal();
   // A sum as large as 2^52 steps has no digits below one step; the step is a power of two.
   if (diagonal_ > 0) rounder_ = std::ldexp(1.5, 52 - 30 + std::ilogb(diagonal_));
   for (int axis = 0; axis < 3; ++axis)
     origin_[axis] = static_cast<float>(0.5 * box.low[axis] + 0.5 * box.high[axis]);
-  vertices_.resize(mesh.vertexCount());
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) vertices_[v].position = mesh.positions[v] - origin_;
-
   faces_.resize(mesh.triangleCount());
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     faces_[t].vertices = mesh.triangles[t];
     std::copy_n(&topology.edgeOfCorner[3 * t], 3, faces_[t].edges.begin());
   }
-  collectStars(mesh, topology);
   const Lines lines = findLines(mesh, topology, wishes);
+  collectVertices(mesh, topology, lines);
   if (!wishes.wedges.empty() || !wishes.attributes.empty()) {
     sectorOfCorner_ = findSectors(mesh, topology, lines);
     heirOfSector_.assign(sectorOfCorner_.empty() ? 0 : std::ranges::max(sectorOfCorner_) + 1, kNone);
@@ -41,21 +38,20 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
                       .heir = kNone,
                       .triangles = static_cast<uint8_t>(std::min(edge.useCount, 3u)),
                       .isLine = lines.isLine[edges_.size()]});
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) vertices_[v].role = lines.roles[v];
   collectQuadrics();
 }
 
-void CollapseMesh::collectStars(const TriangleMesh& mesh, const Topology& topology) {
-  pool_.reserve(4 * topology.vertexTriangles.size() + mesh.vertexCount());
+void CollapseMesh::collectVertices(const TriangleMesh& mesh, const Topology& topology, const Lines& lines) {
+  vertices_.reserve(mesh.vertexCount());
+  pool_.reserve(4 * topology.vertexCorners.size() + mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    const auto around = topology.trianglesAround(v);
-    const auto count = static_cast<uint32_t>(around.size());
+    const auto corners = topology.cornersAt(v);
+    const auto count = static_cast<uint32_t>(corners.size());
     pool_.push_back(count);
-    vertices_[v].star = {static_cast<uint32_t>(pool_.size()), count};
-    for (uint32_t t : around) {
-      const Triangle& triangle = mesh.triangles[t];
-      pool_.push_back(4 * t + (triangle[1] == v) + 2 * (triangle[2] == v));
-    }
+    vertices_.push_back({.position = mesh.positions[v] - origin_,
+                         .star = {static_cast<uint32_t>(pool_.size()), count},
+                         .role = lines.roles[v]});
+    for (const Corner corner : corners) pool_.push_back(corner);
   }
 }
 
@@ -125,8 +121,8 @@ void CollapseMesh::takeOver(Corner corner, const Collapse& step) {
 
 // Puts the joined star where the kept vertex's, or else the removed one's, has been, or in a new place with
 // room to grow, so that many collapses into one vertex cost no more than their sum.
-void CollapseMesh::storeStar(std::span<const Corner> joined, const Collapse& step) {
-  const auto count = static_cast<uint32_t>(joined.size());
+void CollapseMesh::storeStar(const Collapse& step) {
+  const auto count = static_cast<uint32_t>(change_.count);
   Star& star = vertices_[step.kept].star;
   Star& spare = vertices_[step.removed].star;
   if (capacityOf(star) < capacityOf(spare)) std::swap(star, spare);
@@ -135,29 +131,9 @@ void CollapseMesh::storeStar(std::span<const Corner> joined, const Collapse& ste
     pool_.resize(star.begin + count + count / 2);
     capacityOf(star) = count + count / 2;
   }
-  std::copy(joined.begin(), joined.end(), pool_.begin() + star.begin);
+  std::copy_n(change_.corners.begin(), count, pool_.begin() + star.begin);
   star.count = count;
   spare.count = 0;
-}
-
-uint32_t CollapseMesh::countCommonNeighbours(uint32_t a, uint32_t b) {
-  const uint32_t around = ++mark_, common = ++mark_;
-  // In a closed fan every neighbour comes next after v in one of the triangles.
-  const auto forEachNeighbour = [&](uint32_t v, const auto& visit) {
-    const bool open = role(v).onBorder;
-    for (const Corner corner : star(v)) {
-      const Triangle& triangle = faces_[triangleOf(corner)].vertices;
-      visit(vertices_[triangle[nextIndex(indexOf(corner))]].seen);
-      if (open) visit(vertices_[triangle[previousIndex(indexOf(corner))]].seen);
-    }
-  };
-  uint32_t count = 0;
-  forEachNeighbour(a, [&](uint32_t& seen) { seen = around; });
-  forEachNeighbour(b, [&](uint32_t& seen) {
-    count += seen == around;
-    seen = seen == around ? common : seen;
-  });
-  return count;
 }
 
 Collapse CollapseMesh::collapseOf(uint32_t edge, const Vec3& target) const {
@@ -168,30 +144,53 @@ Collapse CollapseMesh::collapseOf(uint32_t edge, const Vec3& target) const {
   return keepsA ? Collapse{edge, a, b, target} : Collapse{edge, b, a, target};
 }
 
-// Appends the corners at v to `joined_`, but for those in triangles on `edge`: these are put at the end of
-// what it returns, of which there are at most two. Without branches, which nobody could predict.
-size_t CollapseMesh::divideStar(uint32_t v, uint32_t edge, size_t joined, std::array<Corner, 3>& onEdge) {
+// Appends the corners at v to those of `change_`, but for those in triangles on its edge: these are put into
+// `vanishing`, of which there are at most two. Calls visit with the mark of each neighbour. Without branches,
+// which nobody could predict.
+template <class Visit>
+size_t CollapseMesh::divideStar(uint32_t v, size_t count, std::array<Corner, 3>& vanishing,
+                                const Visit& visit) {
   const auto corners = star(v);
-  joined_.resize(std::max(joined_.size(), joined + corners.size() + 1));
+  auto& staying = change_.corners;
+  if (staying.size() <= count + corners.size()) staying.resize(2 * (count + corners.size() + 1));
+  // In a closed fan every neighbour comes next after v in one of the triangles.
+  const bool open = role(v).onBorder;
   size_t found = 0;
   for (const Corner corner : corners) {
-    const bool vanishes = isOn(faces_[triangleOf(corner)], edge);
-    joined_[joined] = onEdge[found] = corner;
-    joined += !vanishes;
+    const Face& face = faces_[triangleOf(corner)];
+    visit(vertices_[face.vertices[nextIndex(indexOf(corner))]].seen);
+    if (open) visit(vertices_[face.vertices[previousIndex(indexOf(corner))]].seen);
+    const bool vanishes = isOn(face, change_.edge);
+    staying[count] = vanishing[found] = corner;
+    count += !vanishes;
     found += vanishes;
   }
-  return joined;
+  return count;
+}
+
+const CollapseMesh::Change& CollapseMesh::changeOf(const Collapse& step) {
+  if (change_.edge == step.edge && change_.kept == step.kept) return change_;
+  change_.edge = step.edge;
+  change_.kept = step.kept;
+  const uint32_t around = ++mark_, common = ++mark_;
+  uint32_t shared = 0;
+  std::array<Corner, 3> others;
+  change_.ofKept = divideStar(step.kept, 0, change_.vanishing, [&](uint32_t& seen) { seen = around; });
+  change_.count = divideStar(step.removed, change_.ofKept, others, [&](uint32_t& seen) {
+    shared += seen == around;
+    seen = seen == around ? common : seen;
+  });
+  change_.commonNeighbours = shared;
+  return change_;
 }
 
 std::array<uint32_t, 2> CollapseMesh::collapse(const Collapse& step) {
   std::array<uint32_t, 2> gone{kNone, kNone};
   const int goneCount = edges_[step.edge].triangles;
-  std::array<Corner, 3> vanishing, others;
-  const size_t ofKept = divideStar(step.kept, step.edge, 0, vanishing);
-  const size_t all = divideStar(step.removed, step.edge, ofKept, others);
+  changeOf(step);
   for (int i = 0; i < goneCount; ++i) {
     // The triangle between kept, removed and a third vertex vanishes; its other two edges become one.
-    const Corner corner = vanishing[i];
+    const Corner corner = change_.vanishing[i];
     const Face& face = faces_[triangleOf(corner)];
     const int c = indexOf(corner);
     const int third = face.edges[nextIndex(c)] == step.edge ? nextIndex(c) : previousIndex(c);
@@ -202,8 +201,9 @@ std::array<uint32_t, 2> CollapseMesh::collapse(const Collapse& step) {
     --livingTriangles_;
   }
   edges_[step.edge].triangles = 0;
-  for (size_t i = ofKept; i < all; ++i) takeOver(joined_[i], step);
-  storeStar({joined_.data(), all}, step);
+  for (size_t i = change_.ofKept; i < change_.count; ++i) takeOver(change_.corners[i], step);
+  storeStar(step);
+  change_.edge = kNone;
   Vertex& kept = vertices_[step.kept];
   kept.position = step.target;
   kept.quadric = kept.quadric + vertices_[step.removed].quadric;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/corner.h"
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
 #include "simplify/lines.h"
@@ -12,21 +13,6 @@
 #include "simplify/real_pair.h"
 
 namespace limber {
-
-// A corner of a triangle, packed: 4 * triangle + (0, 1 or 2).
-using Corner = uint32_t;
-inline uint32_t triangleOf(Corner corner) {
-  return corner >> 2;
-}
-inline int indexOf(Corner corner) {
-  return static_cast<int>(corner & 3);
-}
-inline int nextIndex(int c) {
-  return c == 2 ? 0 : c + 1;
-}
-inline int previousIndex(int c) {
-  return c == 0 ? 2 : c - 1;
-}
 
 // A collapse: the triangles on `edge` vanish, `kept` goes to `target` and takes over the others of `removed`.
 struct Collapse {
@@ -87,8 +73,17 @@ class CollapseMesh {
     return {pool_.data() + star.begin, star.count};
   }
 
-  // How many vertices are neighbours of both. Uses marks of its own in the vertices.
-  uint32_t countCommonNeighbours(uint32_t a, uint32_t b);
+  // What a collapse does to the triangles around its ends.
+  struct Change {
+    uint32_t edge = kNone, kept = kNone;  // of the collapse
+    std::vector<Corner> corners;          // [0, count): those that stay, at the kept vertex before the others
+    size_t ofKept = 0, count = 0;
+    std::array<Corner, 3> vanishing{};  // those at the kept vertex that do not stay
+    uint32_t commonNeighbours = 0;      // how many vertices are neighbours of both ends
+  };
+  // Uses marks of its own in the vertices. Valid until the next call, of which one for the same edge before
+  // any collapse costs nothing.
+  const Change& changeOf(const Collapse& step);
 
   // Calls visit(edge, other vertex) once for each edge of a vertex that is not locked.
   template <class Visit>
@@ -145,21 +140,22 @@ class CollapseMesh {
     Quadric quadric{};
     Vec3 position;
     Star star;
-    uint32_t seen = 0;  // the last mark of countCommonNeighbours
+    uint32_t seen = 0;  // the last mark of `changeOf`
     VertexRole role;
     bool isMarked = false;
   };
 
-  void collectStars(const TriangleMesh& mesh, const Topology& topology);
+  void collectVertices(const TriangleMesh& mesh, const Topology& topology, const Lines& lines);
   void collectQuadrics();
   bool isOn(const Face& face, uint32_t edge) const;
   void bequeath(uint32_t dying, uint32_t heir);
   void removeFromStar(uint32_t v, uint32_t triangle);
   void joinSectors(uint32_t triangle, int removed, int kept);
-  size_t divideStar(uint32_t v, uint32_t edge, size_t joined, std::array<Corner, 3>& onEdge);
+  template <class Visit>
+  size_t divideStar(uint32_t v, size_t count, std::array<Corner, 3>& vanishing, const Visit& visit);
   void takeOver(Corner corner, const Collapse& step);
   uint32_t& capacityOf(const Star& star) { return pool_[star.begin - 1]; }
-  void storeStar(std::span<const Corner> joined, const Collapse& step);
+  void storeStar(const Collapse& step);
 
   Vec3 origin_;
   double diagonal_ = 0;
@@ -171,7 +167,7 @@ class CollapseMesh {
   std::vector<Corner> pool_;  // the stars' places, each behind its capacity
   uint32_t mark_ = 0;         // the last that was set in a vertex
   std::vector<uint32_t> sectorOfCorner_, heirOfSector_;
-  std::vector<Corner> joined_;  // scratch
+  Change change_;  // the last one asked for
 };
 
 }  // namespace limber

@@ -22,8 +22,7 @@ double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
 
 // The squared qualities of two triangles (p, q, r), side by side.
 RealPair squaredQuality(const Point<RealPair>& p, const Point<RealPair>& q, const Point<RealPair>& r) {
-  const Point<RealPair> u = q - p, v = r - p, w = r - q;
-  const Point<RealPair> n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const Point<RealPair> u = q - p, v = r - p, w = r - q, n = cross(u, v);
   const RealPair squares = dot(u, u) + dot(v, v) + dot(w, w);
   const RealPair quality = 12 * dot(n, n) / (squares * squares);
   return squares > 0 ? quality : RealPair{};

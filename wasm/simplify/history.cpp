@@ -60,30 +60,42 @@ void collectTriangles(const TriangleMesh& input, const std::vector<uint32_t>& su
   result.inputOfTriangle.resize(count);
 }
 
-// Numbers the vertices that triangles use in the input's order and puts them where they are by then.
-void numberVertices(const TriangleMesh& input, const History& history, size_t count,
-                    const std::vector<uint32_t>& survivor, MeshAt& result) {
-  std::vector<uint8_t> used(input.vertexCount(), 0);
+// Numbers the vertices that triangles use in the input's order; all others get the number behind the last.
+// Without branches, which nobody could predict.
+std::vector<uint32_t> numberVertices(const TriangleMesh& input, MeshAt& result) {
+  std::vector<uint32_t> number(input.vertexCount(), 0);
   for (const Triangle& triangle : result.mesh.triangles)
-    for (uint32_t v : triangle) used[v] = 1;
-  std::vector<uint32_t> number(input.vertexCount(), kNone);
-  const size_t usedCount = static_cast<size_t>(std::ranges::count(used, 1));
-  result.inputOfVertex.reserve(usedCount);
-  result.mesh.positions.reserve(usedCount);
+    for (uint32_t v : triangle) number[v] = 1;
+  const auto usedCount = static_cast<uint32_t>(std::ranges::count(number, 1u));
+  result.inputOfVertex.resize(size_t{usedCount} + 1);
+  result.mesh.positions.resize(size_t{usedCount} + 1);
+  uint32_t count = 0;
   for (uint32_t v = 0; v < input.vertexCount(); ++v) {
-    if (!used[v]) continue;
-    number[v] = static_cast<uint32_t>(result.inputOfVertex.size());
-    result.inputOfVertex.push_back(v);
-    result.mesh.positions.push_back(input.positions[v]);
+    const uint32_t used = number[v];
+    number[v] = used ? count : usedCount;
+    result.inputOfVertex[count] = v;
+    result.mesh.positions[count] = input.positions[v];
+    count += used;
   }
+  result.inputOfVertex.resize(usedCount);
+  return number;
+}
+
+// Puts the vertices where they are by then and names them by their numbers.
+void placeVertices(const History& history, size_t count, const std::vector<uint32_t>& survivor,
+                   const std::vector<uint32_t>& number, MeshAt& result) {
   for (size_t i = 0; i < count; ++i)
-    if (const uint32_t v = number[history.kept[i]]; v != kNone)
-      result.mesh.positions[v] = {history.positions[3 * i], history.positions[3 * i + 1],
-                                  history.positions[3 * i + 2]};
+    result.mesh.positions[number[history.kept[i]]] = {history.positions[3 * i], history.positions[3 * i + 1],
+                                                      history.positions[3 * i + 2]};
+  const auto usedCount = static_cast<uint32_t>(result.inputOfVertex.size());
+  result.mesh.positions.resize(usedCount);  // what vertices without a number have left behind
   for (Triangle& triangle : result.mesh.triangles)
     for (uint32_t& v : triangle) v = number[v];
-  result.vertexOfInput.resize(input.vertexCount());
-  for (uint32_t v = 0; v < input.vertexCount(); ++v) result.vertexOfInput[v] = number[survivor[v]];
+  result.vertexOfInput.resize(survivor.size());
+  for (size_t v = 0; v < survivor.size(); ++v) {
+    const uint32_t vertex = number[survivor[v]];
+    result.vertexOfInput[v] = vertex == usedCount ? kNone : vertex;
+  }
 }
 
 }  // namespace
@@ -96,7 +108,8 @@ MeshAt meshAt(const TriangleMesh& input, const History& history, uint32_t faces)
   const uint32_t expected = count > 0 ? history.trianglesAfter[count - 1] : input.triangleCount();
   collectTriangles(input, survivor, expected, result);
   if (count > 0 && result.mesh.triangleCount() != expected) refuseHistory();
-  numberVertices(input, history, count, survivor, result);
+  const auto number = numberVertices(input, result);
+  placeVertices(history, count, survivor, number, result);
   return result;
 }
 

@@ -1,8 +1,11 @@
 #include "simplify/legality.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "simplify/real_pair.h"
 
 namespace limber {
 namespace {
@@ -38,6 +41,19 @@ bool isSpoilt(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& target) {
   return turns || !(flatness >= flatnessBefore);
 }
 
+// Whether neither of two faces (p, q, r) could be spoilt: what `isSpoilt` says at once.
+bool areSafe(const Point<RealPair>& p, const Point<RealPair>& q, const Point<RealPair>& r,
+             const Point<RealPair>& target) {
+  const Point<RealPair> side = r - q, way = target - q;
+  const Point<RealPair> before = cross(side, p - q), after = cross(side, way);
+  const RealPair cosine = dot(before, after);
+  const RealPair lengths = dot(before, before) * dot(after, after);
+  const auto turns = (cosine <= 0) | (cosine * cosine < kSmallestCosine * kSmallestCosine * lengths);
+  const RealPair square = 2 * (dot(side, side) + dot(way, way));
+  const auto safe = ~turns & (dot(after, after) > 4 * kSmallestHeight * kSmallestHeight * square * square);
+  return (safe[0] & safe[1]) != 0;
+}
+
 // The largest cosine of an angle of triangle (p, q, r), so that of its smallest; 1 where an edge has no
 // length.
 double largestCosine(const Vec3& p, const Vec3& q, const Vec3& r) {
@@ -58,7 +74,7 @@ Legality::Legality(CollapseMesh& mesh, const SimplifyOptions& options)
 Verdict Legality::check(const Collapse& step) {
   if (const Verdict verdict = forever(step.edge); verdict != Verdict::Legal) return verdict;
   if (!keepsTopology(step)) return Verdict::Topology;
-  if (spoilsAnyFace(step.kept, step) || spoilsAnyFace(step.removed, step)) return Verdict::Flip;
+  if (spoilsAnyFace(step)) return Verdict::Flip;
   if (largestCosine_ < 1 && spoilsAngles(step)) return Verdict::Angle;
   return Verdict::Legal;
 }
@@ -92,7 +108,7 @@ bool Legality::keepsTopology(const Collapse& step) {
     if (inside && starKept.size() == 3 && starRemoved.size() == 3) return false;
   }
   if (joinsLines(step)) return false;
-  return mesh_.countCommonNeighbours(step.kept, step.removed) == triangles;
+  return mesh_.changeOf(step).commonNeighbours == triangles;
 }
 
 // Whether a triangle would vanish whose two other edges are both lines.
@@ -123,14 +139,23 @@ bool Legality::spoilsAngles(const Collapse& step) const {
   return after > largestCosine_ && after >= before;
 }
 
-bool Legality::spoilsAnyFace(uint32_t v, const Collapse& step) const {
-  for (const Corner corner : mesh_.star(v)) {
-    const CollapseMesh::Face& face = mesh_.face(triangleOf(corner));
-    const int next = nextIndex(indexOf(corner)), previous = previousIndex(indexOf(corner));
-    if (face.edges[next] == step.edge || face.edges[previous] == step.edge) continue;
-    if (isSpoilt(mesh_.position(v), mesh_.position(face.vertices[next]),
-                 mesh_.position(face.vertices[previous]), step.target))
-      return true;
+// Two faces at a time; the last one may be asked twice.
+bool Legality::spoilsAnyFace(const Collapse& step) {
+  const CollapseMesh::Change& change = mesh_.changeOf(step);
+  const Vec3 &kept = mesh_.position(step.kept), &removed = mesh_.position(step.removed);
+  const auto faceAt = [&](size_t i) {
+    const Corner corner = change.corners[i];
+    const Triangle& vertices = mesh_.face(triangleOf(corner)).vertices;
+    return std::array{i < change.ofKept ? &kept : &removed,
+                      &mesh_.position(vertices[nextIndex(indexOf(corner))]),
+                      &mesh_.position(vertices[previousIndex(indexOf(corner))])};
+  };
+  const Point<RealPair> target = asPair(step.target, step.target);
+  for (size_t i = 0; i < change.count; i += 2) {
+    const auto [p, q, r] = faceAt(i);
+    const auto [s, t, u] = faceAt(std::min(i + 1, change.count - 1));
+    if (areSafe(asPair(*p, *s), asPair(*q, *t), asPair(*r, *u), target)) continue;
+    if (isSpoilt(*p, *q, *r, step.target) || isSpoilt(*s, *t, *u, step.target)) return true;
   }
   return false;
 }

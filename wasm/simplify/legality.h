@@ -37,7 +37,7 @@ class Legality {
   bool mixesPinnedSets(uint32_t edge) const;
   bool keepsTopology(const Collapse& step);
   bool joinsLines(const Collapse& step) const;
-  bool spoilsAnyFace(uint32_t v, const Collapse& step) const;
+  bool spoilsAnyFace(const Collapse& step);
   bool spoilsAngles(const Collapse& step) const;
 
   CollapseMesh& mesh_;

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "mesh/manifold.h"
-#include "mesh/orientation.h"
 
 namespace limber {
 namespace {
@@ -20,6 +19,11 @@ class LineRules {
   LineRules(const TriangleMesh& mesh, const Wishes& wishes)
       : mesh_(mesh), wishes_(wishes), creaseCosine_(std::cos(wishes.creaseAngle * std::numbers::pi / 180)) {}
 
+  // Whether there is nothing that could make a line.
+  bool empty() const {
+    return wishes_.groups.empty() && wishes_.wedges.empty() && wishes_.creaseAngle == 0 &&
+           wishes_.pinnedSets.empty() && wishes_.mirror.empty();
+  }
   bool isLine(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
     return isSeam(edge, s, t) || isCrease(s, t) || isOutline(edge, s, t) || isInMirror(edge);
   }
@@ -70,6 +74,7 @@ std::vector<Surroundings> lookAround(const Topology& topology, const Wishes& wis
   for (size_t e = 0; e < topology.edges.size(); ++e) {
     const Topology::Edge& edge = topology.edges[e];
     const bool border = edge.useCount == 1;
+    if (!border && !isLine[e] && wishes.pinnedSets.empty()) continue;
     for (const auto& [v, other] : {std::pair(edge.a, edge.b), std::pair(edge.b, edge.a)}) {
       around[v].borders += border;
       around[v].lines += isLine[e];
@@ -104,7 +109,7 @@ Lines findLines(const TriangleMesh& mesh, const Topology& topology, const Wishes
   Lines lines;
   lines.isLine.assign(topology.edges.size(), 0);
   const LineRules rules(mesh, wishes);
-  for (size_t e = 0; e < topology.edges.size(); ++e) {
+  for (size_t e = 0; e < topology.edges.size() && !rules.empty(); ++e) {
     const Topology::Edge& edge = topology.edges[e];
     if (edge.useCount != 2) continue;
     const auto triangles = topology.trianglesAt(edge);
@@ -112,6 +117,7 @@ Lines findLines(const TriangleMesh& mesh, const Topology& topology, const Wishes
   }
   const auto around = lookAround(topology, wishes, lines.isLine);
   const auto kinds = classifyVertices(mesh, topology);
+  lines.roles.reserve(mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     VertexRole role = roleOf(kinds[v], around[v], wishes.borders == Borders::Fixed);
     const bool held = (!wishes.locked.empty() && wishes.locked[v]) ||
@@ -119,9 +125,8 @@ Lines findLines(const TriangleMesh& mesh, const Topology& topology, const Wishes
     if (held) role.freedom = std::max(role.freedom, Freedom::Anchored);
     lines.roles.push_back(role);
   }
-  const auto clashes = findClashes(mesh, topology);
   for (size_t e = 0; e < topology.edges.size(); ++e)
-    if (clashes[e])
+    if (topology.clashes[e])
       for (const uint32_t v : {topology.edges[e].a, topology.edges[e].b})
         lines.roles[v].freedom = Freedom::Locked;
   return lines;

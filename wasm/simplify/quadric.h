@@ -74,13 +74,13 @@ Point<Real> minimize(const QuadricOf<Real>& q, const Point<Real>& start) {
   const Real cyy = xx * zz - q.xz * q.xz, cyz = q.xy * q.xz - q.yz * xx, czz = xx * yy - q.xy * q.xy;
   const Real determinant = xx * cxx + q.xy * cxy + q.xz * cxz;
   const Real inverse = determinant > 0 ? 1 / determinant : Real{};
-  Point<Real> p = start;
-  for (int step = 0; step < 2; ++step) {
-    const Point<Real> g = halfGradient(q, p) * inverse;
-    p = p - Point<Real>{cxx * g.x + cxy * g.y + cxz * g.z, cxy * g.x + cyy * g.y + cyz * g.z,
-                        cxz * g.x + cyz * g.y + czz * g.z};
-  }
-  return p;
+  const auto solve = [&](const Point<Real>& g) {
+    return Point<Real>{cxx * g.x + cxy * g.y + cxz * g.z, cxy * g.x + cyy * g.y + cyz * g.z,
+                       cxz * g.x + cyz * g.y + czz * g.z};
+  };
+  // What the first step leaves of the gradient is the damping times its way back.
+  const Point<Real> first = solve(halfGradient(q, start) * inverse);
+  return start - (first + solve(first * (damping * inverse)));
 }
 
 }  // namespace limber

@@ -1,5 +1,9 @@
 #pragma once
 
+#ifdef __wasm_simd128__
+#include <wasm_simd128.h>
+#endif
+
 #include "base/vec3.h"
 
 namespace limber {
@@ -19,8 +23,13 @@ inline double asFloat(double x) {
   return nearest;
 }
 inline RealPair asFloat(RealPair x) {
+#ifdef __wasm_simd128__
+  // Clang takes the lanes apart if it is not told how.
+  return RealPair(wasm_f64x2_promote_low_f32x4(wasm_f32x4_demote_f64x2_zero(v128_t(x))));
+#else
   using FloatPair = float __attribute__((vector_size(8)));
   return __builtin_convertvector(__builtin_convertvector(x, FloatPair), RealPair);
+#endif
 }
 
 // A point whose coordinates are doubles or pairs.
@@ -44,6 +53,10 @@ Point<Real> operator*(const Point<Real>& a, Factor s) {
 template <class Real>
 Real dot(const Point<Real>& a, const Point<Real>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class Real>
+Point<Real> cross(const Point<Real>& a, const Point<Real>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 inline Point<double> asPoint(const Vec3& p) {

@@ -217,16 +217,15 @@ void Simplification::updateCosts(uint32_t kept) {
   edges_.clear();
   neighbours_.clear();
   mesh_.forEachEdge(kept, [&](uint32_t edge, uint32_t neighbour) {
-    if (legality_.forever(edge) == Verdict::Legal) edges_.push_back(edge);
+    if (legality_.forever(edge) == Verdict::Legal) {
+      if (!costs_.followsSurroundings() && queue_.isWaiting(edge))
+        queue_.doubt(edge, costs_.guess(edge, queue_.cost(edge)));
+      else
+        edges_.push_back(edge);
+    }
     if (costs_.followsSurroundings() || mesh_.isMarked(neighbour)) neighbours_.push_back(neighbour);
   });
   mesh_.setMarked(kept, false);
-  if (!costs_.followsSurroundings())
-    std::erase_if(edges_, [&](uint32_t edge) {
-      const bool waits = queue_.isWaiting(edge);
-      if (waits) queue_.doubt(edge, costs_.guess(edge, queue_.cost(edge)));
-      return waits;
-    });
   costs_.setBounds(edges_);
   queueByBounds(edges_);
   for (const uint32_t neighbour : neighbours_) {

@@ -15,6 +15,9 @@ namespace {
 // vertices, which costs substeps.
 constexpr double kTurnInertia = 0.05;
 
+// Places of turns between those for empty lanes: two cache lines.
+constexpr size_t kIdleTurnStride = 16;
+
 bool isRigid(const Particles& particles, uint32_t a, uint32_t b, uint32_t c) {
   return particles.inverseMass[a] == 0 && particles.inverseMass[b] == 0 && particles.inverseMass[c] == 0;
 }
@@ -36,7 +39,8 @@ std::vector<double> turnWeights(const TriangleMesh& mesh, const Topology& topolo
 
 BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology& topology,
                                        Particles& particles, const ConstraintOptions& options)
-    : turns_(topology.edges.size() + 1), exactPsi_(topology.edges.size(), 0.0) {
+    : turns_(topology.edges.size() + kIdleTurnStride * (options.blocks.groupCount() + 1)),
+      exactPsi_(topology.edges.size(), 0.0) {
   turnWeight_ = turnWeights(mesh, topology, options.sheet.density * options.sheet.thickness);
   const auto flaps = flapsOf(mesh, topology);
   // Six vertices and, by the edges' vertices, three turns: two triangles that share a turn share vertices
@@ -59,11 +63,11 @@ BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology&
         bendingStiffness(compliance_.back(), {rest.share[0] > 0, rest.share[1] > 0, rest.share[2] > 0});
     rest_.push_back(rest);
   }
-  colouring_ = colour(stencils, 6, particles.count(), options.order);
+  colouring_ = colour(stencils, 6, options.blocks, options.order);
   batches_.resize(colouring_.batches.size());
-  for (size_t i = 0; i < batches_.size(); ++i)
-    for (int k = 0; k < 4; ++k)
-      setTriangle(batches_[i], k, colouring_.batches[i][k], particles, options.substep);
+  forEachLane(colouring_, [&](size_t i, const Lane& lane) {
+    setTriangle(batches_[i], lane, particles, options.substep);
+  });
 }
 
 void BendingConstraints::setHinge(Rest& rest, uint32_t e, const Triangle& corner, const TriangleMesh& mesh,
@@ -83,7 +87,10 @@ void BendingConstraints::setHinge(Rest& rest, uint32_t e, const Triangle& corner
   rest.sine[e] = fold.sine / size;
 }
 
-void BendingConstraints::setTriangle(Batch& batch, int k, uint32_t t, Particles& particles, double substep) {
+void BendingConstraints::setTriangle(Batch& batch, const Lane& lane, Particles& particles, double substep) {
+  const int k = lane.lane;
+  const uint32_t t = lane.constraint, idle = particles.idle(lane.group);
+  Turn* const idleTurn = &turns_[edgeCount() + kIdleTurnStride * (lane.group + 1)];
   static const Vec3 outside[3] = {{1, 1, 0}, {-1, 1, 0}, {1, -1, 0}};  // flaps of an empty lane's triangle
   const bool empty = t == kNone;
   setLane(batch.base1, k, {1, 0, 0});
@@ -91,11 +98,11 @@ void BendingConstraints::setTriangle(Batch& batch, int k, uint32_t t, Particles&
   std::array<bool, 3> inner{};
   for (uint32_t e = 0; e < 3; ++e) {
     inner[e] = !empty && rest_[t].share[e] > 0;
-    const uint32_t vertex = empty ? particles.idle() : triangles_[t][e];
-    const uint32_t flap = inner[e] ? rest_[t].flap[e] : particles.idle();
+    const uint32_t vertex = empty ? idle : triangles_[t][e];
+    const uint32_t flap = inner[e] ? rest_[t].flap[e] : idle;
     batch.corner[e][k] = &particles.motion[vertex];
     batch.flap[e][k] = &particles.motion[flap];
-    batch.edge[e][k] = &turns_[inner[e] ? rest_[t].edge[e] : edgeCount()];
+    batch.edge[e][k] = inner[e] ? &turns_[rest_[t].edge[e]] : idleTurn;
     batch.weight[e][k] = static_cast<float>(particles.inverseMass[vertex]);
     batch.flapWeight[e][k] = static_cast<float>(particles.inverseMass[flap]);
     batch.turnWeight[e][k] = inner[e] ? static_cast<float>(turnWeight_[rest_[t].edge[e]]) : 0.0f;

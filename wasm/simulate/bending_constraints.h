@@ -30,7 +30,7 @@ class BendingConstraints {
   BendingConstraints(const BendingConstraints&) = delete;  // batches point to the turns
 
   uint32_t count() const { return static_cast<uint32_t>(triangles_.size()); }
-  size_t edgeCount() const { return turns_.size() - 1; }
+  size_t edgeCount() const { return exactPsi_.size(); }
   const Colouring& colouring() const { return colouring_; }
   void rebase(const Particles& particles, size_t begin, size_t end);
   // Moves the turns of edges [begin, end) by their rates, as `advance` does for vertices.
@@ -77,13 +77,13 @@ class BendingConstraints {
   static void apply(const Batch& batch, const Hinges& hinges, const Float4 (&lambda)[3]);
   void setHinge(Rest& rest, uint32_t e, const Triangle& corner, const TriangleMesh& mesh,
                 const Particles& particles);
-  void setTriangle(Batch& batch, int lane, uint32_t t, Particles& particles, double substep);
+  void setTriangle(Batch& batch, const Lane& lane, Particles& particles, double substep);
 
   std::vector<Batch> batches_;
   std::vector<Triangle> triangles_;  // that are not rigid
   std::vector<Rest> rest_;
   std::vector<std::array<double, 6>> compliance_;  // of triangles, 00 01 02 11 12 22
-  std::vector<Turn> turns_;                        // of edges, and one for empty lanes
+  std::vector<Turn> turns_;                        // of edges, and one per group for empty lanes
   std::vector<double> exactPsi_;
   std::vector<double> turnWeight_;
   Colouring colouring_;

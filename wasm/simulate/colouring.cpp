@@ -1,5 +1,6 @@
 #include "simulate/colouring.h"
 
+#include <algorithm>
 #include <bit>
 #include <numeric>
 #include <random>
@@ -45,29 +46,74 @@ class UsedColours {
   std::vector<std::vector<uint64_t>> words_;
 };
 
+// The stencils of constraints, see `colour`.
+struct Stencils {
+  std::span<const uint32_t> vertices;
+  uint32_t stride;
+
+  std::span<const uint32_t> of(uint32_t i) const { return vertices.subspan(size_t{i} * stride, stride); }
+  bool share(uint32_t i, uint32_t j) const {
+    const auto others = of(j);
+    return std::ranges::any_of(
+        of(i), [&](uint32_t v) { return v != kNone && std::ranges::find(others, v) != others.end(); });
+  }
+};
+
+// Whether constraint i finds a lane in a batch.
+bool hasRoom(const Colouring::Batch& batch, uint32_t i, const Stencils& stencils) {
+  return batch.back() == kNone &&
+         std::ranges::none_of(batch, [&](uint32_t j) { return j != kNone && stencils.share(i, j); });
+}
+
+// The batches of a group, colour by colour. Where a body is cut into many groups, what is left over of their
+// colours comes last and packed as closely as it fits together, for an empty lane takes as long as another.
+void appendBatches(const std::vector<std::vector<uint32_t>>& colours, const Stencils& stencils, bool packs,
+                   std::vector<Colouring::Batch>& batches) {
+  std::vector<uint32_t> rest;
+  for (const auto& members : colours) {
+    const size_t whole = packs ? members.size() / 4 * 4 : members.size();
+    for (size_t first = 0; first < whole; first += 4) {
+      Colouring::Batch batch = {kNone, kNone, kNone, kNone};
+      for (size_t k = 0; k < 4 && first + k < whole; ++k) batch[k] = members[first + k];
+      batches.push_back(batch);
+    }
+    rest.insert(rest.end(), members.begin() + static_cast<ptrdiff_t>(whole), members.end());
+  }
+  const auto open = static_cast<ptrdiff_t>(batches.size());
+  for (const uint32_t i : rest) {
+    const auto batch = std::find_if(batches.begin() + open, batches.end(),
+                                    [&](const auto& other) { return hasRoom(other, i, stencils); });
+    if (batch == batches.end())
+      batches.push_back({i, kNone, kNone, kNone});
+    else
+      *std::ranges::find(*batch, kNone) = i;
+  }
+}
+
 }  // namespace
 
-Colouring colour(std::span<const uint32_t> vertices, uint32_t stride, uint32_t vertexCount, uint32_t order) {
+Colouring colour(std::span<const uint32_t> vertices, uint32_t stride, const Blocks& blocks, uint32_t order) {
   const auto count = static_cast<uint32_t>(vertices.size() / stride);
-  UsedColours used(vertexCount);
-  std::vector<std::vector<uint32_t>> members;
+  const auto vertexCount = static_cast<uint32_t>(blocks.blockOf.size());
+  const Stencils stencils = {vertices, stride};
+  UsedColours inBlocks(vertexCount), onBorders(vertexCount);
+  std::vector<std::vector<std::vector<uint32_t>>> members(blocks.groupCount());  // by group and colour
   for (const uint32_t i : visitingOrder(count, order)) {
-    const auto own = vertices.subspan(size_t{i} * stride, stride);
+    const auto own = stencils.of(i);
+    const uint32_t group = blocks.groupOf(own);
+    UsedColours& used = group < blocks.count() ? inBlocks : onBorders;
     const uint32_t colour = used.firstFree(own);
     used.use(own, colour);
-    if (colour >= members.size()) members.resize(colour + 1);
-    members[colour].push_back(i);
+    auto& colours = members[group];
+    if (colour >= colours.size()) colours.resize(colour + 1);
+    colours[colour].push_back(i);
   }
   Colouring colouring;
-  for (const auto& colour : members) {
-    colouring.colourStart.push_back(static_cast<uint32_t>(colouring.batches.size()));
-    for (size_t first = 0; first < colour.size(); first += 4) {
-      Colouring::Batch batch = {kNone, kNone, kNone, kNone};
-      for (size_t k = 0; k < 4 && first + k < colour.size(); ++k) batch[k] = colour[first + k];
-      colouring.batches.push_back(batch);
-    }
+  for (const auto& colours : members) {
+    colouring.groupStart.push_back(static_cast<uint32_t>(colouring.batches.size()));
+    appendBatches(colours, stencils, blocks.count() > 1, colouring.batches);
   }
-  colouring.colourStart.push_back(static_cast<uint32_t>(colouring.batches.size()));
+  colouring.groupStart.push_back(static_cast<uint32_t>(colouring.batches.size()));
   return colouring;
 }
 

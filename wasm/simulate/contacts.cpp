@@ -1,65 +1,44 @@
 #include "simulate/contacts.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "simulate/contact_surface.h"
 
 namespace limber {
 
-namespace {
-
-float dot3(Float4 a, Float4 b) {
-  const Float4 product = a * b;
-  return product[0] + product[1] + product[2];
-}
-
-double distanceToAxis(const Vec3& point, const Collider& collider) {
-  const Vec3 axis = collider.to - collider.from, offset = point - collider.from;
-  const double squared = squaredLength(axis);
-  const double along = squared > 0 ? std::clamp(dot(offset, axis) / squared, 0.0, 1.0) : 0;
-  return length(offset - axis * along);
-}
-
-}  // namespace
-
-void Contacts::rebase(const Particles& particles, const Obstacles& obstacles, double reach, int substeps) {
-  contacts_.clear();
-  friction_ = static_cast<float>(obstacles.friction);
-  for (uint32_t v = 0; v < particles.count(); ++v) {
+void Contacts::rebase(const Particles& particles, const Obstacles& obstacles, const ContactReach& reach,
+                      size_t block) {
+  contacts_[block].clear();
+  if (obstacles.empty()) return;
+  for (uint32_t v = blocks_.start[block]; v < blocks_.start[block + 1]; ++v) {
     if (particles.inverseMass[v] == 0) continue;
     const Vec3& x = particles.positions[v];
     const Float4 q = particles.motion[v].q;
-    const double near = reach + 2 * substeps * std::sqrt(double{dot3(q, q)});
+    const double near = reach.reach + 2 * reach.substeps * std::sqrt(double{dot3(q, q)});
     if (obstacles.ground && x.y - *obstacles.ground < near)
-      contacts_.push_back({v, true, toFloat4({0, x.y - *obstacles.ground, 0}), Float4{}, 0, 0});
+      contacts_[block].push_back({v, true, toFloat4({0, x.y - *obstacles.ground, 0}), ContactSurface{}});
     for (const Collider& collider : obstacles.colliders) {
       if (distanceToAxis(x, collider) > collider.radius + near) continue;
-      const Vec3 axis = collider.to - collider.from;
-      const double squared = squaredLength(axis);
-      contacts_.push_back({v, false, toFloat4(x - collider.from), toFloat4(axis),
-                           squared > 0 ? static_cast<float>(1 / squared) : 0.0f,
-                           static_cast<float>(collider.radius)});
+      contacts_[block].push_back({v, false, toFloat4(x - collider.from), surfaceOf(collider)});
     }
   }
 }
 
-void Contacts::project(Particles& particles) const {
-  for (const Contact& contact : contacts_) {
+void Contacts::project(Particles& particles, float friction, size_t block) const {
+  for (const Contact& contact : contacts_[block]) {
     Motion& motion = particles.motion[contact.vertex];
     Float4 normal = {0, 1, 0, 0};
     const Float4 place = contact.base + (motion.u + motion.q);
     float depth = -place[1];
     if (!contact.flat) {
-      const float along = std::clamp(dot3(place, contact.axis) * contact.inverseSquare, 0.0f, 1.0f);
-      const Float4 outwards = place - splat(along) * contact.axis;
+      const Float4 outwards = place - contact.surface.nearestOnAxis(place);
       const float distance = std::sqrt(dot3(outwards, outwards));
-      depth = contact.radius - distance;
+      depth = contact.surface.radius - distance;
       if (distance > 0) normal = outwards / splat(distance);
     }
     if (!(depth > 0)) continue;
     motion.q += splat(depth) * normal;
-    const Float4 sliding = motion.q - splat(dot3(motion.q, normal)) * normal;
-    const float slid = std::sqrt(dot3(sliding, sliding));
-    if (slid > 0) motion.q -= splat(std::min(1.0f, friction_ * depth / slid)) * sliding;
+    motion.q -= frictionOf(motion.q, normal, friction * depth);
   }
 }
 

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "simulate/blocks.h"
+#include "simulate/contact_surface.h"
 #include "simulate/particles.h"
 #include "simulate/simulation.h"
 
@@ -15,6 +17,14 @@ struct Obstacles {
   std::optional<double> ground;  // height of a floor across y
   std::vector<Collider> colliders = {};
   double friction = 0;
+  bool empty() const { return !ground && colliders.empty(); }
+};
+
+// Within which distance contacts are looked for: `reach` metres, and as far as a vertex comes in a step of so
+// many substeps at twice its speed.
+struct ContactReach {
+  double reach;
+  int substeps;
 };
 
 // Vertices that may touch something within the running step. A vertex inside is put onto the surface (so its
@@ -22,22 +32,22 @@ struct Obstacles {
 // sliding in the substep (Coulomb, as Mueller et al. 2007).
 class Contacts {
  public:
-  // Those of `reach` metres from an obstacle, or less, and those that may come there at twice their speed.
-  void rebase(const Particles& particles, const Obstacles& obstacles, double reach, int substeps);
-  void project(Particles& particles) const;
-  size_t count() const { return contacts_.size(); }
+  explicit Contacts(const Blocks& blocks) : blocks_(blocks), contacts_(blocks.count()) {}
+
+  // Finds those of a block.
+  void rebase(const Particles& particles, const Obstacles& obstacles, const ContactReach& reach,
+              size_t block);
+  void project(Particles& particles, float friction, size_t block) const;
 
  private:
   struct Contact {
     uint32_t vertex;
     bool flat;    // the ground: the obstacle lies where y is below 0
     Float4 base;  // of the vertex, from the start of the axis (or the floor), at the start of the step
-    Float4 axis;  // of a capsule; 0 of a ball
-    float inverseSquare;  // 1 / |axis|^2, 0 of a ball
-    float radius;
+    ContactSurface surface;
   };
-  std::vector<Contact> contacts_;
-  float friction_ = 0;
+  const Blocks& blocks_;
+  std::vector<std::vector<Contact>> contacts_;  // by block
 };
 
 }  // namespace limber

@@ -23,7 +23,7 @@ double areaAround(const TriangleMesh& mesh, const Topology& topology, const Topo
 
 EdgeConstraints::EdgeConstraints(const TriangleMesh& mesh, const Topology& topology, Particles& particles,
                                  const ConstraintOptions& options)
-    : colouring_(colour(edgeVertices(topology), 2, particles.count(), options.order)) {
+    : colouring_(colour(edgeVertices(topology), 2, options.blocks, options.order)) {
   for (const auto& edge : topology.edges) {
     const double rest = length(mesh.positions[edge.a] - mesh.positions[edge.b]);
     const double stiffness = options.sheet.stretching() * areaAround(mesh, topology, edge) / (rest * rest);
@@ -33,12 +33,14 @@ EdgeConstraints::EdgeConstraints(const TriangleMesh& mesh, const Topology& topol
         {inOrder ? edge.a : edge.b, inOrder ? edge.b : edge.a, rest, rest > 0 ? stiffness : 0});
   }
   batches_.resize(colouring_.batches.size());
-  for (size_t i = 0; i < batches_.size(); ++i)
-    for (int k = 0; k < 4; ++k) setLane(batches_[i], k, colouring_.batches[i][k], particles, options.substep);
+  forEachLane(colouring_,
+              [&](size_t i, const Lane& lane) { setSpring(batches_[i], lane, particles, options.substep); });
 }
 
-void EdgeConstraints::setLane(Batch& batch, int k, uint32_t e, Particles& particles, double substep) {
-  const Spring spring = e == kNone ? Spring{particles.idle(), particles.idle(), 1, 0} : springs_[e];
+void EdgeConstraints::setSpring(Batch& batch, const Lane& lane, Particles& particles, double substep) {
+  const int k = lane.lane;
+  const uint32_t idle = particles.idle(lane.group);
+  const Spring spring = lane.constraint == kNone ? Spring{idle, idle, 1, 0} : springs_[lane.constraint];
   const double wa = particles.inverseMass[spring.a], wb = particles.inverseMass[spring.b];
   // w_a / (w_a + w_b + 1 / (stiffness substep^2)), which stays finite where the stiffness is 0.
   const double inert = spring.stiffness * substep * substep;

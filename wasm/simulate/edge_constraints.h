@@ -43,7 +43,7 @@ class EdgeConstraints {
     uint32_t a, b;
     double rest, stiffness;  // m, N/m
   };
-  void setLane(Batch& batch, int lane, uint32_t e, Particles& particles, double substep);
+  void setSpring(Batch& batch, const Lane& lane, Particles& particles, double substep);
 
   std::vector<Batch> batches_;
   std::vector<Spring> springs_;  // by edge

@@ -9,18 +9,20 @@ MembraneConstraints::MembraneConstraints(const TriangleMesh& mesh, Particles& pa
     : triangles_(mesh.triangles), sheet_(options.sheet), count_(mesh.triangleCount()) {
   std::vector<uint32_t> vertices;
   for (const Triangle& t : mesh.triangles) vertices.insert(vertices.end(), t.begin(), t.end());
-  colouring_ = colour(vertices, 3, particles.count(), options.order);
+  colouring_ = colour(vertices, 3, options.blocks, options.order);
   for (uint32_t t = 0; t < count_; ++t) {
     const TriangleRest rest = triangleRest(mesh, t);
     rest_.push_back({rest.area(), 1 / rest.x1, -rest.x2 / (rest.x1 * rest.y2), 1 / rest.y2});
   }
   batches_.resize(colouring_.batches.size());
-  for (size_t i = 0; i < batches_.size(); ++i)
-    for (int k = 0; k < 4; ++k)
-      setTriangle(batches_[i], k, colouring_.batches[i][k], particles, options.substep);
+  forEachLane(colouring_, [&](size_t i, const Lane& lane) {
+    setTriangle(batches_[i], lane, particles, options.substep);
+  });
 }
 
-void MembraneConstraints::setTriangle(Batch& batch, int k, uint32_t t, Particles& particles, double substep) {
+void MembraneConstraints::setTriangle(Batch& batch, const Lane& lane, Particles& particles, double substep) {
+  const int k = lane.lane;
+  const uint32_t t = lane.constraint;
   const bool empty = t == kNone;
   const Rest rest = empty ? Rest{1, 1, 0, 1} : rest_[t];
   batch.xx[k] = static_cast<float>(rest.xx);
@@ -31,7 +33,7 @@ void MembraneConstraints::setTriangle(Batch& batch, int k, uint32_t t, Particles
   const double gradients[3][2] = {{-rest.xx, -rest.xy - rest.yy}, {rest.xx, rest.xy}, {0, rest.yy}};
   double mass[3] = {0, 0, 0};
   for (int c = 0; c < 3; ++c) {
-    const uint32_t v = empty ? particles.idle() : triangles_[t][c];
+    const uint32_t v = empty ? particles.idle(lane.group) : triangles_[t][c];
     batch.corner[c][k] = &particles.motion[v];
     const double w = particles.inverseMass[v];
     batch.weight[c][k] = static_cast<float>(w);

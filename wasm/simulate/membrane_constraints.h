@@ -35,7 +35,7 @@ class MembraneConstraints {
     Float4 weight[3];               // w of the corners, 1/kg; 0 for all in an empty lane
     MotionPlaces corner[3];
   };
-  void setTriangle(Batch& batch, int lane, uint32_t t, Particles& particles, double substep);
+  void setTriangle(Batch& batch, const Lane& lane, Particles& particles, double substep);
 
   std::vector<Batch> batches_;
   std::vector<Triangle> triangles_;

@@ -21,8 +21,9 @@ struct Motion {
 };
 
 // The state of all vertices. Positions are exact between steps, in double; within a step a vertex is at
-// position + u + q. One more vertex than the mesh has stands at the end: it never moves, and fills the lanes
-// that a batch of constraints leaves empty.
+// position + u + q. After the mesh's vertices the motions and masses have some more, for each group of
+// constraints one: these never move, and fill the lanes that the group's batches leave empty. They lie two
+// cache lines apart, for threads that write to the same line wait for each other.
 struct Particles {
   std::vector<Vec3> positions;       // metres, at the start of the step
   std::vector<double> inverseMass;   // 1/kg; 0: its motion is given
@@ -31,8 +32,10 @@ struct Particles {
   std::vector<Float4> acceleration;  // m/s2 times the substep squared; 0 where the motion is given
   std::vector<float> damping;        // share of q that is lost in a substep; 0 where the motion is given
 
-  uint32_t count() const { return static_cast<uint32_t>(positions.size()) - 1; }
-  uint32_t idle() const { return count(); }
+  static constexpr uint32_t kIdleStride = 4;
+
+  uint32_t count() const { return static_cast<uint32_t>(positions.size()); }
+  uint32_t idle(uint32_t group) const { return count() + kIdleStride * group; }
 };
 
 // What `advance` does: move along q (not before the first substep), then change q (not after the last one).

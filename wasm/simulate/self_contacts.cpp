@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mesh/topology.h"
+#include "simulate/contact_surface.h"
 
 namespace limber {
 
@@ -12,11 +13,6 @@ namespace {
 
 // Cells per axis at most, so that a key fits into 64 bits.
 constexpr double kMostCells = 1 << 20;
-
-float dot3(Float4 a, Float4 b) {
-  const Float4 product = a * b;
-  return product[0] + product[1] + product[2];
-}
 
 using Place = std::array<uint64_t, 3>;
 
@@ -95,9 +91,7 @@ void SelfContacts::project(Particles& particles) const {
     const Float4 normal = apart / splat(distance);
     Float4 correction = normal * splat(depth);
     const Float4 relative = (a.q - b.q) + correction;
-    const Float4 sliding = relative - splat(dot3(relative, normal)) * normal;
-    const float slid = std::sqrt(dot3(sliding, sliding));
-    if (slid > 0) correction -= splat(std::min(1.0f, friction_ * depth / slid)) * sliding;
+    correction -= frictionOf(relative, normal, friction_ * depth);
     a.q += correction * splat(pair.shareA);
     b.q -= correction * splat(pair.shareB);
   }

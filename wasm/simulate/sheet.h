@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "simulate/blocks.h"
+
 namespace limber {
 
 // An isotropic elastic sheet, SI units.
@@ -16,6 +18,7 @@ struct Sheet {
 // What constraints are made with.
 struct ConstraintOptions {
   Sheet sheet;
+  const Blocks& blocks;
   double substep;  // seconds
   uint32_t order;  // see `colour`
 };

@@ -50,8 +50,12 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-void Simulation::step(const Job& job) {
-  state_->step(job);
+void Simulation::step(const Job& job, Helpers* helpers) {
+  state_->step(job, helpers);
+}
+
+double Simulation::helpedSeconds() const {
+  return state_->helpedSeconds;
 }
 
 uint32_t Simulation::vertexCount() const {
@@ -59,7 +63,7 @@ uint32_t Simulation::vertexCount() const {
 }
 
 Vec3 Simulation::position(uint32_t v) const {
-  return state_->particles.positions[v] / state_->options.unit;
+  return state_->particles.positions[state_->slotOf[v]] / state_->options.unit;
 }
 
 std::vector<Vec3> Simulation::positions() const {
@@ -71,26 +75,29 @@ std::vector<Vec3> Simulation::positions() const {
 Vec3 Simulation::position(const SurfaceAnchor& anchor) const {
   Vec3 sum;
   for (int c = 0; c < 3; ++c)
-    sum += position(state_->mesh.triangles[anchor.triangle][c]) * anchor.barycentric[c];
-  return sum;
+    sum += state_->particles.positions[state_->mesh.triangles[anchor.triangle][c]] * anchor.barycentric[c];
+  return sum / state_->options.unit;
 }
 
 Vec3 Simulation::velocity(uint32_t v) const {
-  return state_->velocity(v);
+  return state_->velocity(state_->slotOf[v]);
 }
 
 void Simulation::setPositions(std::span<const Vec3> positions) {
   Particles& particles = state_->particles;
-  for (uint32_t v = 0; v < vertexCount(); ++v)
-    if (particles.inverseMass[v] > 0) particles.positions[v] = positions[v] * state_->options.unit;
+  for (uint32_t v = 0; v < vertexCount(); ++v) {
+    const uint32_t slot = state_->slotOf[v];
+    if (particles.inverseMass[slot] > 0) particles.positions[slot] = positions[v] * state_->options.unit;
+  }
 }
 
 void Simulation::setVelocities(std::span<const Vec3> velocities) {
   Particles& particles = state_->particles;
   for (uint32_t v = 0; v < vertexCount(); ++v) {
-    if (particles.inverseMass[v] == 0) continue;
-    particles.motion[v].q = toFloat4(velocities[v] * state_->substep);
-    particles.lost[v].q = Float4{};
+    const uint32_t slot = state_->slotOf[v];
+    if (particles.inverseMass[slot] == 0) continue;
+    particles.motion[slot].q = toFloat4(velocities[v] * state_->substep);
+    particles.lost[slot].q = Float4{};
   }
 }
 
@@ -136,7 +143,8 @@ void Simulation::setPinTargets(std::span<const Vec3> targets) {
 
 double Simulation::kineticEnergy() const {
   double sum = 0;
-  for (uint32_t v = 0; v < vertexCount(); ++v) sum += 0.5 * state_->masses[v] * squaredLength(velocity(v));
+  for (uint32_t slot = 0; slot < vertexCount(); ++slot)
+    sum += 0.5 * state_->masses[slot] * squaredLength(state_->velocity(slot));
   return sum;
 }
 
@@ -146,8 +154,9 @@ double Simulation::elasticEnergy() const {
 
 bool Simulation::isFinite() const {
   const Particles& particles = state_->particles;
-  for (uint32_t v = 0; v < vertexCount(); ++v)
-    if (!limber::isFinite(particles.positions[v]) || !limber::isFinite(velocity(v))) return false;
+  for (uint32_t slot = 0; slot < vertexCount(); ++slot)
+    if (!limber::isFinite(particles.positions[slot]) || !limber::isFinite(state_->velocity(slot)))
+      return false;
   return !state_->bending || state_->bending->isFinite();
 }
 

@@ -10,6 +10,8 @@
 
 namespace limber {
 
+class Helpers;
+
 enum class Material : int32_t { Springs = 0, Shell = 1 };
 
 // Positions and lengths of the mesh, of pins and of colliders are in the mesh's own units; all else is SI.
@@ -61,8 +63,11 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  // One step of 1/60 s. Throws Cancelled, after which the simulation is of no use.
-  void step(const Job& job);
+  // One step of 1/60 s, with the help of other threads where `helpers` are given. Throws Cancelled, after
+  // which the simulation is of no use.
+  void step(const Job& job, Helpers* helpers = nullptr);
+  // How many seconds longer the last step would have taken without them, as far as their work tells.
+  double helpedSeconds() const;
 
   uint32_t vertexCount() const;
   // In units of the mesh.

@@ -3,27 +3,45 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "base/parallel.h"
+#include "simulate/bending_rest.h"
 #include "simulate/wind.h"
 
 namespace limber {
 
 namespace {
 
-// From this many constraints on, a body's stages (a colour's 20 microseconds or more) pay for several
-// threads.
-constexpr uint32_t kThreadedEdges = 40000, kThreadedTriangles = 20000;
-constexpr size_t kBatchGrain = 64, kVertexGrain = 1024;
+// From so many vertices on a body is cut into blocks, and its stages pay for several threads.
+constexpr uint32_t kThreadedSprings = 8000, kThreadedShell = 2500;
+constexpr uint32_t kBlockVertices = 512, kMostBlocks = 32;
 
 // Contacts are looked for within this share of the body's diagonal.
 constexpr double kContactReach = 0.02;
 // The share of its way that a dragged point makes in a step.
 constexpr double kDragPace = 0.2;
 
-TriangleMesh inMetres(TriangleMesh mesh, double unit) {
-  for (Vec3& p : mesh.positions) p *= unit;
+uint32_t blockCountOf(const TriangleMesh& mesh, Material material) {
+  const uint32_t least = material == Material::Springs ? kThreadedSprings : kThreadedShell;
+  return mesh.vertexCount() < least ? 1 : std::min(mesh.vertexCount() / kBlockVertices, kMostBlocks);
+}
+
+std::vector<uint32_t> slotsOf(const TriangleMesh& mesh, uint32_t blockCount) {
+  std::vector<uint32_t> slots(mesh.vertexCount());
+  std::iota(slots.begin(), slots.end(), 0u);
+  if (blockCount == 1) return slots;
+  const auto order = orderFromEndToEnd(mesh, buildTopology(mesh));
+  for (uint32_t slot = 0; slot < slots.size(); ++slot) slots[order[slot]] = slot;
+  return slots;
+}
+
+TriangleMesh inSlots(const TriangleMesh& source, const std::vector<uint32_t>& slotOf, double unit) {
+  TriangleMesh mesh = source;
+  for (size_t v = 0; v < slotOf.size(); ++v) mesh.positions[slotOf[v]] = source.positions[v] * unit;
+  for (Triangle& t : mesh.triangles)
+    for (uint32_t& v : t) v = slotOf[v];
   return mesh;
 }
 
@@ -43,6 +61,25 @@ std::vector<double> lumpedMasses(const TriangleMesh& mesh, double arealDensity) 
   return masses;
 }
 
+// run(i, repeat) for each of `count` items.
+template <class Run>
+Stage stageOf(size_t count, Run run) {
+  return {count, 1, [run](size_t begin, size_t end, int repeat) {
+            for (size_t i = begin; i < end; ++i) run(i, repeat);
+          }};
+}
+
+// Edges whose first vertex lies in block b: [start[b], start[b + 1]).
+std::vector<size_t> edgeStarts(const Topology& topology, const Blocks& blocks) {
+  std::vector<size_t> start;
+  for (const uint32_t first : blocks.start) {
+    const auto edge = std::partition_point(topology.edges.begin(), topology.edges.end(),
+                                           [first](const Topology::Edge& e) { return e.a < first; });
+    start.push_back(static_cast<size_t>(edge - topology.edges.begin()));
+  }
+  return start;
+}
+
 bool hasNoBorder(const Topology& topology) {
   return std::none_of(topology.edges.begin(), topology.edges.end(),
                       [](const Topology::Edge& edge) { return edge.useCount == 1; });
@@ -52,12 +89,20 @@ bool hasNoBorder(const Topology& topology) {
 
 Simulation::State::State(const TriangleMesh& source, const SimulationOptions& given, const Pins& givenPins)
     : options(given),
-      mesh(inMetres(source, given.unit)),
+      blockCount(blockCountOf(source, given.material)),
+      slotOf(slotsOf(source, blockCount)),
+      mesh(inSlots(source, slotOf, given.unit)),
       topology(buildTopology(mesh)),
+      blocks(blocksOf(mesh, flapsOf(mesh, topology), blockCount)),
       substep(kStep / given.substeps),
       masses(lumpedMasses(mesh, given.density * given.thickness * given.unit)),
       closed(hasNoBorder(topology)),
-      pins(givenPins) {
+      contacts(blocks),
+      triangleContacts(mesh, blocks),
+      pins(givenPins),
+      edgeStart_(edgeStarts(topology, blocks)),
+      contactReach_{kContactReach * bounds(mesh).diagonal(), given.substeps} {
+  for (uint32_t& v : pins.vertices) v = slotOf[v];
   makeParticles();
   makeConstraints();
   makePins();
@@ -65,9 +110,8 @@ Simulation::State::State(const TriangleMesh& source, const SimulationOptions& gi
 }
 
 void Simulation::State::makeParticles() {
-  const size_t slots = mesh.positions.size() + 1;
   particles.positions = mesh.positions;
-  particles.positions.push_back({});
+  const size_t slots = particles.idle(blocks.groupCount());
   particles.inverseMass.assign(slots, 0.0);
   for (size_t v = 0; v < masses.size(); ++v) particles.inverseMass[v] = 1 / masses[v];
   for (const uint32_t v : pins.vertices) particles.inverseMass[v] = 0;
@@ -83,7 +127,7 @@ void Simulation::State::makeParticles() {
 void Simulation::State::makeConstraints() {
   const Sheet sheet = {options.young, options.poisson, options.thickness * options.unit, options.density};
   if (options.avoidsItself) selfContacts.emplace(mesh, options.friction);
-  const ConstraintOptions made = {sheet, substep, options.order};
+  const ConstraintOptions made = {sheet, blocks, substep, options.order};
   if (options.material == Material::Springs) {
     edges.emplace(mesh, topology, particles, made);
     return;
@@ -91,7 +135,7 @@ void Simulation::State::makeConstraints() {
   membrane.emplace(mesh, particles, made);
   bending.emplace(mesh, topology, particles, made);
   const double bulkModulus = options.young / (3 * (1 - 2 * options.poisson));
-  if (options.keepsVolume) volume.emplace(mesh, topology, bulkModulus, substep);
+  if (options.keepsVolume) volume.emplace(mesh, topology, blocks, bulkModulus);
 }
 
 void Simulation::State::makePins() {
@@ -103,54 +147,94 @@ void Simulation::State::makePins() {
   }
 }
 
-template <class Constraints>
-void Simulation::State::addStages(Constraints& constraints) {
-  const Colouring& colouring = constraints.colouring();
-  rebasing_.push_back({colouring.batches.size(), kBatchGrain,
-                       [&](size_t begin, size_t end, int) { constraints.rebase(particles, begin, end); }});
-  for (uint32_t c = 0; c < colouring.colourCount(); ++c) {
-    const size_t first = colouring.colourStart[c];
-    substepping_.push_back({colouring.colourStart[c + 1] - first, kBatchGrain,
-                            [&constraints, first](size_t begin, size_t end, int) {
-                              constraints.project(first + begin, first + end);
-                            }});
-  }
+template <class Visit>
+void Simulation::State::forEachKind(Visit visit) {
+  if (edges) visit(*edges);
+  if (membrane) visit(*membrane);
+  if (bending) visit(*bending);
 }
 
+void Simulation::State::projectGroup(size_t group) {
+  forEachKind([&](const auto& constraints) {
+    const auto& start = constraints.colouring().groupStart;
+    constraints.project(start[group], start[group + 1]);
+  });
+}
+
+void Simulation::State::advanceBlock(size_t block, const Advance& what) {
+  const uint32_t begin = blocks.start[block], end = blocks.start[block + 1];
+  advance(particles, begin, end, what);
+  if (!bending) return;
+  const auto damping = static_cast<float>(std::min(options.damping * substep, 1.0));
+  bending->advanceTurns(edgeStart_[block], edgeStart_[block + 1], what, damping);
+}
+
+void Simulation::State::startBlock(size_t block) {
+  for (uint32_t v = blocks.start[block]; v < blocks.start[block + 1]; ++v) {
+    const Vec3 acceleration = blown_.empty() ? gravity : gravity + blown_[v];
+    const bool isFree = particles.inverseMass[v] > 0;
+    particles.acceleration[v] = isFree ? toFloat4(acceleration * (substep * substep)) : Float4{};
+  }
+  contacts.rebase(particles, obstacles, contactReach_, block);
+  if (volume) volume->rebase(particles, block);
+}
+
+void Simulation::State::startGroup(size_t group) {
+  if (group < blockCount) startBlock(group);
+  triangleContacts.rebase(particles, obstacles, contactReach_, group);
+  forEachKind([&](auto& constraints) {
+    const auto& start = constraints.colouring().groupStart;
+    constraints.rebase(particles, start[group], start[group + 1]);
+  });
+}
+
+void Simulation::State::finishBlock(size_t block) {
+  advanceBlock(block, {true, false});
+  finishStep(particles, blocks.start[block], blocks.start[block + 1]);
+}
+
+void Simulation::State::projectContacts(size_t group) {
+  const auto friction = static_cast<float>(obstacles.friction);
+  if (group < blockCount) contacts.project(particles, friction, group);
+  triangleContacts.project(particles, friction, group);
+}
+
+// Constraints are solved block by block and then border by border; pins and contacts have the last word.
 void Simulation::State::makeStages() {
-  substepping_.push_back({particles.count(), kVertexGrain, [this](size_t begin, size_t end, int repeat) {
-                            advance(particles, static_cast<uint32_t>(begin), static_cast<uint32_t>(end),
-                                    {repeat > 0, true});
-                          }});
-  if (bending) {
-    const auto damping = static_cast<float>(std::min(options.damping * substep, 1.0));
-    substepping_.push_back(
-        {bending->edgeCount(), kVertexGrain, [this, damping](size_t begin, size_t end, int repeat) {
-           bending->advanceTurns(begin, end, {repeat > 0, true}, damping);
-         }});
+  const size_t borderCount = blocks.borderCount;
+  schedule_.repeats = options.substeps;
+  schedule_.before.push_back(stageOf(blocks.groupCount(), [this](size_t group, int) { startGroup(group); }));
+  auto& repeated = schedule_.repeated;
+  repeated.push_back(stageOf(blockCount, [this](size_t block, int repeat) {
+    advanceBlock(block, {repeat > 0, true});
+    projectGroup(block);
+  }));
+  repeated.push_back(stageOf(borderCount, [this](size_t i, int) { projectGroup(blockCount + i); }));
+  if (volume && volume->count()) {
+    repeated.push_back(stageOf(blockCount, [this](size_t block, int) { volume->measure(particles, block); }));
+    repeated.push_back(
+        stageOf(borderCount, [this](size_t i, int) { volume->measure(particles, blockCount + i); }));
+    repeated.push_back(stageOf(blockCount, [this](size_t block, int) { volume->weigh(particles, block); }));
+    repeated.push_back(
+        stageOf(blockCount, [this](size_t block, int) { volume->apply(particles, block, substep); }));
   }
-  if (edges) addStages(*edges);
-  if (membrane) addStages(*membrane);
-  if (bending) addStages(*bending);
-  substepping_.push_back({1, 1, [this](size_t, size_t, int repeat) {
-                            if (volume) volume->project(particles);
-                            heldPoints.project(particles, repeat);
-                            dragged.project(particles, repeat);
-                            if (selfContacts) selfContacts->project(particles);
-                            contacts.project(particles);
-                          }});
+  pointStage_ = repeated.size();
+  repeated.push_back(stageOf(1, [this](size_t, int repeat) {
+    heldPoints.project(particles, repeat);
+    dragged.project(particles, repeat);
+    if (selfContacts) selfContacts->project(particles);
+  }));
+  contactStage_ = repeated.size();
+  repeated.push_back(stageOf(blockCount, [this](size_t block, int) { projectContacts(block); }));
+  repeated.push_back(stageOf(borderCount, [this](size_t i, int) { projectContacts(blockCount + i); }));
+  schedule_.after.push_back(stageOf(blockCount, [this](size_t block, int) { finishBlock(block); }));
 }
 
-void Simulation::State::setAccelerations() {
-  const auto& inverseMass = particles.inverseMass;
-  std::vector<Vec3> blown;
+void Simulation::State::blow() {
+  blown_.clear();
   if (squaredLength(wind) > 0)
-    blown =
+    blown_ =
         windAcceleration({mesh.triangles, particles.positions, velocities(), masses, closed}, wind, kStep);
-  for (uint32_t v = 0; v < particles.count(); ++v) {
-    const Vec3 acceleration = blown.empty() ? gravity : gravity + blown[v];
-    particles.acceleration[v] = inverseMass[v] > 0 ? toFloat4(acceleration * (substep * substep)) : Float4{};
-  }
 }
 
 void Simulation::State::startPins() {
@@ -169,20 +253,20 @@ void Simulation::State::startPins() {
   }
 }
 
-void Simulation::State::step(const Job& job) {
-  const bool isLarge = constraintCount() >= (edges ? kThreadedEdges : kThreadedTriangles);
-  const bool threaded = isLarge && threadCount() > 1 && threadChoice_.threaded();
+void Simulation::State::step(const Job& job, Helpers* helpers) {
+  const bool threaded = blockCount > 1 && threadCount() > 1 && threadChoice_.threaded();
   const auto start = std::chrono::steady_clock::now();
-  setAccelerations();
+  helpedSeconds = 0;
+  blow();
   startPins();
-  contacts.rebase(particles, obstacles, kContactReach * bounds(mesh).diagonal(), options.substeps);
-  if (volume) volume->rebase(particles);
   if (selfContacts) selfContacts->rebase(particles, options.substeps);
-  runStages(rebasing_, 1, threaded, job);
-  runStages(substepping_, options.substeps, threaded, job);
-  advance(particles, 0, particles.count(), {true, false});
-  if (bending) bending->advanceTurns(0, bending->edgeCount(), {true, false}, 0);
-  finishStep(particles, 0, particles.count());
+  schedule_.repeated[pointStage_].count = heldPoints.count() || dragged.count() || selfContacts ? 1 : 0;
+  schedule_.repeated[contactStage_].count = obstacles.empty() ? 0 : blockCount;
+  schedule_.repeated[contactStage_ + 1].count = obstacles.colliders.empty() ? 0 : blocks.borderCount;
+  if (threaded && helpers)
+    helpedSeconds = helpers->run(schedule_, job);
+  else
+    runStages(schedule_, threaded, job);
   for (size_t i = 0; i < pins.vertices.size(); ++i) particles.positions[pins.vertices[i]] = pinTargets[i];
   threadChoice_.tell(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }

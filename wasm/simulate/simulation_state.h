@@ -5,6 +5,7 @@
 
 #include "mesh/topology.h"
 #include "simulate/bending_constraints.h"
+#include "simulate/blocks.h"
 #include "simulate/contacts.h"
 #include "simulate/edge_constraints.h"
 #include "simulate/membrane_constraints.h"
@@ -13,6 +14,7 @@
 #include "simulate/schedule.h"
 #include "simulate/self_contacts.h"
 #include "simulate/simulation.h"
+#include "simulate/triangle_contacts.h"
 #include "simulate/volume_constraints.h"
 
 namespace limber {
@@ -23,15 +25,19 @@ struct Simulation::State {
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
-  void step(const Job& job);
+  void step(const Job& job, Helpers* helpers);
   std::vector<Vec3> velocities() const;
   Vec3 velocity(uint32_t v) const;
   uint32_t constraintCount() const;
   double elasticEnergy() const;
 
   SimulationOptions options;
-  TriangleMesh mesh;  // at rest, in metres
+  // Vertices have numbers of their own within, so that blocks are ranges: slotOf[vertex].
+  uint32_t blockCount;
+  std::vector<uint32_t> slotOf;
+  TriangleMesh mesh;  // at rest, in metres, by slots
   Topology topology;
+  Blocks blocks;
   double substep;              // seconds
   std::vector<double> masses;  // kg
   bool closed;                 // no border
@@ -41,27 +47,39 @@ struct Simulation::State {
   std::optional<BendingConstraints> bending;
   std::optional<VolumeConstraints> volume;
   Contacts contacts;
+  TriangleContacts triangleContacts;
   std::optional<SelfContacts> selfContacts;
   Obstacles obstacles;
-  Pins pins;
+  Pins pins;  // slots
   PointConstraints heldPoints;
   std::vector<Vec3> pinTargets;  // at the end of the step
   std::vector<Vec3> pinStarts;   // of points, at its start
   PointConstraints dragged;      // none or one
   Vec3 dragTarget;
   Vec3 gravity, wind;
+  double helpedSeconds = 0;  // of the last step
 
  private:
   void makeParticles();
   void makeConstraints();
   void makePins();
-  template <class Constraints>
-  void addStages(Constraints& constraints);
+  template <class Visit>
+  void forEachKind(Visit visit);
+  void startBlock(size_t block);
+  void projectContacts(size_t group);
+  void startGroup(size_t group);
+  void projectGroup(size_t group);
+  void advanceBlock(size_t block, const Advance& what);
+  void finishBlock(size_t block);
   void makeStages();
-  void setAccelerations();
   void startPins();
+  void blow();
 
-  std::vector<Stage> rebasing_, substepping_;
+  std::vector<size_t> edgeStart_;  // of blocks
+  Schedule schedule_;
+  size_t pointStage_ = 0, contactStage_ = 0;  // of those that are repeated
+  std::vector<Vec3> blown_;                   // accelerations by wind; empty without
+  ContactReach contactReach_;
   ThreadChoice threadChoice_;
 };
 

@@ -10,7 +10,7 @@ import { findHeld } from '../engine/held';
 import { resolveModel, resolveModes } from '../engine/options';
 import { optimizeBody } from '../engine/optimize';
 import type { OptimizedBody, Timings } from '../engine/optimize';
-import { startStopwatch } from '../engine/pipeline';
+import { describeLargeFit, startStopwatch } from '../engine/pipeline';
 import type { PreparedBody } from '../engine/pipeline';
 import {
   describeRefused,
@@ -92,7 +92,10 @@ function optimizeAll(
     if (note !== '') warnings.push(note);
     const onTry = (faces: number) => (session.activity = `${name}, trying ${count(faces)} faces`);
     const target = { targetFaces: targets[i], onTry, ...held };
-    return { body: optimizeBody(core, one, args.settings, target), held };
+    const body = optimizeBody(core, one, args.settings, target);
+    const large = describeLargeFit(body.fitted);
+    if (large !== '') warnings.push(`${name}: ${large}`);
+    return { body, held };
   });
 }
 

@@ -274,7 +274,9 @@ export interface Fitted {
   result: MeshAt;
   errorBefore: Float64Array;
   errorAfter: Float64Array;
-  /** components that stay as they are, for they have more than 20,000 vertices */
+  /** components of more than 20,000 vertices, which are fitted at half and twice the thickness, in six rounds */
+  large: number;
+  /** such components that stay as they are: the original has more than 120,000 vertices there, or memory is short */
   tooLarge: number;
 }
 

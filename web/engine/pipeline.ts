@@ -274,7 +274,13 @@ export function fitResult(
   result: MeshAt,
   { settings, ...held }: Held & { settings: Settings },
 ): FittedResult {
-  const none = { result, errorBefore: new Float64Array(), errorAfter: new Float64Array(), tooLarge: 0 };
+  const none = {
+    result,
+    errorBefore: new Float64Array(),
+    errorAfter: new Float64Array(),
+    large: 0,
+    tooLarge: 0,
+  };
   if (!isFitted(settings)) return { ...none, unfitted: '' };
   const { thickness, poisson } = materialOf(prepared, settings);
   const { mesh } = prepared;
@@ -286,8 +292,19 @@ export function fitResult(
     fitted.result = core.mirrorResult(mesh, result, fitted.result, { partners: held.mirror, charts, locked });
   if (!keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
     return { ...none, unfitted: 'the fit would break a limit of deviation or angle' };
-  const large = counted(fitted.tooLarge, 'part has', 'parts have');
-  return { ...fitted, unfitted: fitted.tooLarge > 0 ? `${large} more than 20,000 vertices` : '' };
+  return { ...fitted, unfitted: describeUnfitted(fitted) };
+}
+
+/** How large parts were fitted; '' where there are none. */
+export function describeLargeFit({ large }: Fitted): string {
+  if (large === 0) return '';
+  const parts = counted(large, 'part has', 'parts have');
+  return `${parts} more than 20,000 vertices, fitted to the modes at half and twice the thickness, in six rounds`;
+}
+
+function describeUnfitted({ tooLarge }: Fitted): string {
+  if (tooLarge === 0) return '';
+  return `${counted(tooLarge, 'part has', 'parts have')} more than 20,000 vertices, of too many in the original to fit`;
 }
 
 /** Whether `after` holds the targets of shape, or at least as well as `before`. */

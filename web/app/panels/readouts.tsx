@@ -52,12 +52,13 @@ function FrequencyReadout() {
   const fitted = shownFit.value;
   if (fitted?.errorAfter.length === 0)
     return <Readout name="Frequencies off" value="not fitted" note={fitted.unfitted} />;
+  const at = fitted && fitted.large > 0 ? ', at half and twice the thickness' : '';
   const worst = (errors: Float64Array) => errors.reduce((most, error) => Math.max(most, error), 0);
   return (
     <Readout
       name="Frequencies off"
       value={fitted ? `${fixed(worst(fitted.errorAfter), 2)} %` : '...'}
-      note={fitted ? `${fixed(worst(fitted.errorBefore), 1)} % before the fit` : 'fitting'}
+      note={fitted ? `${fixed(worst(fitted.errorBefore), 1)} % before the fit${at}` : 'fitting'}
     />
   );
 }

@@ -1,0 +1,118 @@
+// Bodies on balls and capsules, which touch them anywhere on their triangles.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/parallel.h"
+#include "shapes.h"
+#include "simulate/simulation.h"
+
+namespace limber {
+namespace {
+
+const Vec3 kGravity = {0, -9.81, 0};
+
+SimulationOptions leather(double thickness) {
+  SimulationOptions options;
+  options.young = 1e7;
+  options.poisson = 0.3;
+  options.density = 1000;
+  options.thickness = thickness;
+  options.damping = 3;
+  return options;
+}
+
+void run(Simulation& simulation, int steps) {
+  const Job job;
+  for (int i = 0; i < steps; ++i) simulation.step(job);
+}
+
+// Horizontal, around the y axis, of edges of 2 m.
+TriangleMesh largeTriangle(double height) {
+  const double low = 1 / std::sqrt(3.0);
+  return {{{-1, height, low}, {1, height, low}, {0, height, -2 * low}}, {{0, 1, 2}}};
+}
+
+TEST(SimulatedContacts, aLargeTriangleRestsOnASmallBallAndOnACapsuleWithoutSinkingIn) {
+  for (const Vec3& axis : {Vec3{}, Vec3{1.5, 0, 0}, Vec3{0.4, 0, 1}}) {
+    const TriangleMesh mesh = largeTriangle(0.22);
+    Simulation body(mesh, leather(0.02));
+    body.setGravity(kGravity);
+    body.setColliders(std::vector<Collider>{{axis * -1.0, axis, 0.2}});
+    run(body, 45);
+    const double middle = body.position({0, {1.0 / 3, 1.0 / 3, 1.0 / 3}}).y;
+    EXPECT_NEAR(middle, 0.2, 2e-3);
+  }
+}
+
+TEST(SimulatedContacts, aTriangleThatHitsABallWithItsMiddleStopsWithoutSpin) {
+  const TriangleMesh mesh = largeTriangle(0.4);
+  SimulationOptions options = leather(0.02);
+  options.damping = 0;
+  Simulation body(mesh, options);
+  body.setVelocities(std::vector<Vec3>(3, Vec3{0, -3, 0}));
+  body.setColliders(std::vector<Collider>{{{}, {}, 0.2}});
+  run(body, 20);
+  for (uint32_t v = 0; v < 3; ++v) {
+    EXPECT_NEAR(body.position(v).y, 0.2, 1e-3);
+    EXPECT_LT(length(body.velocity(v)), 0.02);
+  }
+}
+
+// A square sheet of 1 m that has come to rest on a ball: the distance of its nearest point from the ball's
+// middle, and its mean height.
+struct Rest {
+  double nearest, mean;
+};
+Rest restOf(uint32_t cells) {
+  TriangleMesh sheet = shapes::grid(cells, cells);
+  for (Vec3& p : sheet.positions) p = {p.x - 0.5, 0.31, 0.5 - p.y};
+  Simulation body(sheet, leather(0.01));
+  body.setGravity(kGravity);
+  body.setColliders(std::vector<Collider>{{{}, {}, 0.3}});
+  run(body, 150);
+  Rest rest = {1, 0};
+  for (uint32_t t = 0; t < sheet.triangleCount(); ++t) {
+    for (const uint32_t v : sheet.triangles[t]) rest.mean += triangleArea(sheet, t) * body.position(v).y / 3;
+    for (int b = 0; b <= 12; ++b)
+      for (int c = 0; b + c <= 12; ++c) {
+        const Vec3 point = body.position({t, {(12 - b - c) / 12.0, b / 12.0, c / 12.0}});
+        rest.nearest = std::min(rest.nearest, length(point));
+      }
+  }
+  return rest;
+}
+
+TEST(SimulatedContacts, aCoarseAndAFineSheetComeToRestOnABallAtTheSameHeight) {
+  const Rest coarse = restOf(5), fine = restOf(20);
+  EXPECT_NEAR(coarse.nearest, 0.3, 1e-3);
+  EXPECT_NEAR(fine.nearest, 0.3, 1e-3);
+  EXPECT_NEAR(coarse.mean, fine.mean, 0.03 * 0.3);
+}
+
+TEST(SimulatedContacts, contactsOfTrianglesChangeNoBitWithTheNumberOfThreads) {
+  const TriangleMesh mesh = shapes::box(16, 16, 64, 1.0 / 16);  // large enough for threads
+  const Bounds box = bounds(mesh);
+  const Vec3 under = {0.5 * (box.low.x + box.high.x), box.low.y - 0.05, box.low.z};
+  const Collider capsule = {under, {under.x, under.y, box.high.z}, 0.1};
+  std::vector<std::vector<Vec3>> runs;
+  for (const int threads : {1, 2, 4}) {
+    setThreadCount(threads);
+    SimulationOptions options = leather(0.02);
+    options.substeps = 4;
+    Simulation body(mesh, options);
+    body.setGravity(kGravity);
+    body.setColliders(std::vector<Collider>{capsule});
+    run(body, 3);
+    runs.push_back(body.positions());
+  }
+  setThreadCount(1);
+  EXPECT_TRUE(runs[0] == runs[1]);
+  EXPECT_TRUE(runs[0] == runs[2]);
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulate/particles.h"
+#include "simulate/simulation.h"
+
+namespace limber {
+
+inline float dot3(Float4 a, Float4 b) {
+  const Float4 product = a * b;
+  return product[0] + product[1] + product[2];
+}
+
+// A collider in float, seen from the start of its axis.
+struct ContactSurface {
+  Float4 axis;          // of a capsule; 0 of a ball
+  float inverseSquare;  // 1 / |axis|^2, 0 of a ball
+  float radius;
+
+  Float4 nearestOnAxis(Float4 place) const {
+    return splat(std::clamp(dot3(place, axis) * inverseSquare, 0.0f, 1.0f)) * axis;
+  }
+};
+
+inline ContactSurface surfaceOf(const Collider& collider) {
+  const Vec3 axis = collider.to - collider.from;
+  const double squared = squaredLength(axis);
+  return {toFloat4(axis), squared > 0 ? static_cast<float>(1 / squared) : 0.0f,
+          static_cast<float>(collider.radius)};
+}
+
+inline double distanceToAxis(const Vec3& point, const Collider& collider) {
+  const Vec3 axis = collider.to - collider.from, offset = point - collider.from;
+  const double squared = squaredLength(axis);
+  const double along = squared > 0 ? std::clamp(dot(offset, axis) / squared, 0.0, 1.0) : 0;
+  return length(offset - axis * along);
+}
+
+// What friction takes of a motion q along a surface: its sliding, but not more than `most` metres (Coulomb,
+// as Mueller et al. 2007).
+inline Float4 frictionOf(Float4 q, Float4 normal, float most) {
+  const Float4 sliding = q - splat(dot3(q, normal)) * normal;
+  const float slid = std::sqrt(dot3(sliding, sliding));
+  return slid > 0 ? splat(std::min(1.0f, most / slid)) * sliding : Float4{};
+}
+
+}  // namespace limber
