@@ -17,9 +17,9 @@ namespace limber {
 namespace {
 
 constexpr std::array<double, ModalTarget::kThicknesses> kThickness = {0.5, 1, 2};  // of the material's
-constexpr std::array<double, ModalTarget::kThicknesses> kWeight = {0.4, 1, 1.25};
+constexpr std::array<double, ModalTarget::kThicknesses> kWeight = {0.4, 1, 1.3};
 constexpr Eigen::Index kFirst = 10;         // modes that count fully ...
-constexpr double kLaterWeight = 1.1;        // ... and what the later ones count
+constexpr double kLaterWeight = 1.15;       // ... and what the later ones count
 constexpr double kNoMac = 0.2, kMac = 0.6;  // a pair counts from the one on, fully from the other on
 constexpr double kNear = 0.3;               // eigenvalues this close count as neighbours
 // Weight of what couples neighbours, which keeps their shapes.
