@@ -136,21 +136,34 @@ TEST(ModalFit, turnsNoFaceOver) {
   for (uint32_t t = 0; t < after.triangleCount(); ++t) EXPECT_GT(areaNormal(after, t).z, 0);
 }
 
-TEST(ModalFit, leavesLockedVerticesAndBordersInPlace) {
-  const TriangleMesh mesh = wavySheet();
-  const MeshAt start = simplified(mesh, 0.3);
-  std::vector<uint8_t> locked(mesh.vertexCount(), 0);
-  for (uint32_t v = 0; v < mesh.vertexCount(); v += 7) locked[v] = 1;
-  const TriangleMesh after = fitted(mesh, start, locked).result.mesh;
+std::vector<uint8_t> everySeventh(const TriangleMesh& mesh) {
+  std::vector<uint8_t> marks(mesh.vertexCount(), 0);
+  for (uint32_t v = 0; v < mesh.vertexCount(); v += 7) marks[v] = 1;
+  return marks;
+}
+
+void expectSeventhsInPlace(const TriangleMesh& mesh, const MeshAt& start, const TriangleMesh& after) {
   for (uint32_t v = 0; v < mesh.vertexCount(); v += 7) {
     const uint32_t there = start.vertexOfInput[v];
     EXPECT_EQ(after.positions[there], start.mesh.positions[there]);
   }
-  const Bounds was = bounds(start.mesh), is = bounds(after);
+}
+
+void expectTheSameBorder(const TriangleMesh& before, const TriangleMesh& after) {
+  const Bounds was = bounds(before), is = bounds(after);
   EXPECT_NEAR(is.low.x, was.low.x, 2e-3);
   EXPECT_NEAR(is.high.x, was.high.x, 2e-3);
   EXPECT_NEAR(is.low.y, was.low.y, 2e-3);
   EXPECT_NEAR(is.high.y, was.high.y, 2e-3);
+}
+
+TEST(ModalFit, leavesLockedVerticesAndBordersInPlace) {
+  const TriangleMesh mesh = wavySheet();
+  const MeshAt start = simplified(mesh, 0.3);
+  const std::vector<uint8_t> locked = everySeventh(mesh);
+  const TriangleMesh after = fitted(mesh, start, locked).result.mesh;
+  expectSeventhsInPlace(mesh, start, after);
+  expectTheSameBorder(start.mesh, after);
 }
 
 TEST(ModalFit, flipsNoEdgeOfASeamAndTellsWhereCornersComeFrom) {
@@ -230,21 +243,15 @@ TEST(LargeModalFit, turnsNoFaceAndKeepsBordersLocksAndTriangles) {
   Job job;
   const TriangleMesh mesh = wavySheet();
   const MeshAt start = simplified(mesh, 0.5);
-  std::vector<uint8_t> locked(mesh.vertexCount(), 0);
-  for (uint32_t v = 0; v < mesh.vertexCount(); v += 7) locked[v] = 1;
+  const std::vector<uint8_t> locked = everySeventh(mesh);
   ModalFitOptions options = asLarge(mesh);
   options.locked = locked;
   const TriangleMesh after = fitModes(mesh, start, options, job).result.mesh;
   EXPECT_EQ(after.triangles, start.mesh.triangles);
   EXPECT_NE(after.positions, start.mesh.positions);
   for (uint32_t t = 0; t < after.triangleCount(); ++t) EXPECT_GT(areaNormal(after, t).z, 0);
-  for (uint32_t v = 0; v < mesh.vertexCount(); v += 7)
-    EXPECT_EQ(after.positions[start.vertexOfInput[v]], start.mesh.positions[start.vertexOfInput[v]]);
-  const Bounds was = bounds(start.mesh), is = bounds(after);
-  EXPECT_NEAR(is.low.x, was.low.x, 2e-3);
-  EXPECT_NEAR(is.high.x, was.high.x, 2e-3);
-  EXPECT_NEAR(is.low.y, was.low.y, 2e-3);
-  EXPECT_NEAR(is.high.y, was.high.y, 2e-3);
+  expectSeventhsInPlace(mesh, start, after);
+  expectTheSameBorder(start.mesh, after);
 }
 
 TEST(LargeModalFit, isTheSameOnAnyNumberOfThreads) {

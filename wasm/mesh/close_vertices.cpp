@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+
+#include "base/disjoint_sets.h"
 
 namespace limber {
 namespace {
@@ -30,22 +31,14 @@ std::vector<Entry> sortIntoCells(const std::vector<Vec3>& points, double size) {
   return entries;
 }
 
-uint32_t rootOf(std::vector<uint32_t>& parent, uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 }  // namespace
 
 std::vector<uint32_t> uniteCloseVertices(const std::vector<Vec3>& points, double distance, Job& job) {
-  std::vector<uint32_t> parent(points.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  if (!(distance > 0)) return parent;
+  DisjointSets sets(points.size());
+  if (!(distance > 0)) return sets.roots();
   const auto entries = sortIntoCells(points, distance);
   const auto unite = [&](uint32_t i, uint32_t j) {
-    const uint32_t a = rootOf(parent, i), b = rootOf(parent, j);
-    if (a != b && squaredLength(points[i] - points[j]) < distance * distance)
-      parent[std::max(a, b)] = std::min(a, b);
+    if (squaredLength(points[i] - points[j]) < distance * distance) sets.unite(i, j);
   };
   for (const Entry& entry : entries) {
     if (entry.point % 256 == 0) job.check();
@@ -59,8 +52,7 @@ std::vector<uint32_t> uniteCloseVertices(const std::vector<Vec3>& points, double
           if (other->point < entry.point) unite(other->point, entry.point);
       }
   }
-  for (uint32_t i = 0; i < points.size(); ++i) parent[i] = rootOf(parent, i);
-  return parent;
+  return sets.roots();
 }
 
 }  // namespace limber

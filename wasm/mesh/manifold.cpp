@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "base/parallel.h"
 
 namespace limber {
@@ -101,11 +101,6 @@ bool isOneFan(const TriangleMesh& mesh, const Topology& topology, uint32_t v, bo
                                                    : isOneFanByWalking(mesh, topology, v, onBorder);
 }
 
-uint32_t rootOf(std::vector<uint32_t>& parent, uint32_t e) {
-  while (parent[e] != e) e = parent[e] = parent[parent[e]];
-  return e;
-}
-
 }  // namespace
 
 std::vector<VertexKind> classifyVertices(const TriangleMesh& mesh, const Topology& topology) {
@@ -123,10 +118,8 @@ std::vector<VertexKind> classifyVertices(const TriangleMesh& mesh, const Topolog
 }
 
 uint32_t countBoundaryLoops(const TriangleMesh& mesh, const Topology& topology) {
-  std::vector<uint32_t> parent(topology.edges.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets sets(topology.edges.size());
   std::map<uint32_t, uint32_t> danglingAt;  // per vertex a border edge whose fan ends at a non-manifold edge
-  const auto join = [&](uint32_t e, uint32_t f) { parent[rootOf(parent, e)] = rootOf(parent, f); };
   const auto isBorder = [&](uint32_t e) { return topology.edges[e].useCount == 1; };
 
   for (uint32_t e = 0; e < topology.edges.size(); ++e) {
@@ -134,11 +127,11 @@ uint32_t countBoundaryLoops(const TriangleMesh& mesh, const Topology& topology) 
     const Topology::Edge& edge = topology.edges[e];
     for (uint32_t v : {edge.a, edge.b}) {
       const FanEnd fan = turnAround(mesh, topology, v, topology.trianglesAt(edge)[0], e);
-      join(e, isBorder(fan.edge) ? fan.edge : danglingAt.try_emplace(v, e).first->second);
+      sets.unite(e, isBorder(fan.edge) ? fan.edge : danglingAt.try_emplace(v, e).first->second);
     }
   }
   uint32_t loops = 0;
-  for (uint32_t e = 0; e < topology.edges.size(); ++e) loops += isBorder(e) && rootOf(parent, e) == e;
+  for (uint32_t e = 0; e < topology.edges.size(); ++e) loops += isBorder(e) && sets.rootOf(e) == e;
   return loops;
 }
 

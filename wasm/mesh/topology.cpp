@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/disjoint_sets.h"
+
 namespace limber {
 namespace {
 
@@ -89,22 +91,12 @@ void collectEdges(const TriangleMesh& mesh, Topology& topology) {
   }
 }
 
-// Union by the smaller index, so that a set's root is its smallest vertex; paths are halved on the way.
-uint32_t rootOf(std::vector<uint32_t>& parent, uint32_t v) {
-  while (parent[v] != v) v = parent[v] = parent[parent[v]];
-  return v;
-}
-
 void numberComponents(const TriangleMesh& mesh, Topology& topology) {
-  std::vector<uint32_t> parent(mesh.vertexCount());
-  std::iota(parent.begin(), parent.end(), 0);
-  for (const Topology::Edge& edge : topology.edges) {
-    const uint32_t a = rootOf(parent, edge.a), b = rootOf(parent, edge.b);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
+  DisjointSets sets(mesh.vertexCount());
+  for (const Topology::Edge& edge : topology.edges) sets.unite(edge.a, edge.b);
   topology.componentOfVertex.resize(mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    const uint32_t root = rootOf(parent, v);
+    const uint32_t root = sets.rootOf(v);
     topology.componentOfVertex[v] = root == v ? topology.componentCount++ : topology.componentOfVertex[root];
   }
 }

@@ -96,6 +96,19 @@ std::optional<Searched> searchModes(FitPart& part, const FitSamples& samples, co
   return Searched{search.meanSquareBefore(), search.meanSquareAfter()};
 }
 
+// A frequency is off by half of what its eigenvalue is, for small errors; in %.
+void addErrors(const Searched& found, ModalFitResult& fitted) {
+  fitted.errorBefore.push_back(50 * std::sqrt(found.before));
+  fitted.errorAfter.push_back(50 * std::sqrt(found.after));
+}
+
+// Each corner of a mesh, where no edge has been flipped.
+std::vector<uint32_t> unflippedCorners(const TriangleMesh& mesh) {
+  std::vector<uint32_t> corners(3 * size_t{mesh.triangleCount()});
+  std::iota(corners.begin(), corners.end(), 0u);
+  return corners;
+}
+
 double budgetOf(const FitPart& part, const FitSamples& samples) {
   const SurfaceFit start =
       fitSurface(part.simplified, buildTopology(part.simplified), samples, {.lines = &part.lines});
@@ -112,12 +125,9 @@ void fitLarge(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   const SearchLimits limits{budgetOf(part, samples), kLargeRounds, kLargeGoodEnough, kLargeHold, kLargeWorth};
   const std::optional<Searched> found = searchModes(part, samples, limits, call);
   if (!found) return;
-  fitted.errorBefore.push_back(50 * std::sqrt(found->before));
-  fitted.errorAfter.push_back(50 * std::sqrt(found->after));
+  addErrors(*found, fitted);
   ++fitted.large;
-  std::vector<uint32_t> corners(3 * size_t{part.simplified.triangleCount()});
-  std::iota(corners.begin(), corners.end(), 0u);
-  putBack(part, corners, fitted.result);
+  putBack(part, unflippedCorners(part.simplified), fitted.result);
 }
 
 void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
@@ -125,9 +135,7 @@ void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
       sampleForFit(part.original, kSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
   const SearchLimits limits{.budget = budgetOf(part, samples)};
   FitPart plain = part;
-  std::vector<uint32_t> corners(3 * size_t{part.simplified.triangleCount()});
-  std::iota(corners.begin(), corners.end(), 0u);
-  const std::vector<uint32_t> unmoved = corners;
+  std::vector<uint32_t> corners = unflippedCorners(part.simplified);
   uint32_t flips = fitToSurface(part, samples, corners, call.job);
   std::optional<Searched> found = searchModes(part, samples, limits, call);
   // Flips and the fit to the surface can harm a mesh of slivers more than the search can mend.
@@ -135,13 +143,12 @@ void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
     const std::optional<Searched> second = searchModes(plain, samples, limits, call);
     if (second && second->after < found->after) {
       std::swap(part, plain);
-      corners = unmoved;
+      corners = unflippedCorners(part.simplified);
       flips = 0;
       found = second;
     }
   }
-  if (found) fitted.errorBefore.push_back(50 * std::sqrt(found->before));
-  if (found) fitted.errorAfter.push_back(50 * std::sqrt(found->after));
+  if (found) addErrors(*found, fitted);
   fitted.flips += flips;
   putBack(part, corners, fitted.result);
 }
@@ -153,8 +160,7 @@ ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
   WholePhase phase(job, Phase::Fit);
   ModalFitResult fitted{simplified, {}, {}, 0, 0, 0};
   fitted.result.flips.triangles = simplified.mesh.triangles;
-  fitted.result.flips.corners.resize(3 * size_t{simplified.mesh.triangleCount()});
-  std::iota(fitted.result.flips.corners.begin(), fitted.result.flips.corners.end(), 0u);
+  fitted.result.flips.corners = unflippedCorners(simplified.mesh);
   if (simplified.mesh.triangleCount() == original.triangleCount()) return fitted;
   auto [parts, tooLarge] = fitParts(original, simplified,
                                     {.charts = options.charts,

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+
+#include "base/disjoint_sets.h"
 
 namespace limber {
 
 namespace {
 
-// Appends the component of `first` to `order`, from there on; `visit` marks what this pass has seen.
+// Appends the component of `first` to `order`, from there on. The second pass over a component starts at its
+// end.
 class BreadthFirst {
  public:
   BreadthFirst(const TriangleMesh& mesh, const Topology& topology)
@@ -32,26 +34,6 @@ class BreadthFirst {
   const TriangleMesh& mesh_;
   const Topology& topology_;
   std::vector<uint32_t> pass_;
-};
-
-// Sets of vertices, each named by its smallest.
-class VertexSets {
- public:
-  explicit VertexSets(uint32_t vertexCount) : parent_(vertexCount) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  uint32_t find(uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(uint32_t v, uint32_t w) {
-    v = find(v);
-    w = find(w);
-    parent_[std::max(v, w)] = std::min(v, w);
-  }
-
- private:
-  std::vector<uint32_t> parent_;
 };
 
 using Stencil = std::array<uint32_t, 6>;
@@ -95,7 +77,7 @@ Blocks blocksOf(const TriangleMesh& mesh, std::span<const uint32_t> flaps, uint3
   for (uint32_t b = 0; b < count; ++b)
     std::fill(blocks.blockOf.begin() + blocks.start[b], blocks.blockOf.begin() + blocks.start[b + 1], b);
   blocks.borderOf.assign(vertexCount, kNone);
-  VertexSets sets(vertexCount);
+  DisjointSets sets(vertexCount);
   std::vector<uint32_t> crossing;
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const Stencil stencil = stencilOf(mesh, flaps, t);
@@ -105,12 +87,12 @@ Blocks blocksOf(const TriangleMesh& mesh, std::span<const uint32_t> flaps, uint3
     if (std::none_of(stencil.begin(), stencil.end(), crosses)) continue;
     crossing.push_back(t);
     for (const uint32_t v : stencil)
-      if (v != kNone) sets.join(stencil[0], v);
+      if (v != kNone) sets.unite(stencil[0], v);
   }
   for (const uint32_t t : crossing)
     for (const uint32_t v : stencilOf(mesh, flaps, t)) {
       if (v == kNone || blocks.borderOf[v] != kNone) continue;
-      uint32_t& border = blocks.borderOf[sets.find(v)];
+      uint32_t& border = blocks.borderOf[sets.rootOf(v)];
       if (border == kNone) border = blocks.borderCount++;
       blocks.borderOf[v] = border;
     }

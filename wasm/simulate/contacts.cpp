@@ -14,7 +14,7 @@ void Contacts::rebase(const Particles& particles, const Obstacles& obstacles, co
     if (particles.inverseMass[v] == 0) continue;
     const Vec3& x = particles.positions[v];
     const Float4 q = particles.motion[v].q;
-    const double near = reach.reach + 2 * reach.substeps * std::sqrt(double{dot3(q, q)});
+    const double near = reach.of(dot3(q, q));
     if (obstacles.ground && x.y - *obstacles.ground < near)
       contacts_[block].push_back({v, true, toFloat4({0, x.y - *obstacles.ground, 0}), ContactSurface{}});
     for (const Collider& collider : obstacles.colliders) {

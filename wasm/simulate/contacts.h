@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -25,6 +26,9 @@ struct Obstacles {
 struct ContactReach {
   double reach;
   int substeps;
+
+  // Of a vertex that moves by q in a substep, from |q|^2.
+  double of(double squaredWay) const { return reach + 2 * substeps * std::sqrt(squaredWay); }
 };
 
 // Vertices that may touch something within the running step. A vertex inside is put onto the surface (so its

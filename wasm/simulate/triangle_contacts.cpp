@@ -112,7 +112,7 @@ void TriangleContacts::rebase(const Particles& particles, const Obstacles& obsta
   if (obstacles.colliders.empty() || groups_[group].candidates.empty()) return;
   const Extent extent = extentOf(particles, groups_[group].vertices);
   const Vec3 center = (extent.box.low + extent.box.high) * 0.5;
-  const double near = reach.reach + 2 * reach.substeps * std::sqrt(extent.fastest);
+  const double near = reach.of(extent.fastest);
   for (const Collider& collider : obstacles.colliders) {
     if (groups_[group].longest <= kLeastEdge * collider.radius) continue;
     if (distanceToAxis(center, collider) > collider.radius + near + 0.5 * extent.box.diagonal()) continue;
@@ -138,7 +138,7 @@ void TriangleContacts::addContacts(const Particles& particles, const Collider& c
       const Float4 q = particles.motion[corner[c]].q;
       fastest = std::max(fastest, double{dot3(q, q)});
     }
-    const double near = reach.reach + 2 * reach.substeps * std::sqrt(fastest);
+    const double near = reach.of(fastest);
     contact.reach = static_cast<float>(collider.radius + kMostStretch * farthest);
     if (heaviest > 0 && distanceToAxis(origin, collider) < collider.radius + near + farthest)
       contacts_[group].push_back(contact);

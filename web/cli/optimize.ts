@@ -16,8 +16,7 @@ import {
   describeRefused,
   calibrationReport,
   fitReport,
-  meshReport,
-  modesReport,
+  resultReport,
   startReport,
   stopReport,
   worstSurface,
@@ -137,12 +136,7 @@ function shareTargets(args: Arguments, bodies: (PreparedBody | null)[]): number[
 }
 
 function fillReport(report: Report, done: OptimizedBody[], levels: WrittenLevel[]): void {
-  report.output = meshReport(done.map(({ measured }) => measured));
-  const sets = done.flatMap(({ modes }) => modes ?? []);
-  if (sets.length > 0) Object.assign(report, modesReport(sets));
-  Object.assign(report, fitReport(done.map(({ fitted }) => fitted)));
-  report.surface = worstSurface(done.map(({ measured }) => measured.distance));
-  report.stop = stopReport(done.map(stopOf));
+  Object.assign(report, resultReport(done.map((body) => ({ ...body, stopped: stopOf(body) }))));
   if (levels.length > 0) report.levels = levels.map((level) => level.report);
 }
 

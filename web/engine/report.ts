@@ -344,6 +344,27 @@ function runReport(runs: MotionRun[], substeps: number): RunReport {
   return { constraints, edges, secondsPerStep, nanosecondsPerConstraint };
 }
 
+/** What resultReport wants to know of a body. */
+export interface ReportedBody {
+  measured: InspectedBody & { distance: SurfaceDistance };
+  /** those that guided it; null without */
+  modes: ModeSet | null;
+  fitted: FitOfBody;
+  stopped: StoppedBody;
+}
+
+/** What has become of all bodies: output, the keys about vibration, fit, surface and stop. */
+export function resultReport(bodies: ReportedBody[]) {
+  const sets = bodies.flatMap(({ modes }) => modes ?? []);
+  return {
+    output: meshReport(bodies.map(({ measured }) => measured)),
+    ...(sets.length > 0 ? modesReport(sets) : {}),
+    ...fitReport(bodies.map(({ fitted }) => fitted)),
+    surface: worstSurface(bodies.map(({ measured }) => measured.distance)),
+    stop: stopReport(bodies.map(({ stopped }) => stopped)),
+  };
+}
+
 /** Nothing where no body was to be fitted. */
 export function fitReport(fits: FitOfBody[]): { fit?: FitReport } {
   const unfitted = [...new Set(fits.map((fit) => fit.unfitted).filter((why) => why !== ''))];

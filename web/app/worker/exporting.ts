@@ -7,14 +7,7 @@ import type { OpenModel } from '../../engine/document/open';
 import { validateGlb } from '../../engine/document/validate';
 import type { Settings } from '../../engine/options';
 import { exportedBody, measureResult, startStopwatch } from '../../engine/pipeline';
-import {
-  fitReport,
-  meshReport,
-  modesReport,
-  startReport,
-  stopReport,
-  worstSurface,
-} from '../../engine/report';
+import { meshReport, resultReport, startReport, stopReport, worstSurface } from '../../engine/report';
 import type { LevelReport, Report, StoppedBody } from '../../engine/report';
 import { facesByRatio } from '../../engine/share';
 import type { ExportedLevel, ExportRequest, ExportResult } from './protocol';
@@ -117,16 +110,12 @@ function reportOf({ core, bodies, settings, faces }: Exporter): Report {
     const { result, frequency } = fitted;
     const { history, seconds } = stages.history(settings);
     const stopped: StoppedBody = { faces: facesOf(result), targetFaces: faces[i], history, frequency };
-    return { stages, fitted, stopped, seconds, measured: stages.measured(settings, faces[i]) };
+    const measured = stages.measured(settings, faces[i]);
+    return { measured, modes: stages.guidingModes(settings), fitted, stopped, seconds };
   });
   const prepared = bodies.map((stages) => stages.prepared(settings));
   const report = startReport(core, 'optimize', { ...settings, faces: sum(faces) }, prepared);
-  report.output = meshReport(results.map(({ measured }) => measured));
-  const sets = results.flatMap(({ stages }) => stages.guidingModes(settings) ?? []);
-  if (sets.length > 0) Object.assign(report, modesReport(sets));
-  Object.assign(report, fitReport(results.map(({ fitted }) => fitted)));
-  report.surface = worstSurface(results.map(({ measured }) => measured.distance));
-  report.stop = stopReport(results.map(({ stopped }) => stopped));
+  Object.assign(report, resultReport(results));
   report.timings = { simplify: sum(results.map(({ seconds }) => seconds)) };
   return report;
 }
