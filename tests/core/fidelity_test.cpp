@@ -49,6 +49,13 @@ TEST(Fidelity, aBodyIsLikeItself) {
   EXPECT_NEAR(fidelity.calibrationFactor, 1, 1e-8);
 }
 
+TEST(Fidelity, aFoldedSheetIsLikeItselfThoughItsHalvesLieOnEachOther) {
+  TriangleMesh mesh = shapes::grid(16, 10, 2, 1);
+  for (Vec3& p : mesh.positions) p.x = std::min(p.x, 2 - p.x);
+  Job job;
+  EXPECT_NEAR(compareFidelity(mesh, mesh, optionsFor(mesh), job).macMin, 1, 1e-6);
+}
+
 TEST(FrequencyErrors, areThoseOfTheWholeComparison) {
   const TriangleMesh mesh = shapes::jittered(shapes::grid(8, 10), 0.02, 1), other = shapes::grid(6, 7);
   const FidelityOptions options = optionsFor(mesh, 6);

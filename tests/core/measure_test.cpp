@@ -23,6 +23,11 @@ TriangleMesh moved(TriangleMesh mesh, const Vec3& by) {
   return mesh;
 }
 
+TriangleMesh turnedOver(TriangleMesh mesh) {
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
 // The distance of a point to a triangle by dense search, an upper bound that is off by less than `step` of an
 // edge.
 double bruteForce(const Vec3& p, const TriangleMesh& mesh, uint32_t t) {
@@ -114,12 +119,33 @@ TEST(SurfaceDistance, isTheSameForAnyNumberOfThreads) {
   setThreadCount(1);
 }
 
+TEST(ClosestPoint, tellsSheetsApartByTheirNormals) {
+  const TriangleMesh above = shapes::grid(4, 4), near = moved(turnedOver(above), {0, 0, -0.005});
+  const Vec3 up{0, 0, 1}, down{0, 0, -1}, point{0.4, 0.3, -0.004};
+  for (const TriangleMesh& below : {turnedOver(above), near}) {
+    const TriangleMesh sheets = shapes::together(above, below);
+    const ClosestPointTree tree(sheets);
+    EXPECT_LT(tree.closestFacing(point, up).triangle, above.triangleCount());
+    EXPECT_GE(tree.closestFacing(point, down).triangle, above.triangleCount());
+    EXPECT_NEAR(tree.closestFacing(point, up).distance, 0.004, 1e-12);
+    EXPECT_EQ(tree.closestFacing(point, {}).triangle, tree.closest(point).triangle);
+  }
+}
+
+TEST(ClosestPoint, ofASheetFarBehindIsNotTaken) {
+  const TriangleMesh above = shapes::grid(4, 4);
+  const Vec3 up{0, 0, 1}, point{0.4, 0.3, 0.001};
+  const TriangleMesh alone = turnedOver(above), apart = shapes::together(alone, moved(above, {0, 0, -0.1}));
+  EXPECT_NEAR(ClosestPointTree(alone).closestFacing(point, up).distance, 0.001, 1e-12);
+  EXPECT_LT(ClosestPointTree(apart).closestFacing(point, up).triangle, above.triangleCount());
+}
+
 TEST(SurfaceSamples, areSpreadByArea) {
   // A large and a small square: 4 to 1 by area.
   const TriangleMesh squares =
       shapes::together(shapes::grid(1, 1, 2, 2), moved(shapes::grid(3, 3), {10, 0, 0}));
   int far = 0;
-  for (const Vec3& p : sampleSurface(squares, 10'000)) far += p.x > 5;
+  for (const Vec3& p : sampleSurface(squares, 10'000).positions) far += p.x > 5;
   EXPECT_NEAR(far, 2000, 2);
 }
 

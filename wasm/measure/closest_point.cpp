@@ -8,6 +8,8 @@ namespace limber {
 namespace {
 
 constexpr uint32_t kLeafSize = 4;
+constexpr double kSameWay = 0.25;        // cosine between normals
+constexpr double kBetweenSheets = 0.01;  // of the diagonal
 
 double squaredDistanceToBox(const Vec3& p, const Vec3& low, const Vec3& high) {
   double sum = 0;
@@ -108,9 +110,10 @@ uint32_t ClosestPointTree::build(uint32_t first, uint32_t count, std::vector<Vec
   return index;
 }
 
-SurfacePoint ClosestPointTree::closest(const Vec3& point) const {
+template <class Counts>
+SurfacePoint ClosestPointTree::search(const Vec3& point, double within, const Counts& counts) const {
   SurfacePoint best;
-  double bestSquared = HUGE_VAL;
+  double bestSquared = within * within;
   struct Visit {
     uint32_t node;
     double squared;
@@ -133,6 +136,7 @@ SurfacePoint ClosestPointTree::closest(const Vec3& point) const {
     }
     for (uint32_t i = node.first; i < node.first + node.count; ++i) {
       const uint32_t t = order_[i];
+      if (!counts(t)) continue;
       const Vec3 corner[3] = {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
       double barycentric[3];
       closestBarycentric(point, corner, barycentric);
@@ -148,6 +152,21 @@ SurfacePoint ClosestPointTree::closest(const Vec3& point) const {
   }
   best.distance = std::sqrt(bestSquared);
   return best;
+}
+
+SurfacePoint ClosestPointTree::closest(const Vec3& point) const {
+  return search(point, HUGE_VAL, [](uint32_t) { return true; });
+}
+
+SurfacePoint ClosestPointTree::closestFacing(const Vec3& point, const Vec3& normal) const {
+  const auto looksThatWay = [&](uint32_t t) {
+    return dot(normalized(areaNormal(mesh_, t)), normal) >= kSameWay;
+  };
+  const SurfacePoint any = closest(point);
+  if (squaredLength(normal) == 0 || looksThatWay(any.triangle)) return any;
+  const double slack = kBetweenSheets * length(nodes_[0].high - nodes_[0].low);
+  const SurfacePoint facing = search(point, any.distance + slack, looksThatWay);
+  return facing.triangle != kNone ? facing : any;
 }
 
 }  // namespace limber

@@ -53,7 +53,7 @@ struct OneSided {
 };
 
 OneSided measureFrom(const TriangleMesh& from, const ClosestPointTree& to, uint32_t samples, Job& job) {
-  const auto sampled = distances(sampleSurface(from, samples), to, job);
+  const auto sampled = distances(sampleSurface(from, samples).positions, to, job);
   const auto vertices = distances(from.positions, to, job);
   return {std::max(largest(sampled), largest(vertices)), mean(sampled)};
 }

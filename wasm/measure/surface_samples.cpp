@@ -4,12 +4,13 @@
 
 namespace limber {
 
-std::vector<Vec3> sampleSurface(const TriangleMesh& mesh, uint32_t count) {
+SurfaceSamples sampleSurface(const TriangleMesh& mesh, uint32_t count) {
   double total = 0;
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) total += triangleArea(mesh, t);
-  std::vector<Vec3> samples;
+  SurfaceSamples samples;
   if (!(total > 0)) return samples;
-  samples.reserve(count);
+  samples.positions.reserve(count);
+  samples.triangles.reserve(count);
   // The plastic number's powers: the two-dimensional sequence of least discrepancy among additive ones
   // (Roberts 2018).
   constexpr double plastic = 1.32471795724474602596;
@@ -27,7 +28,8 @@ std::vector<Vec3> sampleSurface(const TriangleMesh& mesh, uint32_t count) {
       v = 1 - v;
     }
     const Vec3& corner = mesh.corner(t, 0);
-    samples.push_back(corner + u * (mesh.corner(t, 1) - corner) + v * (mesh.corner(t, 2) - corner));
+    samples.positions.push_back(corner + u * (mesh.corner(t, 1) - corner) + v * (mesh.corner(t, 2) - corner));
+    samples.triangles.push_back(t);
   }
   return samples;
 }

@@ -32,6 +32,9 @@ inline double triangleArea(const TriangleMesh& mesh, uint32_t t) {
   return 0.5 * length(areaNormal(mesh, t));
 }
 
+// Unit normals per vertex, weighted by area; 0 where they cancel out.
+std::vector<Vec3> vertexNormals(const TriangleMesh& mesh);
+
 // The axis-aligned bounding box of the vertices; both corners are 0 for a mesh without vertices.
 struct Bounds {
   Vec3 low, high;

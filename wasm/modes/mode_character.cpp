@@ -28,14 +28,6 @@ bool isClosed(const Topology& topology) {
                      [](const Topology::Edge& edge) { return edge.useCount == 2; });
 }
 
-std::vector<Vec3> vertexNormals(const TriangleMesh& mesh) {
-  std::vector<Vec3> normal(mesh.vertexCount());
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (uint32_t v : mesh.triangles[t]) normal[v] += areaNormal(mesh, t);
-  for (Vec3& n : normal) n = normalized(n);
-  return normal;
-}
-
 // A section's mass and the moments of its motion about its centre.
 struct SectionMoments {
   double mass = 0;

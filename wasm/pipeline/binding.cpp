@@ -25,15 +25,6 @@ void check(const TriangleMesh& input, const MeshAt& result) {
   throw std::invalid_argument("The result was made from another mesh: reduce this mesh and bind to that.");
 }
 
-// Unit normals per vertex, weighted by area; 0 where they cancel out.
-std::vector<Vec3> vertexNormals(const TriangleMesh& mesh) {
-  std::vector<Vec3> normals(mesh.vertexCount());
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (const uint32_t v : mesh.triangles[t]) normals[v] += areaNormal(mesh, t);
-  for (Vec3& normal : normals) normal = normalized(normal);
-  return normals;
-}
-
 std::vector<Vec3> faceNormals(const TriangleMesh& mesh) {
   std::vector<Vec3> normals;
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) normals.push_back(normalized(areaNormal(mesh, t)));

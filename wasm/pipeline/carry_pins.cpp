@@ -148,8 +148,9 @@ std::vector<SurfaceAnchor> placesOn(const TriangleMesh& original, std::span<cons
     return places;
   }
   const ClosestPointTree tree(other);
+  const std::vector<Vec3> normals = vertexNormals(original);
   for (const uint32_t v : pinned) {
-    const SurfacePoint point = tree.closest(original.positions[v]);
+    const SurfacePoint point = tree.closestFacing(original.positions[v], normals[v]);
     places.push_back({point.triangle, {point.barycentric[0], point.barycentric[1], point.barycentric[2]}});
   }
   return places;

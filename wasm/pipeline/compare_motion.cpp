@@ -21,11 +21,14 @@ double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-std::vector<SurfaceAnchor> bind(const std::vector<Vec3>& points, const TriangleMesh& mesh) {
+// Points of the original on `mesh`: the original itself or another.
+std::vector<SurfaceAnchor> bind(const SurfaceSamples& points, const TriangleMesh& original,
+                                const TriangleMesh& mesh) {
   const ClosestPointTree tree(mesh);
   std::vector<SurfaceAnchor> anchors;
-  for (const Vec3& point : points) {
-    const SurfacePoint on = tree.closest(point);
+  for (size_t i = 0; i < points.positions.size(); ++i) {
+    const Vec3 normal = normalized(areaNormal(original, points.triangles[i]));
+    const SurfacePoint on = tree.closestFacing(points.positions[i], normal);
     anchors.push_back({on.triangle, {on.barycentric[0], on.barycentric[1], on.barycentric[2]}});
   }
   return anchors;
@@ -110,19 +113,19 @@ Deviation between(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double
 
 MotionComparison compareMotion(const TriangleMesh& original, const TriangleMesh* other,
                                const MotionOptions& options, Job& job) {
-  const std::vector<Vec3> samples =
-      other ? sampleSurface(original, options.sampleCount) : std::vector<Vec3>{};
+  const SurfaceSamples samples =
+      other ? sampleSurface(original, options.sampleCount) : SurfaceSamples{};
   const uint32_t order = options.simulation.order;
   const bool records = options.records;
   const Pins pins = {options.pinned, {}};
-  const auto points = bind(samples, original);
+  const auto points = bind(samples, original, original);
   Runs runs(options, other ? 3 : 1, job);
   Runs::Result first = runs.run({original, pins, points, order, records});
   MotionComparison comparison;
   comparison.original = std::move(first.run);
   if (!other) return comparison;
   Runs::Result second = runs.run({*other, carryPins(original, options.pinned, *other, options.binding),
-                                  bind(samples, *other), order, records, options.calibration});
+                                  bind(samples, original, *other), order, records, options.calibration});
   const Runs::Result reordered = runs.run({original, pins, points, order + kOtherOrder, false});
   comparison.other = std::move(second.run);
   const double percent = 100 / bounds(original).diagonal();

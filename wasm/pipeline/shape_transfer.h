@@ -7,7 +7,8 @@
 
 namespace limber {
 
-// For each vertex of the original, its closest point on the other surface.
+// For each vertex of the original, its closest point on the other surface, on the sheet that looks the same
+// way.
 std::vector<SurfacePoint> closestPoints(const TriangleMesh& original, const TriangleMesh& other);
 
 // Shapes of the other body (a column each, rows 3 * v + c), at the original's vertices.
