@@ -113,8 +113,7 @@ Deviation between(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double
 
 MotionComparison compareMotion(const TriangleMesh& original, const TriangleMesh* other,
                                const MotionOptions& options, Job& job) {
-  const SurfaceSamples samples =
-      other ? sampleSurface(original, options.sampleCount) : SurfaceSamples{};
+  const SurfaceSamples samples = other ? sampleSurface(original, options.sampleCount) : SurfaceSamples{};
   const uint32_t order = options.simulation.order;
   const bool records = options.records;
   const Pins pins = {options.pinned, {}};

@@ -25,7 +25,7 @@ constexpr uint32_t kSamplesPerTriangle = 6;
 
 // The root mean square distance may grow to this much of the simplified mesh's, or to this part of the
 // diagonal.
-constexpr double kBudget = 1.25, kLeastBudget = 6e-4;
+constexpr double kBudget = 1.25, kLeastBudget = 6.3e-4;
 
 // Of large components: frequencies are off by little, so that residuals are nearly linear and long steps are
 // right.

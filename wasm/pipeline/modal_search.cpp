@@ -22,10 +22,10 @@ constexpr double kPoorGain = 0.3, kGoodGain = 0.7, kFirmer = 3, kLooser = 1.5;
 // A vertex that the guard lets make less than this of its way is held so many times as firmly, as long as
 // that goes on: the others go on without it.
 constexpr double kBlocked = 0.5, kBlockedFirmer = 4, kFreedLooser = 3, kMostFirmness = 1e6;
-constexpr double kEvenness = 6e-4;  // of the triangles: see SurfaceFitOptions
+constexpr double kEvenness = 5e-4;  // of the triangles: see SurfaceFitOptions
 // What a vertex weighs that has come away from where the search began: along a flat wall nothing else holds
 // it, and walls whose triangles have slid far to mend small vibrations buckle elsewhere in large ones.
-constexpr double kAnchor = 1.2e-3;
+constexpr double kAnchor = 1e-3;
 constexpr double kLost = 1.5;  // a mesh with this much of the best merit is given up
 
 Eigen::VectorXd difference(const TriangleMesh& after, const TriangleMesh& before) {

@@ -19,11 +19,13 @@ namespace {
 constexpr std::array<double, ModalTarget::kThicknesses> kThickness = {0.5, 1, 2};  // of the material's
 constexpr std::array<double, ModalTarget::kThicknesses> kWeight = {0.4, 1, 1.3};
 constexpr Eigen::Index kFirst = 10;         // modes that count fully ...
-constexpr double kLaterWeight = 1.15;       // ... and what the later ones count
+constexpr double kLaterWeight = 1.27;       // ... and what the later ones count
 constexpr double kNoMac = 0.2, kMac = 0.6;  // a pair counts from the one on, fully from the other on
-constexpr double kNear = 0.3;               // eigenvalues this close count as neighbours
-// Weight of what couples neighbours, which keeps their shapes.
-constexpr std::array<double, ModalTarget::kThicknesses> kCoupling = {0, 1.3, 0};
+constexpr double kNear = 0.55;              // eigenvalues this close count as neighbours
+// Weight of what couples neighbours, which keeps their shapes; of those farther apart than kClose it falls
+// with the gap, as what they mix does.
+constexpr std::array<double, ModalTarget::kThicknesses> kCoupling = {0, 1.5, 0};
+constexpr double kClose = 0.2;
 constexpr int kLargeModes = 16;          // that are fitted of large meshes, at both thicknesses
 constexpr int kMargin = 4;               // modes beyond the fitted ones that may be partners
 constexpr uint32_t kSideBySide = 30000;  // vertices of an original that is solved thrice at a time
@@ -58,8 +60,17 @@ ShellVibration withoutRotations(ShellVibration found, const TriangleMesh& mesh) 
   return found;
 }
 
+// Between eigenvalues, of the larger.
+double gapOf(double a, double b) {
+  return std::abs(a - b) / std::max(a, b);
+}
+
+double closeness(double a, double b) {
+  return std::min(1.0, kClose / gapOf(a, b));
+}
+
 bool areNear(double a, double b) {
-  return std::abs(a - b) <= kNear * std::max(a, b);
+  return gapOf(a, b) <= kNear;
 }
 
 // Entries of psi^T K psi that count, and what each is multiplied by.
@@ -75,7 +86,8 @@ Residuals residualsOf(const ModalTarget::Aligned& aligned, const Eigen::VectorXd
   std::vector<double> residuals;
   for (int i = 0; i < wanted.size(); ++i)
     for (int j = i; j < wanted.size(); ++j) {
-      const double weight = std::sqrt(aligned.weight[i] * aligned.weight[j]) * (i == j ? 1 : coupling);
+      const double weight = std::sqrt(aligned.weight[i] * aligned.weight[j]) *
+                            (i == j ? 1 : coupling * closeness(wanted[i], wanted[j]));
       if (!(weight > 0) || (i != j && !areNear(wanted[i], wanted[j]))) continue;
       const double size = std::sqrt(wanted[i] * wanted[j]);
       const double residual = aligned.stiffness(i, j) / size - (i == j);

@@ -9,8 +9,7 @@ std::vector<SurfacePoint> closestPoints(const TriangleMesh& original, const Tria
   const std::vector<Vec3> normals = vertexNormals(original);
   std::vector<SurfacePoint> points(original.vertexCount());
   parallelFor(points.size(), 256, [&](size_t begin, size_t end) {
-    for (size_t v = begin; v < end; ++v)
-      points[v] = tree.closestFacing(original.positions[v], normals[v]);
+    for (size_t v = begin; v < end; ++v) points[v] = tree.closestFacing(original.positions[v], normals[v]);
   });
   return points;
 }

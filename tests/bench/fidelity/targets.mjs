@@ -56,17 +56,21 @@ function neverWorse(cases) {
   return [worse.length > 0 ? `worse on ${names}` : `on none of ${pairs.length}`, worse.length === 0];
 }
 
-/** The least of `key` over the subject's meshes of these kinds; meshes below the limit are named. */
+/** The least of `key` over the subject's meshes of these kinds that reached the count; those below the limit are named. */
 function atLeast(cases, key, limit, kinds) {
-  const own = cases.filter(
+  const all = cases.filter(
     ({ method, ratio, kind, failure }) =>
       method === SUBJECT && ratio === RATIO && kinds.includes(kind) && !failure,
   );
+  const own = all.filter(reachedCount);
   if (own.length === 0) return NOT_KNOWN;
+  const named = (some) => some.map((one) => `${one.mesh} ${one[key].toFixed(3)}`).join(', ');
   const below = own.filter((one) => one[key] < limit);
   const lowest = Math.min(...own.map((one) => one[key])).toFixed(3);
-  const names = below.map((one) => `${one.mesh} ${one[key].toFixed(3)}`).join(', ');
-  return [below.length > 0 ? `below on ${names}` : `lowest ${lowest}`, below.length === 0];
+  const found = below.length > 0 ? `below on ${named(below)}` : `lowest ${lowest}`;
+  const others = all.filter((one) => !reachedCount(one));
+  const aside = others.length > 0 ? ` (count not reached: ${named(others)})` : '';
+  return [found + aside, below.length === 0];
 }
 
 function topologyKept(cases) {
