@@ -90,26 +90,45 @@ double clampedError(const TriangleMesh& original, const TriangleMesh& other) {
   return sum;
 }
 
-TEST(ModalFit, fitsThePinnedBodyWhereItIsPinned) {
+struct PinnedFits {
+  MeshAt start;
+  ModalFitResult free, held;  // fitted with those vertices locked, and with the body held by them
+};
+
+PinnedFits fitBothWays(const TriangleMesh& mesh, const std::vector<uint8_t>& pinned, double ratio) {
   Job job;
-  const TriangleMesh mesh = wavySheet();
-  std::vector<uint8_t> pinned(mesh.vertexCount(), 0);
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) pinned[v] = mesh.positions[v].x < 0.12;
   SimplifyOptions options;
   options.method = Method::Limber;
   options.sizeWeight = 0.01;
   options.qualityWeight = 0.1;
   options.wishes.locked = pinned;
-  const MeshAt start = meshAt(mesh, simplify(mesh, {}, options, job), mesh.triangleCount() / 3);
-  const ModalFitResult free = fitModes(mesh, start, {.thickness = 0.02, .locked = pinned}, job);
-  const ModalFitResult held = fitModes(mesh, start, {.thickness = 0.02, .pinned = pinned}, job);
-  const double before = clampedError(mesh, start.mesh);
-  EXPECT_LT(clampedError(mesh, held.result.mesh), 0.6 * before);
-  EXPECT_LT(clampedError(mesh, held.result.mesh), clampedError(mesh, free.result.mesh));
+  const auto faces = static_cast<uint32_t>(ratio * mesh.triangleCount());
+  const MeshAt start = meshAt(mesh, simplify(mesh, {}, options, job), faces);
+  return {start, fitModes(mesh, start, {.thickness = 0.02, .locked = pinned}, job),
+          fitModes(mesh, start, {.thickness = 0.02, .pinned = pinned}, job)};
+}
+
+TEST(ModalFit, fitsThePinnedBodyWhereItIsPinned) {
+  const TriangleMesh mesh = wavySheet();
+  std::vector<uint8_t> pinned(mesh.vertexCount(), 0);
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) pinned[v] = mesh.positions[v].x < 0.12;
+  const auto [start, free, held] = fitBothWays(mesh, pinned, 0.5);
+  const double error = clampedError(mesh, held.result.mesh);
+  EXPECT_LT(error, 0.6 * clampedError(mesh, start.mesh));
+  EXPECT_LT(error, 0.8 * clampedError(mesh, free.result.mesh));
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     const uint32_t there = start.vertexOfInput[v];
     if (pinned[v]) EXPECT_EQ(held.result.mesh.positions[there], start.mesh.positions[there]);
   }
+}
+
+// With so few faces it is chance whether free or held modes serve better, but either is far better than none.
+TEST(ModalFit, fitsThePinnedBodyOfVeryFewFaces) {
+  const TriangleMesh mesh = wavySheet();
+  std::vector<uint8_t> pinned(mesh.vertexCount(), 0);
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) pinned[v] = mesh.positions[v].x < 0.12;
+  const auto [start, free, held] = fitBothWays(mesh, pinned, 1 / 3.0);
+  EXPECT_LT(clampedError(mesh, held.result.mesh), 0.6 * clampedError(mesh, start.mesh));
 }
 
 TEST(ModalFit, keepsFacesTopologyAndTheDistanceWithinItsBudget) {
