@@ -161,6 +161,21 @@ TEST(Simplify, raisesTheMeanAngleOfTheBarByTheQualityTerm) {
   EXPECT_GT(meanAngle(0.01), meanAngle(0) + 0.5);
 }
 
+TEST(Simplify, makesNoSliverWhereThereIsNone) {
+  const SimplifyOptions options{.method = Method::Limber, .qualityWeight = 0.1, .sizeWeight = 0.01};
+  for (uint32_t seed = 1; seed <= 8; ++seed) {
+    TriangleMesh mesh = shapes::jittered(shapes::torus(48, 24), 0.01, seed);
+    for (Vec3& p : mesh.positions)
+      p = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+    Job job;
+    const History history = simplify(mesh, {}, options, job);
+    for (const double ratio : {0.5, 0.25}) {
+      const auto faces = static_cast<uint32_t>(ratio * mesh.triangleCount());
+      EXPECT_GT(measureQuality(meshAt(mesh, history, faces).mesh).minAngle, 8) << seed << " at " << ratio;
+    }
+  }
+}
+
 TEST(Simplify, withoutGuidanceOrQualityIsQem) {
   const TriangleMesh mesh = roughTorus();
   const SimplifyOptions bare{.method = Method::Paper};

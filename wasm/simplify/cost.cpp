@@ -10,6 +10,10 @@ namespace {
 constexpr double kFrameDiagonal = 300;
 constexpr double kShortness = 1e-9;
 constexpr double kWorstQuality = 1e-6;  // keeps the price of a needle finite
+// Qualities: a triangle is a sliver from the one down (an angle of five degrees or so), and there is none
+// where all are above the other (eight degrees between equal sides).
+constexpr double kSliver = 0.15, kNoSliver = 0.24;
+constexpr double kMostSliverPrice = 3;  // costs that may fall far come late: see followsSurroundings
 // How far from the middle of an edge its target may lie, in lengths of the edge.
 constexpr double kReach = 2;
 constexpr size_t kPlacedTogether = 16;
@@ -218,7 +222,14 @@ double CostModel::costOf(uint32_t edge, const Placement& placement) const {
 
 // limber's price of the worst triangle.
 double CostModel::qualityFactor(uint32_t edge, const Vec3& target) const {
-  return 1 + qualityWeight_ * (1 / std::max(worstQuality(edge, target), kWorstQuality) - 1);
+  const double quality = std::max(worstQuality(edge, target), kWorstQuality);
+  return 1 + qualityWeight_ * (1 / quality - 1) * (1 + sliverPrice(edge, quality));
+}
+
+double CostModel::sliverPrice(uint32_t edge, double quality) const {
+  if (quality > 2 * kSliver || !(worstQualityAround(edge) > kNoSliver)) return 0;
+  const double square = (kSliver / quality) * (kSliver / quality);
+  return std::min(square * square, kMostSliverPrice);
 }
 
 CostTerms CostModel::terms(uint32_t edge, const Placement& placement) const {
@@ -311,6 +322,17 @@ double CostModel::worstQuality(uint32_t edge, const Vec3& target) const {
   });
   if (firstQ != nullptr) take(*firstQ, *firstR);
   return std::sqrt(std::min(worst[0], worst[1]));
+}
+
+double CostModel::worstQualityAround(uint32_t edge) const {
+  double worst = 1;
+  const auto [first, second] = mesh_.edge(edge);
+  for (const uint32_t v : {first, second})
+    for (const Corner corner : mesh_.star(v)) {
+      const auto& [a, b, c] = mesh_.face(triangleOf(corner)).vertices;
+      worst = std::min(worst, triangleQuality(mesh_.position(a), mesh_.position(b), mesh_.position(c)));
+    }
+  return worst;
 }
 
 // Calls visit with the two corners that stay, of every triangle that a collapse changes and does not take.

@@ -45,10 +45,11 @@ struct CostTerms {
 // kShortness times the squared length of the edge, far below what float32 coordinates show, takes shorter
 // edges first there; for `qem` the size weight adds to it.
 //
-// limber: (3 E_QEM + s (1 + w sigma) L^2) (1 + g (1 / q - 1)), with L the edge's length, sigma the larger
-// strain rank at its ends, q the worst quality (Eq. 9) among the changed triangles after the collapse, and s,
-// w, g the weights of size, strain and quality. All terms are squared lengths or pure numbers, so units do
-// not matter.
+// limber: (3 E_QEM + s (1 + w sigma) L^2) (1 + g (1 / q - 1) (1 + p)), with L the edge's length, sigma the
+// larger strain rank at its ends, q the worst quality (Eq. 9) among the changed triangles after the collapse,
+// and s, w, g the weights of size, strain and quality. p is (0.15 / q)^4, at most 3, where q is below 0.3 and
+// the triangles around both ends are all better than 0.24, else 0: no sliver where there is none yet. All
+// terms are squared lengths or pure numbers, so units do not matter.
 class CostModel {
  public:
   // Keeps references to all of them. Works on many edges: reports to `job`.
@@ -125,6 +126,8 @@ class CostModel {
   double qualityFactor(uint32_t edge, const Vec3& target) const;
   double meanBadness(uint32_t edge, const Vec3& target) const;
   double worstQuality(uint32_t edge, const Vec3& target) const;
+  double worstQualityAround(uint32_t edge) const;  // before the collapse
+  double sliverPrice(uint32_t edge, double quality) const;
   template <class Visit>
   void forEachChanged(uint32_t edge, const Visit& visit) const;
   uint32_t nearestVertex(const Vec3& target, uint32_t edge) const;

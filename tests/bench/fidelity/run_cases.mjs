@@ -4,7 +4,7 @@ import { cached, fingerprintOf } from './cache.mjs';
 import { hashOf } from './load_engine.mjs';
 import { measure } from './measure.mjs';
 
-/** One result: { mesh, kind, method, isOurs, ratio, targetFaces, ...measure(), seconds, meshOf() }. */
+/** One result: { mesh, kind, inputMinAngle, method, isOurs, ratio, targetFaces, ...measure(), seconds, meshOf() }. */
 export function runCases(loaded, { meshes, methods, ratios }, print = console.log) {
   const fingerprint = fingerprintOf(loaded);
   const total = meshes.length * methods.length * ratios.length;
@@ -16,7 +16,16 @@ export function runCases(loaded, { meshes, methods, ratios }, print = console.lo
         const { record, meshOf } = cached(key, () => runCase(loaded, mesh, method, ratio));
         const { name, isOurs } = method;
         const targetFaces = ratio * mesh.faces;
-        const about = { mesh: mesh.name, kind: mesh.kind, method: name, isOurs, ratio, targetFaces };
+        const inputMinAngle = mesh.prepared.quality.minAngle;
+        const about = {
+          mesh: mesh.name,
+          kind: mesh.kind,
+          inputMinAngle,
+          method: name,
+          isOurs,
+          ratio,
+          targetFaces,
+        };
         cases.push({ ...about, ...record, meshOf });
         print(`${cases.length}/${total} ${lineOf(cases.at(-1))}`);
       }
