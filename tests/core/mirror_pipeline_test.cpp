@@ -68,7 +68,8 @@ struct Fit {
 };
 
 Fit fit(const Doubled& whole) {
-  SimplifyOptions options{.method = Method::Limber, .qualityWeight = 0.1, .sizeWeight = 0.01};
+  // Little weight on quality leaves edges to flip.
+  SimplifyOptions options{.method = Method::Limber, .qualityWeight = 0.02, .sizeWeight = 0.01};
   options.stopFaces = 80;
   options.wishes.mirror = whole.mirror;
   const MeshAt reduced = meshAt(whole.mesh, simplify(whole.mesh, {}, options, theJob), 0);
