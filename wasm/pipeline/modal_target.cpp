@@ -132,21 +132,13 @@ ModalTarget::ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh,
           job),
       rootMass_(rootMasses(original)) {
   bind(mesh);
-  std::unique_ptr<OriginalShell> shell;
-  if (options.isLarge) {
+  if (options.isLarge)
     for (size_t k : thicknesses()) last_[k] = startCoarsely(mesh, k, job);
-    shell = originalShell(job);
-  } else {
-    parallelFor(1 + kThicknesses, 1, [&](size_t item, size_t) {
-      if (item == 0) {
-        shell = originalShell(job);
-      } else {
-        const size_t k = item - 1;
-        last_[k] = shell_.solve(mesh, thicknessOf(k), modesAt(k) + kMargin, job);
-      }
+  else
+    parallelFor(kThicknesses, 1, [&](size_t k, size_t) {
+      last_[k] = shell_.solve(mesh, thicknessOf(k), modesAt(k) + kMargin, job);
     });
-  }
-  findReference(mesh, shell.get(), job);
+  findReference(mesh, job);
 }
 
 std::vector<size_t> ModalTarget::thicknesses() const {
@@ -171,24 +163,17 @@ ShellVibration ModalTarget::startCoarsely(const TriangleMesh& mesh, size_t thick
   return withoutRotations(shell_.follow(mesh, start, modeCount, job), mesh);
 }
 
-struct ModalTarget::OriginalShell {
-  Topology topology;
-  VibratingShell shell;
-
-  OriginalShell(const TriangleMesh& mesh, const VibrationOptions& options, Job& job)
-      : topology(buildTopology(mesh)), shell(mesh, topology, options, job) {}
-};
-
-// None of a mesh too large to be refined.
-std::unique_ptr<ModalTarget::OriginalShell> ModalTarget::originalShell(Job& job) const {
-  if (original_.vertexCount() > kRefinedVertices) return nullptr;
-  const VibrationOptions options{options_.material.poisson, toleranceOf(options_), kReferenceSteps,
-                                 options_.pinnedOriginal};
-  return std::make_unique<OriginalShell>(original_, options, job);
-}
-
 // The modes of the simplified mesh are a start for those of the original.
-void ModalTarget::findReference(const TriangleMesh& mesh, const OriginalShell* original, Job& job) {
+void ModalTarget::findReference(const TriangleMesh& mesh, Job& job) {
+  const bool isHuge = original_.vertexCount() > kRefinedVertices;
+  const Topology topology = isHuge ? Topology{} : buildTopology(original_);
+  std::unique_ptr<VibratingShell> shell;
+  if (!isHuge)
+    shell =
+        std::make_unique<VibratingShell>(original_, topology,
+                                         VibrationOptions{options_.material.poisson, toleranceOf(options_),
+                                                          kReferenceSteps, options_.pinnedOriginal},
+                                         job);
   const size_t grain = original_.vertexCount() > kSideBySide ? kThicknesses : 1;
   const std::vector<size_t> wanted = thicknesses();
   parallelFor(wanted.size(), grain, [&](size_t begin, size_t end) {
@@ -196,11 +181,11 @@ void ModalTarget::findReference(const TriangleMesh& mesh, const OriginalShell* o
       const size_t k = wanted[at];
       ShellVibration& reference = reference_[k];
       reference =
-          original ? original->shell.follow(
-                         original_, {last_[k].thickness, last_[k].lambda, carriedToOriginal(mesh, last_[k])},
-                         modesAt(k), job)
-                   : vibrateCoarsely(original_, {thicknessOf(k), options_.material.poisson}, modesAt(k),
-                                     options_, job);
+          isHuge ? vibrateCoarsely(original_, {thicknessOf(k), options_.material.poisson}, modesAt(k),
+                                   options_, job)
+                 : shell->follow(original_,
+                                 {last_[k].thickness, last_[k].lambda, carriedToOriginal(mesh, last_[k])},
+                                 modesAt(k), job);
       const Eigen::Index count = std::min<Eigen::Index>(reference.lambda.size(), modesAt(k));
       reference.lambda.conservativeResize(count);
       reference.phi = massNormalised(reference.phi.topLeftCorner(rootMass_.size(), count), rootMass_);
