@@ -72,12 +72,19 @@ TEST(ModalFit, bringsTheFrequenciesOfAClosedAndAnOpenMeshToThoseOfTheOriginal) {
   }
 }
 
-// The first modes of a sheet that is clamped along one side.
+std::vector<uint8_t> clampedSide(const TriangleMesh& mesh) {
+  std::vector<uint8_t> marks(mesh.vertexCount(), 0);
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) marks[v] = mesh.positions[v].x < 0.12;
+  return marks;
+}
+
+// The first modes of a sheet that is clamped along that side.
 std::vector<double> clampedOmega(const TriangleMesh& mesh) {
   Job job;
   ModesOptions options{Model::Shell, 4, 0.02, 1e6, 0.3, 1000, 1};
+  const std::vector<uint8_t> clamped = clampedSide(mesh);
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
-    if (mesh.positions[v].x < 0.12) options.pinned.push_back(v);
+    if (clamped[v]) options.pinned.push_back(v);
   std::vector<double> omega;
   for (const Mode& mode : findModes(mesh, options, true, job).modes) omega.push_back(mode.omega);
   return omega;
@@ -110,8 +117,7 @@ PinnedFits fitBothWays(const TriangleMesh& mesh, const std::vector<uint8_t>& pin
 
 TEST(ModalFit, fitsThePinnedBodyWhereItIsPinned) {
   const TriangleMesh mesh = wavySheet();
-  std::vector<uint8_t> pinned(mesh.vertexCount(), 0);
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) pinned[v] = mesh.positions[v].x < 0.12;
+  const std::vector<uint8_t> pinned = clampedSide(mesh);
   const auto [start, free, held] = fitBothWays(mesh, pinned, 0.5);
   const double error = clampedError(mesh, held.result.mesh);
   EXPECT_LT(error, 0.6 * clampedError(mesh, start.mesh));
@@ -125,8 +131,7 @@ TEST(ModalFit, fitsThePinnedBodyWhereItIsPinned) {
 // With so few faces it is chance whether free or held modes serve better, but either is far better than none.
 TEST(ModalFit, fitsThePinnedBodyOfVeryFewFaces) {
   const TriangleMesh mesh = wavySheet();
-  std::vector<uint8_t> pinned(mesh.vertexCount(), 0);
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) pinned[v] = mesh.positions[v].x < 0.12;
+  const std::vector<uint8_t> pinned = clampedSide(mesh);
   const auto [start, free, held] = fitBothWays(mesh, pinned, 1 / 3.0);
   EXPECT_LT(clampedError(mesh, held.result.mesh), 0.6 * clampedError(mesh, start.mesh));
 }
