@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/job.h"
+#include "base/memory.h"
 #include "base/parallel.h"
 
 namespace limber {
@@ -81,6 +82,33 @@ TEST(Job, tellsItsObserverEachPercentOnce) {
   job.begin(Phase::Strain);
   for (int i = 0; i <= 1000; ++i) job.report(i / 1000.0);
   EXPECT_EQ(seen.size(), 101u);
+}
+
+TEST(Memory, countsWhatWasGivenBackWithinTheHeap) {
+#ifndef __EMSCRIPTEN__
+  GTEST_SKIP() << "Only the heap of WebAssembly has a bound.";
+#endif
+  constexpr size_t kBlock = 10'000'000, kBlocks = 20;
+  std::vector<std::vector<char>> blocks;
+  for (size_t i = 0; i < kBlocks; ++i) blocks.emplace_back(kBlock, '1');
+  const uint64_t full = memoryLeft();
+  blocks.erase(blocks.begin(), blocks.end() - 1);  // the last one keeps the heap as large as it is
+  EXPECT_GE(memoryLeft(), full + (kBlocks - 1) * kBlock);
+  EXPECT_LE(memoryLeft(), full + kBlocks * kBlock);
+}
+
+TEST(Memory, isRefusedInOneSentenceBeforeItIsTaken) {
+  setMemoryLimit(1'000'000);
+  try {
+    requireMemory(2'000'000, "This");
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(),
+                 "This would take about 2 MB of memory, but only 1 MB are left: use the coarse solve, or reduce "
+                 "the mesh first.");
+  }
+  EXPECT_NO_THROW(requireMemory(1'000'000, "This"));
+  setMemoryLimit(0);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #ifdef __EMSCRIPTEN__
 #include <emscripten/heap.h>
+#include <malloc.h>
 #include <unistd.h>
 #endif
 
@@ -17,9 +18,11 @@ namespace {
 
 std::atomic<uint64_t> cap = 0;
 
+// What the heap may still grow by, and what was given back within it.
 uint64_t systemMemoryLeft() {
 #ifdef __EMSCRIPTEN__
-  return emscripten_get_heap_max() - reinterpret_cast<uintptr_t>(sbrk(0));
+  const uint64_t ungrown = emscripten_get_heap_max() - reinterpret_cast<uintptr_t>(sbrk(0));
+  return ungrown + static_cast<size_t>(mallinfo().fordblks);
 #else
   return UINT64_MAX;
 #endif

@@ -115,24 +115,37 @@ void Factorisation::factorise(double shift, Job& job) {
         "different size.");
 }
 
+namespace {
+
+// As many columns as y has, in `room`.
+template <class Rows>
+Eigen::Map<Rows> rowsIn(std::vector<double>& room, Eigen::Index count, const Rows& y) {
+  const auto size = static_cast<size_t>(count * y.cols());
+  if (room.size() < size) room.resize(size);
+  return Eigen::Map<Rows>(room.data(), count, y.cols());
+}
+
+}  // namespace
+
 // Subtracts what the front's pivots contribute to the rows of its boundary.
 template <class Rows>
-void Factorisation::forward(const Front& front, Rows& y) const {
+void Factorisation::forward(const Front& front, Rows& y, Room& room) const {
   const ConstValues columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
   auto part = y.middleRows(front.firstPivot, front.pivotCount);
   columns.topRows(front.pivotCount).template triangularView<Eigen::UnitLower>().solveInPlace(part);
   if (front.boundaryCount == 0) return;
-  const Rows below = columns.bottomRows(front.boundaryCount) * part;
+  auto below = rowsIn(room, front.boundaryCount, y);
+  below.noalias() = columns.bottomRows(front.boundaryCount) * part;
   const uint32_t* slot = structure_->slot.data() + front.firstRow;
   for (uint32_t k = 0; k < front.boundaryCount; ++k) y.row(slot[k]) -= below.row(k);
 }
 
 template <class Rows>
-void Factorisation::backward(const Front& front, Rows& y) const {
+void Factorisation::backward(const Front& front, Rows& y, Room& room) const {
   const ConstValues columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
   auto part = y.middleRows(front.firstPivot, front.pivotCount);
   if (front.boundaryCount > 0) {
-    Rows below(front.boundaryCount, y.cols());
+    auto below = rowsIn(room, front.boundaryCount, y);
     const uint32_t* slot = structure_->slot.data() + front.firstRow;
     for (uint32_t k = 0; k < front.boundaryCount; ++k) below.row(k) = y.row(slot[k]);
     part.noalias() -= columns.bottomRows(front.boundaryCount).transpose() * below;
@@ -148,10 +161,11 @@ template <class Rows>
 void Factorisation::solveRows(Rows& y, const Job& job) const {
   y.bottomRows(structure_->slotCount - structure_->unknownCount).setZero();
   parallelFor(structure_->tasks.size(), 1, [&](size_t begin, size_t end) {
+    Room room;
     for (size_t t = begin; t < end; ++t)
       for (uint32_t f = structure_->tasks[t].firstFront; f <= structure_->tasks[t].root; ++f) {
         job.check();
-        forward(structure_->fronts[f], y);
+        forward(structure_->fronts[f], y, room);
       }
   });
   const auto forEachSlot = [&](const auto& body) {
@@ -162,16 +176,18 @@ void Factorisation::solveRows(Rows& y, const Job& job) const {
     }
   };
   forEachSlot([&](uint32_t position, uint32_t slot) { y.row(position) += y.row(slot); });
-  for (uint32_t f : structure_->top) forward(structure_->fronts[f], y);
+  Room room;
+  for (uint32_t f : structure_->top) forward(structure_->fronts[f], y, room);
   for (uint32_t p = 0; p < structure_->unknownCount; ++p) y.row(p) /= diagonal_[p];
   for (auto f = structure_->top.rbegin(); f != structure_->top.rend(); ++f)
-    backward(structure_->fronts[*f], y);
+    backward(structure_->fronts[*f], y, room);
   forEachSlot([&](uint32_t position, uint32_t slot) { y.row(slot) = y.row(position); });
   parallelFor(structure_->tasks.size(), 1, [&](size_t begin, size_t end) {
+    Room room;
     for (size_t t = begin; t < end; ++t)
       for (uint32_t f = structure_->tasks[t].root + 1; f-- > structure_->tasks[t].firstFront;) {
         job.check();
-        backward(structure_->fronts[f], y);
+        backward(structure_->fronts[f], y, room);
       }
   });
 }

@@ -37,6 +37,7 @@ class Factorisation {
  private:
   using Front = FactorStructure::Front;
   using Task = FactorStructure::Task;
+  using Room = std::vector<double>;  // for the rows of a front's boundary, one for each thread
   struct Progress;
 
   void factoriseFront(uint32_t f, double shift, uint32_t* localRow, Job& job);
@@ -44,9 +45,9 @@ class Factorisation {
   template <class Rows>
   void solveRows(Rows& y, const Job& job) const;
   template <class Rows>
-  void forward(const Front& front, Rows& y) const;
+  void forward(const Front& front, Rows& y, Room& room) const;
   template <class Rows>
-  void backward(const Front& front, Rows& y) const;
+  void backward(const Front& front, Rows& y, Room& room) const;
 
   const StiffnessModel& model_;
   std::shared_ptr<const FactorStructure> structure_;

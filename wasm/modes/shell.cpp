@@ -126,9 +126,11 @@ ElementMatrix elementStiffness(const Frame& frame, const std::array<double, 3>& 
   if (!(frame.flatness > kDegenerate)) return tie(frame, sign, thickness);
   const StrainMatrix strain = membraneStrain(frame), curvature = bendingCurvature(frame, sign);
   const double weight = frame.area * std::min(1.0, frame.flatness / kFlattest);
-  return strain.transpose() * planeStress(weight * thickness, poisson) * strain +
-         curvature.transpose() * planeStress(weight * thickness * thickness * thickness / 12, poisson) *
-             curvature;
+  const StrainMatrix stress = planeStress(weight * thickness, poisson) * strain;
+  const StrainMatrix moment =
+      planeStress(weight * thickness * thickness * thickness / 12, poisson) * curvature;
+  // Plain products: Eigen takes these for large and would allocate what it packs them into.
+  return strain.transpose().lazyProduct(stress) + curvature.transpose().lazyProduct(moment);
 }
 
 // Corners and edges of each triangle as nodes.
