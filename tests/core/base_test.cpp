@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <mutex>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "base/job.h"
@@ -44,8 +48,8 @@ TEST(ParallelFor, rethrowsTheErrorOfTheFirstRange) {
   setThreadCount(1);
 }
 
-TEST(ParallelFor, anInnerLoopRunsOnItsOwnThread) {
-  setThreadCount(3);
+// 20 x 50 ones, by loops within a loop.
+std::vector<int> innerSums() {
   std::vector<int> sums(20);
   parallelFor(sums.size(), 1, [&](size_t begin, size_t) {
     std::vector<int> ones(50);
@@ -54,9 +58,58 @@ TEST(ParallelFor, anInnerLoopRunsOnItsOwnThread) {
     });
     sums[begin] = std::accumulate(ones.begin(), ones.end(), 0);
   });
-  setThreadCount(1);
-  for (int sum : sums) EXPECT_EQ(sum, 50);
+  return sums;
 }
+
+TEST(ParallelFor, innerLoopsEndBeforeTheirCallersGoOn) {
+  for (int threads : {1, 2, 3, 5}) {
+    setThreadCount(threads);
+    for (int round = 0; round < 200; ++round) EXPECT_EQ(innerSums(), std::vector<int>(20, 50));
+  }
+  setThreadCount(1);
+}
+
+#if LIMBER_THREADS
+TEST(ParallelFor, aThreadWithNothingLeftToDoHelpsInInnerLoops) {
+  setThreadCount(2);
+  std::set<std::thread::id> inside;
+  std::mutex mutex;
+  const auto seen = [&] {
+    const std::lock_guard lock(mutex);
+    return inside.size();
+  };
+  const auto start = std::chrono::steady_clock::now();
+  const auto isLate = [&] { return std::chrono::steady_clock::now() - start > std::chrono::seconds(20); };
+  // Two outer ranges: one is over at once, the other begins inner loops until somebody else helps.
+  parallelFor(2, 1, [&](size_t outer, size_t) {
+    while (outer == 1 && seen() < 2 && !isLate())
+      parallelFor(100, 1, [&](size_t, size_t) {
+        const std::lock_guard lock(mutex);
+        inside.insert(std::this_thread::get_id());
+      });
+  });
+  setThreadCount(1);
+  EXPECT_EQ(seen(), 2);
+}
+
+TEST(ParallelFor, rethrowsAnInnerErrorThroughTheOuterLoop) {
+  setThreadCount(3);
+  const auto run = [] {
+    parallelFor(4, 1, [](size_t outer, size_t) {
+      parallelFor(8, 1, [&](size_t inner, size_t) {
+        if (outer == 2 && inner >= 3) throw std::runtime_error("range " + std::to_string(inner));
+      });
+    });
+  };
+  try {
+    run();
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "range 3");
+  }
+  setThreadCount(1);
+}
+#endif
 
 TEST(ThreadCount, refusesLessThanOne) {
   EXPECT_THROW(setThreadCount(0), std::invalid_argument);

@@ -34,9 +34,12 @@ struct Loop {
   size_t count, grain;
   const Body& body;
   std::atomic<size_t> nextRange = 0;
+  int helpers = 0;  // that are at work in it; guarded by the pool's mutex
   std::mutex errorMutex = {};
   size_t errorRange = SIZE_MAX;
   std::exception_ptr error = nullptr;
+
+  bool hasWork() const { return nextRange * grain < count; }
 
   void work() {
     for (size_t range = nextRange++; range * grain < count; range = nextRange++) {
@@ -53,10 +56,12 @@ struct Loop {
   }
 };
 
-// Threads that wait for loops. They live until the number of threads changes or the program ends.
+// Threads that wait for loops and help in the oldest one that has work left: in the outer ones first, in inner
+// ones once no range of an outer one is left. So does a caller whose helpers are not done yet. The threads
+// live until their number changes or the program ends.
 class Pool {
  public:
-  explicit Pool(int helpers) {
+  explicit Pool(int helpers) : idle_(helpers) {
     for (int i = 0; i < helpers; ++i) threads_.emplace_back([this] { serve(); });
   }
   ~Pool() {
@@ -64,54 +69,64 @@ class Pool {
       const std::lock_guard lock(mutex_);
       stopping_ = true;
     }
-    wake_.notify_all();
+    changed_.notify_all();
     for (auto& thread : threads_) thread.join();
   }
   int helperCount() const { return static_cast<int>(threads_.size()); }
+  bool hasIdleThreads() const { return idle_ > 0; }
 
   void run(Loop& loop) {
     {
       const std::lock_guard lock(mutex_);
-      loop_ = &loop;
-      ++generation_;
-      busy_ = helperCount();
+      open_.push_back(&loop);
     }
-    wake_.notify_all();
+    changed_.notify_all();
     loop.work();
     std::unique_lock lock(mutex_);
-    done_.wait(lock, [this] { return busy_ == 0; });
-    loop_ = nullptr;
+    std::erase(open_, &loop);
+    ++idle_;
+    helpUntil(lock, [&loop] { return loop.helpers == 0; });
+    --idle_;
   }
 
  private:
-  void serve();
+  void serve() {
+    std::unique_lock lock(mutex_);
+    helpUntil(lock, [this] { return stopping_; });
+  }
+
+  template <class IsOver>
+  void helpUntil(std::unique_lock<std::mutex>& lock, const IsOver& isOver) {
+    while (!isOver()) {
+      if (Loop* loop = loopWithWork())
+        help(lock, *loop);
+      else
+        changed_.wait(lock);
+    }
+  }
+
+  void help(std::unique_lock<std::mutex>& lock, Loop& loop) {
+    ++loop.helpers;
+    --idle_;
+    lock.unlock();
+    loop.work();
+    lock.lock();
+    ++idle_;
+    if (--loop.helpers == 0) changed_.notify_all();
+  }
+
+  Loop* loopWithWork() const {
+    const auto found = std::find_if(open_.begin(), open_.end(), [](Loop* loop) { return loop->hasWork(); });
+    return found != open_.end() ? *found : nullptr;
+  }
 
   std::vector<std::thread> threads_;
   std::mutex mutex_;
-  std::condition_variable wake_, done_;
-  Loop* loop_ = nullptr;
-  uint64_t generation_ = 0;
-  int busy_ = 0;
+  std::condition_variable changed_;
+  std::vector<Loop*> open_;  // whose callers still hand out ranges, in the order in which they began
+  std::atomic<int> idle_;    // threads that wait for work
   bool stopping_ = false;
 };
-
-thread_local bool insideLoop = false;
-
-void Pool::serve() {
-  insideLoop = true;
-  uint64_t seen = 0;
-  std::unique_lock lock(mutex_);
-  for (;;) {
-    wake_.wait(lock, [&] { return stopping_ || generation_ != seen; });
-    if (stopping_) return;
-    seen = generation_;
-    Loop* loop = loop_;
-    lock.unlock();
-    loop->work();
-    lock.lock();
-    if (--busy_ == 0) done_.notify_one();
-  }
-}
 
 // Never destroyed: joining threads while a program exits can hang in a browser.
 Pool*& pool() {
@@ -135,11 +150,9 @@ int threadCount() {
 void parallelFor(size_t count, size_t grain, const Body& body) {
   if (count == 0) return;
   grain = std::max<size_t>(grain, 1);
-  if (!pool() || insideLoop || count <= grain) return runSerially(count, grain, body);
+  if (count <= grain || !pool() || !pool()->hasIdleThreads()) return runSerially(count, grain, body);
   Loop loop{count, grain, body};
-  insideLoop = true;
   pool()->run(loop);
-  insideLoop = false;
   if (loop.error) std::rethrow_exception(loop.error);
 }
 

@@ -13,8 +13,8 @@ int threadCount();
 // Calls body(begin, end) for consecutive ranges that cover [0, count), each of at most `grain` items. The
 // ranges depend on `count` and `grain` alone, never on the number of threads; which thread runs a range, and
 // when, is not promised. So results are the same for any number of threads if each range writes only to its
-// own items. The first exception by range order is rethrown here after all ranges have ended. Not to be
-// nested: an inner call runs on its own thread alone.
+// own items. The first exception by range order is rethrown here after all ranges have ended. Calls may be
+// nested: threads that find no range left in an outer loop help in the inner ones.
 void parallelFor(size_t count, size_t grain, const std::function<void(size_t begin, size_t end)>& body);
 
 }  // namespace limber

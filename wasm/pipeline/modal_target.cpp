@@ -132,13 +132,21 @@ ModalTarget::ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh,
           job),
       rootMass_(rootMasses(original)) {
   bind(mesh);
-  if (options.isLarge)
+  std::unique_ptr<OriginalShell> shell;
+  if (options.isLarge) {
     for (size_t k : thicknesses()) last_[k] = startCoarsely(mesh, k, job);
-  else
-    parallelFor(kThicknesses, 1, [&](size_t k, size_t) {
-      last_[k] = shell_.solve(mesh, thicknessOf(k), modesAt(k) + kMargin, job);
+    shell = originalShell(job);
+  } else {
+    parallelFor(1 + kThicknesses, 1, [&](size_t item, size_t) {
+      if (item == 0) {
+        shell = originalShell(job);
+      } else {
+        const size_t k = item % kThicknesses;  // the middle one, which takes longest, first
+        last_[k] = shell_.solve(mesh, thicknessOf(k), modesAt(k) + kMargin, job);
+      }
     });
-  findReference(mesh, job);
+  }
+  findReferences(mesh, shell.get(), job);
 }
 
 std::vector<size_t> ModalTarget::thicknesses() const {
@@ -163,33 +171,41 @@ ShellVibration ModalTarget::startCoarsely(const TriangleMesh& mesh, size_t thick
   return withoutRotations(shell_.follow(mesh, start, modeCount, job), mesh);
 }
 
+struct ModalTarget::OriginalShell {
+  Topology topology;
+  VibratingShell shell;
+
+  OriginalShell(const TriangleMesh& mesh, const VibrationOptions& options, Job& job)
+      : topology(buildTopology(mesh)), shell(mesh, topology, options, job) {}
+};
+
+// None of a mesh too large to be refined.
+std::unique_ptr<ModalTarget::OriginalShell> ModalTarget::originalShell(Job& job) const {
+  if (original_.vertexCount() > kRefinedVertices) return nullptr;
+  const VibrationOptions options{options_.material.poisson, toleranceOf(options_), kReferenceSteps,
+                                 options_.pinnedOriginal};
+  return std::make_unique<OriginalShell>(original_, options, job);
+}
+
 // The modes of the simplified mesh are a start for those of the original.
-void ModalTarget::findReference(const TriangleMesh& mesh, Job& job) {
-  const bool isHuge = original_.vertexCount() > kRefinedVertices;
-  const Topology topology = isHuge ? Topology{} : buildTopology(original_);
-  std::unique_ptr<VibratingShell> shell;
-  if (!isHuge)
-    shell =
-        std::make_unique<VibratingShell>(original_, topology,
-                                         VibrationOptions{options_.material.poisson, toleranceOf(options_),
-                                                          kReferenceSteps, options_.pinnedOriginal},
-                                         job);
-  const size_t grain = original_.vertexCount() > kSideBySide ? kThicknesses : 1;
+void ModalTarget::findReference(const TriangleMesh& mesh, const OriginalShell* original, size_t k, Job& job) {
+  ShellVibration& reference = reference_[k];
+  reference =
+      original ? original->shell.follow(
+                     original_, {last_[k].thickness, last_[k].lambda, carriedToOriginal(mesh, last_[k])},
+                     modesAt(k), job)
+               : vibrateCoarsely(original_, {thicknessOf(k), options_.material.poisson}, modesAt(k), options_,
+                                 job);
+  const Eigen::Index count = std::min<Eigen::Index>(reference.lambda.size(), modesAt(k));
+  reference.lambda.conservativeResize(count);
+  reference.phi = massNormalised(reference.phi.topLeftCorner(rootMass_.size(), count), rootMass_);
+}
+
+void ModalTarget::findReferences(const TriangleMesh& mesh, const OriginalShell* original, Job& job) {
   const std::vector<size_t> wanted = thicknesses();
+  const size_t grain = original_.vertexCount() > kSideBySide ? wanted.size() : 1;
   parallelFor(wanted.size(), grain, [&](size_t begin, size_t end) {
-    for (size_t at = begin; at < end; ++at) {
-      const size_t k = wanted[at];
-      ShellVibration& reference = reference_[k];
-      reference =
-          isHuge ? vibrateCoarsely(original_, {thicknessOf(k), options_.material.poisson}, modesAt(k),
-                                   options_, job)
-                 : shell->follow(original_,
-                                 {last_[k].thickness, last_[k].lambda, carriedToOriginal(mesh, last_[k])},
-                                 modesAt(k), job);
-      const Eigen::Index count = std::min<Eigen::Index>(reference.lambda.size(), modesAt(k));
-      reference.lambda.conservativeResize(count);
-      reference.phi = massNormalised(reference.phi.topLeftCorner(rootMass_.size(), count), rootMass_);
-    }
+    for (size_t at = begin; at < end; ++at) findReference(mesh, original, wanted[at], job);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -71,12 +72,16 @@ class ModalTarget {
   };
 
  private:
+  struct OriginalShell;  // ready to follow its modes at any thickness
+
   static constexpr size_t kMiddle = 1;
   // How many are fitted: fewer at half and at twice the thickness than at the middle one.
   int modesAt(size_t k) const;
   double thicknessOf(size_t k) const;
   ShellVibration startCoarsely(const TriangleMesh& mesh, size_t thickness, Job& job) const;
-  void findReference(const TriangleMesh& mesh, Job& job);
+  std::unique_ptr<OriginalShell> originalShell(Job& job) const;
+  void findReference(const TriangleMesh& mesh, const OriginalShell* original, size_t thickness, Job& job);
+  void findReferences(const TriangleMesh& mesh, const OriginalShell* original, Job& job);
   // Shapes of the mesh at the original's vertices.
   Eigen::MatrixXd carriedToOriginal(const TriangleMesh& mesh, const ShellVibration& found) const;
   Aligned align(const ShellVibration& found, const Eigen::MatrixXd& carried, size_t k) const;
