@@ -124,7 +124,9 @@ TEST(ModalFit, fitsThePinnedBodyWhereItIsPinned) {
   EXPECT_LT(error, 0.8 * clampedError(mesh, free.result.mesh));
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     const uint32_t there = start.vertexOfInput[v];
-    if (pinned[v]) EXPECT_EQ(held.result.mesh.positions[there], start.mesh.positions[there]);
+    if (pinned[v]) {
+      EXPECT_EQ(held.result.mesh.positions[there], start.mesh.positions[there]);
+    }
   }
 }
 
