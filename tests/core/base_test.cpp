@@ -156,9 +156,10 @@ TEST(Memory, isRefusedInOneSentenceBeforeItIsTaken) {
     requireMemory(2'000'000, "This");
     ADD_FAILURE() << "nothing was thrown";
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(),
-                 "This would take about 2 MB of memory, but only 1 MB are left: use the coarse solve, or reduce "
-                 "the mesh first.");
+    EXPECT_STREQ(
+        error.what(),
+        "This would take about 2 MB of memory, but only 1 MB are left: use the coarse solve, or reduce "
+        "the mesh first.");
   }
   EXPECT_NO_THROW(requireMemory(1'000'000, "This"));
   setMemoryLimit(0);

@@ -56,9 +56,9 @@ struct Loop {
   }
 };
 
-// Threads that wait for loops and help in the oldest one that has work left: in the outer ones first, in inner
-// ones once no range of an outer one is left. So does a caller whose helpers are not done yet. The threads
-// live until their number changes or the program ends.
+// Threads that wait for loops and help in the oldest one that has work left: in the outer ones first, in
+// inner ones once no range of an outer one is left. So does a caller whose helpers are not done yet. The
+// threads live until their number changes or the program ends.
 class Pool {
  public:
   explicit Pool(int helpers) : idle_(helpers) {

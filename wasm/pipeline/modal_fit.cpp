@@ -26,6 +26,9 @@ constexpr uint32_t kSamplesPerTriangle = 6;
 // The root mean square distance may grow to this much of the simplified mesh's, or to this part of the
 // diagonal.
 constexpr double kBudget = 1.25, kLeastBudget = 6.3e-4;
+// Where the result has more vertices, rounds take seconds, and 0.1 % of frequency (squared) is good enough.
+constexpr uint32_t kManyVertices = 5000;
+constexpr double kGoodEnoughOfMany = 4e-6;
 
 // Of large components: frequencies are off by little, so that residuals are nearly linear and long steps are
 // right.
@@ -133,7 +136,8 @@ void fitLarge(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
 void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   const FitSamples samples =
       sampleForFit(part.original, kSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
-  const SearchLimits limits{.budget = budgetOf(part, samples)};
+  SearchLimits limits{.budget = budgetOf(part, samples)};
+  if (part.simplified.vertexCount() > kManyVertices) limits.goodEnough = kGoodEnoughOfMany;
   FitPart plain = part;
   std::vector<uint32_t> corners = unflippedCorners(part.simplified);
   uint32_t flips = fitToSurface(part, samples, corners, call.job);

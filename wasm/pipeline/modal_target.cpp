@@ -190,12 +190,12 @@ std::unique_ptr<ModalTarget::OriginalShell> ModalTarget::originalShell(Job& job)
 // The modes of the simplified mesh are a start for those of the original.
 void ModalTarget::findReference(const TriangleMesh& mesh, const OriginalShell* original, size_t k, Job& job) {
   ShellVibration& reference = reference_[k];
-  reference =
-      original ? original->shell.follow(
-                     original_, {last_[k].thickness, last_[k].lambda, carriedToOriginal(mesh, last_[k])},
-                     modesAt(k), job)
-               : vibrateCoarsely(original_, {thicknessOf(k), options_.material.poisson}, modesAt(k), options_,
-                                 job);
+  reference = original
+                  ? original->shell.follow(
+                        original_, {last_[k].thickness, last_[k].lambda, carriedToOriginal(mesh, last_[k])},
+                        modesAt(k), job)
+                  : vibrateCoarsely(original_, {thicknessOf(k), options_.material.poisson}, modesAt(k),
+                                    options_, job);
   const Eigen::Index count = std::min<Eigen::Index>(reference.lambda.size(), modesAt(k));
   reference.lambda.conservativeResize(count);
   reference.phi = massNormalised(reference.phi.topLeftCorner(rootMass_.size(), count), rootMass_);
