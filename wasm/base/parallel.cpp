@@ -34,7 +34,8 @@ struct Loop {
   size_t count, grain;
   const Body& body;
   std::atomic<size_t> nextRange = 0;
-  int helpers = 0;  // that are at work in it; guarded by the pool's mutex
+  int helpers = 0;     // that are at work in it; guarded by the pool's mutex, as is ...
+  uint64_t order = 0;  // ... the number of loops begun before it
   std::mutex errorMutex = {};
   size_t errorRange = SIZE_MAX;
   std::exception_ptr error = nullptr;
@@ -57,8 +58,8 @@ struct Loop {
 };
 
 // Threads that wait for loops and help in the oldest one that has work left: in the outer ones first, in
-// inner ones once no range of an outer one is left. So does a caller whose helpers are not done yet. The
-// threads live until their number changes or the program ends.
+// inner ones once no range of an outer one is left. A caller whose helpers are not done yet helps too, but
+// only in loops begun after its own. The threads live until their number changes or the program ends.
 class Pool {
  public:
   explicit Pool(int helpers) : idle_(helpers) {
@@ -78,6 +79,7 @@ class Pool {
   void run(Loop& loop) {
     {
       const std::lock_guard lock(mutex_);
+      loop.order = begun_++;
       open_.push_back(&loop);
     }
     changed_.notify_all();
@@ -85,20 +87,20 @@ class Pool {
     std::unique_lock lock(mutex_);
     std::erase(open_, &loop);
     ++idle_;
-    helpUntil(lock, [&loop] { return loop.helpers == 0; });
+    helpUntil(lock, loop.order, [&loop] { return loop.helpers == 0; });
     --idle_;
   }
 
  private:
   void serve() {
     std::unique_lock lock(mutex_);
-    helpUntil(lock, [this] { return stopping_; });
+    helpUntil(lock, 0, [this] { return stopping_; });
   }
 
   template <class IsOver>
-  void helpUntil(std::unique_lock<std::mutex>& lock, const IsOver& isOver) {
+  void helpUntil(std::unique_lock<std::mutex>& lock, uint64_t since, const IsOver& isOver) {
     while (!isOver()) {
-      if (Loop* loop = loopWithWork())
+      if (Loop* loop = loopWithWork(since))
         help(lock, *loop);
       else
         changed_.wait(lock);
@@ -115,8 +117,9 @@ class Pool {
     if (--loop.helpers == 0) changed_.notify_all();
   }
 
-  Loop* loopWithWork() const {
-    const auto found = std::find_if(open_.begin(), open_.end(), [](Loop* loop) { return loop->hasWork(); });
+  Loop* loopWithWork(uint64_t since) const {
+    const auto found = std::find_if(open_.begin(), open_.end(),
+                                    [&](Loop* loop) { return loop->order >= since && loop->hasWork(); });
     return found != open_.end() ? *found : nullptr;
   }
 
@@ -124,7 +127,8 @@ class Pool {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Loop*> open_;  // whose callers still hand out ranges, in the order in which they began
-  std::atomic<int> idle_;    // threads that wait for work
+  uint64_t begun_ = 0;
+  std::atomic<int> idle_;  // threads that wait for work
   bool stopping_ = false;
 };
 
