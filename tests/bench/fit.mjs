@@ -117,7 +117,7 @@ if (options.write)
   await writeSection({
     name: 'fit',
     title: 'Modal fit',
-    remark: `${options.threads} threads, ${rounds} rounds; each time is the least.`,
+    remark: `${options.threads} threads; each time is the least of ${rounds}.`,
     missing,
     sections: [
       'The fit of a result with a quarter of the faces. Errors: of frequencies, root mean square over the modes and thicknesses that are fitted, after the collapses and after the fit.',
