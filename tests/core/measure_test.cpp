@@ -79,18 +79,6 @@ TEST(ClosestPoint, agreesWithADenseSearchOnAnyTriangle) {
   }
 }
 
-TEST(ClosestPoint, isTheSameWhereverTheSearchBegins) {
-  const TriangleMesh sheet = shapes::grid(3, 3), twice = shapes::together(sheet, sheet);  // ties everywhere
-  const ClosestPointTree tree(twice);
-  for (const Vec3& p : {Vec3{0.4, 0.3, 0.2}, Vec3{0.5, 0.5, 0}, Vec3{-1, 2, 0.1}})
-    for (uint32_t near = 0; near < twice.triangleCount(); ++near) {
-      const SurfacePoint expected = tree.closest(p), found = tree.closest(p, near);
-      EXPECT_EQ(found.triangle, expected.triangle);
-      EXPECT_EQ(found.distance, expected.distance);
-      EXPECT_EQ(found.position, expected.position);
-    }
-}
-
 TEST(SurfaceDistance, ofParallelSheetsIsTheirGap) {
   const TriangleMesh sheet = shapes::grid(5, 5);
   const SurfaceDistance distance = distanceOf(sheet, moved(sheet, {0, 0, 0.25}));

@@ -18,14 +18,26 @@ namespace {
 
 std::atomic<uint64_t> cap = 0;
 
-// What the heap may still grow by, and what was given back within it.
-uint64_t systemMemoryLeft() {
+// What the heap may still grow by.
+uint64_t ungrownMemory() {
 #ifdef __EMSCRIPTEN__
-  const uint64_t ungrown = emscripten_get_heap_max() - reinterpret_cast<uintptr_t>(sbrk(0));
-  return ungrown + static_cast<size_t>(mallinfo().fordblks);
+  return emscripten_get_heap_max() - reinterpret_cast<uintptr_t>(sbrk(0));
 #else
   return UINT64_MAX;
 #endif
+}
+
+// What was given back within the heap; walks over all of it.
+uint64_t freedMemory() {
+#ifdef __EMSCRIPTEN__
+  return static_cast<size_t>(mallinfo().fordblks);
+#else
+  return 0;
+#endif
+}
+
+uint64_t capped(uint64_t bytes) {
+  return cap == 0 ? bytes : std::min<uint64_t>(bytes, cap);
 }
 
 std::string inWords(uint64_t bytes) {
@@ -42,11 +54,11 @@ void setMemoryLimit(uint64_t bytes) {
 }
 
 uint64_t memoryLeft() {
-  const uint64_t system = systemMemoryLeft();
-  return cap == 0 ? system : std::min<uint64_t>(system, cap);
+  return capped(ungrownMemory() + freedMemory());
 }
 
 void requireMemory(uint64_t bytes, const char* what) {
+  if (bytes <= capped(ungrownMemory())) return;
   const uint64_t left = memoryLeft();
   if (bytes <= left) return;
   throw std::runtime_error(std::string(what) + " would take about " + inWords(bytes) +

@@ -110,26 +110,10 @@ uint32_t ClosestPointTree::build(uint32_t first, uint32_t count, std::vector<Vec
   return index;
 }
 
-void ClosestPointTree::consider(const Vec3& point, uint32_t t, SurfacePoint& best,
-                                double& bestSquared) const {
-  const Vec3 corner[3] = {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
-  double barycentric[3];
-  closestBarycentric(point, corner, barycentric);
-  const Vec3 position = corner[0] * barycentric[0] + corner[1] * barycentric[1] + corner[2] * barycentric[2];
-  const double squared = squaredLength(point - position);
-  if (squared > bestSquared || (squared == bestSquared && t > best.triangle)) return;
-  bestSquared = squared;
-  best.triangle = t;
-  best.position = position;
-  std::copy(barycentric, barycentric + 3, best.barycentric);
-}
-
 template <class Counts>
-SurfacePoint ClosestPointTree::search(const Vec3& point, double within, uint32_t near,
-                                      const Counts& counts) const {
+SurfacePoint ClosestPointTree::search(const Vec3& point, double within, const Counts& counts) const {
   SurfacePoint best;
   double bestSquared = within * within;
-  if (near != kNone) consider(point, near, best, bestSquared);
   struct Visit {
     uint32_t node;
     double squared;
@@ -152,7 +136,18 @@ SurfacePoint ClosestPointTree::search(const Vec3& point, double within, uint32_t
     }
     for (uint32_t i = node.first; i < node.first + node.count; ++i) {
       const uint32_t t = order_[i];
-      if (counts(t)) consider(point, t, best, bestSquared);
+      if (!counts(t)) continue;
+      const Vec3 corner[3] = {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
+      double barycentric[3];
+      closestBarycentric(point, corner, barycentric);
+      const Vec3 position =
+          corner[0] * barycentric[0] + corner[1] * barycentric[1] + corner[2] * barycentric[2];
+      const double squared = squaredLength(point - position);
+      if (squared > bestSquared || (squared == bestSquared && t > best.triangle)) continue;
+      bestSquared = squared;
+      best.triangle = t;
+      best.position = position;
+      std::copy(barycentric, barycentric + 3, best.barycentric);
     }
   }
   best.distance = std::sqrt(bestSquared);
@@ -160,11 +155,7 @@ SurfacePoint ClosestPointTree::search(const Vec3& point, double within, uint32_t
 }
 
 SurfacePoint ClosestPointTree::closest(const Vec3& point) const {
-  return closest(point, kNone);
-}
-
-SurfacePoint ClosestPointTree::closest(const Vec3& point, uint32_t near) const {
-  return search(point, HUGE_VAL, near, [](uint32_t) { return true; });
+  return search(point, HUGE_VAL, [](uint32_t) { return true; });
 }
 
 SurfacePoint ClosestPointTree::closestFacing(const Vec3& point, const Vec3& normal) const {
@@ -174,7 +165,7 @@ SurfacePoint ClosestPointTree::closestFacing(const Vec3& point, const Vec3& norm
   const SurfacePoint any = closest(point);
   if (squaredLength(normal) == 0 || looksThatWay(any.triangle)) return any;
   const double slack = kBetweenSheets * length(nodes_[0].high - nodes_[0].low);
-  const SurfacePoint facing = search(point, any.distance + slack, kNone, looksThatWay);
+  const SurfacePoint facing = search(point, any.distance + slack, looksThatWay);
   return facing.triangle != kNone ? facing : any;
 }
 

@@ -25,8 +25,6 @@ class ClosestPointTree {
   explicit ClosestPointTree(const TriangleMesh& mesh);
   // The closest point of the surface; ties go to the lowest triangle index. The mesh must have a triangle.
   SurfacePoint closest(const Vec3& point) const;
-  // The same point, found sooner where triangle `near` is close to it.
-  SurfacePoint closest(const Vec3& point, uint32_t near) const;
   // The closest point of a triangle that looks the way of `normal` (within 75 degrees), where one is hardly
   // farther off than the closest of all (1 % of the diagonal); else that. Tells sheets apart that lie close
   // together, or on one another. A normal of 0 looks every way.
@@ -39,12 +37,9 @@ class ClosestPointTree {
     uint32_t right = 0;             // an inner node's second child; the first follows it
   };
   uint32_t build(uint32_t first, uint32_t count, std::vector<Vec3>& centres);
-  // Takes the point of triangle t where it is closer than the best.
-  void consider(const Vec3& point, uint32_t t, SurfacePoint& best, double& bestSquared) const;
-  // Among the triangles that count, closer than `within`; no triangle where there is none. `near`: looked at
-  // first; kNone: none.
+  // Among the triangles that count, closer than `within`; no triangle where there is none.
   template <class Counts>
-  SurfacePoint search(const Vec3& point, double within, uint32_t near, const Counts& counts) const;
+  SurfacePoint search(const Vec3& point, double within, const Counts& counts) const;
 
   const TriangleMesh& mesh_;
   std::vector<Node> nodes_;

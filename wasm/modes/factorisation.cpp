@@ -22,6 +22,14 @@ using ConstValues = Eigen::Map<const Eigen::MatrixXd>;
 using RowsOfOne = Eigen::VectorXd;
 using RowsOfMany = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+// As many columns as y has, in `room`.
+template <class Rows>
+Eigen::Map<Rows> rowsIn(std::vector<double>& room, Eigen::Index count, const Rows& y) {
+  const auto size = static_cast<size_t>(count * y.cols());
+  if (room.size() < size) room.resize(size);
+  return Eigen::Map<Rows>(room.data(), count, y.cols());
+}
+
 }  // namespace
 
 // How much of a factorisation is done; only the thread that called it may report.
@@ -114,18 +122,6 @@ void Factorisation::factorise(double shift, Job& job) {
         "The stiffness matrix could not be factorised: look for coordinates or thicknesses of wildly "
         "different size.");
 }
-
-namespace {
-
-// As many columns as y has, in `room`.
-template <class Rows>
-Eigen::Map<Rows> rowsIn(std::vector<double>& room, Eigen::Index count, const Rows& y) {
-  const auto size = static_cast<size_t>(count * y.cols());
-  if (room.size() < size) room.resize(size);
-  return Eigen::Map<Rows>(room.data(), count, y.cols());
-}
-
-}  // namespace
 
 // Subtracts what the front's pivots contribute to the rows of its boundary.
 template <class Rows>

@@ -93,7 +93,7 @@ using Strain = std::array<double, 6>;
 
 struct StrainSlopes {
   Strain value{}, stress{};
-  std::array<std::array<double, kParameters>, 6> slope{};  // of each strain
+  std::array<Strain, kParameters> slope{};
 };
 
 double part(const Number& x, size_t which) {
@@ -136,14 +136,9 @@ void setStress(const double* strain, double factor, double poisson, double* stre
 StrainSlopes strainsOf(const Element& element, const ElementMode& mode, const ShellMaterial& material) {
   StrainSlopes strains;
   addStrain(element, mode, 0, strains.value);
-  for (size_t k = 0; k < kParameters; ++k) {
-    Strain slope{};
-    if (k < kShape)
-      addStrain(element, mode, 1 + k, slope);
-    else
-      addStrain(element, turnedBack(mode, k - kShape), 0, slope);
-    for (size_t at = 0; at < 6; ++at) strains.slope[at][k] = slope[at];
-  }
+  for (size_t k = 0; k < kShape; ++k) addStrain(element, mode, 1 + k, strains.slope[k]);
+  for (size_t axis = 0; axis < 3; ++axis)
+    addStrain(element, turnedBack(mode, axis), 0, strains.slope[kShape + axis]);
   const double h = material.thickness;
   setStress(strains.value.data(), h, material.poisson, strains.stress.data());
   setStress(strains.value.data() + 3, h * h * h / 12, material.poisson, strains.stress.data() + 3);
@@ -179,22 +174,15 @@ std::array<double, 9> byCorners(const Element& element, const std::array<double,
   return out;
 }
 
-// Work of a stress at the derivatives of strains, by each parameter.
-std::array<double, kParameters> workOf(const Strain& stress, const StrainSlopes& strains) {
-  std::array<double, kParameters> work{};
-  for (size_t at = 0; at < 6; ++at)
-    for (size_t k = 0; k < kParameters; ++k) work[k] += stress[at] * strains.slope[at][k];
-  return work;
-}
-
 // Of psi_i^T (K - lambda M) psi_j of one triangle.
 std::array<double, 9> slopesOf(const Element& element, const StrainSlopes& i, const StrainSlopes& j,
                                double inertia) {
-  const double density = product(i.stress, j.value) - inertia;
-  const auto here = workOf(i.stress, j), there = workOf(j.stress, i);
   std::array<double, kParameters> slope;
-  for (size_t k = 0; k < kParameters; ++k) slope[k] = element.area.value * (here[k] + there[k]);
-  for (size_t k = 0; k < kShape; ++k) slope[k] += element.area.slope[k] * density;
+  const double density = product(i.stress, j.value) - inertia;
+  for (size_t k = 0; k < kParameters; ++k) {
+    slope[k] = element.area.value * (product(i.stress, j.slope[k]) + product(j.stress, i.slope[k]));
+    if (k < kShape) slope[k] += element.area.slope[k] * density;
+  }
   return byCorners(element, slope);
 }
 

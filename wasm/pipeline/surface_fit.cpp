@@ -37,10 +37,9 @@ std::vector<Contact> touchSurface(const TriangleMesh& mesh, const FitSamples& sa
   const ClosestPointTree tree(mesh);
   std::vector<Contact> contacts(samples.surface.size());
   parallelFor(contacts.size(), kSamplesPerRange, [&](size_t begin, size_t end) {
-    SurfacePoint closest;  // neighbours in the order are neighbours on the surface
     for (size_t i = begin; i < end; ++i) {
       const auto& [point, normal, area] = samples.surface[i];
-      closest = tree.closest(point, closest.triangle);
+      const SurfacePoint closest = tree.closest(point);
       if (dot(normalized(areaNormal(mesh, closest.triangle)), normal) < kSameSide) continue;
       contacts[i] = {closest.triangle,
                      {closest.barycentric[0], closest.barycentric[1], closest.barycentric[2]},
