@@ -178,10 +178,12 @@ val jsMeanCurvature(const val& jsMeshIn) {
 
 // ---- symmetry ----
 
-val jsFindMirrorImages(const val& mesh, int axis) {
-  const MirrorImages images = findMirrorImages(meshOf(mesh), axis, theJob);
+val jsFindMirrorImages(const val& mesh, const val& charts, int axis) {
+  const auto wedges = vectorOf<uint32_t>(charts["wedges"]), groups = vectorOf<uint32_t>(charts["groups"]);
+  const MirrorImages images = findMirrorImages(meshOf(mesh), {wedges, groups}, axis, theJob);
   val out = val::object();
   out.set("partners", typedArray(images.partners));
+  out.set("corners", typedArray(images.corners));
   out.set("strayVertices", images.strayVertices);
   out.set("strayTriangles", images.strayTriangles);
   return out;

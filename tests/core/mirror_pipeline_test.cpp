@@ -7,6 +7,8 @@
 #include "pipeline/mirror_images.h"
 #include "pipeline/mirror_result.h"
 #include "pipeline/modal_fit.h"
+#include "same_topology.h"
+#include "simplify/mirror.h"
 #include "simplify/simplify.h"
 
 namespace limber {
@@ -30,36 +32,106 @@ TriangleMesh turned(TriangleMesh mesh, double angle) {
 
 TEST(MirrorImages, ofADoubledMeshAreItsHalves) {
   for (const Doubled& whole : {mirrored::sheet(), mirrored::box()}) {
-    EXPECT_EQ(findMirrorImages(whole.mesh, 0, theJob).partners, whole.mirror);
-    EXPECT_EQ(findMirrorImages(whole.mesh, kAnyAxis, theJob).partners, whole.mirror);
-    EXPECT_EQ(findMirrorImages(moved(whole.mesh, {3, -2, 1}), 0, theJob).partners, whole.mirror);
+    EXPECT_EQ(findMirrorImages(whole.mesh, {}, 0, theJob).partners, whole.mirror);
+    EXPECT_EQ(findMirrorImages(whole.mesh, {}, kAnyAxis, theJob).partners, whole.mirror);
+    EXPECT_EQ(findMirrorImages(moved(whole.mesh, {3, -2, 1}), {}, 0, theJob).partners, whole.mirror);
   }
 }
 
 TEST(MirrorImages, areFoundAcrossAPrincipalAxis) {
   const Doubled whole = mirrored::sheet();
   const TriangleMesh mesh = surfaces::inFloats(turned(whole.mesh, 0.4));
-  EXPECT_EQ(findMirrorImages(mesh, kAnyAxis, theJob).partners, whole.mirror);
-  EXPECT_TRUE(findMirrorImages(mesh, 0, theJob).partners.empty());
+  EXPECT_EQ(findMirrorImages(mesh, {}, kAnyAxis, theJob).partners, whole.mirror);
+  EXPECT_TRUE(findMirrorImages(mesh, {}, 0, theJob).partners.empty());
 }
 
 TEST(MirrorImages, ofWhatHasNoneAreCounted) {
   Doubled whole = mirrored::sheet();
-  const MirrorImages across = findMirrorImages(whole.mesh, 1, theJob);
+  const MirrorImages across = findMirrorImages(whole.mesh, {}, 1, theJob);
   EXPECT_TRUE(across.partners.empty());
   EXPECT_GT(across.strayVertices, whole.mesh.vertexCount() / 2);
-  // All diagonals of a grid run one way: its vertices are images, its triangles are not.
-  const MirrorImages grid = findMirrorImages(shapes::grid(4, 4), 0, theJob);
+  // All diagonals of a grid run one way, and the quads in the middle lie across the plane: its vertices are
+  // images, its triangles are not, however they are cut.
+  const MirrorImages grid = findMirrorImages(shapes::grid(5, 4), {}, 0, theJob);
+  EXPECT_TRUE(grid.partners.empty() && grid.corners.empty());
   EXPECT_EQ(grid.strayVertices, 0u);
-  EXPECT_EQ(grid.strayTriangles, 32u);
+  EXPECT_EQ(grid.strayTriangles, 40u);
   whole.mesh.positions[5].z += 0.1;
-  const MirrorImages dented = findMirrorImages(whole.mesh, 0, theJob);
+  const MirrorImages dented = findMirrorImages(whole.mesh, {}, 0, theJob);
   EXPECT_TRUE(dented.partners.empty());
   EXPECT_GT(dented.strayVertices, 0u);
 }
 
 TEST(MirrorImages, refuseAFlatMeshAsItsOwnImage) {
-  EXPECT_TRUE(findMirrorImages(shapes::grid(4, 4), 2, theJob).partners.empty());
+  EXPECT_TRUE(findMirrorImages(shapes::grid(4, 4), {}, 2, theJob).partners.empty());
+}
+
+// The mesh as `corners` cut it.
+TriangleMesh recut(const TriangleMesh& mesh, const std::vector<uint32_t>& corners) {
+  TriangleMesh cut{mesh.positions, {}};
+  for (size_t corner = 0; corner < corners.size(); corner += 3) {
+    Triangle triangle;
+    for (size_t k = 0; k < 3; ++k)
+      triangle[k] = mesh.triangles[corners[corner + k] / 3][corners[corner + k] % 3];
+    cut.triangles.push_back(triangle);
+  }
+  return cut;
+}
+
+uint32_t changedTriangles(const std::vector<uint32_t>& corners) {
+  uint32_t changed = 0;
+  for (uint32_t t = 0; 3 * t < corners.size(); ++t)
+    changed += corners[3 * t] != 3 * t || corners[3 * t + 1] != 3 * t + 1 || corners[3 * t + 2] != 3 * t + 2;
+  return changed;
+}
+
+TEST(MatchSplits, cutsTheQuadsOfOneSideTheOtherWay) {
+  for (const TriangleMesh& mesh : {shapes::grid(6, 4), shapes::torus(24, 12)}) {
+    const MirrorImages images = findMirrorImages(mesh, {}, 0, theJob);
+    ASSERT_EQ(images.corners.size(), 3 * size_t{mesh.triangleCount()});
+    EXPECT_EQ(images.strayTriangles, mesh.triangleCount());
+    const TriangleMesh cut = recut(mesh, images.corners);
+    EXPECT_EQ(trianglesWithoutImage(cut, images.partners), 0u);
+    EXPECT_EQ(changedTriangles(images.corners), mesh.triangleCount() / 2);
+    const MirrorImages again = findMirrorImages(cut, {}, 0, theJob);
+    EXPECT_EQ(again.partners, images.partners);
+    EXPECT_TRUE(again.corners.empty());
+    // Nothing has been lost or turned over.
+    expectSameTopology(mesh, cut);
+    for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+      EXPECT_GT(dot(areaNormal(mesh, t), areaNormal(cut, t)), 0) << t;
+  }
+}
+
+TEST(MatchSplits, cutsNoneWhereASeamRuns) {
+  const TriangleMesh mesh = shapes::grid(4, 2);
+  const std::vector<uint32_t> corners = findMirrorImages(mesh, {}, 0, theJob).corners;
+  std::vector<uint32_t> groups(mesh.triangleCount(), 0), wedges;
+  uint32_t first = 0;
+  while (corners[3 * size_t{first}] == 3 * first && corners[3 * size_t{first} + 1] == 3 * first + 1 &&
+         corners[3 * size_t{first} + 2] == 3 * first + 2)
+    ++first;
+  // Barred on one side, the quad on the other is cut instead.
+  groups[first] = 1;
+  const MirrorImages other = findMirrorImages(mesh, {{}, groups}, 0, theJob);
+  ASSERT_FALSE(other.corners.empty());
+  EXPECT_EQ(other.corners[3 * size_t{first}], 3 * first);
+  EXPECT_EQ(trianglesWithoutImage(recut(mesh, other.corners), other.partners), 0u);
+  // With each triangle its own chart nothing can be cut.
+  for (uint32_t corner = 0; corner < 3 * mesh.triangleCount(); ++corner) wedges.push_back(corner);
+  const MirrorImages none = findMirrorImages(mesh, {wedges, {}}, 0, theJob);
+  EXPECT_TRUE(none.corners.empty() && none.partners.empty());
+  EXPECT_EQ(none.strayTriangles, mesh.triangleCount());
+}
+
+TEST(MatchSplits, preferAPlaneThatTakesNone) {
+  const TriangleMesh torus = shapes::torus(24, 12);
+  const MirrorImages upDown = findMirrorImages(torus, {}, 2, theJob);
+  const TriangleMesh cut = recut(torus, upDown.corners);
+  EXPECT_FALSE(findMirrorImages(cut, {}, 0, theJob).corners.empty());
+  const MirrorImages found = findMirrorImages(cut, {}, kAnyAxis, theJob);
+  EXPECT_EQ(found.partners, upDown.partners);
+  EXPECT_TRUE(found.corners.empty());
 }
 
 struct Fit {

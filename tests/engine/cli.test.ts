@@ -234,12 +234,18 @@ describe('limber optimize', () => {
     );
   });
 
-  it('warns where there is no symmetry to keep', () => {
-    const { code, stderr } = limber(...'optimize torus.obj out.glb --method qem --symmetry z'.split(' '));
-    expect([code, stderr]).toEqual([
-      0,
-      'limber: "torus" has no mirror symmetry across z to keep: its vertices have images, but 576 triangles would have none.\n',
-    ]);
+  it('warns where quads are cut another way for a symmetry, and where there is none to keep', () => {
+    const tellOf = (file: string) => {
+      const { code, stderr } = limber('optimize', file, 'out.glb', '--method', 'qem', '--symmetry', 'z');
+      expect(code).toBe(0);
+      return stderr;
+    };
+    expect(tellOf('torus.obj')).toBe(
+      'limber: 144 quads cut the other way, so that both sides are mirror images.\n',
+    );
+    expect(tellOf('grid.obj')).toBe(
+      'limber: "grid" has no mirror symmetry across z to keep: 81 vertices would have no image.\n',
+    );
   });
 
   it('fits to the modes unless told not to', () => {

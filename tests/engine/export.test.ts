@@ -14,10 +14,11 @@ import { addMesh, addRichMesh, floats, glbFile, primitiveOf, readGlb, startDocum
 import { cube, grid, toObj, torus } from './support/shapes';
 
 /** The body's own triangles, or the first `count` of them, as a result. */
-function asResult({ positions, indices }: Body, count = indices.length / 3): ExportedBody {
+function asResult(body: Body, count = body.indices.length / 3): ExportedBody {
+  const { positions, indices } = body;
   const mesh: TriangleMesh = { positions, triangles: indices.slice(0, 3 * count) };
   const inputOfTriangle = Uint32Array.from({ length: count }, (_, t) => t);
-  return { mesh, inputOfTriangle, sources: ownSources(mesh), isFaceted: false };
+  return { body, mesh, inputOfTriangle, sources: ownSources(mesh), isFaceted: false };
 }
 
 async function roundTrip(
@@ -154,7 +155,7 @@ describe('an exported GLB', () => {
       const mesh = { positions: body.positions, triangles: Uint32Array.from(triangles) };
       const sources = ownSources(mesh);
       sources.triangle = sources.triangle.map((t) => kept[t]);
-      return { mesh, inputOfTriangle: Uint32Array.from(kept), sources, isFaceted: false };
+      return { body, mesh, inputOfTriangle: Uint32Array.from(kept), sources, isFaceted: false };
     };
     const { document, validation } = await roundTrip(source, onlyGreenAndBlue);
     const primitives = document.getRoot().listMeshes()[0].listPrimitives();

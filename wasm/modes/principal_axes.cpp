@@ -8,19 +8,22 @@
 namespace limber {
 
 PrincipalAxes principalAxes(const TriangleMesh& mesh) {
-  const auto areas = lumpedAreas(mesh);
+  return principalAxes(mesh.positions, lumpedAreas(mesh));
+}
+
+PrincipalAxes principalAxes(std::span<const Vec3> points, std::span<const double> weights) {
   PrincipalAxes axes;
   double total = 0;
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    axes.centre += mesh.positions[v] * areas[v];
-    total += areas[v];
+  for (size_t i = 0; i < points.size(); ++i) {
+    axes.centre += points[i] * weights[i];
+    total += weights[i];
   }
   axes.centre *= 1 / total;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    const Vec3 p = mesh.positions[v] - axes.centre;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Vec3 p = points[i] - axes.centre;
     const Eigen::Vector3d offset(p.x, p.y, p.z);
-    covariance += areas[v] * offset * offset.transpose();
+    covariance += weights[i] * offset * offset.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   for (int k = 0; k < 3; ++k) {

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <optional>
 
+#include "mesh/edge_flip.h"
 #include "mesh/topology.h"
 
 namespace limber {
@@ -53,20 +54,11 @@ bool Flipping::exists(uint32_t a, uint32_t b) const {
 }
 
 bool Flipping::tryFlip(const Topology::Edge& edge) {
-  if (edge.useCount != 2 || std::ranges::binary_search(fixed_, std::array{edge.a, edge.b})) return false;
-  const auto uses = topology_.trianglesAt(edge);
-  if (triangleChanged_[uses[0]] || triangleChanged_[uses[1]]) return false;
-  Triangle &first = mesh_.triangles[uses[0]], &second = mesh_.triangles[uses[1]];
-  const auto corner = [&](const Triangle& t) {
-    return static_cast<size_t>(
-        std::ranges::find_if(t, [&](uint32_t v) { return v != edge.a && v != edge.b; }) - t.begin());
-  };
-  const size_t c = corner(first), d = corner(second);
-  if (c == 3 || d == 3) return false;
-  // The first triangle runs left, start, end; the second must run the edge the other way.
-  const uint32_t left = first[c], start = first[(c + 1) % 3], end = first[(c + 2) % 3], right = second[d];
-  if (second[(d + 1) % 3] != end || left == right || vertexChanged_[left] || vertexChanged_[right])
-    return false;
+  if (std::ranges::binary_search(fixed_, std::array{edge.a, edge.b})) return false;
+  const std::optional<EdgeQuad> quad = quadAt(mesh_, topology_, edge);
+  if (!quad || triangleChanged_[quad->first] || triangleChanged_[quad->second]) return false;
+  const auto [first, second, firstTip, secondTip, left, start, end, right] = *quad;
+  if (vertexChanged_[left] || vertexChanged_[right]) return false;
   const auto& at = mesh_.positions;
   if (isDelaunay(at[start], at[end], at[left], at[right]) || exists(left, right)) return false;
   const auto normal = [&](uint32_t a, uint32_t b, uint32_t e) {
@@ -77,13 +69,8 @@ bool Flipping::tryFlip(const Topology::Edge& edge) {
   for (const Vec3& m : before)
     for (const Vec3& n : after)
       if (dot(m, n) < kFlat) return false;
-  first = {left, start, right};
-  second = {left, right, end};
-  uint32_t *const of = &corners_[3 * size_t{uses[0]}], *const other = &corners_[3 * size_t{uses[1]}];
-  const uint32_t l = of[c], s = of[(c + 1) % 3], e = of[(c + 2) % 3], r = other[d];
-  std::tie(of[0], of[1], of[2]) = std::tuple(l, s, r);
-  std::tie(other[0], other[1], other[2]) = std::tuple(l, r, e);
-  triangleChanged_[uses[0]] = triangleChanged_[uses[1]] = 1;
+  flipEdge(*quad, mesh_, corners_);
+  triangleChanged_[first] = triangleChanged_[second] = 1;
   // Another new edge at one of these could be the same one.
   vertexChanged_[left] = vertexChanged_[right] = 1;
   return true;

@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "modes/principal_axes.h"
+#include "pipeline/mirror_splits.h"
 #include "simplify/kd_tree.h"
 #include "simplify/mirror.h"
 
@@ -15,7 +16,9 @@ constexpr double kTolerance = 5e-5;
 constexpr size_t kVerticesPerRange = 1024;
 
 std::vector<MirrorPlane> candidates(const TriangleMesh& mesh, int axis) {
-  const PrincipalAxes principal = principalAxes(mesh);
+  // Of the vertices: areas depend on how quads are cut.
+  const std::vector<double> weights(mesh.vertexCount(), 1);
+  const PrincipalAxes principal = principalAxes(mesh.positions, weights);
   std::vector<MirrorPlane> planes;
   const auto add = [&](const Vec3& normal) { planes.push_back({normal, dot(normal, principal.centre)}); };
   const Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -46,32 +49,41 @@ std::vector<uint32_t> partnersAcross(const TriangleMesh& mesh, const NearestVert
   return partners;
 }
 
-MirrorImages imagesAcross(const TriangleMesh& mesh, const NearestVertex& nearest, const MirrorPlane& plane,
-                          Job& job) {
+bool liesOnPlane(const std::vector<uint32_t>& partners) {
+  for (uint32_t v = 0; v < partners.size(); ++v)
+    if (partners[v] != v) return false;
+  return true;
+}
+
+MirrorImages imagesAcross(const TriangleMesh& mesh, const Charts& charts, const NearestVertex& nearest,
+                          const MirrorPlane& plane, Job& job) {
   MirrorImages images;
   std::vector<uint32_t> partners = partnersAcross(mesh, nearest, plane, job);
   for (const uint32_t partner : partners) images.strayVertices += partner == kNone;
+  // The plane of a flat mesh is none of its symmetries.
+  if (liesOnPlane(partners)) images.strayVertices = mesh.vertexCount();
   if (images.strayVertices > 0) return images;
   images.strayTriangles = trianglesWithoutImage(mesh, partners);
-  if (images.strayTriangles == 0) images.partners = std::move(partners);
+  if (images.strayTriangles > 0) images.corners = matchSplits(mesh, partners, plane, charts);
+  if (images.strayTriangles == 0 || !images.corners.empty()) images.partners = std::move(partners);
   return images;
 }
 
 }  // namespace
 
-MirrorImages findMirrorImages(const TriangleMesh& mesh, int axis, Job& job) {
+MirrorImages findMirrorImages(const TriangleMesh& mesh, const Charts& charts, int axis, Job& job) {
   job.begin(Phase::Mirror);
   const NearestVertex nearest(mesh);
   const std::vector<MirrorPlane> planes = candidates(mesh, axis);
   MirrorImages best;
   for (size_t i = 0; i < planes.size(); ++i) {
     job.report(static_cast<double>(i) / static_cast<double>(planes.size()));
-    MirrorImages images = imagesAcross(mesh, nearest, planes[i], job);
-    if (!images.partners.empty()) return images;
+    MirrorImages images = imagesAcross(mesh, charts, nearest, planes[i], job);
     const auto strays = [](const MirrorImages& of) {
-      return std::tuple(of.strayVertices, of.strayTriangles);
+      return std::tuple(of.partners.empty(), of.strayVertices, of.strayTriangles);
     };
     if (i == 0 || strays(images) < strays(best)) best = std::move(images);
+    if (best.strayVertices == 0 && best.strayTriangles == 0) break;
   }
   return best;
 }

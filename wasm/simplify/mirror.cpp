@@ -30,15 +30,21 @@ void checkPartners(const TriangleMesh& mesh, std::span<const uint32_t> partners)
 
 }  // namespace
 
-uint32_t trianglesWithoutImage(const TriangleMesh& mesh, std::span<const uint32_t> partners) {
+std::vector<uint8_t> straysOf(const TriangleMesh& mesh, std::span<const uint32_t> partners) {
   std::vector<Triangle> triangles;
   triangles.reserve(mesh.triangleCount());
   for (const Triangle& t : mesh.triangles) triangles.push_back(lowestFirst(t));
   std::ranges::sort(triangles);
-  return static_cast<uint32_t>(std::ranges::count_if(mesh.triangles, [&](const Triangle& t) {
-    return !std::ranges::binary_search(triangles,
-                                       lowestFirst({partners[t[0]], partners[t[2]], partners[t[1]]}));
-  }));
+  std::vector<uint8_t> strays;
+  strays.reserve(mesh.triangleCount());
+  for (const Triangle& t : mesh.triangles)
+    strays.push_back(!std::ranges::binary_search(
+        triangles, lowestFirst({partners[t[0]], partners[t[2]], partners[t[1]]})));
+  return strays;
+}
+
+uint32_t trianglesWithoutImage(const TriangleMesh& mesh, std::span<const uint32_t> partners) {
+  return static_cast<uint32_t>(std::ranges::count(straysOf(mesh, partners), 1));
 }
 
 MirrorPlane fitMirrorPlane(std::span<const Vec3> positions, std::span<const uint32_t> partners) {

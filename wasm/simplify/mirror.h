@@ -2,13 +2,16 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "mesh/triangle_mesh.h"
 #include "simplify/collapse_mesh.h"
 
 namespace limber {
 
-// How many triangles have no triangle for an image; `partners` has a vertex of the mesh for each vertex.
+// Per triangle 1 where none is its image; `partners` has a vertex of the mesh for each vertex.
+std::vector<uint8_t> straysOf(const TriangleMesh& mesh, std::span<const uint32_t> partners);
+// How many there are.
 uint32_t trianglesWithoutImage(const TriangleMesh& mesh, std::span<const uint32_t> partners);
 
 // The points p with normal . p = offset.

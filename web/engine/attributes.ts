@@ -121,6 +121,16 @@ export function ownSources({ triangles }: TriangleMesh): CornerSources {
   return { triangle: Uint32Array.from(triangles, (_, corner) => Math.floor(corner / 3)), barycentric };
 }
 
+/** What tells for a corner of the welded mesh which corner of the body it is: see Body.indices. */
+export function inBody(body: Body, weld: WeldResult): (corner: number) => number {
+  const isTurned = turnedTriangles(body, weld);
+  return (corner) => {
+    const t = Math.floor(corner / 3);
+    const k = corner % 3;
+    return 3 * weld.sourceOfTriangle[t] + (isTurned[t] && k > 0 ? 3 - k : k);
+  };
+}
+
 /** Per triangle of the welded mesh: whether its second and third corner have changed places. */
 function turnedTriangles(body: Body, { mesh, vertexOfSource, sourceOfTriangle }: WeldResult): Uint8Array {
   return Uint8Array.from(sourceOfTriangle, (source, t) =>
@@ -134,7 +144,7 @@ function entriesOf(document: Document, body: Body, weld: WeldResult): Entries {
   const first = [0];
   for (const primitive of primitives)
     first.push(first[first.length - 1] + primitive.getAttribute('POSITION')!.getCount());
-  const isTurned = turnedTriangles(body, weld);
+  const placeOf = inBody(body, weld);
   const ofCorner = new Uint32Array(weld.mesh.triangles.length);
   const spanOfTriangle = new Uint32Array(weld.sourceOfTriangle.length);
   let span = 0;
@@ -142,10 +152,8 @@ function entriesOf(document: Document, body: Body, weld: WeldResult): Entries {
     while (span + 1 < body.spans.length && body.spans[span + 1].first <= source) ++span;
     spanOfTriangle[t] = span;
     const base = first[span] - body.spans[span].firstVertex;
-    for (let k = 0; k < 3; ++k) {
-      const corner = isTurned[t] && k > 0 ? 3 - k : k;
-      ofCorner[3 * t + k] = base + body.indices[3 * source + corner];
-    }
+    for (let corner = 3 * t; corner < 3 * t + 3; ++corner)
+      ofCorner[corner] = base + body.indices[placeOf(corner)];
   });
   return { primitives, first, ofCorner, spanOfTriangle };
 }

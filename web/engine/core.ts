@@ -213,9 +213,14 @@ export interface History {
 export interface MirrorImages {
   /** Wishes.mirror; empty where there is no symmetry */
   partners: Uint32Array;
+  /**
+   * Per corner of the mesh with some quads cut the other way: which corner of the mesh it has been; empty where it is
+   * symmetric as it stands, or not at all.
+   */
+  corners: Uint32Array;
   /** without an image */
   strayVertices: number;
-  /** without an image though their vertices have theirs */
+  /** without an image, as the mesh stands, though their vertices have theirs */
   strayTriangles: number;
 }
 
@@ -502,7 +507,7 @@ export interface Core {
   /** the result with its vertices moved a little and some edges flipped, so that it vibrates like `mesh` */
   fitModes(mesh: TriangleMesh, result: MeshAt, options: FitOptions): Fitted;
   /** the plane through the centre that a mesh is symmetric to: normal to axis 0, 1 or 2; -1: any that is found */
-  findMirrorImages(mesh: TriangleMesh, axis: number): MirrorImages;
+  findMirrorImages(mesh: TriangleMesh, charts: Charts, axis: number): MirrorImages;
   /** `fitted`, made from `reduced` by fitModes, made its own mirror image again; see wasm/pipeline/mirror_result.h */
   mirrorResult(mesh: TriangleMesh, reduced: MeshAt, fitted: MeshAt, request: MirrorRequest): MeshAt;
   /** for every vertex of meshAt(mesh, history, faces), which must come from the same strain, curvature and options */

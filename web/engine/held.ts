@@ -2,12 +2,12 @@
 
 import type { Document } from '@gltf-transform/core';
 import { NONE } from './core';
-import type { Core, MirrorImages } from './core';
-import { counted } from './document/model';
+import type { Core } from './core';
 import type { Settings } from './options';
 import { keepOfLevels, lockedIn, paintOn } from './paint';
 import { findPins, firstComponents } from './pins';
 import type { PreparedBody } from './pipeline';
+import { describeLack, findMirror, isSymmetric } from './symmetry';
 
 /** In terms of the prepared mesh; what is absent is not wished. */
 export interface Held {
@@ -21,7 +21,10 @@ export interface Held {
   mirror?: Uint32Array;
 }
 
-/** What the settings hold in a body, and one sentence where a symmetry is wished that it does not have. */
+/**
+ * What the settings hold in a body that was prepared with them, and one sentence where a symmetry is wished that it does not
+ * have.
+ */
 export function findHeld(
   core: Core,
   document: Document,
@@ -30,7 +33,7 @@ export function findHeld(
 ): { held: Held; note: string } {
   const { pins, lock, keep, symmetry } = settings;
   const images = symmetry === 'off' ? null : findMirror(core, prepared, symmetry);
-  const isFound = images !== null && images.partners.length > 0;
+  const isFound = images !== null && isSymmetric(images);
   const levels = paintOn(settings.paint, prepared);
   const weights = keep === '' ? null : keepWeights(keep, document, prepared);
   const named = findPins(lock, document, prepared, 'lock');
@@ -41,14 +44,6 @@ export function findHeld(
     ...(isFound ? { mirror: images.partners } : {}),
   };
   return { held, note: images && !isFound ? describeLack(prepared, symmetry, images) : '' };
-}
-
-function findMirror(
-  core: Core,
-  { mesh }: PreparedBody,
-  symmetry: Exclude<Settings['symmetry'], 'off'>,
-): MirrorImages {
-  return core.findMirrorImages(mesh, ['x', 'y', 'z'].indexOf(symmetry));
 }
 
 /** Of the attribute's weights and the painted ones, where both are there. */
@@ -65,14 +60,4 @@ function keepWeights(name: string, document: Document, prepared: PreparedBody): 
     if (vertex !== NONE) weights[vertex] = Math.max(weights[vertex], Math.min(1, value));
   });
   return weights;
-}
-
-function describeLack({ body }: PreparedBody, symmetry: string, images: MirrorImages): string {
-  const across = symmetry === 'on' ? '' : ` across ${symmetry}`;
-  const { strayVertices, strayTriangles } = images;
-  const strays =
-    strayVertices > 0
-      ? `${counted(strayVertices, 'vertex', 'vertices')} would have no image`
-      : `its vertices have images, but ${counted(strayTriangles, 'triangle')} would have none`;
-  return `"${body.name}" has no mirror symmetry${across} to keep: ${strays}${symmetry === 'on' ? ' at best' : ''}`;
 }

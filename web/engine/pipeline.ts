@@ -32,6 +32,7 @@ import { modesAvailable } from './mode_set';
 import { isFitted, resolveModel, resolveModes } from './options';
 import type { Settings } from './options';
 import type { InspectedBody } from './report';
+import { withMatchingCuts } from './symmetry';
 
 /** A body ready for everything else. */
 export interface PreparedBody {
@@ -84,10 +85,21 @@ export function inspectBody(core: Core, body: Body, settings: Settings): Inspect
 }
 
 /**
- * Welds and inspects. Throws an Error with one sentence where the body has no usable face. `document` is where the body
- * comes from; without it nothing is known of its attributes.
+ * Welds and inspects, and cuts quads the other way where a wished symmetry takes that. Throws an Error with one sentence where
+ * the body has no usable face. `document` is where the body comes from; without it nothing is known of its attributes.
  */
 export function prepareBody(core: Core, body: Body, settings: Settings, document?: Document): PreparedBody {
+  const { symmetry } = settings;
+  const prepared = prepareAsItStands(core, body, settings, document);
+  return symmetry === 'off' ? prepared : withMatchingCuts(core, prepared, symmetry);
+}
+
+function prepareAsItStands(
+  core: Core,
+  body: Body,
+  settings: Settings,
+  document: Document | undefined,
+): PreparedBody {
   const { weld, inspection, quality } = inspectBody(core, body, settings);
   const { mesh } = weld;
   if (quality === null)
@@ -361,6 +373,7 @@ export function exportedBody(
   const { body, weld, attributes } = prepared;
   const sources = core.sourceOfCorners(prepared.mesh, attributes.charts, result);
   const exported = {
+    body,
     mesh: result.mesh,
     inputOfTriangle: result.inputOfTriangle.map((triangle) => weld.sourceOfTriangle[triangle]),
     sources: sourcesInBody(body, weld, sources),
@@ -379,7 +392,7 @@ export function exportedBody(
 /** The body as it is, welded. */
 export function exportedMesh({ body, mesh, weld, attributes }: PreparedBody): ExportedBody {
   const sources = sourcesInBody(body, weld, ownSources(mesh));
-  return { mesh, inputOfTriangle: weld.sourceOfTriangle, sources, isFaceted: attributes.isFaceted };
+  return { body, mesh, inputOfTriangle: weld.sourceOfTriangle, sources, isFaceted: attributes.isFaceted };
 }
 
 /** Seconds since the last call of the function that this returns. */

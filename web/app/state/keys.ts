@@ -4,13 +4,14 @@ import { isFitted, resolveModel } from '../../engine/options';
 import type { Settings } from '../../engine/options';
 import type { ExportRequest } from '../worker/protocol';
 
-export const prepareKey = ({ weld }: Settings): string => `${weld}`;
+/** A symmetry may take other cuts of quads. */
+export const prepareKey = ({ weld, symmetry }: Settings): string => `${weld} ${symmetry}`;
 
 export const pinsKey = (settings: Settings): string => `${prepareKey(settings)} ${settings.pins}`;
 
 export const heldKey = (settings: Settings): string => {
-  const { keep, lock, paint, symmetry } = settings;
-  return [pinsKey(settings), keep, lock, paint, symmetry].join(' ');
+  const { keep, lock, paint } = settings;
+  return [pinsKey(settings), keep, lock, paint].join(' ');
 };
 
 export function modesKey(settings: Settings): string {

@@ -19,6 +19,8 @@ import type { PrimitiveGeometry, SourcedMesh } from './vertices';
 export { droppedByExport } from './dropped';
 
 export interface ExportedBody {
+  /** what it comes from */
+  body: Body;
   mesh: TriangleMesh;
   /** the triangle of the Body that each triangle of `mesh` comes from */
   inputOfTriangle: Uint32Array;
@@ -45,7 +47,7 @@ const TRIANGLES = 4;
 const MANY_VERTICES = 65535;
 
 /**
- * Writes the model with `bodies[i]` in place of model.bodies[i]; null leaves a body as it is. The model stays unchanged.
+ * Writes the model with `bodies[i]`, which comes from it, in place of model.bodies[i]; null leaves a body as it is. The model stays unchanged.
  * Positions are those of the meshes to the bit. Every attribute and morph target is taken from the body at the corners'
  * sources, in its own type; a body without normals gets smooth ones, split where faces meet at more than 60 degrees.
  * Faces stay with their primitive, hence with their material; hierarchy, skins, animations, names and extras stay;
@@ -60,10 +62,10 @@ export async function exportGlb(
   const document = cloneDocument(model.document);
   const destination = { document, buffer: mergeBuffers(document) };
   const replaced = new Set<Primitive>();
-  bodies.forEach((exported, i) => {
+  bodies.forEach((exported) => {
     if (!exported) return;
     const shown = options.fields ? exported : { ...exported, fields: undefined };
-    for (const primitive of replaceMesh(destination, model.bodies[i], shown)) replaced.add(primitive);
+    for (const primitive of replaceMesh(destination, shown)) replaced.add(primitive);
   });
   normaliseWeights(document);
   if (bodies.some((exported) => exported?.targets?.length))
@@ -84,7 +86,8 @@ function mergeBuffers(document: Document): Buffer {
 }
 
 /** Gives the body's mesh its new geometry; returns the primitives that hold it. */
-function replaceMesh(destination: Destination, body: Body, exported: ExportedBody): Primitive[] {
+function replaceMesh(destination: Destination, exported: ExportedBody): Primitive[] {
+  const { body } = exported;
   const mesh = destination.document.getRoot().listMeshes()[body.mesh];
   const primitives = mesh.listPrimitives();
   if (exported.targets) dropMorphing(destination.document, mesh);
@@ -112,14 +115,17 @@ function replaceMesh(destination: Destination, body: Body, exported: ExportedBod
 /** Where the normal of a corner comes from: its source, its face, or the faces that it is smooth with. */
 function normalKeys(
   primitive: Primitive,
-  { inputOfTriangle, sources, isFaceted }: ExportedBody,
+  { body, inputOfTriangle, sources, isFaceted }: ExportedBody,
   normals: ResultNormals,
 ): (corner: number) => number {
   if (!primitive.getAttribute('NORMAL')) return (corner) => normals.smoothKey(corner);
   if (!isFaceted) return () => CARRIED;
   return (corner) => {
     const t = Math.floor(corner / 3);
-    return isUntouched(sources, t, inputOfTriangle[t]) ? CARRIED : normals.faceKey(corner);
+    const source = inputOfTriangle[t];
+    // The corners of a quad that is cut another way have normals of two faces.
+    const isAsItWas = isUntouched(sources, t, source) && !body.recut?.[source];
+    return isAsItWas ? CARRIED : normals.faceKey(corner);
   };
 }
 

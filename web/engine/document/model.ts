@@ -25,6 +25,8 @@ export interface Body {
   positions: Float32Array;
   /** indices[3 * t + corner] */
   indices: Uint32Array;
+  /** per triangle: 1 where a quad is cut another way than in the file; absent where none is */
+  recut?: Uint8Array;
   /** what was done to it while reading, in plain words */
   notes: string[];
   /** its number among the document's meshes */

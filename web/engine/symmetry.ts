@@ -1,0 +1,71 @@
+/** The mirror symmetry of a body: finding it, and the cuts of quads that stand in its way. */
+
+import { inBody } from './attributes';
+import type { Core, MirrorImages } from './core';
+import { counted } from './document/model';
+import type { Settings } from './options';
+import type { PreparedBody } from './pipeline';
+
+type Wished = Exclude<Settings['symmetry'], 'off'>;
+
+/** As the prepared mesh stands. */
+export const isSymmetric = ({ partners, corners }: MirrorImages): boolean =>
+  partners.length > 0 && corners.length === 0;
+
+export const findMirror = (
+  core: Core,
+  { mesh, attributes }: Pick<PreparedBody, 'mesh' | 'attributes'>,
+  symmetry: Wished,
+): MirrorImages => core.findMirrorImages(mesh, attributes.charts, ['x', 'y', 'z'].indexOf(symmetry));
+
+/** One sentence on why there is no such symmetry. */
+export function describeLack(
+  { body }: PreparedBody,
+  symmetry: Settings['symmetry'],
+  images: MirrorImages,
+): string {
+  const across = symmetry === 'on' ? '' : ` across ${symmetry}`;
+  const { strayVertices, strayTriangles } = images;
+  const strays =
+    strayVertices > 0
+      ? `${counted(strayVertices, 'vertex', 'vertices')} would have no image`
+      : `its vertices have images, but ${counted(strayTriangles, 'triangle')} would have none`;
+  return `"${body.name}" has no mirror symmetry${across} to keep: ${strays}${symmetry === 'on' ? ' at best' : ''}`;
+}
+
+/**
+ * The body with quads cut the other way on one side where that makes it symmetric, as files often have quads of both sides cut
+ * one way; else the body as it is. Vertices keep their numbers. A note tells of it.
+ */
+export function withMatchingCuts(core: Core, prepared: PreparedBody, symmetry: Wished): PreparedBody {
+  const { corners } = findMirror(core, prepared, symmetry);
+  if (corners.length === 0) return prepared;
+  const { body, weld, attributes } = prepared;
+  const mesh = { ...prepared.mesh, triangles: corners.map((from) => prepared.mesh.triangles[from]) };
+  const wedges = attributes.charts.wedges;
+  const charts = {
+    ...attributes.charts,
+    wedges: wedges.length > 0 ? corners.map((from) => wedges[from]) : wedges,
+  };
+  const placeOf = inBody(body, weld);
+  const indices = body.indices.slice();
+  const recut = new Uint8Array(indices.length / 3);
+  corners.forEach((from, corner) => {
+    const place = placeOf(corner);
+    indices[place] = body.indices[placeOf(from)];
+    if (from !== corner) recut[Math.floor(place / 3)] = 1;
+  });
+  const quads = recut.reduce((sum, one) => sum + one, 0) / 2;
+  const notes = [
+    ...body.notes,
+    `${counted(quads, 'quad')} cut the other way, so that both sides are mirror images`,
+  ];
+  return {
+    ...prepared,
+    body: { ...body, indices, recut, notes },
+    weld: { ...weld, mesh },
+    mesh,
+    quality: core.measureQuality(mesh),
+    attributes: { ...attributes, charts },
+  };
+}
