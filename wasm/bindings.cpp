@@ -26,7 +26,6 @@
 #include "pipeline/find_modes.h"
 #include "pipeline/guidance.h"
 #include "pipeline/mirror_images.h"
-#include "pipeline/mirror_result.h"
 #include "pipeline/modal_fit.h"
 #include "simplify/history.h"
 #include "simplify/simplify.h"
@@ -362,6 +361,8 @@ val jsFitModes(const val& mesh, const val& result, const val& in) {
   options.locked = locked;
   const auto pinned = vectorOf<uint8_t>(in["pinned"]);
   options.pinned = pinned;
+  const auto mirror = optionalVector<uint32_t>(in["mirror"]);
+  options.mirror = mirror;
   const ModalFitResult fitted = fitModes(meshOf(mesh), meshAtOf(result), options, theJob);
   val out = val::object();
   out.set("result", jsMeshAtOf(fitted.result));
@@ -370,15 +371,6 @@ val jsFitModes(const val& mesh, const val& result, const val& in) {
   out.set("large", fitted.large);
   out.set("tooLarge", fitted.tooLarge);
   return out;
-}
-
-val jsMirrorResult(const val& mesh, const val& reduced, const val& fitted, const val& in) {
-  const auto partners = vectorOf<uint32_t>(in["partners"]),
-             wedges = vectorOf<uint32_t>(in["charts"]["wedges"]),
-             groups = vectorOf<uint32_t>(in["charts"]["groups"]);
-  const auto locked = vectorOf<uint8_t>(in["locked"]);
-  return jsMeshAtOf(
-      mirrorResult(meshOf(mesh), meshAtOf(reduced), meshAtOf(fitted), {partners, {wedges, groups}, locked}));
 }
 
 // ---- transfer ----
@@ -506,7 +498,6 @@ EMSCRIPTEN_BINDINGS(limber) {
   emscripten::function("simplify", &Guarded<&jsSimplify>::call);
   emscripten::function("meshAt", &Guarded<&jsMeshAt>::call);
   emscripten::function("fitModes", &Guarded<&jsFitModes>::call);
-  emscripten::function("mirrorResult", &Guarded<&jsMirrorResult>::call);
   emscripten::function("whyKept", &Guarded<&jsWhyKept>::call);
   emscripten::function("sourceOfCorners", &Guarded<&jsSourceOfCorners>::call);
   emscripten::function("bindToResult", &Guarded<&jsBindToResult>::call);

@@ -4,8 +4,8 @@
 
 #include "mesh/topology.h"
 #include "mirrored.h"
+#include "pipeline/fidelity.h"
 #include "pipeline/mirror_images.h"
-#include "pipeline/mirror_result.h"
 #include "pipeline/modal_fit.h"
 #include "same_topology.h"
 #include "simplify/mirror.h"
@@ -134,86 +134,137 @@ TEST(MatchSplits, preferAPlaneThatTakesNone) {
   EXPECT_TRUE(found.corners.empty());
 }
 
+// A mesh, a result of it that is its own image, and that result after a fit that knows and one that does not.
 struct Fit {
   Doubled whole;
-  MeshAt reduced, fitted;
+  MeshAt reduced;
+  ModalFitResult fitted, plain;
 };
 
-Fit fit(const Doubled& whole) {
+ModalFitOptions fitOptions(const Doubled& whole) {
+  return {.thickness = 0.05, .modeCount = 4, .mirror = whole.mirror};
+}
+
+MeshAt reduce(const Doubled& whole, uint32_t faces) {
   // Little weight on quality leaves edges to flip.
   SimplifyOptions options{.method = Method::Limber, .qualityWeight = 0.02, .sizeWeight = 0.01};
-  options.stopFaces = 80;
+  options.stopFaces = faces;
   options.wishes.mirror = whole.mirror;
-  const MeshAt reduced = meshAt(whole.mesh, simplify(whole.mesh, {}, options, theJob), 0);
-  const ModalFitOptions fitOptions{.thickness = 0.05, .modeCount = 4};
-  return {whole, reduced, fitModes(whole.mesh, reduced, fitOptions, theJob).result};
+  return meshAt(whole.mesh, simplify(whole.mesh, {}, options, theJob), 0);
+}
+
+Fit fit(const Doubled& whole, uint32_t faces) {
+  const MeshAt reduced = reduce(whole, faces);
+  ModalFitOptions options = fitOptions(whole);
+  ModalFitResult fitted = fitModes(whole.mesh, reduced, options, theJob);
+  options.mirror = {};
+  return {whole, reduced, std::move(fitted), fitModes(whole.mesh, reduced, options, theJob)};
 }
 
 const Fit& fittedSheet() {
-  static const Fit once = fit(mirrored::sheet());
+  static const Fit once = fit(mirrored::sheet(), 80);
   return once;
 }
 
 const Fit& fittedBox() {
-  static const Fit once = fit(mirrored::box());
+  static const Fit once = fit(mirrored::box(), 240);
   return once;
 }
 
-TEST(MirrorResult, isItsOwnImageAfterAFit) {
-  for (const auto& [whole, reduced, fit] : {fittedSheet(), fittedBox()}) {
-    const TriangleMesh result = mirrorResult(whole.mesh, reduced, fit, {whole.mirror}).mesh;
-    EXPECT_EQ(mirrored::facesOf(result, 1), mirrored::facesOf(result, -1));
-    EXPECT_NE(mirrored::facesOf(result, 1), mirrored::facesOf(reduced.mesh, 1));
-    EXPECT_EQ(buildTopology(result).edges.size(), buildTopology(reduced.mesh).edges.size());
+TEST(MirroredFit, isItsOwnImage) {
+  for (const auto& [whole, reduced, fitted, plain] : {fittedSheet(), fittedBox()}) {
+    const TriangleMesh& mesh = fitted.result.mesh;
+    EXPECT_EQ(mirrored::facesOf(mesh, 1), mirrored::facesOf(mesh, -1));
+    EXPECT_NE(mirrored::facesOf(mesh, 1), mirrored::facesOf(reduced.mesh, 1));
+    EXPECT_NE(mirrored::facesOf(plain.result.mesh, 1), mirrored::facesOf(plain.result.mesh, -1));
+    EXPECT_EQ(buildTopology(mesh).edges.size(), buildTopology(reduced.mesh).edges.size());
+    EXPECT_EQ(fitted.flips % 2, 0u);
+  }
+  EXPECT_GT(fittedSheet().fitted.flips, 0u);
+}
+
+TEST(MirroredFit, isAboutAsGoodAsOneThatDoesNotKnow) {
+  for (const Fit& fit : {fittedSheet(), fittedBox()}) {
+    EXPECT_LT(fit.fitted.errorAfter[0], 0.5 * fit.fitted.errorBefore[0]);
+    EXPECT_LT(fit.fitted.errorAfter[0], 2 * fit.plain.errorAfter[0] + 0.05);
   }
 }
 
-TEST(MirrorResult, leavesASymmetricFitAsItIs) {
-  const auto& [whole, reduced, fit] = fittedSheet();
-  const MeshAt once = mirrorResult(whole.mesh, reduced, fit, {whole.mirror});
-  const MeshAt twice = mirrorResult(whole.mesh, reduced, once, {whole.mirror});
-  EXPECT_EQ(once.mesh.positions, twice.mesh.positions);
-  EXPECT_EQ(once.mesh.triangles, twice.mesh.triangles);
-  EXPECT_EQ(once.flips.corners, twice.flips.corners);
+// The fit's own error is that of the result as it is, not of one that is mirrored later.
+TEST(MirroredFit, tellsTheErrorOfItsResult) {
+  const auto& [whole, reduced, fitted, plain] = fittedBox();
+  const auto errorOf = [&](const TriangleMesh& mesh) {
+    const FidelityOptions options{4, 0.05, 1e6, 0.3, 1000};
+    return compareFidelity(whole.mesh, mesh, options, theJob).frequencyErrorMean;
+  };
+  EXPECT_LT(errorOf(fitted.result.mesh), 2 * fitted.errorAfter[0]);
+  EXPECT_LT(errorOf(fitted.result.mesh), 0.5 * errorOf(reduced.mesh));
 }
 
-TEST(MirrorResult, givesEveryCornerOneThatLayAtItsVertex) {
-  const auto& [whole, reduced, fit] = fittedBox();
-  const MeshAt result = mirrorResult(whole.mesh, reduced, fit, {whole.mirror});
-  for (uint32_t corner = 0; corner < result.flips.corners.size(); ++corner) {
-    const uint32_t was = result.flips.corners[corner];
-    EXPECT_EQ(result.flips.triangles[was / 3][was % 3], result.mesh.triangles[corner / 3][corner % 3]);
+TEST(MirroredFit, givesEveryCornerOneThatLayAtItsVertex) {
+  const Flips& flips = fittedSheet().fitted.result.flips;
+  const TriangleMesh& mesh = fittedSheet().fitted.result.mesh;
+  for (uint32_t corner = 0; corner < flips.corners.size(); ++corner) {
+    const uint32_t was = flips.corners[corner];
+    EXPECT_EQ(flips.triangles[was / 3][was % 3], mesh.triangles[corner / 3][corner % 3]);
   }
 }
 
-TEST(MirrorResult, keepsLockedVerticesInPlace) {
-  const auto& [whole, reduced, fit] = fittedSheet();
+TEST(MirroredFit, holdsTheImageOfWhatIsLocked) {
+  const auto& [whole, reduced, fitted, plain] = fittedSheet();
   std::vector<uint8_t> locked(whole.mesh.vertexCount(), 0);
-  const uint32_t held = reduced.inputOfVertex[7];
+  const uint32_t held = reduced.inputOfVertex[7], image = reduced.vertexOfInput[whole.mirror[held]];
   locked[held] = 1;
-  const MeshAt result = mirrorResult(whole.mesh, reduced, fit, {whole.mirror, {}, locked});
-  EXPECT_EQ(result.mesh.positions[7], fit.mesh.positions[7]);
-  EXPECT_EQ(mirrored::facesOf(result.mesh, 1), mirrored::facesOf(result.mesh, -1));
+  ModalFitOptions options = fitOptions(whole);
+  options.locked = locked;
+  const TriangleMesh mesh = fitModes(whole.mesh, reduced, options, theJob).result.mesh;
+  EXPECT_EQ(mesh.positions[7], reduced.mesh.positions[7]);
+  EXPECT_EQ(mesh.positions[image], reduced.mesh.positions[image]);
+  EXPECT_NE(fitted.result.mesh.positions[7], reduced.mesh.positions[7]);
+  EXPECT_EQ(mirrored::facesOf(mesh, 1), mirrored::facesOf(mesh, -1));
 }
 
-// Every corner its own wedge: no flip can be repeated, so all are taken back.
-TEST(MirrorResult, doesNotFlipOverSeams) {
-  const auto& [whole, reduced, fit] = fittedSheet();
-  ASSERT_NE(fit.mesh.triangles, reduced.mesh.triangles);
-  std::vector<uint32_t> wedges(3 * size_t{whole.mesh.triangleCount()});
-  std::iota(wedges.begin(), wedges.end(), 0u);
-  const MeshAt result = mirrorResult(whole.mesh, reduced, fit, {whole.mirror, {wedges, {}}});
-  EXPECT_EQ(result.mesh.triangles, reduced.mesh.triangles);
+// A seam along every edge of one side: no flip can be repeated there.
+TEST(MirroredFit, doesNotFlipWhereTheImageIsASeam) {
+  const auto& [whole, reduced, fitted, plain] = fittedSheet();
+  std::vector<uint32_t> wedges;
+  for (uint32_t t = 0; t < whole.mesh.triangleCount(); ++t)
+    for (const uint32_t v : whole.mesh.triangles[t]) {
+      const double x = whole.mesh.corner(t, 0).x + whole.mesh.corner(t, 1).x + whole.mesh.corner(t, 2).x;
+      wedges.push_back(x < 0 ? whole.mesh.vertexCount() + 3 * t + v % 3 : v);
+    }
+  ModalFitOptions options = fitOptions(whole);
+  options.charts = {wedges, {}};
+  EXPECT_EQ(fitModes(whole.mesh, reduced, options, theJob).flips, 0u);
 }
 
-TEST(MirrorResult, refusesAResultThatIsNotItsOwnImage) {
+// Two bodies that are images of each other: the second follows the first.
+TEST(MirroredFit, takesOneOfTwoComponentsForBoth) {
+  const TriangleMesh half = moved(shapes::jittered(shapes::grid(12, 10), 0.02, 6), {3, 0, 0});
+  const Doubled whole = mirrored::doubled(surfaces::inFloats(half));
+  const MeshAt reduced = reduce(whole, 160);
+  const ModalFitResult fitted = fitModes(whole.mesh, reduced, fitOptions(whole), theJob);
+  ASSERT_EQ(fitted.errorAfter.size(), 1u);
+  EXPECT_LT(fitted.errorAfter[0], 0.5 * fitted.errorBefore[0]);
+  const TriangleMesh& mesh = fitted.result.mesh;
+  EXPECT_EQ(mirrored::facesOf(mesh, 1), mirrored::facesOf(mesh, -1));
+  EXPECT_NE(mirrored::facesOf(mesh, 1), mirrored::facesOf(reduced.mesh, 1));
+  const Flips& flips = fitted.result.flips;
+  EXPECT_GT(fitted.flips, 0u);
+  for (uint32_t corner = 0; corner < flips.corners.size(); ++corner) {
+    const uint32_t was = flips.corners[corner];
+    EXPECT_EQ(flips.triangles[was / 3][was % 3], mesh.triangles[corner / 3][corner % 3]);
+  }
+}
+
+TEST(MirroredFit, refusesAResultThatIsNotItsOwnImage) {
   const Doubled whole = mirrored::sheet();
   const uint32_t faces = whole.mesh.triangleCount() - 1;
   const History once = simplify(whole.mesh, {}, {.method = Method::Qem, .stopFaces = faces}, theJob);
   ASSERT_EQ(once.collapseCount(), 1u);
   ASSERT_NE(whole.mirror[once.removed[0]], once.removed[0]) << "a vertex on the plane";
   const MeshAt lopsided = meshAt(whole.mesh, once, faces);
-  EXPECT_THROW(mirrorResult(whole.mesh, lopsided, lopsided, {whole.mirror}), std::invalid_argument);
+  EXPECT_THROW(fitModes(whole.mesh, lopsided, fitOptions(whole), theJob), std::invalid_argument);
 }
 
 }  // namespace

@@ -116,6 +116,14 @@ Topology buildTopology(const TriangleMesh& mesh) {
   return topology;
 }
 
+const Topology::Edge* edgeBetween(const Topology& topology, uint32_t a, uint32_t b) {
+  const std::pair<uint32_t, uint32_t> ends = std::minmax(a, b);
+  const auto found = std::ranges::lower_bound(
+      topology.edges, ends, {}, [](const Topology::Edge& edge) { return std::pair(edge.a, edge.b); });
+  const bool isThere = found != topology.edges.end() && std::pair(found->a, found->b) == ends;
+  return isThere ? &*found : nullptr;
+}
+
 std::vector<uint32_t> componentOfTriangle(const TriangleMesh& mesh, const Topology& topology) {
   std::vector<uint32_t> component(mesh.triangleCount());
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)

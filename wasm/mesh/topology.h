@@ -41,6 +41,9 @@ Topology buildTopology(const TriangleMesh& mesh);
 // The same without the components: their list stays empty.
 Topology buildIncidence(const TriangleMesh& mesh);
 
+// The edge between two vertices; null where there is none. O(log n).
+const Topology::Edge* edgeBetween(const Topology& topology, uint32_t a, uint32_t b);
+
 // The component of each triangle: that of its first vertex.
 std::vector<uint32_t> componentOfTriangle(const TriangleMesh& mesh, const Topology& topology);
 

@@ -25,8 +25,8 @@ bool isDelaunay(const Vec3& start, const Vec3& end, const Vec3& left, const Vec3
 class Flipping {
  public:
   Flipping(TriangleMesh& mesh, const std::vector<std::array<uint32_t, 2>>& fixed,
-           std::vector<uint32_t>& corners)
-      : mesh_(mesh), fixed_(fixed), corners_(corners) {}
+           std::span<const uint32_t> partners, std::vector<uint32_t>& corners)
+      : mesh_(mesh), fixed_(fixed), partners_(partners), corners_(corners) {}
 
   uint32_t pass() {
     topology_ = buildTopology(mesh_);
@@ -38,11 +38,15 @@ class Flipping {
   }
 
  private:
-  bool tryFlip(const Topology::Edge& edge);
+  uint32_t tryFlip(const Topology::Edge& edge);
+  std::optional<EdgeQuad> wantedQuad(const Topology::Edge& edge) const;
+  std::optional<EdgeQuad> imageOf(const EdgeQuad& quad) const;
   bool exists(uint32_t a, uint32_t b) const;
+  void flip(const EdgeQuad& quad);
 
   TriangleMesh& mesh_;
   const std::vector<std::array<uint32_t, 2>>& fixed_;
+  std::span<const uint32_t> partners_;
   std::vector<uint32_t>& corners_;
   Topology topology_;
   std::vector<uint8_t> triangleChanged_, vertexChanged_;  // in this pass
@@ -53,14 +57,15 @@ bool Flipping::exists(uint32_t a, uint32_t b) const {
                              [&](uint32_t t) { return std::ranges::count(mesh_.triangles[t], b) > 0; });
 }
 
-bool Flipping::tryFlip(const Topology::Edge& edge) {
-  if (std::ranges::binary_search(fixed_, std::array{edge.a, edge.b})) return false;
+// The surroundings of an edge that is to be flipped, and can be.
+std::optional<EdgeQuad> Flipping::wantedQuad(const Topology::Edge& edge) const {
+  if (std::ranges::binary_search(fixed_, std::array{edge.a, edge.b})) return std::nullopt;
   const std::optional<EdgeQuad> quad = quadAt(mesh_, topology_, edge);
-  if (!quad || triangleChanged_[quad->first] || triangleChanged_[quad->second]) return false;
+  if (!quad || triangleChanged_[quad->first] || triangleChanged_[quad->second]) return std::nullopt;
   const auto [first, second, firstTip, secondTip, left, start, end, right] = *quad;
-  if (vertexChanged_[left] || vertexChanged_[right]) return false;
+  if (vertexChanged_[left] || vertexChanged_[right]) return std::nullopt;
   const auto& at = mesh_.positions;
-  if (isDelaunay(at[start], at[end], at[left], at[right]) || exists(left, right)) return false;
+  if (isDelaunay(at[start], at[end], at[left], at[right]) || exists(left, right)) return std::nullopt;
   const auto normal = [&](uint32_t a, uint32_t b, uint32_t e) {
     return normalized(cross(at[b] - at[a], at[e] - at[a]));
   };
@@ -68,19 +73,43 @@ bool Flipping::tryFlip(const Topology::Edge& edge) {
   const Vec3 after[2] = {normal(left, start, right), normal(left, right, end)};
   for (const Vec3& m : before)
     for (const Vec3& n : after)
-      if (dot(m, n) < kFlat) return false;
-  flipEdge(*quad, mesh_, corners_);
-  triangleChanged_[first] = triangleChanged_[second] = 1;
+      if (dot(m, n) < kFlat) return std::nullopt;
+  return quad;
+}
+
+// Of an edge that can be flipped together with this one.
+std::optional<EdgeQuad> Flipping::imageOf(const EdgeQuad& quad) const {
+  const Topology::Edge* edge = edgeBetween(topology_, partners_[quad.start], partners_[quad.end]);
+  const std::optional<EdgeQuad> image = edge ? wantedQuad(*edge) : std::nullopt;
+  if (!image) return std::nullopt;
+  const bool isApart = image->first != quad.first && image->first != quad.second &&
+                       image->second != quad.first && image->second != quad.second;
+  const bool isSameEdge = std::minmax(image->left, image->right) == std::minmax(quad.left, quad.right);
+  return isApart && !isSameEdge ? image : std::nullopt;
+}
+
+uint32_t Flipping::tryFlip(const Topology::Edge& edge) {
+  const std::optional<EdgeQuad> quad = wantedQuad(edge);
+  if (!quad) return 0;
+  const std::optional<EdgeQuad> image = partners_.empty() ? std::nullopt : imageOf(*quad);
+  if (!partners_.empty() && !image) return 0;
+  flip(*quad);
+  if (image) flip(*image);
+  return image ? 2 : 1;
+}
+
+void Flipping::flip(const EdgeQuad& quad) {
+  flipEdge(quad, mesh_, corners_);
+  triangleChanged_[quad.first] = triangleChanged_[quad.second] = 1;
   // Another new edge at one of these could be the same one.
-  vertexChanged_[left] = vertexChanged_[right] = 1;
-  return true;
+  vertexChanged_[quad.left] = vertexChanged_[quad.right] = 1;
 }
 
 }  // namespace
 
 uint32_t flipToDelaunay(TriangleMesh& mesh, const std::vector<std::array<uint32_t, 2>>& fixed,
-                        std::vector<uint32_t>& corners) {
-  Flipping flipping(mesh, fixed, corners);
+                        std::span<const uint32_t> partners, std::vector<uint32_t>& corners) {
+  Flipping flipping(mesh, fixed, partners, corners);
   uint32_t total = 0;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const uint32_t flips = flipping.pass();

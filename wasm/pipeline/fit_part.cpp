@@ -1,5 +1,7 @@
 #include "pipeline/fit_part.h"
 
+#include <algorithm>
+
 #include "mesh/topology.h"
 #include "modes/pins.h"
 
@@ -92,6 +94,41 @@ std::vector<uint32_t> pinnedOf(const TriangleMesh& part, const std::vector<uint3
   return isHeld ? pinned : std::vector<uint32_t>{};
 }
 
+// With the images of the edges.
+EdgeList withImages(EdgeList edges, const std::vector<uint32_t>& partners) {
+  const size_t count = edges.size();
+  for (size_t i = 0; i < count; ++i) {
+    const auto [a, b] = std::minmax(partners[edges[i][0]], partners[edges[i][1]]);
+    edges.push_back({a, b});
+  }
+  std::ranges::sort(edges);
+  const auto twice = std::ranges::unique(edges);
+  edges.erase(twice.begin(), twice.end());
+  return edges;
+}
+
+// By the numbers of a part, of the edges of the whole that lie in it.
+EdgeList edgesIn(const EdgeList& edges, uint32_t component, const std::vector<uint32_t>& componentOfVertex,
+                 const std::vector<uint32_t>& number) {
+  EdgeList own;
+  for (const auto& [a, b] : edges)
+    if (componentOfVertex[a] == component) own.push_back({number[a], number[b]});
+  return own;
+}
+
+MeshMirror mirrorIn(const FitPart& part, const ResultMirror& mirror, const std::vector<uint32_t>& number) {
+  const auto& [normal, offset] = mirror.plane;
+  MeshMirror own{{}, {normal, (offset - dot(normal, part.origin)) / part.diagonal}};
+  for (uint32_t v : part.vertexOfResult) own.partners.push_back(number[mirror.partners[v]]);
+  return own;
+}
+
+// A vertex whose image is held is held too.
+void holdImages(const std::vector<uint32_t>& partners, std::vector<uint8_t>& isHeld) {
+  for (uint32_t v = 0; v < isHeld.size(); ++v)
+    if (isHeld[v]) isHeld[partners[v]] = 1;
+}
+
 }  // namespace
 
 FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const FitPartOptions& options) {
@@ -101,17 +138,23 @@ FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const 
   std::vector<uint32_t> componentOfResult(mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
     componentOfResult[v] = topology.componentOfVertex[simplified.inputOfVertex[v]];
-  const std::vector<uint8_t> isLocked = carried(simplified, options.locked),
-                             isPinned = carried(simplified, options.pinned);
+  const std::vector<uint8_t> isPinned = carried(simplified, options.pinned);
+  std::vector<uint8_t> isHeld = carried(simplified, options.locked);
+  for (uint32_t v = 0; v < isHeld.size(); ++v) isHeld[v] |= isPinned[v];
+  if (options.mirror) holdImages(options.mirror->partners, isHeld);
+  const EdgeList seams = seamsOf(simplified, sides),
+                 fixed = options.mirror ? withImages(seams, options.mirror->partners) : seams;
   const std::vector<Members> originals = membersOf(original, seamsOf(topology, sides),
                                                    topology.componentOfVertex, topology.componentCount),
-                             results = membersOf(mesh, seamsOf(simplified, sides), componentOfResult,
-                                                 topology.componentCount);
+                             results = membersOf(mesh, seams, componentOfResult, topology.componentCount);
   std::vector<uint32_t> number(original.vertexCount());
   FitParts found;
   for (uint32_t component = 0; component < topology.componentCount; ++component) {
     const Members& result = results[component];
     if (result.triangles.size() < options.fewestFaces) continue;
+    const uint32_t image =
+        options.mirror ? componentOfResult[options.mirror->partners[result.vertices[0]]] : component;
+    if (image < component) continue;
     const bool isLarge = result.vertices.size() > options.largeVertices;
     if (isLarge && originals[component].vertices.size() > options.mostOriginal) {
       ++found.tooLarge;
@@ -128,7 +171,13 @@ FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const 
     part.diagonal = box.diagonal();
     intoFrame(part.original, part);
     intoFrame(part.simplified, part);
-    for (uint32_t v : part.vertexOfResult) part.locked.push_back(isLocked[v] || isPinned[v]);
+    part.fixedEdges = edgesIn(fixed, component, componentOfResult, number);
+    part.hasImage = image != component;
+    if (options.mirror && !part.hasImage) {
+      part.mirror = mirrorIn(part, *options.mirror, number);
+      part.mirror->symmetrise(part.simplified);
+    }
+    for (uint32_t v : part.vertexOfResult) part.locked.push_back(isHeld[v]);
     part.pinnedOriginal = pinnedOf(part.original, originals[component].vertices, options.pinned);
     part.pinned = pinnedOf(part.simplified, part.vertexOfResult, isPinned);
     if (part.pinned.empty() || part.pinnedOriginal.empty()) part.pinned = part.pinnedOriginal = {};

@@ -30,7 +30,9 @@ std::vector<double> roomAround(const TriangleMesh& mesh) {
 
 }  // namespace
 
-GuardedStep::GuardedStep(const TriangleMesh& start, const Topology& topology) : topology_(topology) {
+GuardedStep::GuardedStep(const TriangleMesh& start, const Topology& topology,
+                         std::span<const uint32_t> partners)
+    : topology_(topology), partners_(partners) {
   for (uint32_t t = 0; t < start.triangleCount(); ++t) {
     normal_.push_back(normalized(areaNormal(start, t)));
     quality_.push_back(
@@ -66,7 +68,10 @@ TriangleMesh GuardedStep::apply(const TriangleMesh& mesh, const Eigen::VectorXd&
     for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
       if (isSound(moved, t)) continue;
       all = false;
-      for (uint32_t v : mesh.triangles[t]) isBad[v] = 1;
+      for (uint32_t v : mesh.triangles[t]) {
+        isBad[v] = 1;
+        if (!partners_.empty()) isBad[partners_[v]] = 1;
+      }
     }
     if (all) return moved;
     for (uint32_t v = 0; v < n; ++v)

@@ -35,7 +35,6 @@ class Matching {
  private:
   void match(const Topology::Edge& edge);
   std::optional<EdgeQuad> imageOf(const EdgeQuad& quad) const;
-  const Topology::Edge* edgeBetween(uint32_t a, uint32_t b) const;
   bool isOpen(const EdgeQuad& quad) const {
     return strays_[quad.first] && strays_[quad.second] && !isDone_[quad.first] && !isDone_[quad.second];
   }
@@ -69,7 +68,7 @@ void Matching::match(const Topology::Edge& edge) {
 
 // The quad of the images of its vertices, if it is cut along the other diagonal; not itself.
 std::optional<EdgeQuad> Matching::imageOf(const EdgeQuad& quad) const {
-  const Topology::Edge* edge = edgeBetween(partners_[quad.left], partners_[quad.right]);
+  const Topology::Edge* edge = edgeBetween(topology_, partners_[quad.left], partners_[quad.right]);
   if (!edge) return std::nullopt;
   const std::optional<EdgeQuad> image = quadAt(mesh_, topology_, *edge);
   if (!image || image->first == quad.first || image->first == quad.second) return std::nullopt;
@@ -78,20 +77,8 @@ std::optional<EdgeQuad> Matching::imageOf(const EdgeQuad& quad) const {
   return image;
 }
 
-const Topology::Edge* Matching::edgeBetween(uint32_t a, uint32_t b) const {
-  for (const Corner corner : topology_.cornersAt(a)) {
-    const uint32_t t = triangleOf(corner);
-    for (int c = 0; c < 3; ++c) {
-      const Topology::Edge& edge =
-          topology_.edges[topology_.edgeOfCorner[3 * size_t{t} + static_cast<size_t>(c)]];
-      if (std::minmax(edge.a, edge.b) == std::minmax(a, b)) return &edge;
-    }
-  }
-  return nullptr;
-}
-
 bool Matching::canFlip(const EdgeQuad& quad) const {
-  return !isSeam(quad) && !edgeBetween(quad.left, quad.right);
+  return !isSeam(quad) && !edgeBetween(topology_, quad.left, quad.right);
 }
 
 bool Matching::isSeam(const EdgeQuad& quad) const {

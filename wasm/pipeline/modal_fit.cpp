@@ -14,6 +14,7 @@
 #include "pipeline/guarded_step.h"
 #include "pipeline/modal_search.h"
 #include "pipeline/modal_target.h"
+#include "pipeline/result_mirror.h"
 
 namespace limber {
 
@@ -38,41 +39,72 @@ constexpr double kLargeHold = 5e-4, kLargeWorth = 3500;
 constexpr uint32_t kLargeSamplesPerTriangle = 2;
 constexpr uint64_t kLargeBytes = 20000;  // that the fit takes for each vertex of the original, as measured
 
+// What stays the same for all parts; `report` takes the fraction of this part that is done.
+struct FitCall {
+  const ModalFitOptions& options;
+  const TriangleMesh& before;  // the result as it came
+  const ResultMirror* mirror;  // null where it has none
+  std::function<void(double)> report;
+  Job& job;
+};
+
 // Edges flipped to Delaunay, vertices fitted to the surface.
 uint32_t fitToSurface(FitPart& part, const FitSamples& samples, std::vector<uint32_t>& corners, Job& job) {
   uint32_t flips = 0;
   for (int round = 0; round < kSurfaceRounds; ++round) {
-    flips += flipToDelaunay(part.simplified, part.lines, corners);
+    flips += flipToDelaunay(part.simplified, part.fixedEdges, part.partners(), corners);
     const Topology topology = buildTopology(part.simplified);
     const SurfaceFit fit = fitSurface(part.simplified, topology, samples, {.lines = &part.lines});
-    const Eigen::VectorXd step =
+    Eigen::MatrixXd step =
         FitSolver(part.locked, job).solve({fit.stiffness, fit.inertia, kSurfaceHold}, fit.pull);
-    part.simplified = GuardedStep(part.simplified, topology).apply(part.simplified, step);
+    if (part.mirror) part.mirror->symmetrise(step);
+    part.simplified = GuardedStep(part.simplified, topology, part.partners()).apply(part.simplified, step);
+    if (part.mirror) part.mirror->symmetrise(part.simplified);
   }
   return flips;
 }
 
-void putBack(const FitPart& part, const std::vector<uint32_t>& corners, MeshAt& result) {
-  for (uint32_t v = 0; v < part.vertexOfResult.size(); ++v) {
-    if (part.locked[v]) continue;
-    const Vec3 p = part.origin + part.diagonal * part.simplified.positions[v];
-    result.mesh.positions[part.vertexOfResult[v]] = {static_cast<float>(p.x), static_cast<float>(p.y),
-                                                     static_cast<float>(p.z)};
+Vec3 inFile(const Vec3& p) {
+  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+}
+
+// Of a vertex and, where there is a mirror, its image.
+void putPlace(uint32_t v, const Vec3& place, const ResultMirror* mirror, std::vector<Vec3>& places) {
+  const uint32_t image = mirror ? mirror->partners[v] : v;
+  places[v] = inFile(mirror && image == v ? mirror->plane.onto(place) : place);
+  if (image != v) places[image] = inFile(mirror->plane.image(places[v]));
+}
+
+// A triangle of the result that another one is the image of.
+void putImage(uint32_t t, const ResultMirror& mirror, const TriangleMesh& before, MeshAt& result) {
+  const uint32_t image = mirror.triangleImages[t];
+  for (uint32_t c = 0; c < 3; ++c) {
+    const uint32_t from = (3 - c) % 3, v = mirror.partners[result.mesh.triangles[t][from]];
+    result.mesh.triangles[image][c] = v;
+    const uint32_t source = result.flips.corners[3 * t + from] / 3;
+    result.flips.corners[3 * image + c] = cornerAt(before, mirror.triangleImages[source], v);
   }
-  for (uint32_t t = 0; t < part.triangleOfResult.size(); ++t)
+}
+
+// `corners`: those of the part's triangles after its flips.
+void putBack(const FitPart& part, const std::vector<uint32_t>& corners, const FitCall& call, MeshAt& result) {
+  for (uint32_t v = 0; v < part.vertexOfResult.size(); ++v) {
+    const uint32_t there = part.vertexOfResult[v];
+    const bool isOther = part.mirror && part.mirror->partners[v] < v;
+    if (!part.locked[v] && !isOther)
+      putPlace(there, part.origin + part.diagonal * part.simplified.positions[v], call.mirror,
+               result.mesh.positions);
+  }
+  for (uint32_t t = 0; t < part.triangleOfResult.size(); ++t) {
+    const uint32_t there = part.triangleOfResult[t];
     for (uint32_t c = 0; c < 3; ++c) {
-      const uint32_t there = part.triangleOfResult[t], corner = corners[3 * t + c];
+      const uint32_t corner = corners[3 * t + c];
       result.mesh.triangles[there][c] = part.vertexOfResult[part.simplified.triangles[t][c]];
       result.flips.corners[3 * there + c] = 3 * part.triangleOfResult[corner / 3] + corner % 3;
     }
+    if (part.hasImage) putImage(there, *call.mirror, call.before, result);
+  }
 }
-
-// What stays the same for all parts; `report` takes the fraction of this part that is done.
-struct FitCall {
-  const ModalFitOptions& options;
-  std::function<void(double)> report;
-  Job& job;
-};
 
 // A mean square above this (2.5 % of frequency) is tried once more.
 constexpr double kDoubtful = 2.5e-3;
@@ -130,7 +162,7 @@ void fitLarge(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   if (!found) return;
   addErrors(*found, fitted);
   ++fitted.large;
-  putBack(part, unflippedCorners(part.simplified), fitted.result);
+  putBack(part, unflippedCorners(part.simplified), call, fitted.result);
 }
 
 void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
@@ -154,7 +186,7 @@ void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   }
   if (found) addErrors(*found, fitted);
   fitted.flips += flips;
-  putBack(part, corners, fitted.result);
+  putBack(part, corners, call, fitted.result);
 }
 
 }  // namespace
@@ -166,10 +198,14 @@ ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
   fitted.result.flips.triangles = simplified.mesh.triangles;
   fitted.result.flips.corners = unflippedCorners(simplified.mesh);
   if (simplified.mesh.triangleCount() == original.triangleCount()) return fitted;
+  std::optional<ResultMirror> mirror;
+  if (!options.mirror.empty()) mirror = mirrorOfResult(original, simplified, options.mirror);
+  const ResultMirror* const theMirror = mirror ? &*mirror : nullptr;
   auto [parts, tooLarge] = fitParts(original, simplified,
                                     {.charts = options.charts,
                                      .locked = options.locked,
                                      .pinned = options.pinned,
+                                     .mirror = theMirror,
                                      .largeVertices = options.largeVertices,
                                      .mostOriginal = options.mostOriginal});
   fitted.tooLarge = tooLarge;
@@ -177,7 +213,7 @@ ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
     const auto report = [&](double fraction) {
       phase.report((static_cast<double>(i) + fraction) / static_cast<double>(parts.size()));
     };
-    const FitCall call{options, report, job};
+    const FitCall call{options, simplified.mesh, theMirror, report, job};
     if (parts[i].isLarge)
       fitLarge(parts[i], call, fitted);
     else

@@ -19,6 +19,8 @@ struct ModalFitOptions {
   std::span<const uint8_t> locked = {};  // per vertex of the original: what it has become stays where it is
   // The same, and where they hold a component still, it is its modes when it is held there that are fitted.
   std::span<const uint8_t> pinned = {};
+  // Per vertex of the original, see Wishes::mirror: a result that is its own image stays one. May be empty.
+  std::span<const uint32_t> mirror = {};
   // Components with more vertices than that in the result are large: fitted at half and twice the thickness
   // (what lies between follows), in few rounds, and not at all where they had more than this in the original:
   // its frequencies are not known as well as they would have to be then.
@@ -27,7 +29,8 @@ struct ModalFitOptions {
 };
 
 // How far the frequencies were off, before and after: root mean square of lambda / lambda_original - 1 over
-// all matched modes and thicknesses, halved (so of frequencies), in %; each component's.
+// all matched modes and thicknesses, halved (so of frequencies), in %; each component's (of two that are
+// images of each other the first one's).
 struct ModalFitResult {
   MeshAt result;
   std::vector<double> errorBefore, errorAfter;
@@ -41,7 +44,8 @@ struct ModalFitResult {
 // with the distance from the original's surface. Before that, edges are flipped to Delaunay and vertices
 // fitted to the surface. Large components: two thicknesses, and no flips; see largeVertices. Topology and the
 // number of faces stay; no face turns; borders, seams, creases and locked vertices stay in place. Works on
-// each component. Positions are float32 numbers. Throws Cancelled.
+// each component. Positions are float32 numbers. Throws Cancelled, and std::invalid_argument where a mirror
+// is given and `simplified` is not its own image.
 ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
                         const ModalFitOptions& options, Job& job);
 

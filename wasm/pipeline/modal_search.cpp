@@ -80,7 +80,7 @@ ModalSearch::ModalSearch(const FitPart& part, const FitSamples& samples, ModalTa
       limits_(limits),
       job_(job),
       topology_(buildTopology(part.simplified)),
-      guard_(part.simplified, topology_),
+      guard_(part.simplified, topology_, part.partners()),
       solver_(part.locked, job),
       hold_(limits.firstHold) {
   state_.mesh = part.simplified;
@@ -139,6 +139,7 @@ Eigen::VectorXd ModalSearch::gaussNewtonStep() {
   const Eigen::VectorXd inertia = fit.inertia.array() * firmness_;
   Eigen::MatrixXd columns(pull.size(), 1 + mismatch.slope.cols());
   columns << pull, mismatch.slope;
+  if (part_.mirror) part_.mirror->symmetrise(columns);
   const TradeOff tradeOff(pull, mismatch,
                           solver_.solve({fit.stiffness, inertia, hold_ + kAnchor}, std::move(columns)));
   return tradeOff.step(affordable(tradeOff));
@@ -161,6 +162,7 @@ void ModalSearch::step() {
   const Mismatch was = state_.mismatch;
   const Eigen::VectorXd wanted = gaussNewtonStep();
   TriangleMesh next = guard_.apply(state_.mesh, wanted);
+  if (part_.mirror) part_.mirror->symmetrise(next);
   const Eigen::VectorXd made = difference(next, state_.mesh);
   holdBlocked(wanted, made);
   const Eigen::VectorXd foretold = was.residual + was.slope.transpose() * made;

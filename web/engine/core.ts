@@ -272,6 +272,8 @@ export interface FitOptions {
   locked: Uint8Array;
   /** the same, and the modes of the body held there are fitted */
   pinned: Uint8Array;
+  /** Wishes.mirror: a result that is its own image stays one */
+  mirror?: Uint32Array;
 }
 
 /** A result that vibrates like its original; frequency errors (root mean square, %) of each part that was fitted. */
@@ -283,11 +285,6 @@ export interface Fitted {
   large: number;
   /** such components that stay as they are: the original has more than 120,000 vertices there, or memory is short */
   tooLarge: number;
-}
-
-export interface MirrorRequest extends Pick<FitOptions, 'charts' | 'locked'> {
-  /** Wishes.mirror of the history that the result comes from */
-  partners: Uint32Array;
 }
 
 /** What parts a mesh into charts, over which no attribute may bleed. Both may be empty. */
@@ -508,8 +505,6 @@ export interface Core {
   fitModes(mesh: TriangleMesh, result: MeshAt, options: FitOptions): Fitted;
   /** the plane through the centre that a mesh is symmetric to: normal to axis 0, 1 or 2; -1: any that is found */
   findMirrorImages(mesh: TriangleMesh, charts: Charts, axis: number): MirrorImages;
-  /** `fitted`, made from `reduced` by fitModes, made its own mirror image again; see wasm/pipeline/mirror_result.h */
-  mirrorResult(mesh: TriangleMesh, reduced: MeshAt, fitted: MeshAt, request: MirrorRequest): MeshAt;
   /** for every vertex of meshAt(mesh, history, faces), which must come from the same strain, curvature and options */
   whyKept(
     mesh: TriangleMesh,

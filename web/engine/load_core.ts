@@ -33,7 +33,6 @@ const FUNCTIONS: readonly (keyof CoreFunctions)[] = [
   'meshAt',
   'fitModes',
   'findMirrorImages',
-  'mirrorResult',
   'whyKept',
   'sourceOfCorners',
   'bindToResult',

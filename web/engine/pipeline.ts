@@ -299,9 +299,8 @@ export function fitResult(
   const locked = maskOf(mesh, held.pinned, held.locked) ?? new Uint8Array();
   const pinned = maskOf(mesh, held.pinned) ?? new Uint8Array();
   const { charts } = prepared.attributes;
-  const fitted = core.fitModes(mesh, result, { thickness, poisson, charts, locked, pinned });
-  if (held.mirror)
-    fitted.result = core.mirrorResult(mesh, result, fitted.result, { partners: held.mirror, charts, locked });
+  const { mirror } = held;
+  const fitted = core.fitModes(mesh, result, { thickness, poisson, charts, locked, pinned, mirror });
   if (!keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
     return { ...none, unfitted: 'the fit would break a limit of deviation or angle' };
   return { ...fitted, unfitted: describeUnfitted(fitted) };
