@@ -363,6 +363,8 @@ val jsFitModes(const val& mesh, const val& result, const val& in) {
   options.pinned = pinned;
   const auto mirror = optionalVector<uint32_t>(in["mirror"]);
   options.mirror = mirror;
+  options.maxDeviation = in["maxDeviation"].as<double>();
+  options.minAngle = in["minAngle"].as<double>();
   const ModalFitResult fitted = fitModes(meshOf(mesh), meshAtOf(result), options, theJob);
   val out = val::object();
   out.set("result", jsMeshAtOf(fitted.result));

@@ -93,7 +93,7 @@ describe('a report', () => {
       refused: { topology: 4, flip: 2, lock: 2, angle: 0, deviation: 0 },
     });
     expect(describeRefused(refused)).toBe(
-      'of the remaining edges 50 % would change the topology, 25 % flip a face, 25 % break a lock',
+      'of the remaining edges 50 % would change the topology, 25 % flip a face, 25 % break a seam, a border or a lock',
     );
     expect(describeRefused({ topology: 0, flip: 0, lock: 0, angle: 0, deviation: 0 })).toBe(
       'no edge is left that could collapse',

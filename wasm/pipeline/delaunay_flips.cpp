@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "measure/quality.h"
 #include "mesh/edge_flip.h"
 #include "mesh/topology.h"
 
@@ -22,11 +23,17 @@ bool isDelaunay(const Vec3& start, const Vec3& end, const Vec3& left, const Vec3
   return sineOfSum >= -kClearly * length(p) * length(q) * length(r) * length(s);
 }
 
+// How far apart the lines of both diagonals are.
+double liftOf(const Vec3& start, const Vec3& end, const Vec3& left, const Vec3& right) {
+  const Vec3 across = cross(end - start, right - left);
+  const double size = length(across);
+  return size > 0 ? std::abs(dot(across, left - start)) / size : 0;
+}
+
 class Flipping {
  public:
-  Flipping(TriangleMesh& mesh, const std::vector<std::array<uint32_t, 2>>& fixed,
-           std::span<const uint32_t> partners, std::vector<uint32_t>& corners)
-      : mesh_(mesh), fixed_(fixed), partners_(partners), corners_(corners) {}
+  Flipping(TriangleMesh& mesh, const FlipLimits& limits, std::vector<uint32_t>& corners)
+      : mesh_(mesh), limits_(limits), corners_(corners) {}
 
   uint32_t pass() {
     topology_ = buildTopology(mesh_);
@@ -45,8 +52,7 @@ class Flipping {
   void flip(const EdgeQuad& quad);
 
   TriangleMesh& mesh_;
-  const std::vector<std::array<uint32_t, 2>>& fixed_;
-  std::span<const uint32_t> partners_;
+  FlipLimits limits_;
   std::vector<uint32_t>& corners_;
   Topology topology_;
   std::vector<uint8_t> triangleChanged_, vertexChanged_;  // in this pass
@@ -59,7 +65,7 @@ bool Flipping::exists(uint32_t a, uint32_t b) const {
 
 // The surroundings of an edge that is to be flipped, and can be.
 std::optional<EdgeQuad> Flipping::wantedQuad(const Topology::Edge& edge) const {
-  if (std::ranges::binary_search(fixed_, std::array{edge.a, edge.b})) return std::nullopt;
+  if (std::ranges::binary_search(limits_.fixed, std::array{edge.a, edge.b})) return std::nullopt;
   const std::optional<EdgeQuad> quad = quadAt(mesh_, topology_, edge);
   if (!quad || triangleChanged_[quad->first] || triangleChanged_[quad->second]) return std::nullopt;
   const auto [first, second, firstTip, secondTip, left, start, end, right] = *quad;
@@ -74,12 +80,16 @@ std::optional<EdgeQuad> Flipping::wantedQuad(const Topology::Edge& edge) const {
   for (const Vec3& m : before)
     for (const Vec3& n : after)
       if (dot(m, n) < kFlat) return std::nullopt;
-  return quad;
+  const bool isKept = liftOf(at[start], at[end], at[left], at[right]) <= limits_.mostLift &&
+                      std::min(smallestAngle(at[left], at[start], at[right]),
+                               smallestAngle(at[left], at[right], at[end])) >= limits_.minAngle;
+  return isKept ? quad : std::nullopt;
 }
 
 // Of an edge that can be flipped together with this one.
 std::optional<EdgeQuad> Flipping::imageOf(const EdgeQuad& quad) const {
-  const Topology::Edge* edge = edgeBetween(topology_, partners_[quad.start], partners_[quad.end]);
+  const Topology::Edge* edge =
+      edgeBetween(topology_, limits_.partners[quad.start], limits_.partners[quad.end]);
   const std::optional<EdgeQuad> image = edge ? wantedQuad(*edge) : std::nullopt;
   if (!image) return std::nullopt;
   const bool isApart = image->first != quad.first && image->first != quad.second &&
@@ -91,8 +101,8 @@ std::optional<EdgeQuad> Flipping::imageOf(const EdgeQuad& quad) const {
 uint32_t Flipping::tryFlip(const Topology::Edge& edge) {
   const std::optional<EdgeQuad> quad = wantedQuad(edge);
   if (!quad) return 0;
-  const std::optional<EdgeQuad> image = partners_.empty() ? std::nullopt : imageOf(*quad);
-  if (!partners_.empty() && !image) return 0;
+  const std::optional<EdgeQuad> image = limits_.partners.empty() ? std::nullopt : imageOf(*quad);
+  if (!limits_.partners.empty() && !image) return 0;
   flip(*quad);
   if (image) flip(*image);
   return image ? 2 : 1;
@@ -107,9 +117,8 @@ void Flipping::flip(const EdgeQuad& quad) {
 
 }  // namespace
 
-uint32_t flipToDelaunay(TriangleMesh& mesh, const std::vector<std::array<uint32_t, 2>>& fixed,
-                        std::span<const uint32_t> partners, std::vector<uint32_t>& corners) {
-  Flipping flipping(mesh, fixed, partners, corners);
+uint32_t flipToDelaunay(TriangleMesh& mesh, const FlipLimits& limits, std::vector<uint32_t>& corners) {
+  Flipping flipping(mesh, limits, corners);
   uint32_t total = 0;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const uint32_t flips = flipping.pass();

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "base/memory.h"
+#include "measure/quality.h"
 #include "pipeline/delaunay_flips.h"
+#include "pipeline/deviation_guard.h"
 #include "pipeline/fit_part.h"
 #include "pipeline/fit_solver.h"
 #include "pipeline/guarded_step.h"
@@ -23,6 +25,8 @@ namespace {
 constexpr int kSurfaceRounds = 3;
 constexpr double kSurfaceHold = 1e-3;  // how firmly vertices hold their places
 constexpr uint32_t kSamplesPerTriangle = 6;
+
+constexpr double kMostLift = 0.02;  // by a flip, of the largest deviation where there is one
 
 // The root mean square distance may grow to this much of the simplified mesh's, or to this part of the
 // diagonal.
@@ -49,16 +53,19 @@ struct FitCall {
 };
 
 // Edges flipped to Delaunay, vertices fitted to the surface.
-uint32_t fitToSurface(FitPart& part, const FitSamples& samples, std::vector<uint32_t>& corners, Job& job) {
+uint32_t fitToSurface(FitPart& part, const FitSamples& samples, const StepLimits& limits,
+                      std::vector<uint32_t>& corners, const FitCall& call) {
+  FlipLimits flipLimits{part.fixedEdges, part.partners(), limits.minAngle};
+  if (limits.deviation) flipLimits.mostLift = kMostLift * call.options.maxDeviation / part.diagonal;
   uint32_t flips = 0;
   for (int round = 0; round < kSurfaceRounds; ++round) {
-    flips += flipToDelaunay(part.simplified, part.fixedEdges, part.partners(), corners);
+    flips += flipToDelaunay(part.simplified, flipLimits, corners);
     const Topology topology = buildTopology(part.simplified);
     const SurfaceFit fit = fitSurface(part.simplified, topology, samples, {.lines = &part.lines});
     Eigen::MatrixXd step =
-        FitSolver(part.locked, job).solve({fit.stiffness, fit.inertia, kSurfaceHold}, fit.pull);
+        FitSolver(part.locked, call.job).solve({fit.stiffness, fit.inertia, kSurfaceHold}, fit.pull);
     if (part.mirror) part.mirror->symmetrise(step);
-    part.simplified = GuardedStep(part.simplified, topology, part.partners()).apply(part.simplified, step);
+    part.simplified = GuardedStep(part.simplified, topology, limits).apply(part.simplified, step);
     if (part.mirror) part.mirror->symmetrise(part.simplified);
   }
   return flips;
@@ -150,6 +157,21 @@ double budgetOf(const FitPart& part, const FitSamples& samples) {
   return std::max(kBudget * std::sqrt(start.meanSquare), kLeastBudget);
 }
 
+// The limits of a part, and what watches over one of them.
+struct PartLimits {
+  std::optional<DeviationGuard> deviation;
+  StepLimits steps;
+
+  PartLimits(const FitPart& part, const ModalFitOptions& options) {
+    steps.partners = part.partners();
+    if (options.minAngle > 0)
+      steps.minAngle = std::min(options.minAngle, measureQuality(part.simplified).minAngle);
+    if (options.maxDeviation > 0)
+      steps.deviation = &deviation.emplace(part.original, options.maxDeviation / part.diagonal);
+  }
+  PartLimits(const PartLimits&) = delete;
+};
+
 void fitLarge(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   if (memoryLeft() < kLargeBytes * part.original.vertexCount()) {
     ++fitted.tooLarge;
@@ -157,7 +179,9 @@ void fitLarge(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   }
   const FitSamples samples = sampleForFit(
       part.original, kLargeSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
-  const SearchLimits limits{budgetOf(part, samples), kLargeRounds, kLargeGoodEnough, kLargeHold, kLargeWorth};
+  const PartLimits asked(part, call.options);
+  const SearchLimits limits{
+      budgetOf(part, samples), kLargeRounds, kLargeGoodEnough, kLargeHold, kLargeWorth, asked.steps};
   const std::optional<Searched> found = searchModes(part, samples, limits, call);
   if (!found) return;
   addErrors(*found, fitted);
@@ -168,11 +192,12 @@ void fitLarge(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
 void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   const FitSamples samples =
       sampleForFit(part.original, kSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
-  SearchLimits limits{.budget = budgetOf(part, samples)};
+  const PartLimits asked(part, call.options);
+  SearchLimits limits{.budget = budgetOf(part, samples), .steps = asked.steps};
   if (part.simplified.vertexCount() > kManyVertices) limits.goodEnough = kGoodEnoughOfMany;
   FitPart plain = part;
   std::vector<uint32_t> corners = unflippedCorners(part.simplified);
-  uint32_t flips = fitToSurface(part, samples, corners, call.job);
+  uint32_t flips = fitToSurface(part, samples, asked.steps, corners, call);
   std::optional<Searched> found = searchModes(part, samples, limits, call);
   // Flips and the fit to the surface can harm a mesh of slivers more than the search can mend.
   if (found && found->after > kDoubtful) {

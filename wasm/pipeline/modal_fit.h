@@ -21,6 +21,9 @@ struct ModalFitOptions {
   std::span<const uint8_t> pinned = {};
   // Per vertex of the original, see Wishes::mirror: a result that is its own image stays one. May be empty.
   std::span<const uint32_t> mirror = {};
+  // What holds for `simplified` and shall go on to: distance from the original (units of the mesh) and
+  // smallest angle (degrees); where it does not, it gets no worse. 0: no limit.
+  double maxDeviation = 0, minAngle = 0;
   // Components with more vertices than that in the result are large: fitted at half and twice the thickness
   // (what lies between follows), in few rounds, and not at all where they had more than this in the original:
   // its frequencies are not known as well as they would have to be then.

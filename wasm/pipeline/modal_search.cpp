@@ -80,7 +80,7 @@ ModalSearch::ModalSearch(const FitPart& part, const FitSamples& samples, ModalTa
       limits_(limits),
       job_(job),
       topology_(buildTopology(part.simplified)),
-      guard_(part.simplified, topology_, part.partners()),
+      guard_(part.simplified, topology_, limits.steps),
       solver_(part.locked, job),
       hold_(limits.firstHold) {
   state_.mesh = part.simplified;

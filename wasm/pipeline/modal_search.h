@@ -18,6 +18,7 @@ struct SearchLimits {
   double firstHold =
       0.01;  // how firmly vertices hold their places: more where a step gains less than foretold
   double mostWorth = 700;  // of a residual, in squared budgets of distance
+  StepLimits steps = {};
 };
 
 // Gauss-Newton rounds towards the original's modes within a budget of distance from its surface. To be used

@@ -274,6 +274,9 @@ export interface FitOptions {
   pinned: Uint8Array;
   /** Wishes.mirror: a result that is its own image stays one */
   mirror?: Uint32Array;
+  /** what the result keeps, where it does so already: distance from `mesh`, in its units, and degrees; 0 sets no limit */
+  maxDeviation: number;
+  minAngle: number;
 }
 
 /** A result that vibrates like its original; frequency errors (root mean square, %) of each part that was fitted. */

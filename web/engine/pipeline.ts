@@ -270,6 +270,9 @@ function wholePairs({ kept, removed, trianglesAfter }: History, mirror: Uint32Ar
   return faces;
 }
 
+/** What the fit may use of the largest deviation: it looks at samples, and where these miss too much, a second one keeps away. */
+const DEVIATION_SHARES = [1, 0.85];
+
 /** `unfitted`: why the result, or parts of it, stay as the collapses left them; '' where nothing does. */
 export interface FittedResult extends Fitted {
   unfitted: string;
@@ -299,11 +302,15 @@ export function fitResult(
   const locked = maskOf(mesh, held.pinned, held.locked) ?? new Uint8Array();
   const pinned = maskOf(mesh, held.pinned) ?? new Uint8Array();
   const { charts } = prepared.attributes;
-  const { mirror } = held;
-  const fitted = core.fitModes(mesh, result, { thickness, poisson, charts, locked, pinned, mirror });
-  if (!keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
-    return { ...none, unfitted: 'the fit would break a limit of deviation or angle' };
-  return { ...fitted, unfitted: describeUnfitted(fitted) };
+  const request = { thickness, poisson, charts, locked, pinned, mirror: held.mirror };
+  for (const share of settings.maxDeviation > 0 ? DEVIATION_SHARES : [1]) {
+    const maxDeviation = ((share * settings.maxDeviation) / 100) * prepared.diagonal;
+    const limits = { maxDeviation, minAngle: settings.minAngle };
+    const fitted = core.fitModes(mesh, result, { ...request, ...limits });
+    if (keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
+      return { ...fitted, unfitted: describeUnfitted(fitted) };
+  }
+  return { ...none, unfitted: 'the fit would break a limit of deviation or angle' };
 }
 
 /** How large parts were fitted; '' where there are none. */

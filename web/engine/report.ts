@@ -431,7 +431,7 @@ export function describeRefused(refused: Refused): string {
   return [
     `of the remaining edges ${share(topology)} would change the topology`,
     `${share(flip)} flip a face`,
-    `${share(lock)} break a lock`,
+    `${share(lock)} break a seam, a border or a lock`,
     ...(angle > 0 ? [`${share(angle)} make an angle too small`] : []),
     ...(deviation > 0 ? [`${share(deviation)} go too far from the surface`] : []),
   ].join(', ');
