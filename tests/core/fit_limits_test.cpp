@@ -1,0 +1,161 @@
+// What a fit keeps that is asked of its result: distance, angles.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "base/parallel.h"
+#include "measure/quality.h"
+#include "measure/surface_distance.h"
+#include "pipeline/delaunay_flips.h"
+#include "pipeline/deviation_guard.h"
+#include "pipeline/guarded_step.h"
+#include "pipeline/modal_fit.h"
+#include "shapes.h"
+#include "simplify/simplify.h"
+
+namespace limber {
+namespace {
+
+Job theJob;
+
+TriangleMesh bumpy() {
+  TriangleMesh mesh = shapes::sphere(3);
+  for (Vec3& p : mesh.positions)
+    p *= 1 + 0.15 * std::sin(3 * p.x + 0.4) * std::cos(4 * p.y) + 0.1 * std::sin(5 * p.z + p.x);
+  for (Vec3& p : mesh.positions)
+    p = {static_cast<float>(1.3 * p.x), static_cast<float>(p.y), static_cast<float>(0.8 * p.z)};
+  return mesh;
+}
+
+struct Case {
+  TriangleMesh mesh;
+  MeshAt start;
+};
+
+Case reduced(double minAngle = 0) {
+  const TriangleMesh mesh = bumpy();
+  SimplifyOptions options{.method = Method::Limber, .qualityWeight = 0.1, .sizeWeight = 0.01};
+  options.minAngle = minAngle;
+  return {mesh, meshAt(mesh, simplify(mesh, {}, options, theJob), mesh.triangleCount() / 4)};
+}
+
+ModalFitResult fit(const Case& of, double maxDeviation, double minAngle) {
+  ModalFitOptions options{.thickness = 0.02 * bounds(of.mesh).diagonal(), .modeCount = 8};
+  options.maxDeviation = maxDeviation;
+  options.minAngle = minAngle;
+  return fitModes(of.mesh, of.start, options, theJob);
+}
+
+double deviationOf(const Case& of, const TriangleMesh& result) {
+  return measureSurfaceDistance(of.mesh, result, {}, theJob).hausdorff;
+}
+
+TEST(FitLimits, aFitKeepsTheLargestDeviation) {
+  const Case of = reduced();
+  const double before = deviationOf(of, of.start.mesh), limit = 1.15 * before;
+  const ModalFitResult free = fit(of, 0, 0), held = fit(of, limit, 0);
+  ASSERT_GT(deviationOf(of, free.result.mesh), limit) << "else this shows nothing";
+  EXPECT_LE(deviationOf(of, held.result.mesh), limit);
+  EXPECT_LT(held.errorAfter.at(0), 0.8 * held.errorBefore.at(0));
+}
+
+TEST(FitLimits, aFitKeepsTheSmallestAngle) {
+  const Case of = reduced(25);
+  const double before = measureQuality(of.start.mesh).minAngle;
+  ASSERT_GT(before, 20);
+  const ModalFitResult free = fit(of, 0, 0), held = fit(of, 0, 25);
+  ASSERT_LT(measureQuality(free.result.mesh).minAngle, before) << "else this shows nothing";
+  EXPECT_GE(measureQuality(held.result.mesh).minAngle, std::min(25.0, before));
+  EXPECT_LT(held.errorAfter.at(0), 0.8 * held.errorBefore.at(0));
+}
+
+// Where a limit is broken from the start, it gets no worse, and the rest is fitted.
+TEST(FitLimits, aFitMakesNoBrokenLimitWorse) {
+  const Case of = reduced();
+  const double before = deviationOf(of, of.start.mesh), angle = measureQuality(of.start.mesh).minAngle;
+  const ModalFitResult held = fit(of, 0.8 * before, angle + 20);
+  EXPECT_LE(deviationOf(of, held.result.mesh), 1.02 * before);
+  EXPECT_GE(measureQuality(held.result.mesh).minAngle, angle - 1e-4);
+  EXPECT_LT(held.errorAfter.at(0), held.errorBefore.at(0));
+}
+
+TEST(FitLimits, theFitIsTheSameOnAnyNumberOfThreads) {
+  const Case of = reduced();
+  const double limit = 1.1 * deviationOf(of, of.start.mesh);
+  setThreadCount(1);
+  const TriangleMesh one = fit(of, limit, 10).result.mesh;
+  setThreadCount(3);
+  EXPECT_EQ(fit(of, limit, 10).result.mesh.positions, one.positions);
+  setThreadCount(1);
+}
+
+TEST(DeviationGuard, tellsWhichTrianglesHaveMovedTooFar) {
+  const TriangleMesh fine = shapes::grid(16, 16), coarse = shapes::grid(4, 4);
+  DeviationGuard guard(fine, 0.1);
+  const std::vector<uint8_t> none(coarse.triangleCount(), 0);
+  EXPECT_EQ(guard.begin(coarse), none);
+  TriangleMesh moved = coarse;
+  moved.positions[12].z = 0.08;  // the middle one
+  EXPECT_EQ(guard.tooFar(moved), none);
+  moved.positions[12].z = 0.12;
+  const std::vector<uint8_t> far = guard.tooFar(moved);
+  for (uint32_t t = 0; t < coarse.triangleCount(); ++t)
+    EXPECT_EQ(far[t], std::ranges::count(coarse.triangles[t], 12u)) << t;
+  // Along the surface it may go as far as it likes.
+  moved.positions[12] = {0.6, 0.55, 0};
+  EXPECT_EQ(guard.tooFar(moved), none);
+}
+
+TEST(DeviationGuard, looksFromTheOriginalToo) {
+  // A fine sheet with a spike on a flat one: no point of the flat one is far from it.
+  TriangleMesh fine = shapes::grid(16, 16);
+  const TriangleMesh coarse = shapes::grid(4, 4);
+  const uint32_t spike = 17 * 6 + 5;
+  fine.positions[spike].z = 0.3;
+  DeviationGuard guard(fine, 0.1);
+  const std::vector<uint8_t> far = guard.begin(coarse);
+  EXPECT_EQ(std::accumulate(far.begin(), far.end(), 0), 1);
+  // What lies too far already is not told again.
+  EXPECT_EQ(guard.tooFar(coarse), std::vector<uint8_t>(coarse.triangleCount(), 0));
+}
+
+TEST(GuardedStep, leavesWhatIsTooFarAlready) {
+  const TriangleMesh fine = shapes::grid(16, 16);
+  TriangleMesh coarse = shapes::grid(4, 4);
+  coarse.positions[12].z = 0.2;
+  DeviationGuard guard(fine, 0.1);
+  const Topology topology = buildTopology(coarse);
+  const GuardedStep step(coarse, topology, {.deviation = &guard});
+  const Eigen::VectorXd lift = Eigen::VectorXd::Constant(3 * coarse.vertexCount(), 0.01);
+  const TriangleMesh moved = step.apply(coarse, lift);
+  EXPECT_EQ(moved.positions[12], coarse.positions[12]);
+  EXPECT_NE(moved.positions[0], coarse.positions[0]);
+}
+
+// A long quad that is cut along its longer diagonal, with its upper corner at a height.
+TriangleMesh kite(double height) {
+  return {{{-2, 0, 0}, {2, 0, 0}, {0, 1, height}, {0, -1, height}}, {{0, 1, 2}, {1, 0, 3}}};
+}
+
+uint32_t flipsOf(TriangleMesh mesh, const FlipLimits& limits) {
+  std::vector<uint32_t> corners(3 * mesh.triangleCount());
+  std::iota(corners.begin(), corners.end(), 0u);
+  return flipToDelaunay(mesh, limits, corners);
+}
+
+TEST(DelaunayFlips, keepWhatIsAskedOfThem) {
+  EXPECT_EQ(flipsOf(kite(0), {}), 1u);
+  const std::vector<std::array<uint32_t, 2>> fixed = {{0, 1}};
+  EXPECT_EQ(flipsOf(kite(0), {.fixed = fixed}), 0u);
+  // The diagonals are as far apart as the corner is high.
+  EXPECT_EQ(flipsOf(kite(0.05), {.mostLift = 0.051}), 1u);
+  EXPECT_EQ(flipsOf(kite(0.05), {.mostLift = 0.049}), 0u);
+  // The new triangles have angles of 53 degrees.
+  EXPECT_EQ(flipsOf(kite(0), {.minAngle = 53}), 1u);
+  EXPECT_EQ(flipsOf(kite(0), {.minAngle = 54}), 0u);
+}
+
+}  // namespace
+}  // namespace limber
