@@ -14,20 +14,12 @@
 #include "pipeline/modal_fit.h"
 #include "shapes.h"
 #include "simplify/simplify.h"
+#include "surfaces.h"
 
 namespace limber {
 namespace {
 
 Job theJob;
-
-TriangleMesh bumpy() {
-  TriangleMesh mesh = shapes::sphere(3);
-  for (Vec3& p : mesh.positions)
-    p *= 1 + 0.15 * std::sin(3 * p.x + 0.4) * std::cos(4 * p.y) + 0.1 * std::sin(5 * p.z + p.x);
-  for (Vec3& p : mesh.positions)
-    p = {static_cast<float>(1.3 * p.x), static_cast<float>(p.y), static_cast<float>(0.8 * p.z)};
-  return mesh;
-}
 
 struct Case {
   TriangleMesh mesh;
@@ -35,7 +27,7 @@ struct Case {
 };
 
 Case reduced(double minAngle = 0) {
-  const TriangleMesh mesh = bumpy();
+  const TriangleMesh mesh = surfaces::bumpySphere();
   SimplifyOptions options{.method = Method::Limber, .qualityWeight = 0.1, .sizeWeight = 0.01};
   options.minAngle = minAngle;
   return {mesh, meshAt(mesh, simplify(mesh, {}, options, theJob), mesh.triangleCount() / 4)};

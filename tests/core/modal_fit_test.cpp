@@ -13,19 +13,10 @@
 #include "pipeline/find_modes.h"
 #include "shapes.h"
 #include "simplify/simplify.h"
+#include "surfaces.h"
 
 namespace limber {
 namespace {
-
-// A sphere with bumps: curved everywhere, without symmetry.
-TriangleMesh bumpy() {
-  TriangleMesh mesh = shapes::sphere(3);
-  for (Vec3& p : mesh.positions)
-    p *= 1 + 0.15 * std::sin(3 * p.x + 0.4) * std::cos(4 * p.y) + 0.1 * std::sin(5 * p.z + p.x);
-  for (Vec3& p : mesh.positions)
-    p = {static_cast<float>(1.3 * p.x), static_cast<float>(p.y), static_cast<float>(0.8 * p.z)};
-  return mesh;
-}
 
 TriangleMesh wavySheet() {
   TriangleMesh mesh = shapes::grid(18, 14, 1, 0.8);
@@ -63,7 +54,7 @@ double frequencyError(const TriangleMesh& original, const TriangleMesh& other) {
 }
 
 TEST(ModalFit, bringsTheFrequenciesOfAClosedAndAnOpenMeshToThoseOfTheOriginal) {
-  for (const TriangleMesh& mesh : {bumpy(), wavySheet()}) {
+  for (const TriangleMesh& mesh : {surfaces::bumpySphere(), wavySheet()}) {
     const MeshAt start = simplified(mesh, 0.3);
     const ModalFitResult fit = fitted(mesh, start);
     EXPECT_LT(fit.errorAfter.at(0), fit.errorBefore.at(0));
@@ -255,7 +246,7 @@ ModalFitOptions asLarge(const TriangleMesh& mesh) {
 
 TEST(LargeModalFit, bringsFrequenciesToThoseOfTheOriginal) {
   Job job;
-  for (const TriangleMesh& mesh : {bumpy(), wavySheet()}) {
+  for (const TriangleMesh& mesh : {surfaces::bumpySphere(), wavySheet()}) {
     const MeshAt start = simplified(mesh, 0.5);
     const ModalFitResult fit = fitModes(mesh, start, asLarge(mesh), job);
     EXPECT_EQ(fit.large, 1u);

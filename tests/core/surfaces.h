@@ -182,4 +182,14 @@ class Replay {
   std::vector<Triangle> triangles_;
 };
 
+// A sphere with bumps: curved everywhere, without symmetry.
+inline TriangleMesh bumpySphere() {
+  TriangleMesh mesh = shapes::sphere(3);
+  for (Vec3& p : mesh.positions)
+    p *= 1 + 0.15 * std::sin(3 * p.x + 0.4) * std::cos(4 * p.y) + 0.1 * std::sin(5 * p.z + p.x);
+  for (Vec3& p : mesh.positions)
+    p = {static_cast<float>(1.3 * p.x), static_cast<float>(p.y), static_cast<float>(0.8 * p.z)};
+  return mesh;
+}
+
 }  // namespace limber::surfaces

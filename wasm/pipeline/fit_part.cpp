@@ -107,13 +107,20 @@ EdgeList withImages(EdgeList edges, const std::vector<uint32_t>& partners) {
   return edges;
 }
 
-// By the numbers of a part, of the edges of the whole that lie in it.
-EdgeList edgesIn(const EdgeList& edges, uint32_t component, const std::vector<uint32_t>& componentOfVertex,
-                 const std::vector<uint32_t>& number) {
-  EdgeList own;
-  for (const auto& [a, b] : edges)
-    if (componentOfVertex[a] == component) own.push_back({number[a], number[b]});
-  return own;
+std::vector<EdgeList> byComponent(const EdgeList& edges, const std::vector<uint32_t>& componentOfVertex,
+                                  uint32_t componentCount) {
+  std::vector<EdgeList> lists(componentCount);
+  for (const auto& edge : edges) lists[componentOfVertex[edge[0]]].push_back(edge);
+  return lists;
+}
+
+// By the numbers of a part.
+EdgeList renumbered(EdgeList edges, const std::vector<uint32_t>& number) {
+  for (auto& [a, b] : edges) {
+    a = number[a];
+    b = number[b];
+  }
+  return edges;
 }
 
 MeshMirror mirrorIn(const FitPart& part, const ResultMirror& mirror, const std::vector<uint32_t>& number) {
@@ -142,8 +149,10 @@ FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const 
   std::vector<uint8_t> isHeld = carried(simplified, options.locked);
   for (uint32_t v = 0; v < isHeld.size(); ++v) isHeld[v] |= isPinned[v];
   if (options.mirror) holdImages(options.mirror->partners, isHeld);
-  const EdgeList seams = seamsOf(simplified, sides),
-                 fixed = options.mirror ? withImages(seams, options.mirror->partners) : seams;
+  const EdgeList seams = seamsOf(simplified, sides);
+  const std::vector<EdgeList> fixed =
+      byComponent(options.mirror ? withImages(seams, options.mirror->partners) : seams, componentOfResult,
+                  topology.componentCount);
   const std::vector<Members> originals = membersOf(original, seamsOf(topology, sides),
                                                    topology.componentOfVertex, topology.componentCount),
                              results = membersOf(mesh, seams, componentOfResult, topology.componentCount);
@@ -171,7 +180,7 @@ FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const 
     part.diagonal = box.diagonal();
     intoFrame(part.original, part);
     intoFrame(part.simplified, part);
-    part.fixedEdges = edgesIn(fixed, component, componentOfResult, number);
+    part.fixedEdges = renumbered(fixed[component], number);
     part.hasImage = image != component;
     if (options.mirror && !part.hasImage) {
       part.mirror = mirrorIn(part, *options.mirror, number);

@@ -13,8 +13,8 @@ namespace limber {
 
 // What else steps must keep.
 struct StepLimits {
-  std::span<const uint32_t> partners =
-      {};                               // per vertex the one that is its image and goes as far; may be empty
+  // Per vertex the one that is its image and goes as far; may be empty.
+  std::span<const uint32_t> partners = {};
   double minAngle = 0;                  // degrees; a face that has a smaller one may keep it
   DeviationGuard* deviation = nullptr;  // nearness to the original
 };

@@ -23,6 +23,7 @@ import type {
   WeldResult,
   Wishes,
 } from './core';
+import { endWithin } from './deviation_limit';
 import type { ExportedBody } from './document/export';
 import { counted } from './document/model';
 import type { Body } from './document/model';
@@ -176,7 +177,7 @@ export interface Guides extends Held {
 /**
  * Every collapse down to the end. Without guidance the strain counts as 0; curvature enters over its maximum. The paper's
  * method knows nothing of attributes, as printed; for others seams and borders of materials stay closed and in place, and
- * attributes cost.
+ * attributes cost. A largest deviation holds as it is measured.
  */
 export function buildHistory(
   core: Core,
@@ -185,8 +186,12 @@ export function buildHistory(
   settings: Settings,
 ): History {
   const { strain, curvature, options } = simplification(prepared, guides, settings);
-  const history = core.simplify(prepared.mesh, strain, curvature, options);
-  return guides.mirror ? { ...history, mirror: guides.mirror } : history;
+  const simplified = core.simplify(prepared.mesh, strain, curvature, options);
+  const history = guides.mirror ? { ...simplified, mirror: guides.mirror } : simplified;
+  if (settings.maxDeviation === 0) return history;
+  const deviationAt = (faces: number) =>
+    measureDistance(core, prepared, core.meshAt(prepared.mesh, history, faces).mesh).hausdorff;
+  return endWithin(history, settings.maxDeviation, deviationAt);
 }
 
 /**

@@ -2,23 +2,11 @@
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { torus, writeMesh } from '../bench_meshes.mjs';
-import { hashOf, scratch } from './load_engine.mjs';
-import { measure } from './measure.mjs';
+import { writeMesh } from '../bench_meshes.mjs';
+import { scratch } from './load_engine.mjs';
 import { readMesh } from './python_peers.mjs';
 
 const folder = join(scratch, 'cache');
-
-/** Changes where `measure` gives other numbers: those of a coarse torus beside a fine one, to six digits. */
-export function fingerprintOf({ engine, core }) {
-  const [fine, coarse] = [torus(1500), torus(500)];
-  const { positions, triangles } = fine;
-  const body = { name: 'torus', positions, indices: triangles, notes: [], mesh: 0, spans: [], scale: 1 };
-  const prepared = engine.prepareBody(core, body, engine.defaultSettings());
-  const numbers = measure({ engine, core }, prepared, coarse);
-  const rounded = (value) => (typeof value === 'number' ? Number(value.toPrecision(6)) : value);
-  return hashOf(JSON.stringify(Object.entries(numbers).map(([key, value]) => [key, rounded(value)])));
-}
 
 /** Where the result mesh of a case lies; the record lies beside it. */
 const pathOf = (key, ending) => join(folder, `${key}.${ending}`);

@@ -1,18 +1,20 @@
 // Every mesh by every method at every ratio, measured.
 
-import { cached, fingerprintOf } from './cache.mjs';
+import { cached } from './cache.mjs';
 import { hashOf } from './load_engine.mjs';
 import { measure } from './measure.mjs';
 
-/** One result: { mesh, kind, inputMinAngle, method, isOurs, ratio, targetFaces, ...measure(), seconds, meshOf() }. */
+/**
+ * Peers too are measured again where the core or the engine has changed: the measure is part of them.
+ * One result: { mesh, kind, inputMinAngle, method, isOurs, ratio, targetFaces, ...measure(), seconds, meshOf() }.
+ */
 export function runCases(loaded, { meshes, methods, ratios }, print = console.log) {
-  const fingerprint = fingerprintOf(loaded);
   const total = meshes.length * methods.length * ratios.length;
   const cases = [];
   for (const mesh of meshes)
     for (const ratio of ratios)
       for (const method of methods) {
-        const key = hashOf(fingerprint, mesh.hash, method.name, method.version, String(ratio));
+        const key = hashOf(loaded.version, mesh.hash, method.name, method.version, String(ratio));
         const { record, meshOf } = cached(key, () => runCase(loaded, mesh, method, ratio));
         const { name, isOurs } = method;
         const targetFaces = ratio * mesh.faces;
