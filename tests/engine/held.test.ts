@@ -25,7 +25,7 @@ async function open(mesh: TriangleMesh, change: Partial<Settings>, keep?: number
   addMesh(document, 'thing', [primitive]);
   const model = await openModel([await glbFile(document)]);
   const prepared = prepareBody(core, model.bodies[0], settings, model.document);
-  return { settings, prepared, ...findHeld(core, model.document, prepared, settings) };
+  return { settings, prepared, ...findHeld(model.document, prepared, settings) };
 }
 
 async function optimize(mesh: TriangleMesh, targetFaces: number, change: Partial<Settings>, keep?: number[]) {

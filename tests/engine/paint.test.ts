@@ -99,7 +99,7 @@ describe('a painted body', () => {
     );
   const reduced = (paint: string, method: Settings['method'], faces: number) => {
     const settings = { ...defaultSettings(method), paint };
-    const { held } = findHeld(core, new Document(), prepared, settings);
+    const { held } = findHeld(new Document(), prepared, settings);
     const guides = { guidance: null, curvature, ...held };
     return reduceTo(core, prepared, buildHistory(core, prepared, guides, settings), faces).mesh;
   };

@@ -95,7 +95,7 @@ describe('quads that are cut one way on both sides', () => {
 
   it('collapse to a result that is its own image', async () => {
     const { model, settings, prepared } = await open(oneWay(), { symmetry: 'on' }, { isTextured: true });
-    const { held, note } = findHeld(core, model.document, prepared, settings);
+    const { held, note } = findHeld(model.document, prepared, settings);
     expect(note).toBe('');
     const { result } = optimizeBody(core, prepared, settings, { targetFaces: 60, ...held });
     expect(result.mesh.triangles.length / 3).toBeLessThanOrEqual(60);
@@ -147,7 +147,7 @@ describe('quads that are cut one way on both sides', () => {
     const settings: Settings = { ...defaultSettings(), symmetry: 'x' };
     const prepared = prepareBody(core, model.bodies[0], settings, model.document);
     expect(prepared.body).toBe(model.bodies[0]);
-    expect(findHeld(core, model.document, prepared, settings).note).toBe(
+    expect(findHeld(model.document, prepared, settings).note).toBe(
       '"thing" has no mirror symmetry across x to keep: its vertices have images, but 16 triangles would have none',
     );
   });

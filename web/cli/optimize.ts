@@ -87,7 +87,7 @@ function optimizeAll(
     if (!one) return null;
     const { name } = one.body;
     session.activity = name;
-    const { held, note } = findHeld(core, model.document, one, args.settings);
+    const { held, note } = findHeld(model.document, one, args.settings);
     if (note !== '') warnings.push(note);
     const onTry = (faces: number) => (session.activity = `${name}, trying ${count(faces)} faces`);
     const target = { targetFaces: targets[i], onTry, ...held };

@@ -1,6 +1,7 @@
 /** Holds a history to its largest deviation as it is measured: while edges collapse it is judged at samples alone. */
 
 import type { History } from './core';
+import { nextEnd } from './collapse_pairs';
 
 /** The first look back from the end, in collapses, is this share of all. */
 const FIRST_STEP = 1 / 256;
@@ -31,14 +32,9 @@ export function endWithin(history: History, limit: number, deviationAt: (faces: 
 }
 
 /** Numbers of collapses, ascending from 0, that do not end between a collapse and its mirror image. */
-function wholeEnds({ kept, removed, mirror }: History): number[] {
-  const isAlone = (i: number) =>
-    !mirror || (mirror[kept[i]] === kept[i] && mirror[removed[i]] === removed[i]);
+function wholeEnds(history: History): number[] {
   const ends = [0];
-  for (let i = 0; i < kept.length;) {
-    i += isAlone(i) ? 1 : 2;
-    ends.push(Math.min(i, kept.length));
-  }
+  while (ends[ends.length - 1] < history.kept.length) ends.push(nextEnd(history, ends[ends.length - 1]));
   return ends;
 }
 

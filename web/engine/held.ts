@@ -2,12 +2,11 @@
 
 import type { Document } from '@gltf-transform/core';
 import { NONE } from './core';
-import type { Core } from './core';
 import type { Settings } from './options';
 import { keepOfLevels, lockedIn, paintOn } from './paint';
 import { findPins, firstComponents } from './pins';
 import type { PreparedBody } from './pipeline';
-import { describeLack, findMirror, isSymmetric } from './symmetry';
+import { describeLack } from './symmetry';
 
 /** In terms of the prepared mesh; what is absent is not wished. */
 export interface Held {
@@ -26,14 +25,13 @@ export interface Held {
  * have.
  */
 export function findHeld(
-  core: Core,
   document: Document,
   prepared: PreparedBody,
   settings: Settings,
 ): { held: Held; note: string } {
   const { pins, lock, keep, symmetry } = settings;
-  const images = symmetry === 'off' ? null : findMirror(core, prepared, symmetry);
-  const isFound = images !== null && isSymmetric(images);
+  const { images } = prepared;
+  const isFound = images !== undefined && images.partners.length > 0;
   const levels = paintOn(settings.paint, prepared);
   const weights = keep === '' ? null : keepWeights(keep, document, prepared);
   const named = findPins(lock, document, prepared, 'lock');

@@ -6,6 +6,7 @@
 import type { Document } from '@gltf-transform/core';
 import { attributesOf, costAttributesOf, NO_ATTRIBUTES, ownSources, sourcesInBody } from './attributes';
 import type { BodyAttributes, CostAttributes } from './attributes';
+import { nextEnd } from './collapse_pairs';
 import type {
   Core,
   Curvature,
@@ -13,6 +14,7 @@ import type {
   History,
   Inspection,
   MeshAt,
+  MirrorImages,
   ModeSet,
   SimplifyOptions,
   WhyKept,
@@ -33,7 +35,7 @@ import { modesAvailable } from './mode_set';
 import { isFitted, resolveModel, resolveModes } from './options';
 import type { Settings } from './options';
 import type { InspectedBody } from './report';
-import { withMatchingCuts } from './symmetry';
+import { withMirror } from './symmetry';
 
 /** A body ready for everything else. */
 export interface PreparedBody {
@@ -50,6 +52,8 @@ export interface PreparedBody {
   attributes: BodyAttributes;
   /** what attributes cost in a collapse */
   costAttributes: CostAttributes;
+  /** where a symmetry is wished; `partners` are those of `mesh`, in which quads are cut as `corners` ask for */
+  images?: MirrorImages;
 }
 
 /** What a material needs to know of a body. */
@@ -92,7 +96,7 @@ export function inspectBody(core: Core, body: Body, settings: Settings): Inspect
 export function prepareBody(core: Core, body: Body, settings: Settings, document?: Document): PreparedBody {
   const { symmetry } = settings;
   const prepared = prepareAsItStands(core, body, settings, document);
-  return symmetry === 'off' ? prepared : withMatchingCuts(core, prepared, symmetry);
+  return symmetry === 'off' ? prepared : withMirror(core, prepared, symmetry);
 }
 
 function prepareAsItStands(
@@ -261,16 +265,16 @@ export function reduceTo(core: Core, prepared: PreparedBody, history: History, f
 }
 
 function wholeFaces(history: History, faces: number): number {
-  const whole = history.mirror ? wholePairs(history, history.mirror, faces) : faces;
+  const whole = history.mirror ? wholePairs(history, faces) : faces;
   return Math.max(0, Math.floor(whole));
 }
 
 /** The largest number of faces up to `faces` that is not left in the middle of a pair; at least that of the floor. */
-function wholePairs({ kept, removed, trianglesAfter }: History, mirror: Uint32Array, faces: number): number {
-  const isAlone = (i: number) => mirror[kept[i]] === kept[i] && mirror[removed[i]] === removed[i];
-  for (let i = 0; i < kept.length; ++i) {
-    if (!isAlone(i)) ++i;
-    if (trianglesAfter[i] <= faces) return trianglesAfter[i];
+function wholePairs(history: History, faces: number): number {
+  for (let end = 0; end < history.kept.length;) {
+    end = nextEnd(history, end);
+    const left = history.trianglesAfter[end - 1];
+    if (left <= faces) return left;
   }
   return faces;
 }
@@ -340,7 +344,9 @@ function keepsTargets(
   const angleOf = (mesh: TriangleMesh) => core.measureQuality(mesh).minAngle;
   const deviationOf = (mesh: TriangleMesh) => measureDistance(core, prepared, mesh).hausdorff;
   if (minAngle > 0 && angleOf(after) < Math.min(minAngle, angleOf(before))) return false;
-  return maxDeviation === 0 || deviationOf(after) <= Math.max(maxDeviation, deviationOf(before));
+  if (maxDeviation === 0) return true;
+  const deviation = deviationOf(after);
+  return deviation <= maxDeviation || deviation <= deviationOf(before);
 }
 
 /** Quality, distance and topology of a result, as a reader of the exported file finds it. */

@@ -8,16 +8,6 @@ import type { PreparedBody } from './pipeline';
 
 type Wished = Exclude<Settings['symmetry'], 'off'>;
 
-/** As the prepared mesh stands. */
-export const isSymmetric = ({ partners, corners }: MirrorImages): boolean =>
-  partners.length > 0 && corners.length === 0;
-
-export const findMirror = (
-  core: Core,
-  { mesh, attributes }: Pick<PreparedBody, 'mesh' | 'attributes'>,
-  symmetry: Wished,
-): MirrorImages => core.findMirrorImages(mesh, attributes.charts, ['x', 'y', 'z'].indexOf(symmetry));
-
 /** One sentence on why there is no such symmetry. */
 export function describeLack(
   { body }: PreparedBody,
@@ -34,12 +24,18 @@ export function describeLack(
 }
 
 /**
- * The body with quads cut the other way on one side where that makes it symmetric, as files often have quads of both sides cut
- * one way; else the body as it is. Vertices keep their numbers. A note tells of it.
+ * The body with its mirror images; with quads cut the other way on one side where that makes it symmetric, as files often have
+ * quads of both sides cut one way. Vertices keep their numbers. A note tells of it.
  */
-export function withMatchingCuts(core: Core, prepared: PreparedBody, symmetry: Wished): PreparedBody {
-  const { corners } = findMirror(core, prepared, symmetry);
-  if (corners.length === 0) return prepared;
+export function withMirror(core: Core, prepared: PreparedBody, symmetry: Wished): PreparedBody {
+  const axis = ['x', 'y', 'z'].indexOf(symmetry);
+  const images = core.findMirrorImages(prepared.mesh, prepared.attributes.charts, axis);
+  return images.corners.length === 0
+    ? { ...prepared, images }
+    : recutBy(core, { ...prepared, images }, images.corners);
+}
+
+function recutBy(core: Core, prepared: PreparedBody, corners: Uint32Array): PreparedBody {
   const { body, weld, attributes } = prepared;
   const mesh = { ...prepared.mesh, triangles: corners.map((from) => prepared.mesh.triangles[from]) };
   const wedges = attributes.charts.wedges;

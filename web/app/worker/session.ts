@@ -81,7 +81,7 @@ export class BodyStages {
   /** What the reduction holds on to, and a sentence where a symmetry is wished that is not there. */
   held(settings: Settings): { held: Held; note: string } {
     return this.heldStage.get(heldKey(settings), () =>
-      findHeld(this.core, this.model.document, this.prepared(settings), settings),
+      findHeld(this.model.document, this.prepared(settings), settings),
     );
   }
 
