@@ -20,9 +20,29 @@ async function numberIn(page: Page, name: string): Promise<number> {
   return Number(/[\d.]+/.exec(await readout(page, name).innerText())![0]);
 }
 
+/** Waits until the picture stands still. */
+async function stillPicture(page: Page): Promise<Buffer> {
+  let last = await picture(page);
+  await expect(async () => {
+    const before = last;
+    await page.waitForTimeout(300);
+    last = await picture(page);
+    expect(last).toEqual(before);
+  }).toPass();
+  return last;
+}
+
 /** Waits until the motion has come so far, in seconds. */
 const untilTime = (page: Page, seconds: number) =>
   expect(async () => expect(await numberIn(page, 'Time')).toBeGreaterThan(seconds)).toPass();
+
+/** Runs in the page, in each of its frames: none is missed where the test itself is slow to look. */
+const showsTimeBelow = (seconds: number): boolean =>
+  [...document.querySelectorAll('.readouts > div')].some(
+    (row) =>
+      row.querySelector('dt')?.textContent === 'Time' &&
+      parseFloat(row.querySelector('dd')!.textContent) < seconds,
+  );
 
 test('both bodies move, and the numbers say how fast and how close they are', async ({ page }) => {
   await openTest(page);
@@ -46,8 +66,7 @@ test('pause holds the picture, a step takes a sixtieth of a second, reset goes b
   await button(page, 'Pause').click();
   await expect(readout(page, 'Time')).toContainText('paused');
   const time = await numberIn(page, 'Time');
-  await page.waitForTimeout(300);
-  const still = await picture(page);
+  const still = await stillPicture(page);
   await page.waitForTimeout(300);
   expect(await numberIn(page, 'Time')).toBe(time);
   expect(await picture(page)).toEqual(still);
@@ -81,11 +100,12 @@ test('who wants less motion starts paused', async ({ page }) => {
 });
 
 test('every scenario starts again and moves both', async ({ page }) => {
-  await openTest(page);
-  for (const name of ['Twist', 'Sway', 'Hang', 'Drape', 'Drop', 'Pull', 'Wind']) {
-    await untilTime(page, 0.1);
+  await openTest(page); // shows the twist
+  for (const name of ['Sway', 'Hang', 'Drape', 'Drop', 'Pull', 'Wind', 'Twist']) {
+    await untilTime(page, 0.5);
+    const startsAgain = page.waitForFunction(showsTimeBelow, 0.5);
     await scenario(page).selectOption({ label: name });
-    await expect(readout(page, 'Time')).toContainText(/^0\.[0-3]/);
+    await startsAgain;
     await untilTime(page, 0.2);
     await expect(page.getByRole('alert')).toHaveCount(0);
     await expect(readout(page, 'Stretch')).toContainText(/[\d.]+ %\s*optimized [\d.]+ %/);
