@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "modes/dense_product.h"
+#include "modes/dense_triangle.h"
 
 namespace limber {
 
@@ -43,14 +45,14 @@ void partialLdlt(Columns columns, Eigen::Ref<Eigen::VectorXd> d, Eigen::MatrixXd
     auto diagonal = columns.block(start, start, width, width);
     factoriseDiagonalBlock(diagonal, d.segment(start, width));
     auto panel = columns.block(next, start, below, width);
-    diagonal.triangularView<Eigen::UnitLower>().transpose().solveInPlace<Eigen::OnTheRight>(panel);
+    solveLower(diagonal, panel.transpose());
     const Eigen::Index left = pivots - next;
     scaled = panel.topRows(left).transpose();  // D L^T
     panel *= d.segment(start, width).cwiseInverse().asDiagonal();
     for (Eigen::Index first = 0; first < left; first += kStripe) {
       const Eigen::Index count = std::min(kStripe, left - first);
-      columns.block(next + first, next + first, below - first, count).noalias() -=
-          panel.bottomRows(below - first) * scaled.middleCols(first, count);
+      subtractProduct(panel.bottomRows(below - first), scaled.middleCols(first, count),
+                      columns.block(next + first, next + first, below - first, count));
     }
   }
   if (boundary == 0) return;
@@ -59,8 +61,8 @@ void partialLdlt(Columns columns, Eigen::Ref<Eigen::VectorXd> d, Eigen::MatrixXd
   const auto updateStripe = [&](Eigen::Index first) {
     job.check();
     const Eigen::Index count = std::min(kStripe, boundary - first);
-    update.block(first, first, boundary - first, count).noalias() -=
-        lower.bottomRows(boundary - first) * scaled.middleCols(first, count);
+    subtractProduct(lower.bottomRows(boundary - first), scaled.middleCols(first, count),
+                    update.block(first, first, boundary - first, count));
   };
   const auto stripes = static_cast<size_t>((boundary + kStripe - 1) / kStripe);
   const double work = static_cast<double>(boundary) * boundary * pivots;

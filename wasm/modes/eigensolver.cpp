@@ -9,6 +9,7 @@
 #include <string>
 
 #include "modes/dense_eigensolver.h"
+#include "modes/dense_product.h"
 #include "modes/pencil.h"
 
 namespace limber {
@@ -97,9 +98,9 @@ void iterate(const Pencil& pencil, Search& search) {
   const Eigen::MatrixXd h = pencil.massProduct(x, search.phi), g = pencil.massProduct(x, x);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz((h + h.transpose()) / 2,
                                                                        (g + g.transpose()) / 2);
-  const Eigen::MatrixXd before = search.phi * ritz.eigenvectors();
+  const Eigen::MatrixXd before = product(search.phi, ritz.eigenvectors());
   search.lambda = ritz.eigenvalues().array() + pencil.shift();
-  search.phi = x * ritz.eigenvectors();
+  search.phi = product(x, ritz.eigenvectors());
   const Eigen::MatrixXd change = pencil.restrict(before - search.phi * ritz.eigenvalues().asDiagonal());
   search.inverseResidual =
       change.colwise().norm().cwiseQuotient(pencil.restrict(before).colwise().norm()).transpose();

@@ -10,6 +10,8 @@
 
 #include "base/parallel.h"
 #include "modes/dense_ldlt.h"
+#include "modes/dense_product.h"
+#include "modes/dense_triangle.h"
 #include "modes/front_tree.h"
 #include "modes/ordering.h"
 
@@ -128,12 +130,13 @@ template <class Rows>
 void Factorisation::forward(const Front& front, Rows& y, Room& room) const {
   const ConstValues columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
   auto part = y.middleRows(front.firstPivot, front.pivotCount);
-  columns.topRows(front.pivotCount).template triangularView<Eigen::UnitLower>().solveInPlace(part);
+  solveLower(columns.topRows(front.pivotCount), part);
   if (front.boundaryCount == 0) return;
   auto below = rowsIn(room, front.boundaryCount, y);
-  below.noalias() = columns.bottomRows(front.boundaryCount) * part;
+  below.setZero();
+  subtractProduct(columns.bottomRows(front.boundaryCount), part, below);
   const uint32_t* slot = structure_->slot.data() + front.firstRow;
-  for (uint32_t k = 0; k < front.boundaryCount; ++k) y.row(slot[k]) -= below.row(k);
+  for (uint32_t k = 0; k < front.boundaryCount; ++k) y.row(slot[k]) += below.row(k);
 }
 
 template <class Rows>
@@ -144,12 +147,9 @@ void Factorisation::backward(const Front& front, Rows& y, Room& room) const {
     auto below = rowsIn(room, front.boundaryCount, y);
     const uint32_t* slot = structure_->slot.data() + front.firstRow;
     for (uint32_t k = 0; k < front.boundaryCount; ++k) below.row(k) = y.row(slot[k]);
-    part.noalias() -= columns.bottomRows(front.boundaryCount).transpose() * below;
+    subtractProduct(columns.bottomRows(front.boundaryCount).transpose(), below, part);
   }
-  columns.topRows(front.pivotCount)
-      .transpose()
-      .template triangularView<Eigen::UnitUpper>()
-      .solveInPlace(part);
+  solveLowerTransposed(columns.topRows(front.pivotCount), part);
 }
 
 // y: by position, then the tasks' slots.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/memory.h"
+#include "modes/dense_product.h"
 #include "modes/extended_residual.h"
 
 namespace limber {
@@ -75,7 +76,8 @@ double Pencil::extendedResidual(double lambda, const Eigen::VectorXd& phi, int s
 }
 
 Eigen::MatrixXd Pencil::massProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const {
-  return a.transpose() * (model_.mass.asDiagonal() * b);
+  const Eigen::MatrixXd inertia = model_.mass.asDiagonal() * b;
+  return product(a.transpose(), inertia);
 }
 
 }  // namespace limber

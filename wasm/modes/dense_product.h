@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace limber {
+
+// Entries of a matrix that lie at even distances: of a block, a map, a transpose of either.
+template <class Scalar>
+struct Strided {
+  Scalar* data;
+  Eigen::Index rows, cols, rowStride, colStride;
+
+  Strided transpose() const { return {data, cols, rows, colStride, rowStride}; }
+};
+
+template <class Matrix>
+auto strided(Matrix& matrix) {
+  const Eigen::Index inner = matrix.innerStride(), outer = matrix.outerStride();
+  return Strided<std::remove_pointer_t<decltype(matrix.data())>>{matrix.data(), matrix.rows(), matrix.cols(),
+                                                                 Matrix::IsRowMajor ? outer : inner,
+                                                                 Matrix::IsRowMajor ? inner : outer};
+}
+
+// c -= a b. Neither a nor b may share memory with c. Entries are summed in the order of a's columns, in
+// blocks of some; one thread.
+void subtractStridedProduct(const Strided<const double>& a, const Strided<const double>& b,
+                            const Strided<double>& c);
+
+// The same of Eigen's matrices, blocks and maps. In WebAssembly this is twice as fast as the product of Eigen
+// 3.4, which has no kernel for it.
+template <class A, class B, class C>
+void subtractProduct(const A& a, const B& b, C&& c) {
+  subtractStridedProduct(strided(a), strided(b), strided(c));
+}
+
+// a b.
+template <class A, class B>
+Eigen::MatrixXd product(const A& a, const B& b) {
+  Eigen::MatrixXd negative = Eigen::MatrixXd::Zero(a.rows(), b.cols());
+  subtractProduct(a, b, negative);
+  return -negative;
+}
+
+}  // namespace limber
