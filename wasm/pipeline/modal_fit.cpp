@@ -34,6 +34,7 @@ constexpr double kBudget = 1.25, kLeastBudget = 6.3e-4;
 // Where the result has more vertices, rounds take seconds, and 0.1 % of frequency (squared) is good enough.
 constexpr uint32_t kManyVertices = 5000;
 constexpr double kGoodEnoughOfMany = 4e-6;
+constexpr uint32_t kBriskVertices = 1000;  // rounds take tenths of a second
 
 // Of large components: frequencies are off by little, so that residuals are nearly linear and long steps are
 // right.
@@ -180,8 +181,12 @@ void fitLarge(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   const FitSamples samples = sampleForFit(
       part.original, kLargeSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
   const PartLimits asked(part, call.options);
-  const SearchLimits limits{
-      budgetOf(part, samples), kLargeRounds, kLargeGoodEnough, kLargeHold, kLargeWorth, asked.steps};
+  const SearchLimits limits{.budget = budgetOf(part, samples),
+                            .mostRounds = kLargeRounds,
+                            .goodEnough = kLargeGoodEnough,
+                            .firstHold = kLargeHold,
+                            .mostWorth = kLargeWorth,
+                            .steps = asked.steps};
   const std::optional<Searched> found = searchModes(part, samples, limits, call);
   if (!found) return;
   addErrors(*found, fitted);
@@ -193,7 +198,9 @@ void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
   const FitSamples samples =
       sampleForFit(part.original, kSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
   const PartLimits asked(part, call.options);
-  SearchLimits limits{.budget = budgetOf(part, samples), .steps = asked.steps};
+  SearchLimits limits{.budget = budgetOf(part, samples),
+                      .isBrisk = part.simplified.vertexCount() > kBriskVertices,
+                      .steps = asked.steps};
   if (part.simplified.vertexCount() > kManyVertices) limits.goodEnough = kGoodEnoughOfMany;
   FitPart plain = part;
   std::vector<uint32_t> corners = unflippedCorners(part.simplified);

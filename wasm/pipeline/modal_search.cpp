@@ -5,20 +5,23 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "modes/dense_product.h"
 
 namespace limber {
 
 namespace {
 
 // Rounds end once the merit falls by less than a tenth, and its root by less than this (0.1 % of frequency),
-// in so many of them.
-constexpr double kStagnant = 0.9, kLittle = 2e-3;
+// in so many of them; brisk ones where the root does, from kFine (0.25 %) on.
+constexpr double kStagnant = 0.9, kLittle = 2e-3, kFine = 2.5e-5;
 constexpr size_t kPatience = 3;
 constexpr double kClip = 0.1;      // of a residual, in a step
 constexpr double kLeastWorth = 1;  // of a residual: see SearchLimits::mostWorth
 constexpr int kHalvings = 30;      // of that range
 constexpr double kLeastHold = 3e-4, kMostHold = 1e5;
-constexpr double kPoorGain = 0.3, kGoodGain = 0.7, kFirmer = 3, kLooser = 1.5;
+// By how much the hold changes after a step that gained so much of what was foretold.
+constexpr double kPoorGain = 0.3, kGoodGain = 0.7, kFullGain = 0.85;
+constexpr double kFirmer = 3, kLooser = 1.5, kBriskLooser = 3;
 // A vertex that the guard lets make less than this of its way is held so many times as firmly, as long as
 // that goes on: the others go on without it.
 constexpr double kBlocked = 0.5, kBlockedFirmer = 4, kFreedLooser = 3, kMostFirmness = 1e6;
@@ -47,7 +50,7 @@ class ModalSearch::TradeOff {
   TradeOff(const Eigen::VectorXd& pull, const Mismatch& mismatch, Eigen::MatrixXd solved)
       : solved_(std::move(solved)),
         gain_(pull.dot(solved_.col(0))),
-        gram_(mismatch.slope.transpose() * solved_.rightCols(mismatch.slope.cols())) {
+        gram_(product(mismatch.slope.transpose(), solved_.rightCols(mismatch.slope.cols()))) {
     target_ = gram_.eigenvectors().transpose() * (mismatch.residual.cwiseMax(-kClip).cwiseMin(kClip) +
                                                   mismatch.slope.transpose() * solved_.col(0));
   }
@@ -95,10 +98,12 @@ TriangleMesh ModalSearch::run(const std::function<void(double)>& report) {
        ++round) {
     report(static_cast<double>(round) / limits_.mostRounds);
     step();
-    if (merit(state_) < merit(best_))
+    if (merit(state_) < merit(best_)) {
       best_ = state_;
-    else if (merit(state_) > kLost * merit(best_))
+      retreats_ = 0;
+    } else if (merit(state_) > kLost * merit(best_)) {
       goBack();
+    }
     merits_.push_back(merit(best_));
   }
   return best_.mesh;
@@ -109,7 +114,8 @@ bool ModalSearch::isDone() const {
   if (hold_ >= kMostHold || merit(best_) < limits_.goodEnough) return true;
   if (merits_.size() <= kPatience) return false;
   const double was = merits_[merits_.size() - 1 - kPatience], is = merits_.back();
-  return is > kStagnant * was && std::sqrt(was) - std::sqrt(is) < kLittle;
+  const bool isFine = limits_.isBrisk && is < kFine;
+  return (isFine || is > kStagnant * was) && std::sqrt(was) - std::sqrt(is) < kLittle;
 }
 
 void ModalSearch::measure() {
@@ -173,7 +179,8 @@ void ModalSearch::step() {
   if (gain < kPoorGain * hoped)
     hold_ = std::min(kMostHold, kFirmer * hold_);
   else if (gain > kGoodGain * hoped)
-    hold_ = std::max(kLeastHold, hold_ / kLooser);
+    hold_ =
+        std::max(kLeastHold, hold_ / (limits_.isBrisk && gain > kFullGain * hoped ? kBriskLooser : kLooser));
 }
 
 void ModalSearch::holdBlocked(const Eigen::VectorXd& wanted, const Eigen::VectorXd& made) {
@@ -184,12 +191,14 @@ void ModalSearch::holdBlocked(const Eigen::VectorXd& wanted, const Eigen::Vector
   }
 }
 
-// Needles bend the residuals too much for a linear step: from the best mesh again, with a firmer hold.
+// Needles bend the residuals too much for a linear step: from the best mesh again, with a firmer hold; brisk
+// ones with a firmer one each time that it was not enough.
 void ModalSearch::goBack() {
   state_ = best_;
   target_.startFrom(state_.found);
   merits_.clear();
-  hold_ = std::min(kMostHold, kFirmer * kFirmer * hold_);
+  const int firmer = limits_.isBrisk ? ++retreats_ : 1;
+  hold_ = std::min(kMostHold, std::pow(kFirmer, 1 + firmer) * hold_);
 }
 
 double ModalSearch::merit(const State& state) const {

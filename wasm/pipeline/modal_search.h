@@ -15,8 +15,10 @@ struct SearchLimits {
   double budget = 0;  // root mean square distance, in units of the part
   int mostRounds = 24;
   double goodEnough = 1e-6;  // mean square of the mismatch
-  double firstHold =
-      0.01;  // how firmly vertices hold their places: more where a step gains less than foretold
+  // Where rounds take time: towards longer steps sooner, and to an end where little is gained.
+  bool isBrisk = false;
+  // How firmly vertices hold their places: more where a step gains less than foretold.
+  double firstHold = 0.01;
   double mostWorth = 700;  // of a residual, in squared budgets of distance
   StepLimits steps = {};
 };
@@ -64,6 +66,7 @@ class ModalSearch {
   FitSolver solver_;
   State state_, best_;
   std::vector<double> merits_;  // of the best mesh after each round since the last retreat
+  int retreats_ = 0;            // one after the other
   Eigen::ArrayXd firmness_;     // per coordinate: by what its inertia is multiplied
   double hold_, before_ = 0;
 };

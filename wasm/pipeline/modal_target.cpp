@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "modes/dense_product.h"
 #include "pipeline/assignment.h"
 #include "pipeline/coarse_vibration.h"
 #include "pipeline/find_modes.h"
@@ -219,7 +220,7 @@ Eigen::MatrixXd ModalTarget::carriedToOriginal(const TriangleMesh& mesh, const S
 ModalTarget::Aligned ModalTarget::align(const ShellVibration& found, const Eigen::MatrixXd& carried,
                                         size_t k) const {
   const Eigen::VectorXd& wanted = reference_[k].lambda;
-  Eigen::MatrixXd turn = carried.transpose() * reference_[k].phi;  // found x wanted
+  Eigen::MatrixXd turn = product(carried.transpose(), reference_[k].phi);  // found x wanted
   const std::vector<int> partner = assign(turn.transpose().cwiseAbs2());
   Aligned aligned;
   aligned.weight = Eigen::VectorXd::Zero(wanted.size());
@@ -248,7 +249,7 @@ Mismatch ModalTarget::compare(const TriangleMesh& mesh, size_t thickness, Job& j
   const auto [pairs, scale] = residualsOf(aligned, reference_[thickness].lambda, coupling, mismatch);
   const ShellMaterial material{found.thickness, options_.material.poisson};
   mismatch.slope =
-      shellSensitivity(mesh, topology_, material, found.phi * aligned.turn, pairs, job) *
+      shellSensitivity(mesh, topology_, material, product(found.phi, aligned.turn), pairs, job) *
       Eigen::Map<const Eigen::VectorXd>(scale.data(), static_cast<Eigen::Index>(scale.size())).asDiagonal();
   found = withoutRotations(std::move(found), mesh);
   return mismatch;
