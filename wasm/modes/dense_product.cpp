@@ -26,7 +26,8 @@ void subtract(double* from, Pair what) {
 // Panels of four rows, one after the other, each of them column by column; the last one filled up with zeros.
 void pack(const Strided<const double>& a, std::vector<double>& to) {
   const Index panels = (a.rows + kTile - 1) / kTile;
-  to.resize(static_cast<size_t>(panels * kTile * a.cols));
+  const auto size = static_cast<size_t>(panels * kTile * a.cols);
+  if (to.size() < size) to.resize(size);
   double* out = to.data();
   for (Index first = 0; first < a.rows; first += kTile) {
     const double* in = a.data + first * a.rowStride;
