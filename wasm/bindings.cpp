@@ -358,6 +358,7 @@ val jsFitModes(const val& mesh, const val& result, const val& in) {
   options.thickness = in["thickness"].as<double>();
   options.poisson = in["poisson"].as<double>();
   options.charts = {wedges, groups};
+  options.holdsSeams = in["holdsSeams"].as<bool>();
   options.locked = locked;
   const auto pinned = vectorOf<uint8_t>(in["pinned"]);
   options.pinned = pinned;

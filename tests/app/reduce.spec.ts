@@ -170,10 +170,17 @@ test('a vertex tells why it is kept, by pointer and by its number', async ({ pag
   await page.keyboard.press('Escape');
   await expect(card).toHaveCount(0);
   const box = (await page.locator('.stage canvas').boundingBox())!;
+  // Rows closer than the pointer's reach, so that it comes by every vertex in the middle of the picture.
+  const sweep = async () => {
+    for (let y = -80; y <= 80; y += 20)
+      for (let x = -120; x <= 120; x += 10) {
+        await page.mouse.move(box.x + box.width / 2 + x, box.y + box.height / 2 + y);
+        if ((await card.count()) > 0) return;
+      }
+  };
   await expect(async () => {
-    for (let i = 0; i < 20; i++)
-      await page.mouse.move(box.x + box.width / 2 + 5 * i, box.y + box.height / 2 + 2 * i);
-    await expect(card).toContainText(/Vertex \d+/, { timeout: 300 });
+    await sweep();
+    await expect(card).toContainText(/Vertex \d+/, { timeout: 1000 });
   }).toPass();
 });
 
@@ -188,6 +195,41 @@ test('a limit stops the slider in words, a symmetry that is not there is told of
   await page.locator('.right summary').first().click();
   await page.getByLabel('Keep the mirror symmetry').check();
   await expect(page.getByText(/has no mirror symmetry to keep/)).toBeVisible();
+});
+
+test('seams that hold every face are told of, and give way when told to, as on the command line', async ({
+  page,
+}) => {
+  // A piece of the texture for every triangle.
+  const [vertices, faces] = ['v', 'f'].map((kind) =>
+    sheetObj(24)
+      .split('\n')
+      .filter((line) => line.startsWith(kind)),
+  );
+  const textured = faces.map((line, t) => {
+    const uv = (k: number) => `${t / faces.length + (k % 2) * 0.001} ${k > 1 ? 1 : 0}`;
+    const corners = line.split(' ').slice(1);
+    const written = corners.map((corner, k) => `${corner}/${k - corners.length}`);
+    return [...corners.map((_, k) => `vt ${uv(k)}`), `f ${written.join(' ')}`].join('\n');
+  });
+  const quilt = writeScratch('quilt.obj', [...vertices, ...textured].join('\n'));
+  await openPage(page);
+  await drop(page, quilt);
+  await expect(page.locator('.filename')).toHaveText('quilt.obj');
+  await goTo(page, 'Reduce');
+  await expect(keptFaces(page)).toBeEnabled();
+  await page.getByLabel('Kept faces, exact').fill('200');
+  await page.keyboard.press('Enter');
+  const hint = page.getByText(/“Collapse across texture seams”, under More, goes on\./);
+  await expect(hint).toBeVisible();
+  await page.locator('.right summary').first().click();
+  await page.getByLabel('Collapse across texture seams').check();
+  await expect(hint).toHaveCount(0);
+  await keepFaces(page, 200);
+  const bytes = await saveGlb(page);
+  expect(Buffer.from(bytes).equals(commandLineBytes(quilt, ['--faces', '200', '--seams', 'cross']))).toBe(
+    true,
+  );
 });
 
 test('a limit to frequency errors is kept, and the command line keeps the same one', async ({ page }) => {

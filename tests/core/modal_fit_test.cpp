@@ -213,6 +213,68 @@ TEST(ModalFit, flipsNoEdgeOfASeamAndTellsWhereCornersComeFrom) {
   EXPECT_NEAR(right, 0.5, 5e-3);
 }
 
+// Every quad a chart of its own, cut into two triangles.
+std::vector<uint32_t> quadCharts(const TriangleMesh& mesh) {
+  std::vector<uint32_t> wedges;
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    for (const uint32_t v : mesh.triangles[t]) wedges.push_back(t / 2 * mesh.vertexCount() + v);
+  return wedges;
+}
+
+TEST(ModalFit, letsGoOfSeamsThatWereCrossedButFlipsNoEdgeBetweenCharts) {
+  Job job;
+  const TriangleMesh mesh = wavySheet();
+  const std::vector<uint32_t> wedges = quadCharts(mesh);
+  const MeshAt start = simplified(mesh, 0.3);
+  ModalFitOptions options{.thickness = thicknessOf(mesh), .charts = {wedges, {}}};
+  const ModalFitResult held = fitModes(mesh, start, options, job);
+  options.holdsSeams = false;
+  const ModalFitResult free = fitModes(mesh, start, options, job);
+  EXPECT_LT(free.errorAfter.at(0), 0.8 * held.errorAfter.at(0));
+  const MeshAt& after = free.result;
+  for (uint32_t t = 0; t < after.mesh.triangleCount(); ++t)
+    for (uint32_t c = 0; c < 3; ++c)
+      EXPECT_EQ(after.inputOfTriangle[after.flips.corners[3 * t + c] / 3] / 2, after.inputOfTriangle[t] / 2);
+}
+
+// A ball on a long thin stick that ends in a small knob, all around the x axis.
+TriangleMesh club() {
+  constexpr int kAlong = 90, kAround = 24;
+  TriangleMesh mesh;
+  for (int i = 0; i <= kAlong; ++i) {
+    const double x = 1.0 * i / kAlong, ball = 0.04 - (x - 0.2) * (x - 0.2),
+                 knob = 0.0025 - (x - 0.95) * (x - 0.95);
+    const double radius =
+        i == 0 || i == kAlong ? 0 : std::sqrt(std::max({ball, knob, x > 0.2 && x < 0.95 ? 1e-3 : 0.0, 1e-8}));
+    for (int j = 0; j < (radius > 0 ? kAround : 1); ++j) {
+      const double angle = 2 * std::numbers::pi * j / kAround;
+      mesh.positions.push_back({static_cast<float>(x), static_cast<float>(radius * std::cos(angle)),
+                                static_cast<float>(radius * std::sin(angle))});
+    }
+  }
+  const auto at = [&](int i, int j) {
+    return i == 0 ? 0u : i == kAlong ? mesh.vertexCount() - 1 : 1u + kAround * (i - 1) + j % kAround;
+  };
+  for (int i = 0; i < kAlong; ++i)
+    for (int j = 0; j < kAround; ++j) {
+      if (i > 0) mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+      if (i + 1 < kAlong) mesh.triangles.push_back({at(i, j + 1), at(i + 1, j), at(i + 1, j + 1)});
+    }
+  return mesh;
+}
+
+TEST(ModalFit, keepsSmallPartsInShapeThatSwing) {
+  Job job;
+  const TriangleMesh mesh = club();
+  const MeshAt start = simplified(mesh, 0.1);
+  const ModalFitResult fit = fitted(mesh, start);
+  EXPECT_LT(fit.errorAfter.at(0), 0.2 * fit.errorBefore.at(0));
+  const auto deviation = [&](const TriangleMesh& result) {
+    return measureSurfaceDistance(mesh, result, {}, job).hausdorff;
+  };
+  EXPECT_LT(deviation(fit.result.mesh), 2.5 * deviation(start.mesh));
+}
+
 TEST(ModalFit, doesNothingToAWholeMesh) {
   const TriangleMesh mesh = wavySheet();
   const MeshAt whole = simplified(mesh, 1);

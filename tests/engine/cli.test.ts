@@ -140,6 +140,32 @@ describe('limber optimize', () => {
     expect(existsSync(path('floor.glb'))).toBe(true);
   });
 
+  it('says how to go on where seams hold, and goes on', () => {
+    // Every face has a piece of the texture to itself.
+    const lines = toObj(torus()).trim().split('\n');
+    const faces = lines.filter((line) => line.startsWith('f'));
+    const own = faces.map((line, t) => {
+      const [a, b, c] = line.split(' ').slice(1);
+      const [u, v] = [(t % 24) / 24, Math.floor(t / 24) / 24];
+      const uvs = [
+        [u, v],
+        [u + 0.04, v],
+        [u, v + 0.04],
+      ];
+      const texture = uvs.map((uv) => `vt ${uv.join(' ')}`).join('\n');
+      return `${texture}\nf ${a}/${3 * t + 1} ${b}/${3 * t + 2} ${c}/${3 * t + 3}`;
+    });
+    writeFileSync(path('quilt.obj'), [...lines.filter((line) => line.startsWith('v')), ...own].join('\n'));
+    const kept = limber('optimize', 'quilt.obj', 'out.glb', '--ratio', '0.25');
+    expect(kept.code).toBe(2);
+    expect(kept.stderr).toMatch(
+      /Stopped at 576 faces, not 144: .* 100 % break a seam, a border or a lock; --seams cross lets them give way\.\n$/,
+    );
+    const crossed = limber('optimize', 'quilt.obj', 'out.glb', '--ratio', '0.25', '--seams', 'cross');
+    expect(crossed.code).toBe(0);
+    expect(crossed.stdout).toMatch(/^quilt\.obj: 576 -> 144 faces/);
+  });
+
   it('shares --faces out in proportion, and takes the larger of two targets', () => {
     const faces = (...flags: string[]) =>
       report(limber('optimize', 'two.obj', 'out.glb', '--json', ...flags).stdout).output!.faces;

@@ -8,6 +8,7 @@ import { openModel } from '../../web/engine/document/open';
 import { validateGlb } from '../../web/engine/document/validate';
 import { optimizeBody } from '../../web/engine/optimize';
 import { defaultSettings } from '../../web/engine/options';
+import type { Settings } from '../../web/engine/options';
 import { exportedBody, exportedMesh, prepareBody } from '../../web/engine/pipeline';
 import { loadTestCore } from './support/core';
 import { addMesh, floats, glbFile, primitiveOf, readGlb, startDocument } from './support/gltf';
@@ -19,15 +20,15 @@ beforeAll(async () => {
 });
 
 /** Opens the document, keeps `ratio` of its faces, and returns what the file holds then, which must be valid. */
-async function reduced(source: Document, ratio: number) {
+async function reduced(source: Document, ratio: number, changes: Partial<Settings> = { method: 'qem' }) {
   const model = await openModel([await glbFile(source)]);
-  const settings = defaultSettings();
+  const settings = { ...defaultSettings(), ...changes };
   const results: MeshAt[] = [];
   const bodies = model.bodies.map((body) => {
     const prepared = prepareBody(core, body, settings, model.document);
     if (ratio === 1) return exportedMesh(prepared);
     const targetFaces = Math.floor((ratio * prepared.mesh.triangles.length) / 3);
-    const { result } = optimizeBody(core, prepared, { ...settings, method: 'qem' }, { targetFaces });
+    const { result } = optimizeBody(core, prepared, settings, { targetFaces });
     results.push(result);
     return exportedBody(core, prepared, result, null);
   });
@@ -78,6 +79,30 @@ function cutGrid(cells: number): TriangleMesh {
     [0, 1, 2].some((k) => whole.positions[3 * whole.triangles[3 * t + k]] > 0.5 + 1e-6);
   const triangles = whole.triangles.map((v, corner) => (isRight(Math.floor(corner / 3)) ? v + count : v));
   return { positions: Float32Array.from([...whole.positions, ...whole.positions]), triangles };
+}
+
+/** A wavy grid whose cells have a unit of the texture each: cell k has U from 2 k to 2 k + 1, V from 0 to 1. */
+function patchwork(source: Document, cells: number): Primitive {
+  const whole = grid(cells, cells);
+  const corners = [...whole.triangles];
+  const cellOf = (corner: number) => Math.floor(corner / 6);
+  const placeIn = (corner: number) => {
+    const [x, y] = whole.positions.subarray(3 * corners[corner], 3 * corners[corner] + 2);
+    const origin = [0, 1].map((axis) => {
+      const first = 6 * cellOf(corner);
+      return Math.min(...corners.slice(first, first + 6).map((v) => whole.positions[3 * v + axis]));
+    });
+    return [2 * cellOf(corner) + cells * (x - origin[0]), cells * (y - origin[1])];
+  };
+  const positions = Float32Array.from(
+    corners.flatMap((v) => {
+      const [x, y] = whole.positions.subarray(3 * v, 3 * v + 2);
+      return [x, y, 0.1 * Math.sin(5 * x) * Math.cos(4 * y)];
+    }),
+  );
+  const mesh = { positions, triangles: Uint32Array.from(corners, (_, corner) => corner) };
+  const uv = corners.flatMap((_, corner) => placeIn(corner));
+  return primitiveOf(source, mesh).setAttribute('TEXCOORD_0', floats(source, 'VEC2', uv));
 }
 
 const sumOf = (values: Iterable<number>) => [...values].reduce((sum, value) => sum + value, 0);
@@ -191,6 +216,32 @@ describe('attributes of an exported body', () => {
       for (const [u] of corners) {
         expect(u).toBeGreaterThanOrEqual(isRight ? 10.5 - 1e-5 : 0);
         expect(u).toBeLessThanOrEqual(isRight ? 11 : 0.5 + 1e-5);
+      }
+    }
+  });
+
+  it('hold every cell that has a piece of the texture to itself, and let go where seams may be crossed', async () => {
+    const faces = async (changes: Partial<Settings>) => {
+      const source = startDocument();
+      addMesh(source, 'quilt', [patchwork(source, 12)]);
+      const { primitives, results } = await reduced(source, 0.25, changes);
+      expect(core.inspect(results[0].mesh)).toMatchObject({ boundaryLoops: 1, components: 1 });
+      return byCorner(primitives[0], 'TEXCOORD_0');
+    };
+    for (const method of ['limber', 'qem'] as const) {
+      // But for the corners of the sheet, whose cells have two borders.
+      expect((await faces({ method })).length).toBeGreaterThanOrEqual(280);
+      const crossed = await faces({ method, seams: 'cross' });
+      expect(crossed.length).toBeLessThanOrEqual(72);
+      // A triangle's texture is that of the cell it was in, however far it reaches now.
+      for (const corners of crossed) {
+        const cell = Math.floor((corners[0][0] + 1e-3) / 2);
+        for (const [u, v] of corners) {
+          expect(u).toBeGreaterThanOrEqual(2 * cell - 1e-4);
+          expect(u).toBeLessThanOrEqual(2 * cell + 1 + 1e-4);
+          expect(v).toBeGreaterThanOrEqual(-1e-4);
+          expect(v).toBeLessThanOrEqual(1 + 1e-4);
+        }
       }
     }
   });

@@ -149,13 +149,16 @@ FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const 
   std::vector<uint8_t> isHeld = carried(simplified, options.locked);
   for (uint32_t v = 0; v < isHeld.size(); ++v) isHeld[v] |= isPinned[v];
   if (options.mirror) holdImages(options.mirror->partners, isHeld);
+  const ChartSides groupSides(original, topology, {{}, options.charts.groups}, simplified);
+  const ChartSides& held = options.holdsSeams ? sides : groupSides;
   const EdgeList seams = seamsOf(simplified, sides);
   const std::vector<EdgeList> fixed =
       byComponent(options.mirror ? withImages(seams, options.mirror->partners) : seams, componentOfResult,
                   topology.componentCount);
-  const std::vector<Members> originals = membersOf(original, seamsOf(topology, sides),
+  const std::vector<Members> originals = membersOf(original, seamsOf(topology, held),
                                                    topology.componentOfVertex, topology.componentCount),
-                             results = membersOf(mesh, seams, componentOfResult, topology.componentCount);
+                             results = membersOf(mesh, seamsOf(simplified, held), componentOfResult,
+                                                 topology.componentCount);
   std::vector<uint32_t> number(original.vertexCount());
   FitParts found;
   for (uint32_t component = 0; component < topology.componentCount; ++component) {

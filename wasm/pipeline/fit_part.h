@@ -21,8 +21,8 @@ struct FitPart {
   std::vector<uint32_t> triangleOfResult;        // per triangle of it
   std::vector<uint8_t> locked;                   // per vertex of it
   std::vector<uint32_t> pinnedOriginal, pinned;  // vertices of both
-  EdgeList originalLines, lines;                 // seams, of both meshes
-  EdgeList fixedEdges;                           // of `simplified`: these, and what they are images of
+  EdgeList originalLines, lines;                 // seams that stay in place, of both meshes
+  EdgeList fixedEdges;                           // seams of `simplified`, and what they are images of
   Vec3 origin;
   double diagonal = 1;
   bool isLarge = false;              // more vertices in `simplified` than largeVertices
@@ -36,6 +36,7 @@ struct FitPart {
 
 struct FitPartOptions {
   Charts charts = {};                                 // of the original
+  bool holdsSeams = true;                             // all of them, else those between groups alone
   std::span<const uint8_t> locked = {}, pinned = {};  // per vertex of the original
   const ResultMirror* mirror = nullptr;               // where the result is its own image
   uint32_t fewestFaces = 12;                          // results of fewer are left out

@@ -88,6 +88,7 @@ TriangleMesh GuardedStep::apply(const TriangleMesh& mesh, const Eigen::VectorXd&
       way[v] = {};
     else if (size > most)
       way[v] *= most / size;
+    if (limits_.reach) way[v] = limits_.reach->limited(v, mesh.positions[v] + way[v]) - mesh.positions[v];
   }
   if (limits_.deviation) {
     const std::vector<uint8_t> stay = verticesOf(mesh, limits_.deviation->begin(mesh));

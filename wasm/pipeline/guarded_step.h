@@ -8,6 +8,7 @@
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
 #include "pipeline/deviation_guard.h"
+#include "pipeline/reach.h"
 
 namespace limber {
 
@@ -17,6 +18,7 @@ struct StepLimits {
   std::span<const uint32_t> partners = {};
   double minAngle = 0;                  // degrees; a face that has a smaller one may keep it
   DeviationGuard* deviation = nullptr;  // nearness to the original
+  const Reach* reach = nullptr;         // the same of vertices alone
 };
 
 // Moves vertices without turning a face over or ruining its shape, judged against the mesh as it was at the

@@ -235,6 +235,7 @@ ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& simplified,
   const ResultMirror* const theMirror = mirror ? &*mirror : nullptr;
   auto [parts, tooLarge] = fitParts(original, simplified,
                                     {.charts = options.charts,
+                                     .holdsSeams = options.holdsSeams,
                                      .locked = options.locked,
                                      .pinned = options.pinned,
                                      .mirror = theMirror,

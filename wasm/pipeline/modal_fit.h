@@ -15,7 +15,8 @@ struct ModalFitOptions {
   double thickness = 0;  // of the shell, in units of the mesh; fitted at half, once and twice this
   double poisson = 0.3;
   int modeCount = 20;
-  Charts charts = {};                    // of the original: seams stay in place
+  Charts charts = {};                    // of the original: no edge is flipped that parts them ...
+  bool holdsSeams = true;                // ... and seams stay in place: all, or borders of groups alone
   std::span<const uint8_t> locked = {};  // per vertex of the original: what it has become stays where it is
   // The same, and where they hold a component still, it is its modes when it is held there that are fitted.
   std::span<const uint8_t> pinned = {};

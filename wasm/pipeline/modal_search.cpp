@@ -39,6 +39,11 @@ Eigen::VectorXd difference(const TriangleMesh& after, const TriangleMesh& before
   return moved;
 }
 
+StepLimits withReach(StepLimits limits, const Reach& reach) {
+  limits.reach = &reach;
+  return limits;
+}
+
 }  // namespace
 
 // Minima of dx^T A dx - 2 g^T dx + worth |r + J dx|^2 for any worth, by Woodbury: J has few rows. With s =
@@ -83,7 +88,8 @@ ModalSearch::ModalSearch(const FitPart& part, const FitSamples& samples, ModalTa
       limits_(limits),
       job_(job),
       topology_(buildTopology(part.simplified)),
-      guard_(part.simplified, topology_, limits.steps),
+      reach_(part.original, part.simplified, topology_),
+      guard_(part.simplified, topology_, withReach(limits.steps, reach_)),
       solver_(part.locked, job),
       hold_(limits.firstHold) {
   state_.mesh = part.simplified;

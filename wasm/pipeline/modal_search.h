@@ -62,6 +62,7 @@ class ModalSearch {
   SearchLimits limits_;
   Job& job_;
   Topology topology_;
+  Reach reach_;
   GuardedStep guard_;
   FitSolver solver_;
   State state_, best_;

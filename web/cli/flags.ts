@@ -155,6 +155,7 @@ const PLACEHOLDERS: Partial<Record<keyof Settings, string>> = {
   method: 'limber|paper|qem',
   fit: 'on|off',
   borders: 'free|fixed',
+  seams: 'keep|cross',
   maxDeviation: 'PCT',
   maxFrequencyError: 'PCT',
   lods: 'R[,R...]',

@@ -10,7 +10,7 @@ import { findHeld } from '../engine/held';
 import { resolveModel, resolveModes } from '../engine/options';
 import { optimizeBody } from '../engine/optimize';
 import type { OptimizedBody, Timings } from '../engine/optimize';
-import { describeLargeFit, startStopwatch } from '../engine/pipeline';
+import { describeLargeFit, isHeldBySeams, startStopwatch } from '../engine/pipeline';
 import type { PreparedBody } from '../engine/pipeline';
 import {
   describeRefused,
@@ -67,7 +67,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
     total: total(),
   };
   const missed = [
-    ...(wantsCount(args) ? [describeMiss(done.map(stopOf))] : []),
+    ...(wantsCount(args) ? [describeMiss(done.map(stopOf)) + describeSeams(done, args)] : []),
     ...levels.map(({ bodies, report: { file } }) => describeMiss(bodies, `${file}: `)),
   ].filter((sentence) => sentence !== '');
   const text = [summaryLine(args, done, report.timings.total), ...levels.map(levelLine)].join('\n');
@@ -159,9 +159,11 @@ function sumTimings(done: OptimizedBody[]): Record<string, number> {
 
 const sum = (values: number[]): number => values.reduce((a, b) => a + b, 0);
 
+const isExhausted = (body: StoppedBody): boolean => stopReport([body]).reason === 'exhausted';
+
 /** Why bodies are left with more faces than asked because nothing more can go; '' where none is. */
 function describeMiss(bodies: StoppedBody[], where = ''): string {
-  const missed = bodies.filter((body) => stopReport([body]).reason === 'exhausted');
+  const missed = bodies.filter(isExhausted);
   if (missed.length === 0) return '';
   const [after, target] = [
     sum(missed.map(({ faces }) => faces)),
@@ -170,6 +172,14 @@ function describeMiss(bodies: StoppedBody[], where = ''): string {
   const which = bodies.length > 1 ? ` in ${plural(missed.length, 'body', 'bodies')} of ${bodies.length}` : '';
   const reasons = describeRefused(stopReport(missed).refused);
   return `${where}Stopped at ${count(after)} faces${which}, not ${count(target)}: ${reasons}`;
+}
+
+/** How to go on where seams keep a body from its target; '' where they do not. */
+function describeSeams(done: OptimizedBody[], { settings }: Arguments): string {
+  const isHeld = done.some(
+    (body) => isExhausted(stopOf(body)) && isHeldBySeams(body.prepared, body.history.refused, settings),
+  );
+  return isHeld ? '; --seams cross lets them give way' : '';
 }
 
 function summaryLine({ operands }: Arguments, done: OptimizedBody[], seconds: number): string {

@@ -49,6 +49,8 @@ export interface Settings extends Pick<SimulationOptions, SimulationSetting> {
   /** shares of the faces, in (0, 1], of further levels; empty: none */
   lods: number[];
   borders: 'free' | 'fixed';
+  /** whether collapses go across texture seams and hard edges */
+  seams: 'keep' | 'cross';
   /** the axis across which the mesh is mirrored; 'on': whichever it is */
   symmetry: 'off' | 'on' | 'x' | 'y' | 'z';
   /** edges that bend more stay, degrees; 0: none */
@@ -240,6 +242,16 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     group: 'method',
     kind: 'choice',
     choices: ['free', 'fixed'],
+  },
+  seams: {
+    flag: 'seams',
+    label: 'Seams',
+    ...none,
+    default: 'keep',
+    help: 'Texture seams and hard edges stay closed and in place (keep), or collapses go across them (cross): for meshes whose every face has a piece of the texture to itself, at the cost of breaks in it. Not for paper, which always crosses them.',
+    group: 'method',
+    kind: 'choice',
+    choices: ['keep', 'cross'],
   },
   symmetry: {
     flag: 'symmetry',

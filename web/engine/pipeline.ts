@@ -16,6 +16,7 @@ import type {
   MeshAt,
   MirrorImages,
   ModeSet,
+  Refused,
   SimplifyOptions,
   WhyKept,
   Quality,
@@ -180,8 +181,8 @@ export interface Guides extends Held {
 
 /**
  * Every collapse down to the end. Without guidance the strain counts as 0; curvature enters over its maximum. The paper's
- * method knows nothing of attributes, as printed; for others seams and borders of materials stay closed and in place, and
- * attributes cost. A largest deviation holds as it is measured.
+ * method knows nothing of attributes, as printed; for others borders of materials stay closed and in place, and so do seams
+ * unless they are to be crossed; then attributes cost. A largest deviation holds as it is measured.
  */
 export function buildHistory(
   core: Core,
@@ -232,7 +233,7 @@ function simplification(
 const MOST_COST_DIMENSIONS = 8;
 const NO_COSTS: CostAttributes = { values: new Float32Array(), dimension: 0 };
 
-function wishesOf(prepared: PreparedBody, { method, borders, creases }: Settings, held: Held): Wishes {
+function wishesOf(prepared: PreparedBody, { method, borders, seams, creases }: Settings, held: Held): Wishes {
   const pins = maskOf(prepared.mesh, held.pinned);
   const wishes = {
     pinnedSets: pins && Uint32Array.from(pins),
@@ -244,8 +245,20 @@ function wishesOf(prepared: PreparedBody, { method, borders, creases }: Settings
   };
   if (method === 'paper') return wishes;
   const { charts } = prepared.attributes;
+  if (seams === 'cross') return { ...wishes, groups: charts.groups };
   const { values: attributes, dimension: attributeDimension } = prepared.costAttributes;
   return { ...wishes, ...charts, attributes, attributeDimension };
+}
+
+/** Whether seams are kept that hold most of the edges that are left. */
+export function isHeldBySeams(
+  { mesh, attributes }: PreparedBody,
+  { lock, ...others }: Refused,
+  { seams, method }: Settings,
+): boolean {
+  const hasSeams = attributes.wedgeCount > mesh.positions.length / 3;
+  const isKept = seams === 'keep' && method !== 'paper';
+  return hasSeams && isKept && lock > Object.values(others).reduce((sum, count) => sum + count, 0);
 }
 
 /** Per vertex: 1 for those of the lists; undefined where they name none. */
@@ -311,7 +324,8 @@ export function fitResult(
   const locked = maskOf(mesh, held.pinned, held.locked) ?? new Uint8Array();
   const pinned = maskOf(mesh, held.pinned) ?? new Uint8Array();
   const { charts } = prepared.attributes;
-  const request = { thickness, poisson, charts, locked, pinned, mirror: held.mirror };
+  const holdsSeams = settings.seams === 'keep';
+  const request = { thickness, poisson, charts, holdsSeams, locked, pinned, mirror: held.mirror };
   for (const share of settings.maxDeviation > 0 ? DEVIATION_SHARES : [1]) {
     const maxDeviation = ((share * settings.maxDeviation) / 100) * prepared.diagonal;
     const limits = { maxDeviation, minAngle: settings.minAngle };

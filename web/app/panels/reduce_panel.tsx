@@ -54,8 +54,10 @@ export function ReducePanel() {
   );
 }
 
+const ACROSS_SEAMS = 'Collapse across texture seams';
+
 function MoreSettings() {
-  const { method, fit, symmetry, borders } = wants.settings.value;
+  const { method, fit, symmetry, borders, seams } = wants.settings.value;
   return (
     <>
       {method !== 'qem' && <SettingRange name="minAngle" />}
@@ -78,6 +80,13 @@ function MoreSettings() {
         checked={borders === 'fixed'}
         onChange={(on) => changeSettings({ borders: on ? 'fixed' : 'free' })}
       />
+      {method !== 'paper' && (
+        <Toggle
+          label={ACROSS_SEAMS}
+          checked={seams === 'cross'}
+          onChange={(on) => changeSettings({ seams: on ? 'cross' : 'keep' })}
+        />
+      )}
       {method !== 'paper' && <SettingRange name="creases" />}
       <NamedLocks />
       <AskVertex />
@@ -97,6 +106,7 @@ function StopReason() {
       {wantedFaces.value < history.floorFaces && (
         <p class="hint warning">
           Stopped at {count(history.floorFaces)} faces: {describeRefused(history.refused)}.
+          {history.heldBySeams && ` “${ACROSS_SEAMS}”, under More, goes on.`}
         </p>
       )}
       {frequency && (

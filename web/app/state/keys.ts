@@ -38,8 +38,8 @@ export function guidanceKey(settings: Settings): string {
 
 export function historyKey(settings: Settings): string {
   const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight } = settings;
-  const { maxDeviation, minAngle, borders, creases } = settings;
-  const common = [heldKey(settings), method, sizeWeight, maxDeviation, minAngle, borders, creases];
+  const { maxDeviation, minAngle, borders, seams, creases } = settings;
+  const common = [heldKey(settings), method, sizeWeight, maxDeviation, minAngle, borders, seams, creases];
   if (method === 'qem') return common.join(' ');
   return [guidanceKey(settings), ...common, strainWeight, curvatureWeight, qualityWeight].join(' ');
 }

@@ -77,6 +77,8 @@ export interface HistorySummary {
   faces: number;
   floorFaces: number;
   refused: Refused;
+  /** see isHeldBySeams */
+  heldBySeams: boolean;
   /** a sentence where a symmetry is wished that is not there; otherwise empty */
   note: string;
   seconds: number;

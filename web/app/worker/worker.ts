@@ -9,6 +9,7 @@ import type { OpenModel } from '../../engine/document/open';
 import { describeHealth } from '../../engine/health';
 import { loadCore } from '../../engine/load_core';
 import { checkSettings } from '../../engine/options';
+import { isHeldBySeams } from '../../engine/pipeline';
 import { exportKey, historyKey, modesKey, resultKey } from '../state/keys';
 import { CANCELLED } from './protocol';
 import { exportAll } from './exporting';
@@ -95,8 +96,9 @@ const api: WorkerApi = {
       const { history, seconds } = stagesOf(body).history(settings);
       const { triangleCount, trianglesAfter, refused } = history;
       const { note } = stagesOf(body).held(settings);
+      const heldBySeams = isHeldBySeams(stagesOf(body).prepared(settings), refused, settings);
       const floorFaces = trianglesAfter.at(-1) ?? triangleCount;
-      return { faces: triangleCount, floorFaces, refused, note, seconds };
+      return { faces: triangleCount, floorFaces, refused, heldBySeams, note, seconds };
     }),
   marks: (body, settings) =>
     speak(() => ({ marks: stagesOf(body).marks(settings), key: historyKey(settings) })),

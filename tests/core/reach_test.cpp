@@ -1,0 +1,54 @@
+#include "pipeline/reach.h"
+
+#include <gtest/gtest.h>
+
+#include "measure/closest_point.h"
+#include "shapes.h"
+
+namespace limber {
+namespace {
+
+double distanceFrom(const TriangleMesh& surface, const Vec3& point) {
+  return ClosestPointTree(surface).closest(point).distance;
+}
+
+// A sheet of cells of 0.1, whose edges have a mean length between 0.1 and 0.15, and a coarser one on it.
+struct Sheets {
+  TriangleMesh surface = shapes::grid(10, 10, 1, 1), start = surface;
+};
+
+TEST(Reach, letsVerticesGoAlongTheSurfaceAndALittleOffIt) {
+  const auto [surface, start] = Sheets{};
+  const Reach reach(surface, start, buildTopology(start));
+  for (const Vec3& place : {Vec3{0.5, 0.5, 0.004}, Vec3{0.1, 0.9, 0}, Vec3{0.31, 0.72, -0.003}})
+    EXPECT_EQ(reach.limited(60, place), place);
+}
+
+TEST(Reach, stopsThemAtATwentiethOfTheirEdges) {
+  const auto [surface, start] = Sheets{};
+  const Reach reach(surface, start, buildTopology(start));
+  for (const double height : {0.02, 0.1, -0.5}) {
+    const Vec3 there = reach.limited(60, {0.42, 0.55, height});
+    EXPECT_NEAR(there.x, 0.42, 1e-12);
+    EXPECT_NEAR(there.y, 0.55, 1e-12);
+    EXPECT_GT(there.z * height, 0);
+    EXPECT_GE(std::abs(there.z), 0.05 * 0.1);
+    EXPECT_LE(std::abs(there.z), 0.05 * 0.15);
+  }
+  // Beyond the border too, whatever the direction.
+  const Vec3 beyond = reach.limited(0, {-0.3, -0.4, 0});
+  EXPECT_LE(length(beyond), 0.05 * 0.15);
+  EXPECT_NEAR(beyond.y / beyond.x, 4.0 / 3, 1e-9);
+}
+
+TEST(Reach, letsThemStayAsFarOffAsTheyAre) {
+  auto [surface, start] = Sheets{};
+  start.positions[60].z = 0.08;
+  const Reach reach(surface, start, buildTopology(start));
+  EXPECT_EQ(reach.limited(60, {0.45, 0.5, 0.079}), (Vec3{0.45, 0.5, 0.079}));
+  EXPECT_NEAR(distanceFrom(surface, reach.limited(60, {0.45, 0.5, 0.2})), 0.08, 1e-12);
+  EXPECT_LT(distanceFrom(surface, reach.limited(61, {0.45, 0.5, 0.2})), 0.02);
+}
+
+}  // namespace
+}  // namespace limber
