@@ -12,7 +12,7 @@ double distanceFrom(const TriangleMesh& surface, const Vec3& point) {
   return ClosestPointTree(surface).closest(point).distance;
 }
 
-// A sheet of cells of 0.1, whose edges have a mean length between 0.1 and 0.15, and a coarser one on it.
+// A sheet of cells of 0.1, whose edges have a mean length between 0.1 and 0.15 at every vertex.
 struct Sheets {
   TriangleMesh surface = shapes::grid(10, 10, 1, 1), start = surface;
 };

@@ -181,8 +181,8 @@ export interface Guides extends Held {
 
 /**
  * Every collapse down to the end. Without guidance the strain counts as 0; curvature enters over its maximum. The paper's
- * method knows nothing of attributes, as printed; for others borders of materials stay closed and in place, and so do seams
- * unless they are to be crossed; then attributes cost. A largest deviation holds as it is measured.
+ * method knows nothing of attributes, as printed; for others borders of materials stay closed and in place, and, unless seams
+ * are to be crossed, so do these, and attributes cost. A largest deviation holds as it is measured.
  */
 export function buildHistory(
   core: Core,
