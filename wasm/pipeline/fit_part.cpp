@@ -71,6 +71,15 @@ EdgeList seamsOf(const Topology& topology, const ChartSides& sides) {
   return seams;
 }
 
+// Seams that stay in place, of both meshes.
+struct HeldLines {
+  EdgeList original, result;
+};
+
+HeldLines linesOf(const MeshAt& simplified, const Topology& topology, const ChartSides& sides) {
+  return {seamsOf(topology, sides), seamsOf(simplified, sides)};
+}
+
 // Per vertex of the result: what has become of the marked vertices of the original.
 std::vector<uint8_t> carried(const MeshAt& simplified, std::span<const uint8_t> marks) {
   std::vector<uint8_t> there(simplified.mesh.vertexCount(), 0);
@@ -149,16 +158,18 @@ FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const 
   std::vector<uint8_t> isHeld = carried(simplified, options.locked);
   for (uint32_t v = 0; v < isHeld.size(); ++v) isHeld[v] |= isPinned[v];
   if (options.mirror) holdImages(options.mirror->partners, isHeld);
-  const ChartSides groupSides(original, topology, {{}, options.charts.groups}, simplified);
-  const ChartSides& held = options.holdsSeams ? sides : groupSides;
   const EdgeList seams = seamsOf(simplified, sides);
+  const HeldLines lines =
+      options.holdsSeams
+          ? HeldLines{seamsOf(topology, sides), seams}
+          : linesOf(simplified, topology, {original, topology, {{}, options.charts.groups}, simplified});
   const std::vector<EdgeList> fixed =
       byComponent(options.mirror ? withImages(seams, options.mirror->partners) : seams, componentOfResult,
                   topology.componentCount);
-  const std::vector<Members> originals = membersOf(original, seamsOf(topology, held),
-                                                   topology.componentOfVertex, topology.componentCount),
-                             results = membersOf(mesh, seamsOf(simplified, held), componentOfResult,
-                                                 topology.componentCount);
+  const std::vector<Members> originals = membersOf(original, lines.original, topology.componentOfVertex,
+                                                   topology.componentCount),
+                             results =
+                                 membersOf(mesh, lines.result, componentOfResult, topology.componentCount);
   std::vector<uint32_t> number(original.vertexCount());
   FitParts found;
   for (uint32_t component = 0; component < topology.componentCount; ++component) {
