@@ -222,7 +222,7 @@ describe('an exported GLB', () => {
     ).not.toBeNull();
   });
 
-  it('has unit normals, one for each side of a sharp edge and one where it is smooth', async () => {
+  it('has unit normals where the format does not say, one for each side of a sharp edge and one where it is smooth', async () => {
     const models = { cube: cube(), torus: torus() };
     const counts = { cube: 24, torus: torus().positions.length / 3 };
     for (const name of ['cube', 'torus'] as const) {
@@ -233,6 +233,16 @@ describe('an exported GLB', () => {
       for (let v = 0; v < normals.getCount(); ++v)
         expect(Math.hypot(...normals.getElement(v, []))).toBeCloseTo(1, 6);
     }
+  });
+
+  it('has no normals where a glTF has none, so that it is shaded flat as before', async () => {
+    const source = startDocument();
+    addMesh(source, 'cube', [primitiveOf(source, cube())]);
+    const { document, validation } = await roundTrip(source);
+    const [primitive] = document.getRoot().listMeshes()[0].listPrimitives();
+    expect(primitive.listSemantics()).toEqual(['POSITION']);
+    expect(primitive.getAttribute('POSITION')!.getCount()).toBe(8);
+    expect(validation.errors).toBe(0);
   });
 
   it('carries fields where asked, by vertex', async () => {

@@ -49,7 +49,8 @@ const MANY_VERTICES = 65535;
 /**
  * Writes the model with `bodies[i]`, which comes from it, in place of model.bodies[i]; null leaves a body as it is. The model stays unchanged.
  * Positions are those of the meshes to the bit. Every attribute and morph target is taken from the body at the corners'
- * sources, in its own type; a body without normals gets smooth ones, split where faces meet at more than 60 degrees.
+ * sources, in its own type. A glTF body without normals stays without, so that viewers shade it flat as before; those of other
+ * formats get smooth ones, split where faces meet at more than 60 degrees.
  * Faces stay with their primitive, hence with their material; hierarchy, skins, animations, names and extras stay;
  * `droppedByExport` names what does not. The same input gives the same bytes.
  */
@@ -65,7 +66,7 @@ export async function exportGlb(
   bodies.forEach((exported) => {
     if (!exported) return;
     const shown = options.fields ? exported : { ...exported, fields: undefined };
-    for (const primitive of replaceMesh(destination, shown)) replaced.add(primitive);
+    for (const primitive of replaceMesh(destination, shown, isSmoothed(model))) replaced.add(primitive);
   });
   normaliseWeights(document);
   if (bodies.some((exported) => exported?.targets?.length))
@@ -73,6 +74,11 @@ export async function exportGlb(
   disposeUnused(document, replaced);
   document.getRoot().getAsset().generator = `Limber ${VERSION}`;
   return (await createGltfIo()).writeBinary(document);
+}
+
+/** glTF has faces without normals shaded flat; the other formats do not say. */
+function isSmoothed({ format }: OpenModel): boolean {
+  return format !== 'glb' && format !== 'gltf';
 }
 
 /** A GLB holds one buffer. */
@@ -85,8 +91,11 @@ function mergeBuffers(document: Document): Buffer {
   return kept;
 }
 
-/** Gives the body's mesh its new geometry; returns the primitives that hold it. */
-function replaceMesh(destination: Destination, exported: ExportedBody): Primitive[] {
+/**
+ * Gives the body's mesh its new geometry, with `smoothed` also normals where it has none; returns the primitives that
+ * hold it.
+ */
+function replaceMesh(destination: Destination, exported: ExportedBody, smoothed: boolean): Primitive[] {
   const { body } = exported;
   const mesh = destination.document.getRoot().listMeshes()[body.mesh];
   const primitives = mesh.listPrimitives();
@@ -101,7 +110,7 @@ function replaceMesh(destination: Destination, exported: ExportedBody): Primitiv
       primitive.dispose();
       return;
     }
-    const keyOf = normalKeys(primitive, exported, normals);
+    const keyOf = normalKeys(primitive, exported, normals, smoothed);
     const geometry = geometryOf(sourced, span, primitive, trianglesOfSpan[i], keyOf);
     writePrimitive(destination, primitive.setMode(TRIANGLES), exported, geometry, normals);
     written.push(primitive);
@@ -112,14 +121,16 @@ function replaceMesh(destination: Destination, exported: ExportedBody): Primitiv
   return written;
 }
 
-/** Where the normal of a corner comes from: its source, its face, or the faces that it is smooth with. */
+/** Where the normal of a corner, if it has one, comes from: its source, its face, or the faces that it is smooth with. */
 function normalKeys(
   primitive: Primitive,
   { body, inputOfTriangle, sources, isFaceted }: ExportedBody,
   normals: ResultNormals,
+  smoothed: boolean,
 ): (corner: number) => number {
-  if (!primitive.getAttribute('NORMAL')) return (corner) => normals.smoothKey(corner);
-  if (!isFaceted) return () => CARRIED;
+  const hasNormals = primitive.getAttribute('NORMAL') !== null;
+  if (!hasNormals && smoothed) return (corner) => normals.smoothKey(corner);
+  if (!hasNormals || !isFaceted) return () => CARRIED;
   return (corner) => {
     const t = Math.floor(corner / 3);
     const source = inputOfTriangle[t];
