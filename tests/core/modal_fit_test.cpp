@@ -275,6 +275,23 @@ TEST(ModalFit, keepsSmallPartsInShapeThatSwing) {
   EXPECT_LT(deviation(fit.result.mesh), 2.5 * deviation(start.mesh));
 }
 
+// From the nearest side of the paper's bar, 1 x 1 x 3.
+double heightOver(const Vec3& p) {
+  return std::min(
+      {std::abs(p.x), std::abs(p.x - 1), std::abs(p.y), std::abs(p.y - 1), std::abs(p.z), std::abs(p.z - 3)});
+}
+
+TEST(ModalFit, keepsFlatSidesFlatAndTheirEdgesStraight) {
+  const TriangleMesh mesh = shapes::box(8, 8, 24, 0.125);
+  const MeshAt start = simplified(mesh, 0.25);
+  const ModalFitResult fit = fitted(mesh, start);
+  EXPECT_LT(fit.errorAfter.at(0), 0.6 * fit.errorBefore.at(0));
+  EXPECT_NE(fit.result.mesh.positions, start.mesh.positions);
+  for (const Vec3& p : fit.result.mesh.positions) EXPECT_LT(heightOver(p), 1e-6);
+  Job job;
+  EXPECT_LT(measureSurfaceDistance(mesh, fit.result.mesh, {}, job).hausdorff, 1e-5);
+}
+
 TEST(ModalFit, doesNothingToAWholeMesh) {
   const TriangleMesh mesh = wavySheet();
   const MeshAt whole = simplified(mesh, 1);

@@ -200,6 +200,7 @@ FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const 
       part.mirror = mirrorIn(part, *options.mirror, number);
       part.mirror->symmetrise(part.simplified);
     }
+    part.flats = FlatRegions(part.original, part.simplified, buildTopology(part.simplified));
     for (uint32_t v : part.vertexOfResult) part.locked.push_back(isHeld[v]);
     part.pinnedOriginal = pinnedOf(part.original, originals[component].vertices, options.pinned);
     part.pinned = pinnedOf(part.simplified, part.vertexOfResult, isPinned);

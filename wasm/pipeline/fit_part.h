@@ -8,6 +8,7 @@
 #include "mesh/triangle_mesh.h"
 #include "pipeline/chart_sides.h"
 #include "pipeline/find_modes.h"
+#include "pipeline/flat_regions.h"
 #include "pipeline/result_mirror.h"
 #include "pipeline/surface_fit.h"
 #include "simplify/history.h"
@@ -22,6 +23,7 @@ struct FitPart {
   std::vector<uint8_t> locked;                   // per vertex of it
   std::vector<uint32_t> pinnedOriginal, pinned;  // vertices of both
   EdgeList originalLines, lines;                 // seams that stay in place, of both meshes
+  FlatRegions flats;                             // of `simplified`
   EdgeList fixedEdges;                           // seams of `simplified`, and what they are images of
   Vec3 origin;
   double diagonal = 1;

@@ -30,7 +30,7 @@ constexpr double kMostLift = 0.02;  // by a flip, of the largest deviation where
 
 // The root mean square distance may grow to this much of the simplified mesh's, or to this part of the
 // diagonal.
-constexpr double kBudget = 1.25, kLeastBudget = 6.3e-4;
+constexpr double kBudget = 1.45, kLeastBudget = 7e-4;
 // Where the result has more vertices, rounds take seconds, and 0.1 % of frequency (squared) is good enough.
 constexpr uint32_t kManyVertices = 5000;
 constexpr double kGoodEnoughOfMany = 4e-6;
@@ -62,10 +62,12 @@ uint32_t fitToSurface(FitPart& part, const FitSamples& samples, const StepLimits
   for (int round = 0; round < kSurfaceRounds; ++round) {
     flips += flipToDelaunay(part.simplified, flipLimits, corners);
     const Topology topology = buildTopology(part.simplified);
-    const SurfaceFit fit = fitSurface(part.simplified, topology, samples, {.lines = &part.lines});
+    SurfaceFit fit = fitSurface(part.simplified, topology, samples, {.lines = &part.lines});
+    part.flats.hold(fit.stiffness);
     Eigen::MatrixXd step =
         FitSolver(part.locked, call.job).solve({fit.stiffness, fit.inertia, kSurfaceHold}, fit.pull);
     if (part.mirror) part.mirror->symmetrise(step);
+    part.flats.flatten(step);
     part.simplified = GuardedStep(part.simplified, topology, limits).apply(part.simplified, step);
     if (part.mirror) part.mirror->symmetrise(part.simplified);
   }

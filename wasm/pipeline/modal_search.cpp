@@ -25,7 +25,7 @@ constexpr double kFirmer = 3, kLooser = 1.5, kBriskLooser = 3;
 // A vertex that the guard lets make less than this of its way is held so many times as firmly, as long as
 // that goes on: the others go on without it.
 constexpr double kBlocked = 0.5, kBlockedFirmer = 4, kFreedLooser = 3, kMostFirmness = 1e6;
-constexpr double kEvenness = 5e-4;  // of the triangles: see SurfaceFitOptions
+constexpr double kEvenness = 1e-3;  // of the triangles: see SurfaceFitOptions
 // What a vertex weighs that has come away from where the search began: along a flat wall nothing else holds
 // it, and walls whose triangles have slid far to mend small vibrations buckle elsewhere in large ones.
 constexpr double kAnchor = 1e-3;
@@ -139,6 +139,7 @@ void ModalSearch::measure() {
               [&](size_t begin, size_t end) {
                 for (size_t k = begin; k < end; ++k) measureOne(k);
               });
+  part_.flats.hold(state_.fit.stiffness);
   state_.mismatch = join(parts);
   state_.found = target_.found();
 }
@@ -152,8 +153,9 @@ Eigen::VectorXd ModalSearch::gaussNewtonStep() {
   Eigen::MatrixXd columns(pull.size(), 1 + mismatch.slope.cols());
   columns << pull, mismatch.slope;
   if (part_.mirror) part_.mirror->symmetrise(columns);
-  const TradeOff tradeOff(pull, mismatch,
-                          solver_.solve({fit.stiffness, inertia, hold_ + kAnchor}, std::move(columns)));
+  Eigen::MatrixXd solved = solver_.solve({fit.stiffness, inertia, hold_ + kAnchor}, std::move(columns));
+  part_.flats.flatten(solved);
+  const TradeOff tradeOff(pull, mismatch, std::move(solved));
   return tradeOff.step(affordable(tradeOff));
 }
 

@@ -18,7 +18,7 @@ namespace limber {
 namespace {
 
 constexpr std::array<double, ModalTarget::kThicknesses> kThickness = {0.5, 1, 2};  // of the material's
-constexpr std::array<double, ModalTarget::kThicknesses> kWeight = {0.4, 1, 1.3};
+constexpr std::array<double, ModalTarget::kThicknesses> kWeight = {0.4, 1, 1.4};
 constexpr Eigen::Index kFirst = 10;         // modes that count fully ...
 constexpr double kLaterWeight = 1.27;       // ... and what the later ones count
 constexpr double kNoMac = 0.2, kMac = 0.6;  // a pair counts from the one on, fully from the other on
