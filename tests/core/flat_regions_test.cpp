@@ -67,6 +67,16 @@ TEST(FlatRegions, areFoundInAnyDirectionAndWithTheNoiseOfFloat32) {
   }
 }
 
+TEST(FlatRegions, areFoundOnBothSidesOfASheetWithoutThickness) {
+  const TriangleMesh front = shapes::grid(4, 4);
+  TriangleMesh back = front;
+  for (Triangle& triangle : back.triangles) std::swap(triangle[1], triangle[2]);
+  const TriangleMesh mesh = shapes::together(front, back);
+  const FlatRegions regions = regionsOf(mesh);
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    EXPECT_LT((flattened(regions, mesh, v, {1, 2, 3}) - Eigen::Vector3d(1, 2, 0)).norm(), 1e-12) << v;
+}
+
 TEST(FlatRegions, leaveWhatIsCurvedFree) {
   EXPECT_TRUE(isFree(regionsOf(shapes::sphere(3)), shapes::sphere(3)));
   EXPECT_TRUE(isFree(regionsOf(shapes::torus(24, 12)), shapes::torus(24, 12)));

@@ -161,6 +161,10 @@ describe('limber optimize', () => {
     expect(kept.stderr).toMatch(
       /Stopped at 576 faces, not 144: .* 100 % break a seam, a border or a lock; --seams cross lets them give way\.\n$/,
     );
+    const level = limber('optimize', 'quilt.obj', 'out.glb', '--ratio', '1', '--lods', '0.25');
+    expect(level.stderr).toMatch(
+      /out_lod1\.glb: Stopped at 576 faces, not 144: .*; --seams cross lets them give way\.\n$/,
+    );
     const crossed = limber('optimize', 'quilt.obj', 'out.glb', '--ratio', '0.25', '--seams', 'cross');
     expect(crossed.code).toBe(0);
     expect(crossed.stdout).toMatch(/^quilt\.obj: 576 -> 144 faces/);

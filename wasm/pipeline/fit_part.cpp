@@ -45,6 +45,15 @@ void intoFrame(TriangleMesh& mesh, const FitPart& part) {
   for (Vec3& p : mesh.positions) p = (p - part.origin) / part.diagonal;
 }
 
+// That where the original's diagonal is 1, for both meshes.
+void chooseFrame(FitPart& part) {
+  const Bounds box = bounds(part.original);
+  part.origin = box.low;
+  part.diagonal = box.diagonal();
+  intoFrame(part.original, part);
+  intoFrame(part.simplified, part);
+}
+
 // Which corner of the input, by chart, a corner of the result belongs to; an edge is a seam where its two
 // triangles disagree.
 EdgeList seamsOf(const MeshAt& simplified, const ChartSides& sides) {
@@ -189,11 +198,7 @@ FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const 
     part.simplified = extract(mesh, result, number, part.lines);
     part.vertexOfResult = result.vertices;
     part.triangleOfResult = result.triangles;
-    const Bounds box = bounds(part.original);
-    part.origin = box.low;
-    part.diagonal = box.diagonal();
-    intoFrame(part.original, part);
-    intoFrame(part.simplified, part);
+    chooseFrame(part);
     part.fixedEdges = renumbered(fixed[component], number);
     part.hasImage = image != component;
     if (options.mirror && !part.hasImage) {

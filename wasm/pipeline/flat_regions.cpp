@@ -45,10 +45,11 @@ class Surface {
  public:
   explicit Surface(const TriangleMesh& mesh) : mesh_(mesh) {}
 
-  // Whether it lies along a plane where it is nearest to p.
+  // Whether it lies along a plane where a sheet of it that looks that way is nearest to p.
   bool isAlong(const Vec3& p, const Eigen::Vector3d& plane) {
     if (!tree_) tree_.emplace(mesh_);
-    return limber::isAlong(unitNormal(mesh_, tree_->closest(p).triangle), plane);
+    const SurfacePoint nearest = tree_->closestFacing(p, {plane.x(), plane.y(), plane.z()});
+    return limber::isAlong(unitNormal(mesh_, nearest.triangle), plane);
   }
 
  private:

@@ -66,9 +66,11 @@ export async function runOptimize(args: Arguments): Promise<number> {
     ...(levels.length > 0 ? { levels: stopwatch() } : {}),
     total: total(),
   };
+  const describe = (bodies: StoppedBody[], where = '') =>
+    describeMiss(bodies, where) + describeSeams(bodies, done, args);
   const missed = [
-    ...(wantsCount(args) ? [describeMiss(done.map(stopOf)) + describeSeams(done, args)] : []),
-    ...levels.map(({ bodies, report: { file } }) => describeMiss(bodies, `${file}: `)),
+    ...(wantsCount(args) ? [describe(done.map(stopOf))] : []),
+    ...levels.map(({ bodies, report: { file } }) => describe(bodies, `${file}: `)),
   ].filter((sentence) => sentence !== '');
   const text = [summaryLine(args, done, report.timings.total), ...levels.map(levelLine)].join('\n');
   finish(session, report, text, missed);
@@ -162,7 +164,7 @@ const sum = (values: number[]): number => values.reduce((a, b) => a + b, 0);
 const isExhausted = (body: StoppedBody): boolean => stopReport([body]).reason === 'exhausted';
 
 /** Why bodies are left with more faces than asked because nothing more can go; '' where none is. */
-function describeMiss(bodies: StoppedBody[], where = ''): string {
+function describeMiss(bodies: StoppedBody[], where: string): string {
   const missed = bodies.filter(isExhausted);
   if (missed.length === 0) return '';
   const [after, target] = [
@@ -174,10 +176,10 @@ function describeMiss(bodies: StoppedBody[], where = ''): string {
   return `${where}Stopped at ${count(after)} faces${which}, not ${count(target)}: ${reasons}`;
 }
 
-/** How to go on where seams keep a body from its target; '' where they do not. */
-function describeSeams(done: OptimizedBody[], { settings }: Arguments): string {
-  const isHeld = done.some(
-    (body) => isExhausted(stopOf(body)) && isHeldBySeams(body.prepared, body.history.refused, settings),
+/** How to go on where seams keep a body from its target; '' where they do not. `bodies[i]` has become of `done[i]`. */
+function describeSeams(bodies: StoppedBody[], done: OptimizedBody[], { settings }: Arguments): string {
+  const isHeld = bodies.some(
+    (body, i) => isExhausted(body) && isHeldBySeams(done[i].prepared, body.history.refused, settings),
   );
   return isHeld ? '; --seams cross lets them give way' : '';
 }

@@ -38,11 +38,11 @@ function Busy() {
   if (!busy) return null;
   const { what, progress } = busy;
   const detail =
-    progress && progress.phase !== 'idle' ? `${progress.phase} ${Math.round(100 * progress.fraction)} %` : '';
+    progress && progress.phase !== 'idle' ? `${progress.phase} ${Math.round(100 * progress.fraction)}\u00a0%` : '';
   return (
     <div class="notice busy" role="status">
       <span>
-        {what} <span class="muted">{detail}</span>
+        {what} <span class="muted detail">{detail}</span>
       </span>
       <progress max={1} value={progress?.fraction} aria-label={what} />
       <button type="button" class="quiet" onClick={cancelRunning} title="Esc">
