@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
-#include <array>
 #include <vector>
 
 #include "mesh/topology.h"

@@ -38,7 +38,9 @@ function Busy() {
   if (!busy) return null;
   const { what, progress } = busy;
   const detail =
-    progress && progress.phase !== 'idle' ? `${progress.phase} ${Math.round(100 * progress.fraction)}\u00a0%` : '';
+    progress && progress.phase !== 'idle'
+      ? `${progress.phase} ${Math.round(100 * progress.fraction)}\u00a0%`
+      : '';
   return (
     <div class="notice busy" role="status">
       <span>
