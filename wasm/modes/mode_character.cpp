@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mesh/topology.h"
+#include "modes/eigen_vec3.h"
 #include "modes/mass.h"
 #include "modes/principal_axes.h"
 
@@ -18,10 +19,6 @@ constexpr double kLocal = 0.2, kBreathe = 0.5;
 constexpr double kWhole =
     0.95;  // of the energy in one motion of rigid sections: a beam moves, however light its tip
 constexpr double kExplained = 0.5;  // of the energy: below it rigid sections say nothing
-
-Eigen::Vector3d eigen(const Vec3& v) {
-  return {v.x, v.y, v.z};
-}
 
 bool isClosed(const Topology& topology) {
   return std::all_of(topology.edges.begin(), topology.edges.end(),

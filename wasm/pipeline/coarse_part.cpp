@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "measure/closest_point.h"
 #include "mesh/topology.h"
+#include "modes/eigen_vec3.h"
 #include "simplify/simplify.h"
 
 namespace limber {
@@ -34,10 +35,6 @@ std::vector<uint32_t> coarsePins(const Part& original, const MeshAt& at) {
   for (uint32_t v = 0; v < count; ++v)
     if (isHeld[v] || (pinned[v] > 0 && !isNearHeld[v])) pins.push_back(v);
   return pins;
-}
-
-Eigen::Vector3d eigen(const Vec3& v) {
-  return {v.x, v.y, v.z};
 }
 
 // Displacement gradient at a vertex: least squares over its neighbours in the tangent plane, while the normal

@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "measure/closest_point.h"
+#include "mesh/manifold.h"
+#include "modes/eigen_vec3.h"
 
 namespace limber {
 
@@ -17,24 +19,17 @@ using Directions = std::vector<Eigen::Vector3d>;
 
 // 0 of a triangle without area, which is in no plane.
 Eigen::Vector3d unitNormal(const TriangleMesh& mesh, uint32_t t) {
-  const Vec3 n = normalized(areaNormal(mesh, t));
-  return {n.x, n.y, n.z};
+  return eigen(normalized(areaNormal(mesh, t)));
 }
 
 bool isAlong(const Eigen::Vector3d& normal, const Eigen::Vector3d& plane) {
   return normal.dot(plane) > 0.5 && normal.cross(plane).norm() < kFlat;
 }
 
-// Whether the triangles around v close a fan in one plane; then its normal.
+// Whether the triangles around v lie in one plane; then its normal.
 bool isInPlane(uint32_t v, const Topology& topology, const Directions& normals, Eigen::Vector3d& plane) {
   plane.setZero();
-  for (const Corner corner : topology.cornersAt(v)) {
-    const uint32_t t = triangleOf(corner);
-    for (const int side : {nextIndex(indexOf(corner)), previousIndex(indexOf(corner))})
-      if (topology.edges[topology.edgeOfCorner[3 * t + static_cast<uint32_t>(side)]].useCount != 2)
-        return false;
-    plane += normals[t];
-  }
+  for (const uint32_t t : topology.trianglesAround(v)) plane += normals[t];
   plane.normalize();
   return std::ranges::all_of(topology.trianglesAround(v),
                              [&](uint32_t t) { return isAlong(normals[t], plane); });
@@ -94,6 +89,7 @@ FlatRegions::FlatRegions(const TriangleMesh& original, const TriangleMesh& mesh,
   Surface surface(original);
   Directions normals(mesh.triangleCount());
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) normals[t] = unitNormal(mesh, t);
+  const std::vector<VertexKind> kinds = classifyVertices(mesh, topology);
   std::vector<uint8_t> seen(mesh.triangleCount(), 0);
   std::vector<Eigen::Matrix3d> across(mesh.vertexCount(), Eigen::Matrix3d::Zero());
   Eigen::Vector3d plane;
@@ -102,8 +98,9 @@ FlatRegions::FlatRegions(const TriangleMesh& original, const TriangleMesh& mesh,
     return isAlong(normals[t], plane) && surface.isAlong(middle, plane);
   };
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    if (kinds[v] != VertexKind::Interior) continue;
     const auto fan = topology.trianglesAround(v);
-    if (fan.empty() || seen[fan.front()] || !isInPlane(v, topology, normals, plane)) continue;
+    if (seen[fan.front()] || !isInPlane(v, topology, normals, plane)) continue;
     if (!std::ranges::all_of(fan, belongs)) continue;
     flood(fan.front(), topology, seen, belongs, [&](uint32_t t) {
       for (const uint32_t corner : mesh.triangles[t]) addAcross(plane, across[corner]);

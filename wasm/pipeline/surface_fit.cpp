@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "measure/closest_point.h"
+#include "modes/eigen_vec3.h"
 #include "modes/element_assembly.h"
 
 namespace limber {
@@ -21,10 +22,6 @@ constexpr double kFar =
     3;  // samples this many root mean squares off pull twice as hard, farther ones more ...
 constexpr double kMostStress = 20;        // ... up to this
 constexpr double kCreaseRatio = 1 / 6.0;  // of eigenvalues of the normals' covariance
-
-Eigen::Vector3d eigen(const Vec3& v) {
-  return {v.x, v.y, v.z};
-}
 
 // Where the samples pull: a face or a border edge each, kNone where there is none on the same side.
 struct Contact {
