@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <mutex>
 #include <numeric>
@@ -87,6 +88,41 @@ TEST(ParallelFor, aThreadWithNothingLeftToDoHelpsInInnerLoops) {
         const std::lock_guard lock(mutex);
         inside.insert(std::this_thread::get_id());
       });
+  });
+  setThreadCount(1);
+  EXPECT_EQ(seen(), 2);
+}
+
+TEST(ParallelFor, aThreadHelpsInALoopThatBeganWhileItWasBusy) {
+  setThreadCount(2);
+  std::set<std::thread::id> inside;
+  std::mutex mutex;
+  const auto seen = [&] {
+    const std::lock_guard lock(mutex);
+    return inside.size();
+  };
+  std::atomic<bool> isBusy = false;
+  const auto start = std::chrono::steady_clock::now();
+  const auto waitFor = [&](const auto& condition) {
+    while (!condition() && std::chrono::steady_clock::now() - start < std::chrono::seconds(20))
+      std::this_thread::yield();
+  };
+  // Two outer ranges: one begins an inner loop while the other keeps its thread busy, which then ends.
+  parallelFor(2, 1, [&](size_t outer, size_t) {
+    if (outer == 1) {
+      isBusy = true;
+      return waitFor([&] { return seen() > 0; });
+    }
+    waitFor([&] { return isBusy.load(); });
+    parallelFor(10, 1, [&](size_t begin, size_t) {
+      {
+        const std::lock_guard lock(mutex);
+        inside.insert(std::this_thread::get_id());
+      }
+      // The first of them gives the other thread the time to become idle, the second the time to help.
+      if (begin == 0) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      if (begin == 1) waitFor([&] { return seen() == 2; });
+    });
   });
   setThreadCount(1);
   EXPECT_EQ(seen(), 2);

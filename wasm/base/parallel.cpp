@@ -14,15 +14,7 @@
 
 namespace limber {
 
-namespace {
-
-using Body = std::function<void(size_t, size_t)>;
-
-void runSerially(size_t count, size_t grain, const Body& body) {
-  for (size_t begin = 0; begin < count; begin += grain) body(begin, std::min(begin + grain, count));
-}
-
-}  // namespace
+using Body = std::function<void(size_t begin, size_t end)>;
 
 #if LIMBER_THREADS
 
@@ -33,7 +25,7 @@ namespace {
 struct Loop {
   size_t count, grain;
   const Body& body;
-  std::atomic<size_t> nextRange = 0;
+  std::atomic<size_t> nextRange;
   int helpers = 0;     // that are at work in it; guarded by the pool's mutex, as is ...
   uint64_t order = 0;  // ... the number of loops begun before it
   std::mutex errorMutex = {};
@@ -154,8 +146,12 @@ int threadCount() {
 void parallelFor(size_t count, size_t grain, const Body& body) {
   if (count == 0) return;
   grain = std::max<size_t>(grain, 1);
-  if (count <= grain || !pool() || !pool()->hasIdleThreads()) return runSerially(count, grain, body);
-  Loop loop{count, grain, body};
+  // Alone until there is somebody to help.
+  size_t begin = 0;
+  for (; begin + grain < count && !(pool() && pool()->hasIdleThreads()); begin += grain)
+    body(begin, begin + grain);
+  if (begin + grain >= count) return body(begin, count);
+  Loop loop{count, grain, body, begin / grain};
   pool()->run(loop);
   if (loop.error) std::rethrow_exception(loop.error);
 }
@@ -171,7 +167,8 @@ int threadCount() {
 }
 
 void parallelFor(size_t count, size_t grain, const Body& body) {
-  runSerially(count, std::max<size_t>(grain, 1), body);
+  grain = std::max<size_t>(grain, 1);
+  for (size_t begin = 0; begin < count; begin += grain) body(begin, std::min(begin + grain, count));
 }
 
 #endif

@@ -3,23 +3,24 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/real_pair.h"
+
 namespace limber {
 
 namespace {
 
 using Eigen::Index;
-using Pair = double __attribute__((vector_size(16)));
 using UnalignedPair = double __attribute__((vector_size(16), aligned(8), may_alias));
 
 constexpr Index kTile = 4;     // rows and columns of c that are summed up in registers
 constexpr Index kDepth = 256;  // of a and b that is packed at once: two panels of it fit the nearest cache
 constexpr Index kRows = 64, kCols = 96;
 
-Pair load(const double* at) {
+RealPair load(const double* at) {
   return *reinterpret_cast<const UnalignedPair*>(at);
 }
 
-void subtract(double* from, Pair what) {
+void subtract(double* from, RealPair what) {
   *reinterpret_cast<UnalignedPair*>(from) = load(from) - what;
 }
 
@@ -44,13 +45,13 @@ void pack(const Strided<const double>& a, std::vector<double>& to) {
 
 // Four by four entries of a product, by column.
 struct Tile {
-  Pair top[kTile], bottom[kTile];
+  RealPair top[kTile], bottom[kTile];
 };
 
 Tile multiply(const double* a, const double* b, Index depth) {
-  Pair t0{}, t1{}, t2{}, t3{}, b0{}, b1{}, b2{}, b3{};
+  RealPair t0{}, t1{}, t2{}, t3{}, b0{}, b1{}, b2{}, b3{};
   for (Index k = 0; k < depth; ++k, a += kTile, b += kTile) {
-    const Pair top = load(a), bottom = load(a + 2);
+    const RealPair top = load(a), bottom = load(a + 2);
     t0 += top * b[0];
     b0 += bottom * b[0];
     t1 += top * b[1];
@@ -107,7 +108,7 @@ void subtractColumns(const Strided<const double>& a, const double* x, Index stri
   }
 }
 
-double sum(Pair a) {
+double sum(RealPair a) {
   return a[0] + a[1];
 }
 
@@ -117,10 +118,10 @@ void subtractDots(const Strided<const double>& a, const double* x, double* y) {
   for (; row + kTile <= a.rows; row += kTile) {
     const double *r0 = a.data + row * a.rowStride, *r1 = r0 + a.rowStride, *r2 = r1 + a.rowStride,
                  *r3 = r2 + a.rowStride;
-    Pair d0{}, d1{}, d2{}, d3{};
+    RealPair d0{}, d1{}, d2{}, d3{};
     Index k = 0;
     for (; k + 2 <= a.cols; k += 2) {
-      const Pair at = load(x + k);
+      const RealPair at = load(x + k);
       d0 += load(r0 + k) * at;
       d1 += load(r1 + k) * at;
       d2 += load(r2 + k) * at;

@@ -76,7 +76,7 @@ void CollapseMesh::collectQuadrics() {
 }
 
 bool CollapseMesh::isOn(const Face& face, uint32_t edge) const {
-  return (face.edges[0] == edge) | (face.edges[1] == edge) | (face.edges[2] == edge);
+  return (face.edges[0] == edge) + (face.edges[1] == edge) + (face.edges[2] == edge) > 0;
 }
 
 void CollapseMesh::removeFromStar(uint32_t v, uint32_t triangle) {

@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "base/real_pair.h"
 #include "mesh/corner.h"
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
 #include "simplify/lines.h"
 #include "simplify/quadric.h"
-#include "simplify/real_pair.h"
 
 namespace limber {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "simplify/real_pair.h"
+#include "base/real_pair.h"
 
 namespace limber {
 namespace {

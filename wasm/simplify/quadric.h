@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/real_pair.h"
 #include "base/vec3.h"
-#include "simplify/real_pair.h"
 
 namespace limber {
 
