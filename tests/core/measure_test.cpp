@@ -76,6 +76,11 @@ TEST(ClosestPoint, agreesWithADenseSearchOnAnyTriangle) {
     EXPECT_NEAR(length(p - found.position), found.distance, 1e-12);
     EXPECT_NEAR(found.barycentric[0] + found.barycentric[1] + found.barycentric[2], 1, 1e-12);
     for (double weight : found.barycentric) EXPECT_GE(weight, 0);
+    const auto near = static_cast<uint32_t>(random() % mesh.triangleCount());
+    const SurfacePoint again = tree.closest(p, near);
+    EXPECT_EQ(again.triangle, found.triangle);
+    EXPECT_EQ(again.distance, found.distance);
+    EXPECT_EQ(again.position.x, found.position.x);
   }
 }
 

@@ -55,6 +55,13 @@ void closestBarycentric(const Vec3& p, const Vec3 (&corner)[3], double (&barycen
   std::copy(found, found + 3, barycentric);
 }
 
+// What a search without a start begins from.
+SurfacePoint anywhereWithin(double distance) {
+  SurfacePoint none;
+  none.distance = distance;
+  return none;
+}
+
 }  // namespace
 
 SurfacePoint closestOnTriangle(const TriangleMesh& mesh, uint32_t t, const Vec3& point) {
@@ -111,9 +118,11 @@ uint32_t ClosestPointTree::build(uint32_t first, uint32_t count, std::vector<Vec
 }
 
 template <class Counts>
-SurfacePoint ClosestPointTree::search(const Vec3& point, double within, const Counts& counts) const {
-  SurfacePoint best;
-  double bestSquared = within * within;
+SurfacePoint ClosestPointTree::search(const Vec3& point, const SurfacePoint& start,
+                                      const Counts& counts) const {
+  SurfacePoint best = start;
+  double bestSquared =
+      start.triangle == kNone ? start.distance * start.distance : squaredLength(point - start.position);
   struct Visit {
     uint32_t node;
     double squared;
@@ -154,18 +163,19 @@ SurfacePoint ClosestPointTree::search(const Vec3& point, double within, const Co
   return best;
 }
 
-SurfacePoint ClosestPointTree::closest(const Vec3& point) const {
-  return search(point, HUGE_VAL, [](uint32_t) { return true; });
+SurfacePoint ClosestPointTree::closest(const Vec3& point, uint32_t near) const {
+  const SurfacePoint start = near == kNone ? anywhereWithin(HUGE_VAL) : closestOnTriangle(mesh_, near, point);
+  return search(point, start, [](uint32_t) { return true; });
 }
 
-SurfacePoint ClosestPointTree::closestFacing(const Vec3& point, const Vec3& normal) const {
+SurfacePoint ClosestPointTree::closestFacing(const Vec3& point, const Vec3& normal, uint32_t near) const {
   const auto looksThatWay = [&](uint32_t t) {
     return dot(normalized(areaNormal(mesh_, t)), normal) >= kSameWay;
   };
-  const SurfacePoint any = closest(point);
+  const SurfacePoint any = closest(point, near);
   if (squaredLength(normal) == 0 || looksThatWay(any.triangle)) return any;
   const double slack = kBetweenSheets * length(nodes_[0].high - nodes_[0].low);
-  const SurfacePoint facing = search(point, any.distance + slack, looksThatWay);
+  const SurfacePoint facing = search(point, anywhereWithin(any.distance + slack), looksThatWay);
   return facing.triangle != kNone ? facing : any;
 }
 

@@ -24,11 +24,12 @@ class ClosestPointTree {
  public:
   explicit ClosestPointTree(const TriangleMesh& mesh);
   // The closest point of the surface; ties go to the lowest triangle index. The mesh must have a triangle.
-  SurfacePoint closest(const Vec3& point) const;
+  // `near`: one that is likely to have it, which saves time.
+  SurfacePoint closest(const Vec3& point, uint32_t near = kNone) const;
   // The closest point of a triangle that looks the way of `normal` (within 75 degrees), where one is hardly
   // farther off than the closest of all (1 % of the diagonal); else that. Tells sheets apart that lie close
   // together, or on one another. A normal of 0 looks every way.
-  SurfacePoint closestFacing(const Vec3& point, const Vec3& normal) const;
+  SurfacePoint closestFacing(const Vec3& point, const Vec3& normal, uint32_t near = kNone) const;
 
  private:
   struct Node {
@@ -37,9 +38,9 @@ class ClosestPointTree {
     uint32_t right = 0;             // an inner node's second child; the first follows it
   };
   uint32_t build(uint32_t first, uint32_t count, std::vector<Vec3>& centres);
-  // Among the triangles that count, closer than `within`; no triangle where there is none.
+  // Among the triangles that count, no farther than `start`, which is found where there is none closer.
   template <class Counts>
-  SurfacePoint search(const Vec3& point, double within, const Counts& counts) const;
+  SurfacePoint search(const Vec3& point, const SurfacePoint& start, const Counts& counts) const;
 
   const TriangleMesh& mesh_;
   std::vector<Node> nodes_;

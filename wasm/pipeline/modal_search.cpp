@@ -29,6 +29,7 @@ constexpr double kEvenness = 1e-3;  // of the triangles: see SurfaceFitOptions
 // What a vertex weighs that has come away from where the search began: along a flat wall nothing else holds
 // it, and walls whose triangles have slid far to mend small vibrations buckle elsewhere in large ones.
 constexpr double kAnchor = 1e-3;
+constexpr size_t kGramColumns = 16;
 constexpr double kLost = 1.5;  // a mesh with this much of the best merit is given up
 
 Eigen::VectorXd difference(const TriangleMesh& after, const TriangleMesh& before) {
@@ -44,6 +45,19 @@ StepLimits withReach(StepLimits limits, const Reach& reach) {
   return limits;
 }
 
+// The lower triangle of a b, which is symmetric; the rest is 0.
+Eigen::MatrixXd lowerProduct(const Eigen::Transpose<const Eigen::MatrixXd>& a,
+                             const Eigen::Ref<const Eigen::MatrixXd>& b) {
+  Eigen::MatrixXd negative = Eigen::MatrixXd::Zero(a.rows(), b.cols());
+  parallelFor(static_cast<size_t>(b.cols()), kGramColumns, [&](size_t begin, size_t end) {
+    const auto first = static_cast<Eigen::Index>(begin), count = static_cast<Eigen::Index>(end - begin),
+               rows = a.rows() - first;
+    subtractProduct(a.bottomRows(rows), b.middleCols(first, count),
+                    negative.block(first, first, rows, count));
+  });
+  return -negative;
+}
+
 }  // namespace
 
 // Minima of dx^T A dx - 2 g^T dx + worth |r + J dx|^2 for any worth, by Woodbury: J has few rows. With s =
@@ -55,7 +69,7 @@ class ModalSearch::TradeOff {
   TradeOff(const Eigen::VectorXd& pull, const Mismatch& mismatch, Eigen::MatrixXd solved)
       : solved_(std::move(solved)),
         gain_(pull.dot(solved_.col(0))),
-        gram_(product(mismatch.slope.transpose(), solved_.rightCols(mismatch.slope.cols()))) {
+        gram_(lowerProduct(mismatch.slope.transpose(), solved_.rightCols(mismatch.slope.cols()))) {
     target_ = gram_.eigenvectors().transpose() * (mismatch.residual.cwiseMax(-kClip).cwiseMin(kClip) +
                                                   mismatch.slope.transpose() * solved_.col(0));
   }
@@ -132,8 +146,8 @@ void ModalSearch::measure() {
     if (k < parts.size())
       parts[k] = target_.compare(state_.mesh, thicknesses[k], job_);
     else
-      state_.fit =
-          fitSurface(state_.mesh, topology_, samples_, {.evenness = kEvenness, .lines = &part_.lines});
+      state_.fit = fitSurface(state_.mesh, topology_, samples_,
+                              {.evenness = kEvenness, .lines = &part_.lines, .near = state_.fit.touched});
   };
   parallelFor(parts.size() + 1, target_.areSideBySide() ? 1 : parts.size() + 1,
               [&](size_t begin, size_t end) {

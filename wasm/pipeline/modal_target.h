@@ -47,7 +47,7 @@ class ModalTarget {
               Job& job);
 
   // Binds the original's vertices to the mesh, for `compare`.
-  void bind(const TriangleMesh& mesh) { binding_ = closestPoints(original_, mesh); }
+  void bind(const TriangleMesh& mesh) { binding_ = closestPoints(original_, mesh, binding_); }
 
   // Indices of the thicknesses to compare at, and whether that is best done side by side.
   std::vector<size_t> thicknesses() const;

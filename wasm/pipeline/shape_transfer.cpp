@@ -4,12 +4,15 @@
 
 namespace limber {
 
-std::vector<SurfacePoint> closestPoints(const TriangleMesh& original, const TriangleMesh& other) {
+std::vector<SurfacePoint> closestPoints(const TriangleMesh& original, const TriangleMesh& other,
+                                        const std::vector<SurfacePoint>& last) {
   const ClosestPointTree tree(other);
   const std::vector<Vec3> normals = vertexNormals(original);
   std::vector<SurfacePoint> points(original.vertexCount());
   parallelFor(points.size(), 256, [&](size_t begin, size_t end) {
-    for (size_t v = begin; v < end; ++v) points[v] = tree.closestFacing(original.positions[v], normals[v]);
+    for (size_t v = begin; v < end; ++v)
+      points[v] =
+          tree.closestFacing(original.positions[v], normals[v], last.empty() ? kNone : last[v].triangle);
   });
   return points;
 }

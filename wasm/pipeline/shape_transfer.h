@@ -8,8 +8,9 @@
 namespace limber {
 
 // For each vertex of the original, its closest point on the other surface, on the sheet that looks the same
-// way.
-std::vector<SurfacePoint> closestPoints(const TriangleMesh& original, const TriangleMesh& other);
+// way. `last`: those of the same two, but for the places of the other's vertices, to start from; or empty.
+std::vector<SurfacePoint> closestPoints(const TriangleMesh& original, const TriangleMesh& other,
+                                        const std::vector<SurfacePoint>& last = {});
 
 // Shapes of the other body (a column each, rows 3 * v + c), at the original's vertices.
 Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& other,

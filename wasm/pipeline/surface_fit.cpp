@@ -23,20 +23,24 @@ constexpr double kFar =
 constexpr double kMostStress = 20;        // ... up to this
 constexpr double kCreaseRatio = 1 / 6.0;  // of eigenvalues of the normals' covariance
 
-// Where the samples pull: a face or a border edge each, kNone where there is none on the same side.
+// Where a sample pulls; `triangle` is kNone where there is none on the same side.
 struct Contact {
   uint32_t triangle = kNone;
   double weight[3] = {0, 0, 0};
   double distance = 0;  // along the sample's normal, from the mesh to the sample
 };
 
-std::vector<Contact> touchSurface(const TriangleMesh& mesh, const FitSamples& samples) {
+// Starts from the triangles that are `near`, if any, and leaves there what it has found.
+std::vector<Contact> touchSurface(const TriangleMesh& mesh, const FitSamples& samples,
+                                  std::vector<uint32_t>& near) {
   const ClosestPointTree tree(mesh);
   std::vector<Contact> contacts(samples.surface.size());
+  near.resize(contacts.size(), kNone);
   parallelFor(contacts.size(), kSamplesPerRange, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const auto& [point, normal, area] = samples.surface[i];
-      const SurfacePoint closest = tree.closest(point);
+      const SurfacePoint closest = tree.closest(point, near[i]);
+      near[i] = closest.triangle;
       if (dot(normalized(areaNormal(mesh, closest.triangle)), normal) < kSameSide) continue;
       contacts[i] = {closest.triangle,
                      {closest.barycentric[0], closest.barycentric[1], closest.barycentric[2]},
@@ -56,7 +60,7 @@ struct Sums {
 constexpr int kPair[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
 void addContacts(const TriangleMesh& mesh, const FitSamples& samples, SurfaceFit& fit, Sums& sums) {
-  const std::vector<Contact> contacts = touchSurface(mesh, samples);
+  const std::vector<Contact> contacts = touchSurface(mesh, samples, fit.touched);
   double squares = 0;
   for (size_t i = 0; i < contacts.size(); ++i) {
     if (contacts[i].triangle == kNone) continue;
@@ -261,6 +265,7 @@ FitSamples sampleForFit(const TriangleMesh& original, uint32_t count, const Edge
 SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const FitSamples& samples,
                       const SurfaceFitOptions& options) {
   SurfaceFit fit;
+  fit.touched = options.near;
   std::array<Block, 6> zero;
   zero.fill(Block::Zero());
   Sums sums{std::vector(mesh.triangleCount(), zero), std::vector<Block>(mesh.vertexCount(), Block::Zero()),

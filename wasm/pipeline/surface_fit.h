@@ -35,6 +35,7 @@ struct SurfaceFitOptions {
   double evenness = 0.003;  // weight of moving a vertex along the surface to the middle of its surroundings
   double borderWeight = 3;  // of distances from borders and lines against distances from the surface
   const EdgeList* lines = nullptr;  // inner edges that stay where the lines of the original are
+  std::vector<uint32_t> near = {};  // `touched` of the last fit, to start from; or empty
 };
 
 // The quadratic model dx^T A dx - 2 g^T dx + constant of the squared distance between the samples and a mesh
@@ -50,6 +51,7 @@ struct SurfaceFit {
   Eigen::VectorXd pull;                   // g
   double meanSquare = 0;                  // mean squared distance of the samples, in units of the mesh
   double area = 0;                        // that the samples stand for
+  std::vector<uint32_t> touched;          // per sample: the triangle that is closest
 };
 SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const FitSamples& samples,
                       const SurfaceFitOptions& options);
