@@ -71,61 +71,60 @@ TEST(ParallelFor, innerLoopsEndBeforeTheirCallersGoOn) {
 }
 
 #if LIMBER_THREADS
+// The threads that have come by.
+class Visitors {
+ public:
+  void enter() {
+    const std::lock_guard lock(mutex_);
+    threads_.insert(std::this_thread::get_id());
+  }
+  size_t count() const {
+    const std::lock_guard lock(mutex_);
+    return threads_.size();
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::set<std::thread::id> threads_;
+};
+
 TEST(ParallelFor, aThreadWithNothingLeftToDoHelpsInInnerLoops) {
   setThreadCount(2);
-  std::set<std::thread::id> inside;
-  std::mutex mutex;
-  const auto seen = [&] {
-    const std::lock_guard lock(mutex);
-    return inside.size();
-  };
+  Visitors visitors;
   const auto start = std::chrono::steady_clock::now();
   const auto isLate = [&] { return std::chrono::steady_clock::now() - start > std::chrono::seconds(20); };
   // Two outer ranges: one is over at once, the other begins inner loops until somebody else helps.
   parallelFor(2, 1, [&](size_t outer, size_t) {
-    while (outer == 1 && seen() < 2 && !isLate())
-      parallelFor(100, 1, [&](size_t, size_t) {
-        const std::lock_guard lock(mutex);
-        inside.insert(std::this_thread::get_id());
-      });
+    while (outer == 1 && visitors.count() < 2 && !isLate())
+      parallelFor(100, 1, [&](size_t, size_t) { visitors.enter(); });
   });
   setThreadCount(1);
-  EXPECT_EQ(seen(), 2);
+  EXPECT_EQ(visitors.count(), 2);
 }
 
 TEST(ParallelFor, aThreadHelpsInALoopThatBeganWhileItWasBusy) {
   setThreadCount(2);
-  std::set<std::thread::id> inside;
-  std::mutex mutex;
-  const auto seen = [&] {
-    const std::lock_guard lock(mutex);
-    return inside.size();
-  };
+  Visitors visitors;
   std::atomic<bool> isBusy = false;
   const auto start = std::chrono::steady_clock::now();
   const auto waitFor = [&](const auto& condition) {
     while (!condition() && std::chrono::steady_clock::now() - start < std::chrono::seconds(20))
       std::this_thread::yield();
   };
-  // Two outer ranges: one begins an inner loop while the other keeps its thread busy, which then ends.
+  // Two outer ranges: one begins a long inner loop while the other keeps its thread busy, which then ends.
   parallelFor(2, 1, [&](size_t outer, size_t) {
     if (outer == 1) {
       isBusy = true;
-      return waitFor([&] { return seen() > 0; });
+      return waitFor([&] { return visitors.count() > 0; });
     }
     waitFor([&] { return isBusy.load(); });
-    parallelFor(10, 1, [&](size_t begin, size_t) {
-      {
-        const std::lock_guard lock(mutex);
-        inside.insert(std::this_thread::get_id());
-      }
-      // The first of them gives the other thread the time to become idle, the second the time to help.
-      if (begin == 0) std::this_thread::sleep_for(std::chrono::milliseconds(100));
-      if (begin == 1) waitFor([&] { return seen() == 2; });
+    parallelFor(2000, 1, [&](size_t, size_t) {
+      visitors.enter();
+      if (visitors.count() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     });
   });
   setThreadCount(1);
-  EXPECT_EQ(seen(), 2);
+  EXPECT_EQ(visitors.count(), 2);
 }
 #endif
 
