@@ -55,13 +55,6 @@ void closestBarycentric(const Vec3& p, const Vec3 (&corner)[3], double (&barycen
   std::copy(found, found + 3, barycentric);
 }
 
-// What a search without a start begins from.
-SurfacePoint anywhereWithin(double distance) {
-  SurfacePoint none;
-  none.distance = distance;
-  return none;
-}
-
 }  // namespace
 
 SurfacePoint closestOnTriangle(const TriangleMesh& mesh, uint32_t t, const Vec3& point) {
@@ -164,7 +157,8 @@ SurfacePoint ClosestPointTree::search(const Vec3& point, const SurfacePoint& sta
 }
 
 SurfacePoint ClosestPointTree::closest(const Vec3& point, uint32_t near) const {
-  const SurfacePoint start = near == kNone ? anywhereWithin(HUGE_VAL) : closestOnTriangle(mesh_, near, point);
+  const SurfacePoint start =
+      near == kNone ? SurfacePoint{.distance = HUGE_VAL} : closestOnTriangle(mesh_, near, point);
   return search(point, start, [](uint32_t) { return true; });
 }
 
@@ -175,7 +169,7 @@ SurfacePoint ClosestPointTree::closestFacing(const Vec3& point, const Vec3& norm
   const SurfacePoint any = closest(point, near);
   if (squaredLength(normal) == 0 || looksThatWay(any.triangle)) return any;
   const double slack = kBetweenSheets * length(nodes_[0].high - nodes_[0].low);
-  const SurfacePoint facing = search(point, anywhereWithin(any.distance + slack), looksThatWay);
+  const SurfacePoint facing = search(point, {.distance = any.distance + slack}, looksThatWay);
   return facing.triangle != kNone ? facing : any;
 }
 

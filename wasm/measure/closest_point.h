@@ -11,7 +11,7 @@ namespace limber {
 struct SurfacePoint {
   uint32_t triangle = kNone;
   double barycentric[3] = {0, 0, 0};
-  Vec3 position;
+  Vec3 position = {};
   double distance = 0;
 };
 
@@ -38,7 +38,8 @@ class ClosestPointTree {
     uint32_t right = 0;             // an inner node's second child; the first follows it
   };
   uint32_t build(uint32_t first, uint32_t count, std::vector<Vec3>& centres);
-  // Among the triangles that count, no farther than `start`, which is found where there is none closer.
+  // Among the triangles that count, no farther than `start`, which is found where there is none closer; it
+  // may be a distance alone, without a triangle.
   template <class Counts>
   SurfacePoint search(const Vec3& point, const SurfacePoint& start, const Counts& counts) const;
 

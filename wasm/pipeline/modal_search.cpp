@@ -29,8 +29,8 @@ constexpr double kEvenness = 1e-3;  // of the triangles: see SurfaceFitOptions
 // What a vertex weighs that has come away from where the search began: along a flat wall nothing else holds
 // it, and walls whose triangles have slid far to mend small vibrations buckle elsewhere in large ones.
 constexpr double kAnchor = 1e-3;
-constexpr size_t kGramColumns = 16;
 constexpr double kLost = 1.5;  // a mesh with this much of the best merit is given up
+constexpr size_t kColumnsPerRange = 16;
 
 Eigen::VectorXd difference(const TriangleMesh& after, const TriangleMesh& before) {
   Eigen::VectorXd moved(3 * static_cast<Eigen::Index>(after.vertexCount()));
@@ -49,7 +49,7 @@ StepLimits withReach(StepLimits limits, const Reach& reach) {
 Eigen::MatrixXd lowerProduct(const Eigen::Transpose<const Eigen::MatrixXd>& a,
                              const Eigen::Ref<const Eigen::MatrixXd>& b) {
   Eigen::MatrixXd negative = Eigen::MatrixXd::Zero(a.rows(), b.cols());
-  parallelFor(static_cast<size_t>(b.cols()), kGramColumns, [&](size_t begin, size_t end) {
+  parallelFor(static_cast<size_t>(b.cols()), kColumnsPerRange, [&](size_t begin, size_t end) {
     const auto first = static_cast<Eigen::Index>(begin), count = static_cast<Eigen::Index>(end - begin),
                rows = a.rows() - first;
     subtractProduct(a.bottomRows(rows), b.middleCols(first, count),
