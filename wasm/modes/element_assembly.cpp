@@ -37,47 +37,50 @@ void ElementAssembly::findNeighbours() {
 
 void ElementAssembly::reserveEntries() {
   const auto unknownCount = static_cast<Eigen::Index>(firstUnknown_.back());
-  std::vector<int> rows;
   sum_.resize(unknownCount, unknownCount);
   int* column = sum_.outerIndexPtr();
   column[0] = 0;
+  rowOffset_.reserve(neighbours_.size());
   for (uint32_t i = 0; i + 1 < firstUnknown_.size(); ++i) {
     uint32_t height = 0;
     for (uint32_t k = start_[i]; k < start_[i + 1]; ++k) {
       rowOffset_.push_back(height);
-      height += firstUnknown_[neighbours_[k] + 1] - firstUnknown_[neighbours_[k]];
+      height += unknownsOf(neighbours_[k]);
     }
-    for (uint32_t u = firstUnknown_[i]; u < firstUnknown_[i + 1]; ++u) {
-      for (uint32_t k = start_[i]; k < start_[i + 1]; ++k)
-        for (uint32_t row = firstUnknown_[neighbours_[k]]; row < firstUnknown_[neighbours_[k] + 1]; ++row)
-          rows.push_back(static_cast<int>(row));
+    for (uint32_t u = firstUnknown_[i]; u < firstUnknown_[i + 1]; ++u)
       column[u + 1] = column[u] + static_cast<int>(height);
-    }
   }
-  sum_.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
-  std::copy(rows.begin(), rows.end(), sum_.innerIndexPtr());
-  std::fill_n(sum_.valuePtr(), rows.size(), 0.0);
+  sum_.resizeNonZeros(column[unknownCount]);
+  std::fill_n(sum_.valuePtr(), column[unknownCount], 0.0);
+  int* row = sum_.innerIndexPtr();
+  for (uint32_t i = 0; i + 1 < firstUnknown_.size(); ++i)
+    for (uint32_t u = 0; u < unknownsOf(i); ++u)
+      for (uint32_t k = start_[i]; k < start_[i + 1]; ++k)
+        for (uint32_t r = 0; r < unknownsOf(neighbours_[k]); ++r)
+          *row++ = static_cast<int>(firstUnknown_[neighbours_[k]] + r);
+}
+
+// Where the block of node i begins within the columns of node j.
+uint32_t ElementAssembly::offsetOf(uint32_t i, uint32_t j) const {
+  const auto first = neighbours_.begin() + start_[j], last = neighbours_.begin() + start_[j + 1];
+  return rowOffset_[static_cast<size_t>(std::find(first, last, i) - neighbours_.begin())];
 }
 
 void ElementAssembly::add(uint32_t element, const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
   const uint32_t* nodes = elementNodes_.data() + size_t{element} * nodesPerElement_;
-  Eigen::Index column = 0;
+  whole_ = matrix.selfadjointView<Eigen::Lower>();
+  const double* firstColumn = whole_.data();
   for (uint32_t j = 0; j < nodesPerElement_; ++j) {
-    const uint32_t columns = firstUnknown_[nodes[j] + 1] - firstUnknown_[nodes[j]];
-    const auto first = neighbours_.begin() + start_[nodes[j]],
-               last = neighbours_.begin() + start_[nodes[j] + 1];
-    Eigen::Index row = 0;
+    const double* from = firstColumn;
     for (uint32_t i = 0; i < nodesPerElement_; ++i) {
-      const uint32_t rows = firstUnknown_[nodes[i] + 1] - firstUnknown_[nodes[i]];
-      const auto place = std::lower_bound(first, last, nodes[i]) - neighbours_.begin();
-      for (uint32_t c = 0; c < columns; ++c) {
-        double* to = sum_.valuePtr() + sum_.outerIndexPtr()[firstUnknown_[nodes[j]] + c] + rowOffset_[place];
-        for (uint32_t r = 0; r < rows; ++r)
-          to[r] += matrix(std::max(row + r, column + c), std::min(row + r, column + c));
+      const uint32_t offset = offsetOf(nodes[i], nodes[j]), rows = unknownsOf(nodes[i]);
+      for (uint32_t c = 0; c < unknownsOf(nodes[j]); ++c) {
+        double* to = sum_.valuePtr() + sum_.outerIndexPtr()[firstUnknown_[nodes[j]] + c] + offset;
+        for (uint32_t r = 0; r < rows; ++r) to[r] += from[c * whole_.rows() + r];
       }
-      row += rows;
+      from += rows;
     }
-    column += columns;
+    firstColumn += unknownsOf(nodes[j]) * whole_.rows();
   }
 }
 

@@ -27,11 +27,14 @@ class ElementAssembly {
   // the place of each one's first unknown within the columns of i.
   void findNeighbours();
   void reserveEntries();
+  uint32_t unknownsOf(uint32_t node) const { return firstUnknown_[node + 1] - firstUnknown_[node]; }
+  uint32_t offsetOf(uint32_t i, uint32_t j) const;
 
   std::vector<uint32_t> firstUnknown_, elementNodes_;
   uint32_t nodesPerElement_;
   std::vector<uint32_t> start_, neighbours_, rowOffset_;
   Eigen::SparseMatrix<double> sum_;
+  Eigen::MatrixXd whole_;  // scratch
 };
 
 }  // namespace limber

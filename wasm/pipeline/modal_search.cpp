@@ -142,8 +142,10 @@ void ModalSearch::measure() {
   target_.bind(state_.mesh);
   const std::vector<size_t> thicknesses = target_.thicknesses();
   std::vector<Mismatch> parts(thicknesses.size());
-  const auto measureOne = [&](size_t k) {
-    if (k < parts.size())
+  // The longest comparison comes first; the fit, on which fewer threads could work together, not last.
+  const auto measureOne = [&](size_t item) {
+    const size_t k = item == 0 ? 0 : item - 1;
+    if (item != 1)
       parts[k] = target_.compare(state_.mesh, thicknesses[k], job_);
     else
       state_.fit = fitSurface(state_.mesh, topology_, samples_,
@@ -151,7 +153,7 @@ void ModalSearch::measure() {
   };
   parallelFor(parts.size() + 1, target_.areSideBySide() ? 1 : parts.size() + 1,
               [&](size_t begin, size_t end) {
-                for (size_t k = begin; k < end; ++k) measureOne(k);
+                for (size_t item = begin; item < end; ++item) measureOne(item);
               });
   part_.flats.hold(state_.fit.stiffness);
   state_.mismatch = join(parts);

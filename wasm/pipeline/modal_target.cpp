@@ -152,7 +152,7 @@ ModalTarget::ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh,
 
 std::vector<size_t> ModalTarget::thicknesses() const {
   if (options_.isLarge) return {0, 2};
-  return {0, 1, 2};
+  return {kMiddle, 0, 2};
 }
 
 int ModalTarget::modesAt(size_t k) const {
