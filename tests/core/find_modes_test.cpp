@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "base/memory.h"
 #include "base/parallel.h"
@@ -68,6 +70,32 @@ TEST(CoarseSolve, carriesPinsOver) {
   for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(coarse.modes[k].omega / exact.modes[k].omega, 1, 1e-3);
   for (uint32_t v : options.pinned)
     for (size_t c = 0; c < 3; ++c) EXPECT_EQ(coarse.shapes[3 * v + c], 0.0f);
+}
+
+TEST(SmallParts, areSolvedSideBySideWithTheSameResultAndRisingProgress) {
+  TriangleMesh mesh = shapes::torus(90, 50);  // above the limit of small parts
+  for (int i = 0; i < 5; ++i) {
+    TriangleMesh box = shapes::box(3 + i, 2, 2, 0.2);
+    for (Vec3& p : box.positions) p.x += 3 + 2 * i;
+    mesh = shapes::together(mesh, box);
+  }
+  const ModesOptions options = shellOptions(mesh, 4);
+  const auto solve = [&](int threads, std::vector<double>& progress) {
+    Job job;
+    job.observer = [&](Phase, double fraction) { progress.push_back(fraction); };
+    setThreadCount(threads);
+    ModeSet set = findModes(mesh, options, false, job);
+    setThreadCount(1);
+    return set;
+  };
+  std::vector<double> alone, together;
+  const ModeSet one = solve(1, alone), four = solve(4, together);
+  ASSERT_EQ(one.components.size(), 6u);
+  EXPECT_EQ(one.shapes, four.shapes);
+  ASSERT_EQ(one.modes.size(), 24u);
+  for (size_t k = 0; k < one.modes.size(); ++k) EXPECT_EQ(one.modes[k].omega, four.modes[k].omega);
+  EXPECT_TRUE(std::is_sorted(alone.end() - 5, alone.end()));
+  EXPECT_EQ(alone.back(), 1);
 }
 
 TEST(ExactSolve, refusesBeforeItTakesMoreMemoryThanThereIs) {

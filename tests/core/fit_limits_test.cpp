@@ -118,8 +118,7 @@ TEST(GuardedStep, leavesWhatIsTooFarAlready) {
   TriangleMesh coarse = shapes::grid(4, 4);
   coarse.positions[12].z = 0.2;
   DeviationGuard guard(fine, 0.1);
-  const Topology topology = buildTopology(coarse);
-  const GuardedStep step(coarse, topology, {.deviation = &guard});
+  const GuardedStep step(coarse, {.deviation = &guard});
   const Eigen::VectorXd lift = Eigen::VectorXd::Constant(3 * coarse.vertexCount(), 0.01);
   const TriangleMesh moved = step.apply(coarse, lift);
   EXPECT_EQ(moved.positions[12], coarse.positions[12]);

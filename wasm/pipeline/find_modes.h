@@ -12,7 +12,7 @@ inline constexpr uint32_t kRefinedVertices = 120000;
 
 // Modes of every part. Large shells (kExactVertices) are solved on an evenly decimated copy of at least 8,000
 // vertices, and the shapes are carried back; ComponentModes::coarseVertices tells. `exact` solves all of them
-// as they are. Errors as computeModes.
+// as they are. Small parts are solved side by side. Errors as computeModes.
 ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& options, bool exact, Job& job);
 
 }  // namespace limber

@@ -35,8 +35,7 @@ std::vector<double> roomAround(const TriangleMesh& mesh) {
 
 }  // namespace
 
-GuardedStep::GuardedStep(const TriangleMesh& start, const Topology& topology, const StepLimits& limits)
-    : topology_(topology), limits_(limits) {
+GuardedStep::GuardedStep(const TriangleMesh& start, const StepLimits& limits) : limits_(limits) {
   for (uint32_t t = 0; t < start.triangleCount(); ++t) {
     normal_.push_back(normalized(areaNormal(start, t)));
     quality_.push_back(

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
 #include "pipeline/deviation_guard.h"
 #include "pipeline/reach.h"
@@ -25,9 +24,8 @@ struct StepLimits {
 // start.
 class GuardedStep {
  public:
-  // Keeps references to `topology`, which must be that of the meshes that are moved, and to what the limits
-  // refer to.
-  GuardedStep(const TriangleMesh& start, const Topology& topology, const StepLimits& limits = {});
+  // Keeps references to what the limits refer to.
+  explicit GuardedStep(const TriangleMesh& start, const StepLimits& limits = {});
 
   // mesh.positions + step (3 numbers a vertex). No vertex moves farther than 0.2 of its shortest edge; the
   // vertices of a face that would turn by more than about 50 degrees against the start, or lose much of its
@@ -39,7 +37,6 @@ class GuardedStep {
   std::vector<uint8_t> verticesOf(const TriangleMesh& mesh, const std::vector<uint8_t>& isIn) const;
   std::vector<uint8_t> badVertices(const TriangleMesh& moved) const;
 
-  const Topology& topology_;
   StepLimits limits_;
   std::vector<Vec3> normal_;  // of the faces at the start; 0 for one without area, which may do what it likes
   std::vector<double> quality_, angle_;  // that each must keep

@@ -68,7 +68,7 @@ uint32_t fitToSurface(FitPart& part, const FitSamples& samples, const StepLimits
         FitSolver(part.locked, call.job).solve({fit.stiffness, fit.inertia, kSurfaceHold}, fit.pull);
     if (part.mirror) part.mirror->symmetrise(step);
     part.flats.flatten(step);
-    part.simplified = GuardedStep(part.simplified, topology, limits).apply(part.simplified, step);
+    part.simplified = GuardedStep(part.simplified, limits).apply(part.simplified, step);
     if (part.mirror) part.mirror->symmetrise(part.simplified);
   }
   return flips;

@@ -103,7 +103,7 @@ ModalSearch::ModalSearch(const FitPart& part, const FitSamples& samples, ModalTa
       job_(job),
       topology_(buildTopology(part.simplified)),
       reach_(part.original, part.simplified, topology_),
-      guard_(part.simplified, topology_, withReach(limits.steps, reach_)),
+      guard_(part.simplified, withReach(limits.steps, reach_)),
       solver_(part.locked, job),
       hold_(limits.firstHold) {
   state_.mesh = part.simplified;

@@ -34,7 +34,8 @@ export function TestReadouts() {
 }
 
 function describePace(frame: TwinFrame | null): string {
-  if (!frame || !(twin.playing.value || frame.playing)) return 'paused';
+  if (!(twin.playing.value || frame?.playing)) return 'paused';
+  if (!frame) return 'about to start';
   return frame.pace < REAL_TIME ? `slow motion x${frame.pace.toPrecision(2)}` : 'real time';
 }
 
