@@ -1,23 +1,33 @@
 #include "measure/closest_point.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace limber {
 
 namespace {
 
-constexpr uint32_t kLeafSize = 4;
+constexpr uint32_t kLeafSize = 2;
 constexpr double kSameWay = 0.25;        // cosine between normals
 constexpr double kBetweenSheets = 0.01;  // of the diagonal
 
-double squaredDistanceToBox(const Vec3& p, const Vec3& low, const Vec3& high) {
-  double sum = 0;
+// From a point to two boxes.
+RealPair squaredDistance(const Point<RealPair>& p, const Point<RealPair>& low, const Point<RealPair>& high) {
+  const auto outside = [](RealPair x, RealPair from, RealPair to) {
+    const RealPair below = from - x, above = x - to, off = below > above ? below : above;
+    return off > 0 ? off : RealPair{};
+  };
+  const RealPair x = outside(p.x, low.x, high.x), y = outside(p.y, low.y, high.y),
+                 z = outside(p.z, low.z, high.z);
+  return x * x + y * y + z * z;
+}
+
+void widen(Bounds& box, const Vec3& p) {
   for (int axis = 0; axis < 3; ++axis) {
-    const double outside = std::max({low[axis] - p[axis], 0.0, p[axis] - high[axis]});
-    sum += outside * outside;
+    box.low[axis] = std::min(box.low[axis], p[axis]);
+    box.high[axis] = std::max(box.high[axis], p[axis]);
   }
-  return sum;
 }
 
 // The parameter in [0, 1] of the point of the segment a + s (b - a) closest to p.
@@ -72,42 +82,48 @@ ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh) : mesh_(mesh), orde
   std::vector<Vec3> centres(mesh.triangleCount());
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
     centres[t] = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
-  nodes_.reserve(size_t{2} * mesh.triangleCount() / kLeafSize + 2);
-  if (!order_.empty()) build(0, mesh.triangleCount(), centres);
+  nodes_.reserve(std::bit_ceil(1 + order_.size() / kLeafSize));
+  if (!order_.empty()) root_ = build(0, mesh.triangleCount(), centres, box_);
 }
 
-// Halves the triangles at the median centre along the longest side of their centres' box: at most log2(n)
-// calls deep.
-uint32_t ClosestPointTree::build(uint32_t first, uint32_t count, std::vector<Vec3>& centres) {
-  const auto index = static_cast<uint32_t>(nodes_.size());
-  nodes_.emplace_back();
-  Vec3 low = mesh_.corner(order_[first], 0), high = low;
-  Vec3 lowCentre = centres[order_[first]], highCentre = lowCentre;
+Bounds ClosestPointTree::boxAround(uint32_t first, uint32_t count) const {
+  const Vec3& corner = mesh_.corner(order_[first], 0);
+  Bounds box{corner, corner};
   for (uint32_t i = first; i < first + count; ++i)
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int c = 0; c < 3; ++c) {
-        low[axis] = std::min(low[axis], mesh_.corner(order_[i], c)[axis]);
-        high[axis] = std::max(high[axis], mesh_.corner(order_[i], c)[axis]);
-      }
-      lowCentre[axis] = std::min(lowCentre[axis], centres[order_[i]][axis]);
-      highCentre[axis] = std::max(highCentre[axis], centres[order_[i]][axis]);
-    }
-  nodes_[index].low = low;
-  nodes_[index].high = high;
-  if (count <= kLeafSize) {
-    nodes_[index].first = first;
-    nodes_[index].count = count;
-    return index;
-  }
-  const Vec3 size = highCentre - lowCentre;
+    for (int c = 0; c < 3; ++c) widen(box, mesh_.corner(order_[i], c));
+  return box;
+}
+
+// At the median centre along the longest side of the centres' box; returns the first of the upper half.
+uint32_t ClosestPointTree::halve(uint32_t first, uint32_t count, const std::vector<Vec3>& centres) {
+  Bounds box{centres[order_[first]], centres[order_[first]]};
+  for (uint32_t i = first; i < first + count; ++i) widen(box, centres[order_[i]]);
+  const Vec3 size = box.high - box.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const auto begin = order_.begin() + first;
   std::nth_element(begin, begin + count / 2, begin + count, [&](uint32_t a, uint32_t b) {
     return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
   });
-  build(first, count / 2, centres);
-  nodes_[index].right = build(first + count / 2, count - count / 2, centres);
-  return index;
+  return first + count / 2;
+}
+
+// At most log2(n) calls deep.
+ClosestPointTree::Branch ClosestPointTree::build(uint32_t first, uint32_t count,
+                                                 const std::vector<Vec3>& centres, Bounds& box) {
+  if (count <= kLeafSize) {
+    box = boxAround(first, count);
+    return {first, count};
+  }
+  const uint32_t middle = halve(first, count, centres);
+  const auto index = static_cast<uint32_t>(nodes_.size());
+  nodes_.emplace_back();
+  Bounds upper;
+  const Branch below = build(first, middle - first, centres, box);
+  const Branch above = build(middle, first + count - middle, centres, upper);
+  nodes_[index] = {asPair(box.low, upper.low), asPair(box.high, upper.high), {below, above}};
+  widen(box, upper.low);
+  widen(box, upper.high);
+  return {index, 0};
 }
 
 template <class Counts>
@@ -117,28 +133,27 @@ SurfacePoint ClosestPointTree::search(const Vec3& point, const SurfacePoint& sta
   double bestSquared =
       start.triangle == kNone ? start.distance * start.distance : squaredLength(point - start.position);
   struct Visit {
-    uint32_t node;
+    Branch branch;
     double squared;
   };
+  const Point<RealPair> points = asPair(point, point);
   Visit stack[64];  // a balanced tree over 2^32 triangles is 32 deep
   int depth = 0;
-  stack[depth++] = {0, squaredDistanceToBox(point, nodes_[0].low, nodes_[0].high)};
+  stack[depth++] = {root_, 0};
   while (depth > 0) {
-    const Visit visit = stack[--depth];
-    if (visit.squared > bestSquared) continue;
-    const Node& node = nodes_[visit.node];
-    if (node.count == 0) {
-      Visit near{visit.node + 1, 0}, far{node.right, 0};
-      near.squared = squaredDistanceToBox(point, nodes_[near.node].low, nodes_[near.node].high);
-      far.squared = squaredDistanceToBox(point, nodes_[far.node].low, nodes_[far.node].high);
-      if (far.squared < near.squared) std::swap(near, far);
-      stack[depth++] = far;
-      stack[depth++] = near;
+    const auto [branch, away] = stack[--depth];
+    if (away > bestSquared) continue;
+    if (branch.count == 0) {
+      const Node& node = nodes_[branch.first];
+      const RealPair squared = squaredDistance(points, node.low, node.high);
+      const int far = squared[1] < squared[0] ? 0 : 1;
+      if (squared[far] <= bestSquared) stack[depth++] = {node.branches[far], squared[far]};
+      if (squared[1 - far] <= bestSquared) stack[depth++] = {node.branches[1 - far], squared[1 - far]};
       continue;
     }
-    for (uint32_t i = node.first; i < node.first + node.count; ++i) {
+    for (uint32_t i = branch.first; i < branch.first + branch.count; ++i) {
       const uint32_t t = order_[i];
-      if (!counts(t)) continue;
+      if (t == start.triangle || !counts(t)) continue;
       const Vec3 corner[3] = {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
       double barycentric[3];
       closestBarycentric(point, corner, barycentric);
@@ -168,7 +183,7 @@ SurfacePoint ClosestPointTree::closestFacing(const Vec3& point, const Vec3& norm
   };
   const SurfacePoint any = closest(point, near);
   if (squaredLength(normal) == 0 || looksThatWay(any.triangle)) return any;
-  const double slack = kBetweenSheets * length(nodes_[0].high - nodes_[0].low);
+  const double slack = kBetweenSheets * box_.diagonal();
   const SurfacePoint facing = search(point, {.distance = any.distance + slack}, looksThatWay);
   return facing.triangle != kNone ? facing : any;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/real_pair.h"
 #include "mesh/triangle_mesh.h"
 
 namespace limber {
@@ -32,18 +33,27 @@ class ClosestPointTree {
   SurfacePoint closestFacing(const Vec3& point, const Vec3& normal, uint32_t near = kNone) const;
 
  private:
-  struct Node {
-    Vec3 low, high;
-    uint32_t first = 0, count = 0;  // a leaf's triangles in order_; count 0: an inner node
-    uint32_t right = 0;             // an inner node's second child; the first follows it
+  // The triangles order_[first] to order_[first + count - 1]; where count is 0, the two branches of
+  // nodes_[first].
+  struct Branch {
+    uint32_t first = 0, count = 0;
   };
-  uint32_t build(uint32_t first, uint32_t count, std::vector<Vec3>& centres);
+  struct Node {
+    Point<RealPair> low, high;  // of the boxes around both
+    Branch branches[2];
+  };
+  // `box` becomes the one around these triangles.
+  Branch build(uint32_t first, uint32_t count, const std::vector<Vec3>& centres, Bounds& box);
+  Bounds boxAround(uint32_t first, uint32_t count) const;
+  uint32_t halve(uint32_t first, uint32_t count, const std::vector<Vec3>& centres);
   // Among the triangles that count, no farther than `start`, which is found where there is none closer; it
   // may be a distance alone, without a triangle.
   template <class Counts>
   SurfacePoint search(const Vec3& point, const SurfacePoint& start, const Counts& counts) const;
 
   const TriangleMesh& mesh_;
+  Branch root_;
+  Bounds box_;
   std::vector<Node> nodes_;
   std::vector<uint32_t> order_;
 };
