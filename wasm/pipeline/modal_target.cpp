@@ -138,6 +138,7 @@ ModalTarget::ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh,
     for (size_t k : thicknesses()) last_[k] = startCoarsely(mesh, k, job);
     shell = originalShell(job);
   } else {
+    solvedAt_ = mesh.positions;
     parallelFor(1 + kThicknesses, 1, [&](size_t item, size_t) {
       if (item == 0) {
         shell = originalShell(job);
@@ -238,11 +239,20 @@ ModalTarget::Aligned ModalTarget::align(const ShellVibration& found, const Eigen
   return aligned;
 }
 
-Mismatch ModalTarget::compare(const TriangleMesh& mesh, size_t thickness, Job& job) {
+// The modes of `mesh`, from what the last call found; that is them already where it is the constructor's
+// mesh.
+void ModalTarget::vibrate(const TriangleMesh& mesh, size_t thickness, Job& job) {
   ShellVibration& found = last_[thickness];
-  found = found.lambda.size() > 0
-              ? shell_.follow(mesh, found, modesAt(thickness) + kMargin, job)
-              : shell_.solve(mesh, thicknessOf(thickness), modesAt(thickness) + kMargin, job);
+  const bool isWhole = found.phi.rows() == shell_.unknownCount();
+  if (isWhole && mesh.positions == solvedAt_) return;
+  const int modeCount = modesAt(thickness) + kMargin;
+  found = found.lambda.size() > 0 ? shell_.follow(mesh, found, modeCount, job)
+                                  : shell_.solve(mesh, thicknessOf(thickness), modeCount, job);
+}
+
+Mismatch ModalTarget::compare(const TriangleMesh& mesh, size_t thickness, Job& job) {
+  vibrate(mesh, thickness, job);
+  ShellVibration& found = last_[thickness];
   const Aligned aligned = align(found, massNormalised(carriedToOriginal(mesh, found), rootMass_), thickness);
   Mismatch mismatch;
   const double coupling = options_.isLarge ? 0 : kCoupling[thickness];

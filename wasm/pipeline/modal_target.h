@@ -82,6 +82,7 @@ class ModalTarget {
   std::unique_ptr<OriginalShell> originalShell(Job& job) const;
   void findReference(const TriangleMesh& mesh, const OriginalShell* original, size_t thickness, Job& job);
   void findReferences(const TriangleMesh& mesh, const OriginalShell* original, Job& job);
+  void vibrate(const TriangleMesh& mesh, size_t thickness, Job& job);
   // Shapes of the mesh at the original's vertices.
   Eigen::MatrixXd carriedToOriginal(const TriangleMesh& mesh, const ShellVibration& found) const;
   Aligned align(const ShellVibration& found, const Eigen::MatrixXd& carried, size_t k) const;
@@ -90,8 +91,9 @@ class ModalTarget {
   ModalTargetOptions options_;
   Topology topology_;  // of the mesh
   VibratingShell shell_;
-  Found reference_;  // shapes mass-normalised over the original's vertices
-  Found last_;       // of the mesh that was compared last
+  Found reference_;             // shapes mass-normalised over the original's vertices
+  Found last_;                  // of the mesh that was compared last
+  std::vector<Vec3> solvedAt_;  // the vertices of the mesh that the constructor has solved, or empty
   std::vector<SurfacePoint> binding_;
   Eigen::VectorXd rootMass_;
 };
