@@ -6,6 +6,7 @@
 
 #include "base/dual.h"
 #include "base/parallel.h"
+#include "base/real_pair.h"
 
 namespace limber {
 
@@ -91,38 +92,45 @@ ElementMode modeOf(const TriangleMesh& mesh, const Topology& topology, uint32_t 
 // Membrane strain, then curvature.
 using Strain = std::array<double, 6>;
 
+// A strain, its derivatives by a, b and c, and those by turns about x, y and z; the last lane is free.
+using StrainSlope = std::array<RealPair, 4>;
+
 struct StrainSlopes {
-  Strain value{}, stress{};
-  std::array<Strain, kParameters> slope{};
+  Strain stress{};
+  std::array<StrainSlope, 6> strain{};
 };
 
-double part(const Number& x, size_t which) {
-  return which == 0 ? x.value : x.slope[which - 1];
+// A number and its first derivative, or the other two.
+RealPair part(const Number& x, size_t half) {
+  return half == 0 ? RealPair{x.value, x.slope[0]} : RealPair{x.slope[1], x.slope[2]};
 }
 
-// Adds the strain that displacements (and rotations) make; `which`: 0 the strain itself, k > 0 its derivative
-// by the shape.
-void addStrain(const Element& element, const ElementMode& mode, size_t which, Strain& out) {
-  for (size_t v = 0; v < 3; ++v) {
-    const auto [ux, uy, w] = mode.displacement[v];
-    const double gx = part(element.gradientX[v], which), gy = part(element.gradientY[v], which);
-    out[0] += gx * ux;
-    out[1] += gy * uy;
-    out[2] += gx * uy + gy * ux;
+// What the shape makes of displacements and rotations at a corner.
+void addShape(const Element& element, const ElementMode& mode, size_t v, std::array<StrainSlope, 6>& out) {
+  const auto [ux, uy, w] = mode.displacement[v];
+  for (size_t half = 0; half < 2; ++half) {
+    const RealPair gx = part(element.gradientX[v], half), gy = part(element.gradientY[v], half);
+    out[0][half] += gx * ux;
+    out[1][half] += gy * uy;
+    out[2][half] += gx * uy + gy * ux;
     for (size_t k = 0; k < 3; ++k)
-      out[3 + k] += part(element.bend[v][k], which) * w + part(element.turn[v][k], which) * mode.turn[v];
+      out[3 + k][half] += part(element.bend[v][k], half) * w + part(element.turn[v][k], half) * mode.turn[v];
   }
 }
 
 // When a triangle turns by a small angle about one of its axes, displacements turn back against it.
-ElementMode turnedBack(const ElementMode& mode, size_t axis) {
-  ElementMode turned{};
-  const size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
-  for (size_t v = 0; v < 3; ++v) {
-    turned.displacement[v][next] = mode.displacement[v][last];
-    turned.displacement[v][last] = -mode.displacement[v][next];
+void addTurns(const Element& element, const ElementMode& mode, size_t v, std::array<StrainSlope, 6>& out) {
+  const auto [ux, uy, w] = mode.displacement[v];
+  const std::array<RealPair, 2> x = {RealPair{0, -w}, RealPair{uy, 0}},
+                                y = {RealPair{w, 0}, RealPair{-ux, 0}},
+                                z = {RealPair{-uy, ux}, RealPair{0, 0}};
+  const double gx = element.gradientX[v].value, gy = element.gradientY[v].value;
+  for (size_t half = 0; half < 2; ++half) {
+    out[0][2 + half] += gx * x[half];
+    out[1][2 + half] += gy * y[half];
+    out[2][2 + half] += gx * y[half] + gy * x[half];
+    for (size_t k = 0; k < 3; ++k) out[3 + k][2 + half] += element.bend[v][k].value * z[half];
   }
-  return turned;
 }
 
 // Plane stress of unit stiffness.
@@ -135,19 +143,25 @@ void setStress(const double* strain, double factor, double poisson, double* stre
 
 StrainSlopes strainsOf(const Element& element, const ElementMode& mode, const ShellMaterial& material) {
   StrainSlopes strains;
-  addStrain(element, mode, 0, strains.value);
-  for (size_t k = 0; k < kShape; ++k) addStrain(element, mode, 1 + k, strains.slope[k]);
-  for (size_t axis = 0; axis < 3; ++axis)
-    addStrain(element, turnedBack(mode, axis), 0, strains.slope[kShape + axis]);
+  for (size_t v = 0; v < 3; ++v) {
+    addShape(element, mode, v, strains.strain);
+    addTurns(element, mode, v, strains.strain);
+  }
+  Strain value;
+  for (size_t k = 0; k < 6; ++k) value[k] = strains.strain[k][0][0];
   const double h = material.thickness;
-  setStress(strains.value.data(), h, material.poisson, strains.stress.data());
-  setStress(strains.value.data() + 3, h * h * h / 12, material.poisson, strains.stress.data() + 3);
+  setStress(value.data(), h, material.poisson, strains.stress.data());
+  setStress(value.data() + 3, h * h * h / 12, material.poisson, strains.stress.data() + 3);
   return strains;
 }
 
-double product(const Strain& a, const Strain& b) {
-  double sum = 0;
-  for (size_t k = 0; k < 6; ++k) sum += a[k] * b[k];
+// The stresses of each times the strains of the other, and the derivatives by the parameters. The material's
+// stiffness is constant, so that a stress' derivatives need not be known.
+StrainSlope energySlope(const StrainSlopes& i, const StrainSlopes& j) {
+  StrainSlope sum{};
+  for (size_t k = 0; k < 6; ++k)
+    for (size_t at = 0; at < sum.size(); ++at)
+      sum[at] += i.stress[k] * j.strain[k][at] + j.stress[k] * i.strain[k][at];
   return sum;
 }
 
@@ -177,10 +191,11 @@ std::array<double, 9> byCorners(const Element& element, const std::array<double,
 // Of psi_i^T (K - lambda M) psi_j of one triangle.
 std::array<double, 9> slopesOf(const Element& element, const StrainSlopes& i, const StrainSlopes& j,
                                double inertia) {
+  const StrainSlope energy = energySlope(i, j);
+  const double density = 0.5 * energy[0][0] - inertia;
   std::array<double, kParameters> slope;
-  const double density = product(i.stress, j.value) - inertia;
   for (size_t k = 0; k < kParameters; ++k) {
-    slope[k] = element.area.value * (product(i.stress, j.slope[k]) + product(j.stress, i.slope[k]));
+    slope[k] = element.area.value * energy[(k + 1) / 2][(k + 1) % 2];
     if (k < kShape) slope[k] += element.area.slope[k] * density;
   }
   return byCorners(element, slope);
