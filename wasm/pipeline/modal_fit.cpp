@@ -59,10 +59,13 @@ uint32_t fitToSurface(FitPart& part, const FitSamples& samples, const StepLimits
   FlipLimits flipLimits{part.fixedEdges, part.partners(), limits.minAngle};
   if (limits.deviation) flipLimits.mostLift = kMostLift * call.options.maxDeviation / part.diagonal;
   uint32_t flips = 0;
+  std::vector<uint32_t> touched;
   for (int round = 0; round < kSurfaceRounds; ++round) {
     flips += flipToDelaunay(part.simplified, flipLimits, corners);
     const Topology topology = buildTopology(part.simplified);
-    SurfaceFit fit = fitSurface(part.simplified, topology, samples, {.lines = &part.lines});
+    SurfaceFit fit =
+        fitSurface(part.simplified, topology, samples, {.lines = &part.lines, .near = std::move(touched)});
+    touched = std::move(fit.touched);
     part.flats.hold(fit.stiffness);
     Eigen::MatrixXd step =
         FitSolver(part.locked, call.job).solve({fit.stiffness, fit.inertia, kSurfaceHold}, fit.pull);

@@ -62,36 +62,49 @@ Eigen::MatrixXd lowerProduct(const Eigen::Transpose<const Eigen::MatrixXd>& a,
 
 // Minima of dx^T A dx - 2 g^T dx + worth |r + J dx|^2 for any worth, by Woodbury: J has few rows. With s =
 // A^-1 g, X = A^-1 J^T, G = J X and y = (1 / worth + G)^-1 (r + J s), dx = s - X y, and the first two terms
-// are y^T G y - g^T s.
+// are y^T G y - g^T s. G is made tridiagonal once, so that each worth takes no time.
 class ModalSearch::TradeOff {
  public:
   // `solved`: A^-1 times the pull and the slopes.
   TradeOff(const Eigen::VectorXd& pull, const Mismatch& mismatch, Eigen::MatrixXd solved)
       : solved_(std::move(solved)),
         gain_(pull.dot(solved_.col(0))),
-        gram_(lowerProduct(mismatch.slope.transpose(), solved_.rightCols(mismatch.slope.cols()))) {
-    target_ = gram_.eigenvectors().transpose() * (mismatch.residual.cwiseMax(-kClip).cwiseMin(kClip) +
-                                                  mismatch.slope.transpose() * solved_.col(0));
+        gram_(lowerProduct(mismatch.slope.transpose(), solved_.rightCols(mismatch.slope.cols()))),
+        diagonal_(gram_.diagonal()),
+        beside_(gram_.subDiagonal()) {
+    target_ = gram_.matrixQ().adjoint() * (mismatch.residual.cwiseMax(-kClip).cwiseMin(kClip) +
+                                           mismatch.slope.transpose() * solved_.col(0));
   }
 
   Eigen::VectorXd step(double worth) const {
-    return solved_.col(0) - solved_.rightCols(target_.size()) * (gram_.eigenvectors() * multipliers(worth));
+    return solved_.col(0) - solved_.rightCols(target_.size()) * (gram_.matrixQ() * multipliers(worth));
   }
 
   // How much the surface's squared distance, over the area, would grow.
   double growth(double worth) const {
-    return multipliers(worth).cwiseAbs2().dot(gram_.eigenvalues()) - gain_;
+    const Eigen::VectorXd y = multipliers(worth);
+    const Eigen::Index last = y.size() - 1;
+    return y.cwiseAbs2().dot(diagonal_) + 2 * y.head(last).cwiseProduct(y.tail(last)).dot(beside_) - gain_;
   }
 
  private:
+  // Solved as L D L^T.
   Eigen::VectorXd multipliers(double worth) const {
-    return target_.array() / (1 / worth + gram_.eigenvalues().array().max(0));
+    Eigen::VectorXd pivot = diagonal_.array() + 1 / worth, y = target_;
+    for (Eigen::Index k = 1; k < y.size(); ++k) {
+      const double factor = beside_[k - 1] / pivot[k - 1];
+      pivot[k] -= factor * beside_[k - 1];
+      y[k] -= factor * y[k - 1];
+    }
+    y.array() /= pivot.array();
+    for (Eigen::Index k = y.size() - 1; k > 0; --k) y[k - 1] -= beside_[k - 1] / pivot[k - 1] * y[k];
+    return y;
   }
 
   Eigen::MatrixXd solved_;
   double gain_;
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram_;
-  Eigen::VectorXd target_;
+  Eigen::Tridiagonalization<Eigen::MatrixXd> gram_;
+  Eigen::VectorXd diagonal_, beside_, target_;
 };
 
 ModalSearch::ModalSearch(const FitPart& part, const FitSamples& samples, ModalTarget& target,
