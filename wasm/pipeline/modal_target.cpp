@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 #include "base/parallel.h"
@@ -133,22 +134,37 @@ ModalTarget::ModalTarget(const TriangleMesh& original, const TriangleMesh& mesh,
           job),
       rootMass_(rootMasses(original)) {
   bind(mesh);
+  if (options.isLarge)
+    prepareLarge(mesh, job);
+  else
+    prepare(mesh, job);
+}
+
+void ModalTarget::prepareLarge(const TriangleMesh& mesh, Job& job) {
+  for (size_t k : thicknesses()) last_[k] = startCoarsely(mesh, k, job);
+  const std::unique_ptr<OriginalShell> shell = originalShell(job);
+  for (size_t k : thicknesses()) findReference(mesh, shell.get(), k, job);
+}
+
+// The original's shell is made ready while the mesh is solved; nobody who waits for it is waited for there.
+void ModalTarget::prepare(const TriangleMesh& mesh, Job& job) {
+  solvedAt_ = mesh.positions;
   std::unique_ptr<OriginalShell> shell;
-  if (options.isLarge) {
-    for (size_t k : thicknesses()) last_[k] = startCoarsely(mesh, k, job);
-    shell = originalShell(job);
-  } else {
-    solvedAt_ = mesh.positions;
-    parallelFor(1 + kThicknesses, 1, [&](size_t item, size_t) {
-      if (item == 0) {
-        shell = originalShell(job);
-      } else {
-        const size_t k = item % kThicknesses;  // the middle one, which takes longest, first
-        last_[k] = shell_.solve(mesh, thicknessOf(k), modesAt(k) + kMargin, job);
-      }
-    });
-  }
-  findReferences(mesh, shell.get(), job);
+  std::once_flag isReady;
+  const auto original = [&] {
+    std::call_once(isReady, [&] { shell = originalShell(job); });
+    return shell.get();
+  };
+  const bool isSmall = original_.vertexCount() <= kSideBySide;
+  const std::vector<size_t> wanted = thicknesses();
+  parallelFor(1 + wanted.size(), 1, [&](size_t item, size_t) {
+    if (item == 0) return void(original());
+    const size_t k = wanted[item - 1];
+    last_[k] = shell_.solve(mesh, thicknessOf(k), modesAt(k) + kMargin, job);
+    if (isSmall) findReference(mesh, original(), k, job);
+  });
+  if (!isSmall)
+    for (size_t k : wanted) findReference(mesh, original(), k, job);
 }
 
 std::vector<size_t> ModalTarget::thicknesses() const {
@@ -201,14 +217,6 @@ void ModalTarget::findReference(const TriangleMesh& mesh, const OriginalShell* o
   const Eigen::Index count = std::min<Eigen::Index>(reference.lambda.size(), modesAt(k));
   reference.lambda.conservativeResize(count);
   reference.phi = massNormalised(reference.phi.topLeftCorner(rootMass_.size(), count), rootMass_);
-}
-
-void ModalTarget::findReferences(const TriangleMesh& mesh, const OriginalShell* original, Job& job) {
-  const std::vector<size_t> wanted = thicknesses();
-  const size_t grain = original_.vertexCount() > kSideBySide ? wanted.size() : 1;
-  parallelFor(wanted.size(), grain, [&](size_t begin, size_t end) {
-    for (size_t at = begin; at < end; ++at) findReference(mesh, original, wanted[at], job);
-  });
 }
 
 Eigen::MatrixXd ModalTarget::carriedToOriginal(const TriangleMesh& mesh, const ShellVibration& found) const {

@@ -78,10 +78,11 @@ class ModalTarget {
   // How many are fitted: fewer at half and at twice the thickness than at the middle one.
   int modesAt(size_t k) const;
   double thicknessOf(size_t k) const;
+  void prepare(const TriangleMesh& mesh, Job& job);
+  void prepareLarge(const TriangleMesh& mesh, Job& job);
   ShellVibration startCoarsely(const TriangleMesh& mesh, size_t thickness, Job& job) const;
   std::unique_ptr<OriginalShell> originalShell(Job& job) const;
   void findReference(const TriangleMesh& mesh, const OriginalShell* original, size_t thickness, Job& job);
-  void findReferences(const TriangleMesh& mesh, const OriginalShell* original, Job& job);
   void vibrate(const TriangleMesh& mesh, size_t thickness, Job& job);
   // Shapes of the mesh at the original's vertices.
   Eigen::MatrixXd carriedToOriginal(const TriangleMesh& mesh, const ShellVibration& found) const;
