@@ -19,9 +19,9 @@ namespace {
 constexpr int kDenseLimit = 120;  // unknowns with mass
 constexpr int kExtraPairs = 4;    // computed beyond the wanted ones, to find a gap and catch whole clusters
 constexpr int kBasisBeyond = 24;  // Lanczos vectors more than pairs
-constexpr double kLanczosTolerance = 1e-10;
+constexpr double kLanczosTolerance = 1e-10, kRoughTolerance = 1e-4;
 constexpr double kZeroRatio = 1e-4;  // an eigenvalue below this part of the shift's size is a zero mode
-constexpr double kGoodResidual = 1e-8, kGoodInverseResidual = 1e-10;
+constexpr double kGoodResidual = 1e-8, kGoodInverseResidual = 1e-10, kRoughInverseResidual = 1e-3;
 constexpr double kTrustedInverseResidual = 1e-2;  // the eigenvalue's error is of the size of its square
 constexpr double kRoundedResidual = 5e-8;         // above it more digits are asked for
 constexpr int kRefinements = 5;
@@ -72,7 +72,7 @@ struct Search {
 };
 
 // Up to `count` pairs of lowest lambda that are orthogonal to `known` (restricted to the heavy unknowns).
-Search lanczos(const Pencil& pencil, const Eigen::MatrixXd& known, int count) {
+Search lanczos(const Pencil& pencil, const Eigen::MatrixXd& known, int count, bool isRough) {
   pencil.job().begin(Phase::Solve);
   const auto size = static_cast<int>(pencil.heavyCount());
   const int wanted = std::min(count, size - 1), basis = std::min(size, wanted + kBasisBeyond);
@@ -81,7 +81,7 @@ Search lanczos(const Pencil& pencil, const Eigen::MatrixXd& known, int count) {
   Eigen::VectorXd start = startVector(size);
   if (known.cols() > 0) start -= known * (known.transpose() * start);
   solver.init(start.data());
-  solver.compute(Spectra::SortRule::LargestAlge, 100, kLanczosTolerance);
+  solver.compute(Spectra::SortRule::LargestAlge, 100, isRough ? kRoughTolerance : kLanczosTolerance);
   return {
       solver.eigenvalues().cwiseInverse().array() + pencil.shift(), pencil.expand(solver.eigenvectors()), {}};
 }
@@ -106,17 +106,23 @@ void iterate(const Pencil& pencil, Search& search) {
       change.colwise().norm().cwiseQuotient(pencil.restrict(before).colwise().norm()).transpose();
 }
 
+// How many times worse than it should be a pair is.
+double badness(const Pencil& pencil, const Search& search, Eigen::Index k, bool isRough) {
+  if (isRough) return search.inverseResidual[k] / kRoughInverseResidual;
+  return std::max(pencil.residual(search.lambda[k], search.phi.col(k)) / kGoodResidual,
+                  search.inverseResidual[k] / kGoodInverseResidual);
+}
+
 // Steps until the wanted pairs are good or get no better.
-void refine(const Pencil& pencil, Search& search, int elasticCount) {
+void refine(const Pencil& pencil, Search& search, const EigenOptions& options) {
   double before = HUGE_VAL;
   for (int step = 0; step < kRefinements; ++step) {
     iterate(pencil, search);
     const Eigen::Index first = zeroCount(search, pencil.shift());
-    const Eigen::Index last = std::min<Eigen::Index>(first + elasticCount, search.lambda.size());
+    const Eigen::Index last = std::min<Eigen::Index>(first + options.elasticCount, search.lambda.size());
     double worst = 0;
     for (Eigen::Index k = first; k < last; ++k)
-      worst = std::max({worst, pencil.residual(search.lambda[k], search.phi.col(k)) / kGoodResidual,
-                        search.inverseResidual[k] / kGoodInverseResidual});
+      worst = std::max(worst, badness(pencil, search, k, options.isRough));
     if (worst <= 1 || worst > 0.5 * before) return;
     before = worst;
   }
@@ -137,21 +143,21 @@ Eigen::Index gapAfter(const Search& search, Eigen::Index lastWanted) {
 }
 
 // Adds the pairs that a single start vector missed (members of clusters), as inertia counts them.
-void addMissing(Pencil& pencil, Search& search, int elasticCount) {
+void addMissing(Pencil& pencil, Search& search, const EigenOptions& options) {
   const double sigma = pencil.shift();
   for (int attempt = 0; attempt < 4; ++attempt) {
-    const Eigen::Index lastWanted = zeroCount(search, sigma) + elasticCount - 1;
+    const Eigen::Index lastWanted = zeroCount(search, sigma) + options.elasticCount - 1;
     if (lastWanted + 1 >= search.lambda.size()) return;
     const Eigen::Index gap = gapAfter(search, lastWanted);
     const double between = (search.lambda[gap] + search.lambda[gap + 1]) / 2;
     const auto missing = static_cast<int>(pencil.countBelow(between)) - static_cast<int>(gap + 1);
     if (missing <= 0) return;
     pencil.shiftTo(sigma);
-    const Search more = lanczos(pencil, pencil.restrict(search.phi), missing + 2);
+    const Search more = lanczos(pencil, pencil.restrict(search.phi), missing + 2, options.isRough);
     Eigen::MatrixXd all(search.phi.rows(), search.phi.cols() + more.phi.cols());
     all << search.phi, more.phi;
     search.phi = all;
-    refine(pencil, search, elasticCount);
+    refine(pencil, search, options);
   }
 }
 
@@ -161,7 +167,7 @@ Search searchLowest(Pencil& pencil, const EigenOptions& options) {
   int zeros = options.zeroExpected;
   for (int pass = 0;; ++pass) {
     pencil.shiftTo(sigma);
-    Search search = lanczos(pencil, {}, zeros + options.elasticCount + kExtraPairs);
+    Search search = lanczos(pencil, {}, zeros + options.elasticCount + kExtraPairs, options.isRough);
     zeros = static_cast<int>(zeroCount(search, sigma));
     const bool isLast = pass == 3 || search.lambda.size() >= pencil.heavyCount() - 1;
     if (zeros < search.lambda.size()) {
@@ -169,7 +175,7 @@ Search searchLowest(Pencil& pencil, const EigenOptions& options) {
       const bool isGoodShift = -sigma > 0.005 * first && -sigma < 15 * first;
       const bool isComplete = search.lambda.size() >= zeros + options.elasticCount;
       if (isLast || (isGoodShift && isComplete)) {
-        refine(pencil, search, options.elasticCount);
+        refine(pencil, search, options);
         return search;
       }
       if (!isGoodShift) sigma = -0.5 * first;
@@ -221,10 +227,11 @@ EigenPairs solveBySearch(const StiffnessModel& model, const EigenOptions& option
   pencil.requireMemoryFor(kBasisBeyond + 5 * (options.zeroExpected + options.elasticCount + kExtraPairs));
   Search search = searchLowest(pencil, options);
   const double sigma = pencil.shift();
-  addMissing(pencil, search, options.elasticCount);
+  addMissing(pencil, search, options);
   EigenPairs pairs = collect(search, zeroCount(search, sigma), options.elasticCount);
   requireConvergence(pairs);
   pairs.factorNonzeros = pencil.factorNonzeros();
+  if (options.isRough) return pairs;
   for (Eigen::Index k = 0; k < pairs.lambda.size(); ++k)
     pairs.residual.push_back(pencil.residual(pairs.lambda[k], pairs.phi.col(k)));
   lookBehindRounding(pencil, sigma, pairs);

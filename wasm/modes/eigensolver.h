@@ -16,6 +16,7 @@ struct EigenOptions {
   int zeroExpected = 6;   // a guess that sizes the search; what is found is measured
   double scale = 1;       // > 0: a rough size of the first elastic eigenvalue
   std::shared_ptr<const FactorStructure> structure;  // of such a model, found before; null: it is found
+  bool isRough = false;  // errors of 1e-4 in eigenvalues will do, and no residuals are wanted
 };
 
 // The lowest eigenpairs of K phi = lambda M phi.

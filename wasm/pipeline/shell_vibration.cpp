@@ -36,7 +36,7 @@ ShellVibration VibratingShell::solve(const TriangleMesh& mesh, double thickness,
   const bool isHeld = !held_.empty();
   const EigenPairs pairs = solveEigenproblem(model,
                                              {modeCount + kSpareModes, isHeld ? 0 : kRigidMotions,
-                                              roughFirstEigenvalue(thickness, isHeld), structure_},
+                                              roughFirstEigenvalue(thickness, isHeld), structure_, true},
                                              job);
   return {thickness, pairs.lambda, pairs.phi};
 }
