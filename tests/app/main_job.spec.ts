@@ -83,6 +83,30 @@ test('a file that is no mesh gets one sentence and the model before it stays', a
   await expect(readout(page, 'Faces')).toContainText('1,152');
 });
 
+test('a file that is dropped while another is worked on is seen before it is worked on', async ({ page }) => {
+  await openPage(page);
+  await drop(page, writeScratch('first.obj', sheetObj(280)));
+  const busy = page.locator('.notice.busy');
+  await expect(busy).toContainText('Finding modes');
+  // Every picture from now on in which modes are searched for while the new file's facts are not there.
+  await page.evaluate(() => {
+    const seen: string[] = [];
+    Object.assign(window, { seen });
+    const look = (): void => {
+      const facts = document.querySelector('.left')!.textContent;
+      const notice = document.querySelector('.notice.busy')?.textContent ?? '';
+      if (facts.includes('second.obj') && !facts.includes('Vertices') && notice.includes('modes'))
+        seen.push(notice);
+      requestAnimationFrame(look);
+    };
+    look();
+  });
+  await drop(page, writeScratch('second.obj', sheetObj(130)));
+  await expect(page.locator('.left')).toContainText('33,800');
+  await expect(busy).toContainText('Finding modes');
+  expect(await page.evaluate(() => (window as unknown as { seen: string[] }).seen)).toEqual([]);
+});
+
 test('names from a file are text, never markup', async ({ page }) => {
   await openPage(page);
   await drop(

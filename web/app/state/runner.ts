@@ -194,6 +194,7 @@ export const exportedKey = (): string => exportKey(settings(), bodyTargets(), ex
 
 const done = new Map<Stage, string>();
 let running: Stage | null = null;
+let call: Promise<unknown> = Promise.resolve();
 let looping = false;
 let opening: Promise<void> = Promise.resolve();
 
@@ -205,6 +206,7 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
   if (running) client.cancel();
   opening = opening.then(async () => {
     await whileBusy('Opening', async () => {
+      await call.catch(() => null);
       const file = await client.open(files);
       const wanted = asked ?? takeAwaited(file.name);
       done.clear();
@@ -300,7 +302,7 @@ async function loop(): Promise<void> {
     runningKey = stage.key();
     const [key, active] = [runningKey!, stage];
     try {
-      const value = await whileBusy(stage.what, () => active.run());
+      const value = await (call = whileBusy(stage.what, () => active.run()));
       done.set(stage, key);
       status.paused.value = null;
       stage.result.value = value;
@@ -315,6 +317,8 @@ async function loop(): Promise<void> {
     } finally {
       running = null;
     }
+    // What the next stage works on may be another file by now.
+    await opening;
   }
   looping = false;
   status.working.value = false;
