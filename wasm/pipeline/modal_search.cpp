@@ -12,8 +12,9 @@ namespace limber {
 namespace {
 
 // Rounds end once the merit falls by less than a tenth, and its root by less than this (0.1 % of frequency),
-// in so many of them; brisk ones where the root does, from kFine (0.25 %) on.
-constexpr double kStagnant = 0.9, kLittle = 2e-3, kFine = 2.5e-5;
+// in so many of them; brisk ones, from kFine (0.26 % of frequency) on, where the root falls by less than
+// kLittleOfFine.
+constexpr double kStagnant = 0.9, kLittle = 2e-3, kFine = 2.7e-5, kLittleOfFine = 2.8e-3;
 constexpr size_t kPatience = 3;
 constexpr double kClip = 0.1;      // of a residual, in a step
 constexpr double kLeastWorth = 1;  // of a residual: see SearchLimits::mostWorth
@@ -148,7 +149,8 @@ bool ModalSearch::isDone() const {
   if (merits_.size() <= kPatience) return false;
   const double was = merits_[merits_.size() - 1 - kPatience], is = merits_.back();
   const bool isFine = limits_.isBrisk && is < kFine;
-  return (isFine || is > kStagnant * was) && std::sqrt(was) - std::sqrt(is) < kLittle;
+  const double gained = std::sqrt(was) - std::sqrt(is);
+  return (isFine && gained < kLittleOfFine) || (is > kStagnant * was && gained < kLittle);
 }
 
 void ModalSearch::measure() {
