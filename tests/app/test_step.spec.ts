@@ -1,3 +1,4 @@
+import { createHash } from 'node:crypto';
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
@@ -14,14 +15,19 @@ async function openTest(page: Page, address?: string): Promise<void> {
 const button = (page: Page, name: string) => page.getByRole('button', { name, exact: true });
 const scenario = (page: Page) => page.getByLabel('Scenario', { exact: true });
 const curve = (page: Page) => page.getByRole('img', { name: /^Deviation/ });
-const picture = (page: Page) => page.locator('.stage canvas').screenshot();
+
+/** What the stage shows, as a hash: a failed comparison of whole pictures would take minutes to print. */
+async function picture(page: Page): Promise<string> {
+  const png = await page.locator('.stage canvas').screenshot();
+  return createHash('sha256').update(png).digest('hex');
+}
 
 async function numberIn(page: Page, name: string): Promise<number> {
   return Number(/[\d.]+/.exec(await readout(page, name).innerText())![0]);
 }
 
 /** Waits until the picture stands still. */
-async function stillPicture(page: Page): Promise<Buffer> {
+async function stillPicture(page: Page): Promise<string> {
   let last = await picture(page);
   await expect(async () => {
     const before = last;
