@@ -194,6 +194,7 @@ export const exportedKey = (): string => exportKey(settings(), bodyTargets(), ex
 
 const done = new Map<Stage, string>();
 let running: Stage | null = null;
+/** of the last stage, settled once it has stopped */
 let call: Promise<unknown> = Promise.resolve();
 let looping = false;
 let opening: Promise<void> = Promise.resolve();
@@ -296,13 +297,16 @@ async function loop(): Promise<void> {
   if (looping) return;
   looping = true;
   status.working.value = true;
-  await opening;
-  for (let stage = nextStage(); stage; stage = nextStage()) {
+  for (;;) {
+    // What the next stage works on may be another file by then.
+    await opening;
+    const stage = nextStage();
+    if (!stage) break;
     running = stage;
     runningKey = stage.key();
-    const [key, active] = [runningKey!, stage];
+    const key = runningKey!;
     try {
-      const value = await (call = whileBusy(stage.what, () => active.run()));
+      const value = await (call = whileBusy(stage.what, () => stage.run()));
       done.set(stage, key);
       status.paused.value = null;
       stage.result.value = value;
@@ -317,8 +321,6 @@ async function loop(): Promise<void> {
     } finally {
       running = null;
     }
-    // What the next stage works on may be another file by now.
-    await opening;
   }
   looping = false;
   status.working.value = false;
