@@ -1,6 +1,6 @@
 /** Runs all cases and returns what is to be written: path below docs/ -> content. */
 
-import { loadCore } from '../../web/engine/load_core';
+import { loadCore } from '../../web/engine/core/load_core';
 import { barCases } from './cases/bars';
 import { plateCases } from './cases/plates';
 import { slabCase } from './cases/slab';

@@ -1,6 +1,6 @@
 /** Meshes of the validation cases, each in several kinds. Lengths in metres. */
 
-import type { TriangleMesh } from '../../web/engine/core';
+import type { TriangleMesh } from '../../web/engine/core/core';
 
 /**
  * regular: even cells, one diagonal; union jack: even cells, alternating diagonals; irregular: moved vertices, diagonals

@@ -21,7 +21,7 @@ async function jsonOf(program, args, environment = {}) {
 }
 
 /** The engine's loader as one file, for Node and the browser. */
-export const bundleEngine = () => bundleModule('web/engine/load_core.ts', join(folder, 'engine'));
+export const bundleEngine = () => bundleModule('web/engine/core/load_core.ts', join(folder, 'engine'));
 
 /** The core in this process, from the built wasm. */
 export async function loadBundledCore(threads) {

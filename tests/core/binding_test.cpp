@@ -1,4 +1,4 @@
-#include "pipeline/binding.h"
+#include "transfer/bind_meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
-#include "measure/closest_point.h"
+#include "query/closest_point.h"
 #include "reduced.h"
 #include "shapes.h"
 #include "surfaces.h"

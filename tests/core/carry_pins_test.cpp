@@ -1,4 +1,4 @@
-#include "pipeline/carry_pins.h"
+#include "transfer/carry_pins.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "pipeline/compare_motion.h"
+#include "compare/compare_motion.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "pipeline/running_scenario.h"
+#include "simulate/running_scenario.h"
 #include "shapes.h"
 
 namespace limber {

@@ -1,4 +1,4 @@
-#include "pipeline/corner_sources.h"
+#include "transfer/corner_sources.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "modes/dense_product.h"
-#include "modes/dense_triangle.h"
+#include "linear/dense/dense_product.h"
+#include "linear/dense/dense_triangle.h"
 
 namespace limber {
 namespace {

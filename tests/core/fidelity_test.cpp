@@ -1,11 +1,11 @@
-#include "pipeline/fidelity.h"
+#include "compare/fidelity.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <random>
 
-#include "pipeline/assignment.h"
+#include "compare/assignment.h"
 #include "shapes.h"
 
 namespace limber {

@@ -1,4 +1,4 @@
-#include "pipeline/find_modes.h"
+#include "modes/find_modes.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "mesh/topology.h"
-#include "modes/part_modes.h"
-#include "pipeline/coarse_part.h"
+#include "elastic/part_modes.h"
+#include "modes/coarse_part.h"
 #include "shapes.h"
 
 namespace limber {

@@ -6,12 +6,12 @@
 #include <numeric>
 
 #include "base/parallel.h"
-#include "measure/quality.h"
-#include "measure/surface_distance.h"
-#include "pipeline/delaunay_flips.h"
-#include "pipeline/deviation_guard.h"
-#include "pipeline/guarded_step.h"
-#include "pipeline/modal_fit.h"
+#include "mesh/quality.h"
+#include "compare/surface_distance.h"
+#include "fit/delaunay_flips.h"
+#include "fit/deviation_guard.h"
+#include "fit/guarded_step.h"
+#include "fit/modal_fit.h"
 #include "shapes.h"
 #include "simplify/simplify.h"
 #include "surfaces.h"

@@ -1,4 +1,4 @@
-#include "pipeline/flat_regions.h"
+#include "fit/flat_regions.h"
 
 #include <gtest/gtest.h>
 

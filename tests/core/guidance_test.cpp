@@ -1,4 +1,4 @@
-#include "pipeline/guidance.h"
+#include "fields/guidance.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "mesh/topology.h"
-#include "modes/modes.h"
+#include "elastic/modes.h"
 #include "shapes.h"
 
 namespace limber {

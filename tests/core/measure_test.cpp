@@ -4,10 +4,10 @@
 #include <random>
 
 #include "base/parallel.h"
-#include "measure/closest_point.h"
-#include "measure/quality.h"
-#include "measure/surface_distance.h"
-#include "measure/surface_samples.h"
+#include "query/closest_point.h"
+#include "mesh/quality.h"
+#include "compare/surface_distance.h"
+#include "mesh/surface_samples.h"
 #include "shapes.h"
 
 namespace limber {

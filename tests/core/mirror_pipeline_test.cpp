@@ -4,9 +4,9 @@
 
 #include "mesh/topology.h"
 #include "mirrored.h"
-#include "pipeline/fidelity.h"
-#include "pipeline/mirror_images.h"
-#include "pipeline/modal_fit.h"
+#include "compare/fidelity.h"
+#include "simplify/mirror_images.h"
+#include "fit/modal_fit.h"
 #include "same_topology.h"
 #include "simplify/mirror.h"
 #include "simplify/simplify.h"

@@ -1,4 +1,4 @@
-#include "pipeline/modal_fit.h"
+#include "fit/modal_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,11 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
-#include "measure/quality.h"
-#include "measure/surface_distance.h"
+#include "mesh/quality.h"
+#include "compare/surface_distance.h"
 #include "mesh/inspect.h"
-#include "pipeline/fidelity.h"
-#include "pipeline/find_modes.h"
+#include "compare/fidelity.h"
+#include "modes/find_modes.h"
 #include "shapes.h"
 #include "simplify/simplify.h"
 #include "surfaces.h"

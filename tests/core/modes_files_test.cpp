@@ -5,7 +5,7 @@
 #include <string>
 
 #include "mesh/weld.h"
-#include "modes/modes.h"
+#include "elastic/modes.h"
 #include "shared_meshes.h"
 
 namespace limber {

@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 #include "mesh/topology.h"
-#include "modes/mode_character.h"
-#include "modes/modes.h"
-#include "modes/pinned_patch.h"
-#include "modes/pins.h"
+#include "elastic/mode_character.h"
+#include "elastic/modes.h"
+#include "elastic/pinned_patch.h"
+#include "elastic/pins.h"
 #include "shapes.h"
 
 namespace limber {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "modes/modes.h"
+#include "elastic/modes.h"
 #include "shapes.h"
 
 namespace limber {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "modes/eigensolver.h"
-#include "modes/solid.h"
+#include "linear/eigensolver.h"
+#include "elastic/solid/solid.h"
 #include "shapes.h"
 #include "surfaces.h"
 

@@ -8,12 +8,12 @@
 #include <thread>
 
 #include "base/parallel.h"
-#include "modes/eigensolver.h"
-#include "modes/factorisation.h"
-#include "modes/front_tree.h"
-#include "modes/modes.h"
-#include "modes/ordering.h"
-#include "modes/shell.h"
+#include "linear/eigensolver.h"
+#include "linear/factorisation.h"
+#include "linear/ordering/front_tree.h"
+#include "elastic/modes.h"
+#include "linear/ordering/ordering.h"
+#include "elastic/shell.h"
 #include "shapes.h"
 
 namespace limber {

@@ -1,8 +1,8 @@
-#include "pipeline/reach.h"
+#include "fit/reach.h"
 
 #include <gtest/gtest.h>
 
-#include "measure/closest_point.h"
+#include "query/closest_point.h"
 #include "shapes.h"
 
 namespace limber {

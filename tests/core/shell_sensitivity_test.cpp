@@ -1,9 +1,9 @@
-#include "modes/shell_sensitivity.h"
+#include "elastic/shell_sensitivity.h"
 
 #include <gtest/gtest.h>
 
-#include "modes/eigensolver.h"
-#include "modes/shell.h"
+#include "linear/eigensolver.h"
+#include "elastic/shell.h"
 #include "shapes.h"
 
 namespace limber {

@@ -1,8 +1,8 @@
-#include "pipeline/shell_vibration.h"
+#include "elastic/shell_vibration.h"
 
 #include <gtest/gtest.h>
 
-#include "pipeline/shape_transfer.h"
+#include "transfer/shape_transfer.h"
 #include "shapes.h"
 
 namespace limber {

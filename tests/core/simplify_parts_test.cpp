@@ -8,7 +8,7 @@
 #include "simplify/collapse_mesh.h"
 #include "simplify/cost.h"
 #include "simplify/edge_queue.h"
-#include "simplify/kd_tree.h"
+#include "query/kd_tree.h"
 #include "simplify/quadric.h"
 #include "surfaces.h"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "measure/quality.h"
-#include "measure/surface_distance.h"
+#include "mesh/quality.h"
+#include "compare/surface_distance.h"
 #include "mesh/inspect.h"
 #include "simplify/simplify.h"
 #include "surfaces.h"

@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "fields/curvature.h"
-#include "measure/quality.h"
+#include "mesh/quality.h"
 #include "mesh/topology.h"
 #include "surfaces.h"
 

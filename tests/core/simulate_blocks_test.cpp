@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "shapes.h"
-#include "simulate/bending_rest.h"
+#include "simulate/constraints/bending_rest.h"
 #include "simulate/blocks.h"
 
 namespace limber {

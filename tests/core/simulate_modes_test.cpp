@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "modes/modes.h"
+#include "elastic/modes.h"
 #include "shapes.h"
 #include "simulate/simulation.h"
 

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { parseColliders } from '../../web/engine/colliders';
+import { parseColliders } from '../../web/engine/motion/colliders';
 
 it('reads floors, balls and capsules', () => {
   expect(parseColliders('')).toEqual({ ground: null, colliders: [] });

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { History } from '../../web/engine/core';
-import { endWithin } from '../../web/engine/deviation_limit';
+import type { History } from '../../web/engine/core/core';
+import { endWithin } from '../../web/engine/stages/deviation_limit';
 
 /** A history of `count` collapses that take two faces each from 1,000. */
 function historyOf(count: number): History {

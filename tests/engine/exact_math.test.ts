@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { arcCosine, length3 } from '../../web/engine/exact_math';
+import { arcCosine, length3 } from '../../web/engine/core/exact_math';
 
 describe('exact mathematics', () => {
   it('knows the arc cosine to within 2e-8', () => {

@@ -1,14 +1,14 @@
 import { EXTMeshFeatures, KHRDracoMeshCompression, KHRMaterialsVariants } from '@gltf-transform/extensions';
 import type { Document, Mesh } from '@gltf-transform/core';
 import { describe, expect, it } from 'vitest';
-import type { TriangleMesh } from '../../web/engine/core';
-import { ownSources } from '../../web/engine/attributes';
+import type { TriangleMesh } from '../../web/engine/core/core';
+import { ownSources } from '../../web/engine/body/attributes';
 import { droppedByExport, exportGlb } from '../../web/engine/document/export';
 import type { ExportedBody } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
 import type { Body } from '../../web/engine/document/open';
 import { validateGlb } from '../../web/engine/document/validate';
-import { VERSION } from '../../web/engine/version';
+import { VERSION } from '../../web/engine/core/version';
 import { SQUARE_OBJ, textFile } from './support/files';
 import { addMesh, addRichMesh, floats, glbFile, primitiveOf, readGlb, startDocument } from './support/gltf';
 import { cube, grid, toObj, torus } from './support/shapes';

@@ -1,9 +1,9 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Core, TriangleMesh } from '../../web/engine/core';
-import { optimizeBody } from '../../web/engine/optimize';
-import { defaultSettings } from '../../web/engine/options';
-import type { Settings } from '../../web/engine/options';
-import { prepareBody } from '../../web/engine/pipeline';
+import type { Core, TriangleMesh } from '../../web/engine/core/core';
+import { optimizeBody } from '../../web/engine/stages/optimize';
+import { defaultSettings } from '../../web/engine/settings/options';
+import type { Settings } from '../../web/engine/settings/options';
+import { prepareBody } from '../../web/engine/stages/pipeline';
 import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
 import { torus } from './support/shapes';

@@ -1,10 +1,10 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Core } from '../../web/engine/core';
-import { searchFaces } from '../../web/engine/frequency_target';
-import { optimizeBody } from '../../web/engine/optimize';
-import { defaultSettings } from '../../web/engine/options';
-import type { Settings } from '../../web/engine/options';
-import { materialOf, prepareBody } from '../../web/engine/pipeline';
+import type { Core } from '../../web/engine/core/core';
+import { searchFaces } from '../../web/engine/stages/frequency_target';
+import { optimizeBody } from '../../web/engine/stages/optimize';
+import { defaultSettings } from '../../web/engine/settings/options';
+import type { Settings } from '../../web/engine/settings/options';
+import { materialOf, prepareBody } from '../../web/engine/stages/pipeline';
 import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
 import { cube, grid, torus } from './support/shapes';

@@ -1,5 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { describeHotSpots, differentPairs, hotFaces, sharedHotSpots } from '../../web/engine/hot_spots';
+import {
+  describeHotSpots,
+  differentPairs,
+  hotFaces,
+  sharedHotSpots,
+} from '../../web/engine/stages/hot_spots';
 
 const hot = (...faces: number[]) => Uint8Array.from(faces);
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { NONE } from '../../web/engine/core';
-import type { Core, Progress } from '../../web/engine/core';
+import { NONE } from '../../web/engine/core/core';
+import type { Core, Progress } from '../../web/engine/core/core';
 import { loadTestCore } from './support/core';
 import { cube, grid, torus } from './support/shapes';
 

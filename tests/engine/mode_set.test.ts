@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import type { ComponentModes, Mode, ModeName } from '../../web/engine/core';
+import type { ComponentModes, Mode, ModeName } from '../../web/engine/core/core';
 import {
   describeModels,
   leadingMode,
   localModes,
   spellModes,
   suggestedModes,
-} from '../../web/engine/mode_set';
+} from '../../web/engine/core/mode_set';
 
 const part = (change: Partial<ComponentModes> = {}): ComponentModes => ({
   faces: 10,

@@ -7,9 +7,9 @@ import {
   OPTIONS,
   resolveModel,
   resolveModes,
-} from '../../web/engine/options';
-import type { Settings } from '../../web/engine/options';
-import { VERSION } from '../../web/engine/version';
+} from '../../web/engine/settings/options';
+import type { Settings } from '../../web/engine/settings/options';
+import { VERSION } from '../../web/engine/core/version';
 
 const keys = Object.keys(OPTIONS) as (keyof Settings)[];
 const failure = (change: Partial<Record<keyof Settings, unknown>>): string => {

@@ -1,11 +1,11 @@
 import { Document } from '@gltf-transform/core';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import type { Core } from '../../web/engine/core';
-import { NONE } from '../../web/engine/core';
-import { findHeld } from '../../web/engine/held';
-import { defaultSettings } from '../../web/engine/options';
-import type { Settings } from '../../web/engine/options';
+import type { Core } from '../../web/engine/core/core';
+import { NONE } from '../../web/engine/core/core';
+import { findHeld } from '../../web/engine/body/constraints';
+import { defaultSettings } from '../../web/engine/settings/options';
+import type { Settings } from '../../web/engine/settings/options';
 import {
   keepOfLevels,
   LOCKED,
@@ -17,8 +17,8 @@ import {
   unweldLevels,
   weldLevels,
   withPaint,
-} from '../../web/engine/paint';
-import { buildHistory, prepareBody, reduceTo } from '../../web/engine/pipeline';
+} from '../../web/engine/body/paint';
+import { buildHistory, prepareBody, reduceTo } from '../../web/engine/stages/pipeline';
 import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
 import { torus } from './support/shapes';

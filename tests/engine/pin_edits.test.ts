@@ -1,6 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { NONE } from '../../web/engine/core';
-import { editPins, hasPins, pinValue, sourcesOfVertices, withPins } from '../../web/engine/pin_edits';
+import { NONE } from '../../web/engine/core/core';
+import {
+  editPins,
+  hasPins,
+  pinValue,
+  sourcesOfVertices,
+  withPins,
+} from '../../web/engine/settings/pin_edits';
 
 /** Sources 0 and 2 are welded, source 3 is used by no face. */
 const vertexOfSource = Uint32Array.from([0, 1, 0, NONE, 2, 3]);

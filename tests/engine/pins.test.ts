@@ -1,10 +1,10 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Core } from '../../web/engine/core';
+import type { Core } from '../../web/engine/core/core';
 import { openModel } from '../../web/engine/document/open';
-import { MATERIAL_NAMES, MATERIALS, materialNameOf } from '../../web/engine/materials';
-import { checkSettings, defaultSettings } from '../../web/engine/options';
-import { findPins, parsePins } from '../../web/engine/pins';
-import { findModes, prepareBody } from '../../web/engine/pipeline';
+import { MATERIAL_NAMES, MATERIALS, materialNameOf } from '../../web/engine/settings/materials';
+import { checkSettings, defaultSettings } from '../../web/engine/settings/options';
+import { findPins, parsePins } from '../../web/engine/body/pins';
+import { findModes, prepareBody } from '../../web/engine/stages/pipeline';
 import { loadTestCore } from './support/core';
 import { textFile } from './support/files';
 import { addMesh, floats, glbFile, primitiveOf, startDocument } from './support/gltf';

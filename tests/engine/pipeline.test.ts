@@ -1,10 +1,16 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Core } from '../../web/engine/core';
-import { optimizeBody } from '../../web/engine/optimize';
-import { defaultSettings } from '../../web/engine/options';
-import type { Settings } from '../../web/engine/options';
-import { exportedBody, findGuidance, findModes, materialOf, prepareBody } from '../../web/engine/pipeline';
-import { describeHealth } from '../../web/engine/health';
+import type { Core } from '../../web/engine/core/core';
+import { optimizeBody } from '../../web/engine/stages/optimize';
+import { defaultSettings } from '../../web/engine/settings/options';
+import type { Settings } from '../../web/engine/settings/options';
+import {
+  exportedBody,
+  findGuidance,
+  findModes,
+  materialOf,
+  prepareBody,
+} from '../../web/engine/stages/pipeline';
+import { describeHealth } from '../../web/engine/body/health';
 import { bodyOf, together } from './support/bodies';
 import { loadTestCore } from './support/core';
 import { cube, grid, torus } from './support/shapes';

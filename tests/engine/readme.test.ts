@@ -2,7 +2,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { format } from 'prettier';
 import { expect, test } from 'vitest';
-import { OPTIONS, type OptionSpec } from '../../web/engine/options';
+import { OPTIONS, type OptionSpec } from '../../web/engine/settings/options';
 
 const readme = join(import.meta.dirname, '..', '..', 'README.md');
 const [start, end] = ['<!-- options:start -->', '<!-- options:end -->'];

@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Core } from '../../web/engine/core';
-import { defaultSettings } from '../../web/engine/options';
-import { findModes, prepareBody } from '../../web/engine/pipeline';
+import type { Core } from '../../web/engine/core/core';
+import { defaultSettings } from '../../web/engine/settings/options';
+import { findModes, prepareBody } from '../../web/engine/stages/pipeline';
 import {
   describeRefused,
   fitReport,
@@ -10,7 +10,7 @@ import {
   startReport,
   stopReport,
   worstSurface,
-} from '../../web/engine/report';
+} from '../../web/engine/report/report';
 import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
 import { cube, grid, torus } from './support/shapes';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { Report } from '../../web/engine/report';
-import { reportAsCsv, reportAsMarkdown } from '../../web/engine/report_text';
+import type { Report } from '../../web/engine/report/report';
+import { reportAsCsv, reportAsMarkdown } from '../../web/engine/report/report_text';
 
 const report = {
   schema: 'limber-report/1',

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { OPTIONS, defaultSettings } from '../../web/engine/options';
-import type { Settings } from '../../web/engine/options';
-import { changedSettings, readSetting } from '../../web/engine/setting_text';
+import { OPTIONS, defaultSettings } from '../../web/engine/settings/options';
+import type { Settings } from '../../web/engine/settings/options';
+import { changedSettings, readSetting } from '../../web/engine/settings/setting_text';
 
 /** Another value than the default that is allowed. */
 function another(key: keyof Settings): unknown {

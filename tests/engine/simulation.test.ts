@@ -1,15 +1,21 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Collider, Core, ScenarioName, SimulationOptions, TriangleMesh } from '../../web/engine/core';
-import { defaultSettings } from '../../web/engine/options';
-import { materialOf, prepareBody } from '../../web/engine/pipeline';
-import { simulationReport } from '../../web/engine/report';
+import type {
+  Collider,
+  Core,
+  ScenarioName,
+  SimulationOptions,
+  TriangleMesh,
+} from '../../web/engine/core/core';
+import { defaultSettings } from '../../web/engine/settings/options';
+import { materialOf, prepareBody } from '../../web/engine/stages/pipeline';
+import { simulationReport } from '../../web/engine/report/report';
 import {
   calibrationOf,
   SCENARIOS,
   Simulation,
   simulationOptions,
   STEP_SECONDS,
-} from '../../web/engine/simulation';
+} from '../../web/engine/motion/simulation';
 import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
 import { failureOf } from './support/files';

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { openModel } from '../../web/engine/document/open';
 import { failureOf, textFile } from './support/files';
 import { cube } from './support/shapes';
-import type { TriangleMesh } from '../../web/engine/core';
+import type { TriangleMesh } from '../../web/engine/core/core';
 
 function toBinaryStl({ positions, triangles }: TriangleMesh, header = 'solid made by a test'): Uint8Array {
   const bytes = new Uint8Array(84 + (50 * triangles.length) / 3);

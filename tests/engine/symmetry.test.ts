@@ -1,12 +1,12 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Core, TriangleMesh } from '../../web/engine/core';
+import type { Core, TriangleMesh } from '../../web/engine/core/core';
 import { exportGlb } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
-import { findHeld } from '../../web/engine/held';
-import { optimizeBody } from '../../web/engine/optimize';
-import { defaultSettings } from '../../web/engine/options';
-import type { Settings } from '../../web/engine/options';
-import { exportedMesh, prepareBody } from '../../web/engine/pipeline';
+import { findHeld } from '../../web/engine/body/constraints';
+import { optimizeBody } from '../../web/engine/stages/optimize';
+import { defaultSettings } from '../../web/engine/settings/options';
+import type { Settings } from '../../web/engine/settings/options';
+import { exportedMesh, prepareBody } from '../../web/engine/stages/pipeline';
 import { loadTestCore } from './support/core';
 import { addMesh, floats, glbFile, primitiveOf, readGlb, startDocument } from './support/gltf';
 import { facesOf } from './support/mirrored';

@@ -1,13 +1,13 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Binding, Core, TriangleMesh } from '../../web/engine/core';
-import { NONE } from '../../web/engine/core';
-import { defaultSettings } from '../../web/engine/options';
-import type { Settings } from '../../web/engine/options';
-import { buildHistory, prepareBody, reduceTo } from '../../web/engine/pipeline';
-import { simulationOptions } from '../../web/engine/simulation';
-import { topCorners } from '../../web/engine/top_corners';
-import { Twin } from '../../web/engine/twin';
-import type { TwinSample } from '../../web/engine/twin';
+import type { Binding, Core, TriangleMesh } from '../../web/engine/core/core';
+import { NONE } from '../../web/engine/core/core';
+import { defaultSettings } from '../../web/engine/settings/options';
+import type { Settings } from '../../web/engine/settings/options';
+import { buildHistory, prepareBody, reduceTo } from '../../web/engine/stages/pipeline';
+import { simulationOptions } from '../../web/engine/motion/simulation';
+import { topCorners } from '../../web/engine/motion/top_corners';
+import { Twin } from '../../web/engine/motion/twin';
+import type { TwinSample } from '../../web/engine/motion/twin';
 import {
   boundPositions,
   Deviation,
@@ -16,8 +16,8 @@ import {
   hasExploded,
   Stretch,
   vertexAreas,
-} from '../../web/engine/twin_measures';
-import { onOptimized, onOriginal, placeOf } from '../../web/engine/twin_points';
+} from '../../web/engine/motion/twin_measures';
+import { onOptimized, onOriginal, placeOf } from '../../web/engine/motion/twin_points';
 import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
 import { box, grid } from './support/shapes';

@@ -1,7 +1,7 @@
 /** The reference values of docs/validation.md against published ones, and some cheap cases of that page. */
 
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Core } from '../../web/engine/core';
+import type { Core } from '../../web/engine/core/core';
 import { eulerBending, stretch, timoshenkoBending, twist } from '../../scripts/validation/analytic/bar';
 import { generalisedEigenvalues } from '../../scripts/validation/analytic/eigenvalues';
 import { gaussLegendre, integrate } from '../../scripts/validation/analytic/legendre';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { Core, MeshAt, SimplifyOptions, TriangleMesh } from '../../web/engine/core';
-import { VERDICTS } from '../../web/engine/core';
+import type { Core, MeshAt, SimplifyOptions, TriangleMesh } from '../../web/engine/core/core';
+import { VERDICTS } from '../../web/engine/core/core';
 import { loadTestCore } from './support/core';
 import { torus } from './support/shapes';
 

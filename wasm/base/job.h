@@ -7,7 +7,7 @@
 
 namespace limber {
 
-// What a long call is doing; the names that people read live in web/engine/core.ts in the same order.
+// What a long call is doing; the names that people read live in web/engine/core/core.ts in the same order.
 enum class Phase : int32_t {
   Idle = 0,
   Weld = 1,

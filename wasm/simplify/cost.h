@@ -7,7 +7,7 @@
 
 #include "simplify/attribute_quadrics.h"
 #include "simplify/collapse_mesh.h"
-#include "simplify/kd_tree.h"
+#include "query/kd_tree.h"
 #include "simplify/quadric.h"
 #include "simplify/simplify.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "simplify/collapse_mesh.h"
-#include "simplify/kd_tree.h"
+#include "query/kd_tree.h"
 
 namespace limber {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "base/parallel.h"
-#include "simulate/bending_rest.h"
+#include "simulate/constraints/bending_rest.h"
 #include "simulate/wind.h"
 
 namespace limber {

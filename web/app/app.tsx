@@ -2,18 +2,18 @@
 
 import { signal } from '@preact/signals';
 import { openDropped } from './files';
-import { Empty } from './panels/empty';
-import { ExportPanel } from './panels/export_panel';
-import { Gallery } from './panels/gallery';
+import { Empty } from './panels/model/drop_zone';
+import { ExportPanel } from './panels/export/export_panel';
+import { Gallery } from './panels/motion/gallery';
 import { Help } from './panels/help';
-import { ModelFacts, ReadingPanel } from './panels/model_panel';
-import { MotionPanel } from './panels/motion_panel';
+import { ModelFacts, ReadingPanel } from './panels/model/model_panel';
+import { MotionPanel } from './panels/motion/motion_panel';
 import { Notices } from './panels/notices';
 import { Readouts } from './panels/readouts';
-import { ReducePanel, Scrubber } from './panels/reduce_panel';
+import { ReducePanel, Scrubber } from './panels/reduce/reduce_panel';
 import { StageView } from './panels/stage_view';
-import { TestBench } from './panels/test_bench';
-import { TestPanel } from './panels/test_panel';
+import { TestBench } from './panels/simulate/simulate_bench';
+import { TestPanel } from './panels/simulate/simulate_panel';
 import { TopBar } from './panels/top_bar';
 import { results, view, wants } from './state/store';
 

@@ -1,8 +1,8 @@
 /** The command that makes the same bytes as the page. */
 
-import { OPTIONS } from '../engine/options';
-import type { Settings } from '../engine/options';
-import { changedSettings } from '../engine/setting_text';
+import { OPTIONS } from '../engine/settings/options';
+import type { Settings } from '../engine/settings/options';
+import { changedSettings } from '../engine/settings/setting_text';
 
 const quoted = (word: string): string =>
   /^[\w./:,+-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;

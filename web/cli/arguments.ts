@@ -1,11 +1,11 @@
 /** The words of a command line as a command with its operands, settings and flags. */
 
 import { parseArgs } from 'node:util';
-import type { Method } from '../engine/core';
-import { MATERIALS, MATERIAL_NAMES } from '../engine/materials';
-import { OPTIONS, checkSettings, defaultSettings } from '../engine/options';
-import type { Settings } from '../engine/options';
-import { readNumber, readSetting } from '../engine/setting_text';
+import type { Method } from '../engine/core/core';
+import { MATERIALS, MATERIAL_NAMES } from '../engine/settings/materials';
+import { OPTIONS, checkSettings, defaultSettings } from '../engine/settings/options';
+import type { Settings } from '../engine/settings/options';
+import { readNumber, readSetting } from '../engine/settings/setting_text';
 import { UsageError } from './failure';
 import { COMMAND_SPECS, COMMANDS, flagsOf, settingsOf } from './flags';
 import type { Command, Flag } from './flags';

@@ -1,11 +1,11 @@
 /** limber compare A B: A is the original. */
 
 import { basename } from 'node:path';
-import type { Fidelity, SurfaceDistance } from '../engine/core';
-import { compareTopology, materialOf, measureDistance, startStopwatch } from '../engine/pipeline';
-import type { PreparedBody } from '../engine/pipeline';
-import { meshReport, startReport, worstFidelity, worstSurface } from '../engine/report';
-import type { Report } from '../engine/report';
+import type { Fidelity, SurfaceDistance } from '../engine/core/core';
+import { compareTopology, materialOf, measureDistance, startStopwatch } from '../engine/stages/pipeline';
+import type { PreparedBody } from '../engine/stages/pipeline';
+import { meshReport, startReport, worstFidelity, worstSurface } from '../engine/report/report';
+import type { Report } from '../engine/report/report';
 import type { Arguments } from './arguments';
 import { EXIT, UsageError } from './failure';
 import { finish, openFile, prepareBodies, startSession, usable } from './session';

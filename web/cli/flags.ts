@@ -1,8 +1,8 @@
 /** The flags of every command: those of the settings come from the engine's options. */
 
-import { MATERIAL_NAMES } from '../engine/materials';
-import { OPTIONS } from '../engine/options';
-import type { OptionGroup, Settings } from '../engine/options';
+import { MATERIAL_NAMES } from '../engine/settings/materials';
+import { OPTIONS } from '../engine/settings/options';
+import type { OptionGroup, Settings } from '../engine/settings/options';
 
 export const COMMANDS = ['optimize', 'modes', 'compare', 'simulate', 'inspect'] as const;
 export type Command = (typeof COMMANDS)[number];

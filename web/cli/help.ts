@@ -1,6 +1,6 @@
 /** Help for a stranger. */
 
-import { VERSION } from '../engine/version';
+import { VERSION } from '../engine/core/version';
 import { COMMAND_SPECS, COMMANDS, flagsOf } from './flags';
 import type { Command, Flag } from './flags';
 

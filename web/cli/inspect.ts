@@ -1,10 +1,10 @@
 /** limber inspect IN */
 
-import { inspectBody, startStopwatch } from '../engine/pipeline';
+import { inspectBody, startStopwatch } from '../engine/stages/pipeline';
 import type { Body, OpenModel } from '../engine/document/open';
-import { describeHealth } from '../engine/health';
-import { startReport } from '../engine/report';
-import type { InspectedBody } from '../engine/report';
+import { describeHealth } from '../engine/body/health';
+import { startReport } from '../engine/report/report';
+import type { InspectedBody } from '../engine/report/report';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { chosenBodies, finish, openFile, startSession } from './session';

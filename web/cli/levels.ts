@@ -1,18 +1,18 @@
 /** Further levels of detail of limber optimize: one file each, from the histories that are there. */
 
 import { resolve } from 'node:path';
-import type { MeshAt } from '../engine/core';
+import type { MeshAt } from '../engine/core/core';
 import { exportGlb } from '../engine/document/export';
 import type { ExportedBody } from '../engine/document/export';
 import type { OpenModel } from '../engine/document/open';
-import type { Held } from '../engine/held';
-import { levelAt } from '../engine/optimize';
-import type { OptimizedBody } from '../engine/optimize';
-import { exportedBody, measureResult } from '../engine/pipeline';
-import { meshReport, stopReport, worstSurface } from '../engine/report';
-import type { LevelReport, StoppedBody } from '../engine/report';
-import { facesByRatio } from '../engine/share';
-import { calibrationOf } from '../engine/simulation';
+import type { Held } from '../engine/body/constraints';
+import { levelAt } from '../engine/stages/optimize';
+import type { OptimizedBody } from '../engine/stages/optimize';
+import { exportedBody, measureResult } from '../engine/stages/pipeline';
+import { meshReport, stopReport, worstSurface } from '../engine/report/report';
+import type { LevelReport, StoppedBody } from '../engine/report/report';
+import { facesByRatio } from '../engine/stages/face_shares';
+import { calibrationOf } from '../engine/motion/simulation';
 import type { Arguments } from './arguments';
 import { UsageError } from './failure';
 import { checkFolder, writeWhole } from './files';

@@ -1,6 +1,6 @@
 /** The command line: reads the words, runs a command, and ends with its exit code. */
 
-import { VERSION } from '../engine/version';
+import { VERSION } from '../engine/core/version';
 import { parseArguments } from './arguments';
 import type { Arguments } from './arguments';
 import { runCompare } from './compare';

@@ -1,17 +1,17 @@
 /** limber optimize IN OUT */
 
 import { basename } from 'node:path';
-import { bindingOfBody, writeBinding } from '../engine/binding_file';
-import type { Core } from '../engine/core';
+import { bindingOfBody, writeBinding } from '../engine/report/binding_file';
+import type { Core } from '../engine/core/core';
 import { droppedByExport, exportGlb } from '../engine/document/export';
 import type { OpenModel } from '../engine/document/open';
-import { describeSolve } from '../engine/health';
-import { findHeld } from '../engine/held';
-import { resolveModel, resolveModes } from '../engine/options';
-import { optimizeBody } from '../engine/optimize';
-import type { OptimizedBody, Timings } from '../engine/optimize';
-import { describeLargeFit, isHeldBySeams, startStopwatch } from '../engine/pipeline';
-import type { PreparedBody } from '../engine/pipeline';
+import { describeSolve } from '../engine/body/health';
+import { findHeld } from '../engine/body/constraints';
+import { resolveModel, resolveModes } from '../engine/settings/options';
+import { optimizeBody } from '../engine/stages/optimize';
+import type { OptimizedBody, Timings } from '../engine/stages/optimize';
+import { describeLargeFit, isHeldBySeams, startStopwatch } from '../engine/stages/pipeline';
+import type { PreparedBody } from '../engine/stages/pipeline';
 import {
   describeRefused,
   calibrationReport,
@@ -20,9 +20,9 @@ import {
   startReport,
   stopReport,
   worstSurface,
-} from '../engine/report';
-import type { Report, StoppedBody, StopReport } from '../engine/report';
-import { facesByRatio, shareInProportion } from '../engine/share';
+} from '../engine/report/report';
+import type { Report, StoppedBody, StopReport } from '../engine/report/report';
+import { facesByRatio, shareInProportion } from '../engine/stages/face_shares';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { checkFolder, checkOutput, writeWhole } from './files';

@@ -1,14 +1,14 @@
 /** What every command needs: the loaded core, the opened model, progress and warnings. */
 
 import { existsSync } from 'node:fs';
-import type { Core, Progress } from '../engine/core';
+import type { Core, Progress } from '../engine/core/core';
 import type { OpenModel } from '../engine/document/open';
 import { openModel } from '../engine/document/open';
-import { describeHealth } from '../engine/health';
-import { loadCore } from '../engine/load_core';
-import { prepareBody } from '../engine/pipeline';
-import type { PreparedBody } from '../engine/pipeline';
-import type { Report } from '../engine/report';
+import { describeHealth } from '../engine/body/health';
+import { loadCore } from '../engine/core/load_core';
+import { prepareBody } from '../engine/stages/pipeline';
+import type { PreparedBody } from '../engine/stages/pipeline';
+import type { Report } from '../engine/report/report';
 import type { Arguments } from './arguments';
 import { UsageError } from './failure';
 import { checkFolder, readModelFiles, writeWhole } from './files';

@@ -1,16 +1,16 @@
 /** limber simulate A [B]: A is the original. */
 
 import { basename } from 'node:path';
-import { readBinding } from '../engine/binding_file';
-import type { MotionComparison } from '../engine/core';
+import { readBinding } from '../engine/report/binding_file';
+import type { MotionComparison } from '../engine/core/core';
 import { recordingGlb } from '../engine/document/recording';
 import type { RecordedBody } from '../engine/document/recording';
-import { startStopwatch } from '../engine/pipeline';
-import type { PreparedBody } from '../engine/pipeline';
-import { findPins } from '../engine/pins';
-import { calibrationReport, meshReport, simulationReport, startReport } from '../engine/report';
-import type { Report, RunReport, SimulationReport } from '../engine/report';
-import { bindingBetween, calibrationOf, simulationOptions, STEP_SECONDS } from '../engine/simulation';
+import { startStopwatch } from '../engine/stages/pipeline';
+import type { PreparedBody } from '../engine/stages/pipeline';
+import { findPins } from '../engine/body/pins';
+import { calibrationReport, meshReport, simulationReport, startReport } from '../engine/report/report';
+import type { Report, RunReport, SimulationReport } from '../engine/report/report';
+import { bindingBetween, calibrationOf, simulationOptions, STEP_SECONDS } from '../engine/motion/simulation';
 import type { Arguments } from './arguments';
 import { checkPairs } from './compare';
 import { EXIT, UsageError } from './failure';

@@ -1,6 +1,6 @@
 /** Bars of square cross-section, as solids. */
 
-import type { Core, Mode, ModeName } from '../../../web/engine/core';
+import type { Core, Mode, ModeName } from '../../../web/engine/core/core';
 import { stretch, timoshenkoBending, twist } from '../analytic/bar';
 import { box } from '../meshes';
 import type { MeshKind } from '../meshes';

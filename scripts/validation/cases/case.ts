@@ -1,6 +1,6 @@
 /** What a validation case is made of, and how it asks the core. */
 
-import type { Core, ModeSet, ModesOptions, TriangleMesh } from '../../../web/engine/core';
+import type { Core, ModeSet, ModesOptions, TriangleMesh } from '../../../web/engine/core/core';
 import type { MeshKind } from '../meshes';
 
 /** One frequency that is compared. */

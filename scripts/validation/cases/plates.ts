@@ -1,6 +1,6 @@
 /** Thin square plates, as shells. */
 
-import type { Core } from '../../../web/engine/core';
+import type { Core } from '../../../web/engine/core/core';
 import { plateFrequencies, supportedPlateFrequencies } from '../analytic/plate';
 import { plate } from '../meshes';
 import type { MeshKind } from '../meshes';

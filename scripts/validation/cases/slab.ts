@@ -1,6 +1,6 @@
 /** One slab, two models: what is the theory's error and what is the mesh's. */
 
-import type { Core } from '../../../web/engine/core';
+import type { Core } from '../../../web/engine/core/core';
 import { plateFrequencies } from '../analytic/plate';
 import { box, plate } from '../meshes';
 import { POISSON, modesOf } from './case';

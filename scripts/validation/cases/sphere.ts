@@ -1,6 +1,6 @@
 /** A solid sphere. */
 
-import type { Core, ModeSet, TriangleMesh } from '../../../web/engine/core';
+import type { Core, ModeSet, TriangleMesh } from '../../../web/engine/core/core';
 import { breathing, spheroidal, torsional } from '../analytic/sphere';
 import { sphere } from '../meshes';
 import type { MeshKind } from '../meshes';

@@ -1,6 +1,6 @@
 /** A thin tube and a thin band as shells, a ring as a solid. */
 
-import type { Core } from '../../../web/engine/core';
+import type { Core } from '../../../web/engine/core/core';
 import { SQUARE_TORSION } from '../analytic/bar';
 import { rayleighTube, ringInPlane, ringOutOfPlane, tubeFrequencies } from '../analytic/tube';
 import { squareRing, tube } from '../meshes';

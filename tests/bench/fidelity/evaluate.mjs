@@ -4,7 +4,7 @@
 //   --all          the large meshes too
 //   --quick        a few meshes, 25 %, our methods alone, printed in a minute: for tuning
 //   --motion       how far the results move apart from their originals, at 25 %, in place of all else
-//   --set KEY=VALUE      changes a setting of our methods (several times), as in web/engine/options.ts: --set fit=off
+//   --set KEY=VALUE      changes a setting of our methods (several times), as in web/engine/settings/options.ts: --set fit=off
 //   --methods a,b  --meshes a,b  --ratios 0.5,0.25      which to run; a mesh is named by how its name begins
 
 import { parseArgs } from 'node:util';

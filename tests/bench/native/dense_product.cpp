@@ -3,7 +3,7 @@
 // ones of updates of fronts, the narrow ones of solves with two dozen right-hand sides, one with a single
 // one.
 
-#include "modes/dense_product.h"
+#include "linear/dense/dense_product.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

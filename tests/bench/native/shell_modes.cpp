@@ -21,12 +21,12 @@
 
 #include "base/parallel.h"
 #include "mesh/topology.h"
-#include "modes/eigensolver.h"
-#include "modes/factorisation.h"
-#include "modes/front_tree.h"
-#include "modes/node_graph.h"
-#include "modes/ordering.h"
-#include "modes/shell.h"
+#include "linear/eigensolver.h"
+#include "linear/factorisation.h"
+#include "linear/ordering/front_tree.h"
+#include "linear/ordering/node_graph.h"
+#include "linear/ordering/ordering.h"
+#include "elastic/shell.h"
 
 namespace limber {
 namespace {

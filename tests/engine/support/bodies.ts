@@ -1,6 +1,6 @@
 /** Bodies without a file. */
 
-import type { TriangleMesh } from '../../../web/engine/core';
+import type { TriangleMesh } from '../../../web/engine/core/core';
 import type { Body } from '../../../web/engine/document/open';
 
 export function bodyOf(mesh: TriangleMesh, name = 'body'): Body {

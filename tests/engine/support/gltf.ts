@@ -4,7 +4,7 @@ import { Accessor, Document, Logger, WebIO } from '@gltf-transform/core';
 import type { Mesh, Primitive } from '@gltf-transform/core';
 import { ALL_EXTENSIONS, KHRTextureTransform } from '@gltf-transform/extensions';
 import type { SourceFile } from '../../../web/engine/document/open';
-import type { TriangleMesh } from '../../../web/engine/core';
+import type { TriangleMesh } from '../../../web/engine/core/core';
 
 export async function glbFile(document: Document, name = 'test.glb'): Promise<SourceFile> {
   const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);

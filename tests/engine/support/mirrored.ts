@@ -1,6 +1,6 @@
 /** Meshes and their mirror images. */
 
-import type { TriangleMesh } from '../../../web/engine/core';
+import type { TriangleMesh } from '../../../web/engine/core/core';
 
 /** The faces by their points, each from its lowest corner, with x times `side`. */
 export function facesOf({ positions, triangles }: TriangleMesh, side: 1 | -1): string[] {

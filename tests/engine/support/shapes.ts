@@ -1,6 +1,6 @@
 /** Small closed and open surfaces, wound outwards. */
 
-import type { TriangleMesh } from '../../../web/engine/core';
+import type { TriangleMesh } from '../../../web/engine/core/core';
 
 /** A flat grid in the xy plane of cellsX * cellsY cells, each two triangles. */
 export function grid(cellsX: number, cellsY: number): TriangleMesh {

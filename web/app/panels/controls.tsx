@@ -2,8 +2,8 @@
 
 import type { ComponentChildren } from 'preact';
 import { useId } from 'preact/hooks';
-import { OPTIONS } from '../../engine/options';
-import type { Settings } from '../../engine/options';
+import { OPTIONS } from '../../engine/settings/options';
+import type { Settings } from '../../engine/settings/options';
 import { changeSettings, wants } from '../state/store';
 
 type NumberKey = { [K in keyof Settings]: Settings[K] extends number ? K : never }[keyof Settings];

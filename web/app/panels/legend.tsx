@@ -1,13 +1,13 @@
 /** What the colours mean. */
 
-import { spellModes } from '../../engine/mode_set';
+import { spellModes } from '../../engine/core/mode_set';
 import { results, view } from '../state/store';
 import type { FieldName } from '../state/store';
 import { Bar } from './bar';
 import { Choice, Toggle } from './controls';
 import { curvatureScale } from './curvature_scale';
-import { guidingModes } from './mode_choice';
-import { TestLegend } from './test_legend';
+import { guidingModes } from './motion/mode_choice';
+import { TestLegend } from './simulate/simulate_legend';
 
 const FIELDS: { value: FieldName; text: string; title: string }[] = [
   { value: 'none', text: 'Plain', title: 'No colours (1)' },

@@ -1,10 +1,10 @@
 /** The numbers under the stage. */
 
-import { isFitted } from '../../engine/options';
+import { isFitted } from '../../engine/settings/options';
 import { results, shownFit, shownMesh, view, wants } from '../state/store';
 import { count, fixed } from './controls';
 import { Readout } from './readout';
-import { TestReadouts } from './test_readouts';
+import { TestReadouts } from './simulate/simulate_readouts';
 
 export function Readouts() {
   const body = results.body.value;

@@ -2,7 +2,7 @@
 
 import { computed, effect, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
-import type { MeshAt } from '../../engine/core';
+import type { MeshAt } from '../../engine/core/core';
 import { isDark } from '../scheme';
 import { twin } from '../state/simulation';
 import { isBrushing, isPicking, results, shownMesh, view } from '../state/store';
@@ -12,12 +12,12 @@ import { Stage } from '../viewer/stage';
 import type { PaneName } from '../viewer/stage';
 import { count } from './controls';
 import { curvatureScale } from './curvature_scale';
-import { Compare, comparedPanes, isSplit, labelsBesideChoice } from './compare';
+import { Compare, comparedPanes, isSplit, labelsBesideChoice } from './reduce/compare';
 import { Legend } from './legend';
-import { guidingModes } from './mode_choice';
-import { showPaint } from './brushing';
-import { connectPicking, showPins } from './picking';
-import { connectProbe, WhyCard } from './why_card';
+import { guidingModes } from './motion/mode_choice';
+import { showPaint } from './reduce/brushing';
+import { connectPicking, showPins } from './motion/picking';
+import { connectProbe, WhyCard } from './reduce/why_card';
 import {
   connectDragging,
   isDriven,
@@ -27,7 +27,7 @@ import {
   TwinAlert,
   TwinLabels,
   veilColour,
-} from './test_view';
+} from './simulate/simulate_view';
 
 export const stageHandle: { current: Stage | null } = { current: null };
 

@@ -6,7 +6,7 @@ import type { Step, Theme } from '../state/store';
 import { pickFiles } from '../files';
 import { canRedo, canUndo, redo, undo } from '../state/undo';
 import { count } from './controls';
-import { Samples, samples } from './samples';
+import { Samples, samples } from './model/samples';
 import { writeLink } from '../state/link';
 
 const STEPS: { id: Step; text: string }[] = [

@@ -2,8 +2,8 @@
 
 import { proxy, wrap } from 'comlink';
 import type { Remote } from 'comlink';
-import { PHASES } from '../../engine/core';
-import type { Progress } from '../../engine/core';
+import { PHASES } from '../../engine/core/core';
+import type { Progress } from '../../engine/core/core';
 import type { SourceFile } from '../../engine/document/open';
 import { CANCELLED } from '../worker/protocol';
 import type { OpenedFile, Started, WorkerApi } from '../worker/protocol';

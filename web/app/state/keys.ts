@@ -1,7 +1,7 @@
 /** What each stage depends on, as text that is compared: a stage runs again when its key has changed. */
 
-import { isFitted, resolveModel } from '../../engine/options';
-import type { Settings } from '../../engine/options';
+import { isFitted, resolveModel } from '../../engine/settings/options';
+import type { Settings } from '../../engine/settings/options';
 import type { ExportRequest } from '../worker/protocol';
 
 /** A symmetry may take other cuts of quads. */

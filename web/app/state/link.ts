@@ -1,9 +1,9 @@
 /** What the user wants as the text of a link, and back: only what is not as it comes, in the words of the flags. */
 
 import { signal } from '@preact/signals';
-import { OPTIONS, checkSettings, defaultSettings } from '../../engine/options';
-import type { Settings } from '../../engine/options';
-import { changedSettings, readSetting } from '../../engine/setting_text';
+import { OPTIONS, checkSettings, defaultSettings } from '../../engine/settings/options';
+import type { Settings } from '../../engine/settings/options';
+import { changedSettings, readSetting } from '../../engine/settings/setting_text';
 
 export interface Wanted {
   settings: Settings;

@@ -1,7 +1,7 @@
 /** Takes a text for which vertices stay as they are, or says why not. */
 
 import { batch, signal } from '@preact/signals';
-import { parsePins } from '../../engine/pins';
+import { parsePins } from '../../engine/body/pins';
 import { changeSettings } from './store';
 
 /** The last text that does not hold, and why. */

@@ -1,8 +1,8 @@
 /** What the brush has painted: shown levels, and strokes that change them. */
 
 import { computed } from '@preact/signals';
-import { painted, parsePaint, unweldLevels, weldLevels, withPaint } from '../../engine/paint';
-import type { Levels } from '../../engine/paint';
+import { painted, parsePaint, unweldLevels, weldLevels, withPaint } from '../../engine/body/paint';
+import type { Levels } from '../../engine/body/paint';
 import type { Stroke } from '../viewer/pick_tool';
 import { changeSettings, results, view, wants } from './store';
 

@@ -1,7 +1,7 @@
 /** Takes a text for what is held in place, or says why not. */
 
 import { batch } from '@preact/signals';
-import { parsePins } from '../../engine/pins';
+import { parsePins } from '../../engine/body/pins';
 import { changeSettings, status } from './store';
 
 /** A text that does not parse is refused with the engine's sentence, and the pins before it stay. */

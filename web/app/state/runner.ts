@@ -3,12 +3,12 @@
 import { batch, effect, signal, untracked } from '@preact/signals';
 import type { Signal } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
-import type { Settings } from '../../engine/options';
+import type { Settings } from '../../engine/settings/options';
 import { CANCELLED } from '../worker/protocol';
 import type { ExportRequest, PinsResult } from '../worker/protocol';
 import { Client } from './client';
 import { exportKey, guidanceKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from './keys';
-import { shareInProportion } from '../../engine/share';
+import { shareInProportion } from '../../engine/stages/face_shares';
 import { takeAwaited } from './link';
 import type { Wanted } from './link';
 import { saveFiles, startSaving } from './saved_session';

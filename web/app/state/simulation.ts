@@ -3,11 +3,11 @@
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { proxy, wrap } from 'comlink';
 import type { Remote } from 'comlink';
-import type { MeshAt, SurfacePoint, Surroundings } from '../../engine/core';
-import { OPTIONS } from '../../engine/options';
-import type { Settings } from '../../engine/options';
-import { topCorners } from '../../engine/top_corners';
-import type { TwinName, TwinSample } from '../../engine/twin';
+import type { MeshAt, SurfacePoint, Surroundings } from '../../engine/core/core';
+import { OPTIONS } from '../../engine/settings/options';
+import type { Settings } from '../../engine/settings/options';
+import { topCorners } from '../../engine/motion/top_corners';
+import type { TwinName, TwinSample } from '../../engine/motion/twin';
 import type { SimulationApi, TwinFrame, TwinWishes } from '../worker/simulation_protocol';
 import { pinsKey, resultKey } from './keys';
 import { results, shownMesh, status, view, wantedFaces, wants } from './store';

@@ -1,9 +1,9 @@
 /** The page's whole state: what the user wants, what has been computed from which inputs, how it is looked at. */
 
 import { computed, signal } from '@preact/signals';
-import type { Curvature, MeshAt, Progress, StrainGuidance } from '../../engine/core';
-import { defaultSettings } from '../../engine/options';
-import type { Settings } from '../../engine/options';
+import type { Curvature, MeshAt, Progress, StrainGuidance } from '../../engine/core/core';
+import { defaultSettings } from '../../engine/settings/options';
+import type { Settings } from '../../engine/settings/options';
 import { historyKey, modesKey, resultKey } from './keys';
 import type {
   BodySummary,

@@ -1,7 +1,7 @@
 /** Undo and Redo of what the user wants: settings with pins and paint among them, and the kept faces. */
 
 import { batch, effect, signal, untracked } from '@preact/signals';
-import type { Settings } from '../../engine/options';
+import type { Settings } from '../../engine/settings/options';
 import { wants } from './store';
 
 interface Wanted {

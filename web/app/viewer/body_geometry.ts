@@ -1,9 +1,9 @@
 /** A mesh as the stage draws it: corners not shared, so that faces can have their own colour and sharp edges. */
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
-import type { TriangleMesh } from '../../engine/core';
-import { LOCKED, STRONGEST } from '../../engine/paint';
-import type { Levels } from '../../engine/paint';
+import type { TriangleMesh } from '../../engine/core/core';
+import { LOCKED, STRONGEST } from '../../engine/body/paint';
+import type { Levels } from '../../engine/body/paint';
 import { cornerNormals } from '../../engine/document/normals';
 import { isLarge } from './twin_surface';
 

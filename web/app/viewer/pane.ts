@@ -1,8 +1,8 @@
 /** One body of the stage in its own scene. */
 
 import * as THREE from 'three';
-import type { TriangleMesh } from '../../engine/core';
-import type { Levels } from '../../engine/paint';
+import type { TriangleMesh } from '../../engine/core/core';
+import type { Levels } from '../../engine/body/paint';
 import { bodyGeometry, setDisplacement, setField, setPaint } from './body_geometry';
 import type { Field } from './body_geometry';
 import type { MapName } from './colours';

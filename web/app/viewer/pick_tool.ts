@@ -1,7 +1,7 @@
 /** The hand that works on the vertices of the shown mesh: a click takes one or the disc around it, a drag goes over many. */
 
 import type { Ray } from 'three';
-import type { TriangleMesh } from '../../engine/core';
+import type { TriangleMesh } from '../../engine/core/core';
 import { Picker } from './picker';
 import type { PickedVertex } from './picker';
 

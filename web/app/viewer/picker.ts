@@ -4,7 +4,7 @@ import { BufferAttribute, BufferGeometry, DoubleSide, Sphere, Vector3 } from 'th
 import type { Ray } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import type { SerializedBVH } from 'three-mesh-bvh';
-import type { TriangleMesh } from '../../engine/core';
+import type { TriangleMesh } from '../../engine/core/core';
 
 export interface PickedVertex {
   vertex: number;

@@ -1,7 +1,7 @@
 /** Dots over the surface, one for each vertex that is held in place. */
 
 import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial } from 'three';
-import type { TriangleMesh } from '../../engine/core';
+import type { TriangleMesh } from '../../engine/core/core';
 
 const vertexShader = /* glsl */ `
   uniform float size;

@@ -1,7 +1,7 @@
 /** Moving pictures of modes: one shared renderer draws them in turn, each is copied to its own small canvas. */
 
 import * as THREE from 'three';
-import type { TriangleMesh } from '../../engine/core';
+import type { TriangleMesh } from '../../engine/core/core';
 import { bodyGeometry, setDisplacement, setField } from './body_geometry';
 import { mapTexture } from './colours';
 import { surfaceMaterial } from './surface_material';

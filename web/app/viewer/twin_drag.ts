@@ -2,7 +2,7 @@
 
 import { Plane, Vector3 } from 'three';
 import type { Ray } from 'three';
-import type { SurfacePoint, TriangleMesh } from '../../engine/core';
+import type { SurfacePoint, TriangleMesh } from '../../engine/core/core';
 
 export interface Grip {
   point: SurfacePoint;

@@ -1,7 +1,7 @@
 /** What bodies fall on: a floor and balls or capsules, drawn in a scene beside a body. */
 
 import * as THREE from 'three';
-import type { Collider, Surroundings } from '../../engine/core';
+import type { Collider, Surroundings } from '../../engine/core/core';
 
 export interface Props extends Surroundings {
   /** how far down a body will hang; null: no farther than it stands */

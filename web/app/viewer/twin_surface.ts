@@ -1,7 +1,7 @@
 /** A body whose vertices move: places, normals and values written into its geometry for each picture. */
 
 import type { BufferAttribute, BufferGeometry } from 'three';
-import type { TriangleMesh } from '../../engine/core';
+import type { TriangleMesh } from '../../engine/core/core';
 
 /** Above this many triangles faces are drawn flat, as the shader finds their normals by itself. */
 const MOST_SMOOTH = 150_000;

@@ -1,15 +1,15 @@
 /** The file of all bodies, its further levels, the binding and the report, from what the stages have computed. */
 
-import { bindingOfBody, writeBinding } from '../../engine/binding_file';
-import type { Core, MeshAt } from '../../engine/core';
+import { bindingOfBody, writeBinding } from '../../engine/report/binding_file';
+import type { Core, MeshAt } from '../../engine/core/core';
 import { exportGlb } from '../../engine/document/export';
 import type { OpenModel } from '../../engine/document/open';
 import { validateGlb } from '../../engine/document/validate';
-import type { Settings } from '../../engine/options';
-import { exportedBody, measureResult, startStopwatch } from '../../engine/pipeline';
-import { meshReport, resultReport, startReport, stopReport, worstSurface } from '../../engine/report';
-import type { LevelReport, Report, StoppedBody } from '../../engine/report';
-import { facesByRatio } from '../../engine/share';
+import type { Settings } from '../../engine/settings/options';
+import { exportedBody, measureResult, startStopwatch } from '../../engine/stages/pipeline';
+import { meshReport, resultReport, startReport, stopReport, worstSurface } from '../../engine/report/report';
+import type { LevelReport, Report, StoppedBody } from '../../engine/report/report';
+import { facesByRatio } from '../../engine/stages/face_shares';
 import type { ExportedLevel, ExportRequest, ExportResult } from './protocol';
 import type { BodyStages } from './session';
 

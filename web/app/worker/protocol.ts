@@ -10,15 +10,15 @@ import type {
   StrainGuidance,
   TriangleMesh,
   WhyKept,
-} from '../../engine/core';
-import type { DeviationMark } from '../../engine/deviation_marks';
-import type { FrequencyFinding } from '../../engine/frequency_target';
+} from '../../engine/core/core';
+import type { DeviationMark } from '../../engine/stages/deviation_marks';
+import type { FrequencyFinding } from '../../engine/stages/frequency_target';
 import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
-import type { HealthNote } from '../../engine/health';
-import type { Settings } from '../../engine/options';
-import type { Certificate, FittedResult } from '../../engine/pipeline';
-import type { Report } from '../../engine/report';
+import type { HealthNote } from '../../engine/body/health';
+import type { Settings } from '../../engine/settings/options';
+import type { Certificate, FittedResult } from '../../engine/stages/pipeline';
+import type { Report } from '../../engine/report/report';
 
 export interface Started {
   threads: number;

@@ -1,16 +1,24 @@
 /** One opened file and what has been computed for each of its bodies. A stage runs again when its inputs have changed. */
 
 import type { Primitive } from '@gltf-transform/core';
-import type { Core, Curvature, History, MeshAt, ModeSet, StrainGuidance, WhyKept } from '../../engine/core';
-import { markDeviations } from '../../engine/deviation_marks';
-import type { DeviationMark } from '../../engine/deviation_marks';
+import type {
+  Core,
+  Curvature,
+  History,
+  MeshAt,
+  ModeSet,
+  StrainGuidance,
+  WhyKept,
+} from '../../engine/core/core';
+import { markDeviations } from '../../engine/stages/deviation_marks';
+import type { DeviationMark } from '../../engine/stages/deviation_marks';
 import type { OpenModel } from '../../engine/document/open';
-import type { Settings } from '../../engine/options';
-import { findHeld } from '../../engine/held';
-import type { Held } from '../../engine/held';
-import { findFrequencyLevel, levelAt } from '../../engine/optimize';
-import type { FrequencyFinding } from '../../engine/frequency_target';
-import { findPins } from '../../engine/pins';
+import type { Settings } from '../../engine/settings/options';
+import { findHeld } from '../../engine/body/constraints';
+import type { Held } from '../../engine/body/constraints';
+import { findFrequencyLevel, levelAt } from '../../engine/stages/optimize';
+import type { FrequencyFinding } from '../../engine/stages/frequency_target';
+import { findPins } from '../../engine/body/pins';
 import {
   buildHistory,
   explainResult,
@@ -21,8 +29,8 @@ import {
   measureResult,
   prepareBody,
   reduceTo,
-} from '../../engine/pipeline';
-import type { FittedResult, Guides, Measured, PreparedBody } from '../../engine/pipeline';
+} from '../../engine/stages/pipeline';
+import type { FittedResult, Guides, Measured, PreparedBody } from '../../engine/stages/pipeline';
 import { guidanceKey, heldKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from '../state/keys';
 
 const isScalar = (primitive: Primitive, name: string): boolean =>

@@ -1,7 +1,7 @@
 /** Steps a twin at its own pace and shows the latest state, never more than the page can draw. */
 
-import { STEP_SECONDS } from '../../engine/simulation';
-import type { Twin, TwinName, TwinSample } from '../../engine/twin';
+import { STEP_SECONDS } from '../../engine/motion/simulation';
+import type { Twin, TwinName, TwinSample } from '../../engine/motion/twin';
 import type { BodyState, ShowFrame, TwinFrame, TwinWishes } from './simulation_protocol';
 
 const STEP_MILLISECONDS = 1000 * STEP_SECONDS;

@@ -1,9 +1,9 @@
 /** What the page and the worker of the Test step say to each other: plain data, typed arrays moved rather than copied. */
 
-import type { MeshAt, SurfacePoint, Surroundings, TriangleMesh } from '../../engine/core';
-import type { Settings } from '../../engine/options';
-import type { BodySize } from '../../engine/pipeline';
-import type { TwinName, TwinSample } from '../../engine/twin';
+import type { MeshAt, SurfacePoint, Surroundings, TriangleMesh } from '../../engine/core/core';
+import type { Settings } from '../../engine/settings/options';
+import type { BodySize } from '../../engine/stages/pipeline';
+import type { TwinName, TwinSample } from '../../engine/motion/twin';
 
 export interface TwinSetup {
   /** counts starts; frames carry it, so that those of an earlier twin are never shown */

@@ -1,10 +1,10 @@
 /** The worker of the Test step: a core of its own, so that what else is computed neither waits for it nor stops it. */
 
 import { expose, transfer } from 'comlink';
-import type { Core } from '../../engine/core';
-import { loadCore } from '../../engine/load_core';
-import { calibrationOf, simulationOptions, STEP_SECONDS } from '../../engine/simulation';
-import { Twin } from '../../engine/twin';
+import type { Core } from '../../engine/core/core';
+import { loadCore } from '../../engine/core/load_core';
+import { calibrationOf, simulationOptions, STEP_SECONDS } from '../../engine/motion/simulation';
+import { Twin } from '../../engine/motion/twin';
 import { SimulationLoop } from './simulation_loop';
 import type { ShowFrame, SimulationApi, TwinFrame, TwinSetup } from './simulation_protocol';
 

@@ -1,7 +1,7 @@
 /** Where each mode strains the body: along it, for the gallery's strips, and beside the other modes. */
 
-import type { Core, ModeSet, TriangleMesh } from '../../engine/core';
-import { hotFaces, sharedHotSpots } from '../../engine/hot_spots';
+import type { Core, ModeSet, TriangleMesh } from '../../engine/core/core';
+import { hotFaces, sharedHotSpots } from '../../engine/stages/hot_spots';
 import { STRIP } from './protocol';
 import type { StrainOverview } from './protocol';
 

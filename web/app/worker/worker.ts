@@ -2,14 +2,14 @@
 
 import { expose, transfer } from 'comlink';
 import { zipSync } from 'fflate';
-import type { Core } from '../../engine/core';
+import type { Core } from '../../engine/core/core';
 import { droppedByExport } from '../../engine/document/export';
 import { openModel } from '../../engine/document/open';
 import type { OpenModel } from '../../engine/document/open';
-import { describeHealth } from '../../engine/health';
-import { loadCore } from '../../engine/load_core';
-import { checkSettings } from '../../engine/options';
-import { isHeldBySeams } from '../../engine/pipeline';
+import { describeHealth } from '../../engine/body/health';
+import { loadCore } from '../../engine/core/load_core';
+import { checkSettings } from '../../engine/settings/options';
+import { isHeldBySeams } from '../../engine/stages/pipeline';
 import { exportKey, historyKey, modesKey, resultKey } from '../state/keys';
 import { CANCELLED } from './protocol';
 import { exportAll } from './exporting';

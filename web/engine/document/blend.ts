@@ -1,7 +1,7 @@
 /** Vertex attributes at points of a surface: mixed from the corners of a triangle by their shares. */
 
 import type { Accessor } from '@gltf-transform/core';
-import { length3 } from '../exact_math';
+import { length3 } from '../core/exact_math';
 
 /** What each written vertex is made of. */
 export interface VertexSources {

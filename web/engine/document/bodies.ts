@@ -1,9 +1,9 @@
 /** The meshes of a glTF document as bodies: plain triangles in the mesh's own space. */
 
 import type { Accessor, Document, Mesh, Node, Primitive } from '@gltf-transform/core';
-import { length3 } from '../exact_math';
+import { length3 } from '../core/exact_math';
 import { GrowingFloats, GrowingIndices } from './growing';
-import { counted } from './model';
+import { counted } from '../core/words';
 import type { Body, PrimitiveSpan } from './model';
 
 /** glTF's primitive modes. */

@@ -1,7 +1,7 @@
 /** Writes a primitive's attributes and morph targets for new vertices that are made of its old ones. */
 
 import type { Accessor, Buffer, Document, Primitive } from '@gltf-transform/core';
-import { length3 } from '../exact_math';
+import { length3 } from '../core/exact_math';
 import { blendDirections, blendLinear, takeNearest } from './blend';
 import type { Values, VertexSources } from './blend';
 import { mergeInfluences } from './influences';

@@ -1,7 +1,7 @@
 /** What an export would lose, said before it is done. */
 
 import type { Mesh, Primitive } from '@gltf-transform/core';
-import { counted } from './model';
+import { counted } from '../core/words';
 import type { OpenModel } from './model';
 import { uncarriedExtensions } from './prune';
 

@@ -2,8 +2,8 @@
 
 import { Mesh } from '@gltf-transform/core';
 import type { Buffer, Document, Primitive } from '@gltf-transform/core';
-import type { CornerSources, TriangleMesh } from '../core';
-import { VERSION } from '../version';
+import type { CornerSources, TriangleMesh } from '../core/core';
+import { VERSION } from '../core/version';
 import { carryAttributes, carryTargets } from './carry';
 import type { Destination } from './carry';
 import { createGltfIo } from './gltf_io';

@@ -3,7 +3,7 @@
 import type { Document, GLTF, JSONDocument } from '@gltf-transform/core';
 import { bodiesOfDocument } from './bodies';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
-import { counted } from './model';
+import { counted } from '../core/words';
 import type { OpenModel, SourceFile } from './model';
 
 const GLB_HEADER_BYTES = 20;

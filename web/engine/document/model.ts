@@ -47,8 +47,3 @@ export interface OpenModel {
   /** what the reader could not take into the document, in plain words: "UV coordinates" */
   unread: string[];
 }
-
-/** `count` of something: "1 texture", "2 textures". */
-export function counted(count: number, one: string, many = `${one}s`): string {
-  return `${count.toLocaleString('en-US')} ${count === 1 ? one : many}`;
-}

@@ -1,7 +1,7 @@
 /** Vertex normals for display: smooth, and split along sharp edges; or those of the faces. */
 
-import type { TriangleMesh } from '../core';
-import { arcCosine, length3 } from '../exact_math';
+import type { TriangleMesh } from '../core/core';
+import { arcCosine, length3 } from '../core/exact_math';
 
 /** Of 60 degrees: faces that meet at more keep an edge between them. */
 const CREASE_COSINE = 0.5;

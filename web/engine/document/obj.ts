@@ -3,9 +3,9 @@
  * `usemtl` name in it is a primitive.
  */
 
-import { NONE } from '../core';
+import { NONE } from '../core/core';
 import { GrowingFloats } from './growing';
-import { counted } from './model';
+import { counted } from '../core/words';
 import type { SourceFile } from './model';
 import { ObjCorners, splitVertices } from './obj_corners';
 import { triangulatePolygon } from './polygon';

@@ -1,6 +1,6 @@
 /** Corners of an OBJ object that name a position, a UV and a normal each, as vertices that have all three. */
 
-import { NONE } from '../core';
+import { NONE } from '../core/core';
 import { GrowingIndices } from './growing';
 
 /** Numbers per corner; NONE where a corner names no UV or normal. */

@@ -4,7 +4,7 @@
  */
 
 import { GrowingIndices } from './growing';
-import { counted } from './model';
+import { counted } from '../core/words';
 import type { SourceFile } from './model';
 import { readPlyHeader } from './ply_header';
 import type { PlyElement, PlyHeader, PlyProperty, PlyType } from './ply_header';

@@ -1,7 +1,7 @@
 /** Cuts one polygon of a file into triangles. */
 
 import earcut from 'earcut';
-import { length3 } from '../exact_math';
+import { length3 } from '../core/exact_math';
 
 /** A corner off the line between its neighbours by less than this, of the polygon's size, is dented inwards by as much. */
 const DENT = 1e-6;

@@ -2,9 +2,9 @@
 
 import { Document } from '@gltf-transform/core';
 import type { Animation, Buffer, Mesh, Node } from '@gltf-transform/core';
-import type { TriangleMesh } from '../core';
+import type { TriangleMesh } from '../core/core';
 import { createGltfIo } from './gltf_io';
-import { VERSION } from '../version';
+import { VERSION } from '../core/version';
 
 export interface RecordedBody {
   name: string;

@@ -1,8 +1,8 @@
 /** Modes for other programs: morph targets of a body, and animations that swing them. */
 
 import type { Accessor, Animation, Buffer, Document, Mesh, Node } from '@gltf-transform/core';
-import type { ModeSet, TriangleMesh } from '../core';
-import { modesAvailable } from '../mode_set';
+import type { ModeSet, TriangleMesh } from '../core/core';
+import { modesAvailable } from '../core/mode_set';
 
 /** A shape that a mesh can take on: where each vertex goes at weight 1. */
 export interface MorphTarget {

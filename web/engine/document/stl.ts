@@ -1,7 +1,7 @@
 /** STL, binary and text: a soup of triangles, one body. */
 
 import { GrowingFloats } from './growing';
-import { counted } from './model';
+import { counted } from '../core/words';
 import type { SourceFile } from './model';
 import type { SurfaceFile } from './surface';
 import { excerpt, TextScanner } from './text_scanner';

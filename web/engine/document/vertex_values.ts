@@ -1,6 +1,6 @@
 /** Normals, UVs and colours of formats without a scene, as glTF wants them. */
 
-import { length3 } from '../exact_math';
+import { length3 } from '../core/exact_math';
 import type { SurfaceAttributes } from './surface';
 
 /** What a reader found; normals need not have length 1, UVs start at the lower left corner, colours are sRGB in [0, 1]. */

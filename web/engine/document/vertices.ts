@@ -1,8 +1,8 @@
 /** Which vertices a primitive of the file gets: one for each place on the result that looks different. */
 
 import type { Primitive } from '@gltf-transform/core';
-import { NONE } from '../core';
-import type { CornerSources, TriangleMesh } from '../core';
+import { NONE } from '../core/core';
+import type { CornerSources, TriangleMesh } from '../core/core';
 import type { VertexSources } from './blend';
 import type { Body, PrimitiveSpan } from './model';
 

@@ -1,0 +1,229 @@
+// Running simulations, the one thing that lives between calls: JavaScript has numbers for them, and ends
+// them.
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "bind/binding_tools.h"
+#include "transfer/carry_pins.h"
+#include "compare/compare_motion.h"
+#include "simulate/running_scenario.h"
+
+namespace limber {
+namespace {
+
+// In the order of the enums.
+const std::vector<std::string> materialNames = {"springs", "shell"};
+const std::vector<std::string> scenarioNames = {"twist", "sway", "hang", "drop", "pull", "wind", "drape"};
+
+template <class Enum>
+Enum named(const std::vector<std::string>& names, const val& name) {
+  const auto found = std::find(names.begin(), names.end(), name.as<std::string>());
+  if (found == names.end())
+    throw std::invalid_argument("There is no \"" + name.as<std::string>() + "\" to simulate.");
+  return static_cast<Enum>(found - names.begin());
+}
+
+Vec3 vec3Of(const val& in) {
+  return {in[0].as<double>(), in[1].as<double>(), in[2].as<double>()};
+}
+
+SimulationOptions simulationOptionsOf(const val& in) {
+  SimulationOptions options;
+  options.material = named<Material>(materialNames, in["material"]);
+  options.young = in["young"].as<double>();
+  options.poisson = in["poisson"].as<double>();
+  options.density = in["density"].as<double>();
+  options.thickness = in["thickness"].as<double>();
+  options.unit = in["unit"].as<double>();
+  options.substeps = in["substeps"].as<int>();
+  options.damping = in["damping"].as<double>();
+  if (!in["friction"].isUndefined()) options.friction = in["friction"].as<double>();
+  options.avoidsItself = in["selfCollision"].as<bool>();
+  return options;
+}
+
+Surroundings addedSurroundingsOf(const val& in) {
+  Surroundings added;
+  const auto isGiven = [](const val& value) { return !value.isUndefined() && !value.isNull(); };
+  if (isGiven(in["ground"])) added.ground = in["ground"].as<double>();
+  const val colliders = in["colliders"];
+  if (!isGiven(colliders)) return added;
+  for (int i = 0; i < colliders["length"].as<int>(); ++i) {
+    const val collider = colliders[i];
+    added.colliders.push_back(
+        {vec3Of(collider["from"]), vec3Of(collider["to"]), collider["radius"].as<double>()});
+  }
+  return added;
+}
+
+Scenario scenarioOf(const TriangleMesh& original, const val& in) {
+  return {named<ScenarioKind>(scenarioNames, in["scenario"]), bounds(original), in["seconds"].as<double>(),
+          in["unit"].as<double>(), addedSurroundingsOf(in)};
+}
+
+val jsVec3(const Vec3& v) {
+  val out = val::array();
+  for (int c = 0; c < 3; ++c) out.set(c, v[c]);
+  return out;
+}
+
+val jsScenarioSurroundings(const val& original, const val& in) {
+  const Surroundings all = surroundingsOf(scenarioOf(meshOf(original), in));
+  val out = val::object(), colliders = val::array();
+  for (const Collider& collider : all.colliders) {
+    val one = val::object();
+    one.set("from", jsVec3(collider.from));
+    one.set("to", jsVec3(collider.to));
+    one.set("radius", collider.radius);
+    colliders.call<void>("push", one);
+  }
+  out.set("ground", all.ground ? val(*all.ground) : val::null());
+  out.set("colliders", colliders);
+  return out;
+}
+
+// Vertices of the original: those asked for, or, where `pinned` is null, the scenario's own.
+std::vector<uint32_t> pinnedOf(const TriangleMesh& original, const Scenario& scenario, const val& in) {
+  if (in["pinned"].isNull()) return defaultPins(original, scenario);
+  const auto pinned = vectorOf<uint32_t>(in["pinned"]);
+  for (const uint32_t v : pinned)
+    if (v >= original.vertexCount())
+      throw std::invalid_argument("A pin names a vertex that the mesh does not have.");
+  return pinned;
+}
+
+// Points of `other`, one per vertex of the original; none where `in` is null or left out.
+std::vector<SurfaceAnchor> bindingOf(const TriangleMesh& original, const TriangleMesh& other, const val& in) {
+  std::vector<SurfaceAnchor> anchors;
+  if (in.isNull() || in.isUndefined()) return anchors;
+  const auto triangles = vectorOf<uint32_t>(in["triangle"]);
+  const auto shares = vectorOf<float>(in["barycentric"]);
+  if (triangles.size() != original.vertexCount() || shares.size() != 3 * triangles.size())
+    throw std::invalid_argument("The binding is not of the original: make it again with --bind.");
+  for (size_t v = 0; v < triangles.size(); ++v) {
+    if (triangles[v] != kNone && triangles[v] >= other.triangleCount())
+      throw std::invalid_argument("The binding is not of the optimized mesh: make it again with --bind.");
+    anchors.push_back({triangles[v], {shares[3 * v], shares[3 * v + 1], shares[3 * v + 2]}});
+  }
+  return anchors;
+}
+
+val jsRun(const MotionRun& run) {
+  val out = val::object();
+  out.set("constraints", run.constraints);
+  out.set("edges", run.edges);
+  out.set("secondsPerStep", run.secondsPerStep);
+  out.set("positions", typedArray(run.positions));
+  return out;
+}
+
+val jsCompareMotion(const val& originalIn, const val& otherIn, const val& in) {
+  const TriangleMesh original = meshOf(originalIn);
+  MotionOptions options;
+  options.simulation = simulationOptionsOf(in);
+  options.scenario = scenarioOf(original, in);
+  options.pinned = pinnedOf(original, options.scenario, in);
+  options.records = in["records"].as<bool>();
+  if (!in["calibration"].isUndefined()) options.calibration = in["calibration"].as<double>();
+  TriangleMesh other;
+  if (!otherIn.isNull()) {
+    other = meshOf(otherIn);
+    options.binding = bindingOf(original, other, in["binding"]);
+  }
+  const MotionComparison comparison =
+      compareMotion(original, otherIn.isNull() ? nullptr : &other, options, theJob);
+  val out = val::object();
+  out.set("original", jsRun(comparison.original));
+  out.set("other", comparison.other ? jsRun(*comparison.other) : val::null());
+  out.set("deviationMean", comparison.deviationMean);
+  out.set("deviationMax", comparison.deviationMax);
+  out.set("noiseFloor", comparison.noiseFloor);
+  return out;
+}
+
+// ---- running ones ----
+
+std::map<uint32_t, std::unique_ptr<RunningScenario>> running;
+uint32_t lastNumber = 0;
+
+RunningScenario& runningOf(uint32_t number) {
+  const auto found = running.find(number);
+  if (found == running.end()) throw std::invalid_argument("The simulation has ended: start it again.");
+  return *found->second;
+}
+
+// `mesh` is the original itself or a body that its pins are carried over to.
+val jsStartSimulation(const val& meshIn, const val& originalIn, const val& in) {
+  const TriangleMesh mesh = meshOf(meshIn), original = meshOf(originalIn);
+  const Scenario scenario = scenarioOf(original, in);
+  SimulationOptions options = simulationOptionsOf(in);
+  if (!in["order"].isUndefined()) options.order = in["order"].as<uint32_t>();
+  const auto binding = bindingOf(original, mesh, in["binding"]);
+  const Pins pins = carryPins(original, pinnedOf(original, scenario, in), mesh, binding);
+  auto body = std::make_unique<RunningScenario>(mesh, options, scenario, pins);
+  running[++lastNumber] = std::move(body);
+  return val(lastNumber);
+}
+
+val jsStepSimulations(const val& numbers) {
+  std::vector<RunningScenario*> bodies;
+  for (const uint32_t number : vectorOf<uint32_t>(numbers)) bodies.push_back(&runningOf(number));
+  stepTogether(bodies, theJob);
+  return val::null();
+}
+
+val flatArray(const std::vector<Vec3>& places) {
+  std::vector<float> flat;
+  flat.reserve(3 * places.size());
+  for (const Vec3& p : places)
+    for (int c = 0; c < 3; ++c) flat.push_back(static_cast<float>(p[c]));
+  return typedArray(flat);
+}
+
+val jsSimulationPositions(uint32_t number) {
+  return flatArray(runningOf(number).simulation().positions());
+}
+
+val jsSimulationPins(uint32_t number) {
+  return flatArray(runningOf(number).pinPositions());
+}
+
+val jsSimulationSeconds(uint32_t number) {
+  return val(runningOf(number).stepSeconds());
+}
+
+val jsDragSimulation(uint32_t number, const val& point, const val& target) {
+  const Vec3 share = vec3Of(point["barycentric"]);
+  runningOf(number).simulation().drag({point["triangle"].as<uint32_t>(), {share.x, share.y, share.z}},
+                                      vec3Of(target));
+  return val::null();
+}
+
+val jsReleaseSimulation(uint32_t number) {
+  runningOf(number).simulation().release();
+  return val::null();
+}
+
+val jsEndSimulation(uint32_t number) {
+  running.erase(number);
+  return val::null();
+}
+
+}  // namespace
+}  // namespace limber
+
+EMSCRIPTEN_BINDINGS(limber_simulation) {
+  using namespace limber;
+  emscripten::function("compareMotion", &Guarded<&jsCompareMotion>::call);
+  emscripten::function("scenarioSurroundings", &Guarded<&jsScenarioSurroundings>::call);
+  emscripten::function("startSimulation", &Guarded<&jsStartSimulation>::call);
+  emscripten::function("stepSimulations", &Guarded<&jsStepSimulations>::call);
+  emscripten::function("simulationPositions", &Guarded<&jsSimulationPositions>::call);
+  emscripten::function("simulationPins", &Guarded<&jsSimulationPins>::call);
+  emscripten::function("simulationSeconds", &Guarded<&jsSimulationSeconds>::call);
+  emscripten::function("dragSimulation", &Guarded<&jsDragSimulation>::call);
+  emscripten::function("releaseSimulation", &Guarded<&jsReleaseSimulation>::call);
+  emscripten::function("endSimulation", &Guarded<&jsEndSimulation>::call);
+}

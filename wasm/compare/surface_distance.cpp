@@ -1,0 +1,85 @@
+#include "compare/surface_distance.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/parallel.h"
+#include "query/closest_point.h"
+#include "mesh/surface_samples.h"
+
+namespace limber {
+
+namespace {
+
+constexpr size_t kGrain = 512;
+
+// Distances of `points` to a surface, in order.
+std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPointTree& tree, Job& job) {
+  std::vector<double> out(points.size());
+  parallelFor(points.size(), kGrain, [&](size_t begin, size_t end) {
+    job.check();
+    for (size_t i = begin; i < end; ++i) out[i] = tree.closest(points[i]).distance;
+  });
+  return out;
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (double value : values) sum += value;
+  return values.empty() ? 0 : sum / static_cast<double>(values.size());
+}
+
+// Every vertex as a triangle of three equal corners, so that a tree answers for points.
+TriangleMesh asPoints(const TriangleMesh& mesh) {
+  TriangleMesh points;
+  points.positions = mesh.positions;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) points.triangles.push_back({v, v, v});
+  return points;
+}
+
+uint32_t sampleCount(const TriangleMesh& a, const TriangleMesh& b, uint32_t wanted) {
+  if (wanted > 0) return wanted;
+  const uint64_t tenPerTriangle = 10ull * std::max(a.triangleCount(), b.triangleCount());
+  return static_cast<uint32_t>(std::clamp<uint64_t>(tenPerTriangle, 10'000, 500'000));
+}
+
+// What is measured from one side to the other.
+struct OneSided {
+  double hausdorff, mean;
+};
+
+OneSided measureFrom(const TriangleMesh& from, const ClosestPointTree& to, uint32_t samples, Job& job) {
+  const auto sampled = distances(sampleSurface(from, samples).positions, to, job);
+  const auto vertices = distances(from.positions, to, job);
+  return {std::max(largest(sampled), largest(vertices)), mean(sampled)};
+}
+
+}  // namespace
+
+SurfaceDistance measureSurfaceDistance(const TriangleMesh& a, const TriangleMesh& b,
+                                       const SurfaceDistanceOptions& options, Job& job) {
+  job.begin(Phase::Measure);
+  if (a.triangles.empty() || b.triangles.empty()) return {};
+  const uint32_t samples = sampleCount(a, b, options.samples);
+  const ClosestPointTree treeA(a), treeB(b);
+  job.report(0.1);
+  const OneSided fromA = measureFrom(a, treeB, samples, job);
+  job.report(0.4);
+  const OneSided fromB = measureFrom(b, treeA, samples, job);
+  job.report(0.7);
+  const TriangleMesh pointsA = asPoints(a), pointsB = asPoints(b);
+  const ClosestPointTree pointTreeA(pointsA), pointTreeB(pointsB);
+  SurfaceDistance distance;
+  distance.hausdorff = std::max(fromA.hausdorff, fromB.hausdorff);
+  distance.mean = (fromA.mean + fromB.mean) / 2;
+  distance.vertexHausdorff = std::max(largest(distances(a.positions, pointTreeB, job)),
+                                      largest(distances(b.positions, pointTreeA, job)));
+  job.report(1);
+  return distance;
+}
+
+}  // namespace limber

@@ -1,0 +1,94 @@
+#include "elastic/parts.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "mesh/nesting.h"
+
+namespace limber {
+
+namespace {
+
+// The component that each component belongs to, and the model for it.
+struct Grouping {
+  std::vector<uint32_t> host;
+  std::vector<Model> model;
+};
+
+Grouping groupComponents(const TriangleMesh& body, const Topology& topology, Model asked) {
+  Grouping grouping;
+  grouping.host.resize(topology.componentCount);
+  std::iota(grouping.host.begin(), grouping.host.end(), 0u);
+  grouping.model.assign(topology.componentCount, asked == Model::Laplacian ? asked : Model::Shell);
+  if (asked != Model::Auto && asked != Model::Solid) return grouping;
+  const std::vector<uint32_t> hosts = solidHosts(body, topology);
+  for (uint32_t c = 0; c < hosts.size(); ++c) {
+    if (hosts[c] != kNone) {
+      grouping.host[c] = hosts[c];
+      grouping.model[c] = Model::Solid;
+    } else if (asked == Model::Solid) {
+      throw std::invalid_argument(
+          "Part " + std::to_string(c + 1) +
+          " of the mesh is not closed, so it has no inside for the solid model: close its "
+          "holes, or use the model shell or auto.");
+    }
+  }
+  return grouping;
+}
+
+void addVertices(std::vector<Part>& parts, const TriangleMesh& body, const Topology& topology,
+                 const std::vector<uint32_t>& partOfComponent, std::vector<uint32_t>& local) {
+  for (uint32_t v = 0; v < body.vertexCount(); ++v) {
+    Part& part = parts[partOfComponent[topology.componentOfVertex[v]]];
+    local[v] = part.mesh.vertexCount();
+    part.mesh.positions.push_back(body.positions[v]);
+    part.vertexOfBody.push_back(v);
+    part.componentOfVertex.push_back(topology.componentOfVertex[v]);
+  }
+}
+
+void scaleToFrame(Part& part) {
+  const Bounds box = bounds(part.mesh);
+  part.diagonal = box.diagonal() > 0 ? box.diagonal() : 1;
+  for (Vec3& p : part.mesh.positions) p = (p - box.low) / part.diagonal;
+}
+
+}  // namespace
+
+std::vector<Part> partsOf(const TriangleMesh& body, const Topology& topology, const ModesOptions& options) {
+  const Grouping grouping = groupComponents(body, topology, options.model);
+  std::vector<Part> parts;
+  std::vector<uint32_t> partOf(topology.componentCount);
+  for (uint32_t c = 0; c < topology.componentCount; ++c)
+    if (grouping.host[c] == c) {
+      partOf[c] = static_cast<uint32_t>(parts.size());
+      parts.emplace_back().components = {c};
+      parts.back().model = grouping.model[c];
+    }
+  for (uint32_t c = 0; c < topology.componentCount; ++c)
+    if (grouping.host[c] != c) {
+      partOf[c] = partOf[grouping.host[c]];
+      parts[partOf[c]].components.push_back(c);
+    }
+  std::vector<uint32_t> local(body.vertexCount());
+  addVertices(parts, body, topology, partOf, local);
+  const auto partOfVertex = [&](uint32_t v) -> Part& { return parts[partOf[topology.componentOfVertex[v]]]; };
+  for (const Triangle& t : body.triangles)
+    partOfVertex(t[0]).mesh.triangles.push_back({local[t[0]], local[t[1]], local[t[2]]});
+  for (uint32_t v : options.pinned) {
+    if (v >= body.vertexCount())
+      throw std::invalid_argument("Vertex " + std::to_string(v) + " is pinned, but the mesh has only " +
+                                  std::to_string(body.vertexCount()) + " vertices.");
+    partOfVertex(v).pinned.push_back(local[v]);
+  }
+  for (Part& part : parts) {
+    std::sort(part.pinned.begin(), part.pinned.end());
+    part.pinned.erase(std::unique(part.pinned.begin(), part.pinned.end()), part.pinned.end());
+    scaleToFrame(part);
+  }
+  return parts;
+}
+
+}  // namespace limber

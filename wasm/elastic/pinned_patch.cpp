@@ -1,0 +1,65 @@
+#include "elastic/pinned_patch.h"
+
+#include <algorithm>
+
+#include "mesh/topology.h"
+
+namespace limber {
+
+namespace {
+
+// The middle vertex of each edge that is to be split, or kNone.
+std::vector<uint32_t> splitLongEdges(TriangleMesh& mesh, const Topology& topology,
+                                     std::vector<uint8_t>& isPinned, double length) {
+  std::vector<uint32_t> middle(topology.edges.size(), kNone);
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    const Triangle triangle = mesh.triangles[t];
+    if (!std::all_of(triangle.begin(), triangle.end(), [&](uint32_t v) { return isPinned[v]; })) continue;
+    for (uint32_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
+      const uint32_t e = topology.edgeOfCorner[corner];
+      const auto& edge = topology.edges[e];
+      const Vec3 a = mesh.positions[edge.a], b = mesh.positions[edge.b];
+      if (middle[e] != kNone || limber::length(b - a) <= length) continue;
+      middle[e] = mesh.vertexCount();
+      mesh.positions.push_back((a + b) * 0.5);
+      isPinned.push_back(1);
+    }
+  }
+  return middle;
+}
+
+// A triangle by its split edges: none, one, two or three; winding is kept.
+void addPieces(const Triangle& triangle, std::array<uint32_t, 3> middle, std::vector<Triangle>& pieces) {
+  const auto count = std::count_if(middle.begin(), middle.end(), [](uint32_t m) { return m != kNone; });
+  // Turned so that the one split edge, or the one whole edge, lies opposite to corner 0.
+  size_t turn = 0;
+  while (count % 3 != 0 && (middle[turn] != kNone) != (count == 1)) ++turn;
+  const uint32_t a = triangle[turn], b = triangle[(turn + 1) % 3], c = triangle[(turn + 2) % 3];
+  const uint32_t bc = middle[turn], ca = middle[(turn + 1) % 3], ab = middle[(turn + 2) % 3];
+  if (count == 0) pieces.push_back({a, b, c});
+  if (count == 1) pieces.insert(pieces.end(), {{a, b, bc}, {a, bc, c}});
+  if (count == 2) pieces.insert(pieces.end(), {{a, ab, ca}, {ab, b, c}, {ab, c, ca}});
+  if (count == 3) pieces.insert(pieces.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+}
+
+}  // namespace
+
+void refinePinnedFaces(TriangleMesh& mesh, std::vector<uint32_t>& pinned, double length) {
+  std::vector<uint8_t> isPinned(mesh.vertexCount(), 0);
+  for (uint32_t v : pinned) isPinned[v] = 1;
+  for (;;) {
+    const Topology topology = buildTopology(mesh);
+    const uint32_t before = mesh.vertexCount();
+    const std::vector<uint32_t> middle = splitLongEdges(mesh, topology, isPinned, length);
+    if (mesh.vertexCount() == before) return;
+    for (uint32_t v = before; v < mesh.vertexCount(); ++v) pinned.push_back(v);
+    std::vector<Triangle> pieces;
+    for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+      const uint32_t* edges = &topology.edgeOfCorner[3 * size_t{t}];
+      addPieces(mesh.triangles[t], {middle[edges[0]], middle[edges[1]], middle[edges[2]]}, pieces);
+    }
+    mesh.triangles = std::move(pieces);
+  }
+}
+
+}  // namespace limber

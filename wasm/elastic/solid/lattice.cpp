@@ -1,0 +1,226 @@
+#include "elastic/solid/lattice.h"
+
+#include <algorithm>
+
+#include "mesh/topology.h"
+#include "elastic/solid/lattice_pieces.h"
+#include "elastic/solid/lattice_slivers.h"
+
+namespace limber {
+
+namespace {
+
+double signedVolume(const TriangleMesh& mesh) {
+  double volume = 0;
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    volume += dot(mesh.corner(t, 0), cross(mesh.corner(t, 1), mesh.corner(t, 2))) / 6;
+  return volume;
+}
+
+// The integrals of the Lagrange polynomials over the share of the cell that each sample stands for.
+std::array<std::array<double, 3>, kSamples> integralsOfShares() {
+  std::array<std::array<double, 3>, kSamples> shares;
+  for (int s = 0; s < kSamples; ++s) {
+    const auto begin = lagrangeIntegrals(double(s) / kSamples),
+               end = lagrangeIntegrals(double(s + 1) / kSamples);
+    for (int k = 0; k < 3; ++k) shares[s][k] = end[k] - begin[k];
+  }
+  return shares;
+}
+
+// A ray's part of a cell's cross-section, by a linear weight that is 1 on one side of the cell (0: the low
+// one).
+double rayShare(int side, int sample) {
+  const double place = (sample + 0.5) / kSamples;
+  return (side ? place : 1 - place) / kSamples;
+}
+
+// Less than this part of a cell is what rays find of a side of the body that happens to lie in a side of
+// cells.
+constexpr double kHardly = 1e-3;
+
+class Builder {
+ public:
+  Builder(const TriangleMesh& body, uint32_t targetCells, Job& job) : body_(body), job_(job) {
+    lattice_.grid = latticeGrid(body, targetCells);
+    lattice_.points = inLatticeUnits(body, lattice_.grid);
+  }
+
+  Lattice build() {
+    fragments_ = cutIntoFragments(lattice_.points, body_.triangles, lattice_.grid, job_);
+    sign_ = signedVolume(body_) < 0 ? -1 : 1;
+    for (int axis = 0; axis < 3; ++axis)
+      families_.push_back(castRays(lattice_.points, body_.triangles, lattice_.grid, axis, sign_, job_));
+    LatticePieces pieces(lattice_.grid, fragments_, families_);
+    joinWithinCells(pieces);
+    const uint32_t copyCount = pieces.copyCount();
+    corners_.reset(8 * size_t{copyCount});
+    connected_.reset(copyCount);
+    lattice_.filled.resize(copyCount);
+    lattice_.ends.resize(copyCount);
+    stretchCount_.assign(copyCount, 0);
+    crossedCount_.assign(copyCount, 0);
+    joinThroughTriangles(pieces);
+    for (const RayFamily& family : families_) followRays(pieces, family);
+    measureSlivers(pieces);
+    attachLooseCopies(pieces);
+    numberNodes(copyCount);
+    placeVertices(pieces);
+    return std::move(lattice_);
+  }
+
+ private:
+  void joinWithinCells(LatticePieces& pieces) {
+    const Topology topology = buildTopology(body_);
+    for (const Topology::Edge& edge : topology.edges)
+      for (uint32_t use = 1; use < edge.useCount; ++use) {
+        const uint32_t* triangle = &topology.edgeTriangles[edge.firstUse + use - 1];
+        pieces.joinAlongEdge(triangle[0], triangle[1], lattice_.points[edge.a], lattice_.points[edge.b]);
+      }
+    joinAroundVertices(pieces);
+    job_.check();
+    for (const RayFamily& family : families_) pieces.joinAlongRays(family);
+    job_.check();
+    pieces.numberCopies();
+  }
+
+  // Also where a surface touches itself in a vertex alone: one component is one body.
+  void joinAroundVertices(LatticePieces& pieces) {
+    std::vector<uint32_t> first(body_.vertexCount(), kNone);
+    for (uint32_t t = 0; t < body_.triangleCount(); ++t)
+      for (uint32_t v : body_.triangles[t]) {
+        const uint32_t fragment = fragments_.find(t, lattice_.grid.cellOf(lattice_.points[v]));
+        if (fragment == kNone) continue;
+        if (first[v] == kNone) first[v] = fragment;
+        pieces.joinFragments(first[v], fragment);
+      }
+  }
+
+  // `next` lies beyond `copy` along the axis: they share the four nodes between them.
+  void joinCopies(uint32_t copy, uint32_t next, int axis) {
+    connected_.join(copy, next);
+    for (uint32_t corner = 0; corner < 8; ++corner)
+      if (corner >> axis & 1) corners_.join(8 * copy + corner, 8 * next + (corner ^ (1u << axis)));
+  }
+
+  void joinThroughTriangles(const LatticePieces& pieces) {
+    for (uint32_t t = 0; t < body_.triangleCount(); ++t) {
+      const uint32_t first = fragments_.start[t], last = fragments_.start[t + 1];
+      for (uint32_t f = first; f + 1 < last; ++f)
+        for (int axis = 0; axis < 3; ++axis) {
+          if (lattice_.grid.positionOf(fragments_.cell[f])[axis] + 1 == lattice_.grid.count[axis]) continue;
+          const uint32_t next = fragments_.find(t, fragments_.cell[f] + lattice_.grid.stride(axis));
+          if (next != kNone) joinCopies(pieces.copyOfFragment(f), pieces.copyOfFragment(next), axis);
+        }
+    }
+  }
+
+  // Joins copies along the rays and measures how they are filled. The three families measure the same inside:
+  // the mean of them is taken.
+  void followRays(const LatticePieces& pieces, const RayFamily& family) {
+    static const auto shares = integralsOfShares();
+    const int axis = family.axis, u = (axis + 1) % 3, v = (axis + 2) % 3;
+    constexpr int step[3] = {1, 3, 9};
+    uint32_t before = kNone;
+    pieces.forEachStretch(family, [&](const Stretch& stretch) {
+      const uint32_t copy = pieces.copyOf(family, stretch);
+      if (!stretch.isFirst && before != kNone && copy != kNone) joinCopies(before, copy, axis);
+      before = copy;
+      if (copy == kNone) return;
+      ++stretchCount_[copy];
+      if (stretch.isFirst && stretch.isLast) ++crossedCount_[copy];
+      for (int lateral = 0; lateral < 4; ++lateral)
+        lattice_.ends[copy][4 * axis + lateral] += (stretch.isLast - stretch.isFirst) *
+                                                   rayShare(lateral & 1, stretch.sample[u]) *
+                                                   rayShare(lateral >> 1, stretch.sample[v]);
+      const auto begin = lagrangeIntegrals(stretch.begin), end = lagrangeIntegrals(stretch.end);
+      for (int k = 0; k < 3; ++k)
+        for (int j = 0; j < 3; ++j)
+          for (int i = 0; i < 3; ++i)
+            lattice_.filled[copy][step[axis] * k + step[u] * i + step[v] * j] +=
+                (end[k] - begin[k]) * shares[stretch.sample[u]][i] * shares[stretch.sample[v]][j] / 3;
+    });
+    job_.check();
+  }
+
+  // Few rays run through a thin piece, or many of them cross it from surface to surface within the cell.
+  bool isSliver(uint32_t copy) const {
+    return stretchCount_[copy] <= kSamples * kSamples || 3 * crossedCount_[copy] >= stretchCount_[copy];
+  }
+
+  void measureSlivers(const LatticePieces& pieces) {
+    std::vector<std::vector<uint32_t>> trianglesOf(pieces.copyCount());
+    for (uint32_t t = 0; t < body_.triangleCount(); ++t)
+      for (uint32_t f = fragments_.start[t]; f < fragments_.start[t + 1]; ++f)
+        if (isSliver(pieces.copyOfFragment(f))) trianglesOf[pieces.copyOfFragment(f)].push_back(t);
+    for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy) {
+      if (trianglesOf[copy].empty()) continue;
+      job_.check();
+      const CellMeasure measure =
+          measureSliver({lattice_.points, body_.triangles, trianglesOf[copy],
+                         lattice_.grid.positionOf(pieces.cellOfCopy(copy)), sign_, stretchCount_[copy] > 0});
+      // Where the two differ widely the piece has a fold or is thick, and the lattice's rays will do.
+      const double own = filledFraction(measure), common = filledFraction(lattice_.filled[copy]);
+      if (common < kHardly || (own > 0.4 * common && own < 2.5 * common)) lattice_.filled[copy] = measure;
+    }
+  }
+
+  // Copies that no ray tells to be connected with the rest: the surfaces of cavities so small that they lie
+  // between the rays. They join the fullest piece around them.
+  void attachLooseCopies(const LatticePieces& pieces) {
+    std::vector<uint64_t> stretches(pieces.copyCount(), 0);
+    for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy)
+      stretches[connected_.find(copy)] += stretchCount_[copy];
+    const auto& cells = pieces.cellsOfCopies();
+    std::vector<std::pair<uint32_t, uint32_t>> joints;
+    for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy) {
+      if (stretches[connected_.find(copy)] > 0) continue;
+      const auto [first, last] = std::equal_range(cells.begin(), cells.end(), cells[copy]);
+      uint32_t fullest = copy;
+      for (auto c = static_cast<uint32_t>(first - cells.begin()); c < last - cells.begin(); ++c)
+        if (stretchCount_[c] > stretchCount_[fullest]) fullest = c;
+      if (fullest != copy) joints.push_back({copy, fullest});
+    }
+    for (const auto& [copy, host] : joints) {
+      for (uint32_t corner = 0; corner < 8; ++corner) corners_.join(8 * copy + corner, 8 * host + corner);
+      lattice_.filled[copy] = {};
+    }
+  }
+
+  void numberNodes(uint32_t copyCount) {
+    std::vector<uint32_t>& nodes = lattice_.copyNodes;
+    nodes.assign(8 * size_t{copyCount}, kNone);
+    for (uint32_t corner = 0; corner < nodes.size(); ++corner) {
+      const uint32_t root = corners_.find(corner);  // the smallest of its set: it was seen before
+      nodes[corner] = root == corner ? lattice_.nodeCount++ : nodes[root];
+    }
+  }
+
+  void placeVertices(const LatticePieces& pieces) {
+    lattice_.copyOfVertex.assign(body_.vertexCount(), 0);
+    for (uint32_t t = 0; t < body_.triangleCount(); ++t)
+      for (uint32_t v : body_.triangles[t]) {
+        const uint32_t fragment = fragments_.find(t, lattice_.grid.cellOf(lattice_.points[v]));
+        if (fragment != kNone) lattice_.copyOfVertex[v] = pieces.copyOfFragment(fragment);
+      }
+  }
+
+  const TriangleMesh& body_;
+  Job& job_;
+  Lattice lattice_;
+  Fragments fragments_;
+  std::vector<RayFamily> families_;
+  DisjointSets corners_;                // of copies, [8 * copy + corner]: joined ones are one node
+  DisjointSets connected_;              // copies
+  std::vector<uint32_t> stretchCount_;  // of each copy: stretches of rays through it
+  std::vector<uint32_t> crossedCount_;  // those of them that begin and end within the cell
+  int sign_ = 1;                        // -1 where the body is wound inwards
+};
+
+}  // namespace
+
+Lattice buildLattice(const TriangleMesh& body, uint32_t targetCells, Job& job) {
+  return Builder(body, targetCells, job).build();
+}
+
+}  // namespace limber

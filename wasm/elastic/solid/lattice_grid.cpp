@@ -1,0 +1,66 @@
+#include "elastic/solid/lattice_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limber {
+
+namespace {
+
+constexpr double kMarginLow = 1.3e-6, kMarginHigh = 0.7e-6;  // of a cell
+constexpr size_t kMostCells = 4'000'000;                     // in the box, filled or not
+
+// Planes of all directions cut 1.5 cells per square of a cell's side, half of them mostly outside.
+double filledCells(double volume, double area, double side) {
+  return volume / (side * side * side) + 0.75 * area / (side * side);
+}
+
+// The side of a cell for which `targetCells` are expected to hold a part of the body.
+double cellSide(const TriangleMesh& body, uint32_t targetCells) {
+  double volume = 0, area = 0;
+  for (uint32_t t = 0; t < body.triangleCount(); ++t) {
+    volume += dot(body.corner(t, 0), cross(body.corner(t, 1), body.corner(t, 2))) / 6;
+    area += triangleArea(body, t);
+  }
+  volume = std::abs(volume);
+  double high = bounds(body).diagonal(), low = high * 1e-4;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = std::sqrt(low * high);
+    (filledCells(volume, area, middle) > targetCells ? low : high) = middle;
+  }
+  return high;
+}
+
+}  // namespace
+
+int LatticeGrid::along(int axis, double coordinate) const {
+  return std::clamp(static_cast<int>(std::floor(coordinate)), 0, count[axis] - 1);
+}
+
+LatticeGrid latticeGrid(const TriangleMesh& body, uint32_t targetCells) {
+  const Bounds box = bounds(body);
+  const Vec3 extent = box.high - box.low;
+  LatticeGrid grid;
+  for (double side = cellSide(body, targetCells);; side *= 1.1) {
+    for (int axis = 0; axis < 3; ++axis)
+      grid.count[axis] = std::max(1, static_cast<int>(std::lround(extent[axis] / side)));
+    if (grid.cellCount() <= kMostCells) break;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    grid.size[axis] = extent[axis] * (1 + (kMarginLow + kMarginHigh) / grid.count[axis]) / grid.count[axis];
+    grid.origin[axis] = box.low[axis] - kMarginLow * grid.size[axis];
+  }
+  return grid;
+}
+
+std::vector<Vec3> inLatticeUnits(const TriangleMesh& body, const LatticeGrid& grid) {
+  std::vector<Vec3> points;
+  points.reserve(body.positions.size());
+  for (const Vec3& p : body.positions) {
+    const Vec3 offset = p - grid.origin;
+    points.push_back({offset.x / grid.size.x, offset.y / grid.size.y, offset.z / grid.size.z});
+  }
+  return points;
+}
+
+}  // namespace limber

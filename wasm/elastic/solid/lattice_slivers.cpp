@@ -1,0 +1,167 @@
+#include "elastic/solid/lattice_slivers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "elastic/solid/lattice_rays.h"
+
+namespace limber {
+
+namespace {
+
+constexpr int kRays = 24;  // along each side of the box
+
+// The part of a triangle within the cell.
+std::vector<Vec3> clipped(const Sliver& sliver, const Triangle& triangle) {
+  std::vector<Vec3> polygon;
+  for (uint32_t v : triangle) polygon.push_back(sliver.points[v]);
+  for (int plane = 0; plane < 6; ++plane) {
+    const int axis = plane / 2;
+    const double side = plane % 2 ? -1 : 1, at = sliver.place[axis] + plane % 2;
+    std::vector<Vec3> kept;
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+      const double before = side * (p[axis] - at), after = side * (q[axis] - at);
+      if (before >= 0) kept.push_back(p);
+      if ((before < 0) != (after < 0)) kept.push_back(p + (q - p) * (before / (before - after)));
+    }
+    polygon = kept;
+  }
+  return polygon;
+}
+
+Bounds boxOf(const std::vector<std::vector<Vec3>>& polygons) {
+  Bounds box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+  for (const auto& polygon : polygons)
+    for (const Vec3& p : polygon)
+      for (int axis = 0; axis < 3; ++axis) {
+        box.low[axis] = std::min(box.low[axis], p[axis]);
+        box.high[axis] = std::max(box.high[axis], p[axis]);
+      }
+  return box;
+}
+
+// Do the polygons face away from each other? As by the divergence theorem: six times the volume between them
+// along each axis, where the piece has no end on a side of the cell across that axis. `byOneAxis`: one of
+// them will do.
+bool isFacingOut(const std::vector<std::vector<Vec3>>& polygons, const Vec3& centre, int sign,
+                 bool byOneAxis) {
+  Vec3 volume;
+  for (const auto& polygon : polygons)
+    for (size_t i = 2; i < polygon.size(); ++i) {
+      const Vec3 &a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
+      const Vec3 normal = cross(b - a, c - a), place = a + b + c - 3 * centre;
+      for (int axis = 0; axis < 3; ++axis) volume[axis] += sign * place[axis] * normal[axis];
+    }
+  return byOneAxis ? std::max({volume.x, volume.y, volume.z}) > 0 : volume.x + volume.y + volume.z > 0;
+}
+
+// The rays of one direction across the box.
+class Rays {
+ public:
+  Rays(const Sliver& sliver, const Bounds& box, int axis)
+      : sliver_(sliver),
+        box_(box),
+        axis_(axis),
+        u_((axis + 1) % 3),
+        v_((axis + 2) % 3),
+        hits_(kRays * kRays) {
+    for (uint32_t t : sliver.around) cast(sliver.triangles[t]);
+  }
+
+  CellMeasure measure() {
+    CellMeasure measure = {};
+    for (int a = 0; a < kRays; ++a)
+      for (int b = 0; b < kRays; ++b) addRay(a, b, measure);
+    return measure;
+  }
+
+ private:
+  double place(int axis, double ray) const {
+    return box_.low[axis] + (box_.high[axis] - box_.low[axis]) * ray / kRays;
+  }
+
+  // The rays that may meet a triangle, along one axis.
+  std::array<int, 2> range(const Triangle& triangle, int axis) const {
+    const double width = box_.high[axis] - box_.low[axis];
+    if (!(width > 0)) return {0, -1};
+    const auto [low, high] =
+        std::minmax({sliver_.points[triangle[0]][axis], sliver_.points[triangle[1]][axis],
+                     sliver_.points[triangle[2]][axis]});
+    const auto number = [&](double x) { return std::clamp((x - box_.low[axis]) / width, -1.0, 2.0) * kRays; };
+    return {std::max(0, static_cast<int>(std::floor(number(low))) - 1),
+            std::min(kRays - 1, static_cast<int>(std::ceil(number(high))))};
+  }
+
+  void cast(const Triangle& triangle) {
+    const auto [firstU, lastU] = range(triangle, u_);
+    const auto [firstV, lastV] = range(triangle, v_);
+    for (int a = firstU; a <= lastU; ++a)
+      for (int b = firstV; b <= lastV; ++b) {
+        const auto hit = hitTriangle(sliver_.points, triangle, axis_, place(u_, a + 0.5), place(v_, b + 0.5));
+        if (!hit) continue;
+        const double depth = hit->depth - sliver_.place[axis_];
+        if (depth >= 0 && depth <= 1) hits_[a * kRays + b].push_back({depth, hit->isEntry});
+      }
+  }
+
+  // A ray that leaves before it has entered came into the cell within the piece; one that has entered and
+  // does not leave goes on beyond the cell.
+  void addRay(int a, int b, CellMeasure& measure) {
+    auto& hits = hits_[a * kRays + b];
+    std::stable_sort(hits.begin(), hits.end(),
+                     [](const LineHit& p, const LineHit& q) { return p.depth < q.depth; });
+    const auto step = [&](const LineHit& hit) { return hit.isEntry ? sliver_.sign : -sliver_.sign; };
+    int winding = 0, lowest = 0;
+    for (const LineHit& hit : hits) lowest = std::min(lowest, winding += step(hit));
+    winding = -lowest;
+    double before = 0;
+    for (const LineHit& hit : hits) {
+      if (winding > 0) addStretch(a, b, {before, hit.depth}, measure);
+      winding += step(hit);
+      before = hit.depth;
+    }
+    if (winding > 0) addStretch(a, b, {before, 1}, measure);
+  }
+
+  static std::array<double, 3> integrals(double from, double to) {
+    const auto begin = lagrangeIntegrals(from), end = lagrangeIntegrals(to);
+    return {end[0] - begin[0], end[1] - begin[1], end[2] - begin[2]};
+  }
+
+  void addStretch(int a, int b, std::array<double, 2> along, CellMeasure& measure) const {
+    constexpr int step[3] = {1, 3, 9};
+    const int pu = sliver_.place[u_], pv = sliver_.place[v_];
+    const auto l = integrals(along[0], along[1]);
+    const auto lu = integrals(place(u_, a) - pu, place(u_, a + 1) - pu);
+    const auto lv = integrals(place(v_, b) - pv, place(v_, b + 1) - pv);
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i)
+          measure[step[axis_] * k + step[u_] * i + step[v_] * j] += l[k] * lu[i] * lv[j];
+  }
+
+  const Sliver& sliver_;
+  const Bounds& box_;
+  int axis_, u_, v_;
+  std::vector<std::vector<LineHit>> hits_;  // by ray
+};
+
+}  // namespace
+
+CellMeasure measureSliver(const Sliver& sliver) {
+  std::vector<std::vector<Vec3>> polygons;
+  for (uint32_t t : sliver.around) polygons.push_back(clipped(sliver, sliver.triangles[t]));
+  const Bounds box = boxOf(polygons);
+  CellMeasure best = {};
+  if (!(box.low.x <= box.high.x) ||
+      !isFacingOut(polygons, (box.low + box.high) / 2, sliver.sign, sliver.isMet))
+    return best;
+  for (int axis = 0; axis < 3; ++axis) {
+    const CellMeasure measure = Rays(sliver, box, axis).measure();
+    if (filledFraction(measure) > filledFraction(best)) best = measure;
+  }
+  return best;
+}
+
+}  // namespace limber

@@ -1,0 +1,97 @@
+#include "elastic/solid/solid.h"
+
+#include <algorithm>
+
+#include "linear/element_assembly.h"
+#include "elastic/solid/lattice.h"
+#include "elastic/solid/lattice_mass.h"
+
+namespace limber {
+
+namespace {
+
+// Stiffness that a cell has on top of its own, by that of a full cell: what is empty must not leave nodes
+// loose, and mass must not hang on next to nothing where a piece is a sliver that hardly reaches its nodes.
+// No mass comes with it. A strut of a tenth of a cell becomes stiffer by a tenth, one of a third by a
+// hundredth.
+constexpr double kEmptyStiffness = 1e-7, kStiffnessOfMass = 1e-3;
+constexpr double kSliver = 0.5;  // filled up to this: the second kind is added
+
+CellMeasure fullCell() {
+  const auto along = lagrangeIntegrals(1);
+  CellMeasure full;
+  for (int q = 0; q < 27; ++q) full[q] = along[q % 3] * along[q / 3 % 3] * along[q / 9];
+  return full;
+}
+
+// A node that is this much lighter than the heaviest one in its cells gives its mass away: what hangs on it
+// is a sliver at the rim of the body, which follows its neighbours and must not swing on its own.
+constexpr double kLightest = 0.01;
+
+void dropLightMasses(const Lattice& lattice, std::vector<double>& mass) {
+  std::vector<double> heaviest(mass.size(), 0.0);
+  for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy) {
+    const uint32_t* nodes = &lattice.copyNodes[8 * size_t{copy}];
+    double most = 0;
+    for (int k = 0; k < 8; ++k) most = std::max(most, mass[nodes[k]]);
+    for (int k = 0; k < 8; ++k) heaviest[nodes[k]] = std::max(heaviest[nodes[k]], most);
+  }
+  double before = 0, after = 0;
+  for (size_t node = 0; node < mass.size(); ++node) {
+    before += mass[node];
+    if (mass[node] < kLightest * heaviest[node]) mass[node] = 0;
+    after += mass[node];
+  }
+  if (after > 0)
+    for (double& value : mass) value *= before / after;
+}
+
+StiffnessModel assemble(const Lattice& lattice, double poisson, Job& job) {
+  StiffnessModel model;
+  for (uint32_t node = 0; node <= lattice.nodeCount; ++node) model.firstUnknown.push_back(3 * node);
+  const Hexahedron brick(lattice.grid.size, poisson);
+  const CellMeasure full = fullCell();
+  ElementAssembly assembly(model.firstUnknown, lattice.copyNodes, 8);
+  for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy) {
+    if (copy % 256 == 0) job.check();
+    CellMeasure held = lattice.filled[copy];
+    const double fraction = filledFraction(held);
+    const double added = kEmptyStiffness + (fraction < kSliver ? kStiffnessOfMass * fraction : 0);
+    for (int q = 0; q < 27; ++q) held[q] += added * full[q];
+    assembly.add(copy, brick.stiffness(held));
+  }
+  model.stiffness = assembly.take();
+  std::vector<double> mass = latticeMass(lattice, brick);
+  dropLightMasses(lattice, mass);
+  model.mass.resize(3 * static_cast<Eigen::Index>(lattice.nodeCount));
+  for (uint32_t node = 0; node < lattice.nodeCount; ++node)
+    model.mass.segment<3>(3 * static_cast<Eigen::Index>(node)).setConstant(mass[node]);
+  return model;
+}
+
+void embed(const Lattice& lattice, SolidModel& solid) {
+  for (size_t v = 0; v < lattice.points.size(); ++v) {
+    const uint32_t copy = lattice.copyOfVertex[v];
+    const Vec3& p = lattice.points[v];
+    Vec3 local;
+    for (int axis = 0; axis < 3; ++axis) local[axis] = p[axis] - lattice.grid.along(axis, p[axis]);
+    const auto weights = trilinearWeights(local);
+    solid.embeddingWeights.insert(solid.embeddingWeights.end(), weights.begin(), weights.end());
+    const auto first = lattice.copyNodes.begin() + 8 * static_cast<std::ptrdiff_t>(copy);
+    solid.embeddingNodes.insert(solid.embeddingNodes.end(), first, first + 8);
+  }
+}
+
+}  // namespace
+
+SolidModel solidModel(const TriangleMesh& body, const SolidOptions& options, Job& job) {
+  const Lattice lattice = buildLattice(body, options.targetCells, job);
+  SolidModel solid;
+  solid.model = assemble(lattice, options.poisson, job);
+  const Vec3& size = lattice.grid.size;
+  solid.cellSize = std::max({size.x, size.y, size.z});
+  embed(lattice, solid);
+  return solid;
+}
+
+}  // namespace limber

@@ -1,0 +1,131 @@
+#include "fit/delaunay_flips.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "mesh/quality.h"
+#include "mesh/edge_flip.h"
+#include "mesh/topology.h"
+
+namespace limber {
+
+namespace {
+
+constexpr int kMostPasses = 12;
+constexpr double kFlat = 0.97;     // cosine between the normals of two triangles, before and after
+constexpr double kClearly = 1e-3;  // by how much the sine of the sum of both angles must be negative
+
+// cot(a) + cot(b) < 0, scaled: a and b the angles opposite to the edge.
+bool isDelaunay(const Vec3& start, const Vec3& end, const Vec3& left, const Vec3& right) {
+  const Vec3 p = start - left, q = end - left, r = start - right, s = end - right;
+  const double sineOfSum = length(cross(p, q)) * dot(r, s) + dot(p, q) * length(cross(r, s));
+  return sineOfSum >= -kClearly * length(p) * length(q) * length(r) * length(s);
+}
+
+// How far apart the lines of both diagonals are.
+double liftOf(const Vec3& start, const Vec3& end, const Vec3& left, const Vec3& right) {
+  const Vec3 across = cross(end - start, right - left);
+  const double size = length(across);
+  return size > 0 ? std::abs(dot(across, left - start)) / size : 0;
+}
+
+class Flipping {
+ public:
+  Flipping(TriangleMesh& mesh, const FlipLimits& limits, std::vector<uint32_t>& corners)
+      : mesh_(mesh), limits_(limits), corners_(corners) {}
+
+  uint32_t pass() {
+    topology_ = buildTopology(mesh_);
+    triangleChanged_.assign(mesh_.triangleCount(), 0);
+    vertexChanged_.assign(mesh_.vertexCount(), 0);
+    uint32_t flips = 0;
+    for (const Topology::Edge& edge : topology_.edges) flips += tryFlip(edge);
+    return flips;
+  }
+
+ private:
+  uint32_t tryFlip(const Topology::Edge& edge);
+  std::optional<EdgeQuad> wantedQuad(const Topology::Edge& edge) const;
+  std::optional<EdgeQuad> imageOf(const EdgeQuad& quad) const;
+  bool exists(uint32_t a, uint32_t b) const;
+  void flip(const EdgeQuad& quad);
+
+  TriangleMesh& mesh_;
+  FlipLimits limits_;
+  std::vector<uint32_t>& corners_;
+  Topology topology_;
+  std::vector<uint8_t> triangleChanged_, vertexChanged_;  // in this pass
+};
+
+bool Flipping::exists(uint32_t a, uint32_t b) const {
+  return std::ranges::any_of(topology_.trianglesAround(a),
+                             [&](uint32_t t) { return std::ranges::count(mesh_.triangles[t], b) > 0; });
+}
+
+// The surroundings of an edge that is to be flipped, and can be.
+std::optional<EdgeQuad> Flipping::wantedQuad(const Topology::Edge& edge) const {
+  if (std::ranges::binary_search(limits_.fixed, std::array{edge.a, edge.b})) return std::nullopt;
+  const std::optional<EdgeQuad> quad = quadAt(mesh_, topology_, edge);
+  if (!quad || triangleChanged_[quad->first] || triangleChanged_[quad->second]) return std::nullopt;
+  const auto [first, second, firstTip, secondTip, left, start, end, right] = *quad;
+  if (vertexChanged_[left] || vertexChanged_[right]) return std::nullopt;
+  const auto& at = mesh_.positions;
+  if (isDelaunay(at[start], at[end], at[left], at[right]) || exists(left, right)) return std::nullopt;
+  const auto normal = [&](uint32_t a, uint32_t b, uint32_t e) {
+    return normalized(cross(at[b] - at[a], at[e] - at[a]));
+  };
+  const Vec3 before[2] = {normal(left, start, end), normal(right, end, start)};
+  const Vec3 after[2] = {normal(left, start, right), normal(left, right, end)};
+  for (const Vec3& m : before)
+    for (const Vec3& n : after)
+      if (dot(m, n) < kFlat) return std::nullopt;
+  const bool isKept = liftOf(at[start], at[end], at[left], at[right]) <= limits_.mostLift &&
+                      std::min(smallestAngle(at[left], at[start], at[right]),
+                               smallestAngle(at[left], at[right], at[end])) >= limits_.minAngle;
+  return isKept ? quad : std::nullopt;
+}
+
+// Of an edge that can be flipped together with this one.
+std::optional<EdgeQuad> Flipping::imageOf(const EdgeQuad& quad) const {
+  const Topology::Edge* edge =
+      edgeBetween(topology_, limits_.partners[quad.start], limits_.partners[quad.end]);
+  const std::optional<EdgeQuad> image = edge ? wantedQuad(*edge) : std::nullopt;
+  if (!image) return std::nullopt;
+  const bool isApart = image->first != quad.first && image->first != quad.second &&
+                       image->second != quad.first && image->second != quad.second;
+  const bool isSameEdge = std::minmax(image->left, image->right) == std::minmax(quad.left, quad.right);
+  return isApart && !isSameEdge ? image : std::nullopt;
+}
+
+uint32_t Flipping::tryFlip(const Topology::Edge& edge) {
+  const std::optional<EdgeQuad> quad = wantedQuad(edge);
+  if (!quad) return 0;
+  const std::optional<EdgeQuad> image = limits_.partners.empty() ? std::nullopt : imageOf(*quad);
+  if (!limits_.partners.empty() && !image) return 0;
+  flip(*quad);
+  if (image) flip(*image);
+  return image ? 2 : 1;
+}
+
+void Flipping::flip(const EdgeQuad& quad) {
+  flipEdge(quad, mesh_, corners_);
+  triangleChanged_[quad.first] = triangleChanged_[quad.second] = 1;
+  // Another new edge at one of these could be the same one.
+  vertexChanged_[quad.left] = vertexChanged_[quad.right] = 1;
+}
+
+}  // namespace
+
+uint32_t flipToDelaunay(TriangleMesh& mesh, const FlipLimits& limits, std::vector<uint32_t>& corners) {
+  Flipping flipping(mesh, limits, corners);
+  uint32_t total = 0;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const uint32_t flips = flipping.pass();
+    total += flips;
+    if (flips == 0) break;
+  }
+  return total;
+}
+
+}  // namespace limber

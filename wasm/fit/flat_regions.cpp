@@ -1,0 +1,130 @@
+#include "fit/flat_regions.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "query/closest_point.h"
+#include "mesh/manifold.h"
+#include "mesh/eigen_vec3.h"
+
+namespace limber {
+
+namespace {
+
+constexpr double kFlat = 1e-3;   // sine between normals of one plane: float32 coordinates make less
+constexpr double kApart = 0.02;  // sine between planes that meet in an edge
+constexpr double kFirm = 1e4;    // of a vertex's own stiffness
+
+using Directions = std::vector<Eigen::Vector3d>;
+
+// 0 of a triangle without area, which is in no plane.
+Eigen::Vector3d unitNormal(const TriangleMesh& mesh, uint32_t t) {
+  return eigen(normalized(areaNormal(mesh, t)));
+}
+
+bool isAlong(const Eigen::Vector3d& normal, const Eigen::Vector3d& plane) {
+  return normal.dot(plane) > 0.5 && normal.cross(plane).norm() < kFlat;
+}
+
+// Whether the triangles around v lie in one plane; then its normal.
+bool isInPlane(uint32_t v, const Topology& topology, const Directions& normals, Eigen::Vector3d& plane) {
+  plane.setZero();
+  for (const uint32_t t : topology.trianglesAround(v)) plane += normals[t];
+  plane.normalize();
+  return std::ranges::all_of(topology.trianglesAround(v),
+                             [&](uint32_t t) { return isAlong(normals[t], plane); });
+}
+
+// The directions of a surface; does nothing until it is asked.
+class Surface {
+ public:
+  explicit Surface(const TriangleMesh& mesh) : mesh_(mesh) {}
+
+  // Whether it lies along a plane where a sheet of it that looks that way is nearest to p.
+  bool isAlong(const Vec3& p, const Eigen::Vector3d& plane) {
+    if (!tree_) tree_.emplace(mesh_);
+    const SurfacePoint nearest = tree_->closestFacing(p, {plane.x(), plane.y(), plane.z()});
+    return limber::isAlong(unitNormal(mesh_, nearest.triangle), plane);
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+  std::optional<ClosestPointTree> tree_;
+};
+
+// Calls visit(triangle) for all that `first` is joined to by triangles that belong(triangle); marks them in
+// `seen`.
+template <class Belongs, class Visit>
+void flood(uint32_t first, const Topology& topology, std::vector<uint8_t>& seen, const Belongs& belongs,
+           const Visit& visit) {
+  std::vector<uint32_t> waiting{first};
+  seen[first] = 1;
+  while (!waiting.empty()) {
+    const uint32_t t = waiting.back();
+    waiting.pop_back();
+    visit(t);
+    for (uint32_t c = 0; c < 3; ++c)
+      for (const uint32_t next : topology.trianglesAt(topology.edges[topology.edgeOfCorner[3 * t + c]]))
+        if (!seen[next] && belongs(next)) {
+          seen[next] = 1;
+          waiting.push_back(next);
+        }
+  }
+}
+
+// Adds what a plane's normal has at right angles to those before it; columns without a direction are 0.
+void addAcross(const Eigen::Vector3d& normal, Eigen::Matrix3d& across) {
+  const Eigen::Vector3d rest = normal - across * (across.transpose() * normal);
+  if (rest.norm() < kApart) return;
+  for (int k = 0; k < 3; ++k)
+    if (across.col(k).isZero()) {
+      across.col(k) = rest.normalized();
+      return;
+    }
+}
+
+}  // namespace
+
+FlatRegions::FlatRegions(const TriangleMesh& original, const TriangleMesh& mesh, const Topology& topology) {
+  Surface surface(original);
+  Directions normals(mesh.triangleCount());
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) normals[t] = unitNormal(mesh, t);
+  const std::vector<VertexKind> kinds = classifyVertices(mesh, topology);
+  std::vector<uint8_t> seen(mesh.triangleCount(), 0);
+  std::vector<Eigen::Matrix3d> across(mesh.vertexCount(), Eigen::Matrix3d::Zero());
+  Eigen::Vector3d plane;
+  const auto belongs = [&](uint32_t t) {
+    const Vec3 middle = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
+    return isAlong(normals[t], plane) && surface.isAlong(middle, plane);
+  };
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    if (kinds[v] != VertexKind::Interior) continue;
+    const auto fan = topology.trianglesAround(v);
+    if (seen[fan.front()] || !isInPlane(v, topology, normals, plane)) continue;
+    if (!std::ranges::all_of(fan, belongs)) continue;
+    flood(fan.front(), topology, seen, belongs, [&](uint32_t t) {
+      for (const uint32_t corner : mesh.triangles[t]) addAcross(plane, across[corner]);
+    });
+  }
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    if (!across[v].isZero()) held_.push_back({3 * static_cast<Eigen::Index>(v), across[v]});
+}
+
+void FlatRegions::hold(Eigen::SparseMatrix<double>& stiffness) const {
+  for (const auto& [first, across] : held_) {
+    double own = 0;
+    for (int axis = 0; axis < 3; ++axis) own += stiffness.coeff(first + axis, first + axis);
+    const Eigen::Matrix3d firm = kFirm * own * across * across.transpose();
+    for (int column = 0; column < 3; ++column)
+      for (int row = 0; row < 3; ++row) stiffness.coeffRef(first + row, first + column) += firm(row, column);
+  }
+}
+
+void FlatRegions::flatten(Eigen::MatrixXd& steps) const {
+  for (const auto& [first, across] : held_) {
+    auto rows = steps.middleRows<3>(first);
+    rows -= across * (across.transpose() * rows).eval();
+  }
+}
+
+}  // namespace limber

@@ -1,0 +1,132 @@
+#include "linear/factor_structure.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "linear/ordering/front_tree.h"
+#include "linear/ordering/ordering.h"
+
+namespace limber {
+
+namespace {
+
+constexpr double kTaskShare = 1.0 / 24;  // of the work: subtrees below it are left to one thread
+
+double frontWork(double pivots, double boundary) {
+  return pivots * (pivots * pivots / 3 + pivots * boundary + boundary * boundary);
+}
+
+void buildFronts(const StiffnessModel& model, const Job& job, FactorStructure& s) {
+  const NodeGraph graph = nodeGraph(model);
+  const std::vector<FrontNodes> tree = buildFrontTree(graph, eliminationOrder(graph, job), job);
+  s.positionOf.resize(model.unknownCount());
+  const auto forEachUnknown = [&](uint32_t node, const auto& body) {
+    for (uint32_t u = model.firstUnknown[node]; u < model.firstUnknown[node + 1]; ++u) body(u);
+  };
+  for (const FrontNodes& nodes : tree)
+    for (uint32_t node : nodes.pivots)
+      forEachUnknown(node, [&](uint32_t u) {
+        s.positionOf[u] = static_cast<uint32_t>(s.unknownAt.size());
+        s.unknownAt.push_back(u);
+      });
+  uint32_t position = 0;
+  for (const FrontNodes& nodes : tree) {
+    FactorStructure::Front front{};
+    front.firstPivot = position;
+    for (uint32_t node : nodes.pivots) front.pivotCount += graph.weight[node];
+    front.firstRow = static_cast<uint32_t>(s.boundary.size());
+    for (uint32_t node : nodes.boundary)
+      forEachUnknown(node, [&](uint32_t u) { s.boundary.push_back(s.positionOf[u]); });
+    front.boundaryCount = static_cast<uint32_t>(s.boundary.size()) - front.firstRow;
+    front.firstValue = s.valueCount;
+    front.work = front.subtreeWork = frontWork(front.pivotCount, front.boundaryCount);
+    front.children = nodes.children;
+    for (uint32_t child : front.children) front.subtreeWork += s.fronts[child].subtreeWork;
+    position += front.pivotCount;
+    s.storedZeros += nodes.zeros;
+    s.valueCount += size_t{front.rows()} * front.pivotCount;
+    s.fronts.push_back(std::move(front));
+  }
+}
+
+// A task is a subtree of little work whose parent is above the limit. In a solve its rows outside of the
+// subtree get slots of their own, so that tasks do not write to the same place.
+void buildTasks(FactorStructure& s) {
+  const double limit = kTaskShare * s.work();
+  const auto count = static_cast<uint32_t>(s.fronts.size());
+  std::vector<uint32_t> parent(count, count), size(count, 1);
+  for (uint32_t f = 0; f < count; ++f)
+    for (uint32_t child : s.fronts[f].children) {
+      parent[child] = f;
+      size[f] += size[child];
+    }
+  s.slot = s.boundary;
+  s.slotCount = s.unknownCount;
+  for (uint32_t f = 0; f < count; ++f) {
+    if (s.fronts[f].subtreeWork > limit) {
+      s.top.push_back(f);
+      continue;
+    }
+    if (parent[f] != count && s.fronts[parent[f]].subtreeWork <= limit) continue;
+    const FactorStructure::Task task{f + 1 - size[f], f, s.slotCount};
+    const FactorStructure::Front& root = s.fronts[f];
+    const auto rootRows = s.boundary.begin() + root.firstRow;
+    const uint32_t end = root.firstPivot + root.pivotCount;
+    for (uint32_t row = s.fronts[task.firstFront].firstRow; row < root.firstRow + root.boundaryCount; ++row)
+      if (s.boundary[row] >= end)
+        s.slot[row] =
+            s.slotCount +
+            static_cast<uint32_t>(std::lower_bound(rootRows, rootRows + root.boundaryCount, s.boundary[row]) -
+                                  rootRows);
+    s.slotCount += root.boundaryCount;
+    s.tasks.push_back(task);
+  }
+  std::stable_sort(s.tasks.begin(), s.tasks.end(),
+                   [&](const FactorStructure::Task& a, const FactorStructure::Task& b) {
+                     return s.fronts[a.root].subtreeWork > s.fronts[b.root].subtreeWork;
+                   });
+}
+
+}  // namespace
+
+FactorStructure factorStructure(const StiffnessModel& model, const Job& job) {
+  FactorStructure structure;
+  structure.unknownCount = model.unknownCount();
+  buildFronts(model, job, structure);
+  buildTasks(structure);
+  return structure;
+}
+
+uint64_t FactorStructure::nonzeros() const {
+  uint64_t sum = 0;
+  for (const Front& front : fronts) {
+    const uint64_t pivots = front.pivotCount;
+    sum += pivots * (pivots + 1) / 2 + pivots * front.boundaryCount;
+  }
+  return sum - storedZeros;
+}
+
+// The updates of a whole task may wait at once, on each thread; more do not.
+uint64_t FactorStructure::memory() const {
+  const auto updateBytes = [&](uint32_t f) {
+    return sizeof(double) * uint64_t{fronts[f].boundaryCount} * fronts[f].boundaryCount;
+  };
+  uint64_t largestTask = 0, waiting = 0;
+  for (const Task& task : tasks) {
+    uint64_t inside = 0;
+    for (uint32_t f = task.firstFront; f <= task.root; ++f) inside = std::max(inside, 3 * updateBytes(f));
+    largestTask = std::max(largestTask, inside);
+    waiting += updateBytes(task.root);
+  }
+  for (uint32_t f : top) largestTask = std::max(largestTask, 2 * updateBytes(f));
+  return sizeof(double) * (valueCount + slotCount + unknownCount) + waiting +
+         static_cast<uint64_t>(threadCount()) * largestTask;
+}
+
+double FactorStructure::work() const {
+  double sum = 0;
+  for (const Front& front : fronts) sum += front.work;
+  return sum;
+}
+
+}  // namespace limber

@@ -1,0 +1,112 @@
+#include "linear/ordering/separator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linear/ordering/separator_tightening.h"
+
+namespace limber {
+
+namespace {
+
+constexpr uint32_t kCoarsest = 60;  // nodes at which coarsening ends
+constexpr uint32_t kSeeds = 4;      // tries on the coarsest graph
+constexpr int kTightenings = 3;     // at most, on each finer one
+
+// The rank in which each node is reached from `seed`; returns the last one.
+uint32_t rankFrom(const NodeGraph& graph, uint32_t seed, std::vector<uint32_t>& rank) {
+  rank.assign(graph.nodeCount(), UINT32_MAX);
+  std::vector<uint32_t> queue = {seed};
+  rank[seed] = 0;
+  for (size_t head = 0; head < queue.size(); ++head)
+    for (uint32_t j : graph.around(queue[head]))
+      if (rank[j] == UINT32_MAX) {
+        rank[j] = static_cast<uint32_t>(queue.size());
+        queue.push_back(j);
+      }
+  return queue.back();
+}
+
+// The cheapest cut between two ranks; one of the rims along it is the separator. With cut c, the nodes below
+// rank c are left; a node of rank r with neighbours up to rank m lies on the left rim of the cuts r + 1 .. m.
+Sides cutBetweenRanks(const NodeGraph& graph, const std::vector<uint32_t>& rank) {
+  const uint32_t count = graph.nodeCount();
+  std::vector<int64_t> below(count + 1, 0), leftRim(count + 1, 0), rightRim(count + 1, 0);
+  std::vector<uint32_t> lowest(rank), highest(rank);
+  for (uint32_t i = 0; i < count; ++i) {
+    for (uint32_t j : graph.around(i)) {
+      lowest[i] = std::min(lowest[i], rank[j]);
+      highest[i] = std::max(highest[i], rank[j]);
+    }
+    const int64_t weight = graph.weight[i];
+    below[rank[i] + 1] += weight;
+    leftRim[rank[i] + 1] += weight;
+    leftRim[highest[i] + 1] -= weight;
+    rightRim[lowest[i] + 1] += weight;
+    rightRim[rank[i] + 1] -= weight;
+  }
+  for (uint32_t c = 1; c <= count; ++c) {
+    below[c] += below[c - 1];
+    leftRim[c] += leftRim[c - 1];
+    rightRim[c] += rightRim[c - 1];
+  }
+  const int64_t total = below[count];
+  double best = HUGE_VAL;
+  uint32_t cut = 1;
+  bool isLeftRim = true;
+  for (uint32_t c = 1; c < count; ++c) {
+    const double left = cost(below[c] - leftRim[c], total - below[c], leftRim[c]);
+    const double right = cost(below[c], total - below[c] - rightRim[c], rightRim[c]);
+    if (std::min(left, right) >= best) continue;
+    best = std::min(left, right);
+    cut = c;
+    isLeftRim = left <= right;
+  }
+  Sides sides(count);
+  for (uint32_t i = 0; i < count; ++i) {
+    const bool isLeft = rank[i] < cut;
+    const bool isRim = isLeft == isLeftRim && (isLeft ? highest[i] >= cut : lowest[i] < cut);
+    sides[i] = isRim ? Between : isLeft ? Left : Right;
+  }
+  return sides;
+}
+
+// Cuts a small graph: by ranks from several seeds, each far from the one before.
+Sides separateDirectly(const NodeGraph& graph) {
+  Sides best;
+  double lowest = HUGE_VAL;
+  std::vector<uint32_t> rank;
+  uint32_t seed = 0;
+  for (uint32_t k = 0; k < kSeeds; ++k) {
+    const uint32_t last = rankFrom(graph, seed, rank);
+    seed = k % 2 == 0 ? last : graph.nodeCount() * k / kSeeds;
+    Sides sides = cutBetweenRanks(graph, rank);
+    tightenSeparator(graph, sides);
+    const double reached = separatorCost(graph, sides);
+    if (reached >= lowest) continue;
+    lowest = reached;
+    best = std::move(sides);
+  }
+  return best;
+}
+
+}  // namespace
+
+Sides separate(const NodeGraph& graph, const Job& job) {
+  job.check();
+  if (graph.nodeCount() > kCoarsest) {
+    std::vector<uint32_t> coarseOf;
+    const NodeGraph coarse = coarsened(graph, coarseOf);
+    if (coarse.nodeCount() < 0.9 * graph.nodeCount()) {
+      const Sides coarseSides = separate(coarse, job);
+      Sides sides(graph.nodeCount());
+      for (uint32_t i = 0; i < graph.nodeCount(); ++i) sides[i] = coarseSides[coarseOf[i]];
+      int step = 0;
+      while (step < kTightenings && tightenSeparator(graph, sides)) ++step;
+      return sides;
+    }
+  }
+  return separateDirectly(graph);
+}
+
+}  // namespace limber

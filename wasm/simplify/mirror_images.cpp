@@ -1,0 +1,91 @@
+#include "simplify/mirror_images.h"
+
+#include <tuple>
+
+#include "base/parallel.h"
+#include "mesh/principal_axes.h"
+#include "simplify/mirror_splits.h"
+#include "query/kd_tree.h"
+#include "simplify/mirror.h"
+
+namespace limber {
+namespace {
+
+// Of the diagonal; half of what Mirror allows, whose plane is another one by a little.
+constexpr double kTolerance = 5e-5;
+constexpr size_t kVerticesPerRange = 1024;
+
+std::vector<MirrorPlane> candidates(const TriangleMesh& mesh, int axis) {
+  // Of the vertices: areas depend on how quads are cut.
+  const std::vector<double> weights(mesh.vertexCount(), 1);
+  const PrincipalAxes principal = principalAxes(mesh.positions, weights);
+  std::vector<MirrorPlane> planes;
+  const auto add = [&](const Vec3& normal) { planes.push_back({normal, dot(normal, principal.centre)}); };
+  const Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int k = 0; k < 3; ++k)
+    if (axis == k || axis == kAnyAxis) add(axes[k]);
+  if (axis == kAnyAxis)
+    for (int k = 2; k >= 0; --k) add(principal.axis[static_cast<size_t>(k)]);
+  return planes;
+}
+
+// Per vertex the one at its image, or kNone where there is none or the two do not agree.
+std::vector<uint32_t> partnersAcross(const TriangleMesh& mesh, const NearestVertex& nearest,
+                                     const MirrorPlane& plane, Job& job) {
+  const double limit = kTolerance * bounds(mesh).diagonal();
+  std::vector<uint32_t> found(mesh.vertexCount(), kNone);
+  parallelFor(found.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
+    job.check();
+    auto guess = static_cast<uint32_t>(begin);
+    for (size_t v = begin; v < end; ++v) {
+      const Vec3 image = plane.image(mesh.positions[v]);
+      guess = nearest.find(image, guess);
+      if (length(mesh.positions[guess] - image) <= limit) found[v] = guess;
+    }
+  });
+  std::vector<uint32_t> partners = found;
+  for (uint32_t v = 0; v < found.size(); ++v)
+    if (found[v] != kNone && found[found[v]] != v) partners[v] = kNone;
+  return partners;
+}
+
+bool liesOnPlane(const std::vector<uint32_t>& partners) {
+  for (uint32_t v = 0; v < partners.size(); ++v)
+    if (partners[v] != v) return false;
+  return true;
+}
+
+MirrorImages imagesAcross(const TriangleMesh& mesh, const Charts& charts, const NearestVertex& nearest,
+                          const MirrorPlane& plane, Job& job) {
+  MirrorImages images;
+  std::vector<uint32_t> partners = partnersAcross(mesh, nearest, plane, job);
+  for (const uint32_t partner : partners) images.strayVertices += partner == kNone;
+  // The plane of a flat mesh is none of its symmetries.
+  if (liesOnPlane(partners)) images.strayVertices = mesh.vertexCount();
+  if (images.strayVertices > 0) return images;
+  images.strayTriangles = trianglesWithoutImage(mesh, partners);
+  if (images.strayTriangles > 0) images.corners = matchSplits(mesh, partners, plane, charts);
+  if (images.strayTriangles == 0 || !images.corners.empty()) images.partners = std::move(partners);
+  return images;
+}
+
+}  // namespace
+
+MirrorImages findMirrorImages(const TriangleMesh& mesh, const Charts& charts, int axis, Job& job) {
+  job.begin(Phase::Mirror);
+  const NearestVertex nearest(mesh);
+  const std::vector<MirrorPlane> planes = candidates(mesh, axis);
+  MirrorImages best;
+  for (size_t i = 0; i < planes.size(); ++i) {
+    job.report(static_cast<double>(i) / static_cast<double>(planes.size()));
+    MirrorImages images = imagesAcross(mesh, charts, nearest, planes[i], job);
+    const auto strays = [](const MirrorImages& of) {
+      return std::tuple(of.partners.empty(), of.strayVertices, of.strayTriangles);
+    };
+    if (i == 0 || strays(images) < strays(best)) best = std::move(images);
+    if (best.strayVertices == 0 && best.strayTriangles == 0) break;
+  }
+  return best;
+}
+
+}  // namespace limber

@@ -1,0 +1,177 @@
+#include "simulate/contacts/triangle_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limber {
+
+namespace {
+
+// Rounds of finding the nearest points of a triangle and an axis, each from the other. Any pair that is
+// closer than the radius is a true contact, so a few do.
+constexpr int kRounds = 4;
+// A corner moves at most this many times as far as the point it carries, whatever else is pinned.
+constexpr float kMostLeverage = 10;
+
+// Of a triangle's longest edge within a step, for leaving out triangles that are too far away.
+constexpr double kMostStretch = 1.25;
+
+using Shares = std::array<float, 3>;
+
+Float4 pointAt(const Float4 (&corner)[3], const Shares& share) {
+  return splat(share[0]) * corner[0] + splat(share[1]) * corner[1] + splat(share[2]) * corner[2];
+}
+
+// Barycentric coordinates of the point of a segment that is nearest to the origin.
+float shareOfEnd(Float4 start, Float4 end) {
+  const Float4 along = end - start;
+  const float squared = dot3(along, along);
+  return squared > 0 ? std::clamp(-dot3(start, along) / squared, 0.0f, 1.0f) : 0;
+}
+
+// And of a triangle: the foot of its plane, or the nearest point of its edges where that lies outside.
+Shares nearestShares(const Float4 (&corner)[3]) {
+  const Float4 edge1 = corner[1] - corner[0], edge2 = corner[2] - corner[0];
+  const float g11 = dot3(edge1, edge1), g12 = dot3(edge1, edge2), g22 = dot3(edge2, edge2);
+  const float r1 = -dot3(corner[0], edge1), r2 = -dot3(corner[0], edge2);
+  const float squaredArea = g11 * g22 - g12 * g12;
+  const float b = g22 * r1 - g12 * r2, c = g11 * r2 - g12 * r1;
+  if (b >= 0 && c >= 0 && b + c <= squaredArea && squaredArea > 0)
+    return {1 - (b + c) / squaredArea, b / squaredArea, c / squaredArea};
+  Shares best = {1, 0, 0};
+  float least = INFINITY;
+  for (int e = 0; e < 3; ++e) {
+    const int f = (e + 1) % 3;
+    Shares share = {0, 0, 0};
+    share[f] = shareOfEnd(corner[e], corner[f]);
+    share[e] = 1 - share[f];
+    const Float4 point = pointAt(corner, share);
+    const float squared = dot3(point, point);
+    if (squared >= least) continue;
+    least = squared;
+    best = share;
+  }
+  return best;
+}
+
+// The same for the axis of a collider instead of the origin; `outwards` leads from the axis to the point.
+Shares nearestShares(const Float4 (&place)[3], const ContactSurface& surface, Float4& outwards) {
+  Shares share = {1.0f / 3, 1.0f / 3, 1.0f / 3};
+  const int rounds = surface.inverseSquare > 0 ? kRounds : 1;
+  for (int round = 0; round < rounds; ++round) {
+    const Float4 center = surface.nearestOnAxis(pointAt(place, share));
+    const Float4 seen[3] = {place[0] - center, place[1] - center, place[2] - center};
+    share = nearestShares(seen);
+    outwards = pointAt(seen, share);
+  }
+  return share;
+}
+
+// Vertices in a box, and the square of the longest way of one in a substep.
+struct Extent {
+  Bounds box;
+  double fastest = 0;
+};
+Extent extentOf(const Particles& particles, const std::vector<uint32_t>& vertices) {
+  const Vec3& first = particles.positions[vertices.front()];
+  Extent extent = {{first, first}};
+  for (const uint32_t v : vertices) {
+    const Vec3& p = particles.positions[v];
+    for (int c = 0; c < 3; ++c) {
+      extent.box.low[c] = std::min(extent.box.low[c], p[c]);
+      extent.box.high[c] = std::max(extent.box.high[c], p[c]);
+    }
+    const Float4 q = particles.motion[v].q;
+    extent.fastest = std::max(extent.fastest, double{dot3(q, q)});
+  }
+  return extent;
+}
+
+}  // namespace
+
+TriangleContacts::TriangleContacts(const TriangleMesh& mesh, const Blocks& blocks)
+    : groups_(blocks.groupCount()), contacts_(blocks.groupCount()) {
+  for (const Triangle& t : mesh.triangles) {
+    double longest = 0;
+    for (int c = 0; c < 3; ++c)
+      longest = std::max(longest, length(mesh.positions[t[c]] - mesh.positions[t[(c + 1) % 3]]));
+    Group& group = groups_[blocks.groupOf(t)];
+    group.candidates.push_back({t, longest});
+    group.vertices.insert(group.vertices.end(), t.begin(), t.end());
+    group.longest = std::max(group.longest, longest);
+  }
+  for (Group& group : groups_) {
+    std::sort(group.vertices.begin(), group.vertices.end());
+    group.vertices.erase(std::unique(group.vertices.begin(), group.vertices.end()), group.vertices.end());
+  }
+}
+
+void TriangleContacts::rebase(const Particles& particles, const Obstacles& obstacles,
+                              const ContactReach& reach, size_t group) {
+  contacts_[group].clear();
+  if (obstacles.colliders.empty() || groups_[group].candidates.empty()) return;
+  const Extent extent = extentOf(particles, groups_[group].vertices);
+  const Vec3 center = (extent.box.low + extent.box.high) * 0.5;
+  const double near = reach.of(extent.fastest);
+  for (const Collider& collider : obstacles.colliders) {
+    if (groups_[group].longest <= kLeastEdge * collider.radius) continue;
+    if (distanceToAxis(center, collider) > collider.radius + near + 0.5 * extent.box.diagonal()) continue;
+    addContacts(particles, collider, reach, group);
+  }
+}
+
+void TriangleContacts::addContacts(const Particles& particles, const Collider& collider,
+                                   const ContactReach& reach, size_t group) {
+  const ContactSurface surface = surfaceOf(collider);
+  for (const auto& [corner, longest] : groups_[group].candidates) {
+    if (longest <= kLeastEdge * collider.radius) continue;
+    Contact contact = {corner, {}, {}, surface, 0};
+    float heaviest = 0;
+    double farthest = 0, fastest = 0;
+    const Vec3& origin = particles.positions[corner[0]];
+    for (int c = 0; c < 3; ++c) {
+      const Vec3& place = particles.positions[corner[c]];
+      contact.base[c] = toFloat4(place - collider.from);
+      contact.weight[c] = static_cast<float>(particles.inverseMass[corner[c]]);
+      heaviest = std::max(heaviest, contact.weight[c]);
+      farthest = std::max(farthest, length(place - origin));
+      const Float4 q = particles.motion[corner[c]].q;
+      fastest = std::max(fastest, double{dot3(q, q)});
+    }
+    const double near = reach.of(fastest);
+    contact.reach = static_cast<float>(collider.radius + kMostStretch * farthest);
+    if (heaviest > 0 && distanceToAxis(origin, collider) < collider.radius + near + farthest)
+      contacts_[group].push_back(contact);
+  }
+}
+
+void TriangleContacts::project(Particles& particles, float friction, size_t group) const {
+  for (const Contact& contact : contacts_[group]) {
+    Motion* motion[3];
+    Float4 place[3], outwards;
+    for (int c = 0; c < 3; ++c) {
+      motion[c] = &particles.motion[contact.corner[c]];
+      place[c] = contact.base[c] + (motion[c]->u + motion[c]->q);
+    }
+    const Float4 fromAxis = place[0] - contact.surface.nearestOnAxis(place[0]);
+    if (dot3(fromAxis, fromAxis) > contact.reach * contact.reach) continue;
+    const Shares share = nearestShares(place, contact.surface, outwards);
+    const float squared = dot3(outwards, outwards), radius = contact.surface.radius;
+    if (squared >= radius * radius || !(squared > 0)) continue;
+    const float distance = std::sqrt(squared), depth = radius - distance;
+    const Float4 normal = outwards / splat(distance);
+    const Float4 q = pointAt({motion[0]->q, motion[1]->q, motion[2]->q}, share) + splat(depth) * normal;
+    const Float4 correction = splat(depth) * normal - frictionOf(q, normal, friction * depth);
+    float weight = 0, largest = 0;
+    for (int c = 0; c < 3; ++c) {
+      const float moved = contact.weight[c] * share[c];
+      weight += moved * share[c];
+      largest = std::max(largest, moved);
+    }
+    weight = std::max(weight, largest / kMostLeverage);
+    for (int c = 0; c < 3 && weight > 0; ++c)
+      motion[c]->q += splat(contact.weight[c] * share[c] / weight) * correction;
+  }
+}
+
+}  // namespace limber

@@ -1,0 +1,56 @@
+#include "simulate/running_scenario.h"
+
+#include <chrono>
+#include <stdexcept>
+
+#include "base/parallel.h"
+#include "simulate/schedule.h"
+
+namespace limber {
+
+RunningScenario::RunningScenario(const TriangleMesh& mesh, const SimulationOptions& options,
+                                 const Scenario& scenario, const Pins& pins)
+    : scenario_(scenario), simulation_(mesh, options, pins), pins_(pins) {
+  for (const uint32_t v : pins.vertices) pinRest_.push_back(mesh.positions[v]);
+  for (const SurfaceAnchor& point : pins.points) pinRest_.push_back(simulation_.position(point));
+  startScenario(scenario_, mesh.positions, simulation_);
+}
+
+void RunningScenario::step(const Job& job, Helpers* helpers) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  prepareStep(scenario_, time(), pinRest_, simulation_);
+  simulation_.step(job, helpers);
+  stepSeconds_ = std::chrono::duration<double>(Clock::now() - start).count() + simulation_.helpedSeconds();
+  ++stepsDone_;
+  if (!simulation_.isFinite())
+    throw std::runtime_error("The simulation has flown apart: give it more substeps or a softer material.");
+}
+
+std::vector<Vec3> RunningScenario::pinPositions() const {
+  std::vector<Vec3> places;
+  for (const uint32_t v : pins_.vertices) places.push_back(simulation_.position(v));
+  for (const SurfaceAnchor& point : pins_.points) places.push_back(simulation_.position(point));
+  return places;
+}
+
+void stepTogether(std::span<RunningScenario* const> bodies, const Job& job) {
+  if (bodies.size() == 1) return bodies[0]->step(job);
+  Helpers helpers(bodies.size());
+  const auto stepOne = [&](RunningScenario& body) {
+    try {
+      body.step(job, &helpers);
+    } catch (...) {
+      helpers.endTask();
+      throw;
+    }
+    helpers.endTask();
+  };
+  // A thread that finds no body left helps with those of others.
+  const size_t helpCount = static_cast<size_t>(threadCount()) - 1;
+  parallelFor(bodies.size() + helpCount, 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) i < bodies.size() ? stepOne(*bodies[i]) : helpers.help();
+  });
+}
+
+}  // namespace limber

@@ -1,0 +1,77 @@
+#include "transfer/chart_sides.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace limber {
+
+ChartSides::ChartSides(const TriangleMesh& input, const Topology& topology, const Charts& charts,
+                       const MeshAt& result)
+    : isSeam_(topology.edges.size(), 0), seamCount_(input.vertexCount(), 0) {
+  findSeams(input, topology, charts);
+  joinCorners(input, topology, result.vertexOfInput);
+  sortCorners(input, result);
+}
+
+void ChartSides::findSeams(const TriangleMesh& input, const Topology& topology, const Charts& charts) {
+  const auto differs = [&](uint32_t first, uint32_t second, uint32_t v) {
+    return charts.wedges[cornerAt(input, first, v)] != charts.wedges[cornerAt(input, second, v)];
+  };
+  for (uint32_t e = 0; e < topology.edges.size(); ++e) {
+    const Topology::Edge& edge = topology.edges[e];
+    const auto triangles = topology.trianglesAt(edge);
+    isSeam_[e] = triangles.size() != 2 ||
+                 (!charts.groups.empty() && charts.groups[triangles[0]] != charts.groups[triangles[1]]) ||
+                 (!charts.wedges.empty() && (differs(triangles[0], triangles[1], edge.a) ||
+                                             differs(triangles[0], triangles[1], edge.b)));
+    if (!isSeam_[e]) continue;
+    ++seamCount_[edge.a];
+    ++seamCount_[edge.b];
+  }
+}
+
+uint32_t ChartSides::root(uint32_t corner) {
+  while (side_[corner] != corner) corner = side_[corner] = side_[side_[corner]];
+  return corner;
+}
+
+void ChartSides::join(uint32_t a, uint32_t b) {
+  const uint32_t rootA = root(a), rootB = root(b);
+  side_[std::max(rootA, rootB)] = std::min(rootA, rootB);
+}
+
+void ChartSides::joinCorners(const TriangleMesh& input, const Topology& topology,
+                             const std::vector<uint32_t>& vertexOfInput) {
+  side_.resize(3 * size_t{input.triangleCount()});
+  std::iota(side_.begin(), side_.end(), 0u);
+  for (uint32_t t = 0; t < input.triangleCount(); ++t)
+    for (int c = 0; c < 3; ++c) {
+      const int next = (c + 1) % 3;
+      const auto& triangle = input.triangles[t];
+      if (vertexOfInput[triangle[c]] == vertexOfInput[triangle[next]]) join(3 * t + c, 3 * t + next);
+    }
+  for (uint32_t e = 0; e < topology.edges.size(); ++e) {
+    if (isSeam_[e]) continue;
+    const Topology::Edge& edge = topology.edges[e];
+    const auto triangles = topology.trianglesAt(edge);
+    for (const uint32_t v : {edge.a, edge.b})
+      join(cornerAt(input, triangles[0], v), cornerAt(input, triangles[1], v));
+  }
+  for (uint32_t corner = 0; corner < side_.size(); ++corner) side_[corner] = root(corner);
+}
+
+void ChartSides::sortCorners(const TriangleMesh& input, const MeshAt& result) {
+  const auto vertexOf = [&](uint32_t corner) {
+    return result.vertexOfInput[input.triangles[corner / 3][corner % 3]];
+  };
+  firstCorner_.assign(size_t{result.mesh.vertexCount()} + 1, 0);
+  for (uint32_t corner = 0; corner < side_.size(); ++corner)
+    if (const uint32_t v = vertexOf(corner); v != kNone) ++firstCorner_[v + 1];
+  std::partial_sum(firstCorner_.begin(), firstCorner_.end(), firstCorner_.begin());
+  corners_.resize(firstCorner_.back());
+  std::vector<uint32_t> next(firstCorner_.begin(), firstCorner_.end() - 1);
+  for (uint32_t corner = 0; corner < side_.size(); ++corner)
+    if (const uint32_t v = vertexOf(corner); v != kNone) corners_[next[v]++] = corner;
+}
+
+}  // namespace limber

@@ -1,0 +1,244 @@
+/** What the files will hold, what they leave out, what the validator says, and the save. */
+
+import { useEffect, useId, useRef, useState } from 'preact/hooks';
+import type { Validation } from '../../../engine/document/validate';
+import { checkOption } from '../../../engine/settings/option_check';
+import { OPTIONS } from '../../../engine/settings/options';
+import { reportAsCsv, reportAsMarkdown } from '../../../engine/report/report_text';
+import { readSetting } from '../../../engine/settings/setting_text';
+import { commandLine } from '../../command_line';
+import { download } from '../../files';
+import { bodyTargets, client, exportedKey, exportRequest } from '../../state/runner';
+import { changeSettings, results, wants } from '../../state/store';
+import type { ExportResult } from '../../worker/protocol';
+import { Section, Toggle, count } from '../controls';
+
+/** What is shown and saved: never the files of earlier settings. */
+const currentExport = (): ExportResult | null =>
+  results.exported.value?.key === exportedKey() ? results.exported.value : null;
+
+export function ExportPanel() {
+  const file = results.file.value;
+  const exported = currentExport();
+  const panel = useRef<HTMLElement>(null);
+  // On a small screen it opens below what is in sight.
+  useEffect(() => panel.current?.scrollIntoView({ block: 'start' }), []);
+  if (!file) return null;
+  const { output } = exportRequest();
+  return (
+    <aside class="panel export" aria-label="Export" ref={panel}>
+      <div class="panel-head">
+        <h2>Export</h2>
+        <button
+          type="button"
+          class="quiet"
+          aria-label="Close the export panel"
+          onClick={() => (wants.exportOpen.value = false)}
+        >
+          Close
+        </button>
+      </div>
+      <Section title={output}>
+        <p>
+          {exported
+            ? `${count(exported.faces)} faces with positions and normals, ${size(exported.bytes.length)}.`
+            : 'Writing and checking ...'}
+        </p>
+        <Extras />
+      </Section>
+      <Section title="Left out">
+        {file.dropped.length === 0 ? (
+          <p class="hint">Nothing that the file holds is lost.</p>
+        ) : (
+          <ul class="health">
+            {file.dropped.map((text) => (
+              <li key={text} class="limit">
+                {text}
+              </li>
+            ))}
+          </ul>
+        )}
+      </Section>
+      {exported && <Verdict exported={exported} />}
+      <Actions exported={exported} />
+    </aside>
+  );
+}
+
+function Extras() {
+  return (
+    <>
+      <Toggle
+        label="Strain and curvature as attributes"
+        checked={wants.exportFields.value}
+        onChange={(checked) => (wants.exportFields.value = checked)}
+      />
+      <Toggle
+        label="Binding of the original's vertices"
+        checked={wants.exportBinding.value}
+        onChange={(checked) => (wants.exportBinding.value = checked)}
+      />
+      <Levels />
+    </>
+  );
+}
+
+/** Shares of the faces of further levels, with commas. */
+function Levels() {
+  const id = useId();
+  const [refused, setRefused] = useState<{ text: string; why: string } | null>(null);
+  const change = (typed: string) => {
+    const text = typed.replaceAll(/\s/g, '');
+    const lods = text === '' ? [] : (readSetting(OPTIONS.lods, text) as number[]);
+    try {
+      if (lods.length > 0) checkOption(OPTIONS.lods, lods);
+      setRefused(null);
+      changeSettings({ lods });
+    } catch (error) {
+      const why = error instanceof Error ? error.message : String(error);
+      setRefused({ text: typed, why: why.replace(/^--lods is/, 'This is') });
+    }
+  };
+  return (
+    <div class="control stacked">
+      <label for={id}>{OPTIONS.lods.label}</label>
+      <input
+        id={id}
+        type="text"
+        autocomplete="off"
+        placeholder="0.25, 0.1"
+        title="Shares of the faces, with commas: one more file for each"
+        aria-invalid={refused !== null}
+        aria-describedby={refused ? `${id}-refused` : undefined}
+        value={refused ? refused.text : wants.settings.value.lods.join(', ')}
+        onChange={(event) => change(event.currentTarget.value)}
+      />
+      {refused && (
+        <p id={`${id}-refused`} class="hint bad" role="alert">
+          {refused.why}
+        </p>
+      )}
+    </div>
+  );
+}
+
+const describeVerdict = ({ errors, warnings }: Validation): string =>
+  errors === 0 && warnings === 0 ? 'No errors, no warnings.' : `${errors} errors, ${warnings} warnings.`;
+
+function Verdict({ exported }: { exported: ExportResult }) {
+  const { errors, messages } = exported.validation;
+  return (
+    <Section title="Khronos validator">
+      <p class={errors > 0 ? 'verdict bad' : 'verdict good'}>{describeVerdict(exported.validation)}</p>
+      {messages.length > 0 && (
+        <ul class="hint">
+          {messages.slice(0, 5).map((message) => (
+            <li key={message}>{message}</li>
+          ))}
+        </ul>
+      )}
+      {exported.levels.length > 0 && (
+        <ul class="levels">
+          {exported.levels.map(({ name, faces, bytes, validation }) => (
+            <li key={name}>
+              <span class="filename">{name}</span>
+              <span class="muted">
+                {count(faces)} faces, {size(bytes.length)}.{' '}
+                <span class={validation.errors > 0 ? 'verdict bad' : 'verdict good'}>
+                  {describeVerdict(validation)}
+                </span>
+              </span>
+            </li>
+          ))}
+        </ul>
+      )}
+    </Section>
+  );
+}
+
+function Actions({ exported }: { exported: ExportResult | null }) {
+  const { output, binding, fields } = exportRequest();
+  const [copied, setCopied] = useState(false);
+  const line = commandLine(wants.settings.value, results.file.value!.name, output, {
+    faces: bodyTargets().reduce((sum, faces) => sum + faces, 0),
+    fields,
+    binding: binding ? bindingName(output) : null,
+  });
+  const copy = () => navigator.clipboard.writeText(line).then(() => setCopied(true));
+  const hasMore = binding || wants.settings.value.lods.length > 0;
+  return (
+    <div class="actions">
+      <button
+        type="button"
+        class={hasMore ? undefined : 'primary'}
+        disabled={!exported}
+        onClick={() => download(output, exported!.bytes, 'model/gltf-binary')}
+      >
+        Save .glb
+      </button>
+      {hasMore && (
+        <button
+          type="button"
+          class="primary"
+          disabled={!exported}
+          onClick={() => void saveAll(exported!, output)}
+        >
+          Save all as .zip
+        </button>
+      )}
+      <SaveReport exported={exported} output={output} />
+      <button type="button" onClick={() => void copy()}>
+        {copied ? 'Copied' : 'Copy command line'}
+      </button>
+      <code class="command">{line}</code>
+    </div>
+  );
+}
+
+const REPORTS = [
+  {
+    text: 'JSON',
+    ending: 'json',
+    type: 'application/json',
+    write: (report: object) => JSON.stringify(report, null, 2),
+  },
+  { text: 'CSV', ending: 'csv', type: 'text/csv', write: reportAsCsv },
+  { text: 'Markdown', ending: 'md', type: 'text/markdown', write: reportAsMarkdown },
+] as const;
+
+function SaveReport({ exported, output }: { exported: ExportResult | null; output: string }) {
+  return (
+    <div class="reports" role="group" aria-label="Save report">
+      <span>Report</span>
+      {REPORTS.map(({ text, ending, type, write }) => (
+        <button
+          key={ending}
+          type="button"
+          disabled={!exported}
+          aria-label={`Save report as ${text}`}
+          onClick={() => download(output.replace(/glb$/, ending), write(exported!.report), type)}
+        >
+          {text}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+const bindingName = (output: string): string => output.replace(/glb$/, 'bind.json');
+
+/** The file, its levels, the binding and the report in one archive. */
+async function saveAll(exported: ExportResult, output: string): Promise<void> {
+  const text = (content: string) => new TextEncoder().encode(content);
+  const files: Record<string, Uint8Array> = {
+    [output]: exported.bytes,
+    ...Object.fromEntries(exported.levels.map(({ name, bytes }) => [name, bytes])),
+    ...(exported.binding === null ? {} : { [bindingName(output)]: text(exported.binding) }),
+    [output.replace(/glb$/, 'json')]: text(JSON.stringify(exported.report, null, 2)),
+  };
+  const archive = await client.aside<Uint8Array>((worker) => worker.pack(files));
+  download(output.replace(/glb$/, 'zip'), archive, 'application/zip');
+}
+
+const size = (bytes: number): string =>
+  bytes < 1e6 ? `${Math.round(bytes / 1000)} kB` : `${(bytes / 1e6).toFixed(1)} MB`;

@@ -1,0 +1,117 @@
+/** The gallery of modes: moving pictures, frequency, and where along the body each one strains it. */
+
+import { useEffect, useRef } from 'preact/hooks';
+import type { Mode } from '../../../engine/core/core';
+import { leadingMode } from '../../../engine/core/mode_set';
+import { areModesStale, results, status, view } from '../../state/store';
+import { STRIP } from '../../worker/protocol';
+import type { ModesResult } from '../../worker/protocol';
+import { colourAt } from '../../viewer/colours';
+import { THUMBNAIL, Thumbnails } from '../../viewer/thumbnails';
+import { count } from '../controls';
+import { chooseMode, guidingModes } from './mode_choice';
+import { ModeNotes } from './mode_notes';
+
+const AXES = ['across, thin', 'across, wide', 'along'];
+
+export function Gallery() {
+  const modes = results.modes.value;
+  const body = results.body.value;
+  const list = useRef<HTMLUListElement>(null);
+  const thumbnails = useRef<Thumbnails | null>(null);
+  useEffect(() => {
+    if (!modes || !body || !list.current) return;
+    thumbnails.current ??= makeThumbnails();
+    const canvases = [...list.current.querySelectorAll('canvas')];
+    thumbnails.current?.show(body.mesh, layerShapes(modes), canvases);
+  }, [modes, body]);
+  useEffect(() => {
+    thumbnails.current?.move(view.playing.value);
+  }, [view.playing.value, modes]);
+  useEffect(() => () => thumbnails.current?.dispose(), []);
+  if (!modes) return <p class="empty">{status.paused.value ? 'Stopped.' : 'Finding modes ...'}</p>;
+  if (modes.layerCount === 0) return <p class="empty">No part can move: let go of some vertices.</p>;
+  return (
+    <>
+      <ul class={areModesStale.value ? 'gallery stale' : 'gallery'} ref={list} aria-label="Modes">
+        {Array.from({ length: modes.layerCount }, (_, layer) => (
+          <ModeCard key={layer} layer={layer} modes={modes} />
+        ))}
+      </ul>
+      <ModeNotes modes={modes} />
+    </>
+  );
+}
+
+function makeThumbnails(): Thumbnails | null {
+  try {
+    return new Thumbnails();
+  } catch {
+    return null; // without WebGL2 the names and numbers still serve
+  }
+}
+
+function layerShapes(modes: ModesResult): Float32Array[] {
+  const size = modes.shapes.length / modes.layerCount;
+  return Array.from({ length: modes.layerCount }, (_, k) => modes.shapes.subarray(k * size, (k + 1) * size));
+}
+
+function ModeCard({ layer, modes }: { layer: number; modes: ModesResult }) {
+  const mode = leadingMode(modes, layer);
+  const parts = modes.modes.filter((one) => one.layer === layer).length;
+  const isChosen = guidingModes().includes(layer + 1);
+  const axis = mode?.axis ?? -1;
+  const words = [axis >= 0 ? AXES[axis] : '', parts > 1 ? `${count(parts)} parts` : '']
+    .filter(Boolean)
+    .join(', ');
+  return (
+    <li class="mode-card">
+      <button
+        type="button"
+        class="mode"
+        aria-pressed={isChosen}
+        onClick={(event) => chooseMode(layer + 1, event.shiftKey || event.metaKey || event.ctrlKey)}
+      >
+        <canvas width={2 * THUMBNAIL.width} height={2 * THUMBNAIL.height} aria-hidden="true" />
+        <span class="strip" aria-hidden="true" style={{ background: stripGradient(modes.strips, layer) }} />
+        <span class="caption">
+          <span>
+            <span class="spoken">Mode </span>
+            {layer + 1} {mode?.name ?? ''}
+          </span>
+          {mode && <Frequency modes={modes} mode={mode} />}
+        </span>
+        {words && <span class="caption muted">{words}</span>}
+      </button>
+      <input
+        type="checkbox"
+        class="guides"
+        aria-label={`Mode ${layer + 1} guides`}
+        title="Blends this mode with the others that are ticked"
+        checked={isChosen}
+        onChange={(event) => {
+          chooseMode(layer + 1, true);
+          // The last one stays.
+          event.currentTarget.checked = guidingModes().includes(layer + 1);
+        }}
+      />
+    </li>
+  );
+}
+
+function Frequency({ modes, mode }: { modes: ModesResult; mode: Mode }) {
+  const isNominal = modes.components[mode.component].model === 'laplacian';
+  return (
+    <span
+      class="muted"
+      title={isNominal ? 'A Laplacian has no physical frequency; this one is in proportion only' : undefined}
+    >
+      {(mode.omega / (2 * Math.PI)).toPrecision(3)} {isNominal ? 'nom.' : 'Hz'}
+    </span>
+  );
+}
+
+function stripGradient(strips: Float32Array, layer: number): string {
+  const stops = Array.from({ length: STRIP }, (_, i) => colourAt('viridis', strips[layer * STRIP + i]));
+  return `linear-gradient(to right, ${stops.join(', ')})`;
+}

@@ -1,0 +1,17 @@
+/** Which modes guide, and what a click on one does. */
+
+import { resolveModes } from '../../../engine/settings/options';
+import { changeSettings, wants } from '../../state/store';
+
+/** The guiding modes, from 1. */
+export const guidingModes = (): number[] => resolveModes(wants.settings.value);
+
+/** A click takes one mode; with `blend` it joins the others or leaves them. */
+export function chooseMode(mode: number, blend: boolean): void {
+  const chosen = guidingModes();
+  if (!blend) return changeSettings({ modes: [mode], modeWeights: [] });
+  const next = chosen.includes(mode)
+    ? chosen.filter((other) => other !== mode)
+    : [...chosen, mode].sort((a, b) => a - b);
+  if (next.length > 0) changeSettings({ modes: next, modeWeights: [] });
+}

@@ -1,0 +1,44 @@
+/** What is worth a word about the chosen modes, under the gallery. */
+
+import { describeHotSpots, differentPairs } from '../../../engine/stages/hot_spots';
+import { localModes, spellModes, suggestedModes } from '../../../engine/core/mode_set';
+import { resolveModes } from '../../../engine/settings/options';
+import { changeSettings, wants } from '../../state/store';
+import type { ModesResult } from '../../worker/protocol';
+import { guidingModes } from './mode_choice';
+
+export function ModeNotes({ modes }: { modes: ModesResult }) {
+  const chosen = guidingModes();
+  const local = localModes(modes, chosen);
+  const hotSpots = describeHotSpots(differentPairs(modes.shared, modes.layerCount, chosen));
+  return (
+    <div class="mode-notes" role="status">
+      {local.length > 0 && <LocalNote modes={modes} local={local} />}
+      {hotSpots && <p>{hotSpots}</p>}
+      {local.length === 0 && !hotSpots && (
+        <p class="muted">Click the mode that looks like the motion you expect; tick more to blend several.</p>
+      )}
+    </div>
+  );
+}
+
+function LocalNote({ modes, local }: { modes: ModesResult; local: number[] }) {
+  const settings = wants.settings.value;
+  // As many as would be chosen without a word from the user.
+  const better = suggestedModes(modes, resolveModes({ ...settings, modes: 'auto' }).length);
+  return (
+    <p>
+      {describeLocal(local)}
+      {better.length > 0 && (
+        <button type="button" onClick={() => changeSettings({ modes: better, modeWeights: [] })}>
+          Leave local modes out
+        </button>
+      )}
+    </p>
+  );
+}
+
+function describeLocal(local: number[]): string {
+  const subject = local.length === 1 ? `Mode ${local[0]} is` : `Modes ${spellModes(local)} are`;
+  return `${subject} local: little of the body moves.`;
+}

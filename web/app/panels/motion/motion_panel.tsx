@@ -1,0 +1,150 @@
+/** Step 2: what resists, what it is made of, what is held, and how it swings. */
+
+import { counted } from '../../../engine/core/words';
+import { describeSolve } from '../../../engine/body/health';
+import { coarseVerticesOf, describeModels } from '../../../engine/core/mode_set';
+import { OPTIONS, resolveModel } from '../../../engine/settings/options';
+import type { Settings } from '../../../engine/settings/options';
+import { areModesStale, changeSettings, results, view, wants } from '../../state/store';
+import { Choice, Range, Section, SettingRange, Toggle, count } from '../controls';
+import { MaterialNumbers, MaterialSelect } from './material_section';
+import { PinsSection } from './pins_section';
+
+const MODELS: { value: Settings['model']; text: string; title: string }[] = [
+  {
+    value: 'auto',
+    text: 'Auto',
+    title: "The paper's Laplacian for its method, otherwise solid where closed and shell where open",
+  },
+  { value: 'solid', text: 'Solid', title: 'A body filled with material: closed parts only' },
+  { value: 'shell', text: 'Shell', title: 'A thin sheet that stretches and bends: physical frequencies' },
+  {
+    value: 'laplacian',
+    text: 'Laplacian',
+    title: 'Unit springs along the edges: smooth, nominal frequencies',
+  },
+];
+
+const DIRECTIONS: { value: Settings['direction']; text: string }[] = [
+  { value: 'all', text: 'All' },
+  { value: 'x', text: 'X' },
+  { value: 'y', text: 'Y' },
+  { value: 'z', text: 'Z' },
+];
+
+export function MotionPanel() {
+  return (
+    <>
+      <ModelSection />
+      <PinsSection />
+      <PlaySection />
+      <details class="more">
+        <summary>More</summary>
+        <Range
+          label="Speed"
+          min={0.2}
+          max={3}
+          step={0.1}
+          value={view.speed.value}
+          shown={`x${view.speed.value}`}
+          onInput={(value) => (view.speed.value = value)}
+        />
+        <MaterialNumbers />
+        <SettingRange name="modeCount" />
+        <SettingRange name="p" />
+        <SettingRange name="strainThreshold" />
+        {!isExactOffered() && <ExactToggle />}
+      </details>
+    </>
+  );
+}
+
+function ModelSection() {
+  const settings = wants.settings.value;
+  return (
+    <Section title="Model">
+      <Choice
+        label="Model"
+        options={MODELS}
+        value={settings.model}
+        onChange={(model) => changeSettings({ model, modes: 'auto', modeWeights: [] })}
+      />
+      {resolveModel(settings) === 'laplacian' && (
+        <div class="control">
+          <span title={OPTIONS.direction.help}>Direction</span>
+          <Choice
+            label="Direction"
+            options={DIRECTIONS}
+            value={settings.direction}
+            onChange={(direction) => changeSettings({ direction, modes: 'auto', modeWeights: [] })}
+          />
+        </div>
+      )}
+      <SolveNotes />
+      {isExactOffered() && <ExactToggle />}
+      <MaterialSelect />
+    </Section>
+  );
+}
+
+function PlaySection() {
+  return (
+    <Section title="Swing">
+      <Range
+        label="Amplitude"
+        min={0}
+        max={20}
+        step={0.5}
+        value={view.amplitude.value}
+        shown={`${view.amplitude.value} %`}
+        onInput={(value) => (view.amplitude.value = value)}
+      />
+      <Toggle
+        label="Play (Space)"
+        checked={view.playing.value}
+        onChange={(playing) => (view.playing.value = playing)}
+      />
+    </Section>
+  );
+}
+
+/** Where a copy was solved, or was until the mesh itself was asked for. */
+const isExactOffered = (): boolean =>
+  wants.settings.value.exact || (results.modes.value !== null && coarseVerticesOf(results.modes.value) > 0);
+
+function ExactToggle() {
+  return (
+    <Toggle
+      label={OPTIONS.exact.label}
+      checked={wants.settings.value.exact}
+      onChange={(exact) => changeSettings({ exact })}
+    />
+  );
+}
+
+/** Which models were used, whether as many rigid motions came as should, and how far the modes can be trusted. */
+function SolveNotes() {
+  const modes = results.modes.value;
+  if (!modes) return null;
+  if (areModesStale.value) return <p class="hint">The modes shown are those of earlier settings.</p>;
+  const total = (key: 'zeroModesExpected' | 'zeroModesFound') =>
+    modes.components.reduce((sum, component) => sum + component[key], 0);
+  const [expected, found] = [total('zeroModesExpected'), total('zeroModesFound')];
+  const coarseVertices = coarseVerticesOf(modes);
+  const residuals = coarseVertices > 0 ? [] : describeSolve(modes.modes, 0);
+  const rigid = `${counted(found, 'rigid motion')} found, ${expected} expected`;
+  const models = wants.settings.value.model === 'auto' ? `${describeModels(modes.components)}. ` : '';
+  return (
+    <>
+      <p class={expected === found && residuals.length === 0 ? 'hint' : 'hint warning'}>
+        {models}
+        {[rigid, ...residuals].join('; ')}.
+      </p>
+      {coarseVertices > 0 && (
+        <p class="hint">
+          Modes from a copy with {count(coarseVertices)} vertices, refined on the mesh itself.
+        </p>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,34 @@
+/** What the colours of moving bodies mean. */
+
+import { twin } from '../../state/simulation';
+import { view } from '../../state/store';
+import { Choice, Toggle } from '../controls';
+import { Bar } from '../bar';
+import { heatScale } from './simulate_scale';
+
+const COLOURS = [
+  { value: 'plain', text: 'Plain', title: 'No colours (1)' },
+  {
+    value: 'deviation',
+    text: 'Deviation',
+    title: 'How far each place of the original is from the optimized (2)',
+  },
+] as const;
+
+export function TestLegend() {
+  const isHeat = twin.heat.value;
+  return (
+    <div class="legend">
+      <Choice
+        label="Colour by"
+        options={COLOURS}
+        value={isHeat ? 'deviation' : 'plain'}
+        onChange={(colour) => (twin.heat.value = colour === 'deviation')}
+      />
+      {isHeat && (
+        <Bar map="viridis" title="Deviation, % of diagonal" low="0" high={String(heatScale.value)} />
+      )}
+      <Toggle label="Wireframe" checked={view.wire.value} onChange={(wire) => (view.wire.value = wire)} />
+    </div>
+  );
+}

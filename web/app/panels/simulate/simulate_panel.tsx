@@ -1,0 +1,175 @@
+/** Step 4: what happens to both bodies, how finely it is computed, and how they are shown. */
+
+import { useId, useState } from 'preact/hooks';
+import { parseColliders } from '../../../engine/motion/colliders';
+import { OPTIONS } from '../../../engine/settings/options';
+import type { Settings } from '../../../engine/settings/options';
+import { heldNow, twin } from '../../state/simulation';
+import type { Held } from '../../state/simulation';
+import { changeSettings, results, shownMesh, wants } from '../../state/store';
+import { Choice, Section, Select, SettingRange, Toggle, count } from '../controls';
+
+const SCENARIOS: { value: Settings['scenario']; text: string; holds: string; motion: string }[] = [
+  { value: 'twist', text: 'Twist', holds: 'Both ends', motion: 'The upper end turns by 45 degrees.' },
+  { value: 'sway', text: 'Sway', holds: 'The lower end', motion: 'A blow strikes the upper end.' },
+  { value: 'hang', text: 'Hang', holds: 'The upper end', motion: 'Gravity pulls at the rest.' },
+  { value: 'drape', text: 'Drape', holds: '', motion: 'Falls onto a ball.' },
+  { value: 'drop', text: 'Drop', holds: '', motion: 'Falls to the floor.' },
+  {
+    value: 'pull',
+    text: 'Pull',
+    holds: 'Both ends',
+    motion: 'The upper end moves away by a fifth of the length.',
+  },
+  { value: 'wind', text: 'Wind', holds: 'The upper end', motion: 'Gusts of 8 m/s, and gravity.' },
+];
+
+/** What happens, and what is held for it. */
+function describeScenario(scenario: Settings['scenario']): string {
+  const { holds, motion } = SCENARIOS.find(({ value }) => value === scenario)!;
+  return heldNow.value === 'scenario' && holds ? `${motion} ${holds} held.` : motion;
+}
+
+const MATERIALS: { value: Settings['material']; text: string; title: string }[] = [
+  { value: 'shell', text: 'Shell', title: 'Membrane and bending: the same material on any mesh' },
+  { value: 'springs', text: 'Springs', title: 'The edges, as in the paper: another material on every mesh' },
+];
+
+const LAYOUTS = [
+  { value: 'beside', text: 'Side by side' },
+  { value: 'over', text: 'Overlaid' },
+] as const;
+
+export function TestPanel() {
+  const { scenario } = wants.settings.value;
+  return (
+    <>
+      <Section title="Scenario" hint={describeScenario(scenario)}>
+        <Select
+          label="Scenario"
+          title={OPTIONS.scenario.help}
+          options={SCENARIOS}
+          value={scenario}
+          onChange={(value) => changeSettings({ scenario: value as Settings['scenario'] })}
+        />
+        <HeldSelect />
+        <SettingRange name="substeps" />
+      </Section>
+      <Section title="View">
+        <Choice
+          label="Arrangement"
+          options={LAYOUTS}
+          value={twin.layout.value}
+          onChange={(layout) => (twin.layout.value = layout)}
+        />
+        <Toggle
+          label="Original driven by optimized"
+          checked={twin.driven.value}
+          onChange={(driven) => (twin.driven.value = driven)}
+        />
+      </Section>
+      <More />
+      <Waiting />
+    </>
+  );
+}
+
+function More() {
+  return (
+    <details class="more">
+      <summary>More</summary>
+      <div class="control">
+        <span title={OPTIONS.material.help}>{OPTIONS.material.label}</span>
+        <Choice
+          label={OPTIONS.material.label}
+          options={MATERIALS}
+          value={wants.settings.value.material}
+          onChange={(material) => changeSettings({ material })}
+        />
+      </div>
+      <SettingRange name="seconds" />
+      <SettingRange name="damping" />
+      <SettingRange name="friction" />
+      <CollidersText />
+      <Toggle
+        label={OPTIONS.calibrate.label}
+        title={OPTIONS.calibrate.help}
+        checked={wants.settings.value.calibrate}
+        onChange={(calibrate) => changeSettings({ calibrate })}
+      />
+      <Toggle
+        label={OPTIONS.selfCollision.label}
+        checked={wants.settings.value.selfCollision}
+        onChange={(selfCollision) => changeSettings({ selfCollision })}
+      />
+      <Toggle
+        label="Noise floor also in slow motion"
+        checked={twin.alwaysNoise.value}
+        onChange={(always) => (twin.alwaysNoise.value = always)}
+      />
+    </details>
+  );
+}
+
+function HeldSelect() {
+  const pins = results.pins.value?.vertices.length ?? 0;
+  const options: { value: Held; text: string }[] = [
+    { value: 'scenario', text: 'By scenario' },
+    { value: 'corners', text: 'Top corners' },
+  ];
+  if (pins > 0) options.push({ value: 'pins', text: `Pins (${count(pins)})` });
+  return (
+    <Select
+      label="Held in place"
+      title="Set once on the original and carried over to the optimized mesh. Pins are those of step 2."
+      options={options}
+      value={heldNow.value}
+      onChange={(held) => (twin.held.value = held as Held)}
+    />
+  );
+}
+
+/** A text that does not parse is refused with a sentence, and what was there stays. */
+function CollidersText() {
+  const id = useId();
+  const [refused, setRefused] = useState<{ text: string; why: string } | null>(null);
+  const take = (text: string) => {
+    const colliders = text.replaceAll(/\s/g, '');
+    try {
+      parseColliders(colliders);
+    } catch (error) {
+      setRefused({ text, why: (error as Error).message.replace(/^--colliders /, 'This ') });
+      return;
+    }
+    setRefused(null);
+    changeSettings({ colliders });
+  };
+  return (
+    <div class="control as-text">
+      <label for={id} title={OPTIONS.colliders.help}>
+        {OPTIONS.colliders.label}
+      </label>
+      <input
+        id={id}
+        type="text"
+        spellcheck={false}
+        autocomplete="off"
+        placeholder="ball:x,y,z,R"
+        aria-invalid={refused !== null}
+        aria-describedby={refused ? `${id}-refused` : undefined}
+        value={refused ? refused.text : wants.settings.value.colliders}
+        onChange={(event) => take(event.currentTarget.value)}
+      />
+      {refused && (
+        <p id={`${id}-refused`} class="hint bad" role="alert">
+          {refused.why}
+        </p>
+      )}
+    </div>
+  );
+}
+
+function Waiting() {
+  if (twin.numbers.value || twin.failure.value) return null;
+  return <p class="hint">{shownMesh.value ? 'Starting ...' : 'Waiting for the optimized mesh ...'}</p>;
+}

@@ -1,0 +1,56 @@
+/** How fast each body is stepped, how close they stay, and whether time keeps up. */
+
+import type { TwinFrame } from '../../worker/simulation_protocol';
+import { twin } from '../../state/simulation';
+import { wants } from '../../state/store';
+import { fixed, percent } from '../controls';
+import { Readout } from '../readout';
+
+/** Below this the motion is slower than life. */
+const REAL_TIME = 0.9;
+
+export function TestReadouts() {
+  const frame = twin.numbers.value;
+  const last = twin.samples.value.at(-1);
+  const noise = last?.noise ?? null;
+  return (
+    <dl class="readouts">
+      <Readout name="Time" value={frame ? `${fixed(frame.time, 2)} s` : '...'} note={describePace(frame)} />
+      <Cost name="Original" seconds={frame?.bodies.original.stepSeconds ?? 0} />
+      <Cost name="Optimized" seconds={frame?.bodies.optimized.stepSeconds ?? 0} />
+      <Readout name="Speed-up" value={speedUp(frame)} note="original / optimized" />
+      <Readout
+        name="Deviation"
+        value={last ? percent(last.mean) : '...'}
+        note={noise === null ? 'noise floor left out' : `noise floor ${percent(noise)}`}
+      />
+      <Readout
+        name="Stretch"
+        value={frame ? percent(frame.bodies.original.stretch) : '...'}
+        note={frame ? `optimized ${percent(frame.bodies.optimized.stretch)}` : ''}
+      />
+    </dl>
+  );
+}
+
+function describePace(frame: TwinFrame | null): string {
+  if (!(twin.playing.value || frame?.playing)) return 'paused';
+  if (!frame) return 'about to start';
+  return frame.pace < REAL_TIME ? `slow motion x${frame.pace.toPrecision(2)}` : 'real time';
+}
+
+function Cost({ name, seconds }: { name: string; seconds: number }) {
+  const perSubstep = (1e6 * seconds) / wants.settings.value.substeps;
+  return (
+    <Readout
+      name={`${name}, a step`}
+      value={seconds > 0 ? `${(1000 * seconds).toPrecision(3)} ms` : '...'}
+      note={seconds > 0 ? `${perSubstep.toPrecision(3)} µs/substep` : ''}
+    />
+  );
+}
+
+function speedUp(frame: TwinFrame | null): string {
+  const [original, optimized] = [frame?.bodies.original.stepSeconds, frame?.bodies.optimized.stepSeconds];
+  return original && optimized ? `x${(original / optimized).toPrecision(3)}` : '...';
+}

@@ -1,0 +1,108 @@
+/** What the keys do, away from text fields. */
+
+import { pickFiles } from './files';
+import { stageHandle } from './panels/stage_view';
+import { cancelRunning } from './state/runner';
+import { reset, stepOnce, twin } from './state/simulation';
+import { redo, undo } from './state/undo';
+import { isBrushing, isPicking, results, view, wantedFaces, wants } from './state/store';
+import { blink, LAYOUT_NAMES } from './panels/reduce/compare';
+import { BRUSH_RADIUS } from './panels/reduce/brush_section';
+
+const PLAIN: Record<string, () => void> = {
+  ' ': () => (view.playing.value = !view.playing.value),
+  f: () => stageHandle.current?.fit(),
+  w: () => (view.wire.value = !view.wire.value),
+  '1': () => (view.field.value = 'none'),
+  '2': () => (view.field.value = 'strain'),
+  '3': () => (view.field.value = 'curvature'),
+  b: blink,
+  v: () =>
+    (view.layout.value = LAYOUT_NAMES[(LAYOUT_NAMES.indexOf(view.layout.value) + 1) % LAYOUT_NAMES.length]),
+  arrowleft: () => stepFaces(-1),
+  arrowright: () => stepFaces(1),
+  escape: () => {
+    if (isPicking.value) view.picking.value = false;
+    else if (view.probe.value) view.probe.value = null;
+    else if (isBrushing.value) view.brush.value = { ...view.brush.value, tool: null };
+    else cancelRunning();
+  },
+  '[': () => sizeBrush(1 / 1.25),
+  ']': () => sizeBrush(1.25),
+  '?': () => (view.helpOpen.value = !view.helpOpen.value),
+};
+
+/** What differs while both bodies move. */
+const TEST: Record<string, () => void> = {
+  ' ': () => (twin.playing.value = !twin.playing.value),
+  '1': () => (twin.heat.value = false),
+  '2': () => (twin.heat.value = true),
+  v: () => (twin.layout.value = twin.layout.value === 'beside' ? 'over' : 'beside'),
+  d: () => (twin.driven.value = !twin.driven.value),
+  arrowright: stepOnce,
+  home: reset,
+};
+
+const plainAction = (key: string): (() => void) | undefined =>
+  (view.step.value === 'test' ? TEST[key] : undefined) ?? PLAIN[key];
+
+const WITH_CONTROL: Record<string, () => void> = {
+  z: undo,
+  y: redo,
+  o: () => void pickFiles(),
+  e: () => {
+    if (results.mesh.value) wants.exportOpen.value = !wants.exportOpen.value;
+  },
+};
+
+/** One collapse takes one face at a border and two inside: a step of two faces always shows. */
+function stepFaces(direction: number): void {
+  const history = results.history.value;
+  if (!history || view.step.value !== 'reduce') return;
+  const shown = (results.mesh.value?.mesh.triangles.length ?? 0) / 3 || wantedFaces.value;
+  wants.faces.value = Math.min(history.faces, Math.max(history.floorFaces, shown + 2 * direction));
+}
+
+function sizeBrush(factor: number): void {
+  const { value: brush } = view.brush;
+  if (isBrushing.value)
+    view.brush.value = {
+      ...brush,
+      radius: Math.min(BRUSH_RADIUS.max, Math.max(BRUSH_RADIUS.min, brush.radius * factor)),
+    };
+}
+
+function isTyping(target: EventTarget | null): boolean {
+  if (target instanceof HTMLSelectElement) return true;
+  return target instanceof HTMLInputElement && !['checkbox', 'range'].includes(target.type);
+}
+
+/** Sliders move by these keys themselves. */
+const isSliderKey = ({ target, key }: KeyboardEvent): boolean =>
+  target instanceof HTMLInputElement && target.type === 'range' && /^(Arrow|Home|End|Page)/.test(key);
+
+/** Of what is written in it. */
+const hasOwnUndo = (target: EventTarget | null): boolean =>
+  target instanceof HTMLInputElement && target.type === 'text';
+
+export function listenToKeys(): void {
+  addEventListener('keydown', (event) => {
+    const key = event.key.toLowerCase();
+    const hasControl = event.ctrlKey || event.metaKey;
+    const withControl = event.shiftKey && key === 'z' ? redo : WITH_CONTROL[key];
+    const action = hasControl ? withControl : plainAction(key);
+    if (!action || event.altKey) return;
+    if (isSliderKey(event)) return;
+    const isOwn = hasControl ? hasOwnUndo(event.target) && 'zy'.includes(key) : isTyping(event.target);
+    if (isOwn && key !== 'escape') return;
+    // Space and Enter on a button press it; that of the step which is shown has nothing to do.
+    if (
+      key === ' ' &&
+      event.target instanceof HTMLElement &&
+      event.target.closest('button:not([aria-current]), summary, input, select')
+    )
+      return;
+    event.preventDefault();
+    action();
+  });
+}

@@ -1,0 +1,66 @@
+/** The state of a body in plain words, for the health list of the page and the notes of the command line. */
+
+import type { Inspection, WeldResult } from '../core/core';
+import { counted } from '../core/words';
+import type { Body } from '../document/model';
+
+export interface HealthNote {
+  /** `fact`: good to know; `repaired`: something was set right or set aside; `limit`: it keeps something from working */
+  kind: 'fact' | 'repaired' | 'limit';
+  text: string;
+}
+
+/** `inspection` is of the usable part: an edge that only duplicate faces share is no limit. */
+export function describeHealth(body: Body, weld: WeldResult, inspection: Inspection): HealthNote[] {
+  const { weldedVertices, degenerateFaces, duplicateFaces, flippedFaces } = weld;
+  const notes: HealthNote[] = body.notes.map((text) => ({ kind: 'repaired', text }));
+  const add = (kind: HealthNote['kind'], count: number, text: string) => {
+    if (count > 0) notes.push({ kind, text });
+  };
+  const seams = counted(weldedVertices, 'seam vertex', 'seam vertices');
+  add('repaired', weldedVertices, `${seams} welded`);
+  add('repaired', degenerateFaces, `${counted(degenerateFaces, 'face')} with a repeated vertex set aside`);
+  add('repaired', duplicateFaces, `${counted(duplicateFaces, 'duplicate face')} set aside`);
+  const neighbours = flippedFaces === 1 ? 'its neighbours' : 'their neighbours';
+  add('repaired', flippedFaces, `${counted(flippedFaces, 'face')} turned to agree with ${neighbours}`);
+  const { nonManifoldEdges, nonManifoldVertices, components, boundaryLoops, orientationClashes } = inspection;
+  add(
+    'limit',
+    nonManifoldEdges,
+    `${counted(nonManifoldEdges, 'edge')} shared by more than two faces, locked`,
+  );
+  add(
+    'limit',
+    nonManifoldVertices,
+    `${counted(nonManifoldVertices, 'vertex', 'vertices')} where surfaces only touch, locked`,
+  );
+  const clashes = counted(orientationClashes, 'edge');
+  if (flippedFaces === 0)
+    add('limit', orientationClashes, `${clashes} between faces that look to opposite sides`);
+  if (components > 1) add('fact', components, counted(components, 'part'));
+  add('fact', boundaryLoops, `${counted(boundaryLoops, 'open border')}`);
+  return notes;
+}
+
+/** What to think of the body's size in metres where it is unlikely; '' otherwise. Frequencies depend on it. */
+export function describeSize(metres: number): string {
+  if (metres >= 0.001 && metres <= 1000) return '';
+  const size = metres < 1 ? `${(1000 * metres).toPrecision(2)} mm` : `${(metres / 1000).toPrecision(2)} km`;
+  return `the body is ${size} across: set --unit if the file is not in metres`;
+}
+
+/** Residuals above this are worth a word. */
+const GOOD_RESIDUAL = 1e-7;
+
+/** What to say of how modes were found, a clause each: a coarse copy, or large residuals. */
+export function describeSolve(modes: { residual: number }[], coarseVertices: number): string[] {
+  if (coarseVertices > 0)
+    return [
+      `the modes come from a copy with ${counted(coarseVertices, 'vertex', 'vertices')} (--exact solves the mesh itself)`,
+    ];
+  const worst = modes.reduce((largest, { residual }) => Math.max(largest, residual), 0);
+  if (worst <= GOOD_RESIDUAL) return [];
+  return [
+    `the largest residual of the modes is ${worst.toExponential(1)}: needle triangles leave their last digits to rounding`,
+  ];
+}

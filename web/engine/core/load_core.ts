@@ -1,0 +1,106 @@
+/** Loads the WebAssembly core, in Node, a browser's worker or its page, and gives it its typed face. */
+
+import { PHASES } from './core';
+import type { Core, CoreOptions, Progress } from './core';
+
+/** More threads than this have not been found to help. */
+const MOST_THREADS = 8;
+
+type Observer = (phase: number, fraction: number) => void;
+type CoreFunctions = Omit<Core, 'threads' | 'job' | 'peakHeapBytes'>;
+
+/** What the module of wasm/bind/bindings.cpp and its companions exports. */
+interface CoreModule extends CoreFunctions {
+  wasmMemory: WebAssembly.Memory;
+  jobAddress(): number;
+  resetJob(observer: Observer | null): void;
+  setThreadCount(count: number): void;
+  peakHeapBytes(): number;
+}
+
+type CreateModule = (options: {
+  threadCount: number;
+  locateFile(name: string): string;
+}) => Promise<CoreModule>;
+
+const FUNCTIONS: readonly (keyof CoreFunctions)[] = [
+  'weld',
+  'inspect',
+  'findModes',
+  'strainGuidance',
+  'meanCurvature',
+  'simplify',
+  'meshAt',
+  'fitModes',
+  'findMirrorImages',
+  'whyKept',
+  'sourceOfCorners',
+  'bindToResult',
+  'measureQuality',
+  'measureSurfaceDistance',
+  'compareFidelity',
+  'shellModes',
+  'frequencyErrors',
+  'calibrationFactor',
+  'compareMotion',
+  'scenarioSurroundings',
+  'startSimulation',
+  'stepSimulations',
+  'simulationPositions',
+  'simulationPins',
+  'simulationSeconds',
+  'dragSimulation',
+  'releaseSimulation',
+  'endSimulation',
+];
+
+/**
+ * Loads the build that fits: with threads where memory can be shared and more than one is wanted. The choice is made
+ * before the import, for the threaded module cannot even start without shared memory.
+ */
+export async function loadCore(options: CoreOptions): Promise<Core> {
+  const wanted = options.threads === 0 ? Math.min(coreCount(), MOST_THREADS) : options.threads;
+  const canShare = typeof SharedArrayBuffer !== 'undefined';
+  const threads = canShare ? wanted : 1;
+  const name = threads > 1 ? 'limber-threads' : 'limber-single';
+  const address = new URL(`${name}.mjs`, options.wasmFolder).href;
+  const { default: createModule } = (await import(/* @vite-ignore */ address)) as { default: CreateModule };
+  const locateFile = (file: string): string => new URL(file, options.wasmFolder).href;
+  const module = await createModule({ threadCount: threads, locateFile });
+  module.setThreadCount(threads);
+  return wrapModule(module, threads, options.onProgress);
+}
+
+function wrapModule(module: CoreModule, threads: number, onProgress?: (progress: Progress) => void): Core {
+  const observer: Observer | null = onProgress
+    ? (phase, fraction) => onProgress({ phase: PHASES[phase], fraction })
+    : null;
+  const wrapped = FUNCTIONS.map((name) => [name, callOf(module, name, observer)]);
+  const job = threads > 1 ? new Int32Array(module.wasmMemory.buffer, module.jobAddress(), 4) : null;
+  return {
+    ...(Object.fromEntries(wrapped) as CoreFunctions),
+    threads,
+    job,
+    peakHeapBytes: () => module.peakHeapBytes(),
+  };
+}
+
+/** The one place where an exception of the core, which arrives as a returned Error, is thrown. */
+function callOf(module: CoreModule, name: keyof CoreFunctions, observer: Observer | null) {
+  const inner = module[name] as (...values: unknown[]) => unknown;
+  return (...values: unknown[]): unknown => {
+    module.resetJob(observer);
+    const result = inner(...values);
+    if (Object.prototype.toString.call(result) === '[object Error]') throw result;
+    return result;
+  };
+}
+
+/** Logical cores. Node 20 has no navigator. */
+function coreCount(): number {
+  const { navigator, process } = globalThis as {
+    navigator?: { hardwareConcurrency?: number };
+    process?: { getBuiltinModule?(name: string): { availableParallelism(): number } };
+  };
+  return navigator?.hardwareConcurrency ?? process?.getBuiltinModule?.('node:os').availableParallelism() ?? 1;
+}

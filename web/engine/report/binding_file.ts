@@ -1,0 +1,117 @@
+/** The binding of original vertices to optimized meshes, as a file for other programs and later commands. */
+
+import type { Binding } from '../core/core';
+import { NONE } from '../core/core';
+import type { PreparedBody } from '../stages/pipeline';
+import { VERSION } from '../core/version';
+
+export const BINDING_SCHEMA = 'limber-binding/1';
+
+/** One body's vertices, numbered as they are read from the original file, on the triangles of its optimized mesh. */
+export interface BodyBinding {
+  name: string;
+  /** the mesh's number in both files */
+  mesh: number;
+  /** triangles of the optimized mesh */
+  faces: number;
+  /** per vertex of the body; NONE where no usable face needs the vertex */
+  binding: Binding;
+}
+
+/** What the file says of a body; arrays are the bytes of little-endian numbers in base64. */
+interface BodyEntry {
+  name: string;
+  mesh: number;
+  vertices: number;
+  faces: number;
+  triangle: string;
+  barycentric: string;
+  offset: string;
+}
+
+/** A binding of welded vertices in terms of the body's own. */
+export function bindingOfBody(
+  { body, weld }: PreparedBody,
+  faces: number,
+  { triangle, barycentric, offset }: Binding,
+): BodyBinding {
+  const { vertexOfSource } = weld;
+  const binding: Binding = {
+    triangle: vertexOfSource.map((v) => (v === NONE ? NONE : triangle[v])),
+    barycentric: new Float32Array(3 * vertexOfSource.length),
+    offset: new Float32Array(vertexOfSource.length),
+  };
+  vertexOfSource.forEach((v, source) => {
+    if (v === NONE) return;
+    binding.barycentric.set(barycentric.subarray(3 * v, 3 * v + 3), 3 * source);
+    binding.offset[source] = offset[v];
+  });
+  return { name: body.name, mesh: body.mesh, faces, binding };
+}
+
+export function writeBinding(bodies: BodyBinding[]): string {
+  const entries = bodies.map(({ name, mesh, faces, binding }): BodyEntry => ({
+    name,
+    mesh,
+    vertices: binding.triangle.length,
+    faces,
+    triangle: encode(binding.triangle),
+    barycentric: encode(binding.barycentric),
+    offset: encode(binding.offset),
+  }));
+  return `${JSON.stringify({ schema: BINDING_SCHEMA, version: VERSION, bodies: entries }, null, 1)}\n`;
+}
+
+/** Throws an Error with one sentence where `text`, the content of `name`, is no sound binding. */
+export function readBinding(name: string, text: string): BodyBinding[] {
+  const fail = (problem: string): never => {
+    throw new Error(`${name} ${problem}: write it again with limber optimize --bind.`);
+  };
+  const { schema, bodies } = parse(text) ?? fail('is not JSON');
+  if (schema !== BINDING_SCHEMA || !Array.isArray(bodies)) return fail(`is not a ${BINDING_SCHEMA}`);
+  return (bodies as BodyEntry[]).map((entry) => {
+    const { vertices, faces, mesh } = entry;
+    const binding: Binding = {
+      triangle: new Uint32Array(decode(entry.triangle)),
+      barycentric: new Float32Array(decode(entry.barycentric)),
+      offset: new Float32Array(decode(entry.offset)),
+    };
+    const lengths = [binding.triangle.length, binding.barycentric.length / 3, binding.offset.length];
+    if (lengths.some((length) => length !== vertices)) fail(`has damaged arrays for "${entry.name}"`);
+    if (binding.triangle.some((triangle) => triangle !== NONE && triangle >= faces))
+      fail(`names a triangle that "${entry.name}" does not have`);
+    return { name: entry.name, mesh, faces, binding };
+  });
+}
+
+/** null where it is not an object in JSON. */
+function parse(text: string): { schema?: unknown; bodies?: unknown } | null {
+  try {
+    const value = JSON.parse(text) as unknown;
+    return typeof value === 'object' ? value : null;
+  } catch {
+    return null;
+  }
+}
+
+/** Little-endian, as every machine is that runs JavaScript engines today. */
+function encode({ buffer, byteOffset, byteLength }: Uint32Array | Float32Array): string {
+  const bytes = new Uint8Array(buffer, byteOffset, byteLength);
+  let letters = '';
+  // Arguments of one call are limited.
+  for (let at = 0; at < bytes.length; at += 8192)
+    letters += String.fromCharCode(...bytes.subarray(at, at + 8192));
+  return btoa(letters);
+}
+
+/** No bytes where `text` is not base64 of whole 32-bit numbers. */
+function decode(text: unknown): ArrayBuffer {
+  let letters = '';
+  try {
+    letters = atob(String(text));
+  } catch {
+    return new ArrayBuffer(0);
+  }
+  if (letters.length % 4 !== 0) return new ArrayBuffer(0);
+  return Uint8Array.from(letters, (letter) => letter.charCodeAt(0)).buffer;
+}

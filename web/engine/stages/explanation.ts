@@ -1,0 +1,61 @@
+/** Why a vertex of the optimized mesh is still there, in words and shares. */
+
+import { VERDICTS } from '../core/core';
+import type { WhyKept } from '../core/core';
+
+export interface Reason {
+  text: string;
+  /** of the whole cost, in [0, 1] */
+  share: number;
+}
+
+export interface Explanation {
+  sentence: string;
+  /** of its cheapest collapse, largest first */
+  reasons: Reason[];
+  /** what keep weights multiply the cost by; 1: nothing */
+  keep: number;
+}
+
+const TERMS = [
+  ['error', 'the surface would move'],
+  ['strain', 'it bends here'],
+  ['curvature', 'it is curved here'],
+  ['quality', 'triangles would get thinner'],
+  ['size', 'triangles would get larger'],
+] as const;
+
+const REFUSALS: Record<(typeof VERDICTS)[number], string> = {
+  legal: '',
+  lock: 'a lock, a border or a pin holds it',
+  topology: 'the topology would change',
+  flip: 'a face would flip',
+  angle: 'an angle would get too small',
+  deviation: 'the surface would go too far',
+};
+
+export function explain(why: WhyKept, vertex: number): Explanation {
+  const verdict = VERDICTS[why.verdict[vertex]];
+  const sum = TERMS.reduce((total, [key]) => total + why[key][vertex], 0);
+  const reasons = TERMS.map(([key, text]) => ({ text, share: sum > 0 ? why[key][vertex] / sum : 0 }))
+    .filter(({ share }) => share >= 0.005)
+    .sort((a, b) => b.share - a.share);
+  const sentence =
+    verdict === 'legal'
+      ? `${Math.round(100 * shareOfCheaper(why, vertex))} % of the vertices go before it.`
+      : `It cannot go: ${REFUSALS[verdict]}.`;
+  return { sentence, reasons, keep: why.keep[vertex] };
+}
+
+/** How much of the vertices that can go is cheaper. */
+function shareOfCheaper(why: WhyKept, vertex: number): number {
+  const costOf = (v: number) => TERMS.reduce((total, [key]) => total + why[key][v], 0) * why.keep[v];
+  const own = costOf(vertex);
+  let [cheaper, legal] = [0, 0];
+  why.verdict.forEach((verdict, v) => {
+    if (VERDICTS[verdict] !== 'legal') return;
+    legal += 1;
+    if (costOf(v) < own) cheaper += 1;
+  });
+  return legal > 0 ? cheaper / legal : 0;
+}
