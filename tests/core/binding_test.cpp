@@ -1,5 +1,3 @@
-#include "transfer/bind_meshes.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "reduced.h"
 #include "shapes.h"
 #include "surfaces.h"
+#include "transfer/bind_meshes.h"
 
 namespace limber {
 namespace {

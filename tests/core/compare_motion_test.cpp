@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "simulate/running_scenario.h"
 #include "shapes.h"
+#include "simulate/running_scenario.h"
 
 namespace limber {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
-#include "mesh/topology.h"
 #include "elastic/part_modes.h"
+#include "mesh/topology.h"
 #include "modes/coarse_part.h"
 #include "shapes.h"
 

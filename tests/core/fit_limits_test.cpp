@@ -6,12 +6,12 @@
 #include <numeric>
 
 #include "base/parallel.h"
-#include "mesh/quality.h"
 #include "compare/surface_distance.h"
 #include "fit/delaunay_flips.h"
 #include "fit/deviation_guard.h"
 #include "fit/guarded_step.h"
 #include "fit/modal_fit.h"
+#include "mesh/quality.h"
 #include "shapes.h"
 #include "simplify/simplify.h"
 #include "surfaces.h"

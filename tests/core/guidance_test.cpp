@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "mesh/topology.h"
 #include "elastic/modes.h"
+#include "mesh/topology.h"
 #include "shapes.h"
 
 namespace limber {

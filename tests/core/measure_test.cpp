@@ -4,10 +4,10 @@
 #include <random>
 
 #include "base/parallel.h"
-#include "query/closest_point.h"
-#include "mesh/quality.h"
 #include "compare/surface_distance.h"
+#include "mesh/quality.h"
 #include "mesh/surface_samples.h"
+#include "query/closest_point.h"
 #include "shapes.h"
 
 namespace limber {

@@ -2,13 +2,13 @@
 
 #include <numeric>
 
+#include "compare/fidelity.h"
+#include "fit/modal_fit.h"
 #include "mesh/topology.h"
 #include "mirrored.h"
-#include "compare/fidelity.h"
-#include "simplify/mirror_images.h"
-#include "fit/modal_fit.h"
 #include "same_topology.h"
 #include "simplify/mirror.h"
+#include "simplify/mirror_images.h"
 #include "simplify/simplify.h"
 
 namespace limber {

@@ -6,10 +6,10 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
-#include "mesh/quality.h"
+#include "compare/fidelity.h"
 #include "compare/surface_distance.h"
 #include "mesh/inspect.h"
-#include "compare/fidelity.h"
+#include "mesh/quality.h"
 #include "modes/find_modes.h"
 #include "shapes.h"
 #include "simplify/simplify.h"

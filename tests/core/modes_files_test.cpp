@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "mesh/weld.h"
 #include "elastic/modes.h"
+#include "mesh/weld.h"
 #include "shared_meshes.h"
 
 namespace limber {

@@ -4,11 +4,11 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "mesh/topology.h"
 #include "elastic/mode_character.h"
 #include "elastic/modes.h"
 #include "elastic/pinned_patch.h"
 #include "elastic/pins.h"
+#include "mesh/topology.h"
 #include "shapes.h"
 
 namespace limber {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "linear/eigensolver.h"
 #include "elastic/solid/solid.h"
+#include "linear/eigensolver.h"
 #include "shapes.h"
 #include "surfaces.h"
 

@@ -8,12 +8,12 @@
 #include <thread>
 
 #include "base/parallel.h"
+#include "elastic/modes.h"
+#include "elastic/shell.h"
 #include "linear/eigensolver.h"
 #include "linear/factorisation.h"
 #include "linear/ordering/front_tree.h"
-#include "elastic/modes.h"
 #include "linear/ordering/ordering.h"
-#include "elastic/shell.h"
 #include "shapes.h"
 
 namespace limber {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "linear/eigensolver.h"
 #include "elastic/shell.h"
+#include "linear/eigensolver.h"
 #include "shapes.h"
 
 namespace limber {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "transfer/shape_transfer.h"
 #include "shapes.h"
+#include "transfer/shape_transfer.h"
 
 namespace limber {
 namespace {

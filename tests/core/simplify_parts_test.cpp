@@ -5,10 +5,10 @@
 #include <set>
 #include <span>
 
+#include "query/kd_tree.h"
 #include "simplify/collapse_mesh.h"
 #include "simplify/cost.h"
 #include "simplify/edge_queue.h"
-#include "query/kd_tree.h"
 #include "simplify/quadric.h"
 #include "surfaces.h"
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mesh/quality.h"
 #include "compare/surface_distance.h"
 #include "mesh/inspect.h"
+#include "mesh/quality.h"
 #include "simplify/simplify.h"
 #include "surfaces.h"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "shapes.h"
-#include "simulate/constraints/bending_rest.h"
 #include "simulate/blocks.h"
+#include "simulate/constraints/bending_rest.h"
 
 namespace limber {
 namespace {

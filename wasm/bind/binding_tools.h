@@ -1,8 +1,8 @@
 #pragma once
 
-// What the bindings share: plain objects of web/engine/core/core.ts in, plain objects out. Typed arrays are copied
-// at the edge. A C++ exception is returned as an Error object, which web/engine/core/load_core.ts throws: so no
-// destructor on the C++ stack is skipped.
+// What the bindings share: plain objects of web/engine/core/core.ts in, plain objects out. Typed arrays are
+// copied at the edge. A C++ exception is returned as an Error object, which web/engine/core/load_core.ts
+// throws: so no destructor on the C++ stack is skipped.
 
 #include <emscripten/bind.h>
 #include <emscripten/val.h>

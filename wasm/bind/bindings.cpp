@@ -1,5 +1,5 @@
-// The functions of web/engine/core/core.ts; bindings_simulation.cpp has those of a running simulation. No other
-// file knows both C++ and JavaScript.
+// The functions of web/engine/core/core.ts; bindings_simulation.cpp has those of a running simulation. No
+// other file knows both C++ and JavaScript.
 
 #include <emscripten/bind.h>
 #include <emscripten/heap.h>
@@ -14,22 +14,22 @@
 #include "base/job.h"
 #include "base/parallel.h"
 #include "bind/binding_tools.h"
-#include "fields/curvature.h"
-#include "mesh/quality.h"
+#include "compare/fidelity.h"
 #include "compare/surface_distance.h"
+#include "fields/curvature.h"
+#include "fields/guidance.h"
+#include "fit/modal_fit.h"
 #include "mesh/inspect.h"
+#include "mesh/quality.h"
 #include "mesh/topology.h"
 #include "mesh/weld.h"
-#include "transfer/bind_meshes.h"
-#include "transfer/corner_sources.h"
-#include "compare/fidelity.h"
 #include "modes/find_modes.h"
-#include "fields/guidance.h"
-#include "simplify/mirror_images.h"
-#include "fit/modal_fit.h"
 #include "simplify/history.h"
+#include "simplify/mirror_images.h"
 #include "simplify/simplify.h"
 #include "simplify/why_kept.h"
+#include "transfer/bind_meshes.h"
+#include "transfer/corner_sources.h"
 
 namespace limber {
 namespace {

@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "bind/binding_tools.h"
-#include "transfer/carry_pins.h"
 #include "compare/compare_motion.h"
 #include "simulate/running_scenario.h"
+#include "transfer/carry_pins.h"
 
 namespace limber {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "query/closest_point.h"
 #include "mesh/surface_samples.h"
-#include "transfer/carry_pins.h"
+#include "query/closest_point.h"
 #include "simulate/running_scenario.h"
+#include "transfer/carry_pins.h"
 
 namespace limber {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mesh/topology.h"
 #include "compare/assignment.h"
+#include "mesh/topology.h"
 #include "transfer/shape_transfer.h"
 
 namespace limber {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "base/job.h"
-#include "mesh/triangle_mesh.h"
 #include "elastic/modes.h"
+#include "mesh/triangle_mesh.h"
 
 namespace limber {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "query/closest_point.h"
 #include "mesh/surface_samples.h"
+#include "query/closest_point.h"
 
 namespace limber {
 

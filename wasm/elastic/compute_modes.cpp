@@ -2,10 +2,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mesh/topology.h"
 #include "elastic/mode_character.h"
 #include "elastic/modes.h"
 #include "elastic/part_modes.h"
+#include "mesh/topology.h"
 
 namespace limber {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesh/topology.h"
 #include "linear/stiffness_model.h"
+#include "mesh/topology.h"
 
 namespace limber {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/topology.h"
 #include "mesh/eigen_vec3.h"
-#include "mesh/vertex_areas.h"
 #include "mesh/principal_axes.h"
+#include "mesh/topology.h"
+#include "mesh/vertex_areas.h"
 
 namespace limber {
 

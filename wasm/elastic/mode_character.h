@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "mesh/triangle_mesh.h"
 #include "elastic/modes.h"
+#include "mesh/triangle_mesh.h"
 
 namespace limber {
 

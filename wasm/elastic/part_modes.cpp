@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "base/memory.h"
-#include "linear/eigensolver.h"
 #include "elastic/laplacian.h"
 #include "elastic/pinned_patch.h"
 #include "elastic/pins.h"
-#include "mesh/principal_axes.h"
 #include "elastic/shell.h"
 #include "elastic/solid/solid.h"
+#include "linear/eigensolver.h"
+#include "mesh/principal_axes.h"
 
 namespace limber {
 

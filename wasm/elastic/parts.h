@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh/topology.h"
 #include "elastic/modes.h"
+#include "mesh/topology.h"
 
 namespace limber {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/topology.h"
 #include "linear/stiffness_model.h"
+#include "mesh/topology.h"
 
 namespace limber {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "linear/eigensolver.h"
 #include "elastic/pins.h"
 #include "elastic/shell.h"
+#include "linear/eigensolver.h"
 
 namespace limber {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/job.h"
-#include "mesh/topology.h"
 #include "linear/factor_structure.h"
 #include "linear/stiffness_model.h"
+#include "mesh/topology.h"
 
 namespace limber {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "mesh/quality.h"
 #include "mesh/edge_flip.h"
+#include "mesh/quality.h"
 #include "mesh/topology.h"
 
 namespace limber {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "query/closest_point.h"
 #include "mesh/triangle_mesh.h"
+#include "query/closest_point.h"
 
 namespace limber {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "mesh/topology.h"
 #include "elastic/pins.h"
+#include "mesh/topology.h"
 
 namespace limber {
 

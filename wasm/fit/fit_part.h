@@ -5,13 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "mesh/triangle_mesh.h"
-#include "transfer/chart_sides.h"
-#include "modes/find_modes.h"
 #include "fit/flat_regions.h"
 #include "fit/result_mirror.h"
 #include "fit/surface_fit.h"
+#include "mesh/triangle_mesh.h"
+#include "modes/find_modes.h"
 #include "simplify/history.h"
+#include "transfer/chart_sides.h"
 
 namespace limber {
 

@@ -1,7 +1,7 @@
 #include "fit/fit_solver.h"
 
-#include "linear/factorisation.h"
 #include "elastic/pins.h"
+#include "linear/factorisation.h"
 
 namespace limber {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/job.h"
+#include "fit/surface_fit.h"
 #include "linear/factor_structure.h"
 #include "linear/stiffness_model.h"
-#include "fit/surface_fit.h"
 
 namespace limber {
 

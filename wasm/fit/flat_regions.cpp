@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "query/closest_point.h"
-#include "mesh/manifold.h"
 #include "mesh/eigen_vec3.h"
+#include "mesh/manifold.h"
+#include "query/closest_point.h"
 
 namespace limber {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "mesh/triangle_mesh.h"
 #include "fit/deviation_guard.h"
 #include "fit/reach.h"
+#include "mesh/triangle_mesh.h"
 
 namespace limber {
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/memory.h"
-#include "mesh/quality.h"
 #include "fit/delaunay_flips.h"
 #include "fit/deviation_guard.h"
 #include "fit/fit_part.h"
@@ -17,6 +16,7 @@
 #include "fit/modal_search.h"
 #include "fit/modal_target.h"
 #include "fit/result_mirror.h"
+#include "mesh/quality.h"
 
 namespace limber {
 

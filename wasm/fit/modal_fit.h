@@ -4,8 +4,8 @@
 #include <span>
 
 #include "base/job.h"
-#include "mesh/triangle_mesh.h"
 #include "mesh/charts.h"
+#include "mesh/triangle_mesh.h"
 #include "modes/find_modes.h"
 #include "simplify/history.h"
 

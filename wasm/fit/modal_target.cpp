@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "linear/dense/dense_product.h"
 #include "compare/assignment.h"
+#include "linear/dense/dense_product.h"
 #include "modes/coarse_vibration.h"
 #include "modes/find_modes.h"
 #include "transfer/shape_transfer.h"

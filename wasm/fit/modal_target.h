@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/job.h"
-#include "query/closest_point.h"
 #include "elastic/shell_sensitivity.h"
-#include "transfer/shape_transfer.h"
 #include "elastic/shell_vibration.h"
+#include "query/closest_point.h"
+#include "transfer/shape_transfer.h"
 
 namespace limber {
 

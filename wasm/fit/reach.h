@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "query/closest_point.h"
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
+#include "query/closest_point.h"
 
 namespace limber {
 

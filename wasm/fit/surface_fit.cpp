@@ -6,9 +6,9 @@
 #include <numeric>
 
 #include "base/parallel.h"
-#include "query/closest_point.h"
-#include "mesh/eigen_vec3.h"
 #include "linear/element_assembly.h"
+#include "mesh/eigen_vec3.h"
+#include "query/closest_point.h"
 
 namespace limber {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "query/closest_point.h"
-#include "mesh/topology.h"
 #include "mesh/eigen_vec3.h"
+#include "mesh/topology.h"
+#include "query/closest_point.h"
 #include "simplify/simplify.h"
 
 namespace limber {

@@ -4,9 +4,9 @@
 #include <span>
 
 #include "base/job.h"
-#include "mesh/triangle_mesh.h"
 #include "elastic/shell_sensitivity.h"
 #include "elastic/shell_vibration.h"
+#include "mesh/triangle_mesh.h"
 
 namespace limber {
 

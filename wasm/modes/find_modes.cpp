@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "mesh/topology.h"
 #include "elastic/part_modes.h"
+#include "mesh/topology.h"
 #include "modes/coarse_part.h"
 
 namespace limber {

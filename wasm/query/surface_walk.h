@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "query/closest_point.h"
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
+#include "query/closest_point.h"
 
 namespace limber {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "query/kd_tree.h"
 #include "simplify/attribute_quadrics.h"
 #include "simplify/collapse_mesh.h"
-#include "query/kd_tree.h"
 #include "simplify/quadric.h"
 #include "simplify/simplify.h"
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "simplify/collapse_mesh.h"
 #include "query/kd_tree.h"
+#include "simplify/collapse_mesh.h"
 
 namespace limber {
 

@@ -4,9 +4,9 @@
 
 #include "base/parallel.h"
 #include "mesh/principal_axes.h"
-#include "simplify/mirror_splits.h"
 #include "query/kd_tree.h"
 #include "simplify/mirror.h"
+#include "simplify/mirror_splits.h"
 
 namespace limber {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/triangle_mesh.h"
 #include "mesh/charts.h"
+#include "mesh/triangle_mesh.h"
 #include "simplify/mirror.h"
 
 namespace limber {

@@ -4,18 +4,18 @@
 #include <vector>
 
 #include "mesh/topology.h"
-#include "simulate/constraints/bending_constraints.h"
 #include "simulate/blocks.h"
-#include "simulate/contacts/contacts.h"
+#include "simulate/constraints/bending_constraints.h"
 #include "simulate/constraints/edge_constraints.h"
 #include "simulate/constraints/membrane_constraints.h"
-#include "simulate/particles.h"
 #include "simulate/constraints/point_constraints.h"
-#include "simulate/schedule.h"
-#include "simulate/contacts/self_contacts.h"
-#include "simulate/simulation.h"
-#include "simulate/contacts/triangle_contacts.h"
 #include "simulate/constraints/volume_constraints.h"
+#include "simulate/contacts/contacts.h"
+#include "simulate/contacts/self_contacts.h"
+#include "simulate/contacts/triangle_contacts.h"
+#include "simulate/particles.h"
+#include "simulate/schedule.h"
+#include "simulate/simulation.h"
 
 namespace limber {
 

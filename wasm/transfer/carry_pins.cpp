@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "query/closest_point.h"
 #include "mesh/topology.h"
+#include "query/closest_point.h"
 #include "query/surface_walk.h"
 
 namespace limber {

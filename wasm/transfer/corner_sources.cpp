@@ -7,8 +7,8 @@
 
 #include "base/parallel.h"
 #include "mesh/topology.h"
-#include "transfer/chart_sides.h"
 #include "query/surface_walk.h"
+#include "transfer/chart_sides.h"
 
 namespace limber {
 namespace {

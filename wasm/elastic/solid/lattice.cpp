@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "mesh/topology.h"
 #include "elastic/solid/lattice_pieces.h"
 #include "elastic/solid/lattice_slivers.h"
+#include "mesh/topology.h"
 
 namespace limber {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "linear/element_assembly.h"
 #include "elastic/solid/lattice.h"
 #include "elastic/solid/lattice_mass.h"
+#include "linear/element_assembly.h"
 
 namespace limber {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/job.h"
-#include "mesh/triangle_mesh.h"
 #include "linear/stiffness_model.h"
+#include "mesh/triangle_mesh.h"
 
 namespace limber {
 

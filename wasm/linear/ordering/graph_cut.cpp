@@ -10,19 +10,19 @@ namespace {
 constexpr double kImbalance = 0.5;     // how much unequal halves count
 constexpr double kSmallestHalf = 0.4;  // of both: a smaller one is all but refused
 
-double cost(int64_t left, int64_t right, int64_t between) {
+}  // namespace
+
+double cutCost(int64_t left, int64_t right, int64_t between) {
   const auto smaller = static_cast<double>(std::min(left, right)), both = static_cast<double>(left + right);
   if (smaller == 0) return HUGE_VAL;
   const double lacking = std::max(0.0, kSmallestHalf * both - smaller);
   return static_cast<double>(between) * (1 + kImbalance * (1 - 2 * smaller / both)) + 2 * lacking;
 }
 
-}  // namespace
-
 double separatorCost(const NodeGraph& graph, const Sides& sides) {
   int64_t weight[3] = {};
   for (uint32_t i = 0; i < graph.nodeCount(); ++i) weight[sides[i]] += graph.weight[i];
-  return cost(weight[Left], weight[Right], weight[Between]);
+  return cutCost(weight[Left], weight[Right], weight[Between]);
 }
 
 }  // namespace limber

@@ -55,8 +55,8 @@ Sides cutBetweenRanks(const NodeGraph& graph, const std::vector<uint32_t>& rank)
   uint32_t cut = 1;
   bool isLeftRim = true;
   for (uint32_t c = 1; c < count; ++c) {
-    const double left = cost(below[c] - leftRim[c], total - below[c], leftRim[c]);
-    const double right = cost(below[c], total - below[c] - rightRim[c], rightRim[c]);
+    const double left = cutCost(below[c] - leftRim[c], total - below[c], leftRim[c]);
+    const double right = cutCost(below[c], total - below[c] - rightRim[c], rightRim[c]);
     if (std::min(left, right) >= best) continue;
     best = std::min(left, right);
     cut = c;
