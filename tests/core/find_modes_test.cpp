@@ -32,7 +32,7 @@ ModesOptions shellOptions(const TriangleMesh& mesh, int modeCount) {
 Eigen::MatrixXd columnsOf(const ModeSet& set, size_t vertexCount) {
   const auto rows = static_cast<Eigen::Index>(3 * vertexCount);
   Eigen::MatrixXd columns =
-      Eigen::Map<const Eigen::MatrixXf>(set.shapes.data(), rows, set.layerCount).cast<double>();
+      Eigen::Map<const Eigen::MatrixXf>(set.shapes.data(), rows, set.modesPerComponent).cast<double>();
   return columns.colwise().normalized();
 }
 

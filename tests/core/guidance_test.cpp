@@ -21,9 +21,9 @@ struct Analysed {
 Analysed analyse(const TriangleMesh& mesh, Model model = Model::Shell) {
   Job job;
   Analysed out{mesh, computeModes(mesh, {model, 4, 0.02, 1, 0.3, 1, 1}, job), {}};
-  out.omega.assign(out.modes.components.size() * out.modes.layerCount, 0.0);
+  out.omega.assign(out.modes.components.size() * out.modes.modesPerComponent, 0.0);
   for (const Mode& mode : out.modes.modes)
-    out.omega[mode.component * out.modes.layerCount + mode.layer] = mode.omega;
+    out.omega[mode.component * out.modes.modesPerComponent + mode.ordinal] = mode.omega;
   return out;
 }
 

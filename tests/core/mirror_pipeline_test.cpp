@@ -149,7 +149,7 @@ MeshAt reduce(const Doubled& whole, uint32_t faces) {
   // Little weight on quality leaves edges to flip.
   SimplifyOptions options{.method = Method::Limber, .qualityWeight = 0.02, .sizeWeight = 0.01};
   options.stopFaces = faces;
-  options.wishes.mirror = whole.mirror;
+  options.constraints.mirror = whole.mirror;
   return meshAt(whole.mesh, simplify(whole.mesh, {}, options, theJob), 0);
 }
 

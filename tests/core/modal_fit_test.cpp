@@ -99,7 +99,7 @@ PinnedFits fitBothWays(const TriangleMesh& mesh, const std::vector<uint8_t>& pin
   options.method = Method::Limber;
   options.sizeWeight = 0.01;
   options.qualityWeight = 0.1;
-  options.wishes.locked = pinned;
+  options.constraints.locked = pinned;
   const auto faces = static_cast<uint32_t>(ratio * mesh.triangleCount());
   const MeshAt start = meshAt(mesh, simplify(mesh, {}, options, job), faces);
   return {start, fitModes(mesh, start, {.thickness = 0.02, .locked = pinned}, job),
@@ -194,7 +194,7 @@ TEST(ModalFit, flipsNoEdgeOfASeamAndTellsWhereCornersComeFrom) {
   options.method = Method::Limber;
   options.sizeWeight = 0.01;
   options.qualityWeight = 0.1;
-  options.wishes.groups = groups;
+  options.constraints.groups = groups;
   const MeshAt start = meshAt(mesh, simplify(mesh, {}, options, job), 130);
   const MeshAt after = fitted(mesh, start, {}, {{}, groups}).result;
   for (uint32_t t = 0; t < after.mesh.triangleCount(); ++t)

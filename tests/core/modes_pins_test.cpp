@@ -31,10 +31,10 @@ TEST_P(PinnedSheet, hasTheZeroModesThatItsPinsLeave) {
   const ModeSet set = computeModes(mesh, options, job);
   EXPECT_EQ(set.components[0].zeroModesFound, set.components[0].zeroModesExpected);
   for (const Mode& mode : set.modes) EXPECT_LE(mode.residual, 1e-7);
-  for (uint32_t layer = 0; layer < 4; ++layer)
+  for (uint32_t ordinal = 0; ordinal < 4; ++ordinal)
     for (uint32_t v : options.pinned)
       for (uint32_t c = 0; c < 3; ++c)
-        EXPECT_EQ(set.shapes[(size_t{layer} * mesh.vertexCount() + v) * 3 + c], 0.0f);
+        EXPECT_EQ(set.shapes[(size_t{ordinal} * mesh.vertexCount() + v) * 3 + c], 0.0f);
 }
 
 INSTANTIATE_TEST_SUITE_P(Corners, PinnedSheet,

@@ -118,7 +118,7 @@ TEST(ShellModes, partsVibrateOnTheirOwn) {
   ASSERT_EQ(both.modes.size(), 8u);
   for (const Mode& mode : both.modes) {
     const ModeSet& alone = mode.component == 0 ? first : second;
-    EXPECT_NEAR(mode.omega / alone.modes[mode.layer].omega, 1, 1e-9);
+    EXPECT_NEAR(mode.omega / alone.modes[mode.ordinal].omega, 1, 1e-9);
   }
 }
 
@@ -145,10 +145,10 @@ TEST(ShellModes, shapesAreScaledToALargestDisplacementOfOne) {
   Job job;
   const TriangleMesh plate = shapes::grid(6, 9);
   const ModeSet set = computeModes(plate, unitShell(0.02, 5), job);
-  for (uint32_t layer = 0; layer < 5; ++layer) {
+  for (uint32_t ordinal = 0; ordinal < 5; ++ordinal) {
     double largest = 0;
     for (uint32_t v = 0; v < plate.vertexCount(); ++v) {
-      const float* p = &set.shapes[(size_t{layer} * plate.vertexCount() + v) * 3];
+      const float* p = &set.shapes[(size_t{ordinal} * plate.vertexCount() + v) * 3];
       largest = std::max(largest, std::sqrt(double{p[0]} * p[0] + p[1] * p[1] + p[2] * p[2]));
     }
     EXPECT_NEAR(largest, 1, 1e-5);

@@ -17,7 +17,7 @@ constexpr Method kMethods[] = {Method::Qem, Method::Paper, Method::Limber};
 History run(const Doubled& whole, Method method, uint32_t stopFaces, double maxDeviation = 0) {
   Job job;
   SimplifyOptions options{.method = method, .qualityWeight = 0.1, .sizeWeight = 0.01, .stopFaces = stopFaces};
-  options.wishes.mirror = whole.mirror;
+  options.constraints.mirror = whole.mirror;
   options.maxDeviation = maxDeviation;
   return simplify(whole.mesh, {}, options, job);
 }

@@ -9,7 +9,8 @@
 #include "simplify/simplify.h"
 #include "surfaces.h"
 
-// What must hold for any mesh and any wishes: both are drawn by seeded generators, named in every failure.
+// What must hold for any mesh and any constraints: both are drawn by seeded generators, named in every
+// failure.
 
 namespace limber {
 namespace {
@@ -64,12 +65,12 @@ struct Trial {
   History run() const {
     Job job;
     SimplifyOptions request = options;
-    request.wishes.wedges = wedges;
-    request.wishes.groups = groups;
-    request.wishes.locked = locked;
-    request.wishes.keep = keep;
-    request.wishes.pinnedSets = pinnedSets;
-    request.wishes.attributes = attributes;
+    request.constraints.wedges = wedges;
+    request.constraints.groups = groups;
+    request.constraints.locked = locked;
+    request.constraints.keep = keep;
+    request.constraints.pinnedSets = pinnedSets;
+    request.constraints.attributes = attributes;
     return simplify(mesh, guidance(), request, job);
   }
 };
@@ -94,7 +95,7 @@ void drawLists(Trial& trial, Random& random) {
     trial.attributes.push_back(
         static_cast<float>(0.2 * p.x + (wedge < mesh.vertexCount() ? 0.1 : 0.4) * p.y * p.z));
   }
-  trial.options.wishes.attributeDimension = hasAttributes ? 1 : 0;
+  trial.options.constraints.attributeDimension = hasAttributes ? 1 : 0;
   for (const Vec3& p : mesh.positions) {
     trial.curvature.push_back(static_cast<float>(0.1 + 0.1 * std::sin(2 * p.y - p.z)));
     if (hasKeep) trial.keep.push_back(p.z > at ? 0.5f : 0);
@@ -112,8 +113,8 @@ Trial draw(uint32_t seed) {
   trial.options.curvatureWeight = random.real(0, 1);
   trial.options.qualityWeight = random.chance(0.3) ? 0 : random.real(0, 0.2);
   trial.options.sizeWeight = random.real(0, 0.05);
-  trial.options.wishes.creaseAngle = random.chance(0.3) ? random.real(20, 80) : 0;
-  trial.options.wishes.borders = random.chance(0.3) ? Borders::Fixed : Borders::Free;
+  trial.options.constraints.creaseAngle = random.chance(0.3) ? random.real(20, 80) : 0;
+  trial.options.constraints.borders = random.chance(0.3) ? Borders::Fixed : Borders::Free;
   if (random.chance(0.2)) trial.options.minAngle = random.real(5, 30);
   if (random.chance(0.2)) trial.options.maxDeviation = random.real(0.01, 0.1);
   drawLists(trial, random);
@@ -165,7 +166,7 @@ TEST_P(Properties, topologyLocksAndBordersAreKeptAndNothingTurns) {
     const MeshAt at = meshAt(trial.mesh, history, history.trianglesAfter[i]);
     expectSameTopology(trial.mesh, at.mesh);
     expectLocksKept(trial, at);
-    if (trial.options.wishes.borders == Borders::Fixed) expectBordersKept(trial, at);
+    if (trial.options.constraints.borders == Borders::Fixed) expectBordersKept(trial, at);
     expectNoFlip(trial, history, i);
   }
 }

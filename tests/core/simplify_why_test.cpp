@@ -21,7 +21,7 @@ struct Case {
             .curvatureWeight = 1,
             .qualityWeight = 0.1,
             .sizeWeight = 0.01,
-            .wishes = {.keep = keep, .creaseAngle = 50}};
+            .constraints = {.keep = keep, .creaseAngle = 50}};
   }
 };
 

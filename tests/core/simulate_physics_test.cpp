@@ -262,7 +262,7 @@ TEST(SimulatedPhysics, whatIsDroppedLiesStillInTheEnd) {
       lowest = std::min(lowest, body.position(v).y);
     }
     EXPECT_LT(moved, 2e-4 * bounds(mesh).diagonal());
-    EXPECT_NEAR(lowest, *surroundingsOf(drop).ground, 1e-5);
+    EXPECT_NEAR(lowest, *collisionSceneOf(drop).ground, 1e-5);
   }
 }
 
@@ -274,7 +274,7 @@ TEST(SimulatedPhysics, clothComesToRestOnTheBallThatItIsDrapedOver) {
   Simulation body(cloth, options);
   startScenario(drape, cloth.positions, body);
   run(body, 300);
-  const Collider ball = surroundingsOf(drape).colliders.at(0);
+  const Collider ball = collisionSceneOf(drape).colliders.at(0);
   double nearest = 1e9;
   for (uint32_t t = 0; t < cloth.triangleCount(); ++t) {
     nearest = std::min(nearest, length(body.position({t, {1.0 / 3, 1.0 / 3, 1.0 / 3}}) - ball.from));
@@ -358,7 +358,7 @@ TEST(SimulatedPhysics, aStripThatFoldsOnTheGroundLiesOnItselfWhereItIsTold) {
   for (const bool avoids : {false, true}) {
     SimulationOptions options = rubber(0.002, 30);
     options.damping = 1;
-    options.avoidsItself = avoids;
+    options.selfCollision = avoids;
     Simulation body(strip, options);
     body.setGravity(kGravity);
     body.setGround(0);

@@ -64,14 +64,14 @@ TEST(Strain, aTriangleWithoutAreaHasNone) {
 }
 
 TEST(CombinedStrain, isEquationSixForEveryNorm) {
-  const std::vector<StrainLayer> layers = {{{1, 2, 3}, {0.5, 2}}, {{4, 0, 1}, {1, 3}}};
+  const std::vector<WeightedStrain> ordinals = {{{1, 2, 3}, {0.5, 2}}, {{4, 0, 1}, {1, 3}}};
   const std::vector<uint32_t> component = {0, 0, 1};
-  const auto sum = combineStrain(layers, component, 1);
+  const auto sum = combineStrain(ordinals, component, 1);
   EXPECT_DOUBLE_EQ(sum[0], 0.5 * 1 + 1 * 4);
   EXPECT_DOUBLE_EQ(sum[2], 2 * 3 + 3 * 1);
-  const auto euclidean = combineStrain(layers, component, 2);
+  const auto euclidean = combineStrain(ordinals, component, 2);
   EXPECT_DOUBLE_EQ(euclidean[0], std::sqrt(0.5 * 1 + 1 * 16));
-  const auto largest = combineStrain(layers, component, std::numeric_limits<double>::infinity());
+  const auto largest = combineStrain(ordinals, component, std::numeric_limits<double>::infinity());
   EXPECT_DOUBLE_EQ(largest[0], 4);
   EXPECT_DOUBLE_EQ(largest[1], 1);
   EXPECT_DOUBLE_EQ(largest[2], 6);

@@ -30,7 +30,7 @@ function results(core: Core) {
   const solid = core.findModes(mesh, { ...shell, model: 'solid', pinned: Uint32Array.from([0, 1, 2]) });
   const large = core.weld(torus(96, 90).positions, torus(96, 90).triangles, { tolerance: 0 }).mesh;
   const coarse = core.findModes(large, shell);
-  const guidance = core.strainGuidance(mesh, modes, { layers: [0, 1], weights: [], p: 2, threshold: 0.2 });
+  const guidance = core.strainGuidance(mesh, modes, { ordinals: [0, 1], weights: [], p: 2, threshold: 0.2 });
   const curvature = core.meanCurvature(mesh);
   const history = core.simplify(mesh, guidance.rank, curvature.vertex, paper);
   const { mesh: half } = core.meshAt(mesh, history, mesh.triangles.length / 6);
@@ -81,14 +81,14 @@ describe('the core', () => {
     for (const { fraction } of heard) expect(fraction >= 0 && fraction <= 1).toBe(true);
   });
 
-  it('stops a running call when another hand sets the wish, and works on afterwards', async () => {
-    let wish = () => {};
-    const core = await loadTestCore(2, ({ fraction }) => fraction > 0 && wish());
+  it('stops a running call when another thread requests it, and works on afterwards', async () => {
+    let cancel = () => {};
+    const core = await loadTestCore(2, ({ fraction }) => fraction > 0 && cancel());
     const mesh = grid(40, 40);
-    wish = () => void Atomics.store(core.job!, 0, 1);
+    cancel = () => void Atomics.store(core.job!, 0, 1);
     const run = () => core.findModes(mesh, { ...shell, modeCount: 12 });
     expect(run).toThrow(expect.objectContaining({ name: 'Cancelled' }));
-    wish = () => {};
+    cancel = () => {};
     expect(run().modes).toHaveLength(12);
   });
 

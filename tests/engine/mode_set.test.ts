@@ -18,11 +18,11 @@ const part = (change: Partial<ComponentModes> = {}): ComponentModes => ({
   modeCount: 4,
   ...change,
 });
-const mode = (layer: number, name: ModeName, component = 0): Mode => ({
-  omega: layer + component + 1,
+const mode = (ordinal: number, name: ModeName, component = 0): Mode => ({
+  omega: ordinal + component + 1,
   residual: 0,
   component,
-  layer,
+  ordinal,
   axis: -1,
   name,
 });
@@ -40,7 +40,7 @@ const set = {
   ],
 };
 
-describe('a layer of several parts', () => {
+describe('a ordinal of several parts', () => {
   it('is named by the part with most faces, of equal ones by the first', () => {
     expect(leadingMode(set, 0)?.name).toBe('bend');
     const equal = { components: [part(), part({ host: 1 })], modes: [mode(0, 'bend', 1), mode(0, 'twist')] };

@@ -82,7 +82,7 @@ describe('a running simulation', () => {
     const touched = (scenario: ScenarioName, given: object) => {
       const simulation = new Simulation(core, sheet, coarse, { ...optionsFor(sheet, scenario), ...given });
       simulation.end();
-      return simulation.surroundings;
+      return simulation.collisionScene;
     };
     expect(touched('twist', {})).toEqual({ ground: null, colliders: [] });
     expect(touched('twist', added)).toEqual(added);

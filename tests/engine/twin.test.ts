@@ -244,7 +244,7 @@ describe('twins', () => {
 
   it('know what they can touch', () => {
     const { twin } = makeTwin(120, { scenario: 'drop', colliders: 'ball:0.5,0.5,-0.4,0.2' });
-    const { ground, colliders } = twin.surroundings;
+    const { ground, colliders } = twin.collisionScene;
     expect(ground).toBeLessThan(0);
     expect(colliders).toHaveLength(1);
     expect(colliders[0].radius).toBeCloseTo(0.2, 6);

@@ -103,7 +103,7 @@ val jsFindModes(const val& jsMeshIn, const val& in) {
     entry.set("omega", mode.omega);
     entry.set("residual", mode.residual);
     entry.set("component", mode.component);
-    entry.set("layer", mode.layer);
+    entry.set("ordinal", mode.ordinal);
     entry.set("axis", mode.axis);
     entry.set("name", modeNames[static_cast<size_t>(mode.name)]);
     modes.call<void>("push", entry);
@@ -121,40 +121,41 @@ val jsFindModes(const val& jsMeshIn, const val& in) {
   }
   out.set("modes", modes);
   out.set("components", components);
-  out.set("layerCount", set.layerCount);
+  out.set("modesPerComponent", set.modesPerComponent);
   out.set("shapes", typedArray(set.shapes));
   out.set("componentOfVertex", typedArray(buildTopology(mesh).componentOfVertex));
   out.set("factorNonzeros", static_cast<double>(set.factorNonzeros));
   return out;
 }
 
-// omega[component * layerCount + layer], 0 where the component lacks that mode.
+// omega[component * modesPerComponent + ordinal], 0 where the component lacks that mode.
 std::vector<double> omegaTable(const val& modeSet) {
-  const auto layerCount = modeSet["layerCount"].as<uint32_t>();
+  const auto modesPerComponent = modeSet["modesPerComponent"].as<uint32_t>();
   const auto componentCount = modeSet["components"]["length"].as<uint32_t>();
-  std::vector<double> omega(size_t{layerCount} * componentCount, 0.0);
+  std::vector<double> omega(size_t{modesPerComponent} * componentCount, 0.0);
   const val modes = modeSet["modes"];
   const auto modeCount = modes["length"].as<uint32_t>();
   for (uint32_t i = 0; i < modeCount; ++i) {
     const size_t at =
-        size_t{modes[i]["component"].as<uint32_t>()} * layerCount + modes[i]["layer"].as<uint32_t>();
+        size_t{modes[i]["component"].as<uint32_t>()} * modesPerComponent + modes[i]["ordinal"].as<uint32_t>();
     if (at >= omega.size())
-      throw std::invalid_argument("A mode names a component or layer that its set does not have.");
+      throw std::invalid_argument("A mode names a component or ordinal that its set does not have.");
     omega[at] = modes[i]["omega"].as<double>();
   }
   for (uint32_t component = 0; component < componentCount; ++component) {  // cavities have their host's
     const auto host = modeSet["components"][component]["host"].as<uint32_t>();
     if (host >= componentCount)
       throw std::invalid_argument("A part of the modes names a host that is not there.");
-    for (uint32_t layer = 0; layer < layerCount; ++layer)
-      omega[size_t{component} * layerCount + layer] = omega[size_t{host} * layerCount + layer];
+    for (uint32_t ordinal = 0; ordinal < modesPerComponent; ++ordinal)
+      omega[size_t{component} * modesPerComponent + ordinal] =
+          omega[size_t{host} * modesPerComponent + ordinal];
   }
   return omega;
 }
 
 val jsStrainGuidance(const val& mesh, const val& modeSet, const val& in) {
   GuidanceOptions options;
-  options.layers = vectorOf<uint32_t>(in["layers"]);
+  options.ordinals = vectorOf<uint32_t>(in["ordinals"]);
   options.weights = vectorOf<double>(in["weights"]);
   options.p = in["p"].as<double>();
   options.threshold = in["threshold"].as<double>();
@@ -227,14 +228,14 @@ struct Request {
     options.stopFaces = static_cast<uint32_t>(optionalNumber(in["stopFaces"]));
     options.maxDeviation = optionalNumber(in["maxDeviation"]);
     options.minAngle = optionalNumber(in["minAngle"]);
-    if (!in["wishes"].isUndefined()) readWishes(in["wishes"]);
+    if (!in["constraints"].isUndefined()) readConstraints(in["constraints"]);
   }
   Request(const Request&) = delete;  // the options point into it
 
   Guidance guidance() const { return {strain, curvature}; }
 
  private:
-  void readWishes(const val& in) {
+  void readConstraints(const val& in) {
     wedges = optionalVector<uint32_t>(in["wedges"]);
     groups = optionalVector<uint32_t>(in["groups"]);
     locked = optionalVector<uint8_t>(in["locked"]);
@@ -243,16 +244,17 @@ struct Request {
     attributes = optionalVector<float>(in["attributes"]);
     mirror = optionalVector<uint32_t>(in["mirror"]);
     const bool fixed = !in["borders"].isUndefined() && in["borders"].as<std::string>() == "fixed";
-    options.wishes = {.wedges = wedges,
-                      .groups = groups,
-                      .locked = locked,
-                      .keep = keep,
-                      .pinnedSets = pinnedSets,
-                      .attributes = attributes,
-                      .mirror = mirror,
-                      .attributeDimension = static_cast<uint32_t>(optionalNumber(in["attributeDimension"])),
-                      .creaseAngle = optionalNumber(in["creaseAngle"]),
-                      .borders = fixed ? Borders::Fixed : Borders::Free};
+    options.constraints = {
+        .wedges = wedges,
+        .groups = groups,
+        .locked = locked,
+        .keep = keep,
+        .pinnedSets = pinnedSets,
+        .attributes = attributes,
+        .mirror = mirror,
+        .attributeDimension = static_cast<uint32_t>(optionalNumber(in["attributeDimension"])),
+        .creaseAngle = optionalNumber(in["creaseAngle"]),
+        .borders = fixed ? Borders::Fixed : Borders::Free};
   }
 };
 

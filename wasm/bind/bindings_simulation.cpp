@@ -40,12 +40,12 @@ SimulationOptions simulationOptionsOf(const val& in) {
   options.substeps = in["substeps"].as<int>();
   options.damping = in["damping"].as<double>();
   if (!in["friction"].isUndefined()) options.friction = in["friction"].as<double>();
-  options.avoidsItself = in["selfCollision"].as<bool>();
+  options.selfCollision = in["selfCollision"].as<bool>();
   return options;
 }
 
-Surroundings addedSurroundingsOf(const val& in) {
-  Surroundings added;
+CollisionScene addedCollisionsOf(const val& in) {
+  CollisionScene added;
   const auto isGiven = [](const val& value) { return !value.isUndefined() && !value.isNull(); };
   if (isGiven(in["ground"])) added.ground = in["ground"].as<double>();
   const val colliders = in["colliders"];
@@ -60,7 +60,7 @@ Surroundings addedSurroundingsOf(const val& in) {
 
 Scenario scenarioOf(const TriangleMesh& original, const val& in) {
   return {named<ScenarioKind>(scenarioNames, in["scenario"]), bounds(original), in["seconds"].as<double>(),
-          in["unit"].as<double>(), addedSurroundingsOf(in)};
+          in["unit"].as<double>(), addedCollisionsOf(in)};
 }
 
 val jsVec3(const Vec3& v) {
@@ -69,8 +69,8 @@ val jsVec3(const Vec3& v) {
   return out;
 }
 
-val jsScenarioSurroundings(const val& original, const val& in) {
-  const Surroundings all = surroundingsOf(scenarioOf(meshOf(original), in));
+val jsScenarioCollisionScene(const val& original, const val& in) {
+  const CollisionScene all = collisionSceneOf(scenarioOf(meshOf(original), in));
   val out = val::object(), colliders = val::array();
   for (const Collider& collider : all.colliders) {
     val one = val::object();
@@ -217,7 +217,7 @@ val jsEndSimulation(uint32_t number) {
 EMSCRIPTEN_BINDINGS(limber_simulation) {
   using namespace limber;
   emscripten::function("compareMotion", &Guarded<&jsCompareMotion>::call);
-  emscripten::function("scenarioSurroundings", &Guarded<&jsScenarioSurroundings>::call);
+  emscripten::function("scenarioCollisionScene", &Guarded<&jsScenarioCollisionScene>::call);
   emscripten::function("startSimulation", &Guarded<&jsStartSimulation>::call);
   emscripten::function("stepSimulations", &Guarded<&jsStepSimulations>::call);
   emscripten::function("simulationPositions", &Guarded<&jsSimulationPositions>::call);

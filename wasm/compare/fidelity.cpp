@@ -32,7 +32,7 @@ ShellModes lowestModes(const TriangleMesh& mesh, const FidelityOptions& options,
     for (size_t v = 0; v < n; ++v)
       if (component[v] == mode.component)
         for (size_t c = 0; c < 3; ++c)
-          lowest.shapes[(k * n + v) * 3 + c] = set.shapes[(mode.layer * n + v) * 3 + c];
+          lowest.shapes[(k * n + v) * 3 + c] = set.shapes[(mode.ordinal * n + v) * 3 + c];
   }
   return lowest;
 }

@@ -12,15 +12,15 @@ namespace limber {
 namespace {
 
 void addPart(ModeSet& set, const Part& part, const PartModes& modes, double toRadians) {
-  const size_t vertexCount = set.shapes.size() / (3 * std::max<size_t>(1, set.layerCount));
+  const size_t vertexCount = set.shapes.size() / (3 * std::max<size_t>(1, set.modesPerComponent));
   const ModeObserver observer(part.mesh);
-  for (uint32_t layer = 0; layer < modes.omega.size(); ++layer) {
-    const std::vector<Vec3>& shape = modes.shapes[layer];
-    set.modes.push_back({modes.omega[layer] * toRadians, modes.residual[layer], part.components[0], layer,
-                         modes.axis[layer], nameOf(observer.observe(shape))});
+  for (uint32_t ordinal = 0; ordinal < modes.omega.size(); ++ordinal) {
+    const std::vector<Vec3>& shape = modes.shapes[ordinal];
+    set.modes.push_back({modes.omega[ordinal] * toRadians, modes.residual[ordinal], part.components[0],
+                         ordinal, modes.axis[ordinal], nameOf(observer.observe(shape))});
     for (size_t v = 0; v < part.vertexOfBody.size(); ++v)
       for (int c = 0; c < 3; ++c)
-        set.shapes[(layer * vertexCount + part.vertexOfBody[v]) * 3 + static_cast<size_t>(c)] =
+        set.shapes[(ordinal * vertexCount + part.vertexOfBody[v]) * 3 + static_cast<size_t>(c)] =
             static_cast<float>(shape[v][c]);
   }
   for (uint32_t component : part.components) {
@@ -58,10 +58,10 @@ ModeSet collectModes(const TriangleMesh& body, const std::vector<Part>& parts,
   size_t componentCount = 0;
   for (size_t i = 0; i < parts.size(); ++i) {
     componentCount += parts[i].components.size();
-    set.layerCount = std::max(set.layerCount, static_cast<uint32_t>(modes[i].omega.size()));
+    set.modesPerComponent = std::max(set.modesPerComponent, static_cast<uint32_t>(modes[i].omega.size()));
   }
   set.components.resize(componentCount);
-  set.shapes.assign(3 * size_t{body.vertexCount()} * set.layerCount, 0.0f);
+  set.shapes.assign(3 * size_t{body.vertexCount()} * set.modesPerComponent, 0.0f);
   for (size_t i = 0; i < parts.size(); ++i) {
     // In the frame E, rho and the diagonal are 1: omega = omega_frame sqrt(E / rho) / L.
     const double toRadians = std::sqrt(options.young / options.density) / (parts[i].diagonal * options.unit);

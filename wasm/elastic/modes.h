@@ -31,8 +31,8 @@ struct Mode {
   double omega = 0;     // rad/s
   double residual = 0;  // |K phi - lambda M phi| / (lambda |M phi|)
   uint32_t component = 0;
-  uint32_t layer = 0;  // it is the component's (layer + 1)-th elastic mode
-  int32_t axis = -1;   // laplacian: the principal axis it moves along, 0 shortest .. 2 longest; otherwise -1
+  uint32_t ordinal = 0;  // it is the component's (ordinal + 1)-th elastic mode
+  int32_t axis = -1;  // laplacian: the principal axis it moves along, 0 shortest .. 2 longest; otherwise -1
   ModeName name = ModeName::Bend;
 };
 
@@ -49,15 +49,15 @@ struct ComponentModes {
   uint32_t coarseVertices = 0;  // of the copy that was solved in its place; 0: solved as it is
 };
 
-// Modes of every component, stored in layers: layer k holds, at each vertex, the shape of the (k + 1)-th
+// Modes of every component, stored in ordinals: ordinal k holds, at each vertex, the shape of the (k + 1)-th
 // elastic mode of the vertex's own component, so that nothing is stored twice. A component with fewer modes
 // is 0 in the rest. A cavity has its host's modes. A shape's largest displacement is 1; signs are fixed by
 // making the first component of that size positive.
 struct ModeSet {
-  std::vector<Mode> modes;  // ascending by omega (ties by component, then layer)
+  std::vector<Mode> modes;  // ascending by omega (ties by component, then ordinal)
   std::vector<ComponentModes> components;
-  uint32_t layerCount = 0;
-  std::vector<float> shapes;    // shapes[(layer * vertexCount + v) * 3 + c]
+  uint32_t modesPerComponent = 0;
+  std::vector<float> shapes;    // shapes[(ordinal * vertexCount + v) * 3 + c]
   uint64_t factorNonzeros = 0;  // of L, the largest component's
 };
 

@@ -18,9 +18,9 @@ uint32_t rigidMotionsLeft(const std::vector<Vec3>& held) {
       held.begin(), held.end(), [&](const Vec3& a, const Vec3& b) { return distance(a) < distance(b); });
   if (distance(farthest) < kSamePoint) return 3;
   const Vec3 line = normalized(farthest - held[0]);
-  const bool isLine = std::all_of(
+  const bool isFeature = std::all_of(
       held.begin(), held.end(), [&](const Vec3& p) { return length(cross(p - held[0], line)) < kSamePoint; });
-  return isLine ? 1 : 0;
+  return isFeature ? 1 : 0;
 }
 
 void holdUnknowns(StiffnessModel& model, const std::vector<uint32_t>& unknowns) {

@@ -33,7 +33,8 @@ std::vector<double> componentDiagonals(const TriangleMesh& mesh, const Topology&
   return diagonals;
 }
 
-// A layer's shape in units of the mesh: each part's largest displacement becomes kAmplitude of its diagonal.
+// A ordinal's shape in units of the mesh: each part's largest displacement becomes kAmplitude of its
+// diagonal.
 std::vector<float> scaledShape(std::span<const float> shape, const Topology& topology,
                                const std::vector<double>& diagonals) {
   std::vector<float> scaled(shape.size());
@@ -43,27 +44,27 @@ std::vector<float> scaledShape(std::span<const float> shape, const Topology& top
 }
 
 // w_k of Eq. 6 for each part: as given, or 1 / omega_k^2; 0 where the part lacks the mode.
-std::vector<double> layerWeights(std::span<const double> omega, size_t layerCount,
-                                 const GuidanceOptions& options, size_t entry) {
-  std::vector<double> weights(omega.size() / layerCount, 0.0);
+std::vector<double> ordinalWeights(std::span<const double> omega, size_t modesPerComponent,
+                                   const GuidanceOptions& options, size_t entry) {
+  std::vector<double> weights(omega.size() / modesPerComponent, 0.0);
   for (size_t component = 0; component < weights.size(); ++component) {
-    const double w = omega[component * layerCount + options.layers[entry]];
+    const double w = omega[component * modesPerComponent + options.ordinals[entry]];
     if (w > 0) weights[component] = options.weights.empty() ? 1 / (w * w) : options.weights[entry];
   }
   return weights;
 }
 
-void check(const GuidanceOptions& options, size_t layerCount) {
-  if (options.layers.empty())
+void check(const GuidanceOptions& options, size_t modesPerComponent) {
+  if (options.ordinals.empty())
     throw std::invalid_argument("No mode was chosen to guide the simplification: choose at least one.");
-  for (uint32_t layer : options.layers)
-    if (layer >= layerCount)
-      throw std::invalid_argument("Mode " + std::to_string(layer + 1) + " was asked for, but only " +
-                                  std::to_string(layerCount) +
+  for (uint32_t ordinal : options.ordinals)
+    if (ordinal >= modesPerComponent)
+      throw std::invalid_argument("Mode " + std::to_string(ordinal + 1) + " was asked for, but only " +
+                                  std::to_string(modesPerComponent) +
                                   " modes were computed: compute more or choose a lower one.");
-  if (!options.weights.empty() && options.weights.size() != options.layers.size())
+  if (!options.weights.empty() && options.weights.size() != options.ordinals.size())
     throw std::invalid_argument("There are " + std::to_string(options.weights.size()) + " weights for " +
-                                std::to_string(options.layers.size()) + " modes: give one for each.");
+                                std::to_string(options.ordinals.size()) + " modes: give one for each.");
   if (!(options.p >= 1)) throw std::invalid_argument("The norm p of Eq. 6 must be at least 1.");
 }
 
@@ -72,23 +73,23 @@ void check(const GuidanceOptions& options, size_t layerCount) {
 StrainGuidance strainGuidance(const TriangleMesh& mesh, std::span<const float> shapes,
                               std::span<const double> omega, const GuidanceOptions& options, Job& job) {
   job.begin(Phase::Strain);
-  const size_t layerSize = 3 * mesh.positions.size();
-  const size_t layerCount = layerSize ? shapes.size() / layerSize : 0;
-  check(options, layerCount);
+  const size_t ordinalSize = 3 * mesh.positions.size();
+  const size_t modesPerComponent = ordinalSize ? shapes.size() / ordinalSize : 0;
+  check(options, modesPerComponent);
   const Topology topology = buildTopology(mesh);
-  if (omega.size() != layerCount * topology.componentCount)
+  if (omega.size() != modesPerComponent * topology.componentCount)
     throw std::invalid_argument("The modes belong to another mesh: compute them again for this one.");
   const auto diagonals = componentDiagonals(mesh, topology);
 
-  std::vector<StrainLayer> layers;
-  for (size_t entry = 0; entry < options.layers.size(); ++entry) {
-    const auto shape = shapes.subspan(options.layers[entry] * layerSize, layerSize);
-    layers.push_back({greenLagrangeStrain(mesh, scaledShape(shape, topology, diagonals), 1),
-                      layerWeights(omega, layerCount, options, entry)});
-    job.report(0.8 * static_cast<double>(entry + 1) / static_cast<double>(options.layers.size()));
+  std::vector<WeightedStrain> ordinals;
+  for (size_t entry = 0; entry < options.ordinals.size(); ++entry) {
+    const auto shape = shapes.subspan(options.ordinals[entry] * ordinalSize, ordinalSize);
+    ordinals.push_back({greenLagrangeStrain(mesh, scaledShape(shape, topology, diagonals), 1),
+                        ordinalWeights(omega, modesPerComponent, options, entry)});
+    job.report(0.8 * static_cast<double>(entry + 1) / static_cast<double>(options.ordinals.size()));
   }
   const auto components = componentOfTriangle(mesh, topology);
-  const auto sigma = combineStrain(layers, components, options.p);
+  const auto sigma = combineStrain(ordinals, components, options.p);
   StrainGuidance guidance;
   guidance.strain.assign(sigma.begin(), sigma.end());
   guidance.rank = rankWithin(sigma, components, topology.componentCount);

@@ -53,17 +53,17 @@ std::vector<double> greenLagrangeStrain(const TriangleMesh& mesh, std::span<cons
   return strain;
 }
 
-std::vector<double> combineStrain(std::span<const StrainLayer> layers,
+std::vector<double> combineStrain(std::span<const WeightedStrain> ordinals,
                                   std::span<const uint32_t> componentOfTriangle, double p) {
   std::vector<double> sigma(componentOfTriangle.size(), 0.0);
   for (size_t t = 0; t < sigma.size(); ++t) {
     double sum = 0;
-    for (const StrainLayer& layer : layers) {
-      const double weight = layer.weightOfComponent[componentOfTriangle[t]];
+    for (const WeightedStrain& ordinal : ordinals) {
+      const double weight = ordinal.weightOfComponent[componentOfTriangle[t]];
       if (std::isinf(p))
-        sum = std::max(sum, weight * layer.strain[t]);
+        sum = std::max(sum, weight * ordinal.strain[t]);
       else
-        sum += weight * std::pow(layer.strain[t], p);
+        sum += weight * std::pow(ordinal.strain[t], p);
     }
     sigma[t] = std::isinf(p) ? sum : std::pow(sum, 1 / p);
   }

@@ -16,13 +16,13 @@ std::vector<double> greenLagrangeStrain(const TriangleMesh& mesh, std::span<cons
 
 // One mode's share in Eq. 6: its strain per triangle and its weight w_k there (weights differ between
 // components).
-struct StrainLayer {
+struct WeightedStrain {
   std::vector<double> strain;             // per triangle
   std::vector<double> weightOfComponent;  // per component, >= 0
 };
 
 // sigma(T) = (sum_k w_k |E_k(T)|^p)^(1/p), Eq. 6; p in [1, infinity], infinity takes the largest w_k |E_k|.
-std::vector<double> combineStrain(std::span<const StrainLayer> layers,
+std::vector<double> combineStrain(std::span<const WeightedStrain> ordinals,
                                   std::span<const uint32_t> componentOfTriangle, double p);
 
 // (number below + half of the ties) / n within each group, in [0, 1]: an element alone, or all equal, gets

@@ -81,11 +81,11 @@ EdgeList seamsOf(const Topology& topology, const ChartSides& sides) {
 }
 
 // Seams that stay in place, of both meshes.
-struct HeldLines {
+struct HeldFeatureEdges {
   EdgeList original, result;
 };
 
-HeldLines linesOf(const MeshAt& simplified, const Topology& topology, const ChartSides& sides) {
+HeldFeatureEdges linesOf(const MeshAt& simplified, const Topology& topology, const ChartSides& sides) {
   return {seamsOf(topology, sides), seamsOf(simplified, sides)};
 }
 
@@ -168,9 +168,9 @@ FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const 
   for (uint32_t v = 0; v < isHeld.size(); ++v) isHeld[v] |= isPinned[v];
   if (options.mirror) holdImages(options.mirror->partners, isHeld);
   const EdgeList seams = seamsOf(simplified, sides);
-  const HeldLines lines =
+  const HeldFeatureEdges lines =
       options.holdsSeams
-          ? HeldLines{seamsOf(topology, sides), seams}
+          ? HeldFeatureEdges{seamsOf(topology, sides), seams}
           : linesOf(simplified, topology, {original, topology, {{}, options.charts.groups}, simplified});
   const std::vector<EdgeList> fixed =
       byComponent(options.mirror ? withImages(seams, options.mirror->partners) : seams, componentOfResult,
@@ -194,7 +194,7 @@ FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const 
     }
     FitPart part;
     part.isLarge = isLarge;
-    part.original = extract(original, originals[component], number, part.originalLines);
+    part.original = extract(original, originals[component], number, part.originalFeatures);
     part.simplified = extract(mesh, result, number, part.lines);
     part.vertexOfResult = result.vertices;
     part.triangleOfResult = result.triangles;

@@ -22,7 +22,7 @@ struct FitPart {
   std::vector<uint32_t> triangleOfResult;        // per triangle of it
   std::vector<uint8_t> locked;                   // per vertex of it
   std::vector<uint32_t> pinnedOriginal, pinned;  // vertices of both
-  EdgeList originalLines, lines;                 // seams that stay in place, of both meshes
+  EdgeList originalFeatures, lines;              // seams that stay in place, of both meshes
   FlatRegions flats;                             // of `simplified`
   EdgeList fixedEdges;                           // seams of `simplified`, and what they are images of
   Vec3 origin;

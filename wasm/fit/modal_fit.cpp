@@ -184,7 +184,7 @@ void fitLarge(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
     return;
   }
   const FitSamples samples = sampleForFit(
-      part.original, kLargeSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
+      part.original, kLargeSamplesPerTriangle * part.simplified.triangleCount(), part.originalFeatures);
   const PartLimits asked(part, call.options);
   const SearchLimits limits{.budget = budgetOf(part, samples),
                             .mostRounds = kLargeRounds,
@@ -200,8 +200,8 @@ void fitLarge(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
 }
 
 void fitPart(FitPart& part, const FitCall& call, ModalFitResult& fitted) {
-  const FitSamples samples =
-      sampleForFit(part.original, kSamplesPerTriangle * part.simplified.triangleCount(), part.originalLines);
+  const FitSamples samples = sampleForFit(
+      part.original, kSamplesPerTriangle * part.simplified.triangleCount(), part.originalFeatures);
   const PartLimits asked(part, call.options);
   SearchLimits limits{.budget = budgetOf(part, samples),
                       .isBrisk = part.simplified.vertexCount() > kBriskVertices,

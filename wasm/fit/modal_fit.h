@@ -20,7 +20,8 @@ struct ModalFitOptions {
   std::span<const uint8_t> locked = {};  // per vertex of the original: what it has become stays where it is
   // The same, and where they hold a component still, it is its modes when it is held there that are fitted.
   std::span<const uint8_t> pinned = {};
-  // Per vertex of the original, see Wishes::mirror: a result that is its own image stays one. May be empty.
+  // Per vertex of the original, see SimplifyConstraints::mirror: a result that is its own image stays one.
+  // May be empty.
   std::span<const uint32_t> mirror = {};
   // What holds for `simplified` and shall go on to: distance from the original (units of the mesh) and
   // smallest angle (degrees); where it does not, it gets no worse. 0: no limit.

@@ -47,7 +47,7 @@ ShellVibration vibrateCoarsely(const TriangleMesh& mesh, const ShellMaterial& ma
     const Mode& mode = set.modes[static_cast<size_t>(k)];
     found.lambda[k] = mode.omega * mode.omega;
     for (Eigen::Index row = 0; row < rows; ++row)
-      found.phi(row, k) = set.shapes[mode.layer * static_cast<size_t>(rows) + static_cast<size_t>(row)];
+      found.phi(row, k) = set.shapes[mode.ordinal * static_cast<size_t>(rows) + static_cast<size_t>(row)];
   }
   return found;
 }

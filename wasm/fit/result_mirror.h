@@ -17,8 +17,8 @@ struct ResultMirror {
   std::vector<uint32_t> triangleImages;  // per triangle
   MirrorPlane plane;                     // in units of the file
 };
-// `partners`: per vertex of the original, see Wishes::mirror. Throws std::invalid_argument where the result
-// is not its own image.
+// `partners`: per vertex of the original, see SimplifyConstraints::mirror. Throws std::invalid_argument where
+// the result is not its own image.
 ResultMirror mirrorOfResult(const TriangleMesh& original, const MeshAt& result,
                             std::span<const uint32_t> partners);
 

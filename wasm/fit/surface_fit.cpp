@@ -98,13 +98,13 @@ struct BorderEdges {
 BorderEdges borderEdges(const TriangleMesh& mesh, const Topology& topology, const EdgeList* lines) {
   BorderEdges border;
   border.segments.positions = mesh.positions;
-  const auto isLine = [&](const Topology::Edge& edge) {
+  const auto isFeature = [&](const Topology::Edge& edge) {
     return edge.useCount == 1 || (lines && std::ranges::binary_search(*lines, std::array{edge.a, edge.b}));
   };
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
     for (int c = 0; c < 3; ++c) {
       const Topology::Edge& edge = topology.edges[topology.edgeOfCorner[3 * t + static_cast<uint32_t>(c)]];
-      if (topology.trianglesAt(edge)[0] != t || !isLine(edge)) continue;
+      if (topology.trianglesAt(edge)[0] != t || !isFeature(edge)) continue;
       const int start = (c + 1) % 3, end = (c + 2) % 3;
       const auto& triangle = mesh.triangles[t];
       const uint32_t a = triangle[static_cast<size_t>(start)], b = triangle[static_cast<size_t>(end)];
@@ -140,17 +140,17 @@ void addBorders(const TriangleMesh& mesh, const BorderEdges& border, const FitSa
 
 // What is around each vertex: a third of the area, the covariance of the normals (of the border's directions
 // across, for a border vertex), and the middle.
-struct Surroundings {
+struct Neighbourhood {
   std::vector<double> area;
   std::vector<Block> normals;
   std::vector<Vec3> middle;
   std::vector<uint8_t> isOnBorder;
 };
 
-Surroundings lookAround(const TriangleMesh& mesh, const BorderEdges& border) {
+Neighbourhood neighbourhoods(const TriangleMesh& mesh, const BorderEdges& border) {
   const uint32_t n = mesh.vertexCount();
-  Surroundings around{std::vector<double>(n, 0), std::vector<Block>(n, Block::Zero()), std::vector<Vec3>(n),
-                      std::vector<uint8_t>(n, 0)};
+  Neighbourhood around{std::vector<double>(n, 0), std::vector<Block>(n, Block::Zero()), std::vector<Vec3>(n),
+                       std::vector<uint8_t>(n, 0)};
   std::vector<double> weight(n, 0);
   for (const Triangle& segment : border.segments.triangles)
     for (int end = 0; end < 2; ++end) {
@@ -192,7 +192,7 @@ Block freedom(const Block& normals) {
   return free;
 }
 
-void addEvenness(const TriangleMesh& mesh, const Surroundings& around, double evenness, Sums& sums) {
+void addEvenness(const TriangleMesh& mesh, const Neighbourhood& around, double evenness, Sums& sums) {
   parallelFor(mesh.vertexCount(), kSamplesPerRange, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v) {
       const Block pull = evenness * around.area[v] * freedom(around.normals[v]);
@@ -274,7 +274,7 @@ SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const 
   const BorderEdges border = borderEdges(mesh, topology, options.lines);
   const double edge = std::sqrt(fit.area / std::max(1u, mesh.triangleCount()));
   addBorders(mesh, border, samples, options.borderWeight * edge, sums);
-  const Surroundings around = lookAround(mesh, border);
+  const Neighbourhood around = neighbourhoods(mesh, border);
   if (options.evenness > 0) addEvenness(mesh, around, options.evenness, sums);
   fit.inertia = inertiaOf(around.area);
   fit.stiffness = assemble(mesh, topology, sums);

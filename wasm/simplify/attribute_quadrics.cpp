@@ -11,15 +11,16 @@ constexpr double kSmallestHeight = 1e-4;
 
 }  // namespace
 
-AttributeQuadrics::AttributeQuadrics(const CollapseMesh& mesh, const Wishes& wishes) : mesh_(mesh) {
-  if (wishes.attributes.empty()) return;
-  dimension_ = wishes.attributeDimension;
+AttributeQuadrics::AttributeQuadrics(const CollapseMesh& mesh, const SimplifyConstraints& constraints)
+    : mesh_(mesh) {
+  if (constraints.attributes.empty()) return;
+  dimension_ = constraints.attributeDimension;
   stride_ = kFields + 4 * dimension_;
   sums_.assign(size_t{mesh.sectorCount()} * stride_, 0);
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) addTriangle(t, wishes);
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) addTriangle(t, constraints);
 }
 
-void AttributeQuadrics::addTriangle(uint32_t t, const Wishes& wishes) {
+void AttributeQuadrics::addTriangle(uint32_t t, const SimplifyConstraints& constraints) {
   const Triangle& vertices = mesh_.face(t).vertices;
   const Vec3& p = mesh_.position(vertices[0]);
   const Vec3 toQ = mesh_.position(vertices[1]) - p, toR = mesh_.position(vertices[2]) - p;
@@ -30,8 +31,8 @@ void AttributeQuadrics::addTriangle(uint32_t t, const Wishes& wishes) {
   const Vec3 alongQ = cross(toR, normal) / square, alongR = cross(normal, toQ) / square;
   for (uint32_t j = 0; j < dimension_; ++j) {
     const auto value = [&](int c) {
-      const uint32_t row = wishes.wedges.empty() ? vertices[c] : wishes.wedges[3 * size_t{t} + c];
-      return mesh_.diagonal() * wishes.attributes[size_t{row} * dimension_ + j];
+      const uint32_t row = constraints.wedges.empty() ? vertices[c] : constraints.wedges[3 * size_t{t} + c];
+      return mesh_.diagonal() * constraints.attributes[size_t{row} * dimension_ + j];
     };
     const double atP = value(0);
     const Vec3 g = alongQ * (value(1) - atP) + alongR * (value(2) - atP);

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "simplify/collapse_mesh.h"
+#include "simplify/constraints.h"
 #include "simplify/quadric.h"
-#include "simplify/wishes.h"
 
 namespace limber {
 
@@ -21,7 +21,7 @@ namespace limber {
 class AttributeQuadrics {
  public:
   // Without attributes among the wishes nothing is stored.
-  AttributeQuadrics(const CollapseMesh& mesh, const Wishes& wishes);
+  AttributeQuadrics(const CollapseMesh& mesh, const SimplifyConstraints& constraints);
 
   bool empty() const { return sums_.empty(); }
   // What a collapse of an edge leaves as error, on all of its sides; no area.
@@ -35,7 +35,7 @@ class AttributeQuadrics {
     int count;
   };
 
-  void addTriangle(uint32_t t, const Wishes& wishes);
+  void addTriangle(uint32_t t, const SimplifyConstraints& constraints);
   Joined sectorsAt(uint32_t edge, uint32_t first, uint32_t second) const;
   Quadric residualOf(uint32_t first, uint32_t second) const;
   double* sumsOf(uint32_t sector) { return sums_.data() + size_t{sector} * stride_; }

@@ -12,7 +12,7 @@ constexpr double kBorderWeight = 10;  // see CostModel
 
 }  // namespace
 
-CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
+CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const SimplifyConstraints& constraints)
     : livingTriangles_(mesh.triangleCount()) {
   const Topology topology = buildIncidence(mesh);
   const Bounds box = bounds(mesh);
@@ -26,9 +26,9 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
     faces_[t].vertices = mesh.triangles[t];
     std::copy_n(&topology.edgeOfCorner[3 * t], 3, faces_[t].edges.begin());
   }
-  const Lines lines = findLines(mesh, topology, wishes);
+  const FeatureEdges lines = findFeatureEdges(mesh, topology, constraints);
   collectVertices(mesh, topology, lines);
-  if (!wishes.wedges.empty() || !wishes.attributes.empty()) {
+  if (!constraints.wedges.empty() || !constraints.attributes.empty()) {
     sectorOfCorner_ = findSectors(mesh, topology, lines);
     heirOfSector_.assign(sectorOfCorner_.empty() ? 0 : std::ranges::max(sectorOfCorner_) + 1, kNone);
   }
@@ -37,11 +37,12 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes)
     edges_.push_back({.ends = {edge.a, edge.b},
                       .heir = kNone,
                       .triangles = static_cast<uint8_t>(std::min(edge.useCount, 3u)),
-                      .isLine = lines.isLine[edges_.size()]});
+                      .isFeature = lines.isFeature[edges_.size()]});
   collectQuadrics();
 }
 
-void CollapseMesh::collectVertices(const TriangleMesh& mesh, const Topology& topology, const Lines& lines) {
+void CollapseMesh::collectVertices(const TriangleMesh& mesh, const Topology& topology,
+                                   const FeatureEdges& lines) {
   vertices_.reserve(mesh.vertexCount());
   pool_.reserve(4 * topology.vertexCorners.size() + mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
@@ -65,7 +66,7 @@ void CollapseMesh::collectQuadrics() {
     plane.area = 0.5 * twiceArea;
     for (const uint32_t v : corners) vertices_[v].quadric = vertices_[v].quadric + plane;
     for (int c = 0; c < 3; ++c) {
-      if (!isLine(edges[c])) continue;
+      if (!isFeature(edges[c])) continue;
       const uint32_t from = corners[nextIndex(c)], to = corners[previousIndex(c)];
       const Vec3 along = position(to) - position(from);
       const Quadric line = planeQuadric(normalized(cross(along, areaNormal)), position(from),
@@ -96,7 +97,7 @@ void CollapseMesh::joinSectors(uint32_t triangle, int removed, int kept) {
 void CollapseMesh::bequeath(uint32_t dying, uint32_t heir) {
   Edge &from = edges_[dying], &to = edges_[heir];
   to.triangles = static_cast<uint8_t>(to.triangles + from.triangles - 2);
-  to.isLine |= from.isLine;
+  to.isFeature |= from.isFeature;
   from.triangles = 0;
   from.heir = heir;
 }

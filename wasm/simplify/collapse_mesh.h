@@ -9,7 +9,7 @@
 #include "mesh/corner.h"
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
-#include "simplify/lines.h"
+#include "simplify/feature_edges.h"
 #include "simplify/quadric.h"
 
 namespace limber {
@@ -35,7 +35,7 @@ class CollapseMesh {
     Triangle edges;  // edges[c] is opposite to vertices[c]
   };
 
-  explicit CollapseMesh(const TriangleMesh& mesh, const Wishes& wishes = {});
+  explicit CollapseMesh(const TriangleMesh& mesh, const SimplifyConstraints& constraints = {});
 
   uint32_t edgeCount() const { return static_cast<uint32_t>(edges_.size()); }
   uint32_t vertexCount() const { return static_cast<uint32_t>(vertices_.size()); }
@@ -54,7 +54,7 @@ class CollapseMesh {
   bool isMarked(uint32_t v) const { return vertices_[v].isMarked; }
   void setMarked(uint32_t v, bool marked) { vertices_[v].isMarked = marked; }
   // Whether an edge is a border or another line.
-  bool isLine(uint32_t e) const { return edges_[e].triangles == 1 || edges_[e].isLine != 0; }
+  bool isFeature(uint32_t e) const { return edges_[e].triangles == 1 || edges_[e].isFeature != 0; }
   // The end of an edge that the wishes or a line keep in place while the other end is removed; kNone where
   // both ends are alike.
   uint32_t fixedEnd(uint32_t e) const {
@@ -62,7 +62,8 @@ class CollapseMesh {
     const Freedom atA = role(a).freedom, atB = role(b).freedom;
     return atA == atB ? kNone : atA > atB ? a : b;
   }
-  // The sector of corner c of a triangle (see findSectors), where wedges or attributes are among the wishes.
+  // The sector of corner c of a triangle (see findSectors), where wedges or attributes are among the
+  // constraints.
   uint32_t sector(uint32_t t, int c) const { return sectorOfCorner_[3 * size_t{t} + c]; }
   uint32_t sectorCount() const { return static_cast<uint32_t>(heirOfSector_.size()); }
   // Per sector the one that it has joined, or kNone.
@@ -134,7 +135,7 @@ class CollapseMesh {
     Ends ends;
     uint32_t heir;      // of an edge that is gone: the edge it has become; else kNone
     uint8_t triangles;  // see trianglesOnEdge
-    uint8_t isLine;     // whether it is a line inside the surface
+    uint8_t isFeature;  // whether it is a line inside the surface
   };
   struct alignas(128) Vertex {
     Quadric quadric{};
@@ -145,7 +146,7 @@ class CollapseMesh {
     bool isMarked = false;
   };
 
-  void collectVertices(const TriangleMesh& mesh, const Topology& topology, const Lines& lines);
+  void collectVertices(const TriangleMesh& mesh, const Topology& topology, const FeatureEdges& lines);
   void collectQuadrics();
   bool isOn(const Face& face, uint32_t edge) const;
   void bequeath(uint32_t dying, uint32_t heir);

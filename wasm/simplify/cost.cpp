@@ -13,7 +13,7 @@ constexpr double kWorstQuality = 1e-6;  // keeps the price of a needle finite
 // Qualities: a triangle is a sliver from the one down (an angle of five degrees or so), and there is none
 // where all are above the other (eight degrees between equal sides).
 constexpr double kSliver = 0.15, kNoSliver = 0.24;
-constexpr double kMostSliverPrice = 3;  // costs that may fall far come late: see followsSurroundings
+constexpr double kMostSliverPrice = 3;  // costs that may fall far come late: see followsNeighbourhood
 // How far from the middle of an edge its target may lie, in lengths of the edge.
 constexpr double kReach = 2;
 constexpr size_t kPlacedTogether = 16;
@@ -41,8 +41,8 @@ CostModel::CostModel(const TriangleMesh& input, const CollapseMesh& mesh, const 
       method_(options.method),
       shortness_(kShortness + (options.method == Method::Qem ? options.sizeWeight : 0)),
       sizeWeight_(options.sizeWeight),
-      attributes_(mesh, options.wishes),
-      keep_(options.wishes.keep.begin(), options.wishes.keep.end()),
+      attributes_(mesh, options.constraints),
+      keep_(options.constraints.keep.begin(), options.constraints.keep.end()),
       guidance_(guidance) {
   lengthScale_ *= lengthScale_;
   plans_.resize(mesh.edgeCount());
@@ -259,7 +259,7 @@ CostTerms CostModel::terms(uint32_t edge, const Placement& placement) const {
 double CostModel::keepFactor(uint32_t edge) const {
   if (keep_.empty()) return 1;
   const auto [a, b] = mesh_.edge(edge);
-  return 1 + Wishes::kKeepFactor * std::max(keep_[a], keep_[b]);
+  return 1 + SimplifyConstraints::kKeepFactor * std::max(keep_[a], keep_[b]);
 }
 
 // alpha E_strain + beta E_curv (Eq. 8).

@@ -36,14 +36,14 @@ struct CostTerms {
 //
 // E_QEM is Eq. 7 with area-weighted plane quadrics, normalised (Garland 1999): each vertex starts with the
 // planes of its triangles, weighted by their areas, and with the areas' sum; both add up in a collapse, and
-// the error is the sum of squares over the area: a mean squared distance. A border or other line (see Wishes)
-// adds the planes through it that stand on its triangles to both of its ends, weighted by kBorderWeight times
-// its squared length but not counted as area. Lengths are measured where the diagonal of the bounding box is
-// 300. Deviation: Eq. 11 adds terms without a length to a squared length, so its result depends on the file's
-// units; the frame fixes them.
-// Where planes leave the order open (flat faces, straight creases), E_QEM would be rounding noise; a term of
-// kShortness times the squared length of the edge, far below what float32 coordinates show, takes shorter
-// edges first there; for `qem` the size weight adds to it.
+// the error is the sum of squares over the area: a mean squared distance. A border or other line (see
+// SimplifyConstraints) adds the planes through it that stand on its triangles to both of its ends, weighted
+// by kBorderWeight times its squared length but not counted as area. Lengths are measured where the diagonal
+// of the bounding box is 300. Deviation: Eq. 11 adds terms without a length to a squared length, so its
+// result depends on the file's units; the frame fixes them. Where planes leave the order open (flat faces,
+// straight creases), E_QEM would be rounding noise; a term of kShortness times the squared length of the
+// edge, far below what float32 coordinates show, takes shorter edges first there; for `qem` the size weight
+// adds to it.
 //
 // limber: (3 E_QEM + s (1 + w sigma) L^2) (1 + g (1 / q - 1) (1 + p)), with L the edge's length, sigma the
 // larger strain rank at its ends, q the worst quality (Eq. 9) among the changed triangles after the collapse,
@@ -70,7 +70,7 @@ class CostModel {
   // change. All others are left where they wait, or where `guess` puts them, and are priced anew when they
   // come up: most have become dearer, or are gone by then. Only an edge that has become cheaper comes late,
   // which does not show in the distance of the result (it is 0.5 % less for qem on 18 meshes at 25 %).
-  bool followsSurroundings() const { return method_ == Method::Paper && qualityWeight_ > 0; }
+  bool followsNeighbourhood() const { return method_ == Method::Paper && qualityWeight_ > 0; }
   // Of two costs whose ratio is below this either may go first: for limber kTolerance, which saves half of
   // its time.
   double tolerance() const { return method_ == Method::Limber ? kTolerance : 1; }

@@ -68,7 +68,7 @@ double largestCosine(const Vec3& p, const Vec3& q, const Vec3& r) {
 
 Legality::Legality(CollapseMesh& mesh, const SimplifyOptions& options)
     : mesh_(mesh),
-      pinnedSets_(options.wishes.pinnedSets),
+      pinnedSets_(options.constraints.pinnedSets),
       largestCosine_(std::cos(options.minAngle * std::numbers::pi / 180)) {}
 
 Verdict Legality::check(const Collapse& step) {
@@ -96,8 +96,8 @@ bool Legality::mixesPinnedSets(uint32_t edge) const {
 // - a lone triangle, whose other two edges are borders, so that the edge from the third vertex to the virtual
 //   one lies in both links.
 // (A border loop of three edges is caught as a common neighbour, inner edges between borders by `forever`.)
-// Lines are closed by the same virtual vertex, so that the pair of surface and lines stays what it is: an
-// edge whose both ends are on lines must be one, and no triangle may vanish between three.
+// FeatureEdges are closed by the same virtual vertex, so that the pair of surface and lines stays what it is:
+// an edge whose both ends are on lines must be one, and no triangle may vanish between three.
 bool Legality::keepsTopology(const Collapse& step) {
   const auto triangles = static_cast<uint32_t>(mesh_.trianglesOnEdge(step.edge));
   const auto starKept = mesh_.star(step.kept), starRemoved = mesh_.star(step.removed);
@@ -107,16 +107,16 @@ bool Legality::keepsTopology(const Collapse& step) {
     const bool inside = !mesh_.role(step.kept).onBorder && !mesh_.role(step.removed).onBorder;
     if (inside && starKept.size() == 3 && starRemoved.size() == 3) return false;
   }
-  if (joinsLines(step)) return false;
+  if (joinsFeatures(step)) return false;
   return mesh_.changeOf(step).commonNeighbours == triangles;
 }
 
 // Whether a triangle would vanish whose two other edges are both lines.
-bool Legality::joinsLines(const Collapse& step) const {
-  if (!mesh_.role(step.kept).onLine || !mesh_.role(step.removed).onLine) return false;
+bool Legality::joinsFeatures(const Collapse& step) const {
+  if (!mesh_.role(step.kept).onFeature || !mesh_.role(step.removed).onFeature) return false;
   for (const Corner corner : mesh_.star(step.removed)) {
     const auto& edges = mesh_.face(triangleOf(corner)).edges;
-    const int lines = mesh_.isLine(edges[0]) + mesh_.isLine(edges[1]) + mesh_.isLine(edges[2]);
+    const int lines = mesh_.isFeature(edges[0]) + mesh_.isFeature(edges[1]) + mesh_.isFeature(edges[2]);
     const bool vanishes = edges[0] == step.edge || edges[1] == step.edge || edges[2] == step.edge;
     if (vanishes && lines == 3) return true;
   }

@@ -27,7 +27,7 @@ class Legality {
     if (atA.freedom == Freedom::Anchored && atB.freedom == Freedom::Anchored) return Verdict::Locked;
     if (!pinnedSets_.empty() && mixesPinnedSets(edge)) return Verdict::Locked;
     const VertexRole& removed = atA.freedom < atB.freedom ? atA : atB;
-    return removed.onLine && !mesh_.isLine(edge) ? Verdict::Topology : Verdict::Legal;
+    return removed.onFeature && !mesh_.isFeature(edge) ? Verdict::Topology : Verdict::Legal;
   }
 
   // Asks every rule but the deviation, which DeviationLimit knows.
@@ -36,7 +36,7 @@ class Legality {
  private:
   bool mixesPinnedSets(uint32_t edge) const;
   bool keepsTopology(const Collapse& step);
-  bool joinsLines(const Collapse& step) const;
+  bool joinsFeatures(const Collapse& step) const;
   bool spoilsAnyFace(const Collapse& step);
   bool spoilsAngles(const Collapse& step) const;
 

@@ -13,7 +13,7 @@ inline constexpr int kAnyAxis = -1;
 
 // The mirror symmetry of a mesh, or how far it is from one.
 struct MirrorImages {
-  std::vector<uint32_t> partners;  // as Wishes::mirror; empty where there is no symmetry
+  std::vector<uint32_t> partners;  // as SimplifyConstraints::mirror; empty where there is no symmetry
   // Where it is symmetric once quads are cut the other way: see matchSplits. Empty where it is as it stands.
   std::vector<uint32_t> corners;
   // Of the plane asked for, or of the nearest to a symmetry among those tried.

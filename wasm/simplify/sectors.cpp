@@ -4,7 +4,8 @@
 
 namespace limber {
 
-std::vector<uint32_t> findSectors(const TriangleMesh& mesh, const Topology& topology, const Lines& lines) {
+std::vector<uint32_t> findSectors(const TriangleMesh& mesh, const Topology& topology,
+                                  const FeatureEdges& lines) {
   DisjointSets sets(3 * size_t{mesh.triangleCount()});
   const auto cornerAt = [&](uint32_t t, uint32_t v) {
     const Triangle& triangle = mesh.triangles[t];
@@ -12,7 +13,7 @@ std::vector<uint32_t> findSectors(const TriangleMesh& mesh, const Topology& topo
   };
   for (size_t e = 0; e < topology.edges.size(); ++e) {
     const Topology::Edge& edge = topology.edges[e];
-    if (edge.useCount != 2 || lines.isLine[e]) continue;
+    if (edge.useCount != 2 || lines.isFeature[e]) continue;
     const auto triangles = topology.trianglesAt(edge);
     for (const uint32_t v : {edge.a, edge.b})
       sets.unite(cornerAt(triangles[0], v), cornerAt(triangles[1], v));

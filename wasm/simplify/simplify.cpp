@@ -45,7 +45,7 @@ class Simplification {
  public:
   Simplification(const TriangleMesh& input, const Guidance& guidance, const SimplifyOptions& options,
                  Job& job)
-      : mesh_(input, options.wishes),
+      : mesh_(input, options.constraints),
         costs_(input, mesh_, guidance, options),
         legality_(mesh_, options),
         queue_(mesh_.edgeCount()),
@@ -53,7 +53,7 @@ class Simplification {
         stopFaces_(options.stopFaces),
         job_(job) {
     if (options.maxDeviation > 0) deviation_.emplace(input, mesh_, options.maxDeviation);
-    if (!options.wishes.mirror.empty()) mirror_.emplace(input, mesh_, options.wishes.mirror);
+    if (!options.constraints.mirror.empty()) mirror_.emplace(input, mesh_, options.constraints.mirror);
     history_.vertexCount = input.vertexCount();
     history_.triangleCount = input.triangleCount();
     for (auto* list : {&history_.kept, &history_.removed, &history_.trianglesAfter})
@@ -91,7 +91,7 @@ class Simplification {
   void carryOut(const Collapse& step);
   void record(const Collapse& step);
   void updateCosts(uint32_t kept);
-  void queueSurroundings(uint32_t neighbour);
+  void queueNeighbourhood(uint32_t neighbour);
   void queueRefused(uint32_t neighbour);
   void queueByBounds(std::span<const uint32_t> edges);
   void queueByBound(uint32_t edge);
@@ -149,7 +149,7 @@ bool Simplification::goesBack(uint32_t edge) {
   const double cost = costs_.cost(edge);
   if (!findFirst() || queue_.wouldBeFirst(edge, cost / costs_.tolerance())) return false;
   queue_.set(edge, cost);
-  places_[edge] = costs_.followsSurroundings() ? Place::ByCost : Place::ByBound;
+  places_[edge] = costs_.followsNeighbourhood() ? Place::ByCost : Place::ByBound;
   return true;
 }
 
@@ -218,20 +218,20 @@ void Simplification::updateCosts(uint32_t kept) {
   neighbours_.clear();
   mesh_.forEachEdge(kept, [&](uint32_t edge, uint32_t neighbour) {
     if (legality_.forever(edge) == Verdict::Legal) {
-      if (!costs_.followsSurroundings() && queue_.isWaiting(edge))
+      if (!costs_.followsNeighbourhood() && queue_.isWaiting(edge))
         queue_.doubt(edge, costs_.guess(edge, queue_.cost(edge)));
       else
         edges_.push_back(edge);
     }
-    if (costs_.followsSurroundings() || mesh_.isMarked(neighbour)) neighbours_.push_back(neighbour);
+    if (costs_.followsNeighbourhood() || mesh_.isMarked(neighbour)) neighbours_.push_back(neighbour);
   });
   mesh_.setMarked(kept, false);
   costs_.setBounds(edges_);
   queueByBounds(edges_);
   for (const uint32_t neighbour : neighbours_) {
     if (mesh_.role(neighbour).freedom == Freedom::Locked) continue;
-    if (costs_.followsSurroundings())
-      queueSurroundings(neighbour);
+    if (costs_.followsNeighbourhood())
+      queueNeighbourhood(neighbour);
     else
       queueRefused(neighbour);
     mesh_.setMarked(neighbour, false);
@@ -251,7 +251,7 @@ void Simplification::queueByBound(uint32_t edge) {
   queue_.set(edge, costs_.bound(edge));
 }
 
-void Simplification::queueSurroundings(uint32_t neighbour) {
+void Simplification::queueNeighbourhood(uint32_t neighbour) {
   mesh_.forEachEdge(neighbour, [&](uint32_t edge, uint32_t) {
     const Place place = places_[edge];
     if (place == Place::ByBound) return;
@@ -293,7 +293,7 @@ bool Simplification::queueWhatIsLegal() {
 void checkRequest(const TriangleMesh& mesh, const Guidance& guidance, const SimplifyOptions& options) {
   checkGuidance(mesh, guidance);
   checkNumbers(options);
-  checkWishes(mesh, options.wishes);
+  checkConstraints(mesh, options.constraints);
 }
 
 History simplify(const TriangleMesh& mesh, const Guidance& guidance, const SimplifyOptions& options,

@@ -4,8 +4,8 @@
 
 #include "base/job.h"
 #include "mesh/triangle_mesh.h"
+#include "simplify/constraints.h"
 #include "simplify/history.h"
-#include "simplify/wishes.h"
 
 namespace limber {
 
@@ -25,7 +25,7 @@ struct SimplifyOptions {
   // without being larger than it was, so that the smallest angle of the mesh never falls below the lesser of
   // this and the input's. 0: none.
   double minAngle = 0;
-  Wishes wishes{};
+  SimplifyConstraints constraints{};
 };
 
 // What guides `paper`; `limber` takes the strain alone, `qem` nothing. Empty spans count as 0 everywhere.
@@ -45,7 +45,7 @@ void checkRequest(const TriangleMesh& mesh, const Guidance& guidance, const Simp
 // bounding diagonal is 300 (Eq. 11 carries no length; see docs/paper.md). Legal: the link condition holds
 // (components, boundary loops and genus stay), no face turns over, non-manifold edges and vertices stay
 // untouched. A refused edge is tried again when its surroundings change. Ties go to the lower vertex indices.
-// An edge whose cost falls when its surroundings change may come late, see CostModel::followsSurroundings;
+// An edge whose cost falls when its surroundings change may come late, see CostModel::followsNeighbourhood;
 // `paper` with a quality weight never lets it.
 // Throws Cancelled, and std::invalid_argument where a guidance field has the wrong size.
 History simplify(const TriangleMesh& mesh, const Guidance& guidance, const SimplifyOptions& options,

@@ -11,7 +11,9 @@ constexpr uint32_t kStepsPerReport = 512;
 class Moment {
  public:
   Moment(const TriangleMesh& input, const Guidance& guidance, const SimplifyOptions& options)
-      : mesh_(input, options.wishes), costs_(input, mesh_, guidance, options), legality_(mesh_, options) {}
+      : mesh_(input, options.constraints),
+        costs_(input, mesh_, guidance, options),
+        legality_(mesh_, options) {}
 
   void replay(const History& history, uint32_t count, Job& job);
   void priceAll();

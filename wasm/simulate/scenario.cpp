@@ -115,8 +115,8 @@ Vec3 initialVelocity(const Scenario& scenario, const Vec3& rest) {
   return alongAxis(scenario.across(), kStrike * scenario.box.diagonal() * scenario.unit * height * height);
 }
 
-Surroundings surroundingsOf(const Scenario& scenario) {
-  Surroundings all = scenario.added;
+CollisionScene collisionSceneOf(const Scenario& scenario) {
+  CollisionScene all = scenario.added;
   if (scenario.kind == ScenarioKind::Drop && !all.ground)
     all.ground = scenario.box.low.y - kDropHeight * scenario.box.diagonal();
   if (scenario.kind == ScenarioKind::Drape) all.colliders.push_back(ballUnder(scenario));
@@ -128,9 +128,9 @@ void startScenario(const Scenario& scenario, std::span<const Vec3> restPositions
   for (const Vec3& rest : restPositions) velocities.push_back(initialVelocity(scenario, rest));
   simulation.setVelocities(velocities);
   simulation.setGravity(gravityOf(scenario));
-  const Surroundings surroundings = surroundingsOf(scenario);
-  if (surroundings.ground) simulation.setGround(*surroundings.ground);
-  simulation.setColliders(surroundings.colliders);
+  const CollisionScene collisionScene = collisionSceneOf(scenario);
+  if (collisionScene.ground) simulation.setGround(*collisionScene.ground);
+  simulation.setColliders(collisionScene.colliders);
 }
 
 void prepareStep(const Scenario& scenario, double time, std::span<const Vec3> pinRest,

@@ -12,7 +12,7 @@ namespace limber {
 enum class ScenarioKind : int32_t { Twist = 0, Sway = 1, Hang = 2, Drop = 3, Pull = 4, Wind = 5, Drape = 6 };
 
 // What a body can touch, in units of the mesh.
-struct Surroundings {
+struct CollisionScene {
   std::optional<double> ground = {};  // height of a floor across y
   std::vector<Collider> colliders = {};
 };
@@ -30,10 +30,10 @@ struct Surroundings {
 //   drape  gravity along the shortest side, onto a ball of a fifth of a diagonal under the middle
 struct Scenario {
   ScenarioKind kind;
-  Bounds box;               // of the original, in units of the mesh
-  double seconds;           // of the whole motion
-  double unit = 1;          // metres per unit of the mesh
-  Surroundings added = {};  // to what the scenario has by itself; a floor in place of its own
+  Bounds box;                 // of the original, in units of the mesh
+  double seconds;             // of the whole motion
+  double unit = 1;            // metres per unit of the mesh
+  CollisionScene added = {};  // to what the scenario has by itself; a floor in place of its own
 
   int axis() const;
   // The axis that sway and wind run along: the box's shortest side (the last of equal ones).
@@ -51,9 +51,9 @@ Vec3 pinTarget(const Scenario& scenario, const Vec3& rest, double time);
 Vec3 initialVelocity(const Scenario& scenario, const Vec3& rest);
 
 // Everything the body can touch, which does not move.
-Surroundings surroundingsOf(const Scenario& scenario);
+CollisionScene collisionSceneOf(const Scenario& scenario);
 
-// Gravity, surroundings and initial velocities; before the first step.
+// Gravity, collisionScene and initial velocities; before the first step.
 void startScenario(const Scenario& scenario, std::span<const Vec3> restPositions, Simulation& simulation);
 
 // Pins and wind of the step that begins at `time`; `pinRest` as the pins of the simulation come.

@@ -17,17 +17,17 @@ enum class Material : int32_t { Springs = 0, Shell = 1 };
 // Positions and lengths of the mesh, of pins and of colliders are in the mesh's own units; all else is SI.
 struct SimulationOptions {
   Material material = Material::Shell;
-  double young = 0;           // Pa, > 0
-  double poisson = 0;         // in (-1, 0.5)
-  double density = 0;         // kg/m3, > 0
-  double thickness = 0;       // units of the mesh, > 0
-  double unit = 1;            // metres per unit of the mesh, > 0
-  int substeps = 20;          // of a step, 1 to 100,000
-  double damping = 0;         // 1/s: velocities fall by this rate
-  double friction = 0.5;      // Coulomb's, against the ground and colliders
-  bool keepsVolume = true;    // of closed components of a shell, as if filled with the material
-  bool avoidsItself = false;  // sheets push each other away, see SelfContacts
-  uint32_t order = 0;         // of the constraints: 0 as they come, any other number an order of its own
+  double young = 0;            // Pa, > 0
+  double poisson = 0;          // in (-1, 0.5)
+  double density = 0;          // kg/m3, > 0
+  double thickness = 0;        // units of the mesh, > 0
+  double unit = 1;             // metres per unit of the mesh, > 0
+  int substeps = 20;           // of a step, 1 to 100,000
+  double damping = 0;          // 1/s: velocities fall by this rate
+  double friction = 0.5;       // Coulomb's, against the ground and colliders
+  bool keepsVolume = true;     // of closed components of a shell, as if filled with the material
+  bool selfCollision = false;  // sheets push each other away, see SelfContacts
+  uint32_t order = 0;          // of the constraints: 0 as they come, any other number an order of its own
 };
 
 // A point of the surface: (1 - b - c) of corner 0, b of corner 1, c of corner 2 of a triangle.

@@ -126,7 +126,7 @@ void Simulation::State::makeParticles() {
 
 void Simulation::State::makeConstraints() {
   const Sheet sheet = {options.young, options.poisson, options.thickness * options.unit, options.density};
-  if (options.avoidsItself) selfContacts.emplace(mesh, options.friction);
+  if (options.selfCollision) selfContacts.emplace(mesh, options.friction);
   const ConstraintOptions made = {sheet, blocks, substep, options.order};
   if (options.material == Material::Springs) {
     edges.emplace(mesh, topology, particles, made);

@@ -57,8 +57,8 @@ export async function runModes(args: Arguments): Promise<number> {
 }
 
 function shapesOf({ settings }: Arguments, prepared: PreparedBody, modes: ModeSet) {
-  const layers = resolveModes(settings).map((mode) => mode - 1);
-  const targets = shapeTargets(prepared.mesh, modes, layers, prepared.diagonal);
+  const ordinals = resolveModes(settings).map((mode) => mode - 1);
+  const targets = shapeTargets(prepared.mesh, modes, ordinals, prepared.diagonal);
   return { ...exportedMesh(prepared), targets };
 }
 

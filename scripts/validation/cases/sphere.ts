@@ -14,10 +14,10 @@ const SHEAR_SPEED = Math.sqrt(1 / (2 * (1 + POISSON)));
 const MODES = 30;
 
 /** How a mode moves: the share of radial motion in its energy, and how evenly that goes outwards. */
-function radialMotion({ positions }: TriangleMesh, { shapes }: ModeSet, layer: number) {
+function radialMotion({ positions }: TriangleMesh, { shapes }: ModeSet, ordinal: number) {
   let [all, radial, outwards] = [0, 0, 0];
   for (let v = 0; v < positions.length; v += 3) {
-    const shape = shapes.subarray(layer * positions.length + v, layer * positions.length + v + 3);
+    const shape = shapes.subarray(ordinal * positions.length + v, ordinal * positions.length + v + 3);
     const along = shape[0] * positions[v] + shape[1] * positions[v + 1] + shape[2] * positions[v + 2];
     all += shape[0] ** 2 + shape[1] ** 2 + shape[2] ** 2;
     radial += along ** 2;
@@ -35,8 +35,8 @@ export function sphereRun(core: Core, cuts: number, kind: MeshKind): Run {
     spheroidal: [],
     breathing: [],
   };
-  for (const { omega, layer } of set.modes) {
-    const { radial, even } = radialMotion(mesh, set, layer);
+  for (const { omega, ordinal } of set.modes) {
+    const { radial, even } = radialMotion(mesh, set, ordinal);
     const family = radial < 0.01 ? 'torsional' : radial > 0.8 && even > 0.8 ? 'breathing' : 'spheroidal';
     sorted[family].push(omega / SHEAR_SPEED);
   }

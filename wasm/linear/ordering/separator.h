@@ -7,8 +7,8 @@
 namespace limber {
 
 // Splits a connected graph of at least two nodes into halves of comparable weight with a light separator
-// between them: multilevel (Karypis and Kumar 1998); the coarsest graph is cut between layers of distance,
-// the cut of each finer one tightened by a minimum cut. Deterministic. Throws Cancelled.
+// between them: multilevel (Karypis and Kumar 1998); the coarsest graph is cut between rings of equal
+// distance, the cut of each finer one tightened by a minimum cut. Deterministic. Throws Cancelled.
 Sides separate(const NodeGraph& graph, const Job& job);
 
 }  // namespace limber

@@ -9,7 +9,7 @@ namespace limber {
 namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
-constexpr int kBandLayers = 5;         // on either side of the separator
+constexpr int kBandRings = 5;          // on either side of the separator
 constexpr double kSmallestHalf = 0.4;  // of the whole weight
 
 struct Band {
@@ -17,7 +17,7 @@ struct Band {
   std::vector<uint32_t> indexOf;  // of each node of the graph, or kNone
 };
 
-// The separator and what lies within some layers of it, as long as either half stays large enough without.
+// The separator and what lies within some rings of it, as long as either half stays large enough without.
 Band bandAround(const NodeGraph& graph, const Sides& sides) {
   int64_t weight[3] = {};
   Band band;
@@ -32,7 +32,7 @@ Band bandAround(const NodeGraph& graph, const Sides& sides) {
   }
   const double least = kSmallestHalf * static_cast<double>(weight[Left] + weight[Right] + weight[Between]);
   size_t head = 0;
-  for (int layer = 0; layer < kBandLayers; ++layer)
+  for (int ring = 0; ring < kBandRings; ++ring)
     for (const size_t end = band.nodes.size(); head < end; ++head)
       for (uint32_t j : graph.around(band.nodes[head])) {
         if (band.indexOf[j] != kNone) continue;

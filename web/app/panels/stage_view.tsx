@@ -173,7 +173,7 @@ const blendedShape = computed((): Float32Array | null => {
   const body = results.body.value;
   if (!modes || !body) return null;
   const size = body.mesh.positions.length;
-  const chosen = guidingModes().filter((mode) => mode <= modes.layerCount);
+  const chosen = guidingModes().filter((mode) => mode <= modes.modesPerComponent);
   const shape = new Float32Array(size);
   for (const mode of chosen)
     for (let i = 0; i < size; i++) shape[i] += modes.shapes[(mode - 1) * size + i] / chosen.length;

@@ -75,7 +75,7 @@ export class Client {
   /** Stops the running call: by a wish in shared memory, or by a fresh worker that opens the same files again. */
   cancel(): void {
     if (!this.abandon) return;
-    if (this.job) return this.wishToStop(this.job);
+    if (this.job) return this.requestCancel(this.job);
     this.worker.terminate();
     this.abandon(new Error(CANCELLED));
     this.started = this.startWorker().then(async (started) => {
@@ -85,7 +85,7 @@ export class Client {
   }
 
   /** A call clears the wish as it starts, so the wish is repeated until this call has ended. */
-  private wishToStop(job: Int32Array): void {
+  private requestCancel(job: Int32Array): void {
     const call = this.abandon;
     const repeat = () => {
       if (this.abandon !== call) return clearInterval(timer);

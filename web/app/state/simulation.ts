@@ -3,12 +3,12 @@
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { proxy, wrap } from 'comlink';
 import type { Remote } from 'comlink';
-import type { MeshAt, SurfacePoint, Surroundings } from '../../engine/core/core';
+import type { MeshAt, SurfacePoint, CollisionScene } from '../../engine/core/core';
 import { OPTIONS } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { topCorners } from '../../engine/motion/top_corners';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
-import type { SimulationApi, TwinFrame, TwinWishes } from '../worker/simulation_protocol';
+import type { SimulationApi, TwinFrame, TwinRequest } from '../worker/simulation_protocol';
 import { pinsKey, resultKey } from './keys';
 import { results, shownMesh, status, view, wantedFaces, wants } from './store';
 
@@ -33,7 +33,7 @@ export const twin = {
   /** the largest deviation of any vertex since the start, % */
   worst: signal(0),
   /** what both bodies can touch */
-  surroundings: signal<Surroundings | null>(null),
+  collisionScene: signal<CollisionScene | null>(null),
   /** why nothing can be simulated */
   failure: signal<string | null>(null),
 };
@@ -90,7 +90,7 @@ let numbersAt = 0;
 let curveAt = 0;
 let recorded: TwinSample[] = [];
 
-const wishes = (): TwinWishes => ({
+const constraints = (): TwinRequest => ({
   deviations: twin.heat.value,
   driven: twin.driven.value,
 });
@@ -152,9 +152,9 @@ async function start(result: MeshAt): Promise<void> {
   };
   try {
     await loaded;
-    const surroundings = await api.start(setup, wishes());
+    const collisionScene = await api.start(setup, constraints());
     if (mine !== number) return;
-    twin.surroundings.value = surroundings;
+    twin.collisionScene.value = collisionScene;
     await api.play(isMoving());
   } catch (error) {
     if (mine === number) twin.failure.value = error instanceof Error ? error.message : String(error);
@@ -230,7 +230,7 @@ export function startSimulations(): void {
     untracked(() => void remote?.play(isPlaying));
   });
   effect(() => {
-    const wanted = wishes();
-    untracked(() => void remote?.wish(wanted));
+    const wanted = constraints();
+    untracked(() => void remote?.setRequest(wanted));
   });
 }

@@ -1,9 +1,9 @@
 /** What bodies fall on: a floor and balls or capsules, drawn in a scene beside a body. */
 
 import * as THREE from 'three';
-import type { Collider, Surroundings } from '../../engine/core/core';
+import type { Collider, CollisionScene } from '../../engine/core/core';
 
-export interface Props extends Surroundings {
+export interface Props extends CollisionScene {
   /** how far down a body will hang; null: no farther than it stands */
   lowest: number | null;
   /** of what stands on the floor, in units of the mesh */

@@ -60,9 +60,9 @@ export interface PinsResult {
 
 /** Where each mode strains the body. */
 export interface StrainOverview {
-  /** strips[layer * STRIP + i]: mean strain rank of that mode along the body's longest axis */
+  /** strips[ordinal * STRIP + i]: mean strain rank of that mode along the body's longest axis */
   strips: Float32Array;
-  /** shared[a * layerCount + b]: the part of the hot faces of layer a that are hot in layer b too, see hot_spots.ts */
+  /** shared[a * modesPerComponent + b]: the part of the hot faces of ordinal a that are hot in ordinal b too, see hot_spots.ts */
   shared: Float32Array;
 }
 

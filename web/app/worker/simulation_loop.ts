@@ -2,7 +2,7 @@
 
 import { STEP_SECONDS } from '../../engine/motion/simulation';
 import type { Twin, TwinName, TwinSample } from '../../engine/motion/twin';
-import type { BodyState, ShowFrame, TwinFrame, TwinWishes } from './simulation_protocol';
+import type { BodyState, ShowFrame, TwinFrame, TwinRequest } from './simulation_protocol';
 
 const STEP_MILLISECONDS = 1000 * STEP_SECONDS;
 
@@ -17,7 +17,7 @@ const REAL_TIME = 0.9;
 const PACE_SPAN = 1000;
 
 export class SimulationLoop {
-  wishes: TwinWishes;
+  constraints: TwinRequest;
   private isPlaying = false;
   private isShowing = false;
   private hasNews = false;
@@ -36,9 +36,9 @@ export class SimulationLoop {
     private readonly twin: Twin,
     private readonly number: number,
     private readonly showFrame: ShowFrame,
-    { wishes, spareSeconds }: { wishes: TwinWishes; spareSeconds: number },
+    { constraints, spareSeconds }: { constraints: TwinRequest; spareSeconds: number },
   ) {
-    this.wishes = wishes;
+    this.constraints = constraints;
     this.spareSeconds = spareSeconds;
     this.announce();
   }
@@ -57,8 +57,8 @@ export class SimulationLoop {
     if (!this.isPlaying) this.advance();
   }
 
-  wish(wishes: TwinWishes): void {
-    this.wishes = wishes;
+  setRequest(constraints: TwinRequest): void {
+    this.constraints = constraints;
     this.announce();
   }
 
@@ -141,14 +141,14 @@ export class SimulationLoop {
   }
 
   private frame(): TwinFrame {
-    const { twin, number, wishes, samples, exploded, failure } = this;
+    const { twin, number, constraints, samples, exploded, failure } = this;
     this.samples = [];
     return {
       number,
       time: twin.time,
       bodies: { original: this.stateOf('original'), optimized: this.stateOf('optimized') },
-      driven: wishes.driven ? twin.driven() : null,
-      deviations: wishes.deviations ? twin.deviations().slice() : null,
+      driven: constraints.driven ? twin.driven() : null,
+      deviations: constraints.deviations ? twin.deviations().slice() : null,
       samples,
       playing: this.isPlaying,
       pace: this.pace(),

@@ -1,6 +1,6 @@
 /** What the page and the worker of the Test step say to each other: plain data, typed arrays moved rather than copied. */
 
-import type { MeshAt, SurfacePoint, Surroundings, TriangleMesh } from '../../engine/core/core';
+import type { MeshAt, SurfacePoint, CollisionScene, TriangleMesh } from '../../engine/core/core';
 import type { Settings } from '../../engine/settings/options';
 import type { BodySize } from '../../engine/stages/pipeline';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
@@ -21,7 +21,7 @@ export interface TwinSetup {
 }
 
 /** What a frame carries besides positions. */
-export interface TwinWishes {
+export interface TwinRequest {
   /** the deviation of each vertex */
   deviations: boolean;
   /** the original as the optimized body carries it */
@@ -65,8 +65,8 @@ export interface SimulationApi {
    * Replaces what has been there, at rest and paused; returns what the bodies can touch. Throws one sentence where that
    * cannot be simulated.
    */
-  start(setup: TwinSetup, wishes: TwinWishes): Promise<Surroundings>;
-  wish(wishes: TwinWishes): Promise<void>;
+  start(setup: TwinSetup, constraints: TwinRequest): Promise<CollisionScene>;
+  setRequest(constraints: TwinRequest): Promise<void>;
   play(isPlaying: boolean): Promise<void>;
   step(): Promise<void>;
   /** Takes hold of a point, of both bodies. */

@@ -55,17 +55,17 @@ const api: SimulationApi = {
     show = (frame) => showFrame(moved(frame));
     core = await loadCore({ wasmFolder, threads: Math.min(MOST_THREADS, navigator.hardwareConcurrency) });
   },
-  start: async (setup, wishes) => {
+  start: async (setup, constraints) => {
     loop?.end();
     loop = null;
     // A thread for each body: then the hidden run costs nothing.
     const keepsNoise = setup.noise === 'always' || core.threads >= MOST_THREADS;
     const spareSeconds = keepsNoise ? Infinity : SPARE_SHARE * core.threads * STEP_SECONDS;
     const twin = makeTwin(setup);
-    loop = new SimulationLoop(twin, setup.number, show, { wishes, spareSeconds });
-    return twin.surroundings;
+    loop = new SimulationLoop(twin, setup.number, show, { constraints, spareSeconds });
+    return twin.collisionScene;
   },
-  wish: async (wishes) => loop?.wish(wishes),
+  setRequest: async (constraints) => loop?.setRequest(constraints),
   play: async (isPlaying) => loop?.play(isPlaying),
   step: async () => loop?.step(),
   grab: async (name, point) => loop?.grab(name, point),

@@ -5,13 +5,18 @@ import { hotFaces, sharedHotSpots } from '../../engine/stages/hot_spots';
 import { STRIP } from './protocol';
 import type { StrainOverview } from './protocol';
 
-/** Each layer alone is ranked once; the strip takes means of the faces whose centre lies in slab i of the longest axis. */
+/** Each ordinal alone is ranked once; the strip takes means of the faces whose centre lies in slab i of the longest axis. */
 export function strainOverview(core: Core, mesh: TriangleMesh, modes: ModeSet): StrainOverview {
   const slab = slabOfTriangle(mesh);
-  const strips = new Float32Array(modes.layerCount * STRIP);
-  const hot = Array.from({ length: modes.layerCount }, (_, layer) => {
-    const { rank } = core.strainGuidance(mesh, modes, { layers: [layer], weights: [1], p: 2, threshold: 0 });
-    strips.set(meanOverSlabs(rank, slab), layer * STRIP);
+  const strips = new Float32Array(modes.modesPerComponent * STRIP);
+  const hot = Array.from({ length: modes.modesPerComponent }, (_, ordinal) => {
+    const { rank } = core.strainGuidance(mesh, modes, {
+      ordinals: [ordinal],
+      weights: [1],
+      p: 2,
+      threshold: 0,
+    });
+    strips.set(meanOverSlabs(rank, slab), ordinal * STRIP);
     return hotFaces(rank);
   });
   return { strips, shared: sharedHotSpots(hot) };

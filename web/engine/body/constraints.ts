@@ -14,9 +14,9 @@ export interface Held {
   pinned?: Uint32Array;
   /** vertices that neither move nor go */
   locked?: Uint32Array;
-  /** per vertex, in [0, 1]: see Wishes.keep */
+  /** per vertex, in [0, 1]: see SimplifyConstraints.keep */
   keep?: Float32Array;
-  /** Wishes.mirror */
+  /** SimplifyConstraints.mirror */
   mirror?: Uint32Array;
 }
 

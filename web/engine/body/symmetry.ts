@@ -6,7 +6,7 @@ import { counted } from '../core/words';
 import type { Settings } from '../settings/options';
 import type { PreparedBody } from '../stages/pipeline';
 
-type Wished = Exclude<Settings['symmetry'], 'off'>;
+type RequestedSymmetry = Exclude<Settings['symmetry'], 'off'>;
 
 /** One sentence on why there is no such symmetry. */
 export function describeLack(
@@ -27,7 +27,7 @@ export function describeLack(
  * The body with its mirror images; with quads cut the other way on one side where that makes it symmetric, as files often have
  * quads of both sides cut one way. Vertices keep their numbers. A note tells of it.
  */
-export function withMirror(core: Core, prepared: PreparedBody, symmetry: Wished): PreparedBody {
+export function withMirror(core: Core, prepared: PreparedBody, symmetry: RequestedSymmetry): PreparedBody {
   const axis = ['x', 'y', 'z'].indexOf(symmetry);
   const images = core.findMirrorImages(prepared.mesh, prepared.attributes.charts, axis);
   return images.corners.length === 0

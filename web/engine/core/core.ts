@@ -81,8 +81,8 @@ export interface Mode {
   /** |K phi - lambda M phi| / (lambda |M phi|) */
   residual: number;
   component: number;
-  /** it is the component's (layer + 1)-th elastic mode */
-  layer: number;
+  /** it is the component's (ordinal + 1)-th elastic mode */
+  ordinal: number;
   /** laplacian: the principal axis it moves along, 0 shortest .. 2 longest; otherwise -1 */
   axis: number;
   name: ModeName;
@@ -100,13 +100,13 @@ export interface ComponentModes {
   modeCount: number;
 }
 
-/** Modes of every component. Layer k holds, at each vertex, the (k + 1)-th elastic mode of the vertex's own component. */
+/** Modes of every component. Ordinal k holds, at each vertex, the (k + 1)-th elastic mode of the vertex's own component. */
 export interface ModeSet {
   /** ascending by omega */
   modes: Mode[];
   components: ComponentModes[];
-  layerCount: number;
-  /** shapes[(layer * vertexCount + v) * 3 + c]; the largest displacement of each component's shape is 1 */
+  modesPerComponent: number;
+  /** shapes[(ordinal * vertexCount + v) * 3 + c]; the largest displacement of each component's shape is 1 */
   shapes: Float32Array;
   /** per vertex */
   componentOfVertex: Uint32Array;
@@ -115,8 +115,8 @@ export interface ModeSet {
 
 export interface GuidanceOptions {
   /** modes by number from 0, each component's own */
-  layers: number[];
-  /** w_k of Eq. 6 per entry of `layers`; empty: 1 / omega_k^2 */
+  ordinals: number[];
+  /** w_k of Eq. 6 per entry of `ordinals`; empty: 1 / omega_k^2 */
   weights: number[];
   /** in [1, Infinity] */
   p: number;
@@ -140,8 +140,8 @@ export interface Curvature {
 
 export type Method = 'qem' | 'paper' | 'limber';
 
-/** What a simplification has to respect besides the surface; see wasm/simplify/wishes.h. Every list may be left out. */
-export interface Wishes {
+/** What a simplification has to respect besides the surface; see wasm/simplify/constraints.h. Every list may be left out. */
+export interface SimplifyConstraints {
   /** wedges[3 * t + corner]: equal at a vertex where all attributes are */
   wedges?: Uint32Array;
   /** per triangle: its primitive or material */
@@ -179,7 +179,7 @@ export interface SimplifyOptions {
   maxDeviation?: number;
   /** refuses collapses that make an angle smaller than this (degrees) where there was none; 0: none */
   minAngle?: number;
-  wishes?: Wishes;
+  constraints?: SimplifyConstraints;
 }
 
 /** Why the edges left at the end cannot collapse, each under its first reason; all 0 where the history ended at stopFaces. */
@@ -205,13 +205,13 @@ export interface History {
   refused: Refused;
   /** why it ends */
   stop: 'target' | 'deviation' | 'angle' | 'exhausted';
-  /** Wishes.mirror, where it was among the wishes: collapses then come in pairs */
+  /** SimplifyConstraints.mirror, where it was among the constraints: collapses then come in pairs */
   mirror?: Uint32Array;
 }
 
 /** The mirror symmetry of a mesh, or how far it is from one; see wasm/simplify/mirror_images.h. */
 export interface MirrorImages {
-  /** Wishes.mirror; empty where there is no symmetry */
+  /** SimplifyConstraints.mirror; empty where there is no symmetry */
   partners: Uint32Array;
   /**
    * Per corner of the mesh with some quads cut the other way: which corner of the mesh it has been; empty where it is
@@ -274,7 +274,7 @@ export interface FitOptions {
   locked: Uint8Array;
   /** the same, and the modes of the body held there are fitted */
   pinned: Uint8Array;
-  /** Wishes.mirror: a result that is its own image stays one */
+  /** SimplifyConstraints.mirror: a result that is its own image stays one */
   mirror?: Uint32Array;
   /** what the result keeps, where it does so already: distance from `mesh`, in its units, and degrees; 0 sets no limit */
   maxDeviation: number;
@@ -377,13 +377,13 @@ export interface Collider {
 }
 
 /** What a body can touch, in units of the mesh; it does not move. */
-export interface Surroundings {
+export interface CollisionScene {
   /** height of a floor across y */
   ground: number | null;
   colliders: Collider[];
 }
 
-export interface SimulationOptions extends Partial<Surroundings> {
+export interface SimulationOptions extends Partial<CollisionScene> {
   /** shell: membrane and bending, the same material on any mesh; springs: the paper's edges */
   material: SimulationMaterial;
   /** what happens; see wasm/simulate/scenario.h */
@@ -544,7 +544,7 @@ export interface Core {
     options: SimulationOptions & ComparisonOptions,
   ): MotionComparison;
   /** all that a body can touch in this scenario: what the options add and what it has by itself */
-  scenarioSurroundings(original: TriangleMesh, options: SimulationOptions): Surroundings;
+  scenarioCollisionScene(original: TriangleMesh, options: SimulationOptions): CollisionScene;
   /** a number for the calls below; `mesh` is the original or a body that its pins are carried over to */
   startSimulation(mesh: TriangleMesh, original: TriangleMesh, options: StartOptions): number;
   /** one step of 1/60 s each, side by side */

@@ -43,7 +43,7 @@ const FUNCTIONS: readonly (keyof CoreFunctions)[] = [
   'frequencyErrors',
   'calibrationFactor',
   'compareMotion',
-  'scenarioSurroundings',
+  'scenarioCollisionScene',
   'startSimulation',
   'stepSimulations',
   'simulationPositions',

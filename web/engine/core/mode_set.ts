@@ -3,7 +3,7 @@
 import type { ComponentModes, Mode, ModeSet } from './core';
 import { counted } from './words';
 
-/** Elastic modes of the component that has most; layers from here on are empty. */
+/** Elastic modes of the component that has most; ordinals from here on are empty. */
 export function modesAvailable({ components }: Pick<ModeSet, 'components'>): number {
   return components.reduce((most, { modeCount }) => Math.max(most, modeCount), 0);
 }
@@ -15,9 +15,9 @@ export function coarseVerticesOf({ components }: Pick<ModeSet, 'components'>): n
 
 type NamedModes = Pick<ModeSet, 'modes' | 'components'>;
 
-/** The mode that speaks for a layer: that of the part with most faces, of equal ones the first; null for an empty layer. */
-export function leadingMode({ modes, components }: NamedModes, layer: number): Mode | null {
-  const own = modes.filter((mode) => mode.layer === layer);
+/** The mode that speaks for a ordinal: that of the part with most faces, of equal ones the first; null for an empty ordinal. */
+export function leadingMode({ modes, components }: NamedModes, ordinal: number): Mode | null {
+  const own = modes.filter((mode) => mode.ordinal === ordinal);
   const isLarger = (a: Mode, b: Mode) => {
     const difference = components[a.component].faces - components[b.component].faces;
     return difference > 0 || (difference === 0 && a.component < b.component);
@@ -32,7 +32,7 @@ export function localModes(set: NamedModes, modes: number[]): number[] {
 
 /** The first `count` modes (numbers from 1) that are not local; fewer where there are no more. */
 export function suggestedModes(set: NamedModes, count: number): number[] {
-  const all = Array.from({ length: modesAvailable(set) }, (_, layer) => layer + 1);
+  const all = Array.from({ length: modesAvailable(set) }, (_, ordinal) => ordinal + 1);
   return all.filter((mode) => leadingMode(set, mode - 1)?.name !== 'local').slice(0, count);
 }
 

@@ -17,34 +17,34 @@ const SWING_SECONDS = 2;
 const KEYFRAMES = 33;
 
 /**
- * One target per asked layer that exists: target k moves every part of the body in its own (k + 1)-th mode, so that
- * parts with many modes do not become a target each. `layers` from 0.
+ * One target per asked ordinal that exists: target k moves every part of the body in its own (k + 1)-th mode, so that
+ * parts with many modes do not become a target each. `ordinals` from 0.
  */
 export function shapeTargets(
   mesh: TriangleMesh,
   modes: ModeSet,
-  layers: number[],
+  ordinals: number[],
   diagonal: number,
 ): MorphTarget[] {
   const size = mesh.positions.length;
   const available = modesAvailable(modes);
-  return layers
-    .filter((layer) => layer < available)
-    .map((layer) => {
-      const shape = modes.shapes.subarray(layer * size, (layer + 1) * size);
+  return ordinals
+    .filter((ordinal) => ordinal < available)
+    .map((ordinal) => {
+      const shape = modes.shapes.subarray(ordinal * size, (ordinal + 1) * size);
       return {
-        name: shapeName(modes, layer),
+        name: shapeName(modes, ordinal),
         displacements: shape.map((value) => AMPLITUDE * diagonal * value),
       };
     });
 }
 
-function shapeName(modes: ModeSet, layer: number): string {
+function shapeName(modes: ModeSet, ordinal: number): string {
   const frequencies = modes.modes
-    .filter((mode) => mode.layer === layer)
+    .filter((mode) => mode.ordinal === ordinal)
     .map((mode) => mode.omega / (2 * Math.PI));
-  if (frequencies.length !== 1) return `mode ${layer + 1}`;
-  return `mode ${layer + 1}, ${frequencies[0].toPrecision(3)} Hz`;
+  if (frequencies.length !== 1) return `mode ${ordinal + 1}`;
+  return `mode ${ordinal + 1}, ${frequencies[0].toPrecision(3)} Hz`;
 }
 
 /** One animation per target, sin(theta) over two seconds, on every node that shows one of `meshes`. */

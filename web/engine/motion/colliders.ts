@@ -3,20 +3,20 @@
  * `capsule:x0,y0,z0,x1,y1,z1,R` (around a segment), joined by `+`; in units of the body.
  */
 
-import type { Collider, Surroundings } from '../core/core';
+import type { Collider, CollisionScene } from '../core/core';
 
 const FORMS = 'ground:HEIGHT, ball:x,y,z,R or capsule:x0,y0,z0,x1,y1,z1,R, joined by +';
 
 /** Nothing for an empty text; of several floors the last one. Throws one sentence that shows the forms. */
-export function parseColliders(text: string): Surroundings {
-  const surroundings: Surroundings = { ground: null, colliders: [] };
-  if (text === '') return surroundings;
+export function parseColliders(text: string): CollisionScene {
+  const collisionScene: CollisionScene = { ground: null, colliders: [] };
+  if (text === '') return collisionScene;
   for (const term of text.split('+')) {
     const found = parseTerm(term);
-    if (typeof found === 'number') surroundings.ground = found;
-    else surroundings.colliders.push(found);
+    if (typeof found === 'number') collisionScene.ground = found;
+    else collisionScene.colliders.push(found);
   }
-  return surroundings;
+  return collisionScene;
 }
 
 function parseTerm(term: string): number | Collider {

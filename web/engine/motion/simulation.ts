@@ -7,7 +7,7 @@ import type {
   SimulationMaterial,
   SimulationOptions,
   StartOptions,
-  Surroundings,
+  CollisionScene,
   SurfacePoint,
   TriangleMesh,
 } from '../core/core';
@@ -111,7 +111,7 @@ export class Simulation {
   private numbers: Uint32Array;
   private stepsDone = 0;
   /** what both bodies can touch */
-  readonly surroundings: Surroundings;
+  readonly collisionScene: CollisionScene;
 
   /** Throws an Error with one sentence where a mesh or an option is of no use. */
   constructor(
@@ -131,7 +131,7 @@ export class Simulation {
       throw error;
     }
     this.numbers = Uint32Array.from(numbers);
-    this.surroundings = core.scenarioSurroundings(original, options);
+    this.collisionScene = core.scenarioCollisionScene(original, options);
   }
 
   /** Seconds since the start. */

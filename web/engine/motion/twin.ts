@@ -6,7 +6,7 @@ import type {
   MeshAt,
   SimulationOptions,
   SurfacePoint,
-  Surroundings,
+  CollisionScene,
   TriangleMesh,
 } from '../core/core';
 import { Simulation } from './simulation';
@@ -47,7 +47,7 @@ export class Twin {
   private readonly deviation: Deviation;
   private readonly noise: Deviation;
   /** what both bodies can touch */
-  readonly surroundings: Surroundings;
+  readonly collisionScene: CollisionScene;
   private latest: DeviationNow;
   private hasNoise: boolean;
 
@@ -67,7 +67,7 @@ export class Twin {
       binding: this.binding,
       hasReordered: measuresNoise,
     });
-    this.surroundings = this.simulation.surroundings;
+    this.collisionScene = this.simulation.collisionScene;
     this.stretch = { original: new Stretch(original), optimized: new Stretch(result.mesh) };
     this.deviation = new Deviation(original, this.bound(result.mesh.positions), diagonal);
     this.noise = new Deviation(original, original.positions, diagonal);

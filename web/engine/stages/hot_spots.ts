@@ -12,8 +12,8 @@ export function hotFaces(rank: Float32Array): Uint8Array {
 }
 
 /**
- * shared[a * hot.length + b]: the part, in [0, 1], of the hot faces of layer a that are hot in layer b too; 0 where a has
- * none. `hot`: one array a layer, of equal sizes.
+ * shared[a * hot.length + b]: the part, in [0, 1], of the hot faces of ordinal a that are hot in ordinal b too; 0 where a has
+ * none. `hot`: one array a ordinal, of equal sizes.
  */
 export function sharedHotSpots(hot: Uint8Array[]): Float32Array {
   const shared = new Float32Array(hot.length * hot.length);
@@ -36,9 +36,9 @@ export interface ModePair {
 }
 
 /** Pairs among `modes` (numbers from 1) that strain different places, those with least in common first. */
-export function differentPairs(shared: Float32Array, layerCount: number, modes: number[]): ModePair[] {
-  const known = modes.filter((mode) => mode <= layerCount).sort((a, b) => a - b);
-  const part = (a: number, b: number) => shared[(a - 1) * layerCount + b - 1];
+export function differentPairs(shared: Float32Array, modesPerComponent: number, modes: number[]): ModePair[] {
+  const known = modes.filter((mode) => mode <= modesPerComponent).sort((a, b) => a - b);
+  const part = (a: number, b: number) => shared[(a - 1) * modesPerComponent + b - 1];
   const pairs = known.flatMap((first, i) =>
     known
       .slice(i + 1)

@@ -24,7 +24,7 @@ import type {
   SurfaceDistance,
   TriangleMesh,
   WeldResult,
-  Wishes,
+  SimplifyConstraints,
 } from '../core/core';
 import { endWithin } from './deviation_limit';
 import type { ExportedBody } from '../document/export';
@@ -160,17 +160,17 @@ export function findGuidance(
   const available = modesAvailable(modes);
   const faces = prepared.mesh.triangles.length / 3;
   if (available === 0) return { strain: new Float32Array(faces), rank: new Float32Array(faces) };
-  const asked = resolveModes(settings).map((mode, i) => ({ layer: mode - 1, weight: modeWeights[i] }));
-  const found = asked.filter(({ layer }) => layer < available);
+  const asked = resolveModes(settings).map((mode, i) => ({ ordinal: mode - 1, weight: modeWeights[i] }));
+  const found = asked.filter(({ ordinal }) => ordinal < available);
   if (found.length === 0) {
-    const lowest = Math.min(...asked.map(({ layer }) => layer + 1));
+    const lowest = Math.min(...asked.map(({ ordinal }) => ordinal + 1));
     throw new Error(
       `--mode names mode ${lowest}, but "${prepared.body.name}" has only ${available}: name a lower one.`,
     );
   }
   const weights = modeWeights.length > 0 ? found.map(({ weight }) => weight) : [];
-  const layers = found.map(({ layer }) => layer);
-  return core.strainGuidance(prepared.mesh, modes, { layers, weights, p, threshold });
+  const ordinals = found.map(({ ordinal }) => ordinal);
+  return core.strainGuidance(prepared.mesh, modes, { ordinals, weights, p, threshold });
 }
 
 /** What a history follows from, besides the settings. */
@@ -221,11 +221,11 @@ function simplification(
   const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight, minAngle } = settings;
   const weights = { strainWeight, curvatureWeight, qualityWeight, sizeWeight };
   const maxDeviation = (settings.maxDeviation / 100) * prepared.diagonal;
-  const wishes = wishesOf(prepared, settings, guides);
+  const constraints = constraintsOf(prepared, settings, guides);
   return {
     strain: guides.guidance?.rank ?? new Float32Array(0),
     curvature: overMaximum(guides.curvature.vertex),
-    options: { method, ...weights, minAngle, maxDeviation, wishes },
+    options: { method, ...weights, minAngle, maxDeviation, constraints },
   };
 }
 
@@ -233,9 +233,13 @@ function simplification(
 const MOST_COST_DIMENSIONS = 8;
 const NO_COSTS: CostAttributes = { values: new Float32Array(), dimension: 0 };
 
-function wishesOf(prepared: PreparedBody, { method, borders, seams, creases }: Settings, held: Held): Wishes {
+function constraintsOf(
+  prepared: PreparedBody,
+  { method, borders, seams, creases }: Settings,
+  held: Held,
+): SimplifyConstraints {
   const pins = maskOf(prepared.mesh, held.pinned);
-  const wishes = {
+  const constraints = {
     pinnedSets: pins && Uint32Array.from(pins),
     locked: maskOf(prepared.mesh, held.locked),
     keep: held.keep,
@@ -243,11 +247,11 @@ function wishesOf(prepared: PreparedBody, { method, borders, seams, creases }: S
     creaseAngle: creases,
     borders,
   };
-  if (method === 'paper') return wishes;
+  if (method === 'paper') return constraints;
   const { charts } = prepared.attributes;
-  if (seams === 'cross') return { ...wishes, groups: charts.groups };
+  if (seams === 'cross') return { ...constraints, groups: charts.groups };
   const { values: attributes, dimension: attributeDimension } = prepared.costAttributes;
-  return { ...wishes, ...charts, attributes, attributeDimension };
+  return { ...constraints, ...charts, attributes, attributeDimension };
 }
 
 /** Whether seams are kept that hold most of the edges that are left. */

@@ -23,19 +23,19 @@ export function Gallery() {
     if (!modes || !body || !list.current) return;
     thumbnails.current ??= makeThumbnails();
     const canvases = [...list.current.querySelectorAll('canvas')];
-    thumbnails.current?.show(body.mesh, layerShapes(modes), canvases);
+    thumbnails.current?.show(body.mesh, ordinalShapes(modes), canvases);
   }, [modes, body]);
   useEffect(() => {
     thumbnails.current?.move(view.playing.value);
   }, [view.playing.value, modes]);
   useEffect(() => () => thumbnails.current?.dispose(), []);
   if (!modes) return <p class="empty">{status.paused.value ? 'Stopped.' : 'Finding modes ...'}</p>;
-  if (modes.layerCount === 0) return <p class="empty">No part can move: let go of some vertices.</p>;
+  if (modes.modesPerComponent === 0) return <p class="empty">No part can move: let go of some vertices.</p>;
   return (
     <>
       <ul class={areModesStale.value ? 'gallery stale' : 'gallery'} ref={list} aria-label="Modes">
-        {Array.from({ length: modes.layerCount }, (_, layer) => (
-          <ModeCard key={layer} layer={layer} modes={modes} />
+        {Array.from({ length: modes.modesPerComponent }, (_, ordinal) => (
+          <ModeCard key={ordinal} ordinal={ordinal} modes={modes} />
         ))}
       </ul>
       <ModeNotes modes={modes} />
@@ -51,15 +51,17 @@ function makeThumbnails(): Thumbnails | null {
   }
 }
 
-function layerShapes(modes: ModesResult): Float32Array[] {
-  const size = modes.shapes.length / modes.layerCount;
-  return Array.from({ length: modes.layerCount }, (_, k) => modes.shapes.subarray(k * size, (k + 1) * size));
+function ordinalShapes(modes: ModesResult): Float32Array[] {
+  const size = modes.shapes.length / modes.modesPerComponent;
+  return Array.from({ length: modes.modesPerComponent }, (_, k) =>
+    modes.shapes.subarray(k * size, (k + 1) * size),
+  );
 }
 
-function ModeCard({ layer, modes }: { layer: number; modes: ModesResult }) {
-  const mode = leadingMode(modes, layer);
-  const parts = modes.modes.filter((one) => one.layer === layer).length;
-  const isChosen = guidingModes().includes(layer + 1);
+function ModeCard({ ordinal, modes }: { ordinal: number; modes: ModesResult }) {
+  const mode = leadingMode(modes, ordinal);
+  const parts = modes.modes.filter((one) => one.ordinal === ordinal).length;
+  const isChosen = guidingModes().includes(ordinal + 1);
   const axis = mode?.axis ?? -1;
   const words = [axis >= 0 ? AXES[axis] : '', parts > 1 ? `${count(parts)} parts` : '']
     .filter(Boolean)
@@ -70,14 +72,14 @@ function ModeCard({ layer, modes }: { layer: number; modes: ModesResult }) {
         type="button"
         class="mode"
         aria-pressed={isChosen}
-        onClick={(event) => chooseMode(layer + 1, event.shiftKey || event.metaKey || event.ctrlKey)}
+        onClick={(event) => chooseMode(ordinal + 1, event.shiftKey || event.metaKey || event.ctrlKey)}
       >
         <canvas width={2 * THUMBNAIL.width} height={2 * THUMBNAIL.height} aria-hidden="true" />
-        <span class="strip" aria-hidden="true" style={{ background: stripGradient(modes.strips, layer) }} />
+        <span class="strip" aria-hidden="true" style={{ background: stripGradient(modes.strips, ordinal) }} />
         <span class="caption">
           <span>
             <span class="spoken">Mode </span>
-            {layer + 1} {mode?.name ?? ''}
+            {ordinal + 1} {mode?.name ?? ''}
           </span>
           {mode && <Frequency modes={modes} mode={mode} />}
         </span>
@@ -86,13 +88,13 @@ function ModeCard({ layer, modes }: { layer: number; modes: ModesResult }) {
       <input
         type="checkbox"
         class="guides"
-        aria-label={`Mode ${layer + 1} guides`}
+        aria-label={`Mode ${ordinal + 1} guides`}
         title="Blends this mode with the others that are ticked"
         checked={isChosen}
         onChange={(event) => {
-          chooseMode(layer + 1, true);
+          chooseMode(ordinal + 1, true);
           // The last one stays.
-          event.currentTarget.checked = guidingModes().includes(layer + 1);
+          event.currentTarget.checked = guidingModes().includes(ordinal + 1);
         }}
       />
     </li>
@@ -111,7 +113,7 @@ function Frequency({ modes, mode }: { modes: ModesResult; mode: Mode }) {
   );
 }
 
-function stripGradient(strips: Float32Array, layer: number): string {
-  const stops = Array.from({ length: STRIP }, (_, i) => colourAt('viridis', strips[layer * STRIP + i]));
+function stripGradient(strips: Float32Array, ordinal: number): string {
+  const stops = Array.from({ length: STRIP }, (_, i) => colourAt('viridis', strips[ordinal * STRIP + i]));
   return `linear-gradient(to right, ${stops.join(', ')})`;
 }

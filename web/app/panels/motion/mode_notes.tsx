@@ -10,7 +10,7 @@ import { guidingModes } from './mode_choice';
 export function ModeNotes({ modes }: { modes: ModesResult }) {
   const chosen = guidingModes();
   const local = localModes(modes, chosen);
-  const hotSpots = describeHotSpots(differentPairs(modes.shared, modes.layerCount, chosen));
+  const hotSpots = describeHotSpots(differentPairs(modes.shared, modes.modesPerComponent, chosen));
   return (
     <div class="mode-notes" role="status">
       {local.length > 0 && <LocalNote modes={modes} local={local} />}

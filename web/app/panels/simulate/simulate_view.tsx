@@ -2,7 +2,7 @@
 
 import { computed } from '@preact/signals';
 import type { Vector3 } from 'three';
-import type { Surroundings } from '../../../engine/core/core';
+import type { CollisionScene } from '../../../engine/core/core';
 import { boundsOf } from '../../../engine/motion/top_corners';
 import { isDark } from '../../scheme';
 import { dragTo, grab, letGo, twin } from '../../state/simulation';
@@ -47,8 +47,8 @@ let furnished = '';
 /** Floor and colliders, and a view that has them in it. */
 export function showProps(stage: Stage | null): void {
   const body = results.body.value;
-  const surroundings = isTesting() ? twin.surroundings.value : null;
-  const props = body && surroundings && propsOf(body.mesh.positions, body.diagonal, surroundings);
+  const collisionScene = isTesting() ? twin.collisionScene.value : null;
+  const props = body && collisionScene && propsOf(body.mesh.positions, body.diagonal, collisionScene);
   stage?.furnish(props, isDark.value ? DARK_PROPS : LIGHT_PROPS);
   const reaches = props && (props.ground !== null || props.lowest !== null || props.colliders.length > 0);
   const key = reaches ? JSON.stringify(props) : '';
@@ -60,13 +60,13 @@ export function showProps(stage: Stage | null): void {
 const LIGHT_PROPS = { floor: '#c3ccd4', line: '#8d9aa6', body: '#d9b98c' };
 const DARK_PROPS = { floor: '#2b3541', line: '#4a5866', body: '#a8875b' };
 
-function propsOf(positions: Float32Array, diagonal: number, surroundings: Surroundings): Props {
+function propsOf(positions: Float32Array, diagonal: number, collisionScene: CollisionScene): Props {
   const [low, high] = boundsOf(positions);
   const centre = low.map((value, c) => (value + high[c]) / 2);
   const size = high.map((value, c) => value - low[c]);
   // By the end of its longest side.
   const isHanging = ['hang', 'wind'].includes(wants.settings.value.scenario);
-  return { ...surroundings, centre, diagonal, lowest: isHanging ? high[1] - Math.max(...size) : null };
+  return { ...collisionScene, centre, diagonal, lowest: isHanging ? high[1] - Math.max(...size) : null };
 }
 
 /** What the ray meets in the pane under the pointer; overlaid, the body that is nearer to the eye. */

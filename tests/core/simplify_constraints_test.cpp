@@ -5,8 +5,8 @@
 
 #include "mesh/topology.h"
 #include "same_topology.h"
+#include "simplify/constraints.h"
 #include "simplify/simplify.h"
-#include "simplify/wishes.h"
 #include "surfaces.h"
 
 namespace limber {
@@ -14,9 +14,10 @@ namespace {
 
 constexpr Method kMethods[] = {Method::Qem, Method::Paper, Method::Limber};
 
-History run(const TriangleMesh& mesh, const Wishes& wishes, Method method = Method::Qem) {
+History run(const TriangleMesh& mesh, const SimplifyConstraints& constraints, Method method = Method::Qem) {
   Job job;
-  return simplify(mesh, {}, {.method = method, .qualityWeight = 0.1, .sizeWeight = 0.01, .wishes = wishes},
+  return simplify(mesh, {},
+                  {.method = method, .qualityWeight = 0.1, .sizeWeight = 0.01, .constraints = constraints},
                   job);
 }
 
@@ -58,7 +59,7 @@ void expectGroupsKeepTheirTopology(const TriangleMesh& mesh, const std::vector<u
   }
 }
 
-TEST(Wishes, groupsKeepTheirTopologyAtEveryCount) {
+TEST(SimplifyConstraints, groupsKeepTheirTopologyAtEveryCount) {
   const TriangleMesh meshes[] = {surfaces::inFloats(shapes::sphere(3)),
                                  surfaces::inFloats(shapes::jittered(shapes::torus(20, 12), 0.02, 3)),
                                  surfaces::inFloats(shapes::grid(12, 9)),
@@ -97,7 +98,7 @@ void expectSeamStays(const TriangleMesh& mesh, const History& history) {
   }
 }
 
-TEST(Wishes, aSeamBetweenGroupsStaysInPlace) {
+TEST(SimplifyConstraints, aSeamBetweenGroupsStaysInPlace) {
   const TriangleMesh mesh = sheet();
   const auto groups = halves(mesh, 1);
   const History history = run(mesh, {.groups = groups});
@@ -105,7 +106,7 @@ TEST(Wishes, aSeamBetweenGroupsStaysInPlace) {
   EXPECT_LE(meshAt(mesh, history, 0).mesh.triangleCount(), 6u);
 }
 
-TEST(Wishes, aSeamOfWedgesStaysInPlace) {
+TEST(SimplifyConstraints, aSeamOfWedgesStaysInPlace) {
   const TriangleMesh mesh = sheet();
   const auto groups = halves(mesh, 1);
   std::vector<uint32_t> wedges;
@@ -117,7 +118,7 @@ TEST(Wishes, aSeamOfWedgesStaysInPlace) {
   EXPECT_EQ(byWedges.kept, byGroups.kept);
 }
 
-TEST(Wishes, aCreaseStaysInPlace) {
+TEST(SimplifyConstraints, aCreaseStaysInPlace) {
   TriangleMesh mesh = sheet();
   for (Vec3& p : mesh.positions) p.z = std::max(0.0, p.x - 1);
   expectSeamStays(mesh, run(mesh, {.creaseAngle = 40}));
@@ -125,7 +126,7 @@ TEST(Wishes, aCreaseStaysInPlace) {
   EXPECT_EQ(blunt.kept, without.kept);
 }
 
-TEST(Wishes, theTipOfACutStaysWhereItIs) {
+TEST(SimplifyConstraints, theTipOfACutStaysWhereItIs) {
   const TriangleMesh mesh = sheet();
   // The seam runs from the border to the middle of the sheet.
   const auto groups = halves(mesh, 1);
@@ -142,7 +143,7 @@ TEST(Wishes, theTipOfACutStaysWhereItIs) {
   EXPECT_EQ(floor.mesh.positions[floor.vertexOfInput[tip]], mesh.positions[tip]);
 }
 
-TEST(Wishes, lockedVerticesAreNeitherMovedNorRemoved) {
+TEST(SimplifyConstraints, lockedVerticesAreNeitherMovedNorRemoved) {
   for (const auto& [name, mesh] : surfaces::everyTopology())
     for (const Method method : kMethods) {
       SCOPED_TRACE(name);
@@ -157,7 +158,7 @@ TEST(Wishes, lockedVerticesAreNeitherMovedNorRemoved) {
     }
 }
 
-TEST(Wishes, everyVertexLockedLeavesTheMeshAsItIs) {
+TEST(SimplifyConstraints, everyVertexLockedLeavesTheMeshAsItIs) {
   const TriangleMesh mesh = surfaces::inFloats(shapes::sphere(1));
   const std::vector<uint8_t> locked(mesh.vertexCount(), 1);
   const History history = run(mesh, {.locked = locked});
@@ -165,7 +166,7 @@ TEST(Wishes, everyVertexLockedLeavesTheMeshAsItIs) {
   EXPECT_EQ(history.refused.lock, 120u);
 }
 
-TEST(Wishes, fixedBordersKeepEveryVertexOfTheBorder) {
+TEST(SimplifyConstraints, fixedBordersKeepEveryVertexOfTheBorder) {
   const TriangleMesh mesh = surfaces::inFloats(shapes::jittered(surfaces::annulus(20, 5), 0.02, 9));
   const MeshAt floor = meshAt(mesh, run(mesh, {.borders = Borders::Fixed}), 0);
   EXPECT_LT(floor.mesh.vertexCount(), 45u);
@@ -176,13 +177,13 @@ TEST(Wishes, fixedBordersKeepEveryVertexOfTheBorder) {
     }
 }
 
-TEST(Wishes, keepWeightsKeepMoreVerticesWhereTheyAreHigh) {
+TEST(SimplifyConstraints, keepWeightsKeepMoreVerticesWhereTheyAreHigh) {
   const TriangleMesh mesh = surfaces::inFloats(shapes::jittered(shapes::sphere(4), 0.002, 1));
   std::vector<float> keep;
   for (const Vec3& p : mesh.positions) keep.push_back(p.z > 0 ? 1 : 0);
   for (const Method method : kMethods) {
-    const auto upper = [&](const Wishes& wishes) {
-      const TriangleMesh half = meshAt(mesh, run(mesh, wishes, method), mesh.triangleCount() / 4).mesh;
+    const auto upper = [&](const SimplifyConstraints& constraints) {
+      const TriangleMesh half = meshAt(mesh, run(mesh, constraints, method), mesh.triangleCount() / 4).mesh;
       const auto count = std::ranges::count_if(half.positions, [](const Vec3& p) { return p.z > 0; });
       return static_cast<double>(count) / half.vertexCount();
     };
@@ -201,7 +202,7 @@ std::vector<uint32_t> pinsOf(const TriangleMesh& mesh) {
   return sets;
 }
 
-TEST(Wishes, survivorsCarryThePinnedSetsOfThoseThatHaveBecomeThem) {
+TEST(SimplifyConstraints, survivorsCarryThePinnedSetsOfThoseThatHaveBecomeThem) {
   const TriangleMesh mesh = surfaces::inFloats(shapes::grid(32, 16, 2, 1));
   const auto sets = pinsOf(mesh);
   for (const Method method : kMethods) {
@@ -221,7 +222,7 @@ TEST(Wishes, survivorsCarryThePinnedSetsOfThoseThatHaveBecomeThem) {
   }
 }
 
-TEST(Wishes, aPinnedSetKeepsItsOutline) {
+TEST(SimplifyConstraints, aPinnedSetKeepsItsOutline) {
   const TriangleMesh mesh = surfaces::inFloats(shapes::grid(32, 16, 2, 1));
   const auto sets = pinsOf(mesh);
   const MeshAt floor = meshAt(mesh, run(mesh, {.pinnedSets = sets}), 0);
@@ -249,7 +250,7 @@ TriangleMesh roughSheet() {
   return mesh;
 }
 
-TEST(Wishes, attributesKeepVerticesWhereTheyBend) {
+TEST(SimplifyConstraints, attributesKeepVerticesWhereTheyBend) {
   const TriangleMesh mesh = roughSheet();
   std::vector<float> ramp;
   for (const Vec3& p : mesh.positions)
@@ -263,7 +264,7 @@ TEST(Wishes, attributesKeepVerticesWhereTheyBend) {
   }
 }
 
-TEST(Wishes, attributesThatAreLinearOnEachSideOfASeamCostNothing) {
+TEST(SimplifyConstraints, attributesThatAreLinearOnEachSideOfASeamCostNothing) {
   const TriangleMesh mesh = roughSheet();
   const auto groups = halves(mesh, 1);
   std::vector<uint32_t> wedges;
@@ -275,23 +276,25 @@ TEST(Wishes, attributesThatAreLinearOnEachSideOfASeamCostNothing) {
       values[2 * wedges.back()] = static_cast<float>(groups[t] ? p.x : 2 - p.y);
       values[2 * wedges.back() + 1] = static_cast<float>(groups[t] ? 3 * p.y : p.x);
     }
-  const Wishes plain{.wedges = wedges};
-  const Wishes linear{.wedges = wedges, .attributes = values, .attributeDimension = 2};
+  const SimplifyConstraints plain{.wedges = wedges};
+  const SimplifyConstraints linear{.wedges = wedges, .attributes = values, .attributeDimension = 2};
   // Rounding noise moves the first of them only after many collapses.
   const History a = run(mesh, linear, Method::Limber), b = run(mesh, plain, Method::Limber);
   for (size_t i = 0; i < 100; ++i) ASSERT_EQ(a.removed[i], b.removed[i]) << i;
 }
 
-TEST(Wishes, listsThatDoNotFitAreRefusedWithASentence) {
+TEST(SimplifyConstraints, listsThatDoNotFitAreRefusedWithASentence) {
   const TriangleMesh mesh = shapes::sphere(1);
   const std::vector<uint32_t> numbers(7);
   const std::vector<float> floats(mesh.vertexCount(), 2);
   const std::vector<uint8_t> bytes(7);
-  const Wishes bad[] = {{.wedges = numbers},     {.groups = numbers},
-                        {.locked = bytes},       {.keep = floats},
-                        {.pinnedSets = numbers}, {.attributes = floats, .attributeDimension = 9},
-                        {.creaseAngle = 181},    {.attributes = floats, .attributeDimension = 2}};
-  for (const Wishes& wishes : bad) EXPECT_THROW(run(mesh, wishes), std::invalid_argument);
+  const SimplifyConstraints bad[] = {
+      {.wedges = numbers},     {.groups = numbers},
+      {.locked = bytes},       {.keep = floats},
+      {.pinnedSets = numbers}, {.attributes = floats, .attributeDimension = 9},
+      {.creaseAngle = 181},    {.attributes = floats, .attributeDimension = 2}};
+  for (const SimplifyConstraints& constraints : bad)
+    EXPECT_THROW(run(mesh, constraints), std::invalid_argument);
   try {
     run(mesh, {.groups = numbers});
     FAIL();

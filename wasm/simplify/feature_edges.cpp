@@ -1,4 +1,4 @@
-#include "simplify/lines.h"
+#include "simplify/feature_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,34 +16,36 @@ int cornerOf(const Triangle& triangle, uint32_t v) {
 // Asks of an edge with two triangles whether it is a line, rule by rule.
 class LineRules {
  public:
-  LineRules(const TriangleMesh& mesh, const Wishes& wishes)
-      : mesh_(mesh), wishes_(wishes), creaseCosine_(std::cos(wishes.creaseAngle * std::numbers::pi / 180)) {}
+  LineRules(const TriangleMesh& mesh, const SimplifyConstraints& constraints)
+      : mesh_(mesh),
+        constraints_(constraints),
+        creaseCosine_(std::cos(constraints.creaseAngle * std::numbers::pi / 180)) {}
 
   // Whether there is nothing that could make a line.
   bool empty() const {
-    return wishes_.groups.empty() && wishes_.wedges.empty() && wishes_.creaseAngle == 0 &&
-           wishes_.pinnedSets.empty() && wishes_.mirror.empty();
+    return constraints_.groups.empty() && constraints_.wedges.empty() && constraints_.creaseAngle == 0 &&
+           constraints_.pinnedSets.empty() && constraints_.mirror.empty();
   }
-  bool isLine(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
+  bool isFeature(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
     return isSeam(edge, s, t) || isCrease(s, t) || isOutline(edge, s, t) || isInMirror(edge);
   }
 
  private:
   bool isSeam(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
-    if (!wishes_.groups.empty() && wishes_.groups[s] != wishes_.groups[t]) return true;
-    return !wishes_.wedges.empty() &&
+    if (!constraints_.groups.empty() && constraints_.groups[s] != constraints_.groups[t]) return true;
+    return !constraints_.wedges.empty() &&
            (wedge(s, edge.a) != wedge(t, edge.a) || wedge(s, edge.b) != wedge(t, edge.b));
   }
   uint32_t wedge(uint32_t t, uint32_t v) const {
-    return wishes_.wedges[3 * t + cornerOf(mesh_.triangles[t], v)];
+    return constraints_.wedges[3 * t + cornerOf(mesh_.triangles[t], v)];
   }
   bool isCrease(uint32_t s, uint32_t t) const {
-    if (wishes_.creaseAngle == 0) return false;
+    if (constraints_.creaseAngle == 0) return false;
     return dot(normalized(areaNormal(mesh_, s)), normalized(areaNormal(mesh_, t))) < creaseCosine_;
   }
   // Whether both ends are in a set of which a vertex across is no member.
   bool isOutline(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
-    const auto& sets = wishes_.pinnedSets;
+    const auto& sets = constraints_.pinnedSets;
     if (sets.empty()) return false;
     const auto third = [&](uint32_t triangle) {
       const auto& [p, q, r] = mesh_.triangles[triangle];
@@ -53,50 +55,51 @@ class LineRules {
   }
 
   bool isInMirror(const Topology::Edge& edge) const {
-    return !wishes_.mirror.empty() && wishes_.mirror[edge.a] == edge.a && wishes_.mirror[edge.b] == edge.b;
+    return !constraints_.mirror.empty() && constraints_.mirror[edge.a] == edge.a &&
+           constraints_.mirror[edge.b] == edge.b;
   }
 
   const TriangleMesh& mesh_;
-  const Wishes& wishes_;
+  const SimplifyConstraints& constraints_;
   double creaseCosine_;
 };
 
 // What is counted around every vertex to find its role.
-struct Surroundings {
+struct Neighbourhood {
   uint32_t borders = 0, lines = 0;  // edges; borders are not counted as lines
-  bool lineLeavesSet = false;       // a border or line leads to a vertex that lacks a set of this one
+  bool outlinesPinnedSet = false;   // a border or line leads to a vertex that lacks a set of this one
   bool leavesSet = false;           // any edge does
 };
 
-std::vector<Surroundings> lookAround(const Topology& topology, const Wishes& wishes,
-                                     const std::vector<uint8_t>& isLine) {
-  std::vector<Surroundings> around(topology.vertexStart.size() - 1);
+std::vector<Neighbourhood> neighbourhoods(const Topology& topology, const SimplifyConstraints& constraints,
+                                          const std::vector<uint8_t>& isFeature) {
+  std::vector<Neighbourhood> around(topology.vertexStart.size() - 1);
   for (size_t e = 0; e < topology.edges.size(); ++e) {
     const Topology::Edge& edge = topology.edges[e];
     const bool border = edge.useCount == 1;
-    if (!border && !isLine[e] && wishes.pinnedSets.empty()) continue;
+    if (!border && !isFeature[e] && constraints.pinnedSets.empty()) continue;
     for (const auto& [v, other] : {std::pair(edge.a, edge.b), std::pair(edge.b, edge.a)}) {
       around[v].borders += border;
-      around[v].lines += isLine[e];
-      if (wishes.pinnedSets.empty()) continue;
-      const uint32_t own = wishes.pinnedSets[v], others = wishes.pinnedSets[other];
+      around[v].lines += isFeature[e];
+      if (constraints.pinnedSets.empty()) continue;
+      const uint32_t own = constraints.pinnedSets[v], others = constraints.pinnedSets[other];
       const bool leaves = (own & ~others) != 0;
       around[v].leavesSet |= leaves;
-      around[v].lineLeavesSet |= leaves && (border || isLine[e]);
+      around[v].outlinesPinnedSet |= leaves && (border || isFeature[e]);
     }
   }
   return around;
 }
 
-VertexRole roleOf(VertexKind kind, const Surroundings& around, bool borderFixed) {
+VertexRole roleOf(VertexKind kind, const Neighbourhood& around, bool borderFixed) {
   VertexRole role;
   role.onBorder = around.borders > 0;
-  role.onLine = role.onBorder || around.lines > 0;
+  role.onFeature = role.onBorder || around.lines > 0;
   const bool between = around.borders + around.lines == 2 && (around.borders == 0 || around.lines == 0);
   if (kind != VertexKind::Interior && kind != VertexKind::Border)
     role.freedom = Freedom::Locked;
-  else if (role.onLine)
-    role.freedom = between && !around.lineLeavesSet ? Freedom::Line : Freedom::Anchored;
+  else if (role.onFeature)
+    role.freedom = between && !around.outlinesPinnedSet ? Freedom::Feature : Freedom::Anchored;
   else if (around.leavesSet)
     role.freedom = Freedom::Anchored;
   if (borderFixed && role.onBorder) role.freedom = std::max(role.freedom, Freedom::Anchored);
@@ -105,23 +108,24 @@ VertexRole roleOf(VertexKind kind, const Surroundings& around, bool borderFixed)
 
 }  // namespace
 
-Lines findLines(const TriangleMesh& mesh, const Topology& topology, const Wishes& wishes) {
-  Lines lines;
-  lines.isLine.assign(topology.edges.size(), 0);
-  const LineRules rules(mesh, wishes);
+FeatureEdges findFeatureEdges(const TriangleMesh& mesh, const Topology& topology,
+                              const SimplifyConstraints& constraints) {
+  FeatureEdges lines;
+  lines.isFeature.assign(topology.edges.size(), 0);
+  const LineRules rules(mesh, constraints);
   for (size_t e = 0; e < topology.edges.size() && !rules.empty(); ++e) {
     const Topology::Edge& edge = topology.edges[e];
     if (edge.useCount != 2) continue;
     const auto triangles = topology.trianglesAt(edge);
-    lines.isLine[e] = rules.isLine(edge, triangles[0], triangles[1]);
+    lines.isFeature[e] = rules.isFeature(edge, triangles[0], triangles[1]);
   }
-  const auto around = lookAround(topology, wishes, lines.isLine);
+  const auto around = neighbourhoods(topology, constraints, lines.isFeature);
   const auto kinds = classifyVertices(mesh, topology);
   lines.roles.reserve(mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    VertexRole role = roleOf(kinds[v], around[v], wishes.borders == Borders::Fixed);
-    const bool held = (!wishes.locked.empty() && wishes.locked[v]) ||
-                      (!wishes.mirror.empty() && wishes.mirror[v] == v && !role.onLine);
+    VertexRole role = roleOf(kinds[v], around[v], constraints.borders == Borders::Fixed);
+    const bool held = (!constraints.locked.empty() && constraints.locked[v]) ||
+                      (!constraints.mirror.empty() && constraints.mirror[v] == v && !role.onFeature);
     if (held) role.freedom = std::max(role.freedom, Freedom::Anchored);
     lines.roles.push_back(role);
   }

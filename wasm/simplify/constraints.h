@@ -15,12 +15,12 @@ enum class Borders : int32_t {
 // What a simplification has to respect besides the surface itself. Every list may be empty, which wishes
 // nothing; otherwise it has the size of the mesh it comes with.
 //
-// Lines are edges that act like inner borders: borders themselves, seams (at either end the wedges of the two
-// triangles differ), edges between two groups, creases, and outlines of pinned sets. Planes through a line
-// enter the error as those through a border do. A vertex between exactly two lines of the same kind of place
-// moves along them alone; where a line ends, branches or meets a border, the vertex stays where it is.
-// Lines keep their connectivity, so groups and the patches between seams keep their topology.
-struct Wishes {
+// FeatureEdges are edges that act like inner borders: borders themselves, seams (at either end the wedges of
+// the two triangles differ), edges between two groups, creases, and outlines of pinned sets. Planes through a
+// line enter the error as those through a border do. A vertex between exactly two lines of the same kind of
+// place moves along them alone; where a line ends, branches or meets a border, the vertex stays where it is.
+// FeatureEdges keep their connectivity, so groups and the patches between seams keep their topology.
+struct SimplifyConstraints {
   // [3 * t + c]: corners at one vertex with the same number share all their attributes. Wedges that differ at
   // every edge, as those of flat shading, would make every edge a line: leave such attributes out.
   std::span<const uint32_t> wedges{};
@@ -45,6 +45,6 @@ struct Wishes {
 };
 
 // Throws std::invalid_argument where a list does not fit the mesh or a number is out of its range.
-void checkWishes(const TriangleMesh& mesh, const Wishes& wishes);
+void checkConstraints(const TriangleMesh& mesh, const SimplifyConstraints& constraints);
 
 }  // namespace limber

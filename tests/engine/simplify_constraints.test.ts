@@ -27,7 +27,7 @@ describe('wishes through the core', () => {
   it('leaves a locked vertex where it is', () => {
     const locked = new Uint8Array(vertexCount);
     locked[7] = 1;
-    const floor = floorOf({ ...limber, wishes: { locked } });
+    const floor = floorOf({ ...limber, constraints: { locked } });
     expect(point(floor.mesh, floor.vertexOfInput[7])).toEqual(point(mesh, 7));
   });
 
@@ -36,7 +36,7 @@ describe('wishes through the core', () => {
       mesh.positions[3 * mesh.triangles[3 * t]] > 0.2 ? 1 : 0,
     );
     const pinnedSets = Uint32Array.from({ length: vertexCount }, (_, v) => (v < 40 ? 2 : 0));
-    const floor = floorOf({ ...limber, wishes: { groups, pinnedSets, borders: 'fixed' } });
+    const floor = floorOf({ ...limber, constraints: { groups, pinnedSets, borders: 'fixed' } });
     expect(new Set([...floor.inputOfTriangle].map((t) => groups[t]))).toEqual(new Set([0, 1]));
     for (let v = 0; v < 40; v++) expect(pinnedSets[floor.inputOfVertex[floor.vertexOfInput[v]]]).toBe(2);
   });
@@ -61,8 +61,8 @@ describe('wishes through the core', () => {
   });
 
   it('refuses what does not fit with a sentence', () => {
-    const wishes = { locked: new Uint8Array(3) };
-    expect(() => floorOf({ ...limber, wishes })).toThrow(
+    const constraints = { locked: new Uint8Array(3) };
+    expect(() => floorOf({ ...limber, constraints })).toThrow(
       /^The list of locked vertices has 3 values, but the mesh has \d+ vertices: make it for this mesh\.$/,
     );
     expect(() => floorOf({ ...limber, method: 'other' as 'qem' })).toThrow(/There is no method "other"/);
