@@ -86,7 +86,7 @@ TEST(CarryPins, aPartTooSmallForATriangleBecomesPoints) {
 
 TEST(CarryPins, pinsFollowABindingWhereThereIsOne) {
   const TriangleMesh fine = shapes::grid(4, 4), coarse = shapes::grid(2, 2);
-  std::vector<SurfaceAnchor> binding(fine.positions.size(), SurfaceAnchor{kNone, {0, 0, 0}});
+  std::vector<SurfacePoint> binding(fine.positions.size(), SurfacePoint{kNone, {0, 0, 0}});
   binding[0] = {7, {0, 1, 0}};
   binding[1] = {3, {0.5, 0.25, 0.25}};
   const Pins pins = carryPins(fine, std::vector<uint32_t>{0, 1, 2}, coarse, binding);
@@ -106,7 +106,7 @@ TEST(CarryPins, aHeldPartStaysOnTheSheetThatTheBindingSays) {
   const TriangleMesh original = shapes::together(fine, atHeight(fine, 0.01));
   const TriangleMesh other = shapes::together(atHeight(coarse, 0.01), coarse);
   std::vector<uint32_t> pinned;
-  std::vector<SurfaceAnchor> binding;
+  std::vector<SurfacePoint> binding;
   for (uint32_t v = 0; v < original.vertexCount(); ++v) {
     const bool isUpper = v >= fine.vertexCount();
     const double x = 2 * original.positions[v].x, y = 2 * original.positions[v].y;
@@ -114,8 +114,8 @@ TEST(CarryPins, aHeldPartStaysOnTheSheetThatTheBindingSays) {
     const double u = x - column, w = y - row;
     const uint32_t cell =
         2 * static_cast<uint32_t>(2 * row + column) + (isUpper ? coarse.triangleCount() : 0);
-    binding.push_back(u >= w ? SurfaceAnchor{cell, {1 - u, u - w, w}}
-                             : SurfaceAnchor{cell + 1, {1 - w, u, w - u}});
+    binding.push_back(u >= w ? SurfacePoint{cell, {1 - u, u - w, w}}
+                             : SurfacePoint{cell + 1, {1 - w, u, w - u}});
     if (!isUpper && y <= 1) pinned.push_back(v);
   }
   const Pins pins = carryPins(original, pinned, other, binding);

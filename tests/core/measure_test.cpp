@@ -70,14 +70,14 @@ TEST(ClosestPoint, agreesWithADenseSearchOnAnyTriangle) {
     const Vec3 p{coordinate(), coordinate(), coordinate()};
     double best = HUGE_VAL;
     for (uint32_t t = 0; t < mesh.triangleCount(); ++t) best = std::min(best, bruteForce(p, mesh, t));
-    const SurfacePoint found = tree.closest(p);
+    const ClosestPoint found = tree.closest(p);
     EXPECT_LE(found.distance, best + 1e-12);
     EXPECT_GE(found.distance, best - 0.02);
     EXPECT_NEAR(length(p - found.position), found.distance, 1e-12);
     EXPECT_NEAR(found.barycentric[0] + found.barycentric[1] + found.barycentric[2], 1, 1e-12);
     for (double weight : found.barycentric) EXPECT_GE(weight, 0);
     const auto near = static_cast<uint32_t>(random() % mesh.triangleCount());
-    const SurfacePoint again = tree.closest(p, near);
+    const ClosestPoint again = tree.closest(p, near);
     EXPECT_EQ(again.triangle, found.triangle);
     EXPECT_EQ(again.distance, found.distance);
     EXPECT_EQ(again.position.x, found.position.x);

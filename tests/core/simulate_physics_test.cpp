@@ -419,7 +419,7 @@ TEST(SimulatedPhysics, pinsGoWhereTheyAreToldAndAnchorsToo) {
 
 TEST(SimulatedPhysics, aDraggedPointReachesItsTargetAndIsLetGo) {
   const TriangleMesh mesh = shapes::grid(6, 6);
-  const SurfaceAnchor anchor = {30, {0.2, 0.3, 0.5}};
+  const SurfacePoint anchor = {30, {0.2, 0.3, 0.5}};
   SimulationOptions options = rubber(0.02, 20);
   options.damping = 2;
   Simulation body(mesh, options);

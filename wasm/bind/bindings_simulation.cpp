@@ -95,8 +95,8 @@ std::vector<uint32_t> pinnedOf(const TriangleMesh& original, const Scenario& sce
 }
 
 // Points of `other`, one per vertex of the original; none where `in` is null or left out.
-std::vector<SurfaceAnchor> bindingOf(const TriangleMesh& original, const TriangleMesh& other, const val& in) {
-  std::vector<SurfaceAnchor> anchors;
+std::vector<SurfacePoint> bindingOf(const TriangleMesh& original, const TriangleMesh& other, const val& in) {
+  std::vector<SurfacePoint> anchors;
   if (in.isNull() || in.isUndefined()) return anchors;
   const auto triangles = vectorOf<uint32_t>(in["triangle"]);
   const auto shares = vectorOf<float>(in["barycentric"]);

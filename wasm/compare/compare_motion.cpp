@@ -22,13 +22,13 @@ double secondsNow() {
 }
 
 // Points of the original on `mesh`: the original itself or another.
-std::vector<SurfaceAnchor> bind(const SurfaceSamples& points, const TriangleMesh& original,
+std::vector<SurfacePoint> bind(const SurfaceSamples& points, const TriangleMesh& original,
                                 const TriangleMesh& mesh) {
   const ClosestPointTree tree(mesh);
-  std::vector<SurfaceAnchor> anchors;
+  std::vector<SurfacePoint> anchors;
   for (size_t i = 0; i < points.positions.size(); ++i) {
     const Vec3 normal = normalized(areaNormal(original, points.triangles[i]));
-    const SurfacePoint on = tree.closestFacing(points.positions[i], normal);
+    const ClosestPoint on = tree.closestFacing(points.positions[i], normal);
     anchors.push_back({on.triangle, {on.barycentric[0], on.barycentric[1], on.barycentric[2]}});
   }
   return anchors;
@@ -48,7 +48,7 @@ class Runs {
   struct Body {
     const TriangleMesh& mesh;
     Pins pins;
-    std::vector<SurfaceAnchor> points;
+    std::vector<SurfacePoint> points;
     uint32_t order;
     bool records;
     double calibration = 1;
@@ -65,7 +65,7 @@ class Runs {
     RunningScenario running(body.mesh, options, options_.scenario, body.pins);
     const Simulation& simulation = running.simulation();
     std::vector<Vec3> rest;
-    for (const SurfaceAnchor& point : body.points) rest.push_back(simulation.position(point));
+    for (const SurfacePoint& point : body.points) rest.push_back(simulation.position(point));
     Result result;
     result.run.constraints = simulation.constraintCount();
     result.run.edges = simulation.edgeCount();

@@ -15,7 +15,7 @@ struct MotionOptions {
   SimulationOptions simulation;
   Scenario scenario;
   std::vector<uint32_t> pinned;             // vertices of the original
-  std::vector<SurfaceAnchor> binding = {};  // of the original's vertices to `other`, see carry_pins.h
+  std::vector<SurfacePoint> binding = {};  // of the original's vertices to `other`, see carry_pins.h
   double calibration = 1;                   // Young's modulus of `other` over the original's
   uint32_t sampleCount = 1000;              // points that are followed
   bool records = false;                     // keep the positions of every step

@@ -101,7 +101,7 @@ class Comparison {
   const TriangleMesh &original_, &other_;
   const FidelityOptions& options_;
   Job& job_;
-  std::vector<SurfacePoint> points_;
+  std::vector<ClosestPoint> points_;
   Eigen::VectorXd rootMass_;
 };
 

@@ -67,7 +67,7 @@ std::vector<uint8_t> DeviationGuard::begin(const TriangleMesh& mesh) {
     for (size_t i = from; i < to; ++i) {
       const bool isOwn = i >= original_.size();
       const Vec3 point = isOwn ? ownPoint(mesh, i - original_.size()) : originals_[i];
-      const SurfacePoint nearest = (isOwn ? tree_ : tree).closest(point);
+      const ClosestPoint nearest = (isOwn ? tree_ : tree).closest(point);
       (isOwn ? own_[i - original_.size()] : original_[i]) = {point, nearest};
     }
   });
@@ -90,8 +90,10 @@ std::vector<uint8_t> DeviationGuard::tooFar(const TriangleMesh& moved) const {
 void DeviationGuard::checkOriginal(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const {
   std::vector<const Sample*> doubtful;
   for (const Sample& sample : original_) {
-    const auto& [t, b, position, distance] = sample.nearest;
-    if (distance <= allowed_ && length(pointOn(moved, t, {b[0], b[1], b[2]}) - sample.point) > allowed_)
+    const ClosestPoint& nearest = sample.nearest;
+    const double* const b = nearest.barycentric;
+    if (nearest.distance <= allowed_ &&
+        length(pointOn(moved, nearest.triangle, {b[0], b[1], b[2]}) - sample.point) > allowed_)
       doubtful.push_back(&sample);
   }
   if (doubtful.empty()) return;
@@ -99,7 +101,7 @@ void DeviationGuard::checkOriginal(const TriangleMesh& moved, std::vector<uint8_
   std::vector<uint32_t> found(doubtful.size(), kNone);
   parallelFor(doubtful.size(), kSamplesPerRange, [&](size_t from, size_t to) {
     for (size_t i = from; i < to; ++i) {
-      const SurfacePoint nearest = tree.closest(doubtful[i]->point);
+      const ClosestPoint nearest = tree.closest(doubtful[i]->point);
       if (nearest.distance > allowed_) found[i] = nearest.triangle;
     }
   });

@@ -28,7 +28,7 @@ class DeviationGuard {
  private:
   struct Sample {
     Vec3 point;
-    SurfacePoint nearest;  // on the other surface
+    ClosestPoint nearest;  // on the other surface
   };
   Vec3 ownPoint(const TriangleMesh& mesh, size_t i) const;
   void checkOriginal(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const;

@@ -43,7 +43,7 @@ class Surface {
   // Whether it lies along a plane where a sheet of it that looks that way is nearest to p.
   bool isAlong(const Vec3& p, const Eigen::Vector3d& plane) {
     if (!tree_) tree_.emplace(mesh_);
-    const SurfacePoint nearest = tree_->closestFacing(p, {plane.x(), plane.y(), plane.z()});
+    const ClosestPoint nearest = tree_->closestFacing(p, {plane.x(), plane.y(), plane.z()});
     return limber::isAlong(unitNormal(mesh_, nearest.triangle), plane);
   }
 

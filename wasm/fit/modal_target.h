@@ -95,7 +95,7 @@ class ModalTarget {
   Found reference_;             // shapes mass-normalised over the original's vertices
   Found last_;                  // of the mesh that was compared last
   std::vector<Vec3> solvedAt_;  // the vertices of the mesh that the constructor has solved, or empty
-  std::vector<SurfacePoint> binding_;
+  std::vector<ClosestPoint> binding_;
   Eigen::VectorXd rootMass_;
 };
 

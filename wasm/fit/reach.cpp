@@ -38,7 +38,7 @@ Reach::Reach(const TriangleMesh& surface, const TriangleMesh& start, const Topol
 Vec3 Reach::limited(uint32_t v, const Vec3& place) const {
   const auto& [start, distance, most] = vertices_[v];
   if (distance + length(place - start) <= most) return place;
-  const SurfacePoint nearest = tree_.closest(place);
+  const ClosestPoint nearest = tree_.closest(place);
   if (nearest.distance <= most) return place;
   return nearest.position + (place - nearest.position) * (most / nearest.distance);
 }

@@ -39,7 +39,7 @@ std::vector<Contact> touchSurface(const TriangleMesh& mesh, const FitSamples& sa
   parallelFor(contacts.size(), kSamplesPerRange, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const auto& [point, normal, area] = samples.surface[i];
-      const SurfacePoint closest = tree.closest(point, near[i]);
+      const ClosestPoint closest = tree.closest(point, near[i]);
       near[i] = closest.triangle;
       if (dot(normalized(areaNormal(mesh, closest.triangle)), normal) < kSameSide) continue;
       contacts[i] = {closest.triangle,
@@ -120,7 +120,7 @@ void addBorders(const TriangleMesh& mesh, const BorderEdges& border, const FitSa
   if (border.triangle.empty() || samples.border.empty()) return;
   const ClosestPointTree tree(border.segments);
   for (const auto& [point, tangent, length] : samples.border) {
-    const SurfacePoint closest = tree.closest(point);
+    const ClosestPoint closest = tree.closest(point);
     const uint32_t t = border.triangle[closest.triangle];
     const auto [start, end] = border.corner[closest.triangle];
     double share[3] = {0, 0, 0};

@@ -114,7 +114,7 @@ Prolongation::Prolongation(const TriangleMesh& original, const CoarsePart& coars
       const uint32_t centre = coarse.vertexOfInput[v];
       double nearest = HUGE_VAL;
       const auto visit = [&](uint32_t t) {
-        const SurfacePoint point = closestOnTriangle(mesh, t, original.positions[v]);
+        const ClosestPoint point = closestOnTriangle(mesh, t, original.positions[v]);
         if (point.distance >= nearest) return;
         nearest = point.distance;
         places_[v] = {t, {point.barycentric[0], point.barycentric[1], point.barycentric[2]}};

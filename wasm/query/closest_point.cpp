@@ -67,9 +67,9 @@ void closestBarycentric(const Vec3& p, const Vec3 (&corner)[3], double (&barycen
 
 }  // namespace
 
-SurfacePoint closestOnTriangle(const TriangleMesh& mesh, uint32_t t, const Vec3& point) {
+ClosestPoint closestOnTriangle(const TriangleMesh& mesh, uint32_t t, const Vec3& point) {
   const Vec3 corner[3] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
-  SurfacePoint found;
+  ClosestPoint found;
   found.triangle = t;
   closestBarycentric(point, corner, found.barycentric);
   for (int c = 0; c < 3; ++c) found.position += corner[c] * found.barycentric[c];
@@ -127,9 +127,9 @@ ClosestPointTree::Branch ClosestPointTree::build(uint32_t first, uint32_t count,
 }
 
 template <class Counts>
-SurfacePoint ClosestPointTree::search(const Vec3& point, const SurfacePoint& start,
+ClosestPoint ClosestPointTree::search(const Vec3& point, const ClosestPoint& start,
                                       const Counts& counts) const {
-  SurfacePoint best = start;
+  ClosestPoint best = start;
   double bestSquared =
       start.triangle == kNone ? start.distance * start.distance : squaredLength(point - start.position);
   struct Visit {
@@ -171,20 +171,20 @@ SurfacePoint ClosestPointTree::search(const Vec3& point, const SurfacePoint& sta
   return best;
 }
 
-SurfacePoint ClosestPointTree::closest(const Vec3& point, uint32_t near) const {
-  const SurfacePoint start =
-      near == kNone ? SurfacePoint{.distance = HUGE_VAL} : closestOnTriangle(mesh_, near, point);
+ClosestPoint ClosestPointTree::closest(const Vec3& point, uint32_t near) const {
+  const ClosestPoint start =
+      near == kNone ? ClosestPoint::within(HUGE_VAL) : closestOnTriangle(mesh_, near, point);
   return search(point, start, [](uint32_t) { return true; });
 }
 
-SurfacePoint ClosestPointTree::closestFacing(const Vec3& point, const Vec3& normal, uint32_t near) const {
+ClosestPoint ClosestPointTree::closestFacing(const Vec3& point, const Vec3& normal, uint32_t near) const {
   const auto looksThatWay = [&](uint32_t t) {
     return dot(normalized(areaNormal(mesh_, t)), normal) >= kSameWay;
   };
-  const SurfacePoint any = closest(point, near);
+  const ClosestPoint any = closest(point, near);
   if (squaredLength(normal) == 0 || looksThatWay(any.triangle)) return any;
   const double slack = kBetweenSheets * box_.diagonal();
-  const SurfacePoint facing = search(point, {.distance = any.distance + slack}, looksThatWay);
+  const ClosestPoint facing = search(point, ClosestPoint::within(any.distance + slack), looksThatWay);
   return facing.triangle != kNone ? facing : any;
 }
 

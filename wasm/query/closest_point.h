@@ -4,20 +4,26 @@
 #include <vector>
 
 #include "base/real_pair.h"
+#include "mesh/surface_point.h"
 #include "mesh/triangle_mesh.h"
 
 namespace limber {
 
-// A point of a surface: triangle and barycentric coordinates.
-struct SurfacePoint {
-  uint32_t triangle = kNone;
-  double barycentric[3] = {0, 0, 0};
+// The point of a surface that is closest to a given one, and how far it is.
+struct ClosestPoint : SurfacePoint {
   Vec3 position = {};
   double distance = 0;
+
+  // No point, but a distance beyond which none is looked for.
+  static ClosestPoint within(double distance) {
+    ClosestPoint none;
+    none.distance = distance;
+    return none;
+  }
 };
 
 // The point of triangle t closest to `point`; any triangle, needles and points included.
-SurfacePoint closestOnTriangle(const TriangleMesh& mesh, uint32_t t, const Vec3& point);
+ClosestPoint closestOnTriangle(const TriangleMesh& mesh, uint32_t t, const Vec3& point);
 
 // Bounding volume hierarchy over the triangles of a mesh that must outlive it. Built once, queried from any
 // thread.
@@ -26,11 +32,11 @@ class ClosestPointTree {
   explicit ClosestPointTree(const TriangleMesh& mesh);
   // The closest point of the surface; ties go to the lowest triangle index. The mesh must have a triangle.
   // `near`: one that is likely to have it, which saves time.
-  SurfacePoint closest(const Vec3& point, uint32_t near = kNone) const;
+  ClosestPoint closest(const Vec3& point, uint32_t near = kNone) const;
   // The closest point of a triangle that looks the way of `normal` (within 75 degrees), where one is hardly
   // farther off than the closest of all (1 % of the diagonal); else that. Tells sheets apart that lie close
   // together, or on one another. A normal of 0 looks every way.
-  SurfacePoint closestFacing(const Vec3& point, const Vec3& normal, uint32_t near = kNone) const;
+  ClosestPoint closestFacing(const Vec3& point, const Vec3& normal, uint32_t near = kNone) const;
 
  private:
   // The triangles order_[first] to order_[first + count - 1]; where count is 0, the two branches of
@@ -49,7 +55,7 @@ class ClosestPointTree {
   // Among the triangles that count, no farther than `start`, which is found where there is none closer; it
   // may be a distance alone, without a triangle.
   template <class Counts>
-  SurfacePoint search(const Vec3& point, const SurfacePoint& start, const Counts& counts) const;
+  ClosestPoint search(const Vec3& point, const ClosestPoint& start, const Counts& counts) const;
 
   const TriangleMesh& mesh_;
   Branch root_;

@@ -20,14 +20,14 @@ SurfaceWalk::SurfaceWalk(const TriangleMesh& mesh, const Topology& topology)
 void SurfaceWalk::visit(uint32_t triangle, const Vec3& point) {
   if (visitedAt_[triangle] == walk_) return;
   visitedAt_[triangle] = walk_;
-  const SurfacePoint found = closestOnTriangle(mesh_, triangle, point);
+  const ClosestPoint found = closestOnTriangle(mesh_, triangle, point);
   visited_.push_back(found);
   const bool isNearer =
       found.distance < best_.distance || (found.distance == best_.distance && triangle < best_.triangle);
   if (isNearer) best_ = found;
 }
 
-SurfacePoint SurfaceWalk::closest(const Vec3& point, std::span<const uint32_t> start,
+ClosestPoint SurfaceWalk::closest(const Vec3& point, std::span<const uint32_t> start,
                                   const MayCross& mayCross) {
   ++walk_;
   visited_.clear();

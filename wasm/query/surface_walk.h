@@ -24,7 +24,7 @@ class SurfaceWalk {
 
   // A local minimum of the distance to `point`, started at all triangles of `start` (not empty). Ties go to
   // the lower triangle index. O(triangles looked at).
-  SurfacePoint closest(const Vec3& point, std::span<const uint32_t> start, const MayCross& mayCross);
+  ClosestPoint closest(const Vec3& point, std::span<const uint32_t> start, const MayCross& mayCross);
 
  private:
   void visit(uint32_t triangle, const Vec3& point);
@@ -34,8 +34,8 @@ class SurfaceWalk {
   double tolerance_;                 // distances that differ by less are one
   std::vector<uint32_t> visitedAt_;  // per triangle: the walk that has last looked at it
   uint32_t walk_ = 0;
-  std::vector<SurfacePoint> visited_;
-  SurfacePoint best_;
+  std::vector<ClosestPoint> visited_;
+  ClosestPoint best_;
 };
 
 }  // namespace limber

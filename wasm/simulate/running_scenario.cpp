@@ -12,7 +12,7 @@ RunningScenario::RunningScenario(const TriangleMesh& mesh, const SimulationOptio
                                  const Scenario& scenario, const Pins& pins)
     : scenario_(scenario), simulation_(mesh, options, pins), pins_(pins) {
   for (const uint32_t v : pins.vertices) pinRest_.push_back(mesh.positions[v]);
-  for (const SurfaceAnchor& point : pins.points) pinRest_.push_back(simulation_.position(point));
+  for (const SurfacePoint& point : pins.points) pinRest_.push_back(simulation_.position(point));
   startScenario(scenario_, mesh.positions, simulation_);
 }
 
@@ -30,7 +30,7 @@ void RunningScenario::step(const Job& job, Helpers* helpers) {
 std::vector<Vec3> RunningScenario::pinPositions() const {
   std::vector<Vec3> places;
   for (const uint32_t v : pins_.vertices) places.push_back(simulation_.position(v));
-  for (const SurfaceAnchor& point : pins_.points) places.push_back(simulation_.position(point));
+  for (const SurfacePoint& point : pins_.points) places.push_back(simulation_.position(point));
   return places;
 }
 

@@ -31,7 +31,7 @@ void requirePins(const TriangleMesh& mesh, const Pins& pins) {
     if (v >= mesh.vertexCount())
       throw std::invalid_argument("Vertex " + std::to_string(v) + " is pinned, but the mesh has " +
                                   std::to_string(mesh.vertexCount()) + " vertices: pin others.");
-  for (const SurfaceAnchor& point : pins.points)
+  for (const SurfacePoint& point : pins.points)
     if (point.triangle >= mesh.triangleCount())
       throw std::invalid_argument("A pin lies in triangle " + std::to_string(point.triangle) +
                                   ", but the mesh has " + std::to_string(mesh.triangleCount()) +
@@ -72,7 +72,7 @@ std::vector<Vec3> Simulation::positions() const {
   return positions;
 }
 
-Vec3 Simulation::position(const SurfaceAnchor& anchor) const {
+Vec3 Simulation::position(const SurfacePoint& anchor) const {
   Vec3 sum;
   for (int c = 0; c < 3; ++c)
     sum += state_->particles.positions[state_->mesh.triangles[anchor.triangle][c]] * anchor.barycentric[c];
@@ -122,7 +122,7 @@ void Simulation::setColliders(std::span<const Collider> colliders) {
     state_->obstacles.colliders.push_back({c.from * unit, c.to * unit, c.radius * unit});
 }
 
-void Simulation::drag(const SurfaceAnchor& anchor, const Vec3& target) {
+void Simulation::drag(const SurfacePoint& anchor, const Vec3& target) {
   if (anchor.triangle >= state_->mesh.triangleCount())
     throw std::invalid_argument("The dragged point lies in a triangle that the mesh does not have.");
   state_->dragged.clear();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/job.h"
+#include "mesh/surface_point.h"
 #include "mesh/triangle_mesh.h"
 
 namespace limber {
@@ -30,12 +31,6 @@ struct SimulationOptions {
   uint32_t order = 0;          // of the constraints: 0 as they come, any other number an order of its own
 };
 
-// A point of the surface: (1 - b - c) of corner 0, b of corner 1, c of corner 2 of a triangle.
-struct SurfaceAnchor {
-  uint32_t triangle;
-  double barycentric[3];
-};
-
 // A capsule around the segment from -> to; a ball where both are one.
 struct Collider {
   Vec3 from, to;
@@ -45,7 +40,7 @@ struct Collider {
 // What holds a body: vertices, and points of the surface.
 struct Pins {
   std::vector<uint32_t> vertices = {};
-  std::vector<SurfaceAnchor> points = {};
+  std::vector<SurfacePoint> points = {};
   size_t count() const { return vertices.size() + points.size(); }
 };
 
@@ -72,7 +67,7 @@ class Simulation {
   uint32_t vertexCount() const;
   // In units of the mesh.
   Vec3 position(uint32_t v) const;
-  Vec3 position(const SurfaceAnchor& anchor) const;
+  Vec3 position(const SurfacePoint& anchor) const;
   std::vector<Vec3> positions() const;
   // m/s.
   Vec3 velocity(uint32_t v) const;
@@ -92,7 +87,7 @@ class Simulation {
   void setColliders(std::span<const Collider> colliders);
   // Draws a point of the surface to `target` (units of the mesh), as a hand would, by a fifth of what is left
   // of the way in a step. `drag` again moves the target or takes another point, `release` ends it.
-  void drag(const SurfaceAnchor& anchor, const Vec3& target);
+  void drag(const SurfacePoint& anchor, const Vec3& target);
   void release();
   // Where the pins are to be at the end of the next step, in units of the mesh: vertices, then points.
   void setPinTargets(std::span<const Vec3> targets);

@@ -139,7 +139,7 @@ void Simulation::State::makeConstraints() {
 }
 
 void Simulation::State::makePins() {
-  for (const SurfaceAnchor& point : pins.points) heldPoints.add(mesh, particles, point);
+  for (const SurfacePoint& point : pins.points) heldPoints.add(mesh, particles, point);
   for (const uint32_t v : pins.vertices) pinTargets.push_back(particles.positions[v]);
   for (size_t i = 0; i < pins.points.size(); ++i) {
     pinTargets.push_back(heldPoints.position(i, particles));

@@ -60,7 +60,7 @@ void collectStart(const Surfaces& surfaces, uint32_t vertex, std::vector<uint32_
     for (const uint32_t neighbour : input.triangles[t]) add(result.vertexOfInput[neighbour]);
 }
 
-void store(const SurfacePoint& found, double offset, uint32_t vertex, Binding& binding) {
+void store(const ClosestPoint& found, double offset, uint32_t vertex, Binding& binding) {
   binding.triangle[vertex] = found.triangle;
   binding.offset[vertex] = static_cast<float>(offset);
   const double sum = found.barycentric[0] + found.barycentric[1] + found.barycentric[2];
@@ -80,7 +80,7 @@ void bindRange(const Surfaces& surfaces, size_t begin, size_t end, Binding& bind
     const bool anyAlike = std::ranges::any_of(start, alike);
     if (anyAlike) std::erase_if(start, [&](uint32_t triangle) { return !alike(triangle); });
     const Vec3& point = surfaces.input.positions[v];
-    const SurfacePoint found =
+    const ClosestPoint found =
         walk.closest(point, start, [&](uint32_t, uint32_t triangle) { return !anyAlike || alike(triangle); });
     const double offset = dot(point - found.position, surfaces.resultNormals[found.triangle]);
     store(found, offset, vertex, binding);

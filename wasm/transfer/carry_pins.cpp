@@ -48,7 +48,7 @@ HeldPart heldPart(const TriangleMesh& mesh, std::span<const uint32_t> pinned) {
 // Where points of `other` lie on the original: on the sheet that the binding says, or at the closest point.
 class PlaceFinder {
  public:
-  PlaceFinder(const TriangleMesh& original, const TriangleMesh& other, std::span<const SurfaceAnchor> binding)
+  PlaceFinder(const TriangleMesh& original, const TriangleMesh& other, std::span<const SurfacePoint> binding)
       : tree_(original), startsOf_(binding.empty() ? 0 : other.triangleCount()) {
     if (binding.empty()) return;
     topology_ = buildTopology(original);
@@ -59,7 +59,7 @@ class PlaceFinder {
   }
 
   // Of a point in a triangle of `other`.
-  SurfacePoint find(const Vec3& point, uint32_t triangle) const {
+  ClosestPoint find(const Vec3& point, uint32_t triangle) const {
     if (!walk_ || startsOf_[triangle].empty()) return tree_.closest(point);
     return walk_->closest(point, startsOf_[triangle], [](uint32_t, uint32_t) { return true; });
   }
@@ -75,7 +75,7 @@ class PlaceFinder {
 class HeldVertices {
  public:
   HeldVertices(const TriangleMesh& original, const HeldPart& part, const TriangleMesh& other,
-               std::span<const SurfaceAnchor> binding)
+               std::span<const SurfacePoint> binding)
       : original_(original),
         part_(part),
         other_(other),
@@ -101,7 +101,7 @@ class HeldVertices {
   bool holdsPieceOf(uint32_t v) const { return part_.hasVertex[v] && holdsPiece_[part_.pieceOfVertex[v]]; }
 
  private:
-  double maskAt(const SurfacePoint& place) const {
+  double maskAt(const ClosestPoint& place) const {
     double sum = 0;
     for (int c = 0; c < 3; ++c)
       if (part_.hasVertex[original_.triangles[place.triangle][c]]) sum += place.barycentric[c];
@@ -114,7 +114,7 @@ class HeldVertices {
     const auto look = [&](double b, double c) {
       const Vec3 point =
           other_.corner(t, 0) * (1 - b - c) + other_.corner(t, 1) * b + other_.corner(t, 2) * c;
-      const SurfacePoint place = places_.find(point, t);
+      const ClosestPoint place = places_.find(point, t);
       ++all;
       if (!part_.hasTriangle[place.triangle]) return;
       ++inside;
@@ -140,9 +140,9 @@ class HeldVertices {
 };
 
 // Per pinned vertex its point on `other`; kNone as the triangle of those that have none.
-std::vector<SurfaceAnchor> placesOn(const TriangleMesh& original, std::span<const uint32_t> pinned,
-                                    const TriangleMesh& other, std::span<const SurfaceAnchor> binding) {
-  std::vector<SurfaceAnchor> places;
+std::vector<SurfacePoint> placesOn(const TriangleMesh& original, std::span<const uint32_t> pinned,
+                                    const TriangleMesh& other, std::span<const SurfacePoint> binding) {
+  std::vector<SurfacePoint> places;
   if (!binding.empty()) {
     for (const uint32_t v : pinned) places.push_back(binding[v]);
     return places;
@@ -150,13 +150,13 @@ std::vector<SurfaceAnchor> placesOn(const TriangleMesh& original, std::span<cons
   const ClosestPointTree tree(other);
   const std::vector<Vec3> normals = vertexNormals(original);
   for (const uint32_t v : pinned) {
-    const SurfacePoint point = tree.closestFacing(original.positions[v], normals[v]);
+    const ClosestPoint point = tree.closestFacing(original.positions[v], normals[v]);
     places.push_back({point.triangle, {point.barycentric[0], point.barycentric[1], point.barycentric[2]}});
   }
   return places;
 }
 
-void addPlace(const SurfaceAnchor& place, const TriangleMesh& other, Pins& pins) {
+void addPlace(const SurfacePoint& place, const TriangleMesh& other, Pins& pins) {
   if (place.triangle == kNone) return;
   const double* const share = std::max_element(place.barycentric, place.barycentric + 3);
   if (*share > kAtVertex)
@@ -165,7 +165,7 @@ void addPlace(const SurfaceAnchor& place, const TriangleMesh& other, Pins& pins)
     pins.points.push_back(place);
 }
 
-bool comesBefore(const SurfaceAnchor& a, const SurfaceAnchor& b) {
+bool comesBefore(const SurfacePoint& a, const SurfacePoint& b) {
   return a.triangle != b.triangle ? a.triangle < b.triangle
                                   : std::lexicographical_compare(a.barycentric, a.barycentric + 3,
                                                                  b.barycentric, b.barycentric + 3);
@@ -174,9 +174,9 @@ bool comesBefore(const SurfaceAnchor& a, const SurfaceAnchor& b) {
 }  // namespace
 
 Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& other,
-               std::span<const SurfaceAnchor> binding) {
+               std::span<const SurfacePoint> binding) {
   Pins pins;
-  const std::vector<SurfaceAnchor> places = placesOn(original, pinned, other, binding);
+  const std::vector<SurfacePoint> places = placesOn(original, pinned, other, binding);
   const HeldPart part = heldPart(original, pinned);
   std::vector<uint8_t> isCovered(pinned.size(), 0);
   if (!part.isEmpty) {

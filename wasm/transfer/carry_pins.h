@@ -18,6 +18,6 @@ namespace limber {
 // Places are found by `binding` (one point of `other` per vertex of the original, kNone as its triangle where
 // it has none), or, where that is empty, as the closest points at rest. Ascending, each vertex once.
 Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& other,
-               std::span<const SurfaceAnchor> binding = {});
+               std::span<const SurfacePoint> binding = {});
 
 }  // namespace limber

@@ -197,7 +197,7 @@ void SourceFinder::placeInside(uint32_t side) {
   start_.clear();
   for (const uint32_t corner : corners_)
     if (carried_.sides.sideOf(corner) == side) start_.push_back(corner / 3);
-  const SurfacePoint found =
+  const ClosestPoint found =
       walk_.closest(position_, start_, [&](uint32_t edge, uint32_t) { return !carried_.sides.isSeam(edge); });
   store(side, found.triangle, found.barycentric);
 }

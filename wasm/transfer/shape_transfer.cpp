@@ -4,11 +4,11 @@
 
 namespace limber {
 
-std::vector<SurfacePoint> closestPoints(const TriangleMesh& original, const TriangleMesh& other,
-                                        const std::vector<SurfacePoint>& last) {
+std::vector<ClosestPoint> closestPoints(const TriangleMesh& original, const TriangleMesh& other,
+                                        const std::vector<ClosestPoint>& last) {
   const ClosestPointTree tree(other);
   const std::vector<Vec3> normals = vertexNormals(original);
-  std::vector<SurfacePoint> points(original.vertexCount());
+  std::vector<ClosestPoint> points(original.vertexCount());
   parallelFor(points.size(), 256, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v)
       points[v] =
@@ -18,7 +18,7 @@ std::vector<SurfacePoint> closestPoints(const TriangleMesh& original, const Tria
 }
 
 Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& other,
-                         const std::vector<SurfacePoint>& points) {
+                         const std::vector<ClosestPoint>& points) {
   Eigen::MatrixXd carried(3 * static_cast<Eigen::Index>(points.size()), shapes.cols());
   for (size_t v = 0; v < points.size(); ++v)
     for (Eigen::Index axis = 0; axis < 3; ++axis) {

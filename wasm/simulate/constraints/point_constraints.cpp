@@ -3,7 +3,7 @@
 namespace limber {
 
 void PointConstraints::add(const TriangleMesh& mesh, const Particles& particles,
-                           const SurfaceAnchor& anchor) {
+                           const SurfacePoint& anchor) {
   Point point{};
   double weight = 0;
   for (int c = 0; c < 3; ++c) {

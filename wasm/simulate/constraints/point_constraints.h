@@ -12,7 +12,7 @@ namespace limber {
 // Points of the surface that are held at a target, which moves evenly through the step.
 class PointConstraints {
  public:
-  void add(const TriangleMesh& mesh, const Particles& particles, const SurfaceAnchor& anchor);
+  void add(const TriangleMesh& mesh, const Particles& particles, const SurfacePoint& anchor);
   void clear() { points_.clear(); }
   size_t count() const { return points_.size(); }
 

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace limber {
+
+// A homogeneous isotropic material on a body. Lengths of the mesh are in its own units.
+struct ElasticMaterial {
+  double young = 0;      // E, Pa, > 0
+  double poisson = 0;    // nu, in (-1, 0.5)
+  double density = 0;    // rho, kg/m3, > 0
+  double thickness = 0;  // h of a shell, in units of the mesh, > 0
+  double unit = 1;       // metres per unit of the mesh, > 0
+};
+
+}  // namespace limber
