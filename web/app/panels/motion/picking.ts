@@ -3,7 +3,7 @@
 import { batch } from '@preact/signals';
 import { editPins } from '../../../engine/settings/pin_edits';
 import { isDark } from '../../scheme';
-import { holdInPlace } from '../../state/pins';
+import { setPins } from '../../state/pins';
 import { isBrushing, isPicking, results, view, wants } from '../../state/store';
 import { PickTool } from '../../viewer/pick_tool';
 import type { PickHost } from '../../viewer/pick_tool';
@@ -60,7 +60,7 @@ function pinByHand(vertices: number[], isPinning: boolean): void {
   const text = editPins(pins, pinned, { isPinning, vertices }, body.vertexOfSource);
   const after = afterEdit(vertices, isPinning);
   batch(() => {
-    holdInPlace(text);
+    setPins(text);
     // The worker will find the same: until then the next stroke goes on from here.
     results.pins.value = { text, vertices: Uint32Array.from(after).sort() };
   });

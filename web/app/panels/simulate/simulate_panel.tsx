@@ -1,9 +1,10 @@
 /** Step 4: what happens to both bodies, how finely it is computed, and how they are shown. */
 
 import { useId, useState } from 'preact/hooks';
-import { parseColliders } from '../../../engine/motion/colliders';
-import { OPTIONS } from '../../../engine/settings/options';
+import { OPTIONS, checkSetting } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
+import { refusalOf } from '../../state/refusal';
+import type { Refusal } from '../../state/refusal';
 import { heldNow, twin } from '../../state/simulation';
 import type { Held } from '../../state/simulation';
 import { changeSettings, results, shownMesh, wants } from '../../state/store';
@@ -132,17 +133,12 @@ function HeldSelect() {
 /** A text that does not parse is refused with a sentence, and what was there stays. */
 function CollidersText() {
   const id = useId();
-  const [refused, setRefused] = useState<{ text: string; why: string } | null>(null);
+  const [refused, setRefused] = useState<Refusal | null>(null);
   const take = (text: string) => {
     const colliders = text.replaceAll(/\s/g, '');
-    try {
-      parseColliders(colliders);
-    } catch (error) {
-      setRefused({ text, why: (error as Error).message.replace(/^--colliders /, 'This ') });
-      return;
-    }
-    setRefused(null);
-    changeSettings({ colliders });
+    const refusal = refusalOf(text, () => checkSetting('colliders', colliders));
+    setRefused(refusal);
+    if (!refusal) changeSettings({ colliders });
   };
   return (
     <div class="control as-text">
