@@ -3,7 +3,8 @@ import type { Core } from '../../web/engine/core/core';
 import { openModel } from '../../web/engine/document/open';
 import { MATERIAL_NAMES, MATERIALS, materialNameOf } from '../../web/engine/settings/materials';
 import { checkSettings, defaultSettings } from '../../web/engine/settings/options';
-import { findPins, parsePins } from '../../web/engine/body/pins';
+import { findPins } from '../../web/engine/body/pins';
+import { parsePins } from '../../web/engine/settings/pin_text';
 import { findModes, prepareBody } from '../../web/engine/stages/pipeline';
 import { loadTestCore } from './support/core';
 import { textFile } from './support/files';
@@ -31,6 +32,13 @@ describe('pins', () => {
   it('are none for an empty text', async () => {
     expect(parsePins('')).toEqual([]);
     expect(await pinsOf('')).toEqual([]);
+  });
+
+  it('are parsed once, for each setting', () => {
+    const terms = parsePins('low:6+vertices:1,2');
+    expect(parsePins('high:6', 'lock')).toEqual([{ kind: 'high', percent: 6 }]);
+    expect(parsePins('low:6+vertices:1,2')).toBe(terms);
+    expect(parsePins('low:7')).not.toBe(terms);
   });
 
   it('take the ends of the longest axis', async () => {
@@ -65,7 +73,7 @@ describe('pins', () => {
       ...torus().positions.slice(15, 18),
     ]);
     expect(() => findPins('attribute:_NO', model.document, prepared)).toThrow(
-      '--pins names the attribute _NO, but "both" has POSITION, _PIN: name one of these.',
+      '“Held in place” names the attribute _NO, but "both" has POSITION, _PIN: name one of these.',
     );
   });
 
@@ -73,14 +81,14 @@ describe('pins', () => {
     '"%s" is refused with the forms',
     (text) => {
       expect(() => checkSettings({ ...defaultSettings(), pins: text })).toThrow(
-        /^--pins has ".*": give low:PCT, high:PCT, box:.*, attribute:NAME or vertices:i,j, joined by \+\.$/,
+        /^“Held in place” has ".*": give low:PCT, high:PCT, box:.*, attribute:NAME or vertices:i,j, joined by \+\.$/,
       );
     },
   );
 
   it('refuse a vertex that the body does not have', async () => {
     await expect(pinsOf('vertices:400')).rejects.toThrow(
-      /^--pins names vertex 400, but "sheet" has only \d+: name one below that\.$/,
+      /^“Held in place” names vertex 400, but "sheet" has only \d+: name one below that\.$/,
     );
   });
 

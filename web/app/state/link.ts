@@ -1,7 +1,13 @@
 /** What the user wants as the text of a link, and back: values that differ from the defaults, by the names of their flags. */
 
 import { signal } from '@preact/signals';
-import { OPTIONS, SETTING_NAMES, SettingError, checkSettings, wordSentence } from '../../engine/settings/options';
+import {
+  OPTIONS,
+  SETTING_NAMES,
+  SettingError,
+  checkSettings,
+  wordSentence,
+} from '../../engine/settings/options';
 import type { SettingName, Settings } from '../../engine/settings/options';
 import { changedSettings, readSettings } from '../../engine/settings/setting_text';
 

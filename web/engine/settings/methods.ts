@@ -89,14 +89,15 @@ export function fileDefaults(): Partial<Settings> {
 }
 
 /** Whether results are fitted to the original's modes. */
-export const isFitted = (settings: Settings): boolean => methodOf(settings).canFit && settings.fit === 'on';
+export const isFitted = (settings: Pick<Settings, 'method' | 'fit'>): boolean =>
+  methodOf(settings).canFit && settings.fit === 'on';
 
 /** The model that guides: the one asked for, or what the method takes for `auto`. */
-export const resolveModel = (settings: Settings): 'auto' | Model =>
+export const resolveModel = (settings: Pick<Settings, 'method' | 'model'>): 'auto' | Model =>
   settings.model === 'auto' ? methodOf(settings).autoModel : settings.model;
 
 /** The elastic modes that guide, from 1: those asked for, all that are computed, or as many as the method takes for `auto`. */
-export function resolveModes(settings: Settings): number[] {
+export function resolveModes(settings: Pick<Settings, 'method' | 'modes' | 'modeCount'>): number[] {
   const { modes, modeCount } = settings;
   if (Array.isArray(modes)) return modes;
   const autoCount = Math.min(methodOf(settings).autoModes, modeCount);

@@ -17,4 +17,4 @@ export {
 export { OPTIONS, SETTING_NAMES } from './table';
 export type { SettingName, Settings } from './table';
 export { COMMANDS } from './types';
-export type { Command, OptionSpec, PageSection } from './types';
+export type { Command, OptionOf, OptionSpec, PageSection } from './types';

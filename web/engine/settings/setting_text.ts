@@ -35,7 +35,10 @@ export interface ChangedSetting {
 
 /** What makes these settings of the defaults, in the order of the table; what describes the machine is left out. */
 export function changedSettings(settings: Settings): ChangedSetting[] {
-  const defaults: Settings = { ...defaultSettings(settings.method), method: OPTIONS.method.default as Settings['method'] };
+  const defaults: Settings = {
+    ...defaultSettings(settings.method),
+    method: OPTIONS.method.default as Settings['method'],
+  };
   return SETTING_NAMES.filter(
     (key) => !OPTIONS[key].isOfMachine && String(settings[key]) !== String(defaults[key]),
   ).map((key) => ({ key, flag: OPTIONS[key].flag, text: textOf(settings[key]) }));

@@ -233,11 +233,7 @@ function simplification(
 
 const NO_COSTS: CostAttributes = { values: new Float32Array(), dimension: 0 };
 
-function constraintsOf(
-  prepared: PreparedBody,
-  settings: Settings,
-  held: Held,
-): SimplifyConstraints {
+function constraintsOf(prepared: PreparedBody, settings: Settings, held: Held): SimplifyConstraints {
   const { borders, seams, creases } = settings;
   const pins = maskOf(prepared.mesh, held.pinned);
   const constraints = {

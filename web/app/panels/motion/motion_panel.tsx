@@ -6,8 +6,9 @@ import { coarseVerticesOf, describeModels } from '../../../engine/core/mode_set'
 import { OPTIONS, resolveModel } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
 import { areModesStale, changeSettings, results, view, wants } from '../../state/store';
-import { Choice, Range, Section, SettingRange, Toggle, count } from '../controls';
-import { MaterialNumbers, MaterialSelect } from './material_section';
+import { Choice, Range, Section, Toggle, count } from '../controls';
+import { SettingControls } from '../setting_controls';
+import { MaterialSelect } from './material_section';
 import { PinsSection } from './pins_section';
 
 const MODELS: { value: Settings['model']; text: string; title: string }[] = [
@@ -49,10 +50,8 @@ export function MotionPanel() {
           shown={`x${view.speed.value}`}
           onInput={(value) => (view.speed.value = value)}
         />
-        <MaterialNumbers />
-        <SettingRange name="modeCount" />
-        <SettingRange name="p" />
-        <SettingRange name="strainThreshold" />
+        <SettingControls section="material" />
+        <SettingControls section="modes" />
         {!isExactOffered() && <ExactToggle />}
       </details>
     </>

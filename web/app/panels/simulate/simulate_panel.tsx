@@ -9,6 +9,7 @@ import { heldNow, twin } from '../../state/simulation';
 import type { Held } from '../../state/simulation';
 import { changeSettings, results, shownMesh, wants } from '../../state/store';
 import { Choice, Section, Select, SettingRange, Toggle, count } from '../controls';
+import { SettingControls } from '../setting_controls';
 
 const SCENARIOS: { value: Settings['scenario']; text: string; holds: string; motion: string }[] = [
   { value: 'twist', text: 'Twist', holds: 'Both ends', motion: 'The upper end turns by 45 degrees.' },
@@ -88,21 +89,8 @@ function More() {
           onChange={(material) => changeSettings({ material })}
         />
       </div>
-      <SettingRange name="seconds" />
-      <SettingRange name="damping" />
-      <SettingRange name="friction" />
       <CollidersText />
-      <Toggle
-        label={OPTIONS.calibrate.label}
-        title={OPTIONS.calibrate.help}
-        checked={wants.settings.value.calibrate}
-        onChange={(calibrate) => changeSettings({ calibrate })}
-      />
-      <Toggle
-        label={OPTIONS.selfCollision.label}
-        checked={wants.settings.value.selfCollision}
-        onChange={(selfCollision) => changeSettings({ selfCollision })}
-      />
+      <SettingControls section="simulation" />
       <Toggle
         label="Noise floor also in slow motion"
         checked={twin.alwaysNoise.value}
