@@ -202,7 +202,7 @@ const ROWS = {
     flag: 'lock',
     label: 'Locked vertices',
     default: '',
-    help: 'Vertices that stay as they are, named in the form of the pins.',
+    help: 'Vertices that stay as they are, in the same form as pins.',
     group: 'method',
     isOfFile: true,
   },
