@@ -155,13 +155,13 @@ describe('an error', () => {
 });
 
 describe('a method', () => {
-  it('reads what no method has for itself, and its own', () => {
+  it('reads its own settings and those that all methods read', () => {
     expect(readsSetting(defaultSettings('qem'), 'strainWeight')).toBe(false);
     expect(readsSetting(defaultSettings('paper'), 'curvatureWeight')).toBe(true);
     expect(readsSetting(defaultSettings('paper'), 'maxDeviation')).toBe(true);
   });
 
-  it('brings its own weights, and takes those of another away', () => {
+  it('replaces the weights of another', () => {
     for (const from of ['limber', 'paper', 'qem'] as const)
       for (const to of ['limber', 'paper', 'qem'] as const)
         expect({ ...defaultSettings(from), ...methodChange(to) }).toEqual(defaultSettings(to));

@@ -110,10 +110,11 @@ describe('a painted body', () => {
 
   it.each(['limber', 'qem', 'paper'] as const)('has its locked vertices under %s to the end', (method) => {
     const { positions } = reduced(half(1, LOCKED), method, 0);
-    const places = new Set<string>();
-    for (let v = 0; v < positions.length; v += 3) places.add(positions.subarray(v, v + 3).join(' '));
+    const positionsLeft = new Set<string>();
+    for (let v = 0; v < positions.length; v += 3) positionsLeft.add(positions.subarray(v, v + 3).join(' '));
     for (let v = 0; v < shape.positions.length; v += 3)
-      if (shape.positions[v] > 0) expect(places).toContain(shape.positions.subarray(v, v + 3).join(' '));
+      if (shape.positions[v] > 0)
+        expect(positionsLeft).toContain(shape.positions.subarray(v, v + 3).join(' '));
   });
 
   it('refuses the paint of another file', () => {

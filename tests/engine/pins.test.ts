@@ -46,7 +46,7 @@ describe('pins', () => {
     expect(await pinsOf('high:20')).toEqual([5, 6, 12, 13, 19, 20]);
   });
 
-  it('take what a box holds, in any order of its corners', async () => {
+  it('take the vertices in a box, in any order of its corners', async () => {
     expect(await pinsOf('box:0.9,-1,-1,2,0.1,1')).toEqual([6]);
     expect(await pinsOf('box:2,0.1,1,0.9,-1,-1')).toEqual([6]);
   });
@@ -92,12 +92,12 @@ describe('pins', () => {
     );
   });
 
-  it('leave no rigid motion once a body is held at an end', async () => {
+  it('leave one rigid motion where they are in a line, and none where they are not', async () => {
     const { document, prepared } = await sheet();
     const settings = { ...defaultSettings(), model: 'shell' as const, modeCount: 3 };
     const free = findModes(core, prepared, settings);
-    const held = findModes(core, prepared, settings, findPins('low:0', document, prepared));
-    expect([free.components[0].zeroModesFound, held.components[0].zeroModesFound]).toEqual([6, 1]);
+    const hinged = findModes(core, prepared, settings, findPins('low:0', document, prepared));
+    expect([free.components[0].zeroModesFound, hinged.components[0].zeroModesFound]).toEqual([6, 1]);
     const clamped = findModes(core, prepared, settings, findPins('low:20', document, prepared));
     expect(clamped.components[0]).toMatchObject({ zeroModesExpected: 0, zeroModesFound: 0 });
     expect(clamped.modes[0].omega).toBeLessThan(free.modes[0].omega);

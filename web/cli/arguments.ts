@@ -1,4 +1,4 @@
-/** The words of a command line as a command with its operands, settings and flags. */
+/** Parses the words of a command line into a command with its operands, settings and flags. */
 
 import { parseArgs } from 'node:util';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/settings/materials';
@@ -31,7 +31,7 @@ export interface Arguments {
   quiet: boolean;
 }
 
-/** The answer that is asked for in place of any work. */
+/** A question that is answered instead of running the command. */
 export type Question = { show: 'help'; command: Command | null } | { show: 'version' };
 
 /** Throws UsageError or SettingError. */

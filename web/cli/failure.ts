@@ -1,4 +1,4 @@
-/** Exit codes, and the failures that lead to them. */
+/** Exit codes, and the line that a failure prints. */
 
 import { OPTIONS, SettingError, wordSentence } from '../engine/settings/options';
 import type { SettingName } from '../engine/settings/options';
@@ -9,7 +9,7 @@ export const EXIT = { done: 0, badInput: 1, missedTarget: 2, internal: 3 } as co
 /** What the user can cure: a wrong flag, file or mesh. The engine throws SettingError and plain Errors for these. */
 export class UsageError extends Error {}
 
-/** The exit code and the one line for whatever was thrown. */
+/** The exit code and the one line for anything that was thrown. */
 export function describeFailure(error: unknown): { code: number; line: string } {
   const isSentence =
     error instanceof UsageError ||

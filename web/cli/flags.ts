@@ -1,4 +1,4 @@
-/** The flags of every command: those of the settings come from the engine's options. */
+/** The flags of every command. Those of settings follow from the table of settings. */
 
 import { COMMAND_GROUPS } from '../engine/settings/commands';
 import { rulesOf } from '../engine/settings/kinds';
@@ -11,7 +11,7 @@ export type { Command };
 
 export interface Flag {
   name: string;
-  /** what stands for its value in the help; absent: the flag is a switch */
+  /** what stands for its value in the help; left out: the flag is a switch */
   value?: string;
   help: string;
   group: string;

@@ -206,7 +206,7 @@ const ROWS = {
     group: 'method',
     isOfFile: true,
   },
-  /** keep weights and locks that a brush has painted, see paint_text.ts; '' for none */
+  /** painted keep weights and locks, see paint_text.ts; '' for none */
   paint: {
     kind: 'paint',
     flag: 'paint',
@@ -304,7 +304,7 @@ const ROWS = {
     group: 'motion',
     choices: ['all', 'x', 'y', 'z'],
   },
-  /** vertices that are held in place, see pin_text.ts; '' for none */
+  /** pinned vertices, see pin_text.ts; '' for none */
   pins: {
     kind: 'pins',
     flag: 'pins',
