@@ -5,7 +5,7 @@
  */
 
 import { NONE } from '../core/core';
-import type { PreparedBody } from '../stages/pipeline';
+import type { PreparedBody } from './prepared_body';
 
 /** Levels from 1 to STRONGEST keep triangles, the stronger the higher; 0 is bare. */
 export const STRONGEST = 10;

@@ -6,7 +6,7 @@
 
 import { NONE } from '../core/core';
 import type { Document } from '@gltf-transform/core';
-import type { PreparedBody } from '../stages/pipeline';
+import type { PreparedBody } from './prepared_body';
 
 export type PinTerm =
   | { kind: 'low'; percent: number }

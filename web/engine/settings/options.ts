@@ -609,7 +609,8 @@ export function methodChange(method: Method): Partial<Settings> {
 }
 
 /** Whether results are fitted to the original's modes. */
-export const isFitted = ({ method, fit }: Settings): boolean => method === 'limber' && fit === 'on';
+export const isFitted = ({ method, fit }: Pick<Settings, 'method' | 'fit'>): boolean =>
+  method === 'limber' && fit === 'on';
 
 /** Throws one sentence that names the flag, its range and the cure. */
 export function checkSettings(settings: Settings): void {
@@ -628,13 +629,13 @@ export function checkSettings(settings: Settings): void {
 }
 
 /** The model that guides: as asked; otherwise the paper's own for the paper's method, and what suits each part. */
-export function resolveModel(settings: Settings): 'auto' | Model {
+export function resolveModel(settings: Pick<Settings, 'method' | 'model'>): 'auto' | Model {
   if (settings.model !== 'auto') return settings.model;
   return settings.method === 'paper' ? 'laplacian' : 'auto';
 }
 
 /** The elastic modes that guide, from 1: `auto` is the first for the paper's method and otherwise the first six. */
-export function resolveModes(settings: Settings): number[] {
+export function resolveModes(settings: Pick<Settings, 'method' | 'modes' | 'modeCount'>): number[] {
   const { modes, modeCount, method } = settings;
   if (Array.isArray(modes)) return modes;
   const auto = method === 'paper' ? 1 : Math.min(6, modeCount);
