@@ -4,7 +4,8 @@ import { openModel } from '../../web/engine/document/open';
 import { MATERIAL_NAMES, MATERIALS, materialNameOf } from '../../web/engine/settings/materials';
 import { checkSettings, defaultSettings } from '../../web/engine/settings/options';
 import { findPins, parsePins } from '../../web/engine/body/pins';
-import { findModes, prepareBody } from '../../web/engine/stages/pipeline';
+import { findModes } from '../../web/engine/stages/modes';
+import { prepareBody } from '../../web/engine/stages/prepared';
 import { loadTestCore } from './support/core';
 import { textFile } from './support/files';
 import { addMesh, floats, glbFile, primitiveOf, startDocument } from './support/gltf';
@@ -87,10 +88,10 @@ describe('pins', () => {
   it('leave no rigid motion once a body is held at an end', async () => {
     const { document, prepared } = await sheet();
     const settings = { ...defaultSettings(), model: 'shell' as const, modeCount: 3 };
-    const free = findModes(core, prepared, settings);
-    const held = findModes(core, prepared, settings, findPins('low:0', document, prepared));
+    const free = findModes(core, prepared, new Uint32Array(), settings);
+    const held = findModes(core, prepared, findPins('low:0', document, prepared), settings);
     expect([free.components[0].zeroModesFound, held.components[0].zeroModesFound]).toEqual([6, 1]);
-    const clamped = findModes(core, prepared, settings, findPins('low:20', document, prepared));
+    const clamped = findModes(core, prepared, findPins('low:20', document, prepared), settings);
     expect(clamped.components[0]).toMatchObject({ zeroModesExpected: 0, zeroModesFound: 0 });
     expect(clamped.modes[0].omega).toBeLessThan(free.modes[0].omega);
   });

@@ -10,7 +10,7 @@ import { modesStage } from './modes';
 import { preparedStage } from './prepared';
 import { declareStage, where } from './stage';
 
-interface GuidanceRequest extends Pick<Settings, 'modeWeights' | 'p' | 'strainThreshold'> {
+export interface GuidanceRequest extends Pick<Settings, 'modeWeights' | 'p' | 'strainThreshold'> {
   /** the modes that guide, numbers from 1 */
   guiding: number[];
 }
@@ -47,7 +47,7 @@ export const guidingCurvature = where(curvatureStage, ['method'], ({ method }) =
  * Strain and its rank per triangle for the guiding modes. Modes that the body lacks do not count; the strain of a body
  * without any elastic mode is 0. Throws where modes are named and none of them exists.
  */
-function findGuidance(
+export function findGuidance(
   core: Core,
   prepared: PreparedBody,
   modes: ModeSet,

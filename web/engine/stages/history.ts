@@ -26,7 +26,7 @@ export const historyStage = declareStage({
 });
 
 /** The core judges a largest deviation at samples while edges collapse; here the history ends where it is measured. */
-function buildHistory(
+export function buildHistory(
   core: Core,
   prepared: PreparedBody,
   guides: Guides,

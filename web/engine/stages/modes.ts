@@ -10,7 +10,7 @@ import { pinnedStage } from './constraints';
 import { preparedStage } from './prepared';
 import { declareStage } from './stage';
 
-interface ModesRequest extends MaterialSettings, Pick<Settings, 'modeCount' | 'direction' | 'exact'> {
+export interface ModesRequest extends MaterialSettings, Pick<Settings, 'modeCount' | 'direction' | 'exact'> {
   /** resolved for the method */
   model: 'auto' | Model;
 }
@@ -27,7 +27,12 @@ export const modesStage = declareStage({
 });
 
 /** The material is that of the body in the scale of its first node. */
-function findModes(core: Core, prepared: PreparedBody, pinned: Uint32Array, request: ModesRequest): ModeSet {
+export function findModes(
+  core: Core,
+  prepared: PreparedBody,
+  pinned: Uint32Array,
+  request: ModesRequest,
+): ModeSet {
   const { model, modeCount, direction, exact } = request;
   return core.findModes(prepared.mesh, {
     model,
