@@ -7,8 +7,9 @@ import type {
   TriangleMesh,
 } from '../../web/engine/core/core';
 import { defaultSettings } from '../../web/engine/settings/options';
-import { materialOf, prepareBody } from '../../web/engine/stages/pipeline';
-import { simulationReport } from '../../web/engine/report/report';
+import { materialOf } from '../../web/engine/body/material';
+import { simulationReport } from '../../web/engine/report/motion_report';
+import { prepareBody } from '../../web/engine/stages/prepared';
 import {
   calibrationOf,
   SCENARIOS,

@@ -3,7 +3,7 @@ import type { Binding, Core, TriangleMesh } from '../../web/engine/core/core';
 import { NONE } from '../../web/engine/core/core';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
-import { buildHistory, prepareBody, reduceTo } from '../../web/engine/stages/pipeline';
+import { STAGES } from '../../web/engine/stages/stages';
 import { simulationOptions } from '../../web/engine/motion/simulation';
 import { topCorners } from '../../web/engine/motion/top_corners';
 import { Twin } from '../../web/engine/motion/twin';
@@ -18,8 +18,8 @@ import {
   vertexAreas,
 } from '../../web/engine/motion/twin_measures';
 import { onOptimized, onOriginal, placeOf } from '../../web/engine/motion/twin_points';
-import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
+import { runOfMesh } from './support/runs';
 import { box, grid } from './support/shapes';
 
 let core: Core;
@@ -132,14 +132,9 @@ describe('twins', () => {
     faces: number,
     { pinned, core: own = core, ...change }: Partial<Settings> & { pinned?: Uint32Array; core?: Core } = {},
   ) {
-    const prepared = prepareBody(core, bodyOf(sheet), settings);
-    const history = buildHistory(
-      core,
-      prepared,
-      { guidance: null, curvature: core.meanCurvature(prepared.mesh), pinned: new Uint32Array() },
-      settings,
-    );
-    const result = reduceTo(core, prepared, history, faces);
+    const run = runOfMesh(core, sheet);
+    const prepared = run.get(STAGES.prepared, settings);
+    const result = run.get(STAGES.level, { ...settings, targetFaces: faces });
     const options = simulationOptions(prepared, { ...settings, ...change }, pinned ?? null);
     const { mesh, diagonal } = prepared;
     const twin = new Twin(own, mesh, result, { ...options, diagonal, measuresNoise: true });

@@ -9,7 +9,8 @@ import type { Settings } from '../../engine/settings/options';
 import { topCorners } from '../../engine/motion/top_corners';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
 import type { SimulationApi, TwinFrame, TwinRequest } from '../worker/simulation_protocol';
-import { pinsKey, resultKey } from './keys';
+import { keyOf } from '../../engine/stages/stage';
+import { STAGES } from '../../engine/stages/stages';
 import { results, shownMesh, status, view, wantedFaces, wants } from './store';
 
 /** What is held: what the scenario holds by itself, the two upper corners, or the pins of the Motion step. */
@@ -64,7 +65,7 @@ const key = computed<string | null>(() => {
   const settings = wants.settings.value;
   if (view.step.value !== 'test' || isPending() || !shownMesh.value || !results.body.value) return null;
   const values = simulationKeys.map((name) => settings[name]);
-  const pins = heldNow.value === 'pins' ? pinsKey(settings) : heldNow.value;
+  const pins = heldNow.value === 'pins' ? keyOf(STAGES.pinned, settings) : heldNow.value;
   return [meshKey(), pins, ...values, twin.alwaysNoise.value].join(' ');
 });
 
@@ -72,8 +73,7 @@ const meshKey = (): string =>
   [
     results.opened.value,
     wants.body.value,
-    resultKey(wants.settings.value),
-    wantedFaces.value,
+    keyOf(STAGES.fitted, { ...wants.settings.value, targetFaces: wantedFaces.value }),
     isFittedShown(),
   ].join(' ');
 

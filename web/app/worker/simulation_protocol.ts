@@ -2,7 +2,7 @@
 
 import type { MeshAt, SurfacePoint, CollisionScene, TriangleMesh } from '../../engine/core/core';
 import type { Settings } from '../../engine/settings/options';
-import type { BodySize } from '../../engine/stages/pipeline';
+import type { BodySize } from '../../engine/body/prepared_body';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
 
 export interface TwinSetup {

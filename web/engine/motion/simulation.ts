@@ -13,8 +13,9 @@ import type {
 import { NONE } from '../core/core';
 import { collisionSceneOf } from './colliders';
 import type { BodyBinding } from '../report/binding_file';
-import { materialOf } from '../stages/pipeline';
-import type { BodySize, PreparedBody } from '../stages/pipeline';
+import { materialOf } from '../body/material';
+import type { MaterialSettings } from '../body/material';
+import type { BodySize, PreparedBody } from '../body/prepared_body';
 import type { Settings } from '../settings/options';
 
 /** Seconds of one step, whatever the substeps. */
@@ -54,7 +55,7 @@ export function calibrationOf(
   core: Core,
   original: BodySize & { mesh: TriangleMesh },
   optimized: TriangleMesh,
-  settings: Settings,
+  settings: MaterialSettings,
 ): number {
   const material = materialOf(original, settings);
   return core.calibrationFactor(original.mesh, optimized, { modeCount: CALIBRATION_MODES, ...material });

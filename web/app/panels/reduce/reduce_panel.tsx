@@ -1,11 +1,12 @@
 /** Step 3: how the next edge is chosen, and the slider that replays the collapses. */
 
 import { useRef } from 'preact/hooks';
-import type { FrequencyFinding, Tried } from '../../../engine/stages/frequency_target';
-import { describeRefused } from '../../../engine/report/report';
+import type { FrequencyFinding, Tried } from '../../../engine/body/body_result';
+import { describeRefused } from '../../../engine/report/stop_report';
 import { methodChange, methodOf, OPTIONS, readsSetting } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
-import { historyKey } from '../../state/keys';
+import { keyOf } from '../../../engine/stages/stage';
+import { STAGES } from '../../../engine/stages/stages';
 import { changeSettings, results, shownFit, shownMesh, wantedFaces, wants } from '../../state/store';
 import { BrushSection, NamedLocks } from './brush_section';
 import { Choice, Section, SettingRange, Toggle, count, fixed } from '../controls';
@@ -104,7 +105,7 @@ function StopReason() {
       {wantedFaces.value < history.floorFaces && (
         <p class="hint warning">
           Stopped at {count(history.floorFaces)} faces: {describeRefused(history.refused)}.
-          {history.heldBySeams && ` “${ACROSS_SEAMS}”, under More, goes on.`}
+          {history.blockedBySeams && ` “${ACROSS_SEAMS}”, under More, goes on.`}
         </p>
       )}
       {frequency && (
@@ -176,7 +177,7 @@ const LABEL_WIDTH = 0.045;
 function Marks() {
   const history = results.history.value;
   const found = results.marks.value;
-  if (!history || found?.key !== historyKey(wants.settings.value)) return null;
+  if (!history || found?.key !== keyOf(STAGES.deviationMarks, wants.settings.value)) return null;
   const { marks } = found;
   const place = (faces: number) => (faces - history.floorFaces) / (history.faces - history.floorFaces);
   return (

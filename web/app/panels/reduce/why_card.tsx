@@ -6,7 +6,7 @@ import { isBrushing, shownMesh, shownWhy, view, wantedFaces } from '../../state/
 import type { Stage } from '../../viewer/stage';
 import { comparedPanes } from './compare';
 import { count, fixed } from '../controls';
-import { explain } from '../../../engine/stages/explanation';
+import { explain } from '../../../engine/report/explanation';
 
 /** How near the pointer has to come to a vertex. */
 const REACH_PIXELS = 14;
