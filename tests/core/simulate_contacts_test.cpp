@@ -17,11 +17,13 @@ const Vec3 kGravity = {0, -9.81, 0};
 
 SimulationOptions leather(double thickness) {
   SimulationOptions options;
-  options.young = 1e7;
-  options.poisson = 0.3;
-  options.density = 1000;
-  options.thickness = thickness;
+  options.material.young = 1e7;
+  options.material.poisson = 0.3;
+  options.material.density = 1000;
+  options.material.thickness = thickness;
+  options.substeps = 20;
   options.damping = 3;
+  options.friction = 0.5;
   return options;
 }
 

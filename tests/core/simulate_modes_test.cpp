@@ -41,7 +41,7 @@ TriangleMesh gradedPlate(int cells) {
   return plate;
 }
 
-// Diagonals in turn, as the flag has them: the mesh that half folds alone get wrong by 44 %.
+// Diagonals alternate, as in the flag: the mesh that half folds alone get wrong by 44 %.
 TriangleMesh unionJack(int cells) {
   TriangleMesh plate = shapes::grid(cells, cells);
   for (int j = 0; j < cells; ++j)
@@ -70,16 +70,17 @@ double periodOf(const std::vector<double>& share) {
   return crossings.size() < 3 ? 0 : crossings[2] - crossings[0];
 }
 
-// Strikes the body in the shape of a mode, not bends it: so the edges' turns find their part of the shape on
-// the way. The clock is the simulation's own step of 1/60 s, so Young's modulus, which goes with the square
-// of a frequency, is chosen so that a period is a second, of `substeps` substeps.
+// Strikes the body with velocities in the shape of a mode instead of bending it, so that the edge rotations
+// take on their part of the shape by themselves. The clock is the simulation's own step of 1/60 s, so Young's
+// modulus, which goes with the square of a frequency, is chosen so that a period is a second, of `substeps`
+// substeps.
 Swing swing(const TriangleMesh& mesh, const Mode& mode, const float* shape, double thickness, int substeps) {
   const double period = 2 * std::numbers::pi / mode.omega;
   SimulationOptions options;
-  options.young = kYoung * period * period;
-  options.poisson = kPoisson;
-  options.density = kDensity;
-  options.thickness = thickness;
+  options.material.young = kYoung * period * period;
+  options.material.poisson = kPoisson;
+  options.material.density = kDensity;
+  options.material.thickness = thickness;
   options.keepsVolume = false;  // the analysis has no inside
   options.substeps = substeps / 60;
   Simulation body(mesh, options);
