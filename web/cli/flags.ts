@@ -1,5 +1,6 @@
 /** The flags of every command: those of the settings come from the engine's options. */
 
+import { SCENARIO_NAMES } from '../engine/core/scenarios';
 import { MATERIAL_NAMES } from '../engine/settings/materials';
 import { OPTIONS } from '../engine/settings/options';
 import type { OptionGroup, Settings } from '../engine/settings/options';
@@ -177,7 +178,7 @@ const PLACEHOLDERS: Partial<Record<keyof Settings, string>> = {
   thickness: 'PCT',
   unit: 'METRES',
   weld: 'PCT',
-  scenario: 'twist|sway|hang|drop|pull|wind|drape',
+  scenario: SCENARIO_NAMES.join('|'),
   colliders: 'SPEC',
   friction: 'MU',
   material: 'shell|springs',

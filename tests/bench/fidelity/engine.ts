@@ -8,7 +8,7 @@ export { optimizeBody } from '../../../web/engine/stages/optimize';
 export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/settings/options';
 export { findPins } from '../../../web/engine/body/pins';
 export { STEP_SECONDS, simulationOptions } from '../../../web/engine/motion/simulation';
-export { closestPoint, placeOf } from '../../../web/engine/motion/twin_points';
+export { closestPoint, positionOf } from '../../../web/engine/motion/twin_points';
 export {
   findGuidance,
   findModes,

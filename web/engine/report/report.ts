@@ -18,11 +18,11 @@ import type {
   MotionRun,
   Quality,
   Refused,
-  ScenarioName,
-  SimulationMaterial,
+  SimulationModel,
   SurfaceDistance,
   WeldResult,
 } from '../core/core';
+import type { ScenarioName } from '../core/scenarios';
 import type { FrequencyFinding, Tried } from '../stages/frequency_target';
 import { coarseVerticesOf } from '../core/mode_set';
 import type { FittedResult } from '../stages/pipeline';
@@ -74,7 +74,7 @@ export interface CalibrationReport {
 }
 
 export interface SimulationReport {
-  material: SimulationMaterial;
+  material: SimulationModel;
   scenario: ScenarioName;
   substeps: number;
   original: RunReport;

@@ -4,6 +4,7 @@
  */
 
 import type { Method, Model, SimulationOptions } from '../core/core';
+import { describeScenarios, SCENARIO_NAMES } from '../core/scenarios';
 import { counted } from '../core/words';
 import { checkOption } from './option_check';
 
@@ -468,10 +469,10 @@ export const OPTIONS: Record<keyof Settings, OptionSpec> = {
     label: 'Scenario',
     ...none,
     default: 'twist',
-    help: 'What happens: twist (the upper end turns by 45 degrees), sway (a blow across), hang (gravity), drop (onto a floor), pull (the upper end by a fifth of the length), wind, or drape (onto a ball).',
+    help: `What happens: ${describeScenarios()}.`,
     group: 'simulation',
     kind: 'choice',
-    choices: ['twist', 'sway', 'hang', 'drop', 'pull', 'wind', 'drape'],
+    choices: [...SCENARIO_NAMES],
   },
   material: {
     flag: 'material',
