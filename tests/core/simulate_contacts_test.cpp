@@ -32,7 +32,7 @@ void run(Simulation& simulation, int steps) {
   for (int i = 0; i < steps; ++i) simulation.step(job);
 }
 
-// Horizontal, around the y axis, of edges of 2 m.
+// A horizontal triangle around the y axis with edges of 2 m.
 TriangleMesh largeTriangle(double height) {
   const double low = 1 / std::sqrt(3.0);
   return {{{-1, height, low}, {1, height, low}, {0, height, -2 * low}}, {{0, 1, 2}}};

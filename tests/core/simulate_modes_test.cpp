@@ -1,4 +1,5 @@
-// The running material against the modal analysis: a body that starts in a mode swings with its frequency.
+// The simulated material against the modal analysis: a body that is struck in a mode swings with its
+// frequency.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +35,7 @@ TriangleMesh irregularPlate(int cells) {
   return plate;
 }
 
-// Small near one corner.
+// A plate whose cells are small near one corner.
 TriangleMesh gradedPlate(int cells) {
   TriangleMesh plate = shapes::grid(cells, cells);
   for (Vec3& p : plate.positions) p = {p.x * (0.3 + 0.7 * p.x), p.y * (0.3 + 0.7 * p.y), 0};
@@ -60,8 +61,8 @@ struct Swing {
   double inPlane;         // share of the shape that lies in the plate, 0..1
 };
 
-// The time between the first and the third sign change of `share`, taken linearly between steps of 1; 0
-// without.
+// The time between the first and the third sign change of `share`, interpolated between steps of length 1; 0
+// where there are fewer.
 double periodOf(const std::vector<double>& share) {
   std::vector<double> crossings;
   for (size_t i = 1; i < share.size(); ++i)

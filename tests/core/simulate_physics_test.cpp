@@ -55,7 +55,7 @@ Momentum momentumOf(const Simulation& body, const std::vector<double>& masses) {
   return sum;
 }
 
-// A strong deformation at no particular place.
+// Velocities that deform a body strongly everywhere.
 std::vector<Vec3> struck(const TriangleMesh& mesh, double speed) {
   std::vector<Vec3> velocities;
   for (const Vec3& p : mesh.positions)
@@ -107,7 +107,8 @@ TEST(SimulatedPhysics, aBodyStruckHardReturnsToItsShape) {
 
 TEST(SimulatedPhysics, needlesDoNotTearABodyApart) {
   TriangleMesh mesh = shapes::torus(16, 8);
-  for (uint32_t v = 0; v < mesh.vertexCount(); v += 3) {  // onto a neighbour, but for a thousandth of the way
+  for (uint32_t v = 0; v < mesh.vertexCount();
+       v += 3) {  // almost onto a neighbour: a thousandth of the way is left
     Vec3& p = mesh.positions[v];
     p += (mesh.positions[v + 1] - p) * 0.999;
   }
@@ -497,7 +498,7 @@ TEST(SimulatedPhysics, aDraggedPointReachesItsTargetAndFallsOnceReleased) {
   EXPECT_GT(length(body.position(point) - target), 0.3);
 }
 
-TEST(SimulatedPhysics, theEndsOfATwistedBarReachTheirTargets) {
+TEST(SimulatedPhysics, theEndsOfATwistedBarArriveAtTheirTargets) {
   const TriangleMesh bar = shapes::box(4, 4, 12, 0.25);
   const Scenario twist = {scenarioKind("twist"), bounds(bar), 1};
   const Pins pins = {defaultPins(bar, twist), {}};

@@ -1,4 +1,4 @@
-// Stages on threads, and the choice whether to use them.
+// The phases of a step on threads, and the choice whether to use threads.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace limber {
 namespace {
 
-TEST(Schedule, everyItemRunsOnceInARepeatAndAfterTheStageBefore) {
+TEST(Schedule, everyItemRunsOncePerRepeatAndAfterThePhaseBefore) {
   for (const int threads : {1, 2, 5}) {
     setThreadCount(threads);
     const size_t counts[] = {37, 0, 8, 1};
@@ -50,7 +50,7 @@ TEST(Schedule, aCancelledRunEndsEarlyOnAnyNumberOfThreads) {
   setThreadCount(1);
 }
 
-TEST(Helpers, whoHasNothingLeftTakesPartAndEveryItemStillRunsOnceInARepeat) {
+TEST(Helpers, threadsWithoutWorkTakePartAndEveryItemStillRunsOncePerRepeat) {
   for (const int threads : {1, 2, 4}) {
     setThreadCount(threads);
     const int repeats = 200;
@@ -78,7 +78,8 @@ TEST(Helpers, whoHasNothingLeftTakesPartAndEveryItemStillRunsOnceInARepeat) {
   setThreadCount(1);
 }
 
-// Steps of which `threaded(step)` and `serial(step)` seconds pass; returns the seconds of all.
+// Makes steps that take threaded(step) or serial(step) seconds, as is chosen; returns the sum of their
+// seconds.
 template <class Threaded, class Serial>
 double passed(ThreadChoice& choice, int steps, Threaded threaded, Serial serial) {
   double sum = 0;
@@ -90,7 +91,7 @@ double passed(ThreadChoice& choice, int steps, Threaded threaded, Serial serial)
   return sum;
 }
 
-TEST(ThreadChoice, keepsToWhatIsFasterAndFollowsWhenThatChanges) {
+TEST(ThreadChoice, takesWhatIsFasterAndFollowsWhenThatChanges) {
   ThreadChoice choice;
   const auto slow = [](int) { return 3.0; };
   const auto fast = [](int) { return 2.0; };

@@ -200,7 +200,7 @@ describe('twins', () => {
       const move = twin.drag(name, point);
       move(target);
       steps(twin, 60);
-      const places = [
+      const points = [
         positionOf(own.triangles, twin.positions(name), point),
         positionOf(
           (name === 'original' ? result.mesh : mesh).triangles,
@@ -208,7 +208,7 @@ describe('twins', () => {
           other,
         ),
       ];
-      for (const place of places) place.forEach((x, c) => expect(x).toBeCloseTo(target[c], 2));
+      for (const at of points) at.forEach((x, c) => expect(x).toBeCloseTo(target[c], 2));
       twin.release();
       twin.end();
     }

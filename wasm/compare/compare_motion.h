@@ -14,20 +14,18 @@ namespace limber {
 struct MotionOptions {
   SimulationOptions simulation;
   Scenario scenario;
-  std::vector<uint32_t> pinned;  // vertices of the original
-  std::vector<SurfacePoint> binding =
-      {};                  // per vertex of the original: its point on `other`, see carry_pins.h
-  double calibration = 1;  // Young's modulus of `other` over that of the original
-  uint32_t sampleCount = kMotionSamples;  // points that the deviation is measured at
-  bool records = false;                   // keep the positions after every step
+  std::vector<uint32_t> pinned;            // vertices of the original
+  std::vector<SurfacePoint> binding = {};  // of the vertices of the original, see carry_pins.h
+  double calibration = 1;                  // Young's modulus of `other` over that of the original
+  uint32_t sampleCount = kMotionSamples;   // points that the deviation is measured at
+  bool records = false;                    // keep the positions after every step
 };
 
 // What the run of one body has cost and, where asked for, how the body has moved.
 struct MotionRun {
   uint32_t constraints = 0, edges = 0;
-  double secondsPerStep = 0;  // the shortest step, all work included
-  std::vector<float>
-      positions;  // positions[(step vertexCount + v) 3 + c] after each step, in units of the mesh
+  double secondsPerStep = 0;     // the shortest step, all work included
+  std::vector<float> positions;  // [(step vertexCount + v) 3 + c] after each step, units of the mesh
 };
 
 // How differently two bodies move in the same scenario. The noise floor is the mean deviation of the original

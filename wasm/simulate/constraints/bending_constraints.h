@@ -17,7 +17,7 @@ namespace limber {
 // kappa + nu tr^2 kappa). Here s_e is how far the surface rotates from the plane of the triangle to the
 // middle of edge e.
 //
-// With half the fold alone as s_e, as in elements without rotations (Grinspun et al. 2003), frequencies of a
+// With half the fold alone as s_e, as in hinge elements (Grinspun et al. 2003), frequencies of a
 // plate depend on the mesh and are up to 44 % off. So every edge between two triangles has a rotation psi of
 // its own, and s_e = tan((theta_e - rest) / 2) +- psi_e, with + in one triangle and - in the other. psi is
 // measured against the mean of both planes, so rigid motions do not change it. Its inertia is

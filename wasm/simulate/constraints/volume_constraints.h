@@ -44,9 +44,8 @@ class VolumeConstraints {
     uint32_t component;
     std::vector<uint32_t> vertices;  // empty for a border
     std::vector<VolumeBatch> batches;
-    double sixfoldVolume =
-        0;              // six times the volume between the triangles and the first vertex of the component
-    double weight = 0;  // sum over the vertices of w |gradient|^2
+    double sixfoldVolume = 0;  // 6 V between the triangles and the first vertex of the component
+    double weight = 0;         // sum over the vertices of w |gradient|^2
   };
   struct Component {
     std::vector<Triangle> triangles;
