@@ -31,7 +31,7 @@ export const twin = {
   /** the latest frame a few times a second, for numbers that are read */
   numbers: signal<TwinFrame | null>(null),
   samples: signal<TwinSample[]>([]),
-  /** the largest deviation of any vertex since the start, % */
+  /** the largest deviation of any point since the start, % */
   worst: signal(0),
   /** what both bodies can touch */
   collisionScene: signal<CollisionScene | null>(null),
@@ -91,7 +91,7 @@ let curveAt = 0;
 let recorded: TwinSample[] = [];
 
 const constraints = (): TwinRequest => ({
-  deviations: twin.heat.value,
+  vertexDistances: twin.heat.value,
   driven: twin.driven.value,
 });
 
@@ -201,7 +201,7 @@ function take(frame: TwinFrame): void {
   batch(() => {
     twin.worst.value = worst;
     twin.frame.value = frame;
-    if (frame.exploded.length > 0) twin.playing.value = false;
+    if (frame.diverged.length > 0) twin.playing.value = false;
     if (frame.failure) twin.failure.value = frame.failure;
     if (isStill || now - numbersAt > NUMBERS_EVERY) {
       numbersAt = now;

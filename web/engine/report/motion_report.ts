@@ -1,6 +1,7 @@
 /** What simulations have cost, and how results are calibrated for them. */
 
-import type { MotionComparison, MotionRun, ScenarioName, SimulationMaterial } from '../core/core';
+import type { MotionComparison, MotionRun, SimulationModel } from '../core/core';
+import type { ScenarioName } from '../core/scenarios';
 import { sum } from '../core/mesh';
 
 /** The factor on Young's modulus that gives a result the first ten frequencies of its original. */
@@ -11,7 +12,7 @@ export interface CalibrationReport {
 }
 
 export interface SimulationReport {
-  material: SimulationMaterial;
+  material: SimulationModel;
   scenario: ScenarioName;
   substeps: number;
   original: RunReport;

@@ -5,7 +5,7 @@ import { DeviationChart } from './simulate_chart';
 
 export function TestBench() {
   const frame = twin.numbers.value;
-  const isOver = frame !== null && (frame.exploded.length > 0 || twin.failure.value !== null);
+  const isOver = frame !== null && (frame.diverged.length > 0 || twin.failure.value !== null);
   const isPlaying = twin.playing.value;
   return (
     <div class="bench">

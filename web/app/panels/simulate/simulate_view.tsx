@@ -3,6 +3,7 @@
 import { computed } from '@preact/signals';
 import type { Vector3 } from 'three';
 import type { CollisionScene } from '../../../engine/core/core';
+import { scenarioWords } from '../../../engine/core/scenarios';
 import { boundsOf } from '../../../engine/motion/top_corners';
 import { isDark } from '../../scheme';
 import { dragTo, grab, letGo, twin } from '../../state/simulation';
@@ -35,7 +36,7 @@ export function showTwin(stage: Stage | null): void {
   }
   const { original, optimized } = frame.bodies;
   const scale = heatScale.value;
-  const values = twin.heat.value ? (frame.deviations?.map((value) => value / scale) ?? null) : null;
+  const values = twin.heat.value ? (frame.vertexDistances?.map((value) => value / scale) ?? null) : null;
   stage.place('original', original.positions, { values, dots: original.pins });
   const dots = isOverlaid.value ? new Float32Array() : optimized.pins;
   if (!isDriven.value) stage.place('optimized', optimized.positions, { dots });
@@ -65,7 +66,7 @@ function propsOf(positions: Float32Array, diagonal: number, collisionScene: Coll
   const centre = low.map((value, c) => (value + high[c]) / 2);
   const size = high.map((value, c) => value - low[c]);
   // By the end of its longest side.
-  const isHanging = ['hang', 'wind'].includes(wants.settings.value.scenario);
+  const isHanging = scenarioWords(wants.settings.value.scenario).hangs;
   return { ...collisionScene, centre, diagonal, lowest: isHanging ? high[1] - Math.max(...size) : null };
 }
 
@@ -128,12 +129,12 @@ export function TwinAlert() {
         {twin.failure.value}
       </p>
     );
-  if (!frame || frame.exploded.length === 0) return null;
+  if (!frame || frame.diverged.length === 0) return null;
   const { substeps } = wants.settings.value;
-  const who = frame.exploded.length === 2 ? 'Both meshes have' : `The ${frame.exploded[0]} mesh has`;
+  const who = frame.diverged.length === 2 ? 'Both meshes have' : `The ${frame.diverged[0]} mesh has`;
   return (
     <>
-      {!isOverlaid.value && frame.exploded.map((name) => <div key={name} class={`exploded ${name}`} />)}
+      {!isOverlaid.value && frame.diverged.map((name) => <div key={name} class={`exploded ${name}`} />)}
       <p class="twin-alert" role="alert">
         {who} flown apart at {frame.time.toFixed(2)} s: raise the substeps (now {substeps}) or take a softer
         material, then reset.
