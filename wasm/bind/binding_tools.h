@@ -85,7 +85,8 @@ inline TriangleMesh meshOf(const val& in) {
   return mesh;
 }
 
-// Reads `young`, `poisson`, `density`, `thickness` and `unit`.
+// The ElasticMaterial of an options object: young (Pa), poisson, density (kg/m3), thickness (units of the mesh) and unit
+// (metres per unit of the mesh).
 inline ElasticMaterial materialOf(const val& in) {
   return {in["young"].as<double>(), in["poisson"].as<double>(), in["density"].as<double>(),
           in["thickness"].as<double>(), in["unit"].as<double>()};
