@@ -13,7 +13,7 @@ import type {
 } from '../core/core';
 import { NONE } from '../core/core';
 import { parseColliders } from './colliders';
-import type { BodyBinding } from '../report/binding_file';
+import type { BodyBinding } from '../body/body_binding';
 import { materialOf } from '../body/material';
 import type { MaterialSettings } from '../body/material';
 import type { BodySize, PreparedBody } from '../body/prepared_body';
