@@ -67,7 +67,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
   return missed.length === 0 ? EXIT.done : EXIT.missedTarget;
 }
 
-/** Takes every body through its stages; warns of what does not turn out as asked. */
+/** Takes every body through its stages; warns where a result is not as asked. */
 function optimizeFile({ args, warnings }: Session, file: FileRun): FileOutput {
   const { settings, fields } = args;
   const counts = file.runs.map((run) => (run ? faceCount(run.get(STAGES.prepared, settings).mesh) : 0));

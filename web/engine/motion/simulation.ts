@@ -3,7 +3,7 @@
 import type { Binding, Core, SimulationOptions, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
 import { collisionSceneOf } from './colliders';
-import type { BodyBinding } from '../report/binding_file';
+import type { BodyBinding } from '../body/body_binding';
 import { materialOf } from '../body/material';
 import type { MaterialSettings } from '../body/material';
 import type { BodySize, PreparedBody } from '../body/prepared_body';
