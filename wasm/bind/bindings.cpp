@@ -360,10 +360,9 @@ val jsFitModes(const val& mesh, const val& result, const val& in) {
   options.thickness = in["thickness"].as<double>();
   options.poisson = in["poisson"].as<double>();
   options.charts = {wedges, groups};
-  options.holdsSeams = in["holdsSeams"].as<bool>();
+  options.keepsSeams = in["keepsSeams"].as<bool>();
   options.locked = locked;
-  const auto pinned = vectorOf<uint8_t>(in["pinned"]);
-  options.pinned = pinned;
+  options.pinned = PinnedVertices::fromMask(vectorOf<uint8_t>(in["pinned"]));
   const auto mirror = optionalVector<uint32_t>(in["mirror"]);
   options.mirror = mirror;
   options.maxDeviation = in["maxDeviation"].as<double>();

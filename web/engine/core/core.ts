@@ -269,7 +269,7 @@ export interface FitOptions {
   poisson: number;
   charts: Charts;
   /** whether their seams stay in place; those of groups always do */
-  holdsSeams: boolean;
+  keepsSeams: boolean;
   /** per input vertex: not 0 where it stays; may be empty */
   locked: Uint8Array;
   /** the same, and the modes of the body held there are fitted */

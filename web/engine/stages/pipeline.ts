@@ -328,8 +328,8 @@ export function fitResult(
   const locked = maskOf(mesh, held.pinned, held.locked) ?? new Uint8Array();
   const pinned = maskOf(mesh, held.pinned) ?? new Uint8Array();
   const { charts } = prepared.attributes;
-  const holdsSeams = settings.seams === 'keep';
-  const request = { thickness, poisson, charts, holdsSeams, locked, pinned, mirror: held.mirror };
+  const keepsSeams = settings.seams === 'keep';
+  const request = { thickness, poisson, charts, keepsSeams, locked, pinned, mirror: held.mirror };
   for (const share of settings.maxDeviation > 0 ? DEVIATION_SHARES : [1]) {
     const maxDeviation = ((share * settings.maxDeviation) / 100) * prepared.diagonal;
     const limits = { maxDeviation, minAngle: settings.minAngle };

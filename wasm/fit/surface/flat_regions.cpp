@@ -1,4 +1,4 @@
-#include "fit/flat_regions.h"
+#include "fit/surface/flat_regions.h"
 
 #include <algorithm>
 #include <optional>
@@ -11,13 +11,13 @@ namespace limber {
 
 namespace {
 
-constexpr double kFlat = 1e-3;   // sine between normals of one plane: float32 coordinates make less
-constexpr double kApart = 0.02;  // sine between planes that meet in an edge
-constexpr double kFirm = 1e4;    // of a vertex's own stiffness
+constexpr double kFlat = 1e-3;    // largest sine between normals of one plane; float32 rounding makes less
+constexpr double kApart = 0.02;   // least sine between two planes that meet in an edge
+constexpr double kPenalty = 1e4;  // of leaving a plane, relative to the vertex's own diagonal block
 
 using Directions = std::vector<Eigen::Vector3d>;
 
-// 0 of a triangle without area, which is in no plane.
+// The unit normal; 0 for a triangle without area, which is in no plane.
 Eigen::Vector3d unitNormal(const TriangleMesh& mesh, uint32_t t) {
   return eigen(normalized(areaNormal(mesh, t)));
 }
@@ -26,7 +26,7 @@ bool isAlong(const Eigen::Vector3d& normal, const Eigen::Vector3d& plane) {
   return normal.dot(plane) > 0.5 && normal.cross(plane).norm() < kFlat;
 }
 
-// Whether the triangles around v lie in one plane; then its normal.
+// Whether the triangles around v lie in one plane; `plane` becomes its normal.
 bool isInPlane(uint32_t v, const Topology& topology, const Directions& normals, Eigen::Vector3d& plane) {
   plane.setZero();
   for (const uint32_t t : topology.trianglesAround(v)) plane += normals[t];
@@ -35,12 +35,13 @@ bool isInPlane(uint32_t v, const Topology& topology, const Directions& normals, 
                              [&](uint32_t t) { return isAlong(normals[t], plane); });
 }
 
-// The directions of a surface; does nothing until it is asked.
+// Tells where a surface is parallel to a plane. The search tree is built when it is first needed.
 class Surface {
  public:
   explicit Surface(const TriangleMesh& mesh) : mesh_(mesh) {}
 
-  // Whether it lies along a plane where a sheet of it that looks that way is nearest to p.
+  // Whether the surface is parallel to the plane at its closest point to p among faces that look the same
+  // way.
   bool isAlong(const Vec3& p, const Eigen::Vector3d& plane) {
     if (!tree_) tree_.emplace(mesh_);
     const ClosestPoint nearest = tree_->closestFacing(p, {plane.x(), plane.y(), plane.z()});
@@ -52,8 +53,8 @@ class Surface {
   std::optional<ClosestPointTree> tree_;
 };
 
-// Calls visit(triangle) for all that `first` is joined to by triangles that belong(triangle); marks them in
-// `seen`.
+// Calls visit(triangle) for `first` and all triangles that are connected to it through triangles for which
+// belongs(triangle) holds; marks them in `seen`.
 template <class Belongs, class Visit>
 void flood(uint32_t first, const Topology& topology, std::vector<uint8_t>& seen, const Belongs& belongs,
            const Visit& visit) {
@@ -72,7 +73,8 @@ void flood(uint32_t first, const Topology& topology, std::vector<uint8_t>& seen,
   }
 }
 
-// Adds what a plane's normal has at right angles to those before it; columns without a direction are 0.
+// Adds the part of a plane's normal that is orthogonal to the columns before it (Gram-Schmidt); columns
+// without a direction are 0.
 void addAcross(const Eigen::Vector3d& normal, Eigen::Matrix3d& across) {
   const Eigen::Vector3d rest = normal - across * (across.transpose() * normal);
   if (rest.norm() < kApart) return;
@@ -107,22 +109,22 @@ FlatRegions::FlatRegions(const TriangleMesh& original, const TriangleMesh& mesh,
     });
   }
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
-    if (!across[v].isZero()) held_.push_back({3 * static_cast<Eigen::Index>(v), across[v]});
+    if (!across[v].isZero()) vertices_.push_back({3 * static_cast<Eigen::Index>(v), across[v]});
 }
 
-void FlatRegions::hold(Eigen::SparseMatrix<double>& stiffness) const {
-  for (const auto& [first, across] : held_) {
+void FlatRegions::stiffen(Eigen::SparseMatrix<double>& hessian) const {
+  for (const auto& [first, across] : vertices_) {
     double own = 0;
-    for (int axis = 0; axis < 3; ++axis) own += stiffness.coeff(first + axis, first + axis);
-    const Eigen::Matrix3d firm = kFirm * own * across * across.transpose();
+    for (int axis = 0; axis < 3; ++axis) own += hessian.coeff(first + axis, first + axis);
+    const Eigen::Matrix3d penalty = kPenalty * own * across * across.transpose();
     for (int column = 0; column < 3; ++column)
-      for (int row = 0; row < 3; ++row) stiffness.coeffRef(first + row, first + column) += firm(row, column);
+      for (int row = 0; row < 3; ++row) hessian.coeffRef(first + row, first + column) += penalty(row, column);
   }
 }
 
-void FlatRegions::flatten(Eigen::MatrixXd& steps) const {
-  for (const auto& [first, across] : held_) {
-    auto rows = steps.middleRows<3>(first);
+void FlatRegions::flatten(Eigen::MatrixXd& displacements) const {
+  for (const auto& [first, across] : vertices_) {
+    auto rows = displacements.middleRows<3>(first);
     rows -= across * (across.transpose() * rows).eval();
   }
 }

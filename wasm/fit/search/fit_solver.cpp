@@ -1,4 +1,4 @@
-#include "fit/fit_solver.h"
+#include "fit/search/fit_solver.h"
 
 #include "elastic/pins.h"
 #include "linear/factorisation.h"
@@ -8,17 +8,17 @@ namespace limber {
 FitSolver::FitSolver(const std::vector<uint8_t>& locked, Job& job) : job_(job) {
   for (uint32_t v = 0; v <= locked.size(); ++v) model_.firstUnknown.push_back(3 * v);
   for (uint32_t v = 0; v < locked.size(); ++v)
-    if (locked[v]) held_.insert(held_.end(), {3 * v, 3 * v + 1, 3 * v + 2});
+    if (locked[v]) lockedUnknowns_.insert(lockedUnknowns_.end(), {3 * v, 3 * v + 1, 3 * v + 2});
 }
 
-Eigen::MatrixXd FitSolver::solve(const System& system, Eigen::MatrixXd columns) {
-  model_.stiffness = system.stiffness;
-  model_.mass = system.inertia;
-  if (!held_.empty()) holdUnknowns(model_, held_);
+Eigen::MatrixXd FitSolver::solve(const DampedSystem& system, Eigen::MatrixXd columns) {
+  model_.stiffness = system.hessian;
+  model_.mass = system.dampingDiagonal;
+  if (!lockedUnknowns_.empty()) holdUnknowns(model_, lockedUnknowns_);
   if (!structure_) structure_ = std::make_shared<const FactorStructure>(factorStructure(model_, job_));
-  for (uint32_t row : held_) columns.row(row).setZero();
+  for (const uint32_t row : lockedUnknowns_) columns.row(row).setZero();
   Factorisation factorisation(model_, structure_);
-  factorisation.factorise(-system.hold, job_);
+  factorisation.factorise(-system.damping, job_);
   factorisation.solve(columns, job_);
   return columns;
 }
