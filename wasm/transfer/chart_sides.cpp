@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/disjoint_sets.h"
+
 namespace limber {
 
 ChartSides::ChartSides(const TriangleMesh& input, const Topology& topology, const Charts& charts,
@@ -30,34 +32,23 @@ void ChartSides::findSeams(const TriangleMesh& input, const Topology& topology, 
   }
 }
 
-uint32_t ChartSides::root(uint32_t corner) {
-  while (side_[corner] != corner) corner = side_[corner] = side_[side_[corner]];
-  return corner;
-}
-
-void ChartSides::join(uint32_t a, uint32_t b) {
-  const uint32_t rootA = root(a), rootB = root(b);
-  side_[std::max(rootA, rootB)] = std::min(rootA, rootB);
-}
-
 void ChartSides::joinCorners(const TriangleMesh& input, const Topology& topology,
                              const std::vector<uint32_t>& vertexOfInput) {
-  side_.resize(3 * size_t{input.triangleCount()});
-  std::iota(side_.begin(), side_.end(), 0u);
+  DisjointSets sides(3 * size_t{input.triangleCount()});
   for (uint32_t t = 0; t < input.triangleCount(); ++t)
     for (int c = 0; c < 3; ++c) {
       const int next = (c + 1) % 3;
       const auto& triangle = input.triangles[t];
-      if (vertexOfInput[triangle[c]] == vertexOfInput[triangle[next]]) join(3 * t + c, 3 * t + next);
+      if (vertexOfInput[triangle[c]] == vertexOfInput[triangle[next]]) sides.unite(3 * t + c, 3 * t + next);
     }
   for (uint32_t e = 0; e < topology.edges.size(); ++e) {
     if (isSeam_[e]) continue;
     const Topology::Edge& edge = topology.edges[e];
     const auto triangles = topology.trianglesAt(edge);
     for (const uint32_t v : {edge.a, edge.b})
-      join(cornerAt(input, triangles[0], v), cornerAt(input, triangles[1], v));
+      sides.unite(cornerAt(input, triangles[0], v), cornerAt(input, triangles[1], v));
   }
-  for (uint32_t corner = 0; corner < side_.size(); ++corner) side_[corner] = root(corner);
+  side_ = sides.roots();
 }
 
 void ChartSides::sortCorners(const TriangleMesh& input, const MeshAt& result) {

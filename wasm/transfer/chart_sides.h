@@ -32,12 +32,10 @@ class ChartSides {
   void joinCorners(const TriangleMesh& input, const Topology& topology,
                    const std::vector<uint32_t>& vertexOfInput);
   void sortCorners(const TriangleMesh& input, const MeshAt& result);
-  uint32_t root(uint32_t corner);
-  void join(uint32_t a, uint32_t b);
 
   std::vector<uint8_t> isSeam_;        // per edge
   std::vector<uint32_t> seamCount_;    // per vertex of the input
-  std::vector<uint32_t> side_;         // per corner; a forest while sides are joined
+  std::vector<uint32_t> side_;         // per corner
   std::vector<uint32_t> firstCorner_;  // per vertex of the result, and the end
   std::vector<uint32_t> corners_;
 };
