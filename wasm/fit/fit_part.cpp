@@ -60,7 +60,7 @@ EdgeList seamsOf(const MeshAt& simplified, const ChartSides& sides) {
   const TriangleMesh& mesh = simplified.mesh;
   const Topology topology = buildTopology(mesh);
   const auto sideAt = [&](uint32_t t, uint32_t v) {
-    return sides.sideOf(3 * simplified.inputOfTriangle[t] + cornerAt(mesh, t, v) % 3);
+    return sides.sideOf(Corner(simplified.inputOfTriangle[t], cornerAt(mesh, t, v).index()));
   };
   EdgeList seams;
   for (const Topology::Edge& edge : topology.edges) {

@@ -94,8 +94,9 @@ void putImage(uint32_t t, const ResultMirror& mirror, const TriangleMesh& before
   for (uint32_t c = 0; c < 3; ++c) {
     const uint32_t from = (3 - c) % 3, v = mirror.partners[result.mesh.triangles[t][from]];
     result.mesh.triangles[image][c] = v;
-    const uint32_t source = result.flips.corners[3 * t + from] / 3;
-    result.flips.corners[3 * image + c] = cornerAt(before, mirror.triangleImages[source], v);
+    const Corner source = Corner::fromFlatIndex(result.flips.corners[Corner(t, from).flatIndex()]);
+    result.flips.corners[Corner(image, c).flatIndex()] =
+        cornerAt(before, mirror.triangleImages[source.triangle()], v).flatIndex();
   }
 }
 
@@ -111,9 +112,10 @@ void putBack(const FitPart& part, const std::vector<uint32_t>& corners, const Fi
   for (uint32_t t = 0; t < part.triangleOfResult.size(); ++t) {
     const uint32_t there = part.triangleOfResult[t];
     for (uint32_t c = 0; c < 3; ++c) {
-      const uint32_t corner = corners[3 * t + c];
+      const Corner corner = Corner::fromFlatIndex(corners[Corner(t, c).flatIndex()]);
       result.mesh.triangles[there][c] = part.vertexOfResult[part.simplified.triangles[t][c]];
-      result.flips.corners[3 * there + c] = 3 * part.triangleOfResult[corner / 3] + corner % 3;
+      result.flips.corners[Corner(there, c).flatIndex()] =
+          Corner(part.triangleOfResult[corner.triangle()], corner.index()).flatIndex();
     }
     if (part.hasImage) putImage(there, *call.mirror, call.before, result);
   }
