@@ -42,7 +42,7 @@ TEST(Nesting, openClashingAndFlatSurfacesBoundNothing) {
   TriangleMesh flat = shapes::box(2, 2, 2, 1);
   for (Vec3& p : flat.positions) p.z = 0;
   for (const TriangleMesh& mesh : {hole, clash, flat, shapes::grid(3, 3), surfaces::threeSheets(3)})
-    EXPECT_EQ(hostsOf(mesh), Hosts{kOpen});
+    EXPECT_EQ(hostsOf(mesh), Hosts{kNone});
 }
 
 TEST(Nesting, aShellWoundTheOtherWayInsideIsACavity) {
@@ -76,7 +76,7 @@ TEST(Nesting, besideIsNotInside) {
 TEST(Nesting, anOpenSurfaceIsNoHost) {
   TriangleMesh open = shapes::sphere(2);
   open.triangles.pop_back();
-  EXPECT_EQ(hostsOf(shapes::together(open, turned(shapes::sphere(1, 0.5)))), (Hosts{kOpen, 1}));
+  EXPECT_EQ(hostsOf(shapes::together(open, turned(shapes::sphere(1, 0.5)))), (Hosts{kNone, 1}));
 }
 
 TEST(Nesting, manyBubblesInABlockAreAllItsCavities) {

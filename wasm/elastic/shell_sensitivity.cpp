@@ -84,7 +84,7 @@ ElementMode modeOf(const TriangleMesh& mesh, const Topology& topology, uint32_t 
         element.axes.transpose() * phi.segment<3>(3 * static_cast<Eigen::Index>(triangle[v]));
     mode.displacement[v] = {own[0], own[1], own[2]};
     const double sign = triangle[(v + 1) % 3] < triangle[(v + 2) % 3] ? 1 : -1;
-    mode.turn[v] = sign * phi[3 * mesh.vertexCount() + topology.edgeOfCorner[3 * size_t{t} + v]];
+    mode.turn[v] = sign * phi[3 * mesh.vertexCount() + topology.edgeOpposite(Corner(t, v))];
   }
   return mode;
 }

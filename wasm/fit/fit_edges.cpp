@@ -14,7 +14,7 @@ EdgeList seamsOfResult(const MeshAt& result, const ChartSides& sides) {
   const TriangleMesh& mesh = result.mesh;
   const Topology topology = buildTopology(mesh);
   const auto sideAt = [&](uint32_t t, uint32_t v) {
-    return sides.sideOf(3 * result.inputOfTriangle[t] + cornerAt(mesh, t, v) % 3);
+    return sides.sideOf(Corner(result.inputOfTriangle[t], cornerAt(mesh, t, v).index()));
   };
   EdgeList seams;
   for (const Topology::Edge& edge : topology.edges) {

@@ -1,6 +1,6 @@
 #include "fit/part_writer.h"
 
-#include "transfer/chart_sides.h"
+#include "mesh/corner.h"
 
 namespace limber {
 
@@ -24,8 +24,9 @@ void writeImage(uint32_t t, const ResultMirror& mirror, const TriangleMesh& befo
   for (uint32_t c = 0; c < 3; ++c) {
     const uint32_t from = (3 - c) % 3, v = mirror.partners[result.mesh.triangles[t][from]];
     result.mesh.triangles[image][c] = v;
-    const uint32_t source = result.flips.corners[3 * t + from] / 3;
-    result.flips.corners[3 * image + c] = cornerAt(before, mirror.triangleImages[source], v);
+    const Corner source = Corner::fromFlatIndex(result.flips.corners[Corner(t, from).flatIndex()]);
+    result.flips.corners[Corner(image, c).flatIndex()] =
+        cornerAt(before, mirror.triangleImages[source.triangle()], v).flatIndex();
   }
 }
 
@@ -42,9 +43,10 @@ void writePart(const FitPart& part, const std::vector<uint32_t>& corners, const 
   for (uint32_t t = 0; t < part.wholeTriangle.size(); ++t) {
     const uint32_t there = part.wholeTriangle[t];
     for (uint32_t c = 0; c < 3; ++c) {
-      const uint32_t corner = corners[3 * t + c];
+      const Corner corner = Corner::fromFlatIndex(corners[Corner(t, c).flatIndex()]);
       result.mesh.triangles[there][c] = part.wholeVertex[part.result.triangles[t][c]];
-      result.flips.corners[3 * there + c] = 3 * part.wholeTriangle[corner / 3] + corner % 3;
+      result.flips.corners[Corner(there, c).flatIndex()] =
+          Corner(part.wholeTriangle[corner.triangle()], corner.index()).flatIndex();
     }
     if (part.hasImage) writeImage(there, *start.mirror, start.mesh, result);
   }

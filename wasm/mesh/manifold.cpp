@@ -15,14 +15,9 @@ constexpr size_t kSmallFan = 16;
 
 // The two edges that meet in a corner.
 std::array<uint32_t, 2> edgesAt(const Topology& topology, Corner corner) {
-  const uint32_t* edges = &topology.edgeOfCorner[3 * size_t{triangleOf(corner)}];
-  return {edges[nextIndex(indexOf(corner))], edges[previousIndex(indexOf(corner))]};
-}
-
-// The corner of triangle t at vertex v.
-Corner cornerAt(const TriangleMesh& mesh, uint32_t t, uint32_t v) {
-  const Triangle& triangle = mesh.triangles[t];
-  return 4 * t + (triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2);
+  const uint32_t t = corner.triangle();
+  return {topology.edgeOpposite(Corner(t, nextIndex(corner.index()))),
+          topology.edgeOpposite(Corner(t, previousIndex(corner.index())))};
 }
 
 // Where a walk around a vertex ended, and how many triangles it has passed.
@@ -67,11 +62,11 @@ bool isOneFanByWalking(const TriangleMesh& mesh, const Topology& topology, uint3
   const auto walk = [&](uint32_t t, uint32_t entry) {
     return turnAround(mesh, topology, v, t, entry).passed == around.size();
   };
-  if (!onBorder) return walk(triangleOf(around[0]), edgesAt(topology, around[0])[0]);
+  if (!onBorder) return walk(around[0].triangle(), edgesAt(topology, around[0])[0]);
   // An open fan has to be walked from one of its ends.
   for (const Corner corner : around)
     for (uint32_t e : edgesAt(topology, corner))
-      if (topology.edges[e].useCount == 1) return walk(triangleOf(corner), e);
+      if (topology.edges[e].useCount == 1) return walk(corner.triangle(), e);
   return false;
 }
 

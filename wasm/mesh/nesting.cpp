@@ -133,7 +133,7 @@ std::vector<std::vector<uint32_t>> findContainers(std::vector<Crossing> crossing
 std::vector<uint32_t> solidHosts(const TriangleMesh& mesh, const Topology& topology) {
   const std::vector<Shell> shells = measureShells(mesh, topology);
   const auto containers = findContainers(crossingsAboveShells(mesh, topology, shells), shells);
-  std::vector<uint32_t> fromOutside, hosts(shells.size(), kOpen);
+  std::vector<uint32_t> fromOutside, hosts(shells.size(), kNone);
   for (uint32_t s = 0; s < shells.size(); ++s)
     if (shells[s].isClosed) fromOutside.push_back(s);
   std::stable_sort(fromOutside.begin(), fromOutside.end(),

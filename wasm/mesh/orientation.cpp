@@ -22,7 +22,7 @@ Patch spread(const Topology& topology, uint32_t first, std::vector<uint8_t>& sid
   for (size_t i = 0; i < patch.triangles.size(); ++i) {
     const uint32_t t = patch.triangles[i];
     for (int c = 0; c < 3; ++c) {
-      const uint32_t e = topology.edgeOfCorner[3 * t + c];
+      const uint32_t e = topology.edgeOpposite(Corner(t, c));
       const auto sharing = topology.trianglesAt(topology.edges[e]);
       if (sharing.size() != 2) continue;
       const uint32_t neighbour = sharing[sharing[0] == t ? 1 : 0];

@@ -111,11 +111,11 @@ bool NearestTriangle::isWithin(const Vec3& p, double squaredDistance, uint32_t g
 uint32_t NearestTriangle::findAround(uint32_t vertex, std::span<const Corner> star) const {
   const Vec3& p = mesh_->positions[vertex];
   const auto rankOf = [&](Corner corner) {
-    const uint32_t t = triangleOf(corner);
+    const uint32_t t = corner.triangle();
     return std::tuple(squaredLength(p - centre(t)), t);
   };
   const auto nearest = std::ranges::min_element(star, {}, rankOf);
-  return nearest == star.end() ? kNone : triangleOf(*nearest);
+  return nearest == star.end() ? kNone : nearest->triangle();
 }
 
 NearestVertex::NearestVertex(const TriangleMesh& mesh) : mesh_(&mesh) {

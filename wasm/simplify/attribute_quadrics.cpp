@@ -31,14 +31,15 @@ void AttributeQuadrics::addTriangle(uint32_t t, const SimplifyConstraints& const
   const Vec3 alongQ = cross(toR, normal) / square, alongR = cross(normal, toQ) / square;
   for (uint32_t j = 0; j < dimension_; ++j) {
     const auto value = [&](int c) {
-      const uint32_t row = constraints.wedges.empty() ? vertices[c] : constraints.wedges[3 * size_t{t} + c];
+      const uint32_t row =
+          constraints.wedges.empty() ? vertices[c] : constraints.wedges[Corner(t, c).flatIndex()];
       return mesh_.diagonal() * constraints.attributes[size_t{row} * dimension_ + j];
     };
     const double atP = value(0);
     const Vec3 g = alongQ * (value(1) - atP) + alongR * (value(2) - atP);
     const double d = atP - dot(g, p);
     for (int c = 0; c < 3; ++c) {
-      double* sums = sumsOf(mesh_.sector(t, c));
+      double* sums = sumsOf(mesh_.sector(Corner(t, c)));
       const double products[] = {g.x * g.x, g.x * g.y, g.x * g.z, g.y * g.y, g.y * g.z,
                                  g.z * g.z, d * g.x,   d * g.y,   d * g.z,   d * d};
       for (uint32_t i = 0; i < kArea; ++i) sums[kMatrix + i] += area * products[i];
@@ -53,12 +54,12 @@ void AttributeQuadrics::addTriangle(uint32_t t, const SimplifyConstraints& const
 AttributeQuadrics::Joined AttributeQuadrics::sectorsAt(uint32_t edge, uint32_t first, uint32_t second) const {
   Joined joined{{}, 0};
   for (const Corner corner : mesh_.star(first)) {
-    const uint32_t t = triangleOf(corner);
+    const uint32_t t = corner.triangle();
     const CollapseMesh::Face& face = mesh_.face(t);
     for (int c = 0; c < 3; ++c) {
       if (face.vertices[c] != second) continue;
-      if (face.edges[3 - c - indexOf(corner)] != edge) continue;
-      const uint32_t atFirst = mesh_.sector(t, indexOf(corner)), atSecond = mesh_.sector(t, c);
+      if (face.edges[3 - c - corner.index()] != edge) continue;
+      const uint32_t atFirst = mesh_.sector(corner), atSecond = mesh_.sector(Corner(t, c));
       const bool known =
           joined.count == 1 && joined.sectors[0][0] == atFirst && joined.sectors[0][1] == atSecond;
       if (known || joined.count == 2) continue;

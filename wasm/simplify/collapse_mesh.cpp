@@ -48,7 +48,7 @@ void CollapseMesh::collectVertices(const TriangleMesh& mesh, const Topology& top
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     const auto corners = topology.cornersAt(v);
     const auto count = static_cast<uint32_t>(corners.size());
-    pool_.push_back(count);
+    pool_.push_back(Corner::fromCode(count));
     vertices_.push_back({.position = mesh.positions[v] - origin_,
                          .star = {static_cast<uint32_t>(pool_.size()), count},
                          .role = lines.roles[v]});
@@ -84,13 +84,13 @@ void CollapseMesh::removeFromStar(uint32_t v, uint32_t triangle) {
   Star& star = vertices_[v].star;
   Corner* corners = pool_.data() + star.begin;
   const auto found =
-      std::find_if(corners, corners + star.count, [&](Corner c) { return triangleOf(c) == triangle; });
+      std::find_if(corners, corners + star.count, [&](Corner c) { return c.triangle() == triangle; });
   *found = corners[--star.count];
 }
 
 // The sector at the removed corner of a vanishing triangle joins that at the kept one.
-void CollapseMesh::joinSectors(uint32_t triangle, int removed, int kept) {
-  if (!sectorOfCorner_.empty()) heirOfSector_[sector(triangle, removed)] = sector(triangle, kept);
+void CollapseMesh::joinSectors(Corner removed, Corner kept) {
+  if (!sectorOfCorner_.empty()) heirOfSector_[sector(removed)] = sector(kept);
 }
 
 // An edge becomes one with its heir: the triangle between them is gone.
@@ -104,11 +104,11 @@ void CollapseMesh::bequeath(uint32_t dying, uint32_t heir) {
 
 // Gives a corner of the removed vertex to the kept one, with the two edges that meet in it.
 void CollapseMesh::takeOver(Corner corner, const Collapse& step) {
-  Face& face = faces_[triangleOf(corner)];
-  const int c = indexOf(corner);
+  Face& face = faces_[corner.triangle()];
+  const int c = corner.index();
   face.vertices[c] = step.kept;
   if (!sectorOfCorner_.empty()) {
-    uint32_t& sector = sectorOfCorner_[3 * size_t{triangleOf(corner)} + c];
+    uint32_t& sector = sectorOfCorner_[corner.flatIndex()];
     sector = heirOfSector_[sector];
   }
   for (const int side : {nextIndex(c), previousIndex(c)}) {
@@ -130,7 +130,7 @@ void CollapseMesh::storeStar(const Collapse& step) {
   if (count > capacityOf(star)) {
     star.begin = static_cast<uint32_t>(pool_.size()) + 1;
     pool_.resize(star.begin + count + count / 2);
-    capacityOf(star) = count + count / 2;
+    pool_[star.begin - 1] = Corner::fromCode(count + count / 2);
   }
   std::copy_n(change_.corners.begin(), count, pool_.begin() + star.begin);
   star.count = count;
@@ -158,9 +158,9 @@ size_t CollapseMesh::divideStar(uint32_t v, size_t count, std::array<Corner, 3>&
   const bool open = role(v).onBorder;
   size_t found = 0;
   for (const Corner corner : corners) {
-    const Face& face = faces_[triangleOf(corner)];
-    visit(vertices_[face.vertices[nextIndex(indexOf(corner))]].seen);
-    if (open) visit(vertices_[face.vertices[previousIndex(indexOf(corner))]].seen);
+    const Face& face = faces_[corner.triangle()];
+    visit(vertices_[face.vertices[nextIndex(corner.index())]].seen);
+    if (open) visit(vertices_[face.vertices[previousIndex(corner.index())]].seen);
     const bool vanishes = isOn(face, change_.edge);
     staying[count] = vanishing[found] = corner;
     count += !vanishes;
@@ -192,13 +192,13 @@ std::array<uint32_t, 2> CollapseMesh::collapse(const Collapse& step) {
   for (int i = 0; i < goneCount; ++i) {
     // The triangle between kept, removed and a third vertex vanishes; its other two edges become one.
     const Corner corner = change_.vanishing[i];
-    const Face& face = faces_[triangleOf(corner)];
-    const int c = indexOf(corner);
+    const Face& face = faces_[corner.triangle()];
+    const int c = corner.index();
     const int third = face.edges[nextIndex(c)] == step.edge ? nextIndex(c) : previousIndex(c);
     gone[i] = face.edges[c];
     bequeath(gone[i], face.edges[3 - c - third]);
-    joinSectors(triangleOf(corner), 3 - c - third, c);
-    removeFromStar(face.vertices[third], triangleOf(corner));
+    joinSectors(Corner(corner.triangle(), 3 - c - third), corner);
+    removeFromStar(face.vertices[third], corner.triangle());
     --livingTriangles_;
   }
   edges_[step.edge].triangles = 0;

@@ -77,10 +77,10 @@ void CostModel::averageStrain() {
   for (uint32_t v = 0; v < mesh_.vertexCount(); ++v) {
     double sum = 0, area = 0;
     for (const Corner corner : mesh_.star(v)) {
-      const auto& [a, b, c] = mesh_.face(triangleOf(corner)).vertices;
+      const auto& [a, b, c] = mesh_.face(corner.triangle()).vertices;
       const double part =
           length(cross(mesh_.position(b) - mesh_.position(a), mesh_.position(c) - mesh_.position(a)));
-      sum += part * guidance_.strain[triangleOf(corner)];
+      sum += part * guidance_.strain[corner.triangle()];
       area += part;
     }
     if (area > 0) strainOfVertex_[v] = static_cast<float>(sum / area);
@@ -329,7 +329,7 @@ double CostModel::worstQualityAround(uint32_t edge) const {
   const auto [first, second] = mesh_.edge(edge);
   for (const uint32_t v : {first, second})
     for (const Corner corner : mesh_.star(v)) {
-      const auto& [a, b, c] = mesh_.face(triangleOf(corner)).vertices;
+      const auto& [a, b, c] = mesh_.face(corner.triangle()).vertices;
       worst = std::min(worst, triangleQuality(mesh_.position(a), mesh_.position(b), mesh_.position(c)));
     }
   return worst;
@@ -341,8 +341,8 @@ void CostModel::forEachChanged(uint32_t edge, const Visit& visit) const {
   const auto [a, b] = mesh_.edge(edge);
   for (uint32_t v : {a, b})
     for (const Corner corner : mesh_.star(v)) {
-      const auto& [vertices, edges] = mesh_.face(triangleOf(corner));
-      const int next = nextIndex(indexOf(corner)), previous = previousIndex(indexOf(corner));
+      const auto& [vertices, edges] = mesh_.face(corner.triangle());
+      const int next = nextIndex(corner.index()), previous = previousIndex(corner.index());
       if (edges[next] == edge || edges[previous] == edge) continue;
       visit(mesh_.position(vertices[next]), mesh_.position(vertices[previous]));
     }

@@ -38,7 +38,7 @@ DeviationLimit::DeviationLimit(const TriangleMesh& input, const CollapseMesh& me
       first_(input.triangleCount(), kNone) {
   for (uint32_t v = 0; v < input.vertexCount(); ++v) {
     samples_.push_back(mesh.position(v));
-    inputOf_.push_back(mesh.star(v).empty() ? kNone : triangleOf(mesh.star(v)[0]));
+    inputOf_.push_back(mesh.star(v).empty() ? kNone : mesh.star(v)[0].triangle());
   }
   const int cuts =
       std::min<int>(kFinest, std::ceil(std::sqrt(kSamples / std::max(1u, input.triangleCount()))));
@@ -76,9 +76,9 @@ void DeviationLimit::collectChanged(const Collapse& step) {
   emptied_.clear();
   for (const uint32_t v : {step.kept, step.removed})
     for (const Corner corner : mesh_.star(v)) {
-      const uint32_t t = triangleOf(corner);
+      const uint32_t t = corner.triangle();
       const CollapseMesh::Face& face = mesh_.face(t);
-      const int next = nextIndex(indexOf(corner)), previous = previousIndex(indexOf(corner));
+      const int next = nextIndex(corner.index()), previous = previousIndex(corner.index());
       const bool vanishes = face.edges[next] == step.edge || face.edges[previous] == step.edge;
       if (!vanishes || v == step.kept) emptied_.push_back(t);
       if (!vanishes)

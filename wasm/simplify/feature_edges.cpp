@@ -9,10 +9,6 @@
 namespace limber {
 namespace {
 
-int cornerOf(const Triangle& triangle, uint32_t v) {
-  return triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
-}
-
 // Asks of an edge with two triangles whether it is a line, rule by rule.
 class LineRules {
  public:
@@ -37,7 +33,7 @@ class LineRules {
            (wedge(s, edge.a) != wedge(t, edge.a) || wedge(s, edge.b) != wedge(t, edge.b));
   }
   uint32_t wedge(uint32_t t, uint32_t v) const {
-    return constraints_.wedges[3 * t + cornerOf(mesh_.triangles[t], v)];
+    return constraints_.wedges[cornerAt(mesh_, t, v).flatIndex()];
   }
   bool isCrease(uint32_t s, uint32_t t) const {
     if (constraints_.creaseAngle == 0) return false;

@@ -115,7 +115,7 @@ bool Legality::keepsTopology(const Collapse& step) {
 bool Legality::joinsFeatures(const Collapse& step) const {
   if (!mesh_.role(step.kept).onFeature || !mesh_.role(step.removed).onFeature) return false;
   for (const Corner corner : mesh_.star(step.removed)) {
-    const auto& edges = mesh_.face(triangleOf(corner)).edges;
+    const auto& edges = mesh_.face(corner.triangle()).edges;
     const int lines = mesh_.isFeature(edges[0]) + mesh_.isFeature(edges[1]) + mesh_.isFeature(edges[2]);
     const bool vanishes = edges[0] == step.edge || edges[1] == step.edge || edges[2] == step.edge;
     if (vanishes && lines == 3) return true;
@@ -129,8 +129,8 @@ bool Legality::spoilsAngles(const Collapse& step) const {
   double before = -1, after = -1;
   for (const uint32_t v : {step.kept, step.removed})
     for (const Corner corner : mesh_.star(v)) {
-      const CollapseMesh::Face& face = mesh_.face(triangleOf(corner));
-      const int next = nextIndex(indexOf(corner)), previous = previousIndex(indexOf(corner));
+      const CollapseMesh::Face& face = mesh_.face(corner.triangle());
+      const int next = nextIndex(corner.index()), previous = previousIndex(corner.index());
       const Vec3 &q = mesh_.position(face.vertices[next]), &r = mesh_.position(face.vertices[previous]);
       before = std::max(before, largestCosine(mesh_.position(v), q, r));
       const bool vanishes = face.edges[next] == step.edge || face.edges[previous] == step.edge;
@@ -145,10 +145,10 @@ bool Legality::spoilsAnyFace(const Collapse& step) {
   const Vec3 &kept = mesh_.position(step.kept), &removed = mesh_.position(step.removed);
   const auto faceAt = [&](size_t i) {
     const Corner corner = change.corners[i];
-    const Triangle& vertices = mesh_.face(triangleOf(corner)).vertices;
+    const Triangle& vertices = mesh_.face(corner.triangle()).vertices;
     return std::array{i < change.ofKept ? &kept : &removed,
-                      &mesh_.position(vertices[nextIndex(indexOf(corner))]),
-                      &mesh_.position(vertices[previousIndex(indexOf(corner))])};
+                      &mesh_.position(vertices[nextIndex(corner.index())]),
+                      &mesh_.position(vertices[previousIndex(corner.index())])};
   };
   const Point<RealPair> target = asPair(step.target, step.target);
   for (size_t i = 0; i < change.count; i += 2) {

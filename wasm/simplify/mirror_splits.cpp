@@ -83,8 +83,8 @@ bool Matching::canFlip(const EdgeQuad& quad) const {
 
 bool Matching::isSeam(const EdgeQuad& quad) const {
   const auto differ = [&](uint32_t c, uint32_t d) {
-    return charts_.wedges[3 * size_t{quad.first} + (quad.firstTip + c) % 3] !=
-           charts_.wedges[3 * size_t{quad.second} + (quad.secondTip + d) % 3];
+    return charts_.wedges[Corner(quad.first, (quad.firstTip + c) % 3).flatIndex()] !=
+           charts_.wedges[Corner(quad.second, (quad.secondTip + d) % 3).flatIndex()];
   };
   if (!charts_.groups.empty() && charts_.groups[quad.first] != charts_.groups[quad.second]) return true;
   return !charts_.wedges.empty() && (differ(1, 2) || differ(2, 1));

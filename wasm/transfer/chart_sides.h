@@ -19,11 +19,11 @@ class ChartSides {
   bool isSeam(uint32_t edge) const { return isSeam_[edge] != 0; }
   // How many seams meet at a vertex of the input: 0 within a chart, 2 along a seam.
   uint32_t seamCount(uint32_t vertex) const { return seamCount_[vertex]; }
-  // The side of an input corner: the lowest corner of its cluster that is joined to it without crossing a
-  // seam.
-  uint32_t sideOf(uint32_t corner) const { return side_[corner]; }
+  // The side of an input corner: the flat index of the lowest corner of its cluster that is joined to it
+  // without crossing a seam.
+  uint32_t sideOf(Corner corner) const { return side_[corner.flatIndex()]; }
   // The input corners around vertex v of the result, ascending.
-  std::span<const uint32_t> cornersAround(uint32_t v) const {
+  std::span<const Corner> cornersAround(uint32_t v) const {
     return {corners_.data() + firstCorner_[v], firstCorner_[v + 1] - firstCorner_[v]};
   }
 
@@ -32,20 +32,12 @@ class ChartSides {
   void joinCorners(const TriangleMesh& input, const Topology& topology,
                    const std::vector<uint32_t>& vertexOfInput);
   void sortCorners(const TriangleMesh& input, const MeshAt& result);
-  uint32_t root(uint32_t corner);
-  void join(uint32_t a, uint32_t b);
 
   std::vector<uint8_t> isSeam_;        // per edge
   std::vector<uint32_t> seamCount_;    // per vertex of the input
-  std::vector<uint32_t> side_;         // per corner; a forest while sides are joined
+  std::vector<uint32_t> side_;         // per corner
   std::vector<uint32_t> firstCorner_;  // per vertex of the result, and the end
-  std::vector<uint32_t> corners_;
+  std::vector<Corner> corners_;
 };
-
-// The corner 3 * t + c of triangle t that is at vertex v; t must have it.
-inline uint32_t cornerAt(const TriangleMesh& mesh, uint32_t t, uint32_t v) {
-  const Triangle& triangle = mesh.triangles[t];
-  return 3 * t + (triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2);
-}
 
 }  // namespace limber

@@ -71,7 +71,7 @@ class SourceFinder {
   void find(uint32_t vertex);
 
  private:
-  uint32_t inputVertex(uint32_t corner) const { return carried_.input.triangles[corner / 3][corner % 3]; }
+  uint32_t inputVertex(Corner corner) const { return vertexAt(carried_.input, corner); }
   void collectSides();
   bool isUntouched() const;
   bool hasAllSides(uint32_t inputVertex, std::span<const uint32_t> wanted) const;
@@ -83,15 +83,15 @@ class SourceFinder {
   void placeOnSeam(const SeamPoint& point, uint32_t side);
   void placeAtVertex(uint32_t inputVertex, uint32_t side);
   void store(uint32_t side, uint32_t triangle, const double (&barycentric)[3]);
-  void storeAt(uint32_t resultCorner, uint32_t triangle, const double (&barycentric)[3]);
+  void storeAt(Corner resultCorner, uint32_t triangle, const double (&barycentric)[3]);
 
   const Carried& carried_;
   CornerSources& sources_;
   SurfaceWalk walk_;
-  uint32_t vertex_ = 0;                // of the result
-  Vec3 position_;                      // of that
-  std::span<const uint32_t> corners_;  // of the input around it
-  std::vector<uint32_t> used_;         // sides that the result has triangles on, ascending
+  uint32_t vertex_ = 0;              // of the result
+  Vec3 position_;                    // of that
+  std::span<const Corner> corners_;  // of the input around it
+  std::vector<uint32_t> used_;       // sides that the result has triangles on, ascending
   std::vector<uint32_t> start_;
 };
 
@@ -101,11 +101,11 @@ void SourceFinder::find(uint32_t vertex) {
   corners_ = carried_.sides.cornersAround(vertex);
   collectSides();
   if (isUntouched()) {
-    for (const uint32_t corner : corners_) {
+    for (const Corner corner : corners_) {
       double barycentric[3] = {0, 0, 0};
-      barycentric[corner % 3] = 1;
-      const uint32_t t = carried_.resultOfTriangle[corner / 3];
-      if (t != kNone) storeAt(3 * t + corner % 3, corner / 3, barycentric);
+      barycentric[corner.index()] = 1;
+      const uint32_t t = carried_.resultOfTriangle[corner.triangle()];
+      if (t != kNone) storeAt(Corner(t, corner.index()), corner.triangle(), barycentric);
     }
     return;
   }
@@ -119,8 +119,8 @@ void SourceFinder::find(uint32_t vertex) {
 
 void SourceFinder::collectSides() {
   used_.clear();
-  for (const uint32_t corner : corners_)
-    if (carried_.resultOfTriangle[corner / 3] != kNone) used_.push_back(carried_.sides.sideOf(corner));
+  for (const Corner corner : corners_)
+    if (carried_.resultOfTriangle[corner.triangle()] != kNone) used_.push_back(carried_.sides.sideOf(corner));
   std::ranges::sort(used_);
   used_.erase(std::ranges::unique(used_).begin(), used_.end());
 }
@@ -128,7 +128,7 @@ void SourceFinder::collectSides() {
 bool SourceFinder::isUntouched() const {
   const uint32_t first = inputVertex(corners_[0]);
   return carried_.input.positions[first] == position_ &&
-         std::ranges::all_of(corners_, [&](uint32_t corner) { return inputVertex(corner) == first; });
+         std::ranges::all_of(corners_, [&](Corner corner) { return inputVertex(corner) == first; });
 }
 
 // Whether each of the wanted sides has a triangle at the vertex.
@@ -145,10 +145,10 @@ bool SourceFinder::hasAllSides(uint32_t inputVertex, std::span<const uint32_t> w
 uint32_t SourceFinder::closestJunction() const {
   uint32_t best = kNone;
   double bestSquared = HUGE_VAL;
-  for (const uint32_t corner : corners_) {
+  for (const Corner corner : corners_) {
     const uint32_t v = inputVertex(corner);
     const uint32_t seams = carried_.sides.seamCount(v);
-    const bool isSeenFirst = carried_.topology.trianglesAround(v)[0] == corner / 3;
+    const bool isSeenFirst = carried_.topology.trianglesAround(v)[0] == corner.triangle();
     if (seams == 0 || seams == 2 || !isSeenFirst || !hasAllSides(v, used_)) continue;
     const double squared = squaredLength(carried_.input.positions[v] - position_);
     if (squared > bestSquared || (squared == bestSquared && v > best)) continue;
@@ -161,10 +161,9 @@ uint32_t SourceFinder::closestJunction() const {
 // The closest point of the seams at the cluster that have all wanted sides beside them.
 SeamPoint SourceFinder::closestOnSeam(std::span<const uint32_t> wanted) const {
   SeamPoint best;
-  for (const uint32_t corner : corners_)
-    for (uint32_t step = 1; step < 3; ++step) {
-      const uint32_t opposite = corner - corner % 3 + (corner + step) % 3;
-      const uint32_t edge = carried_.topology.edgeOfCorner[opposite];
+  for (const Corner corner : corners_)
+    for (const int opposite : {nextIndex(corner.index()), previousIndex(corner.index())}) {
+      const uint32_t edge = carried_.topology.edgeOpposite(Corner(corner.triangle(), opposite));
       if (carried_.sides.isSeam(edge)) considerEdge(edge, inputVertex(corner), wanted, best);
     }
   return best;
@@ -195,8 +194,8 @@ void SourceFinder::placeSide(uint32_t side) {
 
 void SourceFinder::placeInside(uint32_t side) {
   start_.clear();
-  for (const uint32_t corner : corners_)
-    if (carried_.sides.sideOf(corner) == side) start_.push_back(corner / 3);
+  for (const Corner corner : corners_)
+    if (carried_.sides.sideOf(corner) == side) start_.push_back(corner.triangle());
   const ClosestPoint found =
       walk_.closest(position_, start_, [&](uint32_t edge, uint32_t) { return !carried_.sides.isSeam(edge); });
   store(side, found.triangle, found.barycentric);
@@ -208,37 +207,37 @@ void SourceFinder::placeOnSeam(const SeamPoint& point, uint32_t side) {
   for (const uint32_t t : topology.trianglesAt(edge)) {
     if (sides.sideOf(cornerAt(input, t, point.end)) != side) continue;
     double barycentric[3] = {0, 0, 0};
-    barycentric[cornerAt(input, t, edge.a) % 3] = 1 - point.fraction;
-    barycentric[cornerAt(input, t, edge.b) % 3] = point.fraction;
+    barycentric[cornerAt(input, t, edge.a).index()] = 1 - point.fraction;
+    barycentric[cornerAt(input, t, edge.b).index()] = point.fraction;
     return store(side, t, barycentric);
   }
 }
 
 void SourceFinder::placeAtVertex(uint32_t inputVertex, uint32_t side) {
   for (const uint32_t t : carried_.topology.trianglesAround(inputVertex)) {
-    const uint32_t corner = cornerAt(carried_.input, t, inputVertex);
+    const Corner corner = cornerAt(carried_.input, t, inputVertex);
     if (carried_.sides.sideOf(corner) != side) continue;
     double barycentric[3] = {0, 0, 0};
-    barycentric[corner % 3] = 1;
+    barycentric[corner.index()] = 1;
     return store(side, t, barycentric);
   }
 }
 
 // To all corners of the result around the vertex that are on `side`.
 void SourceFinder::store(uint32_t side, uint32_t triangle, const double (&barycentric)[3]) {
-  for (const uint32_t corner : corners_) {
-    const uint32_t t = carried_.resultOfTriangle[corner / 3];
+  for (const Corner corner : corners_) {
+    const uint32_t t = carried_.resultOfTriangle[corner.triangle()];
     if (t != kNone && carried_.sides.sideOf(corner) == side)
-      storeAt(3 * t + corner % 3, triangle, barycentric);
+      storeAt(Corner(t, corner.index()), triangle, barycentric);
   }
 }
 
-void SourceFinder::storeAt(uint32_t resultCorner, uint32_t triangle, const double (&barycentric)[3]) {
-  sources_.triangle[resultCorner] = triangle;
+void SourceFinder::storeAt(Corner resultCorner, uint32_t triangle, const double (&barycentric)[3]) {
+  sources_.triangle[resultCorner.flatIndex()] = triangle;
   double kept[3], sum = 0;
   for (int c = 0; c < 3; ++c) sum += kept[c] = barycentric[c] > kNothing ? barycentric[c] : 0;
   for (int c = 0; c < 3; ++c)
-    sources_.barycentric[3 * size_t{resultCorner} + c] = static_cast<float>(kept[c] / sum);
+    sources_.barycentric[3 * size_t{resultCorner.flatIndex()} + c] = static_cast<float>(kept[c] / sum);
 }
 
 std::vector<uint32_t> invert(const std::vector<uint32_t>& inputOfTriangle, uint32_t inputCount) {

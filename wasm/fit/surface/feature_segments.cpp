@@ -14,7 +14,7 @@ FeatureSegments featureSegments(const TriangleMesh& mesh, const Topology& topolo
   };
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
     for (int c = 0; c < 3; ++c) {
-      const Topology::Edge& edge = topology.edges[topology.edgeOfCorner[3 * t + static_cast<uint32_t>(c)]];
+      const Topology::Edge& edge = topology.edges[topology.edgeOpposite(Corner(t, c))];
       if (topology.trianglesAt(edge)[0] != t || !isFeature(edge)) continue;
       const int start = (c + 1) % 3, end = (c + 2) % 3;
       const auto& triangle = mesh.triangles[t];

@@ -65,7 +65,7 @@ void flood(uint32_t first, const Topology& topology, std::vector<uint8_t>& seen,
     waiting.pop_back();
     visit(t);
     for (uint32_t c = 0; c < 3; ++c)
-      for (const uint32_t next : topology.trianglesAt(topology.edges[topology.edgeOfCorner[3 * t + c]]))
+      for (const uint32_t next : topology.trianglesAt(topology.edges[topology.edgeOpposite(Corner(t, c))]))
         if (!seen[next] && belongs(next)) {
           seen[next] = 1;
           waiting.push_back(next);
