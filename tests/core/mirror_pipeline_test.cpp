@@ -210,11 +210,12 @@ TEST(MirroredFit, givesEveryCornerOneThatLayAtItsVertex) {
   }
 }
 
-TEST(MirroredFit, holdsTheImageOfWhatIsLocked) {
+TEST(MirroredFit, locksTheImagesOfLockedVertices) {
   const auto& [whole, reduced, fitted, plain] = fittedSheet();
   std::vector<uint8_t> locked(whole.mesh.vertexCount(), 0);
-  const uint32_t held = reduced.inputOfVertex[7], image = reduced.vertexOfInput[whole.mirror[held]];
-  locked[held] = 1;
+  const uint32_t original = reduced.inputOfVertex[7];
+  const uint32_t image = reduced.vertexOfInput[whole.mirror[original]];
+  locked[original] = 1;
   ModalFitOptions options = fitOptions(whole);
   options.locked = locked;
   const TriangleMesh mesh = fitModes(whole.mesh, reduced, options, theJob).result.mesh;

@@ -7,18 +7,18 @@
 
 namespace limber {
 
-ChartSides::ChartSides(const TriangleMesh& input, const Topology& topology, const Charts& charts,
+ChartSides::ChartSides(const TriangleMesh& original, const Topology& topology, const Charts& charts,
                        const MeshAt& result)
-    : isSeam_(topology.edges.size(), 0), seamCount_(input.vertexCount(), 0) {
-  findSeams(input, topology, charts);
-  joinCorners(input, topology, result.vertexOfInput);
-  sortCorners(input, result);
+    : isSeam_(topology.edges.size(), 0), seamCount_(original.vertexCount(), 0) {
+  findSeams(original, topology, charts);
+  joinCorners(original, topology, result.vertexOfInput);
+  sortCorners(original, result);
 }
 
-void ChartSides::findSeams(const TriangleMesh& input, const Topology& topology, const Charts& charts) {
+void ChartSides::findSeams(const TriangleMesh& original, const Topology& topology, const Charts& charts) {
   const auto differs = [&](uint32_t first, uint32_t second, uint32_t v) {
-    return charts.wedges[cornerAt(input, first, v).flatIndex()] !=
-           charts.wedges[cornerAt(input, second, v).flatIndex()];
+    return charts.wedges[cornerAt(original, first, v).flatIndex()] !=
+           charts.wedges[cornerAt(original, second, v).flatIndex()];
   };
   for (uint32_t e = 0; e < topology.edges.size(); ++e) {
     const Topology::Edge& edge = topology.edges[e];
@@ -33,13 +33,13 @@ void ChartSides::findSeams(const TriangleMesh& input, const Topology& topology, 
   }
 }
 
-void ChartSides::joinCorners(const TriangleMesh& input, const Topology& topology,
+void ChartSides::joinCorners(const TriangleMesh& original, const Topology& topology,
                              const std::vector<uint32_t>& vertexOfInput) {
-  DisjointSets sides(3 * size_t{input.triangleCount()});
-  for (uint32_t t = 0; t < input.triangleCount(); ++t)
+  DisjointSets sides(3 * size_t{original.triangleCount()});
+  for (uint32_t t = 0; t < original.triangleCount(); ++t)
     for (int c = 0; c < 3; ++c) {
       const int next = (c + 1) % 3;
-      const auto& triangle = input.triangles[t];
+      const auto& triangle = original.triangles[t];
       if (vertexOfInput[triangle[c]] == vertexOfInput[triangle[next]])
         sides.unite(Corner(t, c).flatIndex(), Corner(t, next).flatIndex());
     }
@@ -48,16 +48,17 @@ void ChartSides::joinCorners(const TriangleMesh& input, const Topology& topology
     const Topology::Edge& edge = topology.edges[e];
     const auto triangles = topology.trianglesAt(edge);
     for (const uint32_t v : {edge.a, edge.b})
-      sides.unite(cornerAt(input, triangles[0], v).flatIndex(), cornerAt(input, triangles[1], v).flatIndex());
+      sides.unite(cornerAt(original, triangles[0], v).flatIndex(),
+                  cornerAt(original, triangles[1], v).flatIndex());
   }
   side_ = sides.roots();
 }
 
-void ChartSides::sortCorners(const TriangleMesh& input, const MeshAt& result) {
+void ChartSides::sortCorners(const TriangleMesh& original, const MeshAt& result) {
   const auto forEachCorner = [&](const auto& visit) {
-    for (uint32_t t = 0; t < input.triangleCount(); ++t)
+    for (uint32_t t = 0; t < original.triangleCount(); ++t)
       for (uint32_t c = 0; c < 3; ++c)
-        if (const uint32_t v = result.vertexOfInput[input.triangles[t][c]]; v != kNone)
+        if (const uint32_t v = result.vertexOfInput[original.triangles[t][c]]; v != kNone)
           visit(v, Corner(t, c));
   };
   firstCorner_.assign(size_t{result.mesh.vertexCount()} + 1, 0);

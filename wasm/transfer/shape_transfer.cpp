@@ -4,9 +4,9 @@
 
 namespace limber {
 
-std::vector<ClosestPoint> closestPoints(const TriangleMesh& original, const TriangleMesh& other,
+std::vector<ClosestPoint> closestPoints(const TriangleMesh& original, const TriangleMesh& result,
                                         const std::vector<ClosestPoint>& last) {
-  const ClosestPointTree tree(other);
+  const ClosestPointTree tree(result);
   const std::vector<Vec3> normals = vertexNormals(original);
   std::vector<ClosestPoint> points(original.vertexCount());
   parallelFor(points.size(), 256, [&](size_t begin, size_t end) {
@@ -17,7 +17,7 @@ std::vector<ClosestPoint> closestPoints(const TriangleMesh& original, const Tria
   return points;
 }
 
-Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& other,
+Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& result,
                          const std::vector<ClosestPoint>& points) {
   Eigen::MatrixXd carried(3 * static_cast<Eigen::Index>(points.size()), shapes.cols());
   for (size_t v = 0; v < points.size(); ++v)
@@ -26,7 +26,7 @@ Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& othe
       row.setZero();
       for (int c = 0; c < 3; ++c)
         row += points[v].barycentric[c] *
-               shapes.row(3 * static_cast<Eigen::Index>(other.triangles[points[v].triangle][c]) + axis);
+               shapes.row(3 * static_cast<Eigen::Index>(result.triangles[points[v].triangle][c]) + axis);
     }
   return carried;
 }
