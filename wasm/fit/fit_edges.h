@@ -1,10 +1,11 @@
 #pragma once
 
-#include "fit/modal_fit.h"
+#include "fit/modal_fit_options.h"
 #include "fit/result_mirror.h"
 #include "fit/surface/feature_segments.h"
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
+#include "simplify/history.h"
 
 namespace limber {
 

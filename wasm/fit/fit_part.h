@@ -5,13 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "fit/modal_fit.h"
+#include "fit/modal_fit_options.h"
 #include "fit/result_mirror.h"
 #include "fit/surface/feature_segments.h"
 #include "fit/surface/flat_regions.h"
 #include "mesh/component_frame.h"
 #include "mesh/pinned_vertices.h"
 #include "mesh/triangle_mesh.h"
+#include "simplify/history.h"
 
 namespace limber {
 

@@ -10,8 +10,6 @@ namespace limber {
 
 namespace {
 
-using Block = Eigen::Matrix3d;
-
 void addSegments(const TriangleMesh& mesh, const FeatureSegments& features, Neighbourhoods& around,
                  std::vector<double>& weight) {
   for (const Triangle& segment : features.segments.triangles)
@@ -20,7 +18,7 @@ void addSegments(const TriangleMesh& mesh, const FeatureSegments& features, Neig
       const Vec3 edge = mesh.positions[segment[1]] - mesh.positions[segment[0]];
       const Eigen::Vector3d along = eigen(normalized(edge));
       around.isOnFeature[v] = 1;
-      around.normals[v] += length(edge) * (Block::Identity() - along * along.transpose());
+      around.normals[v] += length(edge) * (Eigen::Matrix3d::Identity() - along * along.transpose());
       around.middle[v] +=
           0.5 * mesh.positions[segment[static_cast<size_t>(1 - end)]] + 0.5 * mesh.positions[v];
       weight[v] += 1;
@@ -46,8 +44,8 @@ void addTriangles(const TriangleMesh& mesh, Neighbourhoods& around, std::vector<
 
 Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const FeatureSegments& features) {
   const uint32_t n = mesh.vertexCount();
-  Neighbourhoods around{std::vector<double>(n, 0), std::vector<Block>(n, Block::Zero()), std::vector<Vec3>(n),
-                        std::vector<uint8_t>(n, 0)};
+  Neighbourhoods around{std::vector<double>(n, 0), std::vector<Eigen::Matrix3d>(n, Eigen::Matrix3d::Zero()),
+                        std::vector<Vec3>(n), std::vector<uint8_t>(n, 0)};
   std::vector<double> weight(n, 0);
   addSegments(mesh, features, around, weight);
   addTriangles(mesh, around, weight);
@@ -57,9 +55,9 @@ Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const FeatureSegments&
 }
 
 Eigen::Matrix3d tangentialFreedom(const Eigen::Matrix3d& normals) {
-  const Eigen::SelfAdjointEigenSolver<Block> solver(normals);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normals);
   const double limit = tuning::surface::kCreaseRatio * solver.eigenvalues()[2];
-  Block freedom = Block::Zero();
+  Eigen::Matrix3d freedom = Eigen::Matrix3d::Zero();
   for (int k = 0; k < 2 && limit > 0; ++k) {
     const double share = std::max(0.0, 1 - std::max(0.0, solver.eigenvalues()[k]) / limit);
     freedom += share * solver.eigenvectors().col(k) * solver.eigenvectors().col(k).transpose();

@@ -53,17 +53,17 @@ class Surface {
   std::optional<ClosestPointTree> tree_;
 };
 
-// Calls visit(triangle) for `first` and all triangles that are connected to it through triangles for which
-// belongs(triangle) holds; marks them in `seen`.
-template <class Belongs, class Visit>
-void flood(uint32_t first, const Topology& topology, std::vector<uint8_t>& seen, const Belongs& belongs,
-           const Visit& visit) {
-  std::vector<uint32_t> waiting{first};
+// The triangles that are connected to `first` through triangles for which belongs(triangle) holds, with
+// `first` itself. Marks them in `seen`.
+template <class Belongs>
+std::vector<uint32_t> connectedTriangles(uint32_t first, const Topology& topology, std::vector<uint8_t>& seen,
+                                         const Belongs& belongs) {
+  std::vector<uint32_t> found, waiting{first};
   seen[first] = 1;
   while (!waiting.empty()) {
     const uint32_t t = waiting.back();
     waiting.pop_back();
-    visit(t);
+    found.push_back(t);
     for (uint32_t c = 0; c < 3; ++c)
       for (const uint32_t next : topology.trianglesAt(topology.edges[topology.edgeOpposite(Corner(t, c))]))
         if (!seen[next] && belongs(next)) {
@@ -71,6 +71,7 @@ void flood(uint32_t first, const Topology& topology, std::vector<uint8_t>& seen,
           waiting.push_back(next);
         }
   }
+  return found;
 }
 
 // Adds the part of a plane's normal that is orthogonal to the columns before it (Gram-Schmidt); columns
@@ -104,9 +105,8 @@ FlatRegions::FlatRegions(const TriangleMesh& original, const TriangleMesh& mesh,
     const auto fan = topology.trianglesAround(v);
     if (seen[fan.front()] || !isInPlane(v, topology, normals, plane)) continue;
     if (!std::ranges::all_of(fan, belongs)) continue;
-    flood(fan.front(), topology, seen, belongs, [&](uint32_t t) {
+    for (const uint32_t t : connectedTriangles(fan.front(), topology, seen, belongs))
       for (const uint32_t corner : mesh.triangles[t]) addAcross(plane, across[corner]);
-    });
   }
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
     if (!across[v].isZero()) vertices_.push_back({3 * static_cast<Eigen::Index>(v), across[v]});
