@@ -5,7 +5,7 @@
 #include <set>
 #include <span>
 
-#include "query/kd_tree.h"
+#include "query/nearest.h"
 #include "simplify/collapse_mesh.h"
 #include "simplify/cost.h"
 #include "simplify/edge_queue.h"

@@ -405,9 +405,6 @@ val jsMeasureQuality(const val& mesh) {
   val out = val::object();
   out.set("minAngle", quality.minAngle);
   out.set("meanMinAngle", quality.meanMinAngle);
-  out.set("minQuality", quality.minQuality);
-  out.set("meanQuality", quality.meanQuality);
-  out.set("angleHistogram", typedArray(quality.angleHistogram));
   return out;
 }
 

@@ -8,6 +8,8 @@
 #include "base/parallel.h"
 #include "linear/element_assembly.h"
 #include "mesh/eigen_vec3.h"
+#include "mesh/sampling.h"
+#include "mesh/vertex_areas.h"
 #include "query/closest_point.h"
 
 namespace limber {
@@ -149,7 +151,7 @@ struct Neighbourhood {
 
 Neighbourhood neighbourhoods(const TriangleMesh& mesh, const BorderEdges& border) {
   const uint32_t n = mesh.vertexCount();
-  Neighbourhood around{std::vector<double>(n, 0), std::vector<Block>(n, Block::Zero()), std::vector<Vec3>(n),
+  Neighbourhood around{vertexAreas(mesh), std::vector<Block>(n, Block::Zero()), std::vector<Vec3>(n),
                        std::vector<uint8_t>(n, 0)};
   std::vector<double> weight(n, 0);
   for (const Triangle& segment : border.segments.triangles)
@@ -168,7 +170,6 @@ Neighbourhood neighbourhoods(const TriangleMesh& mesh, const BorderEdges& border
     const Eigen::Vector3d normal = eigen(normalized(areaNormal(mesh, t)));
     const Vec3 centre = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
     for (uint32_t v : mesh.triangles[t]) {
-      around.area[v] += area / 3;
       if (around.isOnBorder[v]) continue;
       around.normals[v] += area * normal * normal.transpose();
       around.middle[v] += area * centre;
@@ -236,14 +237,10 @@ void sampleTriangle(const TriangleMesh& mesh, uint32_t t, uint32_t cuts,
                     std::vector<FitSamples::OnSurface>& out) {
   const double area = triangleArea(mesh, t);
   if (!(area > 0)) return;
-  const Vec3 normal = normalized(areaNormal(mesh, t)), a = mesh.corner(t, 0);
-  const Vec3 u = (mesh.corner(t, 1) - a) / cuts, v = (mesh.corner(t, 2) - a) / cuts;
+  const Vec3 normal = normalized(areaNormal(mesh, t));
   const double share = area / (cuts * cuts);
-  for (uint32_t i = 0; i < cuts; ++i)
-    for (uint32_t j = 0; i + j < cuts; ++j) {
-      out.push_back({a + u * (i + 1 / 3.0) + v * (j + 1 / 3.0), normal, share});
-      if (i + j + 1 < cuts) out.push_back({a + u * (i + 2 / 3.0) + v * (j + 2 / 3.0), normal, share});
-    }
+  forEachPartCentre(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), static_cast<int>(cuts),
+                    [&](const Vec3& p) { out.push_back({p, normal, share}); });
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "mesh/quality.h"
+
 namespace limber {
 namespace {
 
@@ -17,20 +19,6 @@ constexpr double kMostSliverPrice = 3;  // costs that may fall far come late: se
 // How far from the middle of an edge its target may lie, in lengths of the edge.
 constexpr double kReach = 2;
 constexpr size_t kPlacedTogether = 16;
-
-// Eq. 9: 4 sqrt(3) A / (l1^2 + l2^2 + l3^2), 1 for an equilateral triangle, 0 for one without area.
-double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
-  const double squares = squaredLength(q - p) + squaredLength(r - q) + squaredLength(p - r);
-  return squares > 0 ? 2 * std::numbers::sqrt3 * length(cross(q - p, r - p)) / squares : 0;
-}
-
-// The squared qualities of two triangles (p, q, r), side by side.
-RealPair squaredQuality(const Point<RealPair>& p, const Point<RealPair>& q, const Point<RealPair>& r) {
-  const Point<RealPair> u = q - p, v = r - p, w = r - q, n = cross(u, v);
-  const RealPair squares = dot(u, u) + dot(v, v) + dot(w, w);
-  const RealPair quality = 12 * dot(n, n) / (squares * squares);
-  return squares > 0 ? quality : RealPair{};
-}
 
 }  // namespace
 
@@ -311,7 +299,7 @@ double CostModel::worstQuality(uint32_t edge, const Vec3& target) const {
   RealPair worst{1, 1};
   const Vec3 *firstQ = nullptr, *firstR = nullptr;  // a triangle that waits for a second one
   const auto take = [&](const Vec3& q, const Vec3& r) {
-    const RealPair quality = squaredQuality(p, asPair(*firstQ, q), asPair(*firstR, r));
+    const RealPair quality = squaredTriangleQuality(p, asPair(*firstQ, q), asPair(*firstR, r));
     worst = quality < worst ? quality : worst;
     firstQ = nullptr;
   };

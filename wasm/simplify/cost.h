@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "query/kd_tree.h"
+#include "query/nearest.h"
 #include "simplify/attribute_quadrics.h"
 #include "simplify/collapse_mesh.h"
 #include "simplify/quadric.h"

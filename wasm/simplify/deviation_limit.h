@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "query/kd_tree.h"
+#include "query/nearest.h"
 #include "simplify/collapse_mesh.h"
 
 namespace limber {

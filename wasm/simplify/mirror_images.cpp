@@ -4,7 +4,7 @@
 
 #include "base/parallel.h"
 #include "mesh/principal_axes.h"
-#include "query/kd_tree.h"
+#include "query/nearest.h"
 #include "simplify/mirror.h"
 #include "simplify/mirror_splits.h"
 

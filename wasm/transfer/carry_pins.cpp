@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "mesh/sampling.h"
 #include "mesh/topology.h"
 #include "query/closest_point.h"
 #include "query/surface_walk.h"
@@ -120,11 +121,7 @@ class HeldVertices {
       ++inside;
       piece = part_.pieceOfVertex[original_.triangles[place.triangle][0]];
     };
-    for (int i = 0; i < kCuts; ++i)
-      for (int j = 0; i + j < kCuts; ++j) {
-        look((i + 1.0 / 3) / kCuts, (j + 1.0 / 3) / kCuts);
-        if (i + j + 1 < kCuts) look((i + 2.0 / 3) / kCuts, (j + 2.0 / 3) / kCuts);
-      }
+    forEachPart(kCuts, [&](double u, double v) { look(u / kCuts, v / kCuts); });
     if (2 * inside <= all) return;
     holdsPiece_[piece] = 1;
     for (const uint32_t v : other_.triangles[t]) isHeld_[v] = 1;
@@ -141,7 +138,7 @@ class HeldVertices {
 
 // Per pinned vertex its point on `other`; kNone as the triangle of those that have none.
 std::vector<SurfacePoint> placesOn(const TriangleMesh& original, std::span<const uint32_t> pinned,
-                                    const TriangleMesh& other, std::span<const SurfacePoint> binding) {
+                                   const TriangleMesh& other, std::span<const SurfacePoint> binding) {
   std::vector<SurfacePoint> places;
   if (!binding.empty()) {
     for (const uint32_t v : pinned) places.push_back(binding[v]);

@@ -322,11 +322,6 @@ export interface Quality {
   /** degrees */
   minAngle: number;
   meanMinAngle: number;
-  /** Eq. 9 */
-  minQuality: number;
-  meanQuality: number;
-  /** triangles by smallest angle, 12 bins of 5 degrees */
-  angleHistogram: Uint32Array;
 }
 
 /** In units of the mesh. */
