@@ -79,7 +79,7 @@ void DeviationLimit::collectChanged(const Collapse& step) {
 }
 
 // Notes a changed triangle that is near to a sample; false where it lies too far off.
-bool DeviationLimit::placeSample(uint32_t sample, const Vec3& target) {
+bool DeviationLimit::reassignSample(uint32_t sample, const Vec3& target) {
   double least = squaredLimit_;
   uint32_t triangle = kNone;
   for (const Changed& changed : changed_) {
@@ -108,7 +108,7 @@ bool DeviationLimit::allows(const Collapse& step) {
   if (!isNearInput(step.target, guess)) return false;
   for (const uint32_t triangle : emptied_)
     for (uint32_t sample = first_[triangle]; sample != kNone; sample = next_[sample])
-      if (!placeSample(sample, step.target)) return false;
+      if (!reassignSample(sample, step.target)) return false;
   return std::ranges::all_of(changed_,
                              [&](const Changed& changed) { return isNearInput(changed, step.target); });
 }

@@ -219,9 +219,9 @@ export interface MirrorImages {
    */
   corners: Uint32Array;
   /** without an image */
-  strayVertices: number;
+  asymmetricVertices: number;
   /** without an image, as the mesh stands, though their vertices have theirs */
-  strayTriangles: number;
+  asymmetricTriangles: number;
 }
 
 /** In the order of `enum class Verdict` in wasm/simplify/legality.h. */
