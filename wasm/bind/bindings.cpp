@@ -184,23 +184,15 @@ val jsFindMirrorImages(const val& mesh, const val& charts, int axis) {
   val out = val::object();
   out.set("partners", typedArray(images.partners));
   out.set("corners", typedArray(images.corners));
-  out.set("strayVertices", images.strayVertices);
-  out.set("strayTriangles", images.strayTriangles);
+  out.set("asymmetricVertices", images.asymmetricVertices);
+  out.set("asymmetricTriangles", images.asymmetricTriangles);
   return out;
 }
 
 // ---- simplification ----
 
 // In the order of the enums.
-const std::vector<std::string> methodNames = {"qem", "paper", "limber"};
 const std::vector<std::string> stopNames = {"target", "deviation", "angle", "exhausted"};
-
-Method methodOf(const std::string& name) {
-  const auto found = std::find(methodNames.begin(), methodNames.end(), name);
-  if (found == methodNames.end())
-    throw std::invalid_argument("There is no method \"" + name + "\": take qem, paper or limber.");
-  return static_cast<Method>(found - methodNames.begin());
-}
 
 template <typename T>
 std::vector<T> optionalVector(const val& array) {
@@ -220,7 +212,7 @@ struct Request {
 
   Request(const val& jsMeshIn, const val& jsStrain, const val& jsCurvature, const val& in)
       : mesh(meshOf(jsMeshIn)), strain(vectorOf<float>(jsStrain)), curvature(vectorOf<float>(jsCurvature)) {
-    options.method = methodOf(in["method"].as<std::string>());
+    options.method = methodNamed(in["method"].as<std::string>());
     options.strainWeight = in["strainWeight"].as<double>();
     options.curvatureWeight = in["curvatureWeight"].as<double>();
     options.qualityWeight = in["qualityWeight"].as<double>();
@@ -315,8 +307,8 @@ val jsMeshAt(const val& mesh, const val& history, uint32_t faces) {
 val jsWhyKept(const val& mesh, const val& strain, const val& curvature, const val& in, const val& history,
               uint32_t faces) {
   const Request request(mesh, strain, curvature, in);
-  const auto all =
-      whyKept(request.mesh, request.guidance(), request.options, historyOf(history), faces, theJob);
+  const History made = historyOf(history);
+  const auto all = whyKept({request.mesh, request.guidance(), request.options, made}, faces, theJob);
   const std::pair<const char*, double CostTerms::*> terms[] = {
       {"error", &CostTerms::error},         {"size", &CostTerms::size},       {"strain", &CostTerms::strain},
       {"curvature", &CostTerms::curvature}, {"quality", &CostTerms::quality}, {"keep", &CostTerms::keep}};
@@ -404,9 +396,6 @@ val jsMeasureQuality(const val& mesh) {
   val out = val::object();
   out.set("minAngle", quality.minAngle);
   out.set("meanMinAngle", quality.meanMinAngle);
-  out.set("minQuality", quality.minQuality);
-  out.set("meanQuality", quality.meanQuality);
-  out.set("angleHistogram", typedArray(quality.angleHistogram));
   return out;
 }
 

@@ -102,7 +102,7 @@ struct StrainSlopes {
 
 // A number and its first derivative, or the other two.
 RealPair part(const Number& x, size_t half) {
-  return half == 0 ? RealPair{x.value, x.slope[0]} : RealPair{x.slope[1], x.slope[2]};
+  return half == 0 ? RealPair{x.value, x.derivative[0]} : RealPair{x.derivative[1], x.derivative[2]};
 }
 
 // What the shape makes of displacements and rotations at a corner.
@@ -196,7 +196,7 @@ std::array<double, 9> slopesOf(const Element& element, const StrainSlopes& i, co
   std::array<double, kParameters> slope;
   for (size_t k = 0; k < kParameters; ++k) {
     slope[k] = element.area.value * energy[(k + 1) / 2][(k + 1) % 2];
-    if (k < kShape) slope[k] += element.area.slope[k] * density;
+    if (k < kShape) slope[k] += element.area.derivative[k] * density;
   }
   return byCorners(element, slope);
 }

@@ -35,10 +35,7 @@ std::vector<Shell> measureShells(const TriangleMesh& mesh, const Topology& topol
       shell.vertex = v;
       shell.box = {p, p};
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      shell.box.low[axis] = std::min(shell.box.low[axis], p[axis]);
-      shell.box.high[axis] = std::max(shell.box.high[axis], p[axis]);
-    }
+    shell.box.include(p);
   }
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     Shell& shell = shells[topology.componentOfVertex[mesh.triangles[t][0]]];

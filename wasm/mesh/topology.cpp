@@ -53,9 +53,9 @@ void sortUses(EdgeUse* begin, EdgeUse* end) {
   if (end - begin > 32) return std::sort(begin, end);
   for (EdgeUse* next = begin; next != end; ++next) {
     const EdgeUse use = *next;
-    EdgeUse* place = next;
-    for (; place != begin && use < place[-1]; --place) *place = place[-1];
-    *place = use;
+    EdgeUse* slot = next;
+    for (; slot != begin && use < slot[-1]; --slot) *slot = slot[-1];
+    *slot = use;
   }
 }
 

@@ -144,15 +144,15 @@ class CollapseMesh {
     bool isMarked = false;
   };
 
-  void collectVertices(const TriangleMesh& mesh, const Topology& topology, const FeatureEdges& lines);
+  void collectVertices(const TriangleMesh& mesh, const Topology& topology, const FeatureEdges& features);
   void collectQuadrics();
   bool isOn(const Face& face, uint32_t edge) const;
-  void bequeath(uint32_t dying, uint32_t heir);
+  void mergeEdges(uint32_t dying, uint32_t heir);
   void removeFromStar(uint32_t v, uint32_t triangle);
   void joinSectors(Corner removed, Corner kept);
   template <class Visit>
   size_t divideStar(uint32_t v, size_t count, std::array<Corner, 3>& vanishing, const Visit& visit);
-  void takeOver(Corner corner, const Collapse& step);
+  void transferCorner(Corner corner, const Collapse& step);
   uint32_t capacityOf(const Star& star) const { return pool_[star.begin - 1].code(); }
   void storeStar(const Collapse& step);
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "mesh/sampling.h"
 #include "mesh/topology.h"
 #include "query/closest_point.h"
 #include "query/surface_walk.h"
@@ -135,11 +136,7 @@ class RegionPins {
       ++inside;
       component = region_.componentOfVertex[original_.triangles[triangle][0]];
     };
-    for (int i = 0; i < kCuts; ++i)
-      for (int j = 0; i + j < kCuts; ++j) {
-        sample((i + 1.0 / 3) / kCuts, (j + 1.0 / 3) / kCuts);
-        if (i + j + 1 < kCuts) sample((i + 2.0 / 3) / kCuts, (j + 2.0 / 3) / kCuts);
-      }
+    forEachPart(kCuts, [&](double u, double v) { sample(u / kCuts, v / kCuts); });
     if (2 * inside <= all) return;
     isComponentPinned_[component] = 1;
     for (const uint32_t v : result_.triangles[t]) isPinned_[v] = 1;

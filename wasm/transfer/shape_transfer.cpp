@@ -1,6 +1,7 @@
 #include "transfer/shape_transfer.h"
 
 #include "base/parallel.h"
+#include "mesh/vertex_areas.h"
 
 namespace limber {
 
@@ -33,9 +34,9 @@ Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& resu
 
 Eigen::VectorXd rootMasses(const TriangleMesh& mesh) {
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()));
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (uint32_t v : mesh.triangles[t])
-      mass.segment<3>(static_cast<Eigen::Index>(3 * v)).array() += triangleArea(mesh, t) / 3;
+  const std::vector<double> areas = vertexAreas(mesh);
+  for (size_t v = 0; v < areas.size(); ++v)
+    mass.segment<3>(3 * static_cast<Eigen::Index>(v)).setConstant(areas[v]);
   return mass.cwiseSqrt();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "mesh/sampling.h"
 
 namespace limber {
 namespace {
@@ -33,12 +34,7 @@ Weights lattice(int n) {
 // Barycentric coordinates of their centres.
 Weights middles(int n) {
   Weights weights;
-  const auto add = [&](double i, double j) { weights.push_back({i / n, j / n, 1 - (i + j) / n}); };
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; i + j < n; ++j) {
-      add(i + 1.0 / 3, j + 1.0 / 3);
-      if (i + j + 1 < n) add(i + 2.0 / 3, j + 2.0 / 3);
-    }
+  forEachPart(n, [&](double u, double v) { weights.push_back({u / n, v / n, 1 - (u + v) / n}); });
   return weights;
 }
 

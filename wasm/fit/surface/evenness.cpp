@@ -5,6 +5,7 @@
 
 #include "fit/tuning.h"
 #include "mesh/eigen_vec3.h"
+#include "mesh/vertex_areas.h"
 
 namespace limber {
 
@@ -29,9 +30,8 @@ void addTriangles(const TriangleMesh& mesh, Neighbourhoods& around, std::vector<
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const double area = triangleArea(mesh, t);
     const Eigen::Vector3d normal = eigen(normalized(areaNormal(mesh, t)));
-    const Vec3 centre = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
+    const Vec3 centre = triangleCentre(mesh, t);
     for (uint32_t v : mesh.triangles[t]) {
-      around.area[v] += area / 3;
       if (around.isOnFeature[v]) continue;
       around.normals[v] += area * normal * normal.transpose();
       around.middle[v] += area * centre;
@@ -44,7 +44,7 @@ void addTriangles(const TriangleMesh& mesh, Neighbourhoods& around, std::vector<
 
 Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const FeatureSegments& features) {
   const uint32_t n = mesh.vertexCount();
-  Neighbourhoods around{std::vector<double>(n, 0), std::vector<Eigen::Matrix3d>(n, Eigen::Matrix3d::Zero()),
+  Neighbourhoods around{vertexAreas(mesh), std::vector<Eigen::Matrix3d>(n, Eigen::Matrix3d::Zero()),
                         std::vector<Vec3>(n), std::vector<uint8_t>(n, 0)};
   std::vector<double> weight(n, 0);
   addSegments(mesh, features, around, weight);

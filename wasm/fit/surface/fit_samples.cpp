@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/sampling.h"
+
 namespace limber {
 
 namespace {
@@ -12,14 +14,10 @@ void sampleTriangle(const TriangleMesh& mesh, uint32_t t, uint32_t cuts,
                     std::vector<FitSamples::OnSurface>& out) {
   const double area = triangleArea(mesh, t);
   if (!(area > 0)) return;
-  const Vec3 normal = normalized(areaNormal(mesh, t)), a = mesh.corner(t, 0);
-  const Vec3 u = (mesh.corner(t, 1) - a) / cuts, v = (mesh.corner(t, 2) - a) / cuts;
+  const Vec3 normal = normalized(areaNormal(mesh, t));
   const double share = area / (cuts * cuts);
-  for (uint32_t i = 0; i < cuts; ++i)
-    for (uint32_t j = 0; i + j < cuts; ++j) {
-      out.push_back({a + u * (i + 1 / 3.0) + v * (j + 1 / 3.0), normal, share});
-      if (i + j + 1 < cuts) out.push_back({a + u * (i + 2 / 3.0) + v * (j + 2 / 3.0), normal, share});
-    }
+  forEachPartCentre(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), static_cast<int>(cuts),
+                    [&](const Vec3& p) { out.push_back({p, normal, share}); });
 }
 
 }  // namespace

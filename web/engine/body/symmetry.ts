@@ -15,12 +15,12 @@ export function describeLack(
   images: MirrorImages,
 ): string {
   const across = symmetry === 'on' ? '' : ` across ${symmetry}`;
-  const { strayVertices, strayTriangles } = images;
-  const strays =
-    strayVertices > 0
-      ? `${counted(strayVertices, 'vertex', 'vertices')} would have no image`
-      : `its vertices have images, but ${counted(strayTriangles, 'triangle')} would have none`;
-  return `"${body.name}" has no mirror symmetry${across} to keep: ${strays}${symmetry === 'on' ? ' at best' : ''}`;
+  const { asymmetricVertices, asymmetricTriangles } = images;
+  const asymmetry =
+    asymmetricVertices > 0
+      ? `${counted(asymmetricVertices, 'vertex', 'vertices')} would have no image`
+      : `its vertices have images, but ${counted(asymmetricTriangles, 'triangle')} would have none`;
+  return `"${body.name}" has no mirror symmetry${across} to keep: ${asymmetry}${symmetry === 'on' ? ' at best' : ''}`;
 }
 
 /**

@@ -219,9 +219,9 @@ export interface MirrorImages {
    */
   corners: Uint32Array;
   /** without an image */
-  strayVertices: number;
+  asymmetricVertices: number;
   /** without an image, as the mesh stands, though their vertices have theirs */
-  strayTriangles: number;
+  asymmetricTriangles: number;
 }
 
 /** In the order of `enum class Verdict` in wasm/simplify/legality.h. */
@@ -322,11 +322,6 @@ export interface Quality {
   /** degrees */
   minAngle: number;
   meanMinAngle: number;
-  /** Eq. 9 */
-  minQuality: number;
-  meanQuality: number;
-  /** triangles by smallest angle, 12 bins of 5 degrees */
-  angleHistogram: Uint32Array;
 }
 
 /** In units of the mesh. */

@@ -9,11 +9,11 @@ namespace limber {
 
 // Finds equal keys of three words among up to `count` items: an open-addressing hash table whose answers do
 // not depend on the hash.
-class FirstEqual {
+class FirstOccurrence {
  public:
   using Key = std::array<uint32_t, 3>;
 
-  explicit FirstEqual(size_t count) : slots_(std::bit_ceil(2 * count + 2), kEmpty), keys_(count) {}
+  explicit FirstOccurrence(size_t count) : slots_(std::bit_ceil(2 * count + 2), kEmpty), keys_(count) {}
 
   // Files `item` (less than `count`, each once) under `key` and returns the first item that was filed under
   // an equal key; `item` itself if it is the first.

@@ -1,4 +1,4 @@
-#include "simplify/attribute_quadrics.h"
+#include "simplify/cost/attribute_quadrics.h"
 
 #include <algorithm>
 
