@@ -106,7 +106,7 @@ Swing swing(const TriangleMesh& mesh, const Mode& mode, const float* shape, doub
 std::vector<Swing> swingModes(const TriangleMesh& mesh, double thickness, int modeCount, int substeps) {
   Job job;
   const ModeSet set =
-      computeModes(mesh, {Model::Shell, modeCount, thickness, kYoung, kPoisson, kDensity, 1}, job);
+      computeModes(mesh, {ElasticModel::Shell, modeCount, {kYoung, kPoisson, kDensity, thickness, 1}}, job);
   std::vector<Swing> swings;
   for (int k = 0; k < modeCount; ++k)
     swings.push_back(swing(mesh, set.modes[k], set.shapes.data() + size_t(k) * 3 * mesh.vertexCount(),

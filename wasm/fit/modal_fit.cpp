@@ -66,7 +66,8 @@ struct SearchErrors {
 // Moves the vertices of part.result. Nothing where the original has no elastic modes.
 std::optional<SearchErrors> searchModes(FitPart& part, const FitSamples& samples, const SearchLimits& limits,
                                         const FitContext& context) {
-  const ShellMaterial material{context.options.thickness / part.frame.diagonal, context.options.poisson};
+  const ElasticMaterial material =
+      unitMaterial(context.options.thickness / part.frame.diagonal, context.options.poisson);
   ModalTarget target(part.original, part.result,
                      {material, context.options.modeCount, part.pinnedOriginal, part.pinnedResult,
                       part.isLarge, context.options.coarseVertices},

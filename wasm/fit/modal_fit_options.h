@@ -3,10 +3,9 @@
 #include <cstdint>
 #include <span>
 
-#include "fit/tuning.h"
 #include "mesh/charts.h"
 #include "mesh/pinned_vertices.h"
-#include "modes/find_modes.h"
+#include "modes/vertex_limits.h"
 
 namespace limber {
 
@@ -29,11 +28,11 @@ struct ModalFitOptions {
   double minAngle = 0;      // degrees; 0: no limit
   // Components with more vertices than this in the result are large: they are fitted at half and twice the
   // thickness alone, in few rounds, without flips.
-  uint32_t largeVertices = tuning::large::kVertices;
+  uint32_t largeVertices = kLargeResultVertices;
   // Large components with more vertices than this in the original are not fitted: their frequencies are not
   // known as precisely as a fit would need.
   uint32_t mostOriginal = kRefinedVertices;
-  uint32_t coarseVertices = tuning::large::kCoarseVertices;  // see ModalTargetOptions
+  uint32_t coarseVertices = kCoarseVertices;  // see ModalTargetOptions
 };
 
 }  // namespace limber

@@ -156,10 +156,8 @@ inline constexpr int kOriginalSteps = 8;  // of inverse iteration, at most, for 
 inline constexpr uint32_t kSideBySide = 30000;
 }  // namespace target
 
-// Large components, which are fitted in few rounds without flips.
+// Large components, which are fitted in few rounds without flips. Their sizes are in modes/vertex_limits.h.
 namespace large {
-inline constexpr uint32_t kVertices = 20000;       // a result with more vertices is large
-inline constexpr uint32_t kCoarseVertices = 8000;  // of the copy whose modes start the search
 // Bytes that the fit takes for each vertex of the original, as measured.
 inline constexpr uint64_t kBytesPerVertex = 20000;
 }  // namespace large

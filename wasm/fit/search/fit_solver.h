@@ -7,7 +7,7 @@
 
 #include "base/job.h"
 #include "linear/factor_structure.h"
-#include "linear/stiffness_model.h"
+#include "linear/sparse_pencil.h"
 
 namespace limber {
 
@@ -32,9 +32,9 @@ class FitSolver {
 
  private:
   Job& job_;
-  // The sparse factorisation of linear/ is written for vibrations: it factorises K - sigma M of a stiffness
-  // matrix K and a diagonal mass matrix M. Here A is stored as K and D as M, and sigma is -mu.
-  StiffnessModel model_;
+  // The sparse factorisation of linear/ factorises K - sigma M of a pencil (K, M). Here the pencil is (A, D)
+  // and sigma is -mu.
+  SparsePencil pencil_;
   std::vector<uint32_t> lockedUnknowns_;  // ascending
   std::shared_ptr<const FactorStructure> structure_;
 };

@@ -23,7 +23,7 @@ double toleranceOf(const ModalTargetOptions& options) {
 }
 
 // The rotations of edges have no mass, and inverse iteration starts without them.
-ShellVibration withoutEdgeRotations(ShellVibration modes, const TriangleMesh& mesh) {
+ModeBasis withoutEdgeRotations(ModeBasis modes, const TriangleMesh& mesh) {
   modes.phi.conservativeResize(3 * static_cast<Eigen::Index>(mesh.vertexCount()), Eigen::NoChange);
   return modes;
 }
@@ -73,7 +73,7 @@ void ModalTarget::prepare(const TriangleMesh& result, Job& job) {
   parallelFor(1 + wanted.size(), 1, [&](size_t item, size_t) {
     if (item == 0) return void(original());
     const size_t k = wanted[item - 1];
-    last_[k] = shell_.solve(result, thicknessOf(k), modesAt(k) + constants::kMargin, job);
+    last_[k] = shell_.solve(result, resultRequest(k), job);
     if (isSmall) findReference(result, original(), k, job);
   });
   if (!isSmall)
@@ -94,64 +94,69 @@ double ModalTarget::thicknessOf(size_t thickness) const {
   return constants::kThickness[thickness] * options_.material.thickness;
 }
 
+VibrationRequest ModalTarget::resultRequest(size_t thickness) const {
+  return {thicknessOf(thickness), modesAt(thickness) + constants::kMargin};
+}
+
+VibrationRequest ModalTarget::originalRequest(size_t thickness) const {
+  return {thicknessOf(thickness), modesAt(thickness)};
+}
+
 VibrationOptions ModalTarget::originalOptions() const {
   return {options_.material.poisson, toleranceOf(options_), constants::kOriginalSteps,
           options_.pinnedOriginal};
 }
 
 // By way of a decimated copy.
-ShellVibration ModalTarget::startCoarsely(const TriangleMesh& result, size_t thickness, Job& job) const {
-  const int modeCount = modesAt(thickness) + constants::kMargin;
-  const ShellVibration start =
-      coarseVibration(result, {thicknessOf(thickness), options_.material.poisson},
-                      {modeCount, options_.pinnedResult, options_.coarseVertices}, job);
-  return withoutEdgeRotations(shell_.follow(result, start, modeCount, job), result);
+ModeBasis ModalTarget::startCoarsely(const TriangleMesh& result, size_t thickness, Job& job) const {
+  const VibrationRequest request = resultRequest(thickness);
+  const ModeBasis start = coarseVibration(
+      result, {request, options_.material.poisson, options_.pinnedResult, options_.coarseVertices}, job);
+  return withoutEdgeRotations(shell_.follow(result, start, request, job), result);
 }
 
 // Refines the modes of the result on the original.
 void ModalTarget::findReference(const TriangleMesh& result, const OriginalModes& original, size_t thickness,
                                 Job& job) {
-  const ShellVibration& start = last_[thickness];
-  ShellVibration& reference = reference_[thickness];
-  reference = original.canRefine()
-                  ? original.refine({start.thickness, start.lambda, carriedToOriginal(result, start)},
-                                    modesAt(thickness), job)
-                  : original.findCoarsely(thicknessOf(thickness), modesAt(thickness), job);
+  const ModeBasis& start = last_[thickness];
+  ModeBasis& reference = reference_[thickness];
+  reference = original.canRefine() ? original.refine({start.lambda, carriedToOriginal(result, start)},
+                                                     originalRequest(thickness), job)
+                                   : original.findCoarsely(originalRequest(thickness), job);
   const Eigen::Index count = std::min<Eigen::Index>(reference.lambda.size(), modesAt(thickness));
   reference.lambda.conservativeResize(count);
   reference.phi = massNormalised(reference.phi.topLeftCorner(rootMass_.size(), count), rootMass_);
 }
 
 // Shapes of the result at the vertices of the original.
-Eigen::MatrixXd ModalTarget::carriedToOriginal(const TriangleMesh& result,
-                                               const ShellVibration& modes) const {
+Eigen::MatrixXd ModalTarget::carriedToOriginal(const TriangleMesh& result, const ModeBasis& modes) const {
   return transfer(modes.phi.topRows(3 * static_cast<Eigen::Index>(result.vertexCount())), result, binding_);
 }
 
 // Brings last_ up to date with the positions of the result. It is where these are the constructor's and the
 // rotations of edges are still there.
 void ModalTarget::vibrate(const TriangleMesh& result, size_t thickness, Job& job) {
-  ShellVibration& modes = last_[thickness];
+  ModeBasis& modes = last_[thickness];
   const bool isWhole = modes.phi.rows() == shell_.unknownCount();
   if (isWhole && result.positions == solvedAt_) return;
-  const int modeCount = modesAt(thickness) + constants::kMargin;
-  modes = modes.lambda.size() > 0 ? shell_.follow(result, modes, modeCount, job)
-                                  : shell_.solve(result, thicknessOf(thickness), modeCount, job);
+  const VibrationRequest request = resultRequest(thickness);
+  modes = modes.lambda.size() > 0 ? shell_.follow(result, modes, request, job)
+                                  : shell_.solve(result, request, job);
 }
 
 Mismatch ModalTarget::compare(const TriangleMesh& result, size_t thickness, Job& job) {
   vibrate(result, thickness, job);
-  ShellVibration& modes = last_[thickness];
-  const ShellVibration& reference = reference_[thickness];
+  ModeBasis& modes = last_[thickness];
+  const ModeBasis& reference = reference_[thickness];
   const Eigen::MatrixXd carried = massNormalised(carriedToOriginal(result, modes), rootMass_);
   const AlignedModes aligned = alignModes(modes.lambda, product(carried.transpose(), reference.phi),
                                           reference.lambda, constants::kWeight[thickness]);
   Mismatch mismatch;
   const double coupling = options_.isLarge ? 0 : constants::kCoupling[thickness];
   const auto [pairs, scale] = findResiduals(aligned, reference.lambda, coupling, mismatch);
-  const ShellMaterial material{modes.thickness, options_.material.poisson};
+  const ThinShell shell{result, topology_, thicknessOf(thickness), options_.material.poisson};
   mismatch.jacobian =
-      shellSensitivity(result, topology_, material, product(modes.phi, aligned.rotation), pairs, job) *
+      shellSensitivity(shell, product(modes.phi, aligned.rotation), pairs, job) *
       Eigen::Map<const Eigen::VectorXd>(scale.data(), static_cast<Eigen::Index>(scale.size())).asDiagonal();
   modes = withoutEdgeRotations(std::move(modes), result);
   return mismatch;

@@ -7,26 +7,27 @@
 #include <vector>
 
 #include "base/job.h"
-#include "elastic/shell_sensitivity.h"
+#include "elastic/material.h"
 #include "elastic/shell_vibration.h"
 #include "fit/target/mismatch.h"
 #include "fit/target/mode_alignment.h"
 #include "fit/target/original_modes.h"
 #include "fit/tuning.h"
+#include "modes/vertex_limits.h"
 #include "query/closest_point.h"
 
 namespace limber {
 
 struct ModalTargetOptions {
-  ShellMaterial material;  // the thickness is the middle one
-  int modeCount = 20;      // at the middle thickness
+  ElasticMaterial material;  // a unitMaterial, whose thickness is the middle one
+  int modeCount = 20;        // at the middle thickness
   // Vertices that are pinned, of the original and of the result. What they refer to must outlive the target.
   std::span<const uint32_t> pinnedOriginal = {}, pinnedResult = {};
   // A large result is compared at half and twice the thickness alone, without the residuals off the diagonal.
   // Its eigenvalues are found to a tenth of the usual tolerance, because there is less to correct, and its
   // first modes come from a decimated copy with `coarseVertices` vertices.
   bool isLarge = false;
-  uint32_t coarseVertices = tuning::large::kCoarseVertices;
+  uint32_t coarseVertices = kCoarseVertices;
 };
 
 // What the fit aims at: the shell modes of the original at half, once and twice the thickness. Frequencies of
@@ -52,7 +53,7 @@ class ModalTarget {
   Mismatch compare(const TriangleMesh& result, size_t thickness, Job& job);
 
   // The modes of the result at each thickness that the last calls have found, and a way back to such modes.
-  using Modes = std::array<ShellVibration, tuning::target::kThicknesses>;
+  using Modes = std::array<ModeBasis, tuning::target::kThicknesses>;
   const Modes& lastModes() const { return last_; }
   void startFrom(const Modes& modes) { last_ = modes; }
 
@@ -62,14 +63,17 @@ class ModalTarget {
  private:
   // The number of modes that are fitted at a thickness.
   int modesAt(size_t thickness) const;
+  // What is asked of the shell of the result, and of that of the original.
+  VibrationRequest resultRequest(size_t thickness) const;
+  VibrationRequest originalRequest(size_t thickness) const;
   double thicknessOf(size_t thickness) const;
   VibrationOptions originalOptions() const;
   void prepare(const TriangleMesh& result, Job& job);
   void prepareLarge(const TriangleMesh& result, Job& job);
-  ShellVibration startCoarsely(const TriangleMesh& result, size_t thickness, Job& job) const;
+  ModeBasis startCoarsely(const TriangleMesh& result, size_t thickness, Job& job) const;
   void findReference(const TriangleMesh& result, const OriginalModes& original, size_t thickness, Job& job);
   void vibrate(const TriangleMesh& result, size_t thickness, Job& job);
-  Eigen::MatrixXd carriedToOriginal(const TriangleMesh& result, const ShellVibration& modes) const;
+  Eigen::MatrixXd carriedToOriginal(const TriangleMesh& result, const ModeBasis& modes) const;
 
   const TriangleMesh& original_;
   ModalTargetOptions options_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 
 #include "base/job.h"
@@ -20,9 +19,9 @@ class OriginalModes {
   // Whether the original is small enough (kRefinedVertices) for modes to be refined on the mesh itself.
   bool canRefine() const { return shell_.has_value(); }
   // By inverse iteration from approximate modes, such as those of the result. Needs canRefine.
-  ShellVibration refine(const ShellVibration& start, int modeCount, Job& job) const;
+  ModeBasis refine(const ModeBasis& start, const VibrationRequest& request, Job& job) const;
   // By way of a decimated copy: see findModes.
-  ShellVibration findCoarsely(double thickness, int modeCount, Job& job) const;
+  ModeBasis findCoarsely(const VibrationRequest& request, Job& job) const;
 
  private:
   const TriangleMesh& original_;
