@@ -8,7 +8,7 @@ import { exportAll } from '../../web/app/worker/exporting';
 import { parseArguments } from '../../web/cli/arguments';
 import type { Arguments } from '../../web/cli/arguments';
 import { runOptimize } from '../../web/cli/optimize';
-import { withPaint } from '../../web/engine/body/paint';
+import { withPaint } from '../../web/engine/settings/paint_text';
 import type { Core } from '../../web/engine/core/core';
 import { vertexCount } from '../../web/engine/core/mesh';
 import { openModel } from '../../web/engine/document/open';

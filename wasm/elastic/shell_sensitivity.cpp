@@ -87,7 +87,7 @@ ElementMode modeOf(const ThinShell& shell, uint32_t t, const Element& element,
         element.axes.transpose() * phi.segment<3>(3 * static_cast<Eigen::Index>(triangle[v]));
     mode.displacement[v] = {own[0], own[1], own[2]};
     const double sign = triangle[(v + 1) % 3] < triangle[(v + 2) % 3] ? 1 : -1;
-    mode.edgeRotation[v] = sign * phi[3 * mesh.vertexCount() + topology.edgeOfCorner[3 * size_t{t} + v]];
+    mode.edgeRotation[v] = sign * phi[3 * mesh.vertexCount() + topology.edgeOpposite(Corner(t, v))];
   }
   return mode;
 }

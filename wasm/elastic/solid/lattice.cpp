@@ -58,8 +58,8 @@ class Builder {
     LatticePieces pieces(lattice_.grid, fragments_, families_);
     joinWithinCells(pieces);
     const uint32_t copyCount = pieces.copyCount();
-    corners_.reset(8 * size_t{copyCount});
-    connected_.reset(copyCount);
+    corners_ = DisjointSets(8 * size_t{copyCount});
+    connected_ = DisjointSets(copyCount);
     lattice_.filled.resize(copyCount);
     lattice_.ends.resize(copyCount);
     stretchCount_.assign(copyCount, 0);
@@ -103,9 +103,9 @@ class Builder {
 
   // Lets `copy` share four nodes with `next`, its neighbour in the positive direction of the axis.
   void joinCopies(uint32_t copy, uint32_t next, int axis) {
-    connected_.join(copy, next);
+    connected_.unite(copy, next);
     for (uint32_t corner = 0; corner < 8; ++corner)
-      if (corner >> axis & 1) corners_.join(8 * copy + corner, 8 * next + (corner ^ (1u << axis)));
+      if (corner >> axis & 1) corners_.unite(8 * copy + corner, 8 * next + (corner ^ (1u << axis)));
   }
 
   void joinThroughTriangles(const LatticePieces& pieces) {
@@ -176,11 +176,11 @@ class Builder {
   void attachLooseCopies(const LatticePieces& pieces) {
     std::vector<uint64_t> stretches(pieces.copyCount(), 0);
     for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy)
-      stretches[connected_.find(copy)] += stretchCount_[copy];
+      stretches[connected_.rootOf(copy)] += stretchCount_[copy];
     const auto& cells = pieces.cellsOfCopies();
     std::vector<std::pair<uint32_t, uint32_t>> joints;
     for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy) {
-      if (stretches[connected_.find(copy)] > 0) continue;
+      if (stretches[connected_.rootOf(copy)] > 0) continue;
       const auto [first, last] = std::equal_range(cells.begin(), cells.end(), cells[copy]);
       uint32_t fullest = copy;
       for (auto c = static_cast<uint32_t>(first - cells.begin()); c < last - cells.begin(); ++c)
@@ -188,7 +188,7 @@ class Builder {
       if (fullest != copy) joints.push_back({copy, fullest});
     }
     for (const auto& [copy, host] : joints) {
-      for (uint32_t corner = 0; corner < 8; ++corner) corners_.join(8 * copy + corner, 8 * host + corner);
+      for (uint32_t corner = 0; corner < 8; ++corner) corners_.unite(8 * copy + corner, 8 * host + corner);
       lattice_.filled[copy] = {};
     }
   }
@@ -197,7 +197,7 @@ class Builder {
     std::vector<uint32_t>& nodes = lattice_.copyNodes;
     nodes.assign(8 * size_t{copyCount}, kNone);
     for (uint32_t corner = 0; corner < nodes.size(); ++corner) {
-      const uint32_t root = corners_.find(corner);  // the smallest of its set: it was seen before
+      const uint32_t root = corners_.rootOf(corner);  // the smallest of its set: it was seen before
       nodes[corner] = root == corner ? lattice_.nodeCount++ : nodes[root];
     }
   }

@@ -16,7 +16,7 @@ constexpr double kLeast = 0.4,
                  kMost = 1.4;  // bounds on the mass of a node afterwards, relative to its mass before
 
 // The corner of a cell on one side of an axis, with `lateral` as in Lattice::ends.
-uint32_t cornerAt(uint32_t axis, uint32_t lateral, uint32_t side) {
+uint32_t cellCorner(uint32_t axis, uint32_t lateral, uint32_t side) {
   const uint32_t u = (axis + 1) % 3, v = (axis + 2) % 3;
   return side << axis | (lateral & 1) << u | (lateral >> 1) << v;
 }
@@ -80,7 +80,7 @@ std::vector<double> latticeMass(const Lattice& lattice, const Hexahedron& brick)
     for (uint32_t e = 0; e < 12; ++e) {
       const double end = lattice.ends[copy][e];
       const uint32_t axis = e / 4, side = end > 0 ? 1 : 0;
-      const uint32_t outer = lattice.copyNodes[8 * copy + cornerAt(axis, e % 4, side)];
+      const uint32_t outer = lattice.copyNodes[8 * copy + cellCorner(axis, e % 4, side)];
       movable.moveInwards(outer, 2 * axis + 1 - side, step * std::abs(end));
     }
   return movable.take();

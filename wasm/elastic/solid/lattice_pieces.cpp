@@ -47,7 +47,7 @@ void LatticePieces::numberItems(const std::vector<RayFamily>& families) {
     }
   isUsed_.assign(fragmentItem_, 0);
   isUsed_.resize(fragmentItem_ + fragments_.count(), 1);
-  sets_.reset(isUsed_.size());
+  sets_ = DisjointSets(isUsed_.size());
 }
 
 template <typename Visit>
@@ -85,7 +85,7 @@ void LatticePieces::joinAlongRays(const RayFamily& family) {
     uint32_t before = kNone;
     forEachItem(family, stretch, [&](uint32_t item) {
       isUsed_[item] = 1;
-      if (before != kNone) sets_.join(before, item);
+      if (before != kNone) sets_.unite(before, item);
       before = item;
     });
   });
@@ -98,7 +98,7 @@ void LatticePieces::numberCopies() {
   };
   std::vector<Piece> pieces;
   const auto add = [&](uint32_t item, uint32_t cell) {
-    if (isUsed_[item] && sets_.find(item) == item) pieces.push_back({cell, item});
+    if (isUsed_[item] && sets_.rootOf(item) == item) pieces.push_back({cell, item});
   };
   for (uint32_t cell = 0; cell < itemStart_.size(); ++cell) {
     if (itemStart_[cell] == kNone) continue;
@@ -113,7 +113,7 @@ void LatticePieces::numberCopies() {
     cellOfCopy_.push_back(piece.cell);
   }
   for (uint32_t item = 0; item < itemCount; ++item)
-    if (isUsed_[item]) copyOfItem_[item] = copyOfItem_[sets_.find(item)];
+    if (isUsed_[item]) copyOfItem_[item] = copyOfItem_[sets_.rootOf(item)];
 }
 
 uint32_t LatticePieces::copyOf(const RayFamily& family, const Stretch& stretch) const {

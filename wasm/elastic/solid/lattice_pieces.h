@@ -2,33 +2,13 @@
 
 #include <array>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
+#include "base/disjoint_sets.h"
 #include "elastic/solid/lattice_fragments.h"
 #include "elastic/solid/lattice_rays.h"
 
 namespace limber {
-
-// Sets that grow together; each is known by its smallest member.
-class DisjointSets {
- public:
-  void reset(size_t count) {
-    parent_.resize(count);
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  uint32_t find(uint32_t item) {
-    while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
-    return item;
-  }
-  void join(uint32_t a, uint32_t b) {
-    a = find(a), b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<uint32_t> parent_;
-};
 
 // The part of a ray's interval within one cell.
 struct Stretch {
@@ -47,7 +27,7 @@ class LatticePieces {
   LatticePieces(const LatticeGrid& grid, const Fragments& fragments, const std::vector<RayFamily>& families);
 
   // Joins two fragments of the same cell whose triangles touch in that cell.
-  void joinFragments(uint32_t a, uint32_t b) { sets_.join(fragmentItem_ + a, fragmentItem_ + b); }
+  void joinFragments(uint32_t a, uint32_t b) { sets_.unite(fragmentItem_ + a, fragmentItem_ + b); }
   // Joins the fragments of two triangles in all cells through which their common edge from `from` to `to`
   // runs.
   void joinAlongEdge(uint32_t triangleA, uint32_t triangleB, const Vec3& from, const Vec3& to);

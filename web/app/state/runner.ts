@@ -4,7 +4,6 @@ import { batch, effect, signal, untracked } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { faceCount } from '../../engine/core/mesh';
 import { fileDefaults } from '../../engine/settings/options';
-import type { Settings } from '../../engine/settings/options';
 import { targetsByShare } from '../../engine/stages/face_shares';
 import type { FileRequest } from '../../engine/stages/file_request';
 import { STAGES } from '../../engine/stages/stages';
