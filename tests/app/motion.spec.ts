@@ -30,7 +30,7 @@ async function pinsText(page: Page) {
 
 /** A place of the page where the bar is: the middle of the stage. */
 async function middle(page: Page): Promise<{ x: number; y: number }> {
-  const box = (await page.locator('.stage canvas').boundingBox())!;
+  const box = (await page.locator('.viewport canvas').boundingBox())!;
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 

@@ -28,7 +28,7 @@ async function openSheet(page: Page): Promise<void> {
 
 /** A stroke over the middle of the original, which is the left one of two. */
 async function stroke(page: Page, height = 30): Promise<void> {
-  const box = (await page.locator('.stage canvas').boundingBox())!;
+  const box = (await page.locator('.viewport canvas').boundingBox())!;
   const [x, y] = [box.x + box.width / 4, box.y + box.height / 2];
   await page.mouse.move(x, y - height);
   await page.mouse.down();
@@ -169,7 +169,7 @@ test('a vertex tells why it is kept, by pointer and by its number', async ({ pag
   await expect(card.locator('li').first()).toContainText('%');
   await page.keyboard.press('Escape');
   await expect(card).toHaveCount(0);
-  const box = (await page.locator('.stage canvas').boundingBox())!;
+  const box = (await page.locator('.viewport canvas').boundingBox())!;
   // Rows closer than the pointer's reach, so that it comes by every vertex in the middle of the picture.
   const sweep = async () => {
     for (let y = -80; y <= 80; y += 20)

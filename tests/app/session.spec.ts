@@ -16,7 +16,7 @@ test('a reload brings back the file, the settings, the paint and the slider', as
   await page.getByLabel('Even triangles, exact').fill('0.3');
   await keepFaces(page, 200);
   await brush(page, 'Keep').click();
-  const box = (await page.locator('.stage canvas').boundingBox())!;
+  const box = (await page.locator('.viewport canvas').boundingBox())!;
   await page.mouse.click(box.x + box.width / 4, box.y + box.height / 2);
   const kept = await page.getByText(/^\d+ kept$/).innerText();
   await page.reload();

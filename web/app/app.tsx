@@ -1,7 +1,7 @@
 /** The page: what stands where. */
 
 import { signal } from '@preact/signals';
-import { openDropped } from './files';
+import { openDropped } from './files/files';
 import { Empty } from './panels/model/drop_zone';
 import { ExportPanel } from './panels/export/export_panel';
 import { Gallery } from './panels/motion/gallery';
@@ -11,9 +11,9 @@ import { MotionPanel } from './panels/motion/motion_panel';
 import { Notices } from './panels/notices';
 import { Readouts } from './panels/readouts';
 import { ReducePanel, Scrubber } from './panels/reduce/reduce_panel';
-import { StageView } from './panels/stage_view';
-import { TestBench } from './panels/simulate/simulate_bench';
-import { TestPanel } from './panels/simulate/simulate_panel';
+import { ViewportView } from './panels/viewport/viewport_view';
+import { SimulateTransport } from './panels/simulate/simulate_transport';
+import { SimulatePanel } from './panels/simulate/simulate_panel';
 import { TopBar } from './panels/top_bar';
 import { results, view, wants } from './state/store';
 
@@ -41,7 +41,7 @@ export function App() {
         <ModelFacts />
       </aside>
       <main>
-        <StageView />
+        <ViewportView />
         {!results.file.value && <Empty />}
         <Notices />
       </main>
@@ -63,13 +63,13 @@ function Right() {
       {view.step.value === 'model' && <ReadingPanel />}
       {view.step.value === 'motion' && <MotionPanel />}
       {view.step.value === 'reduce' && <ReducePanel />}
-      {view.step.value === 'test' && <TestPanel />}
+      {view.step.value === 'test' && <SimulatePanel />}
     </aside>
   );
 }
 
 function Bottom() {
   if (view.step.value === 'motion') return <Gallery />;
-  if (view.step.value === 'test') return <TestBench />;
+  if (view.step.value === 'test') return <SimulateTransport />;
   return view.step.value === 'reduce' ? <Scrubber /> : null;
 }

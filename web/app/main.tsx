@@ -7,7 +7,7 @@ import { App } from './app';
 import { begin } from './startup';
 import { listenToKeys } from './shortcuts';
 import { loadSamples } from './panels/model/samples';
-import { isDark } from './scheme';
+import { isDark } from './state/scheme';
 import { startRunner } from './state/runner';
 import { startSimulations } from './state/simulation';
 import './style.css';

@@ -1,7 +1,7 @@
 /** What the keys do, away from text fields. */
 
-import { pickFiles } from './files';
-import { stageHandle } from './panels/stage_view';
+import { pickFiles } from './files/files';
+import { viewportHandle } from './panels/viewport/viewport_view';
 import { cancelRunning } from './state/runner';
 import { reset, stepOnce, twin } from './state/simulation';
 import { redo, undo } from './state/undo';
@@ -11,7 +11,7 @@ import { BRUSH_RADIUS } from './panels/reduce/brush_section';
 
 const PLAIN: Record<string, () => void> = {
   ' ': () => (view.playing.value = !view.playing.value),
-  f: () => stageHandle.current?.fit(),
+  f: () => viewportHandle.current?.fit(),
   w: () => (view.wire.value = !view.wire.value),
   '1': () => (view.field.value = 'none'),
   '2': () => (view.field.value = 'strain'),
@@ -23,7 +23,7 @@ const PLAIN: Record<string, () => void> = {
   arrowright: () => stepFaces(1),
   escape: () => {
     if (isPicking.value) view.picking.value = false;
-    else if (view.probe.value) view.probe.value = null;
+    else if (view.hover.value) view.hover.value = null;
     else if (isBrushing.value) view.brush.value = { ...view.brush.value, tool: null };
     else cancelRunning();
   },

@@ -35,13 +35,13 @@ function readHash(): Wanted | null {
     return readLink(hash);
   } catch (error) {
     const why = error instanceof Error ? error.message : String(error);
-    tellOnceShown(`The link does not hold. ${why.replace(/^--/, 'Its ')}`);
+    showErrorAfterOpening(`The link does not hold. ${why.replace(/^--/, 'Its ')}`);
     return null;
   }
 }
 
 /** Opening the first file takes earlier notices away. */
-function tellOnceShown(text: string): void {
+function showErrorAfterOpening(text: string): void {
   const stop = results.opened.subscribe((opened) => {
     if (opened === 0) return;
     queueMicrotask(() => {

@@ -1,15 +1,15 @@
-/** The numbers under the stage. */
+/** The numbers under the viewport. */
 
 import { isFitted } from '../../engine/settings/options';
 import { results, shownFit, shownMesh, view, wants } from '../state/store';
-import { count, fixed } from './controls';
-import { Readout } from './readout';
-import { TestReadouts } from './simulate/simulate_readouts';
+import { count, fixed } from '../controls/numbers';
+import { Readout } from '../controls/readout';
+import { SimulateReadouts } from './simulate/simulate_readouts';
 
 export function Readouts() {
   const body = results.body.value;
   if (!body) return null;
-  if (view.step.value === 'test') return <TestReadouts />;
+  if (view.step.value === 'test') return <SimulateReadouts />;
   const total = body.mesh.triangles.length / 3;
   const mesh = shownMesh.value;
   if (view.step.value !== 'reduce' || !mesh) return <OriginalReadouts />;

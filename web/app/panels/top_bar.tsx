@@ -3,9 +3,9 @@
 import { useState } from 'preact/hooks';
 import { results, status, view, wants } from '../state/store';
 import type { Step, Theme } from '../state/store';
-import { pickFiles } from '../files';
+import { pickFiles } from '../files/files';
 import { canRedo, canUndo, redo, undo } from '../state/undo';
-import { count } from './controls';
+import { count } from '../controls/numbers';
 import { Samples, samples } from './model/samples';
 import { writeLink } from '../state/link';
 

@@ -3,7 +3,7 @@
 import { computed } from '@preact/signals';
 import { painted, parsePaint, unweldLevels, weldLevels, withPaint } from '../../engine/body/paint';
 import type { Levels } from '../../engine/body/paint';
-import type { Stroke } from '../viewer/pick_tool';
+import type { Stroke } from '../stroke';
 import { changeSettings, results, view, wants } from './store';
 
 /** Levels per vertex of the shown body; null where it is bare. */

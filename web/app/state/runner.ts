@@ -123,7 +123,7 @@ const stages: Stage[] = [
   {
     what: 'Asking why vertices stay',
     key: () =>
-      view.step.value === 'reduce' && view.probe.value !== null && results.metrics.value !== null
+      view.step.value === 'reduce' && view.hover.value !== null && results.metrics.value !== null
         ? afterHistory(whyKey)()
         : null,
     run: () =>

@@ -48,7 +48,7 @@ const LONG_STEP = 0.3;
 /** Steps that the curve remembers: a minute. */
 const MOST_SAMPLES = 3600;
 
-export const heldNow = computed<Held>(() => {
+export const pinSource = computed<Held>(() => {
   const hasPins = wants.settings.value.pins !== '';
   const { value: held } = twin.held;
   if (held === null) return hasPins ? 'pins' : 'scenario';
@@ -64,7 +64,7 @@ const key = computed<string | null>(() => {
   const settings = wants.settings.value;
   if (view.step.value !== 'test' || isPending() || !shownMesh.value || !results.body.value) return null;
   const values = simulationKeys.map((name) => settings[name]);
-  const pins = heldNow.value === 'pins' ? pinsKey(settings) : heldNow.value;
+  const pins = pinSource.value === 'pins' ? pinsKey(settings) : pinSource.value;
   return [meshKey(), pins, ...values, twin.alwaysNoise.value].join(' ');
 });
 
@@ -128,8 +128,8 @@ function forget(): void {
 
 function pinned(): Uint32Array | null {
   const { value: body } = results.body;
-  if (!body || heldNow.value === 'scenario') return null;
-  return heldNow.value === 'corners' ? topCorners(body.mesh) : (results.pins.value?.vertices ?? null);
+  if (!body || pinSource.value === 'scenario') return null;
+  return pinSource.value === 'corners' ? topCorners(body.mesh) : (results.pins.value?.vertices ?? null);
 }
 
 async function start(result: MeshAt): Promise<void> {
@@ -183,7 +183,7 @@ export function dragTo(target: [number, number, number]): void {
   void remote?.drag(target);
 }
 
-export function letGo(): void {
+export function releaseDrag(): void {
   void remote?.release();
 }
 

@@ -1,4 +1,4 @@
-/** Moving pictures of modes: one shared renderer draws them in turn, each is copied to its own small canvas. */
+/** Animated pictures of modes: one shared renderer draws them in turn and copies each to its own small canvas. */
 
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
@@ -8,7 +8,7 @@ import { surfaceMaterial } from './surface_material';
 import { isLarge } from './twin_surface';
 
 export const THUMBNAIL = { width: 148, height: 104 };
-/** Larger meshes stand still, so that the gallery never slows the page. */
+/** Larger meshes stand still, so that the gallery never slows down the page. */
 const MOST_MOVING_FACES = 40000;
 const FRAME_MILLISECONDS = 50;
 
@@ -40,7 +40,7 @@ export class Thumbnails {
     this.renderer.setAnimationLoop((time) => this.frame(time));
   }
 
-  /** Shows one shape per canvas, in units of the mesh at full swing. */
+  /** Shows one shape per canvas: `shapes[k][3 v + c]`, the largest displacement 1. */
   show(mesh: TriangleMesh, shapes: Float32Array[], canvases: HTMLCanvasElement[]): void {
     this.body.geometry.dispose();
     const { geometry } = bodyGeometry(mesh);
@@ -63,7 +63,7 @@ export class Thumbnails {
     this.draw(0);
   }
 
-  /** Lets them swing, or stand still at full swing. */
+  /** Lets the pictures swing, or stand still at full swing. */
   move(moving: boolean): void {
     this.moving = moving;
     this.draw(this.lastDrawn);

@@ -7,11 +7,12 @@ import { OPTIONS } from '../../../engine/settings/options';
 import { reportAsCsv, reportAsMarkdown } from '../../../engine/report/report_text';
 import { readSetting } from '../../../engine/settings/setting_text';
 import { commandLine } from '../../command_line';
-import { download } from '../../files';
+import { download } from '../../files/files';
 import { bodyTargets, client, exportedKey, exportRequest } from '../../state/runner';
 import { changeSettings, results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
-import { Section, Toggle, count } from '../controls';
+import { Section, Toggle } from '../../controls/controls';
+import { count } from '../../controls/numbers';
 
 /** What is shown and saved: never the files of earlier settings. */
 const currentExport = (): ExportResult | null =>

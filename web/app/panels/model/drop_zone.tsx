@@ -1,8 +1,8 @@
 /** Before anything is open: a place to drop a file, and the samples. */
 
-import { pickFiles } from '../../files';
+import { pickFiles } from '../../files/files';
 import { status } from '../../state/store';
-import { count } from '../controls';
+import { count } from '../../controls/numbers';
 import { openSample, samples } from './samples';
 
 export function Empty() {

@@ -2,7 +2,8 @@
 
 import { results, wants } from '../../state/store';
 import { showBody } from '../../state/runner';
-import { Section, SettingRange, count, fixed } from '../controls';
+import { Section, SettingRange } from '../../controls/controls';
+import { count, fixed } from '../../controls/numbers';
 
 export function ModelFacts() {
   const file = results.file.value;

@@ -1,7 +1,7 @@
 /** The samples that come with the page. */
 
 import { signal } from '@preact/signals';
-import { openAddress } from '../../files';
+import { openAddress } from '../../files/files';
 import type { Wanted } from '../../state/link';
 
 export interface Sample {

@@ -8,7 +8,7 @@ import { STRIP } from '../../worker/protocol';
 import type { ModesResult } from '../../worker/protocol';
 import { colourAt } from '../../viewer/colours';
 import { THUMBNAIL, Thumbnails } from '../../viewer/thumbnails';
-import { count } from '../controls';
+import { count } from '../../controls/numbers';
 import { chooseMode, guidingModes } from './mode_choice';
 import { ModeNotes } from './mode_notes';
 

@@ -4,7 +4,7 @@ import { MATERIALS, MATERIAL_NAMES, materialNameOf } from '../../../engine/setti
 import type { MaterialName } from '../../../engine/settings/materials';
 import { resolveModel } from '../../../engine/settings/options';
 import { changeSettings, wants } from '../../state/store';
-import { Select, SettingRange } from '../controls';
+import { Select, SettingRange } from '../../controls/controls';
 
 const capital = (word: string): string => word[0].toUpperCase() + word.slice(1);
 

@@ -6,7 +6,8 @@ import { coarseVerticesOf, describeModels } from '../../../engine/core/mode_set'
 import { OPTIONS, resolveModel } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
 import { areModesStale, changeSettings, results, view, wants } from '../../state/store';
-import { Choice, Range, Section, SettingRange, Toggle, count } from '../controls';
+import { Choice, Range, Section, SettingRange, Toggle } from '../../controls/controls';
+import { count } from '../../controls/numbers';
 import { MaterialNumbers, MaterialSelect } from './material_section';
 import { PinsSection } from './pins_section';
 
@@ -53,7 +54,7 @@ export function MotionPanel() {
         <SettingRange name="modeCount" />
         <SettingRange name="p" />
         <SettingRange name="strainThreshold" />
-        {!isExactOffered() && <ExactToggle />}
+        {!showsExactToggle() && <ExactToggle />}
       </details>
     </>
   );
@@ -81,7 +82,7 @@ function ModelSection() {
         </div>
       )}
       <SolveNotes />
-      {isExactOffered() && <ExactToggle />}
+      {showsExactToggle() && <ExactToggle />}
       <MaterialSelect />
     </Section>
   );
@@ -109,7 +110,7 @@ function PlaySection() {
 }
 
 /** Where a copy was solved, or was until the mesh itself was asked for. */
-const isExactOffered = (): boolean =>
+const showsExactToggle = (): boolean =>
   wants.settings.value.exact || (results.modes.value !== null && coarseVerticesOf(results.modes.value) > 0);
 
 function ExactToggle() {

@@ -1,11 +1,12 @@
-/** What is held in place: the ends, vertices picked on the stage, an attribute of the file, or a text. */
+/** What is held in place: the ends, vertices picked on the viewport, an attribute of the file, or a text. */
 
 import { useId } from 'preact/hooks';
 import { OPTIONS } from '../../../engine/settings/options';
 import { hasPins, pinValue, withPins } from '../../../engine/settings/pin_edits';
 import { holdInPlace } from '../../state/pins';
 import { isPicking, results, status, view, wants } from '../../state/store';
-import { Section, Select, count } from '../controls';
+import { Section, Select } from '../../controls/controls';
+import { count } from '../../controls/numbers';
 
 /** Of the length of the body, in %: what "an end" is. */
 const END = '6';

@@ -1,4 +1,4 @@
-/** Where triangles are to stay: painted on the stage, or named without a pointer. */
+/** Where triangles are to stay: painted on the viewport, or named without a pointer. */
 
 import { useId } from 'preact/hooks';
 import { LOCKED } from '../../../engine/body/paint';
@@ -8,7 +8,8 @@ import { changeSettings, isBrushing, results, view, wants } from '../../state/st
 import type { BrushTool } from '../../state/store';
 import { lockInPlace, refusedLock } from '../../state/locks';
 import { PAINT } from '../../viewer/surface_material';
-import { Choice, Range, Section, Select, count, fixed } from '../controls';
+import { Choice, Range, Section, Select } from '../../controls/controls';
+import { count, fixed } from '../../controls/numbers';
 
 /** % of the diagonal */
 export const BRUSH_RADIUS = { min: 0.5, max: 25 };

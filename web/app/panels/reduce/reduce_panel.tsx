@@ -8,7 +8,8 @@ import type { Settings } from '../../../engine/settings/options';
 import { historyKey } from '../../state/keys';
 import { changeSettings, results, shownFit, shownMesh, wantedFaces, wants } from '../../state/store';
 import { BrushSection, NamedLocks } from './brush_section';
-import { Choice, Section, SettingRange, Toggle, count, fixed } from '../controls';
+import { Choice, Section, SettingRange, Toggle } from '../../controls/controls';
+import { count, fixed } from '../../controls/numbers';
 import { AskVertex } from './why_card';
 
 const METHODS: { value: Settings['method']; text: string; title: string }[] = [

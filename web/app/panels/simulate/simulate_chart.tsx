@@ -2,7 +2,7 @@
 
 import type { TwinSample } from '../../../engine/motion/twin';
 import { twin } from '../../state/simulation';
-import { fixed, percent } from '../controls';
+import { fixed, percent } from '../../controls/numbers';
 import { roundUp } from './simulate_scale';
 
 const [WIDTH, HEIGHT] = [1000, 100];

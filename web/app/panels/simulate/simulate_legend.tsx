@@ -2,8 +2,8 @@
 
 import { twin } from '../../state/simulation';
 import { view } from '../../state/store';
-import { Choice, Toggle } from '../controls';
-import { Bar } from '../bar';
+import { Choice, Toggle } from '../../controls/controls';
+import { ColourBar } from '../../controls/colour_bar';
 import { heatScale } from './simulate_scale';
 
 const COLOURS = [
@@ -15,7 +15,7 @@ const COLOURS = [
   },
 ] as const;
 
-export function TestLegend() {
+export function SimulateLegend() {
   const isHeat = twin.heat.value;
   return (
     <div class="legend">
@@ -26,7 +26,7 @@ export function TestLegend() {
         onChange={(colour) => (twin.heat.value = colour === 'deviation')}
       />
       {isHeat && (
-        <Bar map="viridis" title="Deviation, % of diagonal" low="0" high={String(heatScale.value)} />
+        <ColourBar map="viridis" title="Deviation, % of diagonal" low="0" high={String(heatScale.value)} />
       )}
       <Toggle label="Wireframe" checked={view.wire.value} onChange={(wire) => (view.wire.value = wire)} />
     </div>

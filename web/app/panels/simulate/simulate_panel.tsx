@@ -4,10 +4,11 @@ import { useId, useState } from 'preact/hooks';
 import { parseColliders } from '../../../engine/motion/colliders';
 import { OPTIONS } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
-import { heldNow, twin } from '../../state/simulation';
+import { pinSource, twin } from '../../state/simulation';
 import type { Held } from '../../state/simulation';
 import { changeSettings, results, shownMesh, wants } from '../../state/store';
-import { Choice, Section, Select, SettingRange, Toggle, count } from '../controls';
+import { Choice, Section, Select, SettingRange, Toggle } from '../../controls/controls';
+import { count } from '../../controls/numbers';
 
 const SCENARIOS: { value: Settings['scenario']; text: string; holds: string; motion: string }[] = [
   { value: 'twist', text: 'Twist', holds: 'Both ends', motion: 'The upper end turns by 45 degrees.' },
@@ -27,7 +28,7 @@ const SCENARIOS: { value: Settings['scenario']; text: string; holds: string; mot
 /** What happens, and what is held for it. */
 function describeScenario(scenario: Settings['scenario']): string {
   const { holds, motion } = SCENARIOS.find(({ value }) => value === scenario)!;
-  return heldNow.value === 'scenario' && holds ? `${motion} ${holds} held.` : motion;
+  return pinSource.value === 'scenario' && holds ? `${motion} ${holds} held.` : motion;
 }
 
 const MATERIALS: { value: Settings['material']; text: string; title: string }[] = [
@@ -40,7 +41,7 @@ const LAYOUTS = [
   { value: 'over', text: 'Overlaid' },
 ] as const;
 
-export function TestPanel() {
+export function SimulatePanel() {
   const { scenario } = wants.settings.value;
   return (
     <>
@@ -52,7 +53,7 @@ export function TestPanel() {
           value={scenario}
           onChange={(value) => changeSettings({ scenario: value as Settings['scenario'] })}
         />
-        <HeldSelect />
+        <PinSourceSelect />
         <SettingRange name="substeps" />
       </Section>
       <Section title="View">
@@ -111,7 +112,7 @@ function More() {
   );
 }
 
-function HeldSelect() {
+function PinSourceSelect() {
   const pins = results.pins.value?.vertices.length ?? 0;
   const options: { value: Held; text: string }[] = [
     { value: 'scenario', text: 'By scenario' },
@@ -123,7 +124,7 @@ function HeldSelect() {
       label="Held in place"
       title="Set once on the original and carried over to the optimized mesh. Pins are those of step 2."
       options={options}
-      value={heldNow.value}
+      value={pinSource.value}
       onChange={(held) => (twin.held.value = held as Held)}
     />
   );

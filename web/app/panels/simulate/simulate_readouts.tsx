@@ -3,13 +3,13 @@
 import type { TwinFrame } from '../../worker/simulation_protocol';
 import { twin } from '../../state/simulation';
 import { wants } from '../../state/store';
-import { fixed, percent } from '../controls';
-import { Readout } from '../readout';
+import { fixed, percent } from '../../controls/numbers';
+import { Readout } from '../../controls/readout';
 
 /** Below this the motion is slower than life. */
 const REAL_TIME = 0.9;
 
-export function TestReadouts() {
+export function SimulateReadouts() {
   const frame = twin.numbers.value;
   const last = twin.samples.value.at(-1);
   const noise = last?.noise ?? null;

@@ -171,11 +171,3 @@ export function Toggle(props: {
     </label>
   );
 }
-
-export const count = (value: number): string => value.toLocaleString('en-US');
-export const fixed = (value: number, digits: number): string => value.toFixed(digits);
-/** Two decimals, or two figures where these would say nothing; what is as small as rounding is told as that. */
-export const percent = (value: number): string => {
-  if (value > 0 && value < 0.001) return '< 0.001 %';
-  return value === 0 || value >= 0.1 ? `${value.toFixed(2)} %` : `${Number(value.toPrecision(2))} %`;
-};

@@ -1,4 +1,4 @@
-/** One number under the stage. */
+/** One number under the viewport. */
 
 export function Readout({
   name,

@@ -1,9 +1,9 @@
 /** Files into the page and out of it: dialog, drop, download. */
 
-import type { SourceFile } from '../engine/document/open';
-import type { Wanted } from './state/link';
-import { openFiles } from './state/runner';
-import { status } from './state/store';
+import type { SourceFile } from '../../engine/document/open';
+import type { Wanted } from '../state/link';
+import { openFiles } from '../state/runner';
+import { status } from '../state/store';
 
 const READABLE = '.glb,.gltf,.obj,.stl,.ply';
 

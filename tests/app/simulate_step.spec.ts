@@ -18,7 +18,7 @@ const curve = (page: Page) => page.getByRole('img', { name: /^Deviation/ });
 
 /** What the stage shows, as a hash: a failed comparison of whole pictures would take minutes to print. */
 async function picture(page: Page): Promise<string> {
-  const png = await page.locator('.stage canvas').screenshot();
+  const png = await page.locator('.viewport canvas').screenshot();
   return createHash('sha256').update(png).digest('hex');
 }
 
@@ -163,11 +163,11 @@ test('a hand pulls at both bodies and lets go', async ({ page }) => {
   await openTest(page);
   await scenario(page).selectOption('sway');
   await untilTime(page, 0.1);
-  const box = (await page.locator('.stage canvas').boundingBox())!;
+  const box = (await page.locator('.viewport canvas').boundingBox())!;
   const [x, y] = [box.x + box.width / 4, box.y + box.height / 2];
   await page.mouse.move(x, y);
   await page.mouse.down();
-  await expect(page.locator('.stage canvas')).toHaveClass(/dragging/);
+  await expect(page.locator('.viewport canvas')).toHaveClass(/dragging/);
   await page.mouse.move(x + 120, y, { steps: 8 });
   const isPulled = async (name: RegExp, least: number) => {
     const text = await readout(page, 'Stretch').innerText();
@@ -178,7 +178,7 @@ test('a hand pulls at both bodies and lets go', async ({ page }) => {
     await isPulled(/optimized ([\d.]+) %/, 1.5);
   }).toPass();
   await page.mouse.up();
-  await expect(page.locator('.stage canvas')).not.toHaveClass(/dragging/);
+  await expect(page.locator('.viewport canvas')).not.toHaveClass(/dragging/);
 });
 
 test('a drag beside the bodies turns the view of both', async ({ page }) => {
@@ -186,7 +186,7 @@ test('a drag beside the bodies turns the view of both', async ({ page }) => {
   await openTest(page);
   await page.waitForTimeout(500);
   const before = await picture(page);
-  const box = (await page.locator('.stage canvas').boundingBox())!;
+  const box = (await page.locator('.viewport canvas').boundingBox())!;
   await page.mouse.move(box.x + 20, box.y + 300);
   await page.mouse.down();
   await page.mouse.move(box.x + 100, box.y + 300, { steps: 5 });
@@ -199,7 +199,7 @@ test('a body that is pulled to pieces stops, is outlined and says what helps', a
   await openTest(page);
   await scenario(page).selectOption('sway');
   await untilTime(page, 0.1);
-  const box = (await page.locator('.stage canvas').boundingBox())!;
+  const box = (await page.locator('.viewport canvas').boundingBox())!;
   const [x, y] = [box.x + box.width / 4, box.y + box.height / 2];
   await page.mouse.move(x, y);
   // So far away that the page is many times as wide as the body.

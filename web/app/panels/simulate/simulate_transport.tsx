@@ -3,7 +3,7 @@
 import { reset, stepOnce, twin } from '../../state/simulation';
 import { DeviationChart } from './simulate_chart';
 
-export function TestBench() {
+export function SimulateTransport() {
   const frame = twin.numbers.value;
   const isOver = frame !== null && (frame.exploded.length > 0 || twin.failure.value !== null);
   const isPlaying = twin.playing.value;

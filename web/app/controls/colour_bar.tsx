@@ -2,7 +2,7 @@
 
 import { gradient } from '../viewer/colours';
 
-export function Bar({
+export function ColourBar({
   map,
   title,
   low,
