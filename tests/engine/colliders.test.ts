@@ -1,9 +1,9 @@
 import { expect, it } from 'vitest';
-import { parseColliders } from '../../web/engine/motion/colliders';
+import { collisionSceneOf } from '../../web/engine/motion/colliders';
 
 it('reads floors, balls and capsules', () => {
-  expect(parseColliders('')).toEqual({ ground: null, colliders: [] });
-  expect(parseColliders('ground:-0.5+ball:1,2,3,0.25+capsule:0,0,0,1,0,0,0.1')).toEqual({
+  expect(collisionSceneOf('')).toEqual({ ground: null, colliders: [] });
+  expect(collisionSceneOf('ground:-0.5+ball:1,2,3,0.25+capsule:0,0,0,1,0,0,0.1')).toEqual({
     ground: -0.5,
     colliders: [
       { from: [1, 2, 3], to: [1, 2, 3], radius: 0.25 },
@@ -21,7 +21,11 @@ it.each([
   'capsule:0,0,0,1,0,0,',
   'ball:1,2,x,1',
 ])('refuses %s with the forms', (text) => {
-  expect(() => parseColliders(text)).toThrow(
-    `--colliders has "${text}": give ground:HEIGHT, ball:x,y,z,R or capsule:x0,y0,z0,x1,y1,z1,R, joined by +.`,
+  expect(() => collisionSceneOf(text)).toThrow(
+    `“Can touch” has "${text}": give ground:HEIGHT, ball:x,y,z,R or capsule:x0,y0,z0,x1,y1,z1,R, joined by +.`,
   );
+});
+
+it('takes the last of several floors', () => {
+  expect(collisionSceneOf('ground:1+ball:0,0,0,1+ground:2')).toMatchObject({ ground: 2 });
 });

@@ -107,9 +107,11 @@ describe('locks, keep weights and creases', () => {
 
   it('refuse an attribute that is not there', async () => {
     await expect(open(torus(), { keep: '_NO' })).rejects.toThrow(
-      '--keep names the attribute _NO, but "thing" has POSITION: name one of these.',
+      '“Keep triangles where” names the attribute _NO, but "thing" has POSITION: name one of these.',
     );
-    await expect(open(torus(), { lock: 'vertices:999' })).rejects.toThrow(/^--lock names vertex 999/);
+    await expect(open(torus(), { lock: 'vertices:999' })).rejects.toThrow(
+      /^“Locked vertices” names vertex 999/,
+    );
   });
 
   it('keep edges that bend', async () => {

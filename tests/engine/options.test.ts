@@ -4,20 +4,29 @@ import { describe, expect, it } from 'vitest';
 import {
   checkSettings,
   defaultSettings,
+  methodChange,
   OPTIONS,
+  readsSetting,
   resolveModel,
   resolveModes,
+  SettingError,
+  settingsOf,
+  wordSentence,
 } from '../../web/engine/settings/options';
-import type { Settings } from '../../web/engine/settings/options';
+import type { OptionSpec, Settings } from '../../web/engine/settings/options';
 import { VERSION } from '../../web/engine/core/version';
 
 const keys = Object.keys(OPTIONS) as (keyof Settings)[];
+const flagOf = (key: keyof Settings) => `--${OPTIONS[key].flag}`;
+/** The sentence as the command line has it; empty where nothing is refused. */
 const failure = (change: Partial<Record<keyof Settings, unknown>>): string => {
   try {
     checkSettings({ ...defaultSettings(), ...change } as Settings);
     return '';
   } catch (error) {
-    return (error as Error).message;
+    return error instanceof SettingError
+      ? wordSentence(flagOf(error.setting), error.sentence, flagOf)
+      : String(error);
   }
 };
 
@@ -47,8 +56,10 @@ describe('settings', () => {
   });
 
   it('are refused outside their range, and allowed at its ends', () => {
-    for (const key of keys.filter((one) => ['number', 'integer'].includes(OPTIONS[one].kind))) {
-      const { flag, min, max } = OPTIONS[key];
+    for (const key of keys) {
+      const option: OptionSpec = OPTIONS[key];
+      if (option.kind !== 'number' && option.kind !== 'integer') continue;
+      const { flag, min, max } = option;
       expect(failure({ [key]: min, modes: 'all' })).toBe('');
       expect(failure({ [key]: max })).toBe('');
       for (const value of [min - 1, max + 1, NaN, '1', null].filter((one) => one !== Infinity))
@@ -101,6 +112,69 @@ describe('settings', () => {
       }),
       { seed: 5 },
     );
+  });
+});
+
+describe('an error', () => {
+  const refuse = (change: Partial<Settings>): SettingError => {
+    try {
+      checkSettings({ ...defaultSettings(), ...change });
+    } catch (error) {
+      return error as SettingError;
+    }
+    throw new Error('nothing is refused');
+  };
+
+  it('names the setting, and a sentence that each host can word', () => {
+    const error = refuse({ modes: [20] });
+    expect(error.setting).toBe('modes');
+    expect(wordSentence('It', error.sentence, (key) => key)).toBe(
+      'It names mode 20, but modeCount computes only 12: raise modeCount to 20 or name lower modes.',
+    );
+    expect(error.message).toMatch(
+      /^“Modes that guide” names mode 20, but “Modes to compute” computes only 12/,
+    );
+  });
+
+  it('names no flag, whatever it is about', () => {
+    const changes: Partial<Settings>[] = [
+      { p: 0 },
+      { pins: 'x' },
+      { lock: 'x' },
+      { paint: 'x' },
+      { colliders: 'x' },
+      { modes: [20] },
+      { modeWeights: [1] },
+    ];
+    for (const change of changes) {
+      const error = refuse(change);
+      expect(error).toBeInstanceOf(SettingError);
+      expect([error.setting, error.message.includes('--')]).toEqual([Object.keys(change)[0], false]);
+    }
+  });
+});
+
+describe('a method', () => {
+  it('reads its own settings and those that all methods read', () => {
+    expect(readsSetting(defaultSettings('qem'), 'strainWeight')).toBe(false);
+    expect(readsSetting(defaultSettings('paper'), 'curvatureWeight')).toBe(true);
+    expect(readsSetting(defaultSettings('paper'), 'maxDeviation')).toBe(true);
+  });
+
+  it('replaces the weights of another', () => {
+    for (const from of ['limber', 'paper', 'qem'] as const)
+      for (const to of ['limber', 'paper', 'qem'] as const)
+        expect({ ...defaultSettings(from), ...methodChange(to) }).toEqual(defaultSettings(to));
+  });
+});
+
+describe('a command', () => {
+  it('takes the settings of its groups and those whose row names it', () => {
+    expect(settingsOf('inspect')).toEqual(['weld', 'threads']);
+    expect(settingsOf('compare')).toContain('modeCount');
+    expect(settingsOf('simulate')).toContain('pins');
+    expect(settingsOf('optimize')).toContain('calibrate');
+    expect(settingsOf('optimize')).not.toContain('scenario');
   });
 });
 

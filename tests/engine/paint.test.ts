@@ -8,16 +8,13 @@ import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
 import {
   keepOfLevels,
-  LOCKED,
   lockedIn,
   painted,
   paintOn,
-  parsePaint,
-  STRONGEST,
   unweldLevels,
   weldLevels,
-  withPaint,
 } from '../../web/engine/body/paint';
+import { LOCKED, parsePaint, STRONGEST, withPaint } from '../../web/engine/settings/paint_text';
 import { buildHistory, prepareBody, reduceTo } from '../../web/engine/stages/pipeline';
 import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
@@ -56,7 +53,7 @@ describe('painted levels as text', () => {
   });
 
   it.each(['vertices:1', '0:', '0:%%', '0:AAAA+', '0:Pw'])('"%s" is refused', (text) => {
-    expect(() => parsePaint(text)).toThrow('--paint is not what the brush writes: take it from the page');
+    expect(() => parsePaint(text)).toThrow('“Painted” is not what the brush writes: take it from the page');
   });
 });
 
@@ -113,14 +110,15 @@ describe('a painted body', () => {
 
   it.each(['limber', 'qem', 'paper'] as const)('has its locked vertices under %s to the end', (method) => {
     const { positions } = reduced(half(1, LOCKED), method, 0);
-    const places = new Set<string>();
-    for (let v = 0; v < positions.length; v += 3) places.add(positions.subarray(v, v + 3).join(' '));
+    const positionsLeft = new Set<string>();
+    for (let v = 0; v < positions.length; v += 3) positionsLeft.add(positions.subarray(v, v + 3).join(' '));
     for (let v = 0; v < shape.positions.length; v += 3)
-      if (shape.positions[v] > 0) expect(places).toContain(shape.positions.subarray(v, v + 3).join(' '));
+      if (shape.positions[v] > 0)
+        expect(positionsLeft).toContain(shape.positions.subarray(v, v + 3).join(' '));
   });
 
   it('refuses the paint of another file', () => {
     const paint = withPaint('', 0, Uint8Array.of(1, 2));
-    expect(() => paintOn(paint, prepared)).toThrow('--paint is for 2 vertices, but "');
+    expect(() => paintOn(paint, prepared)).toThrow('“Painted” is for 2 vertices, but "');
   });
 });

@@ -3,7 +3,8 @@ import type { Core } from '../../web/engine/core/core';
 import { openModel } from '../../web/engine/document/open';
 import { MATERIAL_NAMES, MATERIALS, materialNameOf } from '../../web/engine/settings/materials';
 import { checkSettings, defaultSettings } from '../../web/engine/settings/options';
-import { findPins, parsePins } from '../../web/engine/body/pins';
+import { findPins } from '../../web/engine/body/pins';
+import { parsePins } from '../../web/engine/settings/pin_text';
 import { findModes, prepareBody } from '../../web/engine/stages/pipeline';
 import { loadTestCore } from './support/core';
 import { textFile } from './support/files';
@@ -33,12 +34,19 @@ describe('pins', () => {
     expect(await pinsOf('')).toEqual([]);
   });
 
+  it('are parsed once, for each setting', () => {
+    const terms = parsePins('low:6+vertices:1,2');
+    expect(parsePins('high:6', 'lock')).toEqual([{ kind: 'high', percent: 6 }]);
+    expect(parsePins('low:6+vertices:1,2')).toBe(terms);
+    expect(parsePins('low:7')).not.toBe(terms);
+  });
+
   it('take the ends of the longest axis', async () => {
     expect(await pinsOf('low:0')).toEqual([0, 7, 14]);
     expect(await pinsOf('high:20')).toEqual([5, 6, 12, 13, 19, 20]);
   });
 
-  it('take what a box holds, in any order of its corners', async () => {
+  it('take the vertices in a box, in any order of its corners', async () => {
     expect(await pinsOf('box:0.9,-1,-1,2,0.1,1')).toEqual([6]);
     expect(await pinsOf('box:2,0.1,1,0.9,-1,-1')).toEqual([6]);
   });
@@ -65,7 +73,7 @@ describe('pins', () => {
       ...torus().positions.slice(15, 18),
     ]);
     expect(() => findPins('attribute:_NO', model.document, prepared)).toThrow(
-      '--pins names the attribute _NO, but "both" has POSITION, _PIN: name one of these.',
+      '“Held in place” names the attribute _NO, but "both" has POSITION, _PIN: name one of these.',
     );
   });
 
@@ -73,23 +81,23 @@ describe('pins', () => {
     '"%s" is refused with the forms',
     (text) => {
       expect(() => checkSettings({ ...defaultSettings(), pins: text })).toThrow(
-        /^--pins has ".*": give low:PCT, high:PCT, box:.*, attribute:NAME or vertices:i,j, joined by \+\.$/,
+        /^“Held in place” has ".*": give low:PCT, high:PCT, box:.*, attribute:NAME or vertices:i,j, joined by \+\.$/,
       );
     },
   );
 
   it('refuse a vertex that the body does not have', async () => {
     await expect(pinsOf('vertices:400')).rejects.toThrow(
-      /^--pins names vertex 400, but "sheet" has only \d+: name one below that\.$/,
+      /^“Held in place” names vertex 400, but "sheet" has only \d+: name one below that\.$/,
     );
   });
 
-  it('leave no rigid motion once a body is held at an end', async () => {
+  it('leave one rigid motion where they are in a line, and none where they are not', async () => {
     const { document, prepared } = await sheet();
     const settings = { ...defaultSettings(), model: 'shell' as const, modeCount: 3 };
     const free = findModes(core, prepared, settings);
-    const held = findModes(core, prepared, settings, findPins('low:0', document, prepared));
-    expect([free.components[0].zeroModesFound, held.components[0].zeroModesFound]).toEqual([6, 1]);
+    const hinged = findModes(core, prepared, settings, findPins('low:0', document, prepared));
+    expect([free.components[0].zeroModesFound, hinged.components[0].zeroModesFound]).toEqual([6, 1]);
     const clamped = findModes(core, prepared, settings, findPins('low:20', document, prepared));
     expect(clamped.components[0]).toMatchObject({ zeroModesExpected: 0, zeroModesFound: 0 });
     expect(clamped.modes[0].omega).toBeLessThan(free.modes[0].omega);

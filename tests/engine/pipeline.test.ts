@@ -108,7 +108,7 @@ describe('guidance', () => {
     const small = { modes: [1, 90], modeWeights: [1, 1], modeCount: 100 };
     expect(guide(cube(), small).rank).toEqual(guide(cube(), { modes: [1], modeCount: 100 }).rank);
     expect(() => guide(cube(), { modes: [90], modeCount: 100 })).toThrow(
-      /^--mode names mode 90, but "body" has only \d+: name a lower one\.$/,
+      /^“Modes that guide” names mode 90, but "body" has only \d+: name a lower one\.$/,
     );
   });
 });

@@ -2,25 +2,29 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { format } from 'prettier';
 import { expect, test } from 'vitest';
-import { OPTIONS, type OptionSpec } from '../../web/engine/settings/options';
+import { OPTIONS } from '../../web/engine/settings/options';
+import type { OptionSpec } from '../../web/engine/settings/options';
 
 const readme = join(import.meta.dirname, '..', '..', 'README.md');
 const [start, end] = ['<!-- options:start -->', '<!-- options:end -->'];
 
+const unitOf = (option: OptionSpec): string => ('unit' in option && option.unit ? ` ${option.unit}` : '');
+
 function range(option: OptionSpec): string {
-  if (option.kind === 'choice') return option.choices!.join(', ');
+  if (option.kind === 'choice') return option.choices.join(', ');
   if (option.kind === 'switch') return 'given or not';
   if (option.kind === 'pins' || option.kind === 'colliders') return 'terms joined by +';
   if (option.kind === 'name') return 'name of an attribute';
   if (option.kind === 'paint') return 'as the page writes it';
   if (option.kind === 'modes') return 'auto, all, 1,2,...';
-  return `${option.min} to ${option.max === Infinity ? 'inf' : option.max}${option.unit ? ` ${option.unit}` : ''}`;
+  return `${option.min} to ${option.max === Infinity ? 'inf' : option.max}${unitOf(option)}`;
 }
 
-function defaultOf({ default: value, unit }: OptionSpec): string {
+function defaultOf(option: OptionSpec): string {
+  const value = option.default;
   if (Array.isArray(value)) return value.length ? value.join(',') : '(none)';
   if (value === '') return '(none)';
-  return `${value}${unit && value !== 0 ? ` ${unit}` : ''}`;
+  return `${value}${value !== 0 ? unitOf(option) : ''}`;
 }
 
 /** The table of flags as the README shows it. */
@@ -33,7 +37,7 @@ async function optionsTable(): Promise<string> {
 }
 
 // LIMBER_UPDATE=1 writes the table instead of comparing it.
-test("the README's table of flags is the one of options.ts", async () => {
+test("the README's table of flags is the one of the settings", async () => {
   const text = readFileSync(readme, 'utf8');
   const table = (await optionsTable()).trim();
   const [before, after] = [text.indexOf(start), text.indexOf(end) + end.length];

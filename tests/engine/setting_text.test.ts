@@ -1,20 +1,32 @@
 import { describe, expect, it } from 'vitest';
 import { OPTIONS, defaultSettings } from '../../web/engine/settings/options';
-import type { Settings } from '../../web/engine/settings/options';
+import type { OptionSpec, Settings } from '../../web/engine/settings/options';
 import { changedSettings, readSetting } from '../../web/engine/settings/setting_text';
 
 /** Another value than the default that is allowed. */
 function another(key: keyof Settings): unknown {
-  const { kind, choices, default: value, max } = OPTIONS[key];
-  if (kind === 'choice') return choices!.find((choice) => choice !== value);
-  if (kind === 'switch') return true;
-  if (kind === 'modes') return [2, 3];
-  if (kind === 'numbers') return [0.5, 0.25];
-  if (kind === 'pins') return 'low:6+vertices:1,2';
-  if (kind === 'colliders') return 'ground:-1+ball:0,1,0,0.5';
-  if (kind === 'paint') return '0:IA';
-  if (kind === 'name') return '_KEEP +&=';
-  return max;
+  const option: OptionSpec = OPTIONS[key];
+  switch (option.kind) {
+    case 'choice':
+      return option.choices.find((choice) => choice !== option.default);
+    case 'integer':
+    case 'number':
+      return option.max;
+    case 'switch':
+      return true;
+    case 'modes':
+      return [2, 3];
+    case 'numbers':
+      return [0.5, 0.25];
+    case 'pins':
+      return 'low:6+vertices:1,2';
+    case 'colliders':
+      return 'ground:-1+ball:0,1,0,0.5';
+    case 'paint':
+      return '0:IA';
+    case 'name':
+      return '_KEEP +&=';
+  }
 }
 
 describe('settings as text', () => {

@@ -10,6 +10,8 @@ namespace limber {
 
 namespace {
 
+constexpr int kMostSubsteps = 10000;
+
 void requireOptions(const SimulationOptions& options) {
   const auto require = [](bool holds, const std::string& sentence) {
     if (!holds) throw std::invalid_argument(sentence);
@@ -20,7 +22,7 @@ void requireOptions(const SimulationOptions& options) {
   require(positive(options.density), "The density must be above 0 kg/m3.");
   require(positive(options.thickness), "The thickness must be above 0.");
   require(positive(options.unit), "The unit must be above 0 metres.");
-  require(options.substeps >= 1 && options.substeps <= 100000, "A step has 1 to 100,000 substeps.");
+  require(options.substeps >= 1 && options.substeps <= kMostSubsteps, "A step has 1 to 10,000 substeps.");
   require(std::isfinite(options.friction) && options.friction >= 0, "The friction must be at least 0.");
   require(std::isfinite(options.damping) && options.damping >= 0,
           "The damping must be at least 0 per second.");

@@ -23,7 +23,7 @@ struct SimulationOptions {
   double density = 0;          // kg/m3, > 0
   double thickness = 0;        // units of the mesh, > 0
   double unit = 1;             // metres per unit of the mesh, > 0
-  int substeps = 20;           // of a step, 1 to 100,000
+  int substeps = 20;           // of a step, 1 to 10,000
   double damping = 0;          // 1/s: velocities fall by this rate
   double friction = 0.5;       // Coulomb's, against the ground and colliders
   bool keepsVolume = true;     // of closed components of a shell, as if filled with the material

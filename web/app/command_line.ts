@@ -1,6 +1,6 @@
-/** The command that makes the same bytes as the page. */
+/** The command line that writes the same bytes as the page. */
 
-import { OPTIONS } from '../engine/settings/options';
+import { settingsOf } from '../engine/settings/options';
 import type { Settings } from '../engine/settings/options';
 import { changedSettings } from '../engine/settings/setting_text';
 
@@ -14,7 +14,7 @@ export function commandLine(
   { faces, fields, binding }: { faces: number; fields: boolean; binding: string | null },
 ): string {
   const flags = changedSettings(settings)
-    .filter(({ key }) => OPTIONS[key].group !== 'simulation')
+    .filter(({ key }) => settingsOf('optimize').includes(key))
     .flatMap(({ flag, text }) => [`--${flag}`, ...(text === null ? [] : [text])]);
   const words = ['limber', 'optimize', input, output, '--faces', String(faces), ...flags];
   const extras = [...(fields ? ['--fields'] : []), ...(binding === null ? [] : ['--bind', binding])];

@@ -1,7 +1,7 @@
 /** What the page opens by itself: what this tab had before, what a link asks for, or the first sample. */
 
 import { openSample, samples } from './panels/model/samples';
-import { awaited, readLink } from './state/link';
+import { awaited, describeLinkError, readLink } from './state/link';
 import type { Wanted } from './state/link';
 import { openFiles } from './state/runner';
 import { savedSession } from './state/saved_session';
@@ -34,8 +34,7 @@ function readHash(): Wanted | null {
   try {
     return readLink(hash);
   } catch (error) {
-    const why = error instanceof Error ? error.message : String(error);
-    showErrorAfterOpening(`The link does not hold. ${why.replace(/^--/, 'Its ')}`);
+    showErrorAfterOpening(`The link does not hold. ${describeLinkError(error)}`);
     return null;
   }
 }

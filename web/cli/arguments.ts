@@ -1,13 +1,13 @@
-/** The words of a command line as a command with its operands, settings and flags. */
+/** Parses the words of a command line into a command with its operands, settings and flags. */
 
 import { parseArgs } from 'node:util';
-import type { Method } from '../engine/core/core';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/settings/materials';
-import { OPTIONS, checkSettings, defaultSettings } from '../engine/settings/options';
+import { checkSettings, settingsOf } from '../engine/settings/options';
 import type { Settings } from '../engine/settings/options';
-import { readNumber, readSetting } from '../engine/settings/setting_text';
+import { readNumber } from '../engine/settings/kinds';
+import { readSettings } from '../engine/settings/setting_text';
 import { UsageError } from './failure';
-import { COMMAND_SPECS, COMMANDS, flagsOf, settingsOf } from './flags';
+import { COMMAND_SPECS, COMMANDS, flagsOf } from './flags';
 import type { Command, Flag } from './flags';
 import { nearest } from './nearest';
 
@@ -15,7 +15,7 @@ export interface Arguments {
   command: Command;
   operands: string[];
   settings: Settings;
-  /** null: not asked */
+  /** null: not asked for */
   faces: number | null;
   ratio: number | null;
   fields: boolean;
@@ -31,10 +31,10 @@ export interface Arguments {
   quiet: boolean;
 }
 
-/** What to do without doing anything else. */
+/** A question that is answered instead of running the command. */
 export type Question = { show: 'help'; command: Command | null } | { show: 'version' };
 
-/** Throws UsageError with one sentence. */
+/** Throws UsageError or SettingError. */
 export function parseArguments(words: string[]): Arguments | Question {
   const [first, ...rest] = words;
   if (first === undefined || ['help', '--help', '-h'].includes(first)) return { show: 'help', command: null };
@@ -44,7 +44,7 @@ export function parseArguments(words: string[]): Arguments | Question {
   if (values.has('help')) return { show: 'help', command };
   if (values.has('version')) return { show: 'version' };
   checkOperands(command, operands);
-  const settings = readSettings(command, values);
+  const settings = settingsFrom(command, values);
   const report = values.get('report');
   return {
     command,
@@ -70,7 +70,7 @@ function commandNamed(word: string): Command {
   throw new UsageError(`There is no command "${word}": ${hint}`);
 }
 
-/** Values by flag name ('' of a switch), the last one counting. Unknown flags and missing values are refused. */
+/** Values by flag name, of a repeated flag the last one; '' for a switch. Refuses unknown flags and missing values. */
 function readFlags(command: Command, words: string[]): { values: Map<string, string>; operands: string[] } {
   const flags = flagsOf(command);
   const known = new Map(flags.map((flag) => [flag.name, flag]));
@@ -120,23 +120,15 @@ function checkOperands(command: Command, operands: string[]): void {
     throw new UsageError(`"${operands[wanted.length]}" is one file too many: ${usage}.`);
 }
 
-function readSettings(command: Command, values: Map<string, string>): Settings {
-  const { defaults } = COMMAND_SPECS[command];
-  const method = OPTIONS.method.choices!.find((name) => name === values.get('method')) as Method | undefined;
-  const settings = { ...defaultSettings(method ?? defaults.method), ...defaults, ...readPreset(values) };
-  const keys: (keyof Settings)[] = [
-    ...settingsOf(command),
-    ...(command === 'compare' ? ['modeCount' as const] : []),
-  ];
-  for (const key of keys) {
-    const text = values.get(OPTIONS[key].flag);
-    if (text !== undefined) Object.assign(settings, { [key]: readSetting(OPTIONS[key], text) });
-  }
+/** Throws SettingError. */
+function settingsFrom(command: Command, values: Map<string, string>): Settings {
+  const base = { ...COMMAND_SPECS[command].defaults, ...readPreset(values) };
+  const settings = readSettings(settingsOf(command), (flag) => values.get(flag), base);
   checkSettings(settings);
   return settings;
 }
 
-/** The four numbers of --material-preset. */
+/** The four numbers of --material-preset; none without it. */
 function readPreset(values: Map<string, string>): Partial<Settings> {
   const name = values.get('material-preset');
   if (name === undefined) return {};

@@ -8,6 +8,7 @@ import { meshReport, startReport, worstFidelity, worstSurface } from '../engine/
 import type { Report } from '../engine/report/report';
 import type { Arguments } from './arguments';
 import { EXIT, UsageError } from './failure';
+import { settingsAsUsed } from './flags';
 import { finish, openFile, prepareBodies, startSession, usable } from './session';
 import type { Session } from './session';
 import { count, list, percent, plural } from './words';
@@ -39,8 +40,7 @@ export async function runCompare(args: Arguments): Promise<number> {
 
 /** Only what takes part in a comparison: the model is always the shell. */
 function optionsAsUsed({ settings, mesh }: Arguments): object {
-  const { modeCount, young, poisson, density, thickness, unit, weld, threads } = settings;
-  const used = { model: 'shell', modeCount, young, poisson, density, thickness, unit, weld, threads };
+  const used = { model: 'shell', ...settingsAsUsed('compare', settings) };
   return mesh === null ? used : { ...used, mesh };
 }
 

@@ -1,20 +1,33 @@
-/** Exit codes, and the failures that lead to them. */
+/** Exit codes, and the line that a failure prints. */
 
+import { OPTIONS, SettingError, wordSentence } from '../engine/settings/options';
+import type { SettingName } from '../engine/settings/options';
 import { plain } from './words';
 
 export const EXIT = { done: 0, badInput: 1, missedTarget: 2, internal: 3 } as const;
 
-/** What the user can cure: a wrong option, file or mesh. The engine throws plain Errors for these. */
+/** What the user can cure: a wrong flag, file or mesh. The engine throws SettingError and plain Errors for these. */
 export class UsageError extends Error {}
 
-/** The exit code and the one line for whatever was thrown. */
+/** The exit code and the one line for anything that was thrown. */
 export function describeFailure(error: unknown): { code: number; line: string } {
-  const isSentence = error instanceof UsageError || (error instanceof Error && error.constructor === Error);
-  const message = error instanceof Error ? error.message : String(error);
+  const isSentence =
+    error instanceof UsageError ||
+    error instanceof SettingError ||
+    (error instanceof Error && error.constructor === Error);
+  const message = messageOf(error);
   const line = plain(message.replace(/\s*\n\s*/g, ' ').trim());
   if (isSentence) return { code: EXIT.badInput, line };
   return {
     code: EXIT.internal,
     line: `internal error: ${line}; please report it with the file and the command`,
   };
+}
+
+const flagOf = (setting: SettingName): string => `--${OPTIONS[setting].flag}`;
+
+/** On the command line settings are flags. */
+function messageOf(error: unknown): string {
+  if (error instanceof SettingError) return wordSentence(flagOf(error.setting), error.sentence, flagOf);
+  return error instanceof Error ? error.message : String(error);
 }

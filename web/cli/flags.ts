@@ -1,31 +1,32 @@
-/** The flags of every command: those of the settings come from the engine's options. */
+/** The flags of every command. Those of settings follow from the table of settings. */
 
+import { COMMAND_GROUPS } from '../engine/settings/commands';
+import { rulesOf } from '../engine/settings/kinds';
 import { MATERIAL_NAMES } from '../engine/settings/materials';
-import { OPTIONS } from '../engine/settings/options';
-import type { OptionGroup, Settings } from '../engine/settings/options';
+import { COMMANDS, OPTIONS, settingsOf } from '../engine/settings/options';
+import type { Command, OptionSpec, SettingName, Settings } from '../engine/settings/options';
 
-export const COMMANDS = ['optimize', 'modes', 'compare', 'simulate', 'inspect'] as const;
-export type Command = (typeof COMMANDS)[number];
+export { COMMANDS };
+export type { Command };
 
 export interface Flag {
   name: string;
-  /** what stands for its value in the help; absent: the flag is a switch */
+  /** what stands for its value in the help; left out: the flag is a switch */
   value?: string;
   help: string;
   group: string;
 }
 
-/** A command: its operands, and which groups of settings it takes. */
+/** A command: its operands, and the flags that are no settings. commands.ts has those that are. */
 export interface CommandSpec {
   /** in brackets where it may be left out; such ones come last */
   operands: string[];
   summary: string;
-  groups: OptionGroup[];
-  /** single settings of other groups */
-  settings?: (keyof Settings)[];
   flags: Flag[];
   /** defaults that differ from the engine's */
   defaults: Partial<Settings>;
+  /** what a setting means here, where that differs from the table of settings */
+  words?: Partial<Record<SettingName, Pick<Flag, 'help' | 'group'>>>;
 }
 
 const REPORT: Flag = {
@@ -34,7 +35,7 @@ const REPORT: Flag = {
   help: 'Write the JSON report to FILE, or alone to stdout.',
   group: 'output',
 };
-/** Sets the whole material; flags that name a part of it count after it. */
+/** Sets the whole material; flags for a part of it override that part. */
 const MATERIAL_PRESET: Flag = {
   name: 'material-preset',
   value: MATERIAL_NAMES.join('|'),
@@ -59,8 +60,6 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   optimize: {
     operands: ['IN', 'OUT.glb'],
     summary: 'Remove triangles where they matter least for how the body bends.',
-    groups: ['target', 'method', 'motion', 'material', 'common'],
-    settings: ['calibrate'],
     flags: [
       {
         name: 'faces',
@@ -92,7 +91,6 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   modes: {
     operands: ['IN'],
     summary: 'List the frequencies at which the body deforms by itself.',
-    groups: ['motion', 'material', 'common'],
     flags: [
       {
         name: 'shapes',
@@ -102,29 +100,19 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
       },
       ...COMMON,
     ],
-    // qem has no model of its own: `auto` stays what suits each part.
+    // With qem the model `auto` stays what suits each part.
     defaults: { modes: 'all', method: 'qem' },
   },
   compare: {
     operands: ['A', 'B'],
     summary: 'Measure how alike A, the original, and B are in shape and vibration.',
-    groups: ['material', 'common'],
-    flags: [
-      {
-        name: 'modes',
-        value: 'N',
-        help: 'How many elastic modes are compared (default: 10).',
-        group: 'material',
-      },
-      ...COMMON,
-    ],
+    flags: COMMON,
     defaults: { modeCount: 10, model: 'shell' },
+    words: { modeCount: { help: 'How many elastic modes are compared.', group: 'material' } },
   },
   simulate: {
     operands: ['A', '[B]'],
     summary: 'Move A, and B beside it: times, and how far they part.',
-    groups: ['simulation', 'material', 'common'],
-    settings: ['pins'],
     flags: [
       {
         name: 'record',
@@ -145,72 +133,36 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   inspect: {
     operands: ['IN'],
     summary: 'Tell what is in a mesh and what is wrong with it.',
-    groups: ['common'],
     flags: COMMON,
     defaults: {},
   },
 };
 
-const PLACEHOLDERS: Partial<Record<keyof Settings, string>> = {
-  method: 'limber|paper|qem',
-  fit: 'on|off',
-  borders: 'free|fixed',
-  seams: 'keep|cross',
-  maxDeviation: 'PCT',
-  maxFrequencyError: 'PCT',
-  lods: 'R[,R...]',
-  symmetry: 'off|on|x|y|z',
-  creases: 'DEG',
-  keep: 'NAME',
-  lock: 'SPEC',
-  paint: 'TEXT',
-  minAngle: 'DEG',
-  model: 'auto|shell|solid|laplacian',
-  direction: 'all|x|y|z',
-  pins: 'SPEC',
-  modes: 'auto|all|K[,K...]',
-  modeWeights: 'W[,W...]',
-  p: 'P|inf',
-  young: 'PA',
-  poisson: 'NU',
-  density: 'KG/M3',
-  thickness: 'PCT',
-  unit: 'METRES',
-  weld: 'PCT',
-  scenario: 'twist|sway|hang|drop|pull|wind|drape',
-  colliders: 'SPEC',
-  friction: 'MU',
-  material: 'shell|springs',
-  seconds: 'S',
-};
-
-/** The settings that a command takes as flags. */
-export function settingsOf(command: Command): (keyof Settings)[] {
-  const { groups, settings = [] } = COMMAND_SPECS[command];
-  return (Object.keys(OPTIONS) as (keyof Settings)[]).filter(
-    (key) => groups.includes(OPTIONS[key].group) || settings.includes(key),
-  );
-}
-
 /** All flags of a command, in the order of its help. */
 export function flagsOf(command: Command): Flag[] {
-  const settings = settingsOf(command).map((key): Flag => {
-    const { flag, help, group } = OPTIONS[key];
-    if (OPTIONS[key].kind === 'switch') return { name: flag, help, group };
-    return {
-      name: flag,
-      value: PLACEHOLDERS[key] ?? 'N',
-      help: `${help}${defaultNote(command, key)}`,
-      group,
-    };
-  });
-  const preset = COMMAND_SPECS[command].groups.includes('material') ? [MATERIAL_PRESET] : [];
+  const settings = settingsOf(command).map((setting) => flagOf(command, setting));
+  const preset = COMMAND_GROUPS[command].includes('material') ? [MATERIAL_PRESET] : [];
   return [...COMMAND_SPECS[command].flags, ...settings, ...preset];
 }
 
-function defaultNote(command: Command, key: keyof Settings): string {
-  const value = COMMAND_SPECS[command].defaults[key] ?? OPTIONS[key].default;
-  return Array.isArray(value) || value === ''
-    ? ''
-    : ` Default: ${String(value)}${OPTIONS[key].unit ? ` ${OPTIONS[key].unit}` : ''}.`;
+function flagOf(command: Command, setting: SettingName): Flag {
+  const option: OptionSpec = OPTIONS[setting];
+  const { help, group } = COMMAND_SPECS[command].words?.[setting] ?? option;
+  if (option.kind === 'switch') return { name: option.flag, help, group };
+  const value = option.placeholder ?? rulesOf(option).placeholder(option);
+  return { name: option.flag, value, help: `${help}${describeDefault(command, setting)}`, group };
+}
+
+function describeDefault(command: Command, setting: SettingName): string {
+  const option: OptionSpec = OPTIONS[setting];
+  const value = COMMAND_SPECS[command].defaults[setting] ?? option.default;
+  if (Array.isArray(value) || value === '') return '';
+  const unit = 'unit' in option && option.unit ? ` ${option.unit}` : '';
+  return ` Default: ${String(value)}${unit}.`;
+}
+
+/** The settings that a command takes, for its report; texts that are empty are left out. */
+export function settingsAsUsed(command: Command, settings: Settings): Partial<Settings> {
+  const used = settingsOf(command).filter((setting) => settings[setting] !== '');
+  return Object.fromEntries(used.map((setting) => [setting, settings[setting]]));
 }

@@ -1,4 +1,4 @@
-/** Help for a stranger. */
+/** The text of --help, within 100 columns. */
 
 import { VERSION } from '../engine/core/version';
 import { COMMAND_SPECS, COMMANDS, flagsOf } from './flags';

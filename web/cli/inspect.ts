@@ -7,6 +7,7 @@ import { startReport } from '../engine/report/report';
 import type { InspectedBody } from '../engine/report/report';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
+import { settingsAsUsed } from './flags';
 import { chosenBodies, finish, openFile, startSession } from './session';
 import { count, plural, table } from './words';
 
@@ -18,8 +19,8 @@ export async function runInspect(args: Arguments): Promise<number> {
   const load = stopwatch();
   const bodies = chosenBodies(session, model).map((i) => model.bodies[i]);
   const inspected = bodies.map((body) => inspectBody(session.core, body, args.settings));
-  const { weld, threads } = args.settings;
-  const report = startReport(session.core, 'inspect', { weld, threads }, inspected);
+  const used = settingsAsUsed('inspect', args.settings);
+  const report = startReport(session.core, 'inspect', used, inspected);
   report.timings = { load, inspect: stopwatch(), total: total() };
   finish(session, report, inspectText(model, bodies, inspected));
   return EXIT.done;

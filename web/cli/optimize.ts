@@ -7,7 +7,7 @@ import { droppedByExport, exportGlb } from '../engine/document/export';
 import type { OpenModel } from '../engine/document/open';
 import { describeSolve } from '../engine/body/health';
 import { findHeld } from '../engine/body/constraints';
-import { resolveModel, resolveModes } from '../engine/settings/options';
+import { methodOf, resolveModel, resolveModes } from '../engine/settings/options';
 import { optimizeBody } from '../engine/stages/optimize';
 import type { OptimizedBody, Timings } from '../engine/stages/optimize';
 import { describeLargeFit, isHeldBySeams, startStopwatch } from '../engine/stages/pipeline';
@@ -110,8 +110,9 @@ function bindingText(core: Core, done: OptimizedBody[]): string {
 
 function optionsAsUsed(args: Arguments): object {
   const { settings, faces, ratio, mesh, fields } = args;
-  const guided =
-    settings.method === 'qem' ? {} : { model: resolveModel(settings), modes: resolveModes(settings) };
+  const guided = methodOf(settings).needsGuidance
+    ? { model: resolveModel(settings), modes: resolveModes(settings) }
+    : {};
   const target = {
     ...(faces !== null ? { faces } : {}),
     ...(wantsRatio(args) ? { ratio: ratio ?? DEFAULT_RATIO } : {}),

@@ -14,6 +14,7 @@ import { bindingBetween, calibrationOf, simulationOptions, STEP_SECONDS } from '
 import type { Arguments } from './arguments';
 import { checkPairs } from './compare';
 import { EXIT, UsageError } from './failure';
+import { settingsAsUsed } from './flags';
 import { checkOutput, readText, writeWhole } from './files';
 import { finish, openFile, prepareBodies, startSession, usable } from './session';
 import { count, list } from './words';
@@ -100,22 +101,7 @@ function recorded(
 }
 
 function optionsAsUsed({ settings, mesh }: Arguments): object {
-  const { scenario, material, seconds, substeps, damping, selfCollision, pins } = settings;
-  const { colliders, friction, calibrate } = settings;
-  const { young, poisson, density, thickness, unit, weld, threads } = settings;
-  const motion = {
-    scenario,
-    material,
-    seconds,
-    substeps,
-    damping,
-    selfCollision,
-    friction,
-    calibrate,
-    ...(pins === '' ? {} : { pins }),
-    ...(colliders === '' ? {} : { colliders }),
-  };
-  const used = { ...motion, young, poisson, density, thickness, unit, weld, threads };
+  const used = settingsAsUsed('simulate', settings);
   return mesh === null ? used : { ...used, mesh };
 }
 

@@ -1,12 +1,13 @@
-/** Controls that the panels share. Settings take their words and ranges from options.ts. */
+/** Controls that the panels share. Settings have their words and ranges from the table of settings. */
 
 import type { ComponentChildren } from 'preact';
 import { useId } from 'preact/hooks';
 import { OPTIONS } from '../../engine/settings/options';
-import type { Settings } from '../../engine/settings/options';
+import type { OptionOf, Settings } from '../../engine/settings/options';
 import { changeSettings, wants } from '../state/store';
 
-type NumberKey = { [K in keyof Settings]: Settings[K] extends number ? K : never }[keyof Settings];
+/** A setting whose value is a number. */
+export type NumberSetting = { [K in keyof Settings]: Settings[K] extends number ? K : never }[keyof Settings];
 
 export function Section(props: { title: string; hint?: string; children: ComponentChildren }) {
   return (
@@ -49,12 +50,10 @@ export function Range({ label, min, max, step, value, shown, title, onInput }: R
   );
 }
 
-/** Settings that span orders of magnitude: equal steps of the slider are equal factors. */
-const LOGARITHMIC = new Set<NumberKey>(['young', 'density', 'thickness', 'substeps']);
-
-/** A slider's position for a value, and back, over `span`. */
-function scaleOf(name: NumberKey, { min, max, step }: { min: number; max: number; step: number }) {
-  if (!LOGARITHMIC.has(name)) return { min, max, step, toSlider: Number, fromSlider: Number };
+/** A slider's range, and its position for a value and back. */
+function scaleOf({ slider, step, ...range }: OptionOf<'number' | 'integer'>) {
+  const { min, max } = slider ?? range;
+  if (!slider?.isLogarithmic) return { min, max, step, toSlider: Number, fromSlider: Number };
   return {
     min: Math.log10(min),
     max: Math.log10(max),
@@ -65,15 +64,15 @@ function scaleOf(name: NumberKey, { min, max, step }: { min: number; max: number
 }
 
 /** A setting as a slider over its useful span, with the exact number beside it. */
-export function SettingRange({ name }: { name: NumberKey }) {
+export function SettingRange({ name }: { name: NumberSetting }) {
   const id = useId();
-  const { label, slider, min, max, step, unit, help, kind } = OPTIONS[name];
+  const { label, min, max, unit, help, kind } = OPTIONS[name];
   const value = wants.settings.value[name];
   const set = (next: number) => {
     const whole = kind === 'integer' ? Math.round(next) : next;
     if (Number.isFinite(next)) changeSettings({ [name]: Math.min(max, Math.max(min, whole)) });
   };
-  const scale = scaleOf(name, { ...(slider ?? { min, max }), step });
+  const scale = scaleOf(OPTIONS[name]);
   return (
     <div class="control" title={help}>
       <label for={id}>{label}</label>

@@ -5,8 +5,11 @@ import type { Remote } from 'comlink';
 import { PHASES } from '../../engine/core/core';
 import type { Progress } from '../../engine/core/core';
 import type { SourceFile } from '../../engine/document/open';
+import { carrySettingErrors } from '../worker/errors';
 import { CANCELLED } from '../worker/protocol';
 import type { OpenedFile, Started, WorkerApi } from '../worker/protocol';
+
+carrySettingErrors();
 
 export class Client {
   private worker!: Worker;

@@ -1,6 +1,6 @@
 /** What each stage depends on, as text that is compared: a stage runs again when its key has changed. */
 
-import { isFitted, resolveModel } from '../../engine/settings/options';
+import { isFitted, methodOf, resolveModel } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import type { ExportRequest } from '../worker/protocol';
 
@@ -40,7 +40,7 @@ export function historyKey(settings: Settings): string {
   const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight } = settings;
   const { maxDeviation, minAngle, borders, seams, creases } = settings;
   const common = [heldKey(settings), method, sizeWeight, maxDeviation, minAngle, borders, seams, creases];
-  if (method === 'qem') return common.join(' ');
+  if (!methodOf(settings).needsGuidance) return common.join(' ');
   return [guidanceKey(settings), ...common, strainWeight, curvatureWeight, qualityWeight].join(' ');
 }
 

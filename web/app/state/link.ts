@@ -1,23 +1,29 @@
-/** What the user wants as the text of a link, and back: only what is not as it comes, in the words of the flags. */
+/** What the user wants as the text of a link, and back: values that differ from the defaults, by the names of their flags. */
 
 import { signal } from '@preact/signals';
-import { OPTIONS, checkSettings, defaultSettings } from '../../engine/settings/options';
-import type { Settings } from '../../engine/settings/options';
-import { changedSettings, readSetting } from '../../engine/settings/setting_text';
+import {
+  OPTIONS,
+  SETTING_NAMES,
+  SettingError,
+  checkSettings,
+  wordSentence,
+} from '../../engine/settings/options';
+import type { SettingName, Settings } from '../../engine/settings/options';
+import { changedSettings, readSettings } from '../../engine/settings/setting_text';
 
 export interface Wanted {
   settings: Settings;
   /** kept faces of the shown body; null: half */
   faces: number | null;
   body: number;
-  /** name of the file that it was wanted for; null: of any */
+  /** name of the file that it is for; null: any */
   file: string | null;
 }
 
-/** What a link asks of a file that is not open yet. */
+/** The request of a link for a file that is not open yet. */
 export const awaited = signal<Wanted | null>(null);
 
-/** What is asked of the file of this name, once. */
+/** Takes the awaited request if it is for the file of this name. */
 export function takeAwaited(name: string): Wanted | undefined {
   const wanted = awaited.value;
   if (!wanted?.file || lastPart(wanted.file) !== lastPart(name)) return undefined;
@@ -38,17 +44,12 @@ export function writeLink({ settings, faces, body, file }: Wanted): string {
   return words.toString();
 }
 
-/** Throws one sentence that names what does not hold; null for an empty text. */
+/** The request of a link; null for an empty text. Throws SettingError, or an Error with one sentence. */
 export function readLink(text: string): Wanted | null {
   const words = new URLSearchParams(text.replace(/^#/, ''));
   if ([...words].length === 0) return null;
-  const method = OPTIONS.method.choices!.find((name) => name === words.get('method')) as Settings['method'];
-  const settings = defaultSettings(method);
-  for (const key of Object.keys(OPTIONS) as (keyof Settings)[]) {
-    const word = words.get(OPTIONS[key].flag);
-    if (word !== null && key !== 'threads')
-      Object.assign(settings, { [key]: readSetting(OPTIONS[key], word) });
-  }
+  const names = SETTING_NAMES.filter((name) => !OPTIONS[name].isOfMachine);
+  const settings = readSettings(names, (flag) => words.get(flag));
   checkSettings(settings);
   return {
     settings,
@@ -63,4 +64,12 @@ function wholeOf(words: URLSearchParams, name: string): number | null {
   if (word === null) return null;
   if (!/^\d+$/.test(word)) throw new Error(`The link has ${name}=${word}: give a whole number.`);
   return Number(word);
+}
+
+/** Why `readLink` refuses a link, in the words that it uses for settings. */
+export function describeLinkError(error: unknown): string {
+  const wordOf = (setting: SettingName) => OPTIONS[setting].flag;
+  if (error instanceof SettingError)
+    return wordSentence(`Its ${wordOf(error.setting)}`, error.sentence, wordOf);
+  return error instanceof Error ? error.message : String(error);
 }

@@ -1,23 +1,20 @@
-/** Takes a text for which vertices stay as they are, or says why not. */
+/** Sets the text of the locked vertices, or says why not. */
 
 import { batch, signal } from '@preact/signals';
-import { parsePins } from '../../engine/body/pins';
+import { checkSetting } from '../../engine/settings/options';
+import { refusalOf } from './refusal';
+import type { Refusal } from './refusal';
 import { changeSettings } from './store';
 
-/** The last text that does not hold, and why. */
-export const refusedLock = signal<{ text: string; why: string } | null>(null);
+/** The last text, where it was refused. */
+export const refusedLock = signal<Refusal | null>(null);
 
-/** A text that does not parse is refused with the engine's sentence, and the locks before it stay. */
-export function lockInPlace(text: string): void {
+/** A text that has not the form of pins is refused with a sentence, and the locks before it stay. */
+export function setLock(text: string): void {
   const lock = text.replaceAll(/\s*([+:,])\s*/g, '$1').trim();
-  try {
-    parsePins(lock, 'lock');
-  } catch (error) {
-    refusedLock.value = { text, why: error instanceof Error ? error.message : String(error) };
-    return;
-  }
   batch(() => {
-    refusedLock.value = null;
-    changeSettings({ lock });
+    const refusal = refusalOf(text, () => checkSetting('lock', lock));
+    refusedLock.value = refusal;
+    if (!refusal) changeSettings({ lock });
   });
 }

@@ -1,8 +1,9 @@
-/** What the brush has painted: shown levels, and strokes that change them. */
+/** The painted levels of the shown body, and strokes of the brush that change them. */
 
 import { computed } from '@preact/signals';
-import { painted, parsePaint, unweldLevels, weldLevels, withPaint } from '../../engine/body/paint';
-import type { Levels } from '../../engine/body/paint';
+import { painted, unweldLevels, weldLevels } from '../../engine/body/paint';
+import { parsePaint, withPaint } from '../../engine/settings/paint_text';
+import type { Levels } from '../../engine/settings/paint_text';
 import type { Stroke } from '../stroke';
 import { changeSettings, results, view, wants } from './store';
 
@@ -10,15 +11,15 @@ import { changeSettings, results, view, wants } from './store';
 export const shownLevels = computed((): Levels | null => {
   const body = results.body.value;
   const levels = body && parsePaint(wants.settings.value.paint).get(meshNumber());
-  // A text for another file is refused in words by the history.
+  // For a text of another file the stage of the history reports the error.
   if (!levels || levels.length !== body.vertexOfSource.length) return null;
   return weldLevels(levels, body.vertexOfSource, body.mesh.positions.length / 3);
 });
 
-/** Among the meshes of the file. */
+/** The index of the shown body's mesh among the meshes of the file. */
 const meshNumber = (): number => results.file.value!.bodies[wants.body.value].mesh;
 
-/** The levels after a stroke of the tool that is in use; Shift makes an eraser of it. */
+/** The levels after a stroke of the tool in use; with Shift every tool erases. */
 export function levelsAfter({ vertices, isErasing }: Stroke): Levels {
   const { value: before } = shownLevels;
   const levels = before ? before.slice() : new Uint8Array(results.body.value!.mesh.positions.length / 3);
@@ -32,7 +33,7 @@ export function levelsAfter({ vertices, isErasing }: Stroke): Levels {
   return levels;
 }
 
-/** 1 in the middle; it falls over the outer `softness` (0 to 1) of the brush. `distance`: over its radius. */
+/** 1 in the middle, falling to 0 over the outer share `softness` (0 to 1) of the brush; `distance` is over its radius. */
 const nearness = (distance: number, softness: number): number =>
   softness > 0 ? Math.min(1, (1 - distance) / softness) : 1;
 
@@ -41,7 +42,7 @@ export function keepStroke(stroke: Stroke): void {
   if (body) setLevels(unweldLevels(levelsAfter(stroke), body.vertexOfSource));
 }
 
-/** Takes all paint off the shown body. */
+/** Removes all paint from the shown body. */
 export function clearPaint(): void {
   const body = results.body.value;
   if (body) setLevels(new Uint8Array(body.vertexOfSource.length));

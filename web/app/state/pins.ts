@@ -1,20 +1,16 @@
-/** Takes a text for what is held in place, or says why not. */
+/** Sets the text of the pins, or says why not. */
 
 import { batch } from '@preact/signals';
-import { parsePins } from '../../engine/body/pins';
+import { checkSetting } from '../../engine/settings/options';
+import { refusalOf } from './refusal';
 import { changeSettings, status } from './store';
 
-/** A text that does not parse is refused with the engine's sentence, and the pins before it stay. */
-export function holdInPlace(text: string): void {
+/** A text that has not the form of pins is refused with a sentence, and the pins before it stay. */
+export function setPins(text: string): void {
   const pins = text.replaceAll(/\s*([+:,])\s*/g, '$1').trim();
-  try {
-    parsePins(pins);
-  } catch (error) {
-    status.refusedPins.value = { text, why: error instanceof Error ? error.message : String(error) };
-    return;
-  }
   batch(() => {
-    status.refusedPins.value = null;
-    changeSettings({ pins });
+    const refusal = refusalOf(text, () => checkSetting('pins', pins));
+    status.refusedPins.value = refusal;
+    if (!refusal) changeSettings({ pins });
   });
 }

@@ -3,7 +3,7 @@
 import { batch, effect, signal, untracked } from '@preact/signals';
 import type { Signal } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
-import type { Settings } from '../../engine/settings/options';
+import { fileDefaults } from '../../engine/settings/options';
 import { CANCELLED } from '../worker/protocol';
 import type { ExportRequest, PinsResult } from '../worker/protocol';
 import { Client } from './client';
@@ -11,6 +11,7 @@ import { exportKey, guidanceKey, historyKey, modesKey, pinsKey, prepareKey, resu
 import { shareInProportion } from '../../engine/stages/face_shares';
 import { takeAwaited } from './link';
 import type { Wanted } from './link';
+import { besideControl } from './refusal';
 import { saveFiles, startSaving } from './saved_session';
 import { changeSettings, results, shownMesh, status, view, wantedFaces, whyKey, wants } from './store';
 import { forgetUndo, startUndo, withoutUndo } from './undo';
@@ -27,16 +28,6 @@ interface Stage {
 
 const REST_MILLISECONDS = 180;
 const SLOW_MILLISECONDS = 200;
-
-/** Pins, paint and modes are those of one file. */
-const NOT_CARRIED_OVER: Partial<Settings> = {
-  pins: '',
-  lock: '',
-  keep: '',
-  paint: '',
-  modes: 'auto',
-  modeWeights: [],
-};
 
 /** The wanted faces, once the slider has rested. */
 const restedFaces = signal(0);
@@ -159,7 +150,7 @@ async function findPins(): Promise<unknown> {
     if (!(error instanceof Error) || error.message === CANCELLED || text === '') throw error;
     const last = results.pins.value;
     batch(() => {
-      status.refusedPins.value = { text, why: error.message };
+      status.refusedPins.value = { text, why: besideControl(error) };
       withoutUndo(() => changeSettings({ pins: last && last.text !== text ? last.text : '' }));
     });
     return last;
@@ -219,7 +210,7 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
         wants.faces.value = wanted?.faces ?? null;
         wants.exportOpen.value = false;
         if (wanted) wants.settings.value = wanted.settings;
-        else changeSettings(NOT_CARRIED_OVER);
+        else changeSettings(fileDefaults());
         status.refusedPins.value = null;
         view.picking.value = false;
         view.brush.value = { ...view.brush.value, tool: null };

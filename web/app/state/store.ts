@@ -5,6 +5,7 @@ import type { Curvature, MeshAt, Progress, StrainGuidance } from '../../engine/c
 import { defaultSettings } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { historyKey, modesKey, resultKey } from './keys';
+import type { Refusal } from './refusal';
 import type {
   BodySummary,
   DeviationMarks,
@@ -92,7 +93,7 @@ export const status = {
   paused: signal<string | null>(null),
   notice: signal<Notice | null>(null),
   /** the last text for the pins that was refused, and why */
-  refusedPins: signal<{ text: string; why: string } | null>(null),
+  refusedPins: signal<Refusal | null>(null),
   threads: signal(0),
 };
 

@@ -2,8 +2,8 @@
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
-import { LOCKED, STRONGEST } from '../../engine/body/paint';
-import type { Levels } from '../../engine/body/paint';
+import { LOCKED, STRONGEST } from '../../engine/settings/paint_text';
+import type { Levels } from '../../engine/settings/paint_text';
 import { cornerNormals } from '../../engine/document/normals';
 import { isLarge } from './twin_surface';
 

@@ -2,7 +2,7 @@
 
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
-import type { Levels } from '../../engine/body/paint';
+import type { Levels } from '../../engine/settings/paint_text';
 import { bodyGeometry, setDisplacement, setField, setPaint } from './body_geometry';
 import type { Field } from './body_geometry';
 import { CollisionSceneView } from './collision_scene_view';

@@ -2,7 +2,7 @@
 
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
-import type { Levels } from '../../engine/body/paint';
+import type { Levels } from '../../engine/settings/paint_text';
 import type { Field } from './body_geometry';
 import { BrushRing } from './brush_ring';
 import type { BrushMark } from './brush_ring';

@@ -5,6 +5,7 @@ import type { Core, MeshAt } from '../../engine/core/core';
 import { exportGlb } from '../../engine/document/export';
 import type { OpenModel } from '../../engine/document/open';
 import { validateGlb } from '../../engine/document/validate';
+import { methodOf } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { exportedBody, measureResult, startStopwatch } from '../../engine/stages/pipeline';
 import { meshReport, resultReport, startReport, stopReport, worstSurface } from '../../engine/report/report';
@@ -63,7 +64,7 @@ function writeFile(
 ): Promise<Uint8Array> {
   const { fields } = request;
   const exported = bodies.map((stages, i) => {
-    const guidance = fields && settings.method !== 'qem' ? stages.guidance(settings) : null;
+    const guidance = fields && methodOf(settings).needsGuidance ? stages.guidance(settings) : null;
     const shown = fields ? { guidance, curvature: stages.curvature(settings) } : null;
     return exportedBody(core, stages.prepared(settings), results[i], shown);
   });

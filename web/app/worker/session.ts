@@ -13,6 +13,7 @@ import type {
 import { markDeviations } from '../../engine/stages/deviation_marks';
 import type { DeviationMark } from '../../engine/stages/deviation_marks';
 import type { OpenModel } from '../../engine/document/open';
+import { methodOf } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { findHeld } from '../../engine/body/constraints';
 import type { Held } from '../../engine/body/constraints';
@@ -124,7 +125,7 @@ export class BodyStages {
   }
 
   private guides(settings: Settings): Guides {
-    const guidance = settings.method === 'qem' ? null : this.guidance(settings);
+    const guidance = methodOf(settings).needsGuidance ? this.guidance(settings) : null;
     return { guidance, curvature: this.curvature(settings), ...this.held(settings).held };
   }
 
@@ -200,6 +201,6 @@ export class BodyStages {
 
   /** For the report: the modes that guided, where the method has any. */
   guidingModes(settings: Settings): ModeSet | null {
-    return settings.method === 'qem' ? null : this.modes(settings);
+    return methodOf(settings).needsGuidance ? this.modes(settings) : null;
   }
 }

@@ -12,6 +12,7 @@ import { checkSettings } from '../../engine/settings/options';
 import { isHeldBySeams } from '../../engine/stages/pipeline';
 import { exportKey, historyKey, modesKey, resultKey } from '../state/keys';
 import { CANCELLED } from './protocol';
+import { carrySettingErrors } from './errors';
 import { exportAll } from './exporting';
 import type { WorkerApi } from './protocol';
 import { BodyStages } from './session';
@@ -138,4 +139,5 @@ const api: WorkerApi = {
   },
 };
 
+carrySettingErrors();
 expose(api);

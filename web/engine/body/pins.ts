@@ -1,101 +1,80 @@
-/**
- * Which vertices are held in place, as text: `low:6`, `high:6` (the lowest, highest 6 % along the longest axis of the
- * bounding box), `box:x0,y0,z0,x1,y1,z1` (units of the body), `attribute:NAME` (where its first component is above
- * one half), `vertices:i,j` (numbers in the file, from 0), joined by `+`.
- */
+/** Which vertices of a body the terms of pins stand for; see settings/pin_text.ts. */
 
-import { NONE } from '../core/core';
 import type { Document } from '@gltf-transform/core';
+import { NONE } from '../core/core';
+import { SettingError } from '../settings/errors';
+import { parsePins } from '../settings/pin_text';
+import type { PinTerm, PinTerms } from '../settings/pin_text';
+import type { SettingName } from '../settings/table';
 import type { PreparedBody } from '../stages/pipeline';
 
-export type PinTerm =
-  | { kind: 'low'; percent: number }
-  | { kind: 'high'; percent: number }
-  | { kind: 'box'; low: number[]; high: number[] }
-  | { kind: 'attribute'; name: string }
-  | { kind: 'vertices'; vertices: number[] };
-
-const FORMS = 'low:PCT, high:PCT, box:x0,y0,z0,x1,y1,z1, attribute:NAME or vertices:i,j, joined by +';
-
-/** The terms of the text of a flag; none for an empty one. Throws one sentence that shows the forms. */
-export function parsePins(text: string, flag = 'pins'): PinTerm[] {
-  return text === '' ? [] : text.split('+').map((term) => parseTerm(term, flag));
-}
-
-function parseTerm(term: string, flag: string): PinTerm {
-  const colon = term.indexOf(':');
-  const [kind, value] = [term.slice(0, colon), term.slice(colon + 1)];
-  const numbers = value.split(',').map((word) => (word.trim() === '' ? NaN : Number(word)));
-  const refuse = (): never => {
-    throw new Error(`--${flag} has "${term}": give ${FORMS}.`);
-  };
-  if (colon < 1 || value === '') return refuse();
-  if (kind === 'attribute') return { kind, name: value };
-  if (!numbers.every(Number.isFinite)) return refuse();
-  if (kind === 'low' || kind === 'high') {
-    if (numbers.length !== 1 || numbers[0] < 0 || numbers[0] > 100) return refuse();
-    return { kind, percent: numbers[0] };
-  }
-  if (kind === 'box') {
-    if (numbers.length !== 6) return refuse();
-    const [low, high] = [numbers.slice(0, 3), numbers.slice(3)];
-    return {
-      kind,
-      low: low.map((x, i) => Math.min(x, high[i])),
-      high: low.map((x, i) => Math.max(x, high[i])),
-    };
-  }
-  if (kind !== 'vertices' || !numbers.every((n) => Number.isInteger(n) && n >= 0)) return refuse();
-  return { kind, vertices: numbers };
-}
+/** Vertices of a prepared mesh that are held in place, in its modes and in simulation: indices, ascending and distinct. */
+export type PinnedVertices = Uint32Array;
 
 /**
- * The vertices of `prepared.mesh` that the text of a flag names, ascending. Throws where a name or number is not in the
- * body.
+ * The vertices of `prepared.mesh` that the text of a setting stands for. Throws SettingError where the text has not the form
+ * of pins, or a name or number is not in the body.
  */
-export function findPins(
+export const findPins = (
   text: string,
   document: Document,
   prepared: PreparedBody,
-  flag = 'pins',
-): Uint32Array {
+  setting: SettingName = 'pins',
+): PinnedVertices => resolvePins(parsePins(text, setting), document, prepared, setting);
+
+/** The vertices of `prepared.mesh` that the terms of a setting stand for. Throws SettingError where one is not in the body. */
+export function resolvePins(
+  terms: PinTerms,
+  document: Document,
+  prepared: PreparedBody,
+  setting: SettingName,
+): PinnedVertices {
   const pinned = new Set<number>();
-  for (const term of parsePins(text, flag))
-    for (const vertex of pinnedBy(term, document, prepared, flag)) pinned.add(vertex);
+  for (const term of terms)
+    for (const vertex of verticesOf(term, document, prepared, setting)) pinned.add(vertex);
   return Uint32Array.from(pinned).sort();
 }
 
-function pinnedBy(term: PinTerm, document: Document, prepared: PreparedBody, flag: string): number[] {
+function verticesOf(
+  term: PinTerm,
+  document: Document,
+  prepared: PreparedBody,
+  setting: SettingName,
+): number[] {
   const { positions } = prepared.mesh;
-  const inside = (isPinned: (at: number) => boolean) =>
-    Array.from({ length: positions.length / 3 }, (_, v) => v).filter((v) => isPinned(3 * v));
-  if (term.kind === 'box') {
-    const { low, high } = term;
-    return inside((at) =>
-      [0, 1, 2].every((c) => positions[at + c] >= low[c] && positions[at + c] <= high[c]),
-    );
+  switch (term.kind) {
+    case 'box':
+      return inBox(positions, term);
+    case 'low':
+    case 'high':
+      return atEnd(positions, term);
+    case 'vertices':
+      return weldedVertices(term.vertices, prepared, setting);
+    case 'attribute':
+      return weldedVertices(attributeVertices(term.name, document, prepared, setting), prepared, setting);
   }
-  if (term.kind === 'low' || term.kind === 'high') {
-    const { axis, low, high } = longestExtent(positions);
-    const depth = (term.percent / 100) * (high - low);
-    return term.kind === 'low'
-      ? inside((at) => positions[at + axis] <= low + depth)
-      : inside((at) => positions[at + axis] >= high - depth);
-  }
-  const sources =
-    term.kind === 'vertices' ? term.vertices : attributeVertices(term.name, document, prepared, flag);
-  const { vertexOfSource } = prepared.weld;
-  for (const source of sources)
-    if (source >= vertexOfSource.length)
-      throw new Error(
-        `--${flag} names vertex ${source}, but "${prepared.body.name}" has only ${vertexOfSource.length}: name one below that.`,
-      );
-  return sources.map((source) => vertexOfSource[source]).filter((vertex) => vertex !== NONE);
 }
 
-/** The longest side of the bounding box; of equal ones the first. */
-function longestExtent(positions: Float32Array): { axis: number; low: number; high: number } {
-  const extents = [0, 1, 2].map((axis) => {
+const verticesWhere = (positions: Float32Array, isWanted: (at: number) => boolean): number[] =>
+  Array.from({ length: positions.length / 3 }, (_, v) => v).filter((v) => isWanted(3 * v));
+
+const inBox = (positions: Float32Array, { low, high }: { low: number[]; high: number[] }): number[] =>
+  verticesWhere(positions, (at) =>
+    [0, 1, 2].every((c) => positions[at + c] >= low[c] && positions[at + c] <= high[c]),
+  );
+
+/** The vertices within `percent` of the length of the longest axis from its lower or upper end. */
+function atEnd(positions: Float32Array, { kind, percent }: { kind: 'low' | 'high'; percent: number }) {
+  const { axis, low, high } = longestAxis(positions);
+  const depth = (percent / 100) * (high - low);
+  return verticesWhere(positions, (at) =>
+    kind === 'low' ? positions[at + axis] <= low + depth : positions[at + axis] >= high - depth,
+  );
+}
+
+/** The axis of the longest side of the bounding box, the first of equal ones, and its range. */
+function longestAxis(positions: Float32Array): { axis: number; low: number; high: number } {
+  const ranges = [0, 1, 2].map((axis) => {
     let [low, high] = [Infinity, -Infinity];
     for (let at = axis; at < positions.length; at += 3) {
       low = Math.min(low, positions[at]);
@@ -103,40 +82,57 @@ function longestExtent(positions: Float32Array): { axis: number; low: number; hi
     }
     return { axis, low, high };
   });
-  return extents.reduce((longest, one) => (one.high - one.low > longest.high - longest.low ? one : longest));
+  return ranges.reduce((longest, one) => (one.high - one.low > longest.high - longest.low ? one : longest));
+}
+
+/** The welded vertices of vertices of the body; those that no usable face needs are left out. */
+function weldedVertices(sources: number[], { body, weld }: PreparedBody, setting: SettingName): number[] {
+  const { vertexOfSource } = weld;
+  for (const source of sources)
+    if (source >= vertexOfSource.length)
+      throw new SettingError(
+        setting,
+        `names vertex ${source}, but "${body.name}" has only ${vertexOfSource.length}: name one below that.`,
+      );
+  return sources.map((source) => vertexOfSource[source]).filter((vertex) => vertex !== NONE);
 }
 
 /** The body's vertices where the first component of an attribute is above one half. */
-function attributeVertices(name: string, document: Document, prepared: PreparedBody, flag: string): number[] {
-  return [...firstComponents(name, document, prepared, flag)].flatMap((value, vertex) =>
+const attributeVertices = (
+  name: string,
+  document: Document,
+  prepared: PreparedBody,
+  setting: SettingName,
+): number[] =>
+  [...firstComponents(name, document, prepared, setting)].flatMap((value, vertex) =>
     value > 0.5 ? [vertex] : [],
   );
-}
 
 /**
- * The first component of an attribute at every vertex of the body; 0 where a primitive lacks it. Throws one sentence that
- * names the flag where all do.
+ * The first component of an attribute at every vertex of the body; 0 where a primitive has none. Throws SettingError about
+ * `setting` where no primitive of the body has the attribute.
  */
 export function firstComponents(
   name: string,
   document: Document,
   { body }: PreparedBody,
-  flag: string,
+  setting: SettingName,
 ): Float32Array {
   const primitives = document.getRoot().listMeshes()[body.mesh].listPrimitives();
-  const found = new Float32Array(body.positions.length / 3);
-  let isThere = false;
+  const values = new Float32Array(body.positions.length / 3);
+  let isFound = false;
   for (const { primitive, firstVertex } of body.spans) {
     const attribute = primitives[primitive].getAttribute(name);
     if (!attribute) continue;
-    isThere = true;
+    isFound = true;
     const element: number[] = [];
     for (let v = 0; v < attribute.getCount(); ++v)
-      found[firstVertex + v] = attribute.getElement(v, element)[0];
+      values[firstVertex + v] = attribute.getElement(v, element)[0];
   }
-  if (isThere) return found;
+  if (isFound) return values;
   const names = [...new Set(primitives.flatMap((primitive) => primitive.listSemantics()))].join(', ');
-  throw new Error(
-    `--${flag} names the attribute ${name}, but "${body.name}" has ${names}: name one of these.`,
+  throw new SettingError(
+    setting,
+    `names the attribute ${name}, but "${body.name}" has ${names}: name one of these.`,
   );
 }

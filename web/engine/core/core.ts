@@ -47,10 +47,13 @@ export interface Inspection {
   orientationClashes: number;
 }
 
-export type Model = 'laplacian' | 'shell' | 'solid';
+/** In the order of `enum class Model` in wasm/elastic/modes.h, which ends with `auto`. */
+export const MODELS = ['laplacian', 'shell', 'solid'] as const;
+export type Model = (typeof MODELS)[number];
 
 /** `local`: little of the surface takes part; see wasm/elastic/mode_character.h for the rule. */
-export type ModeName = 'bend' | 'twist' | 'stretch' | 'breathe' | 'local';
+export const MODE_NAMES = ['bend', 'twist', 'stretch', 'breathe', 'local'] as const;
+export type ModeName = (typeof MODE_NAMES)[number];
 
 export interface ModesOptions {
   /** 'auto': solid for closed parts, shell for others */
@@ -138,7 +141,13 @@ export interface Curvature {
   triangle: Float32Array;
 }
 
-export type Method = 'qem' | 'paper' | 'limber';
+/** In the order of `enum class Method` in wasm/simplify/simplify.h. */
+export const METHODS = ['qem', 'paper', 'limber'] as const;
+export type Method = (typeof METHODS)[number];
+
+export const BORDERS = ['free', 'fixed'] as const;
+/** The most values a wedge can have in SimplifyConstraints.attributes. */
+export const ATTRIBUTE_LIMIT = 8;
 
 /** What a simplification has to respect besides the surface; see wasm/simplify/constraints.h. Every list may be left out. */
 export interface SimplifyConstraints {
@@ -154,13 +163,13 @@ export interface SimplifyConstraints {
   pinnedSets?: Uint32Array;
   /** attributes[wedge * attributeDimension + i] (per vertex without wedges); 1 weighs as much as the bounding diagonal */
   attributes?: Float32Array;
-  /** 1 to 8 */
+  /** 1 to ATTRIBUTE_LIMIT */
   attributeDimension?: number;
   /** per vertex: its mirror image, itself on the plane of symmetry; both sides then collapse together */
   mirror?: Uint32Array;
   /** degrees; edges that bend more are creases; 0: none */
   creaseAngle?: number;
-  borders?: 'free' | 'fixed';
+  borders?: (typeof BORDERS)[number];
 }
 
 export interface SimplifyOptions {
@@ -193,6 +202,9 @@ export interface Refused {
   deviation: number;
 }
 
+/** Why a history ends, in the order of `enum class StopReason` in wasm/simplify/history.h. */
+export const STOP_REASONS = ['target', 'deviation', 'angle', 'exhausted'] as const;
+
 /** Every collapse down to its end. Collapse i moves vertex kept[i] to positions[3 * i + c] and takes in removed[i]. */
 export interface History {
   vertexCount: number;
@@ -204,7 +216,7 @@ export interface History {
   trianglesAfter: Uint32Array;
   refused: Refused;
   /** why it ends */
-  stop: 'target' | 'deviation' | 'angle' | 'exhausted';
+  stop: (typeof STOP_REASONS)[number];
   /** SimplifyConstraints.mirror, where it was among the constraints: collapses then come in pairs */
   mirror?: Uint32Array;
 }
@@ -366,7 +378,9 @@ export interface ShellModes {
   shapes: Float32Array;
 }
 
-export type SimulationMaterial = 'springs' | 'shell';
+/** In the order of `enum class Material` in wasm/simulate/simulation.h. */
+export const SIMULATION_MATERIALS = ['springs', 'shell'] as const;
+export type SimulationMaterial = (typeof SIMULATION_MATERIALS)[number];
 export type ScenarioName = 'twist' | 'sway' | 'hang' | 'drop' | 'pull' | 'wind' | 'drape';
 
 /** A ball, where `from` is `to`, or a capsule; units of the mesh. */

@@ -4,7 +4,6 @@ import type {
   Binding,
   Core,
   ScenarioName,
-  SimulationMaterial,
   SimulationOptions,
   StartOptions,
   CollisionScene,
@@ -12,7 +11,7 @@ import type {
   TriangleMesh,
 } from '../core/core';
 import { NONE } from '../core/core';
-import { parseColliders } from './colliders';
+import { collisionSceneOf } from './colliders';
 import type { BodyBinding } from '../report/binding_file';
 import { materialOf } from '../stages/pipeline';
 import type { BodySize, PreparedBody } from '../stages/pipeline';
@@ -22,7 +21,6 @@ import type { Settings } from '../settings/options';
 export const STEP_SECONDS = 1 / 60;
 
 export const SCENARIOS: readonly ScenarioName[] = ['twist', 'sway', 'hang', 'drop', 'pull', 'wind', 'drape'];
-export const SIMULATION_MATERIALS: readonly SimulationMaterial[] = ['shell', 'springs'];
 
 /** What the settings ask for, for this body and any that was made from it. `pinned`: null leaves it to the scenario. */
 export function simulationOptions(
@@ -39,7 +37,7 @@ export function simulationOptions(
     damping,
     selfCollision,
     friction,
-    ...parseColliders(colliders),
+    ...collisionSceneOf(colliders),
     pinned,
     ...materialOf(original, settings),
   };

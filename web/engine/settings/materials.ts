@@ -1,6 +1,6 @@
-/** Named materials: what `--material-preset` stands for. Typical values; a piece of real cloth or leather may be far off. */
+/** Named materials, with typical values: a piece of real cloth or leather may differ much from them. */
 
-import type { Settings } from './options';
+import type { Settings } from './table';
 
 export type Material = Pick<Settings, 'young' | 'poisson' | 'density' | 'thickness'>;
 
@@ -23,7 +23,7 @@ export type MaterialName = keyof typeof MATERIALS;
 
 export const MATERIAL_NAMES = Object.keys(MATERIALS) as MaterialName[];
 
-/** The preset that the settings' material is; null for one of the user's own. */
+/** The name of the settings' material; null where the numbers are those of no named one. */
 export function materialNameOf(settings: Settings): MaterialName | null {
   const isSame = (name: MaterialName) =>
     Object.entries(MATERIALS[name]).every(([key, value]) => settings[key as keyof Material] === value);

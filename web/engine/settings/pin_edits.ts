@@ -1,4 +1,4 @@
-/** Changes to the text of the pins, as buttons and the picking hand make them. The forms are those of pins.ts. */
+/** Changes to the text of the pins, as buttons and the pick tool make them. The forms are those of pin_text.ts. */
 
 import { NONE } from '../core/core';
 
@@ -8,13 +8,13 @@ const isOfKind = (kind: string) => (term: string) => term.startsWith(`${kind}:`)
 /** Whether the text has a term of this kind: `low`, `high`, `box`, `attribute`, `vertices`. */
 export const hasPins = (text: string, kind: string): boolean => termsOf(text).some(isOfKind(kind));
 
-/** What stands after the colon of the first term of a kind; '' where there is none. */
+/** The text after the colon of the first term of a kind; '' where there is none. */
 export function pinValue(text: string, kind: string): string {
   const term = termsOf(text).find(isOfKind(kind));
   return term ? term.slice(kind.length + 1) : '';
 }
 
-/** The text with this one term of its kind; '' as value takes all of that kind away. */
+/** The text with this as the only term of its kind; an empty value removes the kind. */
 export function withPins(text: string, kind: string, value: string): string {
   const others = termsOf(text).filter((term) => !isOfKind(kind)(term));
   return [...others, ...(value === '' ? [] : [`${kind}:${value}`])].join('+');
@@ -29,13 +29,16 @@ export function sourcesOfVertices(vertexOfSource: Uint32Array): Map<number, numb
   return sources;
 }
 
-/** Welded vertices that a hand pins or lets go. */
+/** Welded vertices to pin or to release. */
 export interface PinEdit {
   isPinning: boolean;
   vertices: number[];
 }
 
-/** The text after an edit of the vertices that it pins, `pinned`; terms that still hold are kept, all others become numbers. */
+/**
+ * The text after an edit of the vertices that it pins, `pinned`. Where the edit releases a vertex that is not listed by number,
+ * all remaining vertices are listed; otherwise the other terms stay as they are.
+ */
 export function editPins(
   text: string,
   pinned: Uint32Array,
@@ -50,7 +53,7 @@ export function editPins(
   }
   const removed = new Set(vertices.filter((vertex) => before.has(vertex)));
   const isListed = new Set(listed);
-  // What another term pins can only be let go by a list of what is left.
+  // A vertex that another term pins can only be released by a list of the vertices that remain.
   const needsList = [...removed].some((vertex) => !isListed.has(vertex));
   const kept = (needsList ? [...pinned] : listed).filter((vertex) => !removed.has(vertex));
   return withVertices(needsList ? '' : text, kept, vertexOfSource);

@@ -1,46 +1,50 @@
 /** Settings as text and back, the same for flags and for links. */
 
-import { OPTIONS, defaultSettings } from './options';
-import type { OptionSpec, Settings } from './options';
-
-const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+import { rulesOf } from './kinds';
+import { defaultSettings } from './methods';
+import { OPTIONS, SETTING_NAMES } from './table';
+import type { SettingName, Settings } from './table';
+import type { OptionSpec } from './types';
 
 /** The value that `text` stands for; text that is no number comes back as it is, and the range check refuses it. */
-export function readSetting(option: OptionSpec, text: string): unknown {
-  if (option.kind === 'switch') return true;
-  const isWord =
-    ['pins', 'paint', 'colliders', 'name', 'choice'].includes(option.kind) ||
-    (option.kind === 'modes' && ['auto', 'all'].includes(text));
-  if (isWord) return text;
-  const isList = option.kind === 'modes' || option.kind === 'numbers';
-  return isList ? text.split(',').map(readNumber) : readNumber(text);
+export const readSetting = (option: OptionSpec, text: string): unknown => rulesOf(option).read(text);
+
+/** The settings that texts stand for, over the defaults of the method that they name, or of `base`. Nothing is checked. */
+export function readSettings(
+  names: readonly SettingName[],
+  textOfFlag: (flag: string) => string | null | undefined,
+  base: Partial<Settings> = {},
+): Settings {
+  const word = textOfFlag(OPTIONS.method.flag);
+  const asked = names.includes('method') && OPTIONS.method.choices.find((name) => name === word);
+  const settings = { ...defaultSettings((asked || base.method) as Settings['method']), ...base };
+  for (const name of names) {
+    const text = textOfFlag(OPTIONS[name].flag);
+    if (text !== null && text !== undefined)
+      Object.assign(settings, { [name]: readSetting(OPTIONS[name], text) });
+  }
+  return settings;
 }
 
-export function readNumber(text: string): number | string {
-  if (/^\+?inf(inity)?$/i.test(text)) return Infinity;
-  return DECIMAL.test(text) ? Number(text) : text;
-}
-
-/** A setting that is not as its method has it; a switch that is on has no text. */
+/** A setting that differs from the default of its method; a switch that is on has no text. */
 export interface ChangedSetting {
-  key: keyof Settings;
+  key: SettingName;
   flag: string;
   text: string | null;
 }
 
-/** What makes these settings of the defaults, in the order of OPTIONS; threads change no result. */
+/** What makes these settings of the defaults, in the order of the table; what describes the machine is left out. */
 export function changedSettings(settings: Settings): ChangedSetting[] {
-  const defaults = defaultSettings(settings.method);
-  const isChanged = (key: keyof Settings) =>
-    key === 'method'
-      ? settings.method !== OPTIONS.method.default
-      : String(settings[key]) !== String(defaults[key]);
-  return (Object.keys(OPTIONS) as (keyof Settings)[])
-    .filter((key) => key !== 'threads' && isChanged(key))
-    .map((key) => ({ key, flag: OPTIONS[key].flag, text: textOf(settings[key]) }));
+  const defaults: Settings = {
+    ...defaultSettings(settings.method),
+    method: OPTIONS.method.default as Settings['method'],
+  };
+  return SETTING_NAMES.filter(
+    (key) => !OPTIONS[key].isOfMachine && String(settings[key]) !== String(defaults[key]),
+  ).map((key) => ({ key, flag: OPTIONS[key].flag, text: textOf(settings[key]) }));
 }
 
-function textOf(value: Settings[keyof Settings]): string | null {
+function textOf(value: Settings[SettingName]): string | null {
   if (value === true) return null;
   return value === Infinity ? 'inf' : String(value);
 }

@@ -6,6 +6,7 @@ import type { Core, Curvature, History, MeshAt, ModeSet, StrainGuidance } from '
 import { searchFaces } from './frequency_target';
 import type { FrequencyFinding } from './frequency_target';
 import type { Held } from '../body/constraints';
+import { methodOf } from '../settings/options';
 import type { Settings } from '../settings/options';
 import {
   buildHistory,
@@ -114,8 +115,8 @@ export function optimizeBody(
   target: Target,
 ): OptimizedBody {
   const stopwatch = startStopwatch();
-  const needsModes = settings.method !== 'qem';
-  const modes = needsModes ? findModes(core, prepared, settings, target.pinned) : null;
+  const { needsGuidance } = methodOf(settings);
+  const modes = needsGuidance ? findModes(core, prepared, settings, target.pinned) : null;
   const modesTime = stopwatch();
   const guidance = modes ? findGuidance(core, prepared, modes, settings) : null;
   const curvature = core.meanCurvature(prepared.mesh);

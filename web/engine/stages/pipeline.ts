@@ -7,6 +7,7 @@ import type { Document } from '@gltf-transform/core';
 import { attributesOf, costAttributesOf, NO_ATTRIBUTES, ownSources, sourcesInBody } from '../body/attributes';
 import type { BodyAttributes, CostAttributes } from '../body/attributes';
 import { nextEnd } from './collapse_pairs';
+import { ATTRIBUTE_LIMIT } from '../core/core';
 import type {
   Core,
   Curvature,
@@ -33,7 +34,7 @@ import type { Body } from '../document/model';
 import { length3 } from '../core/exact_math';
 import type { Held } from '../body/constraints';
 import { modesAvailable } from '../core/mode_set';
-import { isFitted, resolveModel, resolveModes } from '../settings/options';
+import { isFitted, methodOf, resolveModel, resolveModes, SettingError } from '../settings/options';
 import type { Settings } from '../settings/options';
 import type { InspectedBody } from '../report/report';
 import { withMirror } from '../body/symmetry';
@@ -115,7 +116,7 @@ function prepareAsItStands(
   const diagonal = diagonalOf(mesh);
   const attributes = document ? attributesOf(document, body, weld) : NO_ATTRIBUTES;
   const costs = document && costAttributesOf(document, body, weld, attributes, diagonal);
-  const costAttributes = costs && costs.dimension <= MOST_COST_DIMENSIONS ? costs : NO_COSTS;
+  const costAttributes = costs && costs.dimension <= ATTRIBUTE_LIMIT ? costs : NO_COSTS;
   return { body, weld, mesh, diagonal, inspection, quality, attributes, costAttributes };
 }
 
@@ -164,8 +165,9 @@ export function findGuidance(
   const found = asked.filter(({ ordinal }) => ordinal < available);
   if (found.length === 0) {
     const lowest = Math.min(...asked.map(({ ordinal }) => ordinal + 1));
-    throw new Error(
-      `--mode names mode ${lowest}, but "${prepared.body.name}" has only ${available}: name a lower one.`,
+    throw new SettingError(
+      'modes',
+      `names mode ${lowest}, but "${prepared.body.name}" has only ${available}: name a lower one.`,
     );
   }
   const weights = modeWeights.length > 0 ? found.map(({ weight }) => weight) : [];
@@ -229,15 +231,10 @@ function simplification(
   };
 }
 
-/** What the core takes of them. */
-const MOST_COST_DIMENSIONS = 8;
 const NO_COSTS: CostAttributes = { values: new Float32Array(), dimension: 0 };
 
-function constraintsOf(
-  prepared: PreparedBody,
-  { method, borders, seams, creases }: Settings,
-  held: Held,
-): SimplifyConstraints {
+function constraintsOf(prepared: PreparedBody, settings: Settings, held: Held): SimplifyConstraints {
+  const { borders, seams, creases } = settings;
   const pins = maskOf(prepared.mesh, held.pinned);
   const constraints = {
     pinnedSets: pins && Uint32Array.from(pins),
@@ -247,7 +244,7 @@ function constraintsOf(
     creaseAngle: creases,
     borders,
   };
-  if (method === 'paper') return constraints;
+  if (!methodOf(settings).keepsAttributes) return constraints;
   const { charts } = prepared.attributes;
   if (seams === 'cross') return { ...constraints, groups: charts.groups };
   const { values: attributes, dimension: attributeDimension } = prepared.costAttributes;
@@ -258,10 +255,10 @@ function constraintsOf(
 export function isHeldBySeams(
   { mesh, attributes }: PreparedBody,
   { lock, ...others }: Refused,
-  { seams, method }: Settings,
+  settings: Settings,
 ): boolean {
   const hasSeams = attributes.wedgeCount > mesh.positions.length / 3;
-  const isKept = seams === 'keep' && method !== 'paper';
+  const isKept = settings.seams === 'keep' && methodOf(settings).keepsAttributes;
   return hasSeams && isKept && lock > Object.values(others).reduce((sum, count) => sum + count, 0);
 }
 

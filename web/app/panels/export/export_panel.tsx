@@ -2,12 +2,13 @@
 
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import type { Validation } from '../../../engine/document/validate';
-import { checkOption } from '../../../engine/settings/option_check';
-import { OPTIONS } from '../../../engine/settings/options';
+import { OPTIONS, checkSetting } from '../../../engine/settings/options';
 import { reportAsCsv, reportAsMarkdown } from '../../../engine/report/report_text';
 import { readSetting } from '../../../engine/settings/setting_text';
 import { commandLine } from '../../command_line';
 import { download } from '../../files/files';
+import { refusalOf } from '../../state/refusal';
+import type { Refusal } from '../../state/refusal';
 import { bodyTargets, client, exportedKey, exportRequest } from '../../state/runner';
 import { changeSettings, results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
@@ -87,18 +88,13 @@ function Extras() {
 /** Shares of the faces of further levels, with commas. */
 function Levels() {
   const id = useId();
-  const [refused, setRefused] = useState<{ text: string; why: string } | null>(null);
+  const [refused, setRefused] = useState<Refusal | null>(null);
   const change = (typed: string) => {
     const text = typed.replaceAll(/\s/g, '');
     const lods = text === '' ? [] : (readSetting(OPTIONS.lods, text) as number[]);
-    try {
-      if (lods.length > 0) checkOption(OPTIONS.lods, lods);
-      setRefused(null);
-      changeSettings({ lods });
-    } catch (error) {
-      const why = error instanceof Error ? error.message : String(error);
-      setRefused({ text: typed, why: why.replace(/^--lods is/, 'This is') });
-    }
+    const refusal = refusalOf(typed, () => checkSetting('lods', lods));
+    setRefused(refusal);
+    if (!refusal) changeSettings({ lods });
   };
   return (
     <div class="control stacked">

@@ -1,10 +1,10 @@
-/** What the body is made of: a named material, or four numbers. */
+/** The choice of a named material. */
 
 import { MATERIALS, MATERIAL_NAMES, materialNameOf } from '../../../engine/settings/materials';
 import type { MaterialName } from '../../../engine/settings/materials';
 import { resolveModel } from '../../../engine/settings/options';
 import { changeSettings, wants } from '../../state/store';
-import { Select, SettingRange } from '../../controls/controls';
+import { Select } from '../../controls/controls';
 
 const capital = (word: string): string => word[0].toUpperCase() + word.slice(1);
 
@@ -26,17 +26,6 @@ export function MaterialSelect() {
         }}
       />
       {resolveModel(settings) === 'laplacian' && <p class="hint">The Laplacian knows no material.</p>}
-    </>
-  );
-}
-
-export function MaterialNumbers() {
-  return (
-    <>
-      <SettingRange name="young" />
-      <SettingRange name="poisson" />
-      <SettingRange name="density" />
-      <SettingRange name="thickness" />
     </>
   );
 }

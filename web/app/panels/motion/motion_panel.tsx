@@ -6,9 +6,10 @@ import { coarseVerticesOf, describeModels } from '../../../engine/core/mode_set'
 import { OPTIONS, resolveModel } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
 import { areModesStale, changeSettings, results, view, wants } from '../../state/store';
-import { Choice, Range, Section, SettingRange, Toggle } from '../../controls/controls';
+import { Choice, Range, Section, Toggle } from '../../controls/controls';
 import { count } from '../../controls/numbers';
-import { MaterialNumbers, MaterialSelect } from './material_section';
+import { SettingControls } from '../../controls/setting_controls';
+import { MaterialSelect } from './material_section';
 import { PinsSection } from './pins_section';
 
 const MODELS: { value: Settings['model']; text: string; title: string }[] = [
@@ -50,10 +51,8 @@ export function MotionPanel() {
           shown={`x${view.speed.value}`}
           onInput={(value) => (view.speed.value = value)}
         />
-        <MaterialNumbers />
-        <SettingRange name="modeCount" />
-        <SettingRange name="p" />
-        <SettingRange name="strainThreshold" />
+        <SettingControls section="material" />
+        <SettingControls section="modes" />
         {!showsExactToggle() && <ExactToggle />}
       </details>
     </>

@@ -2,7 +2,7 @@
 
 import { batch } from '@preact/signals';
 import { editPins } from '../../../engine/settings/pin_edits';
-import { holdInPlace } from '../../state/pins';
+import { setPins } from '../../state/pins';
 import { viewportColours } from '../../state/scheme';
 import { isBrushing, isPicking, results, view, wants } from '../../state/store';
 import { PickTool } from '../../viewer/pick_tool';
@@ -60,7 +60,7 @@ function pinVertices(vertices: number[], isPinning: boolean): void {
   const text = editPins(pins, pinned, { isPinning, vertices }, body.vertexOfSource);
   const after = afterEdit(vertices, isPinning);
   batch(() => {
-    holdInPlace(text);
+    setPins(text);
     // The worker will find the same pins. Until then the next stroke continues from these.
     results.pins.value = { text, vertices: Uint32Array.from(after).sort() };
   });

@@ -3,7 +3,7 @@
 import { useId } from 'preact/hooks';
 import { OPTIONS } from '../../../engine/settings/options';
 import { hasPins, pinValue, withPins } from '../../../engine/settings/pin_edits';
-import { holdInPlace } from '../../state/pins';
+import { setPins } from '../../state/pins';
 import { isPicking, results, status, view, wants } from '../../state/store';
 import { Section, Select } from '../../controls/controls';
 import { count } from '../../controls/numbers';
@@ -40,7 +40,7 @@ export function PinsSection() {
           class="quiet"
           disabled={pins === ''}
           aria-label="Clear what is held"
-          onClick={() => holdInPlace('')}
+          onClick={() => setPins('')}
         >
           Clear
         </button>
@@ -58,7 +58,7 @@ function EndButton({ kind, text }: { kind: 'low' | 'high'; text: string }) {
       type="button"
       aria-pressed={isHeld}
       title={`Hold the ${kind === 'low' ? 'lowest' : 'highest'} ${END} % along the longest side`}
-      onClick={() => holdInPlace(withPins(pins, kind, isHeld ? '' : END))}
+      onClick={() => setPins(withPins(pins, kind, isHeld ? '' : END))}
     >
       {text}
     </button>
@@ -75,7 +75,7 @@ function AttributeSelect() {
       title="Holds the vertices where the first component of the attribute is above one half"
       options={[{ value: '', text: 'None' }, ...names.map((name) => ({ value: name, text: name }))]}
       value={pinValue(pins, 'attribute')}
-      onChange={(name) => holdInPlace(withPins(pins, 'attribute', name))}
+      onChange={(name) => setPins(withPins(pins, 'attribute', name))}
     />
   );
 }
@@ -86,9 +86,6 @@ function describePins(): string {
   if (wants.settings.value.pins === '') return 'Nothing: the body floats freely.';
   return `${count(held)} of ${count(total)} vertices.`;
 }
-
-/** The engine speaks of the flag; here the text is what it is about. */
-const aboutText = (sentence: string): string => sentence.replace(/^--pins /, 'This ');
 
 function PinsText() {
   const id = useId();
@@ -108,12 +105,12 @@ function PinsText() {
           aria-invalid={refused !== null}
           aria-describedby={refused ? `${id}-refused` : `${id}-help`}
           value={refused ? refused.text : wants.settings.value.pins}
-          onChange={(event) => holdInPlace(event.currentTarget.value)}
+          onChange={(event) => setPins(event.currentTarget.value)}
         />
       </details>
       {refused && (
         <p id={`${id}-refused`} class="hint bad" role="alert">
-          {aboutText(refused.why)}
+          {refused.why}
         </p>
       )}
     </>

@@ -1,12 +1,12 @@
 /** Where triangles are to stay: painted on the viewport, or named without a pointer. */
 
 import { useId } from 'preact/hooks';
-import { LOCKED } from '../../../engine/body/paint';
+import { LOCKED } from '../../../engine/settings/paint_text';
 import { OPTIONS } from '../../../engine/settings/options';
 import { clearPaint, shownLevels } from '../../state/paint';
 import { changeSettings, isBrushing, results, view, wants } from '../../state/store';
 import type { BrushTool } from '../../state/store';
-import { lockInPlace, refusedLock } from '../../state/locks';
+import { setLock, refusedLock } from '../../state/locks';
 import { PAINT } from '../../viewer/surface_material';
 import { Choice, Range, Section, Select } from '../../controls/controls';
 import { count, fixed } from '../../controls/numbers';
@@ -113,11 +113,11 @@ export function NamedLocks() {
           type="button"
           disabled={pins === ''}
           title="What is held in place on the Motion step stays as it is"
-          onClick={() => lockInPlace(lock === '' ? pins : `${lock}+${pins}`)}
+          onClick={() => setLock(lock === '' ? pins : `${lock}+${pins}`)}
         >
           Lock what is held
         </button>
-        <button type="button" disabled={lock === ''} onClick={() => lockInPlace('')}>
+        <button type="button" disabled={lock === ''} onClick={() => setLock('')}>
           Unlock
         </button>
       </div>
@@ -141,11 +141,11 @@ function LockText() {
         aria-invalid={refused !== null}
         aria-describedby={refused ? `${id}-refused` : undefined}
         value={refused ? refused.text : wants.settings.value.lock}
-        onChange={(event) => lockInPlace(event.currentTarget.value)}
+        onChange={(event) => setLock(event.currentTarget.value)}
       />
       {refused && (
         <p id={`${id}-refused`} class="hint bad" role="alert">
-          {refused.why.replace(/^--lock /, 'This ')}
+          {refused.why}
         </p>
       )}
     </div>

@@ -2,7 +2,7 @@
 
 import { isBrushing, results, shownMesh, view } from '../../state/store';
 import { keepStroke, levelsAfter, shownLevels } from '../../state/paint';
-import type { Levels } from '../../../engine/body/paint';
+import type { Levels } from '../../../engine/settings/paint_text';
 import type { StrokeTool } from '../../viewer/pick_tool';
 import { PAINT } from '../../viewer/surface_material';
 import type { Viewport } from '../../viewer/viewport';

@@ -3,13 +3,14 @@
 import { useRef } from 'preact/hooks';
 import type { FrequencyFinding, Tried } from '../../../engine/stages/frequency_target';
 import { describeRefused } from '../../../engine/report/report';
-import { methodChange, OPTIONS } from '../../../engine/settings/options';
+import { methodChange, methodOf, OPTIONS, readsSetting } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
 import { historyKey } from '../../state/keys';
 import { changeSettings, results, shownFit, shownMesh, wantedFaces, wants } from '../../state/store';
 import { BrushSection, NamedLocks } from './brush_section';
 import { Choice, Section, SettingRange, Toggle } from '../../controls/controls';
 import { count, fixed } from '../../controls/numbers';
+import { SettingControls } from '../../controls/setting_controls';
 import { AskVertex } from './why_card';
 
 const METHODS: { value: Settings['method']; text: string; title: string }[] = [
@@ -27,23 +28,21 @@ const METHODS: { value: Settings['method']; text: string; title: string }[] = [
 ];
 
 export function ReducePanel() {
-  const { method } = wants.settings.value;
+  const settings = wants.settings.value;
   return (
     <>
       <Section title="Method">
         <Choice
           label="Method"
           options={METHODS}
-          value={method}
+          value={settings.method}
           onChange={(value) => changeSettings(methodChange(value))}
         />
-        {method !== 'qem' && <SettingRange name="strainWeight" />}
-        {method === 'paper' && <SettingRange name="curvatureWeight" />}
-        {method !== 'qem' && <SettingRange name="qualityWeight" />}
+        <SettingControls section="method" />
       </Section>
       <Section title="Stop before">
-        <SettingRange name="maxDeviation" />
-        {method === 'qem' && <SettingRange name="minAngle" />}
+        <SettingControls section="limits" />
+        {!methodOf(settings).needsGuidance && <SettingRange name="minAngle" />}
         <StopReason />
       </Section>
       <BrushSection />
@@ -58,13 +57,13 @@ export function ReducePanel() {
 const ACROSS_SEAMS = 'Collapse across texture seams';
 
 function MoreSettings() {
-  const { method, fit, symmetry, borders, seams } = wants.settings.value;
+  const settings = wants.settings.value;
+  const { fit, symmetry, borders, seams } = settings;
   return (
     <>
-      {method !== 'qem' && <SettingRange name="minAngle" />}
-      <SettingRange name="maxFrequencyError" />
-      {method === 'limber' && <SettingRange name="sizeWeight" />}
-      {method === 'limber' && (
+      {methodOf(settings).needsGuidance && <SettingRange name="minAngle" />}
+      <SettingControls section="reduction" />
+      {readsSetting(settings, 'fit') && (
         <Toggle
           label={OPTIONS.fit.label}
           checked={fit === 'on'}
@@ -81,14 +80,13 @@ function MoreSettings() {
         checked={borders === 'fixed'}
         onChange={(on) => changeSettings({ borders: on ? 'fixed' : 'free' })}
       />
-      {method !== 'paper' && (
+      {readsSetting(settings, 'seams') && (
         <Toggle
           label={ACROSS_SEAMS}
           checked={seams === 'cross'}
           onChange={(on) => changeSettings({ seams: on ? 'cross' : 'keep' })}
         />
       )}
-      {method !== 'paper' && <SettingRange name="creases" />}
       <NamedLocks />
       <AskVertex />
     </>

@@ -1,14 +1,16 @@
 /** Step 4: what happens to both bodies, how finely it is computed, and how they are shown. */
 
 import { useId, useState } from 'preact/hooks';
-import { parseColliders } from '../../../engine/motion/colliders';
-import { OPTIONS } from '../../../engine/settings/options';
+import { OPTIONS, checkSetting } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
+import { refusalOf } from '../../state/refusal';
+import type { Refusal } from '../../state/refusal';
 import { pinSource, twin } from '../../state/simulation';
 import type { Held } from '../../state/simulation';
 import { changeSettings, results, shownMesh, wants } from '../../state/store';
 import { Choice, Section, Select, SettingRange, Toggle } from '../../controls/controls';
 import { count } from '../../controls/numbers';
+import { SettingControls } from '../../controls/setting_controls';
 
 const SCENARIOS: { value: Settings['scenario']; text: string; holds: string; motion: string }[] = [
   { value: 'twist', text: 'Twist', holds: 'Both ends', motion: 'The upper end turns by 45 degrees.' },
@@ -88,21 +90,8 @@ function More() {
           onChange={(material) => changeSettings({ material })}
         />
       </div>
-      <SettingRange name="seconds" />
-      <SettingRange name="damping" />
-      <SettingRange name="friction" />
       <CollidersText />
-      <Toggle
-        label={OPTIONS.calibrate.label}
-        title={OPTIONS.calibrate.help}
-        checked={wants.settings.value.calibrate}
-        onChange={(calibrate) => changeSettings({ calibrate })}
-      />
-      <Toggle
-        label={OPTIONS.selfCollision.label}
-        checked={wants.settings.value.selfCollision}
-        onChange={(selfCollision) => changeSettings({ selfCollision })}
-      />
+      <SettingControls section="simulation" />
       <Toggle
         label="Noise floor also in slow motion"
         checked={twin.alwaysNoise.value}
@@ -133,17 +122,12 @@ function PinSourceSelect() {
 /** A text that does not parse is refused with a sentence, and what was there stays. */
 function CollidersText() {
   const id = useId();
-  const [refused, setRefused] = useState<{ text: string; why: string } | null>(null);
+  const [refused, setRefused] = useState<Refusal | null>(null);
   const take = (text: string) => {
     const colliders = text.replaceAll(/\s/g, '');
-    try {
-      parseColliders(colliders);
-    } catch (error) {
-      setRefused({ text, why: (error as Error).message.replace(/^--colliders /, 'This ') });
-      return;
-    }
-    setRefused(null);
-    changeSettings({ colliders });
+    const refusal = refusalOf(text, () => checkSetting('colliders', colliders));
+    setRefused(refusal);
+    if (!refusal) changeSettings({ colliders });
   };
   return (
     <div class="control as-text">

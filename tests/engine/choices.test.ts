@@ -1,0 +1,114 @@
+/** What the core and the settings both know is read from the sources of the core and compared. */
+
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import {
+  ATTRIBUTE_LIMIT,
+  BORDERS,
+  METHODS,
+  MODE_NAMES,
+  MODELS,
+  PHASES,
+  SIMULATION_MATERIALS,
+  STOP_REASONS,
+  VERDICTS,
+} from '../../web/engine/core/core';
+import { defaultSettings, OPTIONS } from '../../web/engine/settings/options';
+
+const folder = join(import.meta.dirname, '..', '..', 'wasm');
+const source = readdirSync(folder, { recursive: true, encoding: 'utf8' })
+  .filter((name) => /\.(h|cpp)$/.test(name))
+  .sort()
+  .map((name) => readFileSync(join(folder, name), 'utf8'))
+  .join('\n');
+
+/** The names by which the core is called: every list of strings whose own name ends in "Names". */
+const nameLists = [...source.matchAll(/\w*Names\w*(?:<[^>]*>)?\s*=?\s*\{((?:\s*"[^"]*"\s*,?)+)\}/g)].map(
+  ([, list]) => [...list.matchAll(/"([^"]*)"/g)].map(([, name]) => name),
+);
+
+/** The members of every enum in lower case, in order; those of `name` must count up from 0. */
+const enums = new Map(
+  [...source.matchAll(/enum class (\w+) : [\w:]+ \{([^}]*)\}/g)].map(([, name, body]) => {
+    const members = body
+      .replace(/\/\/.*/g, '')
+      .split(',')
+      .map((member) => /(\w+)(?:\s*=\s*(\d+))?/.exec(member))
+      .filter((found) => found !== null);
+    members.forEach(([, , value], i) => expect(Number(value ?? i)).toBe(i));
+    return [name, members.map(([, member]) => member.toLowerCase())] as const;
+  }),
+);
+
+const enumLists = [...enums.values()];
+
+/** A constant of the core. */
+function constant(name: string): number {
+  const found = new RegExp(`\\b${name} = ([\\d.']+)`).exec(source);
+  if (!found) throw new Error(`The core has no constant ${name}.`);
+  return Number(found[1].replaceAll("'", ''));
+}
+
+/** The default of a member of a struct of the core. */
+function memberDefault(struct: string, member: string): number {
+  const body = new RegExp(`struct ${struct}\\b[^{;]*\\{([\\s\\S]*?)\\n\\};`).exec(source);
+  const found = new RegExp(`\\b${member} = ([\\d.]+)`).exec(body?.[1] ?? '');
+  if (!found) throw new Error(`${struct} of the core has no default of ${member}.`);
+  return Number(found[1]);
+}
+
+const sorted = (names: readonly string[]): string[] => [...names].sort();
+
+describe('the core and TypeScript have the same', () => {
+  it.each([
+    ['methods', METHODS],
+    ['elastic models', [...MODELS, 'auto']],
+    ['names of modes', MODE_NAMES],
+    ['reasons to stop', STOP_REASONS],
+    ['models of simulation', SIMULATION_MATERIALS],
+  ])('%s, by name and in the order of the enum', (_, names) => {
+    expect(nameLists).toContainEqual([...names]);
+    expect(enumLists).toContainEqual([...names]);
+  });
+
+  it('borders', () => {
+    expect(enums.get('Borders')).toEqual([...BORDERS]);
+  });
+
+  it('verdicts', () => {
+    const verdicts = enums.get('Verdict')!.map((name) => (name === 'locked' ? 'lock' : name));
+    expect(verdicts).toEqual([...VERDICTS]);
+  });
+
+  it('number of phases', () => {
+    expect(enums.get('Phase')).toHaveLength(PHASES.length);
+  });
+
+  it('scenarios', () => {
+    const rows = [...source.matchAll(/\.name = "(\w+)"/g)].map(([, name]) => name);
+    expect([...nameLists, rows]).toContainEqual([...OPTIONS.scenario.choices]);
+  });
+
+  it('limits', () => {
+    expect(constant('kAttributeLimit')).toBe(ATTRIBUTE_LIMIT);
+    expect(constant('kMostSubsteps')).toBe(OPTIONS.substeps.max);
+  });
+
+  it('defaults, where the core has any', () => {
+    const { substeps, friction } = defaultSettings();
+    expect(memberDefault('SimulationOptions', 'substeps')).toBe(substeps);
+    expect(memberDefault('SimulationOptions', 'friction')).toBe(friction);
+  });
+});
+
+describe('the settings offer', () => {
+  it.each([
+    ['method', METHODS],
+    ['model', [...MODELS, 'auto']],
+    ['borders', BORDERS],
+    ['material', SIMULATION_MATERIALS],
+  ] as const)('as %s what the core knows', (setting, names) => {
+    expect(sorted(OPTIONS[setting].choices)).toEqual(sorted(names));
+  });
+});

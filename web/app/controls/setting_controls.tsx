@@ -1,0 +1,37 @@
+/** The sliders and switches that the table of settings has for a section of the page. */
+
+import { OPTIONS, SETTING_NAMES, readsSetting } from '../../engine/settings/options';
+import type { PageSection, SettingName, Settings } from '../../engine/settings/options';
+import { changeSettings, wants } from '../state/store';
+import { SettingRange, Toggle } from './controls';
+import type { NumberSetting } from './controls';
+
+type SwitchSetting = { [Name in SettingName]: Settings[Name] extends boolean ? Name : never }[SettingName];
+
+const isNumber = (name: SettingName): name is NumberSetting =>
+  OPTIONS[name].kind === 'number' || OPTIONS[name].kind === 'integer';
+const isSwitch = (name: SettingName): name is SwitchSetting => OPTIONS[name].kind === 'switch';
+
+/** Sliders first, then switches, each in the order of the table; what the method does not read is left out. */
+export function SettingControls({ section }: { section: PageSection }) {
+  const settings = wants.settings.value;
+  const shown = SETTING_NAMES.filter(
+    (name) => OPTIONS[name].page === section && readsSetting(settings, name),
+  );
+  return (
+    <>
+      {shown.filter(isNumber).map((name) => (
+        <SettingRange key={name} name={name} />
+      ))}
+      {shown.filter(isSwitch).map((name) => (
+        <Toggle
+          key={name}
+          label={OPTIONS[name].label}
+          title={OPTIONS[name].help}
+          checked={settings[name]}
+          onChange={(isOn) => changeSettings({ [name]: isOn })}
+        />
+      ))}
+    </>
+  );
+}

@@ -1,0 +1,49 @@
+/** Whether settings are such as can be worked with, each by itself and together. */
+
+import { counted } from '../core/words';
+import { SettingError } from './errors';
+import { rulesOf } from './kinds';
+import { resolveModes } from './methods';
+import { OPTIONS, SETTING_NAMES } from './table';
+import type { SettingName, Settings } from './table';
+import type { OptionSpec } from './types';
+
+/** Throws SettingError, whose sentence has the first value that is refused, what is allowed, and the cure. */
+export function checkSettings(settings: Settings): void {
+  for (const setting of SETTING_NAMES) checkSetting(setting, settings[setting]);
+  const { modes, modeCount, modeWeights } = settings;
+  const highest = Array.isArray(modes) ? Math.max(...modes) : 0;
+  const computed = { setting: 'modeCount' } as const;
+  if (highest > modeCount)
+    throw new SettingError('modes', [
+      `names mode ${highest}, but `,
+      computed,
+      ` computes only ${modeCount}: raise `,
+      computed,
+      ` to ${highest} or name lower modes.`,
+    ]);
+  const guiding = resolveModes(settings).length;
+  if (modeWeights.length > 0 && modeWeights.length !== guiding)
+    throw new SettingError('modeWeights', [
+      `has ${counted(modeWeights.length, 'number')} for ${counted(guiding, 'guiding mode')}: give one for each mode of `,
+      { setting: 'modes' },
+      '.',
+    ]);
+}
+
+/** Throws SettingError with the value, what is allowed, and the default. */
+export function checkSetting(setting: SettingName, value: unknown): void {
+  const option = OPTIONS[setting];
+  const rules = rulesOf(option);
+  if (!rules.isAllowed(value, option)) {
+    const shown = Array.isArray(value) ? value.join(',') || 'an empty list' : String(value);
+    const allowed = `${rules.describe(option)} (default: ${describeDefault(option)})`;
+    throw new SettingError(setting, `is ${shown}: give ${allowed}.`);
+  }
+  rules.parse?.(String(value), setting);
+}
+
+function describeDefault(option: OptionSpec): string {
+  if (option.kind === 'numbers') return option.emptyMeans ?? 'none';
+  return option.default === '' ? 'none' : String(option.default);
+}

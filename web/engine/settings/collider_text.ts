@@ -1,0 +1,39 @@
+/**
+ * What a simulated body can touch, as text: `ground:HEIGHT` (a floor across y), `ball:x,y,z,R`,
+ * `capsule:x0,y0,z0,x1,y1,z1,R` (around a segment), joined by `+`; in units of the body.
+ */
+
+import { SettingError } from './errors';
+
+type Point = [number, number, number];
+
+export type ColliderTerm =
+  | { kind: 'ground'; height: number }
+  | { kind: 'ball'; centre: Point; radius: number }
+  | { kind: 'capsule'; from: Point; to: Point; radius: number };
+
+const FORMS = 'ground:HEIGHT, ball:x,y,z,R or capsule:x0,y0,z0,x1,y1,z1,R, joined by +';
+
+/** The terms of a text; none for an empty one. Throws SettingError with the forms. */
+export const parseColliders = (text: string): ColliderTerm[] =>
+  text === '' ? [] : text.split('+').map(parseTerm);
+
+function parseTerm(text: string): ColliderTerm {
+  const colon = text.indexOf(':');
+  const words = text.slice(colon + 1).split(',');
+  const numbers = words.map((word) => (word.trim() === '' ? NaN : Number(word)));
+  const term = numbers.every(Number.isFinite) ? termOf(text.slice(0, Math.max(0, colon)), numbers) : null;
+  if (!term) throw new SettingError('colliders', `has "${text}": give ${FORMS}.`);
+  return term;
+}
+
+/** null where the numbers do not fit the kind */
+function termOf(kind: string, numbers: number[]): ColliderTerm | null {
+  if (kind === 'ground' && numbers.length === 1) return { kind, height: numbers[0] };
+  const point = (i: number): Point => [numbers[i], numbers[i + 1], numbers[i + 2]];
+  const radius = numbers[numbers.length - 1];
+  if (!(radius > 0)) return null;
+  if (kind === 'ball' && numbers.length === 4) return { kind, centre: point(0), radius };
+  if (kind === 'capsule' && numbers.length === 7) return { kind, from: point(0), to: point(3), radius };
+  return null;
+}

@@ -1,0 +1,114 @@
+/** What the kinds of settings have in common: how a value is read from text, which values are allowed, and in what words. */
+
+import { parseColliders } from './collider_text';
+import { parsePaint } from './paint_text';
+import { parsePins } from './pin_text';
+import type { SettingName } from './table';
+import type { OptionKind, OptionOf, OptionSpec } from './types';
+
+interface KindRules<Kind extends OptionKind> {
+  /** The value that a text stands for. Text that is no number comes back as it is: then `isAllowed` is false. */
+  read(text: string): unknown;
+  isAllowed(value: unknown, option: OptionOf<Kind>): boolean;
+  /** Throws SettingError where an allowed text has not the form of its kind. */
+  parse?(text: string, setting: SettingName): unknown;
+  /** the allowed values in words: "a number from 0 to 1" */
+  describe(option: OptionOf<Kind>): string;
+  /** what stands for a value in the help */
+  placeholder(option: OptionOf<Kind>): string;
+}
+
+const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+/** The number that `text` stands for; `text` itself where it is none. */
+export function readNumber(text: string): number | string {
+  if (/^\+?inf(inity)?$/i.test(text)) return Infinity;
+  return DECIMAL.test(text) ? Number(text) : text;
+}
+
+const readList = (text: string) => text.split(',').map(readNumber);
+const asItIs = (text: string) => text;
+const isText = (value: unknown) => typeof value === 'string';
+
+const isWithin = (value: unknown, { min, max }: { min: number; max: number }): boolean =>
+  typeof value === 'number' && value >= min && value <= max;
+const isWholeWithin = (value: unknown, range: { min: number; max: number }): boolean =>
+  isWithin(value, range) && Number.isInteger(value);
+const areDistinct = (entries: unknown[]): boolean =>
+  entries.length > 0 && new Set(entries).size === entries.length;
+
+const describeRange = (noun: string, { min, max }: { min: number; max: number }): string =>
+  max === Infinity ? `${noun} of at least ${min}, or inf` : `${noun} from ${min} to ${max}`;
+
+const KINDS: { [Kind in OptionKind]: KindRules<Kind> } = {
+  choice: {
+    read: asItIs,
+    isAllowed: (value, { choices }) => choices.includes(String(value)),
+    describe: ({ choices }) => `one of ${choices.join(', ')}`,
+    placeholder: ({ choices }) => choices.join('|'),
+  },
+  integer: {
+    read: readNumber,
+    isAllowed: isWholeWithin,
+    describe: (option) => describeRange('a whole number', option),
+    placeholder: () => 'N',
+  },
+  number: {
+    read: readNumber,
+    isAllowed: isWithin,
+    describe: (option) => describeRange('a number', option),
+    placeholder: () => 'N',
+  },
+  modes: {
+    read: (text) => (['auto', 'all'].includes(text) ? text : readList(text)),
+    isAllowed: (value, option) =>
+      Array.isArray(value)
+        ? areDistinct(value) && value.every((entry) => isWholeWithin(entry, option))
+        : value === 'auto' || value === 'all',
+    describe: ({ min, max }) => `auto, all, or numbers from ${min} to ${max} with commas`,
+    placeholder: () => 'auto|all|K[,K...]',
+  },
+  numbers: {
+    read: readList,
+    isAllowed: (value, option) => Array.isArray(value) && value.every((entry) => isWithin(entry, option)),
+    describe: ({ min, max }) => `numbers from ${min} to ${max} with commas`,
+    placeholder: () => 'N[,N...]',
+  },
+  pins: {
+    read: asItIs,
+    isAllowed: isText,
+    parse: (text, setting) => parsePins(text, setting),
+    describe: () => 'terms joined by +',
+    placeholder: () => 'SPEC',
+  },
+  paint: {
+    read: asItIs,
+    isAllowed: isText,
+    parse: (text) => parsePaint(text),
+    describe: () => 'what the brush of the page writes',
+    placeholder: () => 'TEXT',
+  },
+  colliders: {
+    read: asItIs,
+    isAllowed: isText,
+    parse: (text) => parseColliders(text),
+    describe: () => 'terms joined by +',
+    placeholder: () => 'SPEC',
+  },
+  name: {
+    read: asItIs,
+    isAllowed: isText,
+    describe: () => 'the name of an attribute',
+    placeholder: () => 'NAME',
+  },
+  switch: {
+    read: () => true,
+    isAllowed: (value) => typeof value === 'boolean',
+    describe: () => 'true or false',
+    placeholder: () => '',
+  },
+};
+
+/** The rules of an option's kind, to be called with that option. */
+export const rulesOf = (option: OptionSpec): KindRules<OptionKind> =>
+  KINDS[option.kind] as KindRules<OptionKind>;

@@ -1,0 +1,60 @@
+/**
+ * Vertices as text, for the settings `pins` and `lock`: `low:6`, `high:6` (the lowest, highest 6 %
+ * along the longest axis of the bounding box), `box:x0,y0,z0,x1,y1,z1` (units of the body), `attribute:NAME` (where its
+ * first component is above one half), `vertices:i,j` (numbers in the file, from 0), joined by `+`.
+ */
+
+import { SettingError } from './errors';
+import type { SettingName } from './table';
+
+export type PinTerm =
+  | { kind: 'low' | 'high'; percent: number }
+  /** `low[c] <= high[c]` for each coordinate */
+  | { kind: 'box'; low: number[]; high: number[] }
+  | { kind: 'attribute'; name: string }
+  | { kind: 'vertices'; vertices: number[] };
+
+export type PinTerms = readonly PinTerm[];
+
+const FORMS = 'low:PCT, high:PCT, box:x0,y0,z0,x1,y1,z1, attribute:NAME or vertices:i,j, joined by +';
+
+/** The last text of each setting and its terms: every stage that resolves the same pins gets the same terms. */
+const parsed = new Map<SettingName, { text: string; terms: PinTerms }>();
+
+/** The terms of a text; none for an empty one. Throws SettingError about `setting`, with the forms. */
+export function parsePins(text: string, setting: SettingName = 'pins'): PinTerms {
+  const last = parsed.get(setting);
+  if (last?.text === text) return last.terms;
+  const terms = text === '' ? [] : text.split('+').map((term) => parseTerm(term, setting));
+  parsed.set(setting, { text, terms });
+  return terms;
+}
+
+function parseTerm(text: string, setting: SettingName): PinTerm {
+  const colon = text.indexOf(':');
+  const [kind, value] = [text.slice(0, Math.max(0, colon)), text.slice(colon + 1)];
+  const term = value === '' ? null : termOf(kind, value);
+  if (!term) throw new SettingError(setting, `has "${text}": give ${FORMS}.`);
+  return term;
+}
+
+/** null where the value has not the form of its kind */
+function termOf(kind: string, value: string): PinTerm | null {
+  if (kind === 'attribute') return { kind, name: value };
+  const numbers = value.split(',').map((word) => (word.trim() === '' ? NaN : Number(word)));
+  if (!numbers.every(Number.isFinite)) return null;
+  if (kind === 'low' || kind === 'high') {
+    const [percent] = numbers;
+    return numbers.length === 1 && percent >= 0 && percent <= 100 ? { kind, percent } : null;
+  }
+  if (kind === 'box') return numbers.length === 6 ? boxOf(numbers.slice(0, 3), numbers.slice(3)) : null;
+  const areVertices = kind === 'vertices' && numbers.every((n) => Number.isInteger(n) && n >= 0);
+  return areVertices ? { kind, vertices: numbers } : null;
+}
+
+/** The box of two opposite corners, in either order. */
+const boxOf = (a: number[], b: number[]): PinTerm => ({
+  kind: 'box',
+  low: a.map((x, c) => Math.min(x, b[c])),
+  high: a.map((x, c) => Math.max(x, b[c])),
+});
