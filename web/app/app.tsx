@@ -1,8 +1,8 @@
-/** The page: what stands where. */
+/** The page: which panel is where. */
 
 import { signal } from '@preact/signals';
 import { openDropped } from './files/files';
-import { Empty } from './panels/model/drop_zone';
+import { DropZone } from './panels/model/drop_zone';
 import { ExportPanel } from './panels/export/export_panel';
 import { Gallery } from './panels/motion/gallery';
 import { Help } from './panels/help';
@@ -10,7 +10,8 @@ import { ModelFacts, ReadingPanel } from './panels/model/model_panel';
 import { MotionPanel } from './panels/motion/motion_panel';
 import { Notices } from './panels/notices';
 import { Readouts } from './panels/readouts';
-import { ReducePanel, Scrubber } from './panels/reduce/reduce_panel';
+import { ReducePanel } from './panels/reduce/reduce_panel';
+import { Scrubber } from './panels/reduce/scrubber';
 import { ViewportView } from './panels/viewport/viewport_view';
 import { SimulateTransport } from './panels/simulate/simulate_transport';
 import { SimulatePanel } from './panels/simulate/simulate_panel';
@@ -42,12 +43,12 @@ export function App() {
       </aside>
       <main>
         <ViewportView />
-        {!results.file.value && <Empty />}
+        {!results.file.value && <DropZone />}
         <Notices />
       </main>
-      <Right />
+      <StepPanel />
       <footer>
-        {results.file.value && <Bottom />}
+        {results.file.value && <StepFooter />}
         <Readouts />
       </footer>
       <Help />
@@ -56,7 +57,7 @@ export function App() {
   );
 }
 
-function Right() {
+function StepPanel() {
   if (wants.exportOpen.value) return <ExportPanel />;
   return (
     <aside class="panel right" aria-label="Settings of this step">
@@ -68,7 +69,7 @@ function Right() {
   );
 }
 
-function Bottom() {
+function StepFooter() {
   if (view.step.value === 'motion') return <Gallery />;
   if (view.step.value === 'test') return <SimulateTransport />;
   return view.step.value === 'reduce' ? <Scrubber /> : null;

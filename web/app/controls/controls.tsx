@@ -110,7 +110,7 @@ interface SelectProps {
   onChange(value: string): void;
 }
 
-/** One of many choices. */
+/** A list of choices to open. */
 export function Select({ label, options, value, title, onChange }: SelectProps) {
   const id = useId();
   return (
@@ -134,7 +134,7 @@ interface ChoiceProps<T extends string> {
   onChange(value: T): void;
 }
 
-/** A few choices of which one holds. */
+/** A few choices side by side, one of them pressed. */
 export function Choice<T extends string>({ label, options, value, onChange }: ChoiceProps<T>) {
   return (
     <div class="choice" role="group" aria-label={label}>

@@ -1,6 +1,7 @@
-/** Keys and a word on what the steps are for. */
+/** The list of keys. */
 
 import { view } from '../state/store';
+import './help.css';
 
 const KEYS: [string, string][] = [
   ['Space', 'play or pause'],

@@ -1,4 +1,4 @@
-/** Step 2: what resists, what it is made of, what is held, and how it swings. */
+/** Step 2: the elastic model, the material, the pins, and how the modes swing. */
 
 import { counted } from '../../../engine/core/words';
 import { describeSolve } from '../../../engine/body/health';
@@ -108,7 +108,7 @@ function PlaySection() {
   );
 }
 
-/** Where a copy was solved, or was until the mesh itself was asked for. */
+/** Whether the modes were found on a coarser copy, or would be without this choice. */
 const showsExactToggle = (): boolean =>
   wants.settings.value.exact || (results.modes.value !== null && coarseVerticesOf(results.modes.value) > 0);
 
@@ -122,7 +122,7 @@ function ExactToggle() {
   );
 }
 
-/** Which models were used, whether as many rigid motions came as should, and how far the modes can be trusted. */
+/** Which models were used, whether the expected number of rigid motions was found, and how accurate the modes are. */
 function SolveNotes() {
   const modes = results.modes.value;
   if (!modes) return null;

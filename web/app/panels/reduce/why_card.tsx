@@ -7,6 +7,7 @@ import type { Viewport } from '../../viewer/viewport';
 import { comparedPanes } from './compare';
 import { count, fixed } from '../../controls/numbers';
 import { explain } from '../../../engine/stages/explanation';
+import './why_card.css';
 
 /** The largest distance between the pointer and the vertex that it hovers over. */
 const HOVER_PIXELS = 14;

@@ -1,4 +1,4 @@
-/** What the colours of moving bodies mean. */
+/** What the colours of the moving bodies mean. */
 
 import { twin } from '../../state/simulation';
 import { view } from '../../state/store';
@@ -11,7 +11,7 @@ const COLOURS = [
   {
     value: 'deviation',
     text: 'Deviation',
-    title: 'How far each place of the original is from the optimized (2)',
+    title: 'How far each point of the original is from the optimized mesh (2)',
   },
 ] as const;
 

@@ -1,4 +1,4 @@
-/** Step 4: what happens to both bodies, how finely it is computed, and how they are shown. */
+/** Step 4: what happens to both bodies, how finely it is simulated, and how they are shown. */
 
 import { useId, useState } from 'preact/hooks';
 import { OPTIONS, checkSetting } from '../../../engine/settings/options';
@@ -6,10 +6,11 @@ import type { Settings } from '../../../engine/settings/options';
 import { refusalOf } from '../../state/refusal';
 import type { Refusal } from '../../state/refusal';
 import { pinSource, twin } from '../../state/simulation';
-import type { Held } from '../../state/simulation';
+import type { PinSource } from '../../state/simulation';
 import { changeSettings, results, shownMesh, wants } from '../../state/store';
 import { Choice, Section, Select, SettingRange, Toggle } from '../../controls/controls';
 import { count } from '../../controls/numbers';
+import { RefusedText } from '../../controls/refused_text';
 import { SettingControls } from '../../controls/setting_controls';
 
 const SCENARIOS: { value: Settings['scenario']; text: string; holds: string; motion: string }[] = [
@@ -103,7 +104,7 @@ function More() {
 
 function PinSourceSelect() {
   const pins = results.pins.value?.vertices.length ?? 0;
-  const options: { value: Held; text: string }[] = [
+  const options: { value: PinSource; text: string }[] = [
     { value: 'scenario', text: 'By scenario' },
     { value: 'corners', text: 'Top corners' },
   ];
@@ -111,19 +112,19 @@ function PinSourceSelect() {
   return (
     <Select
       label="Held in place"
-      title="Set once on the original and carried over to the optimized mesh. Pins are those of step 2."
+      title="Pinned on the original and carried over to the optimized mesh. Pins are those of step 2."
       options={options}
       value={pinSource.value}
-      onChange={(held) => (twin.held.value = held as Held)}
+      onChange={(source) => (twin.chosenPinSource.value = source as PinSource)}
     />
   );
 }
 
-/** A text that does not parse is refused with a sentence, and what was there stays. */
+/** A text that does not parse is refused with a sentence, and the colliders stay as they were. */
 function CollidersText() {
   const id = useId();
   const [refused, setRefused] = useState<Refusal | null>(null);
-  const take = (text: string) => {
+  const change = (text: string) => {
     const colliders = text.replaceAll(/\s/g, '');
     const refusal = refusalOf(text, () => checkSetting('colliders', colliders));
     setRefused(refusal);
@@ -143,13 +144,9 @@ function CollidersText() {
         aria-invalid={refused !== null}
         aria-describedby={refused ? `${id}-refused` : undefined}
         value={refused ? refused.text : wants.settings.value.colliders}
-        onChange={(event) => take(event.currentTarget.value)}
+        onChange={(event) => change(event.currentTarget.value)}
       />
-      {refused && (
-        <p id={`${id}-refused`} class="hint bad" role="alert">
-          {refused.why}
-        </p>
-      )}
+      <RefusedText id={`${id}-refused`} refused={refused} />
     </div>
   );
 }

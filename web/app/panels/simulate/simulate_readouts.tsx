@@ -1,4 +1,4 @@
-/** How fast each body is stepped, how close they stay, and whether time keeps up. */
+/** The cost of a step of each body, their deviation, and whether the motion is in real time. */
 
 import type { TwinFrame } from '../../worker/simulation_protocol';
 import { twin } from '../../state/simulation';
@@ -6,7 +6,7 @@ import { wants } from '../../state/store';
 import { fixed, percent } from '../../controls/numbers';
 import { Readout } from '../../controls/readout';
 
-/** Below this the motion is slower than life. */
+/** A pace below this is called slow motion. */
 const REAL_TIME = 0.9;
 
 export function SimulateReadouts() {

@@ -30,7 +30,7 @@ function describeDivergence({ exploded, time }: TwinFrame): string {
   const { substeps } = wants.settings.value;
   const subject = exploded.length === 2 ? 'Both meshes have' : `The ${exploded[0]} mesh has`;
   return (
-    `${subject} flown apart at ${time.toFixed(2)} s: raise the substeps (now ${substeps}) ` +
+    `${subject} diverged at ${time.toFixed(2)} s: raise the substeps (now ${substeps}) ` +
     'or take a softer material, then reset.'
   );
 }

@@ -8,6 +8,7 @@ import { Choice, Toggle } from '../../controls/controls';
 import { curvatureScale } from './curvature_scale';
 import { guidingModes } from '../motion/mode_choice';
 import { SimulateLegend } from '../simulate/simulate_legend';
+import './legend.css';
 
 const FIELDS: { value: FieldName; text: string; title: string }[] = [
   { value: 'none', text: 'Plain', title: 'No colours (1)' },

@@ -86,7 +86,7 @@ export function ViewportView() {
 function describeViewport(): string {
   if (isBrushing.value) return 'The mesh at rest. Drag over the original to paint it; Shift erases.';
   if (isPicking.value)
-    return 'The mesh at rest. Click a vertex or drag over the surface to hold it in place; Shift lets go.';
+    return 'The mesh at rest. Click a vertex or drag over the surface to pin it; Shift unpins.';
   if (view.step.value === 'test')
     return 'Both meshes in motion. Drag a body to pull at it, drag beside it to turn the view, scroll to zoom.';
   return 'The mesh. Drag to turn the view, scroll to zoom, right-drag to move it.';
