@@ -83,7 +83,9 @@ test('a file that is not a mesh gets one sentence, and the model before it stays
   await expect(readout(page, 'Faces')).toContainText('1,152');
 });
 
-test('a file that is dropped during a computation is shown before its own computations start', async ({ page }) => {
+test('a file that is dropped during a computation is shown before its own computations start', async ({
+  page,
+}) => {
   await openPage(page);
   await drop(page, writeScratch('first.obj', sheetObj(280)));
   const busy = page.locator('.notice.busy');

@@ -143,7 +143,9 @@ test('a local mode is named and left out on request', async ({ page }) => {
   await expect(local).toHaveAttribute('aria-pressed', 'false');
 });
 
-test('a model that does not fit the mesh says so, and the modes that are still shown are marked as earlier ones', async ({ page }) => {
+test('a model that does not fit the mesh says so, and the modes that are still shown are marked as earlier ones', async ({
+  page,
+}) => {
   await openPage(page);
   await drop(page, writeScratch('sheet.obj', sheetObj(8)));
   await expect(readout(page, 'Faces')).toContainText('128');

@@ -79,9 +79,7 @@ test('a painted sheet is written with the same bytes by the command line', async
   expect(Buffer.from(bytes).equals(commandLineBytes(sheet, ['--faces', '400', '--paint', paint]))).toBe(true);
 });
 
-test('vertices are locked with the keyboard alone, and a text with an error says why', async ({
-  page,
-}) => {
+test('vertices are locked with the keyboard alone, and a text with an error says why', async ({ page }) => {
   await openSheet(page);
   await page.locator('.right summary').first().focus();
   await page.keyboard.press('Enter');
@@ -126,7 +124,9 @@ const view = (page: Page, name: string) =>
   page.getByRole('group', { name: 'Compare' }).getByRole('button', { name });
 const labels = (page: Page) => page.locator('.pane-labels');
 
-test('original and optimized are shown side by side, on both sides of a divider, or in turn', async ({ page }) => {
+test('original and optimized are shown side by side, on both sides of a divider, or in turn', async ({
+  page,
+}) => {
   await openSheet(page);
   await expect(labels(page)).toContainText(/Original.*Optimized/s);
   await page.keyboard.press('v');
