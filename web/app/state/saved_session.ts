@@ -80,7 +80,7 @@ export async function saveFiles(files: SourceFile[]): Promise<void> {
   }).catch(() => forgetSession());
 }
 
-export function forgetSession(): void {
+function forgetSession(): void {
   sessionStorage.removeItem(SETTINGS_KEY);
 }
 

@@ -14,7 +14,7 @@ export interface Field {
 }
 
 /** Spreads `values[size v + c]` of vertices to their corners, `[size corner + c]`. */
-export function perCorner({ triangles }: TriangleMesh, values: Float32Array, size: number): Float32Array {
+function perCorner({ triangles }: TriangleMesh, values: Float32Array, size: number): Float32Array {
   const out = new Float32Array(triangles.length * size);
   for (let corner = 0; corner < triangles.length; corner++)
     for (let c = 0; c < size; c++) out[size * corner + c] = values[size * triangles[corner] + c];

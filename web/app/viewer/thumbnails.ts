@@ -26,8 +26,7 @@ export class Thumbnails {
   private lastDrawn = 0;
   private amplitude = 0;
   private faces = 0;
-  private moving = true;
-  visible = true;
+  private isMoving = true;
 
   constructor() {
     this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
@@ -64,13 +63,8 @@ export class Thumbnails {
   }
 
   /** Lets the pictures swing, or stand still at full swing. */
-  move(moving: boolean): void {
-    this.moving = moving;
-    this.draw(this.lastDrawn);
-  }
-
-  colour(clay: string): void {
-    this.body.material.uniforms.clay.value.set(clay);
+  move(isMoving: boolean): void {
+    this.isMoving = isMoving;
     this.draw(this.lastDrawn);
   }
 
@@ -81,14 +75,14 @@ export class Thumbnails {
   }
 
   private frame(time: number): void {
-    if (!this.visible || !this.moving || this.faces > MOST_MOVING_FACES) return;
+    if (!this.isMoving || this.faces > MOST_MOVING_FACES) return;
     if (time - this.lastDrawn < FRAME_MILLISECONDS) return;
     this.draw(time);
   }
 
   private draw(time: number): void {
     this.lastDrawn = time;
-    const swing = this.moving ? Math.sin(time / 450) : 1;
+    const swing = this.isMoving ? Math.sin(time / 450) : 1;
     this.body.material.uniforms.amplitude.value = this.amplitude * swing;
     for (const { canvas, displacement } of this.pictures) {
       this.body.geometry.setAttribute('displacement', displacement);

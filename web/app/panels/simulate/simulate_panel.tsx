@@ -28,7 +28,7 @@ const SCENARIOS: { value: Settings['scenario']; text: string; holds: string; mot
   { value: 'wind', text: 'Wind', holds: 'The upper end', motion: 'Gusts of 8 m/s, and gravity.' },
 ];
 
-/** What happens, and what is held for it. */
+/** What happens, and which vertices the scenario pins for it. */
 function describeScenario(scenario: Settings['scenario']): string {
   const { holds, motion } = SCENARIOS.find(({ value }) => value === scenario)!;
   return pinSource.value === 'scenario' && holds ? `${motion} ${holds} held.` : motion;
