@@ -12,7 +12,7 @@ const core = {
   elastic: ['base', 'mesh', 'linear'],
   fields: ['base', 'mesh'],
   simplify: ['base', 'mesh', 'query'],
-  simulate: ['base', 'mesh'],
+  simulate: ['base', 'mesh', 'elastic'],
   transfer: ['base', 'mesh', 'query', 'simplify', 'simulate'],
   modes: ['base', 'mesh', 'linear', 'query', 'elastic', 'simplify'],
   compare: ['base', 'mesh', 'query', 'elastic', 'simulate', 'transfer'],

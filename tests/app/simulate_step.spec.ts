@@ -230,7 +230,7 @@ test('a body that is pulled far away diverges, stops, is outlined, and a sentenc
   await page.mouse.move(1270, y, { steps: 4 });
   await expect(page.getByRole('alert')).toContainText(/diverged at [\d.]+ s: raise the substeps \(now 20\)/);
   await page.mouse.up();
-  await expect(page.locator('.exploded')).not.toHaveCount(0);
+  await expect(page.locator('.diverged')).not.toHaveCount(0);
   await expect(button(page, 'Play')).toBeDisabled();
   await button(page, 'Reset').click();
   await expect(page.getByRole('alert')).toHaveCount(0);

@@ -117,6 +117,7 @@ const optionsFor = (mesh, material, substeps) => ({
   substeps,
   damping: 0.5,
   selfCollision: false,
+  friction: 0.5,
   pinned: null,
   thickness: 0.02 * diagonalOf(mesh),
   young: 1e6,

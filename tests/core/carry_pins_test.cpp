@@ -40,7 +40,7 @@ std::vector<uint32_t> carriedFrom(double height) {
 
 TEST(CarryPins, aBodyKeepsItsOwn) {
   const TriangleMesh bar = shapes::box(2, 2, 12, 0.25);
-  const Scenario twist = {ScenarioKind::Twist, bounds(bar), 1};
+  const Scenario twist = {scenarioKind("twist"), bounds(bar), 1};
   std::vector<uint32_t> pinned = defaultPins(bar, twist);
   const auto middle =
       std::ranges::find_if(bar.positions, [](const Vec3& p) { return std::abs(p.z - 1.5) < 1e-9; });

@@ -2,22 +2,26 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <stdexcept>
 #include <vector>
 
 #include "shapes.h"
 #include "simulate/running_scenario.h"
+#include "transfer/carry_pins.h"
 
 namespace limber {
 namespace {
 
 MotionOptions swaying(const TriangleMesh& mesh) {
   MotionOptions options;
-  options.simulation.young = 1e6;
-  options.simulation.poisson = 0.3;
-  options.simulation.density = 1000;
-  options.simulation.thickness = 0.02 * bounds(mesh).diagonal();
+  options.simulation.material.young = 1e6;
+  options.simulation.material.poisson = 0.3;
+  options.simulation.material.density = 1000;
+  options.simulation.material.thickness = 0.02 * bounds(mesh).diagonal();
   options.simulation.substeps = 20;
-  options.scenario = {ScenarioKind::Sway, bounds(mesh), 0.5};
+  options.simulation.friction = 0.5;
+  options.scenario = {scenarioKind("sway"), bounds(mesh), 0.5};
   options.pinned = defaultPins(mesh, options.scenario);
   options.sampleCount = 200;
   return options;
@@ -27,8 +31,8 @@ TEST(CompareMotion, aBodyMovesLikeItself) {
   const TriangleMesh mesh = shapes::grid(6, 12, 0.5, 1);
   Job job;
   const MotionComparison same = compareMotion(mesh, &mesh, swaying(mesh), job);
-  EXPECT_EQ(same.deviationMean, 0);
-  EXPECT_EQ(same.deviationMax, 0);
+  EXPECT_EQ(same.deviation.mean, 0);
+  EXPECT_EQ(same.deviation.max, 0);
   EXPECT_GT(same.noiseFloor, 0);
   EXPECT_LT(same.noiseFloor, 1);
   EXPECT_EQ(same.original.edges, same.other->edges);
@@ -40,8 +44,8 @@ TEST(CompareMotion, aFinerMeshOfTheSameSheetMovesAlmostAlike) {
   options.simulation.substeps = 60;
   Job job;
   const MotionComparison comparison = compareMotion(fine, &coarse, options, job);
-  EXPECT_GT(comparison.deviationMean, 0);
-  EXPECT_LT(comparison.deviationMean, 3);
+  EXPECT_GT(comparison.deviation.mean, 0);
+  EXPECT_LT(comparison.deviation.mean, 3);
   EXPECT_GT(comparison.original.constraints, 3 * comparison.other->constraints);
 }
 
@@ -71,6 +75,69 @@ TEST(CompareMotion, stepsTwoBodiesTogetherAsItDoesOneByOne) {
   }
   EXPECT_TRUE(alone.simulation().positions() == one.simulation().positions());
   EXPECT_TRUE(alone.simulation().positions() == two.simulation().positions());
+}
+
+// The way of the page: both bodies step side by side, and the deviation is measured after each step.
+TEST(CompareMotion, steppingTwoBodiesSideBySideGivesTheSameDeviationToTheLastBit) {
+  const TriangleMesh fine = shapes::grid(12, 24, 0.5, 1), coarse = shapes::grid(6, 12, 0.5, 1);
+  const MotionOptions options = swaying(fine);
+  Job job;
+  const MotionComparison comparison = compareMotion(fine, &coarse, options, job);
+  RunningScenario one(fine, options.simulation, options.scenario, {options.pinned, {}});
+  RunningScenario two(coarse, options.simulation, options.scenario, carryPins(fine, options.pinned, coarse));
+  const MotionSamples onFine(fine, fine, one.simulation(), options.sampleCount);
+  const MotionSamples onCoarse(fine, coarse, two.simulation(), options.sampleCount);
+  RunningScenario* const both[] = {&one, &two};
+  std::vector<Vec3> ofFine, ofCoarse;
+  double worst = 0;
+  for (int step = 0; step < 30; ++step) {
+    stepTogether(both, job);
+    const auto a = onFine.displacements(one.simulation()), b = onCoarse.displacements(two.simulation());
+    worst = std::max(worst, motionDeviation(a, b, bounds(fine).diagonal()).max);
+    ofFine.insert(ofFine.end(), a.begin(), a.end());
+    ofCoarse.insert(ofCoarse.end(), b.begin(), b.end());
+  }
+  const MotionDeviation stepped = motionDeviation(ofFine, ofCoarse, bounds(fine).diagonal());
+  EXPECT_GT(stepped.mean, 0);
+  EXPECT_EQ(stepped.mean, comparison.deviation.mean);
+  EXPECT_EQ(stepped.max, comparison.deviation.max);
+  EXPECT_EQ(worst, comparison.deviation.max);
+}
+
+TEST(MotionDeviation, isThatOfDisplacementsInPercentOfTheDiagonal) {
+  const std::vector<Vec3> still = {{0, 0, 0}, {0, 0, 0}}, moved = {{0.1, 0, 0}, {0, 0, 0.3}};
+  const MotionDeviation deviation = motionDeviation(still, moved, 2);
+  EXPECT_NEAR(deviation.mean, 10, 1e-12);
+  EXPECT_NEAR(deviation.max, 15, 1e-12);
+  EXPECT_EQ(motionDeviation(moved, moved, 2).max, 0);
+}
+
+TEST(MotionDeviation, bodiesThatRestApartAndMoveAlikeDoNotDeviate) {
+  const TriangleMesh mesh = shapes::grid(4, 4);
+  TriangleMesh apart = mesh;
+  for (Vec3& p : apart.positions) p.z += 0.01;
+  const SimulationOptions options = swaying(mesh).simulation;
+  Simulation one(mesh, options), two(apart, options);
+  const MotionSamples onOne(mesh, mesh, one), onTwo(mesh, apart, two);
+  const Job job;
+  for (Simulation* body : {&one, &two}) {
+    body->setVelocities(std::vector<Vec3>(mesh.positions.size(), Vec3{1, 0, 0}));
+    body->step(job);
+  }
+  EXPECT_LT(motionDeviation(onOne.displacements(one), onTwo.displacements(two), 1).max, 1e-4);
+  EXPECT_NEAR(onOne.displacements(one)[0].x, 1.0 / 60, 1e-4);
+}
+
+TEST(CompareMotion, aBodyThatDivergesIsRefusedWithASentence) {
+  const TriangleMesh mesh = shapes::grid(6, 12, 0.5, 1);
+  const MotionOptions options = swaying(mesh);
+  RunningScenario body(mesh, options.simulation, options.scenario, {options.pinned, {}});
+  EXPECT_NO_THROW(body.requireNotDiverged());
+  body.simulation().drag({mesh.triangleCount() - 1, {0, 0, 1}}, {1e4, 0, 0});
+  const Job job;
+  for (int step = 0; step < 30 && !body.simulation().hasDiverged(); ++step) body.step(job);
+  EXPECT_TRUE(body.simulation().hasDiverged());
+  EXPECT_THROW(body.requireNotDiverged(), std::runtime_error);
 }
 
 TEST(CompareMotion, aCancelledRunStops) {

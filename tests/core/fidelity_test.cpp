@@ -12,7 +12,7 @@ namespace limber {
 namespace {
 
 FidelityOptions optionsFor(const TriangleMesh& mesh, int modeCount = 10) {
-  return {modeCount, 0.02 * bounds(mesh).diagonal(), 1e6, 0.3, 1000, 1};
+  return {modeCount, {1e6, 0.3, 1000, 0.02 * bounds(mesh).diagonal(), 1}};
 }
 
 TEST(Assignment, findsTheBestPairingOfEveryKind) {
@@ -60,8 +60,8 @@ TEST(FrequencyErrors, areThoseOfTheWholeComparison) {
   const TriangleMesh mesh = shapes::jittered(shapes::grid(8, 10), 0.02, 1), other = shapes::grid(6, 7);
   const FidelityOptions options = optionsFor(mesh, 6);
   Job job;
-  const ShellModes modes = shellModes(mesh, options, job);
-  EXPECT_EQ(modes.omega.size(), 12u);
+  const ModeBasis modes = shellModes(mesh, options, job);
+  EXPECT_EQ(modes.modeCount(), 12);
   const FrequencyErrors errors = frequencyErrors(mesh, modes, other, options, job);
   const Fidelity fidelity = compareFidelity(mesh, other, options, job);
   EXPECT_EQ(errors.mean, fidelity.frequencyErrorMean);

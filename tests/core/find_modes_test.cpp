@@ -10,7 +10,9 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "elastic/displacement.h"
 #include "elastic/part_modes.h"
+#include "mesh/eigen_vec3.h"
 #include "mesh/topology.h"
 #include "modes/coarse_part.h"
 #include "shapes.h"
@@ -26,7 +28,7 @@ TriangleMesh largeMesh() {
 }
 
 ModesOptions shellOptions(const TriangleMesh& mesh, int modeCount) {
-  return {Model::Shell, modeCount, 0.02 * bounds(mesh).diagonal(), 1e6, 0.3, 1000, 1};
+  return {ElasticModel::Shell, modeCount, {1e6, 0.3, 1000, 0.02 * bounds(mesh).diagonal(), 1}};
 }
 
 Eigen::MatrixXd columnsOf(const ModeSet& set, size_t vertexCount) {
@@ -118,17 +120,19 @@ TEST(Prolongation, isExactForLinearDisplacements) {
   const Topology topology = buildTopology(mesh);
   Job job;
   ModesOptions options;
-  options.model = Model::Shell;
+  options.model = ElasticModel::Shell;
   const std::vector<Part> parts = partsOf(mesh, topology, options);
   const CoarsePart coarse = coarsen(parts[0], 600, job);
   EXPECT_NEAR(coarse.part.mesh.vertexCount(), 600, 5);
   // A rotation about an axis: linear, and the normal turns with the surface.
   const Vec3 axis{0.3, -0.5, 0.8};
-  std::vector<Vec3> displacement;
-  for (const Vec3& p : coarse.part.mesh.positions) displacement.push_back(cross(axis, p));
-  const auto fine = Prolongation(parts[0].mesh, coarse).prolong(displacement);
+  Eigen::MatrixXd displacement(3 * static_cast<Eigen::Index>(coarse.part.mesh.vertexCount()), 1);
+  for (uint32_t v = 0; v < coarse.part.mesh.vertexCount(); ++v)
+    displacement.middleRows<3>(3 * v) = eigen(cross(axis, coarse.part.mesh.positions[v]));
+  const Eigen::MatrixXd fine = Prolongation(parts[0], coarse).prolong(displacement, job);
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
-    EXPECT_LT(length(fine[v] - cross(axis, parts[0].mesh.positions[v])), 1e-4 * length(axis));
+    EXPECT_LT(length(displacementAt(fine.col(0), v) - cross(axis, parts[0].mesh.positions[v])),
+              1e-4 * length(axis));
 }
 
 }  // namespace

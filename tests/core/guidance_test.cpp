@@ -18,9 +18,9 @@ struct Analysed {
   std::vector<double> omega;
 };
 
-Analysed analyse(const TriangleMesh& mesh, Model model = Model::Shell) {
+Analysed analyse(const TriangleMesh& mesh, ElasticModel model = ElasticModel::Shell) {
   Job job;
-  Analysed out{mesh, computeModes(mesh, {model, 4, 0.02, 1, 0.3, 1, 1}, job), {}};
+  Analysed out{mesh, computeModes(mesh, {model, 4, unitMaterial(0.02)}, job), {}};
   out.omega.assign(out.modes.components.size() * out.modes.modesPerComponent, 0.0);
   for (const Mode& mode : out.modes.modes)
     out.omega[mode.component * out.modes.modesPerComponent + mode.ordinal] = mode.omega;
@@ -33,7 +33,7 @@ StrainGuidance guide(const Analysed& body, const GuidanceOptions& options) {
 }
 
 TEST(Guidance, theFirstLaplacianModeOfTheBarStrainsItsMiddle) {
-  const Analysed bar = analyse(shapes::box(4, 4, 12, 0.25), Model::Laplacian);
+  const Analysed bar = analyse(shapes::box(4, 4, 12, 0.25), ElasticModel::Laplacian);
   const StrainGuidance guidance = guide(bar, {{0}, {}, 2, 0});
   double middle = 0, ends = 0;
   int middleCount = 0, endCount = 0;

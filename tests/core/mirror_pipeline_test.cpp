@@ -194,7 +194,7 @@ TEST(MirroredFit, isAboutAsGoodAsOneThatDoesNotKnow) {
 TEST(MirroredFit, tellsTheErrorOfItsResult) {
   const auto& [whole, reduced, fitted, plain] = fittedBox();
   const auto errorOf = [&](const TriangleMesh& mesh) {
-    const FidelityOptions options{4, 0.05, 1e6, 0.3, 1000};
+    const FidelityOptions options{4, {1e6, 0.3, 1000, 0.05, 1}};
     return compareFidelity(whole.mesh, mesh, options, theJob).frequencyErrorMean;
   };
   EXPECT_LT(errorOf(fitted.result.mesh), 2 * fitted.errorAfter[0]);

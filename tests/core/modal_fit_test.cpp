@@ -72,7 +72,7 @@ std::vector<uint8_t> clampedSide(const TriangleMesh& mesh) {
 // The first modes of a sheet that is clamped along that side.
 std::vector<double> clampedOmega(const TriangleMesh& mesh) {
   Job job;
-  ModesOptions options{Model::Shell, 4, 0.02, 1e6, 0.3, 1000, 1};
+  ModesOptions options{ElasticModel::Shell, 4, {1e6, 0.3, 1000, 0.02, 1}};
   const std::vector<uint8_t> clamped = clampedSide(mesh);
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
     if (clamped[v]) options.pinned.push_back(v);

@@ -21,7 +21,8 @@ TEST_P(ModesOfFiles, haveSixZeroModesAndResidualsBelowTheLimit) {
   Job job;
   const TriangleMesh mesh = weld(soup.positions, soup.indices, {}, job).mesh;
   const double diagonal = bounds(mesh).diagonal();
-  const ModeSet set = computeModes(mesh, {Model::Shell, 12, 0.02 * diagonal, 1e6, 0.3, 1000, 1}, job);
+  const ModeSet set =
+      computeModes(mesh, {ElasticModel::Shell, 12, {1e6, 0.3, 1000, 0.02 * diagonal, 1}}, job);
   EXPECT_EQ(set.components[0].zeroModesFound, 6u);
   double worst = 0;
   for (const Mode& mode : set.modes) worst = std::max(worst, mode.residual);

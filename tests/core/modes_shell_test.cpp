@@ -10,7 +10,7 @@ namespace limber {
 namespace {
 
 ModesOptions unitShell(double thickness, int modeCount = 8) {
-  return {Model::Shell, modeCount, thickness, 1, 0.3, 1, 1};
+  return {ElasticModel::Shell, modeCount, unitMaterial(thickness)};
 }
 
 // omega a^2 sqrt(rho h / D) of a free square plate, nu = 0.3 (Leissa 1969).
@@ -29,7 +29,7 @@ std::vector<double> plateErrors(const TriangleMesh& plate) {
   return errors;
 }
 
-// Moves inner vertices within the plane.
+// Moves the inner vertices within the plane.
 TriangleMesh irregularPlate(int cells) {
   TriangleMesh plate = shapes::grid(cells, cells);
   const TriangleMesh moved = shapes::jittered(plate, 0.2 / cells, 7);
@@ -88,10 +88,11 @@ TEST(ShellModes, frequenciesFollowMaterialAndUnits) {
   const auto first = [&](const TriangleMesh& mesh, const ModesOptions& options) {
     return computeModes(mesh, options, job).modes[0].omega;
   };
-  const double reference = first(plate, {Model::Shell, 3, 0.02, 1e6, 0.3, 1000, 1});
-  EXPECT_NEAR(first(inMillimetres, {Model::Shell, 3, 20, 1e6, 0.3, 1000, 0.001}) / reference, 1, 1e-7);
-  EXPECT_NEAR(first(plate, {Model::Shell, 3, 0.02, 4e6, 0.3, 1000, 1}) / reference, 2, 1e-7);
-  EXPECT_NEAR(first(plate, {Model::Shell, 3, 0.02, 1e6, 0.3, 4000, 1}) / reference, 0.5, 1e-7);
+  const double reference = first(plate, {ElasticModel::Shell, 3, {1e6, 0.3, 1000, 0.02, 1}});
+  EXPECT_NEAR(first(inMillimetres, {ElasticModel::Shell, 3, {1e6, 0.3, 1000, 20, 0.001}}) / reference, 1,
+              1e-7);
+  EXPECT_NEAR(first(plate, {ElasticModel::Shell, 3, {4e6, 0.3, 1000, 0.02, 1}}) / reference, 2, 1e-7);
+  EXPECT_NEAR(first(plate, {ElasticModel::Shell, 3, {1e6, 0.3, 4000, 0.02, 1}}) / reference, 0.5, 1e-7);
 }
 
 TEST(ShellModes, renumberingVerticesAndTurningFacesChangeNothing) {

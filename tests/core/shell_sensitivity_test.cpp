@@ -14,17 +14,17 @@ TEST(ShellSensitivity, isWhatMovingAVertexDoesToTheEigenvalue) {
   TriangleMesh mesh = shapes::jittered(shapes::grid(6, 4, 1, 0.7), 0.02, 3);
   for (Vec3& p : mesh.positions) p.z += 0.3 * p.x * p.x + 0.1 * p.y;
   const Topology topology = buildTopology(mesh);
-  const ShellMaterial material{0.03, 0.3};
+  constexpr double kThickness = 0.03, kPoisson = 0.3;
   Job job;
   const auto solve = [&](const TriangleMesh& at) {
-    return solveEigenproblem(shellModel(at, topology, material.thickness, material.poisson),
-                             {6, 6, 0.05, nullptr}, job);
+    return solveEigenproblem(shellPencil({at, topology, kThickness, kPoisson}), {6, 6, 0.05}, job).basis;
   };
-  const EigenPairs pairs = solve(mesh);
+  const ModeBasis basis = solve(mesh);
   for (int k = 0; k < 6; ++k) {
-    const ModePair itself{k, k, pairs.lambda[k]};
-    const Eigen::VectorXd slope = shellSensitivity(mesh, topology, material, pairs.phi, {&itself, 1}, job);
-    const double size = slope.cwiseAbs().maxCoeff();
+    const ModePair itself{k, k, basis.lambda[k]};
+    const Eigen::VectorXd derivative =
+        shellSensitivity({mesh, topology, kThickness, kPoisson}, basis.phi, {&itself, 1}, job);
+    const double size = derivative.cwiseAbs().maxCoeff();
     for (uint32_t v : {0u, 9u, 17u, 30u})
       for (int axis = 0; axis < 3; ++axis) {
         const double step = 1e-5;
@@ -32,7 +32,7 @@ TEST(ShellSensitivity, isWhatMovingAVertexDoesToTheEigenvalue) {
         there.positions[v][axis] += step;
         back.positions[v][axis] -= step;
         const double difference = (solve(there).lambda[k] - solve(back).lambda[k]) / (2 * step);
-        EXPECT_NEAR(slope[3 * v + axis], difference, 1e-4 * size);
+        EXPECT_NEAR(derivative[3 * v + axis], difference, 1e-4 * size);
       }
   }
 }
@@ -41,17 +41,17 @@ TEST(ShellSensitivity, isZeroForRigidMotionsOfTheMesh) {
   const TriangleMesh mesh = shapes::jittered(shapes::sphere(1), 0.05, 4);
   const Topology topology = buildTopology(mesh);
   Job job;
-  const EigenPairs pairs =
-      solveEigenproblem(shellModel(mesh, topology, 0.05, 0.3), {3, 6, 0.05, nullptr}, job);
-  const ModePair itself{0, 0, pairs.lambda[0]};
-  const Eigen::VectorXd slope = shellSensitivity(mesh, topology, {0.05, 0.3}, pairs.phi, {&itself, 1}, job);
-  double shift = 0, turn = 0;
+  const ThinShell shell{mesh, topology, 0.05, 0.3};
+  const ModeBasis basis = solveEigenproblem(shellPencil(shell), {3, 6, 0.05}, job).basis;
+  const ModePair itself{0, 0, basis.lambda[0]};
+  const Eigen::VectorXd derivative = shellSensitivity(shell, basis.phi, {&itself, 1}, job);
+  double shift = 0, rotation = 0;
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    shift += slope[3 * v];
-    turn += slope[3 * v + 1] * mesh.positions[v].x - slope[3 * v] * mesh.positions[v].y;
+    shift += derivative[3 * v];
+    rotation += derivative[3 * v + 1] * mesh.positions[v].x - derivative[3 * v] * mesh.positions[v].y;
   }
-  EXPECT_NEAR(shift, 0, 1e-7 * slope.norm());
-  EXPECT_NEAR(turn, 0, 1e-7 * slope.norm());
+  EXPECT_NEAR(shift, 0, 1e-7 * derivative.norm());
+  EXPECT_NEAR(rotation, 0, 1e-7 * derivative.norm());
 }
 
 }  // namespace

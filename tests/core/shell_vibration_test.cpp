@@ -8,7 +8,9 @@
 namespace limber {
 namespace {
 
-// In the frame where the diagonal is 1.
+constexpr VibrationRequest kRequest{0.02, 8};
+
+// Scales the mesh to a bounding diagonal of 1.
 TriangleMesh unit(TriangleMesh mesh) {
   const double diagonal = bounds(mesh).diagonal();
   for (Vec3& p : mesh.positions) p = p / diagonal;
@@ -27,8 +29,8 @@ TEST(VibratingShell, followsAMeshThatMovesToWhereASearchFromScratchEnds) {
   Job job;
   const WholePhase phase(job, Phase::Fit);
   const VibratingShell shell(mesh, topology, {0.3, 1e-6, 12}, job);
-  const ShellVibration followed = shell.follow(moved, shell.solve(mesh, 0.02, 8, job), 8, job),
-                       searched = shell.solve(moved, 0.02, 8, job);
+  const ModeBasis followed = shell.follow(moved, shell.solve(mesh, kRequest, job), kRequest, job),
+                  searched = shell.solve(moved, kRequest, job);
   for (int k = 0; k < 8; ++k) EXPECT_NEAR(followed.lambda[k], searched.lambda[k], 1e-4 * searched.lambda[k]);
 }
 
@@ -39,11 +41,11 @@ TEST(VibratingShell, findsTheModesOfAFineMeshFromThoseOfACoarseOne) {
   const WholePhase phase(job, Phase::Fit);
   const VibratingShell fineShell(fine, fineTopology, {0.3, 1e-6, 12}, job),
       coarseShell(coarse, coarseTopology, {0.3, 1e-6, 12}, job);
-  ShellVibration start = coarseShell.solve(coarse, 0.02, 8, job);
+  ModeBasis start = coarseShell.solve(coarse, kRequest, job);
   start.phi = transfer(start.phi.topRows(3 * static_cast<Eigen::Index>(coarse.vertexCount())), coarse,
                        closestPoints(fine, coarse));
-  const ShellVibration followed = fineShell.follow(fine, start, 8, job),
-                       searched = fineShell.solve(fine, 0.02, 8, job);
+  const ModeBasis followed = fineShell.follow(fine, start, kRequest, job),
+                  searched = fineShell.solve(fine, kRequest, job);
   for (int k = 0; k < 8; ++k) EXPECT_NEAR(followed.lambda[k], searched.lambda[k], 1e-4 * searched.lambda[k]);
 }
 

@@ -40,12 +40,12 @@ TEST(Blocks, groupsOfAKindShareNoVertexOfAnyTriangleAndItsNeighbours) {
 TEST(Blocks, theOrderFromEndToEndIsOneOfAllVerticesAndKeepsNeighboursClose) {
   const TriangleMesh strip = shapes::grid(2, 60);
   const auto order = orderFromEndToEnd(strip, buildTopology(strip));
-  std::vector<uint32_t> place(strip.vertexCount(), kNone);
-  for (uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-  EXPECT_EQ(std::count(place.begin(), place.end(), kNone), 0);
+  std::vector<uint32_t> slotOf(strip.vertexCount(), kNone);
+  for (uint32_t i = 0; i < order.size(); ++i) slotOf[order[i]] = i;
+  EXPECT_EQ(std::count(slotOf.begin(), slotOf.end(), kNone), 0);
   for (const Triangle& t : strip.triangles)
     for (const uint32_t v : t)
-      for (const uint32_t w : t) EXPECT_LE(place[v], place[w] + 6);  // two rows
+      for (const uint32_t w : t) EXPECT_LE(slotOf[v], slotOf[w] + 6);  // two rows
 }
 
 TEST(Blocks, aLongBodyHasABorderBetweenEveryTwoBlocks) {

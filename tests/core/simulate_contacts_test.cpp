@@ -17,11 +17,13 @@ const Vec3 kGravity = {0, -9.81, 0};
 
 SimulationOptions leather(double thickness) {
   SimulationOptions options;
-  options.young = 1e7;
-  options.poisson = 0.3;
-  options.density = 1000;
-  options.thickness = thickness;
+  options.material.young = 1e7;
+  options.material.poisson = 0.3;
+  options.material.density = 1000;
+  options.material.thickness = thickness;
+  options.substeps = 20;
   options.damping = 3;
+  options.friction = 0.5;
   return options;
 }
 
@@ -30,7 +32,7 @@ void run(Simulation& simulation, int steps) {
   for (int i = 0; i < steps; ++i) simulation.step(job);
 }
 
-// Horizontal, around the y axis, of edges of 2 m.
+// A horizontal triangle around the y axis with edges of 2 m.
 TriangleMesh largeTriangle(double height) {
   const double low = 1 / std::sqrt(3.0);
   return {{{-1, height, low}, {1, height, low}, {0, height, -2 * low}}, {{0, 1, 2}}};

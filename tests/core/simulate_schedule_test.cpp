@@ -1,4 +1,4 @@
-// Stages on threads, and the choice whether to use them.
+// The phases of a step on threads, and the choice whether to use threads.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace limber {
 namespace {
 
-TEST(Schedule, everyItemRunsOnceInARepeatAndAfterTheStageBefore) {
+TEST(Schedule, everyItemRunsOncePerRepeatAndAfterThePhaseBefore) {
   for (const int threads : {1, 2, 5}) {
     setThreadCount(threads);
     const size_t counts[] = {37, 0, 8, 1};
@@ -19,18 +19,18 @@ TEST(Schedule, everyItemRunsOnceInARepeatAndAfterTheStageBefore) {
     std::vector<std::vector<int>> ran;
     for (const size_t count : counts) ran.emplace_back(count, 0);
     std::atomic<int> disorder = 0;
-    std::vector<Stage> stages;
+    std::vector<SolverPhase> phases;
     for (size_t s = 0; s < ran.size(); ++s)
-      stages.push_back({counts[s], 3, [&, s](size_t begin, size_t end, int repeat) {
+      phases.push_back({counts[s], 3, [&, s](size_t begin, size_t end, int repeat) {
                           const size_t before = s == 2 ? 0 : s == 3 ? 2 : 3;
                           const int expected = s == 0 ? repeat : repeat + 1;
                           for (const int times : ran[before]) disorder += times != expected;
                           for (size_t i = begin; i < end; ++i) disorder += ran[s][i]++ != repeat;
                         }});
-    runStages({{}, stages, {}, repeats}, threads > 1, Job());
+    runSchedule({{}, phases, {}, repeats}, threads > 1, Job());
     EXPECT_EQ(disorder, 0);
-    for (const auto& stage : ran)
-      for (const int times : stage) EXPECT_EQ(times, repeats);
+    for (const auto& phase : ran)
+      for (const int times : phase) EXPECT_EQ(times, repeats);
   }
   setThreadCount(1);
 }
@@ -40,17 +40,17 @@ TEST(Schedule, aCancelledRunEndsEarlyOnAnyNumberOfThreads) {
     setThreadCount(threads);
     Job job;
     std::atomic<int> ran = 0;
-    const std::vector<Stage> stages = {{64, 4, [&](size_t, size_t, int repeat) {
-                                          ++ran;
-                                          if (repeat == 10) job.requestCancel();
-                                        }}};
-    EXPECT_THROW(runStages({{}, stages, {}, 1000}, threads > 1, job), Cancelled);
+    const std::vector<SolverPhase> phases = {{64, 4, [&](size_t, size_t, int repeat) {
+                                                ++ran;
+                                                if (repeat == 10) job.requestCancel();
+                                              }}};
+    EXPECT_THROW(runSchedule({{}, phases, {}, 1000}, threads > 1, job), Cancelled);
     EXPECT_LT(ran, 20 * 16);
   }
   setThreadCount(1);
 }
 
-TEST(Helpers, whoHasNothingLeftTakesPartAndEveryItemStillRunsOnceInARepeat) {
+TEST(Helpers, threadsWithoutWorkTakePartAndEveryItemStillRunsOncePerRepeat) {
   for (const int threads : {1, 2, 4}) {
     setThreadCount(threads);
     const int repeats = 200;
@@ -78,19 +78,20 @@ TEST(Helpers, whoHasNothingLeftTakesPartAndEveryItemStillRunsOnceInARepeat) {
   setThreadCount(1);
 }
 
-// Steps of which `threaded(step)` and `serial(step)` seconds pass; returns the seconds of all.
+// Makes steps that take threaded(step) or serial(step) seconds, as is chosen; returns the sum of their
+// seconds.
 template <class Threaded, class Serial>
 double passed(ThreadChoice& choice, int steps, Threaded threaded, Serial serial) {
   double sum = 0;
   for (int step = 0; step < steps; ++step) {
     const double seconds = choice.threaded() ? threaded(step) : serial(step);
-    choice.tell(seconds);
+    choice.record(seconds);
     sum += seconds;
   }
   return sum;
 }
 
-TEST(ThreadChoice, keepsToWhatIsFasterAndFollowsWhenThatChanges) {
+TEST(ThreadChoice, takesWhatIsFasterAndFollowsWhenThatChanges) {
   ThreadChoice choice;
   const auto slow = [](int) { return 3.0; };
   const auto fast = [](int) { return 2.0; };

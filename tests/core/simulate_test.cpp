@@ -13,14 +13,15 @@ namespace {
 
 const Vec3 kGravity = {0, -9.81, 0};
 
-SimulationOptions rubber(Material material, double thickness, int substeps) {
+SimulationOptions rubber(SimulationModel model, double thickness, int substeps) {
   SimulationOptions options;
-  options.material = material;
-  options.young = 1e6;
-  options.poisson = 0.3;
-  options.density = 1000;
-  options.thickness = thickness;
+  options.model = model;
+  options.material.young = 1e6;
+  options.material.poisson = 0.3;
+  options.material.density = 1000;
+  options.material.thickness = thickness;
   options.substeps = substeps;
+  options.friction = 0.5;
   return options;
 }
 
@@ -31,9 +32,9 @@ void run(Simulation& simulation, int steps) {
 
 TEST(Simulation, aFallingBodyFollowsTheParabolaUnderFewAndManySubsteps) {
   const TriangleMesh mesh = shapes::sphere(1, 0.3);
-  for (const Material material : {Material::Springs, Material::Shell})
+  for (const SimulationModel model : {SimulationModel::Springs, SimulationModel::Shell})
     for (const int substeps : {20, 2000}) {
-      Simulation body(mesh, rubber(material, 0.01, substeps));
+      Simulation body(mesh, rubber(model, 0.01, substeps));
       body.setGravity(kGravity);
       const Vec3 thrown = {2, 3, -1};
       body.setVelocities(std::vector<Vec3>(mesh.positions.size(), thrown));
@@ -50,8 +51,8 @@ TEST(Simulation, aFallingBodyFollowsTheParabolaUnderFewAndManySubsteps) {
 
 TEST(Simulation, aBodyAtRestStaysExactlyWhereItIs) {
   const TriangleMesh mesh = shapes::torus(12, 8);
-  for (const Material material : {Material::Springs, Material::Shell}) {
-    Simulation body(mesh, rubber(material, 0.05, 20));
+  for (const SimulationModel model : {SimulationModel::Springs, SimulationModel::Shell}) {
+    Simulation body(mesh, rubber(model, 0.05, 20));
     run(body, 10);
     for (uint32_t v = 0; v < body.vertexCount(); ++v)
       EXPECT_LT(length(body.position(v) - mesh.positions[v]), 1e-6);

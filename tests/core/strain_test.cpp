@@ -25,11 +25,11 @@ std::vector<float> displacement(const TriangleMesh& mesh, Motion motion) {
 
 TEST(Strain, aRigidMotionHasNone) {
   const TriangleMesh mesh = shapes::torus(16, 8);
-  const Motion turnAndMove = [](const Vec3& p) {
+  const Motion rotateAndMove = [](const Vec3& p) {
     const double c = std::cos(1.1), s = std::sin(1.1);
     return Vec3{c * p.x - s * p.y + 3, s * p.x + c * p.y - 1, p.z + 0.5};
   };
-  for (double strain : greenLagrangeStrain(mesh, displacement(mesh, turnAndMove), 1))
+  for (double strain : greenLagrangeStrain(mesh, displacement(mesh, rotateAndMove), 1))
     EXPECT_NEAR(strain, 0, 5e-6);  // shapes are float32
 }
 

@@ -6,12 +6,12 @@ import type { Core, MeshAt } from '../../web/engine/core/core';
 import { exportGlb } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
 import type { OpenModel } from '../../web/engine/document/open';
-import { optimizeBody } from '../../web/engine/stages/optimize';
 import { defaultSettings } from '../../web/engine/settings/options';
-import { exportedBody, prepareBody } from '../../web/engine/stages/pipeline';
-import type { PreparedBody } from '../../web/engine/stages/pipeline';
+import type { PreparedBody } from '../../web/engine/body/prepared_body';
+import { exportedBody } from '../../web/engine/stages/written';
 import { loadTestCore } from './support/core';
 import { failureOf, textFile } from './support/files';
+import { optimized, runOfModel } from './support/runs';
 import { toObj, torus } from './support/shapes';
 
 interface Bound {
@@ -31,8 +31,7 @@ beforeAll(async () => {
   );
   const model = await openModel([textFile('torus.obj', `v 9 9 9\n${lines}`)]);
   const settings = { ...defaultSettings(), method: 'qem' as const };
-  const prepared = prepareBody(core, model.bodies[0], settings, model.document);
-  const { result } = optimizeBody(core, prepared, settings, { targetFaces: 150 });
+  const { prepared, result } = optimized(runOfModel(core, model), settings, 150);
   const faces = result.mesh.triangles.length / 3;
   const body = bindingOfBody(prepared, faces, core.bindToResult(prepared.mesh, result));
   bound = { model, prepared, result, body };

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { VERDICTS } from '../../web/engine/core/core';
 import type { WhyKept } from '../../web/engine/core/core';
-import { explain } from '../../web/engine/stages/explanation';
+import { explain } from '../../web/engine/report/explanation';
 
 const verdict = (name: (typeof VERDICTS)[number]) => VERDICTS.indexOf(name);
 

@@ -6,12 +6,13 @@ import { attributesOf, costAttributesOf } from '../../web/engine/body/attributes
 import { exportGlb } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
 import { validateGlb } from '../../web/engine/document/validate';
-import { optimizeBody } from '../../web/engine/stages/optimize';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
-import { exportedBody, exportedMesh, prepareBody } from '../../web/engine/stages/pipeline';
+import { prepareBody } from '../../web/engine/stages/prepared';
+import { exportedBody, exportedMesh } from '../../web/engine/stages/written';
 import { loadTestCore } from './support/core';
 import { addMesh, floats, glbFile, primitiveOf, readGlb, startDocument } from './support/gltf';
+import { optimized, runOfModel } from './support/runs';
 import { cube, grid, torus } from './support/shapes';
 
 let core: Core;
@@ -24,11 +25,11 @@ async function reduced(source: Document, ratio: number, changes: Partial<Setting
   const model = await openModel([await glbFile(source)]);
   const settings = { ...defaultSettings(), ...changes };
   const results: MeshAt[] = [];
-  const bodies = model.bodies.map((body) => {
+  const bodies = model.bodies.map((body, i) => {
     const prepared = prepareBody(core, body, settings, model.document);
     if (ratio === 1) return exportedMesh(prepared);
     const targetFaces = Math.floor((ratio * prepared.mesh.triangles.length) / 3);
-    const { result } = optimizeBody(core, prepared, settings, { targetFaces });
+    const { result } = optimized(runOfModel(core, model, i), settings, targetFaces);
     results.push(result);
     return exportedBody(core, prepared, result, null);
   });

@@ -1,12 +1,13 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core } from '../../web/engine/core/core';
 import { searchFaces } from '../../web/engine/stages/frequency_target';
-import { optimizeBody } from '../../web/engine/stages/optimize';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
-import { materialOf, prepareBody } from '../../web/engine/stages/pipeline';
+import { materialOf } from '../../web/engine/body/material';
+import { BodyRun } from '../../web/engine/stages/body_run';
 import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
+import { optimized as optimizedBy, runOfMesh } from './support/runs';
 import { cube, grid, torus } from './support/shapes';
 
 const search = (errorAt: (faces: number) => number, fewest = 4, most = 10_000, limit = 1) =>
@@ -70,15 +71,11 @@ describe('a largest frequency error', () => {
 
   const optimize = (mesh: ReturnType<typeof torus>, change: Partial<Settings>, targetFaces = 1) => {
     const settings = { ...defaultSettings(), ...change };
-    const prepared = prepareBody(core, bodyOf(mesh), settings);
-    const optimized = optimizeBody(core, prepared, settings, { targetFaces });
+    const run = runOfMesh(core, mesh);
+    const optimized = optimizedBy(run, settings, targetFaces);
+    const { prepared } = optimized;
     const errorOf = (faces: number) => {
-      const other = optimizeBody(
-        core,
-        prepared,
-        { ...settings, maxFrequencyError: 0 },
-        { targetFaces: faces },
-      );
+      const other = optimizedBy(run, { ...settings, maxFrequencyError: 0 }, faces);
       const options = { modeCount: 6, ...materialOf(prepared, settings) };
       return core.compareFidelity(prepared.mesh, other.result.mesh, options).frequencyErrorMax;
     };
@@ -108,10 +105,10 @@ describe('a largest frequency error', () => {
 
   it('says of every number of faces that it tries it', () => {
     const settings = { ...defaultSettings('qem'), maxFrequencyError: 5 };
-    const prepared = prepareBody(core, bodyOf(torus()), settings);
     const asked: number[] = [];
     const onTry = (faces: number) => asked.push(faces);
-    const { frequency } = optimizeBody(core, prepared, settings, { targetFaces: 1, onTry });
+    const run = new BodyRun({ core, body: bodyOf(torus()), document: null, onTry });
+    const { frequency } = optimizedBy(run, settings, 1);
     expect(asked).toHaveLength(frequency!.tried.length);
   });
 

@@ -4,7 +4,7 @@ import {
   differentPairs,
   hotFaces,
   sharedHotSpots,
-} from '../../web/engine/stages/hot_spots';
+} from '../../web/engine/report/hot_spots';
 
 const hot = (...faces: number[]) => Uint8Array.from(faces);
 

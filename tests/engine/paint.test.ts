@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Core } from '../../web/engine/core/core';
 import { NONE } from '../../web/engine/core/core';
-import { findHeld } from '../../web/engine/body/constraints';
+import { constraintsOf } from '../../web/engine/body/constraints';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
 import {
@@ -15,7 +15,10 @@ import {
   weldLevels,
 } from '../../web/engine/body/paint';
 import { LOCKED, parsePaint, STRONGEST, withPaint } from '../../web/engine/settings/paint_text';
-import { buildHistory, prepareBody, reduceTo } from '../../web/engine/stages/pipeline';
+import { buildHistory } from '../../web/engine/stages/history';
+import { levelAt } from '../../web/engine/stages/level';
+import { prepareBody } from '../../web/engine/stages/prepared';
+import { simplificationSettings } from '../../web/engine/stages/simplification';
 import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
 import { torus } from './support/shapes';
@@ -96,9 +99,10 @@ describe('a painted body', () => {
     );
   const reduced = (paint: string, method: Settings['method'], faces: number) => {
     const settings = { ...defaultSettings(method), paint };
-    const { held } = findHeld(new Document(), prepared, settings);
-    const guides = { guidance: null, curvature, ...held };
-    return reduceTo(core, prepared, buildHistory(core, prepared, guides, settings), faces).mesh;
+    const { constraints } = constraintsOf(new Document(), prepared, new Uint32Array(), settings);
+    const guides = { guidance: null, curvature, constraints };
+    const history = buildHistory(core, prepared, guides, simplificationSettings(settings));
+    return levelAt(core, prepared, history, faces).mesh;
   };
   const share = ({ positions }: { positions: Float32Array }) =>
     positions.filter((x, i) => i % 3 === 0 && x > 0).length / (positions.length / 3);

@@ -5,7 +5,8 @@ import { MATERIAL_NAMES, MATERIALS, materialNameOf } from '../../web/engine/sett
 import { checkSettings, defaultSettings } from '../../web/engine/settings/options';
 import { findPins } from '../../web/engine/body/pins';
 import { parsePins } from '../../web/engine/settings/pin_text';
-import { findModes, prepareBody } from '../../web/engine/stages/pipeline';
+import { findModes } from '../../web/engine/stages/modes';
+import { prepareBody } from '../../web/engine/stages/prepared';
 import { loadTestCore } from './support/core';
 import { textFile } from './support/files';
 import { addMesh, floats, glbFile, primitiveOf, startDocument } from './support/gltf';
@@ -95,10 +96,10 @@ describe('pins', () => {
   it('leave one rigid motion where they are in a line, and none where they are not', async () => {
     const { document, prepared } = await sheet();
     const settings = { ...defaultSettings(), model: 'shell' as const, modeCount: 3 };
-    const free = findModes(core, prepared, settings);
-    const hinged = findModes(core, prepared, settings, findPins('low:0', document, prepared));
+    const free = findModes(core, prepared, new Uint32Array(), settings);
+    const hinged = findModes(core, prepared, findPins('low:0', document, prepared), settings);
     expect([free.components[0].zeroModesFound, hinged.components[0].zeroModesFound]).toEqual([6, 1]);
-    const clamped = findModes(core, prepared, settings, findPins('low:20', document, prepared));
+    const clamped = findModes(core, prepared, findPins('low:20', document, prepared), settings);
     expect(clamped.components[0]).toMatchObject({ zeroModesExpected: 0, zeroModesFound: 0 });
     expect(clamped.modes[0].omega).toBeLessThan(free.modes[0].omega);
   });

@@ -1,18 +1,16 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core } from '../../web/engine/core/core';
 import { defaultSettings } from '../../web/engine/settings/options';
-import { findModes, prepareBody } from '../../web/engine/stages/pipeline';
-import {
-  describeRefused,
-  fitReport,
-  meshReport,
-  modesReport,
-  startReport,
-  stopReport,
-  worstSurface,
-} from '../../web/engine/report/report';
+import { meshReport } from '../../web/engine/report/mesh_report';
+import { modesReport } from '../../web/engine/report/modes_report';
+import { startReport } from '../../web/engine/report/report';
+import { fitReport, worstSurface } from '../../web/engine/report/result_report';
+import { describeRefused, stopReport } from '../../web/engine/report/stop_report';
+import { prepareBody } from '../../web/engine/stages/prepared';
+import { STAGES } from '../../web/engine/stages/stages';
 import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
+import { runOfMesh } from './support/runs';
 import { cube, grid, torus } from './support/shapes';
 
 let core: Core;
@@ -55,9 +53,7 @@ describe('a report', () => {
 
   it('numbers components through and sorts the modes of all bodies', () => {
     const settings = { ...defaultSettings(), model: 'shell' as const, modeCount: 3 };
-    const sets = [prepare(grid(4, 4)), prepare(torus())].map((prepared) =>
-      findModes(core, prepared, settings),
-    );
+    const sets = [grid(4, 4), torus()].map((mesh) => runOfMesh(core, mesh).get(STAGES.modes, settings));
     const report = modesReport(sets);
     expect(report.components.map(({ faces }) => faces)).toEqual([32, 576]);
     expect(report.zeroModes).toEqual({ expected: 12, found: 12 });
@@ -66,7 +62,8 @@ describe('a report', () => {
     expect(omegas).toEqual([...omegas].sort((a, b) => a - b));
     expect(report.modes[0].frequency).toBeCloseTo(report.modes[0].omega / (2 * Math.PI), 9);
     expect(report.modes[0]).not.toHaveProperty('nominal');
-    const laplacian = findModes(core, prepare(grid(4, 4)), { ...settings, model: 'laplacian' });
+    const run = runOfMesh(core, grid(4, 4));
+    const laplacian = run.get(STAGES.modes, { ...settings, model: 'laplacian' });
     expect(modesReport([laplacian]).modes[0]).toMatchObject({ nominal: true, along: 'shortest' });
     expect(modesReport([...sets, laplacian]).model).toBe('mixed');
   });

@@ -13,13 +13,14 @@ import { companionNames } from '../../web/engine/document/gltf';
 import { openModel } from '../../web/engine/document/open';
 import type { OpenModel } from '../../web/engine/document/open';
 import { validateGlb } from '../../web/engine/document/validate';
-import { optimizeBody } from '../../web/engine/stages/optimize';
-import type { OptimizedBody } from '../../web/engine/stages/optimize';
 import { defaultSettings } from '../../web/engine/settings/options';
-import { exportedBody, prepareBody } from '../../web/engine/stages/pipeline';
+import { STAGES } from '../../web/engine/stages/stages';
+import { exportedBody } from '../../web/engine/stages/written';
 import { loadTestCore } from './support/core';
 import { failureOf } from './support/files';
 import { readGlb } from './support/gltf';
+import { optimized as optimizedBy, runOfModel } from './support/runs';
+import type { Optimized } from './support/runs';
 
 const repository = new URL('../../', import.meta.url).pathname;
 const meshes = join(process.env.LIMBER_SHARED ?? join(repository, '..', 'shared'), 'meshes');
@@ -77,13 +78,12 @@ beforeAll(async () => {
   core = await loadTestCore(2);
 });
 
-function optimize(model: OpenModel): OptimizedBody[] {
+function optimize(model: OpenModel): Optimized[] {
   const settings = defaultSettings();
-  return model.bodies.map((body) => {
-    const prepared = prepareBody(core, body, settings, model.document);
-    return optimizeBody(core, prepared, settings, {
-      targetFaces: Math.floor(prepared.mesh.triangles.length / 6),
-    });
+  return model.bodies.map((_, i) => {
+    const run = runOfModel(core, model, i);
+    const { mesh } = run.get(STAGES.prepared, settings);
+    return optimizedBy(run, settings, Math.floor(mesh.triangles.length / 6));
   });
 }
 

@@ -1,21 +1,13 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type {
-  Collider,
-  Core,
-  ScenarioName,
-  SimulationOptions,
-  TriangleMesh,
-} from '../../web/engine/core/core';
-import { defaultSettings } from '../../web/engine/settings/options';
-import { materialOf, prepareBody } from '../../web/engine/stages/pipeline';
-import { simulationReport } from '../../web/engine/report/report';
-import {
-  calibrationOf,
-  SCENARIOS,
-  Simulation,
-  simulationOptions,
-  STEP_SECONDS,
-} from '../../web/engine/motion/simulation';
+import type { Collider, Core, SimulationOptions, TriangleMesh } from '../../web/engine/core/core';
+import { SCENARIO_NAMES } from '../../web/engine/core/scenarios';
+import type { ScenarioName } from '../../web/engine/core/scenarios';
+import { defaultSettings, OPTIONS } from '../../web/engine/settings/options';
+import { SimulatedBodies } from '../../web/engine/motion/simulated_bodies';
+import { calibrationOf, simulationOptions, STEP_SECONDS } from '../../web/engine/motion/simulation';
+import { materialOf } from '../../web/engine/body/material';
+import { simulationReport } from '../../web/engine/report/motion_report';
+import { prepareBody } from '../../web/engine/stages/prepared';
 import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
 import { failureOf } from './support/files';
@@ -34,13 +26,13 @@ const coarse = grid(6, 6);
 const optionsFor = (mesh: TriangleMesh, scenario: ScenarioName): SimulationOptions =>
   simulationOptions(prepareBody(core, bodyOf(mesh), settings), { ...settings, scenario }, null);
 
-function run(body: Simulation, steps: number): void {
+function run(body: SimulatedBodies, steps: number): void {
   for (let i = 0; i < steps; i++) body.step();
 }
 
 describe('a running simulation', () => {
   it('starts in the shape of the mesh and moves with every step', () => {
-    const simulation = new Simulation(core, sheet, coarse, optionsFor(sheet, 'hang'));
+    const simulation = new SimulatedBodies(core, sheet, coarse, optionsFor(sheet, 'hang'));
     expect(simulation.positions(0)).toEqual(sheet.positions);
     expect(simulation.positions(1)).toEqual(coarse.positions);
     run(simulation, 6);
@@ -49,10 +41,10 @@ describe('a running simulation', () => {
     simulation.end();
   });
 
-  it.each(SCENARIOS)('gives the same bits with one thread and with two: %s', (scenario) => {
+  it.each(SCENARIO_NAMES)('gives the same bits with one thread and with two: %s', (scenario) => {
     const mesh = box(2, 2, 6);
     const all = [core, single].map((one) => {
-      const simulation = new Simulation(one, mesh, null, optionsFor(mesh, scenario));
+      const simulation = new SimulatedBodies(one, mesh, null, optionsFor(mesh, scenario));
       run(simulation, 10);
       const positions = simulation.positions(0);
       simulation.end();
@@ -62,8 +54,8 @@ describe('a running simulation', () => {
     expect(all[0]).toEqual(all[1]);
   });
 
-  it('follows a hand and is let go', () => {
-    const simulation = new Simulation(core, sheet, null, optionsFor(sheet, 'sway'));
+  it('a dragged point reaches its target, and leaves it once released', () => {
+    const simulation = new SimulatedBodies(core, sheet, null, optionsFor(sheet, 'sway'));
     const corner = sheet.triangles.indexOf(sheet.positions.length / 3 - 1);
     const barycentric = [0, 1, 2].map((c) => Number(c === corner % 3)) as [number, number, number];
     const last = () => Array.from(simulation.positions(0).slice(-3));
@@ -77,10 +69,13 @@ describe('a running simulation', () => {
     simulation.end();
   });
 
-  it('tells what it can touch: what it is given, and what the scenario has', () => {
+  it('touches what it is given and what the scenario has', () => {
     const added = { ground: -3, colliders: [{ from: [0, 1, 2], to: [3, 4, 5], radius: 0.5 }] as Collider[] };
     const touched = (scenario: ScenarioName, given: object) => {
-      const simulation = new Simulation(core, sheet, coarse, { ...optionsFor(sheet, scenario), ...given });
+      const simulation = new SimulatedBodies(core, sheet, coarse, {
+        ...optionsFor(sheet, scenario),
+        ...given,
+      });
       simulation.end();
       return simulation.collisionScene;
     };
@@ -92,10 +87,10 @@ describe('a running simulation', () => {
     expect(colliders[1].from).toEqual(colliders[1].to);
   });
 
-  it('lies on what it is given', () => {
+  it('lies on the capsule that it is given', () => {
     const collider: Collider = { from: [0.5, -0.3, -9], to: [0.5, -0.3, 9], radius: 0.2 };
     const options = { ...optionsFor(sheet, 'drop'), colliders: [collider] };
-    const simulation = new Simulation(core, sheet, coarse, options);
+    const simulation = new SimulatedBodies(core, sheet, coarse, options);
     run(simulation, 40);
     for (const body of [0, 1]) {
       const positions = simulation.positions(body);
@@ -105,9 +100,12 @@ describe('a running simulation', () => {
     simulation.end();
   });
 
-  it('is as stiff as its calibration says, the original untouched', () => {
+  it('a calibration changes the optimized body and not the original', () => {
     const positionsOf = (calibration: number) => {
-      const simulation = new Simulation(core, sheet, coarse, { ...optionsFor(sheet, 'hang'), calibration });
+      const simulation = new SimulatedBodies(core, sheet, coarse, {
+        ...optionsFor(sheet, 'hang'),
+        calibration,
+      });
       run(simulation, 20);
       const found = [0, 1].map((body) => simulation.positions(body));
       simulation.end();
@@ -118,21 +116,31 @@ describe('a running simulation', () => {
     expect(stiff[1]).not.toEqual(soft[1]);
   });
 
-  it('is gone once it has ended', async () => {
-    const simulation = new Simulation(core, sheet, null, optionsFor(sheet, 'drop'));
+  it('refuses a step once it has ended', async () => {
+    const simulation = new SimulatedBodies(core, sheet, null, optionsFor(sheet, 'drop'));
     simulation.end();
     expect(await failureOf(() => simulation.step())).toBe('The simulation has ended: start it again.');
   });
 
-  it('refuses what it cannot do with a sentence', async () => {
+  it('refuses options and pins of no use with a sentence', async () => {
     const options = { ...optionsFor(sheet, 'twist'), substeps: 0 };
-    expect(await failureOf(() => new Simulation(core, sheet, null, options))).toBe(
-      'A step has 1 to 100,000 substeps.',
-    );
+    for (const substeps of [0, OPTIONS.substeps.max + 1])
+      expect(await failureOf(() => new SimulatedBodies(core, sheet, null, { ...options, substeps }))).toBe(
+        'A step has 1 to 10,000 substeps.',
+      );
     const pinned = Uint32Array.of(99999);
     expect(
-      await failureOf(() => new Simulation(core, sheet, null, { ...options, substeps: 5, pinned })),
+      await failureOf(() => new SimulatedBodies(core, sheet, null, { ...options, substeps: 5, pinned })),
     ).toBe('A pin names a vertex that the mesh does not have.');
+  });
+});
+
+describe('the scenarios of TypeScript', () => {
+  it('are those of the core, in the same order', async () => {
+    const options = { ...optionsFor(sheet, 'twist'), scenario: 'fall' as ScenarioName };
+    expect(await failureOf(() => core.scenarioCollisionScene(sheet, options))).toBe(
+      `There is no scenario "fall": take one of ${SCENARIO_NAMES.join(', ')}.`,
+    );
   });
 });
 

@@ -2,14 +2,14 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core, TriangleMesh } from '../../web/engine/core/core';
 import { exportGlb } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
-import { findHeld } from '../../web/engine/body/constraints';
-import { optimizeBody } from '../../web/engine/stages/optimize';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
-import { exportedMesh, prepareBody } from '../../web/engine/stages/pipeline';
+import { STAGES } from '../../web/engine/stages/stages';
+import { exportedMesh } from '../../web/engine/stages/written';
 import { loadTestCore } from './support/core';
 import { addMesh, floats, glbFile, primitiveOf, readGlb, startDocument } from './support/gltf';
 import { facesOf } from './support/mirrored';
+import { optimized, runOfModel } from './support/runs';
 import { grid } from './support/shapes';
 
 let core: Core;
@@ -48,7 +48,7 @@ function normalOf(positions: ArrayLike<number>, face: number[]): number[] {
 }
 
 interface Made {
-  /** texture coordinates that follow from the place */
+  /** texture coordinates that follow from positions */
   isTextured?: boolean;
   /** every vertex has the normal of its face */
   isFaceted?: boolean;
@@ -59,19 +59,20 @@ async function open(mesh: TriangleMesh, change: Partial<Settings>, made: Made = 
   const settings = { ...defaultSettings(), modeCount: 6, ...change };
   const document = startDocument();
   const primitive = primitiveOf(document, mesh);
-  const places = Array.from({ length: positions.length / 3 }, (_, v) => v);
+  const vertices = Array.from({ length: positions.length / 3 }, (_, v) => v);
   if (made.isTextured) {
-    const uv = places.flatMap((v) => [positions[3 * v], positions[3 * v + 1]]);
+    const uv = vertices.flatMap((v) => [positions[3 * v], positions[3 * v + 1]]);
     primitive.setAttribute('TEXCOORD_0', floats(document, 'VEC2', uv));
   }
   if (made.isFaceted) {
     const faceOf = (v: number) => [0, 1, 2].map((k) => triangles[3 * Math.floor(v / 3) + k]);
-    const normals = places.flatMap((v) => normalOf(positions, faceOf(v)));
+    const normals = vertices.flatMap((v) => normalOf(positions, faceOf(v)));
     primitive.setAttribute('NORMAL', floats(document, 'VEC3', normals));
   }
   addMesh(document, 'thing', [primitive]);
   const model = await openModel([await glbFile(document)]);
-  return { model, settings, prepared: prepareBody(core, model.bodies[0], settings, model.document) };
+  const run = runOfModel(core, model);
+  return { model, run, settings, prepared: run.get(STAGES.prepared, settings) };
 }
 
 /** The mesh as it was prepared, through the file it is written to. */
@@ -81,7 +82,7 @@ async function written({ model, prepared }: Awaited<ReturnType<typeof open>>) {
 }
 
 describe('quads that are cut one way on both sides', () => {
-  it('are cut the other way on one side where a symmetry is wished, and only there', async () => {
+  it('are cut the other way on one side where a symmetry is asked for, and only there', async () => {
     const mesh = oneWay();
     const { prepared } = await open(mesh, { symmetry: 'x' });
     expect(prepared.body.notes).toEqual(['48 quads cut the other way, so that both sides are mirror images']);
@@ -94,10 +95,9 @@ describe('quads that are cut one way on both sides', () => {
   });
 
   it('collapse to a result that is its own image', async () => {
-    const { model, settings, prepared } = await open(oneWay(), { symmetry: 'on' }, { isTextured: true });
-    const { held, note } = findHeld(model.document, prepared, settings);
-    expect(note).toBe('');
-    const { result } = optimizeBody(core, prepared, settings, { targetFaces: 60, ...held });
+    const { run, settings } = await open(oneWay(), { symmetry: 'on' }, { isTextured: true });
+    expect(run.get(STAGES.constraints, settings).note).toBe('');
+    const { result } = optimized(run, settings, 60);
     expect(result.mesh.triangles.length / 3).toBeLessThanOrEqual(60);
     expect(facesOf(result.mesh, 1)).toEqual(facesOf(result.mesh, -1));
   });
@@ -145,9 +145,9 @@ describe('quads that are cut one way on both sides', () => {
     addMesh(document, 'thing', [primitive]);
     const model = await openModel([await glbFile(document)]);
     const settings: Settings = { ...defaultSettings(), symmetry: 'x' };
-    const prepared = prepareBody(core, model.bodies[0], settings, model.document);
-    expect(prepared.body).toBe(model.bodies[0]);
-    expect(findHeld(model.document, prepared, settings).note).toBe(
+    const run = runOfModel(core, model);
+    expect(run.get(STAGES.prepared, settings).body).toBe(model.bodies[0]);
+    expect(run.get(STAGES.constraints, settings).note).toBe(
       '"thing" has no mirror symmetry across x to keep: its vertices have images, but 16 triangles would have none',
     );
   });

@@ -57,13 +57,13 @@ uint64_t memoryLeft() {
   return capped(ungrownMemory() + freedMemory());
 }
 
-void requireMemory(uint64_t bytes, const char* what) {
+void requireMemory(uint64_t bytes, const char* what, const char* cure) {
   if (bytes <= capped(ungrownMemory())) return;
   const uint64_t left = memoryLeft();
   if (bytes <= left) return;
   throw std::runtime_error(std::string(what) + " would take about " + inWords(bytes) +
                            " of memory, but only " + inWords(left) +
-                           " are left: use the coarse solve, or reduce the mesh first.");
+                           " are left: " + cure + ".");
 }
 
 }  // namespace limber

@@ -11,8 +11,8 @@ uint64_t memoryLeft();
 // Caps what memoryLeft() tells; 0 takes the cap away. For tests and for callers with less to give.
 void setMemoryLimit(uint64_t bytes);
 
-// Throws std::runtime_error with one sentence where `bytes` are more than is left. `what` begins it: "The
-// exact solve". To be called before the memory is taken.
-void requireMemory(uint64_t bytes, const char* what);
+// Throws std::runtime_error with one sentence if less than `bytes` are left: "<what> would take about 2 GB of
+// memory, but only 1 GB are left: <cure>." Call it before allocating.
+void requireMemory(uint64_t bytes, const char* what, const char* cure);
 
 }  // namespace limber

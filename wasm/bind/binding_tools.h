@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/job.h"
+#include "elastic/material.h"
 #include "mesh/triangle_mesh.h"
 
 namespace limber {
@@ -82,6 +83,13 @@ inline TriangleMesh meshOf(const val& in) {
   for (const auto& [a, b, c] : mesh.triangles) largest = std::max({largest, a, b, c});
   if (!mesh.triangles.empty() && largest >= mesh.vertexCount()) refuseTriangle(mesh);
   return mesh;
+}
+
+// The ElasticMaterial of an options object: young (Pa), poisson, density (kg/m3), thickness (units of the mesh) and unit
+// (metres per unit of the mesh).
+inline ElasticMaterial materialOf(const val& in) {
+  return {in["young"].as<double>(), in["poisson"].as<double>(), in["density"].as<double>(),
+          in["thickness"].as<double>(), in["unit"].as<double>()};
 }
 
 inline val jsError(const char* name, const std::string& message) {

@@ -6,6 +6,7 @@
 #include <emscripten/val.h>
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -86,15 +87,11 @@ val jsFindModes(const val& jsMeshIn, const val& in) {
   const TriangleMesh mesh = meshOf(jsMeshIn);
   ModesOptions options;
   const auto model = std::find(modelNames.begin(), modelNames.end(), in["model"].as<std::string>());
-  options.model = static_cast<Model>(model - modelNames.begin());
+  options.model = static_cast<ElasticModel>(model - modelNames.begin());
   options.direction = in["direction"].as<int>();
   options.pinned = vectorOf<uint32_t>(in["pinned"]);
   options.modeCount = in["modeCount"].as<int>();
-  options.thickness = in["thickness"].as<double>();
-  options.young = in["young"].as<double>();
-  options.poisson = in["poisson"].as<double>();
-  options.density = in["density"].as<double>();
-  options.unit = in["unit"].as<double>();
+  options.material = materialOf(in);
   const ModeSet set = findModes(mesh, options, in["exact"].as<bool>(), theJob);
 
   val modes = val::array(), components = val::array(), out = val::object();
@@ -423,26 +420,34 @@ val jsMeasureSurfaceDistance(const val& a, const val& b) {
 FidelityOptions fidelityOptionsOf(const val& in) {
   FidelityOptions options;
   options.modeCount = in["modeCount"].as<int>();
-  options.thickness = in["thickness"].as<double>();
-  options.young = in["young"].as<double>();
-  options.poisson = in["poisson"].as<double>();
-  options.density = in["density"].as<double>();
-  options.unit = in["unit"].as<double>();
+  options.material = materialOf(in);
   return options;
 }
 
 val jsShellModes(const val& mesh, const val& in) {
-  const ShellModes modes = shellModes(meshOf(mesh), fidelityOptionsOf(in), theJob);
+  const ModeBasis modes = shellModes(meshOf(mesh), fidelityOptionsOf(in), theJob);
+  std::vector<double> omega(static_cast<size_t>(modes.modeCount()));
+  for (size_t k = 0; k < omega.size(); ++k) omega[k] = std::sqrt(modes.lambda[static_cast<Eigen::Index>(k)]);
+  const std::vector<float> shapes(modes.phi.data(), modes.phi.data() + modes.phi.size());
   val out = val::object();
-  out.set("omega", typedArray(modes.omega));
-  out.set("shapes", typedArray(modes.shapes));
+  out.set("omega", typedArray(omega));
+  out.set("shapes", typedArray(shapes));
   return out;
 }
 
+// The inverse of jsShellModes, to the last bit.
+ModeBasis modeBasisOf(const val& modes) {
+  const auto omega = vectorOf<double>(modes["omega"]);
+  const auto shapes = vectorOf<float>(modes["shapes"]);
+  const auto count = static_cast<Eigen::Index>(omega.size());
+  const auto rows = count > 0 ? static_cast<Eigen::Index>(shapes.size()) / count : 0;
+  return {Eigen::Map<const Eigen::VectorXd>(omega.data(), count).cwiseAbs2(),
+          Eigen::Map<const Eigen::MatrixXf>(shapes.data(), rows, count).cast<double>()};
+}
+
 val jsFrequencyErrors(const val& original, const val& modes, const val& other, const val& in) {
-  const ShellModes shellModes{vectorOf<double>(modes["omega"]), vectorOf<float>(modes["shapes"])};
   const FrequencyErrors errors =
-      frequencyErrors(meshOf(original), shellModes, meshOf(other), fidelityOptionsOf(in), theJob);
+      frequencyErrors(meshOf(original), modeBasisOf(modes), meshOf(other), fidelityOptionsOf(in), theJob);
   val out = val::object();
   out.set("mean", errors.mean);
   out.set("max", errors.max);

@@ -1,28 +1,21 @@
-// Running simulations, the one thing that lives between calls: JavaScript has numbers for them, and ends
-// them.
+// Comparisons of motions, and running simulations. These are the one thing that lives between calls:
+// JavaScript knows them by numbers and must end each of them.
 
-#include <algorithm>
 #include <map>
-#include <memory>
 
 #include "bind/binding_tools.h"
 #include "compare/compare_motion.h"
+#include "compare/motion_deviation.h"
 #include "simulate/running_scenario.h"
 #include "transfer/carry_pins.h"
 
 namespace limber {
 namespace {
 
-// In the order of the enums.
-const std::vector<std::string> materialNames = {"springs", "shell"};
-const std::vector<std::string> scenarioNames = {"twist", "sway", "hang", "drop", "pull", "wind", "drape"};
-
-template <class Enum>
-Enum named(const std::vector<std::string>& names, const val& name) {
-  const auto found = std::find(names.begin(), names.end(), name.as<std::string>());
-  if (found == names.end())
-    throw std::invalid_argument("There is no \"" + name.as<std::string>() + "\" to simulate.");
-  return static_cast<Enum>(found - names.begin());
+SimulationModel modelOf(const std::string& name) {
+  if (name == "shell") return SimulationModel::Shell;
+  if (name == "springs") return SimulationModel::Springs;
+  throw std::invalid_argument("Nothing can be simulated as \"" + name + "\": take shell or springs.");
 }
 
 Vec3 vec3Of(const val& in) {
@@ -31,15 +24,11 @@ Vec3 vec3Of(const val& in) {
 
 SimulationOptions simulationOptionsOf(const val& in) {
   SimulationOptions options;
-  options.material = named<Material>(materialNames, in["material"]);
-  options.young = in["young"].as<double>();
-  options.poisson = in["poisson"].as<double>();
-  options.density = in["density"].as<double>();
-  options.thickness = in["thickness"].as<double>();
-  options.unit = in["unit"].as<double>();
+  options.material = materialOf(in);
+  options.model = modelOf(in["material"].as<std::string>());
   options.substeps = in["substeps"].as<int>();
   options.damping = in["damping"].as<double>();
-  if (!in["friction"].isUndefined()) options.friction = in["friction"].as<double>();
+  options.friction = in["friction"].as<double>();
   options.selfCollision = in["selfCollision"].as<bool>();
   return options;
 }
@@ -59,7 +48,7 @@ CollisionScene addedCollisionsOf(const val& in) {
 }
 
 Scenario scenarioOf(const TriangleMesh& original, const val& in) {
-  return {named<ScenarioKind>(scenarioNames, in["scenario"]), bounds(original), in["seconds"].as<double>(),
+  return {scenarioKind(in["scenario"].as<std::string>()), bounds(original), in["seconds"].as<double>(),
           in["unit"].as<double>(), addedCollisionsOf(in)};
 }
 
@@ -84,7 +73,8 @@ val jsScenarioCollisionScene(const val& original, const val& in) {
   return out;
 }
 
-// Vertices of the original: those asked for, or, where `pinned` is null, the scenario's own.
+// The pinned vertices of the original: those of `pinned`, or what the scenario pins by itself where that is
+// null.
 std::vector<uint32_t> pinnedOf(const TriangleMesh& original, const Scenario& scenario, const val& in) {
   if (in["pinned"].isNull()) return defaultPins(original, scenario);
   const auto pinned = vectorOf<uint32_t>(in["pinned"]);
@@ -94,20 +84,22 @@ std::vector<uint32_t> pinnedOf(const TriangleMesh& original, const Scenario& sce
   return pinned;
 }
 
-// Points of `other`, one per vertex of the original; none where `in` is null or left out.
+// The points of `other` that the vertices of the original are bound to; empty where `in` is null or left out.
 std::vector<SurfacePoint> bindingOf(const TriangleMesh& original, const TriangleMesh& other, const val& in) {
-  std::vector<SurfacePoint> anchors;
-  if (in.isNull() || in.isUndefined()) return anchors;
+  std::vector<SurfacePoint> points;
+  if (in.isNull() || in.isUndefined()) return points;
   const auto triangles = vectorOf<uint32_t>(in["triangle"]);
   const auto shares = vectorOf<float>(in["barycentric"]);
   if (triangles.size() != original.vertexCount() || shares.size() != 3 * triangles.size())
-    throw std::invalid_argument("The binding is not of the original: make it again with --bind.");
+    throw std::invalid_argument(
+        "The binding is not of the original: write it again together with the optimized mesh.");
   for (size_t v = 0; v < triangles.size(); ++v) {
     if (triangles[v] != kNone && triangles[v] >= other.triangleCount())
-      throw std::invalid_argument("The binding is not of the optimized mesh: make it again with --bind.");
-    anchors.push_back({triangles[v], {shares[3 * v], shares[3 * v + 1], shares[3 * v + 2]}});
+      throw std::invalid_argument(
+          "The binding is not of the optimized mesh: write it again together with the optimized mesh.");
+    points.push_back({triangles[v], {shares[3 * v], shares[3 * v + 1], shares[3 * v + 2]}});
   }
-  return anchors;
+  return points;
 }
 
 val jsRun(const MotionRun& run) {
@@ -137,21 +129,29 @@ val jsCompareMotion(const val& originalIn, const val& otherIn, const val& in) {
   val out = val::object();
   out.set("original", jsRun(comparison.original));
   out.set("other", comparison.other ? jsRun(*comparison.other) : val::null());
-  out.set("deviationMean", comparison.deviationMean);
-  out.set("deviationMax", comparison.deviationMax);
+  out.set("deviationMean", comparison.deviation.mean);
+  out.set("deviationMax", comparison.deviation.max);
   out.set("noiseFloor", comparison.noiseFloor);
   return out;
 }
 
-// ---- running ones ----
+// ---- running simulations ----
 
-std::map<uint32_t, std::unique_ptr<RunningScenario>> running;
+// A running simulation, and the points that its motion deviation from other bodies of the same original is
+// measured at.
+struct Running {
+  RunningScenario body;
+  MotionSamples samples;
+  double diagonal;  // of the original, in units of the mesh
+};
+
+std::map<uint32_t, Running> running;
 uint32_t lastNumber = 0;
 
-RunningScenario& runningOf(uint32_t number) {
+Running& runningOf(uint32_t number) {
   const auto found = running.find(number);
   if (found == running.end()) throw std::invalid_argument("The simulation has ended: start it again.");
-  return *found->second;
+  return found->second;
 }
 
 // `mesh` is the original itself or a body that its pins are carried over to.
@@ -162,47 +162,63 @@ val jsStartSimulation(const val& meshIn, const val& originalIn, const val& in) {
   if (!in["order"].isUndefined()) options.order = in["order"].as<uint32_t>();
   const auto binding = bindingOf(original, mesh, in["binding"]);
   const Pins pins = carryPins(original, pinnedOf(original, scenario, in), mesh, binding);
-  auto body = std::make_unique<RunningScenario>(mesh, options, scenario, pins);
-  running[++lastNumber] = std::move(body);
+  RunningScenario body(mesh, options, scenario, pins);
+  MotionSamples samples(original, mesh, body.simulation());
+  running.emplace(++lastNumber, Running{std::move(body), std::move(samples), scenario.box.diagonal()});
   return val(lastNumber);
 }
 
 val jsStepSimulations(const val& numbers) {
   std::vector<RunningScenario*> bodies;
-  for (const uint32_t number : vectorOf<uint32_t>(numbers)) bodies.push_back(&runningOf(number));
+  for (const uint32_t number : vectorOf<uint32_t>(numbers)) bodies.push_back(&runningOf(number).body);
   stepTogether(bodies, theJob);
+  for (const RunningScenario* body : bodies) body->requireNotDiverged();
   return val::null();
 }
 
-val flatArray(const std::vector<Vec3>& places) {
+val flatArray(const std::vector<Vec3>& positions) {
   std::vector<float> flat;
-  flat.reserve(3 * places.size());
-  for (const Vec3& p : places)
+  flat.reserve(3 * positions.size());
+  for (const Vec3& p : positions)
     for (int c = 0; c < 3; ++c) flat.push_back(static_cast<float>(p[c]));
   return typedArray(flat);
 }
 
 val jsSimulationPositions(uint32_t number) {
-  return flatArray(runningOf(number).simulation().positions());
+  return flatArray(runningOf(number).body.simulation().positions());
 }
 
 val jsSimulationPins(uint32_t number) {
-  return flatArray(runningOf(number).pinPositions());
+  return flatArray(runningOf(number).body.pinPositions());
 }
 
 val jsSimulationSeconds(uint32_t number) {
-  return val(runningOf(number).stepSeconds());
+  return val(runningOf(number).body.stepSeconds());
+}
+
+val jsSimulationDiverged(uint32_t number) {
+  return val(runningOf(number).body.simulation().hasDiverged());
+}
+
+val jsSimulationDeviation(uint32_t original, uint32_t other) {
+  const Running &a = runningOf(original), &b = runningOf(other);
+  const MotionDeviation deviation = motionDeviation(a.samples.displacements(a.body.simulation()),
+                                                    b.samples.displacements(b.body.simulation()), a.diagonal);
+  val out = val::object();
+  out.set("mean", deviation.mean);
+  out.set("max", deviation.max);
+  return out;
 }
 
 val jsDragSimulation(uint32_t number, const val& point, const val& target) {
   const Vec3 share = vec3Of(point["barycentric"]);
-  runningOf(number).simulation().drag({point["triangle"].as<uint32_t>(), {share.x, share.y, share.z}},
-                                      vec3Of(target));
+  runningOf(number).body.simulation().drag({point["triangle"].as<uint32_t>(), {share.x, share.y, share.z}},
+                                           vec3Of(target));
   return val::null();
 }
 
 val jsReleaseSimulation(uint32_t number) {
-  runningOf(number).simulation().release();
+  runningOf(number).body.simulation().release();
   return val::null();
 }
 
@@ -223,6 +239,8 @@ EMSCRIPTEN_BINDINGS(limber_simulation) {
   emscripten::function("simulationPositions", &Guarded<&jsSimulationPositions>::call);
   emscripten::function("simulationPins", &Guarded<&jsSimulationPins>::call);
   emscripten::function("simulationSeconds", &Guarded<&jsSimulationSeconds>::call);
+  emscripten::function("simulationDiverged", &Guarded<&jsSimulationDiverged>::call);
+  emscripten::function("simulationDeviation", &Guarded<&jsSimulationDeviation>::call);
   emscripten::function("dragSimulation", &Guarded<&jsDragSimulation>::call);
   emscripten::function("releaseSimulation", &Guarded<&jsReleaseSimulation>::call);
   emscripten::function("endSimulation", &Guarded<&jsEndSimulation>::call);

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/surface_samples.h"
-#include "query/closest_point.h"
 #include "simulate/running_scenario.h"
 #include "transfer/carry_pins.h"
 
@@ -21,24 +19,14 @@ double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Points of the original on `mesh`: the original itself or another.
-std::vector<SurfacePoint> bind(const SurfaceSamples& points, const TriangleMesh& original,
-                                const TriangleMesh& mesh) {
-  const ClosestPointTree tree(mesh);
-  std::vector<SurfacePoint> anchors;
-  for (size_t i = 0; i < points.positions.size(); ++i) {
-    const Vec3 normal = normalized(areaNormal(original, points.triangles[i]));
-    const ClosestPoint on = tree.closestFacing(points.positions[i], normal);
-    anchors.push_back({on.triangle, {on.barycentric[0], on.barycentric[1], on.barycentric[2]}});
-  }
-  return anchors;
-}
-
-// All runs of one comparison, with their common progress.
-class Runs {
+// The runs of one comparison, one after the other, with their common progress.
+class ComparedRuns {
  public:
-  Runs(const MotionOptions& options, int count, Job& job)
-      : options_(options),
+  // `original` and `options` must outlive this object. `count` is how many runs there will be.
+  ComparedRuns(const TriangleMesh& original, const MotionOptions& options, int count, Job& job)
+      : original_(original),
+        options_(options),
+        sampleCount_(count > 1 ? options.sampleCount : 0),
         steps_(std::max(1, static_cast<int>(std::lround(options.scenario.seconds / Simulation::kStep)))),
         total_(steps_ * count),
         job_(job) {
@@ -48,24 +36,22 @@ class Runs {
   struct Body {
     const TriangleMesh& mesh;
     Pins pins;
-    std::vector<SurfacePoint> points;
     uint32_t order;
     bool records;
     double calibration = 1;
   };
   struct Result {
     MotionRun run;
-    std::vector<Vec3> displacements;  // [step * points + point]
+    std::vector<Vec3> displacements;  // [step sampleCount + sample], units of the mesh
   };
 
   Result run(const Body& body) {
     SimulationOptions options = options_.simulation;
     options.order = body.order;
-    options.young *= body.calibration;
+    options.material.young *= body.calibration;
     RunningScenario running(body.mesh, options, options_.scenario, body.pins);
     const Simulation& simulation = running.simulation();
-    std::vector<Vec3> rest;
-    for (const SurfacePoint& point : body.points) rest.push_back(simulation.position(point));
+    const MotionSamples samples(original_, body.mesh, simulation, sampleCount_);
     Result result;
     result.run.constraints = simulation.constraintCount();
     result.run.edges = simulation.edgeCount();
@@ -74,8 +60,9 @@ class Runs {
       const double start = secondsNow();
       running.step(job_);
       result.run.secondsPerStep = std::min(result.run.secondsPerStep, secondsNow() - start);
-      for (size_t i = 0; i < rest.size(); ++i)
-        result.displacements.push_back(simulation.position(body.points[i]) - rest[i]);
+      running.requireNotDiverged();
+      const auto displacements = samples.displacements(simulation);
+      result.displacements.insert(result.displacements.end(), displacements.begin(), displacements.end());
       if (body.records) record(simulation, result.run.positions);
       job_.report(static_cast<double>(++done_) / total_);
     }
@@ -90,48 +77,32 @@ class Runs {
     }
   }
 
+  const TriangleMesh& original_;
   const MotionOptions& options_;
+  uint32_t sampleCount_;
   int steps_, total_, done_ = 0;
   Job& job_;
 };
-
-struct Deviation {
-  double mean = 0, max = 0;
-};
-
-Deviation between(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double percent) {
-  Deviation deviation;
-  for (size_t i = 0; i < a.size(); ++i) {
-    const double distance = percent * length(a[i] - b[i]);
-    deviation.mean += distance / static_cast<double>(a.size());
-    deviation.max = std::max(deviation.max, distance);
-  }
-  return deviation;
-}
 
 }  // namespace
 
 MotionComparison compareMotion(const TriangleMesh& original, const TriangleMesh* other,
                                const MotionOptions& options, Job& job) {
-  const SurfaceSamples samples = other ? sampleSurface(original, options.sampleCount) : SurfaceSamples{};
   const uint32_t order = options.simulation.order;
   const bool records = options.records;
   const Pins pins = {options.pinned, {}};
-  const auto points = bind(samples, original, original);
-  Runs runs(options, other ? 3 : 1, job);
-  Runs::Result first = runs.run({original, pins, points, order, records});
+  ComparedRuns runs(original, options, other ? 3 : 1, job);
+  ComparedRuns::Result first = runs.run({original, pins, order, records});
   MotionComparison comparison;
   comparison.original = std::move(first.run);
   if (!other) return comparison;
-  Runs::Result second = runs.run({*other, carryPins(original, options.pinned, *other, options.binding),
-                                  bind(samples, original, *other), order, records, options.calibration});
-  const Runs::Result reordered = runs.run({original, pins, points, order + kOtherOrder, false});
+  const Pins carried = carryPins(original, options.pinned, *other, options.binding);
+  ComparedRuns::Result second = runs.run({*other, carried, order, records, options.calibration});
+  const ComparedRuns::Result reordered = runs.run({original, pins, order + kOtherOrder, false});
   comparison.other = std::move(second.run);
-  const double percent = 100 / bounds(original).diagonal();
-  const Deviation deviation = between(first.displacements, second.displacements, percent);
-  comparison.deviationMean = deviation.mean;
-  comparison.deviationMax = deviation.max;
-  comparison.noiseFloor = between(first.displacements, reordered.displacements, percent).mean;
+  const double diagonal = bounds(original).diagonal();
+  comparison.deviation = motionDeviation(first.displacements, second.displacements, diagonal);
+  comparison.noiseFloor = motionDeviation(first.displacements, reordered.displacements, diagonal).mean;
   return comparison;
 }
 

@@ -2,10 +2,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "base/job.h"
+#include "compare/motion_deviation.h"
 #include "mesh/triangle_mesh.h"
 #include "simulate/scenario.h"
 
@@ -14,34 +14,32 @@ namespace limber {
 struct MotionOptions {
   SimulationOptions simulation;
   Scenario scenario;
-  std::vector<uint32_t> pinned;             // vertices of the original
-  std::vector<SurfacePoint> binding = {};  // of the original's vertices to `other`, see carry_pins.h
-  double calibration = 1;                   // Young's modulus of `other` over the original's
-  uint32_t sampleCount = 1000;              // points that are followed
-  bool records = false;                     // keep the positions of every step
+  std::vector<uint32_t> pinned;            // vertices of the original
+  std::vector<SurfacePoint> binding = {};  // of the vertices of the original, see carry_pins.h
+  double calibration = 1;                  // Young's modulus of `other` over that of the original
+  uint32_t sampleCount = kMotionSamples;   // points that the deviation is measured at
+  bool records = false;                    // keep the positions after every step
 };
 
-// What one body has cost, and, where asked for, how it has moved.
+// What the run of one body has cost and, where asked for, how the body has moved.
 struct MotionRun {
   uint32_t constraints = 0, edges = 0;
   double secondsPerStep = 0;     // the shortest step, all work included
-  std::vector<float> positions;  // positions[(step * vertexCount + v) * 3 + c] after each step, in mesh units
+  std::vector<float> positions;  // [(step vertexCount + v) 3 + c] after each step, units of the mesh
 };
 
-// How far two bodies in the same scenario move apart, in % of the original's diagonal: points spread evenly
-// by area over the original, bound at rest to the closest point of the other; of each the difference between
-// the two displacements. `noiseFloor`: the mean for the original against itself with its constraints in
-// another order.
+// How differently two bodies move in the same scenario. The noise floor is the mean deviation of the original
+// from itself with its constraints in another order.
 struct MotionComparison {
   MotionRun original;
   std::optional<MotionRun> other;
-  double deviationMean = 0, deviationMax = 0;  // over points and steps
-  double noiseFloor = 0;
+  MotionDeviation deviation;  // over points and steps
+  double noiseFloor = 0;      // % of the diagonal
 };
 
-// Runs the scenario with the original and, where it is given, with `other` (the same material but for the
-// calibration, and the pins carried over), each on its own so that its time is its own. Throws as
-// RunningScenario.
+// Runs the scenario with the original and, where it is given, with `other`: the same material except for the
+// calibration, and the pins carried over. The runs follow each other, so that each has its own time. Throws
+// as RunningScenario does, and std::runtime_error with a sentence as soon as a body has diverged.
 MotionComparison compareMotion(const TriangleMesh& original, const TriangleMesh* other,
                                const MotionOptions& options, Job& job);
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "compare/assignment.h"
+#include "elastic/mode_conversions.h"
 #include "mesh/topology.h"
 #include "transfer/shape_transfer.h"
 
@@ -13,51 +14,33 @@ namespace limber {
 
 namespace {
 
-constexpr int kMargin = 8;  // modes beyond the compared ones, so that a mode may change its place
-constexpr double kNeighbourhood = 0.10;  // modes this close in frequency are compared as one subspace
+constexpr int kMargin = 8;               // extra modes of the other body, as the order of modes may differ
+constexpr double kNeighbourhood = 0.10;  // modes within this relative distance in frequency form one subspace
 
-ShellModes lowestModes(const TriangleMesh& mesh, const FidelityOptions& options, double thickness, int count,
-                       Job& job) {
-  const ModesOptions modesOptions{Model::Shell,    count,           thickness,   options.young,
-                                  options.poisson, options.density, options.unit};
-  const ModeSet set = computeModes(mesh, modesOptions, job);
-  const auto component = buildTopology(mesh).componentOfVertex;
-  const size_t n = mesh.vertexCount(),
-               listed = std::min<size_t>(set.modes.size(), static_cast<size_t>(count));
-  ShellModes lowest;
-  lowest.shapes.assign(3 * n * listed, 0);
-  for (size_t k = 0; k < listed; ++k) {
-    const Mode& mode = set.modes[k];
-    lowest.omega.push_back(mode.omega);
-    for (size_t v = 0; v < n; ++v)
-      if (component[v] == mode.component)
-        for (size_t c = 0; c < 3; ++c)
-          lowest.shapes[(k * n + v) * 3 + c] = set.shapes[(mode.ordinal * n + v) * 3 + c];
-  }
-  return lowest;
+// The lowest modes of a body's shell, as columns over its vertices.
+ModeBasis lowestShellModes(const TriangleMesh& mesh, const ElasticMaterial& material, int count, Job& job) {
+  const ModeSet set = computeModes(mesh, {ElasticModel::Shell, count, material}, job);
+  return lowestModes(set, buildTopology(mesh).componentOfVertex, static_cast<size_t>(count));
 }
 
-// One column per mode, rows 3 * v + c.
-Eigen::MatrixXd columnsOf(const ShellModes& modes) {
-  const auto count = static_cast<Eigen::Index>(modes.omega.size());
-  const auto rows = count > 0 ? static_cast<Eigen::Index>(modes.shapes.size()) / count : 0;
-  return Eigen::Map<const Eigen::MatrixXf>(modes.shapes.data(), rows, count).cast<double>();
+ElasticMaterial atThickness(ElasticMaterial material, double factor) {
+  material.thickness *= factor;
+  return material;
 }
 
-// The modes of both bodies at one thickness, paired.
+// The modes of the original paired with those of the other body at one thickness.
 struct Pairing {
-  std::vector<double> ratio;  // other / original frequency by the original's mode; 0 where it has no partner
-  std::vector<double> subspaceMac;  // by the original's mode
+  std::vector<double> ratio;  // per mode of the original: other / original frequency; 0 without a partner
+  std::vector<double> subspaceMac;  // per mode of the original
 };
 
-// How much of `shape` lies in the span of those columns of `shapes` whose frequency is close to that of
-// column `match`.
-double subspaceMac(const Eigen::VectorXd& shape, const Eigen::MatrixXd& shapes,
-                   const std::vector<double>& omega, int match) {
+// The squared length of the projection of `shape` onto those columns of `shapes` whose frequency is close to
+// that of column `match`.
+double subspaceMac(const Eigen::VectorXd& shape, const Eigen::MatrixXd& shapes, const Eigen::VectorXd& omega,
+                   int match) {
   std::vector<Eigen::Index> close;
-  for (size_t k = 0; k < omega.size(); ++k)
-    if (std::abs(omega[k] - omega[match]) <= kNeighbourhood * omega[match])
-      close.push_back(static_cast<Eigen::Index>(k));
+  for (Eigen::Index k = 0; k < omega.size(); ++k)
+    if (std::abs(omega[k] - omega[match]) <= kNeighbourhood * omega[match]) close.push_back(k);
   const Eigen::MatrixXd span = shapes(Eigen::all, close);
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(span);
   const Eigen::MatrixXd basis =
@@ -76,23 +59,26 @@ class Comparison {
         points_(closestPoints(original, other)),
         rootMass_(rootMasses(original)) {}
 
-  Pairing pair(double thickness, int count) const {
-    return pairWith(lowestModes(original_, options_, thickness, count, job_), thickness, count);
+  // `factor` on the thickness of both bodies.
+  Pairing pair(double factor, int count) const {
+    return pairWith(lowestShellModes(original_, atThickness(options_.material, factor), count, job_), factor,
+                    count);
   }
 
-  // `a`: the original's modes.
-  Pairing pairWith(const ShellModes& a, double thickness, int count) const {
-    const ShellModes b = lowestModes(other_, options_, thickness, count + kMargin, job_);
-    const Eigen::MatrixXd shapesA = massNormalised(columnsOf(a), rootMass_);
-    const Eigen::MatrixXd shapesB = massNormalised(transfer(columnsOf(b), other_, points_), rootMass_);
-    const Eigen::MatrixXd mac = (shapesA.transpose() * shapesB).cwiseAbs2();
+  // `original`: its modes at that thickness.
+  Pairing pairWith(const ModeBasis& original, double factor, int count) const {
+    const ModeBasis other =
+        lowestShellModes(other_, atThickness(options_.material, factor), count + kMargin, job_);
+    const Eigen::MatrixXd shapes = massNormalised(original.phi, rootMass_);
+    const Eigen::MatrixXd otherShapes = massNormalised(transfer(other.phi, other_, points_), rootMass_);
+    const Eigen::MatrixXd mac = (shapes.transpose() * otherShapes).cwiseAbs2();
     const std::vector<int> partner = assign(mac);
+    const Eigen::VectorXd omega = original.lambda.cwiseSqrt(), otherOmega = other.lambda.cwiseSqrt();
     Pairing pairing;
-    for (size_t i = 0; i < a.omega.size(); ++i) {
-      const int j = partner[i];
-      pairing.ratio.push_back(j < 0 ? 0 : b.omega[j] / a.omega[i]);
-      pairing.subspaceMac.push_back(
-          j < 0 ? 0 : subspaceMac(shapesA.col(static_cast<Eigen::Index>(i)), shapesB, b.omega, j));
+    for (Eigen::Index i = 0; i < original.modeCount(); ++i) {
+      const int j = partner[static_cast<size_t>(i)];
+      pairing.ratio.push_back(j < 0 ? 0 : otherOmega[j] / omega[i]);
+      pairing.subspaceMac.push_back(j < 0 ? 0 : subspaceMac(shapes.col(i), otherShapes, otherOmega, j));
     }
     return pairing;
   }
@@ -105,7 +91,7 @@ class Comparison {
   Eigen::VectorXd rootMass_;
 };
 
-// Mean of |factor * ratio - 1| over modes first .. last - 1, in %; 0 where there are none.
+// The mean of |factor * ratio - 1| over modes first .. last - 1, in %; 0 if there are none.
 double meanError(const std::vector<double>& ratio, size_t first, size_t last, double factor = 1) {
   last = std::min(last, ratio.size());
   double sum = 0;
@@ -113,7 +99,7 @@ double meanError(const std::vector<double>& ratio, size_t first, size_t last, do
   return last > first ? 100 * sum / static_cast<double>(last - first) : 0;
 }
 
-// The factor on all frequencies that makes sum (factor * ratio - 1)^2 smallest.
+// The factor on all frequencies that minimises sum (factor * ratio - 1)^2.
 double bestFactor(const std::vector<double>& ratio, size_t count) {
   double sum = 0, squares = 0;
   for (size_t i = 0; i < std::min(count, ratio.size()); ++i) {
@@ -137,18 +123,18 @@ void requireTriangles(const TriangleMesh& original, const TriangleMesh& other) {
 
 }  // namespace
 
-ShellModes shellModes(const TriangleMesh& mesh, const FidelityOptions& options, Job& job) {
-  return lowestModes(mesh, options, options.thickness, 2 * options.modeCount, job);
+ModeBasis shellModes(const TriangleMesh& mesh, const FidelityOptions& options, Job& job) {
+  return lowestShellModes(mesh, options.material, 2 * options.modeCount, job);
 }
 
-FrequencyErrors frequencyErrors(const TriangleMesh& original, const ShellModes& modes,
+FrequencyErrors frequencyErrors(const TriangleMesh& original, const ModeBasis& modes,
                                 const TriangleMesh& other, const FidelityOptions& options, Job& job) {
   requireTriangles(original, other);
-  if (modes.shapes.size() != 3 * size_t{original.vertexCount()} * modes.omega.size())
+  if (modes.phi.size() != 3 * static_cast<Eigen::Index>(original.vertexCount()) * modes.modeCount())
     throw std::invalid_argument("The modes to compare with are those of another mesh.");
   job.begin(Phase::Compare);
   const Comparison comparison(original, other, options, job);
-  const Pairing pairing = comparison.pairWith(modes, options.thickness, 2 * options.modeCount);
+  const Pairing pairing = comparison.pairWith(modes, 1, 2 * options.modeCount);
   const auto count = static_cast<size_t>(options.modeCount);
   return {meanError(pairing.ratio, 0, count), largestError(pairing.ratio, count)};
 }
@@ -159,7 +145,7 @@ Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other
   job.begin(Phase::Compare);
   const Comparison comparison(original, other, options, job);
   const auto count = static_cast<size_t>(options.modeCount);
-  const Pairing pairing = comparison.pair(options.thickness, 2 * options.modeCount);
+  const Pairing pairing = comparison.pair(1, 2 * options.modeCount);
   Fidelity fidelity;
   fidelity.frequencyErrorMean = meanError(pairing.ratio, 0, count);
   fidelity.frequencyErrorMax = largestError(pairing.ratio, count);
@@ -173,10 +159,8 @@ Fidelity compareFidelity(const TriangleMesh& original, const TriangleMesh& other
     fidelity.macMin = std::min(fidelity.macMin, pairing.subspaceMac[i]);
     fidelity.macMean += pairing.subspaceMac[i] / static_cast<double>(macs);
   }
-  fidelity.frequencyErrorThin =
-      meanError(comparison.pair(options.thickness / 2, options.modeCount).ratio, 0, count);
-  fidelity.frequencyErrorThick =
-      meanError(comparison.pair(options.thickness * 2, options.modeCount).ratio, 0, count);
+  fidelity.frequencyErrorThin = meanError(comparison.pair(0.5, options.modeCount).ratio, 0, count);
+  fidelity.frequencyErrorThick = meanError(comparison.pair(2, options.modeCount).ratio, 0, count);
   return fidelity;
 }
 
@@ -184,9 +168,8 @@ double calibrationFactor(const TriangleMesh& original, const TriangleMesh& other
                          const FidelityOptions& options, Job& job) {
   requireTriangles(original, other);
   job.begin(Phase::Compare);
-  // As many modes as compareFidelity has, for the same pairs.
-  const Pairing pairing =
-      Comparison(original, other, options, job).pair(options.thickness, 2 * options.modeCount);
+  // With as many modes as compareFidelity, so that the pairs are the same.
+  const Pairing pairing = Comparison(original, other, options, job).pair(1, 2 * options.modeCount);
   const double factor = bestFactor(pairing.ratio, static_cast<size_t>(options.modeCount));
   return factor * factor;
 }

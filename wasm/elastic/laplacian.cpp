@@ -6,8 +6,8 @@
 
 namespace limber {
 
-StiffnessModel laplacianModel(const TriangleMesh& mesh, const Topology& topology) {
-  StiffnessModel model;
+SparsePencil laplacianPencil(const TriangleMesh& mesh, const Topology& topology) {
+  SparsePencil pencil;
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(4 * topology.edges.size());
   for (const Topology::Edge& edge : topology.edges) {
@@ -17,13 +17,13 @@ StiffnessModel laplacianModel(const TriangleMesh& mesh, const Topology& topology
     entries.emplace_back(edge.b, edge.a, -1);
   }
   const uint32_t n = mesh.vertexCount();
-  model.stiffness.resize(n, n);
-  model.stiffness.setFromTriplets(entries.begin(), entries.end());
+  pencil.k.resize(n, n);
+  pencil.k.setFromTriplets(entries.begin(), entries.end());
   const auto areas = lumpedAreas(mesh);
-  model.mass = Eigen::Map<const Eigen::VectorXd>(areas.data(), n);
-  model.firstUnknown.resize(n + 1);
-  std::iota(model.firstUnknown.begin(), model.firstUnknown.end(), 0u);
-  return model;
+  pencil.m = Eigen::Map<const Eigen::VectorXd>(areas.data(), n);
+  pencil.firstUnknown.resize(n + 1);
+  std::iota(pencil.firstUnknown.begin(), pencil.firstUnknown.end(), 0u);
+  return pencil;
 }
 
 }  // namespace limber

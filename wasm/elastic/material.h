@@ -11,4 +11,9 @@ struct ElasticMaterial {
   double unit = 1;       // metres per unit of the mesh, > 0
 };
 
+// E = rho = unit = 1: the material of a frame in which frequencies are without unit.
+constexpr ElasticMaterial unitMaterial(double thickness, double poisson = 0.3) {
+  return {1, poisson, 1, thickness, 1};
+}
+
 }  // namespace limber

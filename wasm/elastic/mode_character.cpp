@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elastic/displacement.h"
 #include "mesh/eigen_vec3.h"
 #include "mesh/principal_axes.h"
 #include "mesh/topology.h"
@@ -14,18 +15,19 @@ namespace limber {
 namespace {
 
 constexpr size_t kSections = 16;           // at most
-constexpr size_t kVerticesOfSection = 16;  // fewer sections where there are less
-constexpr double kLocal = 0.2, kBreathe = 0.5;
+constexpr size_t kVerticesOfSection = 16;  // on average, at least: small meshes get fewer sections
+constexpr double kLocal = 0.2;             // participation below which a mode is local
+constexpr double kBreathe = 0.5;           // share of the energy above which a mode breathes
 constexpr double kWhole =
-    0.95;  // of the energy in one motion of rigid sections: a beam moves, however light its tip
-constexpr double kExplained = 0.5;  // of the energy: below it rigid sections say nothing
+    0.95;  // share of the energy of one rigid motion that shows a beam, however light its tip
+constexpr double kExplained = 0.5;  // share of the energy below which rigid sections explain nothing
 
 bool isClosed(const Topology& topology) {
   return std::all_of(topology.edges.begin(), topology.edges.end(),
                      [](const Topology::Edge& edge) { return edge.useCount == 2; });
 }
 
-// A section's mass and the moments of its motion about its centre.
+// The mass of a section and the moments of its motion about its centre.
 struct SectionMoments {
   double mass = 0;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();
@@ -33,14 +35,14 @@ struct SectionMoments {
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();  // sum m r x (u - velocity)
 };
 
-// Adds the energy of the rigid motion that fits a section best.
+// Adds the energy of the best-fitting rigid motion of a section.
 void addSection(const SectionMoments& section, const Eigen::Vector3d& axis, ModeCharacter& sums) {
   const double along = section.velocity.dot(axis);
   sums.stretch += section.mass * along * along;
   sums.bend += section.mass * (section.velocity.squaredNorm() - along * along);
-  const Eigen::Vector3d turn = section.inertia.completeOrthogonalDecomposition().solve(section.spin);
-  const double all = turn.dot(section.inertia * turn);
-  const double about = turn.dot(axis);
+  const Eigen::Vector3d rotation = section.inertia.completeOrthogonalDecomposition().solve(section.spin);
+  const double all = rotation.dot(section.inertia * rotation);
+  const double about = rotation.dot(axis);
   const double twist = std::min(all, about * about * axis.dot(section.inertia * axis));
   sums.twist += twist;
   sums.bend += all - twist;
@@ -61,20 +63,21 @@ ModeObserver::ModeObserver(const TriangleMesh& mesh) : mesh_(mesh), mass_(lumped
   sections_.resize(count);
   const double width = std::max(high - low, 1e-30);
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    const double place = (dot(mesh.positions[v], axis_) - low) / width * static_cast<double>(count);
-    sections_[std::min(count - 1, static_cast<size_t>(place))].push_back(v);
+    const double position = (dot(mesh.positions[v], axis_) - low) / width * static_cast<double>(count);
+    sections_[std::min(count - 1, static_cast<size_t>(position))].push_back(v);
   }
 }
 
-ModeCharacter ModeObserver::observe(const std::vector<Vec3>& shape) const {
+ModeCharacter ModeObserver::observe(const Eigen::Ref<const Eigen::VectorXd>& shape) const {
   ModeCharacter sums;
   double mass = 0, energy = 0, amplitude = 0, outward = 0;
-  for (size_t v = 0; v < shape.size(); ++v) {
-    const double square = squaredLength(shape[v]);
+  for (size_t v = 0; v < mass_.size(); ++v) {
+    const Vec3 displacement = displacementAt(shape, v);
+    const double square = squaredLength(displacement);
     mass += mass_[v];
     energy += mass_[v] * square;
     amplitude += mass_[v] * std::sqrt(square);
-    if (!normal_.empty()) outward += mass_[v] * dot(shape[v], normal_[v]);
+    if (!normal_.empty()) outward += mass_[v] * dot(displacement, normal_[v]);
   }
   if (!(energy > 0)) return sums;
   for (const auto& vertices : sections_) {
@@ -82,7 +85,7 @@ ModeCharacter ModeObserver::observe(const std::vector<Vec3>& shape) const {
     for (uint32_t v : vertices) {
       section.mass += mass_[v];
       section.centre += mass_[v] * eigen(mesh_.positions[v]);
-      section.velocity += mass_[v] * eigen(shape[v]);
+      section.velocity += mass_[v] * eigen(displacementAt(shape, v));
     }
     if (!(section.mass > 0)) continue;
     section.centre /= section.mass;
@@ -90,7 +93,7 @@ ModeCharacter ModeObserver::observe(const std::vector<Vec3>& shape) const {
     for (uint32_t v : vertices) {
       const Eigen::Vector3d r = eigen(mesh_.positions[v]) - section.centre;
       section.inertia += mass_[v] * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
-      section.spin += mass_[v] * r.cross(eigen(shape[v]) - section.velocity);
+      section.spin += mass_[v] * r.cross(eigen(displacementAt(shape, v)) - section.velocity);
     }
     addSection(section, eigen(axis_), sums);
   }

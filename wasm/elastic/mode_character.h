@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <Eigen/Core>
 #include <vector>
 
 #include "elastic/modes.h"
@@ -8,25 +8,27 @@
 
 namespace limber {
 
-// What a shape does, as shares of its kinetic energy over the surface (area as mass).
+// What a mode shape does, as shares of its kinetic energy over the surface, with area as mass m. Each in [0,
+// 1].
 struct ModeCharacter {
-  // By cross-sections across the longest principal axis, each fitted with its own rigid motion:
+  // From cross-sections across the longest principal axis, each fitted with a rigid motion of its own:
   double stretch = 0;  // sections move along the axis
-  double bend = 0;     // sections move across it or lean
-  double twist = 0;    // sections turn about it
-  // (sum m u . n)^2 / (sum m  sum m |u|^2): 1 where a closed surface moves evenly outwards; 0 for an open
-  // one.
+  double bend = 0;     // sections move across the axis or lean
+  double twist = 0;    // sections rotate about the axis
+  // (sum m u . n)^2 / (sum m  sum m |u|^2): 1 if a closed surface moves evenly outwards; 0 for an open
+  // surface.
   double breathe = 0;
-  // (sum m |u|)^2 / (sum m  sum m |u|^2): the share of the surface that takes part, 1 where all moves
+  // (sum m |u|)^2 / (sum m  sum m |u|^2): the share of the surface that takes part, 1 if all of it moves
   // alike.
   double participation = 0;
 };
 
-// Measures shapes of one body against its principal axes. Built once for a mesh that must outlive it.
+// Measures mode shapes of one body against its principal axes. The mesh must outlive the object.
 class ModeObserver {
  public:
   explicit ModeObserver(const TriangleMesh& mesh);
-  ModeCharacter observe(const std::vector<Vec3>& shape) const;
+  // `shape`: displacements shape[3 v + c], of any scale.
+  ModeCharacter observe(const Eigen::Ref<const Eigen::VectorXd>& shape) const;
 
  private:
   const TriangleMesh& mesh_;
@@ -36,10 +38,11 @@ class ModeObserver {
   std::vector<std::vector<uint32_t>> sections_;
 };
 
-// local: little of the surface takes part (participation below 0.2), and not because a tapered beam moves
-// most at its tip (one motion of rigid sections explaining 95 % of the energy); breathe: the closed surface
-// moves outwards as a whole; otherwise the largest of stretch, twist and bend. What no motion of rigid
-// sections explains (a tube's oval, a plate's ripples) is bending of the wall, so it is a bend.
+// Local: little of the surface takes part (participation below 0.2), unless one motion of rigid sections
+// explains 95 % of the energy (a tapered beam moves most at its tip). Breathe: a closed surface moves
+// outwards as a whole (breathe above 0.5). Otherwise the largest of stretch, twist and bend. Motion that
+// rigid sections do not explain (the ovalling of a tube, the ripples of a plate) is bending of the wall and
+// counts as bend.
 ModeName nameOf(const ModeCharacter& character);
 
 }  // namespace limber

@@ -4,26 +4,22 @@
 #include <vector>
 
 #include "base/job.h"
+#include "elastic/material.h"
 #include "mesh/triangle_mesh.h"
 
 namespace limber {
 
-// Auto: solid for closed parts, shell for others.
-enum class Model : int32_t { Laplacian = 0, Shell = 1, Solid = 2, Auto = 3 };
-// What a mode looks like; see modes/mode_character.h.
+// How the stiffness of a part is discretised. Auto: solid for closed parts, shell for others.
+enum class ElasticModel : int32_t { Laplacian = 0, Shell = 1, Solid = 2, Auto = 3 };
+// What a mode looks like; see elastic/mode_character.h.
 enum class ModeName : int32_t { Bend = 0, Twist = 1, Stretch = 2, Breathe = 3, Local = 4 };
 
-// SI units; `thickness` is a length in the mesh's own units (the caller knows what it is a percentage of).
 struct ModesOptions {
-  Model model = Model::Shell;
-  int modeCount = 12;    // elastic modes per component
-  double thickness = 0;  // > 0
-  double young = 0;      // Pa, > 0
-  double poisson = 0;    // in (-1, 0.5)
-  double density = 0;    // kg/m3, > 0
-  double unit = 1;       // metres per unit of the mesh, > 0
-  int direction = -1;    // laplacian: 0 x, 1 y, 2 z; -1: every mode along each principal axis in turn
-  std::vector<uint32_t> pinned = {};  // vertices that are held in place
+  ElasticModel model = ElasticModel::Shell;
+  int modeCount = 12;  // elastic modes per component, >= 1
+  ElasticMaterial material;
+  int direction = -1;  // laplacian: 0 x, 1 y, 2 z; -1: each mode along all principal axes in turn
+  std::vector<uint32_t> pinned = {};  // ids of the pinned vertices, in any order
 };
 
 // One elastic mode of one component.
@@ -31,42 +27,44 @@ struct Mode {
   double omega = 0;     // rad/s
   double residual = 0;  // |K phi - lambda M phi| / (lambda |M phi|)
   uint32_t component = 0;
-  uint32_t ordinal = 0;  // it is the component's (ordinal + 1)-th elastic mode
+  uint32_t ordinal = 0;  // this is the component's (ordinal + 1)-th elastic mode
   int32_t axis = -1;  // laplacian: the principal axis it moves along, 0 shortest .. 2 longest; otherwise -1
   ModeName name = ModeName::Bend;
 };
 
 struct ComponentModes {
   uint32_t faces = 0;
-  Model model = Model::Shell;  // never Auto
-  uint32_t host = 0;  // the component whose modes it takes part in: itself, but for a cavity of a solid
-  // Rigid motions that pins leave: 6 of a free part, 3 for a Laplacian (1 with a direction), 0 for a cavity,
-  // whose host has them.
+  ElasticModel model = ElasticModel::Shell;  // never Auto
+  uint32_t host = 0;  // the component whose modes it shares: itself, except for a cavity of a solid
+  // Rigid motions that the pins leave: 6 for a free part, 3 for a Laplacian (1 with a direction), 0 for a
+  // cavity, whose host has them.
   uint32_t zeroModesExpected = 0;
-  uint32_t zeroModesFound =
-      0;                   // measured: negative pivots of K - s M, s halfway to the first elastic eigenvalue
-  uint32_t modeCount = 0;  // elastic modes it has, <= ModesOptions::modeCount (a tiny part has fewer)
-  uint32_t coarseVertices = 0;  // of the copy that was solved in its place; 0: solved as it is
+  uint32_t zeroModesFound = 0;  // counted by the solver (EigenSolution::nullity)
+  uint32_t modeCount = 0;       // its elastic modes, <= ModesOptions::modeCount (a tiny part has fewer)
+  uint32_t coarseVertices = 0;  // vertices of the copy that was solved instead; 0: the part itself was solved
 };
 
-// Modes of every component, stored in ordinals: ordinal k holds, at each vertex, the shape of the (k + 1)-th
-// elastic mode of the vertex's own component, so that nothing is stored twice. A component with fewer modes
-// is 0 in the rest. A cavity has its host's modes. A shape's largest displacement is 1; signs are fixed by
-// making the first component of that size positive.
+// The modes of all components. The shapes with one ordinal share one array: at each vertex it holds the shape
+// of the (ordinal + 1)-th elastic mode of the vertex's own component, so nothing is stored twice. Where a
+// component has fewer modes the array is 0. A cavity has the modes of its host. The largest displacement of a
+// shape is 1; its largest component at that vertex is positive.
 struct ModeSet {
   std::vector<Mode> modes;  // ascending by omega (ties by component, then ordinal)
   std::vector<ComponentModes> components;
-  uint32_t modesPerComponent = 0;
-  std::vector<float> shapes;    // shapes[(ordinal * vertexCount + v) * 3 + c]
-  uint64_t factorNonzeros = 0;  // of L, the largest component's
+  uint32_t modesPerComponent = 0;  // ordinals: the most modes that a component has
+  std::vector<float> shapes;       // shapes[(ordinal * vertexCount + v) * 3 + c]
+  uint64_t factorNonzeros = 0;     // of L, for the largest part
 };
 
-// Undamped modes, (K - omega^2 M) phi = 0 (paper Eqs. 1-4), lumped masses, free but for the pins.
+// The undamped modes of every part, (K - omega^2 M) phi = 0 (paper, Eqs. 1 to 4), with lumped masses.
 // Shell: CST membrane and Morley bending of the given thickness (docs/modes.md). Solid: a lattice of
 // hexahedra through the inside. Laplacian: k = 1 per edge and direction, lumped areas as masses, nominal
 // frequencies; each scalar mode is listed three times, once per principal axis, shortest axis first, or once
-// along the direction. Throws Cancelled; std::runtime_error with a sentence where the solver fails, saying
-// how many modes could be trusted.
+// along the given direction. Throws Cancelled; std::invalid_argument with a sentence for useless options;
+// std::runtime_error with a sentence if the solver fails or memory is short.
 ModeSet computeModes(const TriangleMesh& mesh, const ModesOptions& options, Job& job);
+
+// Throws std::invalid_argument with one sentence.
+void checkModesOptions(const TriangleMesh& mesh, const ModesOptions& options);
 
 }  // namespace limber

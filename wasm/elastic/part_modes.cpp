@@ -3,22 +3,33 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/memory.h"
+#include "elastic/displacement.h"
 #include "elastic/laplacian.h"
 #include "elastic/pinned_patch.h"
 #include "elastic/pins.h"
-#include "elastic/shell.h"
+#include "elastic/shell_vibration.h"
 #include "elastic/solid/solid.h"
-#include "linear/eigensolver.h"
+#include "elastic/solve_modes.h"
+#include "mesh/eigen_vec3.h"
 #include "mesh/principal_axes.h"
 
 namespace limber {
 
 namespace {
 
-// A spring at a pinned point of a solid, against the stiffness of a cell (E times its size): pins give way by
-// about its inverse, and residuals lose as many digits.
+// The stiffness of the spring at a pinned point of a solid, relative to that of a cell (E times its size).
+// Pins give way by about the inverse of it, and residuals lose as many digits.
 constexpr double kPinStiffness = 1e4;
+
+// Rough sizes of the first elastic eigenvalue in the frame of a part.
+constexpr double kSolidScale = 0.5, kLaplacianScale = 5;
+
+constexpr double kRefineTolerance = 1e-4;  // on the relative error of eigenvalues
+constexpr int kRefineSteps = 4;
+
+// Displacements within this relative distance of the largest one count as equal: the one that comes first
+// decides, so that rounding does not.
+constexpr double kTie = 1e-9;
 
 std::vector<Vec3> pinnedPoints(const Part& part) {
   std::vector<Vec3> points;
@@ -26,55 +37,65 @@ std::vector<Vec3> pinnedPoints(const Part& part) {
   return points;
 }
 
-// `displacement(v, k)` gives vertex v's in pair k.
+// The modes of a part from a solution; displacement(v, k) returns that of vertex v in pair k.
 template <class Displacement>
-PartModes gather(const Part& part, const EigenPairs& pairs, const Displacement& displacement) {
-  PartModes modes{
-      rigidMotionsLeft(pinnedPoints(part)), pairs.zeroCount, {}, {}, {}, {}, pairs.factorNonzeros, 0};
-  for (Eigen::Index k = 0; k < pairs.lambda.size(); ++k) {
-    std::vector<Vec3> shape(part.mesh.vertexCount());
-    for (uint32_t v = 0; v < shape.size(); ++v) shape[v] = displacement(v, k);
-    normaliseShape(shape);
-    modes.omega.push_back(std::sqrt(pairs.lambda[k]));
-    modes.residual.push_back(pairs.residual[static_cast<size_t>(k)]);
-    modes.axis.push_back(-1);
-    modes.shapes.push_back(std::move(shape));
+PartModes gather(const Part& part, const EigenSolution& solution, const Displacement& displacement) {
+  PartModes modes;
+  modes.zeroModesExpected = rigidMotionsLeft(pinnedPoints(part));
+  modes.zeroModesFound = solution.nullity;
+  modes.residual = solution.residual;
+  modes.axis.assign(solution.residual.size(), -1);
+  modes.factorNonzeros = solution.factorNonzeros;
+  modes.basis.lambda = solution.basis.lambda;
+  modes.basis.phi.resize(3 * static_cast<Eigen::Index>(part.mesh.vertexCount()), solution.basis.modeCount());
+  for (Eigen::Index k = 0; k < solution.basis.modeCount(); ++k) {
+    for (uint32_t v = 0; v < part.mesh.vertexCount(); ++v)
+      modes.basis.phi.col(k).segment<3>(3 * static_cast<Eigen::Index>(v)) = eigen(displacement(v, k));
+    normaliseShape(modes.basis.phi.col(k));
   }
   return modes;
 }
 
-// K and its structure take about a kilobyte a triangle, and L about 38 n log2(n) numbers for n vertices
-// (measured on scans); an estimate before anything is taken. Once L's structure is known, the eigensolver
-// asks again.
+// An estimate of the bytes that a shell takes, before anything is allocated: K and its structure take about a
+// kilobyte per triangle, L about 38 n log2(n) numbers for n vertices (measured on scans). Once the structure
+// of L is known, the eigensolver asks again.
 uint64_t estimatedMemory(const TriangleMesh& mesh) {
   const double n = std::max(2.0, static_cast<double>(mesh.vertexCount()));
   return static_cast<uint64_t>(1000.0 * mesh.triangleCount() + 38 * sizeof(double) * n * std::log2(n));
 }
 
-StiffnessModel pinnedShell(const Part& part, const ModesOptions& options, Job& job) {
-  job.begin(Phase::Assemble);
-  requireMemory(estimatedMemory(part.mesh), "Solving this mesh as it is");
-  const double thickness = options.thickness / part.diagonal;
-  const Topology topology = buildTopology(part.mesh);
-  StiffnessModel model = shellModel(part.mesh, topology, thickness, options.poisson);
-  if (!part.pinned.empty()) holdUnknowns(model, heldUnknowns(part.mesh, topology, part.pinned));
-  return model;
-}
+// A part as a shell that is ready to be solved.
+class PartShell {
+ public:
+  PartShell(const Part& part, const ModesOptions& options, Job& job)
+      : part_(part),
+        topology_((begin(part, job), buildTopology(part.mesh))),
+        shell_(part.mesh, topology_,
+               {options.material.poisson, kRefineTolerance, kRefineSteps, part.pinned,
+                static_cast<int>(rigidMotionsLeft(pinnedPoints(part)))},
+               job),
+        request_{options.material.thickness / part.diagonal, options.modeCount} {}
 
-PartModes gatherShell(const Part& part, const EigenPairs& pairs) {
-  return gather(part, pairs, [&](uint32_t v, Eigen::Index k) {
-    const auto row = 3 * static_cast<Eigen::Index>(v);
-    return Vec3{pairs.phi(row, k), pairs.phi(row + 1, k), pairs.phi(row + 2, k)};
-  });
-}
+  PartModes solve(Job& job) const { return gathered(shell_.solveExactly(part_.mesh, request_, job)); }
+  PartModes refine(const ModeBasis& start, Job& job) const {
+    return gathered(shell_.refine(part_.mesh, start, request_, job));
+  }
 
-PartModes solveShell(const Part& part, const ModesOptions& options, Job& job) {
-  const StiffnessModel model = pinnedShell(part, options, job);
-  const double thickness = options.thickness / part.diagonal;
-  const auto zeros = static_cast<int>(rigidMotionsLeft(pinnedPoints(part)));
-  const double scale = roughFirstEigenvalue(thickness, !part.pinned.empty());
-  return gatherShell(part, solveEigenproblem(model, {options.modeCount, zeros, scale, nullptr}, job));
-}
+ private:
+  static void begin(const Part& part, Job& job) {
+    job.begin(Phase::Assemble);
+    requireMemoryToSolve(estimatedMemory(part.mesh));
+  }
+  PartModes gathered(const EigenSolution& solution) const {
+    return gather(part_, solution,
+                  [&](uint32_t v, Eigen::Index k) { return displacementAt(solution.basis.phi.col(k), v); });
+  }
+
+  const Part& part_;
+  Topology topology_;
+  VibratingShell shell_;
+  VibrationRequest request_;
+};
 
 double enclosedVolume(const TriangleMesh& mesh) {
   double sum = 0;
@@ -86,101 +107,101 @@ double enclosedVolume(const TriangleMesh& mesh) {
 PartModes solveSolid(const Part& part, const ModesOptions& options, Job& job) {
   job.begin(Phase::Assemble);
   SolidOptions solidOptions;
-  solidOptions.poisson = options.poisson;
+  solidOptions.poisson = options.material.poisson;
   TriangleMesh mesh = part.mesh;
   std::vector<uint32_t> pinned = part.pinned;
-  if (!pinned.empty())  // to about the size of a cell
+  if (!pinned.empty())  // down to about the size of a cell
     refinePinnedFaces(mesh, pinned, std::cbrt(enclosedVolume(mesh) / solidOptions.targetCells));
   SolidModel solid = solidModel(mesh, solidOptions, job);
   for (uint32_t v : pinned)
-    holdPoint(solid.model, {&solid.embeddingNodes[8 * size_t{v}], &solid.embeddingWeights[8 * size_t{v}]},
-              kPinStiffness * solid.cellSize);
+    addPointSpring(solid.pencil,
+                   {&solid.embeddingNodes[8 * size_t{v}], &solid.embeddingWeights[8 * size_t{v}]},
+                   kPinStiffness * solid.cellSize);
   const auto zeros = static_cast<int>(rigidMotionsLeft(pinnedPoints(part)));
-  const EigenPairs pairs = solveEigenproblem(solid.model, {options.modeCount, zeros, 0.5, nullptr}, job);
-  return gather(part, pairs, [&](uint32_t v, Eigen::Index k) {
+  const EigenSolution solution = solveModes(solid.pencil, {options.modeCount, zeros, kSolidScale}, job);
+  return gather(part, solution, [&](uint32_t v, Eigen::Index k) {
     Vec3 sum;
-    for (size_t i = 8 * size_t{v}; i < 8 * size_t{v} + 8; ++i) {
-      const auto row = static_cast<Eigen::Index>(solid.model.firstUnknown[solid.embeddingNodes[i]]);
-      sum +=
-          solid.embeddingWeights[i] * Vec3{pairs.phi(row, k), pairs.phi(row + 1, k), pairs.phi(row + 2, k)};
-    }
+    for (size_t i = 8 * size_t{v}; i < 8 * size_t{v} + 8; ++i)
+      sum += solid.embeddingWeights[i] * displacementAt(solution.basis.phi.col(k), solid.embeddingNodes[i]);
     return sum;
   });
 }
 
-// Each scalar mode along each principal axis in turn, or along the one direction.
+// The axes along which a Laplacian moves: the given direction, or the principal axes in turn.
+std::vector<Vec3> axesOf(const Part& part, int direction) {
+  if (direction < 0) {
+    const auto principal = principalAxes(part.mesh).axis;
+    return {principal.begin(), principal.end()};
+  }
+  std::vector<Vec3> axes(1);
+  axes[0][direction] = 1;
+  return axes;
+}
+
+// Each scalar mode is listed once along each axis.
 PartModes solveLaplacian(const Part& part, const ModesOptions& options, Job& job) {
   job.begin(Phase::Assemble);
-  StiffnessModel model = laplacianModel(part.mesh, buildTopology(part.mesh));
-  if (!part.pinned.empty()) holdUnknowns(model, part.pinned);
-  std::vector<Vec3> axes(1);
-  if (options.direction >= 0) {
-    axes[0][options.direction] = 1;
-  } else {
-    const auto principal = principalAxes(part.mesh).axis;
-    axes.assign(principal.begin(), principal.end());
-  }
+  SparsePencil pencil = laplacianPencil(part.mesh, buildTopology(part.mesh));
+  if (!part.pinned.empty()) clampUnknowns(pencil, part.pinned);
+  const std::vector<Vec3> axes = axesOf(part, options.direction);
   const auto axisCount = static_cast<int>(axes.size());
   const int scalarZeros = part.pinned.empty() ? 1 : 0;
-  const EigenPairs pairs = solveEigenproblem(
-      model, {(options.modeCount + axisCount - 1) / axisCount, scalarZeros, 5, nullptr}, job);
+  const EigenSolution solution = solveModes(
+      pencil, {(options.modeCount + axisCount - 1) / axisCount, scalarZeros, kLaplacianScale}, job);
+  const Eigen::Index modeCount =
+      std::min<Eigen::Index>(options.modeCount, solution.basis.modeCount() * axisCount);
   PartModes modes;
   modes.zeroModesExpected = static_cast<uint32_t>(axisCount * scalarZeros);
-  modes.zeroModesFound = static_cast<uint32_t>(axisCount) * pairs.zeroCount;
-  modes.factorNonzeros = pairs.factorNonzeros;
-  for (Eigen::Index k = 0; k < pairs.lambda.size(); ++k)
-    for (int axis = 0; axis < axisCount && static_cast<int>(modes.omega.size()) < options.modeCount; ++axis) {
-      std::vector<Vec3> shape(part.mesh.vertexCount());
-      for (size_t v = 0; v < shape.size(); ++v)
-        shape[v] = axes[static_cast<size_t>(axis)] * pairs.phi(static_cast<Eigen::Index>(v), k);
-      normaliseShape(shape);
-      modes.omega.push_back(std::sqrt(pairs.lambda[k]));
-      modes.residual.push_back(pairs.residual[static_cast<size_t>(k)]);
-      modes.axis.push_back(options.direction >= 0 ? -1 : axis);
-      modes.shapes.push_back(std::move(shape));
-    }
+  modes.zeroModesFound = static_cast<uint32_t>(axisCount) * solution.nullity;
+  modes.factorNonzeros = solution.factorNonzeros;
+  modes.basis.lambda.resize(modeCount);
+  modes.basis.phi.resize(3 * static_cast<Eigen::Index>(part.mesh.vertexCount()), modeCount);
+  for (Eigen::Index mode = 0; mode < modeCount; ++mode) {
+    const Eigen::Index k = mode / axisCount;
+    const auto axis = static_cast<int>(mode % axisCount);
+    modes.basis.lambda[mode] = solution.basis.lambda[k];
+    for (Eigen::Index v = 0; v < part.mesh.vertexCount(); ++v)
+      modes.basis.phi.col(mode).segment<3>(3 * v) =
+          eigen(axes[static_cast<size_t>(axis)] * solution.basis.phi(v, k));
+    normaliseShape(modes.basis.phi.col(mode));
+    modes.residual.push_back(solution.residual[static_cast<size_t>(k)]);
+    modes.axis.push_back(options.direction >= 0 ? -1 : axis);
+  }
   return modes;
 }
 
 }  // namespace
 
 PartModes refineShell(const Part& part, const PartModes& start, const ModesOptions& options, Job& job) {
-  const StiffnessModel model = pinnedShell(part, options, job);
-  const auto displacements = 3 * static_cast<Eigen::Index>(part.mesh.vertexCount());
-  const Eigen::Index rigid = part.pinned.empty() ? 6 : 0,
-                     elastic = static_cast<Eigen::Index>(start.shapes.size());
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(model.unknownCount(), rigid + elastic);
-  if (rigid > 0) columns.topLeftCorner(displacements, rigid) = rigidMotions(part.mesh);
-  for (Eigen::Index k = 0; k < elastic; ++k)
-    for (Eigen::Index row = 0; row < displacements; ++row)
-      columns(row, rigid + k) = start.shapes[static_cast<size_t>(k)][static_cast<size_t>(row / 3)][row % 3];
-  RefineOptions refine;
-  refine.shift = -0.5 * start.omega[0] * start.omega[0];
-  refine.elasticCount = options.modeCount;
-  PartModes modes = gatherShell(part, refineEigenpairs(model, columns, refine, job));
+  // The squares of the rounded frequencies, not the eigenvalues themselves: the shift, and with it every last
+  // bit of the result, depends on them.
+  const ModeBasis approximate{start.basis.lambda.cwiseSqrt().cwiseAbs2(), start.basis.phi};
+  PartModes modes = PartShell(part, options, job).refine(approximate, job);
   modes.zeroModesFound = start.zeroModesFound;
   modes.coarseVertices = start.coarseVertices;
   return modes;
 }
 
-void normaliseShape(std::vector<Vec3>& shape) {
-  size_t largest = 0;
-  for (size_t v = 1; v < shape.size(); ++v)
-    if (squaredLength(shape[v]) > squaredLength(shape[largest]) * (1 + 1e-9)) largest = v;
-  const Vec3& peak = shape[largest];
+void normaliseShape(Eigen::Ref<Eigen::VectorXd> shape) {
+  const auto vertexCount = static_cast<size_t>(shape.size() / 3);
+  Vec3 peak = displacementAt(shape, 0);
+  for (size_t v = 1; v < vertexCount; ++v) {
+    const Vec3 displacement = displacementAt(shape, v);
+    if (squaredLength(displacement) > squaredLength(peak) * (1 + kTie)) peak = displacement;
+  }
   int axis = 0;
   for (int other = 1; other < 3; ++other)
-    if (std::abs(peak[other]) > std::abs(peak[axis]) * (1 + 1e-9)) axis = other;
+    if (std::abs(peak[other]) > std::abs(peak[axis]) * (1 + kTie)) axis = other;
   const double size = length(peak);
   if (!(size > 0)) return;
-  const double scale = (peak[axis] < 0 ? -1 : 1) / size;
-  for (Vec3& p : shape) p *= scale;
+  shape *= (peak[axis] < 0 ? -1 : 1) / size;
 }
 
 PartModes solvePart(const Part& part, const ModesOptions& options, Job& job) {
   if (part.pinned.size() == part.mesh.positions.size()) return {};
-  if (part.model == Model::Laplacian) return solveLaplacian(part, options, job);
-  return part.model == Model::Solid ? solveSolid(part, options, job) : solveShell(part, options, job);
+  if (part.model == ElasticModel::Laplacian) return solveLaplacian(part, options, job);
+  return part.model == ElasticModel::Solid ? solveSolid(part, options, job)
+                                           : PartShell(part, options, job).solve(job);
 }
 
 }  // namespace limber

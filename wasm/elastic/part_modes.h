@@ -1,35 +1,35 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
 #include "elastic/parts.h"
+#include "linear/mode_basis.h"
 
 namespace limber {
 
-// The elastic modes of one part in units of its frame (E = rho = diagonal = 1): shapes over its vertices,
-// largest displacement 1.
+// The elastic modes of one part in its frame (E = rho = diagonal = 1).
 struct PartModes {
   uint32_t zeroModesExpected = 0, zeroModesFound = 0;
-  std::vector<double> omega, residual;
-  std::vector<int32_t> axis;
-  std::vector<std::vector<Vec3>> shapes;
+  // phi(3 v + c, k): displacements of the part's vertices. Instead of mass-normalised, columns are normalised
+  // by normaliseShape.
+  ModeBasis basis;
+  std::vector<double> residual;  // per mode, see Mode::residual
+  std::vector<int32_t> axis;     // per mode, see Mode::axis
   uint64_t factorNonzeros = 0;
-  uint32_t coarseVertices = 0;
+  uint32_t coarseVertices = 0;  // see ComponentModes::coarseVertices
 };
 
-// Solves one part with its own model. A part all of whose vertices are pinned has no modes.
+// Solves one part with its own model. A part all of whose vertices are pinned has no modes. Throws as
+// computeModes.
 PartModes solvePart(const Part& part, const ModesOptions& options, Job& job);
 
-// Modes of a shell from approximate shapes of them, by inverse iteration on the part itself until frequencies
-// stand to 1e-4. Zero modes are those of the start.
+// The modes of a shell from approximate ones, by inverse iteration on the part itself until its frequencies
+// change by less than 1e-4. Zero modes are taken over from `start`. Throws as computeModes.
 PartModes refineShell(const Part& part, const PartModes& start, const ModesOptions& options, Job& job);
 
-// Scales a shape to a largest displacement of 1 and turns it so that the largest component there is positive.
-void normaliseShape(std::vector<Vec3>& shape);
-
-// The modes of all parts as one set, named and sorted.
-ModeSet collectModes(const TriangleMesh& body, const std::vector<Part>& parts,
-                     const std::vector<PartModes>& modes, const ModesOptions& options);
-
-// Throws std::invalid_argument with one sentence.
-void checkModesOptions(const TriangleMesh& mesh, const ModesOptions& options);
+// Scales a shape, shape[3 v + c], to a largest displacement of 1 whose largest component is positive.
+void normaliseShape(Eigen::Ref<Eigen::VectorXd> shape);
 
 }  // namespace limber

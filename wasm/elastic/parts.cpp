@@ -11,24 +11,25 @@ namespace limber {
 
 namespace {
 
-// The component that each component belongs to, and the model for it.
+// Per component: the component that hosts it, and its model.
 struct Grouping {
   std::vector<uint32_t> host;
-  std::vector<Model> model;
+  std::vector<ElasticModel> model;
 };
 
-Grouping groupComponents(const TriangleMesh& body, const Topology& topology, Model asked) {
+Grouping groupComponents(const TriangleMesh& body, const Topology& topology, ElasticModel asked) {
   Grouping grouping;
   grouping.host.resize(topology.componentCount);
   std::iota(grouping.host.begin(), grouping.host.end(), 0u);
-  grouping.model.assign(topology.componentCount, asked == Model::Laplacian ? asked : Model::Shell);
-  if (asked != Model::Auto && asked != Model::Solid) return grouping;
+  grouping.model.assign(topology.componentCount,
+                        asked == ElasticModel::Laplacian ? asked : ElasticModel::Shell);
+  if (asked != ElasticModel::Auto && asked != ElasticModel::Solid) return grouping;
   const std::vector<uint32_t> hosts = solidHosts(body, topology);
   for (uint32_t c = 0; c < hosts.size(); ++c) {
     if (hosts[c] != kNone) {
       grouping.host[c] = hosts[c];
-      grouping.model[c] = Model::Solid;
-    } else if (asked == Model::Solid) {
+      grouping.model[c] = ElasticModel::Solid;
+    } else if (asked == ElasticModel::Solid) {
       throw std::invalid_argument(
           "Part " + std::to_string(c + 1) +
           " of the mesh is not closed, so it has no inside for the solid model: close its "

@@ -8,7 +8,8 @@ namespace limber {
 
 namespace {
 
-// The middle vertex of each edge that is to be split, or kNone.
+// Adds a vertex in the middle of each long edge of a pinned triangle. Returns the middle vertex per edge, or
+// kNone.
 std::vector<uint32_t> splitLongEdges(TriangleMesh& mesh, const Topology& topology,
                                      std::vector<uint8_t>& isPinned, double length) {
   std::vector<uint32_t> middle(topology.edges.size(), kNone);
@@ -28,14 +29,15 @@ std::vector<uint32_t> splitLongEdges(TriangleMesh& mesh, const Topology& topolog
   return middle;
 }
 
-// A triangle by its split edges: none, one, two or three; winding is kept.
+// Appends the pieces of a triangle with no, one, two or three split edges, with the winding of the triangle.
+// middle[c] is the middle vertex of the edge opposite to corner c, or kNone.
 void addPieces(const Triangle& triangle, std::array<uint32_t, 3> middle, std::vector<Triangle>& pieces) {
   const auto count = std::count_if(middle.begin(), middle.end(), [](uint32_t m) { return m != kNone; });
-  // Turned so that the one split edge, or the one whole edge, lies opposite to corner 0.
-  size_t turn = 0;
-  while (count % 3 != 0 && (middle[turn] != kNone) != (count == 1)) ++turn;
-  const uint32_t a = triangle[turn], b = triangle[(turn + 1) % 3], c = triangle[(turn + 2) % 3];
-  const uint32_t bc = middle[turn], ca = middle[(turn + 1) % 3], ab = middle[(turn + 2) % 3];
+  // Start at the corner opposite to the only split edge, or to the only unsplit one.
+  size_t first = 0;
+  while (count % 3 != 0 && (middle[first] != kNone) != (count == 1)) ++first;
+  const uint32_t a = triangle[first], b = triangle[(first + 1) % 3], c = triangle[(first + 2) % 3];
+  const uint32_t bc = middle[first], ca = middle[(first + 1) % 3], ab = middle[(first + 2) % 3];
   if (count == 0) pieces.push_back({a, b, c});
   if (count == 1) pieces.insert(pieces.end(), {{a, b, bc}, {a, bc, c}});
   if (count == 2) pieces.insert(pieces.end(), {{a, ab, ca}, {ab, b, c}, {ab, c, ca}});

@@ -7,9 +7,9 @@
 
 namespace limber {
 
-// Splits the edges of triangles that are pinned whole until none is longer than `length`, and pins the new
-// vertices. The surface stays as it is and closed; the vertices that were there keep their numbers. So a
-// pinned face is held all over, however few corners it has.
+// Splits the edges of triangles whose three vertices are pinned until none is longer than `length`, and pins
+// the new vertices, so that a pinned face is fixed all over, however few vertices it has. The surface keeps
+// its shape and stays closed; old vertices keep their numbers, new ones are appended to `mesh` and `pinned`.
 void refinePinnedFaces(TriangleMesh& mesh, std::vector<uint32_t>& pinned, double length);
 
 }  // namespace limber

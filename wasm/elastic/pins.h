@@ -4,17 +4,17 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "linear/stiffness_model.h"
+#include "linear/sparse_pencil.h"
 
 namespace limber {
 
-// How many of the six rigid motions stay free while these points of a body of size 1 are held: 6 without a
-// point, 3 with one, 1 where all lie on a line, otherwise 0.
-uint32_t rigidMotionsLeft(const std::vector<Vec3>& held);
+// How many of the six rigid motions stay free while these points are fixed: 6 without a point, 3 with one
+// point, 1 if all points lie on a line, otherwise 0. Points closer than 1e-6 coincide, so the body should be
+// of size 1.
+uint32_t rigidMotionsLeft(const std::vector<Vec3>& points);
 
-// Holds unknowns at 0: they lose their couplings and their mass. Blocks stay stored, so the structure does
-// not change.
-void holdUnknowns(StiffnessModel& model, const std::vector<uint32_t>& unknowns);
+// Fixes unknowns at 0: they lose their couplings and their mass. The pattern of K does not change.
+void clampUnknowns(SparsePencil& pencil, const std::vector<uint32_t>& unknowns);
 
 // A point that moves as the weighted mean of eight nodes with three unknowns each.
 struct EmbeddedPoint {
@@ -22,8 +22,8 @@ struct EmbeddedPoint {
   const double* weights;
 };
 
-// Holds a point inside an element by a spring of the given stiffness along each axis. The eight nodes must be
-// coupled already.
-void holdPoint(StiffnessModel& model, const EmbeddedPoint& point, double stiffness);
+// Ties a point inside an element to its place by springs of the given stiffness along x, y and z. The eight
+// nodes must be coupled already.
+void addPointSpring(SparsePencil& pencil, const EmbeddedPoint& point, double stiffness);
 
 }  // namespace limber

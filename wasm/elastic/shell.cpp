@@ -16,17 +16,20 @@ using ElementMatrix = Eigen::Matrix<double, 12, 12>;
 using Tensor = Eigen::Vector3d;
 using StrainMatrix = Eigen::Matrix<double, 3, 12>;
 
-// A triangle flatter than this (height over its longest edge) is given the stiffness of one that is just as
-// flat: real stiffness grows with 1 / flatness and would drown the rest of the body in rounding. It still
-// holds its vertices together.
+// A triangle flatter than this (height over longest edge) gets the stiffness of one that is just as flat:
+// real stiffness grows with 1 / flatness and would drown the rest of the body in rounding. It still keeps its
+// vertices together.
 constexpr double kFlattest = 1e-4;
-// Below it a triangle has no plane: it is a tie between its vertices.
+// A triangle flatter than this has no plane and becomes a tie between its vertices.
 constexpr double kDegenerate = 1e-12;
+// The stiffness of an edge rotation that only ties hold, relative to the bending stiffness of the tie: enough
+// to keep K regular, too little to matter.
+constexpr double kLooseRotation = 1e-10;
 
-// A triangle in its own plane: x along its longest edge, the y axis at a right angle. Edge c runs from corner
-// c + 1 to corner c + 2.
+// A triangle in its own plane: the x axis along its longest edge, the y axis perpendicular. Edge c is
+// opposite to corner c and runs from corner c + 1 to corner c + 2.
 struct Frame {
-  int longest;  // edge
+  int longest;  // the longest edge
   Vec3 x, y, normal;
   std::array<double, 3> edgeX, edgeY, length;
   double area, flatness;
@@ -55,15 +58,15 @@ Frame frameOf(const TriangleMesh& mesh, uint32_t t) {
   return frame;
 }
 
-// Plane stress for tensors as above, times `factor`.
+// The plane-stress matrix of E = 1, times `factor`.
 Eigen::Matrix3d planeStress(double factor, double poisson) {
   Eigen::Matrix3d c;
   c << 1, poisson, 0, poisson, 1, 0, 0, 0, (1 - poisson) / 2;
   return c * (factor / (1 - poisson * poisson));
 }
 
-// Constant-strain triangle: in-plane strain from the displacements. The gradient of corner c's barycentric
-// coordinate is its edge turned by 90 degrees over twice the area.
+// Constant-strain triangle: the in-plane strain from the displacements. The gradient of the barycentric
+// coordinate of corner c is edge c, rotated by 90 degrees, over twice the area.
 StrainMatrix membraneStrain(const Frame& frame) {
   StrainMatrix b = StrainMatrix::Zero();
   for (int c = 0; c < 3; ++c) {
@@ -75,29 +78,31 @@ StrainMatrix membraneStrain(const Frame& frame) {
   return b;
 }
 
-// Morley: constant curvature from displacements across the plane and rotations of the edges. As
-// sum_e l_e (g . m_e) m_e m_e^T = -sum_e (w_end - w_start) t_e m_e^T for a linear w with gradient g (t_e
-// along the edge, m_e outwards; the edges' l_e m_e sum to 0), the displacements enter with 1 / area alone;
-// the gradient itself, which would cancel to rounding in a thin triangle, never appears.
+// Morley's element: the constant curvature from normal displacements w and edge rotations. For a linear w
+// with gradient g,
+//   sum_e l_e (g . m_e) m_e m_e^T = -sum_e (w_end - w_start) t_e m_e^T
+// with t_e along edge e and m_e outwards, because the vectors l_e m_e sum to 0. So the displacements enter
+// divided by the area alone, and the gradient itself, which would cancel to rounding in a thin triangle,
+// never appears.
 StrainMatrix bendingCurvature(const Frame& frame, const std::array<double, 3>& sign) {
-  std::array<Tensor, 3> slopeOf;  // t_e m_e^T, with t_e = (cosine, sine) and m_e = (sine, -cosine)
+  std::array<Tensor, 3> tangentNormal;  // t_e m_e^T, with t_e = (cosine, sine) and m_e = (sine, -cosine)
   StrainMatrix b;
   for (int e = 0; e < 3; ++e) {
     const double cosine = frame.edgeX[e] / frame.length[e], sine = frame.edgeY[e] / frame.length[e];
-    slopeOf[e] = Tensor(cosine * sine, -cosine * sine, sine * sine - cosine * cosine);
+    tangentNormal[e] = Tensor(cosine * sine, -cosine * sine, sine * sine - cosine * cosine);
     b.col(9 + e) =
         Tensor(sine * sine, cosine * cosine, -2 * sine * cosine) * (sign[e] * frame.length[e] / frame.area);
   }
   for (int c = 0; c < 3; ++c) {  // corner c ends edge c + 1 and starts edge c + 2
-    const Tensor bend = (slopeOf[(c + 2) % 3] - slopeOf[(c + 1) % 3]) / frame.area;
+    const Tensor bend = (tangentNormal[(c + 2) % 3] - tangentNormal[(c + 1) % 3]) / frame.area;
     for (int axis = 0; axis < 3; ++axis) b.col(3 * c + axis) = bend * frame.normal[axis];
   }
   return b;
 }
 
-// A triangle whose corners lie on a line: what the stiffness above tends to as the triangle flattens. It
-// keeps the middle corner on the longest edge, and the slopes on both sides equal. Without it a crack would
-// open where such a triangle closes a surface.
+// The stiffness of a triangle whose corners lie on a line, the limit of the stiffness below as a triangle
+// flattens. It ties the middle corner to the longest edge and makes the edge rotations on both sides equal.
+// Without it a crack would open wherever such a triangle closes a surface.
 ElementMatrix tie(const Frame& frame, const std::array<double, 3>& sign, double thickness) {
   const int e = frame.longest, middle = e, start = (e + 1) % 3, end = (e + 2) % 3;
   const double share = std::clamp(-frame.edgeX[end] / frame.length[e], 0.0, 1.0);
@@ -108,7 +113,7 @@ ElementMatrix tie(const Frame& frame, const std::array<double, 3>& sign, double 
     gap(axis, 3 * end + axis) = -share;
   }
   for (int k = 0; k < 2; ++k) {
-    const int other = (e + 1 + k) % 3;  // run against the longest edge
+    const int other = (e + 1 + k) % 3;  // runs against the longest edge
     gap(3 + k, 9 + e) = sign[e];
     gap(3 + k, 9 + other) = sign[other];
   }
@@ -116,8 +121,8 @@ ElementMatrix tie(const Frame& frame, const std::array<double, 3>& sign, double 
   Eigen::Matrix<double, 5, 1> stiffness;
   stiffness << thickness, thickness, thickness, bending, bending;
   ElementMatrix k = gap.transpose() * (stiffness / kFlattest).asDiagonal() * gap;
-  // Rotations that nothing else holds must not leave K singular; against the tie this is nothing.
-  k.diagonal().tail<3>().array() += 1e-10 * bending / kFlattest;
+  // Edge rotations without any other stiffness must not leave K singular.
+  k.diagonal().tail<3>().array() += kLooseRotation * bending / kFlattest;
   return k;
 }
 
@@ -129,11 +134,11 @@ ElementMatrix elementStiffness(const Frame& frame, const std::array<double, 3>& 
   const StrainMatrix stress = planeStress(weight * thickness, poisson) * strain;
   const StrainMatrix moment =
       planeStress(weight * thickness * thickness * thickness / 12, poisson) * curvature;
-  // Plain products: Eigen takes these for large and would allocate what it packs them into.
+  // lazyProduct, because Eigen considers these sizes large and would allocate packing buffers.
   return strain.transpose().lazyProduct(stress) + curvature.transpose().lazyProduct(moment);
 }
 
-// Corners and edges of each triangle as nodes.
+// The nodes of each triangle: its corners, then its edges.
 std::vector<uint32_t> elementNodes(const TriangleMesh& mesh, const Topology& topology) {
   std::vector<uint32_t> nodes;
   nodes.reserve(6 * size_t{mesh.triangleCount()});
@@ -144,9 +149,8 @@ std::vector<uint32_t> elementNodes(const TriangleMesh& mesh, const Topology& top
   return nodes;
 }
 
-Eigen::SparseMatrix<double> assemble(const TriangleMesh& mesh, const Topology& topology,
-                                     const std::vector<uint32_t>& firstUnknown, double thickness,
-                                     double poisson) {
+Eigen::SparseMatrix<double> assemble(const ThinShell& shell, const std::vector<uint32_t>& firstUnknown) {
+  const auto& [mesh, topology, thickness, poisson] = shell;
   ElementAssembly assembly(firstUnknown, elementNodes(mesh, topology), 6);
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const Triangle& triangle = mesh.triangles[t];
@@ -155,6 +159,14 @@ Eigen::SparseMatrix<double> assemble(const TriangleMesh& mesh, const Topology& t
     assembly.add(t, elementStiffness(frameOf(mesh, t), sign, thickness, poisson));
   }
   return assembly.take();
+}
+
+std::vector<uint32_t> firstUnknowns(const TriangleMesh& mesh, const Topology& topology) {
+  std::vector<uint32_t> first;
+  const uint32_t vertexCount = mesh.vertexCount();
+  for (uint32_t v = 0; v < vertexCount; ++v) first.push_back(3 * v);
+  for (uint32_t e = 0; e <= topology.edges.size(); ++e) first.push_back(3 * vertexCount + e);
+  return first;
 }
 
 }  // namespace
@@ -171,35 +183,40 @@ Eigen::MatrixXd rigidMotions(const TriangleMesh& mesh) {
   return motions;
 }
 
-StiffnessModel shellModel(const TriangleMesh& mesh, const Topology& topology, double thickness,
-                          double poisson) {
-  StiffnessModel model;
-  const uint32_t vertexCount = mesh.vertexCount();
-  for (uint32_t v = 0; v < vertexCount; ++v) model.firstUnknown.push_back(3 * v);
-  for (uint32_t e = 0; e <= topology.edges.size(); ++e) model.firstUnknown.push_back(3 * vertexCount + e);
-  model.stiffness = assemble(mesh, topology, model.firstUnknown, thickness, poisson);
-  model.mass = Eigen::VectorXd::Zero(model.stiffness.rows());
-  const auto areas = lumpedAreas(mesh);
-  for (uint32_t v = 0; v < vertexCount; ++v)
-    model.mass.segment<3>(static_cast<Eigen::Index>(3 * v)).setConstant(thickness * areas[v]);
-  return model;
+SparsePencil shellPencil(const ThinShell& shell) {
+  SparsePencil pencil;
+  pencil.firstUnknown = firstUnknowns(shell.mesh, shell.topology);
+  pencil.k = assemble(shell, pencil.firstUnknown);
+  pencil.m = Eigen::VectorXd::Zero(pencil.k.rows());
+  const auto areas = lumpedAreas(shell.mesh);
+  for (uint32_t v = 0; v < shell.mesh.vertexCount(); ++v)
+    pencil.m.segment<3>(static_cast<Eigen::Index>(3 * v)).setConstant(shell.thickness * areas[v]);
+  return pencil;
 }
 
-std::vector<uint32_t> heldUnknowns(const TriangleMesh& mesh, const Topology& topology,
-                                   std::span<const uint32_t> pinned) {
+SparsePencil shellPattern(const TriangleMesh& mesh, const Topology& topology) {
+  SparsePencil pencil;
+  pencil.firstUnknown = firstUnknowns(mesh, topology);
+  pencil.k = ElementAssembly(pencil.firstUnknown, elementNodes(mesh, topology), 6).take();
+  pencil.m = Eigen::VectorXd::Zero(pencil.k.rows());
+  return pencil;
+}
+
+std::vector<uint32_t> clampedUnknowns(const TriangleMesh& mesh, const Topology& topology,
+                                      std::span<const uint32_t> pinned) {
   std::vector<uint8_t> isPinned(mesh.vertexCount(), 0);
-  std::vector<uint32_t> held;
+  std::vector<uint32_t> clamped;
   for (uint32_t v : pinned) {
     isPinned[v] = 1;
-    held.insert(held.end(), {3 * v, 3 * v + 1, 3 * v + 2});
+    clamped.insert(clamped.end(), {3 * v, 3 * v + 1, 3 * v + 2});
   }
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     if (!isPinned[a] || !isPinned[b] || !isPinned[c]) continue;
     for (uint32_t corner = 3 * t; corner < 3 * t + 3; ++corner)
-      held.push_back(3 * mesh.vertexCount() + topology.edgeOfCorner[corner]);
+      clamped.push_back(3 * mesh.vertexCount() + topology.edgeOfCorner[corner]);
   }
-  return held;
+  return clamped;
 }
 
 }  // namespace limber

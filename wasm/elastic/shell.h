@@ -4,33 +4,50 @@
 #include <span>
 #include <vector>
 
-#include "linear/stiffness_model.h"
+#include "linear/sparse_pencil.h"
 #include "mesh/topology.h"
 
 namespace limber {
 
-// A thin shell of Young's modulus 1 and density 1: constant-strain membrane plus Morley bending. Three
-// displacements per vertex (nodes 0 .. vertexCount - 1) and one massless rotation about each edge (the nodes
-// after them). kappa_T = sum_e (l_e / A) (s_e phi_e - theta_e(u)) m_e m_e^T, theta_e(u) = -d(u . n) / d m_e,
-// m_e the outward in-plane normal of edge e, s_e = +1 where the face runs the edge from its lower to its
-// higher vertex; energy A D / 2 ((1 - nu) kappa : kappa + nu tr^2 kappa), D = h^3 / 12 (1 - nu^2). Holds for
-// any number of faces on an edge and for any winding. `thickness` in units of the mesh, which should be
-// scaled to a bounding diagonal of 1.
-StiffnessModel shellModel(const TriangleMesh& mesh, const Topology& topology, double thickness,
-                          double poisson);
+// A thin shell with E = rho = 1. It refers to mesh and topology, which must outlive it.
+struct ThinShell {
+  const TriangleMesh& mesh;
+  const Topology& topology;  // of the mesh
+  double thickness;          // h, in units of the mesh, > 0
+  double poisson;            // nu, in (-1, 0.5)
+};
 
-// A rough size of its first elastic eigenvalue where the bounding diagonal is 1: 40 h^2 for a free strip, 60
-// for a plate, 100 to 2000 for most closed bodies.
+// Stiffness and mass of a shell: constant-strain triangles (CST) for the membrane and Morley's element
+// (Morley 1968) for bending.
+//
+// Unknowns: three displacements per vertex, u(3 v + c), then one massless rotation per edge, psi(3
+// vertexCount + e). The curvature is constant in each triangle T of area A:
+//   kappa_T = sum_e (l_e / A) (s_e psi_e - theta_e(u)) m_e m_e^T,   theta_e(u) = -d(u . n) / d m_e
+// with edge lengths l_e, outward in-plane edge normals m_e, and s_e = +1 if T runs the edge from its lower to
+// its higher vertex, else -1. The energy of a triangle is A D / 2 ((1 - nu) kappa : kappa + nu tr^2 kappa),
+// D = h^3 / (12 (1 - nu^2)), plus that of its membrane. Valid for any number of faces on an edge and any
+// winding. Triangles flatter than 1e-4 get the stiffness of one that is just as flat; those without area
+// become ties.
+//
+// The mesh should be scaled to a bounding diagonal of 1. O(n) time and memory.
+SparsePencil shellPencil(const ThinShell& shell);
+
+// The same pencil with all values 0: what factorStructure needs of it, for every thickness and every
+// position.
+SparsePencil shellPattern(const TriangleMesh& mesh, const Topology& topology);
+
+// A rough size of the first elastic eigenvalue of a shell with a bounding diagonal of 1. Measured: 40 h^2 for
+// a free strip, 60 h^2 for a plate, 100 to 2000 h^2 for most closed bodies.
 inline double roughFirstEigenvalue(double thickness, bool isPinned) {
   return (isPinned ? 30 : 300) * thickness * thickness;
 }
 
-// What pinned vertices hold: their displacements; and a face that is pinned whole holds the slopes at its
-// edges too, so that a pinned patch clamps what is around it, while a pinned line is a hinge.
-std::vector<uint32_t> heldUnknowns(const TriangleMesh& mesh, const Topology& topology,
-                                   std::span<const uint32_t> pinned);
+// The unknowns that pinned vertices fix: their displacements and, in triangles with three pinned vertices,
+// the edge rotations. So a pinned patch clamps its surroundings, while a pinned line is a hinge.
+std::vector<uint32_t> clampedUnknowns(const TriangleMesh& mesh, const Topology& topology,
+                                      std::span<const uint32_t> pinned);
 
-// Three translations and three rotations, a column each, over the displacements of a shell.
+// Three translations and three linearised rotations as columns over the displacements: (3 v + c) x 6.
 Eigen::MatrixXd rigidMotions(const TriangleMesh& mesh);
 
 }  // namespace limber

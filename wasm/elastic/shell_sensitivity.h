@@ -4,27 +4,24 @@
 #include <span>
 
 #include "base/job.h"
-#include "mesh/topology.h"
+#include "elastic/shell.h"
 
 namespace limber {
 
-struct ShellMaterial {
-  double thickness = 0, poisson = 0.3;  // E = rho = 1
-};
-
-// An entry of a reduced stiffness matrix: psi_i^T (K - lambda M) psi_j.
+// An entry (i, j) of a reduced matrix psi_i^T (K - lambda M) psi_j.
 struct ModePair {
-  int i = 0, j = 0;
+  int i = 0, j = 0;  // columns of psi
   double lambda = 0;
 };
 
-// Derivatives of psi_i^T (K - lambda M) psi_j by the vertices' coordinates, with psi and lambda held, for the
-// shell of modes/shell.h: a column of 3 x vertexCount for each pair. `psi`: unknowns x modes. For i = j, a
-// mass-normalised mode and its own lambda that is the eigenvalue's derivative (Fox and Kapoor 1968; of a
-// cluster, of this Rayleigh quotient). Element by element, by forward differentiation of an element's
-// strains. The same for any number of threads. Throws Cancelled.
-Eigen::MatrixXd shellSensitivity(const TriangleMesh& mesh, const Topology& topology,
-                                 const ShellMaterial& material, const Eigen::MatrixXd& psi,
+// Derivatives of psi_i^T (K - lambda M) psi_j by the coordinates of the vertices, with psi and lambda
+// constant, for the pencil of elastic/shell.h. Returns a matrix (3 v + c) x pairs. `psi`: unknowns x modes.
+//
+// If i = j, psi_i is mass-normalised and lambda is its eigenvalue, this is the derivative of the eigenvalue
+// (Fox and Kapoor 1968), or, within a cluster, of this Rayleigh quotient. Computed element by element, by
+// forward differentiation of strains. O(triangles (modes + pairs)). Equal to the last bit for any number of
+// threads. Throws Cancelled.
+Eigen::MatrixXd shellSensitivity(const ThinShell& shell, const Eigen::MatrixXd& psi,
                                  std::span<const ModePair> pairs, const Job& job);
 
 }  // namespace limber

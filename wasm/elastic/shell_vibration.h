@@ -6,51 +6,61 @@
 #include <vector>
 
 #include "base/job.h"
-#include "linear/factor_structure.h"
-#include "linear/stiffness_model.h"
+#include "linear/eigensolver.h"
 #include "mesh/topology.h"
 
 namespace limber {
 
-// Elastic modes of a shell in a frame where E = rho = 1 and the diagonal is about 1. phi: unknowns x
-// modes, mass-normalised; its first 3 x vertexCount rows are displacements, and the rest may be 0 in a start.
-struct ShellVibration {
-  double thickness = 0;
-  Eigen::VectorXd lambda;
-  Eigen::MatrixXd phi;
-};
-
 struct VibrationOptions {
   double poisson = 0.3;
-  double tolerance = 1e-3;  // on the relative error of eigenvalues, where a start is followed
-  int largestStepCount = 4;
-  std::span<const uint32_t> pinned = {};  // vertices; they must leave no rigid motion free
+  double tolerance = 1e-3;                // on the relative error of eigenvalues, when a start is refined
+  int largestStepCount = 4;               // of inverse iteration
+  std::span<const uint32_t> pinned = {};  // vertex ids
+  int freeMotions = 0;                    // rigid motions that the pins leave; without pins there are six
 };
 
-// A shell whose vertices may move while its triangles stay. All calls may run side by side, within a
-// WholePhase.
+struct VibrationRequest {
+  double thickness = 0;  // in units of the mesh, > 0
+  int modeCount = 0;     // elastic modes
+};
+
+// The one way to solve a shell: a mesh whose vertices may move while its triangles stay, so that the
+// structure of the factorisation is found once. In a frame where E = rho = 1 and the bounding diagonal is
+// about 1.
+//
+// phi has the shell's unknowns as rows: displacements (3 v + c), then edge rotations. All solves may run side
+// by side within a WholePhase. They throw Cancelled, and std::runtime_error as solveModes.
 class VibratingShell {
  public:
-  // Keeps a reference to `topology`, that of all meshes that are asked for.
+  // Keeps a reference to `topology`, which all meshes of later calls share. Throws Cancelled.
   VibratingShell(const TriangleMesh& mesh, const Topology& topology, const VibrationOptions& options,
                  const Job& job);
 
-  // Some more than `modeCount` elastic modes are found, which are less exact.
-  ShellVibration solve(const TriangleMesh& mesh, double thickness, int modeCount, Job& job) const;
+  // Exactly, with residuals and proof that no mode is missing.
+  EigenSolution solveExactly(const TriangleMesh& mesh, const VibrationRequest& request, Job& job) const;
+  // Roughly, to about 1e-4 in eigenvalues. Returns up to six more modes than requested, which are less exact.
+  ModeBasis solve(const TriangleMesh& mesh, const VibrationRequest& request, Job& job) const;
 
-  // By inverse iteration from the vibration of nearly the same mesh, at the start's thickness. Finds what the
-  // start approximates, and as many modes, of which `modeCount` are exact.
-  ShellVibration follow(const TriangleMesh& mesh, const ShellVibration& start, int modeCount, Job& job) const;
+  // Both refine `start`, which approximates the modes of nearly the same mesh, by inverse iteration. Its phi
+  // may lack the rows of edge rotations. They find the modes that the start approximates. `refine` returns
+  // the requested modes, with residuals; `follow` as many as the start has, of which the requested ones are
+  // exact.
+  EigenSolution refine(const TriangleMesh& mesh, const ModeBasis& start, const VibrationRequest& request,
+                       Job& job) const;
+  ModeBasis follow(const TriangleMesh& mesh, const ModeBasis& start, const VibrationRequest& request,
+                   Job& job) const;
 
-  // The shell's unknowns: displacements, then rotations of edges.
   Eigen::Index unknownCount() const { return structure_->unknownCount; }
 
  private:
-  StiffnessModel modelOf(const TriangleMesh& mesh, double thickness) const;
+  SparsePencil pencilOf(const TriangleMesh& mesh, double thickness) const;
+  EigenOptions searchOptions(const VibrationRequest& request) const;
+  RefineOptions refineOptions(const ModeBasis& start) const;
+  Eigen::MatrixXd startColumns(const TriangleMesh& mesh, const Eigen::MatrixXd& phi) const;
 
   const Topology& topology_;
   VibrationOptions options_;
-  std::vector<uint32_t> held_;  // unknowns; none of a free shell
+  std::vector<uint32_t> clamped_;  // unknowns; none if the shell is free
   std::shared_ptr<const FactorStructure> structure_;
 };
 

@@ -12,9 +12,9 @@ FitSolver::FitSolver(const std::vector<uint8_t>& locked, Job& job) : job_(job) {
 }
 
 Eigen::MatrixXd FitSolver::solve(const System& system, Eigen::MatrixXd columns) {
-  model_.stiffness = system.stiffness;
-  model_.mass = system.inertia;
-  if (!held_.empty()) holdUnknowns(model_, held_);
+  model_.k = system.stiffness;
+  model_.m = system.inertia;
+  if (!held_.empty()) clampUnknowns(model_, held_);
   if (!structure_) structure_ = std::make_shared<const FactorStructure>(factorStructure(model_, job_));
   for (uint32_t row : held_) columns.row(row).setZero();
   Factorisation factorisation(model_, structure_);

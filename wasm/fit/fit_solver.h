@@ -8,7 +8,7 @@
 #include "base/job.h"
 #include "fit/surface_fit.h"
 #include "linear/factor_structure.h"
-#include "linear/stiffness_model.h"
+#include "linear/sparse_pencil.h"
 
 namespace limber {
 
@@ -29,7 +29,7 @@ class FitSolver {
 
  private:
   Job& job_;
-  StiffnessModel model_;
+  SparsePencil model_;
   std::vector<uint32_t> held_;
   std::shared_ptr<const FactorStructure> structure_;
 };

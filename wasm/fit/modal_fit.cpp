@@ -131,7 +131,7 @@ struct Searched {
 
 std::optional<Searched> searchModes(FitPart& part, const FitSamples& samples, const SearchLimits& limits,
                                     const FitCall& call) {
-  const ShellMaterial material{call.options.thickness / part.diagonal, call.options.poisson};
+  const ElasticMaterial material = unitMaterial(call.options.thickness / part.diagonal, call.options.poisson);
   ModalTarget target(part.original, part.simplified,
                      {material, call.options.modeCount, part.pinnedOriginal, part.pinned, part.isLarge,
                       call.options.coarseVertices},

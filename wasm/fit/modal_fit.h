@@ -6,7 +6,7 @@
 #include "base/job.h"
 #include "mesh/charts.h"
 #include "mesh/triangle_mesh.h"
-#include "modes/find_modes.h"
+#include "modes/vertex_limits.h"
 #include "simplify/history.h"
 
 namespace limber {
@@ -29,8 +29,8 @@ struct ModalFitOptions {
   // Components with more vertices than that in the result are large: fitted at half and twice the thickness
   // (what lies between follows), in few rounds, and not at all where they had more than this in the original:
   // its frequencies are not known as well as they would have to be then.
-  uint32_t largeVertices = 20000, mostOriginal = kRefinedVertices;
-  uint32_t coarseVertices = 8000;  // of a copy of a large result, whose modes are where the search begins
+  uint32_t largeVertices = kLargeResultVertices, mostOriginal = kRefinedVertices;
+  uint32_t coarseVertices = kCoarseVertices;  // of a copy of a large result, whose modes are where the search begins
 };
 
 // How far the frequencies were off, before and after: root mean square of lambda / lambda_original - 1 over

@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "compare/assignment.h"
+#include "elastic/mode_conversions.h"
 #include "linear/dense/dense_product.h"
 #include "modes/coarse_vibration.h"
 #include "modes/find_modes.h"
@@ -34,22 +35,14 @@ constexpr uint32_t kSideBySide = 30000;  // vertices of an original that is solv
 constexpr double kTolerance = 1e-3, kLargeTolerance = 1e-4;  // of eigenvalues
 constexpr int kReferenceSteps = 8;
 
-// Modes by way of a coarse copy, refined where the mesh is not too large (pipeline/find_modes.h).
-ShellVibration vibrateCoarsely(const TriangleMesh& mesh, const ShellMaterial& material, int modeCount,
-                               const ModalTargetOptions& asked, Job& job) {
-  ModesOptions options{Model::Shell, modeCount, material.thickness, 1, material.poisson, 1, 1};
+// The modes of an original too large to be refined, by way of a coarse copy (modes/find_modes.h).
+ModeBasis vibrateCoarsely(const TriangleMesh& mesh, const VibrationRequest& request,
+                          const ModalTargetOptions& asked, Job& job) {
+  ModesOptions options{ElasticModel::Shell, request.modeCount,
+                       unitMaterial(request.thickness, asked.material.poisson)};
   options.pinned.assign(asked.pinnedOriginal.begin(), asked.pinnedOriginal.end());
   const ModeSet set = findModes(mesh, options, false, job);
-  const auto rows = 3 * static_cast<Eigen::Index>(mesh.vertexCount()),
-             columns = static_cast<Eigen::Index>(set.modes.size());
-  ShellVibration found{material.thickness, Eigen::VectorXd(columns), Eigen::MatrixXd(rows, columns)};
-  for (Eigen::Index k = 0; k < columns; ++k) {
-    const Mode& mode = set.modes[static_cast<size_t>(k)];
-    found.lambda[k] = mode.omega * mode.omega;
-    for (Eigen::Index row = 0; row < rows; ++row)
-      found.phi(row, k) = set.shapes[mode.ordinal * static_cast<size_t>(rows) + static_cast<size_t>(row)];
-  }
-  return found;
+  return lowestModes(set, buildTopology(mesh).componentOfVertex, set.modes.size());
 }
 
 double toleranceOf(const ModalTargetOptions& options) {
@@ -57,7 +50,7 @@ double toleranceOf(const ModalTargetOptions& options) {
 }
 
 // They have no mass: whoever follows the vibration does not need them.
-ShellVibration withoutRotations(ShellVibration found, const TriangleMesh& mesh) {
+ModeBasis withoutRotations(ModeBasis found, const TriangleMesh& mesh) {
   found.phi.conservativeResize(3 * static_cast<Eigen::Index>(mesh.vertexCount()), Eigen::NoChange);
   return found;
 }
@@ -160,7 +153,7 @@ void ModalTarget::prepare(const TriangleMesh& mesh, Job& job) {
   parallelFor(1 + wanted.size(), 1, [&](size_t item, size_t) {
     if (item == 0) return void(original());
     const size_t k = wanted[item - 1];
-    last_[k] = shell_.solve(mesh, thicknessOf(k), modesAt(k) + kMargin, job);
+    last_[k] = shell_.solve(mesh, {thicknessOf(k), modesAt(k) + kMargin}, job);
     if (isSmall) findReference(mesh, original(), k, job);
   });
   if (!isSmall)
@@ -182,11 +175,11 @@ double ModalTarget::thicknessOf(size_t k) const {
 }
 
 // By way of a copy with fewer vertices.
-ShellVibration ModalTarget::startCoarsely(const TriangleMesh& mesh, size_t thickness, Job& job) const {
-  const int modeCount = modesAt(thickness) + kMargin;
-  const ShellVibration start = coarseVibration(mesh, {thicknessOf(thickness), options_.material.poisson},
-                                               {modeCount, options_.pinned, options_.coarseVertices}, job);
-  return withoutRotations(shell_.follow(mesh, start, modeCount, job), mesh);
+ModeBasis ModalTarget::startCoarsely(const TriangleMesh& mesh, size_t thickness, Job& job) const {
+  const VibrationRequest request{thicknessOf(thickness), modesAt(thickness) + kMargin};
+  const ModeBasis start = coarseVibration(
+      mesh, {request, options_.material.poisson, options_.pinned, options_.coarseVertices}, job);
+  return withoutRotations(shell_.follow(mesh, start, request, job), mesh);
 }
 
 struct ModalTarget::OriginalShell {
@@ -207,26 +200,24 @@ std::unique_ptr<ModalTarget::OriginalShell> ModalTarget::originalShell(Job& job)
 
 // The modes of the simplified mesh are a start for those of the original.
 void ModalTarget::findReference(const TriangleMesh& mesh, const OriginalShell* original, size_t k, Job& job) {
-  ShellVibration& reference = reference_[k];
+  ModeBasis& reference = reference_[k];
   reference = original
-                  ? original->shell.follow(
-                        original_, {last_[k].thickness, last_[k].lambda, carriedToOriginal(mesh, last_[k])},
-                        modesAt(k), job)
-                  : vibrateCoarsely(original_, {thicknessOf(k), options_.material.poisson}, modesAt(k),
-                                    options_, job);
+                  ? original->shell.follow(original_, {last_[k].lambda, carriedToOriginal(mesh, last_[k])},
+                                           {thicknessOf(k), modesAt(k)}, job)
+                  : vibrateCoarsely(original_, {thicknessOf(k), modesAt(k)}, options_, job);
   const Eigen::Index count = std::min<Eigen::Index>(reference.lambda.size(), modesAt(k));
   reference.lambda.conservativeResize(count);
   reference.phi = massNormalised(reference.phi.topLeftCorner(rootMass_.size(), count), rootMass_);
 }
 
-Eigen::MatrixXd ModalTarget::carriedToOriginal(const TriangleMesh& mesh, const ShellVibration& found) const {
+Eigen::MatrixXd ModalTarget::carriedToOriginal(const TriangleMesh& mesh, const ModeBasis& found) const {
   return transfer(found.phi.topRows(3 * static_cast<Eigen::Index>(mesh.vertexCount())), mesh, binding_);
 }
 
 // The mesh's modes, turned within neighbourhoods of frequencies so that they are as close to the original's
 // as they can be. Modes of nearly the same frequency come in any mixture: compared one by one they would be
 // pushed about for nothing.
-ModalTarget::Aligned ModalTarget::align(const ShellVibration& found, const Eigen::MatrixXd& carried,
+ModalTarget::Aligned ModalTarget::align(const ModeBasis& found, const Eigen::MatrixXd& carried,
                                         size_t k) const {
   const Eigen::VectorXd& wanted = reference_[k].lambda;
   Eigen::MatrixXd turn = product(carried.transpose(), reference_[k].phi);  // found x wanted
@@ -250,24 +241,24 @@ ModalTarget::Aligned ModalTarget::align(const ShellVibration& found, const Eigen
 // The modes of `mesh`, from what the last call found; that is them already where it is the constructor's
 // mesh.
 void ModalTarget::vibrate(const TriangleMesh& mesh, size_t thickness, Job& job) {
-  ShellVibration& found = last_[thickness];
+  ModeBasis& found = last_[thickness];
   const bool isWhole = found.phi.rows() == shell_.unknownCount();
   if (isWhole && mesh.positions == solvedAt_) return;
-  const int modeCount = modesAt(thickness) + kMargin;
-  found = found.lambda.size() > 0 ? shell_.follow(mesh, found, modeCount, job)
-                                  : shell_.solve(mesh, thicknessOf(thickness), modeCount, job);
+  const VibrationRequest request{thicknessOf(thickness), modesAt(thickness) + kMargin};
+  found = found.lambda.size() > 0 ? shell_.follow(mesh, found, request, job)
+                                  : shell_.solve(mesh, request, job);
 }
 
 Mismatch ModalTarget::compare(const TriangleMesh& mesh, size_t thickness, Job& job) {
   vibrate(mesh, thickness, job);
-  ShellVibration& found = last_[thickness];
+  ModeBasis& found = last_[thickness];
   const Aligned aligned = align(found, massNormalised(carriedToOriginal(mesh, found), rootMass_), thickness);
   Mismatch mismatch;
   const double coupling = options_.isLarge ? 0 : kCoupling[thickness];
   const auto [pairs, scale] = residualsOf(aligned, reference_[thickness].lambda, coupling, mismatch);
-  const ShellMaterial material{found.thickness, options_.material.poisson};
+  const ThinShell shell{mesh, topology_, thicknessOf(thickness), options_.material.poisson};
   mismatch.slope =
-      shellSensitivity(mesh, topology_, material, product(found.phi, aligned.turn), pairs, job) *
+      shellSensitivity(shell, product(found.phi, aligned.turn), pairs, job) *
       Eigen::Map<const Eigen::VectorXd>(scale.data(), static_cast<Eigen::Index>(scale.size())).asDiagonal();
   found = withoutRotations(std::move(found), mesh);
   return mismatch;

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "base/job.h"
+#include "elastic/material.h"
 #include "elastic/shell_sensitivity.h"
 #include "elastic/shell_vibration.h"
+#include "modes/vertex_limits.h"
 #include "query/closest_point.h"
 #include "transfer/shape_transfer.h"
 
@@ -27,13 +29,13 @@ struct Mismatch {
 };
 
 struct ModalTargetOptions {
-  ShellMaterial material;  // of the middle thickness
+  ElasticMaterial material;  // of the middle thickness
   int modeCount = 20;
   std::span<const uint32_t> pinnedOriginal = {}, pinned = {};  // vertices of the original and of the mesh
   // For large meshes: half and twice the thickness, without what couples modes; eigenvalues to a tenth of the
   // tolerance (there is less to mend); the mesh's first modes by way of a copy with so many vertices.
   bool isLarge = false;
-  uint32_t coarseVertices = 8000;
+  uint32_t coarseVertices = kCoarseVertices;
 };
 
 // The vibration that a mesh shall have: modes of its original at several thicknesses. Both in the frame where
@@ -58,7 +60,7 @@ class ModalTarget {
   Mismatch compare(const TriangleMesh& mesh, size_t thickness, Job& job);
 
   // What the last calls have found for each thickness, and to go on from such again.
-  using Found = std::array<ShellVibration, kThicknesses>;
+  using Found = std::array<ModeBasis, kThicknesses>;
   const Found& found() const { return last_; }
   void startFrom(const Found& found) { last_ = found; }
 
@@ -80,13 +82,13 @@ class ModalTarget {
   double thicknessOf(size_t k) const;
   void prepare(const TriangleMesh& mesh, Job& job);
   void prepareLarge(const TriangleMesh& mesh, Job& job);
-  ShellVibration startCoarsely(const TriangleMesh& mesh, size_t thickness, Job& job) const;
+  ModeBasis startCoarsely(const TriangleMesh& mesh, size_t thickness, Job& job) const;
   std::unique_ptr<OriginalShell> originalShell(Job& job) const;
   void findReference(const TriangleMesh& mesh, const OriginalShell* original, size_t thickness, Job& job);
   void vibrate(const TriangleMesh& mesh, size_t thickness, Job& job);
   // Shapes of the mesh at the original's vertices.
-  Eigen::MatrixXd carriedToOriginal(const TriangleMesh& mesh, const ShellVibration& found) const;
-  Aligned align(const ShellVibration& found, const Eigen::MatrixXd& carried, size_t k) const;
+  Eigen::MatrixXd carriedToOriginal(const TriangleMesh& mesh, const ModeBasis& found) const;
+  Aligned align(const ModeBasis& found, const Eigen::MatrixXd& carried, size_t k) const;
 
   const TriangleMesh& original_;
   ModalTargetOptions options_;

@@ -5,32 +5,44 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include "linear/dense/dense_eigensolver.h"
 #include "linear/dense/dense_product.h"
-#include "linear/pencil.h"
+#include "linear/shifted_pencil.h"
 
 namespace limber {
 
 namespace {
 
-constexpr int kDenseLimit = 120;  // unknowns with mass
+constexpr int kDenseLimit = 120;  // heavy unknowns: pencils with no more are solved densely
 constexpr int kExtraPairs = 4;    // computed beyond the wanted ones, to find a gap and catch whole clusters
-constexpr int kBasisBeyond = 24;  // Lanczos vectors more than pairs
+constexpr int kBasisBeyond = 24;  // Lanczos vectors in addition to the wanted pairs
+constexpr int kLanczosRestarts = 100;
 constexpr double kLanczosTolerance = 1e-10, kRoughTolerance = 1e-4;
-constexpr double kZeroRatio = 1e-4;  // an eigenvalue below this part of the shift's size is a zero mode
+constexpr double kZeroRatio = 1e-4;        // eigenvalues below this times |sigma| count as zero
+constexpr double kDenseZeroRatio = 1e-12;  // of the largest eigenvalue, where solved densely
+// Within these multiples of the first positive eigenvalue a shift is good enough: Lanczos takes about as many
+// steps as with the best one, and another shift would cost a factorisation.
+constexpr double kSmallestShift = 0.005, kLargestShift = 15;
+constexpr double kBestShift = 0.5;     // times the first positive eigenvalue, for the next attempt
+constexpr double kShiftGrowth = 10;    // if no positive eigenvalue was found
+constexpr int kLastPass = 3;           // of the search for a good shift, counted from 0
+constexpr int kMissingAttempts = 4;    // searches for missing members of clusters
+constexpr int kMissingExtraPairs = 2;  // sought in addition to the missing ones
 constexpr double kGoodResidual = 1e-8, kGoodInverseResidual = 1e-10, kRoughInverseResidual = 1e-3;
-constexpr double kTrustedInverseResidual = 1e-2;  // the eigenvalue's error is of the size of its square
-constexpr double kRoundedResidual = 5e-8;         // above it more digits are asked for
+constexpr double kTrustedInverseResidual = 1e-2;
+constexpr double kRoundedResidual = 5e-8;  // above it the residual is evaluated with more digits
+constexpr int kExtendedSteps = 3;          // of iterative refinement for that
 constexpr int kRefinements = 5;
+constexpr double kSlowProgress = 0.5;  // refinement ends once a step leaves more than this part of the error
+// Blocks of vectors that live at the same time: while found pairs are refined, and while a start is.
+constexpr int kBlocksOfSearch = 5, kBlocksOfRefinement = 4;
 
-// What Spectra multiplies with: the inverted pencil, away from the pairs that are known already.
+// The operator that Spectra multiplies with: the inverted pencil, projected away from the known pairs.
 class InverseOperator {
  public:
   using Scalar = double;
-  InverseOperator(const Pencil& pencil, const Eigen::MatrixXd& known, int expectedCalls)
+  InverseOperator(const ShiftedPencil& pencil, const Eigen::MatrixXd& known, int expectedCalls)
       : pencil_(pencil), known_(known), expectedCalls_(expectedCalls) {}
   Eigen::Index rows() const { return pencil_.heavyCount(); }
   Eigen::Index cols() const { return pencil_.heavyCount(); }
@@ -47,13 +59,14 @@ class InverseOperator {
   void project(Eigen::VectorXd& x) const {
     if (known_.cols() > 0) x -= known_ * (known_.transpose() * x);
   }
-  const Pencil& pencil_;
+  const ShiftedPencil& pencil_;
   const Eigen::MatrixXd& known_;
   int expectedCalls_;
   mutable int calls_ = 0;
 };
 
-// The same vector for the same size, without any symmetry of the mesh.
+// A pseudo-random vector, always the same for the same size. It has no symmetry that could hide an
+// eigenvector.
 Eigen::VectorXd startVector(Eigen::Index size) {
   Eigen::VectorXd x(size);
   uint64_t state = 0x9e3779b97f4a7c15ull;
@@ -64,15 +77,13 @@ Eigen::VectorXd startVector(Eigen::Index size) {
   return x;
 }
 
-// Eigenpairs as they are known so far, zero modes too, ascending.
-struct Search {
-  Eigen::VectorXd lambda;
-  Eigen::MatrixXd phi;
-  Eigen::VectorXd inverseResidual;
+// The eigenpairs known so far, ascending, including those of zero eigenvalues.
+struct Search : ModeBasis {
+  Eigen::VectorXd inverseResidual = {};
 };
 
-// Up to `count` pairs of lowest lambda that are orthogonal to `known` (restricted to the heavy unknowns).
-Search lanczos(const Pencil& pencil, const Eigen::MatrixXd& known, int count, bool isRough) {
+// Up to `count` pairs of lowest lambda that are orthogonal to the columns of `known` (heavy unknowns only).
+Search lanczos(const ShiftedPencil& pencil, const Eigen::MatrixXd& known, int count, bool isRough) {
   pencil.job().begin(Phase::Solve);
   const auto size = static_cast<int>(pencil.heavyCount());
   const int wanted = std::min(count, size - 1), basis = std::min(size, wanted + kBasisBeyond);
@@ -81,19 +92,20 @@ Search lanczos(const Pencil& pencil, const Eigen::MatrixXd& known, int count, bo
   Eigen::VectorXd start = startVector(size);
   if (known.cols() > 0) start -= known * (known.transpose() * start);
   solver.init(start.data());
-  solver.compute(Spectra::SortRule::LargestAlge, 100, isRough ? kRoughTolerance : kLanczosTolerance);
+  solver.compute(Spectra::SortRule::LargestAlge, kLanczosRestarts,
+                 isRough ? kRoughTolerance : kLanczosTolerance);
   return {
-      solver.eigenvalues().cwiseInverse().array() + pencil.shift(), pencil.expand(solver.eigenvectors()), {}};
+      {solver.eigenvalues().cwiseInverse().array() + pencil.shift(), pencil.expand(solver.eigenvectors())}};
 }
 
-Eigen::Index zeroCount(const Search& search, double sigma) {
+Eigen::Index nullity(const Search& search, double sigma) {
   return (search.lambda.array() < kZeroRatio * std::abs(sigma)).count();
 }
 
-// One step of block inverse iteration with Rayleigh-Ritz. As K x = M phi + sigma M x for x = (K - sigma M)^-1
-// M phi, x^T K x needs no product with K, whose stiffest entries would only add rounding. The inverse
-// residual is that of the pairs before the step.
-void iterate(const Pencil& pencil, Search& search) {
+// One step of block inverse iteration with Rayleigh-Ritz. For x = (K - sigma M)^-1 M phi we have
+// K x = M phi + sigma M x, so x^T K x needs no product with K, whose largest entries would only add rounding.
+// The inverse residual that is stored belongs to the pairs before the step.
+void iterate(const ShiftedPencil& pencil, Search& search) {
   const Eigen::MatrixXd x = pencil.inverseStep(search.phi);
   const Eigen::MatrixXd h = pencil.massProduct(x, search.phi), g = pencil.massProduct(x, x);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz((h + h.transpose()) / 2,
@@ -106,29 +118,30 @@ void iterate(const Pencil& pencil, Search& search) {
       change.colwise().norm().cwiseQuotient(pencil.restrict(before).colwise().norm()).transpose();
 }
 
-// How many times worse than it should be a pair is.
-double badness(const Pencil& pencil, const Search& search, Eigen::Index k, bool isRough) {
+// The error of a pair relative to what is good enough: at most 1 once the pair has converged.
+double relativeError(const ShiftedPencil& pencil, const Search& search, Eigen::Index k, bool isRough) {
   if (isRough) return search.inverseResidual[k] / kRoughInverseResidual;
   return std::max(pencil.residual(search.lambda[k], search.phi.col(k)) / kGoodResidual,
                   search.inverseResidual[k] / kGoodInverseResidual);
 }
 
-// Steps until the wanted pairs are good or get no better.
-void refine(const Pencil& pencil, Search& search, const EigenOptions& options) {
+// Iterates until the wanted pairs have converged or hardly improve any more.
+void refine(const ShiftedPencil& pencil, Search& search, const EigenOptions& options) {
   double before = HUGE_VAL;
   for (int step = 0; step < kRefinements; ++step) {
     iterate(pencil, search);
-    const Eigen::Index first = zeroCount(search, pencil.shift());
-    const Eigen::Index last = std::min<Eigen::Index>(first + options.elasticCount, search.lambda.size());
+    const Eigen::Index first = nullity(search, pencil.shift());
+    const Eigen::Index last = std::min<Eigen::Index>(first + options.pairCount, search.lambda.size());
     double worst = 0;
     for (Eigen::Index k = first; k < last; ++k)
-      worst = std::max(worst, badness(pencil, search, k, options.isRough));
-    if (worst <= 1 || worst > 0.5 * before) return;
+      worst = std::max(worst, relativeError(pencil, search, k, options.isRough));
+    if (worst <= 1 || worst > kSlowProgress * before) return;
     before = worst;
   }
 }
 
-// The index after which the widest relative gap lies, from the last wanted pair on: a place to count below.
+// The index after which the widest relative gap lies, searched from the last wanted pair on. A shift in that
+// gap is safe for counting the eigenvalues below it.
 Eigen::Index gapAfter(const Search& search, Eigen::Index lastWanted) {
   Eigen::Index best = lastWanted;
   double widest = -1;
@@ -142,18 +155,19 @@ Eigen::Index gapAfter(const Search& search, Eigen::Index lastWanted) {
   return best;
 }
 
-// Adds the pairs that a single start vector missed (members of clusters), as inertia counts them.
-void addMissing(Pencil& pencil, Search& search, const EigenOptions& options) {
+// Adds the members of clusters that a single start vector has missed, until inertia counts no more of them.
+void addMissing(ShiftedPencil& pencil, Search& search, const EigenOptions& options) {
   const double sigma = pencil.shift();
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    const Eigen::Index lastWanted = zeroCount(search, sigma) + options.elasticCount - 1;
+  for (int attempt = 0; attempt < kMissingAttempts; ++attempt) {
+    const Eigen::Index lastWanted = nullity(search, sigma) + options.pairCount - 1;
     if (lastWanted + 1 >= search.lambda.size()) return;
     const Eigen::Index gap = gapAfter(search, lastWanted);
     const double between = (search.lambda[gap] + search.lambda[gap + 1]) / 2;
     const auto missing = static_cast<int>(pencil.countBelow(between)) - static_cast<int>(gap + 1);
     if (missing <= 0) return;
     pencil.shiftTo(sigma);
-    const Search more = lanczos(pencil, pencil.restrict(search.phi), missing + 2, options.isRough);
+    const Search more =
+        lanczos(pencil, pencil.restrict(search.phi), missing + kMissingExtraPairs, options.isRough);
     Eigen::MatrixXd all(search.phi.rows(), search.phi.cols() + more.phi.cols());
     all << search.phi, more.phi;
     search.phi = all;
@@ -161,101 +175,94 @@ void addMissing(Pencil& pencil, Search& search, const EigenOptions& options) {
   }
 }
 
-// The lowest pairs, found with a shift that suits them.
-Search searchLowest(Pencil& pencil, const EigenOptions& options) {
+// The lowest pairs. Searches again with another shift until the shift suits what was found.
+Search searchLowest(ShiftedPencil& pencil, const EigenOptions& options) {
   double sigma = -options.scale;
-  int zeros = options.zeroExpected;
+  int zeros = options.expectedNullity;
   for (int pass = 0;; ++pass) {
     pencil.shiftTo(sigma);
-    Search search = lanczos(pencil, {}, zeros + options.elasticCount + kExtraPairs, options.isRough);
-    zeros = static_cast<int>(zeroCount(search, sigma));
-    const bool isLast = pass == 3 || search.lambda.size() >= pencil.heavyCount() - 1;
+    Search search = lanczos(pencil, {}, zeros + options.pairCount + kExtraPairs, options.isRough);
+    zeros = static_cast<int>(nullity(search, sigma));
+    const bool isLast = pass == kLastPass || search.lambda.size() >= pencil.heavyCount() - 1;
     if (zeros < search.lambda.size()) {
       const double first = search.lambda[zeros];
-      const bool isGoodShift = -sigma > 0.005 * first && -sigma < 15 * first;
-      const bool isComplete = search.lambda.size() >= zeros + options.elasticCount;
+      const bool isGoodShift = -sigma > kSmallestShift * first && -sigma < kLargestShift * first;
+      const bool isComplete = search.lambda.size() >= zeros + options.pairCount;
       if (isLast || (isGoodShift && isComplete)) {
         refine(pencil, search, options);
         return search;
       }
-      if (!isGoodShift) sigma = -0.5 * first;
+      if (!isGoodShift) sigma = -kBestShift * first;
     } else {
       if (isLast) return search;
-      sigma *= 10;  // nothing elastic among so many: look further
-      zeros = std::min(zeros + options.elasticCount, static_cast<int>(pencil.heavyCount()) - 1);
+      sigma *= kShiftGrowth;  // all pairs found are zero: look further
+      zeros = std::min(zeros + options.pairCount, static_cast<int>(pencil.heavyCount()) - 1);
     }
   }
 }
 
-EigenPairs collect(const Search& search, Eigen::Index zeros, int elasticCount) {
-  EigenPairs pairs;
-  pairs.zeroCount = static_cast<uint32_t>(zeros);
-  const Eigen::Index count = std::min<Eigen::Index>(elasticCount, search.lambda.size() - zeros);
-  pairs.lambda = search.lambda.segment(zeros, count);
-  pairs.phi = search.phi.middleCols(zeros, count);
-  for (Eigen::Index k = 0; k < count; ++k) pairs.inverseResidual.push_back(search.inverseResidual[zeros + k]);
-  return pairs;
+// Drops the first `zeros` pairs and keeps up to `pairCount` of the others.
+EigenSolution collect(const Search& search, Eigen::Index zeros, int pairCount) {
+  EigenSolution solution;
+  solution.nullity = static_cast<uint32_t>(zeros);
+  const Eigen::Index count = std::min<Eigen::Index>(pairCount, search.lambda.size() - zeros);
+  solution.basis.lambda = search.lambda.segment(zeros, count);
+  solution.basis.phi = search.phi.middleCols(zeros, count);
+  for (Eigen::Index k = 0; k < count; ++k)
+    solution.inverseResidual.push_back(search.inverseResidual[zeros + k]);
+  return solution;
 }
 
-void requireConvergence(const EigenPairs& pairs) {
-  const auto good = std::count_if(pairs.inverseResidual.begin(), pairs.inverseResidual.end(),
-                                  [](double residual) { return residual <= kTrustedInverseResidual; });
-  if (static_cast<size_t>(good) == pairs.inverseResidual.size()) return;
-  throw std::runtime_error(
-      "The modes did not converge: only " + std::to_string(good) + " of " +
-      std::to_string(pairs.inverseResidual.size()) +
-      " can be trusted; remove needle triangles, weld the mesh or make the shell thicker.");
-}
-
-// Where triangles are small or thin, rounding phi to doubles alone fills the residual: there it is taken of
-// phi with more digits.
-void lookBehindRounding(Pencil& pencil, double sigma, EigenPairs& pairs) {
-  if (std::all_of(pairs.residual.begin(), pairs.residual.end(),
+// Replaces large residuals by those of phi with more digits: on small or thin elements the rounding of phi to
+// doubles alone fills the residual, although the pair is right.
+void refineBelowRounding(ShiftedPencil& pencil, double sigma, EigenSolution& solution) {
+  if (std::all_of(solution.residual.begin(), solution.residual.end(),
                   [](double r) { return r <= kRoundedResidual; }))
     return;
   if (pencil.shift() != sigma) pencil.shiftTo(sigma);
-  for (size_t k = 0; k < pairs.residual.size(); ++k) {
+  for (size_t k = 0; k < solution.residual.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    if (pairs.residual[k] > kRoundedResidual)
-      pairs.residual[k] = pencil.extendedResidual(pairs.lambda[column], pairs.phi.col(column), 3);
+    if (solution.residual[k] > kRoundedResidual)
+      solution.residual[k] = pencil.extendedResidual(solution.basis.lambda[column],
+                                                     solution.basis.phi.col(column), kExtendedSteps);
   }
 }
 
-EigenPairs solveBySearch(const StiffnessModel& model, const EigenOptions& options, Job& job) {
-  Pencil pencil(model, options.structure, job);
-  // Lanczos' basis, and the found pairs a few times over while they are refined.
-  pencil.requireMemoryFor(kBasisBeyond + 5 * (options.zeroExpected + options.elasticCount + kExtraPairs));
-  Search search = searchLowest(pencil, options);
-  const double sigma = pencil.shift();
-  addMissing(pencil, search, options);
-  EigenPairs pairs = collect(search, zeroCount(search, sigma), options.elasticCount);
-  requireConvergence(pairs);
-  pairs.factorNonzeros = pencil.factorNonzeros();
-  if (options.isRough) return pairs;
-  for (Eigen::Index k = 0; k < pairs.lambda.size(); ++k)
-    pairs.residual.push_back(pencil.residual(pairs.lambda[k], pairs.phi.col(k)));
-  lookBehindRounding(pencil, sigma, pairs);
-  return pairs;
+EigenSolution solveBySearch(const SparsePencil& pencil, const EigenOptions& options, Job& job) {
+  ShiftedPencil shifted(pencil, options.structure, job);
+  const int found = options.expectedNullity + options.pairCount + kExtraPairs;
+  if (options.admit) options.admit(shifted.memoryWith(kBasisBeyond + kBlocksOfSearch * found));
+  Search search = searchLowest(shifted, options);
+  const double sigma = shifted.shift();
+  addMissing(shifted, search, options);
+  EigenSolution solution = collect(search, nullity(search, sigma), options.pairCount);
+  solution.factorNonzeros = shifted.factorNonzeros();
+  if (options.isRough) return solution;
+  for (Eigen::Index k = 0; k < solution.basis.lambda.size(); ++k)
+    solution.residual.push_back(shifted.residual(solution.basis.lambda[k], solution.basis.phi.col(k)));
+  refineBelowRounding(shifted, sigma, solution);
+  return solution;
 }
 
-EigenPairs solveSmall(const StiffnessModel& model, const EigenOptions& options, Job& job) {
+EigenSolution solveSmall(const SparsePencil& pencil, const EigenOptions& options, Job& job) {
   job.begin(Phase::Solve);
-  const DensePairs dense = solveDensely(model);
+  const ModeBasis dense = solveDensely(pencil);
   const double largest = dense.lambda.size() ? dense.lambda[dense.lambda.size() - 1] : 0;
-  const auto zeros = (dense.lambda.array() < 1e-12 * largest).count();
-  EigenPairs pairs = collect({dense.lambda, dense.phi, Eigen::VectorXd::Zero(dense.lambda.size())}, zeros,
-                             options.elasticCount);
-  for (Eigen::Index k = 0; k < pairs.lambda.size(); ++k) {
-    const Eigen::VectorXd inertia = model.mass.cwiseProduct(pairs.phi.col(k));
-    const Eigen::VectorXd force = model.stiffness * pairs.phi.col(k) - pairs.lambda[k] * inertia;
-    pairs.residual.push_back(force.norm() / (pairs.lambda[k] * inertia.norm()));
+  const auto zeros = (dense.lambda.array() < kDenseZeroRatio * largest).count();
+  EigenSolution solution =
+      collect({dense, Eigen::VectorXd::Zero(dense.lambda.size())}, zeros, options.pairCount);
+  for (Eigen::Index k = 0; k < solution.basis.lambda.size(); ++k) {
+    const Eigen::VectorXd inertia = pencil.m.cwiseProduct(solution.basis.phi.col(k));
+    const Eigen::VectorXd force = pencil.k * solution.basis.phi.col(k) - solution.basis.lambda[k] * inertia;
+    solution.residual.push_back(force.norm() / (solution.basis.lambda[k] * inertia.norm()));
   }
-  const Eigen::Index n = model.mass.size();
-  pairs.factorNonzeros = static_cast<uint64_t>(n * (n + 1) / 2);
-  return pairs;
+  const Eigen::Index n = pencil.m.size();
+  solution.factorNonzeros = static_cast<uint64_t>(n * (n + 1) / 2);
+  return solution;
 }
 
-// How far eigenvalues may be off: they changed by less, or shapes did, whose error counts squared.
+// An estimate of the relative error of eigenvalues: the smaller of their last change and the square of the
+// inverse residual, as the error of an eigenvector enters its eigenvalue squared.
 double errorOf(const Search& search, const Eigen::VectorXd& before, Eigen::Index first, Eigen::Index count) {
   if (count <= 0) return 0;
   const auto lambda = search.lambda.segment(first, count);
@@ -265,32 +272,37 @@ double errorOf(const Search& search, const Eigen::VectorXd& before, Eigen::Index
 
 }  // namespace
 
-EigenPairs solveEigenproblem(const StiffnessModel& model, const EigenOptions& options, Job& job) {
-  const bool isSmall = (model.mass.array() > 0).count() <= kDenseLimit;
-  return isSmall ? solveSmall(model, options, job) : solveBySearch(model, options, job);
+size_t EigenSolution::trustedCount() const {
+  return static_cast<size_t>(std::count_if(inverseResidual.begin(), inverseResidual.end(),
+                                           [](double r) { return r <= kTrustedInverseResidual; }));
 }
 
-EigenPairs refineEigenpairs(const StiffnessModel& model, const Eigen::MatrixXd& start,
-                            const RefineOptions& options, Job& job) {
-  Pencil pencil(model, options.structure, job);
-  pencil.requireMemoryFor(4 * static_cast<int>(start.cols()));
-  pencil.shiftTo(options.shift);
+EigenSolution solveEigenproblem(const SparsePencil& pencil, const EigenOptions& options, Job& job) {
+  const bool isSmall = (pencil.m.array() > 0).count() <= kDenseLimit;
+  return isSmall ? solveSmall(pencil, options, job) : solveBySearch(pencil, options, job);
+}
+
+EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
+                               const RefineOptions& options, Job& job) {
+  ShiftedPencil shifted(pencil, options.structure, job);
+  if (options.admit) options.admit(shifted.memoryWith(kBlocksOfRefinement * static_cast<int>(start.cols())));
+  shifted.shiftTo(options.shift);
   job.begin(Phase::Solve);
-  Search search{Eigen::VectorXd::Zero(start.cols()), start, {}};
+  Search search{{Eigen::VectorXd::Zero(start.cols()), start}};
   Eigen::Index zeros = 0;
   for (int step = 0; step < options.largestStepCount; ++step) {
     const Eigen::VectorXd before = search.lambda;
-    iterate(pencil, search);
-    zeros = zeroCount(search, options.shift);
-    const Eigen::Index count = std::min<Eigen::Index>(options.elasticCount, search.lambda.size() - zeros);
+    iterate(shifted, search);
+    zeros = nullity(search, options.shift);
+    const Eigen::Index count = std::min<Eigen::Index>(options.pairCount, search.lambda.size() - zeros);
     job.report(static_cast<double>(step + 1) / options.largestStepCount);
     if (errorOf(search, before, zeros, count - options.spareCount) < options.tolerance) break;
   }
-  EigenPairs pairs = collect(search, zeros, options.elasticCount);
-  pairs.factorNonzeros = pencil.factorNonzeros();
-  for (Eigen::Index k = 0; options.residuals && k < pairs.lambda.size(); ++k)
-    pairs.residual.push_back(pencil.residual(pairs.lambda[k], pairs.phi.col(k)));
-  return pairs;
+  EigenSolution solution = collect(search, zeros, options.pairCount);
+  solution.factorNonzeros = shifted.factorNonzeros();
+  for (Eigen::Index k = 0; options.residuals && k < solution.basis.lambda.size(); ++k)
+    solution.residual.push_back(shifted.residual(solution.basis.lambda[k], solution.basis.phi.col(k)));
+  return solution;
 }
 
 }  // namespace limber

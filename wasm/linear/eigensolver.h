@@ -2,60 +2,83 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "base/job.h"
 #include "linear/factor_structure.h"
-#include "linear/stiffness_model.h"
+#include "linear/mode_basis.h"
+#include "linear/sparse_pencil.h"
 
 namespace limber {
 
-struct EigenOptions {
-  int elasticCount = 12;  // wanted, above the zero modes
-  int zeroExpected = 6;   // a guess that sizes the search; what is found is measured
-  double scale = 1;       // > 0: a rough size of the first elastic eigenvalue
-  std::shared_ptr<const FactorStructure> structure;  // of such a model, found before; null: it is found
-  bool isRough = false;  // errors of 1e-4 in eigenvalues will do, and no residuals are wanted
-};
-
-// The lowest eigenpairs of K phi = lambda M phi.
-struct EigenPairs {
-  uint32_t zeroCount = 0;        // eigenvalues that are 0 to rounding
-  Eigen::VectorXd lambda;        // elastic ones, ascending
-  Eigen::MatrixXd phi;           // unknowns x pairs, mass-normalised
-  std::vector<double> residual;  // |K phi - lambda M phi| / (lambda |M phi|), all unknowns
-  // |phi - (lambda - sigma) (K - sigma M)^-1 M phi| / |phi| over the unknowns with mass (0 where solved
-  // densely).
-  std::vector<double> inverseResidual;
-  uint64_t factorNonzeros = 0;
-};
-
-// Shift-invert Lanczos (Spectra) on M^1/2 (K - sigma M)^-1 M^1/2 over the unknowns with mass, sigma negative
-// and of the size of the first elastic eigenvalue, then block inverse iteration until residuals stop falling.
-// The zero modes are searched for like all others, nothing is deflated. The negative pivots of K - s M, s in
-// the widest gap above the last wanted pair, count the eigenvalues below: pairs of clusters that the search
-// missed are added until all are there. Small problems are solved densely. Deterministic.
+// The lowest eigenpairs of K phi = lambda M phi for a sparse symmetric pencil with K positive semidefinite.
 //
-// Needle triangles can fill the residual with rounding while the pair is right: above 1e-7 the caller should
-// warn. Throws Cancelled, and std::runtime_error with a sentence where the inverse residual of a pair is
-// above 1e-2.
-EigenPairs solveEigenproblem(const StiffnessModel& model, const EigenOptions& options, Job& job);
+// Method of solveEigenproblem:
+// 1. Shift-invert Lanczos (Lanczos 1950; implicitly restarted, by Spectra) on M^1/2 (K - sigma M)^-1 M^1/2
+// over
+//    the unknowns with an entry in M, from a fixed start vector. Nothing is deflated: zero eigenvalues are
+//    found like all others.
+// 2. Shift rule: sigma is negative, so K - sigma M is positive definite and needs no pivoting. The first
+// shift is
+//    -EigenOptions::scale. If it is not between 0.005 and 15 times the first positive eigenvalue lambda_1,
+//    the search is repeated with sigma = -lambda_1 / 2.
+// 3. Block inverse iteration with Rayleigh-Ritz until the residuals are small or stop falling.
+// 4. Completeness by Sylvester's law of inertia: the negative pivots of K - s M, with s in the widest gap
+// above
+//    the last wanted pair, count the eigenvalues below s. If the search has missed members of a cluster, a
+//    second search orthogonal to the known pairs adds them.
+// Pencils with at most 120 entries in M are solved densely.
+//
+// The result is deterministic and does not depend on the number of threads. Cost: two or three factorisations
+// and some tens of solves.
+
+struct EigenOptions {
+  int pairCount = 12;       // wanted pairs with lambda > 0, >= 1
+  int expectedNullity = 6;  // a guess of the number of zero eigenvalues, which sizes the search; >= 0
+  double scale = 1;         // a rough size of the first positive eigenvalue, > 0
+  // The structure of this pencil or of one with the same pattern, if it is known already.
+  std::shared_ptr<const FactorStructure> structure = nullptr;
+  bool isRough = false;  // errors of 1e-4 in eigenvalues will do, and no residuals are wanted
+  // Called once with the bytes that the solve takes at its peak, before it takes them. May throw to refuse.
+  std::function<void(uint64_t bytes)> admit = nullptr;
+};
+
+struct EigenSolution {
+  uint32_t nullity = 0;  // eigenvalues that are 0 to rounding; their vectors are not kept
+  ModeBasis basis;       // the pairs with lambda > 0; fewer than wanted if there are no more
+  // Per pair, over all unknowns: |K phi - lambda M phi| / (lambda |M phi|). Needle elements can fill it with
+  // rounding while the pair is right: above 1e-7 the caller should warn.
+  std::vector<double> residual;
+  // Per pair, over the unknowns with an entry in M: |phi - (lambda - sigma) (K - sigma M)^-1 M phi| / |phi|.
+  // The relative error of the eigenvalue is of the size of its square. 0 where solved densely.
+  std::vector<double> inverseResidual;
+  uint64_t factorNonzeros = 0;  // of L
+
+  // Pairs whose inverse residual is at most 1e-2. The others must not be used.
+  size_t trustedCount() const;
+};
+
+// Throws Cancelled, std::runtime_error as Factorisation::factorise, and whatever `admit` throws.
+EigenSolution solveEigenproblem(const SparsePencil& pencil, const EigenOptions& options, Job& job);
 
 struct RefineOptions {
-  double shift = -1;        // < 0, of the size of the first elastic eigenvalue
-  double tolerance = 1e-4;  // on the relative error of eigenvalues
-  int elasticCount = 12;    // returned
-  int spareCount = 0;       // of these, the last ones, which may still be inexact
-  int largestStepCount = 4;
-  bool residuals = true;                             // of the pairs are wanted too
-  std::shared_ptr<const FactorStructure> structure;  // as in EigenOptions
+  double shift = -1;         // sigma, < 0, of the size of the first positive eigenvalue
+  double tolerance = 1e-4;   // on the relative error of eigenvalues, > 0
+  int pairCount = 12;        // pairs with lambda > 0 to return
+  int spareCount = 0;        // the last so many of them may still be inexact
+  int largestStepCount = 4;  // >= 1
+  bool residuals = true;     // whether EigenSolution::residual is wanted
+  std::shared_ptr<const FactorStructure> structure = nullptr;  // as in EigenOptions
+  std::function<void(uint64_t bytes)> admit = nullptr;         // as in EigenOptions
 };
 
-// Block inverse iteration from `start` (unknowns x columns, the zero modes among them; massless unknowns may
-// be 0), until the eigenvalues stand. It needs one factorisation and finds what `start` approximates; nothing
-// proves that no pair is missing. Residuals are what they are: not those of an exact solve. Throws Cancelled.
-EigenPairs refineEigenpairs(const StiffnessModel& model, const Eigen::MatrixXd& start,
-                            const RefineOptions& options, Job& job);
+// Block inverse iteration with Rayleigh-Ritz from `start`, until the eigenvalues change by less than the
+// tolerance. `start`: unknowns x columns, with the null space among its columns; unknowns without an entry in
+// M may be 0. Takes one factorisation. It converges to the pairs that `start` approximates: nothing proves
+// that no pair in between is missing. Throws as solveEigenproblem.
+EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
+                               const RefineOptions& options, Job& job);
 
 }  // namespace limber

@@ -60,7 +60,7 @@ void ElementAssembly::reserveEntries() {
           *row++ = static_cast<int>(firstUnknown_[neighbours_[k]] + r);
 }
 
-// Where the block of node i begins within the columns of node j.
+// The offset of the block of node i within the columns of node j.
 uint32_t ElementAssembly::offsetOf(uint32_t i, uint32_t j) const {
   const auto first = neighbours_.begin() + start_[j], last = neighbours_.begin() + start_[j + 1];
   return rowOffset_[static_cast<size_t>(std::find(first, last, i) - neighbours_.begin())];

@@ -6,25 +6,23 @@
 
 namespace limber {
 
-// Sums element matrices into a sparse symmetric matrix whose unknowns come in nodes: node i has the unknowns
-// firstUnknown[i] .. firstUnknown[i + 1). Whole blocks are stored for each pair of nodes that share an
-// element, zeros included.
+// Sums element matrices into a sparse symmetric matrix whose unknowns are grouped into nodes: node i has the
+// unknowns firstUnknown[i] .. firstUnknown[i + 1) - 1. The pattern is known from the start: a full block for
+// each pair of nodes that share an element, zeros included.
 class ElementAssembly {
  public:
-  // elementNodes[nodesPerElement * element + k]; a node must not come twice in one element.
+  // elementNodes[nodesPerElement * element + k]; no node may occur twice in one element.
   ElementAssembly(const std::vector<uint32_t>& firstUnknown, const std::vector<uint32_t>& elementNodes,
                   uint32_t nodesPerElement);
 
-  // `matrix`: symmetric, over the unknowns of the element's nodes one after another. Only its lower triangle
-  // is read, so that the sum is symmetric to the last bit.
+  // `matrix` is symmetric over the unknowns of the element's nodes, node after node. Only its lower triangle
+  // is read, so the sum is symmetric to the last bit.
   void add(uint32_t element, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 
-  // The sum; the assembly is empty afterwards.
+  // Moves the sum out. The assembly is empty afterwards.
   Eigen::SparseMatrix<double> take() { return std::move(sum_); }
 
  private:
-  // Neighbours of node i, itself included: neighbours_[start_[i] .. start_[i + 1]), ascending; rowOffset_ has
-  // the place of each one's first unknown within the columns of i.
   void findNeighbours();
   void reserveEntries();
   uint32_t unknownsOf(uint32_t node) const { return firstUnknown_[node + 1] - firstUnknown_[node]; }
@@ -32,9 +30,11 @@ class ElementAssembly {
 
   std::vector<uint32_t> firstUnknown_, elementNodes_;
   uint32_t nodesPerElement_;
+  // Node i has the neighbours neighbours_[start_[i] .. start_[i + 1]), ascending and including i itself;
+  // rowOffset_ (parallel to neighbours_) is the offset of the neighbour's first unknown in the columns of i.
   std::vector<uint32_t> start_, neighbours_, rowOffset_;
   Eigen::SparseMatrix<double> sum_;
-  Eigen::MatrixXd whole_;  // scratch
+  Eigen::MatrixXd whole_;  // scratch: both triangles of an element matrix
 };
 
 }  // namespace limber

@@ -6,7 +6,9 @@ namespace limber {
 
 namespace {
 
-// A sum of doubles and what its additions have rounded off (Knuth's two-sum, Dekker's product).
+constexpr double kSplit = 134217729;  // 2^27 + 1 splits a double into two halves (Veltkamp)
+
+// A sum of doubles together with what rounding has lost (Knuth's two-sum, Dekker's product).
 struct ExtendedSum {
   double sum = 0, lost = 0;
 
@@ -17,7 +19,7 @@ struct ExtendedSum {
   }
   void addProduct(double a, double b) {
     const double product = a * b;
-    const double splitA = a * 134217729.0, splitB = b * 134217729.0;  // 2^27 + 1
+    const double splitA = a * kSplit, splitB = b * kSplit;
     const double highA = splitA - (splitA - a), highB = splitB - (splitB - b);
     const double lowA = a - highA, lowB = b - highB;
     lost += ((highA * highB - product) + highA * lowB + lowA * highB) + lowA * lowB;
@@ -27,19 +29,19 @@ struct ExtendedSum {
 
 }  // namespace
 
-Eigen::VectorXd extendedResidual(const StiffnessModel& model, double lambda, const Eigen::VectorXd& phi,
+Eigen::VectorXd extendedResidual(const SparsePencil& pencil, double lambda, const Eigen::VectorXd& phi,
                                  const Eigen::VectorXd& low) {
   Eigen::VectorXd residual(phi.size());
   for (Eigen::Index i = 0; i < phi.size(); ++i) {
     ExtendedSum sum;
-    double lowSum = -lambda * model.mass[i] * low[i];
-    // K is symmetric to the last bit: its column is its row.
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(model.stiffness, i); entry; ++entry) {
+    double lowSum = -lambda * pencil.m[i] * low[i];
+    // K is symmetric to the last bit, so column i serves as row i.
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(pencil.k, i); entry; ++entry) {
       sum.addProduct(entry.value(), phi[entry.row()]);
       lowSum += entry.value() * low[entry.row()];
     }
-    ExtendedSum inertia;  // lambda M phi, with what lambda M has rounded off
-    inertia.addProduct(lambda, model.mass[i]);
+    ExtendedSum inertia;  // lambda M_ii, with what rounding has lost
+    inertia.addProduct(lambda, pencil.m[i]);
     sum.addProduct(-inertia.sum, phi[i]);
     residual[i] = sum.sum + (sum.lost - inertia.lost * phi[i] + lowSum);
   }

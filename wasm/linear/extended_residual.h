@@ -2,14 +2,14 @@
 
 #include <Eigen/Core>
 
-#include "linear/stiffness_model.h"
+#include "linear/sparse_pencil.h"
 
 namespace limber {
 
-// K (phi + low) - lambda M (phi + low) in twice the precision of a double, rounded once at the end: rounding
-// phi to doubles alone leaves eps |K| |phi|, which on small or thin triangles is not small against lambda |M
-// phi|.
-Eigen::VectorXd extendedResidual(const StiffnessModel& model, double lambda, const Eigen::VectorXd& phi,
+// K (phi + low) - lambda M (phi + low), evaluated with twice the digits of a double and rounded once at the
+// end. A residual in plain doubles carries the rounding eps |K| |phi| of phi itself, which on small or thin
+// elements is not small against lambda |M phi|.
+Eigen::VectorXd extendedResidual(const SparsePencil& pencil, double lambda, const Eigen::VectorXd& phi,
                                  const Eigen::VectorXd& low);
 
 }  // namespace limber

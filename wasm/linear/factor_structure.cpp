@@ -10,18 +10,21 @@ namespace limber {
 
 namespace {
 
-constexpr double kTaskShare = 1.0 / 24;  // of the work: subtrees below it are left to one thread
+// Subtrees with less than this share of the work become tasks of one thread: small enough to keep some ten
+// threads evenly busy, large enough that little work is left above the tasks.
+constexpr double kTaskShare = 1.0 / 24;
 
+// Multiplications that eliminating the pivots of a front takes.
 double frontWork(double pivots, double boundary) {
   return pivots * (pivots * pivots / 3 + pivots * boundary + boundary * boundary);
 }
 
-void buildFronts(const StiffnessModel& model, const Job& job, FactorStructure& s) {
-  const NodeGraph graph = nodeGraph(model);
+void buildFronts(const SparsePencil& pencil, const Job& job, FactorStructure& s) {
+  const NodeGraph graph = nodeGraph(pencil);
   const std::vector<FrontNodes> tree = buildFrontTree(graph, eliminationOrder(graph, job), job);
-  s.positionOf.resize(model.unknownCount());
+  s.positionOf.resize(pencil.unknownCount());
   const auto forEachUnknown = [&](uint32_t node, const auto& body) {
-    for (uint32_t u = model.firstUnknown[node]; u < model.firstUnknown[node + 1]; ++u) body(u);
+    for (uint32_t u = pencil.firstUnknown[node]; u < pencil.firstUnknown[node + 1]; ++u) body(u);
   };
   for (const FrontNodes& nodes : tree)
     for (uint32_t node : nodes.pivots)
@@ -49,8 +52,8 @@ void buildFronts(const StiffnessModel& model, const Job& job, FactorStructure& s
   }
 }
 
-// A task is a subtree of little work whose parent is above the limit. In a solve its rows outside of the
-// subtree get slots of their own, so that tasks do not write to the same place.
+// A task is a largest subtree with less work than the limit. In a solve its rows outside of the subtree get
+// slots of their own, so that no two tasks write to the same row.
 void buildTasks(FactorStructure& s) {
   const double limit = kTaskShare * s.work();
   const auto count = static_cast<uint32_t>(s.fronts.size());
@@ -89,10 +92,10 @@ void buildTasks(FactorStructure& s) {
 
 }  // namespace
 
-FactorStructure factorStructure(const StiffnessModel& model, const Job& job) {
+FactorStructure factorStructure(const SparsePencil& pencil, const Job& job) {
   FactorStructure structure;
-  structure.unknownCount = model.unknownCount();
-  buildFronts(model, job, structure);
+  structure.unknownCount = pencil.unknownCount();
+  buildFronts(pencil, job, structure);
   buildTasks(structure);
   return structure;
 }
@@ -106,7 +109,8 @@ uint64_t FactorStructure::nonzeros() const {
   return sum - storedZeros;
 }
 
-// The updates of a whole task may wait at once, on each thread; more do not.
+// Each thread holds at most the updates of one task, besides the updates of finished tasks that wait for
+// their parents.
 uint64_t FactorStructure::memory() const {
   const auto updateBytes = [&](uint32_t f) {
     return sizeof(double) * uint64_t{fronts[f].boundaryCount} * fronts[f].boundaryCount;

@@ -4,50 +4,53 @@
 #include <vector>
 
 #include "base/job.h"
-#include "linear/stiffness_model.h"
+#include "linear/sparse_pencil.h"
 
 namespace limber {
 
-// Where the numbers of a factor go: order, fronts and tasks. The same for all models with the same nodes
-// coupled in the same way, whatever their numbers.
+// The symbolic factorisation: elimination order, fronts and tasks. It depends on the pattern of K alone, so
+// all pencils with the same nodes and couplings share it, whatever their values.
 struct FactorStructure {
-  // Rows: the pivots, then the boundary. Its columns of L are at firstValue, rows x pivots.
+  // A supernode: pivots that are eliminated together as one dense block. Its rows are the pivots followed by
+  // the boundary, that is the later positions coupled to them. Its columns of L are a rows() x pivotCount
+  // matrix, column by column, from firstValue on.
   struct Front {
-    uint32_t firstPivot, pivotCount;
-    uint32_t firstRow, boundaryCount;  // its boundary: boundary[firstRow ..], slot[firstRow ..]
+    uint32_t firstPivot, pivotCount;   // positions firstPivot .. firstPivot + pivotCount - 1
+    uint32_t firstRow, boundaryCount;  // its part of `boundary` and `slot`
     size_t firstValue;
-    double work;         // of its own
-    double subtreeWork;  // with all below it
+    double work;         // multiplications of this front
+    double subtreeWork;  // including all fronts below it
     std::vector<uint32_t> children;
     uint32_t rows() const { return pivotCount + boundaryCount; }
   };
-  // Subtrees that threads work through on their own: fronts firstFront .. root.
+  // A subtree that one thread processes alone: fronts firstFront .. root.
   struct Task {
     uint32_t firstFront, root;
-    uint32_t firstSlot;  // of what it adds to the boundary of its root
+    uint32_t firstSlot;  // the first slot of its contributions to the boundary of its root
   };
 
   uint32_t unknownCount = 0;
-  std::vector<uint32_t> unknownAt, positionOf;  // elimination position <-> unknown
+  std::vector<uint32_t> unknownAt, positionOf;  // elimination position -> unknown, and back
   std::vector<Front> fronts;                    // children before parents, subtrees consecutive
   std::vector<uint32_t> boundary;               // positions
-  std::vector<uint32_t> slot;                   // where a solve keeps that row while in this task
+  std::vector<uint32_t> slot;                   // per entry of `boundary`: its row of a solve's work vector
   std::vector<Task> tasks;
-  std::vector<uint32_t> top;  // fronts above the tasks
-  uint32_t slotCount = 0;
-  size_t valueCount = 0;
-  uint64_t storedZeros = 0;
+  std::vector<uint32_t> top;  // fronts above all tasks, in order
+  uint32_t slotCount = 0;     // rows of a solve's work vector: the unknowns, then the tasks' slots
+  size_t valueCount = 0;      // doubles that L takes
+  uint64_t storedZeros = 0;   // of these, zeros that merging fronts has filled in
 
-  // Entries of L below and on the diagonal; the zeros that are stored to make fronts larger do not count.
+  // Entries of L on and below the diagonal, without the stored zeros.
   uint64_t nonzeros() const;
-  // Bytes that a factorisation takes beside the model, at its peak: L and the updates that wait for their
+  // Bytes that a factorisation takes at its peak besides the pencil: L, and the updates that wait for their
   // parents.
   uint64_t memory() const;
-  // Multiplications of one factorisation, about.
+  // Multiplications of one factorisation, approximately.
   double work() const;
 };
 
-// Nested dissection of the model's nodes. Throws Cancelled.
-FactorStructure factorStructure(const StiffnessModel& model, const Job& job);
+// Orders the nodes of the pencil by nested dissection (linear/ordering/ordering.h) and groups them into
+// fronts. Throws Cancelled.
+FactorStructure factorStructure(const SparsePencil& pencil, const Job& job);
 
 }  // namespace limber

@@ -24,17 +24,17 @@ using ConstValues = Eigen::Map<const Eigen::MatrixXd>;
 using RowsOfOne = Eigen::VectorXd;
 using RowsOfMany = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// As many columns as y has, in `room`.
+// A matrix with as many columns as y, in scratch memory that grows as needed.
 template <class Rows>
-Eigen::Map<Rows> rowsIn(std::vector<double>& room, Eigen::Index count, const Rows& y) {
+Eigen::Map<Rows> rowsIn(std::vector<double>& scratch, Eigen::Index count, const Rows& y) {
   const auto size = static_cast<size_t>(count * y.cols());
-  if (room.size() < size) room.resize(size);
-  return Eigen::Map<Rows>(room.data(), count, y.cols());
+  if (scratch.size() < size) scratch.resize(size);
+  return Eigen::Map<Rows>(scratch.data(), count, y.cols());
 }
 
 }  // namespace
 
-// How much of a factorisation is done; only the thread that called it may report.
+// The share of a factorisation that is done. Only the calling thread may report it.
 struct Factorisation::Progress {
   Job& job;
   double total;
@@ -50,13 +50,14 @@ struct Factorisation::Progress {
   }
 };
 
-Factorisation::Factorisation(const StiffnessModel& model, Job& job)
-    : Factorisation(model, std::make_shared<const FactorStructure>(factorStructure(model, job))) {}
+Factorisation::Factorisation(const SparsePencil& pencil, Job& job)
+    : Factorisation(pencil, std::make_shared<const FactorStructure>(factorStructure(pencil, job))) {}
 
-Factorisation::Factorisation(const StiffnessModel& model, std::shared_ptr<const FactorStructure> structure)
-    : model_(model), structure_(std::move(structure)) {}
+Factorisation::Factorisation(const SparsePencil& pencil, std::shared_ptr<const FactorStructure> structure)
+    : pencil_(pencil), structure_(std::move(structure)) {}
 
-// The front's own entries of K - shift M, and its children's updates.
+// Fills the columns of a front with its entries of K - shift M, and localRow with the row of each position in
+// it.
 void Factorisation::assemble(const Front& front, double shift, uint32_t* localRow) {
   Values columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
   columns.setZero();
@@ -65,11 +66,11 @@ void Factorisation::assemble(const Front& front, double shift, uint32_t* localRo
     localRow[structure_->boundary[front.firstRow + k]] = front.pivotCount + k;
   for (uint32_t k = 0; k < front.pivotCount; ++k) {
     const uint32_t position = front.firstPivot + k, unknown = structure_->unknownAt[position];
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(model_.stiffness, unknown); entry; ++entry) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(pencil_.k, unknown); entry; ++entry) {
       const uint32_t other = structure_->positionOf[static_cast<size_t>(entry.row())];
       if (other >= position) columns(localRow[other], k) += entry.value();
     }
-    columns(k, k) -= shift * model_.mass[unknown];
+    columns(k, k) -= shift * pencil_.m[unknown];
   }
 }
 
@@ -121,30 +122,31 @@ void Factorisation::factorise(double shift, Job& job) {
   updates_.clear();
   if (!diagonal_.allFinite())
     throw std::runtime_error(
-        "The stiffness matrix could not be factorised: look for coordinates or thicknesses of wildly "
+        "The matrix could not be factorised: look for coordinates or thicknesses of wildly "
         "different size.");
 }
 
-// Subtracts what the front's pivots contribute to the rows of its boundary.
+// Forward substitution: solves for the pivots of a front and subtracts their contribution from its boundary.
 template <class Rows>
-void Factorisation::forward(const Front& front, Rows& y, Room& room) const {
+void Factorisation::forward(const Front& front, Rows& y, Scratch& scratch) const {
   const ConstValues columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
   auto part = y.middleRows(front.firstPivot, front.pivotCount);
   solveLower(columns.topRows(front.pivotCount), part);
   if (front.boundaryCount == 0) return;
-  auto below = rowsIn(room, front.boundaryCount, y);
+  auto below = rowsIn(scratch, front.boundaryCount, y);
   below.setZero();
   subtractProduct(columns.bottomRows(front.boundaryCount), part, below);
   const uint32_t* slot = structure_->slot.data() + front.firstRow;
   for (uint32_t k = 0; k < front.boundaryCount; ++k) y.row(slot[k]) += below.row(k);
 }
 
+// Backward substitution: subtracts the contribution of the boundary and solves for the pivots.
 template <class Rows>
-void Factorisation::backward(const Front& front, Rows& y, Room& room) const {
+void Factorisation::backward(const Front& front, Rows& y, Scratch& scratch) const {
   const ConstValues columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
   auto part = y.middleRows(front.firstPivot, front.pivotCount);
   if (front.boundaryCount > 0) {
-    auto below = rowsIn(room, front.boundaryCount, y);
+    auto below = rowsIn(scratch, front.boundaryCount, y);
     const uint32_t* slot = structure_->slot.data() + front.firstRow;
     for (uint32_t k = 0; k < front.boundaryCount; ++k) below.row(k) = y.row(slot[k]);
     subtractProduct(columns.bottomRows(front.boundaryCount).transpose(), below, part);
@@ -152,16 +154,16 @@ void Factorisation::backward(const Front& front, Rows& y, Room& room) const {
   solveLowerTransposed(columns.topRows(front.pivotCount), part);
 }
 
-// y: by position, then the tasks' slots.
+// y has a row for each position, followed by the slots of the tasks.
 template <class Rows>
 void Factorisation::solveRows(Rows& y, const Job& job) const {
   y.bottomRows(structure_->slotCount - structure_->unknownCount).setZero();
   parallelFor(structure_->tasks.size(), 1, [&](size_t begin, size_t end) {
-    Room room;
+    Scratch scratch;
     for (size_t t = begin; t < end; ++t)
       for (uint32_t f = structure_->tasks[t].firstFront; f <= structure_->tasks[t].root; ++f) {
         job.check();
-        forward(structure_->fronts[f], y, room);
+        forward(structure_->fronts[f], y, scratch);
       }
   });
   const auto forEachSlot = [&](const auto& body) {
@@ -172,18 +174,18 @@ void Factorisation::solveRows(Rows& y, const Job& job) const {
     }
   };
   forEachSlot([&](uint32_t position, uint32_t slot) { y.row(position) += y.row(slot); });
-  Room room;
-  for (uint32_t f : structure_->top) forward(structure_->fronts[f], y, room);
+  Scratch scratch;
+  for (uint32_t f : structure_->top) forward(structure_->fronts[f], y, scratch);
   for (uint32_t p = 0; p < structure_->unknownCount; ++p) y.row(p) /= diagonal_[p];
   for (auto f = structure_->top.rbegin(); f != structure_->top.rend(); ++f)
-    backward(structure_->fronts[*f], y, room);
+    backward(structure_->fronts[*f], y, scratch);
   forEachSlot([&](uint32_t position, uint32_t slot) { y.row(slot) = y.row(position); });
   parallelFor(structure_->tasks.size(), 1, [&](size_t begin, size_t end) {
-    Room room;
+    Scratch scratch;
     for (size_t t = begin; t < end; ++t)
       for (uint32_t f = structure_->tasks[t].root + 1; f-- > structure_->tasks[t].firstFront;) {
         job.check();
-        backward(structure_->fronts[f], y, room);
+        backward(structure_->fronts[f], y, scratch);
       }
   });
 }

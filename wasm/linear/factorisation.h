@@ -7,37 +7,47 @@
 
 #include "base/job.h"
 #include "linear/factor_structure.h"
-#include "linear/stiffness_model.h"
+#include "linear/sparse_pencil.h"
 
 namespace limber {
 
-// K - shift M = P L D L^T P^T, multifrontal (Duff and Reid 1983) with dense fronts. No pivoting: for a
-// negative shift the matrix is positive definite; for others the signs of D give the inertia (Sylvester). The
-// model must outlive it. Results do not depend on the number of threads.
+// A sparse direct solver for symmetric matrices: K - shift M = P L D L^T P^T with the permutation P of nested
+// dissection, L unit lower triangular and D diagonal.
+//
+// The method is multifrontal (Duff and Reid 1983; Liu 1992): supernodes become dense fronts, each front adds
+// the updates of its children, eliminates its pivots and passes an update on to its parent. Subtrees go to
+// threads as tasks, large fronts share their updates among threads.
+//
+// There is no pivoting. For a negative shift the matrix is positive definite, which needs none. For other
+// shifts the factor may be inaccurate near an eigenvalue, but by Sylvester's law of inertia the signs of D
+// still count the eigenvalues below the shift.
+//
+// Usage: construct, factorise(shift), then solve() any number of times. The pencil must outlive the object.
+// Results are equal to the last bit for any number of threads.
 class Factorisation {
  public:
-  // Order and structure, for any number of shifts. Throws Cancelled.
-  Factorisation(const StiffnessModel& model, Job& job);
-  // With a structure that was found before, of this model or of one that differs in numbers alone.
-  Factorisation(const StiffnessModel& model, std::shared_ptr<const FactorStructure> structure);
+  // Computes the structure, which serves any number of shifts. Throws Cancelled.
+  Factorisation(const SparsePencil& pencil, Job& job);
+  // Takes a structure that was found for this pencil or for one that differs from it only in values.
+  Factorisation(const SparsePencil& pencil, std::shared_ptr<const FactorStructure> structure);
 
-  // Numbers, 8 bytes a nonzero. Reports progress within the current phase; throws Cancelled, or
-  // std::runtime_error where a pivot is not finite.
+  // Computes L and D, 8 bytes per nonzero. Reports progress within the current phase. Throws Cancelled, and
+  // std::runtime_error if a pivot is not finite.
   void factorise(double shift, Job& job);
 
-  // x := (K - shift M)^-1 x; the columns of a matrix cost far less together than one by one.
-  // Throws Cancelled.
+  // x := (K - shift M)^-1 x, for one or several right-hand sides (columns). Several columns together cost far
+  // less than one by one. Throws Cancelled.
   void solve(Eigen::VectorXd& x, const Job& job) const;
   void solve(Eigen::MatrixXd& x, const Job& job) const;
 
-  // How many eigenvalues of (K, M) lie below the shift.
+  // The number of eigenvalues of (K, M) below the shift.
   uint32_t negativePivots() const;
   const FactorStructure& structure() const { return *structure_; }
 
  private:
   using Front = FactorStructure::Front;
   using Task = FactorStructure::Task;
-  using Room = std::vector<double>;  // for the rows of a front's boundary, one for each thread
+  using Scratch = std::vector<double>;  // the rows of a front's boundary; one for each thread
   struct Progress;
 
   void factoriseFront(uint32_t f, double shift, uint32_t* localRow, Job& job);
@@ -45,14 +55,15 @@ class Factorisation {
   template <class Rows>
   void solveRows(Rows& y, const Job& job) const;
   template <class Rows>
-  void forward(const Front& front, Rows& y, Room& room) const;
+  void forward(const Front& front, Rows& y, Scratch& scratch) const;
   template <class Rows>
-  void backward(const Front& front, Rows& y, Room& room) const;
+  void backward(const Front& front, Rows& y, Scratch& scratch) const;
 
-  const StiffnessModel& model_;
+  const SparsePencil& pencil_;
   std::shared_ptr<const FactorStructure> structure_;
-  Eigen::VectorXd values_, diagonal_;     // L without its diagonal of ones; D by position
-  std::vector<Eigen::MatrixXd> updates_;  // of fronts whose parent has not taken it yet, lower triangle
+  Eigen::VectorXd values_, diagonal_;  // L without its unit diagonal, by front; D, by position
+  std::vector<Eigen::MatrixXd>
+      updates_;  // lower triangles, of the fronts whose parents have not added them yet
 };
 
 }  // namespace limber

@@ -3,8 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/parallel.h"
+#include "elastic/displacement.h"
 #include "mesh/eigen_vec3.h"
 #include "mesh/topology.h"
 #include "query/closest_point.h"
@@ -14,53 +16,64 @@ namespace limber {
 
 namespace {
 
-constexpr double kSizeWeight = 0.0033;  // keeps the triangles even, so that bending is resolved everywhere
+constexpr double kSizeWeight = 0.0033;  // keeps triangles even, so that bending is resolved everywhere
 constexpr size_t kVerticesPerRange = 1024;
 constexpr int kGradientSteps = 4;
+constexpr double kRegularisation = 1e-9;  // of the edge tensor, relative to its trace
 
-// Pins by majority; where a pinned vertex would be left without a pinned one around it, its own is pinned.
+// The pinned coarse vertices: by majority, and where a pinned vertex would otherwise have no pin next to it.
 std::vector<uint32_t> coarsePins(const Part& original, const MeshAt& at) {
   const uint32_t count = at.mesh.vertexCount();
   std::vector<uint32_t> members(count, 0), pinned(count, 0);
   for (uint32_t v : at.vertexOfInput)
     if (v != kNone) ++members[v];
   for (uint32_t v : original.pinned) ++pinned[at.vertexOfInput[v]];
-  std::vector<uint8_t> isHeld(count, 0), isNearHeld(count, 0);
+  std::vector<uint8_t> isPinned(count, 0), isNearPinned(count, 0);
   for (uint32_t v = 0; v < count; ++v)
-    isHeld[v] = isNearHeld[v] = pinned[v] > 0 && 2 * pinned[v] >= members[v];
+    isPinned[v] = isNearPinned[v] = pinned[v] > 0 && 2 * pinned[v] >= members[v];
   for (const Triangle& t : at.mesh.triangles)
-    if (isHeld[t[0]] || isHeld[t[1]] || isHeld[t[2]])
-      for (uint32_t v : t) isNearHeld[v] = 1;
+    if (isPinned[t[0]] || isPinned[t[1]] || isPinned[t[2]])
+      for (uint32_t v : t) isNearPinned[v] = 1;
   std::vector<uint32_t> pins;
   for (uint32_t v = 0; v < count; ++v)
-    if (isHeld[v] || (pinned[v] > 0 && !isNearHeld[v])) pins.push_back(v);
+    if (isPinned[v] || (pinned[v] > 0 && !isNearPinned[v])) pins.push_back(v);
   return pins;
 }
 
-// Displacement gradient at a vertex: least squares over its neighbours in the tangent plane, while the normal
-// turns with the plane (Kirchhoff). How far neighbours lie off the plane enters by fixed-point steps, each a
-// factor of the curvature times the edges' length more exact. Columns are derivatives along x, y and z.
-Eigen::Matrix3d gradientAt(const std::vector<Vec3>& positions, const std::vector<Vec3>& displacement,
-                           uint32_t v, std::span<const uint32_t> ring, const Vec3& unitNormal) {
-  const Eigen::Vector3d normal = eigen(unitNormal);
+// The displacement gradient at a vertex, with derivatives along x, y and z as columns: least squares over its
+// neighbours in the tangent plane, while the normal rotates with the plane (Kirchhoff). The heights of
+// neighbours above the plane enter by fixed-point steps, each of which is more exact by a factor of the
+// curvature times the edge length.
+struct Neighbourhood {
+  uint32_t vertex;
+  std::span<const uint32_t> ring;  // its neighbours
+  const Vec3& normal;              // of unit length
+};
+
+Eigen::Matrix3d gradientAt(const std::vector<Vec3>& positions,
+                           const Eigen::Ref<const Eigen::VectorXd>& displacement, const Neighbourhood& at) {
+  const uint32_t v = at.vertex;
+  const Vec3 own = displacementAt(displacement, v);
+  const Eigen::Vector3d normal = eigen(at.normal);
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (uint32_t w : ring) {
+  for (uint32_t w : at.ring) {
     const Eigen::Vector3d edge = eigen(positions[w] - positions[v]);
     const Eigen::Vector3d along = edge - normal * normal.dot(edge);
     if (along.squaredNorm() > 0) spread += along * along.transpose() / edge.squaredNorm();
   }
   const double size = spread.trace();
   if (!(size > 0)) return Eigen::Matrix3d::Zero();
-  // The plane's own direction is kept out of the inverse.
+  // The normal direction is added before inverting, so that it does not make the tensor singular.
   const Eigen::Matrix3d inverse =
-      (spread + size * normal * normal.transpose() + 1e-9 * size * Eigen::Matrix3d::Identity()).inverse();
+      (spread + size * normal * normal.transpose() + kRegularisation * size * Eigen::Matrix3d::Identity())
+          .inverse();
   Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
   for (int step = 0; step < kGradientSteps; ++step) {
     Eigen::Matrix3d moved = Eigen::Matrix3d::Zero();
-    for (uint32_t w : ring) {
+    for (uint32_t w : at.ring) {
       const Eigen::Vector3d edge = eigen(positions[w] - positions[v]);
       const double above = normal.dot(edge);
-      const Eigen::Vector3d change = eigen(displacement[w] - displacement[v]) - gradient * normal * above;
+      const Eigen::Vector3d change = eigen(displacementAt(displacement, w) - own) - gradient * normal * above;
       if (edge.squaredNorm() > 0) moved += change * (edge - normal * above).transpose() / edge.squaredNorm();
     }
     gradient = moved * inverse;
@@ -91,8 +104,8 @@ CoarsePart coarsen(const Part& original, uint32_t vertices, Job& job) {
   return coarse;
 }
 
-Prolongation::Prolongation(const TriangleMesh& original, const CoarsePart& coarse)
-    : original_(original), coarse_(coarse), places_(original.vertexCount()) {
+Prolongation::Prolongation(const Part& original, const CoarsePart& coarse)
+    : original_(original), coarse_(coarse), points_(original.mesh.vertexCount(), SurfacePoint{0, {1, 0, 0}}) {
   const TriangleMesh& mesh = coarse.part.mesh;
   const Topology topology = buildTopology(mesh);
   normal_.resize(mesh.vertexCount());
@@ -109,15 +122,15 @@ Prolongation::Prolongation(const TriangleMesh& original, const CoarsePart& coars
     ring_.insert(ring_.end(), ring.begin(), ring.end());
     ringStart_.push_back(static_cast<uint32_t>(ring_.size()));
   }
-  parallelFor(places_.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
+  parallelFor(points_.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v) {
       const uint32_t centre = coarse.vertexOfInput[v];
       double nearest = HUGE_VAL;
       const auto visit = [&](uint32_t t) {
-        const ClosestPoint point = closestOnTriangle(mesh, t, original.positions[v]);
+        const ClosestPoint point = closestOnTriangle(mesh, t, original.mesh.positions[v]);
         if (point.distance >= nearest) return;
         nearest = point.distance;
-        places_[v] = {t, {point.barycentric[0], point.barycentric[1], point.barycentric[2]}};
+        points_[v] = point;
       };
       for (uint32_t t : topology.trianglesAround(centre)) visit(t);
       for (uint32_t w : rings[centre])
@@ -126,25 +139,38 @@ Prolongation::Prolongation(const TriangleMesh& original, const CoarsePart& coars
   });
 }
 
-std::vector<Vec3> Prolongation::prolong(const std::vector<Vec3>& displacement) const {
+void Prolongation::prolongShape(const Eigen::Ref<const Eigen::VectorXd>& coarse,
+                                Eigen::Ref<Eigen::VectorXd> fine) const {
   const TriangleMesh& mesh = coarse_.part.mesh;
   std::vector<Eigen::Matrix3d> gradient(mesh.vertexCount());
   parallelFor(gradient.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
-    for (size_t v = begin; v < end; ++v)
-      gradient[v] =
-          gradientAt(mesh.positions, displacement, static_cast<uint32_t>(v),
-                     std::span(ring_).subspan(ringStart_[v], ringStart_[v + 1] - ringStart_[v]), normal_[v]);
+    for (size_t v = begin; v < end; ++v) {
+      const auto ring = std::span(ring_).subspan(ringStart_[v], ringStart_[v + 1] - ringStart_[v]);
+      gradient[v] = gradientAt(mesh.positions, coarse, {static_cast<uint32_t>(v), ring, normal_[v]});
+    }
   });
-  std::vector<Vec3> fine(places_.size());
-  parallelFor(fine.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
-    for (size_t v = begin; v < end; ++v)
+  parallelFor(points_.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
+    for (size_t v = begin; v < end; ++v) {
+      Vec3 sum;
       for (int c = 0; c < 3; ++c) {
-        const uint32_t corner = mesh.triangles[places_[v].triangle][static_cast<size_t>(c)];
-        const Vec3 way = original_.positions[v] - mesh.positions[corner];
-        const Eigen::Vector3d turned = gradient[corner] * eigen(way);
-        fine[v] += places_[v].weight[c] * (displacement[corner] + Vec3{turned[0], turned[1], turned[2]});
+        const uint32_t corner = mesh.triangles[points_[v].triangle][static_cast<size_t>(c)];
+        const Vec3 offset = original_.mesh.positions[v] - mesh.positions[corner];
+        const Eigen::Vector3d rotated = gradient[corner] * eigen(offset);
+        sum += points_[v].barycentric[c] *
+               (displacementAt(coarse, corner) + Vec3{rotated[0], rotated[1], rotated[2]});
       }
+      fine.segment<3>(3 * static_cast<Eigen::Index>(v)) = eigen(sum);
+    }
   });
+}
+
+Eigen::MatrixXd Prolongation::prolong(const Eigen::MatrixXd& phi, const Job& job) const {
+  Eigen::MatrixXd fine(3 * static_cast<Eigen::Index>(points_.size()), phi.cols());
+  for (Eigen::Index k = 0; k < phi.cols(); ++k) {
+    job.check();
+    prolongShape(phi.col(k), fine.col(k));
+    for (uint32_t v : original_.pinned) fine.col(k).segment<3>(3 * static_cast<Eigen::Index>(v)).setZero();
+  }
   return fine;
 }
 

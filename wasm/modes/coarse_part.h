@@ -1,45 +1,49 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
 #include "base/job.h"
+#include "base/vec3.h"
 #include "elastic/parts.h"
+#include "mesh/surface_point.h"
 
 namespace limber {
 
-// A part with fewer triangles in its place, and where its vertices have gone.
+// A decimated copy of a part.
 struct CoarsePart {
-  Part part;                            // in the frame of the original
-  std::vector<uint32_t> vertexOfInput;  // per vertex of the original: the one that it has become
+  Part part;  // in the frame of the original
+  std::vector<uint32_t>
+      vertexOfInput;  // per vertex of the original: the coarse vertex that it was collapsed into
 };
 
-// Decimates a part evenly, down to about `vertices` vertices. Topology is kept; a vertex is pinned where most
-// of what it stands for was, or else nothing would hold that place.
+// Decimates a part evenly (quadrics with an edge-length term) to about `vertices` vertices. Topology is kept.
+// A coarse vertex is pinned if most of the vertices collapsed into it are pinned, and also if otherwise no
+// pin would be left next to it. Throws Cancelled.
 CoarsePart coarsen(const Part& original, uint32_t vertices, Job& job);
 
-// Carries displacements of a coarse part to its original: each vertex follows the nearest point among the
-// triangles around the vertex that it has become (so it never jumps to another sheet), there by the gradients
-// of the coarse displacement at the triangle's corners, which is exact for linear displacements and smooth
-// across edges.
+// Carries displacements of a coarse part to its original. Each vertex follows its closest point among the
+// triangles around the coarse vertex that it was collapsed into, so it never jumps to another sheet of the
+// surface. There it moves by the displacement gradients at the corners of the triangle, which is exact for
+// linear displacements and smooth across edges.
 class Prolongation {
  public:
-  // Keeps a reference to `coarse`.
-  Prolongation(const TriangleMesh& original, const CoarsePart& coarse);
-  std::vector<Vec3> prolong(const std::vector<Vec3>& displacement) const;
+  // Keeps references to both parts.
+  Prolongation(const Part& original, const CoarsePart& coarse);
+  // From phi(3 v + c, k) over the coarse vertices to the same over those of the original; pinned vertices
+  // become 0. `phi` may have further rows, which are not read. Throws Cancelled.
+  Eigen::MatrixXd prolong(const Eigen::MatrixXd& phi, const Job& job) const;
 
  private:
-  struct Place {
-    uint32_t triangle = 0;
-    double weight[3] = {1, 0, 0};
-  };
+  void prolongShape(const Eigen::Ref<const Eigen::VectorXd>& coarse, Eigen::Ref<Eigen::VectorXd> fine) const;
 
-  const TriangleMesh& original_;
+  const Part& original_;
   const CoarsePart& coarse_;
-  std::vector<Place> places_;        // per vertex of the original
-  std::vector<uint32_t> ringStart_;  // neighbours of coarse vertices
-  std::vector<uint32_t> ring_;
-  std::vector<Vec3> normal_;  // of coarse vertices
+  std::vector<SurfacePoint> points_;  // per vertex of the original
+  std::vector<uint32_t> ringStart_,
+      ring_;                  // coarse vertex v has the neighbours ring_[ringStart_[v] .. [v + 1])
+  std::vector<Vec3> normal_;  // per coarse vertex
 };
 
 }  // namespace limber

@@ -4,21 +4,22 @@
 #include <span>
 
 #include "base/job.h"
-#include "elastic/shell_sensitivity.h"
 #include "elastic/shell_vibration.h"
 #include "mesh/triangle_mesh.h"
+#include "modes/vertex_limits.h"
 
 namespace limber {
 
 struct CoarseVibrationOptions {
-  int modeCount = 16;
-  std::span<const uint32_t> pinned = {};  // vertices; they must leave no rigid motion free
-  uint32_t vertices = 8000;               // of the copy
+  VibrationRequest request = {};  // thickness in units of the mesh
+  double poisson = 0.3;
+  std::span<const uint32_t> pinned = {};  // vertex ids; they must leave no rigid motion free
+  uint32_t vertices = kCoarseVertices;    // of the copy
 };
 
-// A start for VibratingShell::follow: the vibration of an evenly decimated copy, its shapes carried back
-// (without the rotations of edges). The mesh's diagonal is about 1. Throws Cancelled.
-ShellVibration coarseVibration(const TriangleMesh& mesh, const ShellMaterial& material,
-                               const CoarseVibrationOptions& options, Job& job);
+// A start for VibratingShell::follow: the modes of an evenly decimated copy of the mesh, solved roughly, with
+// their shapes carried back. phi has the displacements, not the edge rotations. The diagonal of the mesh
+// should be about 1. Throws as VibratingShell::solve.
+ModeBasis coarseVibration(const TriangleMesh& mesh, const CoarseVibrationOptions& options, Job& job);
 
 }  // namespace limber

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "elastic/mode_conversions.h"
 #include "elastic/part_modes.h"
 #include "mesh/topology.h"
 #include "modes/coarse_part.h"
@@ -13,34 +14,26 @@ namespace limber {
 
 namespace {
 
-constexpr uint32_t kCoarseVertices = 8000;     // of the copy, at the least
-constexpr uint32_t kCoarsestVertices = 40000;  // where nothing refines its modes
-constexpr uint32_t kSmallPart = 4000;          // vertices of one that is solved beside others
-constexpr int kSpareModes = 6;  // beyond the wanted ones: the subspace converges by the first one left out
+constexpr int kSpareModes = 6;  // the subspace converges as fast as the first mode left out allows
 
 PartModes solveCoarsely(const Part& part, const ModesOptions& options, Job& job) {
   const bool isRefined = part.mesh.vertexCount() <= kRefinedVertices;
-  const CoarsePart coarse = coarsen(part, isRefined ? kCoarseVertices : kCoarsestVertices, job);
+  const CoarsePart coarse = coarsen(part, isRefined ? kCoarseVertices : kUnrefinedCopyVertices, job);
   ModesOptions coarseOptions = options;
   if (isRefined) coarseOptions.modeCount += kSpareModes;
   PartModes modes = solvePart(coarse.part, coarseOptions, job);
-  const Prolongation prolongation(part.mesh, coarse);
-  for (auto& shape : modes.shapes) {
-    job.check();
-    shape = prolongation.prolong(shape);
-    for (uint32_t v : part.pinned) shape[v] = {};
-    normaliseShape(shape);
-  }
+  modes.basis.phi = Prolongation(part, coarse).prolong(modes.basis.phi, job);
+  for (Eigen::Index k = 0; k < modes.basis.modeCount(); ++k) normaliseShape(modes.basis.phi.col(k));
   modes.coarseVertices = coarse.part.mesh.vertexCount();
-  return isRefined && !modes.omega.empty() ? refineShell(part, modes, options, job) : modes;
+  return isRefined && modes.basis.modeCount() > 0 ? refineShell(part, modes, options, job) : modes;
 }
 
 PartModes solveOne(const Part& part, const ModesOptions& options, bool exact, Job& job) {
-  const bool isLarge = part.model == Model::Shell && part.mesh.vertexCount() > kExactVertices;
+  const bool isLarge = part.model == ElasticModel::Shell && part.mesh.vertexCount() > kExactVertices;
   return isLarge && !exact ? solveCoarsely(part, options, job) : solvePart(part, options, job);
 }
 
-// Small parts, of which each would keep few threads busy. Progress is the share of those that are done.
+// Solves small parts side by side. Progress is the share of finished parts.
 void solveSideBySide(const std::vector<Part>& parts, const std::vector<size_t>& small,
                      const ModesOptions& options, std::vector<PartModes>& modes, Job& job) {
   WholePhase phase(job, Phase::Solve);
@@ -61,7 +54,7 @@ ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& options, bool ex
   std::vector<PartModes> modes(parts.size());
   std::vector<size_t> small;
   for (size_t i = 0; i < parts.size(); ++i)
-    if (parts.size() > 1 && parts[i].mesh.vertexCount() <= kSmallPart)
+    if (parts.size() > 1 && parts[i].mesh.vertexCount() <= kSmallPartVertices)
       small.push_back(i);
     else
       modes[i] = solveOne(parts[i], options, exact, job);

@@ -2,17 +2,17 @@
 
 #include "base/job.h"
 #include "elastic/modes.h"
+#include "modes/vertex_limits.h"
 
 namespace limber {
 
-// A shell part of more vertices than this is solved on a decimated copy, unless the exact solve is asked for.
-inline constexpr uint32_t kExactVertices = 8000;
-// One of more is not refined on the mesh itself: the factor would take over a gigabyte.
-inline constexpr uint32_t kRefinedVertices = 120000;
-
-// Modes of every part. Large shells (kExactVertices) are solved on an evenly decimated copy of at least 8,000
-// vertices, and the shapes are carried back; ComponentModes::coarseVertices tells. `exact` solves all of them
-// as they are. Small parts are solved side by side. Errors as computeModes.
+// The modes of every part, as computeModes finds them, but faster for large shells and for many parts.
+//
+// A shell part with more than kExactVertices vertices is solved on an evenly decimated copy, whose shapes are
+// carried back. With up to kRefinedVertices vertices the copy has kCoarseVertices, and the modes are refined
+// on the part itself to 1e-4 in frequency; larger parts get a copy of kUnrefinedCopyVertices and are not
+// refined. ComponentModes::coarseVertices tells. `exact` solves all parts as they are. Small parts are solved
+// side by side. Throws as computeModes.
 ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& options, bool exact, Job& job);
 
 }  // namespace limber

@@ -9,8 +9,8 @@ namespace limber {
 
 namespace {
 
-// Appends the component of `first` to `order`, from there on. The second pass over a component starts at its
-// end.
+// Appends the component of a vertex to an order, breadth first from that vertex. A component can be passed
+// over a second time, from another vertex.
 class BreadthFirst {
  public:
   BreadthFirst(const TriangleMesh& mesh, const Topology& topology)

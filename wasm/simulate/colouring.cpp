@@ -16,7 +16,7 @@ std::vector<uint32_t> visitingOrder(uint32_t count, uint32_t order) {
   std::vector<uint32_t> visits(count);
   std::iota(visits.begin(), visits.end(), 0u);
   if (order == 0) return visits;
-  std::mt19937 random(order);  // std::shuffle differs between libraries
+  std::mt19937 random(order);  // not std::shuffle, which differs between libraries
   for (uint32_t i = count; i > 1; --i) std::swap(visits[i - 1], visits[random() % i]);
   return visits;
 }
@@ -46,7 +46,7 @@ class UsedColours {
   std::vector<std::vector<uint64_t>> words_;
 };
 
-// The stencils of constraints, see `colour`.
+// The vertices of all constraints, see `colour`.
 struct Stencils {
   std::span<const uint32_t> vertices;
   uint32_t stride;
@@ -59,14 +59,15 @@ struct Stencils {
   }
 };
 
-// Whether constraint i finds a lane in a batch.
-bool hasRoom(const Colouring::Batch& batch, uint32_t i, const Stencils& stencils) {
+// Whether constraint i fits into a batch: a lane is empty and no vertex is shared.
+bool hasFreeLane(const Colouring::Batch& batch, uint32_t i, const Stencils& stencils) {
   return batch.back() == kNone &&
          std::ranges::none_of(batch, [&](uint32_t j) { return j != kNone && stencils.share(i, j); });
 }
 
-// The batches of a group, colour by colour. Where a body is cut into many groups, what is left over of their
-// colours comes last and packed as closely as it fits together, for an empty lane takes as long as another.
+// Appends the batches of a group, colour by colour. With `packs`, constraints that fill no batch of their
+// colour are packed together at the end: an empty lane costs as much as a full one, and a body of many groups
+// has many of them.
 void appendBatches(const std::vector<std::vector<uint32_t>>& colours, const Stencils& stencils, bool packs,
                    std::vector<Colouring::Batch>& batches) {
   std::vector<uint32_t> rest;
@@ -82,7 +83,7 @@ void appendBatches(const std::vector<std::vector<uint32_t>>& colours, const Sten
   const auto open = static_cast<ptrdiff_t>(batches.size());
   for (const uint32_t i : rest) {
     const auto batch = std::find_if(batches.begin() + open, batches.end(),
-                                    [&](const auto& other) { return hasRoom(other, i, stencils); });
+                                    [&](const auto& other) { return hasFreeLane(other, i, stencils); });
     if (batch == batches.end())
       batches.push_back({i, kNone, kNone, kNone});
     else

@@ -11,7 +11,8 @@
 
 namespace limber {
 
-// Four floats at once, by the compilers' vector extension: the same source for wasm SIMD and native code.
+// Four floats at once. The vector extension of the compilers makes one source serve wasm SIMD and native
+// code.
 using Float4 = float __attribute__((vector_size(16)));
 
 inline Float4 splat(float a) {
@@ -22,7 +23,7 @@ Float4 splatLane(Float4 a) {
   return __builtin_shufflevector(a, a, lane, lane, lane, lane);
 }
 
-// Correctly rounded, so that every machine gives the same bits.
+// The square root is correctly rounded, so that every machine gives the same bits.
 inline Float4 squareRoot(Float4 a) {
 #if defined(__wasm_simd128__)
   return reinterpret_cast<Float4>(wasm_f32x4_sqrt(reinterpret_cast<v128_t>(a)));
@@ -43,7 +44,7 @@ inline Float4 laneSums(Float4 a, Float4 b, Float4 c, Float4 d) {
   return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
-// Four vectors of space, one per lane.
+// Four vectors, one per lane.
 struct Vec3x4 {
   Float4 x, y, z;
 };
@@ -64,7 +65,7 @@ inline Vec3x4 cross(const Vec3x4& a, const Vec3x4& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// Vectors (x, y, z, anything) to one per lane.
+// From four vectors (x, y, z, anything) to one vector per lane.
 inline Vec3x4 toLanes(const Float4 (&v)[4]) {
   const Float4 xy01 = __builtin_shufflevector(v[0], v[1], 0, 4, 1, 5);
   const Float4 xy23 = __builtin_shufflevector(v[2], v[3], 0, 4, 1, 5);
@@ -74,7 +75,7 @@ inline Vec3x4 toLanes(const Float4 (&v)[4]) {
           __builtin_shufflevector(z01, z23, 0, 1, 4, 5)};
 }
 
-// One per lane to vectors (x, y, z, 0).
+// From one vector per lane to four vectors (x, y, z, 0).
 inline void fromLanes(const Vec3x4& a, Float4 (&v)[4]) {
   const Float4 zero{};
   const Float4 xy01 = __builtin_shufflevector(a.x, a.y, 0, 4, 1, 5);
@@ -87,8 +88,8 @@ inline void fromLanes(const Vec3x4& a, Float4 (&v)[4]) {
   v[3] = __builtin_shufflevector(xy23, z23, 2, 3, 6, 7);
 }
 
-// Solves the symmetric positive definite system (xx xy xz; xy yy yz; xz yz zz) s = r by L D L^T. Pivots that
-// rounding has brought to nothing count as a hundred-thousandth of their diagonal.
+// Solves the symmetric positive definite system (xx xy xz; xy yy yz; xz yz zz) s = r by L D L^T in every
+// lane. Pivots are at least 1e-5 of their diagonal entry, so that rounding cannot make them vanish.
 struct Symmetric3x4 {
   Float4 xx, xy, xz, yy, yz, zz;
 };

@@ -12,25 +12,25 @@ inline Float4 toFloat4(const Vec3& v) {
   return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0};
 }
 
-// How far a vertex has come within the running step, u, and how far it moves in the running substep, q, which
-// is its velocity times the substep. Both are (x, y, z, 0) in metres. Float positions would stand still under
-// many substeps (gravity adds less than half a unit in the last place); here the constraints change q alone,
-// which is small, and u starts at 0 with every step.
+// The motion of a vertex: u is how far it has moved since the start of the step, q how far it moves in this
+// substep, which is its velocity times the substep. Both are (x, y, z, 0) in metres. With many substeps,
+// float positions would stand still, because gravity adds less than half a unit in the last place. Here
+// constraints change only q, which is small, and u starts at 0 in every step.
 struct Motion {
   Float4 u, q;
 };
 
-// The state of all vertices. Positions are exact between steps, in double; within a step a vertex is at
-// position + u + q. After the mesh's vertices the motions and masses have some more, for each group of
-// constraints one: these never move, and fill the lanes that the group's batches leave empty. They lie two
-// cache lines apart, for threads that write to the same line wait for each other.
+// The state of all vertices. Positions are doubles and change only between steps; within a step a vertex is
+// at position + u + q. Behind the vertices of the mesh, `motion` and `inverseMass` have an idle vertex per
+// group of constraints, which never moves and fills the empty lanes of the group's batches. Idle vertices lie
+// two cache lines apart, because threads that write to the same line wait for each other.
 struct Particles {
   std::vector<Vec3> positions;       // metres, at the start of the step
-  std::vector<double> inverseMass;   // 1/kg; 0: its motion is given
-  std::vector<Motion> motion;        // of the step
-  std::vector<Motion> lost;          // what the sums u and q have lost to rounding (Kahan)
-  std::vector<Float4> acceleration;  // m/s2 times the substep squared; 0 where the motion is given
-  std::vector<float> damping;        // share of q that is lost in a substep; 0 where the motion is given
+  std::vector<double> inverseMass;   // 1/kg; 0 for a pinned vertex
+  std::vector<Motion> motion;        // within the step
+  std::vector<Motion> lost;          // what the sums u and q have lost to rounding (Kahan summation)
+  std::vector<Float4> acceleration;  // m/s2 times the substep squared; 0 for a pinned vertex
+  std::vector<float> damping;        // share of q that a substep takes away; 0 for a pinned vertex
 
   static constexpr uint32_t kIdleStride = 4;
 
@@ -38,15 +38,17 @@ struct Particles {
   uint32_t idle(uint32_t group) const { return count() + kIdleStride * group; }
 };
 
-// What `advance` does: move along q (not before the first substep), then change q (not after the last one).
+// What `advance` does: it moves vertices along q (not before the first substep), then changes q by
+// acceleration and damping (not after the last one).
 struct Advance {
   bool moves, accelerates;
 };
 
-// u += q, then q += acceleration - damping q, for vertices [begin, end); the sums are compensated.
+// For vertices [begin, end): u += q, then q += acceleration - damping q, as `what` says. The sums are
+// compensated.
 void advance(Particles& particles, uint32_t begin, uint32_t end, const Advance& what);
 
-// Adds u to the positions and starts again at u = 0.
+// For vertices [begin, end): adds u to the positions and sets u = 0.
 void finishStep(Particles& particles, uint32_t begin, uint32_t end);
 
 }  // namespace limber

@@ -23,15 +23,18 @@ void RunningScenario::step(const Job& job, Helpers* helpers) {
   simulation_.step(job, helpers);
   stepSeconds_ = std::chrono::duration<double>(Clock::now() - start).count() + simulation_.helpedSeconds();
   ++stepsDone_;
-  if (!simulation_.isFinite())
+}
+
+void RunningScenario::requireNotDiverged() const {
+  if (simulation_.hasDiverged())
     throw std::runtime_error("The simulation has flown apart: give it more substeps or a softer material.");
 }
 
 std::vector<Vec3> RunningScenario::pinPositions() const {
-  std::vector<Vec3> places;
-  for (const uint32_t v : pins_.vertices) places.push_back(simulation_.position(v));
-  for (const SurfacePoint& point : pins_.points) places.push_back(simulation_.position(point));
-  return places;
+  std::vector<Vec3> positions;
+  for (const uint32_t v : pins_.vertices) positions.push_back(simulation_.position(v));
+  for (const SurfacePoint& point : pins_.points) positions.push_back(simulation_.position(point));
+  return positions;
 }
 
 void stepTogether(std::span<RunningScenario* const> bodies, const Job& job) {
@@ -46,7 +49,7 @@ void stepTogether(std::span<RunningScenario* const> bodies, const Job& job) {
     }
     helpers.endTask();
   };
-  // A thread that finds no body left helps with those of others.
+  // A thread that finds no body left helps with the bodies of other threads.
   const size_t helpCount = static_cast<size_t>(threadCount()) - 1;
   parallelFor(bodies.size() + helpCount, 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) i < bodies.size() ? stepOne(*bodies[i]) : helpers.help();

@@ -19,76 +19,79 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Loads between two looks at the clock; each takes a nanosecond or less.
+// How often a waiting thread checks before it first reads the clock; a check takes a nanosecond or less.
 constexpr int kSpins = 2000;
-// After so much waiting, for a long stage or for a thread that has lost its core, a thread naps.
+// A thread that has waited this long (for a long phase, or for a thread that has lost its core) starts to
+// nap.
 constexpr std::chrono::microseconds kSpinning(300), kNap(50);
 
-// Every chunk of every stage is claimed once per repeat, so nobody is waited for who has not begun: any
-// number of threads, at any time, gets through.
+// The chunks of all phases of a schedule. Every chunk is claimed once per repeat, and no thread waits for a
+// chunk that nobody has claimed: so any number of threads can join at any time, and the schedule ends.
 class Chunks {
  public:
   Chunks(const Schedule& schedule, const Job& job)
       : schedule_(schedule), job_(job), threads_(static_cast<size_t>(threadCount())) {
-    for (const auto* stages : {&schedule.before, &schedule.repeated, &schedule.after})
-      for (const Stage& stage : *stages) chunkCount_ += chunksOf(stage);
+    for (const auto* phases : {&schedule.before, &schedule.repeated, &schedule.after})
+      for (const SolverPhase& phase : *phases) chunkCount_ += chunksOf(phase);
     claims_ = std::vector<std::atomic<int>>(chunkCount_);
   }
 
-  // Returns the seconds that it has waited for other threads.
+  // Works through the schedule as thread number `thread`. Returns the seconds spent waiting for other
+  // threads.
   double work(size_t thread) {
-    Place place = {thread, 0, 0, 0};
-    workThrough(schedule_.before, 1, place);
-    workThrough(schedule_.repeated, schedule_.repeats, place);
-    workThrough(schedule_.after, 1, place);
-    return place.waited;
+    Cursor cursor = {thread, 0, 0, 0};
+    workThrough(schedule_.before, 1, cursor);
+    workThrough(schedule_.repeated, schedule_.repeats, cursor);
+    workThrough(schedule_.after, 1, cursor);
+    return cursor.waited;
   }
 
  private:
-  // Where a thread is: its number, the number of the stage's first chunk, and the chunks that have ended once
-  // all stages up to here have.
-  struct Place {
+  // Where a thread is in the schedule: `firstChunk` is the index of the first chunk of its phase, and `ended`
+  // is the number of chunks that have ended when all phases up to this one have.
+  struct Cursor {
     size_t thread, firstChunk;
     uint64_t ended;
     double waited;  // seconds
   };
-  static size_t chunksOf(const Stage& stage) { return (stage.count + stage.grain - 1) / stage.grain; }
+  static size_t chunksOf(const SolverPhase& phase) { return (phase.count + phase.grain - 1) / phase.grain; }
 
-  void workThrough(const std::vector<Stage>& stages, int repeats, Place& place) {
-    const size_t first = place.firstChunk;
+  void workThrough(const std::vector<SolverPhase>& phases, int repeats, Cursor& cursor) {
+    const size_t first = cursor.firstChunk;
     for (int repeat = 0; repeat < repeats; ++repeat) {
-      place.firstChunk = first;
-      for (const Stage& stage : stages) {
+      cursor.firstChunk = first;
+      for (const SolverPhase& phase : phases) {
         if (abandoned_) return;
-        place.ended += chunksOf(stage);
-        if (ended_.load(std::memory_order_acquire) < place.ended) {
-          if (const uint64_t done = workOn(stage, repeat, place))
+        cursor.ended += chunksOf(phase);
+        if (ended_.load(std::memory_order_acquire) < cursor.ended) {
+          if (const uint64_t done = workOn(phase, repeat, cursor))
             ended_.fetch_add(done, std::memory_order_release);
           if (job_.cancelRequested()) abandoned_ = true;
-          place.waited += waitFor(place.ended);
+          cursor.waited += waitFor(cursor.ended);
         }
-        place.firstChunk += chunksOf(stage);
+        cursor.firstChunk += chunksOf(phase);
       }
     }
   }
 
-  // Own chunks first, then those that others have not begun, from where these are last to come. Returns how
-  // many it has done.
-  uint64_t workOn(const Stage& stage, int repeat, const Place& place) {
-    const size_t count = chunksOf(stage);
-    const size_t first = count * place.thread / threads_, own = count * (place.thread + 1) / threads_ - first;
+  // Takes the chunks of this thread first, then those that other threads have not begun, starting with the
+  // ones that their owners would reach last. Returns how many chunks it has done.
+  uint64_t workOn(const SolverPhase& phase, int repeat, const Cursor& cursor) {
+    const size_t count = chunksOf(phase);
+    const size_t first = count * cursor.thread / threads_,
+                 own = count * (cursor.thread + 1) / threads_ - first;
     uint64_t done = 0;
     for (size_t i = 0; i < count && !abandoned_; ++i) {
       const size_t chunk = i < own ? first + i : (first + own + count - 1 - i) % count;
-      if (!claim(place.firstChunk + chunk, repeat)) continue;
-      const size_t begin = chunk * stage.grain;
-      stage.body(begin, std::min(begin + stage.grain, stage.count), repeat);
+      if (!claim(cursor.firstChunk + chunk, repeat)) continue;
+      const size_t begin = chunk * phase.grain;
+      phase.body(begin, std::min(begin + phase.grain, phase.count), repeat);
       ++done;
     }
     return done;
   }
 
-  // False where somebody else has it.
+  // Returns false where another thread has claimed the chunk.
   bool claim(size_t chunk, int repeat) {
     std::atomic<int>& claims = claims_[chunk];
     int expected = repeat;
@@ -96,7 +99,7 @@ class Chunks {
            claims.compare_exchange_strong(expected, repeat + 1, std::memory_order_relaxed);
   }
 
-  // Until so many chunks have ended. Returns the seconds that took.
+  // Waits until `ended` chunks have ended. Returns the seconds that it took.
   double waitFor(uint64_t ended) const {
     const auto hasEnded = [&] { return ended_.load(std::memory_order_acquire) >= ended || abandoned_; };
     if (hasEnded()) return 0;
@@ -111,22 +114,22 @@ class Chunks {
   const Job& job_;
   const size_t threads_;
   size_t chunkCount_ = 0;
-  std::vector<std::atomic<int>> claims_;  // repeats in which each chunk has been claimed
+  std::vector<std::atomic<int>> claims_;  // per chunk: in how many repeats it has been claimed
   alignas(64) std::atomic<uint64_t> ended_ = 0;
   alignas(64) std::atomic<bool> abandoned_ = false;
 };
 
-void runAlone(const std::vector<Stage>& stages, int repeats, const Job& job) {
+void runAlone(const std::vector<SolverPhase>& phases, int repeats, const Job& job) {
   for (int repeat = 0; repeat < repeats; ++repeat) {
     job.check();
-    for (const Stage& stage : stages)
-      if (stage.count) stage.body(0, stage.count, repeat);
+    for (const SolverPhase& phase : phases)
+      if (phase.count) phase.body(0, phase.count, repeat);
   }
 }
 
 }  // namespace
 
-void runStages(const Schedule& schedule, bool threaded, const Job& job) {
+void runSchedule(const Schedule& schedule, bool threaded, const Job& job) {
   if (threaded && threadCount() > 1) {
     Chunks chunks(schedule, job);
     parallelFor(static_cast<size_t>(threadCount()), 1, [&](size_t thread, size_t) { chunks.work(thread); });
@@ -140,8 +143,8 @@ void runStages(const Schedule& schedule, bool threaded, const Job& job) {
 
 struct Helpers::Run {
   Chunks& chunks;
-  size_t inside = 0;   // helpers
-  double seconds = 0;  // of theirs
+  size_t inside = 0;   // helpers at work
+  double seconds = 0;  // that helpers have worked
 };
 
 double Helpers::run(const Schedule& schedule, const Job& job) {
@@ -190,9 +193,9 @@ void Helpers::help() {
   }
 }
 
-void ThreadChoice::tell(double seconds) {
-  const bool told = threaded();
-  double &own = seconds_[told], other = seconds_[!told];
+void ThreadChoice::record(double seconds) {
+  const bool recorded = threaded();
+  double &own = seconds_[recorded], other = seconds_[!recorded];
   own = own > 0 && !isTrial_ ? 0.5 * (own + seconds) : seconds;
   if (!isTrial_) {
     --stepsToTrial_;
@@ -200,7 +203,7 @@ void ThreadChoice::tell(double seconds) {
     return;
   }
   const bool isBetter = own < other;
-  usual_ = isBetter ? told : usual_;
+  usual_ = isBetter ? recorded : usual_;
   interval_ = isBetter ? kFirstInterval : std::min(2 * interval_, kLongestInterval);
   stepsToTrial_ = interval_;
   isTrial_ = false;

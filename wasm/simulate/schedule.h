@@ -10,38 +10,37 @@
 
 namespace limber {
 
-// A part of a step: items [0, count) that may be worked on at the same time, in chunks of `grain`.
-struct Stage {
+// A part of a step: items [0, count) that may be worked on at the same time, in chunks of `grain` items.
+struct SolverPhase {
   size_t count, grain;
   std::function<void(size_t begin, size_t end, int repeat)> body;
 };
 
-// What a step consists of: stages that run once, stages that run `repeats` times over, and stages that run
-// once at the end.
+// All phases of a step: some run once, then some run `repeats` times over, then some run once at the end.
 struct Schedule {
-  std::vector<Stage> before, repeated, after;
+  std::vector<SolverPhase> before, repeated, after;
   int repeats = 1;
 };
 
-// Runs all stages in order; a stage starts when all of the one before has ended. `repeat` is 0 before and
-// after. With `threaded`, each thread of parallelFor takes the same share of a stage in every repeat, so that
-// it finds its items in its own cache, then what others have not begun; between stages they spin, for stages
-// of some microseconds would not pay for sleeping threads. Throws Cancelled, with the stages left at some
-// chunk in between. Bodies must not throw.
-void runStages(const Schedule& schedule, bool threaded, const Job& job);
+// Runs all phases in order; a phase starts when the one before it has ended. `repeat` is 0 before and after.
+// With `threaded`, each thread of parallelFor takes the same share of a phase in every repeat, so that its
+// items are in its own cache, and then chunks that other threads have not begun. Between phases threads spin
+// instead of sleeping, because a phase lasts only microseconds. Throws Cancelled; some chunks of a phase may
+// then be done and others not. Bodies must not throw.
+void runSchedule(const Schedule& schedule, bool threaded, const Job& job);
 
-// Lets threads that have nothing left of their own take part in what others run. Made for `taskCount` tasks;
-// each calls `endTask` once, however it ends.
+// Lets threads that have finished their own work take part in the schedules of other threads. It is made for
+// `taskCount` tasks, each of which calls `endTask` once, however it ends.
 class Helpers {
  public:
   explicit Helpers(size_t taskCount) : tasksLeft_(taskCount) {}
 
-  // Runs a schedule on this thread and on all that help meanwhile. Returns the seconds that these have worked
-  // on it, less those that this thread has waited for them: what it would have taken alone, roughly, less
-  // what it has. Throws Cancelled.
+  // Runs a schedule on this thread and on all that help meanwhile. Returns roughly how many seconds longer it
+  // would have taken alone: the time that helpers worked on it, less the time that this thread waited for
+  // them. Throws Cancelled.
   double run(const Schedule& schedule, const Job& job);
   void endTask();
-  // Helps whatever run has the fewest helpers, until all tasks have ended.
+  // Helps whichever run has the fewest helpers, until all tasks have ended.
   void help();
 
  private:
@@ -49,24 +48,24 @@ class Helpers {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<Run*> runs_;  // open ones
+  std::vector<Run*> runs_;  // not yet finished
   size_t tasksLeft_;
 };
 
-// Chooses between one thread and all by what steps take: where other programs use the cores, threads wait for
-// each other, and one is faster. The other choice is tried now and then, more often after it has won, and at
-// once when the usual one becomes slow.
+// Chooses between one thread and all threads by how long steps take: where other programs use the cores,
+// threads wait for each other and one thread is faster. The other choice is tried now and then, more often
+// after it has won, and at once when the usual choice becomes slow.
 class ThreadChoice {
  public:
   bool threaded() const { return usual_ != isTrial_; }
-  // What a step took on the threads that were chosen for it.
-  void tell(double seconds);
+  // Records how long a step took on the threads that were chosen for it.
+  void record(double seconds);
 
  private:
   static constexpr int kFirstInterval = 2, kLongestInterval = 128;  // steps between trials
-  static constexpr double kSlower = 1.2;                            // calls for a trial
+  static constexpr double kSlower = 1.2;  // a trial starts when the other choice is faster by this factor
 
-  double seconds_[2] = {0, 0};  // of a step, on one thread and on all; 0 until known
+  double seconds_[2] = {0, 0};  // of a step on one thread and on all threads; 0 until known
   bool usual_ = true, isTrial_ = false;
   int interval_ = kFirstInterval, stepsToTrial_ = kFirstInterval;
 };

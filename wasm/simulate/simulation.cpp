@@ -11,17 +11,20 @@ namespace limber {
 namespace {
 
 constexpr int kMostSubsteps = 10000;
+// A body has diverged when its bounding box grows beyond this many times its diagonal at rest.
+constexpr double kDivergedGrowth = 10;
 
 void requireOptions(const SimulationOptions& options) {
-  const auto require = [](bool holds, const std::string& sentence) {
-    if (!holds) throw std::invalid_argument(sentence);
+  const auto& [young, poisson, density, thickness, unit] = options.material;
+  const auto require = [](bool isMet, const std::string& sentence) {
+    if (!isMet) throw std::invalid_argument(sentence);
   };
   const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
-  require(positive(options.young), "Young's modulus must be above 0 Pa.");
-  require(options.poisson > -1 && options.poisson < 0.5, "Poisson's ratio must lie between -1 and 0.5.");
-  require(positive(options.density), "The density must be above 0 kg/m3.");
-  require(positive(options.thickness), "The thickness must be above 0.");
-  require(positive(options.unit), "The unit must be above 0 metres.");
+  require(positive(young), "Young's modulus must be above 0 Pa.");
+  require(poisson > -1 && poisson < 0.5, "Poisson's ratio must lie between -1 and 0.5.");
+  require(positive(density), "The density must be above 0 kg/m3.");
+  require(positive(thickness), "The thickness must be above 0.");
+  require(positive(unit), "The unit must be above 0 metres.");
   require(options.substeps >= 1 && options.substeps <= kMostSubsteps, "A step has 1 to 10,000 substeps.");
   require(std::isfinite(options.friction) && options.friction >= 0, "The friction must be at least 0.");
   require(std::isfinite(options.damping) && options.damping >= 0,
@@ -46,7 +49,6 @@ Simulation::Simulation(const TriangleMesh& mesh, const SimulationOptions& option
   requireOptions(options);
   requirePins(mesh, pins);
   state_ = std::make_unique<State>(mesh, options, pins);
-  state_->obstacles.friction = options.friction;
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -65,7 +67,7 @@ uint32_t Simulation::vertexCount() const {
 }
 
 Vec3 Simulation::position(uint32_t v) const {
-  return state_->particles.positions[state_->slotOf[v]] / state_->options.unit;
+  return state_->particles.positions[state_->slotOf[v]] / state_->options.material.unit;
 }
 
 std::vector<Vec3> Simulation::positions() const {
@@ -74,23 +76,15 @@ std::vector<Vec3> Simulation::positions() const {
   return positions;
 }
 
-Vec3 Simulation::position(const SurfacePoint& anchor) const {
+Vec3 Simulation::position(const SurfacePoint& point) const {
   Vec3 sum;
   for (int c = 0; c < 3; ++c)
-    sum += state_->particles.positions[state_->mesh.triangles[anchor.triangle][c]] * anchor.barycentric[c];
-  return sum / state_->options.unit;
+    sum += state_->particles.positions[state_->mesh.triangles[point.triangle][c]] * point.barycentric[c];
+  return sum / state_->options.material.unit;
 }
 
 Vec3 Simulation::velocity(uint32_t v) const {
   return state_->velocity(state_->slotOf[v]);
-}
-
-void Simulation::setPositions(std::span<const Vec3> positions) {
-  Particles& particles = state_->particles;
-  for (uint32_t v = 0; v < vertexCount(); ++v) {
-    const uint32_t slot = state_->slotOf[v];
-    if (particles.inverseMass[slot] > 0) particles.positions[slot] = positions[v] * state_->options.unit;
-  }
 }
 
 void Simulation::setVelocities(std::span<const Vec3> velocities) {
@@ -112,24 +106,24 @@ void Simulation::setWind(const Vec3& wind) {
 }
 
 void Simulation::setGround(double height) {
-  state_->obstacles.ground = height * state_->options.unit;
+  state_->collisionScene.ground = height * state_->options.material.unit;
 }
 
 void Simulation::setColliders(std::span<const Collider> colliders) {
-  const double unit = state_->options.unit;
+  const double unit = state_->options.material.unit;
   for (const Collider& c : colliders)
     if (!(c.radius > 0)) throw std::invalid_argument("The radius of a collider must be above 0.");
-  state_->obstacles.colliders.clear();
+  state_->collisionScene.colliders.clear();
   for (const Collider& c : colliders)
-    state_->obstacles.colliders.push_back({c.from * unit, c.to * unit, c.radius * unit});
+    state_->collisionScene.colliders.push_back({c.from * unit, c.to * unit, c.radius * unit});
 }
 
-void Simulation::drag(const SurfacePoint& anchor, const Vec3& target) {
-  if (anchor.triangle >= state_->mesh.triangleCount())
+void Simulation::drag(const SurfacePoint& point, const Vec3& target) {
+  if (point.triangle >= state_->mesh.triangleCount())
     throw std::invalid_argument("The dragged point lies in a triangle that the mesh does not have.");
   state_->dragged.clear();
-  state_->dragged.add(state_->mesh, state_->particles, anchor);
-  state_->dragTarget = target * state_->options.unit;
+  state_->dragged.add(state_->mesh, state_->particles, point);
+  state_->dragTarget = target * state_->options.material.unit;
 }
 
 void Simulation::release() {
@@ -140,7 +134,8 @@ void Simulation::setPinTargets(std::span<const Vec3> targets) {
   if (targets.size() != state_->pins.count())
     throw std::invalid_argument("There are " + std::to_string(state_->pins.count()) + " pins, but " +
                                 std::to_string(targets.size()) + " targets: give one for each.");
-  for (size_t i = 0; i < targets.size(); ++i) state_->pinTargets[i] = targets[i] * state_->options.unit;
+  for (size_t i = 0; i < targets.size(); ++i)
+    state_->pinTargets[i] = targets[i] * state_->options.material.unit;
 }
 
 double Simulation::kineticEnergy() const {
@@ -160,6 +155,11 @@ bool Simulation::isFinite() const {
     if (!limber::isFinite(particles.positions[slot]) || !limber::isFinite(state_->velocity(slot)))
       return false;
   return !state_->bending || state_->bending->isFinite();
+}
+
+bool Simulation::hasDiverged() const {
+  if (!isFinite()) return true;
+  return bounds({state_->particles.positions, {}}).diagonal() > kDivergedGrowth * state_->restDiagonal;
 }
 
 double Simulation::mass() const {

@@ -14,17 +14,18 @@ namespace limber {
 
 namespace {
 
-// From so many vertices on a body is cut into blocks, and its stages pay for several threads.
+// Bodies with at least this many vertices are cut into blocks: their phases are long enough to pay for
+// threads.
 constexpr uint32_t kThreadedSprings = 8000, kThreadedShell = 2500;
 constexpr uint32_t kBlockVertices = 512, kMostBlocks = 32;
 
-// Contacts are looked for within this share of the body's diagonal.
-constexpr double kContactReach = 0.02;
-// The share of its way that a dragged point makes in a step.
+// Contacts are searched within this share of the body's diagonal, see ContactDistance.
+constexpr double kContactMargin = 0.02;
+// The share of the way to its target that a dragged point makes in a step.
 constexpr double kDragPace = 0.2;
 
-uint32_t blockCountOf(const TriangleMesh& mesh, Material material) {
-  const uint32_t least = material == Material::Springs ? kThreadedSprings : kThreadedShell;
+uint32_t blockCountOf(const TriangleMesh& mesh, SimulationModel model) {
+  const uint32_t least = model == SimulationModel::Springs ? kThreadedSprings : kThreadedShell;
   return mesh.vertexCount() < least ? 1 : std::min(mesh.vertexCount() / kBlockVertices, kMostBlocks);
 }
 
@@ -45,7 +46,7 @@ TriangleMesh inSlots(const TriangleMesh& source, const std::vector<uint32_t>& sl
   return mesh;
 }
 
-// A third of the triangles' mass around each vertex; a vertex with next to none gets 1e-9 of the mean.
+// Every vertex gets a third of the mass of the triangles around it, and at least 1e-9 of the mean.
 std::vector<double> lumpedMasses(const TriangleMesh& mesh, double arealDensity) {
   std::vector<double> masses(mesh.vertexCount(), 0.0);
   double sum = 0;
@@ -61,9 +62,9 @@ std::vector<double> lumpedMasses(const TriangleMesh& mesh, double arealDensity) 
   return masses;
 }
 
-// run(i, repeat) for each of `count` items.
+// A phase that calls run(i, repeat) for each of `count` items.
 template <class Run>
-Stage stageOf(size_t count, Run run) {
+SolverPhase phaseOf(size_t count, Run run) {
   return {count, 1, [run](size_t begin, size_t end, int repeat) {
             for (size_t i = begin; i < end; ++i) run(i, repeat);
           }};
@@ -89,24 +90,25 @@ bool hasNoBorder(const Topology& topology) {
 
 Simulation::State::State(const TriangleMesh& source, const SimulationOptions& given, const Pins& givenPins)
     : options(given),
-      blockCount(blockCountOf(source, given.material)),
+      blockCount(blockCountOf(source, given.model)),
       slotOf(slotsOf(source, blockCount)),
-      mesh(inSlots(source, slotOf, given.unit)),
+      mesh(inSlots(source, slotOf, given.material.unit)),
+      restDiagonal(bounds(mesh).diagonal()),
       topology(buildTopology(mesh)),
       blocks(blocksOf(mesh, flapsOf(mesh, topology), blockCount)),
       substep(kStep / given.substeps),
-      masses(lumpedMasses(mesh, given.density * given.thickness * given.unit)),
+      masses(lumpedMasses(mesh, given.material.density * given.material.thickness * given.material.unit)),
       closed(hasNoBorder(topology)),
       contacts(blocks),
       triangleContacts(mesh, blocks),
       pins(givenPins),
       edgeStart_(edgeStarts(topology, blocks)),
-      contactReach_{kContactReach * bounds(mesh).diagonal(), given.substeps} {
+      contactDistance_{kContactMargin * restDiagonal, given.substeps} {
   for (uint32_t& v : pins.vertices) v = slotOf[v];
   makeParticles();
   makeConstraints();
   makePins();
-  makeStages();
+  makeSchedule();
 }
 
 void Simulation::State::makeParticles() {
@@ -125,24 +127,26 @@ void Simulation::State::makeParticles() {
 }
 
 void Simulation::State::makeConstraints() {
-  const Sheet sheet = {options.young, options.poisson, options.thickness * options.unit, options.density};
+  Sheet sheet = {options.material};
+  sheet.material.thickness *= options.material.unit;
+  sheet.material.unit = 1;
   if (options.selfCollision) selfContacts.emplace(mesh, options.friction);
   const ConstraintOptions made = {sheet, blocks, substep, options.order};
-  if (options.material == Material::Springs) {
+  if (options.model == SimulationModel::Springs) {
     edges.emplace(mesh, topology, particles, made);
     return;
   }
   membrane.emplace(mesh, particles, made);
   bending.emplace(mesh, topology, particles, made);
-  const double bulkModulus = options.young / (3 * (1 - 2 * options.poisson));
+  const double bulkModulus = options.material.young / (3 * (1 - 2 * options.material.poisson));
   if (options.keepsVolume) volume.emplace(mesh, topology, blocks, bulkModulus);
 }
 
 void Simulation::State::makePins() {
-  for (const SurfacePoint& point : pins.points) heldPoints.add(mesh, particles, point);
+  for (const SurfacePoint& point : pins.points) pinnedPoints.add(mesh, particles, point);
   for (const uint32_t v : pins.vertices) pinTargets.push_back(particles.positions[v]);
   for (size_t i = 0; i < pins.points.size(); ++i) {
-    pinTargets.push_back(heldPoints.position(i, particles));
+    pinTargets.push_back(pinnedPoints.position(i, particles));
     pinStarts.push_back(pinTargets.back());
   }
 }
@@ -166,22 +170,22 @@ void Simulation::State::advanceBlock(size_t block, const Advance& what) {
   advance(particles, begin, end, what);
   if (!bending) return;
   const auto damping = static_cast<float>(std::min(options.damping * substep, 1.0));
-  bending->advanceTurns(edgeStart_[block], edgeStart_[block + 1], what, damping);
+  bending->advanceRotations(edgeStart_[block], edgeStart_[block + 1], what, damping);
 }
 
 void Simulation::State::startBlock(size_t block) {
   for (uint32_t v = blocks.start[block]; v < blocks.start[block + 1]; ++v) {
-    const Vec3 acceleration = blown_.empty() ? gravity : gravity + blown_[v];
+    const Vec3 acceleration = windAcceleration_.empty() ? gravity : gravity + windAcceleration_[v];
     const bool isFree = particles.inverseMass[v] > 0;
     particles.acceleration[v] = isFree ? toFloat4(acceleration * (substep * substep)) : Float4{};
   }
-  contacts.rebase(particles, obstacles, contactReach_, block);
+  contacts.rebase(particles, collisionScene, contactDistance_, block);
   if (volume) volume->rebase(particles, block);
 }
 
 void Simulation::State::startGroup(size_t group) {
   if (group < blockCount) startBlock(group);
-  triangleContacts.rebase(particles, obstacles, contactReach_, group);
+  triangleContacts.rebase(particles, collisionScene, contactDistance_, group);
   forEachKind([&](auto& constraints) {
     const auto& start = constraints.colouring().groupStart;
     constraints.rebase(particles, start[group], start[group + 1]);
@@ -194,46 +198,47 @@ void Simulation::State::finishBlock(size_t block) {
 }
 
 void Simulation::State::projectContacts(size_t group) {
-  const auto friction = static_cast<float>(obstacles.friction);
+  const auto friction = static_cast<float>(options.friction);
   if (group < blockCount) contacts.project(particles, friction, group);
   triangleContacts.project(particles, friction, group);
 }
 
-// Constraints are solved block by block and then border by border; pins and contacts have the last word.
-void Simulation::State::makeStages() {
+// In every substep the constraints of all blocks are solved, then those of all borders, then volumes. Pins
+// and contacts come last, so that they are met exactly at the end of the substep.
+void Simulation::State::makeSchedule() {
   const size_t borderCount = blocks.borderCount;
   schedule_.repeats = options.substeps;
-  schedule_.before.push_back(stageOf(blocks.groupCount(), [this](size_t group, int) { startGroup(group); }));
+  schedule_.before.push_back(phaseOf(blocks.groupCount(), [this](size_t group, int) { startGroup(group); }));
   auto& repeated = schedule_.repeated;
-  repeated.push_back(stageOf(blockCount, [this](size_t block, int repeat) {
+  repeated.push_back(phaseOf(blockCount, [this](size_t block, int repeat) {
     advanceBlock(block, {repeat > 0, true});
     projectGroup(block);
   }));
-  repeated.push_back(stageOf(borderCount, [this](size_t i, int) { projectGroup(blockCount + i); }));
+  repeated.push_back(phaseOf(borderCount, [this](size_t i, int) { projectGroup(blockCount + i); }));
   if (volume && volume->count()) {
-    repeated.push_back(stageOf(blockCount, [this](size_t block, int) { volume->measure(particles, block); }));
+    repeated.push_back(phaseOf(blockCount, [this](size_t block, int) { volume->measure(particles, block); }));
     repeated.push_back(
-        stageOf(borderCount, [this](size_t i, int) { volume->measure(particles, blockCount + i); }));
-    repeated.push_back(stageOf(blockCount, [this](size_t block, int) { volume->weigh(particles, block); }));
+        phaseOf(borderCount, [this](size_t i, int) { volume->measure(particles, blockCount + i); }));
+    repeated.push_back(phaseOf(blockCount, [this](size_t block, int) { volume->weigh(particles, block); }));
     repeated.push_back(
-        stageOf(blockCount, [this](size_t block, int) { volume->apply(particles, block, substep); }));
+        phaseOf(blockCount, [this](size_t block, int) { volume->apply(particles, block, substep); }));
   }
-  pointStage_ = repeated.size();
-  repeated.push_back(stageOf(1, [this](size_t, int repeat) {
-    heldPoints.project(particles, repeat);
+  pointPhase_ = repeated.size();
+  repeated.push_back(phaseOf(1, [this](size_t, int repeat) {
+    pinnedPoints.project(particles, repeat);
     dragged.project(particles, repeat);
     if (selfContacts) selfContacts->project(particles);
   }));
-  contactStage_ = repeated.size();
-  repeated.push_back(stageOf(blockCount, [this](size_t block, int) { projectContacts(block); }));
-  repeated.push_back(stageOf(borderCount, [this](size_t i, int) { projectContacts(blockCount + i); }));
-  schedule_.after.push_back(stageOf(blockCount, [this](size_t block, int) { finishBlock(block); }));
+  contactPhase_ = repeated.size();
+  repeated.push_back(phaseOf(blockCount, [this](size_t block, int) { projectContacts(block); }));
+  repeated.push_back(phaseOf(borderCount, [this](size_t i, int) { projectContacts(blockCount + i); }));
+  schedule_.after.push_back(phaseOf(blockCount, [this](size_t block, int) { finishBlock(block); }));
 }
 
-void Simulation::State::blow() {
-  blown_.clear();
+void Simulation::State::startWind() {
+  windAcceleration_.clear();
   if (squaredLength(wind) > 0)
-    blown_ =
+    windAcceleration_ =
         windAcceleration({mesh.triangles, particles.positions, velocities(), masses, closed}, wind, kStep);
 }
 
@@ -244,7 +249,7 @@ void Simulation::State::startPins() {
   }
   for (size_t i = 0; i < pins.points.size(); ++i) {
     const Vec3& target = pinTargets[pins.vertices.size() + i];
-    heldPoints.rebase(i, particles, {pinStarts[i], target}, options.substeps);
+    pinnedPoints.rebase(i, particles, {pinStarts[i], target}, options.substeps);
     pinStarts[i] = target;
   }
   if (dragged.count()) {
@@ -257,18 +262,18 @@ void Simulation::State::step(const Job& job, Helpers* helpers) {
   const bool threaded = blockCount > 1 && threadCount() > 1 && threadChoice_.threaded();
   const auto start = std::chrono::steady_clock::now();
   helpedSeconds = 0;
-  blow();
+  startWind();
   startPins();
   if (selfContacts) selfContacts->rebase(particles, options.substeps);
-  schedule_.repeated[pointStage_].count = heldPoints.count() || dragged.count() || selfContacts ? 1 : 0;
-  schedule_.repeated[contactStage_].count = obstacles.empty() ? 0 : blockCount;
-  schedule_.repeated[contactStage_ + 1].count = obstacles.colliders.empty() ? 0 : blocks.borderCount;
+  schedule_.repeated[pointPhase_].count = pinnedPoints.count() || dragged.count() || selfContacts ? 1 : 0;
+  schedule_.repeated[contactPhase_].count = collisionScene.empty() ? 0 : blockCount;
+  schedule_.repeated[contactPhase_ + 1].count = collisionScene.colliders.empty() ? 0 : blocks.borderCount;
   if (threaded && helpers)
     helpedSeconds = helpers->run(schedule_, job);
   else
-    runStages(schedule_, threaded, job);
+    runSchedule(schedule_, threaded, job);
   for (size_t i = 0; i < pins.vertices.size(); ++i) particles.positions[pins.vertices[i]] = pinTargets[i];
-  threadChoice_.tell(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  threadChoice_.record(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
 Vec3 Simulation::State::velocity(uint32_t v) const {

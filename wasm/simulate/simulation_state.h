@@ -19,7 +19,8 @@
 
 namespace limber {
 
-// A simulation in SI units. It must not move: its stages point into it.
+// Everything that a simulation holds, in SI units. It must not be moved: the phases of its schedule point
+// into it.
 struct Simulation::State {
   State(const TriangleMesh& source, const SimulationOptions& options, const Pins& pins);
   State(const State&) = delete;
@@ -32,10 +33,11 @@ struct Simulation::State {
   double elasticEnergy() const;
 
   SimulationOptions options;
-  // Vertices have numbers of their own within, so that blocks are ranges: slotOf[vertex].
+  // Inside, vertices are renumbered so that blocks are ranges: vertex v of the caller has the slot slotOf[v].
   uint32_t blockCount;
   std::vector<uint32_t> slotOf;
-  TriangleMesh mesh;  // at rest, in metres, by slots
+  TriangleMesh mesh;    // at rest, in metres, by slots
+  double restDiagonal;  // metres
   Topology topology;
   Blocks blocks;
   double substep;              // seconds
@@ -49,12 +51,12 @@ struct Simulation::State {
   Contacts contacts;
   TriangleContacts triangleContacts;
   std::optional<SelfContacts> selfContacts;
-  Obstacles obstacles;
-  Pins pins;  // slots
-  PointConstraints heldPoints;
-  std::vector<Vec3> pinTargets;  // at the end of the step
-  std::vector<Vec3> pinStarts;   // of points, at its start
-  PointConstraints dragged;      // none or one
+  CollisionScene collisionScene;  // metres
+  Pins pins;                      // by slots
+  PointConstraints pinnedPoints;
+  std::vector<Vec3> pinTargets;  // metres, at the end of the step
+  std::vector<Vec3> pinStarts;   // metres, of pinned points at its start
+  PointConstraints dragged;      // no point or one
   Vec3 dragTarget;
   Vec3 gravity, wind;
   double helpedSeconds = 0;  // of the last step
@@ -71,15 +73,15 @@ struct Simulation::State {
   void projectGroup(size_t group);
   void advanceBlock(size_t block, const Advance& what);
   void finishBlock(size_t block);
-  void makeStages();
+  void makeSchedule();
   void startPins();
-  void blow();
+  void startWind();
 
-  std::vector<size_t> edgeStart_;  // of blocks
+  std::vector<size_t> edgeStart_;  // edges of block b: [edgeStart_[b], edgeStart_[b + 1])
   Schedule schedule_;
-  size_t pointStage_ = 0, contactStage_ = 0;  // of those that are repeated
-  std::vector<Vec3> blown_;                   // accelerations by wind; empty without
-  ContactReach contactReach_;
+  size_t pointPhase_ = 0, contactPhase_ = 0;  // indices in schedule_.repeated
+  std::vector<Vec3> windAcceleration_;        // m/s2 per slot; empty without wind
+  ContactDistance contactDistance_;
   ThreadChoice threadChoice_;
 };
 

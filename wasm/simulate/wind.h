@@ -6,19 +6,20 @@
 
 namespace limber {
 
-// A body in the air. SI units; all sizes are those of the mesh's vertices.
+// A body in the air, in SI units; every array has one entry per vertex.
 struct Airborne {
   const std::vector<Triangle>& triangles;
   const std::vector<Vec3>& positions;
   const std::vector<Vec3>& velocities;
   const std::vector<double>& masses;
-  bool closed;  // then only the sides that face the wind are pressed
+  bool closed;  // the body has no border: air presses only on triangles that face the wind
 };
 
-// The acceleration that air moving with `wind` gives each vertex, m/s2. Every triangle is pressed along its
-// normal n by rho c A / 2 (w . n)^2, w its velocity against the air, rho = 1.2 kg/m3 and c = 1.2. It is held
-// below what would stop the vertex against the air within half a step of `step` seconds, so that light cloth
-// stays calm.
+// The acceleration of every vertex by air that moves with `wind` (m/s), in m/s2. Every triangle is pressed
+// along its unit normal n by the force rho c A / 2 |w . n| (w . n), shared equally by its corners; w is the
+// velocity of the air against the triangle, A its area, rho = 1.2 kg/m3 the density of air and c = 1.2 the
+// drag coefficient of a flat plate. The acceleration is limited to what would stop a vertex against the air
+// within half a step of `step` seconds, so that light cloth does not flutter.
 std::vector<Vec3> windAcceleration(const Airborne& body, const Vec3& wind, double step);
 
 }  // namespace limber

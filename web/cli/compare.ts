@@ -1,15 +1,19 @@
 /** limber compare A B: A is the original. */
 
 import { basename } from 'node:path';
+import { materialOf } from '../engine/body/material';
+import type { PreparedBody } from '../engine/body/prepared_body';
 import type { Fidelity, SurfaceDistance } from '../engine/core/core';
-import { compareTopology, materialOf, measureDistance, startStopwatch } from '../engine/stages/pipeline';
-import type { PreparedBody } from '../engine/stages/pipeline';
-import { meshReport, startReport, worstFidelity, worstSurface } from '../engine/report/report';
+import { startStopwatch } from '../engine/core/stopwatch';
+import { meshReport } from '../engine/report/mesh_report';
+import { startReport } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
+import { worstFidelity, worstSurface } from '../engine/report/result_report';
+import { compareTopology, measureDistance } from '../engine/stages/measure';
 import type { Arguments } from './arguments';
 import { EXIT, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
-import { finish, openFile, prepareBodies, startSession, usable } from './session';
+import { finish, openFile, prepareFile, startSession } from './session';
 import type { Session } from './session';
 import { count, list, percent, plural } from './words';
 
@@ -22,7 +26,9 @@ export async function runCompare(args: Arguments): Promise<number> {
     await openFile(session, args.operands[1]),
   ];
   const load = stopwatch();
-  const [originals, others] = [usable(prepareBodies(session, first)), usable(prepareBodies(session, second))];
+  const [originals, others] = [first, second].map((model) =>
+    prepareFile(session, model).prepared(args.settings),
+  );
   checkPairs(args, originals, others);
   const weld = stopwatch();
   const pairs = originals.map((original, i) => ({ original, other: others[i] }));
@@ -38,7 +44,7 @@ export async function runCompare(args: Arguments): Promise<number> {
   return EXIT.done;
 }
 
-/** Only what takes part in a comparison: the model is always the shell. */
+/** Only the settings that a comparison reads; its elastic model is always the shell. */
 function optionsAsUsed({ settings, mesh }: Arguments): object {
   const used = { model: 'shell', ...settingsAsUsed('compare', settings) };
   return mesh === null ? used : { ...used, mesh };

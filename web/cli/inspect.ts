@@ -1,10 +1,11 @@
 /** limber inspect IN */
 
-import { inspectBody, startStopwatch } from '../engine/stages/pipeline';
-import type { Body, OpenModel } from '../engine/document/open';
 import { describeHealth } from '../engine/body/health';
+import type { InspectedBody } from '../engine/body/prepared_body';
+import { startStopwatch } from '../engine/core/stopwatch';
+import type { Body, OpenModel } from '../engine/document/open';
 import { startReport } from '../engine/report/report';
-import type { InspectedBody } from '../engine/report/report';
+import { inspectBody } from '../engine/stages/prepared';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { settingsAsUsed } from './flags';

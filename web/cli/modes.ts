@@ -1,21 +1,27 @@
 /** limber modes IN */
 
 import { basename } from 'node:path';
-import { droppedByExport, exportGlb } from '../engine/document/export';
-import { shapeTargets } from '../engine/document/shapes';
 import { describeSize, describeSolve } from '../engine/body/health';
+import { materialOf } from '../engine/body/material';
+import type { PreparedBody } from '../engine/body/prepared_body';
+import type { ModeSet } from '../engine/core/core';
+import { startStopwatch } from '../engine/core/stopwatch';
+import { droppedByExport, exportGlb } from '../engine/document/export';
+import type { ExportedBody } from '../engine/document/export';
+import { shapeTargets } from '../engine/document/shapes';
+import { modesReport } from '../engine/report/modes_report';
+import { startReport } from '../engine/report/report';
+import type { Report } from '../engine/report/report';
 import { resolveModes } from '../engine/settings/options';
 import type { Settings } from '../engine/settings/options';
-import { exportedMesh, findModes, materialOf, startStopwatch } from '../engine/stages/pipeline';
-import type { PreparedBody } from '../engine/stages/pipeline';
-import type { ModeSet } from '../engine/core/core';
-import { findPins } from '../engine/body/pins';
-import { modesReport, startReport } from '../engine/report/report';
-import type { Report } from '../engine/report/report';
+import type { FileRun } from '../engine/stages/file_run';
+import { STAGES } from '../engine/stages/stages';
+import { exportedMesh } from '../engine/stages/written';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { checkOutput, writeWhole } from './files';
-import { finish, openFile, prepareBodies, startSession, usable } from './session';
+import { finish, openFile, prepareFile, startSession } from './session';
+import type { Session } from './session';
 import { plural, table } from './words';
 
 export async function runModes(args: Arguments): Promise<number> {
@@ -27,36 +33,48 @@ export async function runModes(args: Arguments): Promise<number> {
   const { settings } = args;
   const model = await openFile(session, input);
   const load = stopwatch();
-  const prepared = prepareBodies(session, model);
-  for (const body of usable(prepared)) {
+  const file = prepareFile(session, model);
+  const prepared = file.prepared(settings);
+  for (const body of prepared) {
     const size = describeSize(body.diagonal * materialOf(body, settings).unit);
     if (size !== '') session.warnings.push(`${body.body.name}: ${size}`);
   }
   const weld = stopwatch();
-  const sets = prepared.map((body) => {
-    session.activity = body?.body.name ?? '';
-    if (!body) return null;
-    return findModes(session.core, body, settings, findPins(settings.pins, model.document, body));
+  const sets = file.usable.map(({ run }) => {
+    file.announce(run);
+    return run.get(STAGES.modes, settings);
   });
   const solved = stopwatch();
-  if (args.shapes !== null) {
-    const shown = prepared.map((body, i) => (body ? shapesOf(args, body, sets[i]!) : null));
-    writeWhole(args.shapes, await exportGlb(model, shown, { fields: false }));
-    const dropped = droppedByExport(model, true);
-    if (dropped.length > 0) session.warnings.push(`${args.shapes} leaves out ${dropped.join(', ')}`);
-  }
-  const used: Partial<Settings> & { mesh?: string } = { ...settings };
-  delete used.method; // it only keeps `auto` from meaning the paper's model
-  if (args.mesh !== null) used.mesh = args.mesh;
-  const report = startReport(session.core, 'modes', used, usable(prepared));
-  Object.assign(report, modesReport(sets.filter((set) => set !== null)));
+  if (args.shapes !== null) await writeShapes(session, file, args.shapes);
+  const report = startReport(session.core, 'modes', optionsAsUsed(args), prepared);
+  Object.assign(report, modesReport(sets));
   session.warnings.push(...describeSolve(report.modes!, report.solve!.coarseVertices ?? 0));
   report.timings = { load, weld, modes: solved, export: stopwatch(), total: total() };
   finish(session, report, modesText(args, report));
   return EXIT.done;
 }
 
-function shapesOf({ settings }: Arguments, prepared: PreparedBody, modes: ModeSet) {
+function optionsAsUsed({ settings, mesh }: Arguments): object {
+  const used: Partial<Settings> & { mesh?: string } = { ...settings };
+  delete used.method; // it only keeps `auto` from meaning the paper's model
+  if (mesh !== null) used.mesh = mesh;
+  return used;
+}
+
+/** Writes the model with the shapes of the modes as morph targets. */
+async function writeShapes({ args, warnings }: Session, file: FileRun, path: string): Promise<void> {
+  const { model, runs } = file;
+  const shown = runs.map((run) => {
+    if (!run) return null;
+    const { settings } = args;
+    return shapesOf(settings, run.get(STAGES.prepared, settings), run.get(STAGES.modes, settings));
+  });
+  writeWhole(path, await exportGlb(model, shown, { fields: false }));
+  const dropped = droppedByExport(model, true);
+  if (dropped.length > 0) warnings.push(`${path} leaves out ${dropped.join(', ')}`);
+}
+
+function shapesOf(settings: Settings, prepared: PreparedBody, modes: ModeSet): ExportedBody {
   const ordinals = resolveModes(settings).map((mode) => mode - 1);
   const targets = shapeTargets(prepared.mesh, modes, ordinals, prepared.diagonal);
   return { ...exportedMesh(prepared), targets };

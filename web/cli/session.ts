@@ -1,25 +1,25 @@
-/** What every command needs: the loaded core, the opened model, progress and warnings. */
+/** What every command needs: the loaded core, the opened files, progress and warnings. */
 
 import { existsSync } from 'node:fs';
-import type { Core, Progress } from '../engine/core/core';
-import type { OpenModel } from '../engine/document/open';
-import { openModel } from '../engine/document/open';
 import { describeHealth } from '../engine/body/health';
+import type { PreparedBody } from '../engine/body/prepared_body';
+import type { Core, Progress } from '../engine/core/core';
 import { loadCore } from '../engine/core/load_core';
-import { prepareBody } from '../engine/stages/pipeline';
-import type { PreparedBody } from '../engine/stages/pipeline';
+import { openModel } from '../engine/document/open';
+import type { OpenModel } from '../engine/document/open';
 import type { Report } from '../engine/report/report';
+import { FileRun } from '../engine/stages/file_run';
 import type { Arguments } from './arguments';
 import { UsageError } from './failure';
 import { checkFolder, readModelFiles, writeWhole } from './files';
-import { plain } from './words';
+import { count, plain } from './words';
 
 export interface Session {
   args: Arguments;
   core: Core;
-  /** Warnings are told at the end, so that a failure is one line. */
+  /** written at the end, so that a failure is one line */
   warnings: string[];
-  /** what the progress line says before the phase */
+  /** the beginning of the progress line, before the phase */
   activity: string;
 }
 
@@ -34,7 +34,7 @@ export async function startSession(args: Arguments): Promise<Session> {
   return Object.assign(session, { core });
 }
 
-/** The core lies beside the built page, or in a working copy in public/. */
+/** The core is beside the built page, or in public/ in a working copy. */
 function findWasm(): string {
   const folders = ['../app/wasm/', '../../public/wasm/'].map((folder) => new URL(folder, import.meta.url));
   const found = folders.find((folder) => existsSync(new URL('limber-single.mjs', folder)));
@@ -66,25 +66,17 @@ export function chosenBodies({ args }: Session, model: OpenModel): number[] {
   throw new UsageError(`${model.name} has no body "${args.mesh}": it has ${names.join(', ')}.`);
 }
 
-/** The chosen bodies made ready; null for one without a usable face, which is an error where none is left. */
-export function prepareBodies(session: Session, model: OpenModel): (PreparedBody | null)[] {
-  const chosen = new Set(chosenBodies(session, model));
-  let failure: Error | null = null;
-  const prepared = model.bodies.map((body, i) => {
-    if (!chosen.has(i)) return null;
-    session.activity = body.name;
-    try {
-      return prepareBody(session.core, body, session.args.settings, model.document);
-    } catch (error) {
-      if (!(error instanceof Error) || error.constructor !== Error) throw error;
-      failure ??= error;
-      session.warnings.push(`${error.message.replace(/\.$/, '')}; it stays as it is`);
-      return null;
-    }
-  });
-  if (failure && prepared.every((body) => body === null)) throw failure;
-  for (const body of prepared) if (body) warnAbout(session, model, body);
-  return prepared;
+/** A run over the chosen bodies, prepared. A body without a usable face stays as it is; an error where no other is left. */
+export function prepareFile(session: Session, model: OpenModel): FileRun {
+  const { args, core, warnings } = session;
+  const onActivity = (body: string, triedFaces?: number): void => {
+    session.activity = triedFaces === undefined ? body : `${body}, trying ${count(triedFaces)} faces`;
+  };
+  const file = new FileRun(core, model, { chosen: chosenBodies(session, model), onActivity });
+  for (const sentence of file.leaveOutUnusable(args.settings))
+    warnings.push(`${sentence.replace(/\.$/, '')}; it stays as it is`);
+  for (const body of file.prepared(args.settings)) warnAbout(session, model, body);
+  return file;
 }
 
 function warnAbout({ warnings }: Session, model: OpenModel, { body, weld, inspection }: PreparedBody): void {
@@ -93,12 +85,9 @@ function warnAbout({ warnings }: Session, model: OpenModel, { body, weld, inspec
     if (kind !== 'fact') warnings.push(`${name}${text}`);
 }
 
-export const usable = (bodies: (PreparedBody | null)[]): PreparedBody[] =>
-  bodies.filter((body) => body !== null);
-
 /**
- * Writes the report where it was asked for; `text` is what stdout gets where the report does not go there. `missed` says
- * why targets were not reached, and is said even where nothing else is.
+ * Writes the report where it was asked for, and `text` to stdout where the report does not go there. `missed`: why targets
+ * were not reached; written to stderr even with --quiet.
  */
 export function finish(
   { args, core, warnings }: Session,

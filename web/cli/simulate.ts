@@ -2,64 +2,61 @@
 
 import { basename } from 'node:path';
 import { readBinding } from '../engine/report/binding_file';
+import type { BodyBinding } from '../engine/report/binding_file';
 import type { MotionComparison } from '../engine/core/core';
 import { recordingGlb } from '../engine/document/recording';
 import type { RecordedBody } from '../engine/document/recording';
-import { startStopwatch } from '../engine/stages/pipeline';
-import type { PreparedBody } from '../engine/stages/pipeline';
-import { findPins } from '../engine/body/pins';
-import { calibrationReport, meshReport, simulationReport, startReport } from '../engine/report/report';
-import type { Report, RunReport, SimulationReport } from '../engine/report/report';
+import type { PreparedBody } from '../engine/body/prepared_body';
+import { startStopwatch } from '../engine/core/stopwatch';
 import { bindingBetween, calibrationOf, simulationOptions, STEP_SECONDS } from '../engine/motion/simulation';
+import { meshReport } from '../engine/report/mesh_report';
+import { calibrationReport, simulationReport } from '../engine/report/motion_report';
+import type { RunReport, SimulationReport } from '../engine/report/motion_report';
+import { startReport } from '../engine/report/report';
+import type { Report } from '../engine/report/report';
+import type { FileRun } from '../engine/stages/file_run';
+import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
 import { checkPairs } from './compare';
 import { EXIT, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
 import { checkOutput, readText, writeWhole } from './files';
-import { finish, openFile, prepareBodies, startSession, usable } from './session';
+import { finish, openFile, prepareFile, startSession } from './session';
+import type { Session } from './session';
 import { count, list } from './words';
+
+/** The bodies of A and, where it is named, of B, in the order of their files. */
+interface Sides {
+  file: FileRun;
+  originals: PreparedBody[];
+  /** null: only A is simulated */
+  others: PreparedBody[] | null;
+}
 
 export async function runSimulate(args: Arguments): Promise<number> {
   const total = startStopwatch();
   const stopwatch = startStopwatch();
-  const { settings, operands } = args;
-  if (args.bind !== null && operands.length < 2)
-    throw new UsageError('--bind carries pins over to B, which is missing: name both files.');
-  checkCalibration(args);
-  if (args.record !== null) checkOutput(args.record, operands[0]);
+  checkArguments(args);
   const session = await startSession(args);
-  const first = await openFile(session, operands[0]);
-  const second = operands.length > 1 ? await openFile(session, operands[1]) : null;
+  const first = await openFile(session, args.operands[0]);
+  const second = args.operands.length > 1 ? await openFile(session, args.operands[1]) : null;
   const load = stopwatch();
-  const originals = usable(prepareBodies(session, first));
-  const others = second ? usable(prepareBodies(session, second)) : null;
+  const file = prepareFile(session, first);
+  const originals = file.prepared(args.settings);
+  const others = second && prepareFile(session, second).prepared(args.settings);
   if (others) checkPairs(args, originals, others);
+  const sides = { file, originals, others };
   const weld = stopwatch();
   const bindings = args.bind === null ? null : readBinding(basename(args.bind), readText(args.bind));
-  const factors =
-    others && settings.calibrate
-      ? originals.map((original, i) => calibrationOf(session.core, original, others[i].mesh, settings))
-      : null;
+  const factors = calibrationFactors(session, sides);
   const calibration = stopwatch();
-  const motions = originals.map((original, i): MotionComparison => {
-    session.activity = original.body.name;
-    const pinned = settings.pins === '' ? null : findPins(settings.pins, first.document, original);
-    const binding = others && bindings ? bindingBetween(original, others[i], bindings) : null;
-    const options = simulationOptions(original, settings, pinned);
-    const records = args.record !== null;
-    return session.core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
-      ...options,
-      records,
-      binding,
-      calibration: factors?.[i] ?? 1,
-    });
-  });
+  const motions = compareMotions(session, sides, { bindings, factors });
   const simulated = stopwatch();
   if (args.record !== null)
     writeWhole(args.record, await recordingGlb(recorded(motions, originals, others), STEP_SECONDS));
   const report = startReport(session.core, 'simulate', optionsAsUsed(args), originals);
   if (others) report.output = meshReport(others);
-  report.simulation = simulationReport(motions, settings);
+  report.simulation = simulationReport(motions, args.settings);
   if (factors) report.calibration = calibrationReport(originals, factors);
   report.timings = {
     load,
@@ -73,6 +70,14 @@ export async function runSimulate(args: Arguments): Promise<number> {
   return EXIT.done;
 }
 
+/** Refuses what could not be done, before any work. */
+function checkArguments(args: Arguments): void {
+  if (args.bind !== null && args.operands.length < 2)
+    throw new UsageError('--bind carries pins over to B, which is missing: name both files.');
+  checkCalibration(args);
+  if (args.record !== null) checkOutput(args.record, args.operands[0]);
+}
+
 function checkCalibration({ settings, operands }: Arguments): void {
   if (!settings.calibrate) return;
   if (operands.length < 2) throw new UsageError('--calibrate matches B to A: name both files.');
@@ -82,7 +87,33 @@ function checkCalibration({ settings, operands }: Arguments): void {
     );
 }
 
-/** Originals where they are, the others beside them. */
+/** Per body the factor on the stiffness of B; null where none is asked for. */
+function calibrationFactors({ core, args }: Session, { originals, others }: Sides): number[] | null {
+  if (!others || !args.settings.calibrate) return null;
+  return originals.map((original, i) => calibrationOf(core, original, others[i].mesh, args.settings));
+}
+
+function compareMotions(
+  session: Session,
+  { file, originals, others }: Sides,
+  { bindings, factors }: { bindings: BodyBinding[] | null; factors: number[] | null },
+): MotionComparison[] {
+  const { settings, record } = session.args;
+  return file.usable.map(({ run }, i) => {
+    const original = originals[i];
+    file.announce(run);
+    const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
+    const binding = others && bindings ? bindingBetween(original, others[i], bindings) : null;
+    return session.core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
+      ...simulationOptions(original, settings, pinned),
+      records: record !== null,
+      binding,
+      calibration: factors?.[i] ?? 1,
+    });
+  });
+}
+
+/** Originals at their own coordinates, the others beside them. */
 function recorded(
   motions: MotionComparison[],
   originals: PreparedBody[],

@@ -30,7 +30,7 @@ export async function attributeErrors({ engine, core }, { methods, ratios, missi
     for (const ratio of ratios)
       for (const { name: method, settings } of methods) {
         const targetFaces = (ratio * prepared.mesh.triangles.length) / 3;
-        const { result } = engine.optimizeBody(core, prepared, settings, { targetFaces });
+        const { result } = engine.optimizeBody(core, prepared, settings, { targetFaces, document });
         found.push({ mesh: name, method, ratio, ...errorOf({ engine, core }, document, prepared, result) });
       }
   }

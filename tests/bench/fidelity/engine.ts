@@ -1,18 +1,51 @@
 // What the evaluation uses of the engine, as one entry for its bundle; and the samples, from where they are made.
 
+import type { Document } from '@gltf-transform/core';
+import type { PreparedBody } from '../../../web/engine/body/prepared_body';
+import type { Core } from '../../../web/engine/core/core';
+import { sourcesOfVertices } from '../../../web/engine/settings/pin_edits';
+import type { Settings } from '../../../web/engine/settings/options';
+import { BodyRun } from '../../../web/engine/stages/body_run';
+import { STAGES } from '../../../web/engine/stages/stages';
+
 export { samples } from '../../../scripts/samples/samples';
 export { costAttributesOf } from '../../../web/engine/body/attributes';
-export { openModel } from '../../../web/engine/document/open';
-export { loadCore } from '../../../web/engine/core/load_core';
-export { optimizeBody } from '../../../web/engine/stages/optimize';
-export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/settings/options';
+export { materialOf } from '../../../web/engine/body/material';
 export { findPins } from '../../../web/engine/body/pins';
+export { loadCore } from '../../../web/engine/core/load_core';
+export { openModel } from '../../../web/engine/document/open';
 export { STEP_SECONDS, simulationOptions } from '../../../web/engine/motion/simulation';
-export { closestPoint, placeOf } from '../../../web/engine/motion/twin_points';
-export {
-  findGuidance,
-  findModes,
-  materialOf,
-  measureResult,
-  prepareBody,
-} from '../../../web/engine/stages/pipeline';
+export { closestPoint, positionOf } from '../../../web/engine/motion/twin_points';
+export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/settings/options';
+export { measureResult } from '../../../web/engine/stages/measure';
+export { prepareBody } from '../../../web/engine/stages/prepared';
+
+export interface Asked {
+  targetFaces: number;
+  /** vertices of the prepared mesh */
+  pinned?: Uint32Array;
+  /** where the body comes from; without it it has no attributes */
+  document?: Document;
+}
+
+/** The result of a body, and the seconds from its modes to its fit. */
+export function optimizeBody(
+  core: Core,
+  { body, weld }: PreparedBody,
+  settings: Settings,
+  { targetFaces, pinned, document }: Asked,
+) {
+  const run = new BodyRun({ core, body, document: document ?? null });
+  const sources = sourcesOfVertices(weld.vertexOfSource);
+  const pins = pinned?.length ? `vertices:${[...pinned].map((v) => sources.get(v)).join(',')}` : '';
+  const own = { ...settings, pins, targetFaces };
+  run.get(STAGES.pinned, own);
+  const started = performance.now();
+  const { result } = run.get(STAGES.fitted, own);
+  return { result, seconds: (performance.now() - started) / 1000 };
+}
+
+/** The strain rank per triangle that guides the collapses. */
+export function strainRank(core: Core, { body }: PreparedBody, settings: Settings): Float32Array {
+  return new BodyRun({ core, body, document: null }).get(STAGES.guidance, settings).rank;
+}

@@ -47,7 +47,7 @@ function compact(positions, indices) {
 /** Per vertex PRIORITY where a triangle around it bends much in the first six modes, by our own guidance. */
 function strainPriorities({ engine, core }, { prepared }) {
   const settings = engine.defaultSettings('qem');
-  const { rank } = engine.findGuidance(core, prepared, engine.findModes(core, prepared, settings), settings);
+  const rank = engine.strainRank(core, prepared, settings);
   const priorities = new Uint8Array(prepared.mesh.positions.length / 3);
   prepared.mesh.triangles.forEach((vertex, corner) => {
     if (rank[Math.floor(corner / 3)] > STRAINED) priorities[vertex] = PRIORITY;

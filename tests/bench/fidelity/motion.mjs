@@ -91,10 +91,10 @@ function deviations(loaded, mesh, { motion, pinned, bodies }) {
 
 /** How far each point of the original's surface has gone after each step, [(step * points + point) * 3 + c]. */
 function pathsOf({ engine, core }, original, { moving, points, options }) {
-  const placeOn = (point) => engine.placeOf(original.triangles, original.positions, point);
+  const placeOn = (point) => engine.positionOf(original.triangles, original.positions, point);
   const bound =
     moving === original ? points : points.map((point) => engine.closestPoint(moving, placeOn(point), []));
-  const rest = bound.map((point) => engine.placeOf(moving.triangles, moving.positions, point));
+  const rest = bound.map((point) => engine.positionOf(moving.triangles, moving.positions, point));
   const body = core.startSimulation(moving, original, options);
   const steps = Math.round(options.seconds / engine.STEP_SECONDS);
   const paths = new Float64Array(3 * steps * points.length);
@@ -103,7 +103,7 @@ function pathsOf({ engine, core }, original, { moving, points, options }) {
       core.stepSimulations(Uint32Array.of(body));
       const positions = core.simulationPositions(body);
       bound.forEach((point, i) => {
-        const place = engine.placeOf(moving.triangles, positions, point);
+        const place = engine.positionOf(moving.triangles, positions, point);
         for (let c = 0; c < 3; ++c) paths[3 * (step * points.length + i) + c] = place[c] - rest[i][c];
       });
     }

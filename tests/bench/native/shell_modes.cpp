@@ -1,5 +1,6 @@
-// Shell modes of one mesh, natively, as JSON on stdout: our solver, and Spectra with Eigen's SimplicialLDLT
-// as it is usually put together. Can write K, M and the shift for solvers elsewhere.
+// Solves for the shell modes of one mesh, natively, and prints JSON: with our solver, and with Spectra on
+// Eigen's SimplicialLDLT, as the two are usually combined. Can also write K, M and the shift for other
+// solvers.
 //
 //   shell_modes MESH [--modes 12] [--threads 2] [--thickness 2] [--export FILE] [--simplicial]
 //
@@ -20,13 +21,13 @@
 #include <string>
 
 #include "base/parallel.h"
-#include "mesh/topology.h"
+#include "elastic/shell.h"
 #include "linear/eigensolver.h"
 #include "linear/factorisation.h"
 #include "linear/ordering/front_tree.h"
 #include "linear/ordering/node_graph.h"
 #include "linear/ordering/ordering.h"
-#include "elastic/shell.h"
+#include "mesh/topology.h"
 
 namespace limber {
 namespace {
@@ -73,7 +74,7 @@ std::vector<T> readArray(std::ifstream& file, size_t count) {
   return values;
 }
 
-// Moved and scaled as computeModes does it: the box starts at 0 and its diagonal is 1.
+// Moved and scaled as in computeModes: the bounding box starts at 0 and its diagonal is 1.
 TriangleMesh readMesh(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const auto counts = readArray<uint32_t>(file, 2);
@@ -94,12 +95,12 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// The shift that our solver ends with, from its own rule (searchLowest in modes/eigensolver.cpp).
+// The shift that our solver ends with, by its shift rule (linear/eigensolver.h).
 double shiftOf(double scale, double first) {
   return scale > 0.005 * first && scale < 15 * first ? -scale : -0.5 * first;
 }
 
-// Seconds in each phase of one call, and how often it was begun, as the job's observer sees them.
+// The seconds spent in each phase of one call and how often each began, from the observer of the job.
 struct PhaseClock {
   double seconds[3] = {};  // assembling with ordering, factorising, solving
   int begun[3] = {};
@@ -124,8 +125,8 @@ struct PhaseClock {
   double last_ = 0;
 };
 
-void exportMatrix(const StiffnessModel& model, double shift, const std::string& path) {
-  const Eigen::SparseMatrix<double> lower = model.stiffness.triangularView<Eigen::Lower>();
+void exportMatrix(const SparsePencil& pencil, double shift, const std::string& path) {
+  const Eigen::SparseMatrix<double> lower = pencil.k.triangularView<Eigen::Lower>();
   const uint32_t sizes[2] = {static_cast<uint32_t>(lower.rows()), static_cast<uint32_t>(lower.nonZeros())};
   std::ofstream file(path, std::ios::binary);
   const auto write = [&](const auto* values, size_t count) {
@@ -136,13 +137,13 @@ void exportMatrix(const StiffnessModel& model, double shift, const std::string& 
   write(lower.outerIndexPtr(), sizes[0] + size_t{1});
   write(lower.innerIndexPtr(), sizes[1]);
   write(lower.valuePtr(), sizes[1]);
-  write(model.mass.data(), sizes[0]);
+  write(pencil.m.data(), sizes[0]);
 }
 
-// Entries of L that our fronts store, the zeros among them too.
-uint64_t storedNonzeros(const StiffnessModel& model) {
+// The entries of L that our fronts store, including zeros.
+uint64_t storedNonzeros(const SparsePencil& pencil) {
   const Job job;
-  const NodeGraph graph = nodeGraph(model);
+  const NodeGraph graph = nodeGraph(pencil);
   const auto weightOf = [&](const std::vector<uint32_t>& nodes) {
     uint64_t sum = 0;
     for (uint32_t node : nodes) sum += graph.weight[node];
@@ -156,17 +157,17 @@ uint64_t storedNonzeros(const StiffnessModel& model) {
   return stored;
 }
 
-// M^1/2 (K - shift M)^-1 M^1/2 over the unknowns with mass, by SimplicialLDLT with its default order (AMD).
+// M^1/2 (K - shift M)^-1 M^1/2 over the heavy unknowns, by SimplicialLDLT with its default order (AMD).
 class SimplicialInverse {
  public:
   using Scalar = double;
-  SimplicialInverse(const StiffnessModel& model, double shift) : size_(model.mass.size()) {
-    Eigen::SparseMatrix<double> shifted = model.stiffness;
+  SimplicialInverse(const SparsePencil& pencil, double shift) : size_(pencil.m.size()) {
+    Eigen::SparseMatrix<double> shifted = pencil.k;
     for (Eigen::Index i = 0; i < size_; ++i) {
-      shifted.coeffRef(i, i) -= shift * model.mass[i];
-      if (model.mass[i] > 0) heavy_.push_back(i);
+      shifted.coeffRef(i, i) -= shift * pencil.m[i];
+      if (pencil.m[i] > 0) heavy_.push_back(i);
     }
-    rootMass_ = model.mass(heavy_).cwiseSqrt();
+    rootMass_ = pencil.m(heavy_).cwiseSqrt();
     solver_.compute(shifted);
     if (solver_.info() != Eigen::Success) throw std::runtime_error("SimplicialLDLT failed.");
   }
@@ -187,9 +188,9 @@ class SimplicialInverse {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
 };
 
-void runSimplicial(const StiffnessModel& model, double shift, int wanted) {
+void runSimplicial(const SparsePencil& pencil, double shift, int wanted) {
   const double start = seconds();
-  SimplicialInverse inverse(model, shift);
+  SimplicialInverse inverse(pencil, shift);
   const double factorised = seconds();
   Spectra::SymEigsSolver<SimplicialInverse> solver(inverse, wanted, 2 * wanted);
   solver.init();
@@ -208,35 +209,36 @@ void run(const Options& options) {
   clock.watch(job);
   const double start = seconds();
   job.begin(Phase::Assemble);
-  const StiffnessModel model = shellModel(mesh, buildTopology(mesh), thickness, kPoisson);
+  const SparsePencil pencil = shellPencil({mesh, buildTopology(mesh), thickness, kPoisson});
   const double assembled = seconds();
-  const EigenPairs pairs = solveEigenproblem(model, {options.modeCount, kZeroModes, scale}, job);
+  const EigenSolution solution = solveEigenproblem(pencil, {options.modeCount, kZeroModes, scale}, job);
   const double solved = seconds();
   clock.stop(job);
-  const double shift = shiftOf(scale, pairs.lambda[0]);
+  const double shift = shiftOf(scale, solution.basis.lambda[0]);
 
-  Factorisation factorisation(model, job);
+  Factorisation factorisation(pencil, job);
   const double ordered = seconds();
   factorisation.factorise(shift, job);
   const double factorised = seconds();
-  Eigen::VectorXd x = Eigen::VectorXd::Ones(model.mass.size());
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(pencil.m.size());
   constexpr int kSolves = 10;
   for (int i = 0; i < kSolves; ++i) factorisation.solve(x, job);
   const double substituted = seconds();
   std::printf(
       "{\"vertices\":%u,\"unknowns\":%u,\"threads\":%d,\"shift\":%.17g,\"firstLambda\":%.9g,\"zeroModes\":%u",
-      mesh.vertexCount(), model.unknownCount(), options.threads, shift, pairs.lambda[0], pairs.zeroCount);
+      mesh.vertexCount(), pencil.unknownCount(), options.threads, shift, solution.basis.lambda[0],
+      solution.nullity);
   std::printf(",\"seconds\":%.4f,\"assemble\":%.4f,\"order\":%.4f,\"factorise\":%.4f,\"substitute\":%.4f",
               solved - start, assembled - start, ordered - solved, factorised - ordered,
               (substituted - factorised) / kSolves);
   std::printf(",\"nonzeros\":%llu,\"storedNonzeros\":%llu,\"multiplications\":%.6g",
-              static_cast<unsigned long long>(factorisation.nonzeros()),
-              static_cast<unsigned long long>(storedNonzeros(model)), factorisation.work());
+              static_cast<unsigned long long>(factorisation.structure().nonzeros()),
+              static_cast<unsigned long long>(storedNonzeros(pencil)), factorisation.structure().work());
   std::printf(
       ",\"phases\":{\"assembleAndOrder\":%.4f,\"factorise\":%.4f,\"solve\":%.4f,\"factorisations\":%d}",
       clock.seconds[0], clock.seconds[1], clock.seconds[2], clock.begun[1]);
-  if (!options.matrixFile.empty()) exportMatrix(model, shift, options.matrixFile);
-  if (options.simplicial) runSimplicial(model, shift, options.modeCount + kZeroModes);
+  if (!options.matrixFile.empty()) exportMatrix(pencil, shift, options.matrixFile);
+  if (options.simplicial) runSimplicial(pencil, shift, options.modeCount + kZeroModes);
   std::printf("}\n");
 }
 

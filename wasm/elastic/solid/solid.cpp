@@ -46,12 +46,12 @@ void dropLightMasses(const Lattice& lattice, std::vector<double>& mass) {
     for (double& value : mass) value *= before / after;
 }
 
-StiffnessModel assemble(const Lattice& lattice, double poisson, Job& job) {
-  StiffnessModel model;
-  for (uint32_t node = 0; node <= lattice.nodeCount; ++node) model.firstUnknown.push_back(3 * node);
+SparsePencil assemble(const Lattice& lattice, double poisson, Job& job) {
+  SparsePencil pencil;
+  for (uint32_t node = 0; node <= lattice.nodeCount; ++node) pencil.firstUnknown.push_back(3 * node);
   const Hexahedron brick(lattice.grid.size, poisson);
   const CellMeasure full = fullCell();
-  ElementAssembly assembly(model.firstUnknown, lattice.copyNodes, 8);
+  ElementAssembly assembly(pencil.firstUnknown, lattice.copyNodes, 8);
   for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy) {
     if (copy % 256 == 0) job.check();
     CellMeasure held = lattice.filled[copy];
@@ -60,13 +60,13 @@ StiffnessModel assemble(const Lattice& lattice, double poisson, Job& job) {
     for (int q = 0; q < 27; ++q) held[q] += added * full[q];
     assembly.add(copy, brick.stiffness(held));
   }
-  model.stiffness = assembly.take();
+  pencil.k = assembly.take();
   std::vector<double> mass = latticeMass(lattice, brick);
   dropLightMasses(lattice, mass);
-  model.mass.resize(3 * static_cast<Eigen::Index>(lattice.nodeCount));
+  pencil.m.resize(3 * static_cast<Eigen::Index>(lattice.nodeCount));
   for (uint32_t node = 0; node < lattice.nodeCount; ++node)
-    model.mass.segment<3>(3 * static_cast<Eigen::Index>(node)).setConstant(mass[node]);
-  return model;
+    pencil.m.segment<3>(3 * static_cast<Eigen::Index>(node)).setConstant(mass[node]);
+  return pencil;
 }
 
 void embed(const Lattice& lattice, SolidModel& solid) {
@@ -87,7 +87,7 @@ void embed(const Lattice& lattice, SolidModel& solid) {
 SolidModel solidModel(const TriangleMesh& body, const SolidOptions& options, Job& job) {
   const Lattice lattice = buildLattice(body, options.targetCells, job);
   SolidModel solid;
-  solid.model = assemble(lattice, options.poisson, job);
+  solid.pencil = assemble(lattice, options.poisson, job);
   const Vec3& size = lattice.grid.size;
   solid.cellSize = std::max({size.x, size.y, size.z});
   embed(lattice, solid);

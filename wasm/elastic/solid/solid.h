@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "base/job.h"
-#include "linear/stiffness_model.h"
+#include "linear/sparse_pencil.h"
 #include "mesh/triangle_mesh.h"
 
 namespace limber {
 
 // A solid body as a lattice of bricks in which its surface is embedded.
 struct SolidModel {
-  StiffnessModel model;  // three unknowns per lattice node, lumped masses, E = 1, rho = 1
+  SparsePencil pencil;  // three unknowns per lattice node, lumped masses, E = 1, rho = 1
   // Vertex v moves as sum_k embeddingWeights[8 v + k] u(embeddingNodes[8 v + k]).
   std::vector<uint32_t> embeddingNodes;
   std::vector<double> embeddingWeights;

@@ -1,17 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
-
-#include "linear/stiffness_model.h"
+#include "linear/mode_basis.h"
+#include "linear/sparse_pencil.h"
 
 namespace limber {
 
-// All eigenpairs of a small problem, ascending; massless unknowns are condensed out and follow. phi is
-// mass-normalised.
-struct DensePairs {
-  Eigen::VectorXd lambda;
-  Eigen::MatrixXd phi;  // unknowns x pairs
-};
-DensePairs solveDensely(const StiffnessModel& model);
+// All eigenpairs of a small pencil, zero eigenvalues included. Massless unknowns are condensed out and
+// recovered in phi. O(n^3) time and O(n^2) memory in the unknowns.
+ModeBasis solveDensely(const SparsePencil& pencil);
 
 }  // namespace limber

@@ -12,14 +12,14 @@ namespace limber {
 
 namespace {
 
-constexpr Eigen::Index kPanel = 32;    // columns eliminated at once
-constexpr Eigen::Index kStripe = 96;   // columns of an update given to one thread
-constexpr double kTinyPivot = 1e-200;  // keeps a vanished pivot's quotients finite
-constexpr double kWorkForThreads = 4e6;
+constexpr Eigen::Index kPanel = 32;      // columns that are eliminated at once
+constexpr Eigen::Index kStripe = 96;     // columns of an update that one thread computes
+constexpr double kTinyPivot = 1e-200;    // replaces a vanished pivot, so that quotients stay finite
+constexpr double kWorkForThreads = 4e6;  // multiplications of an update from which threads pay
 
 using Columns = Eigen::Map<Eigen::MatrixXd>;
 
-// LDL^T of a small square block on the diagonal, column by column.
+// LDL^T of a small square diagonal block, column by column.
 template <class Block>
 void factoriseDiagonalBlock(Block a, Eigen::Ref<Eigen::VectorXd> d) {
   for (Eigen::Index j = 0; j < a.cols(); ++j) {

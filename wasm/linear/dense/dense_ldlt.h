@@ -6,11 +6,13 @@
 
 namespace limber {
 
-// One front of a multifrontal LDL^T. `columns` holds the columns of as many pivots, lower triangle, the
-// pivots' own rows first; afterwards L (the diagonal of ones is implied; what is above it is left alone),
-// with D in `d`. Subtracts L D L^T of the remaining rows from the lower triangle of `update`; a little above
-// the diagonal is overwritten. No pivoting: a pivot that vanishes to rounding becomes a tiny one. Checks the
-// job between blocks; threads share large updates.
+// Eliminates the pivots of one dense front: a partial LDL^T factorisation.
+//
+// `columns` (rows x pivots) holds the lower triangle of the pivots' columns, the pivots' own rows first. It
+// is overwritten with L, whose unit diagonal is implied; the part above the diagonal is not touched. `d`
+// receives D. L D L^T of the remaining rows is subtracted from the lower triangle of `update`; some entries
+// just above its diagonal are overwritten too. No pivoting: a pivot that vanishes is replaced by 1e-200.
+// Threads share large updates. Throws Cancelled.
 void partialLdlt(Eigen::Map<Eigen::MatrixXd> columns, Eigen::Ref<Eigen::VectorXd> d, Eigen::MatrixXd& update,
                  Job& job);
 

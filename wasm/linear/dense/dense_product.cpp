@@ -12,9 +12,9 @@ namespace {
 using Eigen::Index;
 using UnalignedPair = double __attribute__((vector_size(16), aligned(8), may_alias));
 
-constexpr Index kTile = 4;     // rows and columns of c that are summed up in registers
-constexpr Index kDepth = 256;  // of a and b that is packed at once: two panels of it fit the nearest cache
-constexpr Index kRows = 64, kCols = 96;
+constexpr Index kTile = 4;     // rows and columns of c that are summed in registers
+constexpr Index kDepth = 256;  // columns of a that are packed at once: two such panels fit the L1 cache
+constexpr Index kRows = 64, kCols = 96;  // of c that are computed from one packed block of a and b: L2 cache
 
 RealPair load(const double* at) {
   return *reinterpret_cast<const UnalignedPair*>(at);
@@ -24,7 +24,8 @@ void subtract(double* from, RealPair what) {
   *reinterpret_cast<UnalignedPair*>(from) = load(from) - what;
 }
 
-// Panels of four rows, one after the other, each of them column by column; the last one filled up with zeros.
+// Copies `a` into panels of four rows, panel after panel, each column by column. The last panel is padded
+// with zeros.
 void pack(const Strided<const double>& a, std::vector<double>& to) {
   const Index panels = (a.rows + kTile - 1) / kTile;
   const auto size = static_cast<size_t>(panels * kTile * a.cols);
@@ -43,7 +44,7 @@ void pack(const Strided<const double>& a, std::vector<double>& to) {
   }
 }
 
-// Four by four entries of a product, by column.
+// A 4 x 4 block of a product, column by column: the upper and the lower two entries.
 struct Tile {
   RealPair top[kTile], bottom[kTile];
 };
@@ -64,7 +65,7 @@ Tile multiply(const double* a, const double* b, Index depth) {
   return {{t0, t1, t2, t3}, {b0, b1, b2, b3}};
 }
 
-// c has unit row stride.
+// `c` points to the first entry of a full tile with unit row stride.
 void subtractTile(const Tile& tile, double* c, Index colStride) {
   for (Index j = 0; j < kTile; ++j, c += colStride) {
     subtract(c, tile.top[j]);
@@ -89,7 +90,7 @@ void subtractPacked(const double* a, const double* b, Index depth, const Strided
     }
 }
 
-// y -= a x, four columns of a at a time; a and y have unit row stride.
+// y -= a x, four columns of a at a time, where a and y have unit row stride.
 void subtractColumns(const Strided<const double>& a, const double* x, Index stride, double* y) {
   Index k = 0;
   for (; k + kTile <= a.cols; k += kTile) {
@@ -112,7 +113,7 @@ double sum(RealPair a) {
   return a[0] + a[1];
 }
 
-// y -= a x, four rows of a at a time; a has unit column stride, and so have x and y.
+// y -= a x, four rows of a at a time, where a has unit column stride and x and y are contiguous.
 void subtractDots(const Strided<const double>& a, const double* x, double* y) {
   Index row = 0;
   for (; row + kTile <= a.rows; row += kTile) {

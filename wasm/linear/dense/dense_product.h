@@ -4,7 +4,8 @@
 
 namespace limber {
 
-// Entries of a matrix that lie at even distances: of a block, a map, a transpose of either.
+// A view of matrix entries at constant strides: a block, a map, or the transpose of either.
+// Entry (i, j) is data[i * rowStride + j * colStride].
 template <class Scalar>
 struct Strided {
   Scalar* data;
@@ -21,13 +22,13 @@ auto strided(Matrix& matrix) {
                                                                  Matrix::IsRowMajor ? inner : outer};
 }
 
-// c -= a b. Neither a nor b may share memory with c. Entries are summed in the order of a's columns, in
-// blocks of some; one thread.
+// c -= a b, on one thread. Neither a nor b may share memory with c. The terms of each entry are summed in the
+// order of a's columns, in blocks of 256.
 void subtractStridedProduct(const Strided<const double>& a, const Strided<const double>& b,
                             const Strided<double>& c);
 
-// The same of Eigen's matrices, blocks and maps. In WebAssembly this is twice as fast as the product of Eigen
-// 3.4, which has no kernel for it.
+// The same for Eigen's matrices, blocks and maps. In WebAssembly this is twice as fast as the product of
+// Eigen 3.4, which has no kernel for it.
 template <class A, class B, class C>
 void subtractProduct(const A& a, const B& b, C&& c) {
   subtractStridedProduct(strided(a), strided(b), strided(c));

@@ -8,9 +8,9 @@ namespace limber {
 
 namespace {
 
-constexpr Eigen::Index kBlock = 16;  // rows that are solved one by one
+constexpr Eigen::Index kBlock = 16;  // rows that are solved one by one before the next update
 
-// The block of `lower` between two rows, where y is a single vector.
+// Solves with the diagonal block of rows start .. end - 1, for a single vector y.
 void solveBlock(const UnitLower& lower, Eigen::Index start, Eigen::Index end, double* y) {
   for (Eigen::Index j = start; j < end; ++j) {
     const double* column = &lower.coeffRef(0, j);

@@ -4,14 +4,15 @@
 
 namespace limber {
 
-// A lower triangle with a diagonal of ones; what is on and above its diagonal is not looked at.
+// A unit lower triangular matrix. Entries on and above its diagonal are not read.
 using UnitLower = Eigen::Ref<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
-// Several right-hand sides, side by side in each row: a row-major matrix, or the transpose of another one.
+// Right-hand sides as the columns of a row-major matrix, or of the transpose of a column-major one.
 using RightSides = Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>, 0,
                               Eigen::OuterStride<>>;
 
-// y becomes L^-1 y, or L^-T y.
+// y := L^-1 y.
 void solveLower(const UnitLower& lower, RightSides y);
+// y := L^-T y.
 void solveLowerTransposed(const UnitLower& lower, RightSides y);
 
 }  // namespace limber

@@ -1,19 +1,31 @@
 #include "linear/ordering/front_tree.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace limber {
 
 namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
+constexpr uint32_t kCheckInterval = 4096;  // positions between two checks for cancellation
 
-// A supernode while the tree is built; weights in unknowns.
+// A merged front of at most `pivots` unknowns may store less than this share of zeros. The larger the front,
+// the smaller the share, because the overhead of one more front is constant while the cost of its zeros
+// grows. The scheme is that of CHOLMOD's relaxed supernodes (Chen et al. 2008).
+struct MergeRule {
+  uint64_t pivots;
+  double zeroShare;
+};
+constexpr MergeRule kMergeRules[] = {{8, HUGE_VAL}, {16, 0.3}, {64, 0.08}, {UINT64_MAX, 0.03}};
+
+// A supernode while the tree is built. Weights count unknowns.
 struct Supernode {
-  std::vector<uint32_t> pivots, boundary;  // positions in the order
+  std::vector<uint32_t> pivots, boundary;  // positions in the elimination order
   std::vector<uint32_t> children;
   uint64_t pivotWeight = 0, boundaryWeight = 0;
-  uint64_t zeros = 0;  // entries that merging has filled in
+  uint64_t zeros = 0;  // zeros that merging has filled in
   bool isMerged = false;
 };
 
@@ -33,7 +45,7 @@ class TreeBuilder {
  private:
   uint64_t weight(uint32_t position) const { return graph_.weight[order_[position]]; }
 
-  // The later positions that position p is coupled to when its turn comes, unsorted.
+  // The later positions that position p is coupled to when it is eliminated, unsorted.
   std::vector<uint32_t> structure(uint32_t p, const std::vector<uint32_t>& children) {
     std::vector<uint32_t> rows;
     stamp_[p] = p;
@@ -48,12 +60,12 @@ class TreeBuilder {
     return rows;
   }
 
-  // Supernodes of the order as it is: a position joins a child whose structure it continues.
+  // Fundamental supernodes: a position joins a child whose structure it continues.
   void findSupernodes() {
     std::vector<std::vector<uint32_t>> waiting(order_.size());  // supernodes whose parent is this position
     for (uint32_t p = 0; p < order_.size(); ++p) {
-      if (p % 4096 == 0) job_.check();
-      const uint32_t s = place(p, waiting[p]);
+      if (p % kCheckInterval == 0) job_.check();
+      const uint32_t s = assign(p, waiting[p]);
       waiting[p] = {};
       const auto& boundary = supernodes_[s].boundary;
       if (!boundary.empty()) waiting[*std::min_element(boundary.begin(), boundary.end())].push_back(s);
@@ -62,8 +74,8 @@ class TreeBuilder {
       for (uint32_t p : s.boundary) s.boundaryWeight += weight(p);
   }
 
-  // Puts position p into one of its children or into a new supernode, and returns which.
-  uint32_t place(uint32_t p, std::vector<uint32_t>& children) {
+  // Adds position p to one of its children or to a new supernode, and returns the supernode.
+  uint32_t assign(uint32_t p, std::vector<uint32_t>& children) {
     std::vector<uint32_t> rows = structure(p, children);
     const auto same = std::find_if(children.begin(), children.end(), [&](uint32_t child) {
       return supernodes_[child].boundary.size() == rows.size() + 1;
@@ -81,10 +93,11 @@ class TreeBuilder {
     return s;
   }
 
-  // Merging pays where few zeros are stored in proportion, or the front is small anyway.
   static bool isWorthwhile(uint64_t pivots, uint64_t entries, uint64_t zeros) {
     const double share = static_cast<double>(zeros) / static_cast<double>(entries);
-    return pivots <= 8 || (pivots <= 16 && share < 0.3) || (pivots <= 64 && share < 0.08) || share < 0.03;
+    return std::any_of(std::begin(kMergeRules), std::end(kMergeRules), [&](const MergeRule& rule) {
+      return pivots <= rule.pivots && share < rule.zeroShare;
+    });
   }
 
   void mergeChildren(uint32_t s) {

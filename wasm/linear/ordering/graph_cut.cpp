@@ -7,16 +7,18 @@ namespace limber {
 
 namespace {
 
-constexpr double kImbalance = 0.5;     // how much unequal halves count
-constexpr double kSmallestHalf = 0.4;  // of both: a smaller one is all but refused
+constexpr double kImbalance = 0.5;       // the largest increase by unequal halves
+constexpr double kSmallestHalf = 0.4;    // of the weight of both halves: smaller ones are penalised
+constexpr double kSmallHalfPenalty = 2;  // per unit of the weight that is missing
 
 }  // namespace
 
 double cutCost(int64_t left, int64_t right, int64_t between) {
   const auto smaller = static_cast<double>(std::min(left, right)), both = static_cast<double>(left + right);
   if (smaller == 0) return HUGE_VAL;
-  const double lacking = std::max(0.0, kSmallestHalf * both - smaller);
-  return static_cast<double>(between) * (1 + kImbalance * (1 - 2 * smaller / both)) + 2 * lacking;
+  const double missing = std::max(0.0, kSmallestHalf * both - smaller);
+  return static_cast<double>(between) * (1 + kImbalance * (1 - 2 * smaller / both)) +
+         kSmallHalfPenalty * missing;
 }
 
 double separatorCost(const NodeGraph& graph, const Sides& sides) {

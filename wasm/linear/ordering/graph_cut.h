@@ -7,14 +7,15 @@
 
 namespace limber {
 
-// Where a node lies once a graph is cut: no Left node has a Right neighbour.
+// The side of a node in a cut graph: Between is the separator. No Left node has a Right neighbour.
 enum Side : uint8_t { Left = 0, Right = 1, Between = 2 };
-using Sides = std::vector<uint8_t>;  // a Side for each node
+using Sides = std::vector<uint8_t>;  // per node: its Side
 
-// What a cut costs whose halves and separator have these weights: the separator's weight, more so the less
-// equal the halves are; infinite where a half is empty.
+// The cost of a cut by the weights of its halves and its separator: the weight of the separator, increased by
+// up to one half the more unequal the halves are, and steeply once the smaller half has less than two fifths
+// of both. Infinite if a half is empty.
 double cutCost(int64_t left, int64_t right, int64_t between);
-// The same of a cut that is given by sides.
+// The same for a cut that is given by sides.
 double separatorCost(const NodeGraph& graph, const Sides& sides);
 
 }  // namespace limber

@@ -28,27 +28,28 @@ void MaximumFlow::run(uint32_t source, uint32_t sink) {
   }
 }
 
-// Distances from the source over arcs with room; false once the sink is cut off.
+// Breadth-first distances from the source along arcs with residual capacity. Returns false once the sink is
+// cut off.
 bool MaximumFlow::setLevels(uint32_t source, uint32_t sink) {
   std::fill(level_.begin(), level_.end(), kNone);
   queue_.assign(1, source);
   level_[source] = 0;
   for (size_t head = 0; head < queue_.size() && level_[sink] == kNone; ++head)
     for (uint32_t a = first_[queue_[head]]; a != kNone; a = arcs_[a].next)
-      if (arcs_[a].room > 0 && level_[arcs_[a].to] == kNone) {
+      if (arcs_[a].residual > 0 && level_[arcs_[a].to] == kNone) {
         level_[arcs_[a].to] = level_[queue_[head]] + 1;
         queue_.push_back(arcs_[a].to);
       }
   return level_[sink] != kNone;
 }
 
-// Sends as much as fits along one shortest path.
+// Sends as much as fits along one shortest path. Returns false if there is none.
 bool MaximumFlow::augment(uint32_t source, uint32_t sink) {
   path_.clear();
   uint32_t at = source;
   while (at != sink) {
     uint32_t& a = current_[at];
-    while (a != kNone && (arcs_[a].room == 0 || level_[arcs_[a].to] != level_[at] + 1)) a = arcs_[a].next;
+    while (a != kNone && (arcs_[a].residual == 0 || level_[arcs_[a].to] != level_[at] + 1)) a = arcs_[a].next;
     if (a != kNone) {
       path_.push_back(a);
       at = arcs_[a].to;
@@ -60,15 +61,15 @@ bool MaximumFlow::augment(uint32_t source, uint32_t sink) {
     path_.pop_back();
   }
   int64_t amount = kUnlimited;
-  for (uint32_t a : path_) amount = std::min(amount, arcs_[a].room);
+  for (uint32_t a : path_) amount = std::min(amount, arcs_[a].residual);
   for (uint32_t a : path_) {
-    arcs_[a].room -= amount;
-    arcs_[a ^ 1].room += amount;
+    arcs_[a].residual -= amount;
+    arcs_[a ^ 1].residual += amount;
   }
   return true;
 }
 
-std::vector<uint8_t> MaximumFlow::reach(uint32_t from, uint32_t against) const {
+std::vector<uint8_t> MaximumFlow::residualSet(uint32_t from, uint32_t against) const {
   std::vector<uint8_t> isReached(first_.size(), 0);
   std::vector<uint32_t> stack = {from};
   isReached[from] = 1;
@@ -76,7 +77,7 @@ std::vector<uint8_t> MaximumFlow::reach(uint32_t from, uint32_t against) const {
     const uint32_t at = stack.back();
     stack.pop_back();
     for (uint32_t a = first_[at]; a != kNone; a = arcs_[a].next)
-      if (arcs_[a ^ against].room > 0 && !isReached[arcs_[a].to]) {
+      if (arcs_[a ^ against].residual > 0 && !isReached[arcs_[a].to]) {
         isReached[arcs_[a].to] = 1;
         stack.push_back(arcs_[a].to);
       }

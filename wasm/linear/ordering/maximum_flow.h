@@ -5,7 +5,7 @@
 
 namespace limber {
 
-// Maximum flow on a small directed graph (Dinic 1970).
+// Maximum flow in a small directed graph (Dinic 1970).
 class MaximumFlow {
  public:
   static constexpr int64_t kUnlimited = INT64_MAX / 4;
@@ -13,26 +13,27 @@ class MaximumFlow {
   explicit MaximumFlow(uint32_t nodeCount);
 
   void connect(uint32_t from, uint32_t to, int64_t capacity);
-  // O(nodes^2 arcs) at the worst, much less on the bands of a mesh.
+  // Finds the maximum flow. O(nodes^2 arcs) at worst, far less for the narrow bands that this is used on.
   void run(uint32_t source, uint32_t sink);
 
-  // After `run`: the nodes that more could flow to from `source`, and those from which more could flow to
-  // `sink`. Each set's border is a minimum cut, the nearest to the source and the nearest to the sink.
-  std::vector<uint8_t> reachableFrom(uint32_t source) const { return reach(source, 0); }
-  std::vector<uint8_t> reaching(uint32_t sink) const { return reach(sink, 1); }
+  // After `run`, per node: whether more could still flow to it from `source`, or from it to `sink`. The
+  // border of the first set is the minimum cut nearest to the source, that of the second the one nearest to
+  // the sink.
+  std::vector<uint8_t> reachableFrom(uint32_t source) const { return residualSet(source, 0); }
+  std::vector<uint8_t> leadingTo(uint32_t sink) const { return residualSet(sink, 1); }
 
  private:
   struct Arc {
-    uint32_t to, next;  // next: another arc from the same node
-    int64_t room;
+    uint32_t to, next;  // next: the next arc of the list of arcs from the same node
+    int64_t residual;   // capacity left
   };
 
   bool setLevels(uint32_t source, uint32_t sink);
   bool augment(uint32_t source, uint32_t sink);
-  std::vector<uint8_t> reach(uint32_t from, uint32_t against) const;
+  std::vector<uint8_t> residualSet(uint32_t from, uint32_t against) const;
 
   std::vector<uint32_t> first_, level_, current_, queue_, path_;
-  std::vector<Arc> arcs_;  // an arc and its opposite are neighbours: their indices differ in the last bit
+  std::vector<Arc> arcs_;  // the indices of an arc and its reverse differ in the last bit only
 };
 
 }  // namespace limber

@@ -53,13 +53,13 @@ uint32_t MinimumDegree::degree(uint32_t i) const {
   return sum;
 }
 
-// Couples all neighbours of `pivot` with each other.
+// Couples all neighbours of `pivot` with each other and updates their degrees.
 void MinimumDegree::eliminate(uint32_t pivot) {
   const uint64_t* from = row(pivot);
   for (size_t w = 0; w < words_; ++w)
     for (uint64_t left = from[w]; left != 0; left &= left - 1) {
       const auto j = static_cast<uint32_t>(64 * w) + static_cast<uint32_t>(std::countr_zero(left));
-      if (j >= degree_.size()) return;  // around the set: not eliminated here
+      if (j >= degree_.size()) return;  // a neighbour of the set, which is not eliminated here
       uint64_t* to = row(j);
       for (size_t k = 0; k < words_; ++k) to[k] |= from[k];
       clearBit(to, j);

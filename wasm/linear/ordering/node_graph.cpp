@@ -8,15 +8,18 @@ namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
 
-// Pairs each node with the free neighbour of the strongest bond, the lightest of equal ones.
+// Pairs each node with its free neighbour of the strongest bond, among equals with the lightest. A node
+// without a free neighbour is its own partner.
 std::vector<uint32_t> match(const NodeGraph& graph) {
   const uint32_t count = graph.nodeCount();
-  std::vector<uint32_t> turn(count), partner(count, kNone);
-  for (uint32_t i = 0; i < count; ++i) turn[i] = i;
-  // In a scattered order, or the pairs would line up with the numbering.
+  std::vector<uint32_t> visit(count), partner(count, kNone);
+  for (uint32_t i = 0; i < count; ++i) visit[i] = i;
+  // Visiting in a scattered order keeps the pairs from lining up with the numbering. The factor is Knuth's
+  // for
+  // multiplicative hashing.
   const auto scatter = [](uint32_t i) { return (i + 1) * 2654435761u; };
-  std::sort(turn.begin(), turn.end(), [&](uint32_t a, uint32_t b) { return scatter(a) < scatter(b); });
-  for (uint32_t i : turn) {
+  std::sort(visit.begin(), visit.end(), [&](uint32_t a, uint32_t b) { return scatter(a) < scatter(b); });
+  for (uint32_t i : visit) {
     if (partner[i] != kNone) continue;
     uint32_t best = i, strongest = 0;
     for (uint32_t k = graph.start[i]; k < graph.start[i + 1]; ++k) {
@@ -34,20 +37,19 @@ std::vector<uint32_t> match(const NodeGraph& graph) {
 
 }  // namespace
 
-NodeGraph nodeGraph(const StiffnessModel& model) {
-  std::vector<uint32_t> nodeOf(model.unknownCount());
+NodeGraph nodeGraph(const SparsePencil& pencil) {
+  std::vector<uint32_t> nodeOf(pencil.unknownCount());
   NodeGraph graph;
-  graph.weight.resize(model.nodeCount());
-  for (uint32_t i = 0; i < model.nodeCount(); ++i) {
-    graph.weight[i] = model.firstUnknown[i + 1] - model.firstUnknown[i];
-    for (uint32_t u = model.firstUnknown[i]; u < model.firstUnknown[i + 1]; ++u) nodeOf[u] = i;
+  graph.weight.resize(pencil.nodeCount());
+  for (uint32_t i = 0; i < pencil.nodeCount(); ++i) {
+    graph.weight[i] = pencil.firstUnknown[i + 1] - pencil.firstUnknown[i];
+    for (uint32_t u = pencil.firstUnknown[i]; u < pencil.firstUnknown[i + 1]; ++u) nodeOf[u] = i;
   }
   graph.start.push_back(0);
-  for (uint32_t i = 0; i < model.nodeCount(); ++i) {
-    // All unknowns of a node are coupled alike: its first stands for it.
+  for (uint32_t i = 0; i < pencil.nodeCount(); ++i) {
+    // All unknowns of a node have the same pattern, so the first one suffices.
     uint32_t last = i;
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(model.stiffness, model.firstUnknown[i]); entry;
-         ++entry) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(pencil.k, pencil.firstUnknown[i]); entry; ++entry) {
       const uint32_t other = nodeOf[static_cast<size_t>(entry.row())];
       if (other != i && other != last) graph.neighbours.push_back(other);
       last = other;
@@ -86,7 +88,7 @@ NodeGraph coarsened(const NodeGraph& graph, std::vector<uint32_t>& coarseOf) {
     if (coarseOf[i] == kNone) coarseOf[i] = coarseOf[partner[i]] = count++;
   NodeGraph coarse;
   coarse.start.push_back(0);
-  std::vector<uint32_t> slot(count, kNone);  // where the coarse neighbour stands in the current list
+  std::vector<uint32_t> slot(count, kNone);  // index of the coarse neighbour in the current list
   for (uint32_t i = 0; i < graph.nodeCount(); ++i) {
     if (partner[i] < i) continue;
     const uint32_t first = coarse.start.back();

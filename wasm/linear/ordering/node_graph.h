@@ -4,15 +4,15 @@
 #include <span>
 #include <vector>
 
-#include "linear/stiffness_model.h"
+#include "linear/sparse_pencil.h"
 
 namespace limber {
 
-// Nodes with a weight each, and which of them are coupled.
+// A weighted undirected graph, in compressed adjacency lists.
 struct NodeGraph {
-  std::vector<uint32_t> start, neighbours;  // of node i: neighbours[start[i] .. start[i + 1])
-  std::vector<uint32_t> bond;               // [k]: how many couplings neighbours[k] stands for
-  std::vector<uint32_t> weight;             // unknowns
+  std::vector<uint32_t> start, neighbours;  // node i has neighbours[start[i] .. start[i + 1])
+  std::vector<uint32_t> bond;    // bond[k]: how many original edges the edge to neighbours[k] stands for
+  std::vector<uint32_t> weight;  // per node: its unknowns
 
   uint32_t nodeCount() const { return static_cast<uint32_t>(weight.size()); }
   std::span<const uint32_t> around(uint32_t i) const {
@@ -20,15 +20,15 @@ struct NodeGraph {
   }
 };
 
-// The nodes of a model, weighing as much as they have unknowns.
-NodeGraph nodeGraph(const StiffnessModel& model);
+// The graph of a pencil: its nodes, weighted by their numbers of unknowns, and their couplings in K.
+NodeGraph nodeGraph(const SparsePencil& pencil);
 
-// Cuts graphs out of a graph, again and again, without new memory of the graph's size.
+// Extracts subgraphs, any number of them, without allocating memory of the size of the whole graph each time.
 class Subgraph {
  public:
   explicit Subgraph(const NodeGraph& graph);  // must outlive it
 
-  // Node k of the result is nodes[k]; neighbours that are not in the list are left out.
+  // The subgraph of `nodes`, renumbered: its node k is nodes[k]. Neighbours outside of the list are dropped.
   NodeGraph of(const std::vector<uint32_t>& nodes);
 
  private:
@@ -36,8 +36,8 @@ class Subgraph {
   std::vector<uint32_t> localOf_;
 };
 
-// A graph of about half the nodes: pairs of neighbours with the strongest bond become one (heavy-edge
-// matching, Karypis and Kumar 1998). `coarseOf` receives the new node of each.
+// A graph with about half the nodes: neighbours with the strongest bond are merged in pairs (heavy-edge
+// matching, Karypis and Kumar 1998). `coarseOf` receives the coarse node of each node.
 NodeGraph coarsened(const NodeGraph& graph, std::vector<uint32_t>& coarseOf);
 
 }  // namespace limber

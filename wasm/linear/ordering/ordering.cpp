@@ -10,26 +10,26 @@ namespace limber {
 
 namespace {
 
-constexpr size_t kLeafNodes = 10;  // heavy ones: fewer are not cut any further
+constexpr size_t kLeafNodes = 10;  // heavy nodes: sets of no more are not cut any further
 constexpr uint32_t kNone = UINT32_MAX;
 
-// A separator, or a remainder that is not cut any further.
-struct Part {
+// A separator, or a leaf: a remainder that is not cut any further.
+struct Block {
   std::vector<uint32_t> nodes;
-  uint32_t parent = kNone;  // the separator that cut it off
+  uint32_t parent = kNone;  // the separator that cut it off from the rest
   uint32_t depth = 0;
   bool isLeaf = false;
 };
 
-// Cuts a graph into parts; parents stand before their children.
+// Cuts a graph into blocks; parents precede their children.
 class Dissector {
  public:
   Dissector(const NodeGraph& graph, const Job& job)
       : graph_(graph), job_(job), subgraph_(graph), reached_(graph.nodeCount(), 0) {}
 
-  std::vector<Part> run(std::vector<uint32_t> nodes) {
+  std::vector<Block> run(std::vector<uint32_t> nodes) {
     divide(std::move(nodes), kNone, 0);
-    return std::move(parts_);
+    return std::move(blocks_);
   }
 
  private:
@@ -41,21 +41,21 @@ class Dissector {
   }
 
   void divideConnected(std::vector<uint32_t> nodes, uint32_t parent, uint32_t depth) {
-    const auto part = static_cast<uint32_t>(parts_.size());
+    const auto block = static_cast<uint32_t>(blocks_.size());
     std::vector<uint32_t> half[3];
     if (nodes.size() > kLeafNodes) {
       const Sides sides = separate(subgraph_.of(nodes), job_);
       for (size_t k = 0; k < nodes.size(); ++k) half[sides[k]].push_back(nodes[k]);
     }
     const bool isLeaf = half[Left].empty() || half[Right].empty();
-    parts_.push_back({isLeaf ? std::move(nodes) : std::move(half[Between]), parent, depth, isLeaf});
+    blocks_.push_back({isLeaf ? std::move(nodes) : std::move(half[Between]), parent, depth, isLeaf});
     if (isLeaf) return;
     nodes = {};
-    divide(std::move(half[Left]), part, depth + 1);
-    divide(std::move(half[Right]), part, depth + 1);
+    divide(std::move(half[Left]), block, depth + 1);
+    divide(std::move(half[Right]), block, depth + 1);
   }
 
-  // The nodes by connected piece, in the order in which the pieces come first.
+  // Splits nodes into connected pieces, ordered by the first node of each.
   std::vector<std::vector<uint32_t>> connectedPieces(const std::vector<uint32_t>& nodes) {
     const uint32_t inside = ++marks_, found = ++marks_;
     for (uint32_t i : nodes) reached_[i] = inside;
@@ -79,36 +79,36 @@ class Dissector {
   Subgraph subgraph_;
   std::vector<uint32_t> reached_;
   uint32_t marks_ = 0;
-  std::vector<Part> parts_;
+  std::vector<Block> blocks_;
 };
 
-uint32_t commonAncestor(const std::vector<Part>& parts, uint32_t a, uint32_t b) {
+uint32_t commonAncestor(const std::vector<Block>& blocks, uint32_t a, uint32_t b) {
   while (a != b) {
-    uint32_t& deeper = a != kNone && (b == kNone || parts[a].depth >= parts[b].depth) ? a : b;
-    deeper = parts[deeper].parent;
+    uint32_t& deeper = a != kNone && (b == kNone || blocks[a].depth >= blocks[b].depth) ? a : b;
+    deeper = blocks[deeper].parent;
   }
   return a;
 }
 
-// Where a light node goes: to the deepest part of its heavy neighbours, or, if some neighbour that has a part
-// already lies on another branch, to where the branches meet. So no two neighbours end up on different
+// The block that a light node joins: the deepest block of its heavy neighbours, or the common ancestor if a
+// neighbour that has a block already lies on another branch. So no two neighbours end up on different
 // branches.
-uint32_t partFor(uint32_t node, const NodeGraph& graph, const std::vector<Part>& parts,
-                 const std::vector<uint32_t>& partOf, uint32_t heaviest) {
-  uint32_t part = kNone;
+uint32_t blockFor(uint32_t node, const NodeGraph& graph, const std::vector<Block>& blocks,
+                  const std::vector<uint32_t>& blockOf, uint32_t heaviest) {
+  uint32_t block = kNone;
   for (uint32_t j : graph.around(node))
-    if (graph.weight[j] == heaviest && (part == kNone || parts[partOf[j]].depth > parts[part].depth))
-      part = partOf[j];
+    if (graph.weight[j] == heaviest && (block == kNone || blocks[blockOf[j]].depth > blocks[block].depth))
+      block = blockOf[j];
   for (uint32_t j : graph.around(node)) {
-    if (partOf[j] == kNone) continue;
-    const uint32_t common = commonAncestor(parts, part, partOf[j]);
-    if (common != partOf[j]) part = common;
+    if (blockOf[j] == kNone) continue;
+    const uint32_t common = commonAncestor(blocks, block, blockOf[j]);
+    if (common != blockOf[j]) block = common;
   }
-  return part;
+  return block;
 }
 
-// The dissection of the heavy nodes, with the light ones where they belong.
-std::vector<Part> dissect(const NodeGraph& graph, const Job& job) {
+// Dissects the heavy nodes and adds the light ones.
+std::vector<Block> dissect(const NodeGraph& graph, const Job& job) {
   const uint32_t heaviest = *std::max_element(graph.weight.begin(), graph.weight.end());
   std::vector<uint32_t> heavy;
   for (uint32_t i = 0; i < graph.nodeCount(); ++i)
@@ -116,34 +116,34 @@ std::vector<Part> dissect(const NodeGraph& graph, const Job& job) {
   const NodeGraph heavyGraph = Subgraph(graph).of(heavy);
   std::vector<uint32_t> all(heavy.size());
   std::iota(all.begin(), all.end(), 0u);
-  std::vector<Part> parts = Dissector(heavyGraph, job).run(std::move(all));
-  std::vector<uint32_t> partOf(graph.nodeCount(), kNone);
-  for (uint32_t p = 0; p < parts.size(); ++p)
-    for (uint32_t& node : parts[p].nodes) {
+  std::vector<Block> blocks = Dissector(heavyGraph, job).run(std::move(all));
+  std::vector<uint32_t> blockOf(graph.nodeCount(), kNone);
+  for (uint32_t p = 0; p < blocks.size(); ++p)
+    for (uint32_t& node : blocks[p].nodes) {
       node = heavy[node];
-      partOf[node] = p;
+      blockOf[node] = p;
     }
   for (uint32_t i = 0; i < graph.nodeCount(); ++i) {
     if (graph.weight[i] == heaviest) continue;
-    const uint32_t part = partFor(i, graph, parts, partOf, heaviest);
-    partOf[i] = part == kNone ? 0 : part;  // without neighbours: anywhere
-    parts[partOf[i]].nodes.push_back(i);
+    const uint32_t block = blockFor(i, graph, blocks, blockOf, heaviest);
+    blockOf[i] = block == kNone ? 0 : block;  // a node without neighbours may go anywhere
+    blocks[blockOf[i]].nodes.push_back(i);
   }
-  return parts;
+  return blocks;
 }
 
 }  // namespace
 
 std::vector<uint32_t> eliminationOrder(const NodeGraph& graph, const Job& job) {
   if (graph.nodeCount() == 0) return {};
-  const std::vector<Part> parts = dissect(graph, job);
+  const std::vector<Block> blocks = dissect(graph, job);
   std::vector<uint32_t> order;
   MinimumDegree minimumDegree(graph);
-  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {  // children before parents
-    if (part->isLeaf)
-      minimumDegree.order(part->nodes, order);
+  for (auto block = blocks.rbegin(); block != blocks.rend(); ++block) {  // children before parents
+    if (block->isLeaf)
+      minimumDegree.order(block->nodes, order);
     else
-      order.insert(order.end(), part->nodes.begin(), part->nodes.end());
+      order.insert(order.end(), block->nodes.begin(), block->nodes.end());
   }
   return order;
 }

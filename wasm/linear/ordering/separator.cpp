@@ -9,11 +9,12 @@ namespace limber {
 
 namespace {
 
-constexpr uint32_t kCoarsest = 60;  // nodes at which coarsening ends
-constexpr uint32_t kSeeds = 4;      // tries on the coarsest graph
-constexpr int kTightenings = 3;     // at most, on each finer one
+constexpr uint32_t kCoarsest = 60;       // nodes: coarsening ends at graphs with no more
+constexpr uint32_t kSeeds = 4;           // attempts on the coarsest graph
+constexpr int kTightenings = 3;          // at most, on each finer graph
+constexpr double kLeastShrinking = 0.9;  // coarsening ends if more than this share of the nodes is left
 
-// The rank in which each node is reached from `seed`; returns the last one.
+// Numbers the nodes in breadth-first order from `seed` and returns the last node.
 uint32_t rankFrom(const NodeGraph& graph, uint32_t seed, std::vector<uint32_t>& rank) {
   rank.assign(graph.nodeCount(), UINT32_MAX);
   std::vector<uint32_t> queue = {seed};
@@ -27,8 +28,9 @@ uint32_t rankFrom(const NodeGraph& graph, uint32_t seed, std::vector<uint32_t>& 
   return queue.back();
 }
 
-// The cheapest cut between two ranks; one of the rims along it is the separator. With cut c, the nodes below
-// rank c are left; a node of rank r with neighbours up to rank m lies on the left rim of the cuts r + 1 .. m.
+// The cheapest cut between two ranks, with one of the two rims along it as the separator. Cut c puts the
+// nodes of rank below c on the left. A node of rank r with neighbours up to rank m lies on the left rim of
+// the cuts r + 1 .. m.
 Sides cutBetweenRanks(const NodeGraph& graph, const std::vector<uint32_t>& rank) {
   const uint32_t count = graph.nodeCount();
   std::vector<int64_t> below(count + 1, 0), leftRim(count + 1, 0), rightRim(count + 1, 0);
@@ -71,7 +73,8 @@ Sides cutBetweenRanks(const NodeGraph& graph, const std::vector<uint32_t>& rank)
   return sides;
 }
 
-// Cuts a small graph: by ranks from several seeds, each far from the one before.
+// Cuts a small graph by ranks from several seeds, each far from the previous one, and returns the cheapest
+// cut.
 Sides separateDirectly(const NodeGraph& graph) {
   Sides best;
   double lowest = HUGE_VAL;
@@ -97,7 +100,7 @@ Sides separate(const NodeGraph& graph, const Job& job) {
   if (graph.nodeCount() > kCoarsest) {
     std::vector<uint32_t> coarseOf;
     const NodeGraph coarse = coarsened(graph, coarseOf);
-    if (coarse.nodeCount() < 0.9 * graph.nodeCount()) {
+    if (coarse.nodeCount() < kLeastShrinking * graph.nodeCount()) {
       const Sides coarseSides = separate(coarse, job);
       Sides sides(graph.nodeCount());
       for (uint32_t i = 0; i < graph.nodeCount(); ++i) sides[i] = coarseSides[coarseOf[i]];

@@ -6,9 +6,10 @@
 
 namespace limber {
 
-// Splits a connected graph of at least two nodes into halves of comparable weight with a light separator
-// between them: multilevel (Karypis and Kumar 1998); the coarsest graph is cut between rings of equal
-// distance, the cut of each finer one tightened by a minimum cut. Deterministic. Throws Cancelled.
+// Splits a connected graph of at least two nodes into halves of comparable weight and a light separator
+// between them. Multilevel (Karypis and Kumar 1998): the coarsest graph is cut between breadth-first ranks
+// from several seeds, and the cut of each finer graph is tightened by a minimum cut (separator_tightening.h).
+// Deterministic. Throws Cancelled.
 Sides separate(const NodeGraph& graph, const Job& job);
 
 }  // namespace limber

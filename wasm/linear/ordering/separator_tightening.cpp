@@ -9,15 +9,15 @@ namespace limber {
 namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
-constexpr int kBandRings = 5;          // on either side of the separator
-constexpr double kSmallestHalf = 0.4;  // of the whole weight
+constexpr int kBandRings = 5;          // on each side of the separator
+constexpr double kSmallestHalf = 0.4;  // of the total weight
 
 struct Band {
   std::vector<uint32_t> nodes;
-  std::vector<uint32_t> indexOf;  // of each node of the graph, or kNone
+  std::vector<uint32_t> indexOf;  // per node of the graph: its index in `nodes`, or kNone
 };
 
-// The separator and what lies within some rings of it, as long as either half stays large enough without.
+// The separator and the rings of nodes around it, as long as each half stays large enough without them.
 Band bandAround(const NodeGraph& graph, const Sides& sides) {
   int64_t weight[3] = {};
   Band band;
@@ -48,12 +48,12 @@ Band bandAround(const NodeGraph& graph, const Sides& sides) {
 bool tightenSeparator(const NodeGraph& graph, Sides& sides) {
   const Band band = bandAround(graph, sides);
   const auto count = static_cast<uint32_t>(band.nodes.size());
-  // Node b of the band is an arc from 2 b to 2 b + 1, so that its weight limits what passes.
+  // Node b of the band becomes an arc from 2 b to 2 b + 1 whose capacity is the weight of the node.
   const uint32_t source = 2 * count, sink = source + 1;
   MaximumFlow flow(2 * count + 2);
   for (uint32_t b = 0; b < count; ++b) {
     flow.connect(2 * b, 2 * b + 1, graph.weight[band.nodes[b]]);
-    bool touches[3] = {};  // what lies outside of the band
+    bool touches[3] = {};  // sides of its neighbours outside of the band
     for (uint32_t j : graph.around(band.nodes[b])) {
       if (band.indexOf[j] == kNone)
         touches[sides[j]] = true;
@@ -64,7 +64,7 @@ bool tightenSeparator(const NodeGraph& graph, Sides& sides) {
     if (touches[Right]) flow.connect(2 * b + 1, sink, MaximumFlow::kUnlimited);
   }
   flow.run(source, sink);
-  const auto fromSource = flow.reachableFrom(source), toSink = flow.reaching(sink);
+  const auto fromSource = flow.reachableFrom(source), toSink = flow.leadingTo(sink);
   Sides nearLeft = sides, nearRight = sides;
   for (uint32_t b = 0; b < count; ++b) {
     nearLeft[band.nodes[b]] = fromSource[2 * b + 1] ? Left : fromSource[2 * b] ? Between : Right;

@@ -4,9 +4,9 @@
 
 namespace limber {
 
-// Replaces the separator of a valid cut by the lightest one within a band around it: a minimum cut, each node
-// of the band letting through its weight. Both halves keep two fifths of the weight. Returns whether the cut
-// became cheaper.
+// Replaces the separator of a valid cut by the lightest one within five rings around it. That is a minimum
+// vertex cut: a maximum flow through the band in which each node lets its weight pass. Both halves keep at
+// least two fifths of the weight. Returns whether the cut became cheaper.
 bool tightenSeparator(const NodeGraph& graph, Sides& sides);
 
 }  // namespace limber

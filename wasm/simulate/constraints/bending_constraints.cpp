@@ -10,26 +10,27 @@ namespace limber {
 
 namespace {
 
-// The share of the triangles' mass times their height squared that a turn has as its inertia. From 0.01 to
-// 0.25 the frequencies of plates of 8 cells a side stay within 0.6 %; less makes turns faster than the
-// vertices, which costs substeps.
-constexpr double kTurnInertia = 0.05;
+// The inertia of an edge rotation, as a share of the mass of its two triangles times their height squared.
+// Between 0.01 and 0.25 the frequencies of plates of 8 x 8 cells change by at most 0.6 %; with less,
+// rotations vibrate faster than vertices do, which costs substeps.
+constexpr double kRotationInertia = 0.05;
 
-// Places of turns between those for empty lanes: two cache lines.
-constexpr size_t kIdleTurnStride = 16;
+// The rotations for empty lanes lie two cache lines apart, see Particles.
+constexpr size_t kIdleRotationStride = 16;
 
 bool isRigid(const Particles& particles, uint32_t a, uint32_t b, uint32_t c) {
   return particles.inverseMass[a] == 0 && particles.inverseMass[b] == 0 && particles.inverseMass[c] == 0;
 }
 
-// 1/(kg m2) of every edge's turn; 0 on borders and where more than two triangles meet, whose turn stays 0.
-std::vector<double> turnWeights(const TriangleMesh& mesh, const Topology& topology, double arealDensity) {
+// The inverse inertia of every edge rotation, in 1/(kg m2). It is 0 on borders and where more than two
+// triangles meet: such rotations stay 0.
+std::vector<double> rotationWeights(const TriangleMesh& mesh, const Topology& topology, double arealDensity) {
   std::vector<double> weights;
   for (const auto& edge : topology.edges) {
     double area = 0;
     for (const uint32_t t : topology.trianglesAt(edge)) area += triangleRest(mesh, t).area();
     const double height = area / length(mesh.positions[edge.a] - mesh.positions[edge.b]);
-    const double inertia = kTurnInertia * arealDensity * area * height * height;
+    const double inertia = kRotationInertia * arealDensity * area * height * height;
     weights.push_back(edge.useCount == 2 && std::isnormal(inertia) ? 1 / inertia : 0);
   }
   return weights;
@@ -39,25 +40,26 @@ std::vector<double> turnWeights(const TriangleMesh& mesh, const Topology& topolo
 
 BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology& topology,
                                        Particles& particles, const ConstraintOptions& options)
-    : turns_(topology.edges.size() + kIdleTurnStride * (options.blocks.groupCount() + 1)),
+    : rotations_(topology.edges.size() + kIdleRotationStride * (options.blocks.groupCount() + 1)),
       exactPsi_(topology.edges.size(), 0.0) {
-  turnWeight_ = turnWeights(mesh, topology, options.sheet.density * options.sheet.thickness);
+  rotationWeight_ =
+      rotationWeights(mesh, topology, options.sheet.material.density * options.sheet.material.thickness);
   const auto flaps = flapsOf(mesh, topology);
-  // Six vertices and, by the edges' vertices, three turns: two triangles that share a turn share vertices
-  // too.
+  // A stencil has six vertices. Rotations need no entries of their own: triangles that share a rotation share
+  // an edge.
   std::vector<uint32_t> stencils;
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const Triangle& corner = mesh.triangles[t];
     if (isRigid(particles, corner[0], corner[1], corner[2])) continue;
     Rest rest{};
+    rest.corner = corner;
     for (uint32_t e = 0; e < 3; ++e) {
       rest.flap[e] = flaps[3 * size_t{t} + e];
       rest.edge[e] = topology.edgeOfCorner[3 * size_t{t} + e];
-      setHinge(rest, e, corner, mesh, particles);
+      setHinge(rest, e, mesh, particles);
     }
     stencils.insert(stencils.end(), corner.begin(), corner.end());
     stencils.insert(stencils.end(), rest.flap.begin(), rest.flap.end());
-    triangles_.push_back(corner);
     compliance_.push_back(bendingCompliance(mesh, t, options.sheet));
     rest.stiffness =
         bendingStiffness(compliance_.back(), {rest.share[0] > 0, rest.share[1] > 0, rest.share[2] > 0});
@@ -70,60 +72,86 @@ BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology&
   });
 }
 
-void BendingConstraints::setHinge(Rest& rest, uint32_t e, const Triangle& corner, const TriangleMesh& mesh,
+void BendingConstraints::setHinge(Rest& rest, uint32_t e, const TriangleMesh& mesh,
                                   const Particles& particles) {
+  const Triangle& corner = rest.corner;
   const uint32_t start = corner[(e + 1) % 3], end = corner[(e + 2) % 3], flap = rest.flap[e];
   rest.side[e] = start < end ? 1 : -1;
   rest.cosine[e] = 1;
   if (flap == kNone) return;
   const bool besideRigid = isRigid(particles, start, end, flap);
   rest.share[e] = besideRigid ? 2 : 1;
-  if (besideRigid) turnWeight_[rest.edge[e]] = 0;
-  const auto& place = mesh.positions;
-  const Fold fold = foldOf(place[corner[e]], place[start], place[end], place[flap]);
+  if (besideRigid) rotationWeight_[rest.edge[e]] = 0;
+  const auto& x = mesh.positions;
+  const Fold fold = foldOf(x[corner[e]], x[start], x[end], x[flap]);
   const double size = std::hypot(fold.cosine, fold.sine);
   if (!(size > 0)) return;  // a triangle without a plane
   rest.cosine[e] = fold.cosine / size;
   rest.sine[e] = fold.sine / size;
 }
 
+// Of an empty lane: a triangle whose three edges are borders.
+const BendingConstraints::Rest& BendingConstraints::restOf(const Lane& lane) const {
+  static const Rest border = {.corner = {},
+                              .flap = {kNone, kNone, kNone},
+                              .edge = {},
+                              .cosine = {1, 1, 1},
+                              .sine = {},
+                              .side = {1, 1, 1},
+                              .share = {},
+                              .stiffness = {}};
+  return lane.constraint == kNone ? border : rest_[lane.constraint];
+}
+
 void BendingConstraints::setTriangle(Batch& batch, const Lane& lane, Particles& particles, double substep) {
   const int k = lane.lane;
-  const uint32_t t = lane.constraint, idle = particles.idle(lane.group);
-  Turn* const idleTurn = &turns_[edgeCount() + kIdleTurnStride * (lane.group + 1)];
-  static const Vec3 outside[3] = {{1, 1, 0}, {-1, 1, 0}, {1, -1, 0}};  // flaps of an empty lane's triangle
-  const bool empty = t == kNone;
+  const Rest& rest = restOf(lane);
   setLane(batch.base1, k, {1, 0, 0});
   setLane(batch.base2, k, {0, 1, 0});
-  std::array<bool, 3> inner{};
-  for (uint32_t e = 0; e < 3; ++e) {
-    inner[e] = !empty && rest_[t].share[e] > 0;
-    const uint32_t vertex = empty ? idle : triangles_[t][e];
-    const uint32_t flap = inner[e] ? rest_[t].flap[e] : idle;
-    batch.corner[e][k] = &particles.motion[vertex];
-    batch.flap[e][k] = &particles.motion[flap];
-    batch.edge[e][k] = inner[e] ? &turns_[rest_[t].edge[e]] : idleTurn;
-    batch.weight[e][k] = static_cast<float>(particles.inverseMass[vertex]);
-    batch.flapWeight[e][k] = static_cast<float>(particles.inverseMass[flap]);
-    batch.turnWeight[e][k] = inner[e] ? static_cast<float>(turnWeight_[rest_[t].edge[e]]) : 0.0f;
-    batch.side[e][k] = empty ? 1 : static_cast<float>(rest_[t].side[e]);
-    batch.restCosine[e][k] = empty ? 1 : static_cast<float>(rest_[t].cosine[e]);
-    batch.restSine[e][k] = empty ? 0 : static_cast<float>(rest_[t].sine[e]);
-    batch.share[e][k] = empty ? 0 : static_cast<float>(rest_[t].share[e]);
-    setLane(batch.baseFlap[e], k, outside[e]);
-  }
-  for (int e = 0; e < 3; ++e) {  // 0 and 1, 2 and 0, 1 and 2
+  for (uint32_t e = 0; e < 3; ++e) setEdge(batch, lane, e, particles);
+  for (int e = 0; e < 3; ++e) {
     const int f = (e + 1) % 3;
-    const bool shared = inner[e] && inner[f] && rest_[t].flap[e] == rest_[t].flap[f];
+    const bool shared = rest.share[e] > 0 && rest.share[f] > 0 && rest.flap[e] == rest.flap[f];
     batch.sharedFlap[e][k] = shared ? batch.flapWeight[e][k] : 0.0f;
   }
+  setCompliance(batch, lane, substep);
+}
+
+void BendingConstraints::setEdge(Batch& batch, const Lane& lane, uint32_t e, Particles& particles) {
+  static const Vec3 outside[3] = {
+      {1, 1, 0}, {-1, 1, 0}, {1, -1, 0}};  // flaps of the triangle of an empty lane
+  const int k = lane.lane;
+  const Rest& rest = restOf(lane);
+  const bool isInner = rest.share[e] > 0;
+  const uint32_t idle = particles.idle(lane.group);
+  const uint32_t vertex = lane.constraint == kNone ? idle : rest.corner[e];
+  const uint32_t flap = isInner ? rest.flap[e] : idle;
+  EdgeRotation* const idleRotation = &rotations_[edgeCount() + kIdleRotationStride * (lane.group + 1)];
+  batch.corner[e][k] = &particles.motion[vertex];
+  batch.flap[e][k] = &particles.motion[flap];
+  batch.edge[e][k] = isInner ? &rotations_[rest.edge[e]] : idleRotation;
+  batch.weight[e][k] = static_cast<float>(particles.inverseMass[vertex]);
+  batch.flapWeight[e][k] = static_cast<float>(particles.inverseMass[flap]);
+  batch.rotationWeight[e][k] = isInner ? static_cast<float>(rotationWeight_[rest.edge[e]]) : 0.0f;
+  batch.side[e][k] = static_cast<float>(rest.side[e]);
+  batch.restCosine[e][k] = static_cast<float>(rest.cosine[e]);
+  batch.restSine[e][k] = static_cast<float>(rest.sine[e]);
+  batch.share[e][k] = static_cast<float>(rest.share[e]);
+  setLane(batch.baseFlap[e], k, outside[e]);
+}
+
+void BendingConstraints::setCompliance(Batch& batch, const Lane& lane, double substep) const {
+  const Rest& rest = restOf(lane);
   Float4* const entries[6] = {&batch.compliance.xx, &batch.compliance.xy, &batch.compliance.xz,
                               &batch.compliance.yy, &batch.compliance.yz, &batch.compliance.zz};
   int at = 0;
   for (int e = 0; e < 3; ++e)
-    for (int f = e; f < 3; ++f, ++at)
-      (*entries[at])[k] = inner[e] && inner[f] ? static_cast<float>(compliance_[t][at] / (substep * substep))
-                                               : static_cast<float>(e == f);
+    for (int f = e; f < 3; ++f, ++at) {
+      const bool isInner = rest.share[e] > 0 && rest.share[f] > 0;
+      (*entries[at])[lane.lane] =
+          isInner ? static_cast<float>(compliance_[lane.constraint][at] / (substep * substep))
+                  : static_cast<float>(e == f);
+    }
 }
 
 void BendingConstraints::rebase(const Particles& particles, size_t begin, size_t end) {
@@ -132,12 +160,12 @@ void BendingConstraints::rebase(const Particles& particles, size_t begin, size_t
       Batch& batch = batches_[i];
       const uint32_t t = colouring_.batches[i][k];
       if (t == kNone) continue;
-      const Triangle& corner = triangles_[t];
+      const Triangle& corner = rest_[t].corner;
       const auto at = [&](uint32_t v) { return particles.positions[v] - particles.positions[corner[0]]; };
       setLane(batch.base1, k, at(corner[1]));
       setLane(batch.base2, k, at(corner[2]));
       for (int e = 0; e < 3; ++e) {
-        // Across a border any point outside the triangle does: nothing follows from it.
+        // Across a border any point outside the triangle will do: it has no effect.
         const Vec3 start = at(corner[(e + 1) % 3]), end = at(corner[(e + 2) % 3]);
         const uint32_t flap = rest_[t].flap[e];
         setLane(batch.baseFlap[e], k, flap == kNone ? start + end - at(corner[e]) : at(flap));
@@ -145,19 +173,19 @@ void BendingConstraints::rebase(const Particles& particles, size_t begin, size_t
     }
 }
 
-void BendingConstraints::advanceTurns(size_t begin, size_t end, const Advance& what, float damping) {
+void BendingConstraints::advanceRotations(size_t begin, size_t end, const Advance& what, float damping) {
   for (size_t e = begin; e < end; ++e) {
-    Turn& turn = turns_[e];
+    EdgeRotation& rotation = rotations_[e];
     if (what.moves) {
-      exactPsi_[e] += double{turn.rate};
-      turn.psi = static_cast<float>(exactPsi_[e]);
+      exactPsi_[e] += double{rotation.rate};
+      rotation.psi = static_cast<float>(exactPsi_[e]);
     }
-    if (what.accelerates) turn.rate -= damping * turn.rate;
+    if (what.accelerates) rotation.rate -= damping * rotation.rate;
   }
 }
 
-// The three hinges of a triangle, for four triangles at once. Corner c is the apex of edge c, the end of edge
-// c + 1 and the start of edge c + 2.
+// The three hinges of a triangle, for four triangles at once. Corner c is the apex of hinge c, the end of the
+// edge of hinge c + 1, and the start of the edge of hinge c + 2.
 struct BendingConstraints::Hinges {
   Vec3x4 normal;
   Hinge hinge[3];
@@ -183,7 +211,7 @@ inline BendingConstraints::Hinges BendingConstraints::hingesOf(const Batch& b) {
   return hinges;
 }
 
-// J W J^T + compliance.
+// J W J^T + compliance / substep^2 (Macklin et al. 2016, Eq. 18), for the three values s_e of a triangle.
 inline Symmetric3x4 BendingConstraints::systemOf(const Batch& b, const Hinges& hinges) {
   const Hinge* hinge = hinges.hinge;
   const auto own = [&](int e) {
@@ -192,7 +220,7 @@ inline Symmetric3x4 BendingConstraints::systemOf(const Batch& b, const Hinges& h
         h.flapStart * h.flapStart + h.start * (h.start + splat(2) * h.flapStart * h.cosine);
     const Float4 atEnd = h.flapEnd * h.flapEnd + h.end * (h.end + splat(2) * h.flapEnd * h.cosine);
     return b.weight[e] * h.apex * h.apex + b.weight[(e + 1) % 3] * atStart + b.weight[(e + 2) % 3] * atEnd +
-           b.flapWeight[e] * h.flap * h.flap + b.turnWeight[e];
+           b.flapWeight[e] * h.flap * h.flap + b.rotationWeight[e];
   };
   const auto mixed = [&](int e) {
     const int f = (e + 1) % 3, g = (e + 2) % 3;
@@ -213,9 +241,9 @@ inline void BendingConstraints::apply(const Batch& b, const Hinges& hinges, cons
     const int e = (c + 1) % 3, f = (c + 2) % 3;
     const Hinge &ended = hinges.hinge[e], &started = hinges.hinge[f];
     const Float4 along = lambda[c] * hinges.hinge[c].apex + lambda[e] * ended.end + lambda[f] * started.start;
-    const Vec3x4 pull = ended.flapNormal * (lambda[e] * ended.flapEnd) +
-                        started.flapNormal * (lambda[f] * started.flapStart) + hinges.normal * along;
-    scatterCorrection(b.corner[c], pull * b.weight[c]);
+    const Vec3x4 force = ended.flapNormal * (lambda[e] * ended.flapEnd) +
+                         started.flapNormal * (lambda[f] * started.flapStart) + hinges.normal * along;
+    scatterCorrection(b.corner[c], force * b.weight[c]);
   }
   for (int e = 0; e < 3; ++e) {
     const Hinge& hinge = hinges.hinge[e];
@@ -227,19 +255,19 @@ void BendingConstraints::project(size_t begin, size_t end) const {
   for (const Batch *batch = batches_.data() + begin, *last = batches_.data() + end; batch < last; ++batch) {
     const Batch& b = *batch;
     const Hinges hinges = hingesOf(b);
-    Float4 turn[3];
+    Float4 residual[3];  // -s_e
     for (int e = 0; e < 3; ++e) {
-      Turn* const(&at)[4] = b.edge[e];
+      EdgeRotation* const(&at)[4] = b.edge[e];
       const Float4 psi = {at[0]->psi + at[0]->rate, at[1]->psi + at[1]->rate, at[2]->psi + at[2]->rate,
                           at[3]->psi + at[3]->rate};
-      turn[e] = -(hinges.hinge[e].turn + b.side[e] * psi);
+      residual[e] = -(hinges.hinge[e].bend + b.side[e] * psi);
     }
-    const Vec3x4 solution = solve(systemOf(b, hinges), {turn[0], turn[1], turn[2]});
+    const Vec3x4 solution = solve(systemOf(b, hinges), {residual[0], residual[1], residual[2]});
     const Float4 lambda[3] = {solution.x, solution.y, solution.z};
     apply(b, hinges, lambda);
     for (int e = 0; e < 3; ++e) {
-      const Float4 turned = lambda[e] * b.turnWeight[e] * b.side[e];
-      for (int k = 0; k < 4; ++k) b.edge[e][k]->rate += turned[k];
+      const Float4 change = lambda[e] * b.rotationWeight[e] * b.side[e];
+      for (int k = 0; k < 4; ++k) b.edge[e][k]->rate += change[k];
     }
   }
 }
@@ -251,7 +279,7 @@ double BendingConstraints::energy(const std::vector<Vec3>& positions) const {
     double s[3] = {0, 0, 0};
     for (uint32_t e = 0; e < 3; ++e) {
       if (rest.share[e] == 0) continue;
-      const Triangle& corner = triangles_[t];
+      const Triangle& corner = rest.corner;
       const Fold fold = foldOf(positions[corner[e]], positions[corner[(e + 1) % 3]],
                                positions[corner[(e + 2) % 3]], positions[rest.flap[e]]);
       const double sine = fold.sine * rest.cosine[e] - fold.cosine * rest.sine[e];

@@ -31,8 +31,8 @@ std::vector<uint32_t> flapsOf(const TriangleMesh& mesh, const Topology& topology
   return flaps;
 }
 
-// With m_e across and E_e along edge e, E_f . m_e m_e^T E_g is 0 unless e is neither f nor g, so
-// s_e = -(l_e / 4 A) E_f . kappa E_g: P^-1 of kappa = P s, without a matrix to invert.
+// Let m_e be the unit vector across edge e and E_e the edge. E_f . m_e m_e^T E_g is 0 unless e differs from f
+// and g, so s_e = -(l_e / 4 A) E_f . kappa E_g. This gives P^-1 of kappa = P s without inverting a matrix.
 std::array<double, 6> bendingCompliance(const TriangleMesh& mesh, uint32_t t, const Sheet& sheet) {
   const TriangleRest rest = triangleRest(mesh, t);
   const double edge[3][2] = {{rest.x2 - rest.x1, rest.y2}, {-rest.x2, -rest.y2}, {rest.x1, 0}};
@@ -44,8 +44,9 @@ std::array<double, 6> bendingCompliance(const TriangleMesh& mesh, uint32_t t, co
     inverse[e][1] = scale * f[1] * g[1];
     inverse[e][2] = scale * 0.5 * (f[0] * g[1] + f[1] * g[0]);
   }
-  const double nu = sheet.poisson, softness = 1 / (rest.area() * sheet.bending() * (1 - nu * nu));
-  // A needle's compliance is singular to float, and its stiffness without bound: this much is added to it.
+  const double nu = sheet.material.poisson, softness = 1 / (rest.area() * sheet.bending() * (1 - nu * nu));
+  // In float the compliance of a needle is singular and its stiffness unbounded, so this share is added to
+  // the diagonal.
   constexpr double kLoading = 1e-4;
   std::array<double, 6> compliance;
   int at = 0;

@@ -7,22 +7,25 @@
 
 namespace limber {
 
-// A fold as its cosine and sine; positive where the flap rises to the side the triangle's normal points to.
+// The cosine and sine of a fold angle, which is positive where the flap lies on the side of the triangle's
+// normal.
 struct Fold {
   double cosine, sine;
 };
-// Of the edge start -> end of triangle (apex, start, end) against its flap.
+// The fold across the edge from `start` to `end` between the triangle (apex, start, end) and its flap.
 Fold foldOf(const Vec3& apex, const Vec3& start, const Vec3& end, const Vec3& flap);
 
-// The vertex of each triangle's neighbour across edge e, [3 * t + e]; kNone on a border. On an edge of more
-// than two triangles each has the next one's.
+// flaps[3 t + e] is the vertex across edge e of triangle t (the edge opposite to corner e) that is not on the
+// edge; kNone on a border. Where more than two triangles meet at an edge, each takes the vertex of the next
+// one.
 std::vector<uint32_t> flapsOf(const TriangleMesh& mesh, const Topology& topology);
 
-// The inverse of the stiffness of (s_0, s_1, s_2) in triangle t, 00 01 02 11 12 22, in rad2/J; see
+// The inverse of the stiffness of (s_0, s_1, s_2) in triangle t, entries 00 01 02 11 12 22, in rad2/J; see
 // BendingConstraints.
 std::array<double, 6> bendingCompliance(const TriangleMesh& mesh, uint32_t t, const Sheet& sheet);
 
-// The inverse of the part of a compliance that belongs to edges with `inner` set; 0 elsewhere.
+// The inverse of the block of a compliance that belongs to the edges with `inner` set, entries 00 01 02 11 12
+// 22; 0 elsewhere.
 std::array<double, 6> bendingStiffness(const std::array<double, 6>& compliance,
                                        const std::array<bool, 3>& inner);
 

@@ -27,7 +27,7 @@ EdgeConstraints::EdgeConstraints(const TriangleMesh& mesh, const Topology& topol
   for (const auto& edge : topology.edges) {
     const double rest = length(mesh.positions[edge.a] - mesh.positions[edge.b]);
     const double stiffness = options.sheet.stretching() * areaAround(mesh, topology, edge) / (rest * rest);
-    // The heavier end second, so that no ratio is without bound.
+    // The heavier end comes second, so that the ratio of the weights is at most 1.
     const bool inOrder = particles.inverseMass[edge.a] >= particles.inverseMass[edge.b];
     springs_.push_back(
         {inOrder ? edge.a : edge.b, inOrder ? edge.b : edge.a, rest, rest > 0 ? stiffness : 0});
@@ -42,7 +42,7 @@ void EdgeConstraints::setSpring(Batch& batch, const Lane& lane, Particles& parti
   const uint32_t idle = particles.idle(lane.group);
   const Spring spring = lane.constraint == kNone ? Spring{idle, idle, 1, 0} : springs_[lane.constraint];
   const double wa = particles.inverseMass[spring.a], wb = particles.inverseMass[spring.b];
-  // w_a / (w_a + w_b + 1 / (stiffness substep^2)), which stays finite where the stiffness is 0.
+  // share = w_a / (w_a + w_b + 1 / (stiffness substep^2)), in a form that stays finite for a stiffness of 0.
   const double inert = spring.stiffness * substep * substep;
   batch.a[k] = &particles.motion[spring.a];
   batch.b[k] = &particles.motion[spring.b];
@@ -72,7 +72,7 @@ void EdgeConstraints::project(size_t begin, size_t end) const {
     const Float4 d2 = batch->base[2] + ((a2->u - b2->u) + (a2->q - b2->q));
     const Float4 d3 = batch->base[3] + ((a3->u - b3->u) + (a3->q - b3->q));
     const Float4 squared = laneSums(d0 * d0, d1 * d1, d2 * d2, d3 * d3);
-    // 1e-30 is far below any length's square: it only keeps 0 out of the division.
+    // 1e-30 is far below the square of any length: it only prevents a division by 0.
     const Float4 moveA = batch->restShare / squareRoot(squared + splat(1e-30f)) - batch->share;
     const Float4 m0 = d0 * splatLane<0>(moveA), m1 = d1 * splatLane<1>(moveA);
     const Float4 m2 = d2 * splatLane<2>(moveA), m3 = d3 * splatLane<3>(moveA);

@@ -10,13 +10,13 @@
 
 namespace limber {
 
-// Distance constraints along the edges, C = |x_a - x_b| - rest, as the paper uses them (section 4). The
-// spring of an edge has the stiffness E h (area of its triangles) / rest^2: the one that a triangle mesh of
-// springs needs to carry the energy of a sheet (Van Gelder 1998). It holds on equilateral meshes; on others
-// springs are another material whatever their rule.
+// Distance constraints along the edges, C = |x_a - x_b| - rest, as in the paper (section 4). An edge has the
+// stiffness E h (area of its triangles) / rest^2, with which the springs of a triangle mesh carry the energy
+// of a sheet (Van Gelder 1998). That is exact for equilateral meshes; on others, springs are another material
+// whatever their rule.
 class EdgeConstraints {
  public:
-  // Rest lengths are those of `mesh`, in metres. The particles' motion must stay where it is.
+  // Rest lengths are those of `mesh`, in metres. `particles.motion` must not be reallocated afterwards.
   EdgeConstraints(const TriangleMesh& mesh, const Topology& topology, Particles& particles,
                   const ConstraintOptions& options);
 
@@ -25,7 +25,8 @@ class EdgeConstraints {
 
   // Takes over the positions at the start of a step, for batches [begin, end).
   void rebase(const Particles& particles, size_t begin, size_t end);
-  // One XPBD pass (Macklin et al. 2016, Eqs. 17 and 18, with lambda = 0 as each substep starts).
+  // One XPBD pass (Macklin et al. 2016, Eqs. 17 and 18) with lambda = 0 at the start of each substep (Macklin
+  // et al. 2019).
   void project(size_t begin, size_t end) const;
   // Joules.
   double energy(const std::vector<Vec3>& positions) const;
@@ -34,9 +35,9 @@ class EdgeConstraints {
   struct Batch {
     Float4 base[4];    // x_a - x_b at the start of the step
     Float4 share;      // of the correction that a takes: w_a / (w_a + w_b + compliance / substep^2)
-    Float4 restShare;  // the length at rest times that
+    Float4 restShare;  // the rest length times `share`
     Float4 ratio;      // w_b / w_a, at most 1
-    // Ends; not their numbers, for finding a place by its number takes as long as a multiplication.
+    // The two ends, as pointers rather than indices: see gather.h.
     Motion *a[4], *b[4];
   };
   struct Spring {

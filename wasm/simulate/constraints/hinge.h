@@ -4,24 +4,27 @@
 
 namespace limber {
 
-// Tan(half the fold from rest), and its gradient over the four vertices of a hinge, which lies along the
-// normals of its two triangles: over the flap it is `flap` times flapNormal, over the start of the edge
-// flapStart times flapNormal plus start times the triangle's own normal, and so on.
+// The bend of a hinge, tan(half the fold from rest) times the share of the fold, and its gradient, which lies
+// along the normals of the two triangles. By the position of the flap it is `flap` flapNormal, of the apex
+// `apex` normal, of the start of the edge flapStart flapNormal + start normal, and of its end flapEnd
+// flapNormal + end normal.
 struct Hinge {
   Vec3x4 flapNormal;
-  Float4 turn, cosine;
+  Float4 bend, cosine;
   Float4 flap, flapStart, flapEnd;
   Float4 apex, start, end;
 };
 
-// As seen from the apex.
+// Relative to the apex.
 struct HingeVertices {
   Vec3x4 toStart, toEnd, toFlap;
 };
+// The fold at rest, and the share of the fold that counts (see BendingConstraints::Batch).
 struct RestFold {
   Float4 cosine, sine, share;
 };
 
+// `normal` is the unit normal of the triangle. Divisions are kept finite for triangles without area.
 inline Hinge hingeOf(const HingeVertices& at, const Vec3x4& normal, Float4 inverseDoubleArea,
                      const RestFold& rest) {
   const Float4 one = splat(1), tiny = splat(1e-30f);
@@ -33,14 +36,15 @@ inline Hinge hingeOf(const HingeVertices& at, const Vec3x4& normal, Float4 inver
   hinge.flapNormal = flapNormal * inverseFlapArea;
   hinge.cosine = dot(normal, hinge.flapNormal);
   const Float4 sine = dot(across, normal) * edgeLength * inverseFlapArea;
-  // How far it is from rest, delta. Up to 90 degrees tan(delta / 2) = sin / (1 + cos); from there on 2 -
-  // tan((180 - delta) / 2), as smooth, and without a pole. Both grow by 1 / (1 + |cos|).
+  // delta is the fold from rest. Up to 90 degrees the bend is tan(delta / 2) = sin / (1 + cos); beyond that
+  // it is 2 - tan((180 - delta) / 2), which continues it smoothly without the pole at 180 degrees. The
+  // derivative of both by delta is 1 / (1 + |cos|).
   const Float4 sineFromRest = sine * rest.cosine - hinge.cosine * rest.sine;
   const Float4 cosineFromRest = hinge.cosine * rest.cosine + sine * rest.sine;
   const Float4 growth = rest.share / (one + larger(cosineFromRest, -cosineFromRest));
   const Float4 tangent = sineFromRest * growth, zero{};
   const Float4 twice = sineFromRest < zero ? -splat(2) * rest.share : splat(2) * rest.share;
-  hinge.turn = cosineFromRest < zero ? twice - tangent : tangent;
+  hinge.bend = cosineFromRest < zero ? twice - tangent : tangent;
   const Float4 scale = growth * edgeLength;
   const Float4 inverseSquare = one / (squaredEdge + tiny);
   const Float4 flapFoot = dot(across, edge) * inverseSquare,

@@ -61,8 +61,8 @@ void MembraneConstraints::rebase(const Particles& particles, size_t begin, size_
 
 void MembraneConstraints::project(size_t begin, size_t end) const {
   const Float4 one = splat(1), half = splat(0.5f);
-  const Float4 coupling = splat(static_cast<float>(sheet_.poisson));
-  const Float4 shearing = splat(static_cast<float>(2 * (1 + sheet_.poisson)));
+  const Float4 coupling = splat(static_cast<float>(sheet_.material.poisson));
+  const Float4 shearing = splat(static_cast<float>(2 * (1 + sheet_.material.poisson)));
   for (const Batch *batch = batches_.data() + begin, *last = batches_.data() + end; batch < last; ++batch) {
     const Batch& b = *batch;
     const Vec3x4 origin = gatherMotion(b.corner[0]);
@@ -80,15 +80,15 @@ void MembraneConstraints::project(size_t begin, size_t end) const {
         b.mass11 * f22 + splat(2) * b.mass12 * f12 + b.mass22 * f11 + b.compliance * shearing};
     const Vec3x4 lambda = solve(system, {half * (one - f11), half * (one - f22), -f12});
     const Vec3x4 stress1 = f1 * lambda.x + f2 * lambda.z, stress2 = f2 * lambda.y + f1 * lambda.z;
-    const Vec3x4 pull1 = stress1 * b.xx + stress2 * b.xy, pull2 = stress2 * b.yy;
-    scatterCorrection(b.corner[1], pull1 * b.weight[1]);
-    scatterCorrection(b.corner[2], pull2 * b.weight[2]);
-    scatterCorrection(b.corner[0], (pull1 + pull2) * -b.weight[0]);
+    const Vec3x4 force1 = stress1 * b.xx + stress2 * b.xy, force2 = stress2 * b.yy;
+    scatterCorrection(b.corner[1], force1 * b.weight[1]);
+    scatterCorrection(b.corner[2], force2 * b.weight[2]);
+    scatterCorrection(b.corner[0], (force1 + force2) * -b.weight[0]);
   }
 }
 
 double MembraneConstraints::energy(const std::vector<Vec3>& positions) const {
-  const double nu = sheet_.poisson, factor = 0.5 * sheet_.stretching() / (1 - nu * nu);
+  const double nu = sheet_.material.poisson, factor = 0.5 * sheet_.stretching() / (1 - nu * nu);
   double sum = 0;
   for (uint32_t t = 0; t < count_; ++t) {
     const Vec3& origin = positions[triangles_[t][0]];

@@ -2,18 +2,17 @@
 
 namespace limber {
 
-void PointConstraints::add(const TriangleMesh& mesh, const Particles& particles,
-                           const SurfacePoint& anchor) {
+void PointConstraints::add(const TriangleMesh& mesh, const Particles& particles, const SurfacePoint& on) {
   Point point{};
   double weight = 0;
   for (int c = 0; c < 3; ++c) {
-    point.vertex[c] = mesh.triangles[anchor.triangle][c];
-    point.share[c] = static_cast<float>(anchor.barycentric[c]);
-    weight += particles.inverseMass[point.vertex[c]] * anchor.barycentric[c] * anchor.barycentric[c];
+    point.vertex[c] = mesh.triangles[on.triangle][c];
+    point.share[c] = static_cast<float>(on.barycentric[c]);
+    weight += particles.inverseMass[point.vertex[c]] * on.barycentric[c] * on.barycentric[c];
   }
   for (int c = 0; c < 3 && weight > 0; ++c)
     point.correction[c] =
-        static_cast<float>(particles.inverseMass[point.vertex[c]] * anchor.barycentric[c] / weight);
+        static_cast<float>(particles.inverseMass[point.vertex[c]] * on.barycentric[c] / weight);
   points_.push_back(point);
 }
 
@@ -23,9 +22,9 @@ Vec3 PointConstraints::position(size_t i, const Particles& particles) const {
   return sum;
 }
 
-void PointConstraints::rebase(size_t i, const Particles& particles, const Way& way, int substeps) {
-  points_[i].gap = toFloat4(position(i, particles) - way.from);
-  points_[i].targetMove = toFloat4((way.to - way.from) / substeps);
+void PointConstraints::rebase(size_t i, const Particles& particles, const Path& path, int substeps) {
+  points_[i].gap = toFloat4(position(i, particles) - path.from);
+  points_[i].targetMove = toFloat4((path.to - path.from) / substeps);
 }
 
 void PointConstraints::project(Particles& particles, int substep) const {

@@ -9,22 +9,23 @@
 
 namespace limber {
 
-// Points of the surface that are held at a target, which moves evenly through the step.
+// Points of the surface that are pinned to a target, which moves evenly through the step. Hard constraints:
+// they have no compliance.
 class PointConstraints {
  public:
-  void add(const TriangleMesh& mesh, const Particles& particles, const SurfacePoint& anchor);
+  void add(const TriangleMesh& mesh, const Particles& particles, const SurfacePoint& on);
   void clear() { points_.clear(); }
   size_t count() const { return points_.size(); }
 
-  struct Way {
+  struct Path {
     Vec3 from, to;
   };
-  // Metres: where the target of point i goes within the step.
-  void rebase(size_t i, const Particles& particles, const Way& way, int substeps);
-  // One pass over all points in order, for the given substep of the step, from 0.
+  // Sets how the target of point i moves within the step, in metres.
+  void rebase(size_t i, const Particles& particles, const Path& path, int substeps);
+  // One pass over all points in order. `substep` counts from 0 within the step.
   void project(Particles& particles, int substep) const;
 
-  // Where the point is between steps, in metres.
+  // Where point i is between steps, in metres.
   Vec3 position(size_t i, const Particles& particles) const;
 
  private:
@@ -33,7 +34,7 @@ class PointConstraints {
     float share[3];       // barycentric
     float correction[3];  // w share / sum w share^2
     Float4 gap;           // point - target at the start of the step
-    Float4 targetMove;    // of the target in a substep
+    Float4 targetMove;    // of the target per substep
   };
   std::vector<Point> points_;
 };

@@ -10,8 +10,8 @@ struct TriangleRest {
   double area() const { return 0.5 * x1 * y2; }
 };
 
-// Triangles flatter than this (height over longest edge) are taken as if they were just as flat, so that a
-// needle is stiff, but not without bound.
+// The least ratio of height to longest edge that a triangle at rest is given. Flatter triangles are opened up
+// to it, so that a needle is stiff but not infinitely stiff.
 inline constexpr double kFlattestRest = 1e-3;
 
 TriangleRest triangleRest(const TriangleMesh& mesh, uint32_t t);

@@ -15,49 +15,53 @@ struct VolumeBatch {
   uint32_t corner[3][4];
 };
 
-// Keeps what closed components hold: one constraint per component, C = V - V_0, of compliance V_0 / bulk
+// Keeps the volume of closed components: one constraint per component, C = V - V_0, of compliance V_0 / bulk
 // modulus, as if the inside were filled with the material (without its resistance to shear). A pass has four
-// steps, each to be ended for all groups before the next: `measure` for all blocks, `measure` for all
-// borders, `weigh` and `apply` for all blocks.
+// phases, each of which must have ended for all groups before the next begins: `measure` for all blocks,
+// `measure` for all borders, `weigh` for all blocks, and `apply` for all blocks.
 class VolumeConstraints {
  public:
-  // Components with an edge that does not have two triangles, run in opposite directions, are left out.
+  // Leaves out components that have an edge without exactly two triangles of opposite directions.
   VolumeConstraints(const TriangleMesh& mesh, const Topology& topology, const Blocks& blocks,
                     double bulkModulus);
 
-  uint32_t count() const { return static_cast<uint32_t>(bodies_.size()); }
+  uint32_t count() const { return static_cast<uint32_t>(components_.size()); }
   // Takes over the positions at the start of a step.
   void rebase(const Particles& particles, size_t block);
-  // Adds what the group's triangles hold, and to the gradient; a block starts these for its vertices.
+  // Sums the volume under the triangles of a group and adds to the gradient of their vertices, which a block
+  // first sets to 0 for its own vertices.
   void measure(const Particles& particles, size_t group);
+  // Sums w |gradient|^2 over the vertices of a block.
   void weigh(const Particles& particles, size_t block);
+  // Moves the vertices of a block along the gradient.
   void apply(Particles& particles, size_t block, double substep) const;
   // Joules.
   double energy(const std::vector<Vec3>& positions) const;
 
  private:
-  // What a group has of a body.
-  struct Part {
-    uint32_t body;
-    std::vector<uint32_t> vertices;  // none of a border
+  // The share that a group has in a component.
+  struct Portion {
+    uint32_t component;
+    std::vector<uint32_t> vertices;  // empty for a border
     std::vector<VolumeBatch> batches;
-    double six = 0;     // times the volume under the triangles, seen from the body's origin
-    double weight = 0;  // sum over the vertices of w |gradient|^2
+    double sixfoldVolume = 0;  // 6 V between the triangles and the first vertex of the component
+    double weight = 0;         // sum over the vertices of w |gradient|^2
   };
-  struct Body {
+  struct Component {
     std::vector<Triangle> triangles;
     std::vector<uint32_t> vertices;
     double restVolume, compliance;
-    std::vector<std::array<uint32_t, 2>> parts;  // group, and number in it; in order
+    std::vector<std::array<uint32_t, 2>> portions;  // group and index in portions_[group]; ascending
   };
-  void addParts(uint32_t body, const Blocks& blocks);
-  double lambdaOf(const Body& body, double substep) const;
+  void addPortions(uint32_t component, const Blocks& blocks);
+  double lambdaOf(const Component& component, double substep) const;
 
-  std::vector<Body> bodies_;
-  std::vector<std::vector<Part>> parts_;  // by group
-  // By vertex, and the idle one: from the body's first vertex, at the start of the step and now.
-  std::vector<Float4> base_, place_;
-  std::vector<Float4> gradient_;  // six times that of the volume
+  std::vector<Component> components_;
+  std::vector<std::vector<Portion>> portions_;  // by group
+  // Per vertex, and for the idle one: relative to the first vertex of the component, at the start of the step
+  // and now.
+  std::vector<Float4> base_, current_;
+  std::vector<Float4> gradient_;  // six times the gradient of the volume
 };
 
 }  // namespace limber

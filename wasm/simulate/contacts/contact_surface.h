@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulate/collision_scene.h"
 #include "simulate/particles.h"
-#include "simulate/simulation.h"
 
 namespace limber {
 
@@ -13,14 +13,14 @@ inline float dot3(Float4 a, Float4 b) {
   return product[0] + product[1] + product[2];
 }
 
-// A collider in float, seen from the start of its axis.
+// A collider in float; points are relative to the start of its axis.
 struct ContactSurface {
-  Float4 axis;          // of a capsule; 0 of a ball
-  float inverseSquare;  // 1 / |axis|^2, 0 of a ball
+  Float4 axis;          // of a capsule; 0 for a ball
+  float inverseSquare;  // 1 / |axis|^2; 0 for a ball
   float radius;
 
-  Float4 nearestOnAxis(Float4 place) const {
-    return splat(std::clamp(dot3(place, axis) * inverseSquare, 0.0f, 1.0f)) * axis;
+  Float4 nearestOnAxis(Float4 point) const {
+    return splat(std::clamp(dot3(point, axis) * inverseSquare, 0.0f, 1.0f)) * axis;
   }
 };
 
@@ -38,8 +38,8 @@ inline double distanceToAxis(const Vec3& point, const Collider& collider) {
   return length(offset - axis * along);
 }
 
-// What friction takes of a motion q along a surface: its sliding, but not more than `most` metres (Coulomb,
-// as Mueller et al. 2007).
+// The part of a motion q along a surface that friction takes away: its sliding, but at most `most` metres
+// (Coulomb friction as in Mueller et al. 2007).
 inline Float4 frictionOf(Float4 q, Float4 normal, float most) {
   const Float4 sliding = q - splat(dot3(q, normal)) * normal;
   const float slid = std::sqrt(dot3(sliding, sliding));

@@ -11,24 +11,25 @@ namespace limber {
 
 namespace {
 
-// Cells per axis at most, so that a key fits into 64 bits.
+// The most cells per axis, so that a key fits into 64 bits.
 constexpr double kMostCells = 1 << 20;
 
-using Place = std::array<uint64_t, 3>;
+using CellIndex = std::array<uint64_t, 3>;
 
-uint64_t keyOf(const Place& cell) {
+uint64_t keyOf(const CellIndex& cell) {
   return (cell[2] << 42) | (cell[1] << 21) | cell[0];
 }
 
-// A grid over the vertices that starts one cell below the lowest, so that neighbours never are negative.
+// A grid that starts one cell below the lowest vertex, so that the indices of neighbouring cells are never
+// negative.
 struct Grid {
   Vec3 low;
   double cell;
-  Place placeOf(const Vec3& p) const {
-    Place place;
+  CellIndex cellOf(const Vec3& p) const {
+    CellIndex index;
     for (int c = 0; c < 3; ++c)
-      place[c] = 1 + static_cast<uint64_t>(std::min((p[c] - low[c]) / cell, kMostCells));
-    return place;
+      index[c] = 1 + static_cast<uint64_t>(std::min((p[c] - low[c]) / cell, kMostCells));
+    return index;
   }
 };
 
@@ -41,12 +42,13 @@ SelfContacts::SelfContacts(const TriangleMesh& mesh, double friction)
     distance_ += length(rest_[edge.a] - rest_[edge.b]) / static_cast<double>(topology.edges.size());
 }
 
-void SelfContacts::addPair(const Particles& particles, uint32_t a, uint32_t b, double reach) {
+void SelfContacts::addPair(const Particles& particles, uint32_t a, uint32_t b, double searchDistance) {
   const double atRest = length(rest_[a] - rest_[b]), wa = particles.inverseMass[a],
                wb = particles.inverseMass[b];
   const Vec3 apart = particles.positions[a] - particles.positions[b];
   const double distance = std::min(distance_, atRest);
-  if (wa + wb == 0 || !(squaredLength(apart) < (distance + reach) * (distance + reach))) return;
+  if (wa + wb == 0 || !(squaredLength(apart) < (distance + searchDistance) * (distance + searchDistance)))
+    return;
   pairs_.push_back({a, b, toFloat4(apart), static_cast<float>(distance), static_cast<float>(wa / (wa + wb)),
                     static_cast<float>(wb / (wa + wb))});
 }
@@ -58,25 +60,26 @@ void SelfContacts::rebase(const Particles& particles, int substeps) {
     fastest = std::max(fastest, dot3(particles.motion[v].q, particles.motion[v].q));
     for (int c = 0; c < 3; ++c) grid.low[c] = std::min(grid.low[c], particles.positions[v][c]);
   }
-  // Two vertices may come towards each other; what is faster than an edge a step is let through.
-  const double reach = std::min(2.0 * substeps * std::sqrt(double{fastest}) + 0.1 * distance_, distance_);
-  grid.cell = distance_ + reach;
+  // Both vertices may move towards each other. The limit keeps cells small; faster vertices may pass through.
+  const double searchDistance =
+      std::min(2.0 * substeps * std::sqrt(double{fastest}) + 0.1 * distance_, distance_);
+  grid.cell = distance_ + searchDistance;
   cells_.clear();
   for (uint32_t v = 0; v < particles.count(); ++v)
-    cells_.push_back({keyOf(grid.placeOf(particles.positions[v])), v});
+    cells_.push_back({keyOf(grid.cellOf(particles.positions[v])), v});
   std::sort(cells_.begin(), cells_.end(), [](const Cell& a, const Cell& b) {
     return a.key != b.key ? a.key < b.key : a.vertex < b.vertex;
   });
   pairs_.clear();
   for (uint32_t v = 0; v < particles.count(); ++v) {
-    const Place at = grid.placeOf(particles.positions[v]);
+    const CellIndex at = grid.cellOf(particles.positions[v]);
     for (uint64_t z = at[2] - 1; z <= at[2] + 1; ++z)
       for (uint64_t y = at[1] - 1; y <= at[1] + 1; ++y) {
         const uint64_t first = keyOf({at[0] - 1, y, z});
         auto cell = std::lower_bound(cells_.begin(), cells_.end(), first,
                                      [](const Cell& a, uint64_t key) { return a.key < key; });
         for (; cell != cells_.end() && cell->key <= first + 2; ++cell)
-          if (cell->vertex > v) addPair(particles, v, cell->vertex, reach);
+          if (cell->vertex > v) addPair(particles, v, cell->vertex, searchDistance);
       }
   }
 }

@@ -8,31 +8,34 @@
 
 namespace limber {
 
-// Keeps the sheets of a body apart: vertices that come closer than the mean edge's length, or than they are
-// at rest where that is less, push each other away. Good for cloth of even triangles; a coarse or uneven mesh
-// can slip through itself, and so can what moves by more than an edge in a step.
+// Keeps the parts of a body apart that do not lie side by side. Two vertices push each other away when they
+// come closer than the mean edge length, or than they are at rest where that is less. This suits cloth of
+// even triangles. A coarse or uneven mesh can slip through itself, and so can a part that moves by more than
+// an edge in a step.
 class SelfContacts {
  public:
   // `mesh` at rest, in metres.
   SelfContacts(const TriangleMesh& mesh, double friction);
 
-  // Finds the pairs that may touch within the step.
+  // Finds the pairs of vertices that may touch within the step.
   void rebase(const Particles& particles, int substeps);
+  // One pass over all pairs, in order.
   void project(Particles& particles) const;
   size_t count() const { return pairs_.size(); }
 
  private:
   struct Pair {
     uint32_t a, b;
-    Float4 base;  // x_a - x_b at the start of the step
-    float distance;
+    Float4 base;           // x_a - x_b at the start of the step
+    float distance;        // metres, that they are kept apart
     float shareA, shareB;  // w / (w_a + w_b)
   };
+  // A vertex in the grid that pairs are found with.
   struct Cell {
     uint64_t key;
     uint32_t vertex;
   };
-  void addPair(const Particles& particles, uint32_t a, uint32_t b, double reach);
+  void addPair(const Particles& particles, uint32_t a, uint32_t b, double searchDistance);
 
   std::vector<Vec3> rest_;
   double distance_ = 0;

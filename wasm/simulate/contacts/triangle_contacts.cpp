@@ -7,13 +7,14 @@ namespace limber {
 
 namespace {
 
-// Rounds of finding the nearest points of a triangle and an axis, each from the other. Any pair that is
-// closer than the radius is a true contact, so a few do.
+// How often the nearest points of a triangle and an axis are improved, each from the other. A few rounds
+// suffice, because any pair that is closer than the radius is a true contact.
 constexpr int kRounds = 4;
-// A corner moves at most this many times as far as the point it carries, whatever else is pinned.
+// A corner moves at most this many times as far as the contact point, even where the other corners are
+// pinned.
 constexpr float kMostLeverage = 10;
 
-// Of a triangle's longest edge within a step, for leaving out triangles that are too far away.
+// How far the longest edge of a triangle is assumed to stretch within a step, as a factor.
 constexpr double kMostStretch = 1.25;
 
 using Shares = std::array<float, 3>;
@@ -22,14 +23,15 @@ Float4 pointAt(const Float4 (&corner)[3], const Shares& share) {
   return splat(share[0]) * corner[0] + splat(share[1]) * corner[1] + splat(share[2]) * corner[2];
 }
 
-// Barycentric coordinates of the point of a segment that is nearest to the origin.
+// The share of the end of a segment in its point that is nearest to the origin, in [0, 1].
 float shareOfEnd(Float4 start, Float4 end) {
   const Float4 along = end - start;
   const float squared = dot3(along, along);
   return squared > 0 ? std::clamp(-dot3(start, along) / squared, 0.0f, 1.0f) : 0;
 }
 
-// And of a triangle: the foot of its plane, or the nearest point of its edges where that lies outside.
+// The barycentric coordinates of the point of a triangle that is nearest to the origin: the foot on its
+// plane, or the nearest point of its edges where the foot lies outside.
 Shares nearestShares(const Float4 (&corner)[3]) {
   const Float4 edge1 = corner[1] - corner[0], edge2 = corner[2] - corner[0];
   const float g11 = dot3(edge1, edge1), g12 = dot3(edge1, edge2), g22 = dot3(edge2, edge2);
@@ -54,37 +56,38 @@ Shares nearestShares(const Float4 (&corner)[3]) {
   return best;
 }
 
-// The same for the axis of a collider instead of the origin; `outwards` leads from the axis to the point.
-Shares nearestShares(const Float4 (&place)[3], const ContactSurface& surface, Float4& outwards) {
+// The same for the axis of a collider instead of the origin; `outwards` is the vector from the axis to the
+// point.
+Shares nearestShares(const Float4 (&corner)[3], const ContactSurface& surface, Float4& outwards) {
   Shares share = {1.0f / 3, 1.0f / 3, 1.0f / 3};
   const int rounds = surface.inverseSquare > 0 ? kRounds : 1;
   for (int round = 0; round < rounds; ++round) {
-    const Float4 center = surface.nearestOnAxis(pointAt(place, share));
-    const Float4 seen[3] = {place[0] - center, place[1] - center, place[2] - center};
+    const Float4 center = surface.nearestOnAxis(pointAt(corner, share));
+    const Float4 seen[3] = {corner[0] - center, corner[1] - center, corner[2] - center};
     share = nearestShares(seen);
     outwards = pointAt(seen, share);
   }
   return share;
 }
 
-// Vertices in a box, and the square of the longest way of one in a substep.
-struct Extent {
+// The bounding box of vertices, and the largest squared motion of one in a substep.
+struct MovingBox {
   Bounds box;
-  double fastest = 0;
+  double fastest = 0;  // m2
 };
-Extent extentOf(const Particles& particles, const std::vector<uint32_t>& vertices) {
+MovingBox movingBoxOf(const Particles& particles, const std::vector<uint32_t>& vertices) {
   const Vec3& first = particles.positions[vertices.front()];
-  Extent extent = {{first, first}};
+  MovingBox moving = {{first, first}};
   for (const uint32_t v : vertices) {
     const Vec3& p = particles.positions[v];
     for (int c = 0; c < 3; ++c) {
-      extent.box.low[c] = std::min(extent.box.low[c], p[c]);
-      extent.box.high[c] = std::max(extent.box.high[c], p[c]);
+      moving.box.low[c] = std::min(moving.box.low[c], p[c]);
+      moving.box.high[c] = std::max(moving.box.high[c], p[c]);
     }
     const Float4 q = particles.motion[v].q;
-    extent.fastest = std::max(extent.fastest, double{dot3(q, q)});
+    moving.fastest = std::max(moving.fastest, double{dot3(q, q)});
   }
-  return extent;
+  return moving;
 }
 
 }  // namespace
@@ -106,22 +109,22 @@ TriangleContacts::TriangleContacts(const TriangleMesh& mesh, const Blocks& block
   }
 }
 
-void TriangleContacts::rebase(const Particles& particles, const Obstacles& obstacles,
-                              const ContactReach& reach, size_t group) {
+void TriangleContacts::rebase(const Particles& particles, const CollisionScene& scene,
+                              const ContactDistance& distance, size_t group) {
   contacts_[group].clear();
-  if (obstacles.colliders.empty() || groups_[group].candidates.empty()) return;
-  const Extent extent = extentOf(particles, groups_[group].vertices);
-  const Vec3 center = (extent.box.low + extent.box.high) * 0.5;
-  const double near = reach.of(extent.fastest);
-  for (const Collider& collider : obstacles.colliders) {
+  if (scene.colliders.empty() || groups_[group].candidates.empty()) return;
+  const MovingBox moving = movingBoxOf(particles, groups_[group].vertices);
+  const Vec3 center = (moving.box.low + moving.box.high) * 0.5;
+  const double near = distance.of(moving.fastest);
+  for (const Collider& collider : scene.colliders) {
     if (groups_[group].longest <= kLeastEdge * collider.radius) continue;
-    if (distanceToAxis(center, collider) > collider.radius + near + 0.5 * extent.box.diagonal()) continue;
-    addContacts(particles, collider, reach, group);
+    if (distanceToAxis(center, collider) > collider.radius + near + 0.5 * moving.box.diagonal()) continue;
+    addContacts(particles, collider, distance, group);
   }
 }
 
 void TriangleContacts::addContacts(const Particles& particles, const Collider& collider,
-                                   const ContactReach& reach, size_t group) {
+                                   const ContactDistance& distance, size_t group) {
   const ContactSurface surface = surfaceOf(collider);
   for (const auto& [corner, longest] : groups_[group].candidates) {
     if (longest <= kLeastEdge * collider.radius) continue;
@@ -130,16 +133,16 @@ void TriangleContacts::addContacts(const Particles& particles, const Collider& c
     double farthest = 0, fastest = 0;
     const Vec3& origin = particles.positions[corner[0]];
     for (int c = 0; c < 3; ++c) {
-      const Vec3& place = particles.positions[corner[c]];
-      contact.base[c] = toFloat4(place - collider.from);
+      const Vec3& position = particles.positions[corner[c]];
+      contact.base[c] = toFloat4(position - collider.from);
       contact.weight[c] = static_cast<float>(particles.inverseMass[corner[c]]);
       heaviest = std::max(heaviest, contact.weight[c]);
-      farthest = std::max(farthest, length(place - origin));
+      farthest = std::max(farthest, length(position - origin));
       const Float4 q = particles.motion[corner[c]].q;
       fastest = std::max(fastest, double{dot3(q, q)});
     }
-    const double near = reach.of(fastest);
-    contact.reach = static_cast<float>(collider.radius + kMostStretch * farthest);
+    const double near = distance.of(fastest);
+    contact.touchingDistance = static_cast<float>(collider.radius + kMostStretch * farthest);
     if (heaviest > 0 && distanceToAxis(origin, collider) < collider.radius + near + farthest)
       contacts_[group].push_back(contact);
   }
@@ -148,14 +151,14 @@ void TriangleContacts::addContacts(const Particles& particles, const Collider& c
 void TriangleContacts::project(Particles& particles, float friction, size_t group) const {
   for (const Contact& contact : contacts_[group]) {
     Motion* motion[3];
-    Float4 place[3], outwards;
+    Float4 corner[3], outwards;
     for (int c = 0; c < 3; ++c) {
       motion[c] = &particles.motion[contact.corner[c]];
-      place[c] = contact.base[c] + (motion[c]->u + motion[c]->q);
+      corner[c] = contact.base[c] + (motion[c]->u + motion[c]->q);
     }
-    const Float4 fromAxis = place[0] - contact.surface.nearestOnAxis(place[0]);
-    if (dot3(fromAxis, fromAxis) > contact.reach * contact.reach) continue;
-    const Shares share = nearestShares(place, contact.surface, outwards);
+    const Float4 fromAxis = corner[0] - contact.surface.nearestOnAxis(corner[0]);
+    if (dot3(fromAxis, fromAxis) > contact.touchingDistance * contact.touchingDistance) continue;
+    const Shares share = nearestShares(corner, contact.surface, outwards);
     const float squared = dot3(outwards, outwards), radius = contact.surface.radius;
     if (squared >= radius * radius || !(squared > 0)) continue;
     const float distance = std::sqrt(squared), depth = radius - distance;

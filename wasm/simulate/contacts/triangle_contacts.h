@@ -11,11 +11,11 @@
 
 namespace limber {
 
-// Triangles that may touch a ball or a capsule within the running step between their corners, so that a
-// coarse mesh lies on it as a fine one does. The point of a triangle that is nearest to the axis is put onto
-// the surface, and loses as much of its sliding as a vertex does (see Contacts); the corners share both by
-// the point's barycentric coordinates and their inverse masses. Only triangles whose longest edge at rest is
-// more than kLeastEdge of the radius: the middle of others sinks in by less than 0.2 % of the radius.
+// Contacts of triangles with balls and capsules between their corners, so that a coarse mesh lies on them as
+// a fine one does. The point of a triangle that is nearest to the axis is moved onto the surface and loses as
+// much of its sliding as a vertex does (see Contacts); the corners share both by the barycentric coordinates
+// of the point and their inverse masses. Only triangles whose longest edge at rest exceeds kLeastEdge of the
+// radius take part: the middle of smaller ones sinks in by less than 0.2 % of the radius.
 class TriangleContacts {
  public:
   static constexpr double kLeastEdge = 0.1;
@@ -23,10 +23,10 @@ class TriangleContacts {
   // `mesh` at rest, in metres.
   TriangleContacts(const TriangleMesh& mesh, const Blocks& blocks);
 
-  // Finds those of a group.
-  void rebase(const Particles& particles, const Obstacles& obstacles, const ContactReach& reach,
+  // Finds the triangles of a group that may touch a collider within the step. The scene is in metres.
+  void rebase(const Particles& particles, const CollisionScene& scene, const ContactDistance& distance,
               size_t group);
-  // One pass over the group's, in order.
+  // One pass over the contacts of a group, in order.
   void project(Particles& particles, float friction, size_t group) const;
 
  private:
@@ -36,17 +36,17 @@ class TriangleContacts {
   };
   struct Group {
     std::vector<Candidate> candidates;
-    std::vector<uint32_t> vertices;  // of these, ascending
-    double longest = 0;
+    std::vector<uint32_t> vertices;  // of the candidates, ascending
+    double longest = 0;              // edge of the candidates at rest, metres
   };
   struct Contact {
     Triangle corner;
-    Float4 base[3];  // of the corners, from the start of the axis, at the start of the step
-    float weight[3];
+    Float4 base[3];   // the corners relative to the start of the axis, at the start of the step
+    float weight[3];  // 1/kg
     ContactSurface surface;
-    float reach;  // corner 0 is nearer to the axis than this, in metres, where the triangle touches
+    float touchingDistance;  // metres: a triangle whose corner 0 is farther from the axis cannot touch
   };
-  void addContacts(const Particles& particles, const Collider& collider, const ContactReach& reach,
+  void addContacts(const Particles& particles, const Collider& collider, const ContactDistance& distance,
                    size_t group);
 
   std::vector<Group> groups_;

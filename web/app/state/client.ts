@@ -16,7 +16,7 @@ export class Client {
   private remote!: Remote<WorkerApi>;
   private started: Promise<Started>;
   private job: Int32Array | null = null;
-  private said: Progress | null = null;
+  private lastProgress: Progress | null = null;
   private files: SourceFile[] | null = null;
   private abandon: ((error: Error) => void) | null = null;
   threads = 1;
@@ -29,7 +29,7 @@ export class Client {
   private startWorker(): Promise<Started> {
     this.worker = new Worker(new URL('../worker/worker.ts', import.meta.url), { type: 'module' });
     this.remote = wrap<WorkerApi>(this.worker);
-    const onProgress = proxy((progress: Progress) => (this.said = progress));
+    const onProgress = proxy((progress: Progress) => (this.lastProgress = progress));
     return this.remote.start(new URL('wasm/', this.base).href, 0, onProgress).then((started) => {
       this.threads = started.threads;
       this.job = started.job;
@@ -50,7 +50,7 @@ export class Client {
 
   /** One call of the worker, which ends early with CANCELLED when `cancel` is called meanwhile. */
   call<T>(make: (remote: Remote<WorkerApi>) => Promise<unknown>): Promise<T> {
-    this.said = null;
+    this.lastProgress = null;
     return new Promise<T>((resolve, reject) => {
       // From here on it can be cancelled, also while a fresh worker is still starting.
       this.abandon = reject;
@@ -63,9 +63,9 @@ export class Client {
     return this.started.then(() => make(this.remote)).then((value) => value as T);
   }
 
-  /** Progress of the running call, read from shared memory or from what the worker said last. */
+  /** Progress of the running call, read from shared memory or from the last message of the worker. */
   progress(): Progress | null {
-    if (!this.job) return this.said;
+    if (!this.job) return this.lastProgress;
     const [phase, fraction] = [Atomics.load(this.job, 1), Atomics.load(this.job, 2) / 10000];
     return { phase: PHASES[phase], fraction };
   }
@@ -75,7 +75,7 @@ export class Client {
     return this.job !== null;
   }
 
-  /** Stops the running call: by a wish in shared memory, or by a fresh worker that opens the same files again. */
+  /** Stops the running call: by a flag in shared memory, or by a fresh worker that opens the same files again. */
   cancel(): void {
     if (!this.abandon) return;
     if (this.job) return this.requestCancel(this.job);
@@ -87,7 +87,7 @@ export class Client {
     });
   }
 
-  /** A call clears the wish as it starts, so the wish is repeated until this call has ended. */
+  /** A call clears the flag as it starts, so the flag is set again and again until this call has ended. */
   private requestCancel(job: Int32Array): void {
     const call = this.abandon;
     const repeat = () => {

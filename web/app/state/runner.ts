@@ -1,14 +1,19 @@
-/** Runs the stages in the worker, in their order, whenever a key differs from the one its result was made from. */
+/** Runs tasks in the worker, in their order, whenever the key of one differs from the key that its result was made from. */
 
 import { batch, effect, signal, untracked } from '@preact/signals';
 import type { Signal } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
+import { faceCount } from '../../engine/core/mesh';
 import { fileDefaults } from '../../engine/settings/options';
-import { CANCELLED } from '../worker/protocol';
+import type { Settings } from '../../engine/settings/options';
+import { targetsByShare } from '../../engine/stages/face_shares';
+import type { FileRequest } from '../../engine/stages/file_request';
+import { keyOf } from '../../engine/stages/stage';
+import type { Stage } from '../../engine/stages/stage';
+import { STAGES } from '../../engine/stages/stages';
+import { CANCELLED, exportKey } from '../worker/protocol';
 import type { ExportRequest, PinsResult } from '../worker/protocol';
 import { Client } from './client';
-import { exportKey, guidanceKey, historyKey, modesKey, pinsKey, prepareKey, resultKey } from './keys';
-import { shareInProportion } from '../../engine/stages/face_shares';
 import { takeAwaited } from './link';
 import type { Wanted } from './link';
 import { besideControl } from './refusal';
@@ -16,13 +21,15 @@ import { saveFiles, startSaving } from './saved_session';
 import { changeSettings, results, shownMesh, status, view, wantedFaces, whyKey, wants } from './store';
 import { forgetUndo, startUndo, withoutUndo } from './undo';
 
-interface Stage {
+/** One call of the worker whose result the page shows. */
+interface Task {
+  /** what the progress line says */
   what: string;
-  /** null: not wanted now */
+  /** equal keys lead to equal results; null: the result is not needed now */
   key(): string | null;
   run(): Promise<unknown>;
   result: Signal<unknown>;
-  /** any other stage goes before it, and stops it where it runs */
+  /** any other task goes before it, and stops it where it runs */
   isPatient?: boolean;
 }
 
@@ -41,66 +48,73 @@ const keyed = (make: () => string) => () => (where() === null ? null : `${where(
 const afterBody = (make: () => string) => () => (results.body.value ? keyed(make)() : null);
 const afterHistory = (make: () => string) => () => (results.history.value ? afterBody(make)() : null);
 
+type SettingsStage = Stage<unknown, keyof Settings>;
+type LevelStage = Stage<unknown, keyof Settings | 'targetFaces'>;
+
+const of = (stage: SettingsStage) => (): string => keyOf(stage, settings());
+const ofFaces = (stage: LevelStage, faces: () => number) => (): string =>
+  keyOf(stage, { ...settings(), targetFaces: faces() });
+
 /** Once the slider has rested on a mesh that is looked at. */
-const atRest = (): string | null =>
+const atRest = (stage: LevelStage) => (): string | null =>
   (view.step.value === 'reduce' || view.step.value === 'test' || wants.exportOpen.value) &&
   restedFaces.value === wantedFaces.value &&
   results.mesh.value
-    ? afterHistory(() => `${resultKey(settings())} ${restedFaces.value}`)()
+    ? afterHistory(ofFaces(stage, () => restedFaces.value))()
     : null;
 
-const stages: Stage[] = [
+const tasks: Task[] = [
   {
     what: 'Reading the mesh',
-    key: keyed(() => prepareKey(settings())),
+    key: keyed(of(STAGES.prepared)),
     run: () => client.call((worker) => worker.prepare(body(), settings())),
     result: results.body,
   },
   {
     what: 'Finding pins',
-    key: afterBody(() => pinsKey(settings())),
+    key: afterBody(of(STAGES.pinned)),
     run: findPins,
     result: results.pins,
   },
   {
     what: 'Finding modes',
-    key: afterBody(() => modesKey(settings())),
+    key: afterBody(of(STAGES.modes)),
     run: () => client.call((worker) => worker.modes(body(), settings())),
     result: results.modes,
   },
   {
     what: 'Measuring strain',
-    key: () => (results.modes.value ? afterBody(() => guidanceKey(settings()))() : null),
+    key: () => (results.modes.value ? afterBody(of(STAGES.guidance))() : null),
     run: () => client.call((worker) => worker.guidance(body(), settings())),
     result: results.guidance,
   },
   {
     what: 'Measuring curvature',
-    key: afterBody(() => prepareKey(settings())),
+    key: afterBody(of(STAGES.curvature)),
     run: () => client.call((worker) => worker.curvature(body(), settings())),
     result: results.curvature,
   },
   {
     what: 'Collapsing edges',
-    key: afterBody(() => historyKey(settings())),
+    key: afterBody(of(STAGES.history)),
     run: () => client.call((worker) => worker.history(body(), settings())),
     result: results.history,
   },
   {
     what: 'Replaying collapses',
-    key: afterHistory(() => `${historyKey(settings())} ${wantedFaces.value}`),
+    key: afterHistory(ofFaces(STAGES.level, () => wantedFaces.value)),
     run: () => client.call((worker) => worker.meshAt(body(), settings(), wantedFaces.value)),
     result: results.mesh,
   },
   {
     what: 'Fitting the result to the modes',
-    key: atRest,
+    key: atRest(STAGES.fitted),
     run: () => client.call((worker) => worker.fit(body(), settings(), restedFaces.value)),
     result: results.fitted,
   },
   {
     what: 'Measuring the result',
-    key: () => (results.fitted.value ? atRest() : null),
+    key: () => (results.fitted.value ? atRest(STAGES.measured)() : null),
     run: () => client.call((worker) => worker.measure(body(), settings(), restedFaces.value)),
     result: results.metrics,
   },
@@ -117,21 +131,20 @@ const stages: Stage[] = [
       view.step.value === 'reduce' && view.hover.value !== null && results.metrics.value !== null
         ? afterHistory(whyKey)()
         : null,
-    run: () =>
-      client.call((worker) => worker.why(body(), settings(), shownMesh.value!.mesh.triangles.length / 3)),
+    run: () => client.call((worker) => worker.why(body(), settings(), faceCount(shownMesh.value!.mesh))),
     result: results.why,
     isPatient: true,
   },
   {
     what: 'Marking the deviation on the slider',
-    key: () => (isMarkingWanted() ? afterHistory(() => historyKey(settings()))() : null),
+    key: () => (isMarkingWanted() ? afterHistory(of(STAGES.deviationMarks))() : null),
     run: () => client.call((worker) => worker.marks(body(), settings())),
     result: results.marks,
     isPatient: true,
   },
 ];
 
-/** Without shared memory a patient stage can only be stopped by a fresh worker, which has everything to do again. */
+/** Without shared memory a patient task can only be stopped by a fresh worker, which has everything to do again. */
 const MOST_FACES_UNSTOPPABLE = 20_000;
 
 const isMarkingWanted = (): boolean =>
@@ -139,7 +152,7 @@ const isMarkingWanted = (): boolean =>
   results.metrics.value !== null &&
   (client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE);
 
-/** Pins that the body has not are refused with a sentence, and those before them stay; a new file begins with none. */
+/** Pins that the body does not have are refused with a sentence, and the earlier ones stay; a new file begins with none. */
 async function findPins(): Promise<unknown> {
   const text = settings().pins;
   try {
@@ -163,9 +176,8 @@ export function bodyTargets(): number[] {
   const shown = results.body.value;
   if (!file || !shown) return [];
   if (file.bodies.length === 1) return [restedFaces.value];
-  const share = restedFaces.value / (shown.mesh.triangles.length / 3);
   const counts = file.bodies.map(({ faces }) => faces);
-  return shareInProportion(Math.round(share * counts.reduce((a, b) => a + b, 0)), counts);
+  return targetsByShare(counts, restedFaces.value / faceCount(shown.mesh));
 }
 
 const baseName = (name: string): string =>
@@ -174,18 +186,23 @@ const baseName = (name: string): string =>
     .pop()!
     .replace(/\.[^.]+$/, '');
 
-/** What is wanted of the export. */
+/** What is asked of the export. */
 export const exportRequest = (): ExportRequest => ({
   fields: wants.exportFields.value,
   binding: wants.exportBinding.value,
   output: `${baseName(results.file.value?.name ?? '')}-limber.glb`,
 });
 
-export const exportedKey = (): string => exportKey(settings(), bodyTargets(), exportRequest());
+export function exportedKey(): string {
+  const request = exportRequest();
+  const file: FileRequest = { settings: settings(), targets: bodyTargets(), fields: request.fields };
+  return exportKey(file, request);
+}
 
-const done = new Map<Stage, string>();
-let running: Stage | null = null;
-/** of the last stage, settled once it has stopped */
+/** The key that the result of each task was made from. */
+const done = new Map<Task, string>();
+let running: Task | null = null;
+/** the call of the last task, settled once it has stopped */
 let call: Promise<unknown> = Promise.resolve();
 let looping = false;
 let opening: Promise<void> = Promise.resolve();
@@ -203,7 +220,7 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
       const wanted = asked ?? takeAwaited(file.name);
       done.clear();
       batch(() => {
-        for (const stage of stages) stage.result.value = null;
+        for (const task of tasks) task.result.value = null;
         results.file.value = file;
         results.opened.value += 1;
         wants.body.value = wanted && wanted.body < file.bodies.length ? wanted.body : 0;
@@ -229,14 +246,14 @@ export function showBody(index: number): void {
   if (running) client.cancel();
   done.clear();
   batch(() => {
-    for (const stage of stages) stage.result.value = null;
+    for (const task of tasks) task.result.value = null;
     wants.body.value = index;
     wants.faces.value = null;
   });
   forgetUndo();
 }
 
-/** The user's cancel: the stage waits until its inputs change or `resume` is called. */
+/** The user's cancel: the task waits until its inputs change or `resume` is called. */
 export function cancelRunning(): void {
   if (!running) return;
   status.paused.value = running.what;
@@ -259,10 +276,10 @@ export function startRunner(): void {
     .then(() => (status.threads.value = client.threads))
     .catch((error: unknown) => complain(error));
   effect(() => {
-    const keys = stages.map((stage) => stage.key());
+    const keys = tasks.map((task) => task.key());
     untracked(() => {
       // A call whose inputs have changed since is of no use to anybody.
-      if (running && (keys[stages.indexOf(running)] !== runningKey || mustWait(running))) client.cancel();
+      if (running && (keys[tasks.indexOf(running)] !== runningKey || mustWait(running))) client.cancel();
       void loop();
     });
   });
@@ -273,15 +290,15 @@ export function startRunner(): void {
   });
 }
 
-/** Whether something else is due before a patient stage goes on. */
-const mustWait = (stage: Stage): boolean => stage.isPatient === true && nextStage() !== stage;
+/** Whether something else is due before a patient task goes on. */
+const mustWait = (task: Task): boolean => task.isPatient === true && nextTask() !== task;
 
 let runningKey: string | null = null;
 
-const nextStage = () =>
-  stages.find((stage) => {
-    const key = stage.key();
-    return key !== null && done.get(stage) !== key;
+const nextTask = () =>
+  tasks.find((task) => {
+    const key = task.key();
+    return key !== null && done.get(task) !== key;
   });
 
 async function loop(): Promise<void> {
@@ -289,24 +306,24 @@ async function loop(): Promise<void> {
   looping = true;
   status.working.value = true;
   for (;;) {
-    // What the next stage works on may be another file by then.
+    // What the next task works on may be another file by then.
     await opening;
-    const stage = nextStage();
-    if (!stage) break;
-    running = stage;
-    runningKey = stage.key();
+    const task = nextTask();
+    if (!task) break;
+    running = task;
+    runningKey = task.key();
     const key = runningKey!;
     try {
-      const value = await (call = whileBusy(stage.what, () => stage.run()));
-      done.set(stage, key);
+      const value = await (call = whileBusy(task.what, () => task.run()));
+      done.set(task, key);
       status.paused.value = null;
-      stage.result.value = value;
+      task.result.value = value;
     } catch (error) {
       const isStopped = error instanceof Error && error.message === CANCELLED;
       if (!isStopped) complain(error);
       // Not tried again before its inputs change.
       if (!isStopped || status.paused.value !== null) {
-        done.set(stage, key);
+        done.set(task, key);
         break;
       }
     } finally {

@@ -9,7 +9,8 @@ import type { Settings } from '../../engine/settings/options';
 import { topCorners } from '../../engine/motion/top_corners';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
 import type { SimulationApi, TwinFrame, TwinRequest } from '../worker/simulation_protocol';
-import { pinsKey, resultKey } from './keys';
+import { keyOf } from '../../engine/stages/stage';
+import { STAGES } from '../../engine/stages/stages';
 import { results, shownMesh, status, view, wantedFaces, wants } from './store';
 
 /** Where the pins come from: the scenario, the two upper corners, or the Motion step. */
@@ -30,7 +31,7 @@ export const twin = {
   /** the latest frame a few times a second, for numbers that are read */
   numbers: signal<TwinFrame | null>(null),
   samples: signal<TwinSample[]>([]),
-  /** the largest deviation of any vertex since the start, % */
+  /** the largest deviation of any point since the start, % */
   worst: signal(0),
   /** what both bodies can touch */
   collisionScene: signal<CollisionScene | null>(null),
@@ -65,7 +66,7 @@ const key = computed<string | null>(() => {
   const settings = wants.settings.value;
   if (view.step.value !== 'test' || isPending() || !shownMesh.value || !results.body.value) return null;
   const values = simulationKeys.map((name) => settings[name]);
-  const pins = pinSource.value === 'pins' ? pinsKey(settings) : pinSource.value;
+  const pins = pinSource.value === 'pins' ? keyOf(STAGES.pinned, settings) : pinSource.value;
   return [meshKey(), pins, ...values, twin.alwaysNoise.value].join(' ');
 });
 
@@ -73,8 +74,7 @@ const meshKey = (): string =>
   [
     results.opened.value,
     wants.body.value,
-    resultKey(wants.settings.value),
-    wantedFaces.value,
+    keyOf(STAGES.fitted, { ...wants.settings.value, targetFaces: wantedFaces.value }),
     isFittedShown(),
   ].join(' ');
 
@@ -93,7 +93,7 @@ let curveAt = 0;
 let recorded: TwinSample[] = [];
 
 const frameRequest = (): TwinRequest => ({
-  deviations: twin.heat.value,
+  vertexDistances: twin.heat.value,
   driven: twin.driven.value,
 });
 
@@ -206,7 +206,7 @@ function applyFrame(frame: TwinFrame): void {
   batch(() => {
     twin.worst.value = worst;
     twin.frame.value = frame;
-    if (frame.exploded.length > 0) twin.playing.value = false;
+    if (frame.diverged.length > 0) twin.playing.value = false;
     if (frame.failure) twin.failure.value = frame.failure;
     if (isStill || now - numbersAt > NUMBERS_EVERY) {
       numbersAt = now;

@@ -4,7 +4,8 @@ import { computed, signal } from '@preact/signals';
 import type { Curvature, MeshAt, Progress, StrainGuidance } from '../../engine/core/core';
 import { defaultSettings } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
-import { historyKey, modesKey, resultKey } from './keys';
+import { keyOf } from '../../engine/stages/stage';
+import { STAGES } from '../../engine/stages/stages';
 import type { Refusal } from './refusal';
 import type {
   BodySummary,
@@ -103,7 +104,7 @@ export function changeSettings(change: Partial<Settings>): void {
 
 /** Whether the shown modes belong to earlier settings: new ones are being computed, or could not be found. */
 export const areModesStale = computed(
-  () => results.modes.value !== null && results.modes.value.key !== modesKey(wants.settings.value),
+  () => results.modes.value !== null && results.modes.value.key !== keyOf(STAGES.modes, wants.settings.value),
 );
 
 /** The mesh that is shown as optimized: that of the history while the slider moves, then the fitted one. */
@@ -112,7 +113,8 @@ export const shownMesh = computed(() => shownFit.value?.result ?? results.mesh.v
 /** The fit of the shown mesh; null until it is done. */
 export const shownFit = computed(() => {
   const { value: fitted } = results.fitted;
-  return fitted?.key === `${resultKey(wants.settings.value)} ${wantedFaces.value}` ? fitted : null;
+  const settings = { ...wants.settings.value, targetFaces: wantedFaces.value };
+  return fitted?.key === keyOf(STAGES.fitted, settings) ? fitted : null;
 });
 
 /** Why the vertices of the shown result are kept; null until it is known. */
@@ -123,7 +125,10 @@ export const shownWhy = computed(() => {
 
 /** The key of the reasons for the shown result. */
 export const whyKey = (): string =>
-  `${historyKey(wants.settings.value)} ${(shownMesh.value?.mesh.triangles.length ?? 0) / 3}`;
+  keyOf(STAGES.explanation, {
+    ...wants.settings.value,
+    targetFaces: (shownMesh.value?.mesh.triangles.length ?? 0) / 3,
+  });
 
 /** Whether the pick tool is in use. */
 export const isPicking = computed(

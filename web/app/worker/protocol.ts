@@ -1,4 +1,4 @@
-/** What the page and its one worker say to each other: plain data, typed arrays moved rather than copied. */
+/** The calls between the page and its one worker: plain data, with the bytes of files moved rather than copied. */
 
 import type {
   Curvature,
@@ -11,14 +11,15 @@ import type {
   TriangleMesh,
   WhyKept,
 } from '../../engine/core/core';
-import type { DeviationMark } from '../../engine/stages/deviation_marks';
-import type { FrequencyFinding } from '../../engine/stages/frequency_target';
+import type { Certificate, FittedResult, FrequencyFinding } from '../../engine/body/body_result';
+import type { HealthNote } from '../../engine/body/health';
 import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
-import type { HealthNote } from '../../engine/body/health';
-import type { Settings } from '../../engine/settings/options';
-import type { Certificate, FittedResult } from '../../engine/stages/pipeline';
 import type { Report } from '../../engine/report/report';
+import type { Settings } from '../../engine/settings/options';
+import type { DeviationMark } from '../../engine/stages/deviation_marks';
+import { keyOfFile } from '../../engine/stages/file_request';
+import type { FileRequest } from '../../engine/stages/file_request';
 
 export interface Started {
   threads: number;
@@ -32,14 +33,14 @@ export interface OpenedFile {
   /** `mesh`: its number among the meshes of the file */
   bodies: { name: string; faces: number; mesh: number }[];
   notes: string[];
-  /** what an export would leave out */
+  /** what an export leaves out, in plain words */
   dropped: string[];
 }
 
 export interface BodySummary {
   mesh: TriangleMesh;
   diagonal: number;
-  /** of the node that uses the body: a length of the mesh is this many of the file */
+  /** units of the file per unit of the mesh, by the node that uses the body */
   scale: number;
   inspection: Inspection;
   minAngle: number;
@@ -47,7 +48,7 @@ export interface BodySummary {
   health: HealthNote[];
   /** per vertex of the file: its vertex in `mesh`, or NONE */
   vertexOfSource: Uint32Array;
-  /** names of attributes that can say which vertices are held in place */
+  /** names of attributes that can say which vertices are pinned */
   pinAttributes: string[];
 }
 
@@ -58,16 +59,16 @@ export interface PinsResult {
   vertices: Uint32Array;
 }
 
-/** Where each mode strains the body. */
+/** Which regions of the body each mode strains. */
 export interface StrainOverview {
   /** strips[ordinal * STRIP + i]: mean strain rank of that mode along the body's longest axis */
   strips: Float32Array;
-  /** shared[a * modesPerComponent + b]: the part of the hot faces of ordinal a that are hot in ordinal b too, see hot_spots.ts */
+  /** shared[a * modesPerComponent + b]: the part of the hot faces of ordinal a that are hot in ordinal b too, see report/hot_spots.ts */
   shared: Float32Array;
 }
 
 export interface ModesResult extends ModeSet, StrainOverview {
-  /** what they were made from, see modesKey */
+  /** of the stage, see keyOf */
   key: string;
 }
 
@@ -77,30 +78,30 @@ export interface HistorySummary {
   faces: number;
   floorFaces: number;
   refused: Refused;
-  /** see isHeldBySeams */
-  heldBySeams: boolean;
-  /** a sentence where a symmetry is wished that is not there; otherwise empty */
+  /** see isBlockedBySeams */
+  blockedBySeams: boolean;
+  /** a sentence where a symmetry is asked for that the body does not have; otherwise empty */
   note: string;
   seconds: number;
 }
 
 export interface WhyResult extends WhyKept {
-  /** of the result that it is about: historyKey and its number of faces */
+  /** of the stage, see keyOf */
   key: string;
 }
 
 export interface DeviationMarks {
   marks: DeviationMark[];
-  /** of the history that they are for, see historyKey */
+  /** of the stage, see keyOf */
   key: string;
 }
 
 export interface FitResult extends Omit<FittedResult, 'result'> {
-  /** null: what the history has for that number of faces, which the page has already */
+  /** null: the level of the history at that number of faces, which the page has already */
   result: MeshAt | null;
   /** null where frequencies are no target */
   frequency: FrequencyFinding | null;
-  /** what it was made from: resultKey and the number of faces */
+  /** of the stage, see keyOf */
   key: string;
 }
 
@@ -115,9 +116,9 @@ export interface ResultMetrics {
 }
 
 export interface ExportRequest {
-  /** strain and curvature as attributes */
+  /** write strain and curvature as attributes */
   fields: boolean;
-  /** where the original's vertices lie on the result */
+  /** write where the original's vertices lie on the result */
   binding: boolean;
   /** name of the file; those of its levels follow from it */
   output: string;
@@ -138,16 +139,20 @@ export interface ExportResult {
   levels: ExportedLevel[];
   /** text of the binding file; null: not asked for */
   binding: string | null;
-  /** what it was made from, see exportKey */
+  /** see exportKey */
   key: string;
 }
+
+/** Text that is equal where two exports are the same. */
+export const exportKey = (file: FileRequest, { binding, output }: ExportRequest): string =>
+  [keyOfFile(file), binding, output].join('\n');
 
 /** Every call throws an Error with one sentence; a cancelled one an Error whose message is CANCELLED. */
 export interface WorkerApi {
   start(wasmFolder: string, threads: number, onProgress: (progress: Progress) => void): Promise<Started>;
   open(files: SourceFile[]): Promise<OpenedFile>;
   prepare(body: number, settings: Settings): Promise<BodySummary>;
-  /** Throws where the text of the pins names what the body has not. */
+  /** Throws where the text of the pins names what the body does not have. */
   pins(body: number, settings: Settings): Promise<PinsResult>;
   modes(body: number, settings: Settings): Promise<ModesResult>;
   guidance(body: number, settings: Settings): Promise<StrainGuidance>;
@@ -157,10 +162,11 @@ export interface WorkerApi {
   meshAt(body: number, settings: Settings, faces: number): Promise<MeshAt>;
   /** The mesh that is exported: fitted to the modes where the settings say so. */
   fit(body: number, settings: Settings, faces: number): Promise<FitResult>;
-  /** `faces`: that the result has. */
+  /** `faces`: of the result that is explained. */
   why(body: number, settings: Settings, faces: number): Promise<WhyResult>;
   measure(body: number, settings: Settings, faces: number): Promise<ResultMetrics>;
-  export(settings: Settings, faces: number[], request: ExportRequest): Promise<ExportResult>;
+  /** `targets`: see FileRequest. */
+  export(settings: Settings, targets: number[], request: ExportRequest): Promise<ExportResult>;
   /** A ZIP archive of files by name. */
   pack(files: Record<string, Uint8Array>): Promise<Uint8Array>;
 }

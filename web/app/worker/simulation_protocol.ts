@@ -1,8 +1,8 @@
-/** What the page and the worker of the Test step say to each other: plain data, typed arrays moved rather than copied. */
+/** The messages between the page and the worker of the Test step: plain data, typed arrays moved rather than copied. */
 
 import type { MeshAt, SurfacePoint, CollisionScene, TriangleMesh } from '../../engine/core/core';
 import type { Settings } from '../../engine/settings/options';
-import type { BodySize } from '../../engine/stages/pipeline';
+import type { BodySize } from '../../engine/body/prepared_body';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
 
 export interface TwinSetup {
@@ -14,7 +14,7 @@ export interface TwinSetup {
   meshKey: string;
   size: BodySize;
   settings: Settings;
-  /** vertices of the original; null: what the scenario itself holds */
+  /** vertices of the original; null: what the scenario pins by itself */
   pinned: Uint32Array | null;
   /** whether the original runs a third time, hidden, with its constraints in another order */
   noise: 'always' | 'in real time';
@@ -22,8 +22,8 @@ export interface TwinSetup {
 
 /** What a frame carries besides positions. */
 export interface TwinRequest {
-  /** the deviation of each vertex */
-  deviations: boolean;
+  /** how far each vertex has moved differently, for its colour */
+  vertexDistances: boolean;
   /** the original as the optimized body carries it */
   driven: boolean;
 }
@@ -46,30 +46,31 @@ export interface TwinFrame {
   time: number;
   bodies: Record<TwinName, BodyState>;
   driven: Float32Array | null;
-  deviations: Float32Array | null;
-  /** of all steps since the frame before */
+  /** per vertex of the original, in % of its diagonal */
+  vertexDistances: Float32Array | null;
+  /** one per step since the last frame */
   samples: TwinSample[];
-  /** false: nothing moves until it is told to, so that this is the last frame */
+  /** false: nothing moves until the page says so, and no frame follows */
   playing: boolean;
   /** simulated seconds per second while it plays */
   pace: number;
-  /** which bodies have flown apart; nothing moves any more then */
-  exploded: TwinName[];
-  /** a sentence where the core has given up for another reason */
+  /** the bodies that have diverged; nothing moves any more then */
+  diverged: TwinName[];
+  /** a sentence where the core has failed for another reason */
   failure: string | null;
 }
 
 export interface SimulationApi {
   load(wasmFolder: string, show: ShowFrame): Promise<void>;
   /**
-   * Replaces what has been there, at rest and paused; returns what the bodies can touch. Throws one sentence where that
-   * cannot be simulated.
+   * Replaces the last twin by a new one, at rest and paused; returns what its bodies can touch. Throws an Error with one
+   * sentence where it cannot be simulated.
    */
-  start(setup: TwinSetup, constraints: TwinRequest): Promise<CollisionScene>;
-  setRequest(constraints: TwinRequest): Promise<void>;
+  start(setup: TwinSetup, request: TwinRequest): Promise<CollisionScene>;
+  setRequest(request: TwinRequest): Promise<void>;
   play(isPlaying: boolean): Promise<void>;
   step(): Promise<void>;
-  /** Takes hold of a point, of both bodies. */
+  /** Starts dragging a point of one body, and the same point of the other. */
   grab(name: TwinName, point: SurfacePoint): Promise<void>;
   drag(target: [number, number, number]): Promise<void>;
   release(): Promise<void>;

@@ -1,22 +1,22 @@
-/** The worker of the Test step: a core of its own, so that what else is computed neither waits for it nor stops it. */
+/** The worker of the Test step. It has a core of its own, so that other computations neither wait for it nor stop it. */
 
 import { expose, transfer } from 'comlink';
 import type { Core } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
 import { calibrationOf, simulationOptions, STEP_SECONDS } from '../../engine/motion/simulation';
 import { Twin } from '../../engine/motion/twin';
-import { SimulationLoop } from './simulation_loop';
+import { TwinPlayer } from './simulation_player';
 import type { ShowFrame, SimulationApi, TwinFrame, TwinSetup } from './simulation_protocol';
 
 let core: Core;
-let loop: SimulationLoop | null = null;
+let player: TwinPlayer | null = null;
 let show: ShowFrame;
 
-/** A frame's arrays are the page's once they are sent. */
+/** Hands the arrays of a frame over to the page without copying them. */
 function moved(frame: TwinFrame): TwinFrame {
   const { original, optimized } = frame.bodies;
   const arrays = [original.positions, original.pins, optimized.positions, optimized.pins, frame.driven];
-  const all = [...arrays, frame.deviations].filter((array) => array !== null);
+  const all = [...arrays, frame.vertexDistances].filter((array) => array !== null);
   return transfer(
     frame,
     all.map((array) => array.buffer),
@@ -25,7 +25,7 @@ function moved(frame: TwinFrame): TwinFrame {
 
 let calibrated = { key: '', factor: 1 };
 
-/** It takes a while, and depends on no setting of the simulation. */
+/** The last calibration is kept: it takes a while and depends on no setting of the simulation. */
 function calibrationFor({ original, result, meshKey, size, settings }: TwinSetup): number {
   if (!settings.calibrate) return 1;
   const key = `${meshKey} ${settings.thickness} ${settings.poisson}`;
@@ -44,10 +44,10 @@ function makeTwin(setup: TwinSetup): Twin {
   });
 }
 
-/** One for each body. */
+/** One thread for each body. */
 const MOST_THREADS = 3;
 
-/** Of the threads' time, for stepping; the page and its pictures need some too. */
+/** The share of the threads' time that steps may take; the page and its pictures need the rest. */
 const SPARE_SHARE = 0.5;
 
 const api: SimulationApi = {
@@ -55,22 +55,22 @@ const api: SimulationApi = {
     show = (frame) => showFrame(moved(frame));
     core = await loadCore({ wasmFolder, threads: Math.min(MOST_THREADS, navigator.hardwareConcurrency) });
   },
-  start: async (setup, constraints) => {
-    loop?.end();
-    loop = null;
-    // A thread for each body: then the hidden run costs nothing.
+  start: async (setup, request) => {
+    player?.end();
+    player = null;
+    // With a thread for each body the reordered run costs nothing.
     const keepsNoise = setup.noise === 'always' || core.threads >= MOST_THREADS;
     const spareSeconds = keepsNoise ? Infinity : SPARE_SHARE * core.threads * STEP_SECONDS;
     const twin = makeTwin(setup);
-    loop = new SimulationLoop(twin, setup.number, show, { constraints, spareSeconds });
+    player = new TwinPlayer(twin, setup.number, show, { request, spareSeconds });
     return twin.collisionScene;
   },
-  setRequest: async (constraints) => loop?.setRequest(constraints),
-  play: async (isPlaying) => loop?.play(isPlaying),
-  step: async () => loop?.step(),
-  grab: async (name, point) => loop?.grab(name, point),
-  drag: async (target) => loop?.drag(target),
-  release: async () => loop?.release(),
+  setRequest: async (request) => player?.setRequest(request),
+  play: async (isPlaying) => player?.play(isPlaying),
+  step: async () => player?.step(),
+  grab: async (name, point) => player?.grab(name, point),
+  drag: async (target) => player?.drag(target),
+  release: async () => player?.release(),
 };
 
 expose(api);

@@ -2,34 +2,40 @@
 
 import { expose, transfer } from 'comlink';
 import { zipSync } from 'fflate';
+import { describeHealth } from '../../engine/body/health';
+import { pinAttributes } from '../../engine/body/pin_attributes';
 import type { Core } from '../../engine/core/core';
+import { loadCore } from '../../engine/core/load_core';
 import { droppedByExport } from '../../engine/document/export';
 import { openModel } from '../../engine/document/open';
-import type { OpenModel } from '../../engine/document/open';
-import { describeHealth } from '../../engine/body/health';
-import { loadCore } from '../../engine/core/load_core';
+import { isBlockedBySeams } from '../../engine/report/stop_report';
 import { checkSettings } from '../../engine/settings/options';
-import { isHeldBySeams } from '../../engine/stages/pipeline';
-import { exportKey, historyKey, modesKey, resultKey } from '../state/keys';
-import { CANCELLED } from './protocol';
+import type { BodyRun } from '../../engine/stages/body_run';
+import { FileRun } from '../../engine/stages/file_run';
+import { keyOf } from '../../engine/stages/stage';
+import { STAGES } from '../../engine/stages/stages';
 import { carrySettingErrors } from './errors';
 import { exportAll } from './exporting';
+import { CANCELLED, exportKey } from './protocol';
 import type { WorkerApi } from './protocol';
-import { BodyStages } from './session';
 import { strainOverview } from './strain_overview';
 
 let core: Core;
-let model: OpenModel | null = null;
-let bodies: BodyStages[] = [];
+let file: FileRun | null = null;
 
-function stagesOf(body: number): BodyStages {
-  const stages = bodies[body];
-  if (!stages) throw new Error('No file is open: open one first.');
-  return stages;
+function openedFile(): FileRun {
+  if (!file) throw new Error('No file is open: open one first.');
+  return file;
+}
+
+function runOf(body: number): BodyRun {
+  const run = openedFile().runs[body];
+  if (!run) throw new Error('No file is open: open one first.');
+  return run;
 }
 
 /** Errors lose their name on the way to the page: a cancelled call is known by its message. */
-async function speak<T>(make: () => T | Promise<T>): Promise<T> {
+async function translateErrors<T>(make: () => T | Promise<T>): Promise<T> {
   try {
     return await make();
   } catch (error) {
@@ -46,12 +52,11 @@ const api: WorkerApi = {
     return { threads: core.threads, job: core.job };
   },
   open: (files) =>
-    speak(async () => {
+    translateErrors(async () => {
       const opened = await openModel(files);
       if (opened.bodies.length === 0)
         throw new Error(`${opened.name} holds no triangles: export a mesh with faces.`);
-      model = opened;
-      bodies = opened.bodies.map((_, i) => new BodyStages(core, opened, i));
+      file = new FileRun(core, opened);
       return {
         name: opened.name,
         format: opened.format,
@@ -61,10 +66,12 @@ const api: WorkerApi = {
       };
     }),
   prepare: (body, settings) =>
-    speak(() => {
+    translateErrors(() => {
       checkSettings(settings);
-      const { mesh, diagonal, inspection, quality, weld, body: source } = stagesOf(body).prepared(settings);
+      const prepared = runOf(body).get(STAGES.prepared, settings);
+      const { mesh, diagonal, inspection, quality, weld, body: source } = prepared;
       const { minAngle, meanMinAngle } = quality;
+      const { document, bodies } = openedFile().model;
       return {
         mesh,
         diagonal,
@@ -74,64 +81,69 @@ const api: WorkerApi = {
         meanMinAngle,
         health: describeHealth(source, weld, inspection),
         vertexOfSource: weld.vertexOfSource,
-        pinAttributes: stagesOf(body).pinAttributes(),
+        pinAttributes: pinAttributes(document, bodies[body]),
       };
     }),
-  pins: (body, settings) => speak(() => ({ text: settings.pins, vertices: stagesOf(body).pinned(settings) })),
+  pins: (body, settings) =>
+    translateErrors(() => ({ text: settings.pins, vertices: runOf(body).get(STAGES.pinned, settings) })),
   modes: (body, settings) =>
-    speak(() => {
+    translateErrors(() => {
       checkSettings(settings);
-      const modes = stagesOf(body).modes(settings);
-      const overview = strainOverview(core, stagesOf(body).prepared(settings).mesh, modes);
-      return { ...modes, ...overview, key: modesKey(settings) };
+      const run = runOf(body);
+      const modes = run.get(STAGES.modes, settings);
+      const overview = strainOverview(core, run.get(STAGES.prepared, settings).mesh, modes);
+      return { ...modes, ...overview, key: keyOf(STAGES.modes, settings) };
     }),
   guidance: (body, settings) =>
-    speak(() => {
+    translateErrors(() => {
       checkSettings(settings);
-      return stagesOf(body).guidance(settings);
+      return runOf(body).get(STAGES.guidance, settings);
     }),
-  curvature: (body, settings) => speak(() => stagesOf(body).curvature(settings)),
+  curvature: (body, settings) => translateErrors(() => runOf(body).get(STAGES.curvature, settings)),
   history: (body, settings) =>
-    speak(() => {
+    translateErrors(() => {
       checkSettings(settings);
-      const { history, seconds } = stagesOf(body).history(settings);
-      const { triangleCount, trianglesAfter, refused } = history;
-      const { note } = stagesOf(body).held(settings);
-      const heldBySeams = isHeldBySeams(stagesOf(body).prepared(settings), refused, settings);
+      const run = runOf(body);
+      const { triangleCount, trianglesAfter, refused } = run.get(STAGES.history, settings);
+      const { note } = run.get(STAGES.constraints, settings);
+      const blockedBySeams = isBlockedBySeams(run.get(STAGES.prepared, settings), refused, settings);
       const floorFaces = trianglesAfter.at(-1) ?? triangleCount;
-      return { faces: triangleCount, floorFaces, refused, heldBySeams, note, seconds };
+      const seconds = run.secondsOf(STAGES.history, settings);
+      return { faces: triangleCount, floorFaces, refused, blockedBySeams, note, seconds };
     }),
   marks: (body, settings) =>
-    speak(() => ({ marks: stagesOf(body).marks(settings), key: historyKey(settings) })),
-  meshAt: (body, settings, faces) => speak(() => stagesOf(body).result(settings, faces)),
-  fit: (body, settings, faces) =>
-    speak(() => {
-      const fitted = stagesOf(body).fitted(settings, faces);
-      const isSame = fitted.result === stagesOf(body).result(settings, faces);
-      const result = isSame ? null : fitted.result;
-      return { ...fitted, result, key: `${resultKey(settings)} ${faces}` };
+    translateErrors(() => ({
+      marks: runOf(body).get(STAGES.deviationMarks, settings),
+      key: keyOf(STAGES.deviationMarks, settings),
+    })),
+  meshAt: (body, settings, targetFaces) =>
+    translateErrors(() => runOf(body).get(STAGES.level, { ...settings, targetFaces })),
+  fit: (body, settings, targetFaces) =>
+    translateErrors(() => {
+      const [run, own] = [runOf(body), { ...settings, targetFaces }];
+      const fitted = run.get(STAGES.fitted, own);
+      const isSame = fitted.result === run.get(STAGES.level, own);
+      return { ...fitted, result: isSame ? null : fitted.result, key: keyOf(STAGES.fitted, own) };
     }),
-  why: (body, settings, faces) =>
-    speak(() => ({ ...stagesOf(body).why(settings, faces), key: `${historyKey(settings)} ${faces}` })),
-  measure: (body, settings, faces) =>
-    speak(() => {
-      const { quality, distance, certificate, inspection } = stagesOf(body).measured(settings, faces);
+  why: (body, settings, targetFaces) =>
+    translateErrors(() => {
+      const own = { ...settings, targetFaces };
+      return { ...runOf(body).get(STAGES.explanation, own), key: keyOf(STAGES.explanation, own) };
+    }),
+  measure: (body, settings, targetFaces) =>
+    translateErrors(() => {
+      const measured = runOf(body).get(STAGES.measured, { ...settings, targetFaces });
+      const { quality, distance, certificate, inspection } = measured;
       const { minAngle, meanMinAngle } = quality;
-      return {
-        minAngle,
-        meanMinAngle,
-        hausdorff: distance.hausdorff,
-        mean: distance.mean,
-        certificate,
-        inspection,
-      };
+      const { hausdorff, mean } = distance;
+      return { minAngle, meanMinAngle, hausdorff, mean, certificate, inspection };
     }),
-  export: (settings, faces, request) =>
-    speak(async () => {
-      if (!model) throw new Error('No file is open: open one first.');
-      const done = await exportAll({ core, model, bodies, settings, faces, request });
+  export: (settings, targets, request) =>
+    translateErrors(async () => {
+      const fileRequest = { settings, targets, fields: request.fields };
+      const done = await exportAll(openedFile(), fileRequest, request);
       const buffers = [done, ...done.levels].map(({ bytes }) => bytes.buffer);
-      return transfer({ ...done, key: exportKey(settings, faces, request) }, buffers);
+      return transfer({ ...done, key: exportKey(fileRequest, request) }, buffers);
     }),
   pack: (files) => {
     const bytes = zipSync(files, { level: 6, mtime: ZIP_TIME });

@@ -1,40 +1,41 @@
-/** What the vertices of a body carry besides their place, as simplification needs it: charts, and values that cost. */
+/** What the corners of a body carry besides positions, as simplification needs it: charts, and values that cost. */
 
 import type { Accessor, Document, Primitive } from '@gltf-transform/core';
 import { NONE } from '../core/core';
 import type { Charts, CornerSources, TriangleMesh, WeldResult } from '../core/core';
 import type { Body } from '../document/model';
 import { length3 } from '../core/exact_math';
+import { sum, vertexCount } from '../core/mesh';
 
 export interface BodyAttributes {
   /** of the welded mesh; a group is a primitive; empty wedges where there are no attributes */
   charts: Charts;
   /** charts.wedges are below it */
   wedgeCount: number;
-  /** every face has its own normals: they follow from the faces, and part no charts */
+  /** every face has its own normals: they follow from the faces and separate no charts */
   isFaceted: boolean;
 }
 
-/** A body of which nothing but its faces is known. */
+/** The attributes of a body of which only the faces are known. */
 export const NO_ATTRIBUTES: BodyAttributes = {
   charts: { wedges: new Uint32Array(), groups: new Uint32Array() },
   wedgeCount: 0,
   isFaceted: false,
 };
 
-/** What attributes cost, as lengths over the bounding diagonal. */
+/** What attributes cost in a collapse, as lengths divided by the bounding diagonal. */
 export interface CostAttributes {
   /** values[dimension * wedge + d] */
   values: Float32Array;
   dimension: number;
 }
 
-/** Normals per triangle from which on a body counts as faceted: a smooth one has half as many, one of facets up to three. */
+/** A body with more distinct normals per triangle than this is faceted: a smooth one has half a normal, facets have up to three. */
 const FACETED = 1.5;
-/** What a step from black to white weighs, of the diagonal. */
+/** The length that a step from black to white counts as, over the diagonal. */
 const COLOUR_LENGTH = 0.05;
 
-/** Components [from, to) of an attribute that have to agree within a wedge. */
+/** Components [from, to) of an attribute; they are equal at all corners of a wedge. */
 interface Compared {
   array: ArrayLike<number>;
   size: number;
@@ -42,10 +43,10 @@ interface Compared {
   to: number;
 }
 
-/** One vertex of one primitive. Primitives may share positions and differ in the rest, so that each counts for itself. */
+/** One entry per vertex of each primitive: primitives may share positions and still differ in their other attributes. */
 interface Entries {
   primitives: Primitive[];
-  /** per primitive: its first entry, and the number of all */
+  /** per primitive its first entry, followed by the number of all entries */
   first: number[];
   /** per corner of the welded mesh */
   ofCorner: Uint32Array;
@@ -55,7 +56,7 @@ interface Entries {
 
 /**
  * Two corners at a welded vertex have the same wedge where all their attributes, joints, weights and displacements are
- * equal; of a tangent its side alone counts, for its direction follows from the rest.
+ * equal. Only the sign of a tangent is compared, because its direction follows from the other attributes.
  */
 export function attributesOf(document: Document, body: Body, weld: WeldResult): BodyAttributes {
   const entries = entriesOf(document, body, weld);
@@ -69,7 +70,7 @@ export function attributesOf(document: Document, body: Body, weld: WeldResult): 
   return { charts: { wedges, groups }, wedgeCount: count, isFaceted };
 }
 
-/** UV coordinates and colours of every wedge; null where there are none. UVs count as long as they are on the surface. */
+/** UV coordinates and colours of every wedge; null where there are none. UVs count by their length on the surface. */
 export function costAttributesOf(
   document: Document,
   body: Body,
@@ -86,7 +87,7 @@ export function costAttributesOf(
     ...(colour ? [{ ...colour, scale: COLOUR_LENGTH }] : []),
   ];
   if (parts.length === 0) return null;
-  const dimension = parts.reduce((sum, { size }) => sum + size, 0);
+  const dimension = sum(parts.map(({ size }) => size));
   const values = new Float32Array(dimension * wedgeCount);
   let first = 0;
   for (const part of parts) {
@@ -98,7 +99,7 @@ export function costAttributesOf(
   return { values, dimension };
 }
 
-/** The sources of a welded mesh in terms of the body it was welded from, whose faces may be wound the other way. */
+/** Translates sources on a welded mesh to sources on the body that it was welded from, whose faces may be wound the other way. */
 export function sourcesInBody(
   body: Body,
   weld: WeldResult,
@@ -114,15 +115,15 @@ export function sourcesInBody(
   return { triangle: triangle.map((t) => weld.sourceOfTriangle[t]), barycentric: shares };
 }
 
-/** Every corner as its own source. */
+/** The sources of a mesh in which every corner is its own source. */
 export function ownSources({ triangles }: TriangleMesh): CornerSources {
   const barycentric = new Float32Array(3 * triangles.length);
   triangles.forEach((_, corner) => (barycentric[3 * corner + (corner % 3)] = 1));
   return { triangle: Uint32Array.from(triangles, (_, corner) => Math.floor(corner / 3)), barycentric };
 }
 
-/** What tells for a corner of the welded mesh which corner of the body it is: see Body.indices. */
-export function inBody(body: Body, weld: WeldResult): (corner: number) => number {
+/** The returned function maps a corner 3 t + c of the welded mesh to its corner of the body, an index into Body.indices. */
+export function cornerInBody(body: Body, weld: WeldResult): (corner: number) => number {
   const isTurned = turnedTriangles(body, weld);
   return (corner) => {
     const t = Math.floor(corner / 3);
@@ -131,7 +132,7 @@ export function inBody(body: Body, weld: WeldResult): (corner: number) => number
   };
 }
 
-/** Per triangle of the welded mesh: whether its second and third corner have changed places. */
+/** Per triangle of the welded mesh: 1 where its second and third corner are swapped in comparison with the body. */
 function turnedTriangles(body: Body, { mesh, vertexOfSource, sourceOfTriangle }: WeldResult): Uint8Array {
   return Uint8Array.from(sourceOfTriangle, (source, t) =>
     vertexOfSource[body.indices[3 * source + 1]] === mesh.triangles[3 * t + 1] ? 0 : 1,
@@ -144,7 +145,7 @@ function entriesOf(document: Document, body: Body, weld: WeldResult): Entries {
   const first = [0];
   for (const primitive of primitives)
     first.push(first[first.length - 1] + primitive.getAttribute('POSITION')!.getCount());
-  const placeOf = inBody(body, weld);
+  const ofBody = cornerInBody(body, weld);
   const ofCorner = new Uint32Array(weld.mesh.triangles.length);
   const spanOfTriangle = new Uint32Array(weld.sourceOfTriangle.length);
   let span = 0;
@@ -153,7 +154,7 @@ function entriesOf(document: Document, body: Body, weld: WeldResult): Entries {
     spanOfTriangle[t] = span;
     const base = first[span] - body.spans[span].firstVertex;
     for (let corner = 3 * t; corner < 3 * t + 3; ++corner)
-      ofCorner[corner] = base + body.indices[placeOf(corner)];
+      ofCorner[corner] = base + body.indices[ofBody(corner)];
   });
   return { primitives, first, ofCorner, spanOfTriangle };
 }
@@ -185,16 +186,16 @@ function countNormals(entries: Entries, mesh: TriangleMesh): number {
   return classify(entries, mesh, lists).count;
 }
 
-/** Numbers per corner that are equal where corners at one vertex and in one primitive agree in everything compared. */
-function classify(entries: Entries, { positions, triangles }: TriangleMesh, lists: Compared[][]) {
+/** Wedge ids per corner: equal where corners at one vertex and in one primitive agree in everything compared. */
+function classify(entries: Entries, mesh: TriangleMesh, lists: Compared[][]) {
   const { first, ofCorner, spanOfTriangle } = entries;
   const classOfEntry = new Uint32Array(first[first.length - 1]).fill(NONE);
-  const firstClass = new Uint32Array(positions.length / 3).fill(NONE);
+  const firstClass = new Uint32Array(vertexCount(mesh)).fill(NONE);
   const nextClass: number[] = [];
   const representative: number[] = [];
   const wedges = ofCorner.map((entry, corner) => {
     if (classOfEntry[entry] !== NONE) return classOfEntry[entry];
-    const vertex = triangles[corner];
+    const vertex = mesh.triangles[corner];
     const span = spanOfTriangle[Math.floor(corner / 3)];
     const isSame = (other: number) =>
       other >= first[span] &&
@@ -221,7 +222,7 @@ function agree(list: Compared[], a: number, b: number): boolean {
   return true;
 }
 
-/** An attribute's values per wedge, 0 where a primitive lacks it; null where all do. */
+/** An attribute's values per wedge, 0 where a primitive lacks it; null where all primitives lack it. */
 function gather(
   { primitives, first, ofCorner, spanOfTriangle }: Entries,
   wedges: Uint32Array,
@@ -242,7 +243,7 @@ function gather(
   return { values, size };
 }
 
-/** Length on the surface of one unit of UV, in the mean over the area; 0 where the UVs have none. */
+/** The length on the surface of one unit of UV, as a mean over the area; 0 where the UVs enclose no area. */
 function textureScale({ positions, triangles }: TriangleMesh, wedges: Uint32Array, uv: Float32Array): number {
   let [surface, texture] = [0, 0];
   for (let t = 0; t < triangles.length; t += 3) {

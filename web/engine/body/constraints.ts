@@ -1,57 +1,71 @@
-/** What a simplification holds on to: pinned and locked vertices, keep weights, a mirror symmetry. */
+/** What a simplification of one body must respect: pins, locks, keep weights and a mirror symmetry. */
 
 import type { Document } from '@gltf-transform/core';
 import { NONE } from '../core/core';
+import { vertexCount } from '../core/mesh';
 import type { Settings } from '../settings/options';
 import { keepOfLevels, lockedIn, paintOn } from './paint';
 import { findPins, firstComponents } from './pins';
-import type { PreparedBody } from '../stages/pipeline';
-import { describeLack } from './symmetry';
+import type { PreparedBody } from './prepared_body';
+import { explainMissingSymmetry } from './symmetry';
 
-/** In terms of the prepared mesh; what is absent is not wished. */
-export interface Held {
-  /** vertices that keep their outline, held in place in every mode */
+/** Vertices are those of the prepared mesh; an absent field constrains nothing. */
+export interface BodyConstraints {
+  /** vertices that no mode moves; collapses keep their outline */
   pinned?: Uint32Array;
-  /** vertices that neither move nor go */
+  /** vertices that neither move nor disappear */
   locked?: Uint32Array;
-  /** per vertex, in [0, 1]: see SimplifyConstraints.keep */
+  /** keep weight per vertex, in [0, 1]: see SimplifyConstraints.keep */
   keep?: Float32Array;
-  /** SimplifyConstraints.mirror */
+  /** mirror image per vertex: see SimplifyConstraints.mirror */
   mirror?: Uint32Array;
 }
 
-/**
- * What the settings hold in a body that was prepared with them, and one sentence where a symmetry is wished that it does not
- * have.
- */
-export function findHeld(
-  document: Document,
-  prepared: PreparedBody,
-  settings: Settings,
-): { held: Held; note: string } {
-  const { pins, lock, keep, symmetry } = settings;
-  const { images } = prepared;
-  const isFound = images !== undefined && images.partners.length > 0;
-  const levels = paintOn(settings.paint, prepared);
-  const weights = keep === '' ? null : keepWeights(keep, document, prepared);
-  const named = findPins(lock, document, prepared, 'lock');
-  const held = {
-    pinned: findPins(pins, document, prepared),
-    locked: levels ? Uint32Array.from(new Set([...named, ...lockedIn(levels)])).sort() : named,
-    ...(levels || weights ? { keep: largerOf(weights, levels && keepOfLevels(levels)) } : {}),
-    ...(isFound ? { mirror: images.partners } : {}),
-  };
-  return { held, note: images && !isFound ? describeLack(prepared, symmetry, images) : '' };
+export interface FoundConstraints {
+  constraints: BodyConstraints;
+  /** one sentence where a symmetry is asked for that the body does not have; otherwise '' */
+  note: string;
 }
 
-/** Of the attribute's weights and the painted ones, where both are there. */
+/** The settings that constraints come from, besides the pins. */
+export const CONSTRAINT_SETTINGS = ['lock', 'keep', 'paint', 'symmetry'] as const;
+
+/**
+ * The constraints that the settings ask for on a body that was prepared with them. `pinned`: see `findPins`. Throws one
+ * sentence where the body lacks what the settings name.
+ */
+export function constraintsOf(
+  document: Document,
+  prepared: PreparedBody,
+  pinned: Uint32Array,
+  settings: Pick<Settings, (typeof CONSTRAINT_SETTINGS)[number]>,
+): FoundConstraints {
+  const { lock, keep, paint, symmetry } = settings;
+  const { images } = prepared;
+  const hasMirror = images !== undefined && images.partners.length > 0;
+  const levels = paintOn(paint, prepared);
+  const weights = keep === '' ? null : keepWeights(keep, document, prepared);
+  const named = findPins(lock, document, prepared, 'lock');
+  const constraints = {
+    pinned,
+    locked: levels ? Uint32Array.from(new Set([...named, ...lockedIn(levels)])).sort() : named,
+    ...(levels || weights ? { keep: largerOf(weights, levels && keepOfLevels(levels)) } : {}),
+    ...(hasMirror ? { mirror: images.partners } : {}),
+  };
+  return {
+    constraints,
+    note: images && !hasMirror ? explainMissingSymmetry(prepared, symmetry, images) : '',
+  };
+}
+
+/** The larger of the attribute's weight and the painted one at each vertex; at least one of the arrays is there. */
 function largerOf(a: Float32Array | null, b: Float32Array | null): Float32Array {
   return a && b ? a.map((weight, vertex) => Math.max(weight, b[vertex])) : (a ?? b)!;
 }
 
-/** The attribute's first component per welded vertex, the largest of those that were welded, within [0, 1]. */
+/** The attribute's first component per welded vertex, clamped to [0, 1]: the largest among the vertices that were welded. */
 function keepWeights(name: string, document: Document, prepared: PreparedBody): Float32Array {
-  const weights = new Float32Array(prepared.mesh.positions.length / 3);
+  const weights = new Float32Array(vertexCount(prepared.mesh));
   const { vertexOfSource } = prepared.weld;
   firstComponents(name, document, prepared, 'keep').forEach((value, source) => {
     const vertex = vertexOfSource[source];

@@ -5,12 +5,12 @@ import { counted } from '../core/words';
 import type { Body } from '../document/model';
 
 export interface HealthNote {
-  /** `fact`: good to know; `repaired`: something was set right or set aside; `limit`: it keeps something from working */
+  /** `fact`: good to know; `repaired`: something was corrected or set aside; `limit`: something cannot work fully */
   kind: 'fact' | 'repaired' | 'limit';
   text: string;
 }
 
-/** `inspection` is of the usable part: an edge that only duplicate faces share is no limit. */
+/** `inspection`: of the usable part, so that an edge which only duplicate faces share is no limit. */
 export function describeHealth(body: Body, weld: WeldResult, inspection: Inspection): HealthNote[] {
   const { weldedVertices, degenerateFaces, duplicateFaces, flippedFaces } = weld;
   const notes: HealthNote[] = body.notes.map((text) => ({ kind: 'repaired', text }));
@@ -42,17 +42,17 @@ export function describeHealth(body: Body, weld: WeldResult, inspection: Inspect
   return notes;
 }
 
-/** What to think of the body's size in metres where it is unlikely; '' otherwise. Frequencies depend on it. */
+/** A clause that doubts the size of the body in metres where it is implausible; otherwise ''. Frequencies depend on the size. */
 export function describeSize(metres: number): string {
   if (metres >= 0.001 && metres <= 1000) return '';
   const size = metres < 1 ? `${(1000 * metres).toPrecision(2)} mm` : `${(metres / 1000).toPrecision(2)} km`;
   return `the body is ${size} across: set --unit if the file is not in metres`;
 }
 
-/** Residuals above this are worth a word. */
+/** Larger residuals are reported. */
 const GOOD_RESIDUAL = 1e-7;
 
-/** What to say of how modes were found, a clause each: a coarse copy, or large residuals. */
+/** One clause each on a coarse copy that modes were solved on, or on large residuals. */
 export function describeSolve(modes: { residual: number }[], coarseVertices: number): string[] {
   if (coarseVertices > 0)
     return [

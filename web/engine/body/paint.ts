@@ -4,7 +4,7 @@ import { NONE } from '../core/core';
 import { SettingError } from '../settings/errors';
 import { LOCKED, parsePaint, STRONGEST } from '../settings/paint_text';
 import type { Levels } from '../settings/paint_text';
-import type { PreparedBody } from '../stages/pipeline';
+import type { PreparedBody } from './prepared_body';
 
 /** Per vertex of the welded mesh the highest level of its sources; null where the mesh is bare. Throws SettingError. */
 export function paintOn(

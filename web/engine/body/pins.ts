@@ -6,7 +6,7 @@ import { SettingError } from '../settings/errors';
 import { parsePins } from '../settings/pin_text';
 import type { PinTerm, PinTerms } from '../settings/pin_text';
 import type { SettingName } from '../settings/table';
-import type { PreparedBody } from '../stages/pipeline';
+import type { PreparedBody } from './prepared_body';
 
 /** Vertices of a prepared mesh that are held in place, in its modes and in simulation: indices, ascending and distinct. */
 export type PinnedVertices = Uint32Array;

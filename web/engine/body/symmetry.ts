@@ -1,31 +1,32 @@
-/** The mirror symmetry of a body: finding it, and the cuts of quads that stand in its way. */
+/** The mirror symmetry of a body: finding it, and recutting the quads that would prevent it. */
 
-import { inBody } from './attributes';
+import { cornerInBody } from './attributes';
 import type { Core, MirrorImages } from '../core/core';
+import { sum } from '../core/mesh';
 import { counted } from '../core/words';
 import type { Settings } from '../settings/options';
-import type { PreparedBody } from '../stages/pipeline';
+import type { PreparedBody } from './prepared_body';
 
 type RequestedSymmetry = Exclude<Settings['symmetry'], 'off'>;
 
-/** One sentence on why there is no such symmetry. */
-export function describeLack(
+/** One sentence on why the body does not have the symmetry. */
+export function explainMissingSymmetry(
   { body }: PreparedBody,
   symmetry: Settings['symmetry'],
   images: MirrorImages,
 ): string {
   const across = symmetry === 'on' ? '' : ` across ${symmetry}`;
   const { strayVertices, strayTriangles } = images;
-  const strays =
+  const missing =
     strayVertices > 0
       ? `${counted(strayVertices, 'vertex', 'vertices')} would have no image`
       : `its vertices have images, but ${counted(strayTriangles, 'triangle')} would have none`;
-  return `"${body.name}" has no mirror symmetry${across} to keep: ${strays}${symmetry === 'on' ? ' at best' : ''}`;
+  return `"${body.name}" has no mirror symmetry${across} to keep: ${missing}${symmetry === 'on' ? ' at best' : ''}`;
 }
 
 /**
- * The body with its mirror images; with quads cut the other way on one side where that makes it symmetric, as files often have
- * quads of both sides cut one way. Vertices keep their numbers. A note tells of it.
+ * The body with its mirror images. Files often have the quads of both sides cut the same way; where that alone prevents the
+ * symmetry, quads of one side are cut the other way, and a note says so. Vertices keep their numbers.
  */
 export function withMirror(core: Core, prepared: PreparedBody, symmetry: RequestedSymmetry): PreparedBody {
   const axis = ['x', 'y', 'z'].indexOf(symmetry);
@@ -35,6 +36,7 @@ export function withMirror(core: Core, prepared: PreparedBody, symmetry: Request
     : recutBy(core, { ...prepared, images }, images.corners);
 }
 
+/** `corners[c]`: the corner of the prepared mesh that takes the position of corner c. */
 function recutBy(core: Core, prepared: PreparedBody, corners: Uint32Array): PreparedBody {
   const { body, weld, attributes } = prepared;
   const mesh = { ...prepared.mesh, triangles: corners.map((from) => prepared.mesh.triangles[from]) };
@@ -43,15 +45,15 @@ function recutBy(core: Core, prepared: PreparedBody, corners: Uint32Array): Prep
     ...attributes.charts,
     wedges: wedges.length > 0 ? corners.map((from) => wedges[from]) : wedges,
   };
-  const placeOf = inBody(body, weld);
+  const ofBody = cornerInBody(body, weld);
   const indices = body.indices.slice();
   const recut = new Uint8Array(indices.length / 3);
   corners.forEach((from, corner) => {
-    const place = placeOf(corner);
-    indices[place] = body.indices[placeOf(from)];
-    if (from !== corner) recut[Math.floor(place / 3)] = 1;
+    const target = ofBody(corner);
+    indices[target] = body.indices[ofBody(from)];
+    if (from !== corner) recut[Math.floor(target / 3)] = 1;
   });
-  const quads = recut.reduce((sum, one) => sum + one, 0) / 2;
+  const quads = sum([...recut]) / 2;
   const notes = [
     ...body.notes,
     `${counted(quads, 'quad')} cut the other way, so that both sides are mirror images`,

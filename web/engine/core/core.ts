@@ -3,6 +3,8 @@
  * the edge, in and out; nothing here remembers anything between calls but a running simulation (see simulation.ts).
  */
 
+import type { ScenarioName } from './scenarios';
+
 /** An indexed triangle surface; corners counter-clockwise seen from outside. Every coordinate is a float32. */
 export interface TriangleMesh {
   /** positions[3 * v + c], in units of the file */
@@ -378,10 +380,10 @@ export interface ShellModes {
   shapes: Float32Array;
 }
 
-/** In the order of `enum class Material` in wasm/simulate/simulation.h. */
-export const SIMULATION_MATERIALS = ['springs', 'shell'] as const;
-export type SimulationMaterial = (typeof SIMULATION_MATERIALS)[number];
-export type ScenarioName = 'twist' | 'sway' | 'hang' | 'drop' | 'pull' | 'wind' | 'drape';
+/** In the order of `enum class SimulationModel` in wasm/simulate/simulation.h. */
+export const SIMULATION_MODELS = ['springs', 'shell'] as const;
+/** shell: membrane and bending, the same material on any mesh; springs: the edges, as in the paper */
+export type SimulationModel = (typeof SIMULATION_MODELS)[number];
 
 /** A ball, where `from` is `to`, or a capsule; units of the mesh. */
 export interface Collider {
@@ -398,20 +400,19 @@ export interface CollisionScene {
 }
 
 export interface SimulationOptions extends Partial<CollisionScene> {
-  /** shell: membrane and bending, the same material on any mesh; springs: the paper's edges */
-  material: SimulationMaterial;
+  material: SimulationModel;
   /** what happens; see wasm/simulate/scenario.h */
   scenario: ScenarioName;
   /** of the whole scenario */
   seconds: number;
-  /** of a step of 1/60 s */
+  /** of a step of 1/60 s, 1 to 10,000 */
   substeps: number;
   /** 1/s: velocities fall by this rate */
   damping: number;
   /** sheets push each other away */
   selfCollision: boolean;
-  /** Coulomb's, against all that the body touches; left out: 0.5 */
-  friction?: number;
+  /** Coulomb's coefficient, against all that the body touches */
+  friction: number;
   /** Young's modulus of the optimized body over the original's, see calibrationFactor; left out: 1 */
   calibration?: number;
   /** vertices of the original; null: what the scenario itself holds */
@@ -453,7 +454,13 @@ export interface MotionRun {
   positions: Float32Array;
 }
 
-/** How far two bodies in the same scenario move apart, in % of the original's diagonal. */
+/** How differently two bodies move, in % of the original's diagonal; see wasm/compare/motion_deviation.h. */
+export interface MotionDeviation {
+  mean: number;
+  max: number;
+}
+
+/** How differently two bodies move in the same scenario, in % of the original's diagonal. */
 export interface MotionComparison {
   original: MotionRun;
   /** null where there was no other body */
@@ -561,7 +568,7 @@ export interface Core {
   scenarioCollisionScene(original: TriangleMesh, options: SimulationOptions): CollisionScene;
   /** a number for the calls below; `mesh` is the original or a body that its pins are carried over to */
   startSimulation(mesh: TriangleMesh, original: TriangleMesh, options: StartOptions): number;
-  /** one step of 1/60 s each, side by side */
+  /** one step of 1/60 s each, side by side; throws after it where a body has diverged, see simulationDiverged */
   stepSimulations(simulations: Uint32Array): null;
   /** positions[3 * v + c], in units of the mesh */
   simulationPositions(simulation: number): Float32Array;
@@ -569,6 +576,10 @@ export interface Core {
   simulationPins(simulation: number): Float32Array;
   /** what the last step took on its thread, in seconds; 0 before the first */
   simulationSeconds(simulation: number): number;
+  /** whether it has grown beyond ten times its size or is not finite; no step may follow */
+  simulationDiverged(simulation: number): boolean;
+  /** over 1,000 points of the surface, as they are now; both must have the same original, which is the first */
+  simulationDeviation(original: number, other: number): MotionDeviation;
   /** draws a point of the surface towards `target` from now on */
   dragSimulation(simulation: number, point: SurfacePoint, target: [number, number, number]): null;
   releaseSimulation(simulation: number): null;

@@ -49,6 +49,8 @@ const FUNCTIONS: readonly (keyof CoreFunctions)[] = [
   'simulationPositions',
   'simulationPins',
   'simulationSeconds',
+  'simulationDiverged',
+  'simulationDeviation',
   'dragSimulation',
   'releaseSimulation',
   'endSimulation',

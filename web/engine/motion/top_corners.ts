@@ -1,29 +1,32 @@
-/** Corners to hang a body by. */
+/** The corners that a body is hung by. */
 
 import type { TriangleMesh } from '../core/core';
 
-/** The two vertices at the ends of the upper border: the highest, leftmost and rightmost; of a flat sheet, of its back. */
+/**
+ * The vertices at the two ends of the upper border, ascending: highest and leftmost, highest and rightmost. A sheet that
+ * lies flat hangs by its back border.
+ */
 export function topCorners({ positions }: TriangleMesh): Uint32Array {
   const [low, high] = boundsOf(positions);
   const size = high.map((value, c) => value - low[c]);
-  // What lies flat has no upper border: it hangs by the one farthest back.
+  // A flat sheet has no upper border: the one farthest back takes its part.
   const up = size[1] > 0.05 * Math.max(...size) ? 1 : 2;
   const sign = up === 1 ? 1 : -1;
   const across = up === 1 ? (size[0] >= size[2] ? 0 : 2) : 0;
   const farthest = (side: number): number => {
     let [best, most] = [0, -Infinity];
     for (let v = 0; v < positions.length / 3; ++v) {
-      const reach =
+      const height =
         (sign * positions[3 * v + up]) / (size[up] || 1) +
         (side * positions[3 * v + across]) / (size[across] || 1);
-      if (reach > most) [best, most] = [v, reach];
+      if (height > most) [best, most] = [v, height];
     }
     return best;
   };
   return Uint32Array.from(new Set([farthest(-1), farthest(1)])).sort();
 }
 
-/** The lowest and the highest coordinates. */
+/** The lowest and the highest coordinate along each axis. */
 export function boundsOf(positions: Float32Array): [number[], number[]] {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];

@@ -1,4 +1,4 @@
-/** The original and its optimized mesh in one scenario, measured against each other while they move. */
+/** The original and its optimized mesh in one scenario, measured against each other after every step. */
 
 import type {
   Binding,
@@ -9,14 +9,14 @@ import type {
   CollisionScene,
   TriangleMesh,
 } from '../core/core';
-import { Simulation } from './simulation';
-import { boundPositions, Deviation, hasExploded, Stretch } from './twin_measures';
-import type { DeviationNow } from './twin_measures';
+import { SimulatedBodies } from './simulated_bodies';
+import { Stretch } from './stretch';
 import { onOptimized, onOriginal } from './twin_points';
+import { boundPositions, VertexDistances } from './vertex_distances';
 
 export type TwinName = 'original' | 'optimized';
 
-/** After one step. Deviations are in % of the original's diagonal. */
+/** After one step. Deviations are in % of the original's diagonal, see wasm/compare/motion_deviation.h. */
 export interface TwinSample {
   /** seconds since the start */
   time: number;
@@ -31,24 +31,22 @@ export interface TwinOptions extends SimulationOptions {
   measuresNoise: boolean;
 }
 
-/** In the order of the bodies of a Simulation. */
+/** In the order of the bodies of SimulatedBodies. */
 const NAMES: readonly TwinName[] = ['original', 'optimized'];
 const REORDERED = 2;
 
-/** Steps of which the shortest counts as what a step takes. */
+/** The shortest of so many last steps counts as the time of a step. */
 const COST_STEPS = 120;
 
 export class Twin {
   readonly binding: Binding;
-  private readonly simulation: Simulation;
-  private readonly bodies: Record<TwinName, TriangleMesh>;
+  private readonly bodies: SimulatedBodies;
+  private readonly meshes: Record<TwinName, TriangleMesh>;
   private readonly stretch: Record<TwinName, Stretch>;
   private readonly costs: Record<TwinName, number[]> = { original: [], optimized: [] };
-  private readonly deviation: Deviation;
-  private readonly noise: Deviation;
+  private readonly distances: VertexDistances;
   /** what both bodies can touch */
   readonly collisionScene: CollisionScene;
-  private latest: DeviationNow;
   private hasNoise: boolean;
 
   /** Throws an Error with one sentence where a mesh or an option is of no use. */
@@ -56,74 +54,66 @@ export class Twin {
     core: Core,
     original: TriangleMesh,
     result: MeshAt,
-    private readonly options: TwinOptions & { diagonal: number },
+    options: TwinOptions & { diagonal: number },
   ) {
     const { measuresNoise, diagonal, ...simulated } = options;
     this.hasNoise = measuresNoise;
-    this.bodies = { original, optimized: result.mesh };
+    this.meshes = { original, optimized: result.mesh };
     this.binding = core.bindToResult(original, result);
-    this.simulation = new Simulation(core, original, result.mesh, {
+    this.bodies = new SimulatedBodies(core, original, result.mesh, {
       ...simulated,
       binding: this.binding,
       hasReordered: measuresNoise,
     });
-    this.collisionScene = this.simulation.collisionScene;
+    this.collisionScene = this.bodies.collisionScene;
     this.stretch = { original: new Stretch(original), optimized: new Stretch(result.mesh) };
-    this.deviation = new Deviation(original, this.bound(result.mesh.positions), diagonal);
-    this.noise = new Deviation(original, original.positions, diagonal);
-    this.latest = this.deviation.between(original.positions, this.bound(result.mesh.positions));
+    const restOther = this.onOriginalVertices(result.mesh.positions, false);
+    this.distances = new VertexDistances(original.positions, restOther, diagonal);
   }
 
   get time(): number {
-    return this.simulation.time;
+    return this.bodies.time;
   }
 
-  /** One step of 1/60 s. Names the bodies that it has made fly apart, after which no other step can follow. */
-  step(): { sample: TwinSample | null; exploded: TwinName[] } {
+  /** One step of 1/60 s. Names the bodies that have diverged in it, after which no other step may follow. */
+  step(): { sample: TwinSample | null; diverged: TwinName[] } {
     let failure: unknown = null;
     try {
-      this.simulation.step();
+      this.bodies.step();
     } catch (error) {
       failure = error;
     }
-    const exploded = NAMES.filter((name) => hasExploded(this.positions(name), this.options.diagonal));
-    if (exploded.length > 0) return { sample: null, exploded };
+    const diverged = NAMES.filter((_, body) => this.bodies.hasDiverged(body));
+    if (diverged.length > 0) return { sample: null, diverged };
     if (failure) throw failure;
     for (const name of NAMES) this.recordCost(name);
-    return { sample: this.measure(), exploded };
+    return { sample: this.measure(), diverged };
   }
 
   private recordCost(name: TwinName): void {
     const costs = this.costs[name];
-    costs.push(this.simulation.stepSeconds(NAMES.indexOf(name)));
+    costs.push(this.bodies.stepSeconds(NAMES.indexOf(name)));
     if (costs.length > COST_STEPS) costs.shift();
   }
 
   private measure(): TwinSample {
-    const original = this.positions('original');
-    this.latest = this.deviation.between(original, this.bound(this.positions('optimized')));
-    const noise = this.hasNoise
-      ? this.noise.between(original, this.simulation.positions(REORDERED)).mean
-      : null;
-    return { time: this.time, mean: this.latest.mean, max: this.latest.max, noise };
-  }
-
-  private bound(positions: Float32Array): Float32Array {
-    return this.onOriginalVertices(positions, false);
+    const { mean, max } = this.bodies.deviation(NAMES.indexOf('optimized'));
+    const noise = this.hasNoise ? this.bodies.deviation(REORDERED).mean : null;
+    return { time: this.time, mean, max, noise };
   }
 
   private onOriginalVertices(positions: Float32Array, offsets: boolean): Float32Array {
-    const rest = this.bodies.original.positions;
-    return boundPositions(this.binding, this.bodies.optimized, positions, { rest, offsets });
+    const rest = this.meshes.original.positions;
+    return boundPositions(this.binding, this.meshes.optimized, positions, { rest, offsets });
   }
 
   /** positions[3 * v + c], a copy. */
   positions(name: TwinName): Float32Array {
-    return this.simulation.positions(NAMES.indexOf(name));
+    return this.bodies.positions(NAMES.indexOf(name));
   }
 
   pins(name: TwinName): Float32Array {
-    return this.simulation.pins(NAMES.indexOf(name));
+    return this.bodies.pins(NAMES.indexOf(name));
   }
 
   /** The original's vertices as the optimized body carries them. */
@@ -131,9 +121,10 @@ export class Twin {
     return this.onOriginalVertices(this.positions('optimized'), true);
   }
 
-  /** Per vertex of the original, after the last step. */
-  deviations(): Float32Array {
-    return this.latest.values;
+  /** Per vertex of the original, in % of its diagonal, after the last step: for the picture, see VertexDistances. */
+  vertexDistances(): Float32Array {
+    const carried = this.onOriginalVertices(this.positions('optimized'), false);
+    return this.distances.between(this.positions('original'), carried);
   }
 
   /** The shortest of the last steps on one thread, in seconds; 0 before the first. */
@@ -146,17 +137,17 @@ export class Twin {
     return this.stretch[name].mean(this.positions(name));
   }
 
-  /** Draws a point of one body, and what is bound to it on the other, towards `target`. */
+  /** Takes a point of one body, and the point bound to it on the other; the returned function draws both to `target`. */
   drag(name: TwinName, point: SurfacePoint): (target: [number, number, number]) => void {
-    const { original, optimized } = this.bodies;
+    const { original, optimized } = this.meshes;
     const points: Record<TwinName, SurfacePoint> = {
       original: name === 'original' ? point : onOriginal(original, optimized, this.binding, point),
       optimized: name === 'optimized' ? point : onOptimized(original, optimized, this.binding, point),
     };
     return (target) => {
-      this.simulation.drag(0, points.original, target);
-      this.simulation.drag(1, points.optimized, target);
-      if (this.hasNoise) this.simulation.drag(REORDERED, points.original, target);
+      this.bodies.drag(0, points.original, target);
+      this.bodies.drag(1, points.optimized, target);
+      if (this.hasNoise) this.bodies.drag(REORDERED, points.original, target);
     };
   }
 
@@ -164,14 +155,14 @@ export class Twin {
   endNoise(): void {
     if (!this.hasNoise) return;
     this.hasNoise = false;
-    this.simulation.endLast();
+    this.bodies.endLast();
   }
 
   release(): void {
-    for (let body = 0; body < (this.hasNoise ? 3 : 2); ++body) this.simulation.release(body);
+    for (let body = 0; body < (this.hasNoise ? 3 : 2); ++body) this.bodies.release(body);
   }
 
   end(): void {
-    this.simulation.end();
+    this.bodies.end();
   }
 }

@@ -1,24 +1,24 @@
-/** The binding of original vertices to optimized meshes, as a file for other programs and later commands. */
+/** The binding of the original's vertices to results, as a file for other programs and later commands. */
 
 import type { Binding } from '../core/core';
 import { NONE } from '../core/core';
-import type { PreparedBody } from '../stages/pipeline';
+import type { PreparedBody } from '../body/prepared_body';
 import { VERSION } from '../core/version';
 
 export const BINDING_SCHEMA = 'limber-binding/1';
 
-/** One body's vertices, numbered as they are read from the original file, on the triangles of its optimized mesh. */
+/** The vertices of one body, numbered as in the original file, on the triangles of its result. */
 export interface BodyBinding {
   name: string;
   /** the mesh's number in both files */
   mesh: number;
-  /** triangles of the optimized mesh */
+  /** triangles of the result */
   faces: number;
-  /** per vertex of the body; NONE where no usable face needs the vertex */
+  /** per vertex of the body; triangle NONE where no usable face uses the vertex */
   binding: Binding;
 }
 
-/** What the file says of a body; arrays are the bytes of little-endian numbers in base64. */
+/** One body in the file; arrays are little-endian numbers in base64. */
 interface BodyEntry {
   name: string;
   mesh: number;
@@ -29,7 +29,7 @@ interface BodyEntry {
   offset: string;
 }
 
-/** A binding of welded vertices in terms of the body's own. */
+/** Translates a binding of the welded vertices to the vertices of the body. `faces`: those of the result. */
 export function bindingOfBody(
   { body, weld }: PreparedBody,
   faces: number,
@@ -62,7 +62,7 @@ export function writeBinding(bodies: BodyBinding[]): string {
   return `${JSON.stringify({ schema: BINDING_SCHEMA, version: VERSION, bodies: entries }, null, 1)}\n`;
 }
 
-/** Throws an Error with one sentence where `text`, the content of `name`, is no sound binding. */
+/** Throws an Error with one sentence where `text`, the content of the file `name`, is not a valid binding. */
 export function readBinding(name: string, text: string): BodyBinding[] {
   const fail = (problem: string): never => {
     throw new Error(`${name} ${problem}: write it again with limber optimize --bind.`);
@@ -84,7 +84,7 @@ export function readBinding(name: string, text: string): BodyBinding[] {
   });
 }
 
-/** null where it is not an object in JSON. */
+/** null where the text is not a JSON object. */
 function parse(text: string): { schema?: unknown; bodies?: unknown } | null {
   try {
     const value = JSON.parse(text) as unknown;
@@ -94,11 +94,11 @@ function parse(text: string): { schema?: unknown; bodies?: unknown } | null {
   }
 }
 
-/** Little-endian, as every machine is that runs JavaScript engines today. */
+/** Assumes a little-endian machine, as all that run JavaScript engines today are. */
 function encode({ buffer, byteOffset, byteLength }: Uint32Array | Float32Array): string {
   const bytes = new Uint8Array(buffer, byteOffset, byteLength);
   let letters = '';
-  // Arguments of one call are limited.
+  // The number of arguments of one call is limited.
   for (let at = 0; at < bytes.length; at += 8192)
     letters += String.fromCharCode(...bytes.subarray(at, at + 8192));
   return btoa(letters);

@@ -1,4 +1,4 @@
-/** A report as a table for a spreadsheet and as a page of text; the keys are those of the JSON, see docs/report.md. */
+/** A report as CSV and as Markdown; the keys are those of the JSON, see docs/report.md. */
 
 import type { Report } from './report';
 
@@ -13,7 +13,7 @@ function flatten(value: unknown, path: string): [string, Value][] {
   );
 }
 
-/** Two columns, key and value, with a head; RFC 4180. */
+/** Two columns, key and value, with a header line; RFC 4180. */
 export function reportAsCsv(report: Report): string {
   const rows = flatten(report, '').map(([key, value]) => [key, String(value ?? '')].map(csvField).join(','));
   return `${['key,value', ...rows].join('\r\n')}\r\n`;

@@ -4,6 +4,7 @@
  * the stage or host that reads it.
  */
 
+import { describeScenarios, SCENARIO_NAMES } from '../core/scenarios';
 import type { OptionOf, OptionSpec, ValueOf } from './types';
 
 const ROWS = {
@@ -406,9 +407,9 @@ const ROWS = {
     flag: 'scenario',
     label: 'Scenario',
     default: 'twist',
-    help: 'What happens: twist (the upper end turns by 45 degrees), sway (a blow across), hang (gravity), drop (onto a floor), pull (the upper end by a fifth of the length), wind, or drape (onto a ball).',
+    help: `What happens: ${describeScenarios()}.`,
     group: 'simulation',
-    choices: ['twist', 'sway', 'hang', 'drop', 'pull', 'wind', 'drape'],
+    choices: SCENARIO_NAMES,
   },
   material: {
     kind: 'choice',

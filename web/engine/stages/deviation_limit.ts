@@ -1,14 +1,14 @@
-/** Holds a history to its largest deviation as it is measured: while edges collapse it is judged at samples alone. */
+/** Ends a history at its largest deviation as it is measured: while edges collapse, deviations are judged at samples alone. */
 
 import type { History } from '../core/core';
 import { nextEnd } from './collapse_pairs';
 
-/** The first look back from the end, in collapses, is this share of all. */
+/** The first step back from the end, as a share of all collapses. */
 const FIRST_STEP = 1 / 256;
 
 /**
- * The history, ended where its surface, as measured, is still within `limit`. `deviationAt` gives the deviation of the result
- * of at most so many faces; it should fall with more faces, and where it does not, the end is at one of its crossings.
+ * The history, ended where its measured surface is still within `limit`. `deviationAt` gives the deviation of the result of
+ * at most so many faces. It should fall with more faces; where it does not, the end is at one of its crossings of the limit.
  */
 export function endWithin(history: History, limit: number, deviationAt: (faces: number) => number): History {
   const ends = wholeEnds(history);
@@ -31,7 +31,7 @@ export function endWithin(history: History, limit: number, deviationAt: (faces: 
   return { ...firstCollapses(history, ends[good]), stop: 'deviation' };
 }
 
-/** Numbers of collapses, ascending from 0, that do not end between a collapse and its mirror image. */
+/** Numbers of collapses, ascending from 0, that do not separate a collapse from its mirror image. */
 function wholeEnds(history: History): number[] {
   const ends = [0];
   while (ends[ends.length - 1] < history.kept.length) ends.push(nextEnd(history, ends[ends.length - 1]));

@@ -1,4 +1,10 @@
-/** Where along a history the surface has moved by so much: marks for the slider that replays it. */
+/** Stage: the face counts of a history at which the surface has moved by given deviations; the page marks them on its slider. */
+
+import { historyStage } from './history';
+import { levelAt } from './level';
+import { measureDistance } from './measure';
+import { preparedStage } from './prepared';
+import { declareStage } from './stage';
 
 /** Per cent of the diagonal. */
 export const MARKED_DEVIATIONS = [0.1, 0.5, 1];
@@ -10,13 +16,38 @@ export interface DeviationMark {
   faces: number;
 }
 
-/** Two numbers of faces this close are one place on the slider. */
+/** Face counts within this ratio are the same mark on the slider. */
 const CLOSE = 1.02;
 
+/** Deviations of a history by face count, filled while marks are searched: a cancelled search goes on from there. */
+const knownDeviations = declareStage({
+  name: 'known deviations',
+  reads: [],
+  needs: { history: historyStage },
+  run: () => new Map<number, number>(),
+});
+
+export const deviationMarksStage = declareStage({
+  name: 'deviation marks',
+  reads: [],
+  needs: { prepared: preparedStage, history: historyStage, known: knownDeviations },
+  run: ({ core }, { prepared, history, known }): DeviationMark[] => {
+    const deviationAt = (faces: number): number => {
+      const measure = () =>
+        measureDistance(core, prepared, levelAt(core, prepared, history, faces).mesh).hausdorff;
+      const deviation = known.get(faces) ?? measure();
+      known.set(faces, deviation);
+      return deviation;
+    };
+    const { triangleCount: total, trianglesAfter } = history;
+    return markDeviations(deviationAt, { floor: trianglesAfter.at(-1) ?? total, total });
+  },
+});
+
 /**
- * The fewest faces, to 2 %, that stay within each deviation, largest number of faces first; deviations that the floor of
- * the history stays within have no mark. `deviationAt` may be asked for any number of faces from `floor` to `total`, and is
- * asked for each at most once; it should fall with more faces, and where it does not, a mark is at one of its crossings.
+ * The fewest faces, to 2 %, that stay within each deviation, most faces first; a deviation that even the floor stays within
+ * has no mark. `deviationAt` is asked at most once for each face count from `floor` to `total`. It should fall with more
+ * faces; where it does not, a mark is at one of its crossings.
  */
 export function markDeviations(
   deviationAt: (faces: number) => number,
@@ -33,7 +64,7 @@ export function markDeviations(
     .map((deviation) => ({ deviation, faces: crossing(at, known, { floor, total, deviation }) }));
 }
 
-/** Halves the ratio between a number of faces that is too far off and one that is not, from what is known already. */
+/** Narrows the face counts around the crossing, from those that are known already, by bisecting their ratio. */
 function crossing(
   at: (faces: number) => number,
   known: Map<number, number>,

@@ -1,61 +1,30 @@
-/** Why a vertex of the optimized mesh is still there, in words and shares. */
+/** Stage: what keeps each vertex of a level. */
 
-import { VERDICTS } from '../core/core';
-import type { WhyKept } from '../core/core';
+import { wholeFaces } from './collapse_pairs';
+import { constraintsStage } from './constraints';
+import { guidingCurvature, guidingStrain } from './guidance';
+import { historyStage } from './history';
+import { preparedStage } from './prepared';
+import { SIMPLIFICATION_SETTINGS, simplificationOf, simplificationSettings } from './simplification';
+import { declareStage } from './stage';
 
-export interface Reason {
-  text: string;
-  /** of the whole cost, in [0, 1] */
-  share: number;
-}
-
-export interface Explanation {
-  sentence: string;
-  /** of its cheapest collapse, largest first */
-  reasons: Reason[];
-  /** what keep weights multiply the cost by; 1: nothing */
-  keep: number;
-}
-
-const TERMS = [
-  ['error', 'the surface would move'],
-  ['strain', 'it bends here'],
-  ['curvature', 'it is curved here'],
-  ['quality', 'triangles would get thinner'],
-  ['size', 'triangles would get larger'],
-] as const;
-
-const REFUSALS: Record<(typeof VERDICTS)[number], string> = {
-  legal: '',
-  lock: 'a lock, a border or a pin holds it',
-  topology: 'the topology would change',
-  flip: 'a face would flip',
-  angle: 'an angle would get too small',
-  deviation: 'the surface would go too far',
-};
-
-export function explain(why: WhyKept, vertex: number): Explanation {
-  const verdict = VERDICTS[why.verdict[vertex]];
-  const sum = TERMS.reduce((total, [key]) => total + why[key][vertex], 0);
-  const reasons = TERMS.map(([key, text]) => ({ text, share: sum > 0 ? why[key][vertex] / sum : 0 }))
-    .filter(({ share }) => share >= 0.005)
-    .sort((a, b) => b.share - a.share);
-  const sentence =
-    verdict === 'legal'
-      ? `${Math.round(100 * shareOfCheaper(why, vertex))} % of the vertices go before it.`
-      : `It cannot go: ${REFUSALS[verdict]}.`;
-  return { sentence, reasons, keep: why.keep[vertex] };
-}
-
-/** How much of the vertices that can go is cheaper. */
-function shareOfCheaper(why: WhyKept, vertex: number): number {
-  const costOf = (v: number) => TERMS.reduce((total, [key]) => total + why[key][v], 0) * why.keep[v];
-  const own = costOf(vertex);
-  let [cheaper, legal] = [0, 0];
-  why.verdict.forEach((verdict, v) => {
-    if (VERDICTS[verdict] !== 'legal') return;
-    legal += 1;
-    if (costOf(v) < own) cheaper += 1;
-  });
-  return legal > 0 ? cheaper / legal : 0;
-}
+/** In the order of the vertices of the level at `targetFaces`. */
+export const explanationStage = declareStage({
+  name: 'explanation',
+  reads: [...SIMPLIFICATION_SETTINGS, 'targetFaces'],
+  needs: {
+    prepared: preparedStage,
+    constraints: constraintsStage,
+    guidance: guidingStrain,
+    curvature: guidingCurvature,
+    history: historyStage,
+  },
+  derive: ({ targetFaces, ...settings }) => ({ targetFaces, settings: simplificationSettings(settings) }),
+  run: ({ core }, inputs, { targetFaces, settings }) => {
+    const { prepared, guidance, curvature, history } = inputs;
+    const guides = { constraints: inputs.constraints.constraints, guidance, curvature };
+    const { strain, curvature: curved, options } = simplificationOf(prepared, guides, settings);
+    const faces = wholeFaces(history, targetFaces);
+    return core.whyKept(prepared.mesh, strain, curved, options, history, faces);
+  },
+});

@@ -1,9 +1,13 @@
-/** Whole shares of `total` in proportion to `weights`; what is left over goes to the largest remainders, lowest first. */
+/** How many faces each body of a file may keep. */
+
+import { sum } from '../core/mesh';
+
+/** Integer shares of `total` in proportion to `weights`; the remainder goes to the largest fractions, of equal ones the first. */
 export function shareInProportion(total: number, weights: number[]): number[] {
-  const sum = weights.reduce((a, b) => a + b, 0);
-  const exact = weights.map((weight) => (total * weight) / sum);
+  const all = sum(weights);
+  const exact = weights.map((weight) => (total * weight) / all);
   const shares = exact.map(Math.floor);
-  const left = total - shares.reduce((a, b) => a + b, 0);
+  const left = total - sum(shares);
   const byRemainder = exact
     .map((_, i) => i)
     .sort((a, b) => exact[b] - shares[b] - (exact[a] - shares[a]) || a - b);
@@ -11,5 +15,23 @@ export function shareInProportion(total: number, weights: number[]): number[] {
   return shares;
 }
 
-/** The faces that a ratio leaves of so many; the sum keeps 0.3 * 10 from becoming 2. */
+/** The faces that a ratio leaves of so many; the small term keeps 0.3 * 10 from becoming 2. */
 export const facesByRatio = (ratio: number, faces: number): number => Math.floor(ratio * faces + 1e-9);
+
+/** How many faces are asked for: `faces` of the whole file, `ratio` of each body; null: not asked for. */
+export interface FaceTarget {
+  faces: number | null;
+  ratio: number | null;
+}
+
+/** Per body the larger of both targets, since the first one that is reached stops; 1 where neither is asked for. */
+export function targetsOf(counts: number[], { faces, ratio }: FaceTarget): number[] {
+  const shares = faces === null ? null : shareInProportion(faces, counts);
+  return counts.map((count, i) =>
+    Math.max(1, ratio === null ? 0 : facesByRatio(ratio, count), shares ? shares[i] : 0),
+  );
+}
+
+/** Per body as many faces, in proportion, as `ratio` leaves of the whole file. */
+export const targetsByShare = (counts: number[], ratio: number): number[] =>
+  shareInProportion(Math.round(ratio * sum(counts)), counts);

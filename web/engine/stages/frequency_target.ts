@@ -1,34 +1,18 @@
-/** The fewest faces whose frequencies stay within a limit, found along a history by solving for them. */
+/** Finds the fewest faces whose frequencies stay within a limit, by evaluating levels of a history. */
 
-/** A number of faces that was tried. */
-export interface Tried {
-  faces: number;
-  /** the largest frequency error there, in % */
-  error: number;
-}
+import type { FrequencyFinding, Tried } from '../body/body_result';
 
-export interface FrequencyFinding {
-  /** that was asked for, in % */
-  limit: number;
-  /** at the faces that were found: of the first six modes, in % */
-  error: number;
-  /** whether fewer faces would have been enough for everything else */
-  isBinding: boolean;
-  /** in the order of the search */
-  tried: Tried[];
-}
-
-/** The search ends where the faces that fail are this close to those that hold. */
+/** The search ends where face counts that fail and that succeed are within this ratio. */
 const CLOSE = 1.02;
-/** Errors do not rise evenly towards fewer faces: these shares of the faces found are tried as well. */
+/** Errors do not rise monotonically towards fewer faces: these shares of the faces that were found are tried as well. */
 const PROBES = [0.95, 0.88, 0.75];
-/** After so many solves the best one so far has to do. */
+/** After so many solves the best level so far is the answer. */
 const MOST_TRIED = 32;
 
 /**
- * The result with fewest faces, from `fewest` up to `most`, whose error is within the limit; it has been evaluated itself.
- * Bisects in proportion, then looks below what it has found, for errors do not rise evenly. `evaluate` gives the largest
- * result of at most so many faces; the result of `most`, the input itself, is within any limit.
+ * The result with the fewest faces, from `fewest` to `most`, whose error is within the limit; it has itself been evaluated.
+ * Bisects ratios of face counts, then probes below what it has found, since errors do not rise monotonically. `evaluate`
+ * gives the largest result of at most so many faces; the result of `most`, the original, is within any limit.
  */
 export function searchFaces<T extends Tried>(
   evaluate: (faces: number) => T,
@@ -59,7 +43,7 @@ export function searchFaces<T extends Tried>(
   return finish(best ?? attempt(most), true);
 }
 
-/** The result with fewest faces that was found between a failure and `most`; null where none but `most` itself holds. */
+/** The result with the fewest faces found between a failure and `most`; null where only `most` itself succeeds. */
 function bisect<T extends Tried>(
   attempt: (faces: number) => T,
   { failing, most, limit }: { failing: number; most: number; limit: number },

@@ -1,6 +1,6 @@
 /** Notes on the chosen modes, below the gallery. */
 
-import { describeHotSpots, differentPairs } from '../../../engine/stages/hot_spots';
+import { describeHotSpots, differentPairs } from '../../../engine/report/hot_spots';
 import { localModes, spellModes, suggestedModes } from '../../../engine/core/mode_set';
 import { resolveModes } from '../../../engine/settings/options';
 import { changeSettings, wants } from '../../state/store';

@@ -1,7 +1,8 @@
 /** The slider of the kept faces, which replays the collapses. */
 
 import { count, fixed } from '../../controls/numbers';
-import { historyKey } from '../../state/keys';
+import { keyOf } from '../../../engine/stages/stage';
+import { STAGES } from '../../../engine/stages/stages';
 import { results, wantedFaces, wants } from '../../state/store';
 import './scrubber.css';
 
@@ -56,7 +57,7 @@ const LABEL_WIDTH = 0.045;
 function Marks() {
   const history = results.history.value;
   const found = results.marks.value;
-  if (!history || found?.key !== historyKey(wants.settings.value)) return null;
+  if (!history || found?.key !== keyOf(STAGES.deviationMarks, wants.settings.value)) return null;
   const { marks } = found;
   const positionOf = (faces: number) => (faces - history.floorFaces) / (history.faces - history.floorFaces);
   return (

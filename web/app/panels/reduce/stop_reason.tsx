@@ -1,8 +1,8 @@
 /** Why a reduction has stopped before the wanted number of faces. */
 
 import { count, fixed } from '../../controls/numbers';
-import { describeRefused } from '../../../engine/report/report';
-import type { FrequencyFinding, Tried } from '../../../engine/stages/frequency_target';
+import { describeRefused } from '../../../engine/report/stop_report';
+import type { FrequencyFinding, Tried } from '../../../engine/body/body_result';
 import { results, shownFit, shownMesh, wantedFaces } from '../../state/store';
 
 export const ACROSS_SEAMS = 'Collapse across texture seams';
@@ -19,7 +19,7 @@ export function StopReason() {
       {wantedFaces.value < history.floorFaces && (
         <p class="hint warning">
           Stopped at {count(history.floorFaces)} faces: {describeRefused(history.refused)}.
-          {history.heldBySeams && ` “${ACROSS_SEAMS}”, under More, goes on.`}
+          {history.blockedBySeams && ` “${ACROSS_SEAMS}”, under More, goes on.`}
         </p>
       )}
       {frequency && (

@@ -6,7 +6,7 @@ import { isBrushing, shownMesh, shownWhy, view, wantedFaces } from '../../state/
 import type { Viewport } from '../../viewer/viewport';
 import { comparedPanes } from './compare';
 import { count, fixed } from '../../controls/numbers';
-import { explain } from '../../../engine/stages/explanation';
+import { explain } from '../../../engine/report/explanation';
 import './why_card.css';
 
 /** The largest distance between the pointer and the vertex that it hovers over. */

@@ -2,6 +2,7 @@
 
 import { useId, useState } from 'preact/hooks';
 import { OPTIONS, checkSetting } from '../../../engine/settings/options';
+import { SCENARIOS, scenarioWords } from '../../../engine/core/scenarios';
 import type { Settings } from '../../../engine/settings/options';
 import { refusalOf } from '../../state/refusal';
 import type { Refusal } from '../../state/refusal';
@@ -13,25 +14,12 @@ import { count } from '../../controls/numbers';
 import { RefusedText } from '../../controls/refused_text';
 import { SettingControls } from '../../controls/setting_controls';
 
-const SCENARIOS: { value: Settings['scenario']; text: string; holds: string; motion: string }[] = [
-  { value: 'twist', text: 'Twist', holds: 'Both ends', motion: 'The upper end turns by 45 degrees.' },
-  { value: 'sway', text: 'Sway', holds: 'The lower end', motion: 'A blow strikes the upper end.' },
-  { value: 'hang', text: 'Hang', holds: 'The upper end', motion: 'Gravity pulls at the rest.' },
-  { value: 'drape', text: 'Drape', holds: '', motion: 'Falls onto a ball.' },
-  { value: 'drop', text: 'Drop', holds: '', motion: 'Falls to the floor.' },
-  {
-    value: 'pull',
-    text: 'Pull',
-    holds: 'Both ends',
-    motion: 'The upper end moves away by a fifth of the length.',
-  },
-  { value: 'wind', text: 'Wind', holds: 'The upper end', motion: 'Gusts of 8 m/s, and gravity.' },
-];
+const SCENARIO_CHOICES = SCENARIOS.map(({ name, label }) => ({ value: name, text: label }));
 
 /** What happens, and which vertices the scenario pins for it. */
 function describeScenario(scenario: Settings['scenario']): string {
-  const { holds, motion } = SCENARIOS.find(({ value }) => value === scenario)!;
-  return pinSource.value === 'scenario' && holds ? `${motion} ${holds} held.` : motion;
+  const { pinned, sentence } = scenarioWords(scenario);
+  return pinSource.value === 'scenario' && pinned ? `${sentence} ${pinned} held.` : sentence;
 }
 
 const MATERIALS: { value: Settings['material']; text: string; title: string }[] = [
@@ -52,7 +40,7 @@ export function SimulatePanel() {
         <Select
           label="Scenario"
           title={OPTIONS.scenario.help}
-          options={SCENARIOS}
+          options={SCENARIO_CHOICES}
           value={scenario}
           onChange={(value) => changeSettings({ scenario: value as Settings['scenario'] })}
         />

@@ -15,7 +15,7 @@ export function SimulateTransport() {
 
 function Buttons() {
   const frame = twin.numbers.value;
-  const isOver = frame !== null && (frame.exploded.length > 0 || twin.failure.value !== null);
+  const isOver = frame !== null && (frame.diverged.length > 0 || twin.failure.value !== null);
   const isPlaying = twin.playing.value;
   return (
     <div class="transport" role="group" aria-label="Simulation">

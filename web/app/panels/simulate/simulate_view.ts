@@ -2,6 +2,7 @@
 
 import { computed } from '@preact/signals';
 import type { CollisionScene } from '../../../engine/core/core';
+import { scenarioWords } from '../../../engine/core/scenarios';
 import { boundsOf } from '../../../engine/motion/top_corners';
 import { viewportColours } from '../../state/scheme';
 import { twin } from '../../state/simulation';
@@ -29,7 +30,7 @@ export function showTwin(viewport: Viewport | null): void {
   }
   const { original, optimized } = frame.bodies;
   const scale = heatScale.value;
-  const values = twin.heat.value ? (frame.deviations?.map((value) => value / scale) ?? null) : null;
+  const values = twin.heat.value ? (frame.vertexDistances?.map((value) => value / scale) ?? null) : null;
   viewport.setPositions('original', original.positions, { values, dots: original.pins });
   const dots = isOverlaid.value ? new Float32Array() : optimized.pins;
   if (!isDriven.value) viewport.setPositions('optimized', optimized.positions, { dots });
@@ -61,6 +62,6 @@ function sceneAround(
   const centre = low.map((value, c) => (value + high[c]) / 2);
   const size = high.map((value, c) => value - low[c]);
   // A body may be pinned at one end of its longest side, and then hangs down from there.
-  const isHanging = ['hang', 'wind'].includes(wants.settings.value.scenario);
+  const isHanging = scenarioWords(wants.settings.value.scenario).hangs;
   return { ...collisionScene, centre, diagonal, lowest: isHanging ? high[1] - Math.max(...size) : null };
 }

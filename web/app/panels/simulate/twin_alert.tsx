@@ -15,10 +15,10 @@ export function TwinAlert() {
         {twin.failure.value}
       </p>
     );
-  if (!frame || frame.exploded.length === 0) return null;
+  if (!frame || frame.diverged.length === 0) return null;
   return (
     <>
-      {!isOverlaid.value && frame.exploded.map((name) => <div key={name} class={`exploded ${name}`} />)}
+      {!isOverlaid.value && frame.diverged.map((name) => <div key={name} class={`diverged ${name}`} />)}
       <p class="twin-alert" role="alert">
         {describeDivergence(frame)}
       </p>
@@ -26,9 +26,9 @@ export function TwinAlert() {
   );
 }
 
-function describeDivergence({ exploded, time }: TwinFrame): string {
+function describeDivergence({ diverged, time }: TwinFrame): string {
   const { substeps } = wants.settings.value;
-  const subject = exploded.length === 2 ? 'Both meshes have' : `The ${exploded[0]} mesh has`;
+  const subject = diverged.length === 2 ? 'Both meshes have' : `The ${diverged[0]} mesh has`;
   return (
     `${subject} diverged at ${time.toFixed(2)} s: raise the substeps (now ${substeps}) ` +
     'or take a softer material, then reset.'

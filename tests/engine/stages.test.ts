@@ -1,18 +1,16 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Core } from '../../web/engine/core/core';
-import { optimizeBody } from '../../web/engine/stages/optimize';
+import type { Core, TriangleMesh } from '../../web/engine/core/core';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
-import {
-  exportedBody,
-  findGuidance,
-  findModes,
-  materialOf,
-  prepareBody,
-} from '../../web/engine/stages/pipeline';
+import { materialOf } from '../../web/engine/body/material';
+import { findGuidance } from '../../web/engine/stages/guidance';
+import { prepareBody } from '../../web/engine/stages/prepared';
+import { STAGES } from '../../web/engine/stages/stages';
+import { exportedBody } from '../../web/engine/stages/written';
 import { describeHealth } from '../../web/engine/body/health';
 import { bodyOf, together } from './support/bodies';
 import { loadTestCore } from './support/core';
+import { optimized, runOfMesh } from './support/runs';
 import { cube, grid, torus } from './support/shapes';
 
 let core: Core;
@@ -59,13 +57,14 @@ describe('a body', () => {
   });
 
   it('vibrates the same in other units', () => {
-    const metres = prepareBody(core, bodyOf(torus()), settings());
     const centimetres = torus();
     centimetres.positions.forEach((value, i) => (centimetres.positions[i] = 128 * value));
-    const prepared = prepareBody(core, bodyOf(centimetres), settings());
     const shell = settings({ model: 'shell', modeCount: 3 });
-    const expected = findModes(core, metres, shell).modes.map((mode) => mode.omega);
-    const found = findModes(core, prepared, { ...shell, unit: 1 / 128 }).modes.map((mode) => mode.omega);
+    const omegasOf = (mesh: TriangleMesh, unit: number) =>
+      runOfMesh(core, mesh)
+        .get(STAGES.modes, { ...shell, unit })
+        .modes.map((mode) => mode.omega);
+    const [expected, found] = [omegasOf(torus(), 1), omegasOf(centimetres, 1 / 128)];
     found.forEach((omega, i) => expect(omega / expected[i]).toBeCloseTo(1, 9));
   });
 });
@@ -73,8 +72,7 @@ describe('a body', () => {
 describe('guidance', () => {
   const guide = (mesh = torus(), change: Partial<Settings> = {}) => {
     const used = settings({ model: 'shell', modeCount: 3, ...change });
-    const prepared = prepareBody(core, bodyOf(mesh), used);
-    return findGuidance(core, prepared, findModes(core, prepared, used), used);
+    return runOfMesh(core, mesh).get(STAGES.guidance, used);
   };
 
   it('ranks the strain from 0 to 1', () => {
@@ -94,14 +92,16 @@ describe('guidance', () => {
   });
 
   it('is 0 where a body has no elastic mode', () => {
-    const prepared = prepareBody(core, bodyOf(cube()), settings());
-    const found = findModes(core, prepared, settings());
+    const run = runOfMesh(core, cube());
+    const found = run.get(STAGES.modes, settings());
     const none = {
       ...found,
       modes: [],
       components: found.components.map((one) => ({ ...one, modeCount: 0 })),
     };
-    expect([...findGuidance(core, prepared, none, settings({ modes: [2] })).rank]).toEqual(Array(12).fill(0));
+    const request = { ...settings(), guiding: [2] };
+    const { rank } = findGuidance(core, run.get(STAGES.prepared, settings()), none, request);
+    expect([...rank]).toEqual(Array(12).fill(0));
   });
 
   it('takes those of the named modes that exist, and refuses where none does', () => {
@@ -114,10 +114,8 @@ describe('guidance', () => {
 });
 
 describe('optimizing', () => {
-  const optimize = (target: number, change: Partial<Settings> = {}, mesh = torus()) => {
-    const used = settings(change);
-    return optimizeBody(core, prepareBody(core, bodyOf(mesh), used), used, { targetFaces: target });
-  };
+  const optimize = (target: number, change: Partial<Settings> = {}, mesh = torus()) =>
+    optimized(runOfMesh(core, mesh), settings(change), target);
 
   it.each(['paper', 'qem'] as const)('with %s reaches the target and keeps the topology', (method) => {
     const { result, measured, modes } = optimize(300, { method });

@@ -1,9 +1,11 @@
-/** Whether modes strain the same places: the hot spots of one and another, and what they share. */
+/** Whether modes strain the same regions: the hot spots of each mode, and what two modes share of them. */
 
-/** The strain rank, a float32, from which a face is hot: the tenth of its part that the mode strains most. */
+import { sum } from '../core/mesh';
+
+/** Faces of at least this strain rank are hot: the tenth of their part that the mode strains most. A float32. */
 export const HOT_RANK = Math.fround(0.9);
 
-/** Two modes that share less than this part of their hot faces strain different places. */
+/** Two modes that share less than this part of their hot faces strain different regions. */
 export const DIFFERENT_BELOW = 0.25;
 
 /** Per triangle 1 where it is hot; `rank` as StrainGuidance gives it for one mode. */
@@ -13,14 +15,14 @@ export function hotFaces(rank: Float32Array): Uint8Array {
 
 /**
  * shared[a * hot.length + b]: the part, in [0, 1], of the hot faces of ordinal a that are hot in ordinal b too; 0 where a has
- * none. `hot`: one array a ordinal, of equal sizes.
+ * none. `hot`: one array per ordinal, all of the same length.
  */
 export function sharedHotSpots(hot: Uint8Array[]): Float32Array {
   const shared = new Float32Array(hot.length * hot.length);
   hot.forEach((a, i) => {
-    const count = a.reduce((sum, isHot) => sum + isHot, 0);
+    const count = sum([...a]);
     hot.forEach((b, j) => {
-      const common = a.reduce((sum, isHot, face) => sum + (isHot & b[face]), 0);
+      const common = a.reduce((total, isHot, face) => total + (isHot & b[face]), 0);
       shared[i * hot.length + j] = count > 0 ? common / count : 0;
     });
   });
@@ -31,11 +33,11 @@ export interface ModePair {
   /** modes from 1, first < second */
   first: number;
   second: number;
-  /** of their hot faces, in [0, 1]: the larger of the two parts */
+  /** what they share of their hot faces, in [0, 1]: the larger of the two parts */
   common: number;
 }
 
-/** Pairs among `modes` (numbers from 1) that strain different places, those with least in common first. */
+/** Pairs among `modes` (numbers from 1) that strain different regions, those with least in common first. */
 export function differentPairs(shared: Float32Array, modesPerComponent: number, modes: number[]): ModePair[] {
   const known = modes.filter((mode) => mode <= modesPerComponent).sort((a, b) => a - b);
   const part = (a: number, b: number) => shared[(a - 1) * modesPerComponent + b - 1];
@@ -49,7 +51,7 @@ export function differentPairs(shared: Float32Array, modesPerComponent: number, 
     .sort((a, b) => a.common - b.common || a.first - b.first || a.second - b.second);
 }
 
-/** One sentence on guiding modes that strain different places; '' where none do. */
+/** One sentence on guiding modes that strain different regions; '' where none do. */
 export function describeHotSpots(pairs: ModePair[]): string {
   if (pairs.length === 0) return '';
   const [{ first, second, common }, ...others] = pairs;

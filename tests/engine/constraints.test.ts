@@ -1,14 +1,13 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core, TriangleMesh } from '../../web/engine/core/core';
 import { openModel } from '../../web/engine/document/open';
-import { findHeld } from '../../web/engine/body/constraints';
-import { optimizeBody } from '../../web/engine/stages/optimize';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
-import { prepareBody } from '../../web/engine/stages/pipeline';
+import { STAGES } from '../../web/engine/stages/stages';
 import { loadTestCore } from './support/core';
 import { addMesh, floats, glbFile, primitiveOf, startDocument } from './support/gltf';
 import { facesOf } from './support/mirrored';
+import { optimized, runOfModel } from './support/runs';
 import { butterfly, grid, torus } from './support/shapes';
 
 let core: Core;
@@ -24,13 +23,13 @@ async function open(mesh: TriangleMesh, change: Partial<Settings>, keep?: number
   if (keep) primitive.setAttribute('_KEEP', floats(document, 'SCALAR', keep));
   addMesh(document, 'thing', [primitive]);
   const model = await openModel([await glbFile(document)]);
-  const prepared = prepareBody(core, model.bodies[0], settings, model.document);
-  return { settings, prepared, ...findHeld(model.document, prepared, settings) };
+  const run = runOfModel(core, model);
+  return { settings, run, ...run.get(STAGES.constraints, settings) };
 }
 
 async function optimize(mesh: TriangleMesh, targetFaces: number, change: Partial<Settings>, keep?: number[]) {
-  const { settings, prepared, held } = await open(mesh, change, keep);
-  return { ...optimizeBody(core, prepared, settings, { targetFaces, ...held }), held };
+  const { settings, run } = await open(mesh, change, keep);
+  return optimized(run, settings, targetFaces);
 }
 
 describe('a mirror symmetry', () => {
@@ -62,15 +61,15 @@ describe('a mirror symmetry', () => {
     expect(await errorOf('on')).toBeLessThan(0.6 * (await errorOf('off')));
   });
 
-  it('is not kept unless it is wished', async () => {
-    const { result, held } = await optimize(butterfly(), 61, { fit: 'off' });
-    expect(held).not.toHaveProperty('mirror');
+  it('is not kept unless it is asked for', async () => {
+    const { result, constraints } = await optimize(butterfly(), 61, { fit: 'off' });
+    expect(constraints).not.toHaveProperty('mirror');
     expect(facesOf(result.mesh, 1)).not.toEqual(facesOf(result.mesh, -1));
   });
 
-  it('that is not there is told in a sentence, and not held', async () => {
+  it('that is not there is told in a sentence, and constrains nothing', async () => {
     const across = await open(butterfly(), { symmetry: 'y' });
-    expect(across.held).not.toHaveProperty('mirror');
+    expect(across.constraints).not.toHaveProperty('mirror');
     expect(across.note).toMatch(
       /^"thing" has no mirror symmetry across y to keep: \d+ vertices would have no image$/,
     );
@@ -84,9 +83,9 @@ describe('a mirror symmetry', () => {
 
 describe('locks, keep weights and creases', () => {
   it('leave locked vertices where they are, with the fit', async () => {
-    const { result, prepared, held } = await optimize(torus(), 150, { lock: 'high:10' });
-    expect(held.locked!.length).toBeGreaterThan(3);
-    for (const vertex of held.locked!) {
+    const { result, prepared, constraints } = await optimize(torus(), 150, { lock: 'high:10' });
+    expect(constraints.locked!.length).toBeGreaterThan(3);
+    for (const vertex of constraints.locked!) {
       const now = result.vertexOfInput[vertex];
       expect(result.inputOfVertex[now]).toBe(vertex);
       const at = (mesh: TriangleMesh, v: number) => [...mesh.positions.subarray(3 * v, 3 * v + 3)];

@@ -1,4 +1,7 @@
-/** Steps a twin at its own pace and shows the latest state, never more than the page can draw. */
+/**
+ * Plays a twin in real time, or slower where steps take longer, and sends its latest state to the page, never more frames
+ * than the page can draw. See web/engine/motion/simulated_bodies.ts for the levels below.
+ */
 
 import { STEP_SECONDS } from '../../engine/motion/simulation';
 import type { Twin, TwinName, TwinSample } from '../../engine/motion/twin';
@@ -6,29 +9,30 @@ import type { BodyState, ShowFrame, TwinFrame, TwinRequest } from './simulation_
 
 const STEP_MILLISECONDS = 1000 * STEP_SECONDS;
 
-/** What is late by more than this is not caught up with: slow motion rather than a leap. */
+/** Steps that are late by more than this, in milliseconds, are dropped: slow motion looks better than a leap. */
 const MOST_BEHIND = 100;
 
-/** After so many steps the hidden run ends where time does not keep up: motion in real time is worth more. */
+/** After so many steps the noise floor is given up where the twin is slower than real time. */
 const TRIED_STEPS = 30;
+/** From this pace on, motion counts as real time. */
 const REAL_TIME = 0.9;
 
-/** Over which the pace is measured, in milliseconds. */
+/** The pace is measured over this time, in milliseconds. */
 const PACE_SPAN = 1000;
 
-export class SimulationLoop {
-  constraints: TwinRequest;
+export class TwinPlayer {
+  request: TwinRequest;
   private isPlaying = false;
   private isShowing = false;
   private hasNews = false;
   private hasEnded = false;
   private due = 0;
   private tries = TRIED_STEPS;
-  /** for all bodies' steps together; beyond it the hidden run is too dear */
+  /** what the steps of all bodies may take together; beyond it the noise floor is given up */
   private readonly spareSeconds: number;
   private readonly stepped: number[] = [];
   private samples: TwinSample[] = [];
-  private exploded: TwinName[] = [];
+  private diverged: TwinName[] = [];
   private failure: string | null = null;
   private moveDragged: ((target: [number, number, number]) => void) | null = null;
 
@@ -36,9 +40,9 @@ export class SimulationLoop {
     private readonly twin: Twin,
     private readonly number: number,
     private readonly showFrame: ShowFrame,
-    { constraints, spareSeconds }: { constraints: TwinRequest; spareSeconds: number },
+    { request, spareSeconds }: { request: TwinRequest; spareSeconds: number },
   ) {
-    this.constraints = constraints;
+    this.request = request;
     this.spareSeconds = spareSeconds;
     this.announce();
   }
@@ -57,13 +61,13 @@ export class SimulationLoop {
     if (!this.isPlaying) this.advance();
   }
 
-  setRequest(constraints: TwinRequest): void {
-    this.constraints = constraints;
+  setRequest(request: TwinRequest): void {
+    this.request = request;
     this.announce();
   }
 
-  grab(...held: Parameters<Twin['drag']>): void {
-    this.moveDragged = this.twin.drag(...held);
+  grab(...grip: Parameters<Twin['drag']>): void {
+    this.moveDragged = this.twin.drag(...grip);
   }
 
   drag(target: [number, number, number]): void {
@@ -81,7 +85,7 @@ export class SimulationLoop {
     this.twin.end();
   }
 
-  /** The next step when it is due; between two steps messages come through. */
+  /** Takes the next step when it is due; messages are handled between two steps. */
   private schedule(): void {
     const wait = this.due - performance.now();
     if (wait > 1) setTimeout(() => this.run(), wait);
@@ -99,15 +103,15 @@ export class SimulationLoop {
   }
 
   private advance(): void {
-    if (this.hasEnded || this.exploded.length > 0 || this.failure) return;
+    if (this.hasEnded || this.diverged.length > 0 || this.failure) return;
     try {
-      const { sample, exploded } = this.twin.step();
-      this.exploded = exploded;
+      const { sample, diverged } = this.twin.step();
+      this.diverged = diverged;
       if (sample) this.samples.push(sample);
     } catch (error) {
       this.failure = error instanceof Error ? error.message : String(error);
     }
-    if (this.exploded.length > 0 || this.failure) this.isPlaying = false;
+    if (this.diverged.length > 0 || this.failure) this.isPlaying = false;
     const now = performance.now();
     this.stepped.push(now);
     while (this.stepped[0] < now - PACE_SPAN) this.stepped.shift();
@@ -141,18 +145,18 @@ export class SimulationLoop {
   }
 
   private frame(): TwinFrame {
-    const { twin, number, constraints, samples, exploded, failure } = this;
+    const { twin, number, request, samples, diverged, failure } = this;
     this.samples = [];
     return {
       number,
       time: twin.time,
       bodies: { original: this.stateOf('original'), optimized: this.stateOf('optimized') },
-      driven: constraints.driven ? twin.driven() : null,
-      deviations: constraints.deviations ? twin.deviations().slice() : null,
+      driven: request.driven ? twin.driven() : null,
+      vertexDistances: request.vertexDistances ? twin.vertexDistances() : null,
       samples,
       playing: this.isPlaying,
       pace: this.pace(),
-      exploded,
+      diverged,
       failure,
     };
   }
@@ -182,7 +186,7 @@ channel.port1.onmessage = () => {
   for (const action of actions) action();
 };
 
-/** As soon as messages that have come meanwhile are handled; a timer of 0 would wait for milliseconds. */
+/** Runs an action once the messages that have come meanwhile are handled; a timer of 0 would wait for milliseconds. */
 function afterMessages(action: () => void): void {
   waiting.push(action);
   channel.port2.postMessage(null);

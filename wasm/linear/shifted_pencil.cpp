@@ -1,0 +1,83 @@
+#include "linear/shifted_pencil.h"
+
+#include <cmath>
+
+#include "linear/dense/dense_product.h"
+#include "linear/extended_residual.h"
+
+namespace limber {
+
+ShiftedPencil::ShiftedPencil(const SparsePencil& pencil, std::shared_ptr<const FactorStructure> structure,
+                             Job& job)
+    : pencil_(pencil),
+      factorisation_(structure ? Factorisation(pencil, std::move(structure)) : Factorisation(pencil, job)),
+      job_(job) {
+  for (Eigen::Index i = 0; i < pencil.m.size(); ++i)
+    if (pencil.m[i] > 0) heavy_.push_back(i);
+  rootMass_ = pencil.m(heavy_).cwiseSqrt();
+}
+
+uint64_t ShiftedPencil::memoryWith(int vectorCount) const {
+  const uint64_t vectors = sizeof(double) * pencil_.unknownCount() * static_cast<uint64_t>(vectorCount);
+  return factorisation_.structure().memory() + vectors;
+}
+
+void ShiftedPencil::shiftTo(double sigma) {
+  job_.begin(Phase::Factorise);
+  factorisation_.factorise(sigma, job_);
+  sigma_ = sigma;
+}
+
+uint32_t ShiftedPencil::countBelow(double lambda) {
+  shiftTo(lambda);
+  return factorisation_.negativePivots();
+}
+
+Eigen::VectorXd ShiftedPencil::invert(const Eigen::Ref<const Eigen::VectorXd>& x) const {
+  Eigen::VectorXd full = Eigen::VectorXd::Zero(pencil_.m.size());
+  full(heavy_) = rootMass_.cwiseProduct(x);
+  factorisation_.solve(full, job_);
+  return rootMass_.cwiseProduct(full(heavy_));
+}
+
+Eigen::MatrixXd ShiftedPencil::inverseStep(const Eigen::MatrixXd& phi) const {
+  Eigen::MatrixXd x = pencil_.m.asDiagonal() * phi;
+  factorisation_.solve(x, job_);
+  return x;
+}
+
+Eigen::MatrixXd ShiftedPencil::expand(const Eigen::MatrixXd& heavy) const {
+  Eigen::MatrixXd phi = Eigen::MatrixXd::Zero(pencil_.m.size(), heavy.cols());
+  phi(heavy_, Eigen::all) = rootMass_.cwiseInverse().asDiagonal() * heavy;
+  return phi;
+}
+
+Eigen::MatrixXd ShiftedPencil::restrict(const Eigen::MatrixXd& phi) const {
+  return rootMass_.asDiagonal() * phi(heavy_, Eigen::all);
+}
+
+double ShiftedPencil::residual(double lambda, const Eigen::VectorXd& phi) const {
+  const Eigen::VectorXd inertia = pencil_.m.cwiseProduct(phi);
+  return (pencil_.k * phi - lambda * inertia).norm() / (std::abs(lambda) * inertia.norm());
+}
+
+double ShiftedPencil::extendedResidual(double lambda, const Eigen::VectorXd& phi, int steps) const {
+  Eigen::VectorXd low = Eigen::VectorXd::Zero(phi.size());
+  Eigen::VectorXd rest = limber::extendedResidual(pencil_, lambda, phi, low);
+  double smallest = rest.norm();
+  for (int step = 0; step < steps; ++step) {
+    factorisation_.solve(rest, job_);
+    low -= rest;
+    rest = limber::extendedResidual(pencil_, lambda, phi, low);
+    if (rest.norm() >= smallest) break;
+    smallest = rest.norm();
+  }
+  return smallest / (std::abs(lambda) * pencil_.m.cwiseProduct(phi).norm());
+}
+
+Eigen::MatrixXd ShiftedPencil::massProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const {
+  const Eigen::MatrixXd inertia = pencil_.m.asDiagonal() * b;
+  return product(a.transpose(), inertia);
+}
+
+}  // namespace limber

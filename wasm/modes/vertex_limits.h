@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+namespace limber {
+
+// Sizes, in vertices, from which large shells are solved and fitted in another way. Each number stands here
+// alone.
+
+// A shell part with more vertices is solved by way of a decimated copy, unless an exact solve is asked for.
+// Below it an exact solve takes about a second.
+inline constexpr uint32_t kExactVertices = 8000;
+
+// The size of that copy: its modes are close enough for a few steps of inverse iteration on the part itself.
+inline constexpr uint32_t kCoarseVertices = 8000;
+
+// A part with more vertices is not refined, and not fitted: its factor would take over a gigabyte.
+inline constexpr uint32_t kRefinedVertices = 120000;
+
+// The size of the copy of such a part. It is larger, because nothing refines its modes.
+inline constexpr uint32_t kUnrefinedCopyVertices = 40000;
+
+// A result with more vertices is fitted as a large one (fit/modal_fit.h): at fewer thicknesses and in fewer
+// rounds, because its frequencies are off by tenths of a percent and time counts.
+inline constexpr uint32_t kLargeResultVertices = 20000;
+
+// A part with at most so many vertices keeps few threads busy, so that small parts are solved side by side.
+inline constexpr uint32_t kSmallPartVertices = 4000;
+
+}  // namespace limber

@@ -1,0 +1,40 @@
+/** A body as the stages work on it: welded, inspected, with the attributes of its corners. */
+
+import type { Inspection, MirrorImages, Quality, TriangleMesh, WeldResult } from '../core/core';
+import type { Body } from '../document/model';
+import type { BodyAttributes, CostAttributes } from './attributes';
+
+/** A welded body, usable or not. */
+export interface InspectedBody {
+  weld: WeldResult;
+  /** of weld.mesh, the usable part */
+  inspection: Inspection;
+  /** null where no face is usable */
+  quality: Quality | null;
+}
+
+/** A body that every stage can work on: at least one of its faces is usable. */
+export interface PreparedBody extends InspectedBody {
+  body: Body;
+  /** the usable part, welded: all stages compute on it */
+  mesh: TriangleMesh;
+  /** of the bounding box of `mesh`, in its units */
+  diagonal: number;
+  /** of `mesh`; weld.inspection is of the body as it came */
+  inspection: Inspection;
+  quality: Quality;
+  /** what its corners carry besides positions */
+  attributes: BodyAttributes;
+  /** what attributes cost in a collapse */
+  costAttributes: CostAttributes;
+  /** present where a symmetry is asked for; `partners` are those of `mesh`, whose quads are already cut as `corners` ask */
+  images?: MirrorImages;
+}
+
+/** What a material needs to know of a body. */
+export interface BodySize {
+  /** `scale`: units of the file per unit of the mesh */
+  body: { scale: number };
+  /** of the bounding box, in units of the mesh */
+  diagonal: number;
+}

@@ -1,0 +1,90 @@
+/**
+ * Every scenario, with its words: the one list of TypeScript. Each row has a row of the same name in
+ * `wasm/simulate/scenario.cpp`, which says what happens; a new scenario needs both and nothing else.
+ */
+
+interface ScenarioWords {
+  name: string;
+  label: string;
+  /** what happens, as an aside in a help text; '' where the name says it */
+  aside: string;
+  /** what happens, as a sentence */
+  sentence: string;
+  /** which ends are pinned unless the user says otherwise, as the subject of a sentence; '' for none */
+  pinned: string;
+  /** the body hangs and may swing below itself, which a view should leave space for */
+  hangs: boolean;
+}
+
+export const SCENARIOS = [
+  {
+    name: 'twist',
+    label: 'Twist',
+    aside: 'the upper end turns by 45 degrees',
+    sentence: 'The upper end turns by 45 degrees.',
+    pinned: 'Both ends',
+    hangs: false,
+  },
+  {
+    name: 'sway',
+    label: 'Sway',
+    aside: 'a blow across',
+    sentence: 'A blow strikes the upper end.',
+    pinned: 'The lower end',
+    hangs: false,
+  },
+  {
+    name: 'hang',
+    label: 'Hang',
+    aside: 'gravity',
+    sentence: 'Gravity pulls at the rest.',
+    pinned: 'The upper end',
+    hangs: true,
+  },
+  {
+    name: 'drop',
+    label: 'Drop',
+    aside: 'onto a floor',
+    sentence: 'Falls to the floor.',
+    pinned: '',
+    hangs: false,
+  },
+  {
+    name: 'pull',
+    label: 'Pull',
+    aside: 'the upper end by a fifth of the length',
+    sentence: 'The upper end moves away by a fifth of the length.',
+    pinned: 'Both ends',
+    hangs: false,
+  },
+  {
+    name: 'wind',
+    label: 'Wind',
+    aside: '',
+    sentence: 'Gusts of 8 m/s, and gravity.',
+    pinned: 'The upper end',
+    hangs: true,
+  },
+  {
+    name: 'drape',
+    label: 'Drape',
+    aside: 'onto a ball',
+    sentence: 'Falls onto a ball.',
+    pinned: '',
+    hangs: false,
+  },
+] as const satisfies readonly ScenarioWords[];
+
+export type ScenarioName = (typeof SCENARIOS)[number]['name'];
+
+export const SCENARIO_NAMES: readonly ScenarioName[] = SCENARIOS.map(({ name }) => name);
+
+/** The words of a scenario. */
+export const scenarioWords = (name: ScenarioName): ScenarioWords =>
+  SCENARIOS.find((scenario) => scenario.name === name)!;
+
+/** All scenarios with their asides, as an enumeration: "twist (the ...), sway (...), ... or drape (...)". */
+export function describeScenarios(): string {
+  const words = SCENARIOS.map(({ name, aside }) => (aside === '' ? name : `${name} (${aside})`));
+  return `${words.slice(0, -1).join(', ')}, or ${words.at(-1)}`;
+}

@@ -1,0 +1,17 @@
+/** How results were fitted to the modes, in words. */
+
+import type { Fitted } from '../core/core';
+import { counted } from '../core/words';
+
+/** How large parts were fitted; '' where there are none. */
+export function describeLargeFit({ large }: Fitted): string {
+  if (large === 0) return '';
+  const parts = counted(large, 'part has', 'parts have');
+  return `${parts} more than 20,000 vertices, fitted to the modes at half and twice the thickness, in six rounds`;
+}
+
+/** Why parts were not fitted; '' where all were. */
+export function describeUnfitted({ tooLarge }: Fitted): string {
+  if (tooLarge === 0) return '';
+  return `${counted(tooLarge, 'part has', 'parts have')} more than 20,000 vertices, of too many in the original to fit`;
+}

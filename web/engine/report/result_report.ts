@@ -1,0 +1,83 @@
+/** What has become of all bodies: the keys of the report about results, fits and further levels. */
+
+import type { FittedResult } from '../body/body_result';
+import type { InspectedBody } from '../body/prepared_body';
+import type { Fidelity, ModeSet, SurfaceDistance } from '../core/core';
+import { meshReport } from './mesh_report';
+import type { MeshReport } from './mesh_report';
+import { modesReport } from './modes_report';
+import { stopReport } from './stop_report';
+import type { StoppedBody, StopReport } from './stop_report';
+
+/** Frequency errors before and after the fit, in %: those of the part where they are largest. */
+export interface FitReport {
+  before: number;
+  after: number;
+  /** why bodies, or parts of them, are not fitted */
+  unfitted?: string[];
+}
+
+/** What fitReport needs to know of a body: the errors of its fitted parts. */
+export type FitOfBody = Pick<FittedResult, 'errorBefore' | 'errorAfter' | 'unfitted'>;
+
+/** A further level of detail. */
+export interface LevelReport {
+  /** where it was written */
+  file: string;
+  /** the share of the faces of each body that was asked for */
+  ratio: number;
+  output: MeshReport;
+  surface: SurfaceDistance;
+  stop: StopReport;
+}
+
+/** The largest of each distance. */
+export function worstSurface(distances: SurfaceDistance[]): SurfaceDistance {
+  const largest = (key: keyof SurfaceDistance) => Math.max(...distances.map((distance) => distance[key]));
+  return {
+    hausdorff: largest('hausdorff'),
+    mean: largest('mean'),
+    vertexHausdorff: largest('vertexHausdorff'),
+  };
+}
+
+/** The fidelity of the worst body, which has the largest mean frequency error. */
+export function worstFidelity(fidelities: Fidelity[]): Fidelity {
+  return fidelities.reduce((worst, one) => (one.frequencyErrorMean > worst.frequencyErrorMean ? one : worst));
+}
+
+/** What resultReport needs to know of a body. */
+export interface ReportedBody {
+  measured: InspectedBody & { distance: SurfaceDistance };
+  /** the modes that guided its collapses; null where none did */
+  modes: ModeSet | null;
+  fitted: FitOfBody;
+  stopped: StoppedBody;
+}
+
+/** What has become of all bodies: output, the keys about vibration, fit, surface and stop. */
+export function resultReport(bodies: ReportedBody[]) {
+  const sets = bodies.flatMap(({ modes }) => modes ?? []);
+  return {
+    output: meshReport(bodies.map(({ measured }) => measured)),
+    ...(sets.length > 0 ? modesReport(sets) : {}),
+    ...fitReport(bodies.map(({ fitted }) => fitted)),
+    surface: worstSurface(bodies.map(({ measured }) => measured.distance)),
+    stop: stopReport(bodies.map(({ stopped }) => stopped)),
+  };
+}
+
+/** Empty where no body was to be fitted. */
+export function fitReport(fits: FitOfBody[]): { fit?: FitReport } {
+  const unfitted = [...new Set(fits.map((fit) => fit.unfitted).filter((why) => why !== ''))];
+  const worst = (errors: Float64Array[]) => errors.reduce((most, own) => Math.max(most, ...own), 0);
+  const [before, after] = [fits.map((fit) => fit.errorBefore), fits.map((fit) => fit.errorAfter)];
+  if (unfitted.length === 0 && after.every((errors) => errors.length === 0)) return {};
+  return {
+    fit: {
+      before: worst(before),
+      after: worst(after),
+      ...(unfitted.length > 0 ? { unfitted } : {}),
+    },
+  };
+}

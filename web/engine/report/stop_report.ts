@@ -1,0 +1,96 @@
+/** Why results have as many faces as they have. */
+
+import type { FrequencyFinding, Tried } from '../body/body_result';
+import type { PreparedBody } from '../body/prepared_body';
+import type { History, Refused } from '../core/core';
+import { sum, vertexCount } from '../core/mesh';
+import { methodOf } from '../settings/options';
+import type { Settings } from '../settings/options';
+
+export interface StopReport {
+  reason: 'target' | 'deviation' | 'angle' | 'frequency' | 'exhausted';
+  /** edges left at the floor of the history, each under its first reason */
+  refused: Refused;
+  /** present where frequencies were a target: of the body with the largest error */
+  frequency?: FrequencyReport;
+}
+
+/** The largest error of the first six frequencies, in %. */
+export interface FrequencyReport {
+  /** the largest error that was asked for */
+  limit: number;
+  /** the error that was found */
+  error: number;
+  /** the most faces below those found whose error is over the limit; absent where there are none */
+  beyond?: Tried;
+  /** how many face counts were tried in all bodies */
+  tried: number;
+}
+
+/** What stopReport needs to know of a body. */
+export interface StoppedBody {
+  faces: number;
+  targetFaces: number;
+  history: Pick<History, 'refused' | 'stop'>;
+  frequency?: FrequencyFinding | null;
+}
+
+/** The reason is that of the first body that stopped above its target; `target` where none did. */
+export function stopReport(bodies: StoppedBody[]): StopReport {
+  const total = (key: keyof Refused) => sum(bodies.map(({ history }) => history.refused[key]));
+  const first = bodies.find(({ faces, targetFaces }) => faces > targetFaces);
+  const findings = bodies.flatMap((body) => (body.frequency ? [{ ...body, frequency: body.frequency }] : []));
+  return {
+    reason: first ? (first.frequency?.isBinding ? 'frequency' : first.history.stop) : 'target',
+    refused: {
+      topology: total('topology'),
+      flip: total('flip'),
+      lock: total('lock'),
+      angle: total('angle'),
+      deviation: total('deviation'),
+    },
+    ...(findings.length > 0 ? { frequency: frequencyReport(findings) } : {}),
+  };
+}
+
+function frequencyReport(bodies: { faces: number; frequency: FrequencyFinding }[]): FrequencyReport {
+  const worst = bodies.reduce((most, one) => (one.frequency.error > most.frequency.error ? one : most));
+  const { limit, error, tried } = worst.frequency;
+  const below = tried.filter((one) => one.error > limit && one.faces < worst.faces);
+  const beyond = below.reduce<Tried | null>(
+    (most, one) => (most && most.faces >= one.faces ? most : one),
+    null,
+  );
+  return {
+    limit,
+    error,
+    ...(beyond ? { beyond } : {}),
+    tried: sum(bodies.map(({ frequency }) => frequency.tried.length)),
+  };
+}
+
+/** Why it stopped above the target, in words: the share of the remaining edges under each reason. */
+export function describeRefused(refused: Refused): string {
+  const { topology, flip, lock, angle, deviation } = refused;
+  const all = topology + flip + lock + angle + deviation;
+  if (all === 0) return 'no edge is left that could collapse';
+  const share = (count: number) => `${Math.round((100 * count) / all)} %`;
+  return [
+    `of the remaining edges ${share(topology)} would change the topology`,
+    `${share(flip)} flip a face`,
+    `${share(lock)} break a seam, a border or a lock`,
+    ...(angle > 0 ? [`${share(angle)} make an angle too small`] : []),
+    ...(deviation > 0 ? [`${share(deviation)} go too far from the surface`] : []),
+  ].join(', ');
+}
+
+/** Whether most of the remaining edges are refused because seams are kept. */
+export function isBlockedBySeams(
+  { mesh, attributes }: PreparedBody,
+  { lock, ...others }: Refused,
+  settings: Pick<Settings, 'seams' | 'method'>,
+): boolean {
+  const hasSeams = attributes.wedgeCount > vertexCount(mesh);
+  const isKept = settings.seams === 'keep' && methodOf(settings).keepsAttributes;
+  return hasSeams && isKept && lock > sum(Object.values(others));
+}

@@ -1,0 +1,57 @@
+/** Runs one body through its stages. */
+
+import { keyOf } from './stage';
+import type { AnyStage, RunContext, RunSettings, SettingsOf, ValueOf } from './stage';
+
+/** The last value of a stage, what it was made from, and what that took. */
+interface Memo {
+  key: string;
+  value: unknown;
+  /** without the stages that it needs */
+  seconds: number;
+}
+
+export class BodyRun {
+  private readonly memos = new Map<AnyStage, Memo>();
+
+  /** `onStage` is called with the name of each stage that is about to be computed. */
+  constructor(
+    readonly context: RunContext,
+    private readonly onStage?: (name: string) => void,
+  ) {}
+
+  /**
+   * The value of a stage under these settings: the last one where nothing has changed that it follows from, otherwise
+   * computed, with what it needs. Throws what the stage throws; earlier values then stay. Values must not be changed.
+   */
+  get<S extends AnyStage>(stage: S, settings: SettingsOf<S>): ValueOf<S> {
+    return this.memoOf(stage, settings as RunSettings).value as ValueOf<S>;
+  }
+
+  /** Seconds that the stage took, without those that it needs; 0 where its value under these settings is not there. */
+  secondsOf<S extends AnyStage>(stage: S, settings: SettingsOf<S>): number {
+    const memo = this.memos.get(stage);
+    return memo && memo.key === keyOf(stage, settings) ? memo.seconds : 0;
+  }
+
+  private memoOf(stage: AnyStage, settings: RunSettings): Memo {
+    const key = keyOf(stage, settings);
+    const known = this.memos.get(stage);
+    if (known?.key === key) return known;
+    const memo = { key, ...this.compute(stage, settings) };
+    this.memos.set(stage, memo);
+    return memo;
+  }
+
+  private compute(stage: AnyStage, settings: RunSettings): Omit<Memo, 'key'> {
+    if (!stage.isWanted(settings)) return { value: null, seconds: 0 };
+    const inputs = Object.fromEntries(
+      Object.entries(stage.needs).map(([name, need]) => [name, this.memoOf(need, settings).value]),
+    );
+    this.onStage?.(stage.name);
+    const start = performance.now();
+    const run = stage.run.bind(stage) as (context: RunContext, inputs: unknown, derived: unknown) => unknown;
+    const value = run(this.context, inputs, stage.derive(settings));
+    return { value, seconds: (performance.now() - start) / 1000 };
+  }
+}

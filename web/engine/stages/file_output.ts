@@ -1,0 +1,163 @@
+/** What is written of a file: the GLB of all bodies, its further levels, the binding and the report. */
+
+import type { PreparedBody } from '../body/prepared_body';
+import type { MeshAt } from '../core/core';
+import { faceCount, sum } from '../core/mesh';
+import { exportGlb } from '../document/export';
+import type { ExportedBody } from '../document/export';
+import { bindingOfBody, writeBinding } from '../report/binding_file';
+import { meshReport } from '../report/mesh_report';
+import { calibrationReport } from '../report/motion_report';
+import { startReport } from '../report/report';
+import type { Report } from '../report/report';
+import { resultReport, worstSurface } from '../report/result_report';
+import type { LevelReport } from '../report/result_report';
+import { stopReport } from '../report/stop_report';
+import type { StoppedBody } from '../report/stop_report';
+import { methodOf } from '../settings/options';
+import type { BodyRun } from './body_run';
+import { runSettings } from './file_request';
+import type { FileRequest } from './file_request';
+import type { FileRun } from './file_run';
+import type { AnyStage, RunSettings, SettingsOf, ValueOf } from './stage';
+import { STAGES } from './stages';
+
+/** A further level of detail, not yet written anywhere. */
+export interface LevelOutput {
+  bytes: Uint8Array;
+  faces: number;
+  bodies: StoppedBody[];
+  report: Omit<LevelReport, 'file'>;
+}
+
+/** Everything is computed when it is asked for, and kept by the runs. */
+export class FileOutput {
+  constructor(
+    private readonly file: FileRun,
+    private readonly request: FileRequest,
+  ) {}
+
+  /** Takes every body through its stages as far as its measured result; `onDone` is told of each. */
+  compute(onDone?: (run: BodyRun, settings: RunSettings) => void): void {
+    for (const { run, i } of this.file.usable) {
+      this.file.announce(run);
+      const settings = runSettings(this.request, i);
+      run.get(STAGES.measured, settings);
+      onDone?.(run, settings);
+    }
+  }
+
+  /** The value of a stage for every body that takes part. */
+  values<S extends AnyStage>(stage: S): ValueOf<S>[] {
+    return this.file.usable.map(({ run, i }) => run.get(stage, this.settingsFor<S>(i)));
+  }
+
+  /** One GLB with the result of every body; bodies that do not take part stay as they are. */
+  glb(): Promise<Uint8Array> {
+    return this.write((run, i) => run.get(STAGES.written, runSettings(this.request, i)));
+  }
+
+  get levelCount(): number {
+    return this.request.settings.lods.length;
+  }
+
+  async level(number: number): Promise<LevelOutput> {
+    const bytes = await this.write(
+      (run, i) => run.get(STAGES.writtenLevels, runSettings(this.request, i))[number],
+    );
+    const levels = this.values(STAGES.furtherLevels).map((all) => all[number]);
+    const histories = this.values(STAGES.history);
+    const bodies = levels.map(({ result, targetFaces }, i): StoppedBody => ({
+      faces: faceCount(result.mesh),
+      targetFaces,
+      history: histories[i],
+    }));
+    const report = {
+      ratio: this.request.settings.lods[number],
+      output: meshReport(levels.map(({ measured }) => measured)),
+      surface: worstSurface(levels.map(({ measured }) => measured.distance)),
+      stop: stopReport(bodies),
+    };
+    return { bytes, faces: sum(bodies.map(({ faces }) => faces)), bodies, report };
+  }
+
+  /** The text of the binding file. */
+  binding(): string {
+    const prepared = this.prepared();
+    return writeBinding(
+      this.results().map((result, i) => {
+        const binding = this.file.core.bindToResult(prepared[i].mesh, result);
+        return bindingOfBody(prepared[i], faceCount(result.mesh), binding);
+      }),
+    );
+  }
+
+  prepared(): PreparedBody[] {
+    return this.file.prepared(this.request.settings);
+  }
+
+  results(): MeshAt[] {
+    return this.values(STAGES.fitted).map(({ result }) => result);
+  }
+
+  /** Why each body has as many faces as it has. */
+  stopped(): StoppedBody[] {
+    const histories = this.values(STAGES.history);
+    const targets = this.file.usable.map(({ i }) => this.request.targets[i]);
+    return this.values(STAGES.fitted).map(({ result, frequency }, i) => ({
+      faces: faceCount(result.mesh),
+      targetFaces: targets[i],
+      history: histories[i],
+      frequency,
+    }));
+  }
+
+  /** `options`: as used. `levels`: the further levels, with the names of their files. */
+  report(options: object, levels: LevelReport[]): Report {
+    const prepared = this.prepared();
+    const [measured, modes] = [this.values(STAGES.measured), this.values(STAGES.guidingModes)];
+    const fitted = this.values(STAGES.fitted);
+    const bodies = this.stopped().map((stopped, i) => ({
+      measured: measured[i],
+      modes: modes[i],
+      fitted: fitted[i],
+      stopped,
+    }));
+    const { calibrate } = this.request.settings;
+    return {
+      ...startReport(this.file.core, 'optimize', options, prepared),
+      ...resultReport(bodies),
+      ...(calibrate ? { calibration: calibrationReport(prepared, this.values(STAGES.calibration)) } : {}),
+      ...(levels.length > 0 ? { levels } : {}),
+      timings: this.timings(),
+    };
+  }
+
+  /** Seconds of all bodies by kind of work. */
+  private timings(): Record<string, number> {
+    const secondsOf = (stage: AnyStage): number =>
+      sum(this.file.usable.map(({ run, i }) => run.secondsOf(stage, runSettings(this.request, i))));
+    const isGuided = methodOf(this.request.settings).needsGuidance;
+    const isSearched = this.request.settings.maxFrequencyError > 0;
+    const fitted = secondsOf(STAGES.fitted);
+    return {
+      ...(isGuided ? { modes: secondsOf(STAGES.modes) } : {}),
+      fields: secondsOf(STAGES.curvature) + (isGuided ? secondsOf(STAGES.guidance) : 0),
+      simplify: secondsOf(STAGES.history),
+      ...(isSearched ? { search: fitted } : {}),
+      reduce: isSearched ? 0 : secondsOf(STAGES.level),
+      ...(!isSearched && fitted > 0.001 ? { fit: fitted } : {}),
+      measure: secondsOf(STAGES.measured),
+    };
+  }
+
+  private settingsFor<S extends AnyStage>(i: number): SettingsOf<S> {
+    return runSettings(this.request, i) as SettingsOf<S>;
+  }
+
+  private write(exported: (run: BodyRun, i: number) => ExportedBody): Promise<Uint8Array> {
+    const { model, runs } = this.file;
+    const bodies = runs.map((run, i) => run && exported(run, i));
+    return exportGlb(model, bodies, { fields: this.request.fields });
+  }
+}

@@ -1,0 +1,28 @@
+/** What is asked of a file as a whole. */
+
+import type { Settings } from '../settings/options';
+import { keyOf } from './stage';
+import type { RunSettings } from './stage';
+import { STAGES } from './stages';
+
+export interface FileRequest {
+  settings: Settings;
+  /** targets[i]: the most faces that the result of body i of the file may have */
+  targets: number[];
+  /** whether strain and curvature are written as attributes */
+  fields: boolean;
+}
+
+/** The settings of the run over body `i`. */
+export const runSettings = ({ settings, targets, fields }: FileRequest, i: number): RunSettings => ({
+  ...settings,
+  targetFaces: targets[i],
+  fields,
+});
+
+/** Text that is equal for two requests where the same file, with the same further levels, comes of both. */
+export function keyOfFile({ settings, targets, fields }: FileRequest): string {
+  const shared = { ...settings, fields, targetFaces: 0 };
+  const keys = [STAGES.written, STAGES.writtenLevels].map((stage) => keyOf(stage, shared));
+  return [...keys, targets.join(' ')].join('\n');
+}

@@ -1,0 +1,73 @@
+/** Runs the bodies of one file. */
+
+import type { PreparedBody } from '../body/prepared_body';
+import type { Core } from '../core/core';
+import type { OpenModel } from '../document/open';
+import type { Settings } from '../settings/options';
+import { BodyRun } from './body_run';
+import { STAGES } from './stages';
+
+export interface FileRunOptions {
+  /** numbers of the bodies that take part; absent: all of them */
+  chosen?: number[];
+  /** called with the name of the body that is worked on, and before each number of faces that is tried for its frequencies */
+  onActivity?: (body: string, triedFaces?: number) => void;
+}
+
+export class FileRun {
+  private readonly all: (BodyRun | null)[];
+
+  constructor(
+    readonly core: Core,
+    readonly model: OpenModel,
+    private readonly options: FileRunOptions = {},
+  ) {
+    const { chosen } = options;
+    const { document, bodies } = model;
+    this.all = bodies.map((body, i) => {
+      if (chosen && !chosen.includes(i)) return null;
+      const onTry = (faces: number) => options.onActivity?.(body.name, faces);
+      return new BodyRun({ core, body, document, onTry });
+    });
+  }
+
+  /** runs[i] is that of model.bodies[i]; null: the body does not take part and stays as it is. */
+  get runs(): readonly (BodyRun | null)[] {
+    return this.all;
+  }
+
+  /** The runs of the bodies that take part, with their numbers. */
+  get usable(): { run: BodyRun; i: number }[] {
+    return this.all.flatMap((run, i) => (run ? [{ run, i }] : []));
+  }
+
+  /**
+   * Prepares the bodies that take part. Those without a usable face stay as they are from here on; returns why, a sentence
+   * each. Throws the first sentence where no body is left.
+   */
+  leaveOutUnusable(settings: Settings): string[] {
+    const refused: Error[] = [];
+    for (const { run, i } of this.usable) {
+      this.announce(run);
+      try {
+        run.get(STAGES.prepared, settings);
+      } catch (error) {
+        if (!(error instanceof Error) || error.constructor !== Error) throw error;
+        refused.push(error);
+        this.all[i] = null;
+      }
+    }
+    if (refused.length > 0 && this.usable.length === 0) throw refused[0];
+    return refused.map(({ message }) => message);
+  }
+
+  /** The prepared bodies that take part. */
+  prepared(settings: Settings): PreparedBody[] {
+    return this.usable.map(({ run }) => run.get(STAGES.prepared, settings));
+  }
+
+  /** Tells that work on the body of this run begins. */
+  announce({ context }: BodyRun): void {
+    this.options.onActivity?.(context.body.name);
+  }
+}

@@ -1,0 +1,107 @@
+/** Fits a level of the history to the modes of the original. */
+
+import type { BodyConstraints } from '../body/constraints';
+import type { FittedResult } from '../body/body_result';
+import { thicknessOf } from '../body/material';
+import type { PreparedBody } from '../body/prepared_body';
+import { maskOf } from '../body/vertex_mask';
+import type { Core, History, MeshAt, TriangleMesh } from '../core/core';
+import { describeUnfitted } from '../report/fit_words';
+import { isFitted } from '../settings/options';
+import type { Settings } from '../settings/options';
+import { levelAt } from './level';
+import { measureDistance } from './measure';
+
+export const FIT_SETTINGS = [
+  'method',
+  'fit',
+  'seams',
+  'maxDeviation',
+  'minAngle',
+  'thickness',
+  'poisson',
+] as const;
+
+type AllSettings = Pick<Settings, (typeof FIT_SETTINGS)[number]>;
+
+export type FitSettings = Omit<AllSettings, 'method' | 'fit'>;
+
+/** The settings that the fit depends on; null: results stay as the collapses left them. */
+export function fitSettings({ method, fit, ...settings }: AllSettings): FitSettings | null {
+  return isFitted({ method, fit }) ? settings : null;
+}
+
+/** How a level is fitted. */
+export interface FitRequest {
+  constraints: BodyConstraints;
+  /** null: not at all */
+  settings: FitSettings | null;
+}
+
+/** The share of the largest deviation that a fit may use: it looks at samples, and where these miss too much, a second fit stays away farther. */
+const DEVIATION_SHARES = [1, 0.85];
+
+/**
+ * The result, fitted to the original's modes. Pinned and locked vertices stay where they are, and a mirror symmetry is kept.
+ * Where the fit would break the largest deviation or the smallest angle of the settings, the result stays as it is.
+ */
+export function fitResult(
+  core: Core,
+  prepared: PreparedBody,
+  result: MeshAt,
+  { constraints, settings }: FitRequest,
+): FittedResult {
+  if (settings === null) return unfitted(result, '');
+  const { mesh } = prepared;
+  const request = {
+    thickness: thicknessOf(prepared, settings),
+    poisson: settings.poisson,
+    charts: prepared.attributes.charts,
+    holdsSeams: settings.seams === 'keep',
+    locked: maskOf(mesh, constraints.pinned, constraints.locked) ?? new Uint8Array(),
+    pinned: maskOf(mesh, constraints.pinned) ?? new Uint8Array(),
+    mirror: constraints.mirror,
+  };
+  for (const share of settings.maxDeviation > 0 ? DEVIATION_SHARES : [1]) {
+    const maxDeviation = ((share * settings.maxDeviation) / 100) * prepared.diagonal;
+    const limits = { maxDeviation, minAngle: settings.minAngle };
+    const fitted = core.fitModes(mesh, result, { ...request, ...limits });
+    if (keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
+      return { ...fitted, unfitted: describeUnfitted(fitted) };
+  }
+  return unfitted(result, 'the fit would break a limit of deviation or angle');
+}
+
+/** The level of at most `faces` faces, fitted. */
+export function fittedLevelAt(
+  core: Core,
+  { prepared, history }: { prepared: PreparedBody; history: History },
+  faces: number,
+  request: FitRequest,
+): FittedResult {
+  return fitResult(core, prepared, levelAt(core, prepared, history, faces), request);
+}
+
+const unfitted = (result: MeshAt, why: string): FittedResult => ({
+  result,
+  errorBefore: new Float64Array(),
+  errorAfter: new Float64Array(),
+  large: 0,
+  tooLarge: 0,
+  unfitted: why,
+});
+
+/** Whether `after` satisfies the targets of shape, or violates them no more than `before`. */
+function keepsTargets(
+  core: Core,
+  prepared: PreparedBody,
+  [before, after]: [TriangleMesh, TriangleMesh],
+  { maxDeviation, minAngle }: FitSettings,
+): boolean {
+  const angleOf = (mesh: TriangleMesh) => core.measureQuality(mesh).minAngle;
+  const deviationOf = (mesh: TriangleMesh) => measureDistance(core, prepared, mesh).hausdorff;
+  if (minAngle > 0 && angleOf(after) < Math.min(minAngle, angleOf(before))) return false;
+  if (maxDeviation === 0) return true;
+  const deviation = deviationOf(after);
+  return deviation <= maxDeviation || deviation <= deviationOf(before);
+}

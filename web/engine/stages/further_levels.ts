@@ -1,0 +1,50 @@
+/** Stages: the further levels of detail of a body, from the history that is there. */
+
+import type { Measured } from '../body/body_result';
+import { MATERIAL_SETTINGS } from '../body/material';
+import type { MeshAt } from '../core/core';
+import { faceCount } from '../core/mesh';
+import type { ExportedBody } from '../document/export';
+import { calibrationOf } from '../motion/simulation';
+import { constraintsStage } from './constraints';
+import { facesByRatio } from './face_shares';
+import { FIT_SETTINGS, fitSettings, fittedLevelAt } from './fit';
+import { historyStage } from './history';
+import { measureResult } from './measure';
+import { preparedStage } from './prepared';
+import { declareStage } from './stage';
+import { exportedBody, writtenFields } from './written';
+
+export interface FurtherLevel {
+  targetFaces: number;
+  result: MeshAt;
+  measured: Measured;
+}
+
+/** One for each of `lods`, in their order; a target for the frequencies is that of the first level alone. */
+export const furtherLevelsStage = declareStage({
+  name: 'further levels',
+  reads: ['lods', ...FIT_SETTINGS],
+  needs: { prepared: preparedStage, constraints: constraintsStage, history: historyStage },
+  derive: ({ lods, ...settings }) => ({ lods, settings: fitSettings(settings) }),
+  run: ({ core }, { prepared, constraints: { constraints }, history }, { lods, settings }) =>
+    lods.map((ratio): FurtherLevel => {
+      const targetFaces = Math.max(1, facesByRatio(ratio, faceCount(prepared.mesh)));
+      const request = { constraints, settings };
+      const { result } = fittedLevelAt(core, { prepared, history }, targetFaces, request);
+      return { targetFaces, result, measured: measureResult(core, prepared, result) };
+    }),
+});
+
+/** The further levels as the exporter takes them. */
+export const writtenLevelsStage = declareStage({
+  name: 'written levels',
+  reads: ['calibrate', ...MATERIAL_SETTINGS],
+  needs: { prepared: preparedStage, levels: furtherLevelsStage, fields: writtenFields },
+  derive: ({ calibrate, ...material }) => ({ calibration: calibrate ? material : null }),
+  run: ({ core }, { prepared, levels, fields }, { calibration }) =>
+    levels.map(({ result }): ExportedBody => ({
+      ...exportedBody(core, prepared, result, fields),
+      ...(calibration ? { calibration: calibrationOf(core, prepared, result.mesh, calibration) } : {}),
+    })),
+});

@@ -1,0 +1,74 @@
+/** Stages: strain and curvature of the original, and which of them guide the collapses of a method. */
+
+import type { PreparedBody } from '../body/prepared_body';
+import type { Core, ModeSet, StrainGuidance } from '../core/core';
+import { faceCount } from '../core/mesh';
+import { modesAvailable } from '../core/mode_set';
+import { methodOf, resolveModes } from '../settings/options';
+import type { Settings } from '../settings/options';
+import { modesStage } from './modes';
+import { preparedStage } from './prepared';
+import { declareStage, where } from './stage';
+
+export interface GuidanceRequest extends Pick<Settings, 'modeWeights' | 'p' | 'strainThreshold'> {
+  /** the modes that guide, numbers from 1 */
+  guiding: number[];
+}
+
+export const guidanceStage = declareStage({
+  name: 'guidance',
+  reads: ['method', 'modes', 'modeCount', 'modeWeights', 'p', 'strainThreshold'],
+  needs: { prepared: preparedStage, modes: modesStage },
+  derive: ({ method, modes, modeCount, modeWeights, p, strainThreshold }): GuidanceRequest => ({
+    guiding: resolveModes({ method, modes, modeCount }),
+    modeWeights,
+    p,
+    strainThreshold,
+  }),
+  run: ({ core }, { prepared, modes }, request) => findGuidance(core, prepared, modes, request),
+});
+
+export const curvatureStage = declareStage({
+  name: 'curvature',
+  reads: [],
+  needs: { prepared: preparedStage },
+  run: ({ core }, { prepared }) => core.meanCurvature(prepared.mesh),
+});
+
+/** Quadrics alone know nothing of modes. */
+const isGuided = (settings: Pick<Settings, 'method'>): boolean => methodOf(settings).needsGuidance;
+
+export const guidingModes = where(modesStage, ['method'], isGuided);
+export const guidingStrain = where(guidanceStage, ['method'], isGuided);
+/** Eq. 11 alone has a term of curvature. */
+export const guidingCurvature = where(
+  curvatureStage,
+  ['method'],
+  (settings) => methodOf(settings).needsCurvature,
+);
+
+/**
+ * Strain and its rank per triangle for the guiding modes. Modes that the body lacks do not count; the strain of a body
+ * without any elastic mode is 0. Throws where modes are named and none of them exists.
+ */
+export function findGuidance(
+  core: Core,
+  prepared: PreparedBody,
+  modes: ModeSet,
+  { guiding, modeWeights, p, strainThreshold: threshold }: GuidanceRequest,
+): StrainGuidance {
+  const available = modesAvailable(modes);
+  const faces = faceCount(prepared.mesh);
+  if (available === 0) return { strain: new Float32Array(faces), rank: new Float32Array(faces) };
+  const asked = guiding.map((mode, i) => ({ ordinal: mode - 1, weight: modeWeights[i] }));
+  const found = asked.filter(({ ordinal }) => ordinal < available);
+  if (found.length === 0) {
+    const lowest = Math.min(...asked.map(({ ordinal }) => ordinal + 1));
+    throw new Error(
+      `--mode names mode ${lowest}, but "${prepared.body.name}" has only ${available}: name a lower one.`,
+    );
+  }
+  const weights = modeWeights.length > 0 ? found.map(({ weight }) => weight) : [];
+  const ordinals = found.map(({ ordinal }) => ordinal);
+  return core.strainGuidance(prepared.mesh, modes, { ordinals, weights, p, threshold });
+}

@@ -1,0 +1,45 @@
+/** Stage: the elastic modes of every component. */
+
+import { MATERIAL_SETTINGS, materialOf } from '../body/material';
+import type { MaterialSettings } from '../body/material';
+import type { PreparedBody } from '../body/prepared_body';
+import type { Core, Model, ModeSet } from '../core/core';
+import { resolveModel } from '../settings/options';
+import type { Settings } from '../settings/options';
+import { pinnedStage } from './constraints';
+import { preparedStage } from './prepared';
+import { declareStage } from './stage';
+
+export interface ModesRequest extends MaterialSettings, Pick<Settings, 'modeCount' | 'direction' | 'exact'> {
+  /** resolved for the method */
+  model: 'auto' | Model;
+}
+
+export const modesStage = declareStage({
+  name: 'modes',
+  reads: ['method', 'model', 'modeCount', 'direction', 'exact', ...MATERIAL_SETTINGS],
+  needs: { prepared: preparedStage, pinned: pinnedStage },
+  derive: ({ method, ...settings }): ModesRequest => ({
+    ...settings,
+    model: resolveModel({ method, model: settings.model }),
+  }),
+  run: ({ core }, { prepared, pinned }, request) => findModes(core, prepared, pinned, request),
+});
+
+/** The material is that of the body in the scale of its first node. */
+export function findModes(
+  core: Core,
+  prepared: PreparedBody,
+  pinned: Uint32Array,
+  request: ModesRequest,
+): ModeSet {
+  const { model, modeCount, direction, exact } = request;
+  return core.findModes(prepared.mesh, {
+    model,
+    modeCount,
+    direction: ['x', 'y', 'z'].indexOf(direction),
+    pinned,
+    exact,
+    ...materialOf(prepared, request),
+  });
+}

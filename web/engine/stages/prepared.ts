@@ -1,0 +1,59 @@
+/** Stage: a body welded, inspected and, where a symmetry is asked for, recut. */
+
+import type { Document } from '@gltf-transform/core';
+import { attributesOf, costAttributesOf, NO_ATTRIBUTES } from '../body/attributes';
+import type { CostAttributes } from '../body/attributes';
+import type { InspectedBody, PreparedBody } from '../body/prepared_body';
+import { withMirror } from '../body/symmetry';
+import type { Core } from '../core/core';
+import { diagonalOf } from '../core/mesh';
+import type { Body } from '../document/model';
+import type { Settings } from '../settings/options';
+import { declareStage } from './stage';
+
+/** The most numbers per wedge that the core takes; attributes with more cost nothing. */
+const MOST_COST_DIMENSIONS = 8;
+const NO_COSTS: CostAttributes = { values: new Float32Array(), dimension: 0 };
+
+export const preparedStage = declareStage({
+  name: 'prepared',
+  reads: ['weld', 'symmetry'],
+  needs: {},
+  run: ({ core, body, document }, _inputs, settings) =>
+    prepareBody(core, body, settings, document ?? undefined),
+});
+
+/** Welds and measures a body, usable or not. */
+export function inspectBody(
+  core: Core,
+  body: Body,
+  { weld: tolerance }: Pick<Settings, 'weld'>,
+): InspectedBody {
+  const weld = core.weld(body.positions, body.indices, { tolerance });
+  const quality = weld.mesh.triangles.length > 0 ? core.measureQuality(weld.mesh) : null;
+  return { weld, inspection: core.inspect(weld.mesh), quality };
+}
+
+/**
+ * Welds and inspects a body, and recuts quads where the symmetry that is asked for needs it. Throws an Error with one
+ * sentence where the body has no usable face. `document`: where the body comes from; without it the body has no attributes.
+ */
+export function prepareBody(
+  core: Core,
+  body: Body,
+  settings: Pick<Settings, 'weld' | 'symmetry'>,
+  document?: Document,
+): PreparedBody {
+  const { weld, inspection, quality } = inspectBody(core, body, settings);
+  const { mesh } = weld;
+  if (quality === null)
+    throw new Error(
+      `Body "${body.name}" has no usable face, ${weld.degenerateFaces} with a repeated vertex: repair it and export it again.`,
+    );
+  const diagonal = diagonalOf(mesh.positions);
+  const attributes = document ? attributesOf(document, body, weld) : NO_ATTRIBUTES;
+  const costs = document && costAttributesOf(document, body, weld, attributes, diagonal);
+  const costAttributes = costs && costs.dimension <= MOST_COST_DIMENSIONS ? costs : NO_COSTS;
+  const prepared = { body, weld, mesh, diagonal, inspection, quality, attributes, costAttributes };
+  return settings.symmetry === 'off' ? prepared : withMirror(core, prepared, settings.symmetry);
+}

@@ -1,0 +1,107 @@
+/** What the core is told of a simplification, and what counts of the settings for each method. */
+
+import type { BodyConstraints } from '../body/constraints';
+import type { PreparedBody } from '../body/prepared_body';
+import { maskOf } from '../body/vertex_mask';
+import type { Curvature, SimplifyConstraints, SimplifyOptions, StrainGuidance } from '../core/core';
+import { methodOf, readsSetting } from '../settings/options';
+import type { Settings } from '../settings/options';
+
+const WEIGHTS = ['strainWeight', 'curvatureWeight', 'qualityWeight', 'sizeWeight'] as const;
+
+export const SIMPLIFICATION_SETTINGS = [
+  'method',
+  ...WEIGHTS,
+  'maxDeviation',
+  'minAngle',
+  'borders',
+  'seams',
+  'creases',
+] as const;
+
+type AllSettings = Pick<Settings, (typeof SIMPLIFICATION_SETTINGS)[number]>;
+
+export interface SimplificationSettings extends Omit<AllSettings, 'seams'> {
+  /** null: the method knows nothing of attributes */
+  seams: Settings['seams'] | null;
+}
+
+/** The settings that have an effect with their method: weights that its costs lack are 0. */
+export function simplificationSettings(settings: AllSettings): SimplificationSettings {
+  const weight = (name: (typeof WEIGHTS)[number]): number =>
+    readsSetting(settings, name) ? settings[name] : 0;
+  return {
+    ...settings,
+    strainWeight: weight('strainWeight'),
+    curvatureWeight: weight('curvatureWeight'),
+    qualityWeight: weight('qualityWeight'),
+    sizeWeight: weight('sizeWeight'),
+    seams: methodOf(settings).keepsAttributes ? settings.seams : null,
+  };
+}
+
+/** What collapses follow, besides the settings; null: the method has no such term. */
+export interface Guides {
+  constraints: BodyConstraints;
+  guidance: StrainGuidance | null;
+  curvature: Curvature | null;
+}
+
+export interface Simplification {
+  /** rank per triangle; empty: 0 everywhere */
+  strain: Float32Array;
+  /** per vertex, over its maximum; empty: 0 everywhere */
+  curvature: Float32Array;
+  options: SimplifyOptions;
+}
+
+export function simplificationOf(
+  prepared: PreparedBody,
+  { constraints, guidance, curvature }: Guides,
+  settings: SimplificationSettings,
+): Simplification {
+  const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight, minAngle } = settings;
+  const weights = { strainWeight, curvatureWeight, qualityWeight, sizeWeight };
+  const maxDeviation = (settings.maxDeviation / 100) * prepared.diagonal;
+  return {
+    strain: guidance?.rank ?? new Float32Array(0),
+    curvature: curvature ? overMaximum(curvature.vertex) : new Float32Array(0),
+    options: {
+      method,
+      ...weights,
+      minAngle,
+      maxDeviation,
+      constraints: simplifyConstraints(prepared, settings, constraints),
+    },
+  };
+}
+
+/**
+ * The paper's method knows nothing of attributes, as printed. For the others borders of materials stay closed and where they
+ * are; unless seams are to be crossed, so do seams, and attributes cost.
+ */
+function simplifyConstraints(
+  prepared: PreparedBody,
+  { borders, seams, creases }: SimplificationSettings,
+  { pinned, locked, keep, mirror }: BodyConstraints,
+): SimplifyConstraints {
+  const pins = maskOf(prepared.mesh, pinned);
+  const constraints = {
+    pinnedSets: pins && Uint32Array.from(pins),
+    locked: maskOf(prepared.mesh, locked),
+    keep,
+    mirror,
+    creaseAngle: creases,
+    borders,
+  };
+  if (seams === null) return constraints;
+  const { charts } = prepared.attributes;
+  if (seams === 'cross') return { ...constraints, groups: charts.groups };
+  const { values: attributes, dimension: attributeDimension } = prepared.costAttributes;
+  return { ...constraints, ...charts, attributes, attributeDimension };
+}
+
+function overMaximum(field: Float32Array): Float32Array {
+  const maximum = field.reduce((largest, value) => Math.max(largest, value), 0);
+  return maximum > 0 ? field.map((value) => value / maximum) : field;
+}

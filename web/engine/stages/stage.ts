@@ -1,0 +1,147 @@
+/**
+ * What a stage is: one step of a run over a body that declares which settings it reads and which stages it needs. Memo keys
+ * follow from these declarations, so that a result is never stale and never computed again without need.
+ */
+
+import type { Document } from '@gltf-transform/core';
+import type { Core } from '../core/core';
+import type { Body } from '../document/model';
+import type { Settings } from '../settings/options';
+
+/** Everything that can change between two runs over the same body. */
+export interface RunSettings extends Settings {
+  /** the most faces that the result may have; where the history ends above it, the result has more */
+  targetFaces: number;
+  /** whether the written body has strain and curvature as attributes */
+  fields: boolean;
+}
+
+export type SettingName = keyof RunSettings;
+
+/** What is the same in every run over one body. */
+export interface RunContext {
+  core: Core;
+  body: Body;
+  /** where the body comes from; null: it has no attributes, and none can be named */
+  document: Document | null;
+  /** called before each number of faces that is tried to keep the frequencies */
+  onTry?: (faces: number) => void;
+}
+
+/** A stage whose types are not known. */
+export interface AnyStage {
+  readonly name: string;
+  /** the settings that it reads, itself or through the stages that it needs */
+  readonly reads: readonly SettingName[];
+  readonly needs: Readonly<Record<string, AnyStage>>;
+  /** what `run` gets to see of the settings that the stage reads; memos compare it by value */
+  derive(settings: RunSettings): unknown;
+  /** where it says false, the value is null and nothing that the stage needs runs */
+  isWanted(settings: RunSettings): boolean;
+  run(context: RunContext, inputs: never, derived: never): unknown;
+}
+
+export type Needs = AnyStage['needs'];
+
+export interface Stage<Value, Read extends SettingName> extends AnyStage {
+  readonly reads: readonly Read[];
+  run(context: RunContext, inputs: never, derived: never): Value;
+}
+
+export type ValueOf<S extends AnyStage> = S extends {
+  run(context: RunContext, inputs: never, derived: never): infer Value;
+}
+  ? Value
+  : never;
+
+/** The settings without which a stage cannot run. */
+export type SettingsOf<S extends AnyStage> = Pick<RunSettings, S['reads'][number]>;
+
+/** The settings that the stages of `N` read. */
+type ReadBy<N extends Needs> = N[keyof N]['reads'][number];
+
+interface StageDeclaration<Value, Read extends SettingName, N extends Needs, Derived> {
+  name: string;
+  /** the settings that the stage itself reads */
+  reads: readonly Read[];
+  needs: N;
+  /**
+   * What counts of the settings that are read: settings without effect under the others are left out or resolved. Absent:
+   * all of them count as they are. The result is plain data.
+   */
+  derive?: (settings: Pick<RunSettings, Read>) => Derived;
+  run: (
+    context: RunContext,
+    inputs: { [Key in keyof N]: ValueOf<N[Key]> },
+    derived: NoInfer<Derived>,
+  ) => Value;
+}
+
+/** A stage whose `run` can see no setting but those in `reads`: neither by its types nor at run time. */
+export function declareStage<
+  Value,
+  Read extends SettingName,
+  N extends Needs,
+  Derived = Pick<RunSettings, Read>,
+>(declaration: StageDeclaration<Value, Read, N, Derived>): Stage<Value, Read | ReadBy<N>> {
+  const { name, reads: own, needs, run } = declaration;
+  const derive = declaration.derive ?? ((settings) => settings as Derived);
+  const reads = withNeeds(own, needs);
+  return { name, reads, needs, derive: (all) => derive(pick(all, own)), isWanted: () => true, run };
+}
+
+/** `stage` as a need that other settings decide about: its value where `isWanted`, and null, without running it, elsewhere. */
+export function where<S extends AnyStage, Read extends SettingName>(
+  stage: S,
+  own: readonly Read[],
+  isWanted: (settings: Pick<RunSettings, Read>) => boolean,
+): Stage<ValueOf<S> | null, Read | S['reads'][number]> {
+  const needs = { stage };
+  return {
+    name: `${stage.name} where wanted`,
+    reads: withNeeds(own, needs),
+    needs,
+    derive: () => null,
+    isWanted: (all) => isWanted(pick(all, own)),
+    run: (_context, inputs: { stage: ValueOf<S> }) => inputs.stage,
+  };
+}
+
+function withNeeds<Read extends SettingName, N extends Needs>(
+  own: readonly Read[],
+  needs: N,
+): (Read | ReadBy<N>)[] {
+  return [...new Set<SettingName>([...own, ...Object.values(needs).flatMap(({ reads }) => reads)])] as (
+    Read | ReadBy<N>
+  )[];
+}
+
+function pick<Read extends SettingName>(
+  settings: RunSettings,
+  names: readonly Read[],
+): Pick<RunSettings, Read> {
+  return Object.fromEntries(names.map((name) => [name, settings[name]])) as Pick<RunSettings, Read>;
+}
+
+/**
+ * Text that is equal for two settings where the stage has the same value for both: what it derives from them, and what every
+ * stage that it needs derives.
+ */
+export function keyOf<S extends AnyStage>(stage: S, settings: SettingsOf<S>): string {
+  const seen = new Set<AnyStage>();
+  const parts: string[] = [];
+  const add = (one: AnyStage): void => {
+    if (seen.has(one)) return;
+    seen.add(one);
+    const all = settings as RunSettings;
+    const isWanted = one.isWanted(all);
+    parts.push(isWanted ? `${one.name} ${JSON.stringify(one.derive(all), spellNumber)}` : `no ${one.name}`);
+    if (isWanted) Object.values(one.needs).forEach(add);
+  };
+  add(stage);
+  return parts.join('\n');
+}
+
+/** JSON has no infinity. */
+const spellNumber = (_key: string, value: unknown): unknown =>
+  typeof value === 'number' && !Number.isFinite(value) ? String(value) : value;

@@ -1,0 +1,35 @@
+/** Every stage of a run over a body, in the order in which they can be needed. */
+
+import { constraintsStage, pinnedStage } from './constraints';
+import { deviationMarksStage } from './deviation_marks';
+import { explanationStage } from './explanation';
+import { fittedStage } from './fitted';
+import { furtherLevelsStage, writtenLevelsStage } from './further_levels';
+import { curvatureStage, guidanceStage, guidingModes } from './guidance';
+import { historyStage } from './history';
+import { levelStage } from './level';
+import { calibrationStage, measuredStage } from './measured';
+import { modesStage } from './modes';
+import { preparedStage } from './prepared';
+import { writtenStage } from './written';
+
+export const STAGES = {
+  prepared: preparedStage,
+  pinned: pinnedStage,
+  constraints: constraintsStage,
+  modes: modesStage,
+  guidance: guidanceStage,
+  curvature: curvatureStage,
+  /** the modes, and null where the method follows none */
+  guidingModes,
+  history: historyStage,
+  level: levelStage,
+  fitted: fittedStage,
+  measured: measuredStage,
+  calibration: calibrationStage,
+  explanation: explanationStage,
+  deviationMarks: deviationMarksStage,
+  written: writtenStage,
+  furtherLevels: furtherLevelsStage,
+  writtenLevels: writtenLevelsStage,
+};

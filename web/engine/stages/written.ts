@@ -1,0 +1,88 @@
+/** Stage: the result of the body as the exporter takes it. */
+
+import { ownSources, sourcesInBody } from '../body/attributes';
+import type { PreparedBody } from '../body/prepared_body';
+import type { Core, Curvature, MeshAt, StrainGuidance, TriangleMesh } from '../core/core';
+import { vertexCount } from '../core/mesh';
+import type { ExportedBody } from '../document/export';
+import { fittedStage } from './fitted';
+import { curvatureStage, guidingStrain } from './guidance';
+import { calibrationStage } from './measured';
+import { preparedStage } from './prepared';
+import { declareStage, where } from './stage';
+
+/** Fields of the original that are written with a result; without guidance the strain is written as 0. */
+export interface WrittenFields {
+  guidance: StrainGuidance | null;
+  curvature: Curvature;
+}
+
+const fieldsStage = declareStage({
+  name: 'fields',
+  reads: [],
+  needs: { guidance: guidingStrain, curvature: curvatureStage },
+  run: (_context, fields): WrittenFields => fields,
+});
+
+export const writtenFields = where(fieldsStage, ['fields'], ({ fields }) => fields);
+
+const writtenCalibration = where(calibrationStage, ['calibrate'], ({ calibrate }) => calibrate);
+
+export const writtenStage = declareStage({
+  name: 'written',
+  reads: [],
+  needs: {
+    prepared: preparedStage,
+    fitted: fittedStage,
+    fields: writtenFields,
+    calibration: writtenCalibration,
+  },
+  run: ({ core }, { prepared, fitted, fields, calibration }): ExportedBody => ({
+    ...exportedBody(core, prepared, fitted.result, fields),
+    ...(calibration === null ? {} : { calibration }),
+  }),
+});
+
+/** Fields go from triangles to vertices as means over the faces of the original; null: none are written. */
+export function exportedBody(
+  core: Core,
+  prepared: PreparedBody,
+  result: MeshAt,
+  fields: WrittenFields | null,
+): ExportedBody {
+  const { body, weld, attributes } = prepared;
+  const sources = core.sourceOfCorners(prepared.mesh, attributes.charts, result);
+  const exported = {
+    body,
+    mesh: result.mesh,
+    inputOfTriangle: result.inputOfTriangle.map((triangle) => weld.sourceOfTriangle[triangle]),
+    sources: sourcesInBody(body, weld, sources),
+    isFaceted: attributes.isFaceted,
+  };
+  if (!fields) return exported;
+  const strain = meanOverTriangles(prepared.mesh, fields.guidance?.rank);
+  const ofResult = (field: Float32Array) =>
+    Float32Array.from(result.inputOfVertex, (vertex) => field[vertex]);
+  return {
+    ...exported,
+    fields: { strain: ofResult(strain), curvature: ofResult(fields.curvature.vertex) },
+  };
+}
+
+/** The body as it is, welded. */
+export function exportedMesh({ body, mesh, weld, attributes }: PreparedBody): ExportedBody {
+  const sources = sourcesInBody(body, weld, ownSources(mesh));
+  return { body, mesh, inputOfTriangle: weld.sourceOfTriangle, sources, isFaceted: attributes.isFaceted };
+}
+
+/** Per vertex the mean of the field over the triangles around it; 0 without a field. */
+function meanOverTriangles(mesh: TriangleMesh, field?: Float32Array): Float32Array {
+  const sums = new Float64Array(vertexCount(mesh));
+  const counts = new Uint32Array(sums.length);
+  if (field)
+    mesh.triangles.forEach((vertex, corner) => {
+      sums[vertex] += field[Math.floor(corner / 3)];
+      counts[vertex] += 1;
+    });
+  return Float32Array.from(sums, (total, vertex) => (counts[vertex] > 0 ? total / counts[vertex] : 0));
+}
