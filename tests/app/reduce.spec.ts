@@ -220,7 +220,7 @@ test('seams that keep every face are named, and are crossed on request, as on th
   await expect(keptFaces(page)).toBeEnabled();
   await page.getByLabel('Kept faces, exact').fill('200');
   await page.keyboard.press('Enter');
-  const hint = page.getByText(/“Collapse across texture seams”, under More, goes on\./);
+  const hint = page.getByText(/Turn on “Collapse across texture seams” under More to go on\./);
   await expect(hint).toBeVisible();
   await page.locator('.right summary').first().click();
   await page.getByLabel('Collapse across texture seams').check();

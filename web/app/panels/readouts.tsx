@@ -64,12 +64,12 @@ function FrequencyReadout() {
   if (!isFitted(wants.settings.value)) return null;
   const fitted = shownFit.value;
   if (fitted?.errorAfter.length === 0)
-    return <Readout name="Frequencies off" value="not fitted" note={fitted.unfitted} />;
+    return <Readout name="Frequency error" value="not fitted" note={fitted.unfitted} />;
   const at = fitted && fitted.large > 0 ? ', at half and twice the thickness' : '';
   const worst = (errors: Float64Array) => errors.reduce((most, error) => Math.max(most, error), 0);
   return (
     <Readout
-      name="Frequencies off"
+      name="Frequency error"
       value={fitted ? `${fixed(worst(fitted.errorAfter), 2)} %` : '...'}
       note={fitted ? `${fixed(worst(fitted.errorBefore), 1)} % before the fit${at}` : 'fitting'}
     />

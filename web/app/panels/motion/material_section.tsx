@@ -25,7 +25,7 @@ export function MaterialSelect() {
           if (chosen !== CUSTOM) changeSettings({ ...MATERIALS[chosen as MaterialName] });
         }}
       />
-      {resolveModel(settings) === 'laplacian' && <p class="hint">The Laplacian knows no material.</p>}
+      {resolveModel(settings) === 'laplacian' && <p class="hint">The Laplacian ignores the material.</p>}
     </>
   );
 }

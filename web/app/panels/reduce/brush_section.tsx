@@ -18,9 +18,9 @@ export const BRUSH_RADIUS = { min: 0.5, max: 25 };
 
 const TOOLS: { value: BrushTool | 'off'; text: string; title: string }[] = [
   { value: 'off', text: 'Turn', title: 'The left button turns the view (Esc)' },
-  { value: 'keep', text: 'Keep', title: 'Paint where triangles are to be kept' },
+  { value: 'keep', text: 'Keep', title: 'Paint where triangles are kept' },
   { value: 'lock', text: 'Lock', title: 'Paint vertices that stay as they are' },
-  { value: 'erase', text: 'Erase', title: 'Wipe off what was painted' },
+  { value: 'erase', text: 'Erase', title: 'Erase what was painted' },
 ];
 
 export function BrushSection() {

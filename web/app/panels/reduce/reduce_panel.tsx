@@ -20,7 +20,7 @@ const METHODS: { value: Settings['method']; text: string; title: string }[] = [
     text: 'Paper',
     title: 'Strain, curvature and triangle shape guide the collapses (Eq. 11 of the paper)',
   },
-  { value: 'qem', text: 'Shape only', title: 'Area-weighted quadrics alone' },
+  { value: 'qem', text: 'Shape only', title: 'Area-weighted quadrics only' },
 ];
 
 export function ReducePanel() {

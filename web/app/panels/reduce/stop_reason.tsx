@@ -19,7 +19,7 @@ export function StopReason() {
       {wantedFaces.value < history.floorFaces && (
         <p class="hint warning">
           Stopped at {count(history.floorFaces)} faces: {describeRefused(history.refused)}.
-          {history.blockedBySeams && ` “${ACROSS_SEAMS}”, under More, goes on.`}
+          {history.blockedBySeams && ` Turn on “${ACROSS_SEAMS}” under More to go on.`}
         </p>
       )}
       {frequency && (

@@ -22,7 +22,7 @@ export function SimulateReadouts() {
       <Readout
         name="Deviation"
         value={last ? percent(last.mean) : '...'}
-        note={noise === null ? 'noise floor left out' : `noise floor ${percent(noise)}`}
+        note={noise === null ? 'noise floor not measured' : `noise floor ${percent(noise)}`}
       />
       <Readout
         name="Stretch"
@@ -43,7 +43,7 @@ function Cost({ name, seconds }: { name: string; seconds: number }) {
   const perSubstep = (1e6 * seconds) / wants.settings.value.substeps;
   return (
     <Readout
-      name={`${name}, a step`}
+      name={`${name}, per step`}
       value={seconds > 0 ? `${(1000 * seconds).toPrecision(3)} ms` : '...'}
       note={seconds > 0 ? `${perSubstep.toPrecision(3)} µs/substep` : ''}
     />

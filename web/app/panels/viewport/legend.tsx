@@ -12,7 +12,7 @@ import './legend.css';
 
 const FIELDS: { value: FieldName; text: string; title: string }[] = [
   { value: 'none', text: 'Plain', title: 'No colours (1)' },
-  { value: 'strain', text: 'Strain', title: 'Where the chosen modes strain it (2)' },
+  { value: 'strain', text: 'Strain', title: 'Strain of the chosen modes (2)' },
   { value: 'curvature', text: 'Curvature', title: 'Mean curvature (3)' },
 ];
 
