@@ -50,7 +50,9 @@ test('both bodies move, and the numbers say how fast and how close they are', as
   await untilTime(page, 0.5);
   expect(await picture(page)).not.toEqual(before);
   await expect(readout(page, 'Original, per step')).toContainText(/ms\s*[\d.]+ µs\/substep/);
-  expect(await numberIn(page, 'Original, per step')).toBeGreaterThan(await numberIn(page, 'Optimized, per step'));
+  expect(await numberIn(page, 'Original, per step')).toBeGreaterThan(
+    await numberIn(page, 'Optimized, per step'),
+  );
   await expect(readout(page, 'Speed-up')).toContainText(/^x[1-9]/);
   await expect(readout(page, 'Deviation')).toContainText(/[\d.]+ %/);
   await expect(curve(page)).toHaveAccessibleName(

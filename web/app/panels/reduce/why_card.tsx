@@ -110,7 +110,9 @@ function Reasons({ vertex }: { vertex: number }) {
           </li>
         ))}
       </ul>
-      {keep > 1 && <p class="muted">Painted or named to be kept: all of this counts {fixed(keep, 0)} times.</p>}
+      {keep > 1 && (
+        <p class="muted">Painted or named to be kept: all of this counts {fixed(keep, 0)} times.</p>
+      )}
     </>
   );
 }
