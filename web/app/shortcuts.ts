@@ -3,7 +3,8 @@
 import { pickFiles } from './files/files';
 import { viewportHandle } from './panels/viewport/viewport_view';
 import { cancelRunning } from './state/runner';
-import { reset, stepOnce, twin } from './state/simulation';
+import { reset, stepOnce } from './state/simulation';
+import { twin } from './state/twin';
 import { redo, undo } from './state/undo';
 import { isBrushing, isPicking, results, view, wantedFaces, wants } from './state/store';
 import { blink, LAYOUT_NAMES } from './panels/reduce/compare';

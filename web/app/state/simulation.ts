@@ -3,7 +3,7 @@
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { proxy, wrap } from 'comlink';
 import type { Remote } from 'comlink';
-import type { MeshAt, SurfacePoint, CollisionScene } from '../../engine/core/core';
+import type { MeshAt, SurfacePoint } from '../../engine/core/core';
 import { OPTIONS } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { topCorners } from '../../engine/motion/top_corners';
@@ -12,32 +12,7 @@ import type { SimulationApi, TwinFrame, TwinRequest } from '../worker/simulation
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { results, shownMesh, status, view, wantedFaces, wants } from './store';
-
-/** Where the pins come from: the scenario, the two upper corners, or the Motion step. */
-export type PinSource = 'scenario' | 'corners' | 'pins';
-
-export const twin = {
-  playing: signal(!matchMedia('(prefers-reduced-motion: reduce)').matches),
-  layout: signal<'beside' | 'over'>('beside'),
-  /** draw the original as the optimized body carries it */
-  driven: signal(false),
-  heat: signal(false),
-  /** measure the noise floor even where the motion then becomes slower than real time */
-  alwaysNoise: signal(false),
-  /** null: the pins of the Motion step where there are any */
-  chosenPinSource: signal<PinSource | null>(null),
-  /** what is on screen; null until a simulation has started */
-  frame: signal<TwinFrame | null>(null),
-  /** the latest frame a few times a second, for numbers that are read */
-  numbers: signal<TwinFrame | null>(null),
-  samples: signal<TwinSample[]>([]),
-  /** the largest deviation of any point since the start, % */
-  worst: signal(0),
-  /** what both bodies can touch */
-  collisionScene: signal<CollisionScene | null>(null),
-  /** why nothing can be simulated, in one sentence */
-  failure: signal<string | null>(null),
-};
+import { pinSource, twin } from './twin';
 
 /** ms; numbers that change faster than this cannot be read. */
 const NUMBERS_EVERY = 250;
@@ -49,13 +24,6 @@ const REST_MILLISECONDS = 200;
 const LONG_STEP = 0.3;
 /** Steps that the chart shows at most: a minute. */
 const MOST_SAMPLES = 3600;
-
-export const pinSource = computed<PinSource>(() => {
-  const hasPins = wants.settings.value.pins !== '';
-  const { value: chosen } = twin.chosenPinSource;
-  if (chosen === null) return hasPins ? 'pins' : 'scenario';
-  return chosen === 'pins' && !hasPins ? 'scenario' : chosen;
-});
 
 const simulationKeys = (Object.keys(OPTIONS) as (keyof Settings)[]).filter((key) =>
   ['simulation', 'material'].includes(OPTIONS[key].group),

@@ -1,7 +1,7 @@
 /** The deviation of the optimized mesh over time, with its noise floor. */
 
 import type { TwinSample } from '../../../engine/motion/twin';
-import { twin } from '../../state/simulation';
+import { twin } from '../../state/twin';
 import { fixed, percent } from '../../controls/numbers';
 import { roundUp } from './simulate_scale';
 import './simulate_chart.css';

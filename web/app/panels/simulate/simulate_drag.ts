@@ -2,7 +2,8 @@
 
 import type { Ray, Vector3 } from 'three';
 import type { TriangleMesh } from '../../../engine/core/core';
-import { dragTo, grab, releaseDrag, twin } from '../../state/simulation';
+import { dragTo, grab, releaseDrag } from '../../state/simulation';
+import { twin } from '../../state/twin';
 import { results, shownMesh } from '../../state/store';
 import type { PaneName } from '../../viewer/pane_layout';
 import { DragTool, hitAt } from '../../viewer/twin_drag';

@@ -1,6 +1,6 @@
 /** What the colours of the moving bodies mean. */
 
-import { twin } from '../../state/simulation';
+import { twin } from '../../state/twin';
 import { view } from '../../state/store';
 import { Choice, Toggle } from '../../controls/controls';
 import { ColourBar } from '../../controls/colour_bar';

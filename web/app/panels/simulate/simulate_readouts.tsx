@@ -1,7 +1,7 @@
 /** The cost of a step of each body, their deviation, and whether the motion is in real time. */
 
 import type { TwinFrame } from '../../worker/simulation_protocol';
-import { twin } from '../../state/simulation';
+import { twin } from '../../state/twin';
 import { wants } from '../../state/store';
 import { fixed, percent } from '../../controls/numbers';
 import { Readout } from '../../controls/readout';

@@ -1,7 +1,7 @@
 /** Round upper ends for scales. */
 
 import { computed } from '@preact/signals';
-import { twin } from '../../state/simulation';
+import { twin } from '../../state/twin';
 
 /** The smallest of 1, 2 or 5 times a power of ten that is at least `value` > 0. */
 export function roundUp(value: number): number {

@@ -1,6 +1,7 @@
 /** Below the moving bodies: Play, Pause, Step, Reset, and the chart of their deviation. */
 
-import { reset, stepOnce, twin } from '../../state/simulation';
+import { reset, stepOnce } from '../../state/simulation';
+import { twin } from '../../state/twin';
 import { DeviationChart } from './simulate_chart';
 import './simulate_transport.css';
 

@@ -5,7 +5,7 @@ import type { CollisionScene } from '../../../engine/core/core';
 import { scenarioWords } from '../../../engine/core/scenarios';
 import { boundsOf } from '../../../engine/motion/top_corners';
 import { viewportColours } from '../../state/scheme';
-import { twin } from '../../state/simulation';
+import { twin } from '../../state/twin';
 import { results, shownMesh, view, wants } from '../../state/store';
 import type { ShownCollisionScene } from '../../viewer/collision_scene_view';
 import type { Viewport } from '../../viewer/viewport';

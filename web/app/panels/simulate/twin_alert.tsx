@@ -1,6 +1,6 @@
 /** Says why the simulation has stopped, and outlines the side that has diverged. */
 
-import { twin } from '../../state/simulation';
+import { twin } from '../../state/twin';
 import { wants } from '../../state/store';
 import type { TwinFrame } from '../../worker/simulation_protocol';
 import { isOverlaid, isSimulating } from './simulate_view';

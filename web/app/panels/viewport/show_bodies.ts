@@ -3,7 +3,7 @@
 import { computed } from '@preact/signals';
 import type { MeshAt } from '../../../engine/core/core';
 import { viewportColours } from '../../state/scheme';
-import { twin } from '../../state/simulation';
+import { twin } from '../../state/twin';
 import { isBrushing, isPicking, results, shownMesh, view } from '../../state/store';
 import type { Field } from '../../viewer/body_geometry';
 import type { MapName } from '../../viewer/colours';
