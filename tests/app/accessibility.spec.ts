@@ -4,7 +4,7 @@ import { goTo, openPage } from './page';
 
 for (const colorScheme of ['light', 'dark'] as const)
   test(`every step passes axe in the ${colorScheme} scheme`, async ({ browser, baseURL }) => {
-    // Moving pictures stand still, so that colours are judged as they rest.
+    // With reduced motion the pictures stand still, so that axe sees colours that do not change.
     const context = await browser.newContext({ baseURL, colorScheme, reducedMotion: 'reduce' });
     const page = await context.newPage();
     await openPage(page);

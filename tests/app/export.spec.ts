@@ -68,10 +68,10 @@ test('the report is saved as JSON, CSV and Markdown', async ({ page }) => {
   expect(text).toContain(`| faces | ${json.output.faces} |`);
 });
 
-test('nothing is saved while it is still that of other settings', async ({ page }) => {
+test('files of earlier settings cannot be saved', async ({ page }) => {
   await openExport(page);
   await expect(button(page, 'Save .glb')).toBeEnabled();
-  // It may be for a moment only.
+  // The button may be disabled for a moment only.
   const isDisabled = await page.evaluate(() => {
     const save = document.querySelector<HTMLButtonElement>('.export .actions button')!;
     const seen = new Promise<boolean>((resolve) =>

@@ -27,7 +27,7 @@ async function faceCount(bytes: Uint8Array): Promise<number> {
   return primitives.reduce((sum, primitive) => sum + primitive.getIndices()!.getCount() / 3, 0);
 }
 
-test('a mesh is dropped, a mode chosen, the slider moved both ways, and the file read back', async ({
+test('a mesh is dropped, a mode chosen, the slider moved both ways, and the saved file read back', async ({
   page,
 }) => {
   await openPage(page);
@@ -71,7 +71,7 @@ test('the command line that the page shows makes the same bytes, fields included
   expect(saved.equals(commandLineBytes(sheet, ['--faces', '400', '--fields']))).toBe(true);
 });
 
-test('a file that is no mesh gets one sentence and the model before it stays', async ({ page }) => {
+test('a file that is not a mesh gets one sentence, and the model before it stays', async ({ page }) => {
   await openPage(page);
   await drop(page, writeScratch('letter.txt', 'Dear reader,\n'));
   await expect(page.getByRole('alert')).toContainText('letter.txt is not a mesh that can be read');
@@ -83,12 +83,14 @@ test('a file that is no mesh gets one sentence and the model before it stays', a
   await expect(readout(page, 'Faces')).toContainText('1,152');
 });
 
-test('a file that is dropped while another is worked on is seen before it is worked on', async ({ page }) => {
+test('a file that is dropped during a computation is shown before its own computations start', async ({
+  page,
+}) => {
   await openPage(page);
   await drop(page, writeScratch('first.obj', sheetObj(280)));
   const busy = page.locator('.notice.busy');
   await expect(busy).toContainText('Finding modes');
-  // Every picture from now on in which modes are searched for while the new file's facts are not there.
+  // Collects every frame from now on in which modes are computed before the facts of the new file are shown.
   await page.evaluate(() => {
     const seen: string[] = [];
     Object.assign(window, { seen });
@@ -149,7 +151,7 @@ test('the main job works with the keyboard alone', async ({ page }) => {
   await expect(page.getByRole('complementary', { name: 'Export' })).toBeVisible();
 });
 
-test('the page asks nothing of any other origin', async ({ page, baseURL }) => {
+test('the page requests nothing from any other origin', async ({ page, baseURL }) => {
   const others: string[] = [];
   page.on('request', (request) => {
     const { origin, protocol } = new URL(request.url());
@@ -163,7 +165,7 @@ test('the page asks nothing of any other origin', async ({ page, baseURL }) => {
   expect(others).toEqual([]);
 });
 
-test('without isolation headers the same job runs on one thread, and cancel works there too', async ({
+test('without isolation headers the same job runs on one thread, and can be cancelled there too', async ({
   page,
 }) => {
   await openPage(page, `${PLAIN}?sample=bar`);

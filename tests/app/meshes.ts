@@ -1,21 +1,21 @@
-/** Small meshes as OBJ text, made for the tests. */
+/** Small meshes as OBJ text for the tests. */
 
 /** A flat sheet of 8 x 8 with prongs of 8 x 0.25 side by side: they move against each other long before the sheet does. */
 export function combObj(): string {
-  const lines: string[] = [];
+  const statements: string[] = [];
   const numberOf = new Map<string, number>();
   const vertex = (x: number, y: number): number => {
-    const place = `v ${x} ${y} 0`;
-    if (!numberOf.has(place)) {
-      lines.push(place);
-      numberOf.set(place, numberOf.size + 1);
+    const position = `v ${x} ${y} 0`;
+    if (!numberOf.has(position)) {
+      statements.push(position);
+      numberOf.set(position, numberOf.size + 1);
     }
-    return numberOf.get(place)!;
+    return numberOf.get(position)!;
   };
   const square = (x: number, y: number, height: number): void => {
     const [a, b] = [vertex(x, y), vertex(x + 1, y)];
     const [c, d] = [vertex(x + 1, y + height), vertex(x, y + height)];
-    lines.push(`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`);
+    statements.push(`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`);
   };
   const rows = Array.from({ length: 8 }, (_, y) => [y, y + 0.25])
     .flat()
@@ -25,23 +25,23 @@ export function combObj(): string {
       square(x, rows[row], top - rows[row]);
     });
   for (let x = 8; x < 16; x++) for (let y = 1; y < 7; y++) square(x, y, 0.25);
-  return `${lines.join('\n')}\n`;
+  return `${statements.join('\n')}\n`;
 }
 
 /** A wavy sheet of cells x cells squares. */
 export function sheetObj(cells: number): string {
-  const lines: string[] = [];
+  const statements: string[] = [];
   for (let j = 0; j <= cells; j++)
     for (let i = 0; i <= cells; i++) {
       const [x, y] = [i / cells, j / cells];
-      lines.push(`v ${x} ${y} ${(0.1 * Math.sin(5 * x) * Math.cos(4 * y)).toFixed(6)}`);
+      statements.push(`v ${x} ${y} ${(0.1 * Math.sin(5 * x) * Math.cos(4 * y)).toFixed(6)}`);
     }
   const at = (i: number, j: number) => j * (cells + 1) + i + 1;
   for (let j = 0; j < cells; j++)
     for (let i = 0; i < cells; i++)
-      lines.push(
+      statements.push(
         `f ${at(i, j)} ${at(i + 1, j)} ${at(i + 1, j + 1)}`,
         `f ${at(i, j)} ${at(i + 1, j + 1)} ${at(i, j + 1)}`,
       );
-  return `${lines.join('\n')}\n`;
+  return `${statements.join('\n')}\n`;
 }

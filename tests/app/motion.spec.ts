@@ -28,13 +28,13 @@ async function pinsText(page: Page) {
   return text;
 }
 
-/** A place of the page where the bar is: the middle of the stage. */
+/** A point of the page where the bar is: the middle of the viewport. */
 async function middle(page: Page): Promise<{ x: number; y: number }> {
-  const box = (await page.locator('.stage canvas').boundingBox())!;
+  const box = (await page.locator('.viewport canvas').boundingBox())!;
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
-test('another material has other frequencies, and other numbers are a custom one', async ({ page }) => {
+test('another material has other frequencies, and other numbers make a custom material', async ({ page }) => {
   await openSolidBar(page);
   const rubber = await frequency(page);
   const material = page.getByLabel('Material');
@@ -47,7 +47,7 @@ test('another material has other frequencies, and other numbers are a custom one
   await expect(material).toHaveValue('custom');
 });
 
-test('a held end leaves no rigid motion, and the command line holds it too', async ({ page }) => {
+test('a pinned end leaves no rigid motion, and the command line pins it too', async ({ page }) => {
   await openSolidBar(page);
   const free = await frequency(page);
   await button(page, 'Low end').click();
@@ -61,7 +61,7 @@ test('a held end leaves no rigid motion, and the command line holds it too', asy
   await expect(page.getByText('6 rigid motions found, 6 expected.')).toBeVisible();
 });
 
-test('a click holds the vertex under the cursor and lets it go, a drag paints, Shift erases', async ({
+test('a click pins the vertex under the cursor or unpins it, a drag pins many, and Shift unpins them', async ({
   page,
 }) => {
   await openSolidBar(page);
@@ -87,7 +87,7 @@ test('a click holds the vertex under the cursor and lets it go, a drag paints, S
   await expect(text).toHaveValue('');
 });
 
-test('a text that does not hold gets a sentence beside it, and the pins before it stay', async ({ page }) => {
+test('a text with an error gets a sentence beside it, and the pins before it stay', async ({ page }) => {
   await openSolidBar(page);
   await button(page, 'Low end').click();
   await expect(page.getByText('0 rigid motions found, 0 expected.')).toBeVisible();
@@ -106,7 +106,7 @@ test('a text that does not hold gets a sentence beside it, and the pins before i
   await expect(page.getByText('226 of 898 vertices.')).toBeVisible();
 });
 
-test('an attribute of the file says what is held', async ({ page }) => {
+test('an attribute of the file pins vertices', async ({ page }) => {
   await openPage(page);
   await drop(page, writeScratch('flag.glb', await flagWithAttribute(8)));
   await expect(readout(page, 'Faces')).toContainText('128');
@@ -143,7 +143,9 @@ test('a local mode is named and left out on request', async ({ page }) => {
   await expect(local).toHaveAttribute('aria-pressed', 'false');
 });
 
-test('a model that does not fit says so, and marks the modes that are still shown', async ({ page }) => {
+test('a model that does not fit the mesh says so, and the modes that are still shown are marked as earlier ones', async ({
+  page,
+}) => {
   await openPage(page);
   await drop(page, writeScratch('sheet.obj', sheetObj(8)));
   await expect(readout(page, 'Faces')).toContainText('128');
@@ -153,7 +155,7 @@ test('a model that does not fit says so, and marks the modes that are still show
   await expect(page.getByText('The modes shown are those of earlier settings.')).toBeVisible();
 });
 
-test('directions are offered where the Laplacian is used', async ({ page }) => {
+test('directions can be chosen where the Laplacian is used', async ({ page }) => {
   await openPage(page);
   await goTo(page, 'Motion');
   await model(page, 'Shell').click();
@@ -164,7 +166,7 @@ test('directions are offered where the Laplacian is used', async ({ page }) => {
   await expect(page.getByText('1 rigid motion found, 1 expected.')).toBeVisible();
 });
 
-test('a large shell is solved by way of a copy, and as it is on request', async ({ page }) => {
+test('a large shell is solved on a coarser copy, and on request as it is', async ({ page }) => {
   await openPage(page);
   await drop(page, writeScratch('large.obj', sheetObj(96)));
   await expect(readout(page, 'Faces')).toContainText('18,432');
@@ -193,7 +195,7 @@ test('the step works with the keyboard alone', async ({ page }) => {
   await page.getByLabel('Mode 8 guides').focus();
   await page.keyboard.press('Space');
   await expect(page.getByRole('button', { name: /^Mode 8 / })).toHaveAttribute('aria-pressed', 'true');
-  await button(page, 'Clear what is held').focus();
+  await button(page, 'Clear the pins').focus();
   await page.keyboard.press('Enter');
   await expect(page.getByText('Nothing: the body floats freely.')).toBeVisible();
 });

@@ -1,4 +1,4 @@
-/** What a user does with the page, in words. */
+/** What a user does with the page. */
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
@@ -16,13 +16,13 @@ export function writeScratch(name: string, content: string | Uint8Array): string
   return path;
 }
 
-/** Opens the page and waits until its first sample stands there. */
+/** Opens the page and waits until its first sample is shown. */
 export async function openPage(page: Page, address = '/?sample=bar'): Promise<void> {
   await page.goto(address);
   await expect(readout(page, 'Faces')).toContainText('1,792');
 }
 
-/** Drops files from the disk onto the middle of the page, as the browser does it for a hand. */
+/** Drops files from the disk onto the middle of the page, with the events of a real drop. */
 export async function drop(page: Page, ...files: string[]): Promise<void> {
   const client = await page.context().newCDPSession(page);
   const data = { items: [], files, dragOperationsMask: 1 };
@@ -41,7 +41,7 @@ export const readout = (page: Page, name: string) =>
 
 export const keptFaces = (page: Page) => page.getByRole('slider', { name: 'Kept faces' });
 
-/** Moves the slider to a count; waits until the page shows a mesh of at most that. */
+/** Moves the slider to a number of faces and waits until the page shows a mesh of at most that many. */
 export async function keepFaces(page: Page, faces: number): Promise<void> {
   await keptFaces(page).fill(String(faces));
   await expect(async () => {
@@ -52,7 +52,7 @@ export async function keepFaces(page: Page, faces: number): Promise<void> {
   }).toPass();
 }
 
-/** Saves the file through the export panel and returns what was downloaded. */
+/** Saves the file through the export panel and returns the downloaded bytes. */
 export async function saveGlb(page: Page): Promise<Uint8Array> {
   await page.getByRole('button', { name: 'Export', exact: true }).click();
   const save = page.getByRole('button', { name: 'Save .glb' });
@@ -61,7 +61,7 @@ export async function saveGlb(page: Page): Promise<Uint8Array> {
   return new Uint8Array(readFileSync(await download.path()));
 }
 
-/** What `limber optimize` writes for the same input. */
+/** The bytes that `limber optimize` writes for the same input. */
 export function commandLineBytes(input: string, options: string[]): Uint8Array {
   const output = join(scratch, 'command-line.glb');
   const program = join(root, 'dist', 'cli', 'limber.mjs');

@@ -1,4 +1,4 @@
-// A static host without COOP and COEP headers: what a page gets that nobody has set up for shared memory.
+// A static host without COOP and COEP headers, as most hosts are: pages have no shared memory there.
 
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';

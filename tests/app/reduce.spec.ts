@@ -28,7 +28,7 @@ async function openSheet(page: Page): Promise<void> {
 
 /** A stroke over the middle of the original, which is the left one of two. */
 async function stroke(page: Page, height = 30): Promise<void> {
-  const box = (await page.locator('.stage canvas').boundingBox())!;
+  const box = (await page.locator('.viewport canvas').boundingBox())!;
   const [x, y] = [box.x + box.width / 4, box.y + box.height / 2];
   await page.mouse.move(x, y - height);
   await page.mouse.down();
@@ -41,7 +41,7 @@ const flag = async (page: Page, name: string): Promise<string> => {
   return new RegExp(`--${name} '?([^ ']+)`).exec(line)?.[1] ?? '';
 };
 
-test('paint keeps triangles, locks vertices, is wiped off, and undone stroke by stroke', async ({ page }) => {
+test('paint keeps triangles, locks vertices, is erased, and undone stroke by stroke', async ({ page }) => {
   await openSheet(page);
   await brush(page, 'Keep').click();
   await stroke(page);
@@ -55,7 +55,7 @@ test('paint keeps triangles, locks vertices, is wiped off, and undone stroke by 
   await page.keyboard.press('Control+Shift+Z');
   await expect(page.getByText(/^\d+ locked$/)).toBeVisible();
   await brush(page, 'Erase').click();
-  // Broader than what was painted, wherever the view came to rest meanwhile.
+  // The brush is broader than what was painted, wherever the view has come to rest meanwhile.
   for (let i = 0; i < 4; ++i) await page.keyboard.press(']');
   await stroke(page, 60);
   await expect(page.getByText(/^\d+ (kept|locked)$/)).toHaveCount(0);
@@ -79,9 +79,7 @@ test('a painted sheet is written with the same bytes by the command line', async
   expect(Buffer.from(bytes).equals(commandLineBytes(sheet, ['--faces', '400', '--paint', paint]))).toBe(true);
 });
 
-test('vertices are locked with the keyboard alone, and a text that does not hold says why', async ({
-  page,
-}) => {
+test('vertices are locked with the keyboard alone, and a text with an error says why', async ({ page }) => {
   await openSheet(page);
   await page.locator('.right summary').first().focus();
   await page.keyboard.press('Enter');
@@ -126,7 +124,9 @@ const view = (page: Page, name: string) =>
   page.getByRole('group', { name: 'Compare' }).getByRole('button', { name });
 const labels = (page: Page) => page.locator('.pane-labels');
 
-test('original and optimized are seen side by side, under a divider, or in turn', async ({ page }) => {
+test('original and optimized are shown side by side, on both sides of a divider, or in turn', async ({
+  page,
+}) => {
   await openSheet(page);
   await expect(labels(page)).toContainText(/Original.*Optimized/s);
   await page.keyboard.press('v');
@@ -143,7 +143,7 @@ test('original and optimized are seen side by side, under a divider, or in turn'
   await expect(labels(page)).toContainText(/Original.*Optimized/s);
 });
 
-test('the slider has marks where the deviation is crossed, and a mark is a place to go to', async ({
+test('marks on the slider show where the deviation is crossed, and a click on one sets its number of faces', async ({
   page,
 }) => {
   await openSheet(page);
@@ -157,7 +157,7 @@ test('the slider has marks where the deviation is crossed, and a mark is a place
   await expect(readout(page, 'Deviation')).toContainText(/\d\.\d+ %/);
 });
 
-test('a vertex tells why it is kept, by pointer and by its number', async ({ page }) => {
+test('a card says why a vertex is kept, by pointer and by its number', async ({ page }) => {
   await openSheet(page);
   await keepFaces(page, 100);
   await view(page, 'Optimized alone').click();
@@ -169,8 +169,8 @@ test('a vertex tells why it is kept, by pointer and by its number', async ({ pag
   await expect(card.locator('li').first()).toContainText('%');
   await page.keyboard.press('Escape');
   await expect(card).toHaveCount(0);
-  const box = (await page.locator('.stage canvas').boundingBox())!;
-  // Rows closer than the pointer's reach, so that it comes by every vertex in the middle of the picture.
+  const box = (await page.locator('.viewport canvas').boundingBox())!;
+  // Rows are closer than the hover distance, so that the pointer meets every vertex in the middle of the picture.
   const sweep = async () => {
     for (let y = -80; y <= 80; y += 20)
       for (let x = -120; x <= 120; x += 10) {
@@ -184,7 +184,7 @@ test('a vertex tells why it is kept, by pointer and by its number', async ({ pag
   }).toPass();
 });
 
-test('a limit stops the slider in words, a symmetry that is not there is told of', async ({ page }) => {
+test('a limit that stops the slider is named, and so is a missing symmetry', async ({ page }) => {
   await openSheet(page);
   const deviation = page.getByLabel('Largest deviation, exact');
   await deviation.fill('0.5');
@@ -197,10 +197,10 @@ test('a limit stops the slider in words, a symmetry that is not there is told of
   await expect(page.getByText(/has no mirror symmetry to keep/)).toBeVisible();
 });
 
-test('seams that hold every face are told of, and give way when told to, as on the command line', async ({
+test('seams that keep every face are named, and are crossed on request, as on the command line', async ({
   page,
 }) => {
-  // A piece of the texture for every triangle.
+  // Every triangle has a piece of the texture of its own.
   const [vertices, faces] = ['v', 'f'].map((kind) =>
     sheetObj(24)
       .split('\n')
@@ -220,7 +220,7 @@ test('seams that hold every face are told of, and give way when told to, as on t
   await expect(keptFaces(page)).toBeEnabled();
   await page.getByLabel('Kept faces, exact').fill('200');
   await page.keyboard.press('Enter');
-  const hint = page.getByText(/“Collapse across texture seams”, under More, goes on\./);
+  const hint = page.getByText(/Turn on “Collapse across texture seams” under More to go on\./);
   await expect(hint).toBeVisible();
   await page.locator('.right summary').first().click();
   await page.getByLabel('Collapse across texture seams').check();
@@ -233,7 +233,7 @@ test('seams that hold every face are told of, and give way when told to, as on t
   );
 });
 
-test('a limit to frequency errors is kept, and the command line keeps the same one', async ({ page }) => {
+test('a limit on frequency errors is respected, by the command line too', async ({ page }) => {
   await openSheet(page);
   await page.locator('.right summary').first().click();
   const limit = page.getByLabel('Largest frequency error, exact');

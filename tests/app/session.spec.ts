@@ -16,7 +16,7 @@ test('a reload brings back the file, the settings, the paint and the slider', as
   await page.getByLabel('Even triangles, exact').fill('0.3');
   await keepFaces(page, 200);
   await brush(page, 'Keep').click();
-  const box = (await page.locator('.stage canvas').boundingBox())!;
+  const box = (await page.locator('.viewport canvas').boundingBox())!;
   await page.mouse.click(box.x + box.width / 4, box.y + box.height / 2);
   const kept = await page.getByText(/^\d+ kept$/).innerText();
   await page.reload();
@@ -27,7 +27,7 @@ test('a reload brings back the file, the settings, the paint and the slider', as
   await expect(page.getByLabel('Even triangles, exact')).toHaveValue('0.3');
 });
 
-test('a link opens the sample with all settings; one that does not hold is told of', async ({
+test('a link opens the sample with all settings; a link with an error is reported', async ({
   page,
   context,
 }) => {
@@ -48,7 +48,7 @@ test('a link opens the sample with all settings; one that does not hold is told 
   await expect(other.getByRole('button', { name: 'Paper' })).toHaveAttribute('aria-pressed', 'true');
   const wrong = await context.newPage();
   await wrong.goto('/?sample=bar#p=0');
-  await expect(wrong.getByRole('alert')).toContainText('The link does not hold. Its p is 0: give a number');
+  await expect(wrong.getByRole('alert')).toContainText('The link has an error. Its p is 0: give a number');
   await expect(readout(wrong, 'Faces')).toContainText('1,792');
 });
 

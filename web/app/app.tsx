@@ -1,8 +1,8 @@
-/** The page: what stands where. */
+/** The page: which panel is where. */
 
 import { signal } from '@preact/signals';
-import { openDropped } from './files';
-import { Empty } from './panels/model/drop_zone';
+import { openDropped } from './files/files';
+import { DropZone } from './panels/model/drop_zone';
 import { ExportPanel } from './panels/export/export_panel';
 import { Gallery } from './panels/motion/gallery';
 import { Help } from './panels/help';
@@ -10,10 +10,11 @@ import { ModelFacts, ReadingPanel } from './panels/model/model_panel';
 import { MotionPanel } from './panels/motion/motion_panel';
 import { Notices } from './panels/notices';
 import { Readouts } from './panels/readouts';
-import { ReducePanel, Scrubber } from './panels/reduce/reduce_panel';
-import { StageView } from './panels/stage_view';
-import { TestBench } from './panels/simulate/simulate_bench';
-import { TestPanel } from './panels/simulate/simulate_panel';
+import { ReducePanel } from './panels/reduce/reduce_panel';
+import { Scrubber } from './panels/reduce/scrubber';
+import { ViewportView } from './panels/viewport/viewport_view';
+import { SimulateTransport } from './panels/simulate/simulate_transport';
+import { SimulatePanel } from './panels/simulate/simulate_panel';
 import { TopBar } from './panels/top_bar';
 import { results, view, wants } from './state/store';
 
@@ -41,13 +42,13 @@ export function App() {
         <ModelFacts />
       </aside>
       <main>
-        <StageView />
-        {!results.file.value && <Empty />}
+        <ViewportView />
+        {!results.file.value && <DropZone />}
         <Notices />
       </main>
-      <Right />
+      <StepPanel />
       <footer>
-        {results.file.value && <Bottom />}
+        {results.file.value && <StepFooter />}
         <Readouts />
       </footer>
       <Help />
@@ -56,20 +57,20 @@ export function App() {
   );
 }
 
-function Right() {
+function StepPanel() {
   if (wants.exportOpen.value) return <ExportPanel />;
   return (
     <aside class="panel right" aria-label="Settings of this step">
       {view.step.value === 'model' && <ReadingPanel />}
       {view.step.value === 'motion' && <MotionPanel />}
       {view.step.value === 'reduce' && <ReducePanel />}
-      {view.step.value === 'test' && <TestPanel />}
+      {view.step.value === 'test' && <SimulatePanel />}
     </aside>
   );
 }
 
-function Bottom() {
+function StepFooter() {
   if (view.step.value === 'motion') return <Gallery />;
-  if (view.step.value === 'test') return <TestBench />;
+  if (view.step.value === 'test') return <SimulateTransport />;
   return view.step.value === 'reduce' ? <Scrubber /> : null;
 }

@@ -1,17 +1,18 @@
-/** Starts the page. */
+/** Starts the page. Shared styles come first, as the styles of components build on them. */
 
+import './styles/tokens.css';
+import './styles/base.css';
+import './controls/controls.css';
 import '@fontsource-variable/inter';
 import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { App } from './app';
-import { begin } from './startup';
+import { loadSamples } from './files/samples';
 import { listenToKeys } from './shortcuts';
-import { loadSamples } from './panels/model/samples';
-import { isDark } from './scheme';
+import { openAtStart } from './startup';
 import { startRunner } from './state/runner';
+import { isDark } from './state/scheme';
 import { startSimulations } from './state/simulation';
-import './style.css';
-import './reduce.css';
 
 effect(() => {
   document.documentElement.dataset.theme = isDark.value ? 'dark' : 'light';
@@ -21,4 +22,4 @@ listenToKeys();
 startRunner();
 startSimulations();
 await loadSamples();
-await begin();
+await openAtStart();

@@ -1,9 +1,10 @@
-/** What the keys do, away from text fields. */
+/** What keys do outside of text fields. */
 
-import { pickFiles } from './files';
-import { stageHandle } from './panels/stage_view';
+import { pickFiles } from './files/files';
+import { viewportHandle } from './panels/viewport/viewport_view';
 import { cancelRunning } from './state/runner';
-import { reset, stepOnce, twin } from './state/simulation';
+import { reset, stepOnce } from './state/simulation';
+import { twin } from './state/twin';
 import { redo, undo } from './state/undo';
 import { isBrushing, isPicking, results, view, wantedFaces, wants } from './state/store';
 import { blink, LAYOUT_NAMES } from './panels/reduce/compare';
@@ -11,7 +12,7 @@ import { BRUSH_RADIUS } from './panels/reduce/brush_section';
 
 const PLAIN: Record<string, () => void> = {
   ' ': () => (view.playing.value = !view.playing.value),
-  f: () => stageHandle.current?.fit(),
+  f: () => viewportHandle.current?.fit(),
   w: () => (view.wire.value = !view.wire.value),
   '1': () => (view.field.value = 'none'),
   '2': () => (view.field.value = 'strain'),
@@ -23,7 +24,7 @@ const PLAIN: Record<string, () => void> = {
   arrowright: () => stepFaces(1),
   escape: () => {
     if (isPicking.value) view.picking.value = false;
-    else if (view.probe.value) view.probe.value = null;
+    else if (view.hover.value) view.hover.value = null;
     else if (isBrushing.value) view.brush.value = { ...view.brush.value, tool: null };
     else cancelRunning();
   },
@@ -32,8 +33,8 @@ const PLAIN: Record<string, () => void> = {
   '?': () => (view.helpOpen.value = !view.helpOpen.value),
 };
 
-/** What differs while both bodies move. */
-const TEST: Record<string, () => void> = {
+/** The keys that differ on the Test step. */
+const SIMULATE: Record<string, () => void> = {
   ' ': () => (twin.playing.value = !twin.playing.value),
   '1': () => (twin.heat.value = false),
   '2': () => (twin.heat.value = true),
@@ -44,7 +45,7 @@ const TEST: Record<string, () => void> = {
 };
 
 const plainAction = (key: string): (() => void) | undefined =>
-  (view.step.value === 'test' ? TEST[key] : undefined) ?? PLAIN[key];
+  (view.step.value === 'test' ? SIMULATE[key] : undefined) ?? PLAIN[key];
 
 const WITH_CONTROL: Record<string, () => void> = {
   z: undo,
@@ -55,7 +56,7 @@ const WITH_CONTROL: Record<string, () => void> = {
   },
 };
 
-/** One collapse takes one face at a border and two inside: a step of two faces always shows. */
+/** A collapse removes one face at a border and two elsewhere, so a step of two faces always shows. */
 function stepFaces(direction: number): void {
   const history = results.history.value;
   if (!history || view.step.value !== 'reduce') return;
@@ -77,11 +78,11 @@ function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLInputElement && !['checkbox', 'range'].includes(target.type);
 }
 
-/** Sliders move by these keys themselves. */
+/** Whether a slider moves by this key itself. */
 const isSliderKey = ({ target, key }: KeyboardEvent): boolean =>
   target instanceof HTMLInputElement && target.type === 'range' && /^(Arrow|Home|End|Page)/.test(key);
 
-/** Of what is written in it. */
+/** Whether the target undoes its own text. */
 const hasOwnUndo = (target: EventTarget | null): boolean =>
   target instanceof HTMLInputElement && target.type === 'text';
 
@@ -95,7 +96,7 @@ export function listenToKeys(): void {
     if (isSliderKey(event)) return;
     const isOwn = hasControl ? hasOwnUndo(event.target) && 'zy'.includes(key) : isTyping(event.target);
     if (isOwn && key !== 'escape') return;
-    // Space and Enter on a button press it; that of the step which is shown has nothing to do.
+    // Space presses a focused button, except the one of the current step, which does nothing.
     if (
       key === ' ' &&
       event.target instanceof HTMLElement &&

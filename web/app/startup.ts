@@ -1,6 +1,6 @@
-/** What the page opens by itself: what this tab had before, what a link asks for, or the first sample. */
+/** What the page opens by itself: the last session of this tab, what a link asks for, or the first sample. */
 
-import { openSample, samples } from './panels/model/samples';
+import { openSample, samples } from './files/samples';
 import { awaited, describeLinkError, readLink } from './state/link';
 import type { Wanted } from './state/link';
 import { openFiles } from './state/runner';
@@ -9,8 +9,8 @@ import { results, status, wants } from './state/store';
 
 const FIRST_SAMPLE = 'tower';
 
-/** `samples` must be known. */
-export async function begin(): Promise<void> {
+/** Call this after `loadSamples`. */
+export async function openAtStart(): Promise<void> {
   const wanted = readHash();
   const saved = wanted ? null : await savedSession();
   if (saved) {
@@ -25,22 +25,22 @@ export async function begin(): Promise<void> {
   if (first) await openSample(first, wanted ?? undefined);
 }
 
-/** A link that does not hold is told of, and the page begins as without it. */
+/** What the link asks for; null without a link. A link with an error is reported, and the page starts without it. */
 function readHash(): Wanted | null {
   const { hash } = location;
-  // Read once: a reload brings back what has been made of it.
+  // The link is read once, as a reload brings back the session that has grown from it.
   history.replaceState(null, '', location.pathname + location.search);
   addEventListener('hashchange', () => location.reload());
   try {
     return readLink(hash);
   } catch (error) {
-    tellOnceShown(`The link does not hold. ${describeLinkError(error)}`);
+    showErrorAfterOpening(`The link has an error. ${describeLinkError(error)}`);
     return null;
   }
 }
 
-/** Opening the first file takes earlier notices away. */
-function tellOnceShown(text: string): void {
+/** Shows the error after the first file is open, as opening it removes earlier notices. */
+function showErrorAfterOpening(text: string): void {
   const stop = results.opened.subscribe((opened) => {
     if (opened === 0) return;
     queueMicrotask(() => {
@@ -50,7 +50,7 @@ function tellOnceShown(text: string): void {
   });
 }
 
-/** A link cannot carry a file: whoever has it opens it. */
+/** Keeps what a link asks of a file until the user opens that file, as a link cannot carry it. */
 function waitForFile(wanted: Wanted): void {
   awaited.value = wanted;
   wants.settings.value = wanted.settings;

@@ -1,6 +1,7 @@
-/** Keys and a word on what the steps are for. */
+/** The list of keys. */
 
 import { view } from '../state/store';
+import './help.css';
 
 const KEYS: [string, string][] = [
   ['Space', 'play or pause'],
@@ -9,9 +10,9 @@ const KEYS: [string, string][] = [
   ['1 2 3', 'plain, strain, curvature; in Test: plain, deviation'],
   ['B', 'blink between original and optimized'],
   ['V', 'next view: side by side, slider, original, optimized; in Test: overlaid'],
-  ['← →', 'one collapse back or on; in Test: one step on'],
+  ['← →', 'one collapse back or forward; in Test: one step forward'],
   ['Home', 'in Test: back to the start'],
-  ['D', 'in Test: the original driven by the optimized'],
+  ['D', 'in Test: the optimized mesh drives the original'],
   ['[ ]', 'smaller or larger brush'],
   ['Ctrl+Z', 'undo; with Shift redo'],
   ['Ctrl+O', 'open a file'],

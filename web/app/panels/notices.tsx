@@ -1,7 +1,8 @@
-/** What is going on and what went wrong: never in the way. */
+/** What is running and what has gone wrong, over the upper edge of the viewport. */
 
 import { cancelRunning, resume } from '../state/runner';
 import { status } from '../state/store';
+import './notices.css';
 
 export function Notices() {
   const notice = status.notice.value;

@@ -1,21 +1,25 @@
-/** The numbers under the stage. */
+/** The numbers below the viewport. */
 
+import type { Inspection } from '../../engine/core/core';
 import { isFitted } from '../../engine/settings/options';
 import { results, shownFit, shownMesh, view, wants } from '../state/store';
-import { count, fixed } from './controls';
-import { Readout } from './readout';
-import { TestReadouts } from './simulate/simulate_readouts';
+import type { BodySummary } from '../worker/protocol';
+import { count, fixed } from '../controls/numbers';
+import { Readout } from '../controls/readout';
+import { SimulateReadouts } from './simulate/simulate_readouts';
 
 export function Readouts() {
   const body = results.body.value;
   if (!body) return null;
-  if (view.step.value === 'test') return <TestReadouts />;
+  if (view.step.value === 'test') return <SimulateReadouts />;
+  const result = shownMesh.value;
+  if (view.step.value !== 'reduce' || !result) return <OriginalReadouts />;
+  return <ResultReadouts body={body} faces={result.mesh.triangles.length / 3} />;
+}
+
+function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
   const total = body.mesh.triangles.length / 3;
-  const mesh = shownMesh.value;
-  if (view.step.value !== 'reduce' || !mesh) return <OriginalReadouts />;
-  const faces = mesh.mesh.triangles.length / 3;
   const metrics = results.metrics.value;
-  const certificate = metrics?.certificate;
   const change = total > 0 ? (100 * (faces - total)) / total : 0;
   return (
     <dl class="readouts" aria-live="polite">
@@ -36,42 +40,43 @@ export function Readouts() {
         note={metrics ? `mean ${fixed(metrics.mean, 3)} %` : 'of the diagonal'}
       />
       <FrequencyReadout />
-      <Readout
-        name="Topology"
-        value={certificate ? (certificate.kept ? 'kept' : 'CHANGED') : '...'}
-        note={metrics ? describeTopology(metrics.inspection) : ''}
-        isBad={certificate ? !certificate.kept : false}
-      />
+      <TopologyReadout />
     </dl>
   );
 }
 
-/** Of the part that is off most; nothing without a fit. */
+function TopologyReadout() {
+  const metrics = results.metrics.value;
+  if (!metrics) return <Readout name="Topology" value="..." note="" />;
+  const { certificate, inspection } = metrics;
+  return (
+    <Readout
+      name="Topology"
+      value={certificate.kept ? 'kept' : 'CHANGED'}
+      note={describeTopology(inspection)}
+      isBad={!certificate.kept}
+    />
+  );
+}
+
+/** The frequency errors of the part with the largest ones. There is no readout without a fit. */
 function FrequencyReadout() {
   if (!isFitted(wants.settings.value)) return null;
   const fitted = shownFit.value;
   if (fitted?.errorAfter.length === 0)
-    return <Readout name="Frequencies off" value="not fitted" note={fitted.unfitted} />;
+    return <Readout name="Frequency error" value="not fitted" note={fitted.unfitted} />;
   const at = fitted && fitted.large > 0 ? ', at half and twice the thickness' : '';
   const worst = (errors: Float64Array) => errors.reduce((most, error) => Math.max(most, error), 0);
   return (
     <Readout
-      name="Frequencies off"
+      name="Frequency error"
       value={fitted ? `${fixed(worst(fitted.errorAfter), 2)} %` : '...'}
       note={fitted ? `${fixed(worst(fitted.errorBefore), 1)} % before the fit${at}` : 'fitting'}
     />
   );
 }
 
-function describeTopology({
-  components,
-  boundaryLoops,
-  genus,
-}: {
-  components: number;
-  boundaryLoops: number;
-  genus: number | null;
-}) {
+function describeTopology({ components, boundaryLoops, genus }: Inspection): string {
   return `${count(components)} part${components === 1 ? '' : 's'}, ${boundaryLoops} border${boundaryLoops === 1 ? '' : 's'}, genus ${genus ?? 'n/a'}`;
 }
 

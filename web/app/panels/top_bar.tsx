@@ -1,13 +1,12 @@
-/** The bar at the top: brand, files, steps, undo, link, theme, export. */
+/** The bar at the top: brand, files, steps, and the tools of the whole page. */
 
-import { useState } from 'preact/hooks';
+import { pickFiles } from '../files/files';
 import { results, status, view, wants } from '../state/store';
 import type { Step, Theme } from '../state/store';
-import { pickFiles } from '../files';
-import { canRedo, canUndo, redo, undo } from '../state/undo';
-import { count } from './controls';
-import { Samples, samples } from './model/samples';
-import { writeLink } from '../state/link';
+import { Samples } from './model/samples';
+import { ShareLink } from './share_link';
+import { UndoRedo } from './undo_redo';
+import './top_bar.css';
 
 const STEPS: { id: Step; text: string }[] = [
   { id: 'model', text: 'Model' },
@@ -17,6 +16,7 @@ const STEPS: { id: Step; text: string }[] = [
 ];
 
 const NEXT_THEME: Record<Theme, Theme> = { system: 'light', light: 'dark', dark: 'system' };
+const THEME_NAMES: Record<Theme, string> = { system: 'Auto', light: 'Light', dark: 'Dark' };
 
 export function TopBar() {
   return (
@@ -35,131 +35,12 @@ export function TopBar() {
       <div class="tools">
         <UndoRedo />
         <ShareLink />
-        {status.threads.value === 1 && (
-          <span
-            class="chip"
-            title="This page has no shared memory (COOP and COEP headers), so the core runs on one thread. Everything works."
-          >
-            1 thread
-          </span>
-        )}
-        <button
-          type="button"
-          class="quiet"
-          aria-label={`Colour scheme: ${view.theme.value}`}
-          title="Colour scheme: system, light, dark"
-          onClick={() => (view.theme.value = NEXT_THEME[view.theme.value])}
-        >
-          {{ system: 'Auto', light: 'Light', dark: 'Dark' }[view.theme.value]}
-        </button>
-        <button
-          type="button"
-          class="quiet"
-          aria-label="Help"
-          aria-expanded={view.helpOpen.value}
-          onClick={() => (view.helpOpen.value = !view.helpOpen.value)}
-        >
-          ?
-        </button>
-        <button
-          type="button"
-          class="primary"
-          disabled={!results.mesh.value}
-          aria-expanded={wants.exportOpen.value}
-          title="Export (Ctrl+E)"
-          onClick={() => (wants.exportOpen.value = !wants.exportOpen.value)}
-        >
-          Export
-        </button>
+        <ThreadNote />
+        <ThemeButton />
+        <HelpButton />
+        <ExportButton />
       </div>
     </header>
-  );
-}
-
-function UndoRedo() {
-  return (
-    <div class="undo">
-      <button
-        type="button"
-        class="quiet"
-        disabled={!canUndo()}
-        title="Undo (Ctrl+Z)"
-        aria-label="Undo"
-        onClick={undo}
-      >
-        <Arrow />
-      </button>
-      <button
-        type="button"
-        class="quiet"
-        disabled={!canRedo()}
-        title="Redo (Ctrl+Shift+Z)"
-        aria-label="Redo"
-        onClick={redo}
-      >
-        <Arrow isMirrored />
-      </button>
-    </div>
-  );
-}
-
-const COPIED_MILLISECONDS = 2000;
-/** Links longer than this are cut by some programs. */
-const LONG_LINK = 8000;
-
-function ShareLink() {
-  const [isCopied, setCopied] = useState(false);
-  const copy = async () => {
-    const link = shareLink();
-    await navigator.clipboard.writeText(link);
-    setCopied(true);
-    setTimeout(() => setCopied(false), COPIED_MILLISECONDS);
-    if (link.length > LONG_LINK)
-      status.notice.value = {
-        kind: 'info',
-        text: `The link has ${count(link.length)} letters, as it holds what was painted or pinned: some programs cut it.`,
-      };
-  };
-  return (
-    <button
-      type="button"
-      class="quiet"
-      disabled={!results.file.value}
-      title="Copy a link with all settings; the file itself stays here"
-      onClick={() => void copy()}
-    >
-      {isCopied ? 'Copied' : 'Share link'}
-    </button>
-  );
-}
-
-/** All settings and, where it is a sample, the file. */
-function shareLink(): string {
-  const file = results.file.value!.name;
-  const sample = samples.value.find((one) => one.file === file);
-  const { settings, faces, body } = wants;
-  const wanted = { settings: settings.value, faces: faces.value, body: body.value, file };
-  const query = sample ? `?sample=${sample.id}` : '';
-  return `${location.origin}${location.pathname}${query}#${writeLink(wanted)}`;
-}
-
-/** Back; mirrored: on again. */
-function Arrow({ isMirrored = false }: { isMirrored?: boolean }) {
-  return (
-    <svg
-      width="16"
-      height="16"
-      viewBox="0 0 16 16"
-      aria-hidden="true"
-      transform={isMirrored ? 'scale(-1 1)' : undefined}
-    >
-      <path
-        d="M6 2 2.5 5.5 6 9M3 5.5h6.5a4 4 0 0 1 0 8H6"
-        fill="none"
-        stroke="currentColor"
-        stroke-width="1.6"
-      />
-    </svg>
   );
 }
 
@@ -181,5 +62,61 @@ function Steps() {
         </button>
       ))}
     </nav>
+  );
+}
+
+function ThreadNote() {
+  if (status.threads.value !== 1) return null;
+  return (
+    <span
+      class="chip"
+      title="This page has no shared memory (COOP and COEP headers), so the core runs on one thread. Everything works."
+    >
+      1 thread
+    </span>
+  );
+}
+
+function ThemeButton() {
+  const theme = view.theme.value;
+  return (
+    <button
+      type="button"
+      class="quiet"
+      aria-label={`Colour scheme: ${theme}`}
+      title="Colour scheme: system, light, dark"
+      onClick={() => (view.theme.value = NEXT_THEME[theme])}
+    >
+      {THEME_NAMES[theme]}
+    </button>
+  );
+}
+
+function HelpButton() {
+  return (
+    <button
+      type="button"
+      class="quiet"
+      aria-label="Help"
+      aria-expanded={view.helpOpen.value}
+      onClick={() => (view.helpOpen.value = !view.helpOpen.value)}
+    >
+      ?
+    </button>
+  );
+}
+
+function ExportButton() {
+  return (
+    <button
+      type="button"
+      class="primary"
+      disabled={!results.mesh.value}
+      aria-expanded={wants.exportOpen.value}
+      title="Export (Ctrl+E)"
+      onClick={() => (wants.exportOpen.value = !wants.exportOpen.value)}
+    >
+      Export
+    </button>
   );
 }

@@ -4,7 +4,7 @@ import { computed } from '@preact/signals';
 import { painted, unweldLevels, weldLevels } from '../../engine/body/paint';
 import { parsePaint, withPaint } from '../../engine/settings/paint_text';
 import type { Levels } from '../../engine/settings/paint_text';
-import type { Stroke } from '../viewer/pick_tool';
+import type { Stroke } from '../stroke';
 import { changeSettings, results, view, wants } from './store';
 
 /** Levels per vertex of the shown body; null where it is bare. */

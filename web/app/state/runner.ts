@@ -103,7 +103,7 @@ const tasks: Task[] = [
   {
     what: 'Asking why vertices stay',
     key: () =>
-      view.step.value === 'reduce' && view.probe.value !== null && results.metrics.value !== null
+      view.step.value === 'reduce' && view.hover.value !== null && results.metrics.value !== null
         ? afterHistory(whyKey)()
         : null,
     run: () => client.call((worker) => worker.why(body(), settings(), faceCount(shownMesh.value!.mesh))),

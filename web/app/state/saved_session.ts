@@ -1,4 +1,4 @@
-/** The file, what is wanted of it and how it is looked at, kept over a reload of the tab. */
+/** Keeps the file, the settings and the view over a reload of the tab. */
 
 import { effect } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
@@ -15,7 +15,7 @@ interface Saved {
 }
 
 interface SavedFiles {
-  /** of the tab */
+  /** names the tab */
   id: string;
   /** ms since 1970 */
   at: number;
@@ -25,13 +25,13 @@ interface SavedFiles {
 const SETTINGS_KEY = 'limber-session';
 const TAB_KEY = 'limber-tab';
 const STORE = 'files';
-/** Of as many tabs files are kept. */
+/** The files of at most so many tabs are kept. */
 const MOST_TABS = 3;
-/** Larger files are not kept, in bytes. */
+/** In bytes; larger files are not kept. */
 const LARGEST = 400e6;
 const REST_MILLISECONDS = 400;
 
-/** Starts to keep what is wanted, as it changes. */
+/** Starts to save the settings and the view whenever they change. */
 export function startSaving(): void {
   effect(() => {
     const file = results.file.value?.name ?? null;
@@ -45,7 +45,7 @@ export function startSaving(): void {
     if (file === null) return;
     const save = () => write(SETTINGS_KEY, JSON.stringify(saved));
     const timer = setTimeout(save, REST_MILLISECONDS);
-    // What the timer has not come to yet.
+    // The page may close before the timer ends.
     addEventListener('pagehide', save);
     return () => {
       clearTimeout(timer);
@@ -54,7 +54,7 @@ export function startSaving(): void {
   });
 }
 
-/** A full store is no reason to stop. */
+/** Saves a text; where the store is full, the earlier text is removed. */
 function write(key: string, text: string): void {
   try {
     sessionStorage.setItem(key, text);
@@ -63,7 +63,7 @@ function write(key: string, text: string): void {
   }
 }
 
-/** Keeps the files of this tab, and forgets those of tabs of long ago. */
+/** Saves the files of this tab, and deletes those of the oldest tabs. */
 export async function saveFiles(files: SourceFile[]): Promise<void> {
   if (files.reduce((sum, { bytes }) => sum + bytes.length, 0) > LARGEST) return forgetSession();
   const id = sessionStorage.getItem(TAB_KEY) ?? crypto.randomUUID();
@@ -80,11 +80,11 @@ export async function saveFiles(files: SourceFile[]): Promise<void> {
   }).catch(() => forgetSession());
 }
 
-export function forgetSession(): void {
+function forgetSession(): void {
   sessionStorage.removeItem(SETTINGS_KEY);
 }
 
-/** What this tab had open before it was loaded again; null where there is nothing. */
+/** What this tab had open before it was reloaded; null where nothing is saved. */
 export async function savedSession(): Promise<{ files: SourceFile[]; wanted: Wanted; show(): void } | null> {
   const [text, id] = [sessionStorage.getItem(SETTINGS_KEY), sessionStorage.getItem(TAB_KEY)];
   if (text === null || id === null) return null;

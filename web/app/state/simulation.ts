@@ -1,9 +1,9 @@
-/** The Test step's state: both bodies in motion in a worker of their own, started again whenever their inputs change. */
+/** Runs both bodies of the Test step in a worker of their own, and starts them again whenever their inputs change. */
 
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { proxy, wrap } from 'comlink';
 import type { Remote } from 'comlink';
-import type { MeshAt, SurfacePoint, CollisionScene } from '../../engine/core/core';
+import type { MeshAt, SurfacePoint } from '../../engine/core/core';
 import { OPTIONS } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { topCorners } from '../../engine/motion/top_corners';
@@ -12,60 +12,29 @@ import type { SimulationApi, TwinFrame, TwinRequest } from '../worker/simulation
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { results, shownMesh, status, view, wantedFaces, wants } from './store';
+import { pinSource, twin } from './twin';
 
-/** What is held: what the scenario holds by itself, the two upper corners, or the pins of the Motion step. */
-export type Held = 'scenario' | 'corners' | 'pins';
-
-export const twin = {
-  playing: signal(!matchMedia('(prefers-reduced-motion: reduce)').matches),
-  layout: signal<'beside' | 'over'>('beside'),
-  /** draw the original as the optimized body carries it */
-  driven: signal(false),
-  heat: signal(false),
-  /** measure the noise floor also where time does not keep up then */
-  alwaysNoise: signal(false),
-  /** null: the pins of the Motion step where there are any */
-  held: signal<Held | null>(null),
-  /** what is on screen; null until a simulation stands */
-  frame: signal<TwinFrame | null>(null),
-  /** the latest frame a few times a second, for numbers that are read */
-  numbers: signal<TwinFrame | null>(null),
-  samples: signal<TwinSample[]>([]),
-  /** the largest deviation of any point since the start, % */
-  worst: signal(0),
-  /** what both bodies can touch */
-  collisionScene: signal<CollisionScene | null>(null),
-  /** why nothing can be simulated */
-  failure: signal<string | null>(null),
-};
-
-/** In milliseconds: numbers that change faster cannot be read, and a curve need not grow faster. */
+/** ms; numbers that change faster than this cannot be read. */
 const NUMBERS_EVERY = 250;
+/** ms between two updates of the chart. */
 const CURVE_EVERY = 100;
-/** Of what the user still moves: a slider is not followed step by step. */
+/** ms; a simulation starts once its settings have stayed the same for so long. */
 const REST_MILLISECONDS = 200;
-/** In seconds: a worker in the middle of a longer step is not waited for. */
+/** s; a worker whose steps take longer is ended rather than waited for. */
 const LONG_STEP = 0.3;
-/** Steps that the curve remembers: a minute. */
+/** Steps that the chart shows at most: a minute. */
 const MOST_SAMPLES = 3600;
-
-export const heldNow = computed<Held>(() => {
-  const hasPins = wants.settings.value.pins !== '';
-  const { value: held } = twin.held;
-  if (held === null) return hasPins ? 'pins' : 'scenario';
-  return held === 'pins' && !hasPins ? 'scenario' : held;
-});
 
 const simulationKeys = (Object.keys(OPTIONS) as (keyof Settings)[]).filter((key) =>
   ['simulation', 'material'].includes(OPTIONS[key].group),
 );
 
-/** What the simulation is made of; null where it cannot be yet. */
+/** The inputs of the simulation as text; null while they are incomplete. */
 const key = computed<string | null>(() => {
   const settings = wants.settings.value;
   if (view.step.value !== 'test' || isPending() || !shownMesh.value || !results.body.value) return null;
   const values = simulationKeys.map((name) => settings[name]);
-  const pins = heldNow.value === 'pins' ? keyOf(STAGES.pinned, settings) : heldNow.value;
+  const pins = pinSource.value === 'pins' ? keyOf(STAGES.pinned, settings) : pinSource.value;
   return [meshKey(), pins, ...values, twin.alwaysNoise.value].join(' ');
 });
 
@@ -77,7 +46,7 @@ const meshKey = (): string =>
     isFittedShown(),
   ].join(' ');
 
-/** Whether another mesh is still to come. */
+/** Whether the optimized mesh is still to be fitted. */
 const isPending = (): boolean => status.working.value && !isFittedShown();
 
 const isFittedShown = (): boolean => results.fitted.value?.result === shownMesh.value;
@@ -85,12 +54,13 @@ const isFittedShown = (): boolean => results.fitted.value?.result === shownMesh.
 let worker: Worker | null = null;
 let remote: Remote<SimulationApi> | null = null;
 let loaded: Promise<void> = Promise.resolve();
-let number = 0;
+/** counts starts; see TwinSetup */
+let startNumber = 0;
 let numbersAt = 0;
 let curveAt = 0;
 let recorded: TwinSample[] = [];
 
-const constraints = (): TwinRequest => ({
+const frameRequest = (): TwinRequest => ({
   vertexDistances: twin.heat.value,
   driven: twin.driven.value,
 });
@@ -106,37 +76,40 @@ function openWorker(): Remote<SimulationApi> {
   return api;
 }
 
-/** Frees everything that the simulation holds, also in the middle of a long step. */
+/** Ends the worker, also in the middle of a long step, and frees its memory. */
 function closeWorker(): void {
   worker?.terminate();
   worker = remote = null;
-  forget();
+  clearFrames();
 }
 
-/** What still runs is not what is wanted: its last picture stays, its numbers do not. */
-function outdate(): void {
-  number += 1;
+/** Invalidates the running simulation: its last frame stays on screen, its numbers do not. */
+function invalidate(): void {
+  startNumber += 1;
   twin.numbers.value = null;
 }
 
-function forget(): void {
-  number += 1;
+/** Removes the frames of the last simulation. */
+function clearFrames(): void {
+  startNumber += 1;
   twin.frame.value = twin.numbers.value = null;
   twin.samples.value = recorded = [];
   twin.worst.value = 0;
 }
 
-function pinned(): Uint32Array | null {
+/** The pinned vertices of the original; null: those of the scenario. */
+function pinnedVertices(): Uint32Array | null {
   const { value: body } = results.body;
-  if (!body || heldNow.value === 'scenario') return null;
-  return heldNow.value === 'corners' ? topCorners(body.mesh) : (results.pins.value?.vertices ?? null);
+  if (!body || pinSource.value === 'scenario') return null;
+  return pinSource.value === 'corners' ? topCorners(body.mesh) : (results.pins.value?.vertices ?? null);
 }
 
+/** Starts a new simulation, at rest. */
 async function start(result: MeshAt): Promise<void> {
   const { mesh: original, diagonal, scale } = results.body.value!;
   if ((twin.frame.value?.bodies.original.stepSeconds ?? 0) > LONG_STEP) closeWorker();
-  forget();
-  const mine = number;
+  clearFrames();
+  const number = startNumber;
   twin.failure.value = null;
   const api = remote ?? openWorker();
   const size = { body: { scale }, diagonal };
@@ -147,29 +120,29 @@ async function start(result: MeshAt): Promise<void> {
     meshKey: meshKey(),
     size,
     settings: wants.settings.value,
-    pinned: pinned(),
+    pinned: pinnedVertices(),
     noise: twin.alwaysNoise.value ? ('always' as const) : ('in real time' as const),
   };
   try {
     await loaded;
-    const collisionScene = await api.start(setup, constraints());
-    if (mine !== number) return;
+    const collisionScene = await api.start(setup, frameRequest());
+    if (number !== startNumber) return;
     twin.collisionScene.value = collisionScene;
     await api.play(isMoving());
   } catch (error) {
-    if (mine === number) twin.failure.value = error instanceof Error ? error.message : String(error);
+    if (number === startNumber) twin.failure.value = error instanceof Error ? error.message : String(error);
   }
 }
 
 const isVisible = signal(!document.hidden);
 const isMoving = (): boolean => twin.playing.value && isVisible.value;
 
-/** Back to the start, at rest. */
+/** Goes back to the start, at rest. */
 export function reset(): void {
   if (shownMesh.value && key.value) void start(shownMesh.value);
 }
 
-/** One step of 1/60 s; pauses first. */
+/** Pauses and takes one step of 1/60 s. */
 export function stepOnce(): void {
   twin.playing.value = false;
   void remote?.step();
@@ -183,17 +156,17 @@ export function dragTo(target: [number, number, number]): void {
   void remote?.drag(target);
 }
 
-export function letGo(): void {
+export function releaseDrag(): void {
   void remote?.release();
 }
 
-/** Resolves with the next picture, so that the worker sends no more frames than are drawn. */
+/** Resolves with the next animation frame, so that the worker sends no more frames than the page draws. */
 function showFrame(frame: TwinFrame): Promise<void> {
-  if (frame.number === number) take(frame);
+  if (frame.number === startNumber) applyFrame(frame);
   return new Promise((resolve) => requestAnimationFrame(() => resolve()));
 }
 
-function take(frame: TwinFrame): void {
+function applyFrame(frame: TwinFrame): void {
   recorded.push(...frame.samples);
   const worst = frame.samples.reduce((most, sample) => Math.max(most, sample.max), twin.worst.value);
   const now = performance.now();
@@ -221,7 +194,7 @@ export function startSimulations(): void {
     const { value: wanted } = key;
     if (view.step.value !== 'test') return untracked(closeWorker);
     if (wanted === null) return;
-    untracked(outdate);
+    untracked(invalidate);
     const timer = setTimeout(() => void start(shownMesh.value!), REST_MILLISECONDS);
     return () => clearTimeout(timer);
   });
@@ -230,7 +203,7 @@ export function startSimulations(): void {
     untracked(() => void remote?.play(isPlaying));
   });
   effect(() => {
-    const wanted = constraints();
-    untracked(() => void remote?.setRequest(wanted));
+    const request = frameRequest();
+    untracked(() => void remote?.setRequest(request));
   });
 }

@@ -1,4 +1,4 @@
-/** The page's whole state: what the user wants, what has been computed from which inputs, how it is looked at. */
+/** The whole state of the page: what the user wants, what has been computed from it, and how it is shown. */
 
 import { computed, signal } from '@preact/signals';
 import type { Curvature, MeshAt, Progress, StrainGuidance } from '../../engine/core/core';
@@ -42,7 +42,7 @@ export const wants = {
   exportBinding: signal(false),
 };
 
-/** What has been computed; null until it is. `opened` counts files, so that results of an earlier one are never shown. */
+/** What has been computed; null until then. `opened` counts files, so that results of an earlier file are never shown. */
 export const results = {
   opened: signal(0),
   file: signal<OpenedFile | null>(null),
@@ -60,11 +60,11 @@ export const results = {
   exported: signal<ExportResult | null>(null),
 };
 
-/** How it is looked at. */
+/** How bodies are shown. */
 export const view = {
   step: signal<Step>('model'),
   layout: signal<Layout>('both'),
-  /** of the stage: how much of it shows the original where both lie over each other */
+  /** the share of the viewport that shows the original in the slider layout */
   split: signal(0.5),
   field: signal<FieldName>('strain'),
   wire: signal(true),
@@ -73,11 +73,11 @@ export const view = {
   speed: signal(1),
   theme: signal<Theme>('system'),
   helpOpen: signal(false),
-  /** the vertex of the optimized mesh whose reasons are told, and whether it stays when the pointer leaves it */
-  probe: signal<{ vertex: number; isHeld: boolean } | null>(null),
-  /** the stage's left button pins vertices instead of turning the view */
+  /** the vertex of the optimized mesh whose card is shown, and whether the card stays when the pointer leaves it */
+  hover: signal<{ vertex: number; stays: boolean } | null>(null),
+  /** whether the left button pins vertices instead of turning the view */
   picking: signal(false),
-  /** what the left button paints on the Reduce step, null: it turns the view; radius in % of the diagonal, softness 0..1 */
+  /** what the left button paints on the Reduce step (null: it turns the view); radius in % of the diagonal, softness 0..1 */
   brush: signal<{ tool: BrushTool | null; radius: number; softness: number }>({
     tool: null,
     radius: 6,
@@ -87,13 +87,13 @@ export const view = {
 
 /** What is going on. */
 export const status = {
-  /** whether stages are running or about to */
+  /** whether stages are running or about to run */
   working: signal(false),
   busy: signal<{ what: string; progress: Progress | null } | null>(null),
-  /** what was cancelled and waits for a word */
+  /** the stage that the user has cancelled, and that waits to be run again */
   paused: signal<string | null>(null),
   notice: signal<Notice | null>(null),
-  /** the last text for the pins that does not hold, and why */
+  /** the last text for the pins that was refused, and why */
   refusedPins: signal<Refusal | null>(null),
   threads: signal(0),
 };
@@ -102,28 +102,28 @@ export function changeSettings(change: Partial<Settings>): void {
   wants.settings.value = { ...wants.settings.value, ...change };
 }
 
-/** Whether the shown modes are those of earlier settings: others are on their way, or could not be found. */
+/** Whether the shown modes belong to earlier settings: new ones are being computed, or could not be found. */
 export const areModesStale = computed(
   () => results.modes.value !== null && results.modes.value.key !== keyOf(STAGES.modes, wants.settings.value),
 );
 
-/** What is shown as optimized: the mesh of the history while the slider moves, the fitted one once that is there. */
+/** The mesh that is shown as optimized: that of the history while the slider moves, then the fitted one. */
 export const shownMesh = computed(() => shownFit.value?.result ?? results.mesh.value);
 
-/** What the fit of the shown mesh says; null until it is done. */
+/** The fit of the shown mesh; null until it is done. */
 export const shownFit = computed(() => {
   const { value: fitted } = results.fitted;
   const settings = { ...wants.settings.value, targetFaces: wantedFaces.value };
   return fitted?.key === keyOf(STAGES.fitted, settings) ? fitted : null;
 });
 
-/** The reasons of the shown result, once they are known. */
+/** Why the vertices of the shown result are kept; null until it is known. */
 export const shownWhy = computed(() => {
   const { value: why } = results.why;
   return why?.key === whyKey() ? why : null;
 });
 
-/** Of the reasons that the shown result asks for. */
+/** The key of the reasons for the shown result. */
 export const whyKey = (): string =>
   keyOf(STAGES.explanation, {
     ...wants.settings.value,

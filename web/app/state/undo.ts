@@ -1,4 +1,4 @@
-/** Undo and Redo of what the user wants: settings with pins and paint among them, and the kept faces. */
+/** Undo and Redo of what the user wants: the settings, with pins and paint among them, and the kept faces. */
 
 import { batch, effect, signal, untracked } from '@preact/signals';
 import type { Settings } from '../../engine/settings/options';
@@ -9,10 +9,10 @@ interface Wanted {
   faces: number | null;
 }
 
-/** Changes of one control that follow each other this closely are one: a slider is undone as a whole. */
+/** Changes of one control that follow each other within this time are one, so that a slider is undone as a whole. */
 const TOGETHER_MILLISECONDS = 700;
 const MOST_STEPS = 200;
-/** Every stroke and every pin is a change of its own. */
+/** Changes of these settings are never joined: each stroke and each pin is undone alone. */
 const SINGLE = new Set(['pins', 'paint', 'lock']);
 
 const past = signal<Wanted[]>([]);
@@ -24,7 +24,7 @@ let isIgnoring = false;
 export const canUndo = () => past.value.length > 0;
 export const canRedo = () => future.value.length > 0;
 
-/** Starts to remember. */
+/** Starts to record changes. */
 export function startUndo(): void {
   effect(() => {
     const next = { settings: wants.settings.value, faces: wants.faces.value };
@@ -32,7 +32,7 @@ export function startUndo(): void {
   });
 }
 
-/** Another file or body: what was wanted before does not fit it. */
+/** Forgets all changes, as they do not fit another file or body. */
 export function forgetUndo(): void {
   batch(() => {
     past.value = [];
@@ -58,7 +58,7 @@ function step(from: typeof past, to: typeof past): void {
   });
 }
 
-/** Changes within `make` are not the user's: they cannot be undone, and go with the change before them. */
+/** Changes within `make` are not the user's: they become part of the change before them. */
 export function withoutUndo(make: () => void): void {
   isIgnoring = true;
   make();
@@ -81,7 +81,7 @@ function remember(next: Wanted): void {
   });
 }
 
-/** Which parts are not the same in both. */
+/** The names of the settings that differ, and 'faces'. */
 function differing(a: Wanted, b: Wanted): string[] {
   const keys = Object.keys(b.settings) as (keyof Settings)[];
   const changed: string[] = keys.filter((key) => String(a.settings[key]) !== String(b.settings[key]));

@@ -1,4 +1,4 @@
-/** A mesh as the stage draws it: corners not shared, so that faces can have their own colour and sharp edges. */
+/** A mesh as the viewport draws it: triangles share no corners, so that each can have its own colour and sharp edges. */
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
@@ -13,15 +13,15 @@ export interface Field {
   values: Float32Array;
 }
 
-/** From per vertex (`size` numbers each) to per corner. */
-export function perCorner({ triangles }: TriangleMesh, values: Float32Array, size: number): Float32Array {
+/** Spreads `values[size v + c]` of vertices to their corners, `[size corner + c]`. */
+function perCorner({ triangles }: TriangleMesh, values: Float32Array, size: number): Float32Array {
   const out = new Float32Array(triangles.length * size);
   for (let corner = 0; corner < triangles.length; corner++)
     for (let c = 0; c < size; c++) out[size * corner + c] = values[size * triangles[corner] + c];
   return out;
 }
 
-/** `groups`: corners that share a normal, see CornerNormals; a large mesh has neither them nor normals. */
+/** `groups`: the corners that share a normal, see CornerNormals. A large mesh has neither groups nor normals. */
 export function bodyGeometry(mesh: TriangleMesh): { geometry: BufferGeometry; groups: Uint32Array } {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(perCorner(mesh, mesh.positions, 3), 3));
@@ -44,7 +44,7 @@ function setNormals(geometry: BufferGeometry, mesh: TriangleMesh): Uint32Array {
   return group;
 }
 
-/** Per vertex, in units of the mesh; null: none. */
+/** `shape[3 v + c]`, in units of the mesh; null removes the displacement. */
 export function setDisplacement(
   geometry: BufferGeometry,
   mesh: TriangleMesh,
@@ -54,6 +54,7 @@ export function setDisplacement(
   else geometry.deleteAttribute('displacement');
 }
 
+/** Colours by a field; null: values of 0. */
 export function setField(geometry: BufferGeometry, mesh: TriangleMesh, field: Field | null): void {
   const values = new Float32Array(mesh.triangles.length);
   if (field?.on === 'vertices') values.set(perCorner(mesh, field.values, 1));
@@ -62,7 +63,7 @@ export function setField(geometry: BufferGeometry, mesh: TriangleMesh, field: Fi
   geometry.setAttribute('value', new BufferAttribute(values, 1));
 }
 
-/** What a brush has painted, per vertex; null: nothing. Its attribute holds (how much is kept, whether it is locked). */
+/** Shows what a brush has painted, per vertex; null: nothing. The attribute is (how much is kept, whether it is locked). */
 export function setPaint(geometry: BufferGeometry, { triangles }: TriangleMesh, levels: Levels | null): void {
   if (!levels) {
     geometry.deleteAttribute('paint');

@@ -1,60 +1,54 @@
-/** The hand that works on the vertices of the shown mesh: a click takes one or the disc around it, a drag goes over many. */
+/** The tool that works on the vertices of the shown mesh: a click picks one or the disc around it, a drag picks many. */
 
 import type { Ray } from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
+import type { Stroke } from '../stroke';
 import { Picker } from './picker';
 import type { PickedVertex } from './picker';
 
-/** What the tool needs to know and whom it tells. */
-export interface PickHost {
-  /** null: the tool is not in use, or nothing is shown */
-  mesh(): TriangleMesh | null;
-  /** null where the place shows another mesh */
-  rayAt(clientX: number, clientY: number): Ray | null;
+/** What the tool does to the vertices that it picks. */
+export interface StrokeTool {
   /** radius of the brush, in units of the mesh */
-  brush(): number;
-  /** whether a click takes the whole disc of the brush, not one vertex */
-  isBroad(): boolean;
-  /** what a click would take; null where there is nothing */
+  radius(): number;
+  /** what a click would pick; null where there is nothing */
   hover(picked: PickedVertex | null): void;
-  /** while a stroke goes on */
+  /** called while a stroke goes on */
   paint(stroke: Stroke): void;
-  /** the end of a stroke */
+  /** called at the end of a stroke */
   finish(stroke: Stroke): void;
 }
 
-export interface Stroke {
-  /** the vertices that it has touched: the least distance from the middle of the brush, over its radius */
-  readonly vertices: ReadonlyMap<number, number>;
-  readonly isErasing: boolean;
-  /** without a drag */
-  readonly isClick: boolean;
+/** What the tool asks of the page, and what it reports. */
+export interface PickHost extends StrokeTool {
+  /** null: the tool is not in use, or nothing is shown */
+  mesh(): TriangleMesh | null;
+  /** null where another mesh is shown */
+  rayAt(clientX: number, clientY: number): Ray | null;
+  /** whether a click picks the whole disc of the brush, not one vertex */
+  isBroad(): boolean;
 }
 
-interface OwnStroke extends Stroke {
+interface RunningStroke extends Stroke {
   pointer: number;
   startX: number;
   startY: number;
-  /** where it was touched last */
+  /** the last point of the page that was touched */
   lastX: number;
   lastY: number;
   isClick: boolean;
   vertices: Map<number, number>;
 }
 
-interface Place {
-  clientX: number;
-  clientY: number;
-}
+type PagePoint = Pick<PointerEvent, 'clientX' | 'clientY'>;
 
-/** A hand that moves less than this, in pixels, meant a click. */
+/** A pointer that moves less than this, in pixels, has clicked. */
 const CLICK_PIXELS = 4;
-/** A quick hand is followed in steps of this, so that its stroke has no gaps. */
+/** A fast pointer is followed in steps of this, so that its stroke has no gaps. */
 const STEP_PIXELS = 6;
 
 export class PickTool {
   private picker: { mesh: TriangleMesh; tree: Picker | null } | null = null;
-  private stroke: OwnStroke | null = null;
+  private stroke: RunningStroke | null = null;
   private hovered: number | null = null;
 
   /** Listens on the canvas ahead of the camera, which gets every drag that does not begin on the body. */
@@ -62,24 +56,19 @@ export class PickTool {
     canvas: HTMLCanvasElement,
     private readonly host: PickHost,
   ) {
-    canvas.addEventListener('pointerdown', (event) => this.begin(event, canvas), { capture: true });
-    canvas.addEventListener('pointermove', (event) => this.move(event));
-    canvas.addEventListener('pointerup', (event) => this.end(event));
-    canvas.addEventListener('pointercancel', () => this.abandon());
+    canvas.addEventListener('pointerdown', (event) => this.onPress(event, canvas), { capture: true });
+    canvas.addEventListener('pointermove', (event) => this.onMove(event));
+    canvas.addEventListener('pointerup', (event) => this.onRelease(event));
+    canvas.addEventListener('pointercancel', () => (this.stroke = null));
     canvas.addEventListener('pointerleave', () => this.hover(null));
   }
 
-  /** Forgets a stroke that has not ended. */
-  abandon(): void {
-    this.stroke = null;
-  }
-
-  /** Makes ready for the mesh that is shown now, as its tree may take a while. */
+  /** Starts to build the search tree of the shown mesh, which may take a while. */
   prepare(): void {
     this.tree();
   }
 
-  private begin(event: PointerEvent, canvas: HTMLCanvasElement): void {
+  private onPress(event: PointerEvent, canvas: HTMLCanvasElement): void {
     if (event.button !== 0 || this.stroke) return;
     const picked = this.pickedAt(event);
     if (!picked) return;
@@ -101,9 +90,9 @@ export class PickTool {
     this.host.paint(this.stroke);
   }
 
-  private move(event: PointerEvent): void {
+  private onMove(event: PointerEvent): void {
     const { stroke } = this;
-    // A button that is held down turns the view, or paints under the mark.
+    // With a button down and no stroke the pointer turns the view, and hovers over nothing.
     if (event.buttons === 0 || stroke) this.hover(this.pickedAt(event));
     if (!stroke || event.pointerId !== stroke.pointer) return;
     const distance = Math.hypot(event.clientX - stroke.startX, event.clientY - stroke.startY);
@@ -113,7 +102,7 @@ export class PickTool {
     this.host.paint(stroke);
   }
 
-  private end(event: PointerEvent): void {
+  private onRelease(event: PointerEvent): void {
     const { stroke } = this;
     if (!stroke || event.pointerId !== stroke.pointer) return;
     this.stroke = null;
@@ -127,42 +116,42 @@ export class PickTool {
     this.host.hover(picked);
   }
 
-  private touchOnTheWay(stroke: OwnStroke, { clientX, clientY }: Place): void {
+  private touchOnTheWay(stroke: RunningStroke, { clientX, clientY }: PagePoint): void {
     const { lastX, lastY } = stroke;
     const steps = Math.ceil(Math.hypot(clientX - lastX, clientY - lastY) / STEP_PIXELS);
     for (let step = 1; step <= steps; step++) {
-      const part = step / steps;
+      const share = step / steps;
       this.touch(stroke, {
-        clientX: lastX + part * (clientX - lastX),
-        clientY: lastY + part * (clientY - lastY),
+        clientX: lastX + share * (clientX - lastX),
+        clientY: lastY + share * (clientY - lastY),
       });
     }
     Object.assign(stroke, { lastX: clientX, lastY: clientY });
   }
 
-  private touch({ vertices }: OwnStroke, place: Place): void {
-    const picked = this.pickedAt(place);
+  private touch({ vertices }: RunningStroke, point: PagePoint): void {
+    const picked = this.pickedAt(point);
     if (!picked) return;
-    const radius = this.host.brush();
+    const radius = this.host.radius();
     for (const [vertex, distance] of this.tree()!.around(picked.point, radius))
       vertices.set(vertex, Math.min(distance / radius, vertices.get(vertex) ?? 1));
   }
 
-  private pickedAt({ clientX, clientY }: Place): PickedVertex | null {
+  private pickedAt({ clientX, clientY }: PagePoint): PickedVertex | null {
     const tree = this.tree();
     const ray = tree && this.host.rayAt(clientX, clientY);
     return ray ? tree.underRay(ray) : null;
   }
 
-  /** Of the shown mesh, made when it is first needed; null until it is there. */
+  /** The search tree of the shown mesh, built when it is first needed; null until it is ready. */
   private tree(): Picker | null {
     const mesh = this.host.mesh();
     if (!mesh) return null;
-    if (this.picker?.mesh !== mesh) this.grow(mesh);
+    if (this.picker?.mesh !== mesh) this.build(mesh);
     return this.picker!.tree;
   }
 
-  private grow(mesh: TriangleMesh): void {
+  private build(mesh: TriangleMesh): void {
     const found = Picker.of(mesh);
     this.picker = { mesh, tree: found instanceof Picker ? found : null };
     if (found instanceof Picker) return;

@@ -8,14 +8,14 @@ import type { TriangleMesh } from '../../engine/core/core';
 
 export interface PickedVertex {
   vertex: number;
-  /** where the ray meets the surface */
+  /** where the ray hits the surface */
   point: Vector3;
-  /** of the face that it meets */
+  /** of the triangle that it hits */
   normal: Vector3;
 }
 
-/** A tree of more triangles than this is grown in a worker: here it would hold up the page. */
-const MOST_AT_ONCE = 30_000;
+/** A tree of more triangles than this is built in a worker, as it would block the page. */
+const MOST_TRIANGLES_AT_ONCE = 30_000;
 
 export class Picker {
   private constructor(
@@ -23,16 +23,16 @@ export class Picker {
     private readonly tree: MeshBVH,
   ) {}
 
-  /** At once for small meshes, later for large ones. */
+  /** Returns at once for small meshes, later for large ones. */
   static of(mesh: TriangleMesh): Picker | Promise<Picker> {
     const geometry = geometryOf(mesh);
-    if (mesh.triangles.length / 3 <= MOST_AT_ONCE) return new Picker(mesh, growTree(geometry));
-    return growElsewhere(mesh).then(
-      (grown) => new Picker(mesh, MeshBVH.deserialize(grown, geometry, { setIndex: false })),
+    if (mesh.triangles.length / 3 <= MOST_TRIANGLES_AT_ONCE) return new Picker(mesh, buildTree(geometry));
+    return buildInWorker(mesh).then(
+      (built) => new Picker(mesh, MeshBVH.deserialize(built, geometry, { setIndex: false })),
     );
   }
 
-  /** The corner nearest to where the ray first meets the surface, from either side; null where it misses. */
+  /** The corner nearest to the first hit of the ray, from either side; null where the ray misses. */
   underRay(ray: Ray): PickedVertex | null {
     const hit = this.tree.raycastFirst(ray, DoubleSide);
     if (!hit || typeof hit.faceIndex !== 'number') return null;
@@ -78,10 +78,10 @@ export function geometryOf({ positions, triangles }: TriangleMesh): BufferGeomet
   return geometry;
 }
 
-/** Indirect: the mesh's own triangles stay in their order. */
-export const growTree = (geometry: BufferGeometry): MeshBVH => new MeshBVH(geometry, { indirect: true });
+/** The tree is indirect, so that the triangles of the mesh stay in their order. */
+export const buildTree = (geometry: BufferGeometry): MeshBVH => new MeshBVH(geometry, { indirect: true });
 
-function growElsewhere(mesh: TriangleMesh): Promise<SerializedBVH> {
+function buildInWorker(mesh: TriangleMesh): Promise<SerializedBVH> {
   const worker = new Worker(new URL('./tree_worker.ts', import.meta.url), { type: 'module' });
   return new Promise<SerializedBVH>((resolve, reject) => {
     worker.onmessage = ({ data }: MessageEvent<SerializedBVH>) => resolve(data);

@@ -1,15 +1,15 @@
-/** Vertices of a swinging body as they are seen: no tree, for they move every frame. */
+/** Projects the vertices of a swinging body. A search tree would be out of date in every frame, so there is none. */
 
 import { Matrix4 } from 'three';
 import type { PerspectiveCamera } from 'three';
 
-/** From an upper left corner, in CSS pixels. */
-export interface ScreenPlace {
+/** In CSS pixels from an upper left corner. */
+export interface ScreenPoint {
   x: number;
   y: number;
 }
 
-/** positions[3 * v + c] + amplitude * shape[3 * v + c] */
+/** Vertices at `positions[3 v + c] + amplitude shape[3 v + c]`. */
 export interface SeenBody {
   positions: Float32Array;
   /** null: at rest */
@@ -17,24 +17,25 @@ export interface SeenBody {
   amplitude: number;
 }
 
-interface PaneSize {
+/** In CSS pixels. */
+export interface PaneSize {
   width: number;
   height: number;
 }
 
-interface SeenVertex extends ScreenPlace {
-  /** from the eye, along the line of sight */
+interface SeenVertex extends ScreenPoint {
+  /** distance from the eye along the axis of view */
   depth: number;
 }
 
-/** Vertices farther behind the nearest one than this, over its depth, are taken as hidden. */
+/** Vertices farther behind the nearest one than this share of its depth are taken to be hidden. */
 const HIDDEN = 0.03;
 
-/** The vertex nearest to a place among those that seem not hidden; null where none is within `pixels`. */
+/** The nearest vertex to a point among those that do not seem hidden; null where none is within `pixels`. O(vertices). */
 export function nearestSeen(
   body: SeenBody,
   camera: PerspectiveCamera,
-  { x, y, pixels, ...size }: ScreenPlace & PaneSize & { pixels: number },
+  { x, y, pixels, ...size }: ScreenPoint & PaneSize & { pixels: number },
 ): number | null {
   const project = projection(camera, size);
   const near: { vertex: number; distance: number; depth: number }[] = [];
@@ -48,14 +49,15 @@ export function nearestSeen(
   return visible.sort((a, b) => a.distance - b.distance || a.vertex - b.vertex)[0]?.vertex ?? null;
 }
 
+/** Where a vertex appears in a pane. */
 export const seenAt = (
   body: SeenBody,
   camera: PerspectiveCamera,
   vertex: number,
   size: PaneSize,
-): ScreenPlace => projection(camera, size)(body, vertex);
+): ScreenPoint => projection(camera, size)(body, vertex);
 
-/** By hand, for a million vertices at once. The object that it returns is the same each time. */
+/** Written out for speed with a million vertices. Every call of the returned function returns the same object. */
 function projection(camera: PerspectiveCamera, { width, height }: PaneSize) {
   const m = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).elements;
   const seen: SeenVertex = { x: 0, y: 0, depth: 0 };

@@ -1,4 +1,4 @@
-/** The one material of the stage: a lit surface, coloured by a field, with its triangles' edges drawn in the shader. */
+/** The material of all bodies: a lit surface, coloured by a field, with the edges of its triangles drawn in the shader. */
 
 import { Color, DoubleSide, ShaderMaterial } from 'three';
 import type { DataTexture } from 'three';
@@ -22,15 +22,15 @@ const vertexShader = /* glsl */ `
   varying float vValue;
   varying vec2 vPaint;
   void main() {
-    // Corners are not shared, so a vertex's number says which corner of its triangle it is.
+    // Triangles share no corners, so the number of a vertex says which corner of its triangle it is.
     int corner = gl_VertexID % 3;
     vCorner = vec3(corner == 0, corner == 1, corner == 2);
     vValue = value;
     vPaint = paint;
-    vec4 place = modelViewMatrix * vec4(position + amplitude * displacement, 1.0);
-    vPosition = place.xyz;
+    vec4 viewPosition = modelViewMatrix * vec4(position + amplitude * displacement, 1.0);
+    vPosition = viewPosition.xyz;
     vNormal = normalMatrix * normal;
-    gl_Position = projectionMatrix * place;
+    gl_Position = projectionMatrix * viewPosition;
   }
 `;
 
@@ -57,7 +57,7 @@ const fragmentShader = /* glsl */ `
     if (dot(n, toEye) < 0.0) n = -n;
     vec3 base = hasField ? texture(map, vec2(clamp(vValue, 0.0, 1.0) * 0.992 + 0.004, 0.5)).rgb : clay;
     base = mix(base, keep, vPaint.x > 0.0 ? 0.25 + 0.65 * vPaint.x : 0.0);
-    // Locks are hatched, so that they can be told without their colour.
+    // Locks are hatched, so that they can be recognised without their colour.
     float hatch = step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / hatchPixels));
     base = mix(base, mix(lock, vec3(1.0), 0.75 * hatch), step(0.5, vPaint.y));
     float key = max(dot(n, normalize(vec3(0.35, 0.75, 0.55))), 0.0);
@@ -68,14 +68,14 @@ const fragmentShader = /* glsl */ `
     vec3 width = fwidth(vCorner);
     vec3 edge = smoothstep(vec3(0.0), width * 1.25, vCorner);
     float onEdge = 1.0 - min(min(edge.x, edge.y), edge.z);
-    // Where triangles are smaller than a few pixels the lines would drown the surface.
-    float room = 1.0 - smoothstep(0.25, 0.9, max(max(width.x, width.y), width.z));
-    gl_FragColor = vec4(mix(lit, wire, onEdge * wireStrength * (0.35 + 0.65 * room)), opacity);
+    // Where triangles are smaller than a few pixels their edges fade, as they would cover the surface.
+    float fade = 1.0 - smoothstep(0.25, 0.9, max(max(width.x, width.y), width.z));
+    gl_FragColor = vec4(mix(lit, wire, onEdge * wireStrength * (0.35 + 0.65 * fade)), opacity);
     #include <colorspace_fragment>
   }
 `;
 
-/** Of what is painted: the same in both colour schemes, for it lies on colours of its own. */
+/** Colours of painted vertices, the same in both colour schemes. */
 export const PAINT = { keep: '#e0218a', lock: '#0b3d91' };
 
 export function surfaceMaterial(map: DataTexture, look: SurfaceLook): ShaderMaterial {

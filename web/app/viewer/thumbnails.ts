@@ -1,4 +1,4 @@
-/** Moving pictures of modes: one shared renderer draws them in turn, each is copied to its own small canvas. */
+/** Animated pictures of modes: one shared renderer draws them in turn and copies each to its own small canvas. */
 
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
@@ -8,7 +8,7 @@ import { surfaceMaterial } from './surface_material';
 import { isLarge } from './twin_surface';
 
 export const THUMBNAIL = { width: 148, height: 104 };
-/** Larger meshes stand still, so that the gallery never slows the page. */
+/** Larger meshes stand still, so that the gallery never slows down the page. */
 const MOST_MOVING_FACES = 40000;
 const FRAME_MILLISECONDS = 50;
 
@@ -26,8 +26,7 @@ export class Thumbnails {
   private lastDrawn = 0;
   private amplitude = 0;
   private faces = 0;
-  private moving = true;
-  visible = true;
+  private isMoving = true;
 
   constructor() {
     this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
@@ -40,7 +39,7 @@ export class Thumbnails {
     this.renderer.setAnimationLoop((time) => this.frame(time));
   }
 
-  /** Shows one shape per canvas, in units of the mesh at full swing. */
+  /** Shows one shape per canvas: `shapes[k][3 v + c]`, the largest displacement 1. */
   show(mesh: TriangleMesh, shapes: Float32Array[], canvases: HTMLCanvasElement[]): void {
     this.body.geometry.dispose();
     const { geometry } = bodyGeometry(mesh);
@@ -63,14 +62,9 @@ export class Thumbnails {
     this.draw(0);
   }
 
-  /** Lets them swing, or stand still at full swing. */
-  move(moving: boolean): void {
-    this.moving = moving;
-    this.draw(this.lastDrawn);
-  }
-
-  colour(clay: string): void {
-    this.body.material.uniforms.clay.value.set(clay);
+  /** Lets the pictures swing, or stand still at full swing. */
+  move(isMoving: boolean): void {
+    this.isMoving = isMoving;
     this.draw(this.lastDrawn);
   }
 
@@ -81,14 +75,14 @@ export class Thumbnails {
   }
 
   private frame(time: number): void {
-    if (!this.visible || !this.moving || this.faces > MOST_MOVING_FACES) return;
+    if (!this.isMoving || this.faces > MOST_MOVING_FACES) return;
     if (time - this.lastDrawn < FRAME_MILLISECONDS) return;
     this.draw(time);
   }
 
   private draw(time: number): void {
     this.lastDrawn = time;
-    const swing = this.moving ? Math.sin(time / 450) : 1;
+    const swing = this.isMoving ? Math.sin(time / 450) : 1;
     this.body.material.uniforms.amplitude.value = this.amplitude * swing;
     for (const { canvas, displacement } of this.pictures) {
       this.body.geometry.setAttribute('displacement', displacement);

@@ -1,9 +1,9 @@
-/** Grows the tree that a large mesh is picked with, away from the page's main thread. */
+/** Builds the search tree for picking on a large mesh, away from the main thread of the page. */
 
 import { MeshBVH } from 'three-mesh-bvh';
 import type { TriangleMesh } from '../../engine/core/core';
-import { geometryOf, growTree } from './picker';
+import { geometryOf, buildTree } from './picker';
 
 addEventListener('message', ({ data }: MessageEvent<TriangleMesh>) => {
-  postMessage(MeshBVH.serialize(growTree(geometryOf(data)), { cloneBuffers: false }));
+  postMessage(MeshBVH.serialize(buildTree(geometryOf(data)), { cloneBuffers: false }));
 });

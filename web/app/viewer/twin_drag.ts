@@ -1,89 +1,93 @@
-/** The hand that pulls at a moving body: where a ray meets it, and where the hand then goes. */
+/** The tool that pulls at a moving body: where a ray hits the body, and where the pointer drags that point. */
 
 import { Plane, Vector3 } from 'three';
 import type { Ray } from 'three';
 import type { SurfacePoint, TriangleMesh } from '../../engine/core/core';
 
-export interface Grip {
+export interface SurfaceHit {
   point: SurfacePoint;
-  place: Vector3;
+  position: Vector3;
 }
 
-/** Where a ray first meets the surface while its vertices are at `positions`; null where it misses. */
-export function gripAt(ray: Ray, { triangles }: TriangleMesh, positions: Float32Array): Grip | null {
-  const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
-  const met = new Vector3();
+/** Where a ray first hits the surface while its vertices are at `positions`; null where it misses. O(triangles). */
+export function hitAt(ray: Ray, { triangles }: TriangleMesh, positions: Float32Array): SurfaceHit | null {
+  const corners: Corners = [new Vector3(), new Vector3(), new Vector3()];
+  const load = (t: number) =>
+    corners.forEach((corner, k) => corner.fromArray(positions, 3 * triangles[3 * t + k]));
   let [nearest, least] = [-1, Infinity];
-  const place = new Vector3();
+  const [candidate, position] = [new Vector3(), new Vector3()];
   for (let t = 0; t < triangles.length / 3; t++) {
-    [a, b, c].forEach((corner, k) => corner.fromArray(positions, 3 * triangles[3 * t + k]));
-    if (!ray.intersectTriangle(a, b, c, false, met)) continue;
-    const distance = met.distanceToSquared(ray.origin);
+    load(t);
+    if (!ray.intersectTriangle(...corners, false, candidate)) continue;
+    const distance = candidate.distanceToSquared(ray.origin);
     if (distance >= least) continue;
     [nearest, least] = [t, distance];
-    place.copy(met);
+    position.copy(candidate);
   }
   if (nearest < 0) return null;
-  [a, b, c].forEach((corner, k) => corner.fromArray(positions, 3 * triangles[3 * nearest + k]));
-  return { point: { triangle: nearest, barycentric: barycentricOf(place, a, b, c) }, place };
+  load(nearest);
+  return { point: { triangle: nearest, barycentric: barycentricOf(position, corners) }, position };
 }
 
-function barycentricOf(p: Vector3, a: Vector3, b: Vector3, c: Vector3): [number, number, number] {
+type Corners = [Vector3, Vector3, Vector3];
+
+function barycentricOf(p: Vector3, [a, b, c]: Corners): [number, number, number] {
   const area = (u: Vector3, v: Vector3, w: Vector3) => v.clone().sub(u).cross(w.clone().sub(u)).length();
   const [ofA, ofB, ofC] = [area(p, b, c), area(p, c, a), area(p, a, b)];
   const total = ofA + ofB + ofC;
   return total > 0 ? [ofA / total, ofB / total, ofC / total] : [1, 0, 0];
 }
 
-/** What the tool needs to know and whom it tells. */
+/** What the tool asks of the page, and what it reports. */
 export interface DragHost<Name> {
-  /** in the pane at `fromX`; null: nothing can be pulled now */
+  /** the ray through a point of the page, in the pane at `fromX`; null where nothing can be pulled now */
   rayAt(clientX: number, clientY: number, fromX: number): Ray | null;
-  gripAt(ray: Ray, clientX: number): { name: Name; grip: Grip } | null;
+  /** the body that the ray hits in the pane at `clientX` */
+  hitAt(ray: Ray, clientX: number): { name: Name; hit: SurfaceHit } | null;
   grab(name: Name, point: SurfacePoint): void;
   drag(target: [number, number, number]): void;
   release(): void;
 }
 
 export class DragTool<Name> {
-  private held: { pointer: number; fromX: number; plane: Plane } | null = null;
+  private grip: { pointer: number; fromX: number; plane: Plane } | null = null;
 
   /** Listens on the canvas ahead of the camera, which gets every drag that does not begin on a body. */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly host: DragHost<Name>,
   ) {
-    canvas.addEventListener('pointerdown', (event) => this.begin(event), { capture: true });
-    canvas.addEventListener('pointermove', (event) => this.move(event));
-    canvas.addEventListener('pointerup', (event) => this.end(event));
-    canvas.addEventListener('pointercancel', (event) => this.end(event));
+    canvas.addEventListener('pointerdown', (event) => this.onPress(event), { capture: true });
+    canvas.addEventListener('pointermove', (event) => this.onMove(event));
+    canvas.addEventListener('pointerup', (event) => this.onRelease(event));
+    canvas.addEventListener('pointercancel', (event) => this.onRelease(event));
   }
 
-  private begin(event: PointerEvent): void {
-    if (event.button !== 0 || this.held) return;
+  private onPress(event: PointerEvent): void {
+    if (event.button !== 0 || this.grip) return;
     const ray = this.host.rayAt(event.clientX, event.clientY, event.clientX);
-    const found = ray && this.host.gripAt(ray, event.clientX);
+    const found = ray && this.host.hitAt(ray, event.clientX);
     if (!ray || !found) return;
     event.stopImmediatePropagation();
     this.canvas.setPointerCapture(event.pointerId);
     this.canvas.classList.add('dragging');
-    // The hand stays as far from the eye as it was.
-    const plane = new Plane().setFromNormalAndCoplanarPoint(ray.direction, found.grip.place);
-    this.held = { pointer: event.pointerId, fromX: event.clientX, plane };
-    this.host.grab(found.name, found.grip.point);
-    this.host.drag(found.grip.place.toArray());
+    // The point moves in the plane through itself that faces the eye.
+    const plane = new Plane().setFromNormalAndCoplanarPoint(ray.direction, found.hit.position);
+    this.grip = { pointer: event.pointerId, fromX: event.clientX, plane };
+    this.host.grab(found.name, found.hit.point);
+    this.host.drag(found.hit.position.toArray());
   }
 
-  private move({ pointerId, clientX, clientY }: PointerEvent): void {
-    if (pointerId !== this.held?.pointer) return;
-    const { fromX, plane } = this.held;
+  private onMove({ pointerId, clientX, clientY }: PointerEvent): void {
+    if (pointerId !== this.grip?.pointer) return;
+    const { fromX, plane } = this.grip;
     const target = this.host.rayAt(clientX, clientY, fromX)?.intersectPlane(plane, new Vector3());
     if (target) this.host.drag(target.toArray());
   }
 
-  private end(event: PointerEvent): void {
-    if (event.pointerId !== this.held?.pointer) return;
-    this.held = null;
+  private onRelease(event: PointerEvent): void {
+    if (event.pointerId !== this.grip?.pointer) return;
+    this.grip = null;
     this.canvas.classList.remove('dragging');
     this.host.release();
   }

@@ -1,35 +1,35 @@
-/** A body whose vertices move: places, normals and values written into its geometry for each picture. */
+/** A body whose vertices move: writes positions, normals and values into its geometry for each frame. */
 
 import type { BufferAttribute, BufferGeometry } from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
 
-/** Above this many triangles faces are drawn flat, as the shader finds their normals by itself. */
+/** Bodies with more triangles than this are shaded flat; the shader finds their normals by itself. */
 const MOST_SMOOTH = 150_000;
 
-/** Whether a mesh is shaded flat: its triangles are smaller than what could be told from smooth ones. */
+/** Whether a mesh is shaded flat: its triangles are so small that smooth shading would look the same. */
 export const isLarge = (mesh: TriangleMesh | null): boolean =>
   mesh !== null && mesh.triangles.length > 3 * MOST_SMOOTH;
 
-/** `groups`: see CornerNormals; they are those of the mesh at rest, so that creases stay where they are. */
-export function placeSurface(
+/** `groups`: those of the mesh at rest, see CornerNormals, so that creases stay where they are. */
+export function writePositions(
   geometry: BufferGeometry,
   { triangles }: TriangleMesh,
   positions: Float32Array,
   groups: Uint32Array,
 ): void {
-  const place = geometry.getAttribute('position') as BufferAttribute;
-  const corners = place.array as Float32Array;
+  const attribute = geometry.getAttribute('position') as BufferAttribute;
+  const corners = attribute.array as Float32Array;
   for (let corner = 0; corner < triangles.length; corner++) {
     const at = 3 * triangles[corner];
     corners[3 * corner] = positions[at];
     corners[3 * corner + 1] = positions[at + 1];
     corners[3 * corner + 2] = positions[at + 2];
   }
-  place.needsUpdate = true;
+  attribute.needsUpdate = true;
   if (triangles.length <= 3 * MOST_SMOOTH) smooth(geometry, corners, groups);
 }
 
-/** Normals weighted by area over the corners of a group. */
+/** Sets the normal of each group of corners to the sum of its triangles' normals, weighted by area. */
 function smooth(geometry: BufferGeometry, corners: Float32Array, groups: Uint32Array): void {
   const attribute = geometry.getAttribute('normal') as BufferAttribute;
   const normals = attribute.array as Float32Array;
@@ -53,7 +53,7 @@ function smooth(geometry: BufferGeometry, corners: Float32Array, groups: Uint32A
       normals[to + 2] += nz;
     }
   }
-  // The first corner of a group comes before the others; the shader makes them unit vectors.
+  // The first corner of a group precedes the others. The shader normalises the sums.
   for (let corner = 0; corner < groups.length; corner++) {
     const from = 3 * groups[corner];
     for (let c = 0; c < 3; c++) normals[3 * corner + c] = normals[from + c];
@@ -61,8 +61,8 @@ function smooth(geometry: BufferGeometry, corners: Float32Array, groups: Uint32A
   attribute.needsUpdate = true;
 }
 
-/** A value in [0, 1] per vertex, to colour by. */
-export function paintSurface(
+/** Colours by `values[v]` in [0, 1]. */
+export function writeValues(
   geometry: BufferGeometry,
   { triangles }: TriangleMesh,
   values: Float32Array,

@@ -1,4 +1,4 @@
-/** What the files will hold, what they leave out, what the validator says, and the save. */
+/** What the files will contain, what they leave out, what the validator finds, and the buttons that save them. */
 
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import type { Validation } from '../../../engine/document/validate';
@@ -6,15 +6,18 @@ import { OPTIONS, checkSetting } from '../../../engine/settings/options';
 import { reportAsCsv, reportAsMarkdown } from '../../../engine/report/report_text';
 import { readSetting } from '../../../engine/settings/setting_text';
 import { commandLine } from '../../command_line';
-import { download } from '../../files';
+import { download } from '../../files/files';
 import { refusalOf } from '../../state/refusal';
 import type { Refusal } from '../../state/refusal';
 import { bodyTargets, client, exportedKey, exportRequest } from '../../state/runner';
 import { changeSettings, results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
-import { Section, Toggle, count } from '../controls';
+import { Section, Toggle } from '../../controls/controls';
+import { count } from '../../controls/numbers';
+import { RefusedText } from '../../controls/refused_text';
+import './export_panel.css';
 
-/** What is shown and saved: never the files of earlier settings. */
+/** The files that are shown and saved; null while they are those of earlier settings. */
 const currentExport = (): ExportResult | null =>
   results.exported.value?.key === exportedKey() ? results.exported.value : null;
 
@@ -22,12 +25,12 @@ export function ExportPanel() {
   const file = results.file.value;
   const exported = currentExport();
   const panel = useRef<HTMLElement>(null);
-  // On a small screen it opens below what is in sight.
+  // On a small screen the panel opens below the part of the page that is in view.
   useEffect(() => panel.current?.scrollIntoView({ block: 'start' }), []);
   if (!file) return null;
   const { output } = exportRequest();
   return (
-    <aside class="panel export" aria-label="Export" ref={panel}>
+    <aside class="panel right export" aria-label="Export" ref={panel}>
       <div class="panel-head">
         <h2>Export</h2>
         <button
@@ -40,29 +43,35 @@ export function ExportPanel() {
         </button>
       </div>
       <Section title={output}>
-        <p>
-          {exported
-            ? `${count(exported.faces)} faces with positions and normals, ${size(exported.bytes.length)}.`
-            : 'Writing and checking ...'}
-        </p>
+        <p>{describeFile(exported)}</p>
         <Extras />
       </Section>
-      <Section title="Left out">
-        {file.dropped.length === 0 ? (
-          <p class="hint">Nothing that the file holds is lost.</p>
-        ) : (
-          <ul class="health">
-            {file.dropped.map((text) => (
-              <li key={text} class="limit">
-                {text}
-              </li>
-            ))}
-          </ul>
-        )}
-      </Section>
+      <LeftOut dropped={file.dropped} />
       {exported && <Verdict exported={exported} />}
       <Actions exported={exported} />
     </aside>
+  );
+}
+
+const describeFile = (exported: ExportResult | null): string =>
+  exported
+    ? `${count(exported.faces)} faces with positions and normals, ${size(exported.bytes.length)}.`
+    : 'Writing and checking ...';
+
+function LeftOut({ dropped }: { dropped: string[] }) {
+  return (
+    <Section title="Left out">
+      {dropped.length === 0 && <p class="hint">Nothing in the file is lost.</p>}
+      {dropped.length > 0 && (
+        <ul class="note-list">
+          {dropped.map((text) => (
+            <li key={text} class="limit">
+              {text}
+            </li>
+          ))}
+        </ul>
+      )}
+    </Section>
   );
 }
 
@@ -84,7 +93,7 @@ function Extras() {
   );
 }
 
-/** Shares of the faces of further levels, with commas. */
+/** The text field for the shares of faces of further levels, separated by commas. */
 function Levels() {
   const id = useId();
   const [refused, setRefused] = useState<Refusal | null>(null);
@@ -103,17 +112,13 @@ function Levels() {
         type="text"
         autocomplete="off"
         placeholder="0.25, 0.1"
-        title="Shares of the faces, with commas: one more file for each"
+        title="Shares of the faces, separated by commas: one more file for each"
         aria-invalid={refused !== null}
         aria-describedby={refused ? `${id}-refused` : undefined}
         value={refused ? refused.text : wants.settings.value.lods.join(', ')}
         onChange={(event) => change(event.currentTarget.value)}
       />
-      {refused && (
-        <p id={`${id}-refused`} class="hint bad" role="alert">
-          {refused.why}
-        </p>
-      )}
+      <RefusedText id={`${id}-refused`} refused={refused} />
     </div>
   );
 }
@@ -153,14 +158,7 @@ function Verdict({ exported }: { exported: ExportResult }) {
 }
 
 function Actions({ exported }: { exported: ExportResult | null }) {
-  const { output, binding, fields } = exportRequest();
-  const [copied, setCopied] = useState(false);
-  const line = commandLine(wants.settings.value, results.file.value!.name, output, {
-    faces: bodyTargets().reduce((sum, faces) => sum + faces, 0),
-    fields,
-    binding: binding ? bindingName(output) : null,
-  });
-  const copy = () => navigator.clipboard.writeText(line).then(() => setCopied(true));
+  const { output, binding } = exportRequest();
   const hasMore = binding || wants.settings.value.lods.length > 0;
   return (
     <div class="actions">
@@ -183,11 +181,28 @@ function Actions({ exported }: { exported: ExportResult | null }) {
         </button>
       )}
       <SaveReport exported={exported} output={output} />
+      <CommandLine />
+    </div>
+  );
+}
+
+/** The command that writes the same file. */
+function CommandLine() {
+  const { output, binding, fields } = exportRequest();
+  const [isCopied, setCopied] = useState(false);
+  const line = commandLine(wants.settings.value, results.file.value!.name, output, {
+    faces: bodyTargets().reduce((sum, faces) => sum + faces, 0),
+    fields,
+    binding: binding ? bindingName(output) : null,
+  });
+  const copy = () => navigator.clipboard.writeText(line).then(() => setCopied(true));
+  return (
+    <>
       <button type="button" onClick={() => void copy()}>
-        {copied ? 'Copied' : 'Copy command line'}
+        {isCopied ? 'Copied' : 'Copy command line'}
       </button>
       <code class="command">{line}</code>
-    </div>
+    </>
   );
 }
 
@@ -223,7 +238,7 @@ function SaveReport({ exported, output }: { exported: ExportResult | null; outpu
 
 const bindingName = (output: string): string => output.replace(/glb$/, 'bind.json');
 
-/** The file, its levels, the binding and the report in one archive. */
+/** Saves the file, its levels, the binding and the report in one archive. */
 async function saveAll(exported: ExportResult, output: string): Promise<void> {
   const text = (content: string) => new TextEncoder().encode(content);
   const files: Record<string, Uint8Array> = {

@@ -1,11 +1,12 @@
-/** Before anything is open: a place to drop a file, and the samples. */
+/** The page before a file is open: an area to drop one, and the samples. */
 
-import { pickFiles } from '../../files';
+import { pickFiles } from '../../files/files';
 import { status } from '../../state/store';
-import { count } from '../controls';
-import { openSample, samples } from './samples';
+import { count } from '../../controls/numbers';
+import { openSample, samples } from '../../files/samples';
+import './drop_zone.css';
 
-export function Empty() {
+export function DropZone() {
   if (status.busy.value) return null;
   return (
     <div class="drop-zone">

@@ -1,8 +1,10 @@
-/** Step 1: what the file holds and what state it is in. */
+/** Step 1: what the file contains and what state it is in. */
 
 import { results, wants } from '../../state/store';
 import { showBody } from '../../state/runner';
-import { Section, SettingRange, count, fixed } from '../controls';
+import { Section, SettingRange } from '../../controls/controls';
+import { count, fixed } from '../../controls/numbers';
+import './model_panel.css';
 
 export function ModelFacts() {
   const file = results.file.value;
@@ -73,7 +75,7 @@ function Health() {
   const { health } = results.body.value!;
   if (health.length === 0) return <p class="hint">Nothing to repair.</p>;
   return (
-    <ul class="health">
+    <ul class="note-list">
       {health.map(({ kind, text }) => (
         <li key={text} class={kind}>
           {text}

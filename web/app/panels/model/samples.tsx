@@ -1,28 +1,6 @@
-/** The samples that come with the page. */
+/** The buttons that open the samples. */
 
-import { signal } from '@preact/signals';
-import { openAddress } from '../../files';
-import type { Wanted } from '../../state/link';
-
-export interface Sample {
-  id: string;
-  name: string;
-  file: string;
-  faces: number;
-  vertices: number;
-  about: string;
-}
-
-export const samples = signal<Sample[]>([]);
-
-/** Reads the list of samples, which the build makes; none where it is missing. */
-export async function loadSamples(): Promise<void> {
-  const response = await fetch('./samples/index.json');
-  if (response.ok) samples.value = (await response.json()) as Sample[];
-}
-
-export const openSample = ({ file }: Sample, wanted?: Wanted): Promise<void> =>
-  openAddress(`./samples/${file}`, file, wanted);
+import { openSample, samples } from '../../files/samples';
 
 export function Samples() {
   return (

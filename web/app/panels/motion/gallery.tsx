@@ -1,4 +1,4 @@
-/** The gallery of modes: moving pictures, frequency, and where along the body each one strains it. */
+/** The gallery of modes: animated pictures, frequencies, and where along the body each mode strains it. */
 
 import { useEffect, useRef } from 'preact/hooks';
 import type { Mode } from '../../../engine/core/core';
@@ -8,9 +8,10 @@ import { STRIP } from '../../worker/protocol';
 import type { ModesResult } from '../../worker/protocol';
 import { colourAt } from '../../viewer/colours';
 import { THUMBNAIL, Thumbnails } from '../../viewer/thumbnails';
-import { count } from '../controls';
+import { count } from '../../controls/numbers';
 import { chooseMode, guidingModes } from './mode_choice';
 import { ModeNotes } from './mode_notes';
+import './gallery.css';
 
 const AXES = ['across, thin', 'across, wide', 'along'];
 
@@ -30,7 +31,7 @@ export function Gallery() {
   }, [view.playing.value, modes]);
   useEffect(() => () => thumbnails.current?.dispose(), []);
   if (!modes) return <p class="empty">{status.paused.value ? 'Stopped.' : 'Finding modes ...'}</p>;
-  if (modes.modesPerComponent === 0) return <p class="empty">No part can move: let go of some vertices.</p>;
+  if (modes.modesPerComponent === 0) return <p class="empty">No part can move: unpin some vertices.</p>;
   return (
     <>
       <ul class={areModesStale.value ? 'gallery stale' : 'gallery'} ref={list} aria-label="Modes">
@@ -47,7 +48,7 @@ function makeThumbnails(): Thumbnails | null {
   try {
     return new Thumbnails();
   } catch {
-    return null; // without WebGL2 the names and numbers still serve
+    return null; // without WebGL2 names and numbers are still of use
   }
 }
 
@@ -60,12 +61,8 @@ function ordinalShapes(modes: ModesResult): Float32Array[] {
 
 function ModeCard({ ordinal, modes }: { ordinal: number; modes: ModesResult }) {
   const mode = leadingMode(modes, ordinal);
-  const parts = modes.modes.filter((one) => one.ordinal === ordinal).length;
   const isChosen = guidingModes().includes(ordinal + 1);
-  const axis = mode?.axis ?? -1;
-  const words = [axis >= 0 ? AXES[axis] : '', parts > 1 ? `${count(parts)} parts` : '']
-    .filter(Boolean)
-    .join(', ');
+  const words = describeMode(modes, ordinal);
   return (
     <li class="mode-card">
       <button
@@ -85,19 +82,32 @@ function ModeCard({ ordinal, modes }: { ordinal: number; modes: ModesResult }) {
         </span>
         {words && <span class="caption muted">{words}</span>}
       </button>
-      <input
-        type="checkbox"
-        class="guides"
-        aria-label={`Mode ${ordinal + 1} guides`}
-        title="Blends this mode with the others that are ticked"
-        checked={isChosen}
-        onChange={(event) => {
-          chooseMode(ordinal + 1, true);
-          // The last one stays.
-          event.currentTarget.checked = guidingModes().includes(ordinal + 1);
-        }}
-      />
+      <GuidesToggle number={ordinal + 1} isChosen={isChosen} />
     </li>
+  );
+}
+
+/** The direction of the mode, and on how many parts it appears. */
+function describeMode(modes: ModesResult, ordinal: number): string {
+  const axis = leadingMode(modes, ordinal)?.axis ?? -1;
+  const parts = modes.modes.filter((one) => one.ordinal === ordinal).length;
+  return [axis >= 0 ? AXES[axis] : '', parts > 1 ? `${count(parts)} parts` : ''].filter(Boolean).join(', ');
+}
+
+function GuidesToggle({ number, isChosen }: { number: number; isChosen: boolean }) {
+  return (
+    <input
+      type="checkbox"
+      class="guides"
+      aria-label={`Mode ${number} guides`}
+      title="Blends this mode with the others that are ticked"
+      checked={isChosen}
+      onChange={(event) => {
+        chooseMode(number, true);
+        // The last chosen mode stays chosen.
+        event.currentTarget.checked = guidingModes().includes(number);
+      }}
+    />
   );
 }
 

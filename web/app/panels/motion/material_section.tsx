@@ -4,7 +4,7 @@ import { MATERIALS, MATERIAL_NAMES, materialNameOf } from '../../../engine/setti
 import type { MaterialName } from '../../../engine/settings/materials';
 import { resolveModel } from '../../../engine/settings/options';
 import { changeSettings, wants } from '../../state/store';
-import { Select } from '../controls';
+import { Select } from '../../controls/controls';
 
 const capital = (word: string): string => word[0].toUpperCase() + word.slice(1);
 
@@ -25,7 +25,7 @@ export function MaterialSelect() {
           if (chosen !== CUSTOM) changeSettings({ ...MATERIALS[chosen as MaterialName] });
         }}
       />
-      {resolveModel(settings) === 'laplacian' && <p class="hint">The Laplacian knows no material.</p>}
+      {resolveModel(settings) === 'laplacian' && <p class="hint">The Laplacian ignores the material.</p>}
     </>
   );
 }

@@ -6,10 +6,10 @@ import { changeSettings, wants } from '../../state/store';
 /** The guiding modes, from 1. */
 export const guidingModes = (): number[] => resolveModes(wants.settings.value);
 
-/** A click takes one mode; with `blend` it joins the others or leaves them. */
-export function chooseMode(mode: number, blend: boolean): void {
+/** Makes one mode guide alone; with `isBlending` adds it to the others or removes it from them. */
+export function chooseMode(mode: number, isBlending: boolean): void {
   const chosen = guidingModes();
-  if (!blend) return changeSettings({ modes: [mode], modeWeights: [] });
+  if (!isBlending) return changeSettings({ modes: [mode], modeWeights: [] });
   const next = chosen.includes(mode)
     ? chosen.filter((other) => other !== mode)
     : [...chosen, mode].sort((a, b) => a - b);

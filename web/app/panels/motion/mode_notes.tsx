@@ -1,4 +1,4 @@
-/** What is worth a word about the chosen modes, under the gallery. */
+/** Notes on the chosen modes, below the gallery. */
 
 import { describeHotSpots, differentPairs } from '../../../engine/report/hot_spots';
 import { localModes, spellModes, suggestedModes } from '../../../engine/core/mode_set';
@@ -6,6 +6,7 @@ import { resolveModes } from '../../../engine/settings/options';
 import { changeSettings, wants } from '../../state/store';
 import type { ModesResult } from '../../worker/protocol';
 import { guidingModes } from './mode_choice';
+import './mode_notes.css';
 
 export function ModeNotes({ modes }: { modes: ModesResult }) {
   const chosen = guidingModes();
@@ -24,7 +25,7 @@ export function ModeNotes({ modes }: { modes: ModesResult }) {
 
 function LocalNote({ modes, local }: { modes: ModesResult; local: number[] }) {
   const settings = wants.settings.value;
-  // As many as would be chosen without a word from the user.
+  // As many modes as are chosen by default.
   const better = suggestedModes(modes, resolveModes({ ...settings, modes: 'auto' }).length);
   return (
     <p>

@@ -1,4 +1,4 @@
-/** Step 2: what resists, what it is made of, what is held, and how it swings. */
+/** Step 2: the elastic model, the material, the pins, and how the modes swing. */
 
 import { counted } from '../../../engine/core/words';
 import { describeSolve } from '../../../engine/body/health';
@@ -6,8 +6,9 @@ import { coarseVerticesOf, describeModels } from '../../../engine/core/mode_set'
 import { OPTIONS, resolveModel } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
 import { areModesStale, changeSettings, results, view, wants } from '../../state/store';
-import { Choice, Range, Section, Toggle, count } from '../controls';
-import { SettingControls } from '../setting_controls';
+import { Choice, Range, Section, Toggle } from '../../controls/controls';
+import { count } from '../../controls/numbers';
+import { SettingControls } from '../../controls/setting_controls';
 import { MaterialSelect } from './material_section';
 import { PinsSection } from './pins_section';
 
@@ -52,7 +53,7 @@ export function MotionPanel() {
         />
         <SettingControls section="material" />
         <SettingControls section="modes" />
-        {!isExactOffered() && <ExactToggle />}
+        {!showsExactToggle() && <ExactToggle />}
       </details>
     </>
   );
@@ -80,7 +81,7 @@ function ModelSection() {
         </div>
       )}
       <SolveNotes />
-      {isExactOffered() && <ExactToggle />}
+      {showsExactToggle() && <ExactToggle />}
       <MaterialSelect />
     </Section>
   );
@@ -107,8 +108,8 @@ function PlaySection() {
   );
 }
 
-/** Where a copy was solved, or was until the mesh itself was asked for. */
-const isExactOffered = (): boolean =>
+/** Whether the modes were found on a coarser copy, or would be without this choice. */
+const showsExactToggle = (): boolean =>
   wants.settings.value.exact || (results.modes.value !== null && coarseVerticesOf(results.modes.value) > 0);
 
 function ExactToggle() {
@@ -121,7 +122,7 @@ function ExactToggle() {
   );
 }
 
-/** Which models were used, whether as many rigid motions came as should, and how far the modes can be trusted. */
+/** Which models were used, whether the expected number of rigid motions was found, and how accurate the modes are. */
 function SolveNotes() {
   const modes = results.modes.value;
   if (!modes) return null;

@@ -1,45 +1,45 @@
-/** What the pick tool does to the pins, and the dots that show them; on the Reduce step the same hand paints. */
+/** What the pick tool does to the pins, and the dots that show them. On the Reduce step the same tool paints. */
 
 import { batch } from '@preact/signals';
 import { editPins } from '../../../engine/settings/pin_edits';
-import { isDark } from '../../scheme';
 import { setPins } from '../../state/pins';
+import { viewportColours } from '../../state/scheme';
 import { isBrushing, isPicking, results, view, wants } from '../../state/store';
 import { PickTool } from '../../viewer/pick_tool';
-import type { PickHost } from '../../viewer/pick_tool';
-import type { Stage } from '../../viewer/stage';
-import { brushHand } from '../reduce/brushing';
+import type { StrokeTool } from '../../viewer/pick_tool';
+import type { Viewport } from '../../viewer/viewport';
+import { brushTool } from '../reduce/brushing';
 
-/** Of the brush, over the diagonal of the body. */
-const BRUSH = 0.02;
+/** The radius of a stroke that pins, over the diagonal of the body. */
+const RADIUS = 0.02;
 
 const shownPins = (): Uint32Array => results.pins.value?.vertices ?? new Uint32Array();
 
-export function connectPicking(canvas: HTMLCanvasElement, stage: Stage): PickTool {
-  const [pins, brush] = [pinHand(stage), brushHand(stage)];
-  const hand = () => (isBrushing.value ? brush : pins);
+export function connectPicking(canvas: HTMLCanvasElement, viewport: Viewport): PickTool {
+  const [pins, brush] = [pinTool(viewport), brushTool(viewport)];
+  const tool = () => (isBrushing.value ? brush : pins);
   return new PickTool(canvas, {
     mesh: () => (isPicking.value || isBrushing.value ? (results.body.value?.mesh ?? null) : null),
-    rayAt: (x, y) => (stage.paneAt(x) === 'original' ? stage.rayAt(x, y) : null),
+    rayAt: (x, y) => (viewport.paneAt(x) === 'original' ? viewport.rayAt(x, y) : null),
     isBroad: () => isBrushing.value,
-    hover: (picked) => hand().hover(picked),
-    brush: () => hand().brush(),
-    paint: (stroke) => hand().paint(stroke),
-    finish: (stroke) => hand().finish(stroke),
+    hover: (picked) => tool().hover(picked),
+    radius: () => tool().radius(),
+    paint: (stroke) => tool().paint(stroke),
+    finish: (stroke) => tool().finish(stroke),
   });
 }
 
-function pinHand(stage: Stage): Pick<PickHost, 'brush' | 'hover' | 'paint' | 'finish'> {
+function pinTool(viewport: Viewport): StrokeTool {
   return {
-    hover: (picked) => stage.offer(picked?.vertex ?? null),
-    brush: () => BRUSH * results.body.value!.diagonal,
+    hover: (picked) => viewport.previewPick(picked?.vertex ?? null),
+    radius: () => RADIUS * results.body.value!.diagonal,
     paint: ({ vertices, isErasing }) => {
-      stage.pin(afterEdit([...vertices.keys()], !isErasing));
+      viewport.pin(afterEdit([...vertices.keys()], !isErasing));
     },
     finish: ({ vertices, isErasing, isClick }) => {
       const touched = [...vertices.keys()];
-      const isHeld = isClick && shownPins().includes(touched[0]);
-      pinByHand(touched, !isErasing && !isHeld);
+      const isPinned = isClick && shownPins().includes(touched[0]);
+      pinVertices(touched, !isErasing && !isPinned);
     },
   };
 }
@@ -52,7 +52,7 @@ function afterEdit(vertices: number[], isPinning: boolean): Set<number> {
   return pinned;
 }
 
-function pinByHand(vertices: number[], isPinning: boolean): void {
+function pinVertices(vertices: number[], isPinning: boolean): void {
   const body = results.body.value;
   if (!body) return;
   const pinned = shownPins();
@@ -61,16 +61,16 @@ function pinByHand(vertices: number[], isPinning: boolean): void {
   const after = afterEdit(vertices, isPinning);
   batch(() => {
     setPins(text);
-    // The worker will find the same: until then the next stroke goes on from here.
+    // The worker will find the same pins. Until then the next stroke continues from these.
     results.pins.value = { text, vertices: Uint32Array.from(after).sort() };
   });
 }
 
-/** Pins belong to the motion: they are shown where something moves. */
-export function showPins(stage: Stage | null): void {
+/** Shows the pins on every step where something can move. */
+export function showPins(viewport: Viewport | null): void {
   const isShown = view.step.value !== 'model' && results.body.value !== null;
-  // Bodies that move carry their own.
-  if (view.step.value !== 'test') stage?.pin(isShown ? shownPins() : []);
-  if (!isPicking.value) stage?.offer(null);
-  stage?.colourPins(isDark.value ? { fill: '#ff9d5c', rim: '#1a0d04' } : { fill: '#e8590c', rim: '#ffffff' });
+  // On the Test step the moving bodies show their own pins.
+  if (view.step.value !== 'test') viewport?.pin(isShown ? shownPins() : []);
+  if (!isPicking.value) viewport?.previewPick(null);
+  viewport?.colourPins(viewportColours.value.pin);
 }

@@ -1,17 +1,18 @@
-/** What is held in place: the ends, vertices picked on the stage, an attribute of the file, or a text. */
+/** The pins: the ends of the body, vertices picked in the viewport, an attribute of the file, or a text. */
 
 import { useId } from 'preact/hooks';
 import { OPTIONS } from '../../../engine/settings/options';
 import { hasPins, pinValue, withPins } from '../../../engine/settings/pin_edits';
 import { setPins } from '../../state/pins';
 import { isPicking, results, status, view, wants } from '../../state/store';
-import { Section, Select, count } from '../controls';
+import { Section, Select } from '../../controls/controls';
+import { RefusedText } from '../../controls/refused_text';
+import { count } from '../../controls/numbers';
 
-/** Of the length of the body, in %: what "an end" is. */
+/** How much of the body is an end, in % of its length. */
 const END = '6';
 
 export function PinsSection() {
-  const { pins } = wants.settings.value;
   return (
     <Section title="Held in place">
       <div class="buttons">
@@ -20,44 +21,50 @@ export function PinsSection() {
         <button
           type="button"
           aria-pressed={isPicking.value}
-          title="Click vertices or paint over the surface; Shift lets go, Escape leaves"
+          title="Click vertices or paint over the surface; Shift unpins, Escape ends"
           onClick={() => (view.picking.value = !view.picking.value)}
         >
           Pick
         </button>
       </div>
       {isPicking.value && (
-        <p class="hint">Click a vertex or paint over the surface. Shift lets go, Esc leaves.</p>
+        <p class="hint">Click a vertex or paint over the surface. Shift unpins, Esc ends.</p>
       )}
       <AttributeSelect />
-      <div class="held">
-        <p class="hint" role="status">
-          {describePins()}
-        </p>
-        <button
-          type="button"
-          class="quiet"
-          disabled={pins === ''}
-          aria-label="Clear what is held"
-          onClick={() => setPins('')}
-        >
-          Clear
-        </button>
-      </div>
+      <PinsStatus />
       <PinsText />
     </Section>
   );
 }
 
+function PinsStatus() {
+  return (
+    <div class="status-row">
+      <p class="hint" role="status">
+        {describePins()}
+      </p>
+      <button
+        type="button"
+        class="quiet"
+        disabled={wants.settings.value.pins === ''}
+        aria-label="Clear the pins"
+        onClick={() => setPins('')}
+      >
+        Clear
+      </button>
+    </div>
+  );
+}
+
 function EndButton({ kind, text }: { kind: 'low' | 'high'; text: string }) {
   const { pins } = wants.settings.value;
-  const isHeld = hasPins(pins, kind);
+  const isPinned = hasPins(pins, kind);
   return (
     <button
       type="button"
-      aria-pressed={isHeld}
-      title={`Hold the ${kind === 'low' ? 'lowest' : 'highest'} ${END} % along the longest side`}
-      onClick={() => setPins(withPins(pins, kind, isHeld ? '' : END))}
+      aria-pressed={isPinned}
+      title={`Pins the ${kind === 'low' ? 'lowest' : 'highest'} ${END} % along the longest side`}
+      onClick={() => setPins(withPins(pins, kind, isPinned ? '' : END))}
     >
       {text}
     </button>
@@ -71,7 +78,7 @@ function AttributeSelect() {
   return (
     <Select
       label="Attribute"
-      title="Holds the vertices where the first component of the attribute is above one half"
+      title="Pins the vertices at which the first component of the attribute is above one half"
       options={[{ value: '', text: 'None' }, ...names.map((name) => ({ value: name, text: name }))]}
       value={pinValue(pins, 'attribute')}
       onChange={(name) => setPins(withPins(pins, 'attribute', name))}
@@ -80,10 +87,10 @@ function AttributeSelect() {
 }
 
 function describePins(): string {
-  const held = results.pins.value?.vertices.length ?? 0;
+  const pinned = results.pins.value?.vertices.length ?? 0;
   const total = results.body.value?.inspection.vertices ?? 0;
   if (wants.settings.value.pins === '') return 'Nothing: the body floats freely.';
-  return `${count(held)} of ${count(total)} vertices.`;
+  return `${count(pinned)} of ${count(total)} vertices.`;
 }
 
 function PinsText() {
@@ -107,11 +114,7 @@ function PinsText() {
           onChange={(event) => setPins(event.currentTarget.value)}
         />
       </details>
-      {refused && (
-        <p id={`${id}-refused`} class="hint bad" role="alert">
-          {refused.why}
-        </p>
-      )}
+      <RefusedText id={`${id}-refused`} refused={refused} />
     </>
   );
 }

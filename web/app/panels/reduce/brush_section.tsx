@@ -1,4 +1,4 @@
-/** Where triangles are to stay: painted on the stage, or named without a pointer. */
+/** Where triangles are kept or locked: painted in the viewport, or given as text. */
 
 import { useId } from 'preact/hooks';
 import { LOCKED } from '../../../engine/settings/paint_text';
@@ -8,16 +8,19 @@ import { changeSettings, isBrushing, results, view, wants } from '../../state/st
 import type { BrushTool } from '../../state/store';
 import { setLock, refusedLock } from '../../state/locks';
 import { PAINT } from '../../viewer/surface_material';
-import { Choice, Range, Section, Select, count, fixed } from '../controls';
+import { Choice, Range, Section, Select } from '../../controls/controls';
+import { RefusedText } from '../../controls/refused_text';
+import { count, fixed } from '../../controls/numbers';
+import './brush_section.css';
 
 /** % of the diagonal */
 export const BRUSH_RADIUS = { min: 0.5, max: 25 };
 
 const TOOLS: { value: BrushTool | 'off'; text: string; title: string }[] = [
   { value: 'off', text: 'Turn', title: 'The left button turns the view (Esc)' },
-  { value: 'keep', text: 'Keep', title: 'Paint where triangles are to be kept' },
+  { value: 'keep', text: 'Keep', title: 'Paint where triangles are kept' },
   { value: 'lock', text: 'Lock', title: 'Paint vertices that stay as they are' },
-  { value: 'erase', text: 'Erase', title: 'Wipe off what was painted' },
+  { value: 'erase', text: 'Erase', title: 'Erase what was painted' },
 ];
 
 export function BrushSection() {
@@ -60,7 +63,7 @@ function BrushShape() {
           onInput={(softness) => (view.brush.value = { ...view.brush.value, softness })}
         />
       )}
-      <p class="hint">Drag over the original. Shift erases, Esc leaves.</p>
+      <p class="hint">Drag over the original. Shift erases, Esc ends.</p>
     </>
   );
 }
@@ -71,7 +74,7 @@ function Painted() {
   const locked = levels.filter((level) => level === LOCKED).length;
   const kept = levels.filter((level) => level > 0).length - locked;
   return (
-    <div class="held">
+    <div class="status-row">
       <p class="hint" role="status">
         {kept > 0 && (
           <span class="paint-key" style={{ '--paint': PAINT.keep }}>
@@ -91,7 +94,7 @@ function Painted() {
   );
 }
 
-/** The same without a pointer: an attribute of the file, and vertices in words. */
+/** The same without a pointer: an attribute of the file, and vertices as text. */
 export function NamedLocks() {
   const { keep, pins, lock } = wants.settings.value;
   const names = results.body.value?.pinAttributes ?? [];
@@ -111,10 +114,10 @@ export function NamedLocks() {
         <button
           type="button"
           disabled={pins === ''}
-          title="What is held in place on the Motion step stays as it is"
+          title="Locks the pinned vertices of the Motion step"
           onClick={() => setLock(lock === '' ? pins : `${lock}+${pins}`)}
         >
-          Lock what is held
+          Lock pinned vertices
         </button>
         <button type="button" disabled={lock === ''} onClick={() => setLock('')}>
           Unlock
@@ -142,11 +145,7 @@ function LockText() {
         value={refused ? refused.text : wants.settings.value.lock}
         onChange={(event) => setLock(event.currentTarget.value)}
       />
-      {refused && (
-        <p id={`${id}-refused`} class="hint bad" role="alert">
-          {refused.why}
-        </p>
-      )}
+      <RefusedText id={`${id}-refused`} refused={refused} />
     </div>
   );
 }

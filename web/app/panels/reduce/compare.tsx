@@ -1,8 +1,9 @@
-/** How original and optimized are seen beside each other: the choice on the stage, and the divider of the slider view. */
+/** How original and optimized are compared: the choice of the view, and the divider of the slider view. */
 
 import { isBrushing, results, shownMesh, view } from '../../state/store';
 import type { Layout } from '../../state/store';
-import type { PaneName } from '../../viewer/stage';
+import type { PaneName } from '../../viewer/pane_layout';
+import './compare.css';
 
 const LAYOUTS: { value: Layout; text: string; picture: string }[] = [
   { value: 'both', text: 'Side by side', picture: 'M2 3h5v10H2zM9 3h5v10H9z' },
@@ -16,7 +17,7 @@ export const LAYOUT_NAMES = LAYOUTS.map(({ value }) => value);
 const isCompared = (): boolean => view.step.value === 'reduce' && shownMesh.value !== null;
 export const isSplit = (): boolean => isCompared() && view.layout.value === 'slider';
 
-/** What the stage shows on the Reduce step. */
+/** The panes that the viewport shows on the Reduce step. */
 export function comparedPanes(): PaneName[] {
   const { value: layout } = view.layout;
   // The brush paints on the original.
@@ -24,13 +25,13 @@ export function comparedPanes(): PaneName[] {
   return isAlone ? [layout as PaneName] : ['original', 'optimized'];
 }
 
-/** How the labels of the panes make room for the choice of the view, which stands between them. */
+/** The class of the pane labels, which leave the middle free for the choice of the view. */
 export function labelsBesideChoice(): 'alone' | 'compared' | '' {
   if (!isCompared()) return '';
   return comparedPanes().length === 1 ? 'alone' : 'compared';
 }
 
-/** From one mesh to the other in the same place. */
+/** Switches between the two meshes in the same place. */
 export function blink(): void {
   view.layout.value = view.layout.value === 'original' ? 'optimized' : 'original';
 }
@@ -70,7 +71,7 @@ export function Compare() {
   );
 }
 
-/** A real slider over the whole stage, of which the thumb alone takes the pointer. */
+/** A real slider over the whole viewport, of which the thumb alone takes the pointer. */
 function Divider() {
   const share = view.split.value;
   return (

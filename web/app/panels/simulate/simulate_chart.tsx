@@ -1,18 +1,22 @@
 /** The deviation of the optimized mesh over time, with its noise floor. */
 
 import type { TwinSample } from '../../../engine/motion/twin';
-import { twin } from '../../state/simulation';
-import { fixed, percent } from '../controls';
+import { twin } from '../../state/twin';
+import { fixed, percent } from '../../controls/numbers';
 import { roundUp } from './simulate_scale';
+import './simulate_chart.css';
 
+/** The view box of the chart. */
 const [WIDTH, HEIGHT] = [1000, 100];
 
-/** Seconds that the curve shows at least, and at most. */
+/** The least and the most seconds that the chart shows. */
 const SHORTEST = 2;
 const LONGEST = 10;
 
-interface Frame {
+interface Axes {
+  /** s */
   start: number;
+  /** s */
   span: number;
   /** the deviation at the upper end, % */
   high: number;
@@ -20,24 +24,14 @@ interface Frame {
 
 export function DeviationChart() {
   const samples = twin.samples.value;
-  const frame = frameOf(samples);
-  const shown = samples.filter(({ time }) => time >= frame.start);
+  const axes = axesOf(samples);
+  const shown = samples.filter(({ time }) => time >= axes.start);
   const noise = shown.filter((sample) => sample.noise !== null);
   return (
     <figure class="chart">
-      <figcaption>
-        <span>
-          <span class="key deviation" /> Deviation, mean over the surface
-        </span>
-        {noise.length > 0 && (
-          <span title="The original against itself with its constraints in another order">
-            <span class="key noise" /> Noise floor
-          </span>
-        )}
-        <span class="muted">% of the diagonal</span>
-      </figcaption>
+      <Caption hasNoise={noise.length > 0} />
       <div class="plot">
-        <span class="high">{frame.high}</span>
+        <span class="high">{axes.high}</span>
         <span class="low">0</span>
         <svg
           viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
@@ -47,18 +41,34 @@ export function DeviationChart() {
         >
           <line class="grid" x1={0} x2={WIDTH} y1={HEIGHT / 2} y2={HEIGHT / 2} />
           <line class="grid" x1={0} x2={WIDTH} y1={HEIGHT} y2={HEIGHT} />
-          <polyline class="noise" points={pointsOf(noise, (sample) => sample.noise ?? 0, frame)} />
-          <polyline class="deviation" points={pointsOf(shown, (sample) => sample.mean, frame)} />
+          <polyline class="noise" points={pointsOf(noise, (sample) => sample.noise ?? 0, axes)} />
+          <polyline class="deviation" points={pointsOf(shown, (sample) => sample.mean, axes)} />
         </svg>
-        <span class="from">{fixed(frame.start, 1)} s</span>
-        <span class="to">{fixed(frame.start + frame.span, 1)} s</span>
+        <span class="from">{fixed(axes.start, 1)} s</span>
+        <span class="to">{fixed(axes.start + axes.span, 1)} s</span>
       </div>
     </figure>
   );
 }
 
-/** The whole run, or its last seconds. */
-function frameOf(samples: TwinSample[]): Frame {
+function Caption({ hasNoise }: { hasNoise: boolean }) {
+  return (
+    <figcaption>
+      <span>
+        <span class="key deviation" /> Deviation, mean over the surface
+      </span>
+      {hasNoise && (
+        <span title="The original against itself with its constraints in another order">
+          <span class="key noise" /> Noise floor
+        </span>
+      )}
+      <span class="muted">% of the diagonal</span>
+    </figcaption>
+  );
+}
+
+/** The range of the axes: the whole run, or its last seconds. */
+function axesOf(samples: TwinSample[]): Axes {
   const end = samples.at(-1)?.time ?? 0;
   const start = Math.max(0, end - LONGEST);
   const span = Math.max(SHORTEST, Math.min(LONGEST, Math.ceil(end)));
@@ -72,7 +82,7 @@ function frameOf(samples: TwinSample[]): Frame {
 function pointsOf(
   samples: TwinSample[],
   valueOf: (sample: TwinSample) => number,
-  { start, span, high }: Frame,
+  { start, span, high }: Axes,
 ) {
   return samples
     .map((sample) => {
@@ -82,7 +92,7 @@ function pointsOf(
     .join(' ');
 }
 
-/** The curve in words. */
+/** Describes the curve in words. */
 function describe(samples: TwinSample[]): string {
   const last = samples.at(-1);
   if (!last) return 'Deviation over time: nothing has moved yet.';

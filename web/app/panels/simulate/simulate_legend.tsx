@@ -1,9 +1,9 @@
-/** What the colours of moving bodies mean. */
+/** What the colours of the moving bodies mean. */
 
-import { twin } from '../../state/simulation';
+import { twin } from '../../state/twin';
 import { view } from '../../state/store';
-import { Choice, Toggle } from '../controls';
-import { Bar } from '../bar';
+import { Choice, Toggle } from '../../controls/controls';
+import { ColourBar } from '../../controls/colour_bar';
 import { heatScale } from './simulate_scale';
 
 const COLOURS = [
@@ -11,11 +11,11 @@ const COLOURS = [
   {
     value: 'deviation',
     text: 'Deviation',
-    title: 'How far each place of the original is from the optimized (2)',
+    title: 'How far each point of the original is from the optimized mesh (2)',
   },
 ] as const;
 
-export function TestLegend() {
+export function SimulateLegend() {
   const isHeat = twin.heat.value;
   return (
     <div class="legend">
@@ -26,7 +26,7 @@ export function TestLegend() {
         onChange={(colour) => (twin.heat.value = colour === 'deviation')}
       />
       {isHeat && (
-        <Bar map="viridis" title="Deviation, % of diagonal" low="0" high={String(heatScale.value)} />
+        <ColourBar map="viridis" title="Deviation, % of diagonal" low="0" high={String(heatScale.value)} />
       )}
       <Toggle label="Wireframe" checked={view.wire.value} onChange={(wire) => (view.wire.value = wire)} />
     </div>

@@ -1,4 +1,4 @@
-/** Step 4: what happens to both bodies, how finely it is computed, and how they are shown. */
+/** Step 4: what happens to both bodies, how finely it is simulated, and how they are shown. */
 
 import { useId, useState } from 'preact/hooks';
 import { OPTIONS, checkSetting } from '../../../engine/settings/options';
@@ -6,18 +6,20 @@ import { SCENARIOS, scenarioWords } from '../../../engine/core/scenarios';
 import type { Settings } from '../../../engine/settings/options';
 import { refusalOf } from '../../state/refusal';
 import type { Refusal } from '../../state/refusal';
-import { heldNow, twin } from '../../state/simulation';
-import type { Held } from '../../state/simulation';
+import { pinSource, twin } from '../../state/twin';
+import type { PinSource } from '../../state/twin';
 import { changeSettings, results, shownMesh, wants } from '../../state/store';
-import { Choice, Section, Select, SettingRange, Toggle, count } from '../controls';
-import { SettingControls } from '../setting_controls';
+import { Choice, Section, Select, SettingRange, Toggle } from '../../controls/controls';
+import { count } from '../../controls/numbers';
+import { RefusedText } from '../../controls/refused_text';
+import { SettingControls } from '../../controls/setting_controls';
 
 const SCENARIO_CHOICES = SCENARIOS.map(({ name, label }) => ({ value: name, text: label }));
 
-/** What happens, and what is held for it. */
+/** What happens, and which vertices the scenario pins for it. */
 function describeScenario(scenario: Settings['scenario']): string {
   const { pinned, sentence } = scenarioWords(scenario);
-  return heldNow.value === 'scenario' && pinned ? `${sentence} ${pinned} held.` : sentence;
+  return pinSource.value === 'scenario' && pinned ? `${sentence} ${pinned} held.` : sentence;
 }
 
 const MATERIALS: { value: Settings['material']; text: string; title: string }[] = [
@@ -30,7 +32,7 @@ const LAYOUTS = [
   { value: 'over', text: 'Overlaid' },
 ] as const;
 
-export function TestPanel() {
+export function SimulatePanel() {
   const { scenario } = wants.settings.value;
   return (
     <>
@@ -42,7 +44,7 @@ export function TestPanel() {
           value={scenario}
           onChange={(value) => changeSettings({ scenario: value as Settings['scenario'] })}
         />
-        <HeldSelect />
+        <PinSourceSelect />
         <SettingRange name="substeps" />
       </Section>
       <Section title="View">
@@ -88,9 +90,9 @@ function More() {
   );
 }
 
-function HeldSelect() {
+function PinSourceSelect() {
   const pins = results.pins.value?.vertices.length ?? 0;
-  const options: { value: Held; text: string }[] = [
+  const options: { value: PinSource; text: string }[] = [
     { value: 'scenario', text: 'By scenario' },
     { value: 'corners', text: 'Top corners' },
   ];
@@ -98,19 +100,19 @@ function HeldSelect() {
   return (
     <Select
       label="Held in place"
-      title="Set once on the original and carried over to the optimized mesh. Pins are those of step 2."
+      title="Pinned on the original and carried over to the optimized mesh. Pins are those of step 2."
       options={options}
-      value={heldNow.value}
-      onChange={(held) => (twin.held.value = held as Held)}
+      value={pinSource.value}
+      onChange={(source) => (twin.chosenPinSource.value = source as PinSource)}
     />
   );
 }
 
-/** A text that does not parse is refused with a sentence, and what was there stays. */
+/** A text that does not parse is refused with a sentence, and the colliders stay as they were. */
 function CollidersText() {
   const id = useId();
   const [refused, setRefused] = useState<Refusal | null>(null);
-  const take = (text: string) => {
+  const change = (text: string) => {
     const colliders = text.replaceAll(/\s/g, '');
     const refusal = refusalOf(text, () => checkSetting('colliders', colliders));
     setRefused(refusal);
@@ -130,13 +132,9 @@ function CollidersText() {
         aria-invalid={refused !== null}
         aria-describedby={refused ? `${id}-refused` : undefined}
         value={refused ? refused.text : wants.settings.value.colliders}
-        onChange={(event) => take(event.currentTarget.value)}
+        onChange={(event) => change(event.currentTarget.value)}
       />
-      {refused && (
-        <p id={`${id}-refused`} class="hint bad" role="alert">
-          {refused.why}
-        </p>
-      )}
+      <RefusedText id={`${id}-refused`} refused={refused} />
     </div>
   );
 }

@@ -1,15 +1,15 @@
-/** How fast each body is stepped, how close they stay, and whether time keeps up. */
+/** The cost of a step of each body, their deviation, and whether the motion is in real time. */
 
 import type { TwinFrame } from '../../worker/simulation_protocol';
-import { twin } from '../../state/simulation';
+import { twin } from '../../state/twin';
 import { wants } from '../../state/store';
-import { fixed, percent } from '../controls';
-import { Readout } from '../readout';
+import { fixed, percent } from '../../controls/numbers';
+import { Readout } from '../../controls/readout';
 
-/** Below this the motion is slower than life. */
+/** A pace below this is called slow motion. */
 const REAL_TIME = 0.9;
 
-export function TestReadouts() {
+export function SimulateReadouts() {
   const frame = twin.numbers.value;
   const last = twin.samples.value.at(-1);
   const noise = last?.noise ?? null;
@@ -22,7 +22,7 @@ export function TestReadouts() {
       <Readout
         name="Deviation"
         value={last ? percent(last.mean) : '...'}
-        note={noise === null ? 'noise floor left out' : `noise floor ${percent(noise)}`}
+        note={noise === null ? 'noise floor not measured' : `noise floor ${percent(noise)}`}
       />
       <Readout
         name="Stretch"
@@ -43,7 +43,7 @@ function Cost({ name, seconds }: { name: string; seconds: number }) {
   const perSubstep = (1e6 * seconds) / wants.settings.value.substeps;
   return (
     <Readout
-      name={`${name}, a step`}
+      name={`${name}, per step`}
       value={seconds > 0 ? `${(1000 * seconds).toPrecision(3)} ms` : '...'}
       note={seconds > 0 ? `${perSubstep.toPrecision(3)} µs/substep` : ''}
     />

@@ -1,16 +1,16 @@
-/** Round ends for scales. */
+/** Round upper ends for scales. */
 
 import { computed } from '@preact/signals';
-import { twin } from '../../state/simulation';
+import { twin } from '../../state/twin';
 
-/** The least of 1, 2, 5 times a power of ten that is not below `value`; `value` > 0. */
+/** The smallest of 1, 2 or 5 times a power of ten that is at least `value` > 0. */
 export function roundUp(value: number): number {
   const power = 10 ** Math.floor(Math.log10(value));
   const step = [1, 2, 5, 10].find((factor) => factor * power >= value * (1 - 1e-9)) ?? 10;
   return Number((step * power).toPrecision(1));
 }
 
-/** Of deviations below this, in %, nobody needs to know more. */
+/** Smaller deviations, in %, do not make the scale finer. */
 const LEAST = 0.1;
 
 /** The deviation at the upper end of the colours, in %. */

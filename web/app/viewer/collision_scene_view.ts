@@ -1,65 +1,71 @@
-/** What bodies fall on: a floor and balls or capsules, drawn in a scene beside a body. */
+/** Draws what bodies can touch: a floor, balls and capsules. */
 
 import * as THREE from 'three';
 import type { Collider, CollisionScene } from '../../engine/core/core';
 
-export interface Props extends CollisionScene {
-  /** how far down a body will hang; null: no farther than it stands */
+/** In units of the mesh. */
+export interface ShownCollisionScene extends CollisionScene {
+  /** the height that a body will hang down to; null: not below where it stands */
   lowest: number | null;
-  /** of what stands on the floor, in units of the mesh */
+  /** of the bounding box of the body */
   centre: number[];
   diagonal: number;
 }
 
-export interface PropsLook {
+export interface CollisionSceneLook {
   floor: string;
   line: string;
   body: string;
 }
 
-/** Lines of the floor per diagonal. */
-const LINES = 8;
+/** Squares of the floor per diagonal. */
+const SQUARES = 8;
 
 const floorVertex = /* glsl */ `
-  varying vec2 place;
+  varying vec2 floorPosition;
   void main() {
-    place = position.xz;
+    floorPosition = position.xz;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   }
 `;
 
-// Squares that fade out, so that the floor has no edge.
+// The squares fade out, so that the floor has no edge.
 const floorFragment = /* glsl */ `
-  varying vec2 place;
+  varying vec2 floorPosition;
   uniform vec3 floorColour;
   uniform vec3 lineColour;
   uniform float cell;
   uniform float radius;
   void main() {
-    vec2 at = place / cell;
+    vec2 at = floorPosition / cell;
     vec2 away = abs(fract(at - 0.5) - 0.5) / fwidth(at);
     float line = 1.0 - min(min(away.x, away.y), 1.0);
-    float fade = 1.0 - smoothstep(0.35, 1.0, length(place) / radius);
+    float fade = 1.0 - smoothstep(0.35, 1.0, length(floorPosition) / radius);
     gl_FragColor = vec4(mix(floorColour, lineColour, line), fade * mix(0.5, 0.8, line));
     #include <colorspace_fragment>
   }
 `;
 
-export class PropsView {
+export class CollisionSceneView {
   readonly group = new THREE.Group();
 
-  show(props: Props | null, look: PropsLook): void {
+  /** Replaces what is shown; null shows nothing. */
+  show(scene: ShownCollisionScene | null, look: CollisionSceneLook): void {
     for (const child of [...this.group.children]) {
       this.group.remove(child);
       if (child instanceof THREE.Mesh) child.geometry.dispose();
     }
-    if (!props) return;
-    if (props.ground !== null) this.addGround(props, props.ground, look);
-    for (const collider of props.colliders) this.addCollider(collider, look);
+    if (!scene) return;
+    if (scene.ground !== null) this.addGround(scene, scene.ground, look);
+    for (const collider of scene.colliders) this.addCollider(collider, look);
     this.addLights();
   }
 
-  private addGround({ centre, diagonal }: Props, height: number, look: PropsLook): void {
+  private addGround(
+    { centre, diagonal }: ShownCollisionScene,
+    height: number,
+    look: CollisionSceneLook,
+  ): void {
     const radius = 0.95 * diagonal;
     const material = new THREE.ShaderMaterial({
       vertexShader: floorVertex,
@@ -69,12 +75,12 @@ export class PropsView {
       uniforms: {
         floorColour: { value: new THREE.Color(look.floor) },
         lineColour: { value: new THREE.Color(look.line) },
-        cell: { value: diagonal / LINES },
+        cell: { value: diagonal / SQUARES },
         radius: { value: radius },
       },
     });
     const floor = new THREE.Mesh(new THREE.CircleGeometry(radius, 64).rotateX(-Math.PI / 2), material);
-    // A little lower than it is, so that what rests on it is not cut by it.
+    // The floor is drawn a little too low, so that it does not cut what rests on it.
     floor.position.set(centre[0], height - 0.004 * diagonal, centre[2]);
     this.group.add(floor);
   }
@@ -85,9 +91,9 @@ export class PropsView {
     this.group.add(sun, new THREE.HemisphereLight('#ffffff', '#9a9a9a', 2));
   }
 
-  private addCollider({ from, to, radius }: Collider, look: PropsLook): void {
+  private addCollider({ from, to, radius }: Collider, look: CollisionSceneLook): void {
     const [a, b] = [new THREE.Vector3(...from), new THREE.Vector3(...to)];
-    // A little smaller than it is: the triangles of what lies on it cut through its round.
+    // A collider is drawn a little too small: flat triangles that lie on it would cut through its round surface.
     const geometry = new THREE.CapsuleGeometry(0.97 * radius, a.distanceTo(b), 16, 48);
     const body = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ color: look.body }));
     body.position.copy(a).add(b).multiplyScalar(0.5);
@@ -97,8 +103,8 @@ export class PropsView {
   }
 }
 
-/** Points that a picture of the props has to show. */
-export function reachOf({ ground, lowest, colliders, centre }: Props): THREE.Vector3[] {
+/** Points that a picture of the scene has to contain. */
+export function pointsToShow({ ground, lowest, colliders, centre }: ShownCollisionScene): THREE.Vector3[] {
   const ends = colliders.flatMap(({ from, to, radius }) =>
     [from, to].flatMap((end) =>
       [-radius, radius].map((by) =>

@@ -1,3 +1,5 @@
+/** The scale of colours by curvature. */
+
 const scales = new WeakMap<Float32Array, number>();
 
 /** The curvature that gets the brightest colour: the 98th percentile, so that a single spike does not hide the rest. */

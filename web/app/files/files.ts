@@ -1,9 +1,9 @@
-/** Files into the page and out of it: dialog, drop, download. */
+/** Opens files by dialog, drop or address, and downloads files. */
 
-import type { SourceFile } from '../engine/document/open';
-import type { Wanted } from './state/link';
-import { openFiles } from './state/runner';
-import { status } from './state/store';
+import type { SourceFile } from '../../engine/document/open';
+import type { Wanted } from '../state/link';
+import { openFiles } from '../state/runner';
+import { status } from '../state/store';
 
 const READABLE = '.glb,.gltf,.obj,.stl,.ply';
 
@@ -15,12 +15,13 @@ async function readAll(files: Iterable<{ name: string; file: File }>): Promise<S
   return Promise.all(reads);
 }
 
+/** Lets the user choose files and opens them. */
 export function pickFiles(): Promise<void> {
   return new Promise((resolve) => {
     const input = document.createElement('input');
     input.type = 'file';
     input.multiple = true;
-    // Companion files of a .gltf have any name, so nothing is hidden.
+    // Companion files of a .gltf may have any name; these are the usual kinds.
     input.accept = `${READABLE},.bin,.png,.jpg,.jpeg,.webp,.ktx2,.mtl`;
     input.onchange = async () => {
       const files = Array.from(input.files ?? [], (file) => ({ name: file.name, file }));
@@ -32,7 +33,7 @@ export function pickFiles(): Promise<void> {
   });
 }
 
-/** What was dropped: files, and all files below folders with their relative paths. */
+/** Opens what was dropped: files, and all files below folders with their relative paths. */
 export async function openDropped(items: DataTransferItemList): Promise<void> {
   const plain = Array.from(items, (item) => (item.webkitGetAsEntry?.() ? null : item.getAsFile()));
   const entries = Array.from(items, (item) => item.webkitGetAsEntry?.() ?? null).filter(
@@ -63,7 +64,7 @@ async function filesBelow(entry: FileSystemEntry, path: string): Promise<{ name:
   return (await Promise.all(children.map((child) => filesBelow(child, prefix)))).flat();
 }
 
-/** A file of the page's own origin. */
+/** Opens a file of the page's own origin. */
 export async function openAddress(address: string, name: string, wanted?: Wanted): Promise<void> {
   const response = await fetch(address);
   if (!response.ok) {

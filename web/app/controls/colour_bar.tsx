@@ -1,18 +1,17 @@
 /** A colour map with its ends named. */
 
 import { gradient } from '../viewer/colours';
+import type { MapName } from '../viewer/colours';
+import './colour_bar.css';
 
-export function Bar({
-  map,
-  title,
-  low,
-  high,
-}: {
-  map: 'viridis' | 'cividis';
+interface ColourBarProps {
+  map: MapName;
   title: string;
   low: string;
   high: string;
-}) {
+}
+
+export function ColourBar({ map, title, low, high }: ColourBarProps) {
   return (
     <div class="bar">
       <span class="ends">

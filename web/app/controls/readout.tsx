@@ -1,16 +1,15 @@
-/** One number under the stage. */
+/** A number with its name above and a note beside it. */
 
-export function Readout({
-  name,
-  value,
-  note,
-  isBad,
-}: {
+import './readout.css';
+
+interface ReadoutProps {
   name: string;
   value: string;
   note: string;
   isBad?: boolean;
-}) {
+}
+
+export function Readout({ name, value, note, isBad }: ReadoutProps) {
   return (
     <div class={isBad ? 'bad' : undefined}>
       <dt>{name}</dt>

@@ -1,4 +1,4 @@
-/** Dots over the surface, one for each vertex that is held in place. */
+/** Round dots of fixed size over the surface, one for each marked vertex. */
 
 import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial } from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
@@ -8,9 +8,9 @@ const vertexShader = /* glsl */ `
   uniform float amplitude;
   attribute vec3 displacement;
   void main() {
-    vec3 place = (modelViewMatrix * vec4(position + amplitude * displacement, 1.0)).xyz;
-    // A little towards the eye, so that the surface around the vertex does not cut the dot.
-    gl_Position = projectionMatrix * vec4(0.985 * place, 1.0);
+    vec3 viewPosition = (modelViewMatrix * vec4(position + amplitude * displacement, 1.0)).xyz;
+    // Dots lie a little nearer to the eye, so that the surface around the vertex does not cut them.
+    gl_Position = projectionMatrix * vec4(0.985 * viewPosition, 1.0);
     gl_PointSize = size;
   }
 `;
@@ -33,7 +33,7 @@ export interface DotLook {
   rim: string;
 }
 
-export class PinDots {
+export class Dots {
   readonly points: Points<BufferGeometry, ShaderMaterial>;
 
   constructor(private readonly pixelRatio: number) {
@@ -51,21 +51,19 @@ export class PinDots {
   }
 
   show({ positions }: TriangleMesh, vertices: Iterable<number>): void {
-    const places = Float32Array.from(
-      [...vertices].flatMap((vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]),
-    );
-    this.place(places);
+    const points = [...vertices].flatMap((vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]);
+    this.setPoints(Float32Array.from(points));
   }
 
-  /** places[3 * dot + c], and where they go at full swing */
-  place(places: Float32Array, displacement: Float32Array | null = null): void {
+  /** `positions[3 i + c]`; `displacement[3 i + c]` at full swing over the amplitude. */
+  setPoints(positions: Float32Array, displacement: Float32Array | null = null): void {
     this.points.geometry.dispose();
     this.points.geometry = new BufferGeometry();
-    this.points.geometry.setAttribute('position', new BufferAttribute(places, 3));
+    this.points.geometry.setAttribute('position', new BufferAttribute(positions, 3));
     if (displacement) this.points.geometry.setAttribute('displacement', new BufferAttribute(displacement, 3));
-    this.points.visible = places.length > 0;
+    this.points.visible = positions.length > 0;
     const { uniforms } = this.points.material;
-    const [size, rimWidth] = inPixels(places.length / 3);
+    const [size, rimWidth] = inPixels(positions.length / 3);
     uniforms.size.value = this.pixelRatio * size;
     uniforms.rimWidth.value = this.pixelRatio * rimWidth;
   }
@@ -80,7 +78,7 @@ export class PinDots {
   }
 }
 
-/** Diameter and rim in CSS pixels: many dots are small and without a rim, which would hide its neighbours. */
+/** Diameter and rim in CSS pixels. Many dots are small and have no rim, as it would hide their neighbours. */
 function inPixels(count: number): [number, number] {
   if (count <= 40) return [10, 1.5];
   if (count <= 150) return [7, 1];

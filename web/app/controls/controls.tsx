@@ -110,7 +110,7 @@ interface SelectProps {
   onChange(value: string): void;
 }
 
-/** One of many choices. */
+/** A list of choices to open. */
 export function Select({ label, options, value, title, onChange }: SelectProps) {
   const id = useId();
   return (
@@ -134,7 +134,7 @@ interface ChoiceProps<T extends string> {
   onChange(value: T): void;
 }
 
-/** A few choices of which one holds. */
+/** A few choices side by side, one of them pressed. */
 export function Choice<T extends string>({ label, options, value, onChange }: ChoiceProps<T>) {
   return (
     <div class="choice" role="group" aria-label={label}>
@@ -170,11 +170,3 @@ export function Toggle(props: {
     </label>
   );
 }
-
-export const count = (value: number): string => value.toLocaleString('en-US');
-export const fixed = (value: number, digits: number): string => value.toFixed(digits);
-/** Two decimals, or two figures where these would say nothing; what is as small as rounding is told as that. */
-export const percent = (value: number): string => {
-  if (value > 0 && value < 0.001) return '< 0.001 %';
-  return value === 0 || value >= 0.1 ? `${value.toFixed(2)} %` : `${Number(value.toPrecision(2))} %`;
-};

@@ -1,0 +1,82 @@
+/** Pictures of the viewport, and what changes between two of them in each half: original left, optimized right. */
+
+import { createHash } from 'node:crypto';
+import { expect } from '@playwright/test';
+import type { Page } from '@playwright/test';
+
+export type Halves = [original: number, optimized: number];
+
+const capture = (page: Page): Promise<Buffer> => page.locator('.viewport canvas').screenshot();
+
+/** The viewport as a hash: a failed comparison of whole pictures would take minutes to print. */
+export const picture = async (page: Page): Promise<string> =>
+  createHash('sha256')
+    .update(await capture(page))
+    .digest('hex');
+
+/** Waits until the viewport stands still, and returns its picture as PNG. */
+export async function stillCapture(page: Page): Promise<Buffer> {
+  let last = await capture(page);
+  await expect(async () => {
+    const before = last;
+    await page.waitForTimeout(300);
+    last = await capture(page);
+    expect(last.equals(before)).toBe(true);
+  }).toPass();
+  return last;
+}
+
+export interface Change {
+  /** pixels that differ visibly */
+  changed: Halves;
+  /** pixels that show a pin in the first picture */
+  pins: Halves;
+  /** of these, the share that shows a pin in both pictures, 0..1 */
+  keptPins: Halves;
+  /** mean height of the pins in the first picture: 0 at the upper edge, 1 at the lower one */
+  pinHeight: Halves;
+}
+
+/** Compares two pictures of one size in the light colour scheme. */
+export const compare = (page: Page, before: Buffer, after: Buffer): Promise<Change> =>
+  page.evaluate(compareInPage, [before.toString('base64'), after.toString('base64')]);
+
+/** Runs in the page, which can decode PNG. */
+async function compareInPage(pictures: string[]): Promise<Change> {
+  const [first, second] = await Promise.all(
+    pictures.map(async (base64) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+      context.drawImage(bitmap, 0, 0);
+      return context.getImageData(0, 0, bitmap.width, bitmap.height);
+    }),
+  );
+  const { width, height } = first;
+  // The colour of pins in the light scheme is #e8590c.
+  const isPin = ({ data }: ImageData, i: number) =>
+    Math.abs(data[i] - 232) + Math.abs(data[i + 1] - 89) + Math.abs(data[i + 2] - 12) < 40;
+  const differs = (i: number) => [0, 1, 2].some((c) => Math.abs(first.data[i + c] - second.data[i + c]) > 16);
+  const half = () => ({ changed: 0, pins: 0, kept: 0, height: 0 });
+  const halves = [half(), half()];
+  for (let y = 0; y < height; y++)
+    for (let x = 0; x < width; x++) {
+      const i = 4 * (y * width + x);
+      const sums = halves[x < width / 2 ? 0 : 1];
+      if (differs(i)) sums.changed += 1;
+      if (!isPin(first, i)) continue;
+      sums.pins += 1;
+      sums.height += y / height;
+      if (isPin(second, i)) sums.kept += 1;
+    }
+  const both = (value: (sums: ReturnType<typeof half>) => number): [number, number] => [
+    value(halves[0]),
+    value(halves[1]),
+  ];
+  return {
+    changed: both(({ changed }) => changed),
+    pins: both(({ pins }) => pins),
+    keptPins: both(({ pins, kept }) => kept / pins),
+    pinHeight: both(({ pins, height: sum }) => sum / pins),
+  };
+}

@@ -1,0 +1,11 @@
+/** Numbers as the page writes them. */
+
+export const count = (value: number): string => value.toLocaleString('en-US');
+
+export const fixed = (value: number, digits: number): string => value.toFixed(digits);
+
+/** Two decimals, or two figures where these would all be 0; values near rounding are given as a bound. */
+export const percent = (value: number): string => {
+  if (value > 0 && value < 0.001) return '< 0.001 %';
+  return value === 0 || value >= 0.1 ? `${value.toFixed(2)} %` : `${Number(value.toPrecision(2))} %`;
+};

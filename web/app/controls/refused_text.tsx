@@ -1,0 +1,12 @@
+/** The sentence below a text that was refused. The text names it by `aria-describedby`. */
+
+import type { Refusal } from '../state/refusal';
+
+export function RefusedText({ id, refused }: { id: string; refused: Refusal | null }) {
+  if (!refused) return null;
+  return (
+    <p id={id} class="hint bad" role="alert">
+      {refused.why}
+    </p>
+  );
+}

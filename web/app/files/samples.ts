@@ -1,0 +1,25 @@
+/** The samples that come with the page. */
+
+import { signal } from '@preact/signals';
+import type { Wanted } from '../state/link';
+import { openAddress } from './files';
+
+export interface Sample {
+  id: string;
+  name: string;
+  file: string;
+  faces: number;
+  vertices: number;
+  about: string;
+}
+
+export const samples = signal<Sample[]>([]);
+
+/** Reads the list of samples, which the build makes. Without a list there are no samples. */
+export async function loadSamples(): Promise<void> {
+  const response = await fetch('./samples/index.json');
+  if (response.ok) samples.value = (await response.json()) as Sample[];
+}
+
+export const openSample = ({ file }: Sample, wanted?: Wanted): Promise<void> =>
+  openAddress(`./samples/${file}`, file, wanted);

@@ -1,0 +1,84 @@
+/** The slider of the kept faces, which replays the collapses. */
+
+import { count, fixed } from '../../controls/numbers';
+import { keyOf } from '../../../engine/stages/stage';
+import { STAGES } from '../../../engine/stages/stages';
+import { results, wantedFaces, wants } from '../../state/store';
+import './scrubber.css';
+
+export function Scrubber() {
+  const history = results.history.value;
+  const total = history?.faces ?? results.body.value?.inspection.faces ?? 0;
+  const floor = history?.floorFaces ?? 0;
+  const value = Math.min(total, Math.max(floor, wantedFaces.value));
+  const set = (faces: number) => {
+    if (Number.isFinite(faces)) wants.faces.value = Math.min(total, Math.max(1, Math.round(faces)));
+  };
+  return (
+    <div class="scrubber">
+      <label for="faces">Kept faces</label>
+      <div class="track">
+        <input
+          id="faces"
+          type="range"
+          min={floor}
+          max={total}
+          step={1}
+          value={value}
+          disabled={!history}
+          aria-valuetext={`${count(value)} of ${count(total)} faces`}
+          onInput={(event) => set(event.currentTarget.valueAsNumber)}
+        />
+        <Marks />
+      </div>
+      <ExactFaces value={value} total={total} set={set} />
+      <span class="muted ratio">{total > 0 ? `${fixed((100 * value) / total, 1)} %` : ''}</span>
+    </div>
+  );
+}
+
+function ExactFaces({ value, total, set }: { value: number; total: number; set(faces: number): void }) {
+  return (
+    <input
+      type="number"
+      aria-label="Kept faces, exact"
+      min={1}
+      max={total}
+      value={value}
+      onChange={(event) => set(event.currentTarget.valueAsNumber)}
+    />
+  );
+}
+
+/** Labels that are closer than this share of the slider would overlap. */
+const LABEL_WIDTH = 0.045;
+
+/** Marks where the deviation crosses 0.1, 0.5 and 1 %. A click sets that number of faces. */
+function Marks() {
+  const history = results.history.value;
+  const found = results.marks.value;
+  if (!history || found?.key !== keyOf(STAGES.deviationMarks, wants.settings.value)) return null;
+  const { marks } = found;
+  const positionOf = (faces: number) => (faces - history.floorFaces) / (history.faces - history.floorFaces);
+  return (
+    <>
+      {marks.map(({ deviation, faces }, i) => {
+        const isLabelled = i === 0 || positionOf(marks[i - 1].faces) - positionOf(faces) > LABEL_WIDTH;
+        const meaning = `Deviation of at most ${deviation} % before the fit: ${count(faces)} faces`;
+        return (
+          <button
+            key={deviation}
+            type="button"
+            class="tick"
+            style={{ left: `calc(8px + (100% - 16px) * ${positionOf(faces)})` }}
+            title={meaning}
+            aria-label={meaning}
+            onClick={() => (wants.faces.value = faces)}
+          >
+            {isLabelled ? `${i === 0 ? 'deviation ' : ''}${deviation} %` : ''}
+          </button>
+        );
+      })}
+    </>
+  );
+}

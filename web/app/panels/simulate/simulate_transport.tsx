@@ -1,0 +1,50 @@
+/** Below the moving bodies: Play, Pause, Step, Reset, and the chart of their deviation. */
+
+import { reset, stepOnce } from '../../state/simulation';
+import { twin } from '../../state/twin';
+import { DeviationChart } from './simulate_chart';
+import './simulate_transport.css';
+
+export function SimulateTransport() {
+  return (
+    <div class="simulation">
+      <Buttons />
+      <DeviationChart />
+    </div>
+  );
+}
+
+function Buttons() {
+  const frame = twin.numbers.value;
+  const isOver = frame !== null && (frame.diverged.length > 0 || twin.failure.value !== null);
+  const isPlaying = twin.playing.value;
+  return (
+    <div class="transport" role="group" aria-label="Simulation">
+      <button
+        type="button"
+        class="primary"
+        disabled={isOver}
+        title="Space"
+        onClick={() => (twin.playing.value = !isPlaying)}
+      >
+        {isPlaying ? 'Pause' : 'Play'}
+      </button>
+      <button
+        type="button"
+        disabled={!frame || isOver}
+        title="One step of 1/60 s (right arrow)"
+        onClick={stepOnce}
+      >
+        Step
+      </button>
+      <button
+        type="button"
+        disabled={!frame && !twin.failure.value}
+        title="Back to the start (Home)"
+        onClick={reset}
+      >
+        Reset
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,43 @@
+/** What each pane of the viewport shows. */
+
+import { viewportColours } from '../../state/scheme';
+import { results, shownMesh, view } from '../../state/store';
+import type { PaneName } from '../../viewer/pane_layout';
+import { count } from '../../controls/numbers';
+import { labelsBesideChoice } from '../reduce/compare';
+import { isDriven, isOverlaid } from '../simulate/simulate_view';
+import { shownPanes } from './show_bodies';
+import './pane_labels.css';
+
+function faceCount(name: PaneName): string {
+  const mesh = name === 'original' ? results.body.value?.mesh : shownMesh.value?.mesh;
+  return `${count((mesh?.triangles.length ?? 0) / 3)} faces`;
+}
+
+export function PaneLabels() {
+  if (view.step.value === 'test' && shownMesh.value) return <TwinLabels />;
+  return (
+    <div class={`pane-labels ${labelsBesideChoice()}`}>
+      {shownPanes().map((name) => (
+        <span key={name}>
+          {name === 'original' ? 'Original' : 'Optimized'} <span class="muted">{faceCount(name)}</span>
+        </span>
+      ))}
+    </div>
+  );
+}
+
+function TwinLabels() {
+  return (
+    <div class="pane-labels">
+      <span>
+        Original <span class="muted">{faceCount('original')}</span>
+      </span>
+      <span>
+        {isOverlaid.value && <span class="swatch" style={{ background: viewportColours.value.overlay }} />}
+        {isDriven.value ? 'Original, carried by the optimized' : 'Optimized'}{' '}
+        <span class="muted">{faceCount('optimized')}</span>
+      </span>
+    </div>
+  );
+}

@@ -1,0 +1,93 @@
+/** The viewport in the page, with what lies over it: labels, legend, cards and alerts. */
+
+import { effect, useSignalEffect } from '@preact/signals';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { isBrushing, isPicking, results, view } from '../../state/store';
+import { Viewport } from '../../viewer/viewport';
+import { connectPicking, showPins } from '../motion/picking';
+import { showPaint } from '../reduce/brushing';
+import { Compare } from '../reduce/compare';
+import { connectHover, WhyCard } from '../reduce/why_card';
+import { connectDragging } from '../simulate/simulate_drag';
+import { showCollisionScene, showTwin } from '../simulate/simulate_view';
+import { TwinAlert } from '../simulate/twin_alert';
+import { Legend } from './legend';
+import { PaneLabels } from './pane_labels';
+import {
+  showArrangement,
+  showFields,
+  showLook,
+  showOptimized,
+  showOriginal,
+  showShapes,
+  showSwing,
+} from './show_bodies';
+import './viewport.css';
+
+export const viewportHandle: { current: Viewport | null } = { current: null };
+
+const getViewport = (): Viewport | null => viewportHandle.current;
+
+/** Each follows the signals that it reads; the order is that of the first drawing. */
+const SHOWS = [
+  showOriginal,
+  showOptimized,
+  showArrangement,
+  showFields,
+  showShapes,
+  showLook,
+  showSwing,
+  showPins,
+  showPaint,
+  showCollisionScene,
+  showTwin,
+] as const;
+
+/** Throws where WebGL2 is missing. */
+function openViewport(canvas: HTMLCanvasElement): void {
+  const viewport = (viewportHandle.current = new Viewport(canvas));
+  const picking = connectPicking(canvas, viewport);
+  connectDragging(canvas, viewport);
+  connectHover(canvas, getViewport);
+  effect(() => {
+    if (isBrushing.value || isPicking.value) picking.prepare();
+  });
+  for (const show of SHOWS) show(viewport);
+}
+
+export function ViewportView() {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const [hasFailed, setFailed] = useState(false);
+  useEffect(() => {
+    try {
+      openViewport(canvas.current!);
+    } catch {
+      setFailed(true);
+    }
+  }, []);
+  for (const show of SHOWS) useSignalEffect(() => show(viewportHandle.current));
+  return (
+    <div class={isPicking.value || isBrushing.value ? 'viewport picking' : 'viewport'}>
+      <canvas ref={canvas} aria-label={describeViewport()} role="img" />
+      {hasFailed && (
+        <p class="empty">
+          This browser has no WebGL2, so there is no picture; files, numbers and export work.
+        </p>
+      )}
+      {results.body.value && <PaneLabels />}
+      <Compare />
+      <WhyCard getViewport={getViewport} />
+      <TwinAlert />
+      <Legend />
+    </div>
+  );
+}
+
+function describeViewport(): string {
+  if (isBrushing.value) return 'The mesh at rest. Drag over the original to paint it; Shift erases.';
+  if (isPicking.value)
+    return 'The mesh at rest. Click a vertex or drag over the surface to pin it; Shift unpins.';
+  if (view.step.value === 'test')
+    return 'Both meshes in motion. Drag a body to pull at it, drag beside it to turn the view, scroll to zoom.';
+  return 'The mesh. Drag to turn the view, scroll to zoom, right-drag to move it.';
+}

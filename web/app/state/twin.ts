@@ -1,0 +1,41 @@
+/** The state of the Test step: both bodies in motion, and how they are shown. */
+
+import { computed, signal } from '@preact/signals';
+import type { CollisionScene } from '../../engine/core/core';
+import type { TwinSample } from '../../engine/motion/twin';
+import type { TwinFrame } from '../worker/simulation_protocol';
+import { wants } from './store';
+
+/** Where the pins come from: the scenario, the two upper corners, or the Motion step. */
+export type PinSource = 'scenario' | 'corners' | 'pins';
+
+export const twin = {
+  playing: signal(!matchMedia('(prefers-reduced-motion: reduce)').matches),
+  layout: signal<'beside' | 'over'>('beside'),
+  /** draw the original as the optimized body carries it */
+  driven: signal(false),
+  heat: signal(false),
+  /** measure the noise floor even where the motion then becomes slower than real time */
+  alwaysNoise: signal(false),
+  /** null: the pins of the Motion step where there are any */
+  chosenPinSource: signal<PinSource | null>(null),
+  /** what is on screen; null until a simulation has started */
+  frame: signal<TwinFrame | null>(null),
+  /** the latest frame a few times a second, for numbers that are read */
+  numbers: signal<TwinFrame | null>(null),
+  samples: signal<TwinSample[]>([]),
+  /** the largest deviation of any point since the start, % */
+  worst: signal(0),
+  /** what both bodies can touch */
+  collisionScene: signal<CollisionScene | null>(null),
+  /** why nothing can be simulated, in one sentence */
+  failure: signal<string | null>(null),
+};
+
+/** The chosen source of the pins, or the one that fits where there is no choice or there are no pins. */
+export const pinSource = computed<PinSource>(() => {
+  const hasPins = wants.settings.value.pins !== '';
+  const { value: chosen } = twin.chosenPinSource;
+  if (chosen === null) return hasPins ? 'pins' : 'scenario';
+  return chosen === 'pins' && !hasPins ? 'scenario' : chosen;
+});

@@ -1,0 +1,257 @@
+/** The viewport: up to two bodies under one camera. It draws meshes and named fields and knows nothing else. */
+
+import * as THREE from 'three';
+import type { TriangleMesh } from '../../engine/core/core';
+import type { Levels } from '../../engine/settings/paint_text';
+import type { Field } from './body_geometry';
+import { BrushRing } from './brush_ring';
+import type { BrushMark } from './brush_ring';
+import { pointsToShow } from './collision_scene_view';
+import type { CollisionSceneLook, ShownCollisionScene } from './collision_scene_view';
+import { mapTexture } from './colours';
+import type { MapName } from './colours';
+import { Dots } from './dots';
+import type { DotLook } from './dots';
+import { OrbitCamera } from './orbit_camera';
+import { Pane } from './pane';
+import type { Look } from './pane';
+import { PaneLayout } from './pane_layout';
+import type { PaneName, PaneRegion } from './pane_layout';
+import { nearestSeen, seenAt } from './seen_vertices';
+import type { ScreenPoint } from './seen_vertices';
+
+/** Swings per second at speed 1. */
+const SWING_FREQUENCY = 0.5;
+
+export class Viewport {
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly orbit: OrbitCamera;
+  private readonly layout: PaneLayout;
+  private readonly timer = new THREE.Timer();
+  private readonly maps: Record<MapName, THREE.DataTexture>;
+  private readonly panes: Record<PaneName, Pane>;
+  private readonly pickPreview: Dots;
+  private readonly ring = new BrushRing();
+  private lastColumns = 1;
+  private scenePoints: THREE.Vector3[] = [];
+  private isStale = true;
+  private swing = { isPlaying: false, amplitude: 0, speed: 1, phase: 0 };
+
+  /** Throws where WebGL2 is missing. */
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    // All panes are cleared at once.
+    this.renderer.autoClear = false;
+    this.maps = { viridis: mapTexture('viridis'), cividis: mapTexture('cividis') };
+    const ratio = this.renderer.getPixelRatio();
+    const pane = (): Pane => new Pane(this.maps.viridis, ratio);
+    this.panes = { original: pane(), optimized: pane() };
+    this.pickPreview = new Dots(ratio);
+    this.panes.original.scene.add(this.pickPreview.points, this.ring.line);
+    this.orbit = new OrbitCamera(canvas);
+    this.layout = new PaneLayout(canvas);
+    for (const name of ['wheel', 'pointerdown'] as const)
+      canvas.addEventListener(name, ({ clientX }) => this.aimZoom(clientX), { capture: true, passive: true });
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    canvas.addEventListener('webglcontextrestored', () => (this.isStale = true));
+    this.resize();
+    this.renderer.setAnimationLoop((time) => this.frame(time));
+  }
+
+  /** Shows a mesh at rest in a pane; null empties the pane. */
+  show(name: PaneName, mesh: TriangleMesh | null): void {
+    this.panes[name].show(mesh);
+    this.isStale = true;
+  }
+
+  /** Colours a body by a field; null leaves it plain. */
+  colour(name: PaneName, field: Field | null, map: MapName): void {
+    this.panes[name].colour(field, this.maps[map]);
+    this.isStale = true;
+  }
+
+  /** `shape[3 v + c]`: displacement at full swing over the amplitude. */
+  displace(name: PaneName, shape: Float32Array | null): void {
+    this.panes[name].displace(shape);
+    this.isStale = true;
+  }
+
+  /** Moves the vertices of a body, or puts them back at rest (null). `values[v]` in [0, 1] colour it; `dots[3 i + c]`. */
+  setPositions(
+    name: PaneName,
+    positions: Float32Array | null,
+    { values = null, dots = null }: { values?: Float32Array | null; dots?: Float32Array | null } = {},
+  ): void {
+    const pane = this.panes[name];
+    pane.setPositions(positions, values);
+    if (dots) pane.dots.setPoints(dots);
+    this.isStale = true;
+  }
+
+  /** Shows what bodies can touch; null shows nothing. */
+  setCollisionScene(scene: ShownCollisionScene | null, look: CollisionSceneLook): void {
+    for (const pane of Object.values(this.panes)) pane.collisionScene.show(scene, look);
+    this.scenePoints = scene ? pointsToShow(scene) : [];
+    this.isStale = true;
+  }
+
+  look(look: Look): void {
+    for (const pane of Object.values(this.panes)) pane.look(look);
+    this.isStale = true;
+  }
+
+  /** Shows what a brush has painted on a body; null shows nothing. */
+  paint(name: PaneName, levels: Levels | null): void {
+    this.panes[name].paint(levels);
+    this.isStale = true;
+  }
+
+  /** Shows the outline of the brush on the original; null hides it. */
+  markBrush(mark: BrushMark | null): void {
+    this.ring.show(mark);
+    this.isStale = true;
+  }
+
+  /** Shows dots at these vertices of the original at rest. */
+  pin(vertices: Iterable<number>): void {
+    this.showDots(this.panes.original.dots, vertices);
+    this.panes.optimized.dots.setPoints(new Float32Array());
+  }
+
+  /** Shows a dot at the vertex that a click would pick; null hides it. */
+  previewPick(vertex: number | null): void {
+    this.showDots(this.pickPreview, vertex === null ? [] : [vertex]);
+  }
+
+  private showDots(dots: Dots, vertices: Iterable<number>): void {
+    const { mesh } = this.panes.original;
+    dots.show(mesh ?? { positions: new Float32Array(), triangles: new Uint32Array() }, mesh ? vertices : []);
+    this.isStale = true;
+  }
+
+  colourPins(look: DotLook): void {
+    for (const pane of Object.values(this.panes)) pane.dots.look(look);
+    this.pickPreview.look({ fill: look.rim, rim: look.fill });
+    for (const pane of Object.values(this.panes)) pane.hoverDot.look({ fill: '#ffffff', rim: '#17212b' });
+    this.isStale = true;
+  }
+
+  /** Marks a vertex of a body; null removes the mark. */
+  mark(name: PaneName, vertex: number | null): void {
+    this.panes[name].mark(vertex);
+    this.isStale = true;
+  }
+
+  /**
+   * Puts the panes side by side; with an overlay colour the second lies translucent over the first; with a split in
+   * [0, 1] the first shows left of it and the second right of it.
+   */
+  arrange(
+    panes: readonly PaneName[],
+    { overlay = null, split = null }: { overlay?: string | null; split?: number | null } = {},
+  ): void {
+    this.layout.arrange(panes, { isOverlaid: overlay !== null, split });
+    this.panes.optimized.overlay(overlay);
+    this.panes.original.hideWires(overlay !== null);
+    this.keepBodyInView();
+  }
+
+  /** Moves the eye back where panes become narrower, so that they still show what they did, and forth again. */
+  private keepBodyInView(): void {
+    const spread = () => this.orbit.horizontalSpread(this.panes.original.boxCorners());
+    const before = Math.max(1, spread());
+    this.resize();
+    const { columns } = this.layout;
+    if (columns === this.lastColumns) return;
+    this.lastColumns = columns;
+    this.orbit.stepBack(columns > 1 ? Math.max(1, spread() / before) : 1);
+  }
+
+  /** The pane at a point of the page. */
+  paneAt(clientX: number): PaneName {
+    return this.layout.paneAt(clientX);
+  }
+
+  /** The ray of sight through a point of the page, in the pane that `fromX` lies in. */
+  rayAt(clientX: number, clientY: number, fromX = clientX): THREE.Ray {
+    const caster = new THREE.Raycaster();
+    caster.setFromCamera(this.layout.deviceCoordinates(clientX, clientY, fromX), this.orbit.camera);
+    return caster.ray;
+  }
+
+  /** The visible vertex of a pane that is nearest to a point of the page, at most `pixels` from it. */
+  vertexAt(name: PaneName, point: ScreenPoint, pixels: number): number | null {
+    const body = this.panes[name].seen();
+    if (!body || this.paneAt(point.x) !== name) return null;
+    const target = { ...this.layout.toPane(name, point), ...this.layout.paneSize, pixels };
+    return nearestSeen(body, this.orbit.camera, target);
+  }
+
+  /** Where a vertex appears, in pixels from the upper left corner of the canvas. */
+  screenPointOf(name: PaneName, vertex: number): ScreenPoint | null {
+    const body = this.panes[name].seen();
+    if (!body || 3 * vertex >= body.positions.length) return null;
+    return this.layout.toCanvas(name, seenAt(body, this.orbit.camera, vertex, this.layout.paneSize));
+  }
+
+  /** x = x0 + amplitude sin(theta) phi, Eq. 5; theta advances while `isPlaying`. */
+  animate(isPlaying: boolean, amplitude: number, speed: number): void {
+    Object.assign(this.swing, { isPlaying, amplitude, speed });
+    this.isStale = true;
+  }
+
+  /** Turns the camera to the whole body and to what it can touch. */
+  fit(isAnimated = true): void {
+    const sphere = this.panes.original.sphere()?.clone();
+    for (const point of this.scenePoints) sphere?.expandByPoint(point);
+    if (!sphere || !(sphere.radius > 0)) return;
+    this.orbit.fit(sphere, isAnimated);
+    this.isStale = true;
+  }
+
+  private aimZoom(clientX: number): void {
+    const { width, height } = this.canvas.getBoundingClientRect();
+    const share = width / this.layout.columns;
+    this.orbit.setPointerRegion(this.layout.columnAt(clientX) * share, share, height);
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.orbit.setAspect(clientWidth / this.layout.columns / clientHeight);
+    this.isStale = true;
+  }
+
+  private frame(time: number): void {
+    const { swing } = this;
+    this.timer.update(time);
+    const seconds = this.timer.getDelta();
+    const hasMoved = this.orbit.update(seconds);
+    if (swing.isPlaying) swing.phase += 2 * Math.PI * SWING_FREQUENCY * swing.speed * seconds;
+    if (!hasMoved && !this.isStale && !swing.isPlaying) return;
+    this.isStale = false;
+    this.draw();
+  }
+
+  private draw(): void {
+    this.renderer.setScissorTest(false);
+    this.renderer.clear();
+    this.renderer.setScissorTest(true);
+    this.layout.regions().forEach((region, i) => this.drawPane(region, this.layout.isOverlaid && i > 0));
+  }
+
+  private drawPane({ name, picture, visible }: PaneRegion, isOverlay: boolean): void {
+    const pane = this.panes[name];
+    pane.swing(Math.sin(this.swing.phase) * this.swing.amplitude);
+    this.renderer.setViewport(...picture);
+    this.renderer.setScissor(...visible);
+    // The body below does not hide an overlay.
+    if (isOverlay) {
+      this.renderer.clearDepth();
+      pane.drawDepth(() => this.renderer.render(pane.scene, this.orbit.camera));
+    }
+    this.renderer.render(pane.scene, this.orbit.camera);
+  }
+}
