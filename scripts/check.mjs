@@ -2,13 +2,14 @@
 // Usage: node scripts/check.mjs [--only NAME]     NAME: the checks whose names contain it
 
 import { spawnSync } from 'node:child_process';
-import { readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 import { findClangFormat, root } from './setup/environment.mjs';
 import { wrongArrows } from './structure/arrows.mjs';
 import { importCircles } from './structure/circles.mjs';
+import { missingPaths } from './structure/document_paths.mjs';
 import { struckWords } from './structure/glossary.mjs';
 import { rooms } from './structure/rooms.mjs';
 import { largeThings } from './structure/sizes.mjs';
@@ -52,6 +53,19 @@ function licences() {
 const readGlossary = () => readFileSync(join(root, 'docs', 'glossary.md'), 'utf8');
 const ofProduct = (findProblems) => () => findProblems(readProduct()).join('\n');
 
+/** The documents, as { path, text }, against all files that git knows. */
+function documentProblems() {
+  const git = spawnSync('git', ['ls-files', '--cached', '--others', '--exclude-standard'], {
+    cwd: root,
+    encoding: 'utf8',
+  });
+  const known = new Set(git.stdout.split('\n'));
+  const documents = [...known]
+    .filter((path) => path.endsWith('.md') && existsSync(join(root, path)))
+    .map((path) => ({ path, text: readFileSync(join(root, path), 'utf8') }));
+  return missingPaths(documents, known).join('\n');
+}
+
 /** Name of a check -> what finds its problems: text, empty where there are none. */
 const checks = {
   prettier: () => node(['prettier', 'bin', 'prettier.cjs'], '--check', '.', '--log-level', 'warn'),
@@ -65,10 +79,11 @@ const checks = {
   sizes: ofProduct(largeThings),
   'type names': ofProduct(doubleTypeNames),
   glossary: ofProduct((files) => struckWords(files, readGlossary())),
+  'paths in documents': documentProblems,
 };
 
 /** Checks that the present sources do not pass yet: they run only where `--only` names them. */
-const notYet = new Set(['arrows', 'circles', 'sizes', 'type names', 'glossary']);
+const notYet = new Set(['arrows', 'circles', 'sizes', 'type names', 'glossary', 'paths in documents']);
 
 /** Runs the checks whose names contain `only`, or all: { name, problems }, `problems` empty where it passed. */
 export function check(only = '') {

@@ -6,6 +6,7 @@ import { describe, expect, test } from 'vitest';
 import { drawArchitecture } from '../../scripts/docs/architecture-picture.mjs';
 import { wrongArrows } from '../../scripts/structure/arrows.mjs';
 import { importCircles } from '../../scripts/structure/circles.mjs';
+import { missingPaths } from '../../scripts/structure/document_paths.mjs';
 import { struckWords } from '../../scripts/structure/glossary.mjs';
 import { rooms } from '../../scripts/structure/rooms.mjs';
 import { largeThings, limits, percentile } from '../../scripts/structure/sizes.mjs';
@@ -241,6 +242,24 @@ describe('glossary', () => {
   test('a name in backticks is struck as a whole name alone', () => {
     expect(struck('wasm/fit/a.h', 'Lines a;')).toHaveLength(1);
     expect(struck('wasm/fit/a.h', 'int lines, featureLines;')).toEqual([]);
+  });
+});
+
+describe('paths in documents', () => {
+  const known = new Set(['wasm/mesh/weld.cpp', 'docs/modes.md', 'README.md']);
+  const missing = (path: string, text: string) => missingPaths([file(path, text)], known);
+
+  test('a file that is not there is told, in code and as the target of a link', () => {
+    expect(missing('README.md', 'See `wasm/mesh/wold.cpp: weld`.')).toEqual([
+      'README.md names wasm/mesh/wold.cpp, which is not there.',
+    ]);
+    expect(missing('docs/a.md', '[modes](modes.md#pins), [a](../wasm/a.h)')).toHaveLength(1);
+  });
+
+  test('files, folders, patterns, addresses and examples that are there pass', () => {
+    const text =
+      '`wasm/mesh/weld.cpp: weld`, `wasm/mesh/`, `wasm/fit/*.h`, `tests/core/NAME_test.cpp`, [b](https://b.de)';
+    expect(missing('README.md', `${text}\n\`\`\`\n\`wasm/none.h\`\n\`\`\`\n`)).toEqual([]);
   });
 });
 

@@ -23,6 +23,9 @@ declare module '*/structure/type_names.mjs' {
 declare module '*/structure/glossary.mjs' {
   export function struckWords(files: ProductFile[], glossary: string): string[];
 }
+declare module '*/structure/document_paths.mjs' {
+  export function missingPaths(documents: ProductFile[], known: Set<string>): string[];
+}
 declare module '*/structure/rooms.mjs' {
   export const rooms: Rooms;
 }
