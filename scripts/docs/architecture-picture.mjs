@@ -33,16 +33,21 @@ const shift = {
   'web/app/viewer': 0,
   'web/cli': 1,
   'web/app/state': -1,
-  'web/app/panels': -0.5,
-  'web/app': -0.5,
+  'web/app/controls': -0.25,
+  'web/app/files': -1.25,
+  'web/app/panels': -0.75,
+  'web/app': -0.75,
 };
+
+/** Rooms that are drawn: folders. */
+const drawn = Object.keys(rooms).filter((room) => !/\.\w+$/.test(room));
 
 const isCore = (room) => room.startsWith('wasm/');
 const labelOf = (room) => (room === 'web/app' ? 'app' : room.split('/').at(-1));
 const groupOf = (room) => (isCore(room) ? 'wasm' : room.split('/').slice(0, 2).join('/'));
 
 /** Rooms that `room` may know. What panels use of the files beside them is left out: those files put the panels together. */
-const knownBy = (room) => rooms[room].filter((target) => target !== 'web/app');
+const knownBy = (room) => rooms[room].filter((target) => target !== 'web/app' && drawn.includes(target));
 
 /** The longest way down from a room: rooms on one row do not know each other. */
 const rankOf = (room) => Math.max(-1, ...knownBy(room).map(rankOf)) + 1;
@@ -50,7 +55,7 @@ const rankOf = (room) => Math.max(-1, ...knownBy(room).map(rankOf)) + 1;
 const knows = (room, target) => knownBy(room).some((next) => next === target || knows(next, target));
 
 /** Arrows that no chain of others says already. */
-const plainArrows = Object.keys(rooms).flatMap((from) =>
+const plainArrows = drawn.flatMap((from) =>
   knownBy(from)
     .filter((to) => !knownBy(from).some((between) => between !== to && knows(between, to)))
     .map((to) => ({ from, to })),
@@ -60,7 +65,7 @@ const plainArrows = Object.keys(rooms).flatMap((from) =>
 function positions() {
   const places = {};
   for (const side of [true, false]) {
-    const own = Object.keys(rooms).filter((room) => isCore(room) === side);
+    const own = drawn.filter((room) => isCore(room) === side);
     const left = column.margin + (side ? 0 : column.width + column.gap);
     for (const [rank, row] of groupByRank(own))
       row.forEach((room, i) => {
@@ -79,7 +84,7 @@ function groupByRank(list) {
   return groups;
 }
 
-const heightOf = () => column.top + 60 + Math.max(...Object.keys(rooms).map(rankOf)) * box.row;
+const heightOf = () => column.top + 60 + Math.max(...drawn.map(rankOf)) * box.row;
 
 function drawArrow({ from, to }, places) {
   const [start, end] = [places[from], places[to]];
@@ -103,7 +108,7 @@ function drawBoundary({ 'web/engine/core': from, 'wasm/bind': to }) {
   const middle = column.margin + column.width + column.gap / 2;
   return (
     `<path d="M${start} ${from.y} C${middle} ${from.y} ${middle} ${from.y} ${middle} ${from.y - box.row} V${to.y + box.row} C${middle} ${to.y} ${middle} ${to.y} ${end} ${to.y}" stroke-dasharray="5 4" marker-end="url(#tip)"/>` +
-    `<text x="${middle}" y="${to.y - 10}">the boundary: embind</text>`
+    `<text x="${(end + middle) / 2}" y="${to.y - 12}">the boundary: embind</text>`
   );
 }
 

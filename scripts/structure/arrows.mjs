@@ -5,7 +5,7 @@ import { importEdges } from './imports.mjs';
 /** The room of a path: the longest that the path lies in; undefined where it lies in none. */
 export const roomOf = (path, rooms) =>
   Object.keys(rooms)
-    .filter((room) => path.startsWith(`${room}/`))
+    .filter((room) => path === room || path.startsWith(`${room}/`))
     .sort((a, b) => b.length - a.length)[0];
 
 /** Every include or import against an arrow, and every file outside the rooms, a sentence each. */

@@ -9,10 +9,10 @@ export const core = {
   elastic: ['base', 'mesh', 'linear'],
   fields: ['base', 'mesh'],
   simplify: ['base', 'mesh', 'query'],
-  simulate: ['base', 'mesh'],
+  simulate: ['base', 'mesh', 'elastic'],
   transfer: ['base', 'mesh', 'query', 'simplify', 'simulate'],
   modes: ['base', 'mesh', 'linear', 'query', 'elastic', 'simplify'],
-  compare: ['base', 'mesh', 'query', 'elastic', 'simulate', 'transfer'],
+  compare: ['base', 'mesh', 'linear', 'query', 'elastic', 'simulate', 'transfer'],
   fit: ['base', 'mesh', 'linear', 'query', 'elastic', 'simplify', 'transfer', 'modes', 'compare'],
 };
 
@@ -29,10 +29,13 @@ export const engine = {
 
 /** Folders of web/app; the files beside them, which put the page together, know all of them. */
 export const app = {
+  'stroke.ts': [],
   worker: [],
-  viewer: [],
-  state: ['worker'],
-  panels: ['worker', 'viewer', 'state'],
+  viewer: ['stroke.ts'],
+  state: ['worker', 'stroke.ts'],
+  controls: ['viewer', 'state'],
+  files: ['state'],
+  panels: ['worker', 'viewer', 'state', 'controls', 'files', 'stroke.ts'],
 };
 
 const below = (folder, rooms) =>
@@ -49,7 +52,7 @@ const appRooms = Object.entries(app).map(([room, known]) => [
   [...engineRooms, ...known.map((name) => `web/app/${name}`), ...(room === 'panels' ? ['web/app'] : [])],
 ]);
 
-/** Room -> rooms that it may know. A room is a folder with all below it that is in no room of its own. */
+/** Room -> rooms that it may know. A room is a folder with all below it that is in no room of its own, or one file. */
 export const rooms = {
   ...below('wasm', { ...core, bind: Object.keys(core) }),
   ...below('web/engine', engine),
