@@ -49,7 +49,7 @@ ModalFitResult fitted(const TriangleMesh& mesh, const MeshAt& start, std::span<c
 
 double frequencyError(const TriangleMesh& original, const TriangleMesh& other) {
   Job job;
-  return compareFidelity(original, other, {6, thicknessOf(original), 1e6, 0.3, 1000, 1}, job)
+  return compareFidelity(original, other, {6, {1e6, 0.3, 1000, thicknessOf(original), 1}}, job)
       .frequencyErrorMean;
 }
 

@@ -250,7 +250,7 @@ double volumeOf(const Simulation& body, const TriangleMesh& mesh) {
   return six / 6;
 }
 
-TEST(SimulatedPhysics, whatIsDroppedLiesStillInTheEnd) {
+TEST(SimulatedPhysics, aDroppedBodyComesToRestOnTheGround) {
   for (const TriangleMesh& mesh : {shapes::box(3, 3, 9, 1.0 / 3), shapes::grid(8, 8)}) {
     const Scenario drop = {scenarioKind("drop"), bounds(mesh), 5};
     SimulationOptions options = rubber(0.02 * bounds(mesh).diagonal(), 20);

@@ -16,7 +16,6 @@ import {
 } from '../../web/engine/body/paint';
 import { LOCKED, parsePaint, STRONGEST, withPaint } from '../../web/engine/settings/paint_text';
 import { buildHistory } from '../../web/engine/stages/history';
-import { levelAt } from '../../web/engine/stages/level';
 import { prepareBody } from '../../web/engine/stages/prepared';
 import { simplificationSettings } from '../../web/engine/stages/simplification';
 import { bodyOf } from './support/bodies';
@@ -102,7 +101,7 @@ describe('a painted body', () => {
     const { constraints } = constraintsOf(new Document(), prepared, new Uint32Array(), settings);
     const guides = { guidance: null, curvature, constraints };
     const history = buildHistory(core, prepared, guides, simplificationSettings(settings));
-    return levelAt(core, prepared, history, faces).mesh;
+    return core.meshAt(prepared.mesh, history, faces).mesh;
   };
   const share = ({ positions }: { positions: Float32Array }) =>
     positions.filter((x, i) => i % 3 === 0 && x > 0).length / (positions.length / 3);

@@ -52,7 +52,7 @@ describe('wishes through the core', () => {
 
   it('tells for every vertex what keeps it', () => {
     const history = core.simplify(mesh, none, none, limber);
-    const why = core.whyKept(mesh, none, none, limber, history, 200);
+    const why = core.whyKept({ mesh, strain: none, curvature: none, options: limber, history }, 200);
     const { mesh: at } = core.meshAt(mesh, history, 200);
     expect(why.error.length).toBe(at.positions.length / 3);
     expect([...why.size].every((value) => value > 0)).toBe(true);

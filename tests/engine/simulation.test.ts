@@ -156,7 +156,7 @@ describe('a calibration', () => {
 });
 
 describe('two motions compared', () => {
-  it('a body does not part from itself', () => {
+  it('a body does not deviate from itself', () => {
     const options = { ...optionsFor(sheet, 'sway'), seconds: 0.2, records: false, binding: null };
     const motion = core.compareMotion(sheet, sheet, options);
     expect([motion.deviationMean, motion.deviationMax]).toEqual([0, 0]);

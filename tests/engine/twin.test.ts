@@ -241,6 +241,9 @@ describe('twins', () => {
         numbers.push(core.startSimulation(...values));
         return numbers[numbers.length - 1];
       },
+      stepSimulations: () => {
+        throw new Error('diverged');
+      },
       simulationDiverged: (number) => number === numbers[name === 'original' ? 0 : 1],
     };
     const { twin } = makeTwin(120, { core: broken });

@@ -56,6 +56,7 @@ const api: WorkerApi = {
       const opened = await openModel(files);
       if (opened.bodies.length === 0)
         throw new Error(`${opened.name} holds no triangles: export a mesh with faces.`);
+      file?.dispose();
       file = new FileRun(core, opened);
       return {
         name: opened.name,

@@ -16,11 +16,11 @@ export function explainMissingSymmetry(
   images: MirrorImages,
 ): string {
   const across = symmetry === 'on' ? '' : ` across ${symmetry}`;
-  const { strayVertices, strayTriangles } = images;
+  const { asymmetricVertices, asymmetricTriangles } = images;
   const missing =
-    strayVertices > 0
-      ? `${counted(strayVertices, 'vertex', 'vertices')} would have no image`
-      : `its vertices have images, but ${counted(strayTriangles, 'triangle')} would have none`;
+    asymmetricVertices > 0
+      ? `${counted(asymmetricVertices, 'vertex', 'vertices')} would have no image`
+      : `its vertices have images, but ${counted(asymmetricTriangles, 'triangle')} would have none`;
   return `"${body.name}" has no mirror symmetry${across} to keep: ${missing}${symmetry === 'on' ? ' at best' : ''}`;
 }
 

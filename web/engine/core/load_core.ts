@@ -9,52 +9,21 @@ const MOST_THREADS = 8;
 type Observer = (phase: number, fraction: number) => void;
 type CoreFunctions = Omit<Core, 'threads' | 'job' | 'peakHeapBytes'>;
 
-/** What the module of wasm/bind/bindings.cpp and its companions exports. */
+/** What the module of wasm/bind exports. */
 interface CoreModule extends CoreFunctions {
   wasmMemory: WebAssembly.Memory;
   jobAddress(): number;
   resetJob(observer: Observer | null): void;
   setThreadCount(count: number): void;
   peakHeapBytes(): number;
+  /** the names of all functions that wasm/bind offers */
+  functionNames(): (keyof CoreFunctions)[];
 }
 
 type CreateModule = (options: {
   threadCount: number;
   locateFile(name: string): string;
 }) => Promise<CoreModule>;
-
-const FUNCTIONS: readonly (keyof CoreFunctions)[] = [
-  'weld',
-  'inspect',
-  'findModes',
-  'strainGuidance',
-  'meanCurvature',
-  'simplify',
-  'meshAt',
-  'fitModes',
-  'findMirrorImages',
-  'whyKept',
-  'sourceOfCorners',
-  'bindToResult',
-  'measureQuality',
-  'measureSurfaceDistance',
-  'compareFidelity',
-  'shellModes',
-  'frequencyErrors',
-  'calibrationFactor',
-  'compareMotion',
-  'scenarioCollisionScene',
-  'startSimulation',
-  'stepSimulations',
-  'simulationPositions',
-  'simulationPins',
-  'simulationSeconds',
-  'simulationDiverged',
-  'simulationDeviation',
-  'dragSimulation',
-  'releaseSimulation',
-  'endSimulation',
-];
 
 /**
  * Loads the build that fits: with threads where memory can be shared and more than one is wanted. The choice is made
@@ -77,7 +46,7 @@ function wrapModule(module: CoreModule, threads: number, onProgress?: (progress:
   const observer: Observer | null = onProgress
     ? (phase, fraction) => onProgress({ phase: PHASES[phase], fraction })
     : null;
-  const wrapped = FUNCTIONS.map((name) => [name, callOf(module, name, observer)]);
+  const wrapped = module.functionNames().map((name) => [name, callOf(module, name, observer)]);
   const job = threads > 1 ? new Int32Array(module.wasmMemory.buffer, module.jobAddress(), 4) : null;
   return {
     ...(Object.fromEntries(wrapped) as CoreFunctions),

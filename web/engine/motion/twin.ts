@@ -77,17 +77,15 @@ export class Twin {
 
   /** One step of 1/60 s. Names the bodies that have diverged in it, after which no other step may follow. */
   step(): { sample: TwinSample | null; diverged: TwinName[] } {
-    let failure: unknown = null;
     try {
       this.bodies.step();
     } catch (error) {
-      failure = error;
+      const diverged = NAMES.filter((_, body) => this.bodies.hasDiverged(body));
+      if (diverged.length > 0) return { sample: null, diverged };
+      throw error;
     }
-    const diverged = NAMES.filter((_, body) => this.bodies.hasDiverged(body));
-    if (diverged.length > 0) return { sample: null, diverged };
-    if (failure) throw failure;
     for (const name of NAMES) this.recordCost(name);
-    return { sample: this.measure(), diverged };
+    return { sample: this.measure(), diverged: [] };
   }
 
   private recordCost(name: TwinName): void {
@@ -102,6 +100,7 @@ export class Twin {
     return { time: this.time, mean, max, noise };
   }
 
+  /** The original's vertices as the binding carries them on the optimized body at `positions`. */
   private onOriginalVertices(positions: Float32Array, offsets: boolean): Float32Array {
     const rest = this.meshes.original.positions;
     return boundPositions(this.binding, this.meshes.optimized, positions, { rest, offsets });
@@ -112,6 +111,7 @@ export class Twin {
     return this.bodies.positions(NAMES.indexOf(name));
   }
 
+  /** Where the pins of a body are, pins[3 * pin + c]. */
   pins(name: TwinName): Float32Array {
     return this.bodies.pins(NAMES.indexOf(name));
   }

@@ -40,7 +40,19 @@ export class BodyRun {
     if (known?.key === key) return known;
     const memo = { key, ...this.compute(stage, settings) };
     this.memos.set(stage, memo);
+    if (known) this.release(stage, known);
     return memo;
+  }
+
+  /** Gives back what the values hold in the core. The run must not be used afterwards. */
+  dispose(): void {
+    this.memos.forEach((memo, stage) => this.release(stage, memo));
+    this.memos.clear();
+  }
+
+  private release(stage: AnyStage, { value }: Memo): void {
+    const release = stage.release.bind(stage) as (context: RunContext, value: unknown) => void;
+    if (value !== null) release(this.context, value);
   }
 
   private compute(stage: AnyStage, settings: RunSettings): Omit<Memo, 'key'> {

@@ -1,6 +1,7 @@
 /** Stage: the face counts of a history at which the surface has moved by given deviations; the page marks them on its slider. */
 
 import { historyStage } from './history';
+import { keptHistoryStage } from './kept_history';
 import { levelAt } from './level';
 import { measureDistance } from './measure';
 import { preparedStage } from './prepared';
@@ -30,16 +31,15 @@ const knownDeviations = declareStage({
 export const deviationMarksStage = declareStage({
   name: 'deviation marks',
   reads: [],
-  needs: { prepared: preparedStage, history: historyStage, known: knownDeviations },
-  run: ({ core }, { prepared, history, known }): DeviationMark[] => {
+  needs: { prepared: preparedStage, kept: keptHistoryStage, known: knownDeviations },
+  run: ({ core }, { prepared, kept, known }): DeviationMark[] => {
     const deviationAt = (faces: number): number => {
-      const measure = () =>
-        measureDistance(core, prepared, levelAt(core, prepared, history, faces).mesh).hausdorff;
+      const measure = () => measureDistance(core, prepared, levelAt(core, kept, faces).mesh).hausdorff;
       const deviation = known.get(faces) ?? measure();
       known.set(faces, deviation);
       return deviation;
     };
-    const { triangleCount: total, trianglesAfter } = history;
+    const { triangleCount: total, trianglesAfter } = kept.history;
     return markDeviations(deviationAt, { floor: trianglesAfter.at(-1) ?? total, total });
   },
 });

@@ -3,7 +3,7 @@
 import { wholeFaces } from './collapse_pairs';
 import { constraintsStage } from './constraints';
 import { guidingCurvature, guidingStrain } from './guidance';
-import { historyStage } from './history';
+import { keptHistoryStage } from './kept_history';
 import { preparedStage } from './prepared';
 import { SIMPLIFICATION_SETTINGS, simplificationOf, simplificationSettings } from './simplification';
 import { declareStage } from './stage';
@@ -17,14 +17,14 @@ export const explanationStage = declareStage({
     constraints: constraintsStage,
     guidance: guidingStrain,
     curvature: guidingCurvature,
-    history: historyStage,
+    kept: keptHistoryStage,
   },
   derive: ({ targetFaces, ...settings }) => ({ targetFaces, settings: simplificationSettings(settings) }),
   run: ({ core }, inputs, { targetFaces, settings }) => {
-    const { prepared, guidance, curvature, history } = inputs;
+    const { prepared, guidance, curvature, kept } = inputs;
     const guides = { constraints: inputs.constraints.constraints, guidance, curvature };
-    const { strain, curvature: curved, options } = simplificationOf(prepared, guides, settings);
-    const faces = wholeFaces(history, targetFaces);
-    return core.whyKept(prepared.mesh, strain, curved, options, history, faces);
+    const simplification = simplificationOf(prepared, guides, settings);
+    const reduction = { ...simplification, mesh: kept.meshHandle, history: kept.historyHandle };
+    return core.whyKept(reduction, wholeFaces(kept.history, targetFaces));
   },
 });

@@ -36,6 +36,11 @@ export class FileRun {
     return this.all;
   }
 
+  /** Gives back what the runs hold in the core. The file must not be run afterwards. */
+  dispose(): void {
+    for (const run of this.all) run?.dispose();
+  }
+
   /** The runs of the bodies that take part, with their numbers. */
   get usable(): { run: BodyRun; i: number }[] {
     return this.all.flatMap((run, i) => (run ? [{ run, i }] : []));

@@ -5,10 +5,11 @@ import type { FittedResult } from '../body/body_result';
 import { thicknessOf } from '../body/material';
 import type { PreparedBody } from '../body/prepared_body';
 import { maskOf } from '../body/vertex_mask';
-import type { Core, History, MeshAt, TriangleMesh } from '../core/core';
+import type { Core, MeshAt, TriangleMesh } from '../core/core';
 import { describeUnfitted } from '../report/fit_words';
 import { isFitted } from '../settings/options';
 import type { Settings } from '../settings/options';
+import type { KeptHistory } from './kept_history';
 import { levelAt } from './level';
 import { measureDistance } from './measure';
 
@@ -57,7 +58,7 @@ export function fitResult(
     thickness: thicknessOf(prepared, settings),
     poisson: settings.poisson,
     charts: prepared.attributes.charts,
-    holdsSeams: settings.seams === 'keep',
+    keepsSeams: settings.seams === 'keep',
     locked: maskOf(mesh, constraints.pinned, constraints.locked) ?? new Uint8Array(),
     pinned: maskOf(mesh, constraints.pinned) ?? new Uint8Array(),
     mirror: constraints.mirror,
@@ -75,11 +76,11 @@ export function fitResult(
 /** The level of at most `faces` faces, fitted. */
 export function fittedLevelAt(
   core: Core,
-  { prepared, history }: { prepared: PreparedBody; history: History },
+  { prepared, kept }: { prepared: PreparedBody; kept: KeptHistory },
   faces: number,
   request: FitRequest,
 ): FittedResult {
-  return fitResult(core, prepared, levelAt(core, prepared, history, faces), request);
+  return fitResult(core, prepared, levelAt(core, kept, faces), request);
 }
 
 const unfitted = (result: MeshAt, why: string): FittedResult => ({

@@ -5,7 +5,7 @@ import { MATERIAL_SETTINGS } from '../body/material';
 import { constraintsStage } from './constraints';
 import { FIT_SETTINGS, fitResult, fitSettings } from './fit';
 import { findFrequencyLevel } from './frequency_level';
-import { historyStage } from './history';
+import { keptHistoryStage } from './kept_history';
 import { levelStage } from './level';
 import { preparedStage } from './prepared';
 import { declareStage, where } from './stage';
@@ -29,7 +29,7 @@ export const fittedStage = declareStage({
   needs: {
     prepared: preparedStage,
     constraints: constraintsStage,
-    history: historyStage,
+    kept: keptHistoryStage,
     level: givenLevel,
   },
   derive: ({ young, density, unit, maxFrequencyError, targetFaces, ...settings }) => {
@@ -39,9 +39,9 @@ export const fittedStage = declareStage({
     return { fit: fitSettings(settings), frequency };
   },
   run: (context, inputs, { fit, frequency }): FittedLevel => {
-    const { prepared, history, level } = inputs;
+    const { prepared, kept, level } = inputs;
     const request = { constraints: inputs.constraints.constraints, settings: fit };
-    if (frequency) return findFrequencyLevel(context, { prepared, history }, request, frequency);
+    if (frequency) return findFrequencyLevel(context, { prepared, kept }, request, frequency);
     return { ...fitResult(context.core, prepared, level!, request), frequency: null };
   },
 });

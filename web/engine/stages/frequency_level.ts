@@ -4,11 +4,11 @@ import type { FittedResult, FrequencyFinding } from '../body/body_result';
 import { materialOf } from '../body/material';
 import type { MaterialSettings } from '../body/material';
 import type { PreparedBody } from '../body/prepared_body';
-import type { History } from '../core/core';
 import { faceCount } from '../core/mesh';
 import { fittedLevelAt } from './fit';
 import type { FitRequest } from './fit';
 import { searchFaces } from './frequency_target';
+import type { KeptHistory } from './kept_history';
 import type { RunContext } from './stage';
 
 /** The modes that --max-frequency-error looks at. */
@@ -28,7 +28,7 @@ export interface FrequencyTarget {
  */
 export function findFrequencyLevel(
   { core, onTry }: RunContext,
-  { prepared, history }: { prepared: PreparedBody; history: History },
+  { prepared, kept }: { prepared: PreparedBody; kept: KeptHistory },
   request: FitRequest,
   { targetFaces, maxFrequencyError: limit, material }: FrequencyTarget,
 ): FittedResult & { frequency: FrequencyFinding } {
@@ -36,7 +36,7 @@ export function findFrequencyLevel(
   const modes = core.shellModes(prepared.mesh, options);
   const evaluate = (faces: number) => {
     onTry?.(faces);
-    const fitted = fittedLevelAt(core, { prepared, history }, faces, request);
+    const fitted = fittedLevelAt(core, { prepared, kept }, faces, request);
     const { mesh } = fitted.result;
     const error = core.frequencyErrors(prepared.mesh, modes, mesh, options).max;
     return { fitted, faces: faceCount(mesh), error };

@@ -9,7 +9,7 @@ import { calibrationOf } from '../motion/simulation';
 import { constraintsStage } from './constraints';
 import { facesByRatio } from './face_shares';
 import { FIT_SETTINGS, fitSettings, fittedLevelAt } from './fit';
-import { historyStage } from './history';
+import { keptHistoryStage } from './kept_history';
 import { measureResult } from './measure';
 import { preparedStage } from './prepared';
 import { declareStage } from './stage';
@@ -25,13 +25,13 @@ export interface FurtherLevel {
 export const furtherLevelsStage = declareStage({
   name: 'further levels',
   reads: ['lods', ...FIT_SETTINGS],
-  needs: { prepared: preparedStage, constraints: constraintsStage, history: historyStage },
+  needs: { prepared: preparedStage, constraints: constraintsStage, kept: keptHistoryStage },
   derive: ({ lods, ...settings }) => ({ lods, settings: fitSettings(settings) }),
-  run: ({ core }, { prepared, constraints: { constraints }, history }, { lods, settings }) =>
+  run: ({ core }, { prepared, constraints: { constraints }, kept }, { lods, settings }) =>
     lods.map((ratio): FurtherLevel => {
       const targetFaces = Math.max(1, facesByRatio(ratio, faceCount(prepared.mesh)));
       const request = { constraints, settings };
-      const { result } = fittedLevelAt(core, { prepared, history }, targetFaces, request);
+      const { result } = fittedLevelAt(core, { prepared, kept }, targetFaces, request);
       return { targetFaces, result, measured: measureResult(core, prepared, result) };
     }),
 });

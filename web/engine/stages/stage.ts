@@ -39,6 +39,8 @@ export interface AnyStage {
   /** where it says false, the value is null and nothing that the stage needs runs */
   isWanted(settings: RunSettings): boolean;
   run(context: RunContext, inputs: never, derived: never): unknown;
+  /** gives back what a value holds in the core, once another value has taken its place */
+  release(context: RunContext, value: never): void;
 }
 
 export type Needs = AnyStage['needs'];
@@ -75,6 +77,7 @@ interface StageDeclaration<Value, Read extends RunSettingName, N extends Needs, 
     inputs: { [Key in keyof N]: ValueOf<N[Key]> },
     derived: NoInfer<Derived>,
   ) => Value;
+  release?: (context: RunContext, value: NoInfer<Value>) => void;
 }
 
 /** A stage whose `run` can see no setting but those in `reads`: neither by its types nor at run time. */
@@ -84,10 +87,10 @@ export function declareStage<
   N extends Needs,
   Derived = Pick<RunSettings, Read>,
 >(declaration: StageDeclaration<Value, Read, N, Derived>): Stage<Value, Read | ReadBy<N>> {
-  const { name, reads: own, needs, run } = declaration;
+  const { name, reads: own, needs, run, release = () => {} } = declaration;
   const derive = declaration.derive ?? ((settings) => settings as Derived);
   const reads = withNeeds(own, needs);
-  return { name, reads, needs, derive: (all) => derive(pick(all, own)), isWanted: () => true, run };
+  return { name, reads, needs, derive: (all) => derive(pick(all, own)), isWanted: () => true, run, release };
 }
 
 /** `stage` as a need that other settings decide about: its value where `isWanted`, and null, without running it, elsewhere. */
@@ -104,6 +107,7 @@ export function where<S extends AnyStage, Read extends RunSettingName>(
     derive: () => null,
     isWanted: (all) => isWanted(pick(all, own)),
     run: (_context, inputs: { stage: ValueOf<S> }) => inputs.stage,
+    release: () => {},
   };
 }
 

@@ -1,0 +1,42 @@
+// What is carried from the original to the result: attributes and vertices.
+
+#include "bind/charts.h"
+#include "bind/function.h"
+#include "bind/meshes.h"
+#include "transfer/bind_meshes.h"
+#include "transfer/corner_sources.h"
+
+namespace limber {
+
+template <>
+struct Fields<CornerSources> {
+  static constexpr auto list = std::tuple(field("triangle", &CornerSources::triangle),
+                                          field("barycentric", &CornerSources::barycentric));
+};
+
+template <>
+struct Fields<Binding> {
+  static constexpr auto list =
+      std::tuple(field("triangle", &Binding::triangle), field("barycentric", &Binding::barycentric),
+                 field("offset", &Binding::offset));
+};
+
+namespace {
+
+val jsSourceOfCorners(const val& mesh, const val& charts, const val& result) {
+  const auto lists = fromJs<ChartLists>(charts);
+  return toJs(sourceOfCorners(*meshOf(mesh), lists.view(), fromJs<MeshAt>(result), theJob));
+}
+
+val jsBindToResult(const val& mesh, const val& result) {
+  return toJs(bindToResult(*meshOf(mesh), fromJs<MeshAt>(result), theJob));
+}
+
+}  // namespace
+}  // namespace limber
+
+EMSCRIPTEN_BINDINGS(limber_transfer) {
+  using namespace limber;
+  offer<&jsSourceOfCorners>("sourceOfCorners");
+  offer<&jsBindToResult>("bindToResult");
+}
