@@ -19,7 +19,7 @@ import { BodyRun } from '../../web/engine/stages/body_run';
 import { FileRun } from '../../web/engine/stages/file_run';
 import { targetsOf } from '../../web/engine/stages/face_shares';
 import { declareStage, keyOf } from '../../web/engine/stages/stage';
-import type { AnyStage, RunSettings, SettingName } from '../../web/engine/stages/stage';
+import type { AnyStage, RunSettings, RunSettingName } from '../../web/engine/stages/stage';
 import { STAGES } from '../../web/engine/stages/stages';
 import { together } from './support/bodies';
 import { loadTestCore } from './support/core';
@@ -31,7 +31,7 @@ type StageName = keyof typeof STAGES;
 const NAMES = Object.keys(STAGES) as StageName[];
 
 /** The stages that read each setting themselves, for a body of which everything is asked. */
-const READERS: Record<SettingName, StageName[]> = {
+const READERS: Record<RunSettingName, StageName[]> = {
   weld: ['prepared'],
   symmetry: ['prepared'],
   pins: ['pinned'],
@@ -80,7 +80,7 @@ const READERS: Record<SettingName, StageName[]> = {
 };
 
 /** Readers that the settings of a method leave without effect. */
-const WITHOUT_EFFECT: Record<Settings['method'], SettingName[]> = {
+const WITHOUT_EFFECT: Record<Settings['method'], RunSettingName[]> = {
   limber: ['curvatureWeight'],
   paper: ['sizeWeight', 'seams'],
   qem: ['strainWeight', 'curvatureWeight', 'qualityWeight'],
@@ -144,7 +144,7 @@ function follows(stage: AnyStage, from: Set<AnyStage>, settings: RunSettings): b
 }
 
 /** The stages that run again once `setting` has changed, by the table above. */
-function expectedToRun(setting: SettingName, method: Settings['method'], changed: RunSettings): string[] {
+function expectedToRun(setting: RunSettingName, method: Settings['method'], changed: RunSettings): string[] {
   if (WITHOUT_EFFECT[method].includes(setting) && setting !== 'seams') return [];
   const readers = READERS[setting].filter((name) => method === 'limber' || isReadBy(method, setting, name));
   const from = new Set<AnyStage>(readers.map((name) => STAGES[name]));
@@ -154,7 +154,7 @@ function expectedToRun(setting: SettingName, method: Settings['method'], changed
 }
 
 /** Only limber is fitted, and the paper's method knows nothing of seams. */
-function isReadBy(method: Settings['method'], setting: SettingName, reader: StageName): boolean {
+function isReadBy(method: Settings['method'], setting: RunSettingName, reader: StageName): boolean {
   if (setting === 'seams') return method === 'qem' && ['history', 'explanation'].includes(reader);
   const isOfFit = ['poisson', 'thickness', 'maxDeviation', 'minAngle', 'fit'].includes(setting);
   if (reader === 'furtherLevels' && isOfFit) return false;
@@ -163,8 +163,8 @@ function isReadBy(method: Settings['method'], setting: SettingName, reader: Stag
 
 describe('a run over a body', () => {
   it('has a reader for every setting, or says that no stage reads it', () => {
-    const read = new Set(NAMES.flatMap((name) => STAGES[name].reads as readonly SettingName[]));
-    const all = [...(Object.keys(OPTIONS) as SettingName[]), 'targetFaces', 'fields'] as SettingName[];
+    const read = new Set(NAMES.flatMap((name) => STAGES[name].reads as readonly RunSettingName[]));
+    const all = [...(Object.keys(OPTIONS) as RunSettingName[]), 'targetFaces', 'fields'] as RunSettingName[];
     expect(Object.keys(READERS).sort()).toEqual([...all].sort());
     for (const setting of all)
       expect([setting, read.has(setting)]).toEqual([setting, READERS[setting].length > 0]);
@@ -178,7 +178,7 @@ describe('a run over a body', () => {
       const { run, ran } = startRun();
       valuesOf(run, base);
       const visible = new Set(NAMES.map((name) => STAGES[name].name));
-      for (const setting of Object.keys(READERS) as SettingName[]) {
+      for (const setting of Object.keys(READERS) as RunSettingName[]) {
         if (setting === 'method' && method !== 'limber') continue;
         const changed = { ...base, [setting]: OTHER[setting] };
         ran.clear();
