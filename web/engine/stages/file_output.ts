@@ -31,7 +31,7 @@ export interface LevelOutput {
   report: Omit<LevelReport, 'file'>;
 }
 
-/** Everything is computed when it is asked for, and kept by the runs. */
+/** Everything is computed when it is first asked for; the runs keep it. */
 export class FileOutput {
   constructor(
     private readonly file: FileRun,
@@ -62,6 +62,7 @@ export class FileOutput {
     return this.request.settings.lods.length;
   }
 
+  /** The further level `number`, from 0, of all bodies. */
   async level(number: number): Promise<LevelOutput> {
     const bytes = await this.write(
       (run, i) => run.get(STAGES.writtenLevels, runSettings(this.request, i))[number],

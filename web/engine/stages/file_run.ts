@@ -10,10 +10,11 @@ import { STAGES } from './stages';
 export interface FileRunOptions {
   /** numbers of the bodies that take part; absent: all of them */
   chosen?: number[];
-  /** called with the name of the body that is worked on, and before each number of faces that is tried for its frequencies */
+  /** called when work on a body begins, and before each number of faces that is tried to keep its frequencies */
   onActivity?: (body: string, triedFaces?: number) => void;
 }
 
+/** The runs over the bodies of a model; page, command line and library work through it and `FileOutput`. */
 export class FileRun {
   private readonly all: (BodyRun | null)[];
 
@@ -22,10 +23,10 @@ export class FileRun {
     readonly model: OpenModel,
     private readonly options: FileRunOptions = {},
   ) {
-    const { chosen } = options;
+    const chosen = options.chosen && new Set(options.chosen);
     const { document, bodies } = model;
     this.all = bodies.map((body, i) => {
-      if (chosen && !chosen.includes(i)) return null;
+      if (chosen && !chosen.has(i)) return null;
       const onTry = (faces: number) => options.onActivity?.(body.name, faces);
       return new BodyRun({ core, body, document, onTry });
     });
@@ -47,8 +48,8 @@ export class FileRun {
   }
 
   /**
-   * Prepares the bodies that take part. Those without a usable face stay as they are from here on; returns why, a sentence
-   * each. Throws the first sentence where no body is left.
+   * Prepares the bodies that take part, and leaves out those without a usable face; returns one sentence for each of these.
+   * Throws the first of the errors where no body is left.
    */
   leaveOutUnusable(settings: Settings): string[] {
     const refused: Error[] = [];
@@ -71,7 +72,7 @@ export class FileRun {
     return this.usable.map(({ run }) => run.get(STAGES.prepared, settings));
   }
 
-  /** Tells that work on the body of this run begins. */
+  /** Tells `onActivity` that work on the body of this run begins. */
   announce({ context }: BodyRun): void {
     this.options.onActivity?.(context.body.name);
   }

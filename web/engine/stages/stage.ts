@@ -1,6 +1,6 @@
 /**
- * What a stage is: one step of a run over a body that declares which settings it reads and which stages it needs. Memo keys
- * follow from these declarations, so that a result is never stale and never computed again without need.
+ * A stage is one step of a run over a body. It declares which settings it reads and which stages it needs; memo keys follow
+ * from these declarations, so that a result is never stale and never computed again without need.
  */
 
 import type { Document } from '@gltf-transform/core';
@@ -28,7 +28,7 @@ export interface RunContext {
   onTry?: (faces: number) => void;
 }
 
-/** A stage whose types are not known. */
+/** A stage of any type. */
 export interface AnyStage {
   readonly name: string;
   /** the settings that it reads, itself or through the stages that it needs */
@@ -36,7 +36,7 @@ export interface AnyStage {
   readonly needs: Readonly<Record<string, AnyStage>>;
   /** what `run` gets to see of the settings that the stage reads; memos compare it by value */
   derive(settings: RunSettings): unknown;
-  /** where it says false, the value is null and nothing that the stage needs runs */
+  /** where it is false, the value is null, and nothing that the stage needs is run */
   isWanted(settings: RunSettings): boolean;
   run(context: RunContext, inputs: never, derived: never): unknown;
   /** gives back what a value holds in the core, once another value has taken its place */
@@ -93,7 +93,7 @@ export function declareStage<
   return { name, reads, needs, derive: (all) => derive(pick(all, own)), isWanted: () => true, run, release };
 }
 
-/** `stage` as a need that other settings decide about: its value where `isWanted`, and null, without running it, elsewhere. */
+/** A stage that has the value of `stage` where `isWanted`; elsewhere it is null and `stage` is not run. `own`: what `isWanted` reads. */
 export function where<S extends AnyStage, Read extends RunSettingName>(
   stage: S,
   own: readonly Read[],
