@@ -5,7 +5,7 @@ import { blankComments, lineAt } from './texts.mjs';
 const isNamespace = /^(?:inline )?namespace\b|^extern\b\s*$/;
 const isType = /^(?:template\s*<[^]*>\s*)?(?:typedef )?(?:struct|class|union|enum)\b[^()=]*$/;
 
-/** Removes `template <…>` and `requires`-free prefixes, so that the first parenthesis is that of the parameters. */
+/** Removes `template <…>`, so that the first parenthesis is that of the parameters. */
 function withoutTemplate(header) {
   let rest = header.trim();
   while (rest.startsWith('template')) {
@@ -64,6 +64,7 @@ function kindOf(header, before) {
   const text = header.trim();
   if (isNamespace.test(text)) return 'namespace';
   if (isType.test(text)) return 'type';
+  if (/^concept\b/.test(withoutTemplate(text))) return 'value';
   // `members_{…}` and `= {…}` are values: a body stands behind a space and never behind an equals sign.
   if (/\w/.test(before) || /[=,(]$/.test(text) || !text.includes('(')) return 'value';
   return 'function';

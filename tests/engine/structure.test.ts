@@ -161,6 +161,7 @@ describe('sizes', () => {
       'struct F {\nbool operator()(int a, int b, int c, Map<int, int> d) const {\n}\n};',
       0,
     ],
+    ['a concept', 'template <class A>\nconcept C = requires(A a, A b, A c, A d, A e, A f) {\nf(a);\n};', 0],
     ['values in braces', 'const std::vector<Row> rows = {\n{f(1, 2, 3, 4, 5, 6)}, {g(1, 2)}};', 0],
   ])('parameters of C++: %s', (_, text, count) => {
     const header = file('wasm/fit/a.h', 'int f(int a, int b, int c, int d, int e);\n');
