@@ -48,7 +48,7 @@ void requirePins(const TriangleMesh& mesh, const Pins& pins) {
 Simulation::Simulation(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins) {
   requireOptions(options);
   requirePins(mesh, pins);
-  state_ = std::make_unique<State>(mesh, options, pins);
+  state_ = std::make_unique<SimulationState>(mesh, options, pins);
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;

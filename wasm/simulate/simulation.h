@@ -6,45 +6,22 @@
 #include <vector>
 
 #include "base/job.h"
-#include "elastic/material.h"
 #include "mesh/surface_point.h"
 #include "mesh/triangle_mesh.h"
 #include "simulate/collision_scene.h"
+#include "simulate/simulation_options.h"
 
 namespace limber {
 
 class Helpers;
-
-// Shell: membrane and bending of a thin plate, the same material on every mesh. Springs: the edges, as in the
-// paper, which are another material on every mesh.
-enum class SimulationModel : int32_t { Springs = 0, Shell = 1 };
-
-// Positions and lengths of the mesh, of pins and of colliders are in units of the mesh; everything else is in
-// SI units. Defaults and ranges that users see live in web/engine/settings/options.ts alone.
-struct SimulationOptions {
-  ElasticMaterial material;
-  SimulationModel model = SimulationModel::Shell;
-  int substeps = 0;         // per step, 1 to 10,000; callers must set it
-  double damping = 0;       // 1/s, >= 0: the rate at which velocities decay
-  double friction = 0;      // Coulomb's coefficient, >= 0, against the ground, colliders and the body itself
-  bool keepsVolume = true;  // closed components of a shell behave as if the material filled them
-  bool selfCollision = false;  // parts of the body push each other away, see SelfContacts
-  uint32_t order = 0;  // 0 solves constraints in the order of the mesh, n > 0 in the n-th shuffled order
-};
-
-// Where a body is pinned: at vertices and at points of its surface.
-struct Pins {
-  std::vector<uint32_t> vertices = {};
-  std::vector<SurfacePoint> points = {};
-  size_t count() const { return vertices.size() + points.size(); }
-};
+struct SimulationState;
 
 // One elastic surface in motion, solved by XPBD with small substeps and one pass per substep (Macklin et al.
 // 2016, 2019). Masses are lumped: every vertex has a third of the mass of its triangles. The same input gives
 // the same bits on any number of threads.
 class Simulation {
  public:
-  static constexpr double kStep = 1.0 / 60;  // seconds
+  static constexpr double kStep = kStepSeconds;
 
   // Starts at rest in the shape of the mesh. Throws std::invalid_argument with a sentence for an option out
   // of range, for a mesh without area, and for a pin that the mesh does not have.
@@ -101,8 +78,7 @@ class Simulation {
   uint32_t edgeCount() const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<SimulationState> state_;
 };
 
 }  // namespace limber

@@ -88,7 +88,8 @@ bool hasNoBorder(const Topology& topology) {
 
 }  // namespace
 
-Simulation::State::State(const TriangleMesh& source, const SimulationOptions& given, const Pins& givenPins)
+SimulationState::SimulationState(const TriangleMesh& source, const SimulationOptions& given,
+                                 const Pins& givenPins)
     : options(given),
       blockCount(blockCountOf(source, given.model)),
       slotOf(slotsOf(source, blockCount)),
@@ -96,7 +97,7 @@ Simulation::State::State(const TriangleMesh& source, const SimulationOptions& gi
       restDiagonal(bounds(mesh).diagonal()),
       topology(buildTopology(mesh)),
       blocks(blocksOf(mesh, flapsOf(mesh, topology), blockCount)),
-      substep(kStep / given.substeps),
+      substep(kStepSeconds / given.substeps),
       masses(lumpedMasses(mesh, given.material.density * given.material.thickness * given.material.unit)),
       closed(hasNoBorder(topology)),
       contacts(blocks),
@@ -111,7 +112,7 @@ Simulation::State::State(const TriangleMesh& source, const SimulationOptions& gi
   makeSchedule();
 }
 
-void Simulation::State::makeParticles() {
+void SimulationState::makeParticles() {
   particles.positions = mesh.positions;
   const size_t slots = particles.idle(blocks.groupCount());
   particles.inverseMass.assign(slots, 0.0);
@@ -126,7 +127,7 @@ void Simulation::State::makeParticles() {
     if (particles.inverseMass[v] > 0) particles.damping[v] = damping;
 }
 
-void Simulation::State::makeConstraints() {
+void SimulationState::makeConstraints() {
   Sheet sheet = {options.material};
   sheet.material.thickness *= options.material.unit;
   sheet.material.unit = 1;
@@ -142,7 +143,7 @@ void Simulation::State::makeConstraints() {
   if (options.keepsVolume) volume.emplace(mesh, topology, blocks, bulkModulus);
 }
 
-void Simulation::State::makePins() {
+void SimulationState::makePins() {
   for (const SurfacePoint& point : pins.points) pinnedPoints.add(mesh, particles, point);
   for (const uint32_t v : pins.vertices) pinTargets.push_back(particles.positions[v]);
   for (size_t i = 0; i < pins.points.size(); ++i) {
@@ -152,20 +153,20 @@ void Simulation::State::makePins() {
 }
 
 template <class Visit>
-void Simulation::State::forEachKind(Visit visit) {
+void SimulationState::forEachKind(Visit visit) {
   if (edges) visit(*edges);
   if (membrane) visit(*membrane);
   if (bending) visit(*bending);
 }
 
-void Simulation::State::projectGroup(size_t group) {
+void SimulationState::projectGroup(size_t group) {
   forEachKind([&](const auto& constraints) {
     const auto& start = constraints.colouring().groupStart;
     constraints.project(start[group], start[group + 1]);
   });
 }
 
-void Simulation::State::advanceBlock(size_t block, const Advance& what) {
+void SimulationState::advanceBlock(size_t block, const Advance& what) {
   const uint32_t begin = blocks.start[block], end = blocks.start[block + 1];
   advance(particles, begin, end, what);
   if (!bending) return;
@@ -173,7 +174,7 @@ void Simulation::State::advanceBlock(size_t block, const Advance& what) {
   bending->advanceRotations(edgeStart_[block], edgeStart_[block + 1], what, damping);
 }
 
-void Simulation::State::startBlock(size_t block) {
+void SimulationState::startBlock(size_t block) {
   for (uint32_t v = blocks.start[block]; v < blocks.start[block + 1]; ++v) {
     const Vec3 acceleration = windAcceleration_.empty() ? gravity : gravity + windAcceleration_[v];
     const bool isFree = particles.inverseMass[v] > 0;
@@ -183,7 +184,7 @@ void Simulation::State::startBlock(size_t block) {
   if (volume) volume->rebase(particles, block);
 }
 
-void Simulation::State::startGroup(size_t group) {
+void SimulationState::startGroup(size_t group) {
   if (group < blockCount) startBlock(group);
   triangleContacts.rebase(particles, collisionScene, contactDistance_, group);
   forEachKind([&](auto& constraints) {
@@ -192,12 +193,12 @@ void Simulation::State::startGroup(size_t group) {
   });
 }
 
-void Simulation::State::finishBlock(size_t block) {
+void SimulationState::finishBlock(size_t block) {
   advanceBlock(block, {true, false});
   finishStep(particles, blocks.start[block], blocks.start[block + 1]);
 }
 
-void Simulation::State::projectContacts(size_t group) {
+void SimulationState::projectContacts(size_t group) {
   const auto friction = static_cast<float>(options.friction);
   if (group < blockCount) contacts.project(particles, friction, group);
   triangleContacts.project(particles, friction, group);
@@ -205,7 +206,7 @@ void Simulation::State::projectContacts(size_t group) {
 
 // In every substep the constraints of all blocks are solved, then those of all borders, then volumes. Pins
 // and contacts come last, so that they are met exactly at the end of the substep.
-void Simulation::State::makeSchedule() {
+void SimulationState::makeSchedule() {
   const size_t borderCount = blocks.borderCount;
   schedule_.repeats = options.substeps;
   schedule_.before.push_back(phaseOf(blocks.groupCount(), [this](size_t group, int) { startGroup(group); }));
@@ -235,14 +236,14 @@ void Simulation::State::makeSchedule() {
   schedule_.after.push_back(phaseOf(blockCount, [this](size_t block, int) { finishBlock(block); }));
 }
 
-void Simulation::State::startWind() {
+void SimulationState::startWind() {
   windAcceleration_.clear();
   if (squaredLength(wind) > 0)
-    windAcceleration_ =
-        windAcceleration({mesh.triangles, particles.positions, velocities(), masses, closed}, wind, kStep);
+    windAcceleration_ = windAcceleration({mesh.triangles, particles.positions, velocities(), masses, closed},
+                                         wind, kStepSeconds);
 }
 
-void Simulation::State::startPins() {
+void SimulationState::startPins() {
   for (size_t i = 0; i < pins.vertices.size(); ++i) {
     const uint32_t v = pins.vertices[i];
     particles.motion[v].q = toFloat4((pinTargets[i] - particles.positions[v]) / options.substeps);
@@ -258,7 +259,7 @@ void Simulation::State::startPins() {
   }
 }
 
-void Simulation::State::step(const Job& job, Helpers* helpers) {
+void SimulationState::step(const Job& job, Helpers* helpers) {
   const bool threaded = blockCount > 1 && threadCount() > 1 && threadChoice_.threaded();
   const auto start = std::chrono::steady_clock::now();
   helpedSeconds = 0;
@@ -276,23 +277,23 @@ void Simulation::State::step(const Job& job, Helpers* helpers) {
   threadChoice_.record(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
-Vec3 Simulation::State::velocity(uint32_t v) const {
+Vec3 SimulationState::velocity(uint32_t v) const {
   const Float4 q = particles.motion[v].q;
   return Vec3{double{q[0]}, double{q[1]}, double{q[2]}} / substep;
 }
 
-std::vector<Vec3> Simulation::State::velocities() const {
+std::vector<Vec3> SimulationState::velocities() const {
   std::vector<Vec3> all(particles.count());
   for (uint32_t v = 0; v < particles.count(); ++v) all[v] = velocity(v);
   return all;
 }
 
-uint32_t Simulation::State::constraintCount() const {
+uint32_t SimulationState::constraintCount() const {
   if (edges) return edges->count();
   return membrane->count() + bending->count() + (volume ? volume->count() : 0);
 }
 
-double Simulation::State::elasticEnergy() const {
+double SimulationState::elasticEnergy() const {
   if (edges) return edges->energy(particles.positions);
   return membrane->energy(particles.positions) + bending->energy(particles.positions) +
          (volume ? volume->energy(particles.positions) : 0);

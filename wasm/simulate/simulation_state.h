@@ -15,16 +15,16 @@
 #include "simulate/contacts/triangle_contacts.h"
 #include "simulate/particles.h"
 #include "simulate/schedule.h"
-#include "simulate/simulation.h"
+#include "simulate/simulation_options.h"
 
 namespace limber {
 
 // Everything that a simulation holds, in SI units. It must not be moved: the phases of its schedule point
 // into it.
-struct Simulation::State {
-  State(const TriangleMesh& source, const SimulationOptions& options, const Pins& pins);
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
+struct SimulationState {
+  SimulationState(const TriangleMesh& source, const SimulationOptions& options, const Pins& pins);
+  SimulationState(const SimulationState&) = delete;
+  SimulationState& operator=(const SimulationState&) = delete;
 
   void step(const Job& job, Helpers* helpers);
   std::vector<Vec3> velocities() const;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "elastic/material.h"
+#include "mesh/surface_point.h"
+
+namespace limber {
+
+// The duration of one step, whatever the number of substeps.
+inline constexpr double kStepSeconds = 1.0 / 60;
+
+// Shell: membrane and bending of a thin plate, the same material on every mesh. Springs: the edges, as in the
+// paper, which are another material on every mesh.
+enum class SimulationModel : int32_t { Springs = 0, Shell = 1 };
+
+// Positions and lengths of the mesh, of pins and of colliders are in units of the mesh; everything else is in
+// SI units. Defaults and ranges that users see live in web/engine/settings/options.ts alone.
+struct SimulationOptions {
+  ElasticMaterial material;
+  SimulationModel model = SimulationModel::Shell;
+  int substeps = 0;         // per step, 1 to 10,000; callers must set it
+  double damping = 0;       // 1/s, >= 0: the rate at which velocities decay
+  double friction = 0;      // Coulomb's coefficient, >= 0, against the ground, colliders and the body itself
+  bool keepsVolume = true;  // closed components of a shell behave as if the material filled them
+  bool selfCollision = false;  // parts of the body push each other away, see SelfContacts
+  uint32_t order = 0;  // 0 solves constraints in the order of the mesh, n > 0 in the n-th shuffled order
+};
+
+// Where a body is pinned: at vertices and at points of its surface.
+struct Pins {
+  std::vector<uint32_t> vertices = {};
+  std::vector<SurfacePoint> points = {};
+  size_t count() const { return vertices.size() + points.size(); }
+};
+
+}  // namespace limber
