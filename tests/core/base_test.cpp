@@ -49,7 +49,7 @@ TEST(ParallelFor, rethrowsTheErrorOfTheFirstRange) {
   setThreadCount(1);
 }
 
-// 20 x 50 ones, by loops within a loop.
+// Counts 20 x 50 items by loops within a loop.
 std::vector<int> innerSums() {
   std::vector<int> sums(20);
   parallelFor(sums.size(), 1, [&](size_t begin, size_t) {
@@ -71,7 +71,7 @@ TEST(ParallelFor, innerLoopsEndBeforeTheirCallersGoOn) {
 }
 
 #if LIMBER_THREADS
-// The threads that have come by.
+// Records the threads that call it.
 class Visitors {
  public:
   void enter() {
@@ -93,7 +93,7 @@ TEST(ParallelFor, aThreadWithNothingLeftToDoHelpsInInnerLoops) {
   Visitors visitors;
   const auto start = std::chrono::steady_clock::now();
   const auto isLate = [&] { return std::chrono::steady_clock::now() - start > std::chrono::seconds(20); };
-  // Two outer ranges: one is over at once, the other begins inner loops until somebody else helps.
+  // Of two outer ranges one ends at once; the other begins inner loops until another thread helps.
   parallelFor(2, 1, [&](size_t outer, size_t) {
     while (outer == 1 && visitors.count() < 2 && !isLate())
       parallelFor(100, 1, [&](size_t, size_t) { visitors.enter(); });
@@ -111,7 +111,7 @@ TEST(ParallelFor, aThreadHelpsInALoopThatBeganWhileItWasBusy) {
     while (!condition() && std::chrono::steady_clock::now() - start < std::chrono::seconds(20))
       std::this_thread::yield();
   };
-  // Two outer ranges: one begins a long inner loop while the other keeps its thread busy, which then ends.
+  // Of two outer ranges one begins a long inner loop, while the other keeps its thread busy and then ends.
   parallelFor(2, 1, [&](size_t outer, size_t) {
     if (outer == 1) {
       isBusy = true;

@@ -9,7 +9,8 @@
 #include "mesh/weld.h"
 #include "shared_meshes.h"
 
-// Compares what we find in real files with what other tools found, as their index lists it.
+// Compares what `inspect` finds in real files with what other tools found, as the index of the files lists
+// it.
 
 namespace limber {
 namespace {
@@ -18,7 +19,7 @@ bool has(const std::string& text, const std::string& word) {
   return text.find(word) != std::string::npos;
 }
 
-// The number that stands in front of `word` in `text`; 0 without it.
+// The number in front of `word` in `text`; 0 if `word` is absent.
 int64_t numberBefore(const std::string& text, const std::string& word) {
   const size_t end = text.find(word);
   if (end == std::string::npos) return 0;
@@ -41,7 +42,7 @@ void expectFacts(const std::string& name, const std::string& facts) {
   EXPECT_EQ(body.degenerateFaces, numberBefore(facts, " degenerate"));
   EXPECT_EQ(body.duplicateFaces, numberBefore(facts, " duplicate"));
   EXPECT_EQ(found.nonManifoldEdges, numberBefore(facts, " e,"));
-  // The index also counts ends of non-manifold edges where several fans meet; one mesh has such.
+  // The index also counts ends of non-manifold edges where several fans meet; one mesh has such ends.
   if (name != "openscad_nonmanifold_crash.obj") {
     EXPECT_EQ(found.nonManifoldVertices, numberBefore(facts, " v)"));
   }

@@ -40,7 +40,7 @@ TEST(Inspect, sumsTheGenusOverComponents) {
 
 TEST(Inspect, countsEachHoleOfASheet) {
   TriangleMesh sheet = shapes::grid(6, 6);
-  // Two triangles that do not touch one another, and none at the border.
+  // Removes two triangles that touch neither each other nor the border.
   sheet.triangles.erase(sheet.triangles.begin() + 50);
   sheet.triangles.erase(sheet.triangles.begin() + 16);
   const Inspection found = inspect(sheet);

@@ -28,7 +28,7 @@ TriangleMesh turnedOver(TriangleMesh mesh) {
   return mesh;
 }
 
-// The distance of a point to a triangle by dense search, an upper bound that is off by less than `step` of an
+// The distance of a point to a triangle by dense search: an upper bound, too large by less than `step` of an
 // edge.
 double bruteForce(const Vec3& p, const TriangleMesh& mesh, uint32_t t) {
   double best = HUGE_VAL;

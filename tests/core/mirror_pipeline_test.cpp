@@ -23,7 +23,7 @@ TriangleMesh moved(TriangleMesh mesh, const Vec3& way) {
   return mesh;
 }
 
-// About z.
+// Rotated about z.
 TriangleMesh turned(TriangleMesh mesh, double angle) {
   for (Vec3& p : mesh.positions)
     p = {p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle), p.z};
@@ -50,8 +50,8 @@ TEST(MirrorImages, ofWhatHasNoneAreCounted) {
   const MirrorImages across = findMirrorImages(whole.mesh, {}, 1, theJob);
   EXPECT_TRUE(across.partners.empty());
   EXPECT_GT(across.asymmetricVertices, whole.mesh.vertexCount() / 2);
-  // All diagonals of a grid run one way, and the quads in the middle lie across the plane: its vertices are
-  // images, its triangles are not, however they are cut.
+  // All diagonals of a grid run one way, and the quads in the middle lie across the plane: its vertices have
+  // images, its triangles have none, however the quads are cut.
   const MirrorImages grid = findMirrorImages(shapes::grid(5, 4), {}, 0, theJob);
   EXPECT_TRUE(grid.partners.empty() && grid.corners.empty());
   EXPECT_EQ(grid.asymmetricVertices, 0u);
@@ -66,7 +66,7 @@ TEST(MirrorImages, refuseAFlatMeshAsItsOwnImage) {
   EXPECT_TRUE(findMirrorImages(shapes::grid(4, 4), {}, 2, theJob).partners.empty());
 }
 
-// The mesh as `corners` cut it.
+// The mesh with quads cut as `corners` say.
 TriangleMesh recut(const TriangleMesh& mesh, const std::vector<uint32_t>& corners) {
   TriangleMesh cut{mesh.positions, {}};
   for (size_t corner = 0; corner < corners.size(); corner += 3) {
@@ -96,7 +96,7 @@ TEST(MatchSplits, cutsTheQuadsOfOneSideTheOtherWay) {
     const MirrorImages again = findMirrorImages(cut, {}, 0, theJob);
     EXPECT_EQ(again.partners, images.partners);
     EXPECT_TRUE(again.corners.empty());
-    // Nothing has been lost or turned over.
+    // No triangle is lost or flipped.
     expectSameTopology(mesh, cut);
     for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
       EXPECT_GT(dot(areaNormal(mesh, t), areaNormal(cut, t)), 0) << t;
@@ -111,13 +111,13 @@ TEST(MatchSplits, cutsNoneWhereASeamRuns) {
   while (corners[3 * size_t{first}] == 3 * first && corners[3 * size_t{first} + 1] == 3 * first + 1 &&
          corners[3 * size_t{first} + 2] == 3 * first + 2)
     ++first;
-  // Barred on one side, the quad on the other is cut instead.
+  // Where a quad on one side must not be cut, its image on the other side is cut instead.
   groups[first] = 1;
   const MirrorImages other = findMirrorImages(mesh, {{}, groups}, 0, theJob);
   ASSERT_FALSE(other.corners.empty());
   EXPECT_EQ(other.corners[3 * size_t{first}], 3 * first);
   EXPECT_EQ(trianglesWithoutImage(recut(mesh, other.corners), other.partners), 0u);
-  // With each triangle its own chart nothing can be cut.
+  // If each triangle is a chart of its own, no quad can be cut.
   for (uint32_t corner = 0; corner < 3 * mesh.triangleCount(); ++corner) wedges.push_back(corner);
   const MirrorImages none = findMirrorImages(mesh, {wedges, {}}, 0, theJob);
   EXPECT_TRUE(none.corners.empty() && none.partners.empty());
@@ -134,7 +134,8 @@ TEST(MatchSplits, preferAPlaneThatTakesNone) {
   EXPECT_TRUE(found.corners.empty());
 }
 
-// A mesh, a result of it that is its own image, and that result after a fit that knows and one that does not.
+// A mesh, a symmetric result of it, and that result after a fit with the mirror symmetry and after one
+// without.
 struct Fit {
   Doubled whole;
   MeshAt reduced;
@@ -146,7 +147,7 @@ ModalFitOptions fitOptions(const Doubled& whole) {
 }
 
 MeshAt reduce(const Doubled& whole, uint32_t faces) {
-  // Little weight on quality leaves edges to flip.
+  // A small weight of quality leaves edges to flip.
   SimplifyOptions options{.method = Method::Limber, .qualityWeight = 0.02, .sizeWeight = 0.01};
   options.stopFaces = faces;
   options.constraints.mirror = whole.mirror;
@@ -190,7 +191,7 @@ TEST(MirroredFit, isAboutAsGoodAsOneThatDoesNotKnow) {
   }
 }
 
-// The fit's own error is that of the result as it is, not of one that is mirrored later.
+// The error that the fit returns is that of its result, not of a mesh that is mirrored later.
 TEST(MirroredFit, tellsTheErrorOfItsResult) {
   const auto& [whole, reduced, fitted, plain] = fittedBox();
   const auto errorOf = [&](const TriangleMesh& mesh) {
@@ -225,7 +226,7 @@ TEST(MirroredFit, locksTheImagesOfLockedVertices) {
   EXPECT_EQ(mirrored::facesOf(mesh, 1), mirrored::facesOf(mesh, -1));
 }
 
-// A seam along every edge of one side: no flip can be repeated there.
+// Every edge of one side is a seam, so no flip can be repeated there.
 TEST(MirroredFit, doesNotFlipWhereTheImageIsASeam) {
   const auto& [whole, reduced, fitted, plain] = fittedSheet();
   std::vector<uint32_t> wedges;
@@ -239,7 +240,7 @@ TEST(MirroredFit, doesNotFlipWhereTheImageIsASeam) {
   EXPECT_EQ(fitModes(whole.mesh, reduced, options, theJob).flips, 0u);
 }
 
-// Two bodies that are images of each other: the second follows the first.
+// Of two bodies that are images of each other, the second follows the first.
 TEST(MirroredFit, takesOneOfTwoComponentsForBoth) {
   const TriangleMesh half = moved(shapes::jittered(shapes::grid(12, 10), 0.02, 6), {3, 0, 0});
   const Doubled whole = mirrored::doubled(surfaces::inFloats(half));

@@ -1,6 +1,6 @@
 #pragma once
 
-// Meshes that are their own mirror image across x = 0, and how to tell.
+// Meshes that are their own mirror image across x = 0, and a way to check that.
 
 #include <algorithm>
 #include <array>

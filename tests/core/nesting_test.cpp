@@ -69,7 +69,7 @@ TEST(Nesting, whatFloatsInACavityIsABodyWithItsOwnCavities) {
 TEST(Nesting, besideIsNotInside) {
   const TriangleMesh beside = moved(inverted(shapes::sphere(1, 0.2)), {0, 0, -1.5});
   EXPECT_EQ(hostsOf(shapes::together(shapes::sphere(2), beside)), (Hosts{0, 1}));
-  // Within the torus' bounding box, in its hole.
+  // Inside the bounding box of the torus, but in its hole.
   EXPECT_EQ(hostsOf(shapes::together(shapes::torus(24, 12), inverted(shapes::sphere(1, 0.2)))),
             (Hosts{0, 1}));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Results to carry things over to.
+// Simplified meshes as targets of transfers.
 
 #include "simplify/history.h"
 #include "simplify/simplify.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// What every simplification keeps.
+// The topology that every simplification keeps.
 
 #include <gtest/gtest.h>
 

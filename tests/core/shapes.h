@@ -1,6 +1,7 @@
 #pragma once
 
-// Small meshes that the tests share. All are wound outwards and, unless said, closed.
+// Small meshes that the tests share. All are wound outwards; all are closed unless their comment says
+// otherwise.
 
 #include <cmath>
 #include <cstdint>
@@ -13,7 +14,7 @@
 
 namespace limber::shapes {
 
-// A flat grid in the xy plane, cellsX * cellsY cells of two triangles each, normals along +z. Open.
+// A flat grid in the xy plane, cellsX * cellsY cells of two triangles each, normals along +z. It is open.
 inline TriangleMesh grid(int cellsX, int cellsY, double width = 1, double height = 1) {
   TriangleMesh mesh;
   for (int j = 0; j <= cellsY; ++j)

@@ -47,7 +47,7 @@ TriangleMesh partOf(const TriangleMesh& mesh, const std::vector<uint8_t>& isIn) 
   return part;
 }
 
-// Every group is on its own a surface of the same topology as in the input.
+// Each group alone is a surface of the same topology as in the input.
 void expectGroupsKeepTheirTopology(const TriangleMesh& mesh, const std::vector<uint32_t>& groups,
                                    const MeshAt& at) {
   for (uint32_t group = 0; group <= std::ranges::max(groups); ++group) {
@@ -74,7 +74,7 @@ TEST(SimplifyConstraints, groupsKeepTheirTopologyAtEveryCount) {
     }
 }
 
-// A sheet of 2 x 1 whose seam is the line x = 1: given by groups, by wedges, or as a crease of 60 degrees.
+// A sheet of 2 x 1 with a seam at x = 1, which is given by groups, by wedges or as a crease of 60 degrees.
 TriangleMesh sheet() {
   return surfaces::inFloats(shapes::grid(16, 8, 2, 1));
 }
@@ -92,7 +92,7 @@ void expectSeamStays(const TriangleMesh& mesh, const History& history) {
       EXPECT_EQ(p.z, 0) << faces;
       along.push_back(p);
     }
-    // Its ends are junctions with the border.
+    // The ends of the seam are junctions with the border.
     EXPECT_EQ(std::ranges::min(along, {}, &Vec3::y).y, 0);
     EXPECT_EQ(std::ranges::max(along, {}, &Vec3::y).y, 1);
   }
@@ -243,7 +243,7 @@ TEST(SimplifyConstraints, aPinnedSetKeepsItsOutline) {
   }
 }
 
-// A rough sheet in the plane, so that positions alone cost nothing, and an attribute over it.
+// A rough sheet in a plane, so that positions alone cost nothing, with an attribute over it.
 TriangleMesh roughSheet() {
   TriangleMesh mesh = shapes::jittered(shapes::grid(32, 16, 2, 1), 0.01, 8);
   for (Vec3& p : mesh.positions) p = {std::round(1024 * p.x) / 1024, std::round(1024 * p.y) / 1024, 0};
@@ -278,7 +278,7 @@ TEST(SimplifyConstraints, attributesThatAreLinearOnEachSideOfASeamCostNothing) {
     }
   const SimplifyConstraints plain{.wedges = wedges};
   const SimplifyConstraints linear{.wedges = wedges, .attributes = values, .attributeDimension = 2};
-  // Rounding noise moves the first of them only after many collapses.
+  // Rounding noise moves the first of these vertices only after many collapses.
   const History a = run(mesh, linear, Method::Limber), b = run(mesh, plain, Method::Limber);
   for (size_t i = 0; i < 100; ++i) ASSERT_EQ(a.removed[i], b.removed[i]) << i;
 }

@@ -12,7 +12,7 @@
 #include "simplify/quadric.h"
 #include "surfaces.h"
 
-// The parts that the collapse loop is made of.
+// Tests of the parts that the collapse loop is made of.
 
 namespace limber {
 namespace {
@@ -47,7 +47,7 @@ TEST(Quadric, movesNoFartherThanItsPlanesAsk) {
   EXPECT_EQ(nowhere, (Vec3{4, 5, 6}));
 }
 
-// Costs that are set, taken away and guessed too low, against a sorted set of the true ones.
+// Sets, removes and underestimates costs, and compares with a sorted set of the true costs.
 TEST(EdgeQueue, givesTheCheapestFirstAndTheLowerOnATie) {
   constexpr uint32_t kEdges = 300;
   for (uint32_t seed = 1; seed <= 5; ++seed) {
@@ -91,7 +91,7 @@ TEST(EdgeQueue, givesTheCheapestFirstAndTheLowerOnATie) {
   }
 }
 
-// In the box around a torus, or a little outside.
+// A point in the bounding box of a torus, or a little outside.
 Vec3 nearTorus(std::mt19937& random) {
   const double x = 3 * uniform(random) - 1.5, y = 3 * uniform(random) - 1.5;
   return {x, y, uniform(random) - 0.5};

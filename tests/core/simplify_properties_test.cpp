@@ -9,8 +9,8 @@
 #include "simplify/simplify.h"
 #include "surfaces.h"
 
-// What must hold for any mesh and any constraints: both are drawn by seeded generators, named in every
-// failure.
+// What must be true for any mesh and any constraints. Seeded generators draw both; every failure names the
+// seed.
 
 namespace limber {
 namespace {
@@ -53,7 +53,7 @@ TriangleMesh randomMesh(Random& random) {
   return surfaces::inFloats(shapes::jittered(mesh, noise, random.below(1000)));
 }
 
-// A mesh, fields and wishes in storage of their own.
+// A mesh, fields and constraints in storage of their own.
 struct Trial {
   TriangleMesh mesh;
   std::vector<float> strain, curvature, keep, attributes;
@@ -75,7 +75,7 @@ struct Trial {
   }
 };
 
-// Fields over space, so that they are the same however the mesh is numbered.
+// The fields are functions of position, so they do not depend on the numbering of the mesh.
 void drawLists(Trial& trial, Random& random) {
   const TriangleMesh& mesh = trial.mesh;
   const Vec3 cut{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};

@@ -22,7 +22,7 @@ constexpr SimplifyOptions kPaper{
 constexpr SimplifyOptions kLimber{
     .method = Method::Limber, .strainWeight = 3, .qualityWeight = 0.1, .sizeWeight = 0.01};
 
-// Fields that vary smoothly and do not depend on how the mesh is numbered, scaled or turned.
+// Fields that vary smoothly and do not depend on how the mesh is numbered, scaled or rotated.
 struct Fields {
   std::vector<float> strain, curvature;
   Guidance guidance() const { return {strain, curvature}; }
@@ -116,7 +116,7 @@ TEST(Simplify, doesNotDependOnTheNumberingWhereNoCostsAreEqual) {
 }
 
 TEST(Simplify, takesAFlatRegionBeforeACurvedOne) {
-  // A sheet whose right half is wavy.
+  // The right half of the sheet is wavy.
   TriangleMesh sheet = shapes::grid(24, 12, 2, 1);
   for (Vec3& p : sheet.positions)
     if (p.x > 1) p.z = 0.05 * std::sin(20 * p.x) * std::sin(17 * p.y);

@@ -8,7 +8,7 @@
 #include "simplify/simplify.h"
 #include "surfaces.h"
 
-// Whatever collapses, the surface stays what it is.
+// No collapse changes the topology of the surface.
 
 namespace limber {
 namespace {
@@ -19,7 +19,7 @@ struct Run {
   History history;
 };
 
-// All meshes with both methods; the paper's is guided by fields that vary over the mesh.
+// All meshes with both methods; `paper` is guided by fields that vary over the mesh.
 std::vector<Run> everyRun() {
   std::vector<Run> runs;
   Job job;
@@ -130,7 +130,7 @@ TEST(Simplify, saysForEveryEdgeOfTheFloorWhyItStays) {
   }
 }
 
-// The vertices that must not move: ends of non-manifold edges, non-manifold vertices, ends of clashes.
+// Ends of non-manifold edges, non-manifold vertices and ends of orientation clashes must not move.
 TEST(Simplify, leavesNonManifoldVerticesUntouched) {
   for (const auto& [name, mesh, history] : everyRun()) {
     SCOPED_TRACE(name);

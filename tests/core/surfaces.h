@@ -95,7 +95,7 @@ inline TriangleMesh threeSheets(int n) {
   return mesh;
 }
 
-// A strip of `cells` cells with a half turn; its two sides meet with clashing windings.
+// A Moebius strip of `cells` cells; its two sides meet with clashing windings.
 inline TriangleMesh moebiusStrip(int cells) {
   TriangleMesh mesh;
   for (int i = 0; i < cells; ++i)
@@ -113,7 +113,7 @@ inline TriangleMesh moebiusStrip(int cells) {
   return mesh;
 }
 
-// Random cubes with jittered corners: many components, handles and non-manifold places.
+// Random cubes with jittered corners: many components, handles, non-manifold edges and vertices.
 inline TriangleMesh randomVoxels(uint32_t seed) {
   std::mt19937 random(seed);
   std::set<Voxel> voxels;
@@ -156,7 +156,7 @@ inline std::vector<Named> everyTopology() {
   return all;
 }
 
-// Replays a history one collapse at a time, the plain way: every triangle is looked at in every step.
+// Replays a history one collapse at a time, in the simplest way: every step visits every triangle.
 class Replay {
  public:
   Replay(const TriangleMesh& input, const History& history) : history_(history), positions_(input.positions) {
@@ -172,7 +172,7 @@ class Replay {
     std::erase_if(triangles_, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
   }
 
-  // By the input's vertices.
+  // Both are in terms of the vertices of the input.
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<Vec3>& positions() const { return positions_; }
 

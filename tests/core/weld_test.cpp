@@ -24,7 +24,7 @@ struct Soup {
   void face(uint32_t a, uint32_t b, uint32_t c) { indices.insert(indices.end(), {a, b, c}); }
 };
 
-// Every corner with a vertex of its own.
+// Gives every corner a vertex of its own.
 Soup shattered(const TriangleMesh& mesh) {
   Soup soup;
   for (const Triangle& t : mesh.triangles)
@@ -139,7 +139,7 @@ TEST(Weld, flipsTheSmallerSideOfAComponent) {
   const WeldResult few = welded(soupOf(torus));
   EXPECT_EQ(few.flippedFaces, 3u);
   EXPECT_EQ(inspect(few.mesh).orientationClashes, 0u);
-  // Where most are turned the others follow, for nothing is turned inside out as a whole.
+  // If most faces are flipped, the others are flipped too, for no body is turned inside out as a whole.
   for (Triangle& t : torus.triangles) std::swap(t[0], t[1]);
   EXPECT_EQ(welded(soupOf(torus)).flippedFaces, 3u);
 }

@@ -5,20 +5,21 @@
 
 namespace limber {
 
-// A number and its derivatives by N variables: forward-mode differentiation, exact to rounding.
+// A number with its derivatives by N variables, for forward-mode differentiation. Exact to rounding.
 template <int N>
 struct Dual {
   double value = 0;
-  std::array<double, N> derivative{};
+  std::array<double, N> derivative{};  // [i]: by variable i
 
   Dual() = default;
   Dual(double constant) : value(constant) {}  // NOLINT: constants mix freely with duals
+  // Variable `index` itself, with derivative 1.
   static Dual variable(double value, int index) {
     Dual x(value);
     x.derivative[static_cast<size_t>(index)] = 1;
     return x;
   }
-  // f(x) for f with value `f` and derivative `d` there.
+  // f(x) by the chain rule, for a function with value `f` and derivative `d` at x.
   Dual chain(double f, double d) const {
     Dual y(f);
     for (size_t i = 0; i < N; ++i) y.derivative[i] = d * derivative[i];

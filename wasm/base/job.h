@@ -7,7 +7,7 @@
 
 namespace limber {
 
-// What a long call is doing; the names that people read live in web/engine/core/core.ts in the same order.
+// What a long call is doing. web/engine/core/core.ts has the names that users read, in the same order.
 enum class Phase : int32_t {
   Idle = 0,
   Weld = 1,
@@ -24,20 +24,20 @@ enum class Phase : int32_t {
   Mirror = 12,
 };
 
-// Thrown out of a running call after somebody asked it to stop.
+// Thrown by a running call after another thread has requested that it stops.
 struct Cancelled : std::runtime_error {
   Cancelled() : std::runtime_error("The calculation was cancelled.") {}
 };
 
-// Progress of one running call, and the wish to cancel it. Both may be used from other threads while the call
-// runs. The four words lie in one block so that a page can read them from shared memory: [0] cancel wish (0
-// or 1), [1] phase, [2] progress in 1/10,000 of the phase, [3] unused.
+// Progress and cancellation of one running call; other threads may use both while the call runs. The four
+// words lie in one block so that a page can read them from shared memory: [0] whether to cancel (0 or 1), [1]
+// phase, [2] progress in 1/10,000 of the phase, [3] unused.
 class Job {
  public:
   std::atomic<int32_t> words[4] = {};
 
-  // Called on the calling thread whenever the phase or the whole percent changes; for builds without shared
-  // memory.
+  // Called on the thread of the running call whenever the phase or the whole percent changes. For builds
+  // without shared memory.
   std::function<void(Phase, double fraction)> observer;
 
   void reset();
@@ -46,25 +46,25 @@ class Job {
 
   // Starts a phase at progress 0. Throws Cancelled.
   void begin(Phase phase);
-  // Sets the progress of the phase, `fraction` in [0, 1]. Throws Cancelled. Call it at least every 50 ms of
-  // work, from the thread that runs the call; pool threads use `check`.
+  // Sets the progress of the phase, `fraction` in [0, 1]. To be called at least every 50 ms by the thread
+  // that runs the call; pool threads call `check`. Throws Cancelled.
   void report(double fraction);
-  // From now on phases and progress within are not shown, until `leave`: for a call made of many that tell
-  // their own. Only `reportWhole` shows. See WholePhase.
+  // Starts a phase and hides the phases and progress of all calls until `leave`; only `reportWhole` is shown.
+  // For a call that is made of many calls with phases of their own, see WholePhase. Throws Cancelled.
   void enter(Phase phase);
   void leave() { --depth_; }
   void reportWhole(double fraction);
-  // Throws Cancelled if somebody asked to stop. Cheap, and safe from any thread.
+  // Throws Cancelled if cancellation was requested. Cheap, and safe from any thread.
   void check() const {
     if (cancelRequested()) throw Cancelled();
   }
 
  private:
   int32_t observedPercent_ = -1;
-  int32_t depth_ = 0;
+  int32_t depth_ = 0;  // of nested calls of `enter`
 };
 
-// One phase for as long as it lives, whatever is called meanwhile.
+// Shows one phase during its lifetime, whatever is called meanwhile.
 class WholePhase {
  public:
   WholePhase(Job& job, Phase phase) : job_(job) { job_.enter(phase); }

@@ -18,7 +18,7 @@ namespace {
 
 std::atomic<uint64_t> cap = 0;
 
-// What the heap may still grow by.
+// Bytes by which the heap may still grow.
 uint64_t ungrownMemory() {
 #ifdef __EMSCRIPTEN__
   return emscripten_get_heap_max() - reinterpret_cast<uintptr_t>(sbrk(0));
@@ -27,7 +27,7 @@ uint64_t ungrownMemory() {
 #endif
 }
 
-// What was given back within the heap; walks over all of it.
+// Bytes that are free within the heap. Slow: walks over all of the heap.
 uint64_t freedMemory() {
 #ifdef __EMSCRIPTEN__
   return static_cast<size_t>(mallinfo().fordblks);

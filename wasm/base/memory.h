@@ -4,11 +4,11 @@
 
 namespace limber {
 
-// Bytes that can still be taken: in WebAssembly what is left of its largest heap, natively without bound
-// unless a limit is set.
+// Bytes that can still be allocated: in WebAssembly the rest of the largest heap; natively unbounded unless a
+// limit is set.
 uint64_t memoryLeft();
 
-// Caps what memoryLeft() tells; 0 takes the cap away. For tests and for callers with less to give.
+// Caps what memoryLeft() returns; 0 removes the cap. For tests.
 void setMemoryLimit(uint64_t bytes);
 
 // Throws std::runtime_error with one sentence if less than `bytes` are left: "<what> would take about 2 GB of

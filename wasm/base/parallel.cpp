@@ -20,14 +20,15 @@ using Body = std::function<void(size_t begin, size_t end)>;
 
 namespace {
 
-// One call of parallelFor: ranges are handed out by a counter; errors are kept by range, so that the first
-// one in order is thrown whatever the threads' timing.
+// One call of parallelFor. A counter hands out the ranges. Errors are kept by range, so that the first one in
+// order is thrown whatever the timing of the threads.
 struct Loop {
   size_t count, grain;
   const Body& body;
   std::atomic<size_t> nextRange;
-  int helpers = 0;     // that are at work in it; guarded by the pool's mutex, as is ...
-  uint64_t order = 0;  // ... the number of loops begun before it
+  // Both are guarded by the mutex of the pool.
+  int helpers = 0;     // threads at work in the loop
+  uint64_t order = 0;  // number of loops begun before this one
   std::mutex errorMutex = {};
   size_t errorRange = SIZE_MAX;
   std::exception_ptr error = nullptr;
@@ -49,9 +50,9 @@ struct Loop {
   }
 };
 
-// Threads that wait for loops and help in the oldest one that has work left: in the outer ones first, in
-// inner ones once no range of an outer one is left. A caller whose helpers are not done yet helps too, but
-// only in loops begun after its own. The threads live until their number changes or the program ends.
+// Threads that wait for loops and help in the oldest loop with ranges left: first in outer loops, then in
+// inner ones. A caller that waits for its helpers helps too, but only in loops begun after its own. The
+// threads live until their number changes or the program ends.
 class Pool {
  public:
   explicit Pool(int helpers) : idle_(helpers) {
@@ -118,7 +119,7 @@ class Pool {
   std::vector<std::thread> threads_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<Loop*> open_;  // whose callers still hand out ranges, in the order in which they began
+  std::vector<Loop*> open_;  // loops whose callers still hand out ranges, in the order in which they began
   uint64_t begun_ = 0;
   std::atomic<int> idle_;  // threads that wait for work
   bool stopping_ = false;
@@ -146,7 +147,7 @@ int threadCount() {
 void parallelFor(size_t count, size_t grain, const Body& body) {
   if (count == 0) return;
   grain = std::max<size_t>(grain, 1);
-  // Alone until there is somebody to help.
+  // Works alone until a thread is idle.
   size_t begin = 0;
   for (; begin + grain < count && !(pool() && pool()->hasIdleThreads()); begin += grain)
     body(begin, begin + grain);

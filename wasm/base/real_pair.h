@@ -8,23 +8,22 @@
 
 namespace limber {
 
-// Two numbers that are computed side by side, in one SIMD register where the machine has them (SSE2, wasm
-// simd128). Its operators are built into GCC and Clang. Every operation rounds each lane as it would round a
-// double, so that the same formula gives the same bits in both.
+// Two numbers in one SIMD register (SSE2, wasm simd128). The operators are built into GCC and Clang. Every
+// operation rounds each lane as it would round a double, so the same formula gives the same bits for both.
 using RealPair = double __attribute__((vector_size(16)));
 
 // The nearest float32, as double.
 inline double asFloat(double x) {
   float nearest = static_cast<float>(x);
 #if defined(__GNUC__) && !defined(__clang__)
-  // GCC 12 loses the rounding where it makes vectors of these lines by itself.
+  // GCC 12 loses the rounding where it vectorises these statements by itself.
   asm("" : "+m"(nearest));
 #endif
   return nearest;
 }
 inline RealPair asFloat(RealPair x) {
 #ifdef __wasm_simd128__
-  // Clang takes the lanes apart if it is not told how.
+  // Without the intrinsics Clang converts lane by lane.
   return RealPair(wasm_f64x2_promote_low_f32x4(wasm_f32x4_demote_f64x2_zero(v128_t(x))));
 #else
   using FloatPair = float __attribute__((vector_size(8)));
@@ -32,7 +31,7 @@ inline RealPair asFloat(RealPair x) {
 #endif
 }
 
-// A point whose coordinates are doubles or pairs.
+// A point whose coordinates are doubles or pairs of doubles.
 template <class Real>
 struct Point {
   Real x, y, z;
@@ -68,6 +67,7 @@ inline Vec3 asVec3(const Point<double>& p) {
 inline Point<RealPair> asPair(const Vec3& p, const Vec3& q) {
   return {RealPair{p.x, q.x}, RealPair{p.y, q.y}, RealPair{p.z, q.z}};
 }
+// Point i of the two.
 inline Vec3 lane(const Point<RealPair>& p, int i) {
   return {p.x[i], p.y[i], p.z[i]};
 }

@@ -5,11 +5,10 @@
 
 namespace limber {
 
-// What tells one chart of a surface from the next. Both may be empty: then nothing but the mesh's own borders
-// parts it.
+// The data that bound the charts of a surface. Where both are empty, a chart is a whole component.
 struct Charts {
-  std::span<const uint32_t> wedges;  // per corner 3 * t + c: equal at a vertex where all attributes are
-  std::span<const uint32_t> groups;  // per triangle: what it is drawn with
+  std::span<const uint32_t> wedges;  // [3 * t + c]: equal for corners at one vertex that share all attributes
+  std::span<const uint32_t> groups;  // [t]: the primitive or material
 };
 
 }  // namespace limber

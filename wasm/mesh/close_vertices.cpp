@@ -9,9 +9,9 @@
 namespace limber {
 namespace {
 
-using Cell = std::array<double, 3>;  // whole numbers; double holds them without overflow
+using Cell = std::array<double, 3>;  // whole numbers, which as doubles cannot overflow
 
-// A point in its cell of a grid; sorted by cell, then by point.
+// A point and its cell of a grid. Entries are sorted by cell, then by point.
 struct Entry {
   Cell cell;
   uint32_t point;
@@ -42,7 +42,7 @@ std::vector<uint32_t> uniteCloseVertices(const std::vector<Vec3>& points, double
   };
   for (const Entry& entry : entries) {
     if (entry.point % 256 == 0) job.check();
-    // Cells that differ in z alone stand next to one another.
+    // Cells that differ in z alone are adjacent in the sorted entries.
     for (double dx = -1; dx <= 1; ++dx)
       for (double dy = -1; dy <= 1; ++dy) {
         const Cell low{entry.cell[0] + dx, entry.cell[1] + dy, entry.cell[2] - 1};

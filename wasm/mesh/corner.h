@@ -34,7 +34,7 @@ class Corner {
   uint32_t triangle() const { return code_ >> 2; }
   int index() const { return static_cast<int>(code_ & 3); }
   uint32_t flatIndex() const { return 3 * triangle() + (code_ & 3); }
-  // The stored number, for keys that hold a corner among other bits.
+  // The stored number, for keys that contain a corner among other bits.
   uint32_t code() const { return code_; }
 
   auto operator<=>(const Corner&) const = default;

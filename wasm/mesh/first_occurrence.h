@@ -7,16 +7,16 @@
 
 namespace limber {
 
-// Finds equal keys of three words among up to `count` items: an open-addressing hash table whose answers do
-// not depend on the hash.
+// Finds the first item with an equal key, for keys of three words and up to `count` items. An open-addressing
+// hash table, whose answers do not depend on the hash.
 class FirstOccurrence {
  public:
   using Key = std::array<uint32_t, 3>;
 
   explicit FirstOccurrence(size_t count) : slots_(std::bit_ceil(2 * count + 2), kEmpty), keys_(count) {}
 
-  // Files `item` (less than `count`, each once) under `key` and returns the first item that was filed under
-  // an equal key; `item` itself if it is the first.
+  // Adds `item` (less than `count`, each once) with its key and returns the first item that was added with an
+  // equal key, which may be `item` itself. Expected O(1).
   uint32_t insert(const Key& key, uint32_t item) {
     keys_[item] = key;
     for (size_t slot = hash(key);; ++slot) {

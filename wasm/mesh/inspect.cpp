@@ -22,7 +22,7 @@ Inspection inspect(const TriangleMesh& mesh) {
   for (const Topology::Edge& edge : topology.edges) found.nonManifoldEdges += edge.useCount > 2;
   found.orientationClashes = static_cast<uint32_t>(std::ranges::count(topology.clashes, 1));
   const bool manifold = found.nonManifoldEdges == 0 && found.nonManifoldVertices == 0;
-  // Per component chi = 2 - 2 g - b; the sum needs no split.
+  // Each component has chi = 2 - 2 g - b; summed over all components this gives the sum of g.
   if (manifold && (found.orientationClashes == 0 || orient(mesh, topology).orientable))
     found.genus =
         (2 * int64_t{found.components} - int64_t{found.boundaryLoops} - found.eulerCharacteristic) / 2;

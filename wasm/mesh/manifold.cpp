@@ -20,29 +20,31 @@ std::array<uint32_t, 2> edgesAt(const Topology& topology, Corner corner) {
           topology.edgeOpposite(Corner(t, previousIndex(corner.index())))};
 }
 
-// Where a walk around a vertex ended, and how many triangles it has passed.
+// Where a walk around a vertex starts, and where it ends and after how many triangles.
+struct FanStart {
+  uint32_t triangle, edge;
+};
 struct FanEnd {
   uint32_t edge;
   uint32_t passed;
 };
 
-// Turns around v, starting in triangle t and leaving it across the edge that is not `entry`, until an edge
-// without exactly two triangles, or back at `entry`.
-FanEnd walkAround(const TriangleMesh& mesh, const Topology& topology, uint32_t v, uint32_t t,
-                  uint32_t entry) {
-  uint32_t in = entry;
+// Walks around v from the start triangle, which is left across the edge that is not the start edge, to an
+// edge without exactly two triangles, or back to the start edge.
+FanEnd walkAround(const TriangleMesh& mesh, const Topology& topology, uint32_t v, const FanStart& start) {
+  uint32_t t = start.triangle, in = start.edge;
   for (uint32_t passed = 1;; ++passed) {
     const auto pair = edgesAt(topology, cornerAt(mesh, t, v));
     const uint32_t out = pair[0] == in ? pair[1] : pair[0];
     const Topology::Edge& edge = topology.edges[out];
-    if (out == entry || edge.useCount != 2) return {out, passed};
+    if (out == start.edge || edge.useCount != 2) return {out, passed};
     const auto sharing = topology.trianglesAt(edge);
     t = sharing[sharing[0] == t ? 1 : 0];
     in = out;
   }
 }
 
-// The kinds that edges alone decide: the ends of edges with one or with more than two triangles.
+// Classifies the ends of edges with one triangle or with more than two; all others stay Interior.
 std::vector<VertexKind> classifyByEdges(const TriangleMesh& mesh, const Topology& topology) {
   std::vector<VertexKind> kinds(mesh.vertexCount(), VertexKind::Interior);
   for (const Topology::Edge& edge : topology.edges) {
@@ -54,16 +56,16 @@ std::vector<VertexKind> classifyByEdges(const TriangleMesh& mesh, const Topology
   return kinds;
 }
 
-// Both tell whether one fan holds all triangles of a vertex that is not at the end of a non-manifold edge.
-// Walking depends on one look-up after the other, which takes longer than to fetch the few edges of a usual
-// vertex at once and to string them together.
+// The next two functions return whether the triangles of a vertex, which is not at the end of a non-manifold
+// edge, are a single fan. In a walk each look-up depends on the one before, which takes longer than to fetch
+// the few edges of a usual vertex at once and to chain them.
 bool isOneFanByWalking(const TriangleMesh& mesh, const Topology& topology, uint32_t v, bool onBorder) {
   const auto around = topology.cornersAt(v);
   const auto walk = [&](uint32_t t, uint32_t entry) {
-    return walkAround(mesh, topology, v, t, entry).passed == around.size();
+    return walkAround(mesh, topology, v, {t, entry}).passed == around.size();
   };
   if (!onBorder) return walk(around[0].triangle(), edgesAt(topology, around[0])[0]);
-  // An open fan has to be walked from one of its ends.
+  // The walk through an open fan starts at one of its ends.
   for (const Corner corner : around)
     for (uint32_t e : edgesAt(topology, corner))
       if (topology.edges[e].useCount == 1) return walk(corner.triangle(), e);
@@ -74,7 +76,7 @@ bool isOneFanByChaining(const Topology& topology, uint32_t v) {
   const auto around = topology.cornersAt(v);
   std::array<std::array<uint32_t, 2>, kSmallFan> pairs;
   for (size_t i = 0; i < around.size(); ++i) pairs[i] = edgesAt(topology, around[i]);
-  size_t chained = 1;  // pairs[0 .. chained) hang together
+  size_t chained = 1;  // pairs[0 .. chained) are one chain
   for (int end : {1, 0}) {
     uint32_t open = pairs[0][end];
     for (size_t i = chained; i < around.size();) {
@@ -121,7 +123,7 @@ uint32_t countBoundaryLoops(const TriangleMesh& mesh, const Topology& topology) 
     if (!isBorder(e)) continue;
     const Topology::Edge& edge = topology.edges[e];
     for (uint32_t v : {edge.a, edge.b}) {
-      const FanEnd fan = walkAround(mesh, topology, v, topology.trianglesAt(edge)[0], e);
+      const FanEnd fan = walkAround(mesh, topology, v, {topology.trianglesAt(edge)[0], e});
       sets.unite(e, isBorder(fan.edge) ? fan.edge : danglingAt.try_emplace(v, e).first->second);
     }
   }

@@ -7,21 +7,21 @@
 
 namespace limber {
 
-// What the surface is like at a vertex; the first that applies.
+// How the triangles around a vertex are connected. The first kind that applies counts.
 enum class VertexKind : uint8_t {
   Unused,           // no triangle
   NonManifoldEdge,  // at the end of an edge with more than two triangles
-  NonManifold,      // its triangles are more than one fan (joined across edges at the vertex)
+  NonManifold,      // more than one fan, a fan being triangles joined across edges at the vertex
   Border,           // one open fan
   Interior,         // one closed fan
 };
 
-// Per vertex. O(triangles).
+// The kind of each vertex. O(triangles).
 std::vector<VertexKind> classifyVertices(const TriangleMesh& mesh, const Topology& topology);
 
-// The number of closed walks along edges with one triangle. Where walks touch at a vertex each follows its
-// own fan, so that two holes that share a corner are two; walks whose fans end at edges with more than two
-// triangles are joined there, for such a border has no own end.
+// The number of boundary loops: closed walks along edges with one triangle. Where loops touch at a vertex,
+// each follows its own fan, so that two holes that share a vertex count as two. Borders whose fans end at
+// edges with more than two triangles are joined there, for they have no other continuation.
 uint32_t countBoundaryLoops(const TriangleMesh& mesh, const Topology& topology);
 
 }  // namespace limber

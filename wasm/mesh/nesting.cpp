@@ -8,16 +8,16 @@ namespace limber {
 
 namespace {
 
-constexpr double kNoVolume = 1e-12;  // of the box diagonal cubed
+constexpr double kNoVolume = 1e-12;  // of the cube of the diagonal
 
 struct Shell {
   bool isClosed = true;
-  double volume = 0;        // positive where wound outwards
-  uint32_t vertex = kNone;  // its first
+  double volume = 0;        // positive if wound outwards
+  uint32_t vertex = kNone;  // the lowest
   Bounds box;
 };
 
-// Do the edge's triangles run it in opposite directions?
+// Whether the triangles of an edge traverse it as often in one direction as in the other.
 bool isWoundAlike(const TriangleMesh& mesh, const Topology& topology, const Topology::Edge& edge) {
   int balance = 0;
   for (uint32_t t : topology.trianglesAt(edge))
@@ -50,15 +50,15 @@ std::vector<Shell> measureShells(const TriangleMesh& mesh, const Topology& topol
   return shells;
 }
 
-// Twice the area of (from, to, p) seen along z. Taken with the lower vertex first, so that the two triangles
-// of an edge agree on the side of p to the last bit.
+// Twice the signed area of the triangle (from, to, p) projected along z. Computed with the lower vertex
+// first, so that both triangles of an edge agree bit by bit on which side of it p lies.
 double areaBeside(const TriangleMesh& mesh, uint32_t from, uint32_t to, const Vec3& p) {
   if (from > to) return -areaBeside(mesh, to, from, p);
   const Vec3 a = mesh.positions[from] - p, b = mesh.positions[to] - p;
   return a.x * b.y - a.y * b.x;
 }
 
-// +1 or -1 where the ray from p along z crosses the triangle out of or into its inner side, else 0.
+// 1 where the ray from p along z leaves through the triangle, -1 where it enters, 0 where it misses.
 int crossingAbove(const TriangleMesh& mesh, uint32_t t, const Vec3& p) {
   double area[3], total = 0, height = 0;
   int leftCount = 0;
@@ -73,7 +73,8 @@ int crossingAbove(const TriangleMesh& mesh, uint32_t t, const Vec3& p) {
   return leftCount == 3 ? 1 : -1;
 }
 
-// `inner`'s first vertex lies within `outer`, as far as one crossing tells: their sum is the winding number.
+// A crossing of `outer` by the ray from the first vertex of `inner`; the sum of the signs is the winding
+// number.
 struct Crossing {
   uint32_t inner, outer;
   int sign;
@@ -81,7 +82,7 @@ struct Crossing {
 
 std::vector<Crossing> crossingsAboveShells(const TriangleMesh& mesh, const Topology& topology,
                                            const std::vector<Shell>& shells) {
-  std::vector<uint32_t> byX;  // closed components, by their first vertex
+  std::vector<uint32_t> byX;  // closed components, sorted by x of their first vertex
   for (uint32_t s = 0; s < shells.size(); ++s)
     if (shells[s].isClosed) byX.push_back(s);
   const auto xOf = [&](uint32_t s) { return mesh.positions[shells[s].vertex].x; };
@@ -107,7 +108,7 @@ bool liesWithin(const Bounds& inner, const Bounds& outer) {
   return true;
 }
 
-// The closed components around each one.
+// Per component the closed components that contain it.
 std::vector<std::vector<uint32_t>> findContainers(std::vector<Crossing> crossings,
                                                   const std::vector<Shell>& shells) {
   std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {

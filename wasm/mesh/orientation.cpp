@@ -5,7 +5,7 @@
 namespace limber {
 namespace {
 
-// One patch: its triangles in the order in which they were reached, the first being the lowest.
+// The triangles of one patch in the order in which they were found; the first is the lowest.
 struct Patch {
   std::vector<uint32_t> triangles;
   bool orientable = true;
@@ -13,8 +13,8 @@ struct Patch {
 
 constexpr uint8_t kUnseen = 2;
 
-// Spreads from triangle `first` over edges with two triangles; side[t] becomes 0 where t agrees with `first`,
-// else 1.
+// Finds the patch of triangle `first` across edges with two triangles; side[t] becomes 0 where t agrees with
+// `first`, else 1.
 Patch spread(const Topology& topology, uint32_t first, std::vector<uint8_t>& side) {
   Patch patch;
   patch.triangles.push_back(first);

@@ -7,15 +7,15 @@
 
 namespace limber {
 
-// Principal axes through the centre, unit, from the thinnest extent to the longest; each points to the
-// positive side of its largest component.
+// The principal axes through the centre: unit vectors, from the direction of least variance to that of most;
+// the largest component of each is positive.
 struct PrincipalAxes {
   Vec3 centre;
   std::array<Vec3, 3> axis;
 };
-// Of a surface.
+// Those of a surface, weighted by area.
 PrincipalAxes principalAxes(const TriangleMesh& mesh);
-// Of points with a weight each.
+// Those of points; weights[i] >= 0 belongs to points[i].
 PrincipalAxes principalAxes(std::span<const Vec3> points, std::span<const double> weights);
 
 }  // namespace limber

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
+
 #include "base/vec3.h"
 
 namespace limber {
 
-// Cuts a triangle into cuts^2 equal parts by lines parallel to its edges, `cuts` >= 1, and calls visit(u, v)
+// Cuts a triangle into cuts^2 equal parts by cuts parallel to its edges, `cuts` >= 1, and calls visit(u, v)
 // for the centre of each: the point at p + (q - p) u / cuts + (r - p) v / cuts of triangle pqr. The parts
 // come in rows of growing u; a part that points the other way follows the one before it.
 template <class Visit>
@@ -16,9 +18,10 @@ void forEachPart(int cuts, const Visit& visit) {
     }
 }
 
-// Calls visit(position) for the centres of the cuts^2 equal parts of triangle pqr, in the same order.
+// Calls visit(position) for the centres of the cuts^2 equal parts of a triangle, in the same order.
 template <class Visit>
-void forEachPartCentre(const Vec3& p, const Vec3& q, const Vec3& r, int cuts, const Visit& visit) {
+void forEachPartCentre(const std::array<Vec3, 3>& triangle, int cuts, const Visit& visit) {
+  const auto& [p, q, r] = triangle;
   const Vec3 alongQ = (q - p) / cuts, alongR = (r - p) / cuts;
   forEachPart(cuts, [&](double u, double v) { visit(p + alongQ * u + alongR * v); });
 }

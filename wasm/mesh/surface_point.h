@@ -6,7 +6,8 @@
 
 namespace limber {
 
-// A point of a surface: barycentric[0] of corner 0, [1] of corner 1 and [2] of corner 2 of a triangle.
+// A point of a surface by the barycentric coordinates of its triangle: barycentric[c] belongs to corner c,
+// and the sum is 1. kNone as the triangle where there is no point.
 struct SurfacePoint {
   uint32_t triangle = kNone;
   double barycentric[3] = {0, 0, 0};

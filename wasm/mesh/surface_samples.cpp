@@ -11,8 +11,8 @@ SurfaceSamples sampleSurface(const TriangleMesh& mesh, uint32_t count) {
   if (!(total > 0)) return samples;
   samples.positions.reserve(count);
   samples.triangles.reserve(count);
-  // The plastic number's powers: the two-dimensional sequence of least discrepancy among additive ones
-  // (Roberts 2018).
+  // Powers of the plastic number give the additive two-dimensional sequence of least discrepancy (Roberts
+  // 2018).
   constexpr double plastic = 1.32471795724474602596;
   uint32_t t = 0;
   double below = 0, area = triangleArea(mesh, 0);

@@ -9,12 +9,12 @@ namespace limber {
 
 struct SurfaceSamples {
   std::vector<Vec3> positions;
-  std::vector<uint32_t> triangles;  // that each lies in
+  std::vector<uint32_t> triangles;  // per position the triangle that it lies in
 };
 
-// `count` points spread evenly by area over the surface, by a fixed low-discrepancy sequence: stratified
-// along the triangles' cumulated area, then a Fibonacci-like pair inside the triangle. Empty for a surface
-// without area.
+// `count` points that are spread evenly over the area of the surface: stratified along the cumulated area of
+// the triangles, then by a fixed low-discrepancy sequence inside each triangle. Empty for a surface without
+// area. O(triangles + count).
 SurfaceSamples sampleSurface(const TriangleMesh& mesh, uint32_t count);
 
 }  // namespace limber

@@ -20,8 +20,9 @@ void collectCorners(const TriangleMesh& mesh, Topology& topology) {
     for (uint32_t c = 0; c < 3; ++c) topology.vertexCorners[next[mesh.triangles[t][c]]++] = Corner(t, c);
 }
 
-// A triangle's use of an edge, in an order by the other vertex and then by the corner: the other vertex, the
-// corner opposite to the edge, and whether the triangle runs the edge from there.
+// How a triangle uses an edge of a vertex, as one number whose order is that of its parts: the other vertex
+// of the edge, the corner opposite to the edge, and whether the triangle traverses the edge from the other
+// vertex.
 using EdgeUse = uint64_t;
 EdgeUse edgeUse(uint32_t other, Corner opposite, bool fromOther) {
   return EdgeUse{other} << 33 | EdgeUse{opposite.code()} << 1 | fromOther;
@@ -33,13 +34,14 @@ Corner oppositeCorner(EdgeUse use) {
   return Corner::fromCode(static_cast<uint32_t>(use >> 1));
 }
 
-// Writes the uses of the edges whose smaller vertex is v and returns their end.
+// Writes the uses of the edges whose smaller vertex is v to `uses` and returns their end.
 EdgeUse* collectUses(const TriangleMesh& mesh, const Topology& topology, uint32_t v, EdgeUse* uses) {
   for (const Corner corner : topology.cornersAt(v)) {
     const uint32_t t = corner.triangle();
     const int next = nextIndex(corner.index()), previous = previousIndex(corner.index());
     const uint32_t after = mesh.triangles[t][next], before = mesh.triangles[t][previous];
-    // Without branches, which nobody could predict. A triangle without area may have an edge from v to v.
+    // Without branches, for they could not be predicted. A triangle without area may have an edge from v to
+    // v.
     *uses = edgeUse(after, Corner(t, previous), false);
     uses += after >= v;
     *uses = edgeUse(before, Corner(t, next), true);
@@ -48,7 +50,7 @@ EdgeUse* collectUses(const TriangleMesh& mesh, const Topology& topology, uint32_
   return uses;
 }
 
-// Most vertices have few uses, for which plain insertion is much faster than a general sort.
+// Most vertices have few uses, for which insertion is much faster than a general sort.
 void sortUses(EdgeUse* begin, EdgeUse* end) {
   if (end - begin > 32) return std::sort(begin, end);
   for (EdgeUse* next = begin; next != end; ++next) {
@@ -71,7 +73,7 @@ void addEdge(uint32_t v, std::span<const EdgeUse> uses, uint32_t firstUse, Topol
 }
 
 void collectEdges(const TriangleMesh& mesh, Topology& topology) {
-  const size_t expected = size_t{mesh.vertexCount()} + mesh.triangleCount();  // of a disc
+  const size_t expected = size_t{mesh.vertexCount()} + mesh.triangleCount();  // the number of edges of a disc
   topology.edges.reserve(expected);
   topology.clashes.reserve(expected);
   topology.edgeTriangles.resize(3 * size_t{mesh.triangleCount()});

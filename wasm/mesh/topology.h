@@ -10,8 +10,8 @@
 
 namespace limber {
 
-// Which triangles meet where. Edges are undirected, sorted by (smaller vertex, larger vertex); all lists
-// ascend.
+// Incidences between vertices, edges and triangles. Edges are undirected and sorted by (smaller vertex,
+// larger vertex); all lists are ascending.
 struct Topology {
   struct Edge {
     uint32_t a, b;                // a < b
@@ -20,11 +20,12 @@ struct Topology {
   std::vector<Edge> edges;
   std::vector<uint32_t> edgeTriangles;
   std::vector<uint32_t> edgeOfCorner;  // [3 * t + c]: the edge opposite to corner c of triangle t
-  std::vector<uint8_t> clashes;        // per edge 1 where it has two triangles and both run it the same way
-  std::vector<uint32_t> vertexStart;   // size vertexCount + 1
-  std::vector<Corner> vertexCorners;   // those at v: vertexCorners[vertexStart[v] .. vertexStart[v + 1])
-  std::vector<uint32_t>
-      componentOfVertex;  // vertices joined by edges; components numbered by their smallest vertex
+  std::vector<uint8_t>
+      clashes;  // per edge 1 where it has two triangles that traverse it in the same direction
+  std::vector<uint32_t> vertexStart;  // size vertexCount + 1
+  std::vector<Corner> vertexCorners;  // corners at v: vertexCorners[vertexStart[v] .. vertexStart[v + 1])
+  // Per vertex its component: vertices joined by edges. Components are numbered by their lowest vertex.
+  std::vector<uint32_t> componentOfVertex;
   uint32_t componentCount = 0;
 
   // The edge opposite to a corner.
@@ -40,15 +41,16 @@ struct Topology {
   }
 };
 
-// O(n log n). Every vertex of `mesh` should be used by a triangle; an unused one is a component of its own.
+// O(n log n). Every vertex of `mesh` should belong to a triangle; one that does not is a component of its
+// own.
 Topology buildTopology(const TriangleMesh& mesh);
-// The same without the components: their list stays empty.
+// The same without components: componentOfVertex stays empty.
 Topology buildIncidence(const TriangleMesh& mesh);
 
-// The edge between two vertices; null where there is none. O(log n).
+// The edge between two vertices; null if there is none. O(log n).
 const Topology::Edge* edgeBetween(const Topology& topology, uint32_t a, uint32_t b);
 
-// The component of each triangle: that of its first vertex.
+// The component of each triangle, which is that of its first vertex.
 std::vector<uint32_t> componentOfTriangle(const TriangleMesh& mesh, const Topology& topology);
 
 }  // namespace limber

@@ -9,7 +9,7 @@
 
 namespace limber {
 
-inline constexpr uint32_t kNone = 0xffffffffu;  // in place of an index: there is none
+inline constexpr uint32_t kNone = 0xffffffffu;  // stands for no index
 
 using Triangle = std::array<uint32_t, 3>;
 

@@ -15,7 +15,7 @@
 namespace limber {
 namespace {
 
-// The soup as it came in, with how many vertices and faces it has.
+// The triangle soup as it was given.
 struct Soup {
   std::span<const float> positions;
   std::span<const uint32_t> indices;
@@ -38,7 +38,7 @@ void checkOptions(const WeldOptions& options) {
     throw std::invalid_argument("The welding tolerance must be a number of percent that is not negative.");
 }
 
-// Which vertices the faces use. Throws where a face cannot be read.
+// Returns per vertex whether a face uses it. Throws std::invalid_argument for a face that cannot be read.
 std::vector<uint8_t> checkFaces(const Soup& soup) {
   if (soup.positions.size() % 3 != 0 || soup.indices.size() % 3 != 0)
     throw std::invalid_argument("Positions and indices must come in threes; the mesh has " +
@@ -62,7 +62,7 @@ std::vector<uint8_t> checkFaces(const Soup& soup) {
   return referenced;
 }
 
-// Per referenced vertex the lowest one that it is one with; other vertices stand for themselves.
+// Per referenced vertex the lowest vertex that it is welded to; other vertices represent themselves.
 std::vector<uint32_t> findRepresentatives(const Soup& soup, const std::vector<uint8_t>& referenced,
                                           double tolerance, Job& job) {
   std::vector<uint32_t> representative(soup.vertexCount());
@@ -91,7 +91,7 @@ bool isDegenerate(const Triangle& face) {
   return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
 }
 
-// Sorts out the faces: those that stay keep their source's order, with representatives as their vertices.
+// Collects the faces that stay, in the order of their source, with representatives as their vertices.
 void collectFaces(const Soup& soup, const std::vector<uint32_t>& representative, bool keepDuplicates,
                   WeldResult& result) {
   FirstOccurrence sameVertices(soup.faceCount());
@@ -112,7 +112,7 @@ void collectFaces(const Soup& soup, const std::vector<uint32_t>& representative,
   }
 }
 
-// Numbers the vertices that the faces still need, in the order of their representatives.
+// Numbers the vertices that the remaining faces use, in the order of their representatives.
 void numberVertices(const Soup& soup, const std::vector<uint8_t>& referenced,
                     const std::vector<uint32_t>& representative, WeldResult& result) {
   std::vector<uint8_t> needed(soup.vertexCount(), 0);

@@ -10,34 +10,35 @@
 namespace limber {
 
 struct WeldOptions {
-  // Vertices closer than this become one, in % of the diagonal of the referenced vertices' bounding box; 0:
-  // only bitwise equal float32 positions (-0 counts as 0). Being one carries over from pair to pair, so that
-  // a chain of close vertices becomes one however long it is; it stands where its lowest vertex stood.
+  // Vertices closer than this are welded, in % of the diagonal of the bounding box of the referenced
+  // vertices; with 0 only bitwise equal float32 positions (-0 counts as 0). A chain of close vertices becomes
+  // a single vertex, however long it is, at the position of its lowest vertex.
   double tolerance = 0;
-  // Counts duplicate faces but leaves them in the mesh (where they make edges with more than two faces): for
-  // a report of the file as it is, not for work on the body.
+  // Counts duplicate faces but leaves them in the mesh, where they make edges with more than two faces. For a
+  // report of the file as it is, not for work on the body.
   bool keepDuplicates = false;
 };
 
-// A body ready for everything else, and where its parts came from.
+// The welded body, and where its vertices and triangles came from.
 struct WeldResult {
   TriangleMesh mesh;  // without unreferenced vertices, degenerate or duplicate triangles
-  std::vector<uint32_t>
-      vertexOfSource;  // per source vertex its vertex in `mesh`, or kNone where no usable face needs it
+  // Per source vertex its vertex in `mesh`, or kNone where no usable face needs it.
+  std::vector<uint32_t> vertexOfSource;
   std::vector<uint32_t> sourceOfTriangle;  // per triangle of `mesh` its index in the source
-  uint32_t weldedVertices = 0;             // referenced source vertices that became one with another
-  uint32_t degenerateFaces = 0;            // set aside: a repeated vertex
-  uint32_t duplicateFaces = 0;  // set aside: the same three vertices as an earlier face, in any order
-  uint32_t flippedFaces = 0;    // turned so that neighbours agree (the smaller part of each component is);
-                                // a turned face has its second and third corner swapped
+  uint32_t weldedVertices = 0;             // referenced source vertices that were welded to another
+  uint32_t degenerateFaces = 0;            // left out: a vertex occurs twice
+  uint32_t duplicateFaces = 0;  // left out: the same three vertices as an earlier face, in any order
+  // Flipped so that neighbours agree (the smaller side of each patch is, see `orient`): the second and third
+  // corner of such a face are swapped.
+  uint32_t flippedFaces = 0;
 };
 
 // Welds a triangle soup into a TriangleMesh. positions[3 * v + c], indices[3 * t + corner].
 // Vertices come in the order of their lowest source vertex, triangles in the order of the source. A closed
-// body is wound consistently but not turned inside out: that its faces look outwards is not promised.
-// Throws std::invalid_argument with a sentence where an index is out of range, a referenced position is not
-// finite or the tolerance is not a number >= 0; and Cancelled. A soup without any usable face is no error
-// here: the result is empty.
+// body is wound consistently but never flipped as a whole, so its faces need not look outwards. A soup
+// without any usable face gives an empty result. Throws std::invalid_argument with a sentence if an index is
+// out of range, a referenced position is not finite or the tolerance is not a number >= 0. Throws Cancelled.
+// O(n log n) but for large tolerances, see uniteCloseVertices.
 WeldResult weld(std::span<const float> positions, std::span<const uint32_t> indices,
                 const WeldOptions& options, Job& job);
 

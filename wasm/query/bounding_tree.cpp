@@ -15,7 +15,7 @@ BoundingTree::BoundingTree(const std::vector<Bounds>& boxes, const std::vector<V
     : order_(boxes.size()) {
   std::iota(order_.begin(), order_.end(), 0u);
   nodes_.reserve(std::bit_ceil(1 + order_.size() / kLeafSize));
-  if (!order_.empty()) root_ = build(0, static_cast<uint32_t>(order_.size()), boxes, centres, box_);
+  if (!order_.empty()) root_ = build(0, static_cast<uint32_t>(order_.size()), {boxes, centres}, box_);
 }
 
 // Splits at the median centre along the longest side of the centres' box; returns the first item of the upper
@@ -33,19 +33,18 @@ uint32_t BoundingTree::halve(uint32_t first, uint32_t count, const std::vector<V
 }
 
 // Recursion is at most log2(n) deep, for every call halves the items.
-BoundingTree::Branch BoundingTree::build(uint32_t first, uint32_t count, const std::vector<Bounds>& boxes,
-                                         const std::vector<Vec3>& centres, Bounds& box) {
+BoundingTree::Branch BoundingTree::build(uint32_t first, uint32_t count, const Items& items, Bounds& box) {
   if (count <= kLeafSize) {
-    box = boxes[order_[first]];
-    for (uint32_t i = first; i < first + count; ++i) box.include(boxes[order_[i]]);
+    box = items.boxes[order_[first]];
+    for (uint32_t i = first; i < first + count; ++i) box.include(items.boxes[order_[i]]);
     return {first, count};
   }
-  const uint32_t middle = halve(first, count, centres);
+  const uint32_t middle = halve(first, count, items.centres);
   const auto index = static_cast<uint32_t>(nodes_.size());
   nodes_.emplace_back();
   Bounds upper;
-  const Branch below = build(first, middle - first, boxes, centres, box);
-  const Branch above = build(middle, first + count - middle, boxes, centres, upper);
+  const Branch below = build(first, middle - first, items, box);
+  const Branch above = build(middle, first + count - middle, items, upper);
   nodes_[index] = {asPair(box.low, upper.low), asPair(box.high, upper.high), {below, above}};
   box.include(upper);
   return {index, 0};

@@ -37,9 +37,12 @@ class BoundingTree {
     Point<RealPair> low, high;  // corners of the boxes of both branches
     Branch branches[2];
   };
+  struct Items {
+    const std::vector<Bounds>& boxes;
+    const std::vector<Vec3>& centres;
+  };
   // Returns the branch over order_[first] to order_[first + count - 1] and writes its box.
-  Branch build(uint32_t first, uint32_t count, const std::vector<Bounds>& boxes,
-               const std::vector<Vec3>& centres, Bounds& box);
+  Branch build(uint32_t first, uint32_t count, const Items& items, Bounds& box);
   uint32_t halve(uint32_t first, uint32_t count, const std::vector<Vec3>& centres);
 
   // Squared distances of a point to two boxes.

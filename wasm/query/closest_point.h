@@ -36,7 +36,7 @@ class ClosestPointTree {
  public:
   explicit ClosestPointTree(const TriangleMesh& mesh);
   // The closest point of the surface; ties go to the lowest triangle index. The mesh must have a triangle.
-  // `near` is a triangle that is likely to hold the point; a good guess saves time.
+  // `near` is a triangle that is likely to contain the point; a good guess saves time.
   ClosestPoint closest(const Vec3& point, uint32_t near = kNone) const;
   // The closest point on a triangle whose normal is within 75 degrees of `normal`, if that point is at most 1
   // % of the diagonal of the triangles farther away than the closest point of the whole surface; else the

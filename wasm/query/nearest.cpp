@@ -12,20 +12,27 @@ namespace {
 // Of the diagonal: a few times what float32 coordinates resolve.
 constexpr double kDistanceStep = 1e-6;
 
-// The item of least rank, found from `guess` on. `rankOf(item)` is compared with <; `squaredLimit(rank)` is
-// the squared distance beyond which no item can have a lower rank.
-template <class RankOf, class SquaredLimit>
-uint32_t leastOf(const BoundingTree& tree, const Vec3& p, uint32_t guess, const RankOf& rankOf,
-                 const SquaredLimit& squaredLimit) {
+// How items compare: ranks `of(item)` by <, and the squared distance `squaredLimit(rank)` beyond which no
+// item can have a lower rank.
+template <class Of, class SquaredLimit>
+struct Ranking {
+  Of of;
+  SquaredLimit squaredLimit;
+};
+
+// The item of least rank. `guess` is any item; a near one saves time.
+template <class Of, class SquaredLimit>
+uint32_t leastOf(const BoundingTree& tree, const Vec3& p, uint32_t guess,
+                 const Ranking<Of, SquaredLimit>& ranking) {
   uint32_t best = guess;
-  auto bestRank = rankOf(guess);
-  double limit = squaredLimit(bestRank);
+  auto bestRank = ranking.of(guess);
+  double limit = ranking.squaredLimit(bestRank);
   tree.forEachWithin(p, limit, [&](uint32_t item) {
-    const auto rank = rankOf(item);
+    const auto rank = ranking.of(item);
     if (!(rank < bestRank)) return limit;
     best = item;
     bestRank = rank;
-    return limit = squaredLimit(rank);
+    return limit = ranking.squaredLimit(rank);
   });
   return best;
 }
@@ -49,7 +56,7 @@ uint32_t NearestTriangle::find(const Vec3& p, uint32_t guess) const {
     const double distance = (std::get<0>(rank) + 1) * step_;
     return distance * distance;
   };
-  return leastOf(tree_, p, guess, rankOf, squaredLimit);
+  return leastOf(tree_, p, guess, Ranking{rankOf, squaredLimit});
 }
 
 bool NearestTriangle::isWithin(const Vec3& p, double limit, uint32_t guess) const {
@@ -81,7 +88,8 @@ NearestVertex::NearestVertex(const TriangleMesh& mesh) : mesh_(&mesh) {
 
 uint32_t NearestVertex::find(const Vec3& p, uint32_t guess) const {
   const auto rankOf = [&](uint32_t v) { return std::tuple(squaredLength(p - mesh_->positions[v]), v); };
-  return leastOf(tree_, p, guess, rankOf, [](const auto& rank) { return std::get<0>(rank); });
+  const auto squaredLimit = [](const auto& rank) { return std::get<0>(rank); };
+  return leastOf(tree_, p, guess, Ranking{rankOf, squaredLimit});
 }
 
 }  // namespace limber

@@ -5,8 +5,7 @@
 namespace limber {
 namespace {
 
-// Of the bounding diagonal: how far apart two distances may be and still be the same point seen from two
-// triangles.
+// Of the diagonal: two distances that differ by less may be those of one point that lies on two triangles.
 constexpr double kTolerance = 1e-9;
 
 }  // namespace
@@ -34,7 +33,7 @@ ClosestPoint SurfaceWalk::closest(const Vec3& point, std::span<const uint32_t> s
   best_ = {};
   best_.distance = HUGE_VAL;
   for (const uint32_t triangle : start) visit(triangle, point);
-  // A triangle that holds the closest point so far leads on; one that has been beaten never will again.
+  // The walk goes on across a triangle with the closest point so far; one that is beaten stays beaten.
   for (size_t i = 0; i < visited_.size(); ++i) {
     if (visited_[i].distance > best_.distance + tolerance_) continue;
     const uint32_t triangle = visited_[i].triangle;

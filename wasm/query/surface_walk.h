@@ -11,19 +11,19 @@
 
 namespace limber {
 
-// Finds the point of a surface closest to a given one without leaving the sheet it starts on: from some
-// triangles it goes on across their edges for as long as that leads nearer. Two sheets that lie close in
-// space but are far apart on the surface are never mixed up. One walk per thread; mesh and topology must
-// outlive it.
+// Finds the point of a surface closest to a given point without leaving the sheet that the search starts on:
+// from the given triangles it walks across edges as long as that leads nearer. So sheets that are close in
+// space but far apart on the surface are never confused. Each thread needs a walk of its own; mesh and
+// topology must outlive it.
 class SurfaceWalk {
  public:
   SurfaceWalk(const TriangleMesh& mesh, const Topology& topology);
 
-  // Whether the walk may go from triangle `from` across edge `edge` to triangle `to`.
+  // Whether the walk may cross `edge` to triangle `to`.
   using MayCross = std::function<bool(uint32_t edge, uint32_t to)>;
 
-  // A local minimum of the distance to `point`, started at all triangles of `start` (not empty). Ties go to
-  // the lower triangle index. O(triangles looked at).
+  // A local minimum of the distance to `point`, searched from all triangles of `start`, of which there must
+  // be one. Ties go to the lower triangle. O(triangles visited).
   ClosestPoint closest(const Vec3& point, std::span<const uint32_t> start, const MayCross& mayCross);
 
  private:
@@ -31,8 +31,8 @@ class SurfaceWalk {
 
   const TriangleMesh& mesh_;
   const Topology& topology_;
-  double tolerance_;                 // distances that differ by less are one
-  std::vector<uint32_t> visitedAt_;  // per triangle: the walk that has last looked at it
+  double tolerance_;                 // distances that differ by less count as equal
+  std::vector<uint32_t> visitedAt_;  // per triangle: the last walk that visited it
   uint32_t walk_ = 0;
   std::vector<ClosestPoint> visited_;
   ClosestPoint best_;

@@ -8,7 +8,9 @@
 namespace limber {
 namespace {
 
-constexpr double kFeatureWeight = 10;  // see CostModel
+// Of the squared length of a feature edge, for the planes through it (see OptimumFinder): larger values keep
+// feature edges straighter and leave less to the surface beside them.
+constexpr double kFeatureWeight = 10;
 
 }  // namespace
 
@@ -17,7 +19,7 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const SimplifyConstraints& 
   const Topology topology = buildIncidence(mesh);
   const Bounds box = bounds(mesh);
   diagonal_ = box.diagonal();
-  // A sum as large as 2^52 steps has no digits below one step; the step is a power of two.
+  // A sum of 2^52 steps and more has no digits below one step; the step is a power of two.
   if (diagonal_ > 0) rounder_ = std::ldexp(1.5, 52 - 30 + std::ilogb(diagonal_));
   for (int axis = 0; axis < 3; ++axis)
     origin_[axis] = static_cast<float>(0.5 * box.low[axis] + 0.5 * box.high[axis]);
@@ -61,7 +63,7 @@ void CollapseMesh::collectQuadrics() {
     const Vec3 &p = position(corners[0]), &q = position(corners[1]), &r = position(corners[2]);
     const Vec3 areaNormal = cross(q - p, r - p);
     const double twiceArea = length(areaNormal);
-    // With the unit normal n that is area n n^T, found with one root and one division.
+    // Equals area n n^T for the unit normal n, with one root and one division.
     Quadric plane = planeQuadric(areaNormal, p, twiceArea > 0 ? 0.5 / twiceArea : 0);
     plane.area = 0.5 * twiceArea;
     for (const uint32_t v : corners) vertices_[v].quadric = vertices_[v].quadric + plane;
@@ -88,12 +90,12 @@ void CollapseMesh::removeFromStar(uint32_t v, uint32_t triangle) {
   *found = corners[--star.count];
 }
 
-// The sector at the removed corner of a vanishing triangle joins that at the kept one.
+// The sector at the removed corner of a vanishing triangle becomes part of that at the kept corner.
 void CollapseMesh::joinSectors(Corner removed, Corner kept) {
   if (!sectorOfCorner_.empty()) heirOfSector_[sector(removed)] = sector(kept);
 }
 
-// An edge becomes one with its heir: the triangle between them is gone.
+// Makes an edge one with its heir after the triangle between them has vanished.
 void CollapseMesh::mergeEdges(uint32_t dying, uint32_t heir) {
   Edge &from = edges_[dying], &to = edges_[heir];
   to.triangles = static_cast<uint8_t>(to.triangles + from.triangles - 2);
@@ -102,7 +104,7 @@ void CollapseMesh::mergeEdges(uint32_t dying, uint32_t heir) {
   from.heir = heir;
 }
 
-// Gives a corner of the removed vertex to the kept one, with the two edges that meet in it.
+// Transfers a corner of the removed vertex to the kept one, with the two edges that meet in it.
 void CollapseMesh::transferCorner(Corner corner, const Collapse& step) {
   Face& face = faces_[corner.triangle()];
   const int c = corner.index();
@@ -120,8 +122,8 @@ void CollapseMesh::transferCorner(Corner corner, const Collapse& step) {
   }
 }
 
-// Puts the joined star where the kept vertex's, or else the removed one's, has been, or in a new place with
-// room to grow, so that many collapses into one vertex cost no more than their sum.
+// Stores the joined star in the memory of the kept or the removed vertex, whichever is larger, or in new
+// memory with spare capacity, so that many collapses into one vertex cost no more than their sum.
 void CollapseMesh::storeStar(const Collapse& step) {
   const auto count = static_cast<uint32_t>(change_.count);
   Star& star = vertices_[step.kept].star;
@@ -145,16 +147,16 @@ Collapse CollapseMesh::collapseOf(uint32_t edge, const Vec3& target) const {
   return keepsA ? Collapse{edge, a, b, target} : Collapse{edge, b, a, target};
 }
 
-// Appends the corners at v to those of `change_`, but for those in triangles on its edge: these are put into
-// `vanishing`, of which there are at most two. Calls visit with the mark of each neighbour. Without branches,
-// which nobody could predict.
+// Appends the corners at v to those of `change_`, except those of triangles on its edge, at most two, which
+// go to `vanishing`. Calls visit with the mark of each neighbour. Without branches, for they could not be
+// predicted.
 template <class Visit>
 size_t CollapseMesh::divideStar(uint32_t v, size_t count, std::array<Corner, 3>& vanishing,
                                 const Visit& visit) {
   const auto corners = star(v);
   auto& staying = change_.corners;
   if (staying.size() <= count + corners.size()) staying.resize(2 * (count + corners.size() + 1));
-  // In a closed fan every neighbour comes next after v in one of the triangles.
+  // In a closed fan every neighbour follows v in one of the triangles.
   const bool open = role(v).onBorder;
   size_t found = 0;
   for (const Corner corner : corners) {

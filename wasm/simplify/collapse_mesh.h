@@ -14,17 +14,18 @@
 
 namespace limber {
 
-// A collapse: the triangles on `edge` vanish, `kept` goes to `target` and takes over the others of `removed`.
+// A collapse: the triangles on `edge` vanish, `kept` moves to `target` and gets the other triangles of
+// `removed`.
 struct Collapse {
   uint32_t edge, kept, removed;
   Vec3 target;  // in the mesh's own frame, see CollapseMesh::origin
 };
 
-// A mesh whose edges can be collapsed in constant time, in flat arrays. Triangles, edges and vertices keep
-// their indices for life; edges are those of the Topology of the input, sorted by their vertices.
-// Positions are relative to `origin`, the middle of the bounding box rounded to float32.
-// What a collapse asks of a vertex or an edge lies in one place of memory: on large meshes reading from many
-// places is what takes the time.
+// A mesh in flat arrays whose edges can be collapsed in time proportional to the triangles around them.
+// Triangles, edges and vertices keep their indices; edges are those of the Topology of the input, sorted by
+// their vertices. Positions are relative to `origin`, the middle of the bounding box rounded to float32. All
+// that a collapse reads of a vertex or an edge is contiguous in memory, for on large meshes scattered reads
+// dominate the time.
 class CollapseMesh {
  public:
   struct Ends {
@@ -43,27 +44,27 @@ class CollapseMesh {
   double diagonal() const { return diagonal_; }
 
   const Ends& edge(uint32_t e) const { return edges_[e].ends; }
-  // How many triangles an edge has: 0 once it is gone, 1 on a border, 2 inside, 3 for more than two.
+  // The number of triangles of an edge: 0 once it is gone, 1 on a border, 2 inside, 3 for more than two.
   int trianglesOnEdge(uint32_t e) const { return edges_[e].triangles; }
   const Face& face(uint32_t t) const { return faces_[t]; }
   const Vec3& position(uint32_t v) const { return vertices_[v].position; }
   const VertexRole& role(uint32_t v) const { return vertices_[v].role; }
-  // The planes of the triangles and lines around a vertex and around all those that it has taken over.
+  // The planes of the triangles and feature edges around a vertex and around all vertices that have become
+  // it.
   const Quadric& quadric(uint32_t v) const { return vertices_[v].quadric; }
-  // A mark that a vertex carries for the collapse loop, false at first; `collapse` leaves it alone.
+  // A mark for the use of the collapse loop, false at first; `collapse` does not change it.
   bool isMarked(uint32_t v) const { return vertices_[v].isMarked; }
   void setMarked(uint32_t v, bool marked) { vertices_[v].isMarked = marked; }
-  // Whether an edge is a border or another line.
+  // Whether an edge is a feature edge, borders included.
   bool isFeature(uint32_t e) const { return edges_[e].triangles == 1 || edges_[e].isFeature != 0; }
-  // The end of an edge that the wishes or a line keep in place while the other end is removed; kNone where
-  // both ends are alike.
+  // The end of an edge that constraints keep where it is while the other end is removed; kNone where both
+  // ends have the same freedom.
   uint32_t fixedEnd(uint32_t e) const {
     const auto [a, b] = edges_[e].ends;
     const Freedom atA = role(a).freedom, atB = role(b).freedom;
     return atA == atB ? kNone : atA > atB ? a : b;
   }
-  // The sector of a corner (see findSectors), where wedges or attributes are among the
-  // constraints.
+  // The sector of a corner (see findSectors). Only for constraints with wedges or attributes.
   uint32_t sector(Corner corner) const { return sectorOfCorner_[corner.flatIndex()]; }
   uint32_t sectorCount() const { return static_cast<uint32_t>(heirOfSector_.size()); }
   // The corners at a vertex, in no special order.
@@ -72,16 +73,16 @@ class CollapseMesh {
     return {pool_.data() + star.begin, star.count};
   }
 
-  // What a collapse does to the triangles around its ends.
+  // How a collapse changes the triangles around its ends.
   struct Change {
     uint32_t edge = kNone, kept = kNone;  // of the collapse
-    std::vector<Corner> corners;          // [0, count): those that stay, at the kept vertex before the others
+    std::vector<Corner> corners;  // [0, count): those that stay, first the ofKept ones at the kept vertex
     size_t ofKept = 0, count = 0;
-    std::array<Corner, 3> vanishing{};  // those at the kept vertex that do not stay
-    uint32_t commonNeighbours = 0;      // how many vertices are neighbours of both ends
+    std::array<Corner, 3> vanishing{};  // those at the kept vertex that vanish
+    uint32_t commonNeighbours = 0;      // number of vertices that are neighbours of both ends
   };
-  // Uses marks of its own in the vertices. Valid until the next call, of which one for the same edge before
-  // any collapse costs nothing.
+  // The reference is valid until the next call. A call for the same collapse as the last one, with no other
+  // collapse in between, costs nothing.
   const Change& changeOf(const Collapse& step);
 
   // Calls visit(edge, other vertex) once for each edge of a vertex that is not locked.
@@ -92,23 +93,25 @@ class CollapseMesh {
       const Face& face = faces_[corner.triangle()];
       const int next = nextIndex(corner.index()), previous = nextIndex(next);
       visit(face.edges[previous], face.vertices[next]);
-      // Every other edge leaves v in one of its two triangles; the last of an open fan only arrives.
+      // Every other edge leaves v in one of its two triangles; the last edge of an open fan only arrives at
+      // v.
       if (open && trianglesOnEdge(face.edges[next]) == 1) visit(face.edges[next], face.vertices[previous]);
     }
   }
 
-  // The float32 coordinates of a point in the file, and the point that has them.
+  // The float32 coordinates in the file of a point of this frame.
   std::array<float, 3> inFile(const Vec3& p) const {
     const Vec3 q = p + origin_;
     return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
   }
+  // The point of this frame that the file can store nearest to p.
   Vec3 stored(const Vec3& p) const {
     const auto [x, y, z] = inFile(p);
     return Vec3{x, y, z} - origin_;
   }
   Vec3 fromFile(const Vec3& p) const { return p - origin_; }
-  // Where to store a point that was computed: its coordinates in the file are rounded to steps of 1e-9 of the
-  // diagonal first, so that rounding noise around 0 becomes 0.
+  // As `stored`, for a point that was computed: its coordinates in the file are first rounded to steps of
+  // about 1e-9 of the diagonal, so that rounding noise around 0 becomes 0.
   template <class Real>
   Point<Real> rounded(const Point<Real>& p) const {
     const auto round = [&](Real x, double origin) {
@@ -117,12 +120,12 @@ class CollapseMesh {
     return {round(p.x, origin_.x), round(p.y, origin_.y), round(p.z, origin_.z)};
   }
 
-  // The collapse of an edge to `target`: of the two ends the fixed one stays, else the one nearer to the
-  // target, else the lower one.
+  // The collapse of an edge to `target`. The kept end is the fixed one, else the one nearer to the target,
+  // else the lower one.
   Collapse collapseOf(uint32_t edge, const Vec3& target) const;
 
-  // Carries out a legal collapse, whose kept vertex must be its `fixedEnd` if there is one, and returns the
-  // up to two further edges that are gone (else kNone): they have become one with edges of `kept`.
+  // Carries out a legal collapse, whose kept vertex must be its `fixedEnd` if there is one. Returns the up to
+  // two further edges that are gone (else kNone), because they have become one with edges of `kept`.
   std::array<uint32_t, 2> collapse(const Collapse& step);
 
  private:
@@ -133,13 +136,13 @@ class CollapseMesh {
     Ends ends;
     uint32_t heir;      // of an edge that is gone: the edge it has become; else kNone
     uint8_t triangles;  // see trianglesOnEdge
-    uint8_t isFeature;  // whether it is a line inside the surface
+    uint8_t isFeature;  // whether it is a feature edge inside the surface
   };
   struct alignas(128) Vertex {
     Quadric quadric{};
     Vec3 position;
     Star star;
-    uint32_t seen = 0;  // the last mark of `changeOf`
+    uint32_t seen = 0;  // the last mark that `changeOf` set
     VertexRole role;
     bool isMarked = false;
   };
@@ -163,8 +166,8 @@ class CollapseMesh {
   std::vector<Vertex> vertices_;
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
-  std::vector<Corner> pool_;  // the stars' places, each behind its capacity
-  uint32_t mark_ = 0;         // the last that was set in a vertex
+  std::vector<Corner> pool_;  // the stars; the entry before each has its capacity as code
+  uint32_t mark_ = 0;         // the last one set in a vertex
   std::vector<uint32_t> sectorOfCorner_, heirOfSector_;
   Change change_;  // the last one asked for
 };

@@ -12,41 +12,43 @@ enum class Borders : int32_t {
   Fixed = 1,  // border vertices stay where they are
 };
 
-// What a simplification has to respect besides the surface itself. Every list may be empty, which wishes
+// What a simplification has to respect besides the surface itself. A list may be empty, which constrains
 // nothing; otherwise it has the size of the mesh it comes with.
 //
-// FeatureEdges are edges that act like inner borders: borders themselves, seams (at either end the wedges of
-// the two triangles differ), edges between two groups, creases, and outlines of pinned sets. Planes through a
-// line enter the error as those through a border do. A vertex between exactly two lines of the same kind of
-// place moves along them alone; where a line ends, branches or meets a border, the vertex stays where it is.
-// FeatureEdges keep their connectivity, so groups and the patches between seams keep their topology.
+// Feature edges are borders and the edges that act like inner borders: seams (at either end the wedges of the
+// two triangles differ), edges between two groups, creases, outlines of pinned sets and edges in the plane of
+// symmetry. Planes through all of them enter the error. A vertex with exactly two feature edges, both borders
+// or both inside, only moves along them; a vertex where feature edges end, branch or meet a border stays
+// where it is. Feature edges keep their connectivity, so groups and the patches between seams keep their
+// topology.
 struct SimplifyConstraints {
-  // [3 * t + c]: corners at one vertex with the same number share all their attributes. Wedges that differ at
-  // every edge, as those of flat shading, would make every edge a line: leave such attributes out.
+  // [3 * t + c]: corners at one vertex with the same number share all their attributes. Leave out attributes
+  // that differ at every edge, as flat normals do, for they would make every edge a feature edge.
   std::span<const uint32_t> wedges{};
   std::span<const uint32_t> groups{};  // [t]: the primitive or material
-  std::span<const uint8_t> locked{};   // [v]: not 0: neither moved nor removed
-  std::span<const float>
-      keep{};  // [v] in [0, 1]: a cost is multiplied by 1 + 99 keep, the larger of its ends'
+  std::span<const uint8_t> locked{};   // [v]: other than 0 if the vertex is neither moved nor removed
+  // [v], in [0, 1]: keep weights. The cost of an edge is multiplied by 1 + 99 times the larger one of its
+  // ends.
+  std::span<const float> keep{};
   // [v]: bit k is set where v is in the k-th set of PinnedVertices. Bits, because each set has an outline of
   // its own, which collapses keep.
   std::span<const uint32_t> pinnedSets{};
-  // [wedge * attributeDimension + i], or [v * attributeDimension + i] without wedges: what CostModel adds to
-  // the error. Scaled so that a difference of 1 weighs as much as a distance of the bounding diagonal.
+  // [wedge * attributeDimension + i], or [v * attributeDimension + i] without wedges: attributes that count
+  // in the error, see AttributeQuadrics. A difference of 1 weighs as much as a distance of the diagonal.
   std::span<const float> attributes{};
-  // [v]: the vertex that v is the mirror image of, itself on the plane of symmetry; see Mirror. Edges in the
-  // plane are lines.
+  // [v]: the vertex that v is the mirror image of, v itself on the plane of symmetry; see Mirror.
   std::span<const uint32_t> mirror{};
   uint32_t attributeDimension = 0;  // at most kAttributeLimit
-  // An edge whose triangles' normals differ by more than this (degrees) is a crease; 0: none is.
+  // An edge is a crease if the normals of its triangles differ by more than this angle; degrees, in [0, 180].
+  // 0: no edge is.
   double creaseAngle = 0;
   Borders borders = Borders::Free;
 
   static constexpr uint32_t kAttributeLimit = 8;
-  static constexpr double kKeepFactor = 99;
+  static constexpr double kKeepFactor = 99;  // see `keep`
 };
 
-// Throws std::invalid_argument where a list does not fit the mesh or a number is out of its range.
+// Throws std::invalid_argument if a list does not fit the mesh or a number is out of its range.
 void checkConstraints(const TriangleMesh& mesh, const SimplifyConstraints& constraints);
 
 }  // namespace limber

@@ -1,6 +1,7 @@
 #include "simplify/deviation_limit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mesh/sampling.h"
@@ -9,16 +10,17 @@
 namespace limber {
 namespace {
 
-// Of the limit: what samples may use, so that the surface between them stays within all of it.
+// Of the limit: the distance allowed at samples, so that the surface between them stays within the whole
+// limit.
 constexpr double kMargin = 0.85;
-// A coarse input gets more samples on each triangle, up to about this many in all.
+// A coarse input gets more samples per triangle, up to about this many in all ...
 constexpr double kSamples = 10000;
-constexpr int kFinest = 8;
-// The edges of a changed triangle are cut into parts of about this many limits to sample it, but into no
-// fewer than kFewestCuts nor more than kMostCuts.
+constexpr int kFinest = 8;  // ... with its edges cut into at most this many parts
+// To sample a changed triangle, its edges are cut into parts of about this many limits in length, but into no
+// fewer than kFewestCuts and no more than kMostCuts parts.
 constexpr double kCutLength = 2;
 constexpr double kFewestCuts = 3, kMostCuts = 20;
-// A triangle within this part of the limit is near enough for a sample; no nearer one is looked for.
+// A triangle within this part of the limit is near enough to a sample; the search for a nearer one ends.
 constexpr double kNearEnough = 0.25;
 
 }  // namespace
@@ -46,9 +48,9 @@ void DeviationLimit::addSamples(uint32_t t, int cuts) {
     inputOf_.push_back(t);
   };
   const auto& [vertices, edges] = mesh_.face(t);
-  const Vec3 corners[] = {mesh_.position(vertices[0]), mesh_.position(vertices[1]),
-                          mesh_.position(vertices[2])};
-  forEachPartCentre(corners[0], corners[1], corners[2], cuts, add);
+  const std::array<Vec3, 3> corners{mesh_.position(vertices[0]), mesh_.position(vertices[1]),
+                                    mesh_.position(vertices[2])};
+  forEachPartCentre(corners, cuts, add);
   for (int c = 0; c < 3; ++c) {
     const auto [a, b] = mesh_.edge(edges[c]);
     const bool isFirst = vertices[nextIndex(c)] == a || mesh_.trianglesOnEdge(edges[c]) != 2;
@@ -78,7 +80,7 @@ void DeviationLimit::collectChanged(const Collapse& step) {
     }
 }
 
-// Notes a changed triangle that is near to a sample; false where it lies too far off.
+// Finds a changed triangle near the sample to assign it to; false if all are too far away.
 bool DeviationLimit::reassignSample(uint32_t sample, const Vec3& target) {
   double least = squaredLimit_;
   uint32_t triangle = kNone;
@@ -122,7 +124,7 @@ bool DeviationLimit::isNearInput(const Changed& changed, const Vec3& target) con
   bool near = true;
   const auto ask = [&, triangle = triangle](const Vec3& p) { near = near && isNearInput(p, triangle); };
   for (int i = 1; i < cuts; ++i) ask(target + (q - target) * (1.0 * i / cuts));
-  forEachPartCentre(target, q, r, cuts, ask);
+  forEachPartCentre({target, q, r}, cuts, ask);
   return near;
 }
 

@@ -6,13 +6,14 @@
 
 namespace limber {
 
-// A priority queue of edges, the cheapest first and the lower edge on a tie, in which an edge's cost can
-// change. Costs are compared as float32, as 64-bit keys: the cost's bits, which order like the cost because
-// it is not negative, above the edge's index.
+// A priority queue of edges whose costs can change; the cheapest comes first, on a tie the lower edge. Costs
+// are compared as float32. Keys have 64 bits: the bits of the cost, which order like the cost because it is
+// not negative, above the index of the edge.
 //
 // Most costs change several times before their edge comes up, so a change must be cheap: keys far from the
-// front lie without order in buckets of nearly equal costs (Dial 1969), those of the lowest bucket in a small
-// heap. A new cost adds a key and leaves the old one where it is; that is known by its cost when it comes up.
+// front lie unordered in buckets of nearly equal costs (Dial 1969), those of the lowest bucket in a small
+// heap. A new cost adds a key and leaves the old key where it is, to be recognised by its outdated cost when
+// it comes up.
 class EdgeQueue {
  public:
   explicit EdgeQueue(uint32_t edgeCount) : waiting_(edgeCount, kAbsent), lastOf_(kBuckets, kNoChunk) {
@@ -21,8 +22,8 @@ class EdgeQueue {
 
   bool isWaiting(uint32_t edge) const { return waiting_[edge] != kAbsent; }
 
-  // Brings the first edge to the front; false where none waits. Calls price(edges) for edges in doubt that
-  // come up meanwhile, those of a bucket together, which has to `set` each of them.
+  // Brings the first edge to the front; false if no edge waits. Calls price(edges) for stale edges that come
+  // up meanwhile, those of a bucket together; it must `set` each of them.
   template <class Price>
   bool findFirst(const Price& price) {
     for (;;) {
@@ -39,7 +40,7 @@ class EdgeQueue {
       if (!stale_.empty()) price(stale_);
     }
   }
-  // The following two after findFirst has found one.
+  // The following two may be called after findFirst has returned true.
   bool wouldBeFirst(uint32_t edge, double cost) const { return keyOf(edge, cost) < heap_.front(); }
   uint32_t pop() {
     const uint32_t edge = edgeOf(heap_.front());
@@ -60,15 +61,16 @@ class EdgeQueue {
       store(bits >> kShift, key);
   }
 
-  // Of an edge that waits.
+  // The cost, or its estimate, of an edge that waits.
   float cost(uint32_t edge) const { return std::bit_cast<float>(waiting_[edge] & ~kStale); }
-  // Sets a cost that is but a guess: the edge will be priced before it comes first.
-  void markStale(uint32_t edge, double guess) {
+  // Adds an edge or changes its cost, by an estimate: the edge is stale and will be priced before it comes
+  // first.
+  void markStale(uint32_t edge, double estimate) {
     waiting_[edge] &= ~kStale;
-    set(edge, guess);
+    set(edge, estimate);
     waiting_[edge] |= kStale;
   }
-  // Takes an edge out, if it is there.
+  // Removes an edge, if it waits.
   void remove(uint32_t edge) { waiting_[edge] = kAbsent; }
 
  private:
@@ -76,7 +78,7 @@ class EdgeQueue {
   static constexpr uint32_t kShift = 19, kBuckets = 1u << (32 - kShift);
   static constexpr uint32_t kAbsent = 0xffffffffu, kNoChunk = 0xffffffffu;
   static constexpr uint32_t kStale = 0x80000000u;  // the sign bit, which no cost has
-  // A part of a bucket, two cache lines.
+  // A part of a bucket: two blocks of the cache.
   struct Chunk {
     static constexpr uint32_t kCapacity = 15;
     uint32_t previous, count;
@@ -108,7 +110,7 @@ class EdgeQueue {
     return index;
   }
 
-  // Moves the keys of the next bucket to the heap, or to `stale_`.
+  // Moves the keys of the next bucket to the heap, those of stale edges to `stale_`.
   bool openNextBucket() {
     uint32_t next = current_ + 1;
     while (next < kBuckets && lastOf_[next] == kNoChunk) ++next;
@@ -120,7 +122,7 @@ class EdgeQueue {
       heap_.resize(fresh + Chunk::kCapacity);
       stale_.resize(stale + Chunk::kCapacity);
       for (uint32_t i = 0; i < chunk.count; ++i) {
-        // Without branches, which nobody could predict.
+        // Without branches, for they could not be predicted.
         const uint64_t key = heap_[fresh] = chunk.keys[i];
         stale_[stale] = edgeOf(key);
         const uint32_t waiting = waiting_[edgeOf(key)];
@@ -156,7 +158,7 @@ class EdgeQueue {
     heap_.pop_back();
     if (!heap_.empty()) moveDown(0, last);
   }
-  // Puts `key` where it belongs, starting from the free `slot`.
+  // Moves `key` down from the free `slot` to where it belongs.
   void moveDown(uint32_t slot, uint64_t key) {
     const auto size = static_cast<uint32_t>(heap_.size());
     for (uint32_t first; (first = 4 * slot + 1) < size;) {
@@ -167,7 +169,7 @@ class EdgeQueue {
     }
     heap_[slot] = key;
   }
-  // Without branches, which nobody could predict.
+  // Without branches, for they could not be predicted.
   uint32_t leastOfFour(uint32_t first) const {
     const uint64_t* keys = heap_.data() + first;
     const uint32_t left = keys[1] < keys[0], right = 2 + (keys[3] < keys[2]);
@@ -180,14 +182,14 @@ class EdgeQueue {
     return least;
   }
 
-  // Per edge: the bits of the cost at which it waits, with kStale if that is in doubt; or kAbsent.
+  // Per edge: the bits of the cost at which it waits, with kStale if that is an estimate; or kAbsent.
   std::vector<uint32_t> waiting_;
   std::vector<uint32_t> stale_;  // scratch
-  std::vector<uint64_t> heap_;   // all keys of buckets up to `current_`
+  std::vector<uint64_t> heap_;   // the keys of all buckets up to `current_`
   uint32_t current_ = 0;
   std::vector<uint32_t> lastOf_;  // per bucket: its last chunk, or kNoChunk
   std::vector<Chunk> chunks_;
-  uint32_t spare_ = kNoChunk;  // the first of the chunks that are free again
+  uint32_t spare_ = kNoChunk;  // the first free chunk; each points to the next by `previous`
 };
 
 }  // namespace limber

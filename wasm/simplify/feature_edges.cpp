@@ -9,7 +9,7 @@
 namespace limber {
 namespace {
 
-// Asks of an edge with two triangles whether it is a line, rule by rule.
+// The rules by which an edge with two triangles, s and t, is a feature edge.
 class FeatureRules {
  public:
   FeatureRules(const TriangleMesh& mesh, const SimplifyConstraints& constraints)
@@ -17,7 +17,7 @@ class FeatureRules {
         constraints_(constraints),
         creaseCosine_(std::cos(constraints.creaseAngle * std::numbers::pi / 180)) {}
 
-  // Whether there is nothing that could make a line.
+  // Whether no rule can apply.
   bool empty() const {
     return constraints_.groups.empty() && constraints_.wedges.empty() && constraints_.creaseAngle == 0 &&
            constraints_.pinnedSets.empty() && constraints_.mirror.empty();
@@ -39,7 +39,7 @@ class FeatureRules {
     if (constraints_.creaseAngle == 0) return false;
     return dot(normalized(areaNormal(mesh_, s)), normalized(areaNormal(mesh_, t))) < creaseCosine_;
   }
-  // Whether both ends are in a set of which a vertex across is no member.
+  // Whether both ends are in a pinned set that a vertex opposite to the edge is not in.
   bool isOutline(const Topology::Edge& edge, uint32_t s, uint32_t t) const {
     const auto& sets = constraints_.pinnedSets;
     if (sets.empty()) return false;
@@ -60,11 +60,11 @@ class FeatureRules {
   double creaseCosine_;
 };
 
-// What is counted around every vertex to find its role.
+// What the role of a vertex depends on.
 struct Neighbourhood {
-  uint32_t borders = 0, features = 0;  // edges; borders are not counted as lines
-  bool outlinesPinnedSet = false;      // a border or line leads to a vertex that lacks a set of this one
-  bool leavesSet = false;              // any edge does
+  uint32_t borders = 0, features = 0;  // numbers of edges; borders are not counted twice
+  bool outlinesPinnedSet = false;      // a feature edge leads to a vertex that is not in all sets of this one
+  bool leavesSet = false;              // any edge does so
 };
 
 std::vector<Neighbourhood> neighbourhoods(const Topology& topology, const SimplifyConstraints& constraints,

@@ -9,28 +9,28 @@
 
 namespace limber {
 
-// What may happen to a vertex; of two that collapse the stronger one, the later in this list, is kept.
+// What may happen to a vertex. Of two that collapse, the one that comes later in this list is kept.
 enum class Freedom : uint8_t {
   Free,     // inside the surface
-  Feature,  // on a feature edge (see SimplifyConstraints): it stays on it
+  Feature,  // on feature edges (see SimplifyConstraints), and it stays on them
   Fixed,    // neither moved nor removed, but others may collapse into it
-  Locked,   // at a non-manifold vertex or edge, or where windings clash: no edge of it collapses
+  Locked,   // at a non-manifold vertex or edge, or where windings clash; none of its edges collapses
 };
 
-// What a vertex is for a collapse.
+// What a collapse needs to know of a vertex.
 struct VertexRole {
   Freedom freedom = Freedom::Free;
-  bool onFeature = false;  // an edge of it is a line
-  bool onBorder = false;   // an edge of it is a border
+  bool onFeature = false;  // one of its edges is a feature edge, borders included
+  bool onBorder = false;   // one of its edges is a border
 };
 
-// The lines of a mesh and what they, and the constraints, let its vertices do.
+// The feature edges of a mesh, and what these and the constraints allow its vertices.
 struct FeatureEdges {
-  std::vector<uint8_t> isFeature;  // [e]: 1 on an edge with two triangles that is a line; borders have 0
+  std::vector<uint8_t> isFeature;  // [e]: 1 for a feature edge with two triangles; borders have 0
   std::vector<VertexRole> roles;   // [v]
 };
 
-// O(triangles). `wishes` must have been checked.
+// O(triangles). `constraints` must have been checked.
 FeatureEdges findFeatureEdges(const TriangleMesh& mesh, const Topology& topology,
                               const SimplifyConstraints& constraints);
 

@@ -33,8 +33,8 @@ uint32_t collapsesFor(const History& history, uint32_t faces) {
 
 namespace {
 
-// Per input vertex the one that it has become after `count` collapses. Backwards, so that the survivor of
-// kept[i] is already known when removed[i] takes it over.
+// Returns per input vertex the one that it has become after `count` collapses. Goes backwards, so that the
+// survivor of kept[i] is already known when removed[i] needs it.
 std::vector<uint32_t> findSurvivors(const History& history, size_t count) {
   std::vector<uint32_t> survivor(history.vertexCount);
   std::iota(survivor.begin(), survivor.end(), 0);
@@ -42,7 +42,7 @@ std::vector<uint32_t> findSurvivors(const History& history, size_t count) {
   return survivor;
 }
 
-// Writes every triangle behind those that are left, without a branch that nobody could predict.
+// Writes every triangle behind those that are left, without branches, for they could not be predicted.
 void collectTriangles(const TriangleMesh& input, const std::vector<uint32_t>& survivor, uint32_t expected,
                       MeshAt& result) {
   result.mesh.triangles.resize(size_t{expected} + 1);
@@ -60,8 +60,8 @@ void collectTriangles(const TriangleMesh& input, const std::vector<uint32_t>& su
   result.inputOfTriangle.resize(count);
 }
 
-// Numbers the vertices that triangles use in the input's order; all others get the number behind the last.
-// Without branches, which nobody could predict.
+// Numbers the vertices that triangles use in the order of the input; all others get the number behind the
+// last. Without branches, for they could not be predicted.
 std::vector<uint32_t> numberVertices(const TriangleMesh& input, MeshAt& result) {
   std::vector<uint32_t> number(input.vertexCount(), 0);
   for (const Triangle& triangle : result.mesh.triangles)
@@ -81,14 +81,18 @@ std::vector<uint32_t> numberVertices(const TriangleMesh& input, MeshAt& result) 
   return number;
 }
 
-// Puts the vertices where they are by then and names them by their numbers.
-void positionVertices(const History& history, size_t count, const std::vector<uint32_t>& survivor,
-                      const std::vector<uint32_t>& number, MeshAt& result) {
+// Moves the vertices to their positions after `count` collapses.
+void positionVertices(const History& history, size_t count, const std::vector<uint32_t>& number,
+                      MeshAt& result) {
   for (size_t i = 0; i < count; ++i)
     result.mesh.positions[number[history.kept[i]]] = {history.positions[3 * i], history.positions[3 * i + 1],
                                                       history.positions[3 * i + 2]};
+  result.mesh.positions.resize(result.inputOfVertex.size());  // the last one is of vertices without a number
+}
+
+// Names vertices by their numbers instead of their indices in the input.
+void renumber(const std::vector<uint32_t>& survivor, const std::vector<uint32_t>& number, MeshAt& result) {
   const auto usedCount = static_cast<uint32_t>(result.inputOfVertex.size());
-  result.mesh.positions.resize(usedCount);  // what vertices without a number have left behind
   for (Triangle& triangle : result.mesh.triangles)
     for (uint32_t& v : triangle) v = number[v];
   result.vertexOfInput.resize(survivor.size());
@@ -109,7 +113,8 @@ MeshAt meshAt(const TriangleMesh& input, const History& history, uint32_t faces)
   collectTriangles(input, survivor, expected, result);
   if (count > 0 && result.mesh.triangleCount() != expected) refuseHistory();
   const auto number = numberVertices(input, result);
-  positionVertices(history, count, survivor, number, result);
+  positionVertices(history, count, number, result);
+  renumber(survivor, number, result);
   return result;
 }
 

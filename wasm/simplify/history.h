@@ -9,23 +9,23 @@ namespace limber {
 
 // Why a history ends.
 enum class StopReason : int32_t {
-  Target = 0,     // the wanted number of triangles is reached
-  Deviation = 1,  // whatever is legal otherwise would go too far from the input
-  Angle = 2,      // whatever is legal otherwise would make an angle too small
+  Target = 0,     // the requested number of triangles is reached
+  Deviation = 1,  // all other legal collapses would go too far from the input
+  Angle = 2,      // all other legal collapses would make an angle too small
   Exhausted = 3,  // no legal collapse is left
 };
 
-// Why the edges that are left at the end cannot collapse, each counted under its first reason; all 0 where
-// the history ended at its target.
+// Numbers of edges that are left at the end, by the first reason why they cannot collapse; all 0 if the
+// history ended at its target.
 struct Refused {
   uint32_t topology = 0;   // the link condition: components, holes or handles would change
-  uint32_t flip = 0;       // a face would turn over or lose its area
-  uint32_t lock = 0;       // a non-manifold edge or vertex, or what the wishes hold in place
-  uint32_t angle = 0;      // an angle below `minAngle` would come into being
+  uint32_t flip = 0;       // a face would flip or lose its area
+  uint32_t lock = 0;       // a non-manifold edge or vertex, or a constraint
+  uint32_t angle = 0;      // an angle below `minAngle` would appear
   uint32_t deviation = 0;  // the surface would be farther than `maxDeviation` from the input
 };
 
-// Every collapse from the input down to the floor, or to where a target stopped it, in order. 24 bytes each.
+// Every collapse from the input down to the floor, or to where a target ended it, in order; 24 bytes each.
 // Collapse i moves vertex kept[i] to position i, gives it the triangles of removed[i], and leaves
 // trianglesAfter[i] triangles.
 struct History {
@@ -39,33 +39,33 @@ struct History {
   uint32_t collapseCount() const { return static_cast<uint32_t>(kept.size()); }
 };
 
-// Edges that were flipped after the history: the triangles as the history left them, and per corner now the
-// corner (3 * t + c) of these that it has been, which lay at the same vertex and in the same chart. Both
-// empty where nothing was flipped.
+// Edges that were flipped after the history. `triangles` are those before the flips; corners[3 * t + c] is
+// the flat index of the corner of these that corner c of triangle t was, which lay at the same vertex and in
+// the same chart. Both are empty if nothing was flipped.
 struct Flips {
   std::vector<Triangle> triangles;
   std::vector<uint32_t> corners;
 };
 
-// How many collapses lead to the largest mesh with at most `faces` triangles; all of them where there is
-// none.
+// The number of collapses that lead to the largest mesh with at most `faces` triangles, or all of them if
+// there is no such mesh. O(log n).
 uint32_t collapsesFor(const History& history, uint32_t faces);
 
-// Throws std::invalid_argument where a history cannot have come from this mesh. Looks at counts and ranges.
+// Throws std::invalid_argument if a history cannot belong to this mesh. Checks counts and ranges alone.
 void checkBelongs(const TriangleMesh& input, const History& history);
 [[noreturn]] void refuseHistory();
 
-// The mesh at one moment of a history, with unused vertices dropped and the input's order kept.
+// The mesh at one moment of a history, without unused vertices and in the order of the input.
 struct MeshAt {
   TriangleMesh mesh;
-  std::vector<uint32_t> vertexOfInput;    // per input vertex: the vertex of `mesh` that it has become
-  std::vector<uint32_t> inputOfVertex;    // per vertex of `mesh`: the input vertex that has survived as it
+  std::vector<uint32_t> vertexOfInput;  // per input vertex: the vertex of `mesh` that it has become, or kNone
+  std::vector<uint32_t> inputOfVertex;  // per vertex of `mesh`: the input vertex that has survived as it
   std::vector<uint32_t> inputOfTriangle;  // per triangle of `mesh`: which input triangle it is
   Flips flips;
 };
 
-// The largest mesh of the history with at most `faces` triangles; the floor where there is none. O(input),
-// independent of any earlier call. Throws std::invalid_argument where `history` does not belong to `input`.
+// The largest mesh of the history with at most `faces` triangles, or the floor if there is none. O(input),
+// independent of earlier calls. Throws std::invalid_argument if `history` does not belong to `input`.
 MeshAt meshAt(const TriangleMesh& input, const History& history, uint32_t faces);
 
 }  // namespace limber

@@ -10,28 +10,31 @@
 namespace limber {
 namespace {
 
-// A face may turn by up to 78 degrees in one collapse (the cosine of the angle between its normals).
+// A face may rotate by up to 78 degrees in one collapse (cosine of the angle between its normals). Smaller
+// values allow more collapses and more folds.
 constexpr double kSmallestCosine = 0.2;
-// A face whose height is a smaller part of its longest edge has no area to speak of; it may not come into
-// being, though one that is there already may stay as it is.
+// A face whose height is a smaller part of its longest edge has practically no area. No collapse may make
+// such a face, though one that exists may stay as it is.
 constexpr double kSmallestHeight = 1e-6;
-// Below this the height is float32 noise, so the face has no side that could turn over.
+// Below this part of the longest edge the height is float32 noise, so the face has no side that could flip.
 constexpr double kNoise = 1e-8;
 
-// Twice the area over the square of the longest edge: the height over that edge as a part of it. Squared.
+// The square of: twice the area over the square of the longest edge, which is the height as a part of that
+// edge.
 double squaredFlatness(const Vec3& areaNormal, const Vec3& p, const Vec3& q, const Vec3& r) {
   const double longest = std::max({squaredLength(q - p), squaredLength(r - q), squaredLength(p - r)});
   return squaredLength(areaNormal) / (longest * longest);
 }
 
-// Whether face (p, q, r) turns over or loses its area when p goes to `target`.
+// Whether face (p, q, r) flips or loses its area when p moves to `target`.
 bool isSpoilt(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& target) {
   const Vec3 side = r - q;
   const Vec3 before = cross(side, p - q), after = cross(side, target - q);
   const double cosine = dot(before, after);
   const double lengths = squaredLength(before) * squaredLength(after);
   const bool flips = cosine <= 0 || cosine * cosine < kSmallestCosine * kSmallestCosine * lengths;
-  // No edge is longer than the other two together: mostly this says at once that there is height enough.
+  // No edge is longer than the other two together, so this bound mostly shows at once that the height
+  // suffices.
   const double square = 2 * (squaredLength(side) + squaredLength(target - q));
   if (!flips && squaredLength(after) > 4 * kSmallestHeight * kSmallestHeight * square * square) return false;
   const double flatness = squaredFlatness(after, target, q, r);
@@ -41,7 +44,7 @@ bool isSpoilt(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& target) {
   return flips || !(flatness >= flatnessBefore);
 }
 
-// Whether neither of two faces (p, q, r) could be spoilt: what `isSpoilt` says at once.
+// Whether neither of two faces (p, q, r) can be spoilt, by the quick bound of `isSpoilt`.
 bool areSafe(const Point<RealPair>& p, const Point<RealPair>& q, const Point<RealPair>& r,
              const Point<RealPair>& target) {
   const Point<RealPair> side = r - q, way = target - q;
@@ -54,8 +57,7 @@ bool areSafe(const Point<RealPair>& p, const Point<RealPair>& q, const Point<Rea
   return (safe[0] & safe[1]) != 0;
 }
 
-// The largest cosine of an angle of triangle (p, q, r), so that of its smallest; 1 where an edge has no
-// length.
+// The cosine of the smallest angle of triangle (p, q, r); 1 if an edge has no length.
 double largestCosine(const Vec3& p, const Vec3& q, const Vec3& r) {
   const auto cosineAt = [](const Vec3& a, const Vec3& b, const Vec3& c) {
     const double lengths = squaredLength(b - a) * squaredLength(c - a);
@@ -95,9 +97,10 @@ bool Legality::mixesPinnedSets(uint32_t edge) const {
 // - a tetrahedron, whose opposite edge lies in both links;
 // - a lone triangle, whose other two edges are borders, so that the edge from the third vertex to the virtual
 //   one lies in both links.
-// (A border loop of three edges is caught as a common neighbour, inner edges between borders by `forever`.)
-// FeatureEdges are closed by the same virtual vertex, so that the pair of surface and lines stays what it is:
-// an edge whose both ends are on lines must be one, and no triangle may vanish between three.
+// (A border loop of three edges is caught as a common neighbour, inner edges between borders by
+// `permanentVerdict`.) Feature edges are closed by the same virtual vertex, so that surface and feature edges
+// together keep their topology: an edge whose both ends are on feature edges must be one, and no triangle may
+// vanish between three.
 bool Legality::keepsTopology(const Collapse& step) {
   const auto triangles = static_cast<uint32_t>(mesh_.trianglesOnEdge(step.edge));
   const auto starKept = mesh_.star(step.kept), starRemoved = mesh_.star(step.removed);
@@ -111,7 +114,7 @@ bool Legality::keepsTopology(const Collapse& step) {
   return mesh_.changeOf(step).commonNeighbours == triangles;
 }
 
-// Whether a triangle would vanish whose two other edges are both lines.
+// Whether a triangle would vanish whose three edges are all feature edges.
 bool Legality::joinsFeatures(const Collapse& step) const {
   if (!mesh_.role(step.kept).onFeature || !mesh_.role(step.removed).onFeature) return false;
   for (const Corner corner : mesh_.star(step.removed)) {
@@ -123,8 +126,8 @@ bool Legality::joinsFeatures(const Collapse& step) const {
   return false;
 }
 
-// Whether the smallest angle among the changed triangles is below the wanted one after the collapse, and no
-// larger than the smallest among all triangles of both ends before.
+// Whether the smallest angle of the changed triangles after the collapse is below `minAngle` and no larger
+// than the smallest angle of all triangles of both ends before it.
 bool Legality::spoilsAngles(const Collapse& step) const {
   double before = -1, after = -1;
   for (const uint32_t v : {step.kept, step.removed})
@@ -139,7 +142,7 @@ bool Legality::spoilsAngles(const Collapse& step) const {
   return after > largestCosine_ && after >= before;
 }
 
-// Two faces at a time; the last one may be asked twice.
+// Checks two faces at a time; the last one may be checked twice.
 bool Legality::spoilsAnyFace(const Collapse& step) {
   const CollapseMesh::Change& change = mesh_.changeOf(step);
   const Vec3 &kept = mesh_.position(step.kept), &removed = mesh_.position(step.removed);

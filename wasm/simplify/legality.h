@@ -8,18 +8,18 @@
 
 namespace limber {
 
-// Why a collapse may not be, in the order in which the rules are asked.
+// Why a collapse is refused, in the order in which the rules are checked.
 enum class Verdict : uint8_t { Legal, Locked, Topology, Flip, Angle, Deviation };
 
-// The rules that keep a surface what it is. Uses marks in the mesh; not for use from several threads.
+// The rules that keep topology, orientation, constraints and angles of a surface. Uses marks in the mesh, so
+// it must not be used from several threads.
 class Legality {
  public:
   // Keeps a reference to `mesh` and to the lists of `options`.
   Legality(CollapseMesh& mesh, const SimplifyOptions& options);
 
-  // Whether an edge cannot collapse as long as its own ends stay what they are: an end that must stay, ends
-  // of different pinned sets, or a vertex of a line that would leave it. Legal where it
-  // may.
+  // Why an edge can never collapse as long as its ends are the same vertices: both ends must stay, they are
+  // in different pinned sets, or a vertex would leave its feature edges. Legal if none of these applies.
   Verdict permanentVerdict(uint32_t edge) const {
     const auto [a, b] = mesh_.edge(edge);
     const VertexRole &atA = mesh_.role(a), &atB = mesh_.role(b);
@@ -30,7 +30,7 @@ class Legality {
     return removed.onFeature && !mesh_.isFeature(edge) ? Verdict::Topology : Verdict::Legal;
   }
 
-  // Asks every rule but the deviation, which DeviationLimit knows.
+  // Checks every rule but the deviation, which DeviationLimit checks.
   Verdict check(const Collapse& step);
 
  private:
@@ -42,7 +42,7 @@ class Legality {
 
   CollapseMesh& mesh_;
   std::span<const uint32_t> pinnedSets_;
-  double largestCosine_;  // of an angle that a collapse may make
+  double largestCosine_;  // of an angle that a collapse may make; 1 without `minAngle`
 };
 
 }  // namespace limber

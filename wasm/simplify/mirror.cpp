@@ -15,7 +15,7 @@ constexpr double kSymmetry = 1e-4;
       "The mirror is no symmetry of this mesh: give every vertex its image, and itself on the plane.");
 }
 
-// A triangle turned so that its lowest vertex is first.
+// A triangle, rotated so that its lowest vertex comes first.
 Triangle lowestFirst(const Triangle& t) {
   if (t[0] < t[1] && t[0] < t[2]) return t;
   return t[1] < t[2] ? Triangle{t[1], t[2], t[0]} : Triangle{t[2], t[0], t[1]};
@@ -105,7 +105,7 @@ bool Mirror::isApart(const Collapse& step) const {
   if (keptImage != kept)
     return !areNeighbours(kept, keptImage) && !areNeighbours(kept, removedImage) &&
            !areNeighbours(removed, keptImage);
-  // Both go to one vertex of the plane: what both are next to must be next to that already.
+  // Both collapse into one vertex of the plane: their common neighbours must be neighbours of that already.
   bool apart = true;
   mesh_.forEachEdge(removed, [&](uint32_t, uint32_t other) {
     if (other != kept && areNeighbours(removedImage, other) && !areNeighbours(kept, other)) apart = false;

@@ -9,42 +9,45 @@
 
 namespace limber {
 
-// Per triangle 1 where none is its image; `partners` has a vertex of the mesh for each vertex.
+// Per triangle 1 if the mesh lacks its image; partners[v] is the image of vertex v.
 std::vector<uint8_t> asymmetricTriangles(const TriangleMesh& mesh, std::span<const uint32_t> partners);
-// How many there are.
+// The number of triangles without an image.
 uint32_t trianglesWithoutImage(const TriangleMesh& mesh, std::span<const uint32_t> partners);
 
-// The points p with normal . p = offset.
+// The plane of the points p with normal . p = offset.
 struct MirrorPlane {
   Vec3 normal;  // unit
   double offset = 0;
 
+  // The signed distance of p from the plane.
   double height(const Vec3& p) const { return dot(normal, p) - offset; }
   Vec3 image(const Vec3& p) const { return p - normal * (2 * height(p)); }
+  // The foot of p on the plane.
   Vec3 onto(const Vec3& p) const { return p - normal * height(p); }
 };
 
 // The mean plane between vertices and their partners.
 MirrorPlane fitMirrorPlane(std::span<const Vec3> positions, std::span<const uint32_t> partners);
 
-// The plane that a mesh is symmetric to, found from pairs of vertices, and what it makes of collapses: each
-// is carried out together with its image, so that both sides stay images of each other, bit by bit where the
-// plane is x, y or z = 0. Vertices on the plane stay on it. Edges that cross the plane stay, and so does what
-// is so near to its own image that one collapse would touch both.
+// Keeps the mirror symmetry of a mesh, given by pairs of vertices: each collapse is carried out together with
+// its image, so that both sides stay images of each other, bit by bit if the plane is x, y or z = 0. Vertices
+// on the plane stay on it. Edges that cross the plane do not collapse, and neither do edges so near to their
+// image that one collapse would affect both.
 class Mirror {
  public:
-  // `partners[v]` is the image of vertex v, itself on the plane. Throws std::invalid_argument where that is
-  // no symmetry of the mesh: of its triangles, and of its positions to 1e-4 of the diagonal. Keeps a
-  // reference to `partners` and `mesh`, which must not have collapsed yet.
+  // partners[v] is the image of vertex v, v itself on the plane. Keeps references to `partners` and `mesh`,
+  // which must not have collapsed yet. Throws std::invalid_argument if that is no symmetry of the triangles,
+  // or of the positions to 1e-4 of the diagonal.
   Mirror(const TriangleMesh& input, const CollapseMesh& mesh, std::span<const uint32_t> partners);
 
   bool isOnPlane(uint32_t v) const { return partners_[v] == v; }
-  // The collapse with its target on the plane, where both of its ends are.
+  // The same collapse with its target moved onto the plane, for a collapse with both ends on the plane.
   Collapse onPlane(const Collapse& step) const;
-  // Whether it takes no second collapse: both ends lie on the plane.
+  // Whether the collapse needs no second one, because both ends lie on the plane.
   bool isItsOwnImage(const Collapse& step) const { return isOnPlane(step.kept) && isOnPlane(step.removed); }
-  // Whether a collapse and its image do not get into each other's way. Not to be asked of its own image.
+  // Whether a collapse and its image do not affect each other. Not for a collapse that is its own image.
   bool isApart(const Collapse& step) const;
+  // Its `edge` is kNone if the image of the edge does not exist.
   Collapse imageOf(const Collapse& step) const;
 
  private:
@@ -53,7 +56,7 @@ class Mirror {
 
   const CollapseMesh& mesh_;
   std::span<const uint32_t> partners_;
-  MirrorPlane plane_;  // where CollapseMesh has its points
+  MirrorPlane plane_;  // in the frame of CollapseMesh
 };
 
 }  // namespace limber

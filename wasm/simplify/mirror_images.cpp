@@ -11,12 +11,12 @@
 namespace limber {
 namespace {
 
-// Of the diagonal; half of what Mirror allows, whose plane is another one by a little.
+// Of the diagonal; half of what Mirror allows, for its plane differs slightly.
 constexpr double kTolerance = 5e-5;
 constexpr size_t kVerticesPerRange = 1024;
 
 std::vector<MirrorPlane> candidates(const TriangleMesh& mesh, int axis) {
-  // Of the vertices: areas depend on how quads are cut.
+  // The axes of the vertices, for areas depend on how quads are cut.
   const std::vector<double> weights(mesh.vertexCount(), 1);
   const PrincipalAxes principal = principalAxes(mesh.positions, weights);
   std::vector<MirrorPlane> planes;
@@ -29,7 +29,7 @@ std::vector<MirrorPlane> candidates(const TriangleMesh& mesh, int axis) {
   return planes;
 }
 
-// Per vertex the one at its image, or kNone where there is none or the two do not agree.
+// Per vertex the vertex at its image, or kNone if there is none or the images are not mutual.
 std::vector<uint32_t> partnersAcross(const TriangleMesh& mesh, const NearestVertex& nearest,
                                      const MirrorPlane& plane, Job& job) {
   const double limit = kTolerance * bounds(mesh).diagonal();
@@ -60,7 +60,7 @@ MirrorImages imagesAcross(const TriangleMesh& mesh, const Charts& charts, const 
   MirrorImages images;
   std::vector<uint32_t> partners = partnersAcross(mesh, nearest, plane, job);
   for (const uint32_t partner : partners) images.asymmetricVertices += partner == kNone;
-  // The plane of a flat mesh is none of its symmetries.
+  // The plane of a flat mesh does not count as a symmetry.
   if (liesOnPlane(partners)) images.asymmetricVertices = mesh.vertexCount();
   if (images.asymmetricVertices > 0) return images;
   images.asymmetricTriangles = trianglesWithoutImage(mesh, partners);

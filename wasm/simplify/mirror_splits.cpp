@@ -10,6 +10,7 @@
 namespace limber {
 namespace {
 
+// Flips edges of quads until each triangle has an image.
 class Matching {
  public:
   Matching(const TriangleMesh& mesh, std::span<const uint32_t> partners, const MirrorPlane& plane,
@@ -53,7 +54,7 @@ class Matching {
   std::vector<uint32_t> corners_;
 };
 
-// Each pair of quads is met at both diagonals; the first one settles it.
+// Each pair of quads is visited at both diagonals; the first visit decides.
 void Matching::match(const Topology::Edge& edge) {
   const std::optional<EdgeQuad> quad = quadAt(mesh_, topology_, edge);
   if (!quad || !isOpen(*quad)) return;
@@ -67,7 +68,7 @@ void Matching::match(const Topology::Edge& edge) {
   for (const uint32_t t : {quad->first, quad->second, image->first, image->second}) isDone_[t] = 1;
 }
 
-// The quad of the images of its vertices, if it is cut along the other diagonal; not itself.
+// The quad of the images of the vertices, if it is cut along the other diagonal and is not the same quad.
 std::optional<EdgeQuad> Matching::imageOf(const EdgeQuad& quad) const {
   const Topology::Edge* edge = edgeBetween(topology_, partners_[quad.left], partners_[quad.right]);
   if (!edge) return std::nullopt;

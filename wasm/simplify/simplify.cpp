@@ -155,8 +155,8 @@ class Simplification {
       job_.report(1 - static_cast<double>(mesh_.triangleCount()) / history_.triangleCount);
   }
 
-  // The edges of the kept vertex have new costs. The edges of its neighbours have new surroundings: some
-  // methods price these, and with every method a collapse that was refused may have become legal.
+  // The edges of the kept vertex have new costs. The edges of its neighbours have a new neighbourhood:
+  // some methods price it, and with every method a collapse that was refused may have become legal.
   void updateCosts(uint32_t kept) {
     edges_.clear();
     neighbours_.clear();

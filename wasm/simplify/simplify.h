@@ -43,11 +43,11 @@ void checkRequest(const TriangleMesh& mesh, const Guidance& guidance, const Simp
 // the history keeps these limits.
 //
 // The costs are those of the method's policy: QemCost, PaperCost or LimberCost. A collapse is legal where the
-// link condition holds (components, boundary loops and genus stay the same) and no face turns over;
-// non-manifold edges and vertices stay untouched. A refused edge is tried again when its surroundings change.
-// Ties go to the lower vertex indices. An edge whose cost falls when its surroundings change may come late,
-// see CostPolicy; `paper` with a quality weight never lets it. Throws Cancelled, and std::invalid_argument as
-// `checkRequest`.
+// link condition is met (components, boundary loops and genus stay the same) and no face flips;
+// non-manifold edges and vertices stay untouched. A refused edge is tried again when its neighbourhood
+// changes. Ties go to the lower vertex indices. An edge whose cost falls when its neighbourhood changes may
+// come late, see CostPolicy; `paper` with a quality weight never lets it. Throws Cancelled, and
+// std::invalid_argument as `checkRequest`.
 History simplify(const TriangleMesh& mesh, const Guidance& guidance, const SimplifyOptions& options,
                  Job& job);
 

@@ -6,7 +6,7 @@ namespace limber {
 namespace {
 
 constexpr uint32_t kMatrix = 0, kVector = 6, kConstant = 9, kArea = 10, kFields = 11;
-// A triangle whose height is a smaller part of its longest edge has no gradient to speak of.
+// A triangle whose height is a smaller part of its longest edge has no meaningful gradient.
 constexpr double kSmallestHeight = 1e-4;
 
 }  // namespace

@@ -12,19 +12,19 @@ namespace limber {
 // The error of attributes that vary linearly over each triangle, in the compact form of Hoppe 1999.
 //
 // Triangle f of area a_f has the linear fields S_fj(p) = g_fj . p + d_fj, one for each attribute j. A sector
-// holds sums over the triangles that have become part of it. At point p its best value of attribute j is the
+// has sums over the triangles that have become part of it. At point p its best value of attribute j is the
 // area-weighted mean of S_fj(p), and what remains is
 //   E(p) = sum_j [ sum_f a_f S_fj(p)^2 - (sum_f a_f S_fj(p))^2 / sum_f a_f ],
-// 0 where all its triangles agree on one linear field. That is a quadric in p, which the cost model adds to
-// those of the planes on each side of an edge: so the attributes count in the error and in the placement.
-// Values are multiplied by the bounding diagonal, so that the sum is a squared length times an area.
+// 0 where all its triangles agree on one linear field. That is a quadric in p, which is added to those of the
+// planes on each side of an edge, so that attributes count in the error and in the optimum. Values are
+// multiplied by the diagonal of the bounding box, so that the sum is a squared length times an area.
 class AttributeQuadrics {
  public:
-  // Without attributes among the wishes nothing is stored.
+  // Stores nothing if the constraints have no attributes.
   AttributeQuadrics(const CollapseMesh& mesh, const SimplifyConstraints& constraints);
 
   bool empty() const { return sums_.empty(); }
-  // What a collapse of an edge leaves as error, on all of its sides; no area.
+  // The error that the collapse of an edge leaves, summed over its sides; without area.
   Quadric residual(uint32_t edge) const;
   // To be called before the mesh carries out a collapse.
   void collapse(const Collapse& step);

@@ -4,7 +4,7 @@
 
 namespace limber {
 
-// Calls visit(q, r) with the two corners that stay in place, for every triangle that the collapse of an edge
+// Calls visit(q, r) with the two corners that do not move, for every triangle that the collapse of an edge
 // changes without removing it.
 template <class Visit>
 void forEachChangedTriangle(const CollapseMesh& mesh, uint32_t edge, const Visit& visit) {

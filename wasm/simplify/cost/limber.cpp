@@ -19,7 +19,7 @@ constexpr double kLeastQuality = 1e-6;
 // surface asks for them, and cost distance.
 constexpr double kSliverQuality = 0.15;
 // Triangles of a better quality, in multiples of kSliverQuality, pay no sliver price at all: it would be
-// below 1 / 16, and the surroundings need not be looked at.
+// below 1 / 16, and the triangles around need not be examined.
 constexpr double kSliverRange = 2;
 // The price is asked only where all triangles around are better than this (eight degrees between equal
 // sides). Elsewhere slivers cannot be helped, and avoiding them would cost distance for nothing.

@@ -15,7 +15,7 @@ namespace limber {
 //
 // Costs are evaluated lazily: each edge has a bound first, which its cost never falls below while its own
 // ends stay as they are. `setBounds` gives edges cheap bounds and may be called for different edges at the
-// same time; `raiseBounds` gives better ones, which hold as long, and sets the targets. `bound` and `target`
+// same time; `raiseBounds` gives better ones, valid as long, and sets the targets. `bound` and `target`
 // return what was set last; a target is the optimum of the edge. `cost` is for edges with a raised bound, or
 // with one that is the cost; `terms` are the parts of the cost at an optimum.
 //
