@@ -1,19 +1,29 @@
-// npm run lint: formatting, lint, types and layers. Each check is one line, and counts as one test in `npm test`.
+// npm run lint: formatting, lint, types and structure. Each check is one line, and counts as one test in `npm test`.
+// Usage: node scripts/check.mjs [--only NAME]     NAME: the checks whose names contain it
 
 import { spawnSync } from 'node:child_process';
-import { readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { layerViolations } from './check-layers.mjs';
-import { longFunctions } from './check-function-length.mjs';
+import { parseArgs } from 'node:util';
 import { findClangFormat, root } from './setup/environment.mjs';
+import { wrongArrows } from './structure/arrows.mjs';
+import { importCircles } from './structure/circles.mjs';
+import { missingPaths } from './structure/document_paths.mjs';
+import { struckWords } from './structure/glossary.mjs';
+import { rooms } from './structure/rooms.mjs';
+import { largeThings } from './structure/sizes.mjs';
+import { readProduct } from './structure/texts.mjs';
+import { doubleTypeNames } from './structure/type_names.mjs';
 
 const tool = (...path) => join(root, 'node_modules', ...path);
 
-function command(name, program, args) {
+function command(program, args) {
   const result = spawnSync(program, args, { cwd: root, encoding: 'utf8' });
-  return { name, problems: result.status === 0 ? '' : `${result.stdout}${result.stderr}`.trim() || 'failed' };
+  return result.status === 0 ? '' : `${result.stdout}${result.stderr}`.trim() || 'failed';
 }
+
+const node = (path, ...args) => command(process.execPath, [tool(...path), ...args]);
 
 export const coreFiles = () =>
   ['wasm', 'tests/core'].flatMap((folder) =>
@@ -40,28 +50,55 @@ function licences() {
     .join('\n');
 }
 
-/** All checks: { name, problems }, `problems` empty where it passed. */
-export function check() {
-  return [
-    command('prettier', process.execPath, [
-      tool('prettier', 'bin', 'prettier.cjs'),
-      '--check',
-      '.',
-      '--log-level',
-      'warn',
-    ]),
-    command('eslint', process.execPath, [tool('eslint', 'bin', 'eslint.js'), '.', '--max-warnings', '0']),
-    command('types', process.execPath, [tool('typescript', 'bin', 'tsc'), '-b']),
-    command('clang-format', findClangFormat() ?? 'clang-format', ['--dry-run', '--Werror', ...coreFiles()]),
-    { name: 'layers', problems: layerViolations().join('\n') },
-    { name: 'function length', problems: longFunctions(coreFiles()).join('\n') },
-    { name: 'licences of what ships', problems: licences() },
-  ];
+const readGlossary = () => readFileSync(join(root, 'docs', 'glossary.md'), 'utf8');
+const ofProduct = (findProblems) => () => findProblems(readProduct()).join('\n');
+
+/** The documents, as { path, text }, against all files that git knows. */
+function documentProblems() {
+  const git = spawnSync('git', ['ls-files', '--cached', '--others', '--exclude-standard'], {
+    cwd: root,
+    encoding: 'utf8',
+  });
+  const known = new Set(git.stdout.split('\n'));
+  const documents = [...known]
+    .filter((path) => path.endsWith('.md') && existsSync(join(root, path)))
+    .map((path) => ({ path, text: readFileSync(join(root, path), 'utf8') }));
+  return missingPaths(documents, known).join('\n');
 }
 
-if (import.meta.url === pathToFileURL(process.argv[1]).href) {
-  const results = check();
+/** Name of a check -> what finds its problems: text, empty where there are none. */
+const checks = {
+  prettier: () => node(['prettier', 'bin', 'prettier.cjs'], '--check', '.', '--log-level', 'warn'),
+  eslint: () => node(['eslint', 'bin', 'eslint.js'], '.', '--max-warnings', '0'),
+  types: () => node(['typescript', 'bin', 'tsc'], '-b'),
+  'clang-format': () =>
+    command(findClangFormat() ?? 'clang-format', ['--dry-run', '--Werror', ...coreFiles()]),
+  'licences of what ships': licences,
+  arrows: ofProduct((files) => wrongArrows(files, rooms)),
+  circles: ofProduct(importCircles),
+  sizes: ofProduct(largeThings),
+  'type names': ofProduct(doubleTypeNames),
+  glossary: ofProduct((files) => struckWords(files, readGlossary())),
+  'paths in documents': documentProblems,
+};
+
+/** Checks that the present sources do not pass yet: they run only where `--only` names them. */
+const notYet = new Set(['arrows', 'circles', 'sizes', 'type names', 'glossary', 'paths in documents']);
+
+/** Runs the checks whose names contain `only`, or all: { name, problems }, `problems` empty where it passed. */
+export function check(only = '') {
+  return Object.entries(checks)
+    .filter(([name]) => (only ? name.includes(only) : !notYet.has(name)))
+    .map(([name, findProblems]) => ({ name, problems: findProblems() }));
+}
+
+function main() {
+  const { only } = parseArgs({ options: { only: { type: 'string', default: '' } } }).values;
+  const results = check(only);
   for (const { name, problems } of results)
     console.log(problems ? `FAILED ${name}\n${problems}` : `ok     ${name}`);
-  process.exit(results.some((result) => result.problems) ? 1 : 0);
+  if (!results.length) console.log(`No check has a name with "${only}": ${Object.keys(checks).join(', ')}.`);
+  return results.length && results.every((result) => !result.problems) ? 0 : 1;
 }
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) process.exit(main());

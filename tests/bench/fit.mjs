@@ -89,7 +89,7 @@ function measure(mesh) {
         poisson: material.poisson,
         charts,
         locked,
-        pinned: new Uint8Array(),
+        pinned: new Uint32Array(),
       }),
     );
     fitted = result;

@@ -4,6 +4,7 @@ import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { format, resolveConfig } from 'prettier';
+import { wrapProse } from './prose.mjs';
 
 const path = join(resolve(import.meta.dirname, '..', '..'), 'docs', 'benchmarks.md');
 
@@ -27,7 +28,7 @@ export async function writeSection({ name, title, remark, missing, sections }) {
     remark,
     ...(missing.length ? [`Missing: ${missing.join('; ')}.`] : []),
   ].join(' ');
-  const content = [begin, `## ${title}`, introduction, ...sections, end].join('\n\n');
+  const content = wrapProse([begin, `## ${title}`, introduction, ...sections, end].join('\n\n'));
   const found = existsSync(path) ? readFileSync(path, 'utf8') : '# Benchmarks\n';
   const before = found.includes(begin) ? found : `${found.trimEnd()}\n\n${begin}\n${end}\n`;
   const after = `${before.split(begin)[0]}${content}${before.split(end)[1]}`;

@@ -13,6 +13,7 @@ import { parseArgs } from 'node:util';
 import { format, resolveConfig } from 'prettier';
 import { bar, edgesOf, readObj } from './bench_meshes.mjs';
 import { bundleEngine } from './modes_tools.mjs';
+import { wrapProse } from './prose.mjs';
 
 const { values: options } = parseArgs({
   options: { write: { type: 'boolean', default: false }, seconds: { type: 'string', default: '3' } },
@@ -264,7 +265,7 @@ async function write() {
     'Each number is the least over the steps of some seconds.',
     ...(missing.length ? [`Missing: ${missing.join('; ')}.`] : []),
   ].join(' ');
-  const content = [begin, '## Simulation', introduction, ...sections, end].join('\n\n');
+  const content = wrapProse([begin, '## Simulation', introduction, ...sections, end].join('\n\n'));
   const found = existsSync(path) ? readFileSync(path, 'utf8') : '# Benchmarks\n';
   const before = found.includes(begin) ? found : `${found}\n${begin}\n${end}\n`;
   const after = `${before.split(begin)[0]}${content}${before.split(end)[1]}`;

@@ -20,7 +20,8 @@ Vec3 pointOf(const TriangleMesh& mesh, const Binding& binding, uint32_t v) {
   return point;
 }
 
-// A sheet of the given thickness bent to half a tube of radius 1 around y: cells around it, and along it.
+// A sheet of the given thickness, bent to half a tube of radius 1 around the y axis, with so many cells
+// around it and along it.
 TriangleMesh halfTube(int around, int along, double thickness) {
   TriangleMesh mesh = shapes::box(around, along, 1, 1);
   for (Vec3& p : mesh.positions) {
@@ -43,7 +44,7 @@ TEST(Binding, bindsEveryVertexOfAnUnchangedMeshToItself) {
   }
 }
 
-TEST(Binding, liesWithinItsTriangleAndKeepsTheDistanceToTheSurface) {
+TEST(Binding, liesWithinItsTriangleAndReproducesThePointByItsOffset) {
   const TriangleMesh mesh = surfaces::inFloats(shapes::sphere(3));
   Job job;
   const MeshAt result = reduced(mesh, 120);
@@ -60,7 +61,7 @@ TEST(Binding, liesWithinItsTriangleAndKeepsTheDistanceToTheSurface) {
   }
 }
 
-TEST(Binding, followsTheCollapsesWhereTheOtherSideOfAThinSheetIsNearer) {
+TEST(Binding, staysOnItsSideOfAThinSheetWhereTheOtherSideIsNearer) {
   const double thickness = 0.005;
   const TriangleMesh mesh = halfTube(48, 12, thickness);
   Job job;
@@ -74,14 +75,14 @@ TEST(Binding, followsTheCollapsesWhereTheOtherSideOfAThinSheetIsNearer) {
   uint32_t checked = 0, nearerOnOtherSide = 0;
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     const Vec3& p = mesh.positions[v];
-    if (p.y < 0.01 || p.y > 0.99 || p.z < 0.01) continue;  // the rim has no side
+    if (p.y < 0.01 || p.y > 0.99 || p.z < 0.01) continue;  // the rim belongs to neither side
     const bool isOuter = std::hypot(p.x, p.z) > 1 + thickness / 2;
     ASSERT_EQ(outwards(binding.triangle[v]) > 0, isOuter) << "vertex " << v;
     nearerOnOtherSide += (outwards(tree.closest(p).triangle) > 0) != isOuter;
     ++checked;
   }
   EXPECT_GT(checked, 900u);
-  EXPECT_GT(nearerOnOtherSide, 50u);  // or the test shows nothing
+  EXPECT_GT(nearerOnOtherSide, 50u);  // otherwise the test shows nothing
 }
 
 TEST(Binding, isTheSameForAnyNumberOfThreads) {

@@ -12,7 +12,7 @@
 namespace limber {
 namespace {
 
-// Fine rows to a row of the coarse grid below.
+// Rows of the fine sheet per row of the coarse one.
 constexpr int kRows = 4;
 
 TriangleMesh fineSheet() {
@@ -30,7 +30,7 @@ TriangleMesh coarseSheet() {
   return shapes::grid(2, 6, 1, 6 * kRows);
 }
 
-// Of the coarse sheet, where the fine one is held up to `height`.
+// The pinned vertices of the coarse sheet where the fine one is pinned up to `height`.
 std::vector<uint32_t> carriedFrom(double height) {
   const TriangleMesh fine = fineSheet();
   const Pins pins = carryPins(fine, below(fine, height), coarseSheet());
@@ -38,7 +38,7 @@ std::vector<uint32_t> carriedFrom(double height) {
   return pins.vertices;
 }
 
-TEST(CarryPins, aBodyKeepsItsOwn) {
+TEST(CarryPins, aBodyThatIsItsOwnResultKeepsItsPins) {
   const TriangleMesh bar = shapes::box(2, 2, 12, 0.25);
   const Scenario twist = {scenarioKind("twist"), bounds(bar), 1};
   std::vector<uint32_t> pinned = defaultPins(bar, twist);
@@ -51,7 +51,7 @@ TEST(CarryPins, aBodyKeepsItsOwn) {
   EXPECT_TRUE(pins.points.empty());
 }
 
-TEST(CarryPins, theEdgeOfAHeldPartIsRoundedToTheEdgesOfTheOther) {
+TEST(CarryPins, theOutlineOfAPinnedRegionIsRoundedToEdgesOfTheResult) {
   const std::vector<uint32_t> one = below(coarseSheet(), kRows), two = below(coarseSheet(), 2 * kRows);
   EXPECT_EQ(carriedFrom(kRows), one);
   EXPECT_EQ(carriedFrom(kRows + 1), one);
@@ -59,7 +59,7 @@ TEST(CarryPins, theEdgeOfAHeldPartIsRoundedToTheEdgesOfTheOther) {
   EXPECT_EQ(carriedFrom(2 * kRows), two);
 }
 
-TEST(CarryPins, aHeldPartIsAsLargeAsTheOriginalsOnTheAverage) {
+TEST(CarryPins, aPinnedRegionIsOnAverageAsLargeAsThatOfTheOriginal) {
   double sum = 0;
   for (int height = kRows; height < 5 * kRows; ++height) {
     const double rows = static_cast<double>(carriedFrom(height).size()) / 3 - 1;
@@ -68,7 +68,7 @@ TEST(CarryPins, aHeldPartIsAsLargeAsTheOriginalsOnTheAverage) {
   EXPECT_LE(std::abs(sum / (4 * kRows)), 0.25);
 }
 
-TEST(CarryPins, aLineBecomesVerticesWhereItCanAndPointsElsewhere) {
+TEST(CarryPins, aRowOfPinsBecomesVerticesWhereItCanAndPointsElsewhere) {
   const TriangleMesh fine = shapes::grid(4, 4), coarse = shapes::grid(2, 2);
   const std::vector<uint32_t> bottom = {0, 1, 2, 3, 4};
   const Pins pins = carryPins(fine, bottom, coarse);
@@ -76,7 +76,7 @@ TEST(CarryPins, aLineBecomesVerticesWhereItCanAndPointsElsewhere) {
   EXPECT_EQ(pins.points.size(), 2u);
 }
 
-TEST(CarryPins, aPartTooSmallForATriangleBecomesPoints) {
+TEST(CarryPins, aRegionTooSmallForATriangleBecomesPoints) {
   const TriangleMesh fine = shapes::grid(8, 8), coarse = shapes::grid(1, 1);
   const std::vector<uint32_t> cell = {9 * 2 + 5, 9 * 2 + 6, 9 * 3 + 5, 9 * 3 + 6};
   const Pins pins = carryPins(fine, cell, coarse);
@@ -84,7 +84,7 @@ TEST(CarryPins, aPartTooSmallForATriangleBecomesPoints) {
   EXPECT_EQ(pins.points.size(), 4u);
 }
 
-TEST(CarryPins, pinsFollowABindingWhereThereIsOne) {
+TEST(CarryPins, pinsFollowTheBinding) {
   const TriangleMesh fine = shapes::grid(4, 4), coarse = shapes::grid(2, 2);
   std::vector<SurfacePoint> binding(fine.positions.size(), SurfacePoint{kNone, {0, 0, 0}});
   binding[0] = {7, {0, 1, 0}};
@@ -100,11 +100,11 @@ TriangleMesh atHeight(TriangleMesh mesh, double z) {
   return mesh;
 }
 
-// Two sheets whose coarse copies have changed places, as close layers can: only a binding tells them apart.
-TEST(CarryPins, aHeldPartStaysOnTheSheetThatTheBindingSays) {
+// Two sheets close together whose coarse copies are swapped: only the binding tells which belongs to which.
+TEST(CarryPins, aPinnedRegionStaysOnTheSheetOfItsBinding) {
   const TriangleMesh fine = shapes::grid(4, 4), coarse = shapes::grid(2, 2);
   const TriangleMesh original = shapes::together(fine, atHeight(fine, 0.01));
-  const TriangleMesh other = shapes::together(atHeight(coarse, 0.01), coarse);
+  const TriangleMesh result = shapes::together(atHeight(coarse, 0.01), coarse);
   std::vector<uint32_t> pinned;
   std::vector<SurfacePoint> binding;
   for (uint32_t v = 0; v < original.vertexCount(); ++v) {
@@ -118,7 +118,7 @@ TEST(CarryPins, aHeldPartStaysOnTheSheetThatTheBindingSays) {
                              : SurfacePoint{cell + 1, {1 - w, u, w - u}});
     if (!isUpper && y <= 1) pinned.push_back(v);
   }
-  const Pins pins = carryPins(original, pinned, other, binding);
+  const Pins pins = carryPins(original, pinned, result, binding);
   EXPECT_EQ(pins.vertices, (std::vector<uint32_t>{0, 1, 2, 3, 4, 5}));
   EXPECT_TRUE(pins.points.empty());
 }

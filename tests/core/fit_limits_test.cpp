@@ -1,4 +1,4 @@
-// What a fit keeps that is asked of its result: distance, angles.
+// A fit respects the limits that its result has been given: the largest deviation and the smallest angle.
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include "base/parallel.h"
 #include "compare/surface_distance.h"
 #include "fit/delaunay_flips.h"
-#include "fit/deviation_guard.h"
-#include "fit/guarded_step.h"
 #include "fit/modal_fit.h"
+#include "fit/search/deviation_guard.h"
+#include "fit/search/guarded_step.h"
 #include "mesh/quality.h"
 #include "shapes.h"
 #include "simplify/simplify.h"
@@ -47,30 +47,30 @@ double deviationOf(const Case& of, const TriangleMesh& result) {
 TEST(FitLimits, aFitKeepsTheLargestDeviation) {
   const Case of = reduced();
   const double before = deviationOf(of, of.start.mesh), limit = 1.15 * before;
-  const ModalFitResult free = fit(of, 0, 0), held = fit(of, limit, 0);
-  ASSERT_GT(deviationOf(of, free.result.mesh), limit) << "else this shows nothing";
-  EXPECT_LE(deviationOf(of, held.result.mesh), limit);
-  EXPECT_LT(held.errorAfter.at(0), 0.8 * held.errorBefore.at(0));
+  const ModalFitResult free = fit(of, 0, 0), limited = fit(of, limit, 0);
+  ASSERT_GT(deviationOf(of, free.result.mesh), limit) << "otherwise the test shows nothing";
+  EXPECT_LE(deviationOf(of, limited.result.mesh), limit);
+  EXPECT_LT(limited.errorAfter.at(0), 0.8 * limited.errorBefore.at(0));
 }
 
 TEST(FitLimits, aFitKeepsTheSmallestAngle) {
   const Case of = reduced(25);
   const double before = measureQuality(of.start.mesh).minAngle;
   ASSERT_GT(before, 20);
-  const ModalFitResult free = fit(of, 0, 0), held = fit(of, 0, 25);
-  ASSERT_LT(measureQuality(free.result.mesh).minAngle, before) << "else this shows nothing";
-  EXPECT_GE(measureQuality(held.result.mesh).minAngle, std::min(25.0, before));
-  EXPECT_LT(held.errorAfter.at(0), 0.8 * held.errorBefore.at(0));
+  const ModalFitResult free = fit(of, 0, 0), limited = fit(of, 0, 25);
+  ASSERT_LT(measureQuality(free.result.mesh).minAngle, before) << "otherwise the test shows nothing";
+  EXPECT_GE(measureQuality(limited.result.mesh).minAngle, std::min(25.0, before));
+  EXPECT_LT(limited.errorAfter.at(0), 0.8 * limited.errorBefore.at(0));
 }
 
-// Where a limit is broken from the start, it gets no worse, and the rest is fitted.
-TEST(FitLimits, aFitMakesNoBrokenLimitWorse) {
+// The start violates both limits; the rest of the mesh is fitted.
+TEST(FitLimits, aFitMakesNoViolationWorse) {
   const Case of = reduced();
   const double before = deviationOf(of, of.start.mesh), angle = measureQuality(of.start.mesh).minAngle;
-  const ModalFitResult held = fit(of, 0.8 * before, angle + 20);
-  EXPECT_LE(deviationOf(of, held.result.mesh), 1.02 * before);
-  EXPECT_GE(measureQuality(held.result.mesh).minAngle, angle - 1e-4);
-  EXPECT_LT(held.errorAfter.at(0), held.errorBefore.at(0));
+  const ModalFitResult limited = fit(of, 0.8 * before, angle + 20);
+  EXPECT_LE(deviationOf(of, limited.result.mesh), 1.02 * before);
+  EXPECT_GE(measureQuality(limited.result.mesh).minAngle, angle - 1e-4);
+  EXPECT_LT(limited.errorAfter.at(0), limited.errorBefore.at(0));
 }
 
 TEST(FitLimits, theFitIsTheSameOnAnyNumberOfThreads) {
@@ -95,13 +95,13 @@ TEST(DeviationGuard, tellsWhichTrianglesHaveMovedTooFar) {
   const std::vector<uint8_t> far = guard.tooFar(moved);
   for (uint32_t t = 0; t < coarse.triangleCount(); ++t)
     EXPECT_EQ(far[t], std::ranges::count(coarse.triangles[t], 12u)) << t;
-  // Along the surface it may go as far as it likes.
+  // It may move any distance along the surface.
   moved.positions[12] = {0.6, 0.55, 0};
   EXPECT_EQ(guard.tooFar(moved), none);
 }
 
-TEST(DeviationGuard, looksFromTheOriginalToo) {
-  // A fine sheet with a spike on a flat one: no point of the flat one is far from it.
+TEST(DeviationGuard, measuresTheDistanceFromTheOriginalToo) {
+  // A fine sheet with a spike and a flat one: no point of the flat one is far from the fine one.
   TriangleMesh fine = shapes::grid(16, 16);
   const TriangleMesh coarse = shapes::grid(4, 4);
   const uint32_t spike = 17 * 6 + 5;
@@ -109,11 +109,11 @@ TEST(DeviationGuard, looksFromTheOriginalToo) {
   DeviationGuard guard(fine, 0.1);
   const std::vector<uint8_t> far = guard.begin(coarse);
   EXPECT_EQ(std::accumulate(far.begin(), far.end(), 0), 1);
-  // What lies too far already is not told again.
+  // A triangle that was too far from the start is not reported again.
   EXPECT_EQ(guard.tooFar(coarse), std::vector<uint8_t>(coarse.triangleCount(), 0));
 }
 
-TEST(GuardedStep, leavesWhatIsTooFarAlready) {
+TEST(GuardedStep, doesNotMoveTrianglesThatAreTooFarAlready) {
   const TriangleMesh fine = shapes::grid(16, 16);
   TriangleMesh coarse = shapes::grid(4, 4);
   coarse.positions[12].z = 0.2;
@@ -125,7 +125,7 @@ TEST(GuardedStep, leavesWhatIsTooFarAlready) {
   EXPECT_NE(moved.positions[0], coarse.positions[0]);
 }
 
-// A long quad that is cut along its longer diagonal, with its upper corner at a height.
+// A long quad that is cut along its longer diagonal; the ends of the shorter one are at a height.
 TriangleMesh kite(double height) {
   return {{{-2, 0, 0}, {2, 0, 0}, {0, 1, height}, {0, -1, height}}, {{0, 1, 2}, {1, 0, 3}}};
 }
@@ -136,11 +136,11 @@ uint32_t flipsOf(TriangleMesh mesh, const FlipLimits& limits) {
   return flipToDelaunay(mesh, limits, corners);
 }
 
-TEST(DelaunayFlips, keepWhatIsAskedOfThem) {
+TEST(DelaunayFlips, respectFixedEdgesLiftAndSmallestAngle) {
   EXPECT_EQ(flipsOf(kite(0), {}), 1u);
   const std::vector<std::array<uint32_t, 2>> fixed = {{0, 1}};
   EXPECT_EQ(flipsOf(kite(0), {.fixed = fixed}), 0u);
-  // The diagonals are as far apart as the corner is high.
+  // The distance between the diagonals is that height.
   EXPECT_EQ(flipsOf(kite(0.05), {.mostLift = 0.051}), 1u);
   EXPECT_EQ(flipsOf(kite(0.05), {.mostLift = 0.049}), 0u);
   // The new triangles have angles of 53 degrees.

@@ -52,11 +52,20 @@ TEST(Quality, isOneForAnEquilateralTriangleAndZeroWithoutArea) {
 }
 
 TEST(Quality, ofTheBarIsThatOfRightIsoscelesTriangles) {
-  const QualityReport report = measureQuality(shapes::box(2, 2, 3, 0.5));
+  const TriangleMesh bar = shapes::box(2, 2, 3, 0.5);
+  const QualityReport report = measureQuality(bar);
   EXPECT_NEAR(report.minAngle, 45, 1e-9);
   EXPECT_NEAR(report.meanMinAngle, 45, 1e-9);
-  EXPECT_NEAR(report.meanQuality, std::sqrt(3.0) / 2, 1e-12);
-  EXPECT_EQ(report.angleHistogram[9], shapes::box(2, 2, 3, 0.5).triangleCount());
+  for (uint32_t t = 0; t < bar.triangleCount(); ++t)
+    EXPECT_NEAR(triangleQuality(bar.corner(t, 0), bar.corner(t, 1), bar.corner(t, 2)), std::sqrt(3.0) / 2,
+                1e-12);
+}
+
+TEST(Quality, ofTwoTrianglesAtOnceIsTheSquareOfEach) {
+  const Vec3 p{0.1, 0.2, -0.4}, q{1.3, 0.1, 0.2}, r{0.4, 0.9, 0.3}, s{0.1, 0.2, -0.4};
+  const RealPair squares = squaredTriangleQuality(asPair(p, p), asPair(q, q), asPair(r, s));
+  EXPECT_NEAR(squares[0], std::pow(triangleQuality(p, q, r), 2), 1e-14);
+  EXPECT_EQ(squares[1], 0);
 }
 
 TEST(ClosestPoint, agreesWithADenseSearchOnAnyTriangle) {

@@ -49,17 +49,17 @@ TEST(MirrorImages, ofWhatHasNoneAreCounted) {
   Doubled whole = mirrored::sheet();
   const MirrorImages across = findMirrorImages(whole.mesh, {}, 1, theJob);
   EXPECT_TRUE(across.partners.empty());
-  EXPECT_GT(across.strayVertices, whole.mesh.vertexCount() / 2);
+  EXPECT_GT(across.asymmetricVertices, whole.mesh.vertexCount() / 2);
   // All diagonals of a grid run one way, and the quads in the middle lie across the plane: its vertices are
   // images, its triangles are not, however they are cut.
   const MirrorImages grid = findMirrorImages(shapes::grid(5, 4), {}, 0, theJob);
   EXPECT_TRUE(grid.partners.empty() && grid.corners.empty());
-  EXPECT_EQ(grid.strayVertices, 0u);
-  EXPECT_EQ(grid.strayTriangles, 40u);
+  EXPECT_EQ(grid.asymmetricVertices, 0u);
+  EXPECT_EQ(grid.asymmetricTriangles, 40u);
   whole.mesh.positions[5].z += 0.1;
   const MirrorImages dented = findMirrorImages(whole.mesh, {}, 0, theJob);
   EXPECT_TRUE(dented.partners.empty());
-  EXPECT_GT(dented.strayVertices, 0u);
+  EXPECT_GT(dented.asymmetricVertices, 0u);
 }
 
 TEST(MirrorImages, refuseAFlatMeshAsItsOwnImage) {
@@ -89,7 +89,7 @@ TEST(MatchSplits, cutsTheQuadsOfOneSideTheOtherWay) {
   for (const TriangleMesh& mesh : {shapes::grid(6, 4), shapes::torus(24, 12)}) {
     const MirrorImages images = findMirrorImages(mesh, {}, 0, theJob);
     ASSERT_EQ(images.corners.size(), 3 * size_t{mesh.triangleCount()});
-    EXPECT_EQ(images.strayTriangles, mesh.triangleCount());
+    EXPECT_EQ(images.asymmetricTriangles, mesh.triangleCount());
     const TriangleMesh cut = recut(mesh, images.corners);
     EXPECT_EQ(trianglesWithoutImage(cut, images.partners), 0u);
     EXPECT_EQ(changedTriangles(images.corners), mesh.triangleCount() / 2);
@@ -121,7 +121,7 @@ TEST(MatchSplits, cutsNoneWhereASeamRuns) {
   for (uint32_t corner = 0; corner < 3 * mesh.triangleCount(); ++corner) wedges.push_back(corner);
   const MirrorImages none = findMirrorImages(mesh, {wedges, {}}, 0, theJob);
   EXPECT_TRUE(none.corners.empty() && none.partners.empty());
-  EXPECT_EQ(none.strayTriangles, mesh.triangleCount());
+  EXPECT_EQ(none.asymmetricTriangles, mesh.triangleCount());
 }
 
 TEST(MatchSplits, preferAPlaneThatTakesNone) {
@@ -210,11 +210,12 @@ TEST(MirroredFit, givesEveryCornerOneThatLayAtItsVertex) {
   }
 }
 
-TEST(MirroredFit, holdsTheImageOfWhatIsLocked) {
+TEST(MirroredFit, locksTheImagesOfLockedVertices) {
   const auto& [whole, reduced, fitted, plain] = fittedSheet();
   std::vector<uint8_t> locked(whole.mesh.vertexCount(), 0);
-  const uint32_t held = reduced.inputOfVertex[7], image = reduced.vertexOfInput[whole.mirror[held]];
-  locked[held] = 1;
+  const uint32_t original = reduced.inputOfVertex[7];
+  const uint32_t image = reduced.vertexOfInput[whole.mirror[original]];
+  locked[original] = 1;
   ModalFitOptions options = fitOptions(whole);
   options.locked = locked;
   const TriangleMesh mesh = fitModes(whole.mesh, reduced, options, theJob).result.mesh;

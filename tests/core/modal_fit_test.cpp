@@ -47,9 +47,9 @@ ModalFitResult fitted(const TriangleMesh& mesh, const MeshAt& start, std::span<c
   return fitModes(mesh, start, options, job);
 }
 
-double frequencyError(const TriangleMesh& original, const TriangleMesh& other) {
+double frequencyError(const TriangleMesh& original, const TriangleMesh& result) {
   Job job;
-  return compareFidelity(original, other, {6, {1e6, 0.3, 1000, thicknessOf(original), 1}}, job)
+  return compareFidelity(original, result, {6, {1e6, 0.3, 1000, thicknessOf(original), 1}}, job)
       .frequencyErrorMean;
 }
 
@@ -58,7 +58,7 @@ TEST(ModalFit, bringsTheFrequenciesOfAClosedAndAnOpenMeshToThoseOfTheOriginal) {
     const MeshAt start = simplified(mesh, 0.3);
     const ModalFitResult fit = fitted(mesh, start);
     EXPECT_LT(fit.errorAfter.at(0), fit.errorBefore.at(0));
-    // Judged from outside, by another solve and other matching.
+    // An independent measure: another solve and another matching of modes.
     EXPECT_LT(frequencyError(mesh, fit.result.mesh), 0.8 * frequencyError(mesh, start.mesh));
   }
 }
@@ -69,7 +69,7 @@ std::vector<uint8_t> clampedSide(const TriangleMesh& mesh) {
   return marks;
 }
 
-// The first modes of a sheet that is clamped along that side.
+// The first frequencies of a sheet that is clamped along that side.
 std::vector<double> clampedOmega(const TriangleMesh& mesh) {
   Job job;
   ModesOptions options{ElasticModel::Shell, 4, {1e6, 0.3, 1000, 0.02, 1}};
@@ -81,70 +81,68 @@ std::vector<double> clampedOmega(const TriangleMesh& mesh) {
   return omega;
 }
 
-double clampedError(const TriangleMesh& original, const TriangleMesh& other) {
-  const std::vector<double> a = clampedOmega(original), b = clampedOmega(other);
+double clampedError(const TriangleMesh& original, const TriangleMesh& result) {
+  const std::vector<double> a = clampedOmega(original), b = clampedOmega(result);
   double sum = 0;
   for (size_t i = 0; i < a.size(); ++i) sum += std::abs(b.at(i) / a[i] - 1) / static_cast<double>(a.size());
   return sum;
 }
 
-struct PinnedFits {
-  MeshAt start;
-  ModalFitResult free, held;  // fitted with those vertices locked, and with the body held by them
-};
-
-PinnedFits fitBothWays(const TriangleMesh& mesh, const std::vector<uint8_t>& pinned, double ratio) {
+// A result whose vertices on the clamped side are all kept.
+MeshAt lockedResult(const TriangleMesh& mesh, const std::vector<uint8_t>& locked, double ratio) {
   Job job;
   SimplifyOptions options;
   options.method = Method::Limber;
   options.sizeWeight = 0.01;
   options.qualityWeight = 0.1;
-  options.constraints.locked = pinned;
+  options.constraints.locked = locked;
   const auto faces = static_cast<uint32_t>(ratio * mesh.triangleCount());
-  const MeshAt start = meshAt(mesh, simplify(mesh, {}, options, job), faces);
-  return {start, fitModes(mesh, start, {.thickness = 0.02, .locked = pinned}, job),
-          fitModes(mesh, start, {.thickness = 0.02, .pinned = pinned}, job)};
+  return meshAt(mesh, simplify(mesh, {}, options, job), faces);
 }
 
 TEST(ModalFit, fitsThePinnedBodyWhereItIsPinned) {
+  Job job;
   const TriangleMesh mesh = wavySheet();
-  const std::vector<uint8_t> pinned = clampedSide(mesh);
-  const auto [start, free, held] = fitBothWays(mesh, pinned, 0.5);
-  const double error = clampedError(mesh, held.result.mesh);
+  const std::vector<uint8_t> clamped = clampedSide(mesh);
+  const auto pins = PinnedVertices::fromMask(clamped);
+  const MeshAt start = lockedResult(mesh, clamped, 0.5);
+  const ModalFitResult locked = fitModes(mesh, start, {.thickness = 0.02, .locked = clamped}, job);
+  const ModalFitResult pinned = fitModes(mesh, start, {.thickness = 0.02, .pinned = pins}, job);
+  const double error = clampedError(mesh, pinned.result.mesh);
   EXPECT_LT(error, 0.6 * clampedError(mesh, start.mesh));
-  EXPECT_LT(error, 0.8 * clampedError(mesh, free.result.mesh));
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+  EXPECT_LT(error, 0.8 * clampedError(mesh, locked.result.mesh));
+  for (const uint32_t v : pins) {
     const uint32_t there = start.vertexOfInput[v];
-    if (pinned[v]) {
-      EXPECT_EQ(held.result.mesh.positions[there], start.mesh.positions[there]);
-    }
+    EXPECT_EQ(pinned.result.mesh.positions[there], start.mesh.positions[there]);
   }
 }
 
-// With so few faces it is chance whether free or held modes serve better, but either is far better than none.
+// With so few faces a fit to the modes of the free body may do as well by chance, but either helps a lot.
 TEST(ModalFit, fitsThePinnedBodyOfVeryFewFaces) {
+  Job job;
   const TriangleMesh mesh = wavySheet();
-  const std::vector<uint8_t> pinned = clampedSide(mesh);
-  const auto [start, free, held] = fitBothWays(mesh, pinned, 1 / 3.0);
-  EXPECT_LT(clampedError(mesh, held.result.mesh), 0.6 * clampedError(mesh, start.mesh));
+  const std::vector<uint8_t> clamped = clampedSide(mesh);
+  const MeshAt start = lockedResult(mesh, clamped, 1 / 3.0);
+  const ModalFitResult pinned =
+      fitModes(mesh, start, {.thickness = 0.02, .pinned = PinnedVertices::fromMask(clamped)}, job);
+  EXPECT_LT(clampedError(mesh, pinned.result.mesh), 0.6 * clampedError(mesh, start.mesh));
 }
 
 TEST(ModalFit, keepsFacesTopologyAndTheDistanceWithinItsBudget) {
   Job job;
-  for (const TriangleMesh& mesh : {wavySheet()}) {
-    const MeshAt start = simplified(mesh, 0.3);
-    const TriangleMesh after = fitted(mesh, start).result.mesh;
-    EXPECT_EQ(after.triangleCount(), start.mesh.triangleCount());
-    const Inspection was = inspect(start.mesh), is = inspect(after);
-    EXPECT_EQ(is.components, was.components);
-    EXPECT_EQ(is.boundaryLoops, was.boundaryLoops);
-    EXPECT_EQ(is.genus, was.genus);
-    EXPECT_EQ(is.nonManifoldEdges, 0u);
-    const double limit = 1e-3 * bounds(mesh).diagonal();
-    const double before = measureSurfaceDistance(mesh, start.mesh, {}, job).mean;
-    EXPECT_LT(measureSurfaceDistance(mesh, after, {}, job).mean, 2 * std::max(before, limit));
-    EXPECT_GT(measureQuality(after).minAngle, 0.6 * measureQuality(start.mesh).minAngle);
-  }
+  const TriangleMesh mesh = wavySheet();
+  const MeshAt start = simplified(mesh, 0.3);
+  const TriangleMesh after = fitted(mesh, start).result.mesh;
+  EXPECT_EQ(after.triangleCount(), start.mesh.triangleCount());
+  const Inspection was = inspect(start.mesh), is = inspect(after);
+  EXPECT_EQ(is.components, was.components);
+  EXPECT_EQ(is.boundaryLoops, was.boundaryLoops);
+  EXPECT_EQ(is.genus, was.genus);
+  EXPECT_EQ(is.nonManifoldEdges, 0u);
+  const double limit = 1e-3 * bounds(mesh).diagonal();
+  const double before = measureSurfaceDistance(mesh, start.mesh, {}, job).mean;
+  EXPECT_LT(measureSurfaceDistance(mesh, after, {}, job).mean, 2 * std::max(before, limit));
+  EXPECT_GT(measureQuality(after).minAngle, 0.6 * measureQuality(start.mesh).minAngle);
 }
 
 TEST(ModalFit, turnsNoFaceOver) {
@@ -159,7 +157,7 @@ std::vector<uint8_t> everySeventh(const TriangleMesh& mesh) {
   return marks;
 }
 
-void expectSeventhsInPlace(const TriangleMesh& mesh, const MeshAt& start, const TriangleMesh& after) {
+void expectSeventhsUnmoved(const TriangleMesh& mesh, const MeshAt& start, const TriangleMesh& after) {
   for (uint32_t v = 0; v < mesh.vertexCount(); v += 7) {
     const uint32_t there = start.vertexOfInput[v];
     EXPECT_EQ(after.positions[there], start.mesh.positions[there]);
@@ -174,12 +172,12 @@ void expectTheSameBorder(const TriangleMesh& before, const TriangleMesh& after) 
   EXPECT_NEAR(is.high.y, was.high.y, 2e-3);
 }
 
-TEST(ModalFit, leavesLockedVerticesAndBordersInPlace) {
+TEST(ModalFit, movesNoLockedVertexAndNoBorder) {
   const TriangleMesh mesh = wavySheet();
   const MeshAt start = simplified(mesh, 0.3);
   const std::vector<uint8_t> locked = everySeventh(mesh);
   const TriangleMesh after = fitted(mesh, start, locked).result.mesh;
-  expectSeventhsInPlace(mesh, start, after);
+  expectSeventhsUnmoved(mesh, start, after);
   expectTheSameBorder(start.mesh, after);
 }
 
@@ -213,7 +211,7 @@ TEST(ModalFit, flipsNoEdgeOfASeamAndTellsWhereCornersComeFrom) {
   EXPECT_NEAR(right, 0.5, 5e-3);
 }
 
-// Every quad a chart of its own, cut into two triangles.
+// A chart for every quad of two triangles.
 std::vector<uint32_t> quadCharts(const TriangleMesh& mesh) {
   std::vector<uint32_t> wedges;
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
@@ -221,23 +219,23 @@ std::vector<uint32_t> quadCharts(const TriangleMesh& mesh) {
   return wedges;
 }
 
-TEST(ModalFit, letsGoOfSeamsThatWereCrossedButFlipsNoEdgeBetweenCharts) {
+TEST(ModalFit, movesSeamsWhereTheyNeedNotBeKeptButFlipsNoEdgeBetweenCharts) {
   Job job;
   const TriangleMesh mesh = wavySheet();
   const std::vector<uint32_t> wedges = quadCharts(mesh);
   const MeshAt start = simplified(mesh, 0.3);
   ModalFitOptions options{.thickness = thicknessOf(mesh), .charts = {wedges, {}}};
-  const ModalFitResult held = fitModes(mesh, start, options, job);
-  options.holdsSeams = false;
+  const ModalFitResult kept = fitModes(mesh, start, options, job);
+  options.keepsSeams = false;
   const ModalFitResult free = fitModes(mesh, start, options, job);
-  EXPECT_LT(free.errorAfter.at(0), 0.8 * held.errorAfter.at(0));
+  EXPECT_LT(free.errorAfter.at(0), 0.8 * kept.errorAfter.at(0));
   const MeshAt& after = free.result;
   for (uint32_t t = 0; t < after.mesh.triangleCount(); ++t)
     for (uint32_t c = 0; c < 3; ++c)
       EXPECT_EQ(after.inputOfTriangle[after.flips.corners[3 * t + c] / 3] / 2, after.inputOfTriangle[t] / 2);
 }
 
-// A ball on a long thin stick that ends in a small knob, all around the x axis.
+// A ball on a long thin stick that ends in a small knob: a surface of revolution about the x axis.
 TriangleMesh club() {
   constexpr int kAlong = 90, kAround = 24;
   TriangleMesh mesh;
@@ -263,7 +261,7 @@ TriangleMesh club() {
   return mesh;
 }
 
-TEST(ModalFit, keepsSmallPartsInShapeThatSwing) {
+TEST(ModalFit, keepsTheShapeOfSmallPartsThatSwing) {
   Job job;
   const TriangleMesh mesh = club();
   const MeshAt start = simplified(mesh, 0.1);
@@ -275,8 +273,8 @@ TEST(ModalFit, keepsSmallPartsInShapeThatSwing) {
   EXPECT_LT(deviation(fit.result.mesh), 2.5 * deviation(start.mesh));
 }
 
-// From the nearest side of the paper's bar, 1 x 1 x 3.
-double heightOver(const Vec3& p) {
+// The distance from the nearest side of the paper's bar, 1 x 1 x 3.
+double distanceFromSides(const Vec3& p) {
   return std::min(
       {std::abs(p.x), std::abs(p.x - 1), std::abs(p.y), std::abs(p.y - 1), std::abs(p.z), std::abs(p.z - 3)});
 }
@@ -287,7 +285,7 @@ TEST(ModalFit, keepsFlatSidesFlatAndTheirEdgesStraight) {
   const ModalFitResult fit = fitted(mesh, start);
   EXPECT_LT(fit.errorAfter.at(0), 0.6 * fit.errorBefore.at(0));
   EXPECT_NE(fit.result.mesh.positions, start.mesh.positions);
-  for (const Vec3& p : fit.result.mesh.positions) EXPECT_LT(heightOver(p), 1e-6);
+  for (const Vec3& p : fit.result.mesh.positions) EXPECT_LT(distanceFromSides(p), 1e-6);
   Job job;
   EXPECT_LT(measureSurfaceDistance(mesh, fit.result.mesh, {}, job).hausdorff, 1e-5);
 }
@@ -318,7 +316,7 @@ TEST(ModalFit, isTheSameOnAnyNumberOfThreads) {
   expectTheSameOnAnyNumberOfThreads([&] { return fitted(mesh, start); });
 }
 
-// What is done with more than 20,000 vertices, on few.
+// Options that treat a small mesh as if its result had more than 20,000 vertices.
 ModalFitOptions asLarge(const TriangleMesh& mesh) {
   return {.thickness = thicknessOf(mesh), .largeVertices = 50, .coarseVertices = 120};
 }
@@ -335,7 +333,7 @@ TEST(LargeModalFit, bringsFrequenciesToThoseOfTheOriginal) {
   }
 }
 
-TEST(LargeModalFit, turnsNoFaceAndKeepsBordersLocksAndTriangles) {
+TEST(LargeModalFit, turnsNoFaceOverAndKeepsBordersLocksAndTriangles) {
   Job job;
   const TriangleMesh mesh = wavySheet();
   const MeshAt start = simplified(mesh, 0.5);
@@ -346,7 +344,7 @@ TEST(LargeModalFit, turnsNoFaceAndKeepsBordersLocksAndTriangles) {
   EXPECT_EQ(after.triangles, start.mesh.triangles);
   EXPECT_NE(after.positions, start.mesh.positions);
   for (uint32_t t = 0; t < after.triangleCount(); ++t) EXPECT_GT(areaNormal(after, t).z, 0);
-  expectSeventhsInPlace(mesh, start, after);
+  expectSeventhsUnmoved(mesh, start, after);
   expectTheSameBorder(start.mesh, after);
 }
 
@@ -375,7 +373,7 @@ TEST(LargeModalFit, canBeCancelledAtAnyTime) {
   }
 }
 
-TEST(LargeModalFit, leavesWhatComesFromTooLargeAnOriginalOrIsTooMuchForTheMemory) {
+TEST(LargeModalFit, isLeftOutWhereTheOriginalIsTooLargeOrTheMemoryTooSmall) {
   Job job;
   const TriangleMesh mesh = wavySheet();
   const MeshAt start = simplified(mesh, 0.5);

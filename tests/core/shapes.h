@@ -88,10 +88,11 @@ inline TriangleMesh sphere(int levels, double radius = 1) {
 // A torus around the z axis, genus 1.
 inline TriangleMesh torus(int around, int across, double majorRadius = 1, double minorRadius = 0.35) {
   TriangleMesh mesh;
-  const double turn = 2 * std::numbers::pi;
+  const double circle = 2 * std::numbers::pi;
   for (int i = 0; i < around; ++i)
     for (int j = 0; j < across; ++j) {
-      const double u = turn * i / around, v = turn * j / across, r = majorRadius + minorRadius * std::cos(v);
+      const double u = circle * i / around, v = circle * j / across,
+                   r = majorRadius + minorRadius * std::cos(v);
       mesh.positions.push_back({r * std::cos(u), r * std::sin(u), minorRadius * std::sin(v)});
     }
   const auto at = [&](int i, int j) { return static_cast<uint32_t>((i % around) * across + j % across); };

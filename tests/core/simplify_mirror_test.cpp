@@ -40,7 +40,7 @@ TEST(Mirror, keepsTopologyAndReachesFarDown) {
     }
 }
 
-TEST(Mirror, holdsTogetherWithALargestDeviation) {
+TEST(Mirror, isKeptTogetherWithALargestDeviation) {
   const Doubled whole = box();
   const TriangleMesh mesh = meshAt(whole.mesh, run(whole, Method::Limber, 0, 0.05), 0).mesh;
   EXPECT_EQ(facesOf(mesh, 1), facesOf(mesh, -1));

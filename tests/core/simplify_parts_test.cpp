@@ -5,9 +5,9 @@
 #include <set>
 #include <span>
 
-#include "query/kd_tree.h"
+#include "query/nearest.h"
 #include "simplify/collapse_mesh.h"
-#include "simplify/cost.h"
+#include "simplify/cost/qem.h"
 #include "simplify/edge_queue.h"
 #include "simplify/quadric.h"
 #include "surfaces.h"
@@ -70,7 +70,7 @@ TEST(EdgeQueue, givesTheCheapestFirstAndTheLowerOnATie) {
         queue.set(edge, cost[edge]);
       } else if (what < 5 && queue.isWaiting(edge)) {
         change(edge, static_cast<float>(random() % 50) / 3);
-        queue.doubt(edge, cost[edge] * 0.1 * (random() % 11));
+        queue.markStale(edge, cost[edge] * 0.1 * (random() % 11));
       } else if (what == 5) {
         expected.erase({cost[edge], edge});
         queue.remove(edge);
@@ -97,7 +97,7 @@ Vec3 nearTorus(std::mt19937& random) {
   return {x, y, uniform(random) - 0.5};
 }
 
-TEST(KdTree, findsTheSameVertexAsAPlainSearch) {
+TEST(NearestVertex, isThatOfAPlainSearch) {
   const TriangleMesh mesh = shapes::jittered(shapes::torus(20, 11), 0.05, 8);
   const NearestVertex nearest(mesh);
   std::mt19937 random(3);
@@ -123,7 +123,7 @@ double sampledDistance(const TriangleMesh& mesh, uint32_t t, const Vec3& p) {
   return least;
 }
 
-TEST(KdTree, findsATriangleThatIsNearest) {
+TEST(NearestTriangle, isNoFartherThanAnyOther) {
   const TriangleMesh mesh = shapes::jittered(shapes::torus(9, 6), 0.1, 8);
   const NearestTriangle nearest(mesh);
   std::mt19937 random(5);
@@ -137,7 +137,7 @@ TEST(KdTree, findsATriangleThatIsNearest) {
   }
 }
 
-TEST(KdTree, takesTheNearestCentreAmongTheTrianglesOfAVertex) {
+TEST(NearestTriangle, hasTheNearestCentreAmongTheTrianglesOfAVertex) {
   const TriangleMesh mesh = surfaces::inFloats(shapes::jittered(shapes::torus(20, 11), 0.05, 8));
   const CollapseMesh stars(mesh);
   const NearestTriangle nearest(mesh);
@@ -145,26 +145,27 @@ TEST(KdTree, takesTheNearestCentreAmongTheTrianglesOfAVertex) {
     EXPECT_EQ(nearest.find(mesh.positions[v], 0), nearest.findAround(v, stars.star(v)));
 }
 
-TEST(CostModel, pricesManyEdgesAtOnceBitByBitLikeOne) {
+TEST(QemCost, pricesManyEdgesAtOnceBitByBitLikeOne) {
   for (const auto& [name, mesh] : surfaces::everyTopology()) {
     const CollapseMesh collapsing(mesh);
-    CostModel costs(mesh, collapsing, {}, {.method = Method::Qem});
+    QemCost costs(mesh, collapsing, {}, {.method = Method::Qem});
     std::vector<uint32_t> edges(collapsing.edgeCount());
     std::iota(edges.begin(), edges.end(), 0);
     costs.setBounds(edges);
     for (uint32_t edge : edges)
-      ASSERT_EQ(costs.bound(edge), static_cast<float>(costs.place(edge).error)) << name << ", edge " << edge;
+      ASSERT_EQ(costs.bound(edge), static_cast<float>(costs.optimum(edge).error))
+          << name << ", edge " << edge;
   }
 }
 
-TEST(CostModel, putsTargetsWhereTheFileCanStoreThem) {
+TEST(QemCost, putsTargetsWhereTheFileCanStoreThem) {
   TriangleMesh mesh = shapes::jittered(shapes::torus(12, 8), 0.03, 4);
   for (Vec3& p : mesh.positions) p += Vec3{100, -7, 0.3};
   mesh = surfaces::inFloats(mesh);
   const CollapseMesh collapsing(mesh);
-  const CostModel costs(mesh, collapsing, {}, {.method = Method::Qem});
+  const QemCost costs(mesh, collapsing, {}, {.method = Method::Qem});
   for (uint32_t edge = 0; edge < collapsing.edgeCount(); ++edge) {
-    const Vec3 target = costs.place(edge).target;
+    const Vec3 target = costs.optimum(edge).position;
     EXPECT_EQ(collapsing.stored(target), target);
   }
 }

@@ -159,7 +159,7 @@ void expectNoFlip(const Trial& trial, const History& history, uint32_t i) {
 
 class Properties : public ::testing::TestWithParam<uint32_t> {};
 
-TEST_P(Properties, topologyLocksAndBordersAreKeptAndNothingTurns) {
+TEST_P(Properties, topologyLocksAndBordersAreKeptAndNoFaceFlips) {
   const Trial trial = draw(GetParam());
   const History history = trial.run();
   for (uint32_t i = 0; i < history.collapseCount(); i += 1 + history.collapseCount() / 12) {
@@ -199,7 +199,7 @@ TEST_P(Properties, everyRunAndEveryNumberOfThreadsGivesTheSameBits) {
   setThreadCount(1);
 }
 
-TEST_P(Properties, aTurnByRightAnglesTurnsTheResult) {
+TEST_P(Properties, aRotationByRightAnglesRotatesTheResult) {
   Trial trial = draw(GetParam());
   const History straight = trial.run();
   for (Vec3& p : trial.mesh.positions) p = {-p.y, p.z, -p.x};

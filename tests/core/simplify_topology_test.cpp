@@ -60,7 +60,7 @@ std::vector<Vec3> unitNormals(const std::vector<Triangle>& triangles, const std:
   return normals;
 }
 
-TEST(Simplify, turnsNoFaceAndMakesNoneWithoutAreaOrTwice) {
+TEST(Simplify, flipsNoFaceAndMakesNoneWithoutAreaOrTwice) {
   for (const auto& [name, mesh, history] : everyRun()) {
     SCOPED_TRACE(name);
     surfaces::Replay replay(mesh, history);
@@ -131,7 +131,7 @@ TEST(Simplify, saysForEveryEdgeOfTheFloorWhyItStays) {
 }
 
 // The vertices that must not move: ends of non-manifold edges, non-manifold vertices, ends of clashes.
-TEST(Simplify, leavesNonManifoldPlacesUntouched) {
+TEST(Simplify, leavesNonManifoldVerticesUntouched) {
   for (const auto& [name, mesh, history] : everyRun()) {
     SCOPED_TRACE(name);
     const auto kinds = classifyVertices(mesh, buildTopology(mesh));

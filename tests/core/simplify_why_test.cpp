@@ -45,7 +45,7 @@ TEST(WhyKept, theVertexWithTheLowestLegalCostGoesNext) {
     for (uint32_t i = 0; i < history.collapseCount(); i += 37) {
       const uint32_t faces = i == 0 ? it.mesh.triangleCount() : history.trianglesAfter[i - 1];
       const MeshAt at = meshAt(it.mesh, history, faces);
-      const auto all = whyKept(it.mesh, it.guidance(), options, history, faces, job);
+      const auto all = whyKept({it.mesh, it.guidance(), options, history}, faces, job);
       ASSERT_EQ(all.size(), at.mesh.vertexCount());
       double least = INFINITY, next = INFINITY;
       for (const WhyKept& why : all)
@@ -63,12 +63,12 @@ TEST(WhyKept, theVertexWithTheLowestLegalCostGoesNext) {
   }
 }
 
-TEST(WhyKept, namesTheRuleThatHoldsAVertexAtTheFloor) {
+TEST(WhyKept, namesTheRuleThatKeepsAVertexAtTheFloor) {
   const Case it = makeCase();
   Job job;
   const SimplifyOptions options = it.options(Method::Qem);
   const History history = simplify(it.mesh, it.guidance(), options, job);
-  for (const WhyKept& why : whyKept(it.mesh, it.guidance(), options, history, 0, job)) {
+  for (const WhyKept& why : whyKept({it.mesh, it.guidance(), options, history}, 0, job)) {
     EXPECT_NE(why.verdict, Verdict::Legal);
     EXPECT_NE(why.neighbour, kNone);
   }
@@ -80,7 +80,7 @@ TEST(WhyKept, termsAreWhatTheirWeightsSay) {
   SimplifyOptions options = it.options(Method::Limber);
   const auto at = [&] {
     const History history = simplify(it.mesh, it.guidance(), options, job);
-    return whyKept(it.mesh, it.guidance(), options, history, it.mesh.triangleCount(), job);
+    return whyKept({it.mesh, it.guidance(), options, history}, it.mesh.triangleCount(), job);
   };
   for (const WhyKept& why : at()) {
     EXPECT_GE(why.terms.error, 0);
@@ -102,7 +102,7 @@ TEST(WhyKept, aHistoryOfAnotherMeshIsRefused) {
   Job job;
   History history = simplify(it.mesh, {}, {.method = Method::Qem}, job);
   std::ranges::reverse(history.kept);
-  EXPECT_THROW(whyKept(it.mesh, {}, {.method = Method::Qem}, history, 10, job), std::invalid_argument);
+  EXPECT_THROW(whyKept({it.mesh, {}, {.method = Method::Qem}, history}, 10, job), std::invalid_argument);
 }
 
 }  // namespace

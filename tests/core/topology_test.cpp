@@ -26,7 +26,7 @@ void expectConsistent(const TriangleMesh& mesh, const Topology& topology) {
   }
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
     for (int c = 0; c < 3; ++c) {
-      const Topology::Edge& edge = topology.edges[topology.edgeOfCorner[3 * t + c]];
+      const Topology::Edge& edge = topology.edges[topology.edgeOpposite(Corner(t, c))];
       const auto& triangle = mesh.triangles[t];
       const std::pair<uint32_t, uint32_t> ends = std::minmax(triangle[(c + 1) % 3], triangle[(c + 2) % 3]);
       EXPECT_EQ(std::pair(edge.a, edge.b), ends);

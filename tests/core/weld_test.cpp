@@ -133,7 +133,7 @@ TEST(Weld, keepsAThinFaceThatFloatsResolve) {
   EXPECT_EQ(welded(soup).mesh.triangleCount(), 1u);
 }
 
-TEST(Weld, turnsTheSmallerSideOfAComponent) {
+TEST(Weld, flipsTheSmallerSideOfAComponent) {
   TriangleMesh torus = shapes::torus(8, 6);
   for (uint32_t t : {3u, 4u, 40u}) std::swap(torus.triangles[t][0], torus.triangles[t][2]);
   const WeldResult few = welded(soupOf(torus));

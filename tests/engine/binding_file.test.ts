@@ -1,6 +1,7 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import { bindingOfBody, readBinding, writeBinding } from '../../web/engine/report/binding_file';
-import type { BodyBinding } from '../../web/engine/report/binding_file';
+import { bindingOfBody } from '../../web/engine/body/body_binding';
+import type { BodyBinding } from '../../web/engine/body/body_binding';
+import { readBinding, writeBinding } from '../../web/engine/report/binding_file';
 import { NONE } from '../../web/engine/core/core';
 import type { Core, MeshAt } from '../../web/engine/core/core';
 import { exportGlb } from '../../web/engine/document/export';

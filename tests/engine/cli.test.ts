@@ -534,9 +534,9 @@ describe('limber modes', () => {
   it('holds what --pins names, and scales with the material', () => {
     const run = (...flags: string[]) =>
       report(limber('modes', 'grid.obj', '--modes', '2', '--json', ...flags).stdout);
-    const held = run('--pins', 'low:20');
-    expect(held.zeroModes).toEqual({ expected: 0, found: 0 });
-    expect(held.options.pins).toBe('low:20');
+    const clamped = run('--pins', 'low:20');
+    expect(clamped.zeroModes).toEqual({ expected: 0, found: 0 });
+    expect(clamped.options.pins).toBe('low:20');
     const stiff = run('--material-preset', 'rubber', '--young', '4e6');
     expect(stiff.options).toMatchObject({ young: 4e6, density: 1000 });
     expect(stiff.modes![0].omega / run().modes![0].omega).toBeCloseTo(2, 6);

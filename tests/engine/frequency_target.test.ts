@@ -37,7 +37,7 @@ describe('the search for the fewest faces', () => {
   });
 
   it('finds a lower range that holds below one that does not', () => {
-    // Fails from 900 to 1,000, holds from 800 to 900, fails below.
+    // Fails from 900 to 1,000, succeeds from 800 to 900, fails below.
     const { best } = search((faces) => (faces < 800 || (faces > 900 && faces < 1000) ? 2 : 0.5));
     expect(best.faces).toBeLessThanOrEqual(816);
   });

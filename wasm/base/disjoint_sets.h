@@ -7,10 +7,12 @@
 
 namespace limber {
 
-// Sets of the numbers below a count, at first each alone. A set is named by its smallest number, whatever the
-// order in which it came together; paths are halved on the way.
+// Disjoint sets of the numbers 0 to count - 1, each alone at first (union-find with path halving). The root
+// of a set is its smallest number, so the result does not depend on the order of the unions. Every operation
+// is amortised O(log count).
 class DisjointSets {
  public:
+  DisjointSets() = default;
   explicit DisjointSets(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
 
   uint32_t rootOf(uint32_t i) {
@@ -21,7 +23,7 @@ class DisjointSets {
     const uint32_t a = rootOf(i), b = rootOf(j);
     parent_[std::max(a, b)] = std::min(a, b);
   }
-  // The root of each number.
+  // Per number its root.
   std::vector<uint32_t> roots() {
     std::vector<uint32_t> all(parent_.size());
     for (uint32_t i = 0; i < all.size(); ++i) all[i] = rootOf(i);

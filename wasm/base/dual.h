@@ -9,42 +9,42 @@ namespace limber {
 template <int N>
 struct Dual {
   double value = 0;
-  std::array<double, N> slope{};
+  std::array<double, N> derivative{};
 
   Dual() = default;
   Dual(double constant) : value(constant) {}  // NOLINT: constants mix freely with duals
   static Dual variable(double value, int index) {
     Dual x(value);
-    x.slope[static_cast<size_t>(index)] = 1;
+    x.derivative[static_cast<size_t>(index)] = 1;
     return x;
   }
   // f(x) for f with value `f` and derivative `d` there.
   Dual chain(double f, double d) const {
     Dual y(f);
-    for (size_t i = 0; i < N; ++i) y.slope[i] = d * slope[i];
+    for (size_t i = 0; i < N; ++i) y.derivative[i] = d * derivative[i];
     return y;
   }
   Dual& operator+=(const Dual& b) { return *this = *this + b; }
 
   friend Dual operator+(Dual a, const Dual& b) {
     a.value += b.value;
-    for (size_t i = 0; i < N; ++i) a.slope[i] += b.slope[i];
+    for (size_t i = 0; i < N; ++i) a.derivative[i] += b.derivative[i];
     return a;
   }
   friend Dual operator-(Dual a, const Dual& b) {
     a.value -= b.value;
-    for (size_t i = 0; i < N; ++i) a.slope[i] -= b.slope[i];
+    for (size_t i = 0; i < N; ++i) a.derivative[i] -= b.derivative[i];
     return a;
   }
   friend Dual operator-(const Dual& a) { return a.chain(-a.value, -1); }
   friend Dual operator*(const Dual& a, const Dual& b) {
     Dual y(a.value * b.value);
-    for (size_t i = 0; i < N; ++i) y.slope[i] = a.slope[i] * b.value + a.value * b.slope[i];
+    for (size_t i = 0; i < N; ++i) y.derivative[i] = a.derivative[i] * b.value + a.value * b.derivative[i];
     return y;
   }
   friend Dual operator*(Dual a, double b) {
     a.value *= b;
-    for (size_t i = 0; i < N; ++i) a.slope[i] *= b;
+    for (size_t i = 0; i < N; ++i) a.derivative[i] *= b;
     return a;
   }
   friend Dual operator/(const Dual& a, const Dual& b) {

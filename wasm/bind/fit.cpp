@@ -20,7 +20,7 @@ namespace {
 // The storage behind the lists of ModalFitOptions.
 struct FitLists {
   ChartLists charts;
-  std::vector<uint8_t> locked, pinned;
+  std::vector<uint8_t> locked;
   std::vector<uint32_t> mirror;
 };
 
@@ -30,7 +30,7 @@ template <>
 struct Fields<FitLists> {
   static constexpr auto list =
       std::tuple(field("charts", &FitLists::charts), field("locked", &FitLists::locked),
-                 field("pinned", &FitLists::pinned), optionalField("mirror", &FitLists::mirror));
+                 optionalField("mirror", &FitLists::mirror));
 };
 
 template <>
@@ -48,7 +48,7 @@ val jsFitModes(const val& mesh, const val& result, const val& in) {
   auto options = fromJs<ModalFitOptions>(in);
   options.charts = lists.charts.view();
   options.locked = lists.locked;
-  options.pinned = lists.pinned;
+  options.pinned = PinnedVertices(vectorOf<uint32_t>(in["pinned"]));
   options.mirror = lists.mirror;
   return toJs(fitModes(*meshOf(mesh), fromJs<MeshAt>(result), options, theJob));
 }

@@ -49,8 +49,8 @@ template <>
 struct Fields<MirrorImages> {
   static constexpr auto list =
       std::tuple(field("partners", &MirrorImages::partners), field("corners", &MirrorImages::corners),
-                 field("strayVertices", &MirrorImages::strayVertices),
-                 field("strayTriangles", &MirrorImages::strayTriangles));
+                 field("asymmetricVertices", &MirrorImages::asymmetricVertices),
+                 field("asymmetricTriangles", &MirrorImages::asymmetricTriangles));
 };
 
 namespace {

@@ -107,7 +107,7 @@ val jsMeshAt(const val& mesh, const val& history, uint32_t faces) {
 val jsWhyKept(const val& reduction, uint32_t faces) {
   const Request request(reduction["mesh"], reduction["strain"], reduction["curvature"], reduction["options"]);
   const auto history = historyOf(reduction["history"]);
-  const auto all = whyKept(*request.mesh, request.guidance(), request.options, *history, faces, theJob);
+  const auto all = whyKept({*request.mesh, request.guidance(), request.options, *history}, faces, theJob);
   const std::pair<const char*, double CostTerms::*> terms[] = {
       {"error", &CostTerms::error},         {"size", &CostTerms::size},       {"strain", &CostTerms::strain},
       {"curvature", &CostTerms::curvature}, {"quality", &CostTerms::quality}, {"keep", &CostTerms::keep}};

@@ -9,7 +9,8 @@ namespace {
 
 constexpr int kFree = -1;
 
-// A square problem of least cost, grown row by row; prices keep every reduced cost at least 0.
+// A square assignment of least cost, solved row by row. Prices (dual variables) keep all reduced costs at
+// least 0.
 class Assignment {
  public:
   explicit Assignment(Eigen::MatrixXd cost)
@@ -27,7 +28,8 @@ class Assignment {
   }
 
  private:
-  // Dijkstra over reduced costs from `start` to the nearest free column, then flips the path's pairs.
+  // Finds the shortest path by reduced cost from row `start` to a free column (Dijkstra) and flips the pairs
+  // along it.
   void addRow(int start) {
     std::vector<double> distance(size_, HUGE_VAL);
     std::vector<int> previous(size_, kFree);

@@ -5,9 +5,9 @@
 
 namespace limber {
 
-// A one-to-one pairing of rows with columns of the largest total value (Kuhn 1955, by shortest augmenting
-// paths): the column of each row, or -1 where there are fewer columns than rows. O(n^3). Values must be
-// finite.
+// The one-to-one pairing of rows with columns that has the largest total value: the column of each row, or -1
+// for a row without a partner, if there are more rows than columns. Hungarian method (Kuhn 1955) by shortest
+// augmenting paths, O(n^3). Values must be finite.
 std::vector<int> assign(const Eigen::MatrixXd& value);
 
 }  // namespace limber

@@ -11,9 +11,10 @@ namespace limber {
 
 namespace {
 
-constexpr size_t kGrain = 512;
+constexpr size_t kGrain = 512;  // points of a range for one thread
+constexpr uint64_t kSamplesPerTriangle = 10, kFewestSamples = 10'000, kMostSamples = 500'000;
 
-// Distances of `points` to a surface, in order.
+// The distance of each point to a surface.
 std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPointTree& tree, Job& job) {
   std::vector<double> out(points.size());
   parallelFor(points.size(), kGrain, [&](size_t begin, size_t end) {
@@ -33,7 +34,7 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
-// Every vertex as a triangle of three equal corners, so that a tree answers for points.
+// Every vertex as a triangle with three equal corners, so that the tree finds nearest vertices.
 TriangleMesh asPoints(const TriangleMesh& mesh) {
   TriangleMesh points;
   points.positions = mesh.positions;
@@ -43,11 +44,11 @@ TriangleMesh asPoints(const TriangleMesh& mesh) {
 
 uint32_t sampleCount(const TriangleMesh& a, const TriangleMesh& b, uint32_t wanted) {
   if (wanted > 0) return wanted;
-  const uint64_t tenPerTriangle = 10ull * std::max(a.triangleCount(), b.triangleCount());
-  return static_cast<uint32_t>(std::clamp<uint64_t>(tenPerTriangle, 10'000, 500'000));
+  const uint64_t proportional = kSamplesPerTriangle * std::max(a.triangleCount(), b.triangleCount());
+  return static_cast<uint32_t>(std::clamp(proportional, kFewestSamples, kMostSamples));
 }
 
-// What is measured from one side to the other.
+// The distances from one surface to the other.
 struct OneSided {
   double hausdorff, mean;
 };

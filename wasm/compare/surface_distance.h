@@ -6,20 +6,22 @@
 namespace limber {
 
 struct SurfaceDistanceOptions {
-  uint32_t samples = 0;  // area-uniform points per side, besides all vertices; 0: ten per triangle of the
-                         // finer mesh, within [10,000, 500,000]
+  // Area-uniform sample points per side, in addition to all vertices. 0: ten per triangle of the finer mesh,
+  // within [10,000, 500,000].
+  uint32_t samples = 0;
 };
 
 // Distances in the units of the meshes.
 struct SurfaceDistance {
-  double hausdorff = 0;  // symmetric: the larger of both sides' largest distance, over samples and vertices
-  double mean = 0;       // mean over area-uniform samples, mean of both sides
-  double vertexHausdorff =
-      0;  // symmetric, from vertices to the nearest vertices (the paper's "Hausdorff", docs/paper.md)
+  double hausdorff = 0;  // symmetric: the largest distance from either side, over samples and vertices
+  double mean = 0;       // over the samples, averaged over both sides
+  // Symmetric, from vertices to the nearest vertices: what the paper calls Hausdorff distance
+  // (docs/paper.md).
+  double vertexHausdorff = 0;
 };
 
-// Sampled with a fixed low-discrepancy sequence: the same meshes give the same bits, on any number of
-// threads.
+// Samples are a fixed low-discrepancy sequence, so the result is equal to the last bit for any number of
+// threads. O(n log n). All distances are 0 if a mesh has no triangle. Throws Cancelled.
 SurfaceDistance measureSurfaceDistance(const TriangleMesh& a, const TriangleMesh& b,
                                        const SurfaceDistanceOptions& options, Job& job);
 

@@ -4,7 +4,9 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include "mesh/component_frame.h"
 #include "mesh/nesting.h"
 
 namespace limber {
@@ -39,21 +41,17 @@ Grouping groupComponents(const TriangleMesh& body, const Topology& topology, Ela
   return grouping;
 }
 
-void addVertices(std::vector<Part>& parts, const TriangleMesh& body, const Topology& topology,
-                 const std::vector<uint32_t>& partOfComponent, std::vector<uint32_t>& local) {
-  for (uint32_t v = 0; v < body.vertexCount(); ++v) {
-    Part& part = parts[partOfComponent[topology.componentOfVertex[v]]];
-    local[v] = part.mesh.vertexCount();
-    part.mesh.positions.push_back(body.positions[v]);
-    part.vertexOfBody.push_back(v);
-    part.componentOfVertex.push_back(topology.componentOfVertex[v]);
+// The parts' meshes in their unit frames, and where their vertices come from.
+void fillParts(std::vector<Part>& parts, MeshParts split, const Topology& topology) {
+  for (size_t i = 0; i < parts.size(); ++i) {
+    parts[i].mesh = std::move(split.parts[i].mesh);
+    parts[i].vertexOfBody = std::move(split.parts[i].vertices);
+    for (const uint32_t v : parts[i].vertexOfBody)
+      parts[i].componentOfVertex.push_back(topology.componentOfVertex[v]);
+    const UnitFrame frame = unitFrame(parts[i].mesh);
+    parts[i].diagonal = frame.diagonal;
+    moveToFrame(parts[i].mesh, frame);
   }
-}
-
-void scaleToFrame(Part& part) {
-  const Bounds box = bounds(part.mesh);
-  part.diagonal = box.diagonal() > 0 ? box.diagonal() : 1;
-  for (Vec3& p : part.mesh.positions) p = (p - box.low) / part.diagonal;
 }
 
 }  // namespace
@@ -73,22 +71,20 @@ std::vector<Part> partsOf(const TriangleMesh& body, const Topology& topology, co
       partOf[c] = partOf[grouping.host[c]];
       parts[partOf[c]].components.push_back(c);
     }
-  std::vector<uint32_t> local(body.vertexCount());
-  addVertices(parts, body, topology, partOf, local);
-  const auto partOfVertex = [&](uint32_t v) -> Part& { return parts[partOf[topology.componentOfVertex[v]]]; };
-  for (const Triangle& t : body.triangles)
-    partOfVertex(t[0]).mesh.triangles.push_back({local[t[0]], local[t[1]], local[t[2]]});
+  std::vector<uint32_t> partOfVertex;
+  for (const uint32_t c : topology.componentOfVertex) partOfVertex.push_back(partOf[c]);
+  MeshParts split = splitMesh(body, partOfVertex, static_cast<uint32_t>(parts.size()));
   for (uint32_t v : options.pinned) {
     if (v >= body.vertexCount())
       throw std::invalid_argument("Vertex " + std::to_string(v) + " is pinned, but the mesh has only " +
                                   std::to_string(body.vertexCount()) + " vertices.");
-    partOfVertex(v).pinned.push_back(local[v]);
+    parts[partOfVertex[v]].pinned.push_back(split.localVertex[v]);
   }
   for (Part& part : parts) {
     std::sort(part.pinned.begin(), part.pinned.end());
     part.pinned.erase(std::unique(part.pinned.begin(), part.pinned.end()), part.pinned.end());
-    scaleToFrame(part);
   }
+  fillParts(parts, std::move(split), topology);
   return parts;
 }
 

@@ -16,8 +16,8 @@ std::vector<uint32_t> splitLongEdges(TriangleMesh& mesh, const Topology& topolog
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const Triangle triangle = mesh.triangles[t];
     if (!std::all_of(triangle.begin(), triangle.end(), [&](uint32_t v) { return isPinned[v]; })) continue;
-    for (uint32_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
-      const uint32_t e = topology.edgeOfCorner[corner];
+    for (uint32_t c = 0; c < 3; ++c) {
+      const uint32_t e = topology.edgeOpposite(Corner(t, c));
       const auto& edge = topology.edges[e];
       const Vec3 a = mesh.positions[edge.a], b = mesh.positions[edge.b];
       if (middle[e] != kNone || limber::length(b - a) <= length) continue;
@@ -57,8 +57,8 @@ void refinePinnedFaces(TriangleMesh& mesh, std::vector<uint32_t>& pinned, double
     for (uint32_t v = before; v < mesh.vertexCount(); ++v) pinned.push_back(v);
     std::vector<Triangle> pieces;
     for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-      const uint32_t* edges = &topology.edgeOfCorner[3 * size_t{t}];
-      addPieces(mesh.triangles[t], {middle[edges[0]], middle[edges[1]], middle[edges[2]]}, pieces);
+      const auto middleOpposite = [&](uint32_t c) { return middle[topology.edgeOpposite(Corner(t, c))]; };
+      addPieces(mesh.triangles[t], {middleOpposite(0), middleOpposite(1), middleOpposite(2)}, pieces);
     }
     mesh.triangles = std::move(pieces);
   }

@@ -144,7 +144,8 @@ std::vector<uint32_t> elementNodes(const TriangleMesh& mesh, const Topology& top
   nodes.reserve(6 * size_t{mesh.triangleCount()});
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     nodes.insert(nodes.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
-    for (uint32_t c = 0; c < 3; ++c) nodes.push_back(mesh.vertexCount() + topology.edgeOfCorner[3 * t + c]);
+    for (uint32_t c = 0; c < 3; ++c)
+      nodes.push_back(mesh.vertexCount() + topology.edgeOpposite(Corner(t, c)));
   }
   return nodes;
 }
@@ -213,8 +214,8 @@ std::vector<uint32_t> clampedUnknowns(const TriangleMesh& mesh, const Topology& 
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     if (!isPinned[a] || !isPinned[b] || !isPinned[c]) continue;
-    for (uint32_t corner = 3 * t; corner < 3 * t + 3; ++corner)
-      clamped.push_back(3 * mesh.vertexCount() + topology.edgeOfCorner[corner]);
+    for (uint32_t corner = 0; corner < 3; ++corner)
+      clamped.push_back(3 * mesh.vertexCount() + topology.edgeOpposite(Corner(t, corner)));
   }
   return clamped;
 }

@@ -87,7 +87,7 @@ ElementMode modeOf(const ThinShell& shell, uint32_t t, const Element& element,
         element.axes.transpose() * phi.segment<3>(3 * static_cast<Eigen::Index>(triangle[v]));
     mode.displacement[v] = {own[0], own[1], own[2]};
     const double sign = triangle[(v + 1) % 3] < triangle[(v + 2) % 3] ? 1 : -1;
-    mode.edgeRotation[v] = sign * phi[3 * mesh.vertexCount() + topology.edgeOfCorner[3 * size_t{t} + v]];
+    mode.edgeRotation[v] = sign * phi[3 * mesh.vertexCount() + topology.edgeOpposite(Corner(t, v))];
   }
   return mode;
 }
@@ -105,7 +105,7 @@ struct StrainDerivatives {
 
 // The first two lanes of a Number, its value and the derivative by a, or the other two.
 RealPair lanes(const Number& x, size_t half) {
-  return half == 0 ? RealPair{x.value, x.slope[0]} : RealPair{x.slope[1], x.slope[2]};
+  return half == 0 ? RealPair{x.value, x.derivative[0]} : RealPair{x.derivative[1], x.derivative[2]};
 }
 
 // Adds the strains from corner v and its opposite edge, with derivatives by the shape parameters.
@@ -203,7 +203,7 @@ std::array<double, 9> contribution(const Element& element, const StrainDerivativ
   std::array<double, kParameters> derivative;
   for (size_t k = 0; k < kParameters; ++k) {
     derivative[k] = element.area.value * energy[(k + 1) / 2][(k + 1) % 2];
-    if (k < kShapeParameters) derivative[k] += element.area.slope[k] * density;
+    if (k < kShapeParameters) derivative[k] += element.area.derivative[k] * density;
   }
   return byCorners(element, derivative);
 }

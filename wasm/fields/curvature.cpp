@@ -9,18 +9,19 @@ namespace limber {
 
 namespace {
 
-constexpr size_t kGrain = 2048;
+constexpr size_t kGrain = 2048;  // vertices of a range for one thread
+constexpr double kNeedle =
+    1e-12;  // twice the area over the longest edge squared, below which cotangents are useless
 
-// What the triangles around a vertex add up to (Meyer et al. 2003).
+// Sums over the triangles around a vertex (Meyer et al. 2003).
 struct Ring {
-  Vec3 areaGradient;  // sum of (cot a + cot b) (x_i - x_j) / 2 over the edges, the gradient of the area (Eq.
-                      // 8)
+  Vec3 areaGradient;  // sum of (cot a + cot b) (x_i - x_j) / 2 over the edges, Eq. 8
   Vec3 normal;        // angle-weighted
-  double area = 0;    // mixed area (Figure 4 there)
+  double area = 0;    // mixed area, Figure 4
 };
 
-// The share of a triangle's area that belongs to its corner p: Voronoi, or half / a quarter where an angle is
-// obtuse.
+// The share of a triangle's area that belongs to its corner p: its Voronoi region, or a half or a quarter of
+// the triangle if an angle is obtuse.
 double mixedArea(const Vec3& p, const Vec3& q, const Vec3& r, double area) {
   const double atP = dot(q - p, r - p), atQ = dot(p - q, r - q), atR = dot(p - r, q - r);
   if (atP < 0) return area / 2;
@@ -34,7 +35,7 @@ void addTriangle(Ring& ring, const Vec3& p, const Vec3& q, const Vec3& r) {
   const Vec3 twiceNormal = cross(q - p, r - p);
   const double twiceArea = length(twiceNormal);
   const double longest = std::max({squaredLength(q - p), squaredLength(r - p), squaredLength(r - q)});
-  if (!(twiceArea > 1e-12 * longest)) return;  // a needle has no usable cotangents
+  if (!(twiceArea > kNeedle * longest)) return;
   const double cotQ = dot(p - q, r - q) / twiceArea, cotR = dot(p - r, q - r) / twiceArea;
   ring.areaGradient += 0.5 * (cotR * (p - q) + cotQ * (p - r));
   ring.normal += std::atan2(twiceArea, dot(q - p, r - p)) / twiceArea * twiceNormal;
@@ -59,9 +60,9 @@ std::vector<bool> borderVertices(const TriangleMesh& mesh, const Topology& topol
   return border;
 }
 
-// A border vertex sees its surface from one side only: the area's gradient there holds the border's own pull,
-// which is no curvature. It takes the mean of its neighbours inside, weighted by area; without any, only the
-// part of the gradient along the normal counts.
+// A border vertex has triangles on one side only, so the gradient of the area there contains a component
+// across the border that is not curvature. The vertex gets the area-weighted mean of its inner neighbours.
+// Without any, the caller's value stays, which is the part of the gradient along the normal.
 void fillBorder(const TriangleMesh& mesh, const Topology& topology, const std::vector<bool>& border,
                 const std::vector<double>& area, std::vector<float>& curvature) {
   std::vector<double> sum(mesh.vertexCount(), 0), weight(mesh.vertexCount(), 0);
@@ -91,9 +92,9 @@ Curvature meanCurvature(const TriangleMesh& mesh, const Topology& topology, Job&
     for (size_t v = begin; v < end; ++v) {
       const Ring ring = ringAround(mesh, topology, static_cast<uint32_t>(v));
       area[v] = ring.area;
-      const double pull =
+      const double gradient =
           border[v] ? std::abs(dot(ring.areaGradient, normalized(ring.normal))) : length(ring.areaGradient);
-      out.vertex[v] = ring.area > 0 ? static_cast<float>(pull / (2 * ring.area)) : 0.0f;
+      out.vertex[v] = ring.area > 0 ? static_cast<float>(gradient / (2 * ring.area)) : 0.0f;
     }
   });
   job.report(0.8);

@@ -8,12 +8,13 @@
 
 namespace limber {
 
-// |(k1 + k2) / 2| in 1 / unit of the mesh; a sphere of radius r has 1 / r.
+// Absolute mean curvature |(k1 + k2) / 2| in 1 / unit of the mesh. A sphere of radius r has 1 / r.
 struct Curvature {
-  std::vector<float> vertex;    // Meyer et al. 2003, Eqs. 8-10, mixed areas; one-sided at borders
-  std::vector<float> triangle;  // the mean of its three vertices
+  std::vector<float> vertex;    // Meyer et al. 2003, Eqs. 8 to 10, with mixed areas
+  std::vector<float> triangle;  // mean of its three vertices
 };
 
+// At borders: the area-weighted mean of the inner neighbours. O(n). Throws Cancelled.
 Curvature meanCurvature(const TriangleMesh& mesh, const Topology& topology, Job& job);
 
 }  // namespace limber

@@ -11,7 +11,7 @@ namespace limber {
 
 namespace {
 
-// The largest displacement of a shape, over the part's bounding diagonal.
+// The largest displacement of a shape, relative to the bounding diagonal of its component.
 constexpr double kAmplitude = 0.05;
 
 std::vector<double> componentDiagonals(const TriangleMesh& mesh, const Topology& topology) {
@@ -33,8 +33,8 @@ std::vector<double> componentDiagonals(const TriangleMesh& mesh, const Topology&
   return diagonals;
 }
 
-// A ordinal's shape in units of the mesh: each part's largest displacement becomes kAmplitude of its
-// diagonal.
+// The shapes of one ordinal in units of the mesh: the largest displacement of each component becomes
+// kAmplitude of its diagonal.
 std::vector<float> scaledShape(std::span<const float> shape, const Topology& topology,
                                const std::vector<double>& diagonals) {
   std::vector<float> scaled(shape.size());
@@ -43,7 +43,7 @@ std::vector<float> scaledShape(std::span<const float> shape, const Topology& top
   return scaled;
 }
 
-// w_k of Eq. 6 for each part: as given, or 1 / omega_k^2; 0 where the part lacks the mode.
+// w_k of Eq. 6 per component: as given, or 1 / omega_k^2; 0 if the component lacks the mode.
 std::vector<double> ordinalWeights(std::span<const double> omega, size_t modesPerComponent,
                                    const GuidanceOptions& options, size_t entry) {
   std::vector<double> weights(omega.size() / modesPerComponent, 0.0);

@@ -10,15 +10,15 @@ namespace limber {
 
 namespace {
 
-constexpr size_t kGrain = 4096;
+constexpr size_t kGrain = 4096;  // triangles of a range for one thread
 
 // A symmetric 2 x 2 matrix [a b; b c].
 struct Symmetric2 {
   double a, b, c;
 };
 
-// F^T F of a triangle in its rest tangent frame. Edges p, q of the rest triangle are (px, 0) and (qx, qy)
-// there, and (u, v) are the deformed ones: the columns of F are u / px and (v - u qx / px) / qy.
+// F^T F of a triangle in its rest tangent frame. There the rest edges are (px, 0) and (qx, qy). With the
+// deformed edges u and v the columns of F are u / px and (v - u qx / px) / qy.
 Symmetric2 rightCauchyGreen(double px, double qx, double qy, const Vec3& u, const Vec3& v) {
   const Vec3 first = u / px;
   const Vec3 second = (v - first * qx) / qy;

@@ -9,24 +9,26 @@
 
 namespace limber {
 
-// |E|_F per triangle, E = (F^T F - I) / 2 in the triangle's rest tangent frame (paper 3.1, Eq. 5 at
-// sin(theta) = 1), of the displacement shape[3 * v + c] times `amplitude`. 0 for a triangle without area.
+// The Frobenius norm |E|_F of the Green-Lagrange strain per triangle, E = (F^T F - I) / 2 in the tangent
+// frame of the rest triangle (paper, section 3.1, Eq. 5 with sin(theta) = 1), for the displacement shape[3 v
+// + c] times `amplitude`. 0 for a triangle without area. O(n).
 std::vector<double> greenLagrangeStrain(const TriangleMesh& mesh, std::span<const float> shape,
                                         double amplitude);
 
-// One mode's share in Eq. 6: its strain per triangle and its weight w_k there (weights differ between
-// components).
+// One mode of Eq. 6: its strain per triangle, and its weight w_k, which differs between components.
 struct WeightedStrain {
   std::vector<double> strain;             // per triangle
   std::vector<double> weightOfComponent;  // per component, >= 0
 };
 
-// sigma(T) = (sum_k w_k |E_k(T)|^p)^(1/p), Eq. 6; p in [1, infinity], infinity takes the largest w_k |E_k|.
+// sigma(T) = (sum_k w_k |E_k(T)|^p)^(1/p) per triangle (paper, Eq. 6), p in [1, infinity]. For p = infinity,
+// the largest w_k |E_k(T)|.
 std::vector<double> combineStrain(std::span<const WeightedStrain> ordinals,
                                   std::span<const uint32_t> componentOfTriangle, double p);
 
-// (number below + half of the ties) / n within each group, in [0, 1]: an element alone, or all equal, gets
-// 1/2. A tie counts the others only plus itself half, so the ranks of n distinct values are (i + 1/2) / n.
+// The rank of each value within its group, in (0, 1): (number of smaller values + half of the equal ones,
+// itself included) over the size of the group. So n distinct values have the ranks (i + 1/2) / n, and equal
+// values all have 1/2. O(n log n).
 std::vector<float> rankWithin(std::span<const double> values, std::span<const uint32_t> group,
                               uint32_t groupCount);
 

@@ -12,18 +12,18 @@ namespace limber {
 
 namespace {
 
-constexpr int kMostPasses = 12;
-constexpr double kFlat = 0.97;     // cosine between the normals of two triangles, before and after
-constexpr double kClearly = 1e-3;  // by how much the sine of the sum of both angles must be negative
+constexpr int kMostPasses = 12;    // over all edges
+constexpr double kFlat = 0.97;     // least cosine between any old and any new normal
+constexpr double kClearly = 1e-3;  // the sine of the sum of both opposite angles must be less than minus this
 
-// cot(a) + cot(b) < 0, scaled: a and b the angles opposite to the edge.
+// Whether cot(a) + cot(b) >= 0, up to rounding, for the angles a and b opposite to the edge.
 bool isDelaunay(const Vec3& start, const Vec3& end, const Vec3& left, const Vec3& right) {
   const Vec3 p = start - left, q = end - left, r = start - right, s = end - right;
   const double sineOfSum = length(cross(p, q)) * dot(r, s) + dot(p, q) * length(cross(r, s));
   return sineOfSum >= -kClearly * length(p) * length(q) * length(r) * length(s);
 }
 
-// How far apart the lines of both diagonals are.
+// The distance between the straight lines through both diagonals of the quad.
 double liftOf(const Vec3& start, const Vec3& end, const Vec3& left, const Vec3& right) {
   const Vec3 across = cross(end - start, right - left);
   const double size = length(across);
@@ -63,7 +63,7 @@ bool Flipping::exists(uint32_t a, uint32_t b) const {
                              [&](uint32_t t) { return std::ranges::count(mesh_.triangles[t], b) > 0; });
 }
 
-// The surroundings of an edge that is to be flipped, and can be.
+// The two triangles of an edge that ought to be flipped and can be.
 std::optional<EdgeQuad> Flipping::wantedQuad(const Topology::Edge& edge) const {
   if (std::ranges::binary_search(limits_.fixed, std::array{edge.a, edge.b})) return std::nullopt;
   const std::optional<EdgeQuad> quad = quadAt(mesh_, topology_, edge);
@@ -86,7 +86,7 @@ std::optional<EdgeQuad> Flipping::wantedQuad(const Topology::Edge& edge) const {
   return isKept ? quad : std::nullopt;
 }
 
-// Of an edge that can be flipped together with this one.
+// The two triangles of the mirror image of an edge, where both can be flipped together.
 std::optional<EdgeQuad> Flipping::imageOf(const EdgeQuad& quad) const {
   const Topology::Edge* edge =
       edgeBetween(topology_, limits_.partners[quad.start], limits_.partners[quad.end]);
@@ -111,7 +111,7 @@ uint32_t Flipping::tryFlip(const Topology::Edge& edge) {
 void Flipping::flip(const EdgeQuad& quad) {
   flipEdge(quad, mesh_, corners_);
   triangleChanged_[quad.first] = triangleChanged_[quad.second] = 1;
-  // Another new edge at one of these could be the same one.
+  // Another new edge between changed vertices in this pass could be the same one.
   vertexChanged_[quad.left] = vertexChanged_[quad.right] = 1;
 }
 

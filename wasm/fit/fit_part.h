@@ -5,52 +5,49 @@
 #include <span>
 #include <vector>
 
-#include "fit/flat_regions.h"
+#include "fit/modal_fit_options.h"
 #include "fit/result_mirror.h"
-#include "fit/surface_fit.h"
+#include "fit/surface/feature_segments.h"
+#include "fit/surface/flat_regions.h"
+#include "mesh/component_frame.h"
+#include "mesh/pinned_vertices.h"
 #include "mesh/triangle_mesh.h"
-#include "modes/vertex_limits.h"
 #include "simplify/history.h"
-#include "transfer/chart_sides.h"
 
 namespace limber {
 
-// A component of the original and what has become of it, in the frame where the original's diagonal is 1.
+// A component of the original and what has become of it in the result, with ids of their own, in the frame
+// where the diagonal of the original's component is 1.
 struct FitPart {
-  TriangleMesh original, simplified;
-  std::vector<uint32_t> vertexOfResult;          // per vertex of `simplified`
-  std::vector<uint32_t> triangleOfResult;        // per triangle of it
-  std::vector<uint8_t> locked;                   // per vertex of it
-  std::vector<uint32_t> pinnedOriginal, pinned;  // vertices of both
-  EdgeList originalFeatures, lines;              // seams that stay in place, of both meshes
-  FlatRegions flats;                             // of `simplified`
-  EdgeList fixedEdges;                           // seams of `simplified`, and what they are images of
-  Vec3 origin;
-  double diagonal = 1;
-  bool isLarge = false;              // more vertices in `simplified` than largeVertices
-  std::optional<MeshMirror> mirror;  // of `simplified`, where it is its own image
-  bool hasImage = false;             // another part is its image, which is left out
+  TriangleMesh original, result;
+  std::vector<uint32_t> wholeVertex;    // per vertex of `result`: its id in the whole result
+  std::vector<uint32_t> wholeTriangle;  // per triangle of `result`: its index in the whole result
+  std::vector<uint8_t> locked;          // per vertex of `result`: 1 where it stays in place, else 0
+  // Of both meshes; empty where the pins leave a rigid motion free.
+  PinnedVertices pinnedOriginal, pinnedResult;
+  EdgeList originalFeatureEdges, featureEdges;  // seams that stay in place, of `original` and of `result`
+  EdgeList fixedEdges;                          // edges of `result` that are not flipped
+  FlatRegions flatRegions;                      // of `result`
+  UnitFrame frame;
+  bool isLarge = false;              // whether `result` has more than ModalFitOptions::largeVertices
+  std::optional<MeshMirror> mirror;  // of `result`, where it is its own mirror image
+  bool hasImage = false;             // whether another component is its mirror image, which is left out
 
+  // The mirror image of each vertex of `result`; empty without a mirror.
   std::span<const uint32_t> partners() const {
     return mirror ? std::span<const uint32_t>(mirror->partners) : std::span<const uint32_t>();
   }
 };
 
-struct FitPartOptions {
-  Charts charts = {};                                 // of the original
-  bool holdsSeams = true;                             // all of them, else those between groups alone
-  std::span<const uint8_t> locked = {}, pinned = {};  // per vertex of the original
-  const ResultMirror* mirror = nullptr;               // where the result is its own image
-  uint32_t fewestFaces = 12;                          // results of fewer are left out
-  uint32_t largeVertices = kLargeResultVertices;                     // results of more are large ...
-  uint32_t mostOriginal = kRefinedVertices;  // ... and left out where the original has more than this
-};
-
-// The components of the original, each with its result; of two that are images of each other the first.
+// The components that are fitted, in the order of their ids. Components with very few faces, those that are
+// too large, and the second one of two that are mirror images of each other are left out.
 struct FitParts {
   std::vector<FitPart> parts;
-  uint32_t tooLarge = 0;  // left out because they are large
+  uint32_t tooLarge = 0;  // components that are left out because of ModalFitOptions::mostOriginal
 };
-FitParts fitParts(const TriangleMesh& original, const MeshAt& simplified, const FitPartOptions& options);
+
+// `mirror`: null where the result is not its own mirror image.
+FitParts findFitParts(const TriangleMesh& original, const MeshAt& result, const ModalFitOptions& options,
+                      const ResultMirror* mirror);
 
 }  // namespace limber

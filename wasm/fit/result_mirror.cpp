@@ -38,8 +38,8 @@ std::vector<uint32_t> triangleImages(const TriangleMesh& mesh, const std::vector
   return images;
 }
 
-Vec3 turnedOver(const Vec3& way, const Vec3& normal) {
-  return way - normal * (2 * dot(normal, way));
+Vec3 reflected(const Vec3& displacement, const Vec3& normal) {
+  return displacement - normal * (2 * dot(normal, displacement));
 }
 
 }  // namespace
@@ -64,13 +64,13 @@ void MeshMirror::symmetrise(TriangleMesh& mesh) const {
 
 void MeshMirror::symmetrise(Eigen::Ref<Eigen::MatrixXd> displacements) const {
   for (Eigen::Index column = 0; column < displacements.cols(); ++column) {
-    auto ways = displacements.col(column);
-    const auto at = [&](uint32_t v) { return ways.segment<3>(3 * static_cast<Eigen::Index>(v)); };
+    auto moves = displacements.col(column);
+    const auto at = [&](uint32_t v) { return moves.segment<3>(3 * static_cast<Eigen::Index>(v)); };
     for (uint32_t v = 0; v < partners.size(); ++v) {
       const uint32_t other = partners[v];
       if (other < v) continue;
       const Vec3 here{at(v)[0], at(v)[1], at(v)[2]}, there{at(other)[0], at(other)[1], at(other)[2]};
-      const Vec3 mean = (here + turnedOver(there, plane.normal)) / 2, image = turnedOver(mean, plane.normal);
+      const Vec3 mean = (here + reflected(there, plane.normal)) / 2, image = reflected(mean, plane.normal);
       at(v) << mean.x, mean.y, mean.z;
       if (other != v) at(other) << image.x, image.y, image.z;
     }

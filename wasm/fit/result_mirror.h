@@ -11,25 +11,25 @@
 
 namespace limber {
 
-// What a result is the mirror image of: itself.
+// The mirror symmetry of a whole result that is its own mirror image.
 struct ResultMirror {
-  std::vector<uint32_t> partners;        // per vertex of the result: its image
-  std::vector<uint32_t> triangleImages;  // per triangle
+  std::vector<uint32_t> partners;        // per vertex of the result: its mirror image
+  std::vector<uint32_t> triangleImages;  // per triangle of the result: its mirror image
   MirrorPlane plane;                     // in units of the file
 };
-// `partners`: per vertex of the original, see SimplifyConstraints::mirror. Throws std::invalid_argument where
-// the result is not its own image.
+// `partners[v]`: the mirror image of vertex v of the original, see SimplifyConstraints::mirror. Throws
+// std::invalid_argument where the result is not its own mirror image. O(n log n).
 ResultMirror mirrorOfResult(const TriangleMesh& original, const MeshAt& result,
                             std::span<const uint32_t> partners);
 
-// Of a mesh that is its own image.
+// The mirror symmetry of one mesh.
 struct MeshMirror {
-  std::vector<uint32_t> partners;  // per vertex
+  std::vector<uint32_t> partners;  // per vertex: its mirror image
   MirrorPlane plane;
 
-  // The vertices at the mean of what they are and what their image would have them be.
+  // Moves each vertex to the mean of its position and the mirror image of its partner's.
   void symmetrise(TriangleMesh& mesh) const;
-  // The same with displacements, 3 numbers a vertex, of each column.
+  // The same for displacements, entries 3 v + axis of each column.
   void symmetrise(Eigen::Ref<Eigen::MatrixXd> displacements) const;
 };
 

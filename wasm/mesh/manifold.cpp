@@ -15,14 +15,9 @@ constexpr size_t kSmallFan = 16;
 
 // The two edges that meet in a corner.
 std::array<uint32_t, 2> edgesAt(const Topology& topology, Corner corner) {
-  const uint32_t* edges = &topology.edgeOfCorner[3 * size_t{triangleOf(corner)}];
-  return {edges[nextIndex(indexOf(corner))], edges[previousIndex(indexOf(corner))]};
-}
-
-// The corner of triangle t at vertex v.
-Corner cornerAt(const TriangleMesh& mesh, uint32_t t, uint32_t v) {
-  const Triangle& triangle = mesh.triangles[t];
-  return 4 * t + (triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2);
+  const uint32_t t = corner.triangle();
+  return {topology.edgeOpposite(Corner(t, nextIndex(corner.index()))),
+          topology.edgeOpposite(Corner(t, previousIndex(corner.index())))};
 }
 
 // Where a walk around a vertex ended, and how many triangles it has passed.
@@ -33,7 +28,7 @@ struct FanEnd {
 
 // Turns around v, starting in triangle t and leaving it across the edge that is not `entry`, until an edge
 // without exactly two triangles, or back at `entry`.
-FanEnd turnAround(const TriangleMesh& mesh, const Topology& topology, uint32_t v, uint32_t t,
+FanEnd walkAround(const TriangleMesh& mesh, const Topology& topology, uint32_t v, uint32_t t,
                   uint32_t entry) {
   uint32_t in = entry;
   for (uint32_t passed = 1;; ++passed) {
@@ -65,39 +60,39 @@ std::vector<VertexKind> classifyByEdges(const TriangleMesh& mesh, const Topology
 bool isOneFanByWalking(const TriangleMesh& mesh, const Topology& topology, uint32_t v, bool onBorder) {
   const auto around = topology.cornersAt(v);
   const auto walk = [&](uint32_t t, uint32_t entry) {
-    return turnAround(mesh, topology, v, t, entry).passed == around.size();
+    return walkAround(mesh, topology, v, t, entry).passed == around.size();
   };
-  if (!onBorder) return walk(triangleOf(around[0]), edgesAt(topology, around[0])[0]);
+  if (!onBorder) return walk(around[0].triangle(), edgesAt(topology, around[0])[0]);
   // An open fan has to be walked from one of its ends.
   for (const Corner corner : around)
     for (uint32_t e : edgesAt(topology, corner))
-      if (topology.edges[e].useCount == 1) return walk(triangleOf(corner), e);
+      if (topology.edges[e].useCount == 1) return walk(corner.triangle(), e);
   return false;
 }
 
-bool isOneFanByStringing(const Topology& topology, uint32_t v) {
+bool isOneFanByChaining(const Topology& topology, uint32_t v) {
   const auto around = topology.cornersAt(v);
   std::array<std::array<uint32_t, 2>, kSmallFan> pairs;
   for (size_t i = 0; i < around.size(); ++i) pairs[i] = edgesAt(topology, around[i]);
-  size_t strung = 1;  // pairs[0 .. strung) hang together
+  size_t chained = 1;  // pairs[0 .. chained) hang together
   for (int end : {1, 0}) {
-    uint32_t loose = pairs[0][end];
-    for (size_t i = strung; i < around.size();) {
-      const bool first = pairs[i][0] == loose, second = pairs[i][1] == loose;
+    uint32_t open = pairs[0][end];
+    for (size_t i = chained; i < around.size();) {
+      const bool first = pairs[i][0] == open, second = pairs[i][1] == open;
       if (first || second) {
-        loose = pairs[i][first ? 1 : 0];
-        std::swap(pairs[i], pairs[strung++]);
-        i = strung;
+        open = pairs[i][first ? 1 : 0];
+        std::swap(pairs[i], pairs[chained++]);
+        i = chained;
       } else {
         ++i;
       }
     }
   }
-  return strung == around.size();
+  return chained == around.size();
 }
 
 bool isOneFan(const TriangleMesh& mesh, const Topology& topology, uint32_t v, bool onBorder) {
-  return topology.cornersAt(v).size() <= kSmallFan ? isOneFanByStringing(topology, v)
+  return topology.cornersAt(v).size() <= kSmallFan ? isOneFanByChaining(topology, v)
                                                    : isOneFanByWalking(mesh, topology, v, onBorder);
 }
 
@@ -126,7 +121,7 @@ uint32_t countBoundaryLoops(const TriangleMesh& mesh, const Topology& topology) 
     if (!isBorder(e)) continue;
     const Topology::Edge& edge = topology.edges[e];
     for (uint32_t v : {edge.a, edge.b}) {
-      const FanEnd fan = turnAround(mesh, topology, v, topology.trianglesAt(edge)[0], e);
+      const FanEnd fan = walkAround(mesh, topology, v, topology.trianglesAt(edge)[0], e);
       sets.unite(e, isBorder(fan.edge) ? fan.edge : danglingAt.try_emplace(v, e).first->second);
     }
   }

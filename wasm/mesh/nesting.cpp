@@ -35,10 +35,7 @@ std::vector<Shell> measureShells(const TriangleMesh& mesh, const Topology& topol
       shell.vertex = v;
       shell.box = {p, p};
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      shell.box.low[axis] = std::min(shell.box.low[axis], p[axis]);
-      shell.box.high[axis] = std::max(shell.box.high[axis], p[axis]);
-    }
+    shell.box.include(p);
   }
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     Shell& shell = shells[topology.componentOfVertex[mesh.triangles[t][0]]];
@@ -133,7 +130,7 @@ std::vector<std::vector<uint32_t>> findContainers(std::vector<Crossing> crossing
 std::vector<uint32_t> solidHosts(const TriangleMesh& mesh, const Topology& topology) {
   const std::vector<Shell> shells = measureShells(mesh, topology);
   const auto containers = findContainers(crossingsAboveShells(mesh, topology, shells), shells);
-  std::vector<uint32_t> fromOutside, hosts(shells.size(), kOpen);
+  std::vector<uint32_t> fromOutside, hosts(shells.size(), kNone);
   for (uint32_t s = 0; s < shells.size(); ++s)
     if (shells[s].isClosed) fromOutside.push_back(s);
   std::stable_sort(fromOutside.begin(), fromOutside.end(),

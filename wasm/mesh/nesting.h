@@ -7,11 +7,8 @@
 
 namespace limber {
 
-// In place of a host: the component bounds no solid.
-inline constexpr uint32_t kOpen = 0xffffffffu;
-
 // For each connected component (topology.componentOfVertex) the one that bounds the same solid from outside:
-// itself for an outer shell, the enclosing component for a cavity of that, kOpen where it bounds nothing: not
+// itself for an outer shell, the enclosing component for a cavity of that, kNone where it bounds nothing: not
 // closed, an edge with more than two triangles, neighbours wound against each other, or no volume.
 //
 // A cavity lies within an outer shell, directly (no third closed component lies between), and is wound the

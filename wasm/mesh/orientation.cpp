@@ -22,7 +22,7 @@ Patch spread(const Topology& topology, uint32_t first, std::vector<uint8_t>& sid
   for (size_t i = 0; i < patch.triangles.size(); ++i) {
     const uint32_t t = patch.triangles[i];
     for (int c = 0; c < 3; ++c) {
-      const uint32_t e = topology.edgeOfCorner[3 * t + c];
+      const uint32_t e = topology.edgeOpposite(Corner(t, c));
       const auto sharing = topology.trianglesAt(topology.edges[e]);
       if (sharing.size() != 2) continue;
       const uint32_t neighbour = sharing[sharing[0] == t ? 1 : 0];
@@ -42,7 +42,7 @@ Patch spread(const Topology& topology, uint32_t first, std::vector<uint8_t>& sid
 Orientation orient(const TriangleMesh& mesh, const Topology& topology) {
   Orientation orientation;
   std::vector<uint8_t> side(mesh.triangleCount(), kUnseen);
-  orientation.turned.assign(mesh.triangleCount(), 0);
+  orientation.flipped.assign(mesh.triangleCount(), 0);
   for (uint32_t first = 0; first < mesh.triangleCount(); ++first) {
     if (side[first] != kUnseen) continue;
     const Patch patch = spread(topology, first, side);
@@ -51,9 +51,9 @@ Orientation orient(const TriangleMesh& mesh, const Topology& topology) {
     const auto others =
         static_cast<size_t>(std::ranges::count_if(patch.triangles, [&](uint32_t t) { return side[t] == 1; }));
     const uint8_t minority = 2 * others > patch.triangles.size() ? 0 : 1;
-    for (uint32_t t : patch.triangles) orientation.turned[t] = side[t] == minority;
+    for (uint32_t t : patch.triangles) orientation.flipped[t] = side[t] == minority;
   }
-  orientation.turnedCount = static_cast<uint32_t>(std::ranges::count(orientation.turned, 1));
+  orientation.flippedCount = static_cast<uint32_t>(std::ranges::count(orientation.flipped, 1));
   return orientation;
 }
 

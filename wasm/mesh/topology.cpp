@@ -17,32 +17,32 @@ void collectCorners(const TriangleMesh& mesh, Topology& topology) {
   topology.vertexCorners.resize(start.back());
   std::vector<uint32_t> next(start.begin(), start.end() - 1);
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (uint32_t c = 0; c < 3; ++c) topology.vertexCorners[next[mesh.triangles[t][c]]++] = 4 * t + c;
+    for (uint32_t c = 0; c < 3; ++c) topology.vertexCorners[next[mesh.triangles[t][c]]++] = Corner(t, c);
 }
 
 // A triangle's use of an edge, in an order by the other vertex and then by the corner: the other vertex, the
 // corner opposite to the edge, and whether the triangle runs the edge from there.
 using EdgeUse = uint64_t;
-EdgeUse edgeUse(uint32_t other, uint32_t triangle, int corner, bool fromOther) {
-  return EdgeUse{other} << 33 | EdgeUse{4 * triangle + static_cast<uint32_t>(corner)} << 1 | fromOther;
+EdgeUse edgeUse(uint32_t other, Corner opposite, bool fromOther) {
+  return EdgeUse{other} << 33 | EdgeUse{opposite.code()} << 1 | fromOther;
 }
 uint32_t otherVertex(EdgeUse use) {
   return static_cast<uint32_t>(use >> 33);
 }
 Corner oppositeCorner(EdgeUse use) {
-  return static_cast<Corner>(use >> 1);
+  return Corner::fromCode(static_cast<uint32_t>(use >> 1));
 }
 
 // Writes the uses of the edges whose smaller vertex is v and returns their end.
 EdgeUse* collectUses(const TriangleMesh& mesh, const Topology& topology, uint32_t v, EdgeUse* uses) {
   for (const Corner corner : topology.cornersAt(v)) {
-    const uint32_t t = triangleOf(corner);
-    const int next = nextIndex(indexOf(corner)), previous = previousIndex(indexOf(corner));
+    const uint32_t t = corner.triangle();
+    const int next = nextIndex(corner.index()), previous = previousIndex(corner.index());
     const uint32_t after = mesh.triangles[t][next], before = mesh.triangles[t][previous];
     // Without branches, which nobody could predict. A triangle without area may have an edge from v to v.
-    *uses = edgeUse(after, t, previous, false);
+    *uses = edgeUse(after, Corner(t, previous), false);
     uses += after >= v;
-    *uses = edgeUse(before, t, next, true);
+    *uses = edgeUse(before, Corner(t, next), true);
     uses += before > v;
   }
   return uses;
@@ -53,9 +53,9 @@ void sortUses(EdgeUse* begin, EdgeUse* end) {
   if (end - begin > 32) return std::sort(begin, end);
   for (EdgeUse* next = begin; next != end; ++next) {
     const EdgeUse use = *next;
-    EdgeUse* place = next;
-    for (; place != begin && use < place[-1]; --place) *place = place[-1];
-    *place = use;
+    EdgeUse* slot = next;
+    for (; slot != begin && use < slot[-1]; --slot) *slot = slot[-1];
+    *slot = use;
   }
 }
 
@@ -65,8 +65,8 @@ void addEdge(uint32_t v, std::span<const EdgeUse> uses, uint32_t firstUse, Topol
   topology.clashes.push_back(uses.size() == 2 && ((uses[0] ^ uses[1]) & 1) == 0);
   for (const EdgeUse use : uses) {
     const Corner corner = oppositeCorner(use);
-    topology.edgeTriangles[firstUse++] = triangleOf(corner);
-    topology.edgeOfCorner[3 * size_t{triangleOf(corner)} + indexOf(corner)] = edge;
+    topology.edgeTriangles[firstUse++] = corner.triangle();
+    topology.edgeOfCorner[corner.flatIndex()] = edge;
   }
 }
 

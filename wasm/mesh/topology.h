@@ -27,10 +27,14 @@ struct Topology {
       componentOfVertex;  // vertices joined by edges; components numbered by their smallest vertex
   uint32_t componentCount = 0;
 
+  // The edge opposite to a corner.
+  uint32_t edgeOpposite(Corner corner) const { return edgeOfCorner[corner.flatIndex()]; }
   std::span<const Corner> cornersAt(uint32_t v) const {
     return {vertexCorners.data() + vertexStart[v], vertexStart[v + 1] - vertexStart[v]};
   }
-  auto trianglesAround(uint32_t v) const { return cornersAt(v) | std::views::transform(triangleOf); }
+  auto trianglesAround(uint32_t v) const {
+    return cornersAt(v) | std::views::transform([](Corner corner) { return corner.triangle(); });
+  }
   std::span<const uint32_t> trianglesAt(const Edge& e) const {
     return {edgeTriangles.data() + e.firstUse, e.useCount};
   }

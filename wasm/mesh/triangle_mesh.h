@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -8,19 +9,19 @@
 
 namespace limber {
 
-inline constexpr uint32_t kNone = 0xffffffffu;
+inline constexpr uint32_t kNone = 0xffffffffu;  // in place of an index: there is none
 
 using Triangle = std::array<uint32_t, 3>;
 
-// An indexed triangle surface. Corners run counter-clockwise seen from outside.
-// Positions are in the units of the file; every coordinate of a mesh that came out of `weld` is an exact
-// float32.
+// An indexed triangle surface. The corners of a triangle run counter-clockwise seen from outside. Positions
+// are in the units of the file; every coordinate of a mesh made by `weld` is an exact float32.
 struct TriangleMesh {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
 
   uint32_t vertexCount() const { return static_cast<uint32_t>(positions.size()); }
   uint32_t triangleCount() const { return static_cast<uint32_t>(triangles.size()); }
+  // The position of corner c of triangle t.
   const Vec3& corner(uint32_t t, int c) const { return positions[triangles[t][c]]; }
 };
 
@@ -32,14 +33,37 @@ inline double triangleArea(const TriangleMesh& mesh, uint32_t t) {
   return 0.5 * length(areaNormal(mesh, t));
 }
 
-// Unit normals per vertex, weighted by area; 0 where they cancel out.
+inline Vec3 triangleCentre(const TriangleMesh& mesh, uint32_t t) {
+  return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
+}
+
+// Per vertex the unit normal, the mean over its triangles weighted by area; 0 where they cancel out.
 std::vector<Vec3> vertexNormals(const TriangleMesh& mesh);
 
-// The axis-aligned bounding box of the vertices; both corners are 0 for a mesh without vertices.
+// An axis-aligned box.
 struct Bounds {
   Vec3 low, high;
+
   double diagonal() const { return length(high - low); }
+  // Widens the box so that it contains a point or another box.
+  void include(const Vec3& p) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], p[axis]);
+      high[axis] = std::max(high[axis], p[axis]);
+    }
+  }
+  void include(const Bounds& box) {
+    include(box.low);
+    include(box.high);
+  }
 };
+// The bounding box of the vertices; both of its corners are 0 for a mesh without vertices.
 Bounds bounds(const TriangleMesh& mesh);
+// The bounding box of triangle t.
+inline Bounds bounds(const TriangleMesh& mesh, uint32_t t) {
+  Bounds box{mesh.corner(t, 0), mesh.corner(t, 0)};
+  for (int c = 1; c < 3; ++c) box.include(mesh.corner(t, c));
+  return box;
+}
 
 }  // namespace limber

@@ -6,9 +6,11 @@
 
 namespace limber {
 
-// A third of the area of the triangles around each vertex, in squared units of the mesh. A vertex whose
-// triangles have next to no area gets 1e-9 of the mean, so that it cannot vibrate on its own at a wild
-// frequency.
+// Per vertex a third of the area of the triangles around it, in squared units of the mesh.
+std::vector<double> vertexAreas(const TriangleMesh& mesh);
+
+// The same as lumped masses of unit density: a vertex whose triangles have next to no area gets 1e-9 of the
+// mean, for without mass it would vibrate on its own at an arbitrarily high frequency.
 std::vector<double> lumpedAreas(const TriangleMesh& mesh);
 
 }  // namespace limber

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "mesh/close_vertices.h"
-#include "mesh/first_equal.h"
+#include "mesh/first_occurrence.h"
 #include "mesh/orientation.h"
 #include "mesh/topology.h"
 
@@ -26,8 +26,8 @@ struct Soup {
   Vec3 position(uint32_t v) const {
     return {positions[3 * v] + 0.0f, positions[3 * v + 1] + 0.0f, positions[3 * v + 2] + 0.0f};
   }
-  FirstEqual::Key bits(uint32_t v) const {
-    FirstEqual::Key key;
+  FirstOccurrence::Key bits(uint32_t v) const {
+    FirstOccurrence::Key key;
     for (int c = 0; c < 3; ++c) key[c] = std::bit_cast<uint32_t>(positions[3 * v + c] + 0.0f);
     return key;
   }
@@ -67,7 +67,7 @@ std::vector<uint32_t> findRepresentatives(const Soup& soup, const std::vector<ui
                                           double tolerance, Job& job) {
   std::vector<uint32_t> representative(soup.vertexCount());
   std::iota(representative.begin(), representative.end(), 0);
-  FirstEqual sameBits(soup.vertexCount());
+  FirstOccurrence sameBits(soup.vertexCount());
   std::vector<uint32_t> distinct;
   for (uint32_t v = 0; v < soup.vertexCount(); ++v) {
     if (!referenced[v]) continue;
@@ -94,7 +94,7 @@ bool isDegenerate(const Triangle& face) {
 // Sorts out the faces: those that stay keep their source's order, with representatives as their vertices.
 void collectFaces(const Soup& soup, const std::vector<uint32_t>& representative, bool keepDuplicates,
                   WeldResult& result) {
-  FirstEqual sameVertices(soup.faceCount());
+  FirstOccurrence sameVertices(soup.faceCount());
   for (uint32_t t = 0; t < soup.faceCount(); ++t) {
     Triangle face;
     for (int c = 0; c < 3; ++c) face[c] = representative[soup.indices[3 * t + c]];
@@ -134,9 +134,9 @@ void numberVertices(const Soup& soup, const std::vector<uint8_t>& referenced,
 
 void agreeOnWinding(WeldResult& result) {
   const Orientation orientation = orient(result.mesh, buildTopology(result.mesh));
-  result.flippedFaces = orientation.turnedCount;
+  result.flippedFaces = orientation.flippedCount;
   for (uint32_t t = 0; t < result.mesh.triangleCount(); ++t)
-    if (orientation.turned[t]) std::swap(result.mesh.triangles[t][1], result.mesh.triangles[t][2]);
+    if (orientation.flipped[t]) std::swap(result.mesh.triangles[t][1], result.mesh.triangles[t][2]);
 }
 
 }  // namespace

@@ -1,20 +1,19 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "base/real_pair.h"
 #include "mesh/surface_point.h"
 #include "mesh/triangle_mesh.h"
+#include "query/bounding_tree.h"
 
 namespace limber {
 
-// The point of a surface that is closest to a given one, and how far it is.
+// The point of a surface that is closest to a given point, and its distance from that.
 struct ClosestPoint : SurfacePoint {
   Vec3 position = {};
   double distance = 0;
 
-  // No point, but a distance beyond which none is looked for.
+  // No point, but the distance within which one is searched.
   static ClosestPoint within(double distance) {
     ClosestPoint none;
     none.distance = distance;
@@ -22,46 +21,37 @@ struct ClosestPoint : SurfacePoint {
   }
 };
 
-// The point of triangle t closest to `point`; any triangle, needles and points included.
+// The point of triangle t closest to `point`. Needles and triangles that are a single point are allowed.
 ClosestPoint closestOnTriangle(const TriangleMesh& mesh, uint32_t t, const Vec3& point);
 
-// Bounding volume hierarchy over the triangles of a mesh that must outlive it. Built once, queried from any
-// thread.
+// The position of the point of triangle abc closest to p. Faster than `closestOnTriangle`, for it finds no
+// barycentric coordinates; the two may differ by rounding.
+Vec3 closestPosition(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
+// Bounding boxes over the triangles of a mesh.
+BoundingTree treeOver(const TriangleMesh& mesh);
+
+// Finds closest points of a mesh that must outlive it. Built in O(n log n), queried from any thread.
 class ClosestPointTree {
  public:
   explicit ClosestPointTree(const TriangleMesh& mesh);
   // The closest point of the surface; ties go to the lowest triangle index. The mesh must have a triangle.
-  // `near`: one that is likely to have it, which saves time.
+  // `near` is a triangle that is likely to hold the point; a good guess saves time.
   ClosestPoint closest(const Vec3& point, uint32_t near = kNone) const;
-  // The closest point of a triangle that looks the way of `normal` (within 75 degrees), where one is hardly
-  // farther off than the closest of all (1 % of the diagonal); else that. Tells sheets apart that lie close
-  // together, or on one another. A normal of 0 looks every way.
+  // The closest point on a triangle whose normal is within 75 degrees of `normal`, if that point is at most 1
+  // % of the diagonal of the triangles farther away than the closest point of the whole surface; else the
+  // latter. Tells apart sheets that lie close together or on one another. A zero normal admits every
+  // triangle.
   ClosestPoint closestFacing(const Vec3& point, const Vec3& normal, uint32_t near = kNone) const;
 
  private:
-  // The triangles order_[first] to order_[first + count - 1]; where count is 0, the two branches of
-  // nodes_[first].
-  struct Branch {
-    uint32_t first = 0, count = 0;
-  };
-  struct Node {
-    Point<RealPair> low, high;  // of the boxes around both
-    Branch branches[2];
-  };
-  // `box` becomes the one around these triangles.
-  Branch build(uint32_t first, uint32_t count, const std::vector<Vec3>& centres, Bounds& box);
-  Bounds boxAround(uint32_t first, uint32_t count) const;
-  uint32_t halve(uint32_t first, uint32_t count, const std::vector<Vec3>& centres);
-  // Among the triangles that count, no farther than `start`, which is found where there is none closer; it
-  // may be a distance alone, without a triangle.
+  // The closest point among the triangles that `counts` admits, or `start` where none is closer than that.
+  // `start` may be a distance without a triangle.
   template <class Counts>
   ClosestPoint search(const Vec3& point, const ClosestPoint& start, const Counts& counts) const;
 
   const TriangleMesh& mesh_;
-  Branch root_;
-  Bounds box_;
-  std::vector<Node> nodes_;
-  std::vector<uint32_t> order_;
+  BoundingTree tree_;
 };
 
 }  // namespace limber

@@ -39,7 +39,7 @@ ClosestPoint SurfaceWalk::closest(const Vec3& point, std::span<const uint32_t> s
     if (visited_[i].distance > best_.distance + tolerance_) continue;
     const uint32_t triangle = visited_[i].triangle;
     for (int c = 0; c < 3; ++c) {
-      const uint32_t edge = topology_.edgeOfCorner[3 * size_t{triangle} + c];
+      const uint32_t edge = topology_.edgeOpposite(Corner(triangle, c));
       for (const uint32_t next : topology_.trianglesAt(topology_.edges[edge]))
         if (next != triangle && mayCross(edge, next)) visit(next, point);
     }

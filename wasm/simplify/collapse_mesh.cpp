@@ -8,7 +8,7 @@
 namespace limber {
 namespace {
 
-constexpr double kBorderWeight = 10;  // see CostModel
+constexpr double kFeatureWeight = 10;  // see CostModel
 
 }  // namespace
 
@@ -26,10 +26,10 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const SimplifyConstraints& 
     faces_[t].vertices = mesh.triangles[t];
     std::copy_n(&topology.edgeOfCorner[3 * t], 3, faces_[t].edges.begin());
   }
-  const FeatureEdges lines = findFeatureEdges(mesh, topology, constraints);
-  collectVertices(mesh, topology, lines);
+  const FeatureEdges features = findFeatureEdges(mesh, topology, constraints);
+  collectVertices(mesh, topology, features);
   if (!constraints.wedges.empty() || !constraints.attributes.empty()) {
-    sectorOfCorner_ = findSectors(mesh, topology, lines);
+    sectorOfCorner_ = findSectors(mesh, topology, features);
     heirOfSector_.assign(sectorOfCorner_.empty() ? 0 : std::ranges::max(sectorOfCorner_) + 1, kNone);
   }
   edges_.reserve(topology.edges.size());
@@ -37,21 +37,21 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const SimplifyConstraints& 
     edges_.push_back({.ends = {edge.a, edge.b},
                       .heir = kNone,
                       .triangles = static_cast<uint8_t>(std::min(edge.useCount, 3u)),
-                      .isFeature = lines.isFeature[edges_.size()]});
+                      .isFeature = features.isFeature[edges_.size()]});
   collectQuadrics();
 }
 
 void CollapseMesh::collectVertices(const TriangleMesh& mesh, const Topology& topology,
-                                   const FeatureEdges& lines) {
+                                   const FeatureEdges& features) {
   vertices_.reserve(mesh.vertexCount());
   pool_.reserve(4 * topology.vertexCorners.size() + mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     const auto corners = topology.cornersAt(v);
     const auto count = static_cast<uint32_t>(corners.size());
-    pool_.push_back(count);
+    pool_.push_back(Corner::fromCode(count));
     vertices_.push_back({.position = mesh.positions[v] - origin_,
                          .star = {static_cast<uint32_t>(pool_.size()), count},
-                         .role = lines.roles[v]});
+                         .role = features.roles[v]});
     for (const Corner corner : corners) pool_.push_back(corner);
   }
 }
@@ -69,9 +69,9 @@ void CollapseMesh::collectQuadrics() {
       if (!isFeature(edges[c])) continue;
       const uint32_t from = corners[nextIndex(c)], to = corners[previousIndex(c)];
       const Vec3 along = position(to) - position(from);
-      const Quadric line = planeQuadric(normalized(cross(along, areaNormal)), position(from),
-                                        kBorderWeight * squaredLength(along));
-      for (const uint32_t v : {from, to}) vertices_[v].quadric = vertices_[v].quadric + line;
+      const Quadric across = planeQuadric(normalized(cross(along, areaNormal)), position(from),
+                                          kFeatureWeight * squaredLength(along));
+      for (const uint32_t v : {from, to}) vertices_[v].quadric = vertices_[v].quadric + across;
     }
   }
 }
@@ -84,17 +84,17 @@ void CollapseMesh::removeFromStar(uint32_t v, uint32_t triangle) {
   Star& star = vertices_[v].star;
   Corner* corners = pool_.data() + star.begin;
   const auto found =
-      std::find_if(corners, corners + star.count, [&](Corner c) { return triangleOf(c) == triangle; });
+      std::find_if(corners, corners + star.count, [&](Corner c) { return c.triangle() == triangle; });
   *found = corners[--star.count];
 }
 
 // The sector at the removed corner of a vanishing triangle joins that at the kept one.
-void CollapseMesh::joinSectors(uint32_t triangle, int removed, int kept) {
-  if (!sectorOfCorner_.empty()) heirOfSector_[sector(triangle, removed)] = sector(triangle, kept);
+void CollapseMesh::joinSectors(Corner removed, Corner kept) {
+  if (!sectorOfCorner_.empty()) heirOfSector_[sector(removed)] = sector(kept);
 }
 
 // An edge becomes one with its heir: the triangle between them is gone.
-void CollapseMesh::bequeath(uint32_t dying, uint32_t heir) {
+void CollapseMesh::mergeEdges(uint32_t dying, uint32_t heir) {
   Edge &from = edges_[dying], &to = edges_[heir];
   to.triangles = static_cast<uint8_t>(to.triangles + from.triangles - 2);
   to.isFeature |= from.isFeature;
@@ -103,12 +103,12 @@ void CollapseMesh::bequeath(uint32_t dying, uint32_t heir) {
 }
 
 // Gives a corner of the removed vertex to the kept one, with the two edges that meet in it.
-void CollapseMesh::takeOver(Corner corner, const Collapse& step) {
-  Face& face = faces_[triangleOf(corner)];
-  const int c = indexOf(corner);
+void CollapseMesh::transferCorner(Corner corner, const Collapse& step) {
+  Face& face = faces_[corner.triangle()];
+  const int c = corner.index();
   face.vertices[c] = step.kept;
   if (!sectorOfCorner_.empty()) {
-    uint32_t& sector = sectorOfCorner_[3 * size_t{triangleOf(corner)} + c];
+    uint32_t& sector = sectorOfCorner_[corner.flatIndex()];
     sector = heirOfSector_[sector];
   }
   for (const int side : {nextIndex(c), previousIndex(c)}) {
@@ -130,7 +130,7 @@ void CollapseMesh::storeStar(const Collapse& step) {
   if (count > capacityOf(star)) {
     star.begin = static_cast<uint32_t>(pool_.size()) + 1;
     pool_.resize(star.begin + count + count / 2);
-    capacityOf(star) = count + count / 2;
+    pool_[star.begin - 1] = Corner::fromCode(count + count / 2);
   }
   std::copy_n(change_.corners.begin(), count, pool_.begin() + star.begin);
   star.count = count;
@@ -158,9 +158,9 @@ size_t CollapseMesh::divideStar(uint32_t v, size_t count, std::array<Corner, 3>&
   const bool open = role(v).onBorder;
   size_t found = 0;
   for (const Corner corner : corners) {
-    const Face& face = faces_[triangleOf(corner)];
-    visit(vertices_[face.vertices[nextIndex(indexOf(corner))]].seen);
-    if (open) visit(vertices_[face.vertices[previousIndex(indexOf(corner))]].seen);
+    const Face& face = faces_[corner.triangle()];
+    visit(vertices_[face.vertices[nextIndex(corner.index())]].seen);
+    if (open) visit(vertices_[face.vertices[previousIndex(corner.index())]].seen);
     const bool vanishes = isOn(face, change_.edge);
     staying[count] = vanishing[found] = corner;
     count += !vanishes;
@@ -192,17 +192,17 @@ std::array<uint32_t, 2> CollapseMesh::collapse(const Collapse& step) {
   for (int i = 0; i < goneCount; ++i) {
     // The triangle between kept, removed and a third vertex vanishes; its other two edges become one.
     const Corner corner = change_.vanishing[i];
-    const Face& face = faces_[triangleOf(corner)];
-    const int c = indexOf(corner);
+    const Face& face = faces_[corner.triangle()];
+    const int c = corner.index();
     const int third = face.edges[nextIndex(c)] == step.edge ? nextIndex(c) : previousIndex(c);
     gone[i] = face.edges[c];
-    bequeath(gone[i], face.edges[3 - c - third]);
-    joinSectors(triangleOf(corner), 3 - c - third, c);
-    removeFromStar(face.vertices[third], triangleOf(corner));
+    mergeEdges(gone[i], face.edges[3 - c - third]);
+    joinSectors(Corner(corner.triangle(), 3 - c - third), corner);
+    removeFromStar(face.vertices[third], corner.triangle());
     --livingTriangles_;
   }
   edges_[step.edge].triangles = 0;
-  for (size_t i = change_.ofKept; i < change_.count; ++i) takeOver(change_.corners[i], step);
+  for (size_t i = change_.ofKept; i < change_.count; ++i) transferCorner(change_.corners[i], step);
   storeStar(step);
   change_.edge = kNone;
   Vertex& kept = vertices_[step.kept];

@@ -62,12 +62,10 @@ class CollapseMesh {
     const Freedom atA = role(a).freedom, atB = role(b).freedom;
     return atA == atB ? kNone : atA > atB ? a : b;
   }
-  // The sector of corner c of a triangle (see findSectors), where wedges or attributes are among the
+  // The sector of a corner (see findSectors), where wedges or attributes are among the
   // constraints.
-  uint32_t sector(uint32_t t, int c) const { return sectorOfCorner_[3 * size_t{t} + c]; }
+  uint32_t sector(Corner corner) const { return sectorOfCorner_[corner.flatIndex()]; }
   uint32_t sectorCount() const { return static_cast<uint32_t>(heirOfSector_.size()); }
-  // Per sector the one that it has joined, or kNone.
-  const std::vector<uint32_t>& heirOfSector() const { return heirOfSector_; }
   // The corners at a vertex, in no special order.
   std::span<const Corner> star(uint32_t v) const {
     const Star& star = vertices_[v].star;
@@ -91,8 +89,8 @@ class CollapseMesh {
   void forEachEdge(uint32_t v, const Visit& visit) const {
     const bool open = role(v).onBorder;
     for (const Corner corner : star(v)) {
-      const Face& face = faces_[triangleOf(corner)];
-      const int next = nextIndex(indexOf(corner)), previous = nextIndex(next);
+      const Face& face = faces_[corner.triangle()];
+      const int next = nextIndex(corner.index()), previous = nextIndex(next);
       visit(face.edges[previous], face.vertices[next]);
       // Every other edge leaves v in one of its two triangles; the last of an open fan only arrives.
       if (open && trianglesOnEdge(face.edges[next]) == 1) visit(face.edges[next], face.vertices[previous]);
@@ -146,16 +144,16 @@ class CollapseMesh {
     bool isMarked = false;
   };
 
-  void collectVertices(const TriangleMesh& mesh, const Topology& topology, const FeatureEdges& lines);
+  void collectVertices(const TriangleMesh& mesh, const Topology& topology, const FeatureEdges& features);
   void collectQuadrics();
   bool isOn(const Face& face, uint32_t edge) const;
-  void bequeath(uint32_t dying, uint32_t heir);
+  void mergeEdges(uint32_t dying, uint32_t heir);
   void removeFromStar(uint32_t v, uint32_t triangle);
-  void joinSectors(uint32_t triangle, int removed, int kept);
+  void joinSectors(Corner removed, Corner kept);
   template <class Visit>
   size_t divideStar(uint32_t v, size_t count, std::array<Corner, 3>& vanishing, const Visit& visit);
-  void takeOver(Corner corner, const Collapse& step);
-  uint32_t& capacityOf(const Star& star) { return pool_[star.begin - 1]; }
+  void transferCorner(Corner corner, const Collapse& step);
+  uint32_t capacityOf(const Star& star) const { return pool_[star.begin - 1].code(); }
   void storeStar(const Collapse& step);
 
   Vec3 origin_;

@@ -28,7 +28,9 @@ struct SimplifyConstraints {
   std::span<const uint8_t> locked{};   // [v]: not 0: neither moved nor removed
   std::span<const float>
       keep{};  // [v] in [0, 1]: a cost is multiplied by 1 + 99 keep, the larger of its ends'
-  std::span<const uint32_t> pinnedSets{};  // [v]: bit k is set for the members of set k
+  // [v]: bit k is set where v is in the k-th set of PinnedVertices. Bits, because each set has an outline of
+  // its own, which collapses keep.
+  std::span<const uint32_t> pinnedSets{};
   // [wedge * attributeDimension + i], or [v * attributeDimension + i] without wedges: what CostModel adds to
   // the error. Scaled so that a difference of 1 weighs as much as a distance of the bounding diagonal.
   std::span<const float> attributes{};

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/sampling.h"
+#include "query/closest_point.h"
+
 namespace limber {
 namespace {
 
@@ -18,17 +21,6 @@ constexpr double kFewestCuts = 3, kMostCuts = 20;
 // A triangle within this part of the limit is near enough for a sample; no nearer one is looked for.
 constexpr double kNearEnough = 0.25;
 
-// Calls visit with the middles of the cuts^2 equal parts of a triangle.
-template <class Visit>
-void forEachMiddle(const Vec3& p, const Vec3& q, const Vec3& r, int cuts, const Visit& visit) {
-  const Vec3 alongQ = (q - p) / cuts, alongR = (r - p) / cuts;
-  for (int i = 0; i < cuts; ++i)
-    for (int j = 0; i + j < cuts; ++j) {
-      visit(p + alongQ * (i + 1.0 / 3) + alongR * (j + 1.0 / 3));
-      if (i + j + 1 < cuts) visit(p + alongQ * (i + 2.0 / 3) + alongR * (j + 2.0 / 3));
-    }
-}
-
 }  // namespace
 
 DeviationLimit::DeviationLimit(const TriangleMesh& input, const CollapseMesh& mesh, double limit)
@@ -38,7 +30,7 @@ DeviationLimit::DeviationLimit(const TriangleMesh& input, const CollapseMesh& me
       first_(input.triangleCount(), kNone) {
   for (uint32_t v = 0; v < input.vertexCount(); ++v) {
     samples_.push_back(mesh.position(v));
-    inputOf_.push_back(mesh.star(v).empty() ? kNone : triangleOf(mesh.star(v)[0]));
+    inputOf_.push_back(mesh.star(v).empty() ? kNone : mesh.star(v)[0].triangle());
   }
   const int cuts =
       std::min<int>(kFinest, std::ceil(std::sqrt(kSamples / std::max(1u, input.triangleCount()))));
@@ -56,7 +48,7 @@ void DeviationLimit::addSamples(uint32_t t, int cuts) {
   const auto& [vertices, edges] = mesh_.face(t);
   const Vec3 corners[] = {mesh_.position(vertices[0]), mesh_.position(vertices[1]),
                           mesh_.position(vertices[2])};
-  forEachMiddle(corners[0], corners[1], corners[2], cuts, add);
+  forEachPartCentre(corners[0], corners[1], corners[2], cuts, add);
   for (int c = 0; c < 3; ++c) {
     const auto [a, b] = mesh_.edge(edges[c]);
     const bool isFirst = vertices[nextIndex(c)] == a || mesh_.trianglesOnEdge(edges[c]) != 2;
@@ -76,9 +68,9 @@ void DeviationLimit::collectChanged(const Collapse& step) {
   emptied_.clear();
   for (const uint32_t v : {step.kept, step.removed})
     for (const Corner corner : mesh_.star(v)) {
-      const uint32_t t = triangleOf(corner);
+      const uint32_t t = corner.triangle();
       const CollapseMesh::Face& face = mesh_.face(t);
-      const int next = nextIndex(indexOf(corner)), previous = previousIndex(indexOf(corner));
+      const int next = nextIndex(corner.index()), previous = previousIndex(corner.index());
       const bool vanishes = face.edges[next] == step.edge || face.edges[previous] == step.edge;
       if (!vanishes || v == step.kept) emptied_.push_back(t);
       if (!vanishes)
@@ -87,11 +79,11 @@ void DeviationLimit::collectChanged(const Collapse& step) {
 }
 
 // Notes a changed triangle that is near to a sample; false where it lies too far off.
-bool DeviationLimit::placeSample(uint32_t sample, const Vec3& target) {
+bool DeviationLimit::reassignSample(uint32_t sample, const Vec3& target) {
   double least = squaredLimit_;
   uint32_t triangle = kNone;
   for (const Changed& changed : changed_) {
-    const Vec3 point = closestPoint(samples_[sample], target, changed.q, changed.r);
+    const Vec3 point = closestPosition(samples_[sample], target, changed.q, changed.r);
     const double square = squaredLength(samples_[sample] - point);
     if (square > least || (square == least && triangle != kNone)) continue;
     least = square;
@@ -116,7 +108,7 @@ bool DeviationLimit::allows(const Collapse& step) {
   if (!isNearInput(step.target, guess)) return false;
   for (const uint32_t triangle : emptied_)
     for (uint32_t sample = first_[triangle]; sample != kNone; sample = next_[sample])
-      if (!placeSample(sample, step.target)) return false;
+      if (!reassignSample(sample, step.target)) return false;
   return std::ranges::all_of(changed_,
                              [&](const Changed& changed) { return isNearInput(changed, step.target); });
 }
@@ -130,7 +122,7 @@ bool DeviationLimit::isNearInput(const Changed& changed, const Vec3& target) con
   bool near = true;
   const auto ask = [&, triangle = triangle](const Vec3& p) { near = near && isNearInput(p, triangle); };
   for (int i = 1; i < cuts; ++i) ask(target + (q - target) * (1.0 * i / cuts));
-  forEachMiddle(target, q, r, cuts, ask);
+  forEachPartCentre(target, q, r, cuts, ask);
   return near;
 }
 

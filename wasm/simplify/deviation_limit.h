@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "query/kd_tree.h"
+#include "query/nearest.h"
 #include "simplify/collapse_mesh.h"
 
 namespace limber {
@@ -31,7 +31,7 @@ class DeviationLimit {
 
   void addSamples(uint32_t t, int cuts);
   void collectChanged(const Collapse& step);
-  bool placeSample(uint32_t sample, const Vec3& target);
+  bool reassignSample(uint32_t sample, const Vec3& target);
   bool isNearInput(const Vec3& p, uint32_t guess) const;
   bool isNearInput(const Changed& changed, const Vec3& target) const;
   void attach(uint32_t sample, uint32_t triangle);

@@ -31,12 +31,12 @@ class EdgeQueue {
         const uint32_t waiting = waiting_[edgeOf(key)];
         if (waiting == costOf(key)) return true;
         popKey();
-        if (waiting != (costOf(key) | kDoubt)) continue;
-        doubted_.assign(1, edgeOf(key));
-        price(doubted_);
+        if (waiting != (costOf(key) | kStale)) continue;
+        stale_.assign(1, edgeOf(key));
+        price(stale_);
       }
       if (!openNextBucket()) return false;
-      if (!doubted_.empty()) price(doubted_);
+      if (!stale_.empty()) price(stale_);
     }
   }
   // The following two after findFirst has found one.
@@ -61,12 +61,12 @@ class EdgeQueue {
   }
 
   // Of an edge that waits.
-  float cost(uint32_t edge) const { return std::bit_cast<float>(waiting_[edge] & ~kDoubt); }
+  float cost(uint32_t edge) const { return std::bit_cast<float>(waiting_[edge] & ~kStale); }
   // Sets a cost that is but a guess: the edge will be priced before it comes first.
-  void doubt(uint32_t edge, double guess) {
-    waiting_[edge] &= ~kDoubt;
+  void markStale(uint32_t edge, double guess) {
+    waiting_[edge] &= ~kStale;
     set(edge, guess);
-    waiting_[edge] |= kDoubt;
+    waiting_[edge] |= kStale;
   }
   // Takes an edge out, if it is there.
   void remove(uint32_t edge) { waiting_[edge] = kAbsent; }
@@ -75,7 +75,7 @@ class EdgeQueue {
   // 16 buckets for each power of two.
   static constexpr uint32_t kShift = 19, kBuckets = 1u << (32 - kShift);
   static constexpr uint32_t kAbsent = 0xffffffffu, kNoChunk = 0xffffffffu;
-  static constexpr uint32_t kDoubt = 0x80000000u;  // the sign bit, which no cost has
+  static constexpr uint32_t kStale = 0x80000000u;  // the sign bit, which no cost has
   // A part of a bucket, two cache lines.
   struct Chunk {
     static constexpr uint32_t kCapacity = 15;
@@ -108,24 +108,24 @@ class EdgeQueue {
     return index;
   }
 
-  // Moves the keys of the next bucket to the heap, or to `doubted_`.
+  // Moves the keys of the next bucket to the heap, or to `stale_`.
   bool openNextBucket() {
     uint32_t next = current_ + 1;
     while (next < kBuckets && lastOf_[next] == kNoChunk) ++next;
     if (next >= kBuckets) return false;
     current_ = next;
-    size_t fresh = 0, doubted = 0;
+    size_t fresh = 0, stale = 0;
     for (uint32_t index = lastOf_[next]; index != kNoChunk;) {
       Chunk& chunk = chunks_[index];
       heap_.resize(fresh + Chunk::kCapacity);
-      doubted_.resize(doubted + Chunk::kCapacity);
+      stale_.resize(stale + Chunk::kCapacity);
       for (uint32_t i = 0; i < chunk.count; ++i) {
         // Without branches, which nobody could predict.
         const uint64_t key = heap_[fresh] = chunk.keys[i];
-        doubted_[doubted] = edgeOf(key);
+        stale_[stale] = edgeOf(key);
         const uint32_t waiting = waiting_[edgeOf(key)];
         fresh += waiting == costOf(key);
-        doubted += waiting == (costOf(key) | kDoubt);
+        stale += waiting == (costOf(key) | kStale);
       }
       const uint32_t previous = chunk.previous;
       chunk.previous = spare_;
@@ -134,38 +134,38 @@ class EdgeQueue {
     }
     lastOf_[next] = kNoChunk;
     heap_.resize(fresh);
-    doubted_.resize(doubted);
-    for (auto place = static_cast<uint32_t>(heap_.size()); place-- > 0;) moveDown(place, heap_[place]);
+    stale_.resize(stale);
+    for (auto slot = static_cast<uint32_t>(heap_.size()); slot-- > 0;) moveDown(slot, heap_[slot]);
     return true;
   }
 
   // A four-way heap.
   void pushKey(uint64_t key) {
-    auto place = static_cast<uint32_t>(heap_.size());
+    auto slot = static_cast<uint32_t>(heap_.size());
     heap_.push_back(key);
-    while (place > 0) {
-      const uint32_t parent = (place - 1) / 4;
+    while (slot > 0) {
+      const uint32_t parent = (slot - 1) / 4;
       if (heap_[parent] <= key) break;
-      heap_[place] = heap_[parent];
-      place = parent;
+      heap_[slot] = heap_[parent];
+      slot = parent;
     }
-    heap_[place] = key;
+    heap_[slot] = key;
   }
   void popKey() {
     const uint64_t last = heap_.back();
     heap_.pop_back();
     if (!heap_.empty()) moveDown(0, last);
   }
-  // Puts `key` where it belongs, starting from the free `place`.
-  void moveDown(uint32_t place, uint64_t key) {
+  // Puts `key` where it belongs, starting from the free `slot`.
+  void moveDown(uint32_t slot, uint64_t key) {
     const auto size = static_cast<uint32_t>(heap_.size());
-    for (uint32_t first; (first = 4 * place + 1) < size;) {
+    for (uint32_t first; (first = 4 * slot + 1) < size;) {
       const uint32_t least = first + 3 < size ? leastOfFour(first) : leastOf(first, size);
       if (key <= heap_[least]) break;
-      heap_[place] = heap_[least];
-      place = least;
+      heap_[slot] = heap_[least];
+      slot = least;
     }
-    heap_[place] = key;
+    heap_[slot] = key;
   }
   // Without branches, which nobody could predict.
   uint32_t leastOfFour(uint32_t first) const {
@@ -180,10 +180,10 @@ class EdgeQueue {
     return least;
   }
 
-  // Per edge: the bits of the cost at which it waits, with kDoubt if that is in doubt; or kAbsent.
+  // Per edge: the bits of the cost at which it waits, with kStale if that is in doubt; or kAbsent.
   std::vector<uint32_t> waiting_;
-  std::vector<uint32_t> doubted_;  // scratch
-  std::vector<uint64_t> heap_;     // all keys of buckets up to `current_`
+  std::vector<uint32_t> stale_;  // scratch
+  std::vector<uint64_t> heap_;   // all keys of buckets up to `current_`
   uint32_t current_ = 0;
   std::vector<uint32_t> lastOf_;  // per bucket: its last chunk, or kNoChunk
   std::vector<Chunk> chunks_;

@@ -9,14 +9,10 @@
 namespace limber {
 namespace {
 
-int cornerOf(const Triangle& triangle, uint32_t v) {
-  return triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
-}
-
 // Asks of an edge with two triangles whether it is a line, rule by rule.
-class LineRules {
+class FeatureRules {
  public:
-  LineRules(const TriangleMesh& mesh, const SimplifyConstraints& constraints)
+  FeatureRules(const TriangleMesh& mesh, const SimplifyConstraints& constraints)
       : mesh_(mesh),
         constraints_(constraints),
         creaseCosine_(std::cos(constraints.creaseAngle * std::numbers::pi / 180)) {}
@@ -37,7 +33,7 @@ class LineRules {
            (wedge(s, edge.a) != wedge(t, edge.a) || wedge(s, edge.b) != wedge(t, edge.b));
   }
   uint32_t wedge(uint32_t t, uint32_t v) const {
-    return constraints_.wedges[3 * t + cornerOf(mesh_.triangles[t], v)];
+    return constraints_.wedges[cornerAt(mesh_, t, v).flatIndex()];
   }
   bool isCrease(uint32_t s, uint32_t t) const {
     if (constraints_.creaseAngle == 0) return false;
@@ -66,9 +62,9 @@ class LineRules {
 
 // What is counted around every vertex to find its role.
 struct Neighbourhood {
-  uint32_t borders = 0, lines = 0;  // edges; borders are not counted as lines
-  bool outlinesPinnedSet = false;   // a border or line leads to a vertex that lacks a set of this one
-  bool leavesSet = false;           // any edge does
+  uint32_t borders = 0, features = 0;  // edges; borders are not counted as lines
+  bool outlinesPinnedSet = false;      // a border or line leads to a vertex that lacks a set of this one
+  bool leavesSet = false;              // any edge does
 };
 
 std::vector<Neighbourhood> neighbourhoods(const Topology& topology, const SimplifyConstraints& constraints,
@@ -80,7 +76,7 @@ std::vector<Neighbourhood> neighbourhoods(const Topology& topology, const Simpli
     if (!border && !isFeature[e] && constraints.pinnedSets.empty()) continue;
     for (const auto& [v, other] : {std::pair(edge.a, edge.b), std::pair(edge.b, edge.a)}) {
       around[v].borders += border;
-      around[v].lines += isFeature[e];
+      around[v].features += isFeature[e];
       if (constraints.pinnedSets.empty()) continue;
       const uint32_t own = constraints.pinnedSets[v], others = constraints.pinnedSets[other];
       const bool leaves = (own & ~others) != 0;
@@ -94,15 +90,15 @@ std::vector<Neighbourhood> neighbourhoods(const Topology& topology, const Simpli
 VertexRole roleOf(VertexKind kind, const Neighbourhood& around, bool borderFixed) {
   VertexRole role;
   role.onBorder = around.borders > 0;
-  role.onFeature = role.onBorder || around.lines > 0;
-  const bool between = around.borders + around.lines == 2 && (around.borders == 0 || around.lines == 0);
+  role.onFeature = role.onBorder || around.features > 0;
+  const bool between = around.borders + around.features == 2 && (around.borders == 0 || around.features == 0);
   if (kind != VertexKind::Interior && kind != VertexKind::Border)
     role.freedom = Freedom::Locked;
   else if (role.onFeature)
-    role.freedom = between && !around.outlinesPinnedSet ? Freedom::Feature : Freedom::Anchored;
+    role.freedom = between && !around.outlinesPinnedSet ? Freedom::Feature : Freedom::Fixed;
   else if (around.leavesSet)
-    role.freedom = Freedom::Anchored;
-  if (borderFixed && role.onBorder) role.freedom = std::max(role.freedom, Freedom::Anchored);
+    role.freedom = Freedom::Fixed;
+  if (borderFixed && role.onBorder) role.freedom = std::max(role.freedom, Freedom::Fixed);
   return role;
 }
 
@@ -110,30 +106,30 @@ VertexRole roleOf(VertexKind kind, const Neighbourhood& around, bool borderFixed
 
 FeatureEdges findFeatureEdges(const TriangleMesh& mesh, const Topology& topology,
                               const SimplifyConstraints& constraints) {
-  FeatureEdges lines;
-  lines.isFeature.assign(topology.edges.size(), 0);
-  const LineRules rules(mesh, constraints);
+  FeatureEdges found;
+  found.isFeature.assign(topology.edges.size(), 0);
+  const FeatureRules rules(mesh, constraints);
   for (size_t e = 0; e < topology.edges.size() && !rules.empty(); ++e) {
     const Topology::Edge& edge = topology.edges[e];
     if (edge.useCount != 2) continue;
     const auto triangles = topology.trianglesAt(edge);
-    lines.isFeature[e] = rules.isFeature(edge, triangles[0], triangles[1]);
+    found.isFeature[e] = rules.isFeature(edge, triangles[0], triangles[1]);
   }
-  const auto around = neighbourhoods(topology, constraints, lines.isFeature);
+  const auto around = neighbourhoods(topology, constraints, found.isFeature);
   const auto kinds = classifyVertices(mesh, topology);
-  lines.roles.reserve(mesh.vertexCount());
+  found.roles.reserve(mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     VertexRole role = roleOf(kinds[v], around[v], constraints.borders == Borders::Fixed);
-    const bool held = (!constraints.locked.empty() && constraints.locked[v]) ||
-                      (!constraints.mirror.empty() && constraints.mirror[v] == v && !role.onFeature);
-    if (held) role.freedom = std::max(role.freedom, Freedom::Anchored);
-    lines.roles.push_back(role);
+    const bool isFixed = (!constraints.locked.empty() && constraints.locked[v]) ||
+                         (!constraints.mirror.empty() && constraints.mirror[v] == v && !role.onFeature);
+    if (isFixed) role.freedom = std::max(role.freedom, Freedom::Fixed);
+    found.roles.push_back(role);
   }
   for (size_t e = 0; e < topology.edges.size(); ++e)
     if (topology.clashes[e])
       for (const uint32_t v : {topology.edges[e].a, topology.edges[e].b})
-        lines.roles[v].freedom = Freedom::Locked;
-  return lines;
+        found.roles[v].freedom = Freedom::Locked;
+  return found;
 }
 
 }  // namespace limber

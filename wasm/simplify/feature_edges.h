@@ -11,10 +11,10 @@ namespace limber {
 
 // What may happen to a vertex; of two that collapse the stronger one, the later in this list, is kept.
 enum class Freedom : uint8_t {
-  Free,      // inside the surface
-  Feature,   // on a feature edge (see SimplifyConstraints): it stays on it
-  Anchored,  // neither moved nor removed, but others may collapse into it
-  Locked,    // at a non-manifold vertex or edge, or where windings clash: no edge of it collapses
+  Free,     // inside the surface
+  Feature,  // on a feature edge (see SimplifyConstraints): it stays on it
+  Fixed,    // neither moved nor removed, but others may collapse into it
+  Locked,   // at a non-manifold vertex or edge, or where windings clash: no edge of it collapses
 };
 
 // What a vertex is for a collapse.

@@ -82,8 +82,8 @@ std::vector<uint32_t> numberVertices(const TriangleMesh& input, MeshAt& result) 
 }
 
 // Puts the vertices where they are by then and names them by their numbers.
-void placeVertices(const History& history, size_t count, const std::vector<uint32_t>& survivor,
-                   const std::vector<uint32_t>& number, MeshAt& result) {
+void positionVertices(const History& history, size_t count, const std::vector<uint32_t>& survivor,
+                      const std::vector<uint32_t>& number, MeshAt& result) {
   for (size_t i = 0; i < count; ++i)
     result.mesh.positions[number[history.kept[i]]] = {history.positions[3 * i], history.positions[3 * i + 1],
                                                       history.positions[3 * i + 2]};
@@ -109,7 +109,7 @@ MeshAt meshAt(const TriangleMesh& input, const History& history, uint32_t faces)
   collectTriangles(input, survivor, expected, result);
   if (count > 0 && result.mesh.triangleCount() != expected) refuseHistory();
   const auto number = numberVertices(input, result);
-  placeVertices(history, count, survivor, number, result);
+  positionVertices(history, count, survivor, number, result);
   return result;
 }
 

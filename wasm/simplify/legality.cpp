@@ -30,15 +30,15 @@ bool isSpoilt(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& target) {
   const Vec3 before = cross(side, p - q), after = cross(side, target - q);
   const double cosine = dot(before, after);
   const double lengths = squaredLength(before) * squaredLength(after);
-  const bool turns = cosine <= 0 || cosine * cosine < kSmallestCosine * kSmallestCosine * lengths;
+  const bool flips = cosine <= 0 || cosine * cosine < kSmallestCosine * kSmallestCosine * lengths;
   // No edge is longer than the other two together: mostly this says at once that there is height enough.
   const double square = 2 * (squaredLength(side) + squaredLength(target - q));
-  if (!turns && squaredLength(after) > 4 * kSmallestHeight * kSmallestHeight * square * square) return false;
+  if (!flips && squaredLength(after) > 4 * kSmallestHeight * kSmallestHeight * square * square) return false;
   const double flatness = squaredFlatness(after, target, q, r);
-  if (!turns && flatness > kSmallestHeight * kSmallestHeight) return false;
+  if (!flips && flatness > kSmallestHeight * kSmallestHeight) return false;
   const double flatnessBefore = squaredFlatness(before, p, q, r);
   if (!(flatnessBefore > kNoise * kNoise)) return false;
-  return turns || !(flatness >= flatnessBefore);
+  return flips || !(flatness >= flatnessBefore);
 }
 
 // Whether neither of two faces (p, q, r) could be spoilt: what `isSpoilt` says at once.
@@ -48,9 +48,9 @@ bool areSafe(const Point<RealPair>& p, const Point<RealPair>& q, const Point<Rea
   const Point<RealPair> before = cross(side, p - q), after = cross(side, way);
   const RealPair cosine = dot(before, after);
   const RealPair lengths = dot(before, before) * dot(after, after);
-  const auto turns = (cosine <= 0) | (cosine * cosine < kSmallestCosine * kSmallestCosine * lengths);
+  const auto flips = (cosine <= 0) | (cosine * cosine < kSmallestCosine * kSmallestCosine * lengths);
   const RealPair square = 2 * (dot(side, side) + dot(way, way));
-  const auto safe = ~turns & (dot(after, after) > 4 * kSmallestHeight * kSmallestHeight * square * square);
+  const auto safe = ~flips & (dot(after, after) > 4 * kSmallestHeight * kSmallestHeight * square * square);
   return (safe[0] & safe[1]) != 0;
 }
 
@@ -72,7 +72,7 @@ Legality::Legality(CollapseMesh& mesh, const SimplifyOptions& options)
       largestCosine_(std::cos(options.minAngle * std::numbers::pi / 180)) {}
 
 Verdict Legality::check(const Collapse& step) {
-  if (const Verdict verdict = forever(step.edge); verdict != Verdict::Legal) return verdict;
+  if (const Verdict verdict = permanentVerdict(step.edge); verdict != Verdict::Legal) return verdict;
   if (!keepsTopology(step)) return Verdict::Topology;
   if (spoilsAnyFace(step)) return Verdict::Flip;
   if (largestCosine_ < 1 && spoilsAngles(step)) return Verdict::Angle;
@@ -115,10 +115,10 @@ bool Legality::keepsTopology(const Collapse& step) {
 bool Legality::joinsFeatures(const Collapse& step) const {
   if (!mesh_.role(step.kept).onFeature || !mesh_.role(step.removed).onFeature) return false;
   for (const Corner corner : mesh_.star(step.removed)) {
-    const auto& edges = mesh_.face(triangleOf(corner)).edges;
-    const int lines = mesh_.isFeature(edges[0]) + mesh_.isFeature(edges[1]) + mesh_.isFeature(edges[2]);
+    const auto& edges = mesh_.face(corner.triangle()).edges;
+    const int features = mesh_.isFeature(edges[0]) + mesh_.isFeature(edges[1]) + mesh_.isFeature(edges[2]);
     const bool vanishes = edges[0] == step.edge || edges[1] == step.edge || edges[2] == step.edge;
-    if (vanishes && lines == 3) return true;
+    if (vanishes && features == 3) return true;
   }
   return false;
 }
@@ -129,8 +129,8 @@ bool Legality::spoilsAngles(const Collapse& step) const {
   double before = -1, after = -1;
   for (const uint32_t v : {step.kept, step.removed})
     for (const Corner corner : mesh_.star(v)) {
-      const CollapseMesh::Face& face = mesh_.face(triangleOf(corner));
-      const int next = nextIndex(indexOf(corner)), previous = previousIndex(indexOf(corner));
+      const CollapseMesh::Face& face = mesh_.face(corner.triangle());
+      const int next = nextIndex(corner.index()), previous = previousIndex(corner.index());
       const Vec3 &q = mesh_.position(face.vertices[next]), &r = mesh_.position(face.vertices[previous]);
       before = std::max(before, largestCosine(mesh_.position(v), q, r));
       const bool vanishes = face.edges[next] == step.edge || face.edges[previous] == step.edge;
@@ -145,10 +145,10 @@ bool Legality::spoilsAnyFace(const Collapse& step) {
   const Vec3 &kept = mesh_.position(step.kept), &removed = mesh_.position(step.removed);
   const auto faceAt = [&](size_t i) {
     const Corner corner = change.corners[i];
-    const Triangle& vertices = mesh_.face(triangleOf(corner)).vertices;
+    const Triangle& vertices = mesh_.face(corner.triangle()).vertices;
     return std::array{i < change.ofKept ? &kept : &removed,
-                      &mesh_.position(vertices[nextIndex(indexOf(corner))]),
-                      &mesh_.position(vertices[previousIndex(indexOf(corner))])};
+                      &mesh_.position(vertices[nextIndex(corner.index())]),
+                      &mesh_.position(vertices[previousIndex(corner.index())])};
   };
   const Point<RealPair> target = asPair(step.target, step.target);
   for (size_t i = 0; i < change.count; i += 2) {

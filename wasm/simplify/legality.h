@@ -20,11 +20,11 @@ class Legality {
   // Whether an edge cannot collapse as long as its own ends stay what they are: an end that must stay, ends
   // of different pinned sets, or a vertex of a line that would leave it. Legal where it
   // may.
-  Verdict forever(uint32_t edge) const {
+  Verdict permanentVerdict(uint32_t edge) const {
     const auto [a, b] = mesh_.edge(edge);
     const VertexRole &atA = mesh_.role(a), &atB = mesh_.role(b);
     if (atA.freedom == Freedom::Locked || atB.freedom == Freedom::Locked) return Verdict::Locked;
-    if (atA.freedom == Freedom::Anchored && atB.freedom == Freedom::Anchored) return Verdict::Locked;
+    if (atA.freedom == Freedom::Fixed && atB.freedom == Freedom::Fixed) return Verdict::Locked;
     if (!pinnedSets_.empty() && mixesPinnedSets(edge)) return Verdict::Locked;
     const VertexRole& removed = atA.freedom < atB.freedom ? atA : atB;
     return removed.onFeature && !mesh_.isFeature(edge) ? Verdict::Topology : Verdict::Legal;

@@ -30,21 +30,21 @@ void checkPartners(const TriangleMesh& mesh, std::span<const uint32_t> partners)
 
 }  // namespace
 
-std::vector<uint8_t> straysOf(const TriangleMesh& mesh, std::span<const uint32_t> partners) {
+std::vector<uint8_t> asymmetricTriangles(const TriangleMesh& mesh, std::span<const uint32_t> partners) {
   std::vector<Triangle> triangles;
   triangles.reserve(mesh.triangleCount());
   for (const Triangle& t : mesh.triangles) triangles.push_back(lowestFirst(t));
   std::ranges::sort(triangles);
-  std::vector<uint8_t> strays;
-  strays.reserve(mesh.triangleCount());
+  std::vector<uint8_t> isAsymmetric;
+  isAsymmetric.reserve(mesh.triangleCount());
   for (const Triangle& t : mesh.triangles)
-    strays.push_back(!std::ranges::binary_search(
+    isAsymmetric.push_back(!std::ranges::binary_search(
         triangles, lowestFirst({partners[t[0]], partners[t[2]], partners[t[1]]})));
-  return strays;
+  return isAsymmetric;
 }
 
 uint32_t trianglesWithoutImage(const TriangleMesh& mesh, std::span<const uint32_t> partners) {
-  return static_cast<uint32_t>(std::ranges::count(straysOf(mesh, partners), 1));
+  return static_cast<uint32_t>(std::ranges::count(asymmetricTriangles(mesh, partners), 1));
 }
 
 MirrorPlane fitMirrorPlane(std::span<const Vec3> positions, std::span<const uint32_t> partners) {

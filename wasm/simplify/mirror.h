@@ -10,7 +10,7 @@
 namespace limber {
 
 // Per triangle 1 where none is its image; `partners` has a vertex of the mesh for each vertex.
-std::vector<uint8_t> straysOf(const TriangleMesh& mesh, std::span<const uint32_t> partners);
+std::vector<uint8_t> asymmetricTriangles(const TriangleMesh& mesh, std::span<const uint32_t> partners);
 // How many there are.
 uint32_t trianglesWithoutImage(const TriangleMesh& mesh, std::span<const uint32_t> partners);
 

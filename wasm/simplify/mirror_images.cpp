@@ -4,7 +4,7 @@
 
 #include "base/parallel.h"
 #include "mesh/principal_axes.h"
-#include "query/kd_tree.h"
+#include "query/nearest.h"
 #include "simplify/mirror.h"
 #include "simplify/mirror_splits.h"
 
@@ -59,13 +59,13 @@ MirrorImages imagesAcross(const TriangleMesh& mesh, const Charts& charts, const 
                           const MirrorPlane& plane, Job& job) {
   MirrorImages images;
   std::vector<uint32_t> partners = partnersAcross(mesh, nearest, plane, job);
-  for (const uint32_t partner : partners) images.strayVertices += partner == kNone;
+  for (const uint32_t partner : partners) images.asymmetricVertices += partner == kNone;
   // The plane of a flat mesh is none of its symmetries.
-  if (liesOnPlane(partners)) images.strayVertices = mesh.vertexCount();
-  if (images.strayVertices > 0) return images;
-  images.strayTriangles = trianglesWithoutImage(mesh, partners);
-  if (images.strayTriangles > 0) images.corners = matchSplits(mesh, partners, plane, charts);
-  if (images.strayTriangles == 0 || !images.corners.empty()) images.partners = std::move(partners);
+  if (liesOnPlane(partners)) images.asymmetricVertices = mesh.vertexCount();
+  if (images.asymmetricVertices > 0) return images;
+  images.asymmetricTriangles = trianglesWithoutImage(mesh, partners);
+  if (images.asymmetricTriangles > 0) images.corners = matchSplits(mesh, partners, plane, charts);
+  if (images.asymmetricTriangles == 0 || !images.corners.empty()) images.partners = std::move(partners);
   return images;
 }
 
@@ -79,11 +79,11 @@ MirrorImages findMirrorImages(const TriangleMesh& mesh, const Charts& charts, in
   for (size_t i = 0; i < planes.size(); ++i) {
     job.report(static_cast<double>(i) / static_cast<double>(planes.size()));
     MirrorImages images = imagesAcross(mesh, charts, nearest, planes[i], job);
-    const auto strays = [](const MirrorImages& of) {
-      return std::tuple(of.partners.empty(), of.strayVertices, of.strayTriangles);
+    const auto rank = [](const MirrorImages& of) {
+      return std::tuple(of.partners.empty(), of.asymmetricVertices, of.asymmetricTriangles);
     };
-    if (i == 0 || strays(images) < strays(best)) best = std::move(images);
-    if (best.strayVertices == 0 && best.strayTriangles == 0) break;
+    if (i == 0 || rank(images) < rank(best)) best = std::move(images);
+    if (best.asymmetricVertices == 0 && best.asymmetricTriangles == 0) break;
   }
   return best;
 }

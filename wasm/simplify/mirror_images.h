@@ -17,8 +17,8 @@ struct MirrorImages {
   // Where it is symmetric once quads are cut the other way: see matchSplits. Empty where it is as it stands.
   std::vector<uint32_t> corners;
   // Of the plane asked for, or of the nearest to a symmetry among those tried.
-  uint32_t strayVertices = 0;   // they have no image
-  uint32_t strayTriangles = 0;  // nor have they, as the mesh stands; not counted where vertices stray
+  uint32_t asymmetricVertices = 0;   // they have no image
+  uint32_t asymmetricTriangles = 0;  // nor have they, as the mesh stands; not counted where vertices stray
 };
 
 // Looks for a plane through the centre of the vertices that a mesh is symmetric to, vertices (to 5e-5 of the

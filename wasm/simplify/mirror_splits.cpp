@@ -19,7 +19,7 @@ class Matching {
         plane_(plane),
         charts_(charts),
         topology_(buildIncidence(mesh)),
-        strays_(straysOf(mesh, partners)),
+        isAsymmetric_(asymmetricTriangles(mesh, partners)),
         isDone_(mesh.triangleCount(), 0),
         flipped_(mesh),
         corners_(3 * size_t{mesh.triangleCount()}) {
@@ -36,7 +36,8 @@ class Matching {
   void match(const Topology::Edge& edge);
   std::optional<EdgeQuad> imageOf(const EdgeQuad& quad) const;
   bool isOpen(const EdgeQuad& quad) const {
-    return strays_[quad.first] && strays_[quad.second] && !isDone_[quad.first] && !isDone_[quad.second];
+    return isAsymmetric_[quad.first] && isAsymmetric_[quad.second] && !isDone_[quad.first] &&
+           !isDone_[quad.second];
   }
   bool canFlip(const EdgeQuad& quad) const;
   bool isSeam(const EdgeQuad& quad) const;
@@ -47,7 +48,7 @@ class Matching {
   MirrorPlane plane_;
   Charts charts_;
   Topology topology_;
-  std::vector<uint8_t> strays_, isDone_;  // per triangle
+  std::vector<uint8_t> isAsymmetric_, isDone_;  // per triangle
   TriangleMesh flipped_;
   std::vector<uint32_t> corners_;
 };
@@ -83,8 +84,8 @@ bool Matching::canFlip(const EdgeQuad& quad) const {
 
 bool Matching::isSeam(const EdgeQuad& quad) const {
   const auto differ = [&](uint32_t c, uint32_t d) {
-    return charts_.wedges[3 * size_t{quad.first} + (quad.firstTip + c) % 3] !=
-           charts_.wedges[3 * size_t{quad.second} + (quad.secondTip + d) % 3];
+    return charts_.wedges[Corner(quad.first, (quad.firstTip + c) % 3).flatIndex()] !=
+           charts_.wedges[Corner(quad.second, (quad.secondTip + d) % 3).flatIndex()];
   };
   if (!charts_.groups.empty() && charts_.groups[quad.first] != charts_.groups[quad.second]) return true;
   return !charts_.wedges.empty() && (differ(1, 2) || differ(2, 1));

@@ -5,18 +5,14 @@
 namespace limber {
 
 std::vector<uint32_t> findSectors(const TriangleMesh& mesh, const Topology& topology,
-                                  const FeatureEdges& lines) {
+                                  const FeatureEdges& features) {
   DisjointSets sets(3 * size_t{mesh.triangleCount()});
-  const auto cornerAt = [&](uint32_t t, uint32_t v) {
-    const Triangle& triangle = mesh.triangles[t];
-    return 3 * t + (triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2);
-  };
   for (size_t e = 0; e < topology.edges.size(); ++e) {
     const Topology::Edge& edge = topology.edges[e];
-    if (edge.useCount != 2 || lines.isFeature[e]) continue;
+    if (edge.useCount != 2 || features.isFeature[e]) continue;
     const auto triangles = topology.trianglesAt(edge);
     for (const uint32_t v : {edge.a, edge.b})
-      sets.unite(cornerAt(triangles[0], v), cornerAt(triangles[1], v));
+      sets.unite(cornerAt(mesh, triangles[0], v).flatIndex(), cornerAt(mesh, triangles[1], v).flatIndex());
   }
   std::vector<uint32_t> sectors(3 * size_t{mesh.triangleCount()});
   uint32_t count = 0;

@@ -13,6 +13,6 @@ namespace limber {
 // in a collapse along a line the sector on each side of it joins the other end's sector on that side.
 // [3 * t + c]: the sector of each corner, numbered from 0 in the order of their first corners. O(triangles).
 std::vector<uint32_t> findSectors(const TriangleMesh& mesh, const Topology& topology,
-                                  const FeatureEdges& lines);
+                                  const FeatureEdges& features);
 
 }  // namespace limber

@@ -12,17 +12,15 @@ namespace limber {
 
 // One row of the table of scenarios in scenario.cpp: its name, pins, loads and collision scene. A new
 // scenario needs a row there, and a row in web/engine/core/scenarios.ts.
-//   twist  the pins of the upper half rotate about the axis by 45 degrees within 0.7 of the time, then stay
-//   sway   a blow strikes the body across the axis: the initial velocity is 0.5 diagonals per second at the
-//   upper
-//          end and grows with the square of the height above the lower end
-//   hang   gravity, 9.81 m/s2 along -y
-//   drop   gravity, and a floor 0.3 diagonals below the box
-//   pull   the pins of the upper half move along the axis by a fifth of its length within 0.7 of the time
-//   wind   gravity, and wind across the axis that rises to 8 m/s within a quarter of a second and gusts by a
-//   third,
-//          0.8 times per second
-//   drape  gravity along the shortest side, onto a ball of a fifth of a diagonal under the middle
+//   twist  The pins of the upper half rotate about the axis by 45 degrees within 0.7 of the time, then stay.
+//   sway   The initial velocity is across the axis, 0.5 diagonals per second at the upper end, and grows with
+//          the square of the height above the lower end.
+//   hang   Gravity, 9.81 m/s2 along -y.
+//   drop   Gravity, and a floor 0.3 diagonals below the box.
+//   pull   The pins of the upper half move along the axis by a fifth of its length within 0.7 of the time.
+//   wind   Gravity, and wind across the axis that rises to 8 m/s within a quarter of a second and gusts by a
+//          third, 0.8 times per second.
+//   drape  Gravity along the shortest side, onto a ball of a fifth of a diagonal under the middle.
 struct ScenarioKind;
 
 // Never null. Throws std::invalid_argument with the known names where there is no scenario of this name.

@@ -13,13 +13,13 @@ namespace {
 constexpr size_t kVerticesPerRange = 16384;
 constexpr size_t kVerticesPerCheck = 1024;
 
-// Cosine between a face and a vertex normal below which the face looks the other way; a rim of a sheet has
-// faces a little beyond 90 degrees.
-constexpr double kTurnedAway = -0.25;
+// A face looks the same way as a vertex where the cosine between their normals is at least this. It is below
+// 0 because the rim of a sheet has faces a little beyond 90 degrees.
+constexpr double kLeastCosine = -0.25;
 
-void check(const TriangleMesh& input, const MeshAt& result) {
+void check(const TriangleMesh& original, const MeshAt& result) {
   const auto outside = [&](uint32_t v) { return v != kNone && v >= result.mesh.vertexCount(); };
-  if (result.vertexOfInput.size() == input.vertexCount() &&
+  if (result.vertexOfInput.size() == original.vertexCount() &&
       std::ranges::none_of(result.vertexOfInput, outside))
     return;
   throw std::invalid_argument("The result was made from another mesh: reduce this mesh and bind to that.");
@@ -31,23 +31,23 @@ std::vector<Vec3> faceNormals(const TriangleMesh& mesh) {
   return normals;
 }
 
-// What all vertices share.
+// What the searches for all vertices share.
 struct Surfaces {
-  const TriangleMesh& input;
+  const TriangleMesh& original;
   const MeshAt& result;
-  Topology inputTopology, resultTopology;
-  std::vector<Vec3> inputNormals;   // per vertex of the input
-  std::vector<Vec3> resultNormals;  // per triangle of the result
+  Topology originalTopology, resultTopology;
+  std::vector<Vec3> originalNormals;  // per vertex of the original
+  std::vector<Vec3> resultNormals;    // per triangle of the result
 
   bool facesAlike(uint32_t vertex, uint32_t triangle) const {
-    return dot(inputNormals[vertex], resultNormals[triangle]) >= kTurnedAway;
+    return dot(originalNormals[vertex], resultNormals[triangle]) >= kLeastCosine;
   }
 };
 
-// The result's triangles around what `vertex` and its neighbours have become; several times each.
+// Collects the triangles of the result around what `vertex` and its neighbours have become; some repeat.
 void collectStart(const Surfaces& surfaces, uint32_t vertex, std::vector<uint32_t>& start) {
   start.clear();
-  const auto& [input, result, inputTopology, resultTopology, inputNormals, resultNormals] = surfaces;
+  const auto& [original, result, originalTopology, resultTopology, originalNormals, resultNormals] = surfaces;
   uint32_t last = kNone;
   const auto add = [&](uint32_t survivor) {
     if (survivor == kNone || survivor == last) return;
@@ -56,8 +56,8 @@ void collectStart(const Surfaces& surfaces, uint32_t vertex, std::vector<uint32_
     start.insert(start.end(), around.begin(), around.end());
   };
   add(result.vertexOfInput[vertex]);
-  for (const uint32_t t : inputTopology.trianglesAround(vertex))
-    for (const uint32_t neighbour : input.triangles[t]) add(result.vertexOfInput[neighbour]);
+  for (const uint32_t t : originalTopology.trianglesAround(vertex))
+    for (const uint32_t neighbour : original.triangles[t]) add(result.vertexOfInput[neighbour]);
 }
 
 void store(const ClosestPoint& found, double offset, uint32_t vertex, Binding& binding) {
@@ -68,10 +68,15 @@ void store(const ClosestPoint& found, double offset, uint32_t vertex, Binding& b
     binding.barycentric[3 * size_t{vertex} + c] = static_cast<float>(found.barycentric[c] / sum);
 }
 
-void bindRange(const Surfaces& surfaces, size_t begin, size_t end, Binding& binding, Job& job) {
+// Vertices of the original.
+struct VertexRange {
+  size_t begin, end;
+};
+
+void bindRange(const Surfaces& surfaces, const VertexRange& range, Binding& binding, Job& job) {
   SurfaceWalk walk(surfaces.result.mesh, surfaces.resultTopology);
   std::vector<uint32_t> start;
-  for (size_t v = begin; v < end; ++v) {
+  for (size_t v = range.begin; v < range.end; ++v) {
     if (v % kVerticesPerCheck == 0) job.check();
     const auto vertex = static_cast<uint32_t>(v);
     if (surfaces.result.vertexOfInput[v] == kNone) continue;
@@ -79,7 +84,7 @@ void bindRange(const Surfaces& surfaces, size_t begin, size_t end, Binding& bind
     const auto alike = [&](uint32_t triangle) { return surfaces.facesAlike(vertex, triangle); };
     const bool anyAlike = std::ranges::any_of(start, alike);
     if (anyAlike) std::erase_if(start, [&](uint32_t triangle) { return !alike(triangle); });
-    const Vec3& point = surfaces.input.positions[v];
+    const Vec3& point = surfaces.original.positions[v];
     const ClosestPoint found =
         walk.closest(point, start, [&](uint32_t, uint32_t triangle) { return !anyAlike || alike(triangle); });
     const double offset = dot(point - found.position, surfaces.resultNormals[found.triangle]);
@@ -89,23 +94,23 @@ void bindRange(const Surfaces& surfaces, size_t begin, size_t end, Binding& bind
 
 }  // namespace
 
-Binding bindToResult(const TriangleMesh& input, const MeshAt& result, Job& job) {
-  check(input, result);
+Binding bindToResult(const TriangleMesh& original, const MeshAt& result, Job& job) {
+  check(original, result);
   job.begin(Phase::Measure);
-  const Surfaces surfaces{input,
+  const Surfaces surfaces{original,
                           result,
-                          buildTopology(input),
+                          buildTopology(original),
                           buildTopology(result.mesh),
-                          vertexNormals(input),
+                          vertexNormals(original),
                           faceNormals(result.mesh)};
-  const size_t count = input.vertexCount();
+  const size_t count = original.vertexCount();
   Binding binding;
   binding.triangle.assign(count, kNone);
   binding.barycentric.assign(3 * count, 0.0f);
   binding.offset.assign(count, 0.0f);
   job.report(0.5);
   parallelFor(count, kVerticesPerRange,
-              [&](size_t begin, size_t end) { bindRange(surfaces, begin, end, binding, job); });
+              [&](size_t begin, size_t end) { bindRange(surfaces, {begin, end}, binding, job); });
   job.report(1);
   return binding;
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "mesh/sampling.h"
 #include "mesh/topology.h"
 #include "query/closest_point.h"
 #include "query/surface_walk.h"
@@ -12,157 +13,166 @@ namespace limber {
 
 namespace {
 
-// A barycentric coordinate this close to 1 is a vertex.
+// A point with a barycentric coordinate above this is a vertex.
 constexpr double kAtVertex = 1 - 1e-6;
-// A vertex lies in the held part where the mask of its vertices has at least this value.
+// A vertex lies in the pinned region where the interpolated mask of the region has at least this value.
 constexpr double kInside = 0.9;
-// A triangle is looked at in the middles of the pieces that each edge cut into this many parts makes.
+// Whether a triangle lies in the region is judged at the centres of the kCuts^2 triangles that it is cut
+// into.
 constexpr int kCuts = 4;
 
 // The triangles of a body whose corners are all pinned.
-struct HeldPart {
+struct PinnedRegion {
   std::vector<uint8_t> hasVertex, hasTriangle;
-  std::vector<uint32_t> pieceOfVertex;  // numbers of its connected pieces
+  std::vector<uint32_t> componentOfVertex;  // of the region, not of the body
   bool isEmpty = true;
 };
 
-HeldPart heldPart(const TriangleMesh& mesh, std::span<const uint32_t> pinned) {
-  HeldPart part;
+PinnedRegion pinnedRegion(const TriangleMesh& mesh, std::span<const uint32_t> pinned) {
+  PinnedRegion region;
   std::vector<uint8_t> isPinned(mesh.vertexCount(), 0);
   for (const uint32_t v : pinned) isPinned[v] = 1;
-  part.hasVertex.assign(mesh.vertexCount(), 0);
-  part.hasTriangle.assign(mesh.triangleCount(), 0);
-  TriangleMesh held = {mesh.positions, {}};
+  region.hasVertex.assign(mesh.vertexCount(), 0);
+  region.hasTriangle.assign(mesh.triangleCount(), 0);
+  TriangleMesh inside = {mesh.positions, {}};
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const Triangle& corners = mesh.triangles[t];
     if (!std::ranges::all_of(corners, [&](uint32_t v) { return isPinned[v] != 0; })) continue;
-    part.hasTriangle[t] = 1;
-    for (const uint32_t v : corners) part.hasVertex[v] = 1;
-    held.triangles.push_back(corners);
+    region.hasTriangle[t] = 1;
+    for (const uint32_t v : corners) region.hasVertex[v] = 1;
+    inside.triangles.push_back(corners);
   }
-  part.isEmpty = held.triangles.empty();
-  if (!part.isEmpty) part.pieceOfVertex = buildTopology(held).componentOfVertex;
-  return part;
+  region.isEmpty = inside.triangles.empty();
+  if (!region.isEmpty) region.componentOfVertex = buildTopology(inside).componentOfVertex;
+  return region;
 }
 
-// Where points of `other` lie on the original: on the sheet that the binding says, or at the closest point.
-class PlaceFinder {
+// Finds points of the original that belong to points of the result: on the sheet that the binding tells, or
+// the closest ones of all.
+class OriginalPoints {
  public:
-  PlaceFinder(const TriangleMesh& original, const TriangleMesh& other, std::span<const SurfacePoint> binding)
-      : tree_(original), startsOf_(binding.empty() ? 0 : other.triangleCount()) {
+  OriginalPoints(const TriangleMesh& original, const TriangleMesh& result,
+                 std::span<const SurfacePoint> binding)
+      : tree_(original), starts_(binding.empty() ? 0 : result.triangleCount()) {
     if (binding.empty()) return;
     topology_ = buildTopology(original);
     walk_ = std::make_unique<SurfaceWalk>(original, topology_);
     for (uint32_t v = 0; v < original.vertexCount(); ++v)
       if (binding[v].triangle != kNone && !topology_.trianglesAround(v).empty())
-        startsOf_[binding[v].triangle].push_back(topology_.trianglesAround(v)[0]);
+        starts_[binding[v].triangle].push_back(topology_.trianglesAround(v)[0]);
   }
 
-  // Of a point in a triangle of `other`.
+  // For a point in a triangle of the result.
   ClosestPoint find(const Vec3& point, uint32_t triangle) const {
-    if (!walk_ || startsOf_[triangle].empty()) return tree_.closest(point);
-    return walk_->closest(point, startsOf_[triangle], [](uint32_t, uint32_t) { return true; });
+    if (!walk_ || starts_[triangle].empty()) return tree_.closest(point);
+    return walk_->closest(point, starts_[triangle], [](uint32_t, uint32_t) { return true; });
   }
 
  private:
   ClosestPointTree tree_;
-  std::vector<std::vector<uint32_t>> startsOf_;  // per triangle of `other`: of the original
+  std::vector<std::vector<uint32_t>> starts_;  // per triangle of the result: triangles of the original
   Topology topology_;
   std::unique_ptr<SurfaceWalk> walk_;
 };
 
-// What of `other` a held part holds.
-class HeldVertices {
- public:
-  HeldVertices(const TriangleMesh& original, const HeldPart& part, const TriangleMesh& other,
-               std::span<const SurfacePoint> binding)
-      : original_(original),
-        part_(part),
-        other_(other),
-        places_(original, other, binding),
-        mask_(other.vertexCount(), -1),
-        isHeld_(other.vertexCount(), 0),
-        holdsPiece_(original.vertexCount(), 0) {}
+// The bodies that pins are carried from and to.
+struct Bodies {
+  const TriangleMesh& original;
+  const TriangleMesh& result;
+  std::span<const SurfacePoint> binding;
+};
 
-  // `touched`: triangles that points of the part lie in.
-  void find(const std::vector<uint8_t>& touched) {
-    for (uint32_t t = 0; t < other_.triangleCount(); ++t)
-      for (const uint32_t v : other_.triangles[t])
-        if (mask_[v] < 0) mask_[v] = maskAt(places_.find(other_.positions[v], t));
-    for (uint32_t v = 0; v < other_.vertexCount(); ++v) isHeld_[v] = mask_[v] >= kInside;
-    for (uint32_t t = 0; t < other_.triangleCount(); ++t) {
-      const Triangle& corners = other_.triangles[t];
-      if (touched[t] || std::ranges::any_of(corners, [&](uint32_t v) { return mask_[v] > 0; })) lookAt(t);
+// Finds the vertices of the result that a pinned region of the original pins.
+class RegionPins {
+ public:
+  RegionPins(const Bodies& bodies, const PinnedRegion& region)
+      : original_(bodies.original),
+        region_(region),
+        result_(bodies.result),
+        originalPoints_(bodies.original, bodies.result, bodies.binding),
+        mask_(bodies.result.vertexCount(), -1),
+        isPinned_(bodies.result.vertexCount(), 0),
+        isComponentPinned_(bodies.original.vertexCount(), 0) {}
+
+  // `isTouched`: per triangle of the result, whether a point of the region belongs to it.
+  void find(const std::vector<uint8_t>& isTouched) {
+    for (uint32_t t = 0; t < result_.triangleCount(); ++t)
+      for (const uint32_t v : result_.triangles[t])
+        if (mask_[v] < 0) mask_[v] = maskAt(originalPoints_.find(result_.positions[v], t));
+    for (uint32_t v = 0; v < result_.vertexCount(); ++v) isPinned_[v] = mask_[v] >= kInside;
+    for (uint32_t t = 0; t < result_.triangleCount(); ++t) {
+      const Triangle& corners = result_.triangles[t];
+      if (isTouched[t] || std::ranges::any_of(corners, [&](uint32_t v) { return mask_[v] > 0; }))
+        pinTriangle(t);
     }
   }
 
-  const std::vector<uint8_t>& isHeld() const { return isHeld_; }
-  // Whether a triangle of `other` is held for the piece of the part that vertex v of the original belongs to.
-  bool holdsPieceOf(uint32_t v) const { return part_.hasVertex[v] && holdsPiece_[part_.pieceOfVertex[v]]; }
+  // Per vertex of the result.
+  const std::vector<uint8_t>& isPinned() const { return isPinned_; }
+  // Whether a triangle of the result is pinned for the component of the region that vertex v of the original
+  // belongs to.
+  bool coversComponentOf(uint32_t v) const {
+    return region_.hasVertex[v] && isComponentPinned_[region_.componentOfVertex[v]];
+  }
 
  private:
-  double maskAt(const ClosestPoint& place) const {
+  double maskAt(const SurfacePoint& point) const {
     double sum = 0;
     for (int c = 0; c < 3; ++c)
-      if (part_.hasVertex[original_.triangles[place.triangle][c]]) sum += place.barycentric[c];
+      if (region_.hasVertex[original_.triangles[point.triangle][c]]) sum += point.barycentric[c];
     return sum;
   }
 
-  void lookAt(uint32_t t) {
+  // Pins the corners of a triangle of the result if more than half of it lies in the region.
+  void pinTriangle(uint32_t t) {
     int inside = 0, all = 0;
-    uint32_t piece = kNone;
-    const auto look = [&](double b, double c) {
+    uint32_t component = kNone;
+    const auto sample = [&](double b, double c) {
       const Vec3 point =
-          other_.corner(t, 0) * (1 - b - c) + other_.corner(t, 1) * b + other_.corner(t, 2) * c;
-      const ClosestPoint place = places_.find(point, t);
+          result_.corner(t, 0) * (1 - b - c) + result_.corner(t, 1) * b + result_.corner(t, 2) * c;
+      const uint32_t triangle = originalPoints_.find(point, t).triangle;
       ++all;
-      if (!part_.hasTriangle[place.triangle]) return;
+      if (!region_.hasTriangle[triangle]) return;
       ++inside;
-      piece = part_.pieceOfVertex[original_.triangles[place.triangle][0]];
+      component = region_.componentOfVertex[original_.triangles[triangle][0]];
     };
-    for (int i = 0; i < kCuts; ++i)
-      for (int j = 0; i + j < kCuts; ++j) {
-        look((i + 1.0 / 3) / kCuts, (j + 1.0 / 3) / kCuts);
-        if (i + j + 1 < kCuts) look((i + 2.0 / 3) / kCuts, (j + 2.0 / 3) / kCuts);
-      }
+    forEachPart(kCuts, [&](double u, double v) { sample(u / kCuts, v / kCuts); });
     if (2 * inside <= all) return;
-    holdsPiece_[piece] = 1;
-    for (const uint32_t v : other_.triangles[t]) isHeld_[v] = 1;
+    isComponentPinned_[component] = 1;
+    for (const uint32_t v : result_.triangles[t]) isPinned_[v] = 1;
   }
 
   const TriangleMesh& original_;
-  const HeldPart& part_;
-  const TriangleMesh& other_;
-  PlaceFinder places_;
-  std::vector<double> mask_;  // per vertex of `other`; negative: not known yet
-  std::vector<uint8_t> isHeld_;
-  std::vector<uint8_t> holdsPiece_;  // by number of the piece
+  const PinnedRegion& region_;
+  const TriangleMesh& result_;
+  OriginalPoints originalPoints_;
+  std::vector<double> mask_;  // per vertex of the result; negative where it is not known yet
+  std::vector<uint8_t> isPinned_;
+  std::vector<uint8_t> isComponentPinned_;  // per component of the region
 };
 
-// Per pinned vertex its point on `other`; kNone as the triangle of those that have none.
-std::vector<SurfacePoint> placesOn(const TriangleMesh& original, std::span<const uint32_t> pinned,
-                                    const TriangleMesh& other, std::span<const SurfacePoint> binding) {
-  std::vector<SurfacePoint> places;
-  if (!binding.empty()) {
-    for (const uint32_t v : pinned) places.push_back(binding[v]);
-    return places;
+// For each pinned vertex its point on the result; kNone as the triangle of those that have none.
+std::vector<SurfacePoint> resultPoints(const Bodies& bodies, std::span<const uint32_t> pinned) {
+  std::vector<SurfacePoint> points;
+  if (!bodies.binding.empty()) {
+    for (const uint32_t v : pinned) points.push_back(bodies.binding[v]);
+    return points;
   }
-  const ClosestPointTree tree(other);
-  const std::vector<Vec3> normals = vertexNormals(original);
-  for (const uint32_t v : pinned) {
-    const ClosestPoint point = tree.closestFacing(original.positions[v], normals[v]);
-    places.push_back({point.triangle, {point.barycentric[0], point.barycentric[1], point.barycentric[2]}});
-  }
-  return places;
+  const ClosestPointTree tree(bodies.result);
+  const std::vector<Vec3> normals = vertexNormals(bodies.original);
+  for (const uint32_t v : pinned)
+    points.push_back(tree.closestFacing(bodies.original.positions[v], normals[v]));
+  return points;
 }
 
-void addPlace(const SurfacePoint& place, const TriangleMesh& other, Pins& pins) {
-  if (place.triangle == kNone) return;
-  const double* const share = std::max_element(place.barycentric, place.barycentric + 3);
-  if (*share > kAtVertex)
-    pins.vertices.push_back(other.triangles[place.triangle][share - place.barycentric]);
+// Adds a point, or the vertex that it coincides with.
+void addPoint(const SurfacePoint& point, const TriangleMesh& result, Pins& pins) {
+  if (point.triangle == kNone) return;
+  const double* const largest = std::max_element(point.barycentric, point.barycentric + 3);
+  if (*largest > kAtVertex)
+    pins.vertices.push_back(result.triangles[point.triangle][largest - point.barycentric]);
   else
-    pins.points.push_back(place);
+    pins.points.push_back(point);
 }
 
 bool comesBefore(const SurfacePoint& a, const SurfacePoint& b) {
@@ -173,24 +183,25 @@ bool comesBefore(const SurfacePoint& a, const SurfacePoint& b) {
 
 }  // namespace
 
-Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& other,
+Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& result,
                std::span<const SurfacePoint> binding) {
   Pins pins;
-  const std::vector<SurfacePoint> places = placesOn(original, pinned, other, binding);
-  const HeldPart part = heldPart(original, pinned);
+  const Bodies bodies{original, result, binding};
+  const std::vector<SurfacePoint> points = resultPoints(bodies, pinned);
+  const PinnedRegion region = pinnedRegion(original, pinned);
   std::vector<uint8_t> isCovered(pinned.size(), 0);
-  if (!part.isEmpty) {
-    std::vector<uint8_t> touched(other.triangleCount(), 0);
+  if (!region.isEmpty) {
+    std::vector<uint8_t> isTouched(result.triangleCount(), 0);
     for (size_t i = 0; i < pinned.size(); ++i)
-      if (part.hasVertex[pinned[i]] && places[i].triangle != kNone) touched[places[i].triangle] = 1;
-    HeldVertices held(original, part, other, binding);
-    held.find(touched);
-    for (uint32_t v = 0; v < other.vertexCount(); ++v)
-      if (held.isHeld()[v]) pins.vertices.push_back(v);
-    for (size_t i = 0; i < pinned.size(); ++i) isCovered[i] = held.holdsPieceOf(pinned[i]);
+      if (region.hasVertex[pinned[i]] && points[i].triangle != kNone) isTouched[points[i].triangle] = 1;
+    RegionPins regionPins(bodies, region);
+    regionPins.find(isTouched);
+    for (uint32_t v = 0; v < result.vertexCount(); ++v)
+      if (regionPins.isPinned()[v]) pins.vertices.push_back(v);
+    for (size_t i = 0; i < pinned.size(); ++i) isCovered[i] = regionPins.coversComponentOf(pinned[i]);
   }
   for (size_t i = 0; i < pinned.size(); ++i)
-    if (!isCovered[i]) addPlace(places[i], other, pins);
+    if (!isCovered[i]) addPoint(points[i], result, pins);
   std::sort(pins.vertices.begin(), pins.vertices.end());
   pins.vertices.erase(std::unique(pins.vertices.begin(), pins.vertices.end()), pins.vertices.end());
   std::sort(pins.points.begin(), pins.points.end(), comesBefore);

@@ -8,16 +8,18 @@
 
 namespace limber {
 
-// Pins of one body carried over to another. Triangles whose three corners are pinned make up the held part of
-// the surface. Of `other` it holds each vertex that lies in it, and the corners of each triangle more than
-// half of which lies in it: so its edge is rounded to the edges of `other`, outwards as often as inwards.
-// Points in every pinned place would hold each triangle that the part touches, and leave too little of the
-// body free; vertices inside alone would leave too much. All other pins (single ones, lines, and parts too
-// small to hold a triangle) become points of `other`, or a vertex where the point is one.
+// Carries the pins of an original over to a result. Triangles of the original whose three corners are pinned
+// make up its pinned region. In the result, each vertex inside this region is pinned, and so are the corners
+// of each triangle of which more than half lies inside: the outline of the region is rounded to edges of the
+// result, outwards as often as inwards. To pin points of every triangle that the region touches would leave
+// too little of the body free, and vertices inside alone would leave too much. All other pins (single ones,
+// lines, and regions too small to contain a triangle) become points of the result, or vertices where these
+// coincide.
 //
-// Places are found by `binding` (one point of `other` per vertex of the original, kNone as its triangle where
-// it has none), or, where that is empty, as the closest points at rest. Ascending, each vertex once.
-Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& other,
+// `pinned`: vertices of the original. `binding`: a point of the result for each vertex of the original, kNone
+// as the triangle of those that have none; where it is empty, closest points at rest are used. Vertices of
+// the returned pins ascend, each once.
+Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& result,
                std::span<const SurfacePoint> binding = {});
 
 }  // namespace limber

@@ -3,19 +3,22 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/disjoint_sets.h"
+
 namespace limber {
 
-ChartSides::ChartSides(const TriangleMesh& input, const Topology& topology, const Charts& charts,
+ChartSides::ChartSides(const TriangleMesh& original, const Topology& topology, const Charts& charts,
                        const MeshAt& result)
-    : isSeam_(topology.edges.size(), 0), seamCount_(input.vertexCount(), 0) {
-  findSeams(input, topology, charts);
-  joinCorners(input, topology, result.vertexOfInput);
-  sortCorners(input, result);
+    : isSeam_(topology.edges.size(), 0), seamCount_(original.vertexCount(), 0) {
+  findSeams(original, topology, charts);
+  joinCorners(original, topology, result.vertexOfInput);
+  sortCorners(original, result);
 }
 
-void ChartSides::findSeams(const TriangleMesh& input, const Topology& topology, const Charts& charts) {
+void ChartSides::findSeams(const TriangleMesh& original, const Topology& topology, const Charts& charts) {
   const auto differs = [&](uint32_t first, uint32_t second, uint32_t v) {
-    return charts.wedges[cornerAt(input, first, v)] != charts.wedges[cornerAt(input, second, v)];
+    return charts.wedges[cornerAt(original, first, v).flatIndex()] !=
+           charts.wedges[cornerAt(original, second, v).flatIndex()];
   };
   for (uint32_t e = 0; e < topology.edges.size(); ++e) {
     const Topology::Edge& edge = topology.edges[e];
@@ -30,48 +33,40 @@ void ChartSides::findSeams(const TriangleMesh& input, const Topology& topology, 
   }
 }
 
-uint32_t ChartSides::root(uint32_t corner) {
-  while (side_[corner] != corner) corner = side_[corner] = side_[side_[corner]];
-  return corner;
-}
-
-void ChartSides::join(uint32_t a, uint32_t b) {
-  const uint32_t rootA = root(a), rootB = root(b);
-  side_[std::max(rootA, rootB)] = std::min(rootA, rootB);
-}
-
-void ChartSides::joinCorners(const TriangleMesh& input, const Topology& topology,
+void ChartSides::joinCorners(const TriangleMesh& original, const Topology& topology,
                              const std::vector<uint32_t>& vertexOfInput) {
-  side_.resize(3 * size_t{input.triangleCount()});
-  std::iota(side_.begin(), side_.end(), 0u);
-  for (uint32_t t = 0; t < input.triangleCount(); ++t)
+  DisjointSets sides(3 * size_t{original.triangleCount()});
+  for (uint32_t t = 0; t < original.triangleCount(); ++t)
     for (int c = 0; c < 3; ++c) {
       const int next = (c + 1) % 3;
-      const auto& triangle = input.triangles[t];
-      if (vertexOfInput[triangle[c]] == vertexOfInput[triangle[next]]) join(3 * t + c, 3 * t + next);
+      const auto& triangle = original.triangles[t];
+      if (vertexOfInput[triangle[c]] == vertexOfInput[triangle[next]])
+        sides.unite(Corner(t, c).flatIndex(), Corner(t, next).flatIndex());
     }
   for (uint32_t e = 0; e < topology.edges.size(); ++e) {
     if (isSeam_[e]) continue;
     const Topology::Edge& edge = topology.edges[e];
     const auto triangles = topology.trianglesAt(edge);
     for (const uint32_t v : {edge.a, edge.b})
-      join(cornerAt(input, triangles[0], v), cornerAt(input, triangles[1], v));
+      sides.unite(cornerAt(original, triangles[0], v).flatIndex(),
+                  cornerAt(original, triangles[1], v).flatIndex());
   }
-  for (uint32_t corner = 0; corner < side_.size(); ++corner) side_[corner] = root(corner);
+  side_ = sides.roots();
 }
 
-void ChartSides::sortCorners(const TriangleMesh& input, const MeshAt& result) {
-  const auto vertexOf = [&](uint32_t corner) {
-    return result.vertexOfInput[input.triangles[corner / 3][corner % 3]];
+void ChartSides::sortCorners(const TriangleMesh& original, const MeshAt& result) {
+  const auto forEachCorner = [&](const auto& visit) {
+    for (uint32_t t = 0; t < original.triangleCount(); ++t)
+      for (uint32_t c = 0; c < 3; ++c)
+        if (const uint32_t v = result.vertexOfInput[original.triangles[t][c]]; v != kNone)
+          visit(v, Corner(t, c));
   };
   firstCorner_.assign(size_t{result.mesh.vertexCount()} + 1, 0);
-  for (uint32_t corner = 0; corner < side_.size(); ++corner)
-    if (const uint32_t v = vertexOf(corner); v != kNone) ++firstCorner_[v + 1];
+  forEachCorner([&](uint32_t v, Corner) { ++firstCorner_[v + 1]; });
   std::partial_sum(firstCorner_.begin(), firstCorner_.end(), firstCorner_.begin());
   corners_.resize(firstCorner_.back());
   std::vector<uint32_t> next(firstCorner_.begin(), firstCorner_.end() - 1);
-  for (uint32_t corner = 0; corner < side_.size(); ++corner)
-    if (const uint32_t v = vertexOf(corner); v != kNone) corners_[next[v]++] = corner;
+  forEachCorner([&](uint32_t v, Corner corner) { corners_[next[v]++] = corner; });
 }
 
 }  // namespace limber

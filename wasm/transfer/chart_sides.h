@@ -10,42 +10,38 @@
 
 namespace limber {
 
-// The surroundings of every vertex of a result on its input, parted along seams. The cluster of a vertex is
-// the input vertices that have become it, its corners are those of the triangles around them.
+// The corners of the original around every vertex of a result, divided along seams. The cluster of a vertex
+// of the result consists of the vertices of the original that have become it; its corners are those of the
+// triangles of the original around them. They fall into sides: sets of corners that are connected without
+// crossing a seam.
 class ChartSides {
  public:
-  ChartSides(const TriangleMesh& input, const Topology& topology, const Charts& charts, const MeshAt& result);
+  // `topology`: of the original. Empty lists of `charts` leave the borders of the original as the only seams.
+  // `result.vertexOfInput` refers to the original.
+  ChartSides(const TriangleMesh& original, const Topology& topology, const Charts& charts,
+             const MeshAt& result);
 
   bool isSeam(uint32_t edge) const { return isSeam_[edge] != 0; }
-  // How many seams meet at a vertex of the input: 0 within a chart, 2 along a seam.
+  // How many seams meet at a vertex of the original: 0 within a chart, 2 along a seam.
   uint32_t seamCount(uint32_t vertex) const { return seamCount_[vertex]; }
-  // The side of an input corner: the lowest corner of its cluster that is joined to it without crossing a
-  // seam.
-  uint32_t sideOf(uint32_t corner) const { return side_[corner]; }
-  // The input corners around vertex v of the result, ascending.
-  std::span<const uint32_t> cornersAround(uint32_t v) const {
+  // The side of a corner of the original, named by the flat index of its lowest corner.
+  uint32_t sideOf(Corner corner) const { return side_[corner.flatIndex()]; }
+  // The corners of the original around vertex v of the result, ascending.
+  std::span<const Corner> cornersAround(uint32_t v) const {
     return {corners_.data() + firstCorner_[v], firstCorner_[v + 1] - firstCorner_[v]};
   }
 
  private:
-  void findSeams(const TriangleMesh& input, const Topology& topology, const Charts& charts);
-  void joinCorners(const TriangleMesh& input, const Topology& topology,
+  void findSeams(const TriangleMesh& original, const Topology& topology, const Charts& charts);
+  void joinCorners(const TriangleMesh& original, const Topology& topology,
                    const std::vector<uint32_t>& vertexOfInput);
-  void sortCorners(const TriangleMesh& input, const MeshAt& result);
-  uint32_t root(uint32_t corner);
-  void join(uint32_t a, uint32_t b);
+  void sortCorners(const TriangleMesh& original, const MeshAt& result);
 
   std::vector<uint8_t> isSeam_;        // per edge
-  std::vector<uint32_t> seamCount_;    // per vertex of the input
-  std::vector<uint32_t> side_;         // per corner; a forest while sides are joined
+  std::vector<uint32_t> seamCount_;    // per vertex of the original
+  std::vector<uint32_t> side_;         // [3 t + c] of the original
   std::vector<uint32_t> firstCorner_;  // per vertex of the result, and the end
-  std::vector<uint32_t> corners_;
+  std::vector<Corner> corners_;
 };
-
-// The corner 3 * t + c of triangle t that is at vertex v; t must have it.
-inline uint32_t cornerAt(const TriangleMesh& mesh, uint32_t t, uint32_t v) {
-  const Triangle& triangle = mesh.triangles[t];
-  return 3 * t + (triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2);
-}
 
 }  // namespace limber

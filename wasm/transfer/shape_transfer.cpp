@@ -1,12 +1,13 @@
 #include "transfer/shape_transfer.h"
 
 #include "base/parallel.h"
+#include "mesh/vertex_areas.h"
 
 namespace limber {
 
-std::vector<ClosestPoint> closestPoints(const TriangleMesh& original, const TriangleMesh& other,
+std::vector<ClosestPoint> closestPoints(const TriangleMesh& original, const TriangleMesh& result,
                                         const std::vector<ClosestPoint>& last) {
-  const ClosestPointTree tree(other);
+  const ClosestPointTree tree(result);
   const std::vector<Vec3> normals = vertexNormals(original);
   std::vector<ClosestPoint> points(original.vertexCount());
   parallelFor(points.size(), 256, [&](size_t begin, size_t end) {
@@ -17,7 +18,7 @@ std::vector<ClosestPoint> closestPoints(const TriangleMesh& original, const Tria
   return points;
 }
 
-Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& other,
+Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& result,
                          const std::vector<ClosestPoint>& points) {
   Eigen::MatrixXd carried(3 * static_cast<Eigen::Index>(points.size()), shapes.cols());
   for (size_t v = 0; v < points.size(); ++v)
@@ -26,16 +27,16 @@ Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& othe
       row.setZero();
       for (int c = 0; c < 3; ++c)
         row += points[v].barycentric[c] *
-               shapes.row(3 * static_cast<Eigen::Index>(other.triangles[points[v].triangle][c]) + axis);
+               shapes.row(3 * static_cast<Eigen::Index>(result.triangles[points[v].triangle][c]) + axis);
     }
   return carried;
 }
 
 Eigen::VectorXd rootMasses(const TriangleMesh& mesh) {
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()));
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (uint32_t v : mesh.triangles[t])
-      mass.segment<3>(static_cast<Eigen::Index>(3 * v)).array() += triangleArea(mesh, t) / 3;
+  const std::vector<double> areas = vertexAreas(mesh);
+  for (size_t v = 0; v < areas.size(); ++v)
+    mass.segment<3>(3 * static_cast<Eigen::Index>(v)).setConstant(areas[v]);
   return mass.cwiseSqrt();
 }
 

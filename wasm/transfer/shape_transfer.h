@@ -7,19 +7,23 @@
 
 namespace limber {
 
-// For each vertex of the original, its closest point on the other surface, on the sheet that looks the same
-// way. `last`: those of the same two, but for the places of the other's vertices, to start from; or empty.
-std::vector<ClosestPoint> closestPoints(const TriangleMesh& original, const TriangleMesh& other,
+// For each vertex of the original, the closest point of the result, on the sheet of the surface that looks
+// the same way. `last`: what the same meshes gave when the vertices of the result had other positions, to
+// start the search from; or empty. O(n log n).
+std::vector<ClosestPoint> closestPoints(const TriangleMesh& original, const TriangleMesh& result,
                                         const std::vector<ClosestPoint>& last = {});
 
-// Shapes of the other body (a column each, rows 3 * v + c), at the original's vertices.
-Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& other,
+// Interpolates shapes of the result (a column each, rows 3 v + axis) at its points that belong to the
+// vertices of the original. Returns a column for each shape, with rows 3 v + axis of the original.
+Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& result,
                          const std::vector<ClosestPoint>& points);
 
-// Square roots of the lumped areas, three per vertex: |weight * shape|^2 is the modal mass but for a factor.
+// Square roots of the lumped areas, rows 3 v + axis: |rootMass * shape|^2 is the modal mass of a shell of
+// thickness and density 1.
 Eigen::VectorXd rootMasses(const TriangleMesh& mesh);
 
-// Scales rows by the masses and columns to length 1, so that a MAC is a squared inner product.
+// Multiplies rows by the root masses and scales columns to length 1, so that the MAC of two shapes is their
+// squared inner product.
 Eigen::MatrixXd massNormalised(const Eigen::MatrixXd& shapes, const Eigen::VectorXd& rootMass);
 
 }  // namespace limber

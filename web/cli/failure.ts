@@ -1,7 +1,7 @@
 /** Exit codes, and the line that a failure prints. */
 
-import { OPTIONS, SettingError, wordSentence } from '../engine/settings/options';
-import type { SettingName } from '../engine/settings/options';
+import { OPTIONS, SettingError, wordNote, wordSentence } from '../engine/settings/options';
+import type { Note, SettingName } from '../engine/settings/options';
 import { plain } from './words';
 
 export const EXIT = { done: 0, badInput: 1, missedTarget: 2, internal: 3 } as const;
@@ -26,7 +26,9 @@ export function describeFailure(error: unknown): { code: number; line: string } 
 
 const flagOf = (setting: SettingName): string => `--${OPTIONS[setting].flag}`;
 
-/** On the command line settings are flags. */
+/** A note of the engine; on the command line settings are flags. */
+export const inFlags = (note: Note): string => wordNote(note, flagOf);
+
 function messageOf(error: unknown): string {
   if (error instanceof SettingError) return wordSentence(flagOf(error.setting), error.sentence, flagOf);
   return error instanceof Error ? error.message : String(error);

@@ -6,7 +6,7 @@ import { companionNames } from '../engine/document/gltf';
 import type { SourceFile } from '../engine/document/open';
 import { UsageError } from './failure';
 
-/** The model file, and of a glTF the files that it names and that are there. Throws UsageError. */
+/** The model file; for a glTF also the files that it names, as far as they exist. Throws UsageError. */
 export function readModelFiles(path: string): SourceFile[] {
   const main = { name: basename(path), bytes: readBytes(path) };
   const companions = companionNames(main)
@@ -28,7 +28,7 @@ function readBytes(path: string): Uint8Array {
   }
 }
 
-/** Refuses an output that could not be written, before any work. */
+/** Throws UsageError where the output could not be written, before any work is done. */
 export function checkOutput(path: string, input: string): void {
   if (!path.toLowerCase().endsWith('.glb'))
     throw new UsageError(`${path} is not a .glb: GLB is what can be written, so let the name end in .glb.`);
@@ -44,7 +44,7 @@ export function checkFolder(path: string): void {
     throw new UsageError(`${path} is a folder: name a file.`);
 }
 
-/** Writes all or nothing: into a file beside it that then takes its place. */
+/** Writes all or nothing: into a file in the same folder, which is then renamed to `path`. */
 export function writeWhole(path: string, content: Uint8Array | string): void {
   const partial = join(dirname(path), `.${basename(path)}.${process.pid}.part`);
   try {

@@ -44,13 +44,13 @@ function fail(error: unknown): number {
   return code;
 }
 
-/** The pool of threads keeps Node alive, so the program ends itself, once everything it said has left. */
+/** The pool of threads keeps Node alive, so the program ends itself once all its output is written. */
 function exit(code: number): void {
   process.stdout.write('', () => process.stderr.write('', () => process.exit(code)));
 }
 
-// What a thread of the pool throws arrives here.
+// Errors of the threads in the pool arrive here.
 process.on('uncaughtException', (error) => exit(fail(error)));
-// Whoever read the output may have had enough of it.
+// The reader of the output may close it early.
 process.stdout.on('error', () => process.exit(EXIT.done));
 exit(await main());

@@ -18,7 +18,7 @@ import type { FileRun } from '../engine/stages/file_run';
 import { STAGES } from '../engine/stages/stages';
 import { exportedMesh } from '../engine/stages/written';
 import type { Arguments } from './arguments';
-import { EXIT } from './failure';
+import { EXIT, inFlags } from './failure';
 import { checkOutput, writeWhole } from './files';
 import { finish, openFile, prepareFile, startSession } from './session';
 import type { Session } from './session';
@@ -37,7 +37,7 @@ export async function runModes(args: Arguments): Promise<number> {
   const prepared = file.prepared(settings);
   for (const body of prepared) {
     const size = describeSize(body.diagonal * materialOf(body, settings).unit);
-    if (size !== '') session.warnings.push(`${body.body.name}: ${size}`);
+    if (size) session.warnings.push(`${body.body.name}: ${inFlags(size)}`);
   }
   const weld = stopwatch();
   const sets = file.usable.map(({ run }) => {
@@ -48,7 +48,7 @@ export async function runModes(args: Arguments): Promise<number> {
   if (args.shapes !== null) await writeShapes(session, file, args.shapes);
   const report = startReport(session.core, 'modes', optionsAsUsed(args), prepared);
   Object.assign(report, modesReport(sets));
-  session.warnings.push(...describeSolve(report.modes!, report.solve!.coarseVertices ?? 0));
+  session.warnings.push(...describeSolve(report.modes!, report.solve!.coarseVertices ?? 0).map(inFlags));
   report.timings = { load, weld, modes: solved, export: stopwatch(), total: total() };
   finish(session, report, modesText(args, report));
   return EXIT.done;

@@ -13,7 +13,7 @@ import { FileOutput } from '../engine/stages/file_output';
 import type { FileRun } from '../engine/stages/file_run';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
-import { EXIT } from './failure';
+import { EXIT, inFlags } from './failure';
 import { checkFolder, checkOutput, writeWhole } from './files';
 import { checkLevels, writeLevels } from './levels';
 import { describeMiss, levelLine, summaryLine } from './optimize_words';
@@ -47,7 +47,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
     optionsAsUsed(args),
     levels.map((level) => level.report),
   );
-  session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0));
+  session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0).map(inFlags));
   report.timings = {
     ...{ load, weld, ...report.timings, export: exportTime },
     ...(levels.length > 0 ? { levels: levelsTime } : {}),
@@ -67,7 +67,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
   return missed.length === 0 ? EXIT.done : EXIT.missedTarget;
 }
 
-/** Takes every body through its stages; warns of what does not turn out as asked. */
+/** Takes every body through its stages; warns where a result is not as asked. */
 function optimizeFile({ args, warnings }: Session, file: FileRun): FileOutput {
   const { settings, fields } = args;
   const counts = file.runs.map((run) => (run ? faceCount(run.get(STAGES.prepared, settings).mesh) : 0));

@@ -2,7 +2,7 @@
 
 import { basename } from 'node:path';
 import { readBinding } from '../engine/report/binding_file';
-import type { BodyBinding } from '../engine/report/binding_file';
+import type { BodyBinding } from '../engine/body/body_binding';
 import type { MotionComparison } from '../engine/core/core';
 import { recordingGlb } from '../engine/document/recording';
 import type { RecordedBody } from '../engine/document/recording';

@@ -1,9 +1,10 @@
-// docs/simplification.md: its generated part, between the markers, and the plots.
+// docs/results.md: its generated part, between the markers, and the plots.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { join } from 'node:path';
 import { format, resolveConfig } from 'prettier';
+import { wrapProse } from '../prose.mjs';
 import { imageFolder, root } from './load_engine.mjs';
 import { LEFT_OUT } from './meshes.mjs';
 import { PICTURES, fileOf } from './pictures.mjs';
@@ -67,7 +68,7 @@ function sectionsOf(cases, ratios, attributes) {
 
 /** Replaces what stands between the markers and writes the plots. */
 export async function writeDocument(cases, { meshes, methods, ratios, attributes, missing }) {
-  const path = join(root, 'docs', 'simplification.md');
+  const path = join(root, 'docs', 'results.md');
   const before = readFileSync(path, 'utf8');
   if (!before.includes(BEGIN) || !before.includes(END))
     throw new Error(`${path} has no place for the tables: add "${BEGIN}" and "${END}".`);
@@ -77,10 +78,10 @@ export async function writeDocument(cases, { meshes, methods, ratios, attributes
     ...sectionsOf(cases, ratios, attributes),
     END,
   ];
-  const after = `${before.split(BEGIN)[0]}${content.join('\n\n')}${before.split(END)[1]}`;
+  const after = `${before.split(BEGIN)[0]}${wrapProse(content.join('\n\n'))}${before.split(END)[1]}`;
   writeFileSync(path, await format(after, { ...(await resolveConfig(path)), filepath: path }));
   mkdirSync(imageFolder, { recursive: true });
   writeFileSync(join(imageFolder, 'frequencies.svg'), meshPlot(cases, 0.25));
   writeFileSync(join(imageFolder, 'faces.svg'), facesPlot(cases));
-  console.log('wrote docs/simplification.md and its plots');
+  console.log('wrote docs/results.md and its plots');
 }

@@ -1,6 +1,6 @@
 // How well every method keeps the motion of every mesh, as tables, plots and pictures.
 // Usage: npm run build && node tests/bench/fidelity/evaluate.mjs [--write] [--all] ...
-//   --write        puts tables, plots and pictures into docs/simplification.md
+//   --write        puts tables, plots and pictures into docs/results.md
 //   --all          the large meshes too
 //   --quick        a few meshes, 25 %, our methods alone, printed in a minute: for tuning
 //   --motion       how far the results move apart from their originals, at 25 %, in place of all else

@@ -19,7 +19,7 @@ export const [SECONDS, SUBSTEPS] = [1, 400];
 export const SOLVER = 'the original, half the substeps';
 
 /**
- * { mesh, method, sway, twist, drape } of every mesh and method: the mean deviation, or null where it has flown apart. A
+ * { mesh, method, sway, twist, drape } of every mesh and method: the mean deviation, or null where it has diverged. A
  * method that can hold pins has a second row, `NAME, told`: its results for each motion's pins.
  */
 export function runMotions(loaded, { meshes, methods }) {
@@ -31,7 +31,7 @@ export function runMotions(loaded, { meshes, methods }) {
       const bodies = bodiesOf(loaded, mesh, methods, pinned);
       for (const [name, deviation] of deviations(loaded, mesh, { motion, pinned, bodies })) {
         found.set(name, { ...(found.get(name) ?? { mesh: mesh.name, method: name }), [motion]: deviation });
-        console.log(`${mesh.name}, ${motion}, ${name}: ${deviation?.toFixed(3) ?? 'flew apart'}`);
+        console.log(`${mesh.name}, ${motion}, ${name}: ${deviation?.toFixed(3) ?? 'diverged'}`);
       }
     }
     return [...found.values()];

@@ -1,8 +1,9 @@
-// The tables of --motion, and their place in docs/simplification.md.
+// The tables of --motion, and their place in docs/results.md.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { format, resolveConfig } from 'prettier';
+import { wrapProse } from '../prose.mjs';
 import { root } from './load_engine.mjs';
 import { table, unique } from './markdown.mjs';
 import { MOTIONS, SECONDS, SOLVER, SUBSTEPS } from './motion.mjs';
@@ -12,18 +13,18 @@ const [BEGIN, END] = ['<!-- motion: begin -->', '<!-- motion: end -->'];
 const names = Object.keys(MOTIONS);
 const isWhole = (one) => names.every((name) => one[name] !== null);
 
-/** A line a method: means over the meshes on which nothing flew apart. */
+/** A line a method: means over the meshes on which nothing diverged. */
 export function motionTable(motions) {
   const broken = new Set(motions.filter((one) => !isWhole(one)).map(({ mesh }) => mesh));
   const whole = motions.filter(({ mesh }) => !broken.has(mesh));
   const rows = unique(motions.map(({ method }) => method)).map((method) => {
     const own = whole.filter((one) => one.method === method);
     const means = names.map((name) => meanOf(own.map((one) => one[name])));
-    const flown = motions.filter((one) => one.method === method && !isWhole(one)).length;
-    return [method, ...[meanOf(means), ...means].map((mean) => mean.toFixed(3)), flown];
+    const diverged = motions.filter((one) => one.method === method && !isWhole(one)).length;
+    return [method, ...[meanOf(means), ...means].map((mean) => mean.toFixed(3)), diverged];
   });
   const count = unique(whole.map(({ mesh }) => mesh)).length;
-  return table([`mean over ${count} meshes`, 'all three', ...names, 'flew apart'], rows);
+  return table([`mean over ${count} meshes`, 'all three', ...names, 'diverged'], rows);
 }
 
 /** A line a mesh and motion, a column a method. */
@@ -34,16 +35,16 @@ function meshTable(motions) {
       `${mesh}, ${name}`,
       ...methods.map((method) => {
         const one = motions.find((motion) => motion.mesh === mesh && motion.method === method);
-        return one?.[name]?.toFixed(3) ?? 'flew apart';
+        return one?.[name]?.toFixed(3) ?? 'diverged';
       }),
     ]),
   );
   return table(['mesh, motion', ...methods], rows);
 }
 
-/** Replaces what stands between the markers of docs/simplification.md. */
+/** Replaces what stands between the markers of docs/results.md. */
 export async function writeMotions(motions) {
-  const path = join(root, 'docs', 'simplification.md');
+  const path = join(root, 'docs', 'results.md');
   const before = readFileSync(path, 'utf8');
   if (!before.includes(BEGIN) || !before.includes(END))
     throw new Error(`${path} has no place for the motions: add "${BEGIN}" and "${END}".`);
@@ -57,7 +58,7 @@ export async function writeMotions(motions) {
     meshTable(motions),
     END,
   ];
-  const after = `${before.split(BEGIN)[0]}${content.join('\n\n')}${before.split(END)[1]}`;
+  const after = `${before.split(BEGIN)[0]}${wrapProse(content.join('\n\n'))}${before.split(END)[1]}`;
   writeFileSync(path, await format(after, { ...(await resolveConfig(path)), filepath: path }));
-  console.log('wrote the motions into docs/simplification.md');
+  console.log('wrote the motions into docs/results.md');
 }

@@ -1,4 +1,4 @@
-// The tables of docs/simplification.md, in Markdown, from the cases of run_cases.mjs.
+// The tables of docs/results.md, in Markdown, from the cases of run_cases.mjs.
 
 import { table, unique } from './markdown.mjs';
 import { SUBJECT, TARGETS, meanOf, reachedCount } from './targets.mjs';

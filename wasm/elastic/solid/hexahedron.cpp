@@ -7,18 +7,19 @@ namespace limber {
 
 namespace {
 
-// Against the bubbles' stiffness in a full cell: where a sliver leaves bubbles without any strain.
+// The least stiffness of a bubble, relative to that in a full cell: a sliver may leave a bubble without any
+// strain.
 constexpr double kBubbleFloor = 1e-12;
 
 Vec3 pointAt(int q) {
   return {0.5 * (q % 3), 0.5 * (q / 3 % 3), 0.5 * (q / 9)};
 }
 
-// One factor of a corner's shape function, and its slope.
+// One factor of a corner's shape function, and its derivative.
 double linear(int side, double x) {
   return side ? x : 1 - x;
 }
-double slope(int side) {
+double derivative(int side) {
   return side ? 1 : -1;
 }
 
@@ -53,7 +54,7 @@ Hexahedron::Hexahedron(const Vec3& size, double poisson)
       for (int axis = 0; axis < 3; ++axis) {
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
         gradients_(3 * k + axis, q) =
-            slope(side[axis]) * linear(side[u], p[u]) * linear(side[v], p[v]) / size[axis];
+            derivative(side[axis]) * linear(side[u], p[u]) * linear(side[v], p[v]) / size[axis];
       }
     }
     for (int axis = 0; axis < 3; ++axis) gradients_(24 + 4 * axis, q) = 2 * p[axis] / size[axis];
@@ -91,7 +92,7 @@ std::array<double, 8> Hexahedron::mass(const CellMeasure& measure) const {
     const auto shape = trilinearWeights(pointAt(q));
     for (int k = 0; k < 8; ++k) mass[k] += volume_ * measure[q] * shape[k];
   }
-  for (double& m : mass) m = std::max(m, 0.0);  // rounding
+  for (double& m : mass) m = std::max(m, 0.0);  // rounding may leave less
   return mass;
 }
 

@@ -17,7 +17,7 @@ double signedVolume(const TriangleMesh& mesh) {
   return volume;
 }
 
-// The integrals of the Lagrange polynomials over the share of the cell that each sample stands for.
+// Per sample: the integrals of the Lagrange polynomials over its share of the cell.
 std::array<std::array<double, 3>, kSamples> integralsOfShares() {
   std::array<std::array<double, 3>, kSamples> shares;
   for (int s = 0; s < kSamples; ++s) {
@@ -28,34 +28,38 @@ std::array<std::array<double, 3>, kSamples> integralsOfShares() {
   return shares;
 }
 
-// A ray's part of a cell's cross-section, by a linear weight that is 1 on one side of the cell (0: the low
-// one).
+// The share of a cell's cross-section that one ray stands for, times a linear weight that is 1 on one side of
+// the cell (0: the low side) and 0 on the other.
 double rayShare(int side, int sample) {
-  const double place = (sample + 0.5) / kSamples;
-  return (side ? place : 1 - place) / kSamples;
+  const double position = (sample + 0.5) / kSamples;
+  return (side ? position : 1 - position) / kSamples;
 }
 
-// Less than this part of a cell is what rays find of a side of the body that happens to lie in a side of
-// cells.
+// A cell filled less than this contains only a side of the body that happens to lie in a side of cells.
 constexpr double kHardly = 1e-3;
+
+// The measure of a sliver replaces that of the lattice's rays if it is within these factors of it. Otherwise
+// the piece has a fold or is thick, which its own rays misjudge.
+constexpr double kSliverLeast = 0.4, kSliverMost = 2.5;
 
 class Builder {
  public:
-  Builder(const TriangleMesh& body, uint32_t targetCells, Job& job) : body_(body), job_(job) {
+  Builder(const TriangleMesh& body, uint32_t targetCells, Job& job)
+      : body_(body),
+        job_(job),
+        surface_{lattice_.points, body.triangles, lattice_.grid, signedVolume(body) < 0 ? -1 : 1} {
     lattice_.grid = latticeGrid(body, targetCells);
     lattice_.points = inLatticeUnits(body, lattice_.grid);
   }
 
   Lattice build() {
-    fragments_ = cutIntoFragments(lattice_.points, body_.triangles, lattice_.grid, job_);
-    sign_ = signedVolume(body_) < 0 ? -1 : 1;
-    for (int axis = 0; axis < 3; ++axis)
-      families_.push_back(castRays(lattice_.points, body_.triangles, lattice_.grid, axis, sign_, job_));
+    fragments_ = cutIntoFragments(surface_, job_);
+    for (int axis = 0; axis < 3; ++axis) families_.push_back(castRays(surface_, axis, job_));
     LatticePieces pieces(lattice_.grid, fragments_, families_);
     joinWithinCells(pieces);
     const uint32_t copyCount = pieces.copyCount();
-    corners_.reset(8 * size_t{copyCount});
-    connected_.reset(copyCount);
+    corners_ = DisjointSets(8 * size_t{copyCount});
+    connected_ = DisjointSets(copyCount);
     lattice_.filled.resize(copyCount);
     lattice_.ends.resize(copyCount);
     stretchCount_.assign(copyCount, 0);
@@ -65,7 +69,7 @@ class Builder {
     measureSlivers(pieces);
     attachLooseCopies(pieces);
     numberNodes(copyCount);
-    placeVertices(pieces);
+    assignVertices(pieces);
     return std::move(lattice_);
   }
 
@@ -84,7 +88,8 @@ class Builder {
     pieces.numberCopies();
   }
 
-  // Also where a surface touches itself in a vertex alone: one component is one body.
+  // Joins around vertices too, because a surface may touch itself in a vertex alone and is still one
+  // component.
   void joinAroundVertices(LatticePieces& pieces) {
     std::vector<uint32_t> first(body_.vertexCount(), kNone);
     for (uint32_t t = 0; t < body_.triangleCount(); ++t)
@@ -96,11 +101,11 @@ class Builder {
       }
   }
 
-  // `next` lies beyond `copy` along the axis: they share the four nodes between them.
+  // Lets `copy` share four nodes with `next`, its neighbour in the positive direction of the axis.
   void joinCopies(uint32_t copy, uint32_t next, int axis) {
-    connected_.join(copy, next);
+    connected_.unite(copy, next);
     for (uint32_t corner = 0; corner < 8; ++corner)
-      if (corner >> axis & 1) corners_.join(8 * copy + corner, 8 * next + (corner ^ (1u << axis)));
+      if (corner >> axis & 1) corners_.unite(8 * copy + corner, 8 * next + (corner ^ (1u << axis)));
   }
 
   void joinThroughTriangles(const LatticePieces& pieces) {
@@ -115,8 +120,8 @@ class Builder {
     }
   }
 
-  // Joins copies along the rays and measures how they are filled. The three families measure the same inside:
-  // the mean of them is taken.
+  // Joins copies along the rays and measures how they are filled. The three families measure the same inside,
+  // so each counts a third.
   void followRays(const LatticePieces& pieces, const RayFamily& family) {
     static const auto shares = integralsOfShares();
     const int axis = family.axis, u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -143,7 +148,8 @@ class Builder {
     job_.check();
   }
 
-  // Few rays run through a thin piece, or many of them cross it from surface to surface within the cell.
+  // A piece is a sliver if few rays pass through it, or if many of them cross it from surface to surface in
+  // one cell.
   bool isSliver(uint32_t copy) const {
     return stretchCount_[copy] <= kSamples * kSamples || 3 * crossedCount_[copy] >= stretchCount_[copy];
   }
@@ -157,24 +163,24 @@ class Builder {
       if (trianglesOf[copy].empty()) continue;
       job_.check();
       const CellMeasure measure =
-          measureSliver({lattice_.points, body_.triangles, trianglesOf[copy],
-                         lattice_.grid.positionOf(pieces.cellOfCopy(copy)), sign_, stretchCount_[copy] > 0});
-      // Where the two differ widely the piece has a fold or is thick, and the lattice's rays will do.
+          measureSliver({surface_, trianglesOf[copy], lattice_.grid.positionOf(pieces.cellOfCopy(copy)),
+                         stretchCount_[copy] > 0});
       const double own = filledFraction(measure), common = filledFraction(lattice_.filled[copy]);
-      if (common < kHardly || (own > 0.4 * common && own < 2.5 * common)) lattice_.filled[copy] = measure;
+      if (common < kHardly || (own > kSliverLeast * common && own < kSliverMost * common))
+        lattice_.filled[copy] = measure;
     }
   }
 
-  // Copies that no ray tells to be connected with the rest: the surfaces of cavities so small that they lie
-  // between the rays. They join the fullest piece around them.
+  // Merges copies that no ray connects with the rest into the fullest copy of their cell. They are the
+  // surfaces of cavities so small that they lie between the rays.
   void attachLooseCopies(const LatticePieces& pieces) {
     std::vector<uint64_t> stretches(pieces.copyCount(), 0);
     for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy)
-      stretches[connected_.find(copy)] += stretchCount_[copy];
+      stretches[connected_.rootOf(copy)] += stretchCount_[copy];
     const auto& cells = pieces.cellsOfCopies();
     std::vector<std::pair<uint32_t, uint32_t>> joints;
     for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy) {
-      if (stretches[connected_.find(copy)] > 0) continue;
+      if (stretches[connected_.rootOf(copy)] > 0) continue;
       const auto [first, last] = std::equal_range(cells.begin(), cells.end(), cells[copy]);
       uint32_t fullest = copy;
       for (auto c = static_cast<uint32_t>(first - cells.begin()); c < last - cells.begin(); ++c)
@@ -182,7 +188,7 @@ class Builder {
       if (fullest != copy) joints.push_back({copy, fullest});
     }
     for (const auto& [copy, host] : joints) {
-      for (uint32_t corner = 0; corner < 8; ++corner) corners_.join(8 * copy + corner, 8 * host + corner);
+      for (uint32_t corner = 0; corner < 8; ++corner) corners_.unite(8 * copy + corner, 8 * host + corner);
       lattice_.filled[copy] = {};
     }
   }
@@ -191,12 +197,12 @@ class Builder {
     std::vector<uint32_t>& nodes = lattice_.copyNodes;
     nodes.assign(8 * size_t{copyCount}, kNone);
     for (uint32_t corner = 0; corner < nodes.size(); ++corner) {
-      const uint32_t root = corners_.find(corner);  // the smallest of its set: it was seen before
+      const uint32_t root = corners_.rootOf(corner);  // the smallest of its set: it was seen before
       nodes[corner] = root == corner ? lattice_.nodeCount++ : nodes[root];
     }
   }
 
-  void placeVertices(const LatticePieces& pieces) {
+  void assignVertices(const LatticePieces& pieces) {
     lattice_.copyOfVertex.assign(body_.vertexCount(), 0);
     for (uint32_t t = 0; t < body_.triangleCount(); ++t)
       for (uint32_t v : body_.triangles[t]) {
@@ -208,13 +214,13 @@ class Builder {
   const TriangleMesh& body_;
   Job& job_;
   Lattice lattice_;
+  LatticeSurface surface_;  // refers to lattice_
   Fragments fragments_;
   std::vector<RayFamily> families_;
-  DisjointSets corners_;                // of copies, [8 * copy + corner]: joined ones are one node
-  DisjointSets connected_;              // copies
-  std::vector<uint32_t> stretchCount_;  // of each copy: stretches of rays through it
-  std::vector<uint32_t> crossedCount_;  // those of them that begin and end within the cell
-  int sign_ = 1;                        // -1 where the body is wound inwards
+  DisjointSets corners_;                // [8 * copy + corner]: joined corners are one node
+  DisjointSets connected_;              // joined copies are connected
+  std::vector<uint32_t> stretchCount_;  // per copy: stretches of rays through it
+  std::vector<uint32_t> crossedCount_;  // per copy: those that begin and end within the cell
 };
 
 }  // namespace

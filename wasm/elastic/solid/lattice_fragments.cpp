@@ -7,15 +7,17 @@ namespace limber {
 
 namespace {
 
-// A convex polygon; a triangle cut by six planes has at most nine corners.
+constexpr size_t kCheckInterval = 4096;  // triangles between two checks for cancellation
+
+// A convex polygon. A triangle cut by six planes has at most nine corners.
 struct Polygon {
   std::array<Vec3, 12> corners;
   int size = 0;
   void add(const Vec3& p) { corners[size++] = p; }
 };
 
-// Cuts off the part of the polygon below the plane, leaves the rest. Both get the same cut points, so that
-// what is joined stays joined to the last bit.
+// Returns the part of the polygon below the plane and leaves the rest. Both get the same cut points, so that
+// they stay joined to the last bit.
 Polygon cutBelow(Polygon& polygon, int axis, double plane) {
   Polygon below, above;
   for (int i = 0; i < polygon.size; ++i) {
@@ -32,7 +34,7 @@ Polygon cutBelow(Polygon& polygon, int axis, double plane) {
   return below;
 }
 
-// The range of cells of a polygon along an axis.
+// The first and the last cell of a polygon along an axis.
 std::array<int, 2> cellsAlong(const Polygon& polygon, int axis, const LatticeGrid& grid) {
   double low = polygon.corners[0][axis], high = low;
   for (int i = 1; i < polygon.size; ++i) {
@@ -46,18 +48,18 @@ class Cutter {
  public:
   Cutter(const LatticeGrid& grid, Fragments& fragments) : grid_(grid), fragments_(fragments) {}
 
-  // Cuts along `axis` and all later ones; `place` holds the cells along the axes before.
-  void cut(Polygon polygon, int axis, std::array<int, 3> place) {
+  // Cuts along `axis` and all later axes. `position` has the cells along the previous axes.
+  void cut(Polygon polygon, int axis, std::array<int, 3> position) {
     if (axis == 3) {
-      fragments_.cell.push_back(grid_.cellAt(place[0], place[1], place[2]));
+      fragments_.cell.push_back(grid_.cellAt(position[0], position[1], position[2]));
       return;
     }
     const auto [low, high] = cellsAlong(polygon, axis, grid_);
-    for (place[axis] = low; place[axis] < high; ++place[axis]) {
-      const Polygon below = cutBelow(polygon, axis, place[axis] + 1.0);
-      if (below.size > 0) cut(below, axis + 1, place);
+    for (position[axis] = low; position[axis] < high; ++position[axis]) {
+      const Polygon below = cutBelow(polygon, axis, position[axis] + 1.0);
+      if (below.size > 0) cut(below, axis + 1, position);
     }
-    if (polygon.size > 0) cut(polygon, axis + 1, place);
+    if (polygon.size > 0) cut(polygon, axis + 1, position);
   }
 
  private:
@@ -73,15 +75,14 @@ uint32_t Fragments::find(uint32_t triangle, uint32_t wanted) const {
   return found != last && *found == wanted ? static_cast<uint32_t>(found - cell.begin()) : kNone;
 }
 
-Fragments cutIntoFragments(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
-                           const LatticeGrid& grid, Job& job) {
+Fragments cutIntoFragments(const LatticeSurface& surface, Job& job) {
   Fragments fragments;
-  Cutter cutter(grid, fragments);
+  Cutter cutter(surface.grid, fragments);
   fragments.start.push_back(0);
-  for (size_t t = 0; t < triangles.size(); ++t) {
-    if (t % 4096 == 0) job.check();
+  for (size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (t % kCheckInterval == 0) job.check();
     Polygon polygon;
-    for (uint32_t v : triangles[t]) polygon.add(points[v]);
+    for (uint32_t v : surface.triangles[t]) polygon.add(surface.points[v]);
     cutter.cut(polygon, 0, {0, 0, 0});
     fragments.start.push_back(fragments.count());
   }

@@ -8,14 +8,19 @@ namespace limber {
 namespace {
 
 constexpr double kMarginLow = 1.3e-6, kMarginHigh = 0.7e-6;  // of a cell
-constexpr size_t kMostCells = 4'000'000;                     // in the box, filled or not
+constexpr size_t kMostCells = 4'000'000;                     // in the box, filled or empty
+constexpr double kCoarsening = 1.1;     // factor on the side of a cell until they are few enough
+constexpr double kSmallestSide = 1e-4;  // of a cell, of the bounding diagonal
+constexpr int kBisections = 60;
 
-// Planes of all directions cut 1.5 cells per square of a cell's side, half of them mostly outside.
+// An estimate of the cells that contain a part of a body. Averaged over all directions a plane cuts 1.5 cells
+// per square of the side of a cell, and half of these lie mostly outside.
+constexpr double kCellsOfSurface = 0.75;
 double filledCells(double volume, double area, double side) {
-  return volume / (side * side * side) + 0.75 * area / (side * side);
+  return volume / (side * side * side) + kCellsOfSurface * area / (side * side);
 }
 
-// The side of a cell for which `targetCells` are expected to hold a part of the body.
+// The side of a cell for which `targetCells` cells are expected to contain a part of the body.
 double cellSide(const TriangleMesh& body, uint32_t targetCells) {
   double volume = 0, area = 0;
   for (uint32_t t = 0; t < body.triangleCount(); ++t) {
@@ -23,8 +28,8 @@ double cellSide(const TriangleMesh& body, uint32_t targetCells) {
     area += triangleArea(body, t);
   }
   volume = std::abs(volume);
-  double high = bounds(body).diagonal(), low = high * 1e-4;
-  for (int step = 0; step < 60; ++step) {
+  double high = bounds(body).diagonal(), low = high * kSmallestSide;
+  for (int step = 0; step < kBisections; ++step) {
     const double middle = std::sqrt(low * high);
     (filledCells(volume, area, middle) > targetCells ? low : high) = middle;
   }
@@ -39,15 +44,15 @@ int LatticeGrid::along(int axis, double coordinate) const {
 
 LatticeGrid latticeGrid(const TriangleMesh& body, uint32_t targetCells) {
   const Bounds box = bounds(body);
-  const Vec3 extent = box.high - box.low;
+  const Vec3 size = box.high - box.low;
   LatticeGrid grid;
-  for (double side = cellSide(body, targetCells);; side *= 1.1) {
+  for (double side = cellSide(body, targetCells);; side *= kCoarsening) {
     for (int axis = 0; axis < 3; ++axis)
-      grid.count[axis] = std::max(1, static_cast<int>(std::lround(extent[axis] / side)));
+      grid.count[axis] = std::max(1, static_cast<int>(std::lround(size[axis] / side)));
     if (grid.cellCount() <= kMostCells) break;
   }
   for (int axis = 0; axis < 3; ++axis) {
-    grid.size[axis] = extent[axis] * (1 + (kMarginLow + kMarginHigh) / grid.count[axis]) / grid.count[axis];
+    grid.size[axis] = size[axis] * (1 + (kMarginLow + kMarginHigh) / grid.count[axis]) / grid.count[axis];
     grid.origin[axis] = box.low[axis] - kMarginLow * grid.size[axis];
   }
   return grid;

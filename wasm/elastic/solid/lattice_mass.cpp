@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "mesh/triangle_mesh.h"
 
@@ -10,17 +11,18 @@ namespace limber {
 
 namespace {
 
-constexpr double kMoved = 1.0 / 12;          // of a cell's mass
-constexpr double kLeast = 0.4, kMost = 1.4;  // what a node may have afterwards, of its mass before
+constexpr double kMoved = 1.0 / 12;  // of the mass of a cell
+constexpr double kLeast = 0.4,
+                 kMost = 1.4;  // bounds on the mass of a node afterwards, relative to its mass before
 
-// Corner of a cell on one side of an axis, `lateral` as in Lattice::ends.
-uint32_t cornerAt(uint32_t axis, uint32_t lateral, uint32_t side) {
+// The corner of a cell on one side of an axis, with `lateral` as in Lattice::ends.
+uint32_t cellCorner(uint32_t axis, uint32_t lateral, uint32_t side) {
   const uint32_t u = (axis + 1) % 3, v = (axis + 2) % 3;
   return side << axis | (lateral & 1) << u | (lateral >> 1) << v;
 }
 
-// The node next to each one along each axis, [6 * node + 2 * axis + side]; kNone where there is none. Where
-// copies part there may be several: the one of the first copy.
+// The neighbours of each node along each axis, [6 * node + 2 * axis + side], or kNone. Where copies branch
+// there may be several: then that of the first copy.
 std::vector<uint32_t> findNeighbours(const Lattice& lattice) {
   std::vector<uint32_t> neighbours(6 * size_t{lattice.nodeCount}, kNone);
   for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy)
@@ -33,21 +35,35 @@ std::vector<uint32_t> findNeighbours(const Lattice& lattice) {
   return neighbours;
 }
 
-// Moves `wanted` from a node to the next one, and what cannot go there from that to the one behind: the
-// moment is the same. No mass goes to where there is hardly any, for there may be no stiffness either.
-void moveInwards(uint32_t node, uint32_t direction, double wanted, const std::vector<uint32_t>& neighbours,
-                 const std::vector<double>& before, std::vector<double>& mass) {
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    const uint32_t next = neighbours[6 * size_t{node} + direction];
-    if (next == kNone) return;
-    const double spare = mass[node] - kLeast * before[node], room = kMost * before[next] - mass[next];
-    const double part = std::max(0.0, std::min({wanted, spare, room}));
-    mass[node] -= part;
-    mass[next] += part;
-    wanted -= part;
-    node = next;
+// Lumped masses that can be moved between neighbouring nodes.
+class MovableMass {
+ public:
+  MovableMass(std::vector<double> mass, const Lattice& lattice)
+      : mass_(std::move(mass)), before_(mass_), neighbours_(findNeighbours(lattice)) {}
+
+  // Moves `wanted` from a node to its neighbour in a direction (2 * axis + side), and what the node cannot
+  // give from that neighbour to the next one, which changes the moment by as much. Nodes with hardly any mass
+  // get no more, because they may not have any stiffness either.
+  void moveInwards(uint32_t node, uint32_t direction, double wanted) {
+    for (int attempt = 0; attempt < 2; ++attempt) {
+      const uint32_t next = neighbours_[6 * size_t{node} + direction];
+      if (next == kNone) return;
+      const double available = mass_[node] - kLeast * before_[node],
+                   capacity = kMost * before_[next] - mass_[next];
+      const double moved = std::max(0.0, std::min({wanted, available, capacity}));
+      mass_[node] -= moved;
+      mass_[next] += moved;
+      wanted -= moved;
+      node = next;
+    }
   }
-}
+
+  std::vector<double> take() { return std::move(mass_); }
+
+ private:
+  std::vector<double> mass_, before_;
+  std::vector<uint32_t> neighbours_;
+};
 
 }  // namespace
 
@@ -59,16 +75,15 @@ std::vector<double> latticeMass(const Lattice& lattice, const Hexahedron& brick)
   }
   const Vec3& size = lattice.grid.size;
   const double step = kMoved * size.x * size.y * size.z;
-  const std::vector<double> before = mass;
-  const std::vector<uint32_t> neighbours = findNeighbours(lattice);
+  MovableMass movable(std::move(mass), lattice);
   for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy)
     for (uint32_t e = 0; e < 12; ++e) {
       const double end = lattice.ends[copy][e];
       const uint32_t axis = e / 4, side = end > 0 ? 1 : 0;
-      const uint32_t outer = lattice.copyNodes[8 * copy + cornerAt(axis, e % 4, side)];
-      moveInwards(outer, 2 * axis + 1 - side, step * std::abs(end), neighbours, before, mass);
+      const uint32_t outer = lattice.copyNodes[8 * copy + cellCorner(axis, e % 4, side)];
+      movable.moveInwards(outer, 2 * axis + 1 - side, step * std::abs(end));
     }
-  return mass;
+  return movable.take();
 }
 
 }  // namespace limber

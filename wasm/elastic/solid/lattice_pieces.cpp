@@ -8,12 +8,12 @@ namespace {
 
 constexpr uint32_t kSamplesPerCell = kSamples * kSamples * kSamples;
 
-// Does the segment run through the cell at `place`? Rounding is on the side of yes.
-bool runsThrough(const Vec3& from, const Vec3& to, const std::array<int, 3>& place) {
+// Whether the segment passes through the cell at `position`, in doubt yes.
+bool runsThrough(const Vec3& from, const Vec3& to, const std::array<int, 3>& position) {
   constexpr double slack = 1e-12;
   double begin = 0, end = 1;
   for (int axis = 0; axis < 3; ++axis) {
-    const double low = place[axis] - slack - from[axis], high = place[axis] + 1 + slack - from[axis];
+    const double low = position[axis] - slack - from[axis], high = position[axis] + 1 + slack - from[axis];
     const double step = to[axis] - from[axis];
     if (step == 0) {
       if (low > 0 || high < 0) return false;
@@ -47,7 +47,7 @@ void LatticePieces::numberItems(const std::vector<RayFamily>& families) {
     }
   isUsed_.assign(fragmentItem_, 0);
   isUsed_.resize(fragmentItem_ + fragments_.count(), 1);
-  sets_.reset(isUsed_.size());
+  sets_ = DisjointSets(isUsed_.size());
 }
 
 template <typename Visit>
@@ -55,8 +55,8 @@ void LatticePieces::forEachItem(const RayFamily& family, const Stretch& stretch,
   if (!isCut_[stretch.cell]) return visit(itemStart_[stretch.cell]);
   std::array<int, 3> sample = stretch.sample;
   for (int s = 0; s < kSamples; ++s) {
-    const double place = samplePlace(family.axis, s);
-    if (place < stretch.begin || place > stretch.end) continue;
+    const double position = samplePosition(family.axis, s);
+    if (position < stretch.begin || position > stretch.end) continue;
     sample[family.axis] = s;
     visit(itemStart_[stretch.cell] +
           static_cast<uint32_t>((sample[0] * kSamples + sample[1]) * kSamples + sample[2]));
@@ -85,7 +85,7 @@ void LatticePieces::joinAlongRays(const RayFamily& family) {
     uint32_t before = kNone;
     forEachItem(family, stretch, [&](uint32_t item) {
       isUsed_[item] = 1;
-      if (before != kNone) sets_.join(before, item);
+      if (before != kNone) sets_.unite(before, item);
       before = item;
     });
   });
@@ -98,7 +98,7 @@ void LatticePieces::numberCopies() {
   };
   std::vector<Piece> pieces;
   const auto add = [&](uint32_t item, uint32_t cell) {
-    if (isUsed_[item] && sets_.find(item) == item) pieces.push_back({cell, item});
+    if (isUsed_[item] && sets_.rootOf(item) == item) pieces.push_back({cell, item});
   };
   for (uint32_t cell = 0; cell < itemStart_.size(); ++cell) {
     if (itemStart_[cell] == kNone) continue;
@@ -113,7 +113,7 @@ void LatticePieces::numberCopies() {
     cellOfCopy_.push_back(piece.cell);
   }
   for (uint32_t item = 0; item < itemCount; ++item)
-    if (isUsed_[item]) copyOfItem_[item] = copyOfItem_[sets_.find(item)];
+    if (isUsed_[item]) copyOfItem_[item] = copyOfItem_[sets_.rootOf(item)];
 }
 
 uint32_t LatticePieces::copyOf(const RayFamily& family, const Stretch& stretch) const {

@@ -2,67 +2,48 @@
 
 #include <array>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
+#include "base/disjoint_sets.h"
 #include "elastic/solid/lattice_fragments.h"
 #include "elastic/solid/lattice_rays.h"
 
 namespace limber {
 
-// Sets that grow together; each is known by its smallest member.
-class DisjointSets {
- public:
-  void reset(size_t count) {
-    parent_.resize(count);
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  uint32_t find(uint32_t item) {
-    while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
-    return item;
-  }
-  void join(uint32_t a, uint32_t b) {
-    a = find(a), b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<uint32_t> parent_;
-};
-
-// The part of an interval of a ray within one cell.
+// The part of a ray's interval within one cell.
 struct Stretch {
   uint32_t cell;
-  std::array<int, 3> sample;  // numbers of the ray's samples within the cell; its own axis is unused
+  std::array<int, 3> sample;  // the ray's samples within the cell; the entry of its own axis is unused
   double begin, end;          // along the ray within the cell, in [0, 1]
-  bool isFirst, isLast;       // the interval begins, ends in this cell
-  uint32_t firstCrossing, lastCrossing;  // the interval's crossings in this cell are [first, last)
+  bool isFirst, isLast;       // whether the interval begins and ends in this cell
+  uint32_t firstCrossing, lastCrossing;  // the crossings in this cell: [firstCrossing, lastCrossing)
 };
 
-// The pieces of the body's inside in each cell. A piece consists of sample points and fragments of the
-// surface (items) that are connected within the cell: along rays, and across edges of the surface. A cell
-// without any fragment is one single item. Each piece becomes a copy of its cell.
+// The connected pieces of the body's inside in each cell. A piece consists of items, sample points and
+// fragments of the surface, that are connected within the cell along rays and across edges of the surface. A
+// cell without any fragment is a single item. Each piece becomes a copy of its cell.
 class LatticePieces {
  public:
   LatticePieces(const LatticeGrid& grid, const Fragments& fragments, const std::vector<RayFamily>& families);
 
-  // Two fragments of triangles that touch within the fragments' common cell.
-  void joinFragments(uint32_t a, uint32_t b) { sets_.join(fragmentItem_ + a, fragmentItem_ + b); }
-  // Two triangles with a common edge between `from` and `to` (lattice units) are connected where it runs.
+  // Joins two fragments of the same cell whose triangles touch in that cell.
+  void joinFragments(uint32_t a, uint32_t b) { sets_.unite(fragmentItem_ + a, fragmentItem_ + b); }
+  // Joins the fragments of two triangles in all cells through which their common edge from `from` to `to`
+  // runs.
   void joinAlongEdge(uint32_t triangleA, uint32_t triangleB, const Vec3& from, const Vec3& to);
   void joinAlongRays(const RayFamily& family);
-  // To be called once all is joined; copies are numbered by cell, then by their first item.
+  // Call it after all joins. Copies are numbered by cell, then by their first item.
   void numberCopies();
 
   uint32_t copyCount() const { return static_cast<uint32_t>(cellOfCopy_.size()); }
-  // Ascending.
+  // Per copy, ascending.
   const std::vector<uint32_t>& cellsOfCopies() const { return cellOfCopy_; }
   uint32_t cellOfCopy(uint32_t copy) const { return cellOfCopy_[copy]; }
   uint32_t copyOfFragment(uint32_t fragment) const { return copyOfItem_[fragmentItem_ + fragment]; }
-  // The copy that a stretch runs through, or kNone where it is too short to tell.
+  // The copy that a stretch passes through, or kNone if the stretch is too short to tell.
   uint32_t copyOf(const RayFamily& family, const Stretch& stretch) const;
 
-  // Calls visit(stretch) for each stretch of a family's intervals, ray by ray.
+  // Calls visit(stretch) for each cell that each interval of a family passes through, ray by ray.
   template <typename Visit>
   void forEachStretch(const RayFamily& family, const Visit& visit) const;
 
@@ -74,9 +55,9 @@ class LatticePieces {
 
   const LatticeGrid& grid_;
   const Fragments& fragments_;
-  std::vector<uint8_t> isCut_;       // per cell: has a fragment
-  std::vector<uint32_t> itemStart_;  // per cell: its first sample's item, kNone where the cell is empty
-  uint32_t fragmentItem_ = 0;        // the item of fragment 0; those of samples come before
+  std::vector<uint8_t> isCut_;       // per cell: whether it has a fragment
+  std::vector<uint32_t> itemStart_;  // per cell: the item of its first sample; kNone if the cell is empty
+  uint32_t fragmentItem_ = 0;        // the item of fragment 0; all items of samples come before
   std::vector<uint8_t> isUsed_;      // per item
   DisjointSets sets_;
   std::vector<uint32_t> copyOfItem_, cellOfCopy_;
@@ -91,17 +72,17 @@ void LatticePieces::forEachStretch(const RayFamily& family, const Visit& visit) 
     const int a = static_cast<int>(ray / raysAlongV), b = static_cast<int>(ray % raysAlongV);
     const double begin = family.crossings[interval.first].depth, end = family.crossings[interval.last].depth;
     const int first = grid_.along(axis, begin), last = grid_.along(axis, end);
-    std::array<int, 3> place;
+    std::array<int, 3> position;
     Stretch stretch;
     stretch.sample[axis] = 0;
     stretch.sample[u] = a % kSamples;
     stretch.sample[v] = b % kSamples;
-    place[u] = a / kSamples;
-    place[v] = b / kSamples;
+    position[u] = a / kSamples;
+    position[v] = b / kSamples;
     stretch.lastCrossing = interval.first;
     for (int c = first; c <= last; ++c) {
-      place[axis] = c;
-      stretch.cell = grid_.cellAt(place[0], place[1], place[2]);
+      position[axis] = c;
+      stretch.cell = grid_.cellAt(position[0], position[1], position[2]);
       stretch.begin = c == first ? begin - c : 0;
       stretch.end = c == last ? end - c : 1;
       stretch.isFirst = c == first;

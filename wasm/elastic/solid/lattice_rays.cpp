@@ -9,27 +9,31 @@ namespace limber {
 
 namespace {
 
-// On which side of an edge a point lies, seen along the line.
+constexpr uint32_t kCheckInterval = 4096;  // triangles between two checks for cancellation
+
+// The side of an edge on which a line passes, seen along the line.
 struct Side {
-  double area;    // twice that of (from, to, point)
-  bool isInside;  // the point lies to the left
+  double area;    // twice that of the triangle (from, to, line)
+  bool isInside;  // the line passes to the left
 };
 
-// Always taken with the lower vertex first, and a point on the edge counts to one side.
-Side sideOf(const std::vector<Vec3>& points, uint32_t from, uint32_t to, int axis, double u, double v) {
+// Computed with the lower vertex first, so that both triangles of an edge agree. A line through the edge
+// counts to one side.
+Side sideOf(const std::vector<Vec3>& points, uint32_t from, uint32_t to, const AxisLine& line) {
+  const auto [axis, u, v] = line;
   const int axisU = (axis + 1) % 3, axisV = (axis + 2) % 3;
-  const bool isTurned = from > to;
-  const Vec3 &a = points[isTurned ? to : from], &b = points[isTurned ? from : to];
+  const bool isReversed = from > to;
+  const Vec3 &a = points[isReversed ? to : from], &b = points[isReversed ? from : to];
   const double area = (a[axisU] - u) * (b[axisV] - v) - (a[axisV] - v) * (b[axisU] - u);
-  return isTurned ? Side{-area, area < 0} : Side{area, area >= 0};
+  return isReversed ? Side{-area, area < 0} : Side{area, area >= 0};
 }
 
 class Caster {
  public:
-  Caster(const std::vector<Vec3>& points, const LatticeGrid& grid, RayFamily& family)
-      : points_(points), family_(family), u_((family.axis + 1) % 3), v_((family.axis + 2) % 3) {
-    raysAlongU_ = grid.count[u_] * kSamples;
-    raysAlongV_ = grid.count[v_] * kSamples;
+  Caster(const LatticeSurface& surface, RayFamily& family)
+      : points_(surface.points), family_(family), u_((family.axis + 1) % 3), v_((family.axis + 2) % 3) {
+    raysAlongU_ = surface.grid.count[u_] * kSamples;
+    raysAlongV_ = surface.grid.count[v_] * kSamples;
   }
 
   void cast(const Triangle& triangle, uint32_t t) {
@@ -37,9 +41,9 @@ class Caster {
     const auto [firstV, lastV] = range(triangle, v_, raysAlongV_);
     for (int a = firstU; a <= lastU; ++a)
       for (int b = firstV; b <= lastV; ++b) {
-        const double u = a / kSamples + samplePlace(u_, a % kSamples);
-        const double v = b / kSamples + samplePlace(v_, b % kSamples);
-        const auto hit = hitTriangle(points_, triangle, family_.axis, u, v);
+        const double u = a / kSamples + samplePosition(u_, a % kSamples);
+        const double v = b / kSamples + samplePosition(v_, b % kSamples);
+        const auto hit = hitTriangle(points_, triangle, {family_.axis, u, v});
         if (hit)
           family_.crossings.push_back(
               {static_cast<uint32_t>(a * raysAlongV_ + b), t, hit->depth, hit->isEntry});
@@ -47,11 +51,11 @@ class Caster {
   }
 
  private:
-  // The numbers of the rays that may meet the triangle, along one axis.
+  // The first and the last ray along one axis that may meet the triangle.
   std::array<int, 2> range(const Triangle& triangle, int axis, int count) const {
     const auto [low, high] =
         std::minmax({points_[triangle[0]][axis], points_[triangle[1]][axis], points_[triangle[2]][axis]});
-    const double first = samplePlace(axis, 0);
+    const double first = samplePosition(axis, 0);
     return {std::max(0, static_cast<int>(std::floor((low - first) * kSamples))),
             std::min(count - 1, static_cast<int>(std::ceil((high - first) * kSamples)))};
   }
@@ -67,7 +71,7 @@ void sortCrossings(RayFamily& family) {
   });
 }
 
-// The intervals of one ray, whose crossings are [begin, end).
+// Adds the intervals of one ray, which has the crossings [begin, end).
 void addIntervals(RayFamily& family, uint32_t begin, uint32_t end, int sign) {
   const size_t before = family.intervals.size();
   int winding = 0;
@@ -83,40 +87,39 @@ void addIntervals(RayFamily& family, uint32_t begin, uint32_t end, int sign) {
 
 }  // namespace
 
-std::optional<LineHit> hitTriangle(const std::vector<Vec3>& points, const Triangle& triangle, int axis,
-                                   double u, double v) {
+std::optional<LineHit> hitTriangle(const std::vector<Vec3>& points, const Triangle& triangle,
+                                   const AxisLine& line) {
   std::array<Side, 3> sides;
-  for (int c = 0; c < 3; ++c)
-    sides[c] = sideOf(points, triangle[(c + 1) % 3], triangle[(c + 2) % 3], axis, u, v);
+  for (int c = 0; c < 3; ++c) sides[c] = sideOf(points, triangle[(c + 1) % 3], triangle[(c + 2) % 3], line);
   if (sides[0].isInside != sides[1].isInside || sides[1].isInside != sides[2].isInside) return {};
   double depth = 0, total = 0, low = HUGE_VAL, high = -HUGE_VAL;
   for (int c = 0; c < 3; ++c) {
-    const double corner = points[triangle[c]][axis];
+    const double corner = points[triangle[c]][line.axis];
     depth += sides[c].area * corner;
     total += sides[c].area;
     low = std::min(low, corner);
     high = std::max(high, corner);
   }
   depth = total != 0 ? std::clamp(depth / total, low, high) : low;
-  // A triangle that turns left around the line looks along it: there the line leaves.
+  // The normal of a triangle that winds to the left around the line points along the line, so the line leaves
+  // there.
   return LineHit{depth, !sides[0].isInside};
 }
 
-RayFamily castRays(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
-                   const LatticeGrid& grid, int axis, int sign, Job& job) {
+RayFamily castRays(const LatticeSurface& surface, int axis, Job& job) {
   RayFamily family;
   family.axis = axis;
-  Caster caster(points, grid, family);
-  for (uint32_t t = 0; t < triangles.size(); ++t) {
-    if (t % 4096 == 0) job.check();
-    caster.cast(triangles[t], t);
+  Caster caster(surface, family);
+  for (uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    if (t % kCheckInterval == 0) job.check();
+    caster.cast(surface.triangles[t], t);
   }
   sortCrossings(family);
   job.check();
   const auto count = static_cast<uint32_t>(family.crossings.size());
   for (uint32_t begin = 0, end; begin < count; begin = end) {
     for (end = begin; end < count && family.crossings[end].ray == family.crossings[begin].ray;) ++end;
-    addIntervals(family, begin, end, sign);
+    addIntervals(family, begin, end, surface.sign);
   }
   return family;
 }

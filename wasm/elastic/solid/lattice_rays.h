@@ -9,46 +9,53 @@
 
 namespace limber {
 
-// Sample points per cell along each axis. The rays along the three axes all run through them.
+// Sample points per cell along each axis. The rays along all three axes pass through them.
 inline constexpr int kSamples = 6;
 
-// Where sample s of a cell lies along an axis, in [0, 1]: in the middle of its share of the cell, but for an
-// offset that keeps rays off the planes of symmetry of a body.
-inline double samplePlace(int axis, int s) {
+// The position of sample s along an axis of a cell, in [0, 1]: in the middle of its share of the cell, up to
+// an offset that keeps rays away from the planes of symmetry of a body.
+inline double samplePosition(int axis, int s) {
   constexpr double offset[3] = {1.7320508e-4, 2.2360680e-4, -1.4142136e-4};
   return (s + 0.5) / kSamples + offset[axis];
 }
 
-// Where the line along `axis` through (u, v), coordinates along axis + 1 and axis + 2, crosses a triangle.
-// Two triangles at an edge agree to the last bit on which of them it crosses: a closed surface has no cracks.
-struct LineHit {
-  double depth;
-  bool isEntry;  // against the triangle's normal
+// A line parallel to an axis, with the coordinates u and v along axis + 1 and axis + 2 (modulo 3).
+struct AxisLine {
+  int axis;
+  double u, v;
 };
-std::optional<LineHit> hitTriangle(const std::vector<Vec3>& points, const Triangle& triangle, int axis,
-                                   double u, double v);
 
-// The rays along one axis through all sample points. Ray (a, b) has the number a * (count[v] * kSamples) + b,
-// a and b being sample numbers along u = axis + 1 and v = axis + 2 (modulo 3), over all cells.
+struct LineHit {
+  double depth;  // the coordinate along the axis
+  bool isEntry;  // the line runs against the normal of the triangle
+};
+// The point where a line crosses a triangle, if it does. Two triangles with a common edge agree to the last
+// bit on which of them the line crosses, so a closed surface has no cracks.
+std::optional<LineHit> hitTriangle(const std::vector<Vec3>& points, const Triangle& triangle,
+                                   const AxisLine& line);
+
+// The rays along one axis through all sample points. With u = axis + 1 and v = axis + 2 (modulo 3), the ray
+// through the samples a along u and b along v, counted over all cells, has the id a * (count[v] * kSamples) +
+// b.
 struct RayFamily {
   struct Crossing {
     uint32_t ray, triangle;
     double depth;  // along the ray, in lattice units
-    bool isEntry;  // from outside to the inside of that triangle
+    bool isEntry;  // from the outside to the inside of that triangle
   };
-  // A stretch of a ray within the body: from the crossing `first` to `last`, those between included.
+  // A part of a ray within the body: from the crossing `first` to the crossing `last`, including those in
+  // between.
   struct Interval {
     uint32_t first, last;
   };
   int axis = 0;
-  std::vector<Crossing> crossings;  // by ray, then depth
+  std::vector<Crossing> crossings;  // by ray, then by depth
   std::vector<Interval> intervals;
 };
 
-// Where the rays along `axis` are inside of the surface, that is where the winding number is positive (times
-// `sign`, -1 for a body that is wound inwards). Rays that are seen to pass through a hole are left out.
-// `points`: the vertices in lattice units.
-RayFamily castRays(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
-                   const LatticeGrid& grid, int axis, int sign, Job& job);
+// Casts the rays along `axis`. They are inside of the surface where the winding number times its sign is
+// positive. Rays whose winding number does not return to 0 pass through a hole and are dropped. Throws
+// Cancelled.
+RayFamily castRays(const LatticeSurface& surface, int axis, Job& job);
 
 }  // namespace limber

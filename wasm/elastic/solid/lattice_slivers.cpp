@@ -9,15 +9,15 @@ namespace limber {
 
 namespace {
 
-constexpr int kRays = 24;  // along each side of the box
+constexpr int kRays = 24;  // along each side of the bounding box
 
 // The part of a triangle within the cell.
 std::vector<Vec3> clipped(const Sliver& sliver, const Triangle& triangle) {
   std::vector<Vec3> polygon;
-  for (uint32_t v : triangle) polygon.push_back(sliver.points[v]);
+  for (uint32_t v : triangle) polygon.push_back(sliver.surface.points[v]);
   for (int plane = 0; plane < 6; ++plane) {
     const int axis = plane / 2;
-    const double side = plane % 2 ? -1 : 1, at = sliver.place[axis] + plane % 2;
+    const double side = plane % 2 ? -1 : 1, at = sliver.position[axis] + plane % 2;
     std::vector<Vec3> kept;
     for (size_t i = 0; i < polygon.size(); ++i) {
       const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
@@ -41,22 +41,22 @@ Bounds boxOf(const std::vector<std::vector<Vec3>>& polygons) {
   return box;
 }
 
-// Do the polygons face away from each other? As by the divergence theorem: six times the volume between them
-// along each axis, where the piece has no end on a side of the cell across that axis. `byOneAxis`: one of
-// them will do.
+// Whether the polygons face away from each other. By the divergence theorem the sum along an axis is six
+// times the volume between them, if the piece does not end on a side of the cell across that axis.
+// `byOneAxis`: one positive sum suffices; otherwise the total of the three counts.
 bool isFacingOut(const std::vector<std::vector<Vec3>>& polygons, const Vec3& centre, int sign,
                  bool byOneAxis) {
   Vec3 volume;
   for (const auto& polygon : polygons)
     for (size_t i = 2; i < polygon.size(); ++i) {
       const Vec3 &a = polygon[0], &b = polygon[i - 1], &c = polygon[i];
-      const Vec3 normal = cross(b - a, c - a), place = a + b + c - 3 * centre;
-      for (int axis = 0; axis < 3; ++axis) volume[axis] += sign * place[axis] * normal[axis];
+      const Vec3 normal = cross(b - a, c - a), offset = a + b + c - 3 * centre;
+      for (int axis = 0; axis < 3; ++axis) volume[axis] += sign * offset[axis] * normal[axis];
     }
   return byOneAxis ? std::max({volume.x, volume.y, volume.z}) > 0 : volume.x + volume.y + volume.z > 0;
 }
 
-// The rays of one direction across the box.
+// The rays of one direction across the bounding box.
 class Rays {
  public:
   Rays(const Sliver& sliver, const Bounds& box, int axis)
@@ -66,7 +66,7 @@ class Rays {
         u_((axis + 1) % 3),
         v_((axis + 2) % 3),
         hits_(kRays * kRays) {
-    for (uint32_t t : sliver.around) cast(sliver.triangles[t]);
+    for (uint32_t t : sliver.around) cast(sliver.surface.triangles[t]);
   }
 
   CellMeasure measure() {
@@ -77,17 +77,17 @@ class Rays {
   }
 
  private:
-  double place(int axis, double ray) const {
+  double position(int axis, double ray) const {
     return box_.low[axis] + (box_.high[axis] - box_.low[axis]) * ray / kRays;
   }
 
-  // The rays that may meet a triangle, along one axis.
+  // The first and the last ray along one axis that may meet a triangle.
   std::array<int, 2> range(const Triangle& triangle, int axis) const {
     const double width = box_.high[axis] - box_.low[axis];
     if (!(width > 0)) return {0, -1};
     const auto [low, high] =
-        std::minmax({sliver_.points[triangle[0]][axis], sliver_.points[triangle[1]][axis],
-                     sliver_.points[triangle[2]][axis]});
+        std::minmax({sliver_.surface.points[triangle[0]][axis], sliver_.surface.points[triangle[1]][axis],
+                     sliver_.surface.points[triangle[2]][axis]});
     const auto number = [&](double x) { return std::clamp((x - box_.low[axis]) / width, -1.0, 2.0) * kRays; };
     return {std::max(0, static_cast<int>(std::floor(number(low))) - 1),
             std::min(kRays - 1, static_cast<int>(std::ceil(number(high))))};
@@ -98,20 +98,23 @@ class Rays {
     const auto [firstV, lastV] = range(triangle, v_);
     for (int a = firstU; a <= lastU; ++a)
       for (int b = firstV; b <= lastV; ++b) {
-        const auto hit = hitTriangle(sliver_.points, triangle, axis_, place(u_, a + 0.5), place(v_, b + 0.5));
+        const auto hit = hitTriangle(sliver_.surface.points, triangle,
+                                     {axis_, position(u_, a + 0.5), position(v_, b + 0.5)});
         if (!hit) continue;
-        const double depth = hit->depth - sliver_.place[axis_];
+        const double depth = hit->depth - sliver_.position[axis_];
         if (depth >= 0 && depth <= 1) hits_[a * kRays + b].push_back({depth, hit->isEntry});
       }
   }
 
-  // A ray that leaves before it has entered came into the cell within the piece; one that has entered and
-  // does not leave goes on beyond the cell.
+  // A ray that leaves before it enters was inside already at the side of the cell. A ray that enters and does
+  // not leave stays inside beyond the cell.
   void addRay(int a, int b, CellMeasure& measure) {
     auto& hits = hits_[a * kRays + b];
     std::stable_sort(hits.begin(), hits.end(),
                      [](const LineHit& p, const LineHit& q) { return p.depth < q.depth; });
-    const auto step = [&](const LineHit& hit) { return hit.isEntry ? sliver_.sign : -sliver_.sign; };
+    const auto step = [&](const LineHit& hit) {
+      return hit.isEntry ? sliver_.surface.sign : -sliver_.surface.sign;
+    };
     int winding = 0, lowest = 0;
     for (const LineHit& hit : hits) lowest = std::min(lowest, winding += step(hit));
     winding = -lowest;
@@ -131,10 +134,10 @@ class Rays {
 
   void addStretch(int a, int b, std::array<double, 2> along, CellMeasure& measure) const {
     constexpr int step[3] = {1, 3, 9};
-    const int pu = sliver_.place[u_], pv = sliver_.place[v_];
+    const int pu = sliver_.position[u_], pv = sliver_.position[v_];
     const auto l = integrals(along[0], along[1]);
-    const auto lu = integrals(place(u_, a) - pu, place(u_, a + 1) - pu);
-    const auto lv = integrals(place(v_, b) - pv, place(v_, b + 1) - pv);
+    const auto lu = integrals(position(u_, a) - pu, position(u_, a + 1) - pu);
+    const auto lv = integrals(position(v_, b) - pv, position(v_, b + 1) - pv);
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i)
@@ -144,18 +147,18 @@ class Rays {
   const Sliver& sliver_;
   const Bounds& box_;
   int axis_, u_, v_;
-  std::vector<std::vector<LineHit>> hits_;  // by ray
+  std::vector<std::vector<LineHit>> hits_;  // per ray
 };
 
 }  // namespace
 
 CellMeasure measureSliver(const Sliver& sliver) {
   std::vector<std::vector<Vec3>> polygons;
-  for (uint32_t t : sliver.around) polygons.push_back(clipped(sliver, sliver.triangles[t]));
+  for (uint32_t t : sliver.around) polygons.push_back(clipped(sliver, sliver.surface.triangles[t]));
   const Bounds box = boxOf(polygons);
   CellMeasure best = {};
   if (!(box.low.x <= box.high.x) ||
-      !isFacingOut(polygons, (box.low + box.high) / 2, sliver.sign, sliver.isMet))
+      !isFacingOut(polygons, (box.low + box.high) / 2, sliver.surface.sign, sliver.isMet))
     return best;
   for (int axis = 0; axis < 3; ++axis) {
     const CellMeasure measure = Rays(sliver, box, axis).measure();

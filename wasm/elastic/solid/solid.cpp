@@ -10,12 +10,13 @@ namespace limber {
 
 namespace {
 
-// Stiffness that a cell has on top of its own, by that of a full cell: what is empty must not leave nodes
-// loose, and mass must not hang on next to nothing where a piece is a sliver that hardly reaches its nodes.
-// No mass comes with it. A strut of a tenth of a cell becomes stiffer by a tenth, one of a third by a
-// hundredth.
+// Stiffness without mass that is added to a cell, relative to a full cell. The first kind goes to every cell,
+// so that empty parts do not leave nodes loose. The second goes to cells filled up to kSliver, times their
+// filled share, so that the mass of a sliver does not hang on next to no stiffness. It makes a strut of a
+// tenth of a cell stiffer by a tenth, one of a third by a hundredth.
 constexpr double kEmptyStiffness = 1e-7, kStiffnessOfMass = 1e-3;
-constexpr double kSliver = 0.5;  // filled up to this: the second kind is added
+constexpr double kSliver = 0.5;
+constexpr uint32_t kCheckInterval = 256;  // cells between two checks for cancellation
 
 CellMeasure fullCell() {
   const auto along = lagrangeIntegrals(1);
@@ -24,8 +25,8 @@ CellMeasure fullCell() {
   return full;
 }
 
-// A node that is this much lighter than the heaviest one in its cells gives its mass away: what hangs on it
-// is a sliver at the rim of the body, which follows its neighbours and must not swing on its own.
+// A node lighter than this, relative to the heaviest node of its cells, loses its mass to all others: it
+// carries a sliver at the rim of the body, which follows its neighbours and must not vibrate on its own.
 constexpr double kLightest = 0.01;
 
 void dropLightMasses(const Lattice& lattice, std::vector<double>& mass) {
@@ -53,12 +54,12 @@ SparsePencil assemble(const Lattice& lattice, double poisson, Job& job) {
   const CellMeasure full = fullCell();
   ElementAssembly assembly(pencil.firstUnknown, lattice.copyNodes, 8);
   for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy) {
-    if (copy % 256 == 0) job.check();
-    CellMeasure held = lattice.filled[copy];
-    const double fraction = filledFraction(held);
+    if (copy % kCheckInterval == 0) job.check();
+    CellMeasure filled = lattice.filled[copy];
+    const double fraction = filledFraction(filled);
     const double added = kEmptyStiffness + (fraction < kSliver ? kStiffnessOfMass * fraction : 0);
-    for (int q = 0; q < 27; ++q) held[q] += added * full[q];
-    assembly.add(copy, brick.stiffness(held));
+    for (int q = 0; q < 27; ++q) filled[q] += added * full[q];
+    assembly.add(copy, brick.stiffness(filled));
   }
   pencil.k = assembly.take();
   std::vector<double> mass = latticeMass(lattice, brick);

@@ -9,9 +9,9 @@
 
 namespace limber {
 
-// A solid body as a lattice of bricks in which its surface is embedded.
+// A solid body as a lattice of bricks, with its surface embedded.
 struct SolidModel {
-  SparsePencil pencil;  // three unknowns per lattice node, lumped masses, E = 1, rho = 1
+  SparsePencil pencil;  // unknowns 3 node + c, lumped masses, E = rho = 1
   // Vertex v moves as sum_k embeddingWeights[8 v + k] u(embeddingNodes[8 v + k]).
   std::vector<uint32_t> embeddingNodes;
   std::vector<double> embeddingWeights;
@@ -19,13 +19,15 @@ struct SolidModel {
 };
 
 struct SolidOptions {
-  double poisson = 0.3;
-  uint32_t targetCells = 2500;  // a wish for the number of cells that hold a part of the body
+  double poisson = 0.3;         // in (-1, 0.5)
+  uint32_t targetCells = 2500;  // the approximate number of cells that contain a part of the body
 };
 
-// `body`: closed and oriented, any number of shells, those of cavities turned the other way; every vertex is
-// used. Thin parts keep their own stiffness and mass, whatever the size of the cells. Each part that is
-// connected has six rigid motions. Throws Cancelled.
+// Stiffness and mass of a closed, oriented body: linear isotropic elasticity on partially filled bricks
+// (finite cell method; hexahedron.h). `body` may have any number of outer surfaces and of cavities, which are
+// wound the other way. All vertices must be used. Thin parts keep their own stiffness and mass, whatever the
+// size of the cells. Each connected part has six rigid motions. O(n log n) in the triangles and the samples
+// of filled cells. Throws Cancelled.
 SolidModel solidModel(const TriangleMesh& body, const SolidOptions& options, Job& job);
 
 }  // namespace limber

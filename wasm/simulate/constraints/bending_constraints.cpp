@@ -55,7 +55,7 @@ BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology&
     rest.corner = corner;
     for (uint32_t e = 0; e < 3; ++e) {
       rest.flap[e] = flaps[3 * size_t{t} + e];
-      rest.edge[e] = topology.edgeOfCorner[3 * size_t{t} + e];
+      rest.edge[e] = topology.edgeOpposite(Corner(t, e));
       setHinge(rest, e, mesh, particles);
     }
     stencils.insert(stencils.end(), corner.begin(), corner.end());

@@ -4,8 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "mesh/surface_point.h"
+#include "mesh/triangle_mesh.h"
 #include "simulate/particles.h"
-#include "simulate/simulation.h"
 
 namespace limber {
 

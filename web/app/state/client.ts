@@ -21,7 +21,7 @@ export class Client {
   private abandon: ((error: Error) => void) | null = null;
   threads = 1;
 
-  /** `base`: the address of the folder that holds wasm/, with a final slash. */
+  /** `base`: the address of the folder above wasm/, with a final slash. */
   constructor(private readonly base: string) {
     this.started = this.startWorker();
   }
@@ -58,7 +58,7 @@ export class Client {
     }).finally(() => (this.abandon = null));
   }
 
-  /** A short call beside the running one, which goes on; it has its turn after that. */
+  /** A short call that waits until the running one has ended, without stopping it. */
   aside<T>(make: (remote: Remote<WorkerApi>) => Promise<unknown>): Promise<T> {
     return this.started.then(() => make(this.remote)).then((value) => value as T);
   }
@@ -70,7 +70,7 @@ export class Client {
     return { phase: PHASES[phase], fraction };
   }
 
-  /** Whether a running call stops without losing what the worker holds. */
+  /** Whether a running call can be stopped without losing what the worker has computed. */
   get canStop(): boolean {
     return this.job !== null;
   }

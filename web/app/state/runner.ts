@@ -1,15 +1,11 @@
 /** Runs tasks in the worker, in their order, whenever the key of one differs from the key that its result was made from. */
 
 import { batch, effect, signal, untracked } from '@preact/signals';
-import type { Signal } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { faceCount } from '../../engine/core/mesh';
 import { fileDefaults } from '../../engine/settings/options';
-import type { Settings } from '../../engine/settings/options';
 import { targetsByShare } from '../../engine/stages/face_shares';
 import type { FileRequest } from '../../engine/stages/file_request';
-import { keyOf } from '../../engine/stages/stage';
-import type { Stage } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { CANCELLED, exportKey } from '../worker/protocol';
 import type { ExportRequest, PinsResult } from '../worker/protocol';
@@ -18,50 +14,29 @@ import { takeAwaited } from './link';
 import type { Wanted } from './link';
 import { besideControl } from './refusal';
 import { saveFiles, startSaving } from './saved_session';
+import { afterBody, afterHistory, keyed, of, ofFaces } from './task';
+import type { LevelStage, Task } from './task';
 import { changeSettings, results, shownMesh, status, view, wantedFaces, whyKey, wants } from './store';
 import { forgetUndo, startUndo, withoutUndo } from './undo';
-
-/** One call of the worker whose result the page shows. */
-interface Task {
-  /** what the progress line says */
-  what: string;
-  /** equal keys lead to equal results; null: the result is not needed now */
-  key(): string | null;
-  run(): Promise<unknown>;
-  result: Signal<unknown>;
-  /** any other task goes before it, and stops it where it runs */
-  isPatient?: boolean;
-}
 
 const REST_MILLISECONDS = 180;
 const SLOW_MILLISECONDS = 200;
 
-/** The wanted faces, once the slider has rested. */
+/** The wanted faces as they were when the slider last rested. */
 const restedFaces = signal(0);
 
 export const client = new Client(new URL('.', document.baseURI).href);
 
-const settings = () => wants.settings.value;
-const body = () => wants.body.value;
-const where = () => (results.file.value ? `${results.opened.value} ${body()}` : null);
-const keyed = (make: () => string) => () => (where() === null ? null : `${where()} ${make()}`);
-const afterBody = (make: () => string) => () => (results.body.value ? keyed(make)() : null);
-const afterHistory = (make: () => string) => () => (results.history.value ? afterBody(make)() : null);
-
-type SettingsStage = Stage<unknown, keyof Settings>;
-type LevelStage = Stage<unknown, keyof Settings | 'targetFaces'>;
-
-const of = (stage: SettingsStage) => (): string => keyOf(stage, settings());
-const ofFaces = (stage: LevelStage, faces: () => number) => (): string =>
-  keyOf(stage, { ...settings(), targetFaces: faces() });
-
-/** Once the slider has rested on a mesh that is looked at. */
+/** The key of a stage that waits until the slider rests on a mesh that is shown. */
 const atRest = (stage: LevelStage) => (): string | null =>
   (view.step.value === 'reduce' || view.step.value === 'test' || wants.exportOpen.value) &&
   restedFaces.value === wantedFaces.value &&
   results.mesh.value
     ? afterHistory(ofFaces(stage, () => restedFaces.value))()
     : null;
+
+const settings = () => wants.settings.value;
+const body = () => wants.body.value;
 
 const tasks: Task[] = [
   {
@@ -240,7 +215,7 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
   return opening.then(loop);
 }
 
-/** Another body of the same file. */
+/** Shows another body of the same file. */
 export function showBody(index: number): void {
   if (index === wants.body.value) return;
   if (running) client.cancel();
@@ -267,7 +242,7 @@ export function resume(): void {
   void loop();
 }
 
-/** Starts following the state. */
+/** Runs tasks from now on whenever the state asks for them. */
 export function startRunner(): void {
   startUndo();
   startSaving();
@@ -278,7 +253,7 @@ export function startRunner(): void {
   effect(() => {
     const keys = tasks.map((task) => task.key());
     untracked(() => {
-      // A call whose inputs have changed since is of no use to anybody.
+      // The result of a call whose inputs have changed would not be shown.
       if (running && (keys[tasks.indexOf(running)] !== runningKey || mustWait(running))) client.cancel();
       void loop();
     });
@@ -306,7 +281,7 @@ async function loop(): Promise<void> {
   looping = true;
   status.working.value = true;
   for (;;) {
-    // What the next task works on may be another file by then.
+    // A file that is being opened replaces what the next task works on.
     await opening;
     const task = nextTask();
     if (!task) break;
@@ -321,7 +296,7 @@ async function loop(): Promise<void> {
     } catch (error) {
       const isStopped = error instanceof Error && error.message === CANCELLED;
       if (!isStopped) complain(error);
-      // Not tried again before its inputs change.
+      // The task is not tried again before its inputs change.
       if (!isStopped || status.paused.value !== null) {
         done.set(task, key);
         break;
@@ -338,7 +313,7 @@ function complain(error: unknown): void {
   status.notice.value = { kind: 'error', text: error instanceof Error ? error.message : String(error) };
 }
 
-/** Shows what is going on where it lasts. */
+/** Shows what is going on while `make` runs, unless it is quick. */
 async function whileBusy<T>(what: string, make: () => Promise<T>): Promise<T> {
   let frame = 0;
   const show = () => {

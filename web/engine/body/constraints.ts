@@ -6,13 +6,14 @@ import { vertexCount } from '../core/mesh';
 import type { Settings } from '../settings/options';
 import { keepOfLevels, lockedIn, paintOn } from './paint';
 import { findPins, firstComponents } from './pins';
+import type { PinnedVertices } from './pins';
 import type { PreparedBody } from './prepared_body';
 import { explainMissingSymmetry } from './symmetry';
 
 /** Vertices are those of the prepared mesh; an absent field constrains nothing. */
 export interface BodyConstraints {
   /** vertices that no mode moves; collapses keep their outline */
-  pinned?: Uint32Array;
+  pinned?: PinnedVertices;
   /** vertices that neither move nor disappear */
   locked?: Uint32Array;
   /** keep weight per vertex, in [0, 1]: see SimplifyConstraints.keep */
@@ -37,7 +38,7 @@ export const CONSTRAINT_SETTINGS = ['lock', 'keep', 'paint', 'symmetry'] as cons
 export function constraintsOf(
   document: Document,
   prepared: PreparedBody,
-  pinned: Uint32Array,
+  pinned: PinnedVertices,
   settings: Pick<Settings, (typeof CONSTRAINT_SETTINGS)[number]>,
 ): FoundConstraints {
   const { lock, keep, paint, symmetry } = settings;

@@ -2,6 +2,7 @@
 
 import type { Inspection, WeldResult } from '../core/core';
 import { counted } from '../core/words';
+import type { Note } from '../settings/errors';
 import type { Body } from '../document/model';
 
 export interface HealthNote {
@@ -42,22 +43,25 @@ export function describeHealth(body: Body, weld: WeldResult, inspection: Inspect
   return notes;
 }
 
-/** A clause that doubts the size of the body in metres where it is implausible; otherwise ''. Frequencies depend on the size. */
-export function describeSize(metres: number): string {
-  if (metres >= 0.001 && metres <= 1000) return '';
+/** A clause that doubts the size of the body in metres where it is implausible; otherwise null. Frequencies depend on the size. */
+export function describeSize(metres: number): Note | null {
+  if (metres >= 0.001 && metres <= 1000) return null;
   const size = metres < 1 ? `${(1000 * metres).toPrecision(2)} mm` : `${(metres / 1000).toPrecision(2)} km`;
-  return `the body is ${size} across: set --unit if the file is not in metres`;
+  return [`the body is ${size} across: set `, { setting: 'unit' }, ' if the file is not in metres'];
 }
 
 /** Larger residuals are reported. */
 const GOOD_RESIDUAL = 1e-7;
 
 /** One clause each on a coarse copy that modes were solved on, or on large residuals. */
-export function describeSolve(modes: { residual: number }[], coarseVertices: number): string[] {
-  if (coarseVertices > 0)
-    return [
-      `the modes come from a copy with ${counted(coarseVertices, 'vertex', 'vertices')} (--exact solves the mesh itself)`,
-    ];
+export function describeSolve(modes: { residual: number }[], coarseVertices: number): Note[] {
+  if (coarseVertices === 0) return describeResiduals(modes).map((clause) => [clause]);
+  const copy = `a copy with ${counted(coarseVertices, 'vertex', 'vertices')}`;
+  return [[`the modes come from ${copy} (`, { setting: 'exact' }, ' solves the mesh itself)']];
+}
+
+/** One clause where residuals are large; otherwise none. */
+export function describeResiduals(modes: { residual: number }[]): string[] {
   const worst = modes.reduce((largest, { residual }) => Math.max(largest, residual), 0);
   if (worst <= GOOD_RESIDUAL) return [];
   return [

@@ -112,7 +112,7 @@ function replaceMesh(destination: Destination, exported: ExportedBody, smoothed:
     }
     const keyOf = normalKeys(primitive, exported, normals, smoothed);
     const geometry = geometryOf(sourced, span, primitive, trianglesOfSpan[i], keyOf);
-    writePrimitive(destination, primitive.setMode(TRIANGLES), exported, geometry, normals);
+    writePrimitive(destination, primitive.setMode(TRIANGLES), exported, { geometry, normals });
     written.push(primitive);
   });
   if (exported.calibration !== undefined)
@@ -156,8 +156,7 @@ function writePrimitive(
   destination: Destination,
   primitive: Primitive,
   exported: ExportedBody,
-  geometry: PrimitiveGeometry,
-  normals: ResultNormals,
+  { geometry, normals }: { geometry: PrimitiveGeometry; normals: ResultNormals },
 ): void {
   const { vertexOfMesh, firstCorner, sources } = geometry;
   dropUncarried(primitive);

@@ -154,11 +154,11 @@ function trianglesOf(corners: FaceCorner[], { ahead, positions }: Reading): numb
   const numbers = corners.map((_, i) => i);
   if (ahead !== null) return numbers.slice(2).flatMap((i) => [0, i - 1, i]);
   const all = positions.view();
-  const places = Float32Array.from(
+  const cornerPositions = Float32Array.from(
     { length: 3 * corners.length },
     (_, i) => all[3 * corners[Math.floor(i / 3)].vertex + (i % 3)],
   );
-  return triangulatePolygon(numbers, places);
+  return triangulatePolygon(numbers, cornerPositions);
 }
 
 /** Reads `v`, `v/vt`, `v//vn` or `v/vt/vn`. */
@@ -239,10 +239,10 @@ function surfaceOf(object: ObjectFaces, reading: Reading, isOneOfMany: boolean):
     first += vertices.length / 3;
     return part;
   });
-  const places = pick(positions.view(), vertexOf, 3);
+  const vertexPositions = pick(positions.view(), vertexOf, 3);
   return {
     name: object.name,
-    positions: places,
+    positions: vertexPositions,
     indices,
     attributes: attributesOfRaw(raw, indices),
     parts,

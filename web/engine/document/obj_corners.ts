@@ -37,7 +37,8 @@ export function splitVertices(parts: ObjCorners[], positionCount: number, onlyUs
   let at = 0;
   for (const part of parts) {
     const [vertices, uvs, normals] = [part.vertices.view(), part.uvs.view(), part.normals.view()];
-    for (let i = 0; i < vertices.length; ++i) indices[at++] = splitter.place(vertices[i], uvs[i], normals[i]);
+    for (let i = 0; i < vertices.length; ++i)
+      indices[at++] = splitter.vertexFor(vertices[i], uvs[i], normals[i]);
   }
   return { ...splitter.finish(), indices };
 }
@@ -69,7 +70,8 @@ class VertexSplitter {
     else for (let vertex = 0; vertex < positionCount; ++vertex) this.add(vertex, NONE, NONE);
   }
 
-  place(vertex: number, uv: number, normal: number): number {
+  /** The vertex with this uv and normal: that of the file, or a further one where it has others already. */
+  vertexFor(vertex: number, uv: number, normal: number): number {
     const base = this.numbers ? this.numbers.get(vertex)! : vertex;
     if (!this.isTaken[base]) {
       this.isTaken[base] = 1;

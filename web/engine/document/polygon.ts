@@ -47,7 +47,7 @@ function projectPolygon(corners: number[], positions: Float32Array): number[] | 
   for (let i = 0; i < corners.length; ++i)
     for (let c = 0; c < 3; ++c) {
       const [u, v] = [(c + 1) % 3, (c + 2) % 3];
-      // Relative to the first corner, so that a place far from the origin costs no digits.
+      // Relative to the first corner, so that a polygon far from the origin costs no digits.
       normal[c] +=
         (at(i, u) - at(0, u)) * (at(i + 1, v) - at(0, v)) - (at(i, v) - at(0, v)) * (at(i + 1, u) - at(0, u));
       size = Math.max(size, Math.abs(at(i, c) - at(0, c)));
@@ -80,18 +80,18 @@ const cross = (a: number[], b: number[]) => [0, 1, 2].map((c) => crossPart(a, b,
 const crossPart = (a: number[], b: number[], u: number, v: number) => a[u] * b[v] - a[v] * b[u];
 
 /** Twice the signed area of the triangle of three corners. */
-function turn(points: number[], a: number, b: number, c: number): number {
+function doubledArea(points: number[], a: number, b: number, c: number): number {
   const [ax, ay] = [points[2 * a], points[2 * a + 1]];
   return (points[2 * b] - ax) * (points[2 * c + 1] - ay) - (points[2 * b + 1] - ay) * (points[2 * c] - ax);
 }
 
-/** Every triangle of the fan turns left, and the fan turns once at most. */
+/** Whether every triangle of the fan is counter-clockwise, and the fan goes around at most once. */
 function isFanUpright(points: number[], start: number): boolean {
   const count = points.length / 2;
   for (let i = 1; i + 1 < count; ++i) {
     const [a, b] = [(start + i) % count, (start + i + 1) % count];
     const longest = Math.max(distance(points, start, a), distance(points, a, b), distance(points, b, start));
-    if (!(turn(points, start, a, b) > FLAT * longest * longest)) return false;
+    if (!(doubledArea(points, start, a, b) > FLAT * longest * longest)) return false;
   }
   return !windsTwice(points, start);
 }
@@ -106,7 +106,7 @@ function windsTwice(points: number[], start: number): boolean {
   const first = (start + 1) % count;
   for (let i = 2; i + 1 < count; ++i) {
     const [a, b] = [(start + i) % count, (start + i + 1) % count];
-    if (turn(points, start, a, first) > 0 && turn(points, start, first, b) >= 0) return true;
+    if (doubledArea(points, start, a, first) > 0 && doubledArea(points, start, first, b) >= 0) return true;
   }
   return false;
 }
@@ -118,17 +118,17 @@ function dentStraightCorners(points: number[]): number[] {
     const i = at >> 1;
     const [before, after] = [(i + count - 1) % count, (i + 1) % count];
     const length = distance(points, before, after);
-    if (length === 0 || Math.abs(turn(points, before, i, after)) > DENT * length) return value;
+    if (length === 0 || Math.abs(doubledArea(points, before, i, after)) > DENT * length) return value;
     const [x, y] = [points[2 * after] - points[2 * before], points[2 * after + 1] - points[2 * before + 1]];
     return value + (DENT * (at % 2 === 0 ? -y : x)) / length;
   });
 }
 
-/** Turns the triangles that turn right. */
+/** Reverses the triangles that run clockwise. */
 function orient(triangles: number[], points: number[]): number[] {
   for (let t = 0; t < triangles.length; t += 3) {
     const [a, b, c] = [triangles[t], triangles[t + 1], triangles[t + 2]];
-    if (turn(points, a, b, c) < 0) [triangles[t + 1], triangles[t + 2]] = [c, b];
+    if (doubledArea(points, a, b, c) < 0) [triangles[t + 1], triangles[t + 2]] = [c, b];
   }
   return triangles;
 }

@@ -3,9 +3,10 @@
 import type { Binding, Core, SimulationOptions, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
 import { collisionSceneOf } from './colliders';
-import type { BodyBinding } from '../report/binding_file';
+import type { BodyBinding } from '../body/body_binding';
 import { materialOf } from '../body/material';
 import type { MaterialSettings } from '../body/material';
+import type { PinnedVertices } from '../body/pins';
 import type { BodySize, PreparedBody } from '../body/prepared_body';
 import type { Settings } from '../settings/options';
 
@@ -19,7 +20,7 @@ export const STEP_SECONDS = 1 / 60;
 export function simulationOptions(
   original: BodySize,
   settings: Settings,
-  pinned: Uint32Array | null,
+  pinned: PinnedVertices | null,
 ): SimulationOptions {
   const { material, scenario, seconds, substeps, damping, selfCollision, friction, colliders } = settings;
   return {

@@ -3,11 +3,11 @@
 import { OPTIONS } from './table';
 import type { SettingName } from './table';
 
-/**
- * A sentence without its subject, which is the setting: "is 2: give a number from 0 to 1." Other settings stand in it by name,
- * so that a host can call them flags or controls. Plain data.
- */
-export type Sentence = readonly (string | { setting: SettingName })[];
+/** Words in which settings stand by name, so that a host can call them flags or controls. Plain data. */
+export type Note = readonly (string | { setting: SettingName })[];
+
+/** A sentence without its subject, which is a setting: "is 2: give a number from 0 to 1." */
+export type Sentence = Note;
 
 /** The value of a setting is refused, by itself or for a body. Its message calls settings by their labels. */
 export class SettingError extends Error {
@@ -24,12 +24,13 @@ export class SettingError extends Error {
   }
 }
 
-/** The whole sentence with this subject; `nameOf` says what the reader knows other settings as. */
-export function wordSentence(
+/** The sentence of an error with its subject; `nameOf` says what the reader knows other settings as. */
+export const wordSentence = (
   subject: string,
   sentence: Sentence,
   nameOf: (setting: SettingName) => string,
-): string {
-  const words = sentence.map((part) => (typeof part === 'string' ? part : nameOf(part.setting)));
-  return `${subject} ${words.join('')}`;
-}
+): string => `${subject} ${wordNote(sentence, nameOf)}`;
+
+/** Words in which settings stand by name, as one text. */
+export const wordNote = (note: Note, nameOf: (setting: SettingName) => string): string =>
+  note.map((part) => (typeof part === 'string' ? part : nameOf(part.setting))).join('');

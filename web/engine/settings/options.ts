@@ -2,8 +2,8 @@
 
 export { checkSetting, checkSettings } from './check';
 export { settingsOf } from './commands';
-export { SettingError, wordSentence } from './errors';
-export type { Sentence } from './errors';
+export { SettingError, wordNote, wordSentence } from './errors';
+export type { Note, Sentence } from './errors';
 export {
   defaultSettings,
   fileDefaults,

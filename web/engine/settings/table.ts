@@ -5,7 +5,7 @@
  */
 
 import { describeScenarios, SCENARIO_NAMES } from '../core/scenarios';
-import type { OptionOf, OptionSpec, ValueOf } from './types';
+import type { OptionOf, OptionSpec, SettingValue } from './types';
 
 const ROWS = {
   method: {
@@ -538,7 +538,7 @@ const ROWS = {
 } as const satisfies Record<string, OptionSpec>;
 
 /** Everything that the user can choose, by the names of the rows; plain data that can be stored and sent. */
-export type Settings = { -readonly [Name in keyof typeof ROWS]: ValueOf<(typeof ROWS)[Name]> };
+export type Settings = { -readonly [Name in keyof typeof ROWS]: SettingValue<(typeof ROWS)[Name]> };
 
 export type SettingName = keyof Settings;
 

@@ -117,7 +117,7 @@ interface ValueOfKind {
 }
 
 /** The type of the value that a row of the table describes. */
-export type ValueOf<Row extends { kind: OptionKind }> = Row extends {
+export type SettingValue<Row extends { kind: OptionKind }> = Row extends {
   kind: 'choice';
   choices: readonly (infer Choice)[];
 }

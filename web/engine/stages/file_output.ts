@@ -1,11 +1,12 @@
 /** What is written of a file: the GLB of all bodies, its further levels, the binding and the report. */
 
+import { bindingOfBody } from '../body/body_binding';
 import type { PreparedBody } from '../body/prepared_body';
 import type { MeshAt } from '../core/core';
 import { faceCount, sum } from '../core/mesh';
 import { exportGlb } from '../document/export';
 import type { ExportedBody } from '../document/export';
-import { bindingOfBody, writeBinding } from '../report/binding_file';
+import { writeBinding } from '../report/binding_file';
 import { meshReport } from '../report/mesh_report';
 import { calibrationReport } from '../report/motion_report';
 import { startReport } from '../report/report';

@@ -60,7 +60,7 @@ export function fitResult(
     charts: prepared.attributes.charts,
     keepsSeams: settings.seams === 'keep',
     locked: maskOf(mesh, constraints.pinned, constraints.locked) ?? new Uint8Array(),
-    pinned: maskOf(mesh, constraints.pinned) ?? new Uint8Array(),
+    pinned: constraints.pinned ?? new Uint32Array(),
     mirror: constraints.mirror,
   };
   for (const share of settings.maxDeviation > 0 ? DEVIATION_SHARES : [1]) {

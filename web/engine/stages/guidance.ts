@@ -4,7 +4,7 @@ import type { PreparedBody } from '../body/prepared_body';
 import type { Core, ModeSet, StrainGuidance } from '../core/core';
 import { faceCount } from '../core/mesh';
 import { modesAvailable } from '../core/mode_set';
-import { methodOf, resolveModes } from '../settings/options';
+import { SettingError, methodOf, resolveModes } from '../settings/options';
 import type { Settings } from '../settings/options';
 import { modesStage } from './modes';
 import { preparedStage } from './prepared';
@@ -64,8 +64,9 @@ export function findGuidance(
   const found = asked.filter(({ ordinal }) => ordinal < available);
   if (found.length === 0) {
     const lowest = Math.min(...asked.map(({ ordinal }) => ordinal + 1));
-    throw new Error(
-      `--mode names mode ${lowest}, but "${prepared.body.name}" has only ${available}: name a lower one.`,
+    throw new SettingError(
+      'modes',
+      `names mode ${lowest}, but "${prepared.body.name}" has only ${available}: name a lower one.`,
     );
   }
   const weights = modeWeights.length > 0 ? found.map(({ weight }) => weight) : [];

@@ -2,6 +2,7 @@
 
 import { MATERIAL_SETTINGS, materialOf } from '../body/material';
 import type { MaterialSettings } from '../body/material';
+import type { PinnedVertices } from '../body/pins';
 import type { PreparedBody } from '../body/prepared_body';
 import type { Core, Model, ModeSet } from '../core/core';
 import { resolveModel } from '../settings/options';
@@ -30,7 +31,7 @@ export const modesStage = declareStage({
 export function findModes(
   core: Core,
   prepared: PreparedBody,
-  pinned: Uint32Array,
+  pinned: PinnedVertices,
   request: ModesRequest,
 ): ModeSet {
   const { model, modeCount, direction, exact } = request;

@@ -16,7 +16,7 @@ export interface RunSettings extends Settings {
   fields: boolean;
 }
 
-export type SettingName = keyof RunSettings;
+export type RunSettingName = keyof RunSettings;
 
 /** What is the same in every run over one body. */
 export interface RunContext {
@@ -32,7 +32,7 @@ export interface RunContext {
 export interface AnyStage {
   readonly name: string;
   /** the settings that it reads, itself or through the stages that it needs */
-  readonly reads: readonly SettingName[];
+  readonly reads: readonly RunSettingName[];
   readonly needs: Readonly<Record<string, AnyStage>>;
   /** what `run` gets to see of the settings that the stage reads; memos compare it by value */
   derive(settings: RunSettings): unknown;
@@ -45,7 +45,7 @@ export interface AnyStage {
 
 export type Needs = AnyStage['needs'];
 
-export interface Stage<Value, Read extends SettingName> extends AnyStage {
+export interface Stage<Value, Read extends RunSettingName> extends AnyStage {
   readonly reads: readonly Read[];
   run(context: RunContext, inputs: never, derived: never): Value;
 }
@@ -62,7 +62,7 @@ export type SettingsOf<S extends AnyStage> = Pick<RunSettings, S['reads'][number
 /** The settings that the stages of `N` read. */
 type ReadBy<N extends Needs> = N[keyof N]['reads'][number];
 
-interface StageDeclaration<Value, Read extends SettingName, N extends Needs, Derived> {
+interface StageDeclaration<Value, Read extends RunSettingName, N extends Needs, Derived> {
   name: string;
   /** the settings that the stage itself reads */
   reads: readonly Read[];
@@ -83,7 +83,7 @@ interface StageDeclaration<Value, Read extends SettingName, N extends Needs, Der
 /** A stage whose `run` can see no setting but those in `reads`: neither by its types nor at run time. */
 export function declareStage<
   Value,
-  Read extends SettingName,
+  Read extends RunSettingName,
   N extends Needs,
   Derived = Pick<RunSettings, Read>,
 >(declaration: StageDeclaration<Value, Read, N, Derived>): Stage<Value, Read | ReadBy<N>> {
@@ -94,7 +94,7 @@ export function declareStage<
 }
 
 /** `stage` as a need that other settings decide about: its value where `isWanted`, and null, without running it, elsewhere. */
-export function where<S extends AnyStage, Read extends SettingName>(
+export function where<S extends AnyStage, Read extends RunSettingName>(
   stage: S,
   own: readonly Read[],
   isWanted: (settings: Pick<RunSettings, Read>) => boolean,
@@ -111,16 +111,16 @@ export function where<S extends AnyStage, Read extends SettingName>(
   };
 }
 
-function withNeeds<Read extends SettingName, N extends Needs>(
+function withNeeds<Read extends RunSettingName, N extends Needs>(
   own: readonly Read[],
   needs: N,
 ): (Read | ReadBy<N>)[] {
-  return [...new Set<SettingName>([...own, ...Object.values(needs).flatMap(({ reads }) => reads)])] as (
+  return [...new Set<RunSettingName>([...own, ...Object.values(needs).flatMap(({ reads }) => reads)])] as (
     Read | ReadBy<N>
   )[];
 }
 
-function pick<Read extends SettingName>(
+function pick<Read extends RunSettingName>(
   settings: RunSettings,
   names: readonly Read[],
 ): Pick<RunSettings, Read> {

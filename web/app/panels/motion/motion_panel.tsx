@@ -1,7 +1,7 @@
 /** Step 2: the elastic model, the material, the pins, and how the modes swing. */
 
 import { counted } from '../../../engine/core/words';
-import { describeSolve } from '../../../engine/body/health';
+import { describeResiduals } from '../../../engine/body/health';
 import { coarseVerticesOf, describeModels } from '../../../engine/core/mode_set';
 import { OPTIONS, resolveModel } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
@@ -131,7 +131,7 @@ function SolveNotes() {
     modes.components.reduce((sum, component) => sum + component[key], 0);
   const [expected, found] = [total('zeroModesExpected'), total('zeroModesFound')];
   const coarseVertices = coarseVerticesOf(modes);
-  const residuals = coarseVertices > 0 ? [] : describeSolve(modes.modes, 0);
+  const residuals = coarseVertices > 0 ? [] : describeResiduals(modes.modes);
   const rigid = `${counted(found, 'rigid motion')} found, ${expected} expected`;
   const models = wants.settings.value.model === 'auto' ? `${describeModels(modes.components)}. ` : '';
   return (

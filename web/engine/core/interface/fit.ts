@@ -12,8 +12,8 @@ export interface FitOptions {
   keepsSeams: boolean;
   /** per input vertex: not 0 where it stays; may be empty */
   locked: Uint8Array;
-  /** the same, and the modes of the body held there are fitted */
-  pinned: Uint8Array;
+  /** vertices that stay too; the modes of the body pinned there are fitted */
+  pinned: Uint32Array;
   /** SimplifyConstraints.mirror: a result that is its own image stays one */
   mirror?: Uint32Array;
   /** what the result keeps, where it does so already: distance from `mesh`, in its units, and degrees; 0 sets no limit */

@@ -1,0 +1,143 @@
+// Draws docs/images/architecture.svg: the rooms and the arrows between them, from scripts/structure/rooms.mjs.
+// Usage: node scripts/docs/architecture-picture.mjs
+
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { root } from '../setup/environment.mjs';
+import { rooms } from '../structure/rooms.mjs';
+
+const box = { width: 104, height: 30, gap: 22, row: 64 };
+const column = { width: 520, gap: 40, margin: 20, top: 70 };
+const colours = { wasm: '#e8eef7', 'web/engine': '#e9f5ec', 'web/app': '#fbf1e2', 'web/cli': '#fbf1e2' };
+
+/**
+ * Where a room stands on its row, in boxes from the middle, so that no arrow runs behind another room. A row with a room that
+ * is not listed here is spread evenly.
+ */
+const shift = {
+  'wasm/base': 0,
+  'wasm/mesh': -0.5,
+  'wasm/linear': 0.5,
+  'wasm/simulate': -1.5,
+  'wasm/query': -0.5,
+  'wasm/elastic': 0.5,
+  'wasm/fields': 1.5,
+  'wasm/simplify': -0.5,
+  'wasm/transfer': -1,
+  'wasm/modes': 0.5,
+  'wasm/compare': -0.4,
+  'wasm/fit': 0,
+  'wasm/bind': 0.6,
+  'web/app/worker': -1,
+  'web/app/viewer': 0,
+  'web/cli': 1,
+  'web/app/state': -1,
+  'web/app/controls': -0.25,
+  'web/app/files': -1.25,
+  'web/app/panels': -0.75,
+  'web/app': -0.75,
+};
+
+/** Rooms that are drawn: folders. */
+const drawn = Object.keys(rooms).filter((room) => !/\.\w+$/.test(room));
+
+const isCore = (room) => room.startsWith('wasm/');
+const labelOf = (room) => (room === 'web/app' ? 'app' : room.split('/').at(-1));
+const groupOf = (room) => (isCore(room) ? 'wasm' : room.split('/').slice(0, 2).join('/'));
+
+/** Rooms that `room` may know. What panels use of the files beside them is left out: those files put the panels together. */
+const knownBy = (room) => rooms[room].filter((target) => target !== 'web/app' && drawn.includes(target));
+
+/** The longest way down from a room: rooms on one row do not know each other. */
+const rankOf = (room) => Math.max(-1, ...knownBy(room).map(rankOf)) + 1;
+
+const knows = (room, target) => knownBy(room).some((next) => next === target || knows(next, target));
+
+/** Arrows that no chain of others says already. */
+const plainArrows = drawn.flatMap((from) =>
+  knownBy(from)
+    .filter((to) => !knownBy(from).some((between) => between !== to && knows(between, to)))
+    .map((to) => ({ from, to })),
+);
+
+/** Room -> { x, y } of the middle of its box; the core stands on the left, all else on the right. */
+function positions() {
+  const places = {};
+  for (const side of [true, false]) {
+    const own = drawn.filter((room) => isCore(room) === side);
+    const left = column.margin + (side ? 0 : column.width + column.gap);
+    for (const [rank, row] of groupByRank(own))
+      row.forEach((room, i) => {
+        const even = i - (row.length - 1) / 2;
+        const offset = row.every((one) => one in shift) ? shift[room] : even;
+        const x = left + column.width / 2 + offset * (box.width + box.gap);
+        places[room] = { x, y: heightOf() - 60 - rank * box.row };
+      });
+  }
+  return places;
+}
+
+function groupByRank(list) {
+  const groups = new Map();
+  for (const room of list) groups.set(rankOf(room), [...(groups.get(rankOf(room)) ?? []), room]);
+  return groups;
+}
+
+const heightOf = () => column.top + 60 + Math.max(...drawn.map(rankOf)) * box.row;
+
+function drawArrow({ from, to }, places) {
+  const [start, end] = [places[from], places[to]];
+  const [top, bottom] = [start.y + box.height / 2, end.y - box.height / 2 - 3];
+  const bend = (bottom - top) / 2;
+  const path = `M${start.x} ${top} C${start.x} ${top + bend} ${end.x} ${bottom - bend} ${end.x} ${bottom}`;
+  return `<path d="${path}" marker-end="url(#tip)"/>`;
+}
+
+function drawRoom(room, { x, y }) {
+  const [left, top] = [x - box.width / 2, y - box.height / 2];
+  return (
+    `<rect x="${left}" y="${top}" width="${box.width}" height="${box.height}" rx="5" fill="${colours[groupOf(room)]}"/>` +
+    `<text x="${x}" y="${y + 5}">${labelOf(room)}</text>`
+  );
+}
+
+/** How calls cross from the engine's `core` to the core's `bind`. */
+function drawBoundary({ 'web/engine/core': from, 'wasm/bind': to }) {
+  const [start, end] = [from.x - box.width / 2, to.x + box.width / 2 + 3];
+  const middle = column.margin + column.width + column.gap / 2;
+  return (
+    `<path d="M${start} ${from.y} C${middle} ${from.y} ${middle} ${from.y} ${middle} ${from.y - box.row} V${to.y + box.row} C${middle} ${to.y} ${middle} ${to.y} ${end} ${to.y}" stroke-dasharray="5 4" marker-end="url(#tip)"/>` +
+    `<text x="${(end + middle) / 2}" y="${to.y - 12}">the boundary: embind</text>`
+  );
+}
+
+function drawTitle(text, left) {
+  return `<text class="title" x="${left + column.width / 2}" y="34">${text}</text>`;
+}
+
+/** The picture as SVG text. */
+export function drawArchitecture() {
+  const places = positions();
+  const width = 2 * (column.width + column.margin) + column.gap;
+  const right = column.margin + column.width + column.gap;
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${heightOf()}" font-family="sans-serif" font-size="14" text-anchor="middle">`,
+    '<title>The rooms of Limber; an arrow points to a room that its start may know</title>',
+    '<style>path{fill:none;stroke:#8a94a3}rect{stroke:#5b6573}text{fill:#1c2530}.title{font-weight:bold}</style>',
+    '<marker id="tip" markerWidth="7" markerHeight="7" refX="3" refY="3" orient="auto"><path d="M0 0L6 3L0 6" style="fill:none"/></marker>',
+    `<rect width="${width}" height="${heightOf()}" fill="#fff" style="stroke:none"/>`,
+    drawTitle('wasm: the core, C++', column.margin),
+    drawTitle('web: engine (green), page and command line (sand), TypeScript', right),
+    drawBoundary(places),
+    ...plainArrows.map((arrow) => drawArrow(arrow, places)),
+    ...Object.entries(places).map(([room, place]) => drawRoom(room, place)),
+    '</svg>',
+    '',
+  ].join('\n');
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  writeFileSync(join(root, 'docs', 'images', 'architecture.svg'), drawArchitecture());
+  console.log('wrote docs/images/architecture.svg');
+}

@@ -1,0 +1,46 @@
+// No file may lead back to itself through includes or imports. A C++ header and its source count as one file.
+
+import { importEdges } from './imports.mjs';
+import { isCore } from './texts.mjs';
+
+const unitOf = (path) => (isCore(path) ? path.replace(/\.(h|cpp)$/, '') : path);
+
+/** Unit -> the units that it includes or imports. */
+function unitGraph(files) {
+  const graph = new Map(files.map(({ path }) => [unitOf(path), new Set()]));
+  for (const { from, to } of importEdges(files))
+    if (unitOf(from) !== unitOf(to) && graph.has(unitOf(to))) graph.get(unitOf(from)).add(unitOf(to));
+  return graph;
+}
+
+/** Every unit that can be reached from `start`, which is among them only where it lies on a circle. */
+function reachableFrom(start, graph) {
+  const seen = new Set();
+  const open = [start];
+  while (open.length)
+    for (const next of graph.get(open.pop()) ?? [])
+      if (!seen.has(next)) {
+        seen.add(next);
+        open.push(next);
+      }
+  return seen;
+}
+
+/** Groups of units each of which reaches all others of its group, as lists of names. */
+export function circlesOf(files) {
+  const graph = unitGraph(files.filter(({ text }) => text));
+  const reach = new Map([...graph.keys()].map((unit) => [unit, reachableFrom(unit, graph)]));
+  const onCircle = [...graph.keys()].filter((unit) => reach.get(unit).has(unit));
+  const groups = new Map();
+  for (const unit of onCircle) {
+    const group = onCircle.filter((other) => reach.get(unit).has(other) && reach.get(other).has(unit));
+    groups.set(group[0], group);
+  }
+  return [...groups.values()];
+}
+
+/** Every circle, a sentence each. */
+export const importCircles = (files) =>
+  circlesOf(files).map(
+    (group) => `These ${group.length} include each other in a circle: ${group.join(', ')}.`,
+  );

@@ -1,0 +1,56 @@
+// Prints how large and how tangled the product is, as a table in Markdown.
+// Usage: node scripts/structure/report.mjs
+
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { root } from '../setup/environment.mjs';
+import { wrongArrows } from './arrows.mjs';
+import { circlesOf } from './circles.mjs';
+import { struckNames } from './glossary.mjs';
+import { rooms } from './rooms.mjs';
+import { folderSizes, functionsOf, lineCount, longFiles, percentile } from './sizes.mjs';
+import { readProduct } from './texts.mjs';
+import { doubleTypeNames } from './type_names.mjs';
+
+const files = readProduct();
+const code = files.filter(({ text }) => text);
+const functions = functionsOf(files);
+
+const largest = (entries) => entries.reduce((most, entry) => (entry[1] > most[1] ? entry : most), ['', 0]);
+const told = ([name, count]) => `${count} (${name})`;
+const where = ({ name, path }) => `${name}, ${path}`;
+
+/** A row for each product: its functions' lengths and parameters. */
+function functionRows([product, list]) {
+  const lengths = list.map(({ length }) => length);
+  const parameters = list.map((one) => one.parameters);
+  const at = (values) => [0.5, 0.9, 0.99].map((part) => percentile(values, part)).join(' / ');
+  return [
+    [`${product}: functions`, list.length],
+    [`${product}: lines, median / p90 / p99`, at(lengths)],
+    [`${product}: longest`, told(largest(list.map((one) => [where(one), one.length])))],
+    [`${product}: parameters, median / p90 / p99`, at(parameters)],
+    [`${product}: most parameters`, told(largest(list.map((one) => [where(one), one.parameters])))],
+    [`${product}: functions of more than 4 parameters`, parameters.filter((count) => count > 4).length],
+  ];
+}
+
+const sizes = code.map(({ path, text }) => [path, lineCount(text)]);
+const glossary = readFileSync(join(root, 'docs', 'glossary.md'), 'utf8');
+const rows = [
+  ['files of code', code.length],
+  ['lines of code', sizes.reduce((sum, [, lines]) => sum + lines, 0)],
+  ...Object.entries({ 'C++': functions.core, TypeScript: functions.web }).flatMap(functionRows),
+  ['largest file', told(largest(sizes.filter(([path]) => !longFiles[path])))],
+  ['files of more than 350 lines', sizes.filter(([path, lines]) => lines > 350 && !longFiles[path]).length],
+  ['largest folder', told(largest(Object.entries(folderSizes(files))))],
+  ['rooms', Object.keys(rooms).length],
+  ['arrows between rooms that are not allowed', wrongArrows(files, rooms).length],
+  ['circles of includes and imports', circlesOf(files).length],
+  ['files on circles', circlesOf(files).flat().length],
+  ['names of types that are defined twice', doubleTypeNames(files).length],
+  ['names with struck words', struckNames(files, glossary).length],
+];
+console.log(
+  ['| measure | found |', '| --- | --- |', ...rows.map((row) => `| ${row.join(' | ')} |`)].join('\n'),
+);

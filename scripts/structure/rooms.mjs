@@ -1,0 +1,62 @@
+// The rooms of the house and the arrows between them: each room names the rooms that it may know.
+
+/** Folders of wasm; `bind`, which joins the core to JavaScript, knows all of them. */
+export const core = {
+  base: [],
+  mesh: ['base'],
+  linear: ['base'],
+  query: ['base', 'mesh'],
+  elastic: ['base', 'mesh', 'linear'],
+  fields: ['base', 'mesh'],
+  simplify: ['base', 'mesh', 'query'],
+  simulate: ['base', 'mesh', 'elastic'],
+  transfer: ['base', 'mesh', 'query', 'simplify', 'simulate'],
+  modes: ['base', 'mesh', 'linear', 'query', 'elastic', 'simplify'],
+  compare: ['base', 'mesh', 'linear', 'query', 'elastic', 'simulate', 'transfer'],
+  fit: ['base', 'mesh', 'linear', 'query', 'elastic', 'simplify', 'transfer', 'modes', 'compare'],
+};
+
+/** Folders of web/engine; a folder knows only folders that stand above it here. */
+export const engine = {
+  core: [],
+  document: ['core'],
+  settings: ['core'],
+  body: ['core', 'document', 'settings'],
+  report: ['core', 'document', 'settings', 'body'],
+  motion: ['core', 'document', 'settings', 'body'],
+  stages: ['core', 'document', 'settings', 'body', 'report', 'motion'],
+};
+
+/** Folders of web/app; the files beside them, which put the page together, know all of them. */
+export const app = {
+  'stroke.ts': [],
+  worker: [],
+  viewer: ['stroke.ts'],
+  state: ['worker', 'stroke.ts'],
+  controls: ['viewer', 'state'],
+  files: ['state'],
+  panels: ['worker', 'viewer', 'state', 'controls', 'files', 'stroke.ts'],
+};
+
+const below = (folder, rooms) =>
+  Object.fromEntries(
+    Object.entries(rooms).map(([room, known]) => [
+      `${folder}/${room}`,
+      known.map((name) => `${folder}/${name}`),
+    ]),
+  );
+
+const engineRooms = Object.keys(engine).map((room) => `web/engine/${room}`);
+const appRooms = Object.entries(app).map(([room, known]) => [
+  `web/app/${room}`,
+  [...engineRooms, ...known.map((name) => `web/app/${name}`), ...(room === 'panels' ? ['web/app'] : [])],
+]);
+
+/** Room -> rooms that it may know. A room is a folder with all below it that is in no room of its own, or one file. */
+export const rooms = {
+  ...below('wasm', { ...core, bind: Object.keys(core) }),
+  ...below('web/engine', engine),
+  ...Object.fromEntries(appRooms),
+  'web/app': [...engineRooms, ...Object.keys(app).map((room) => `web/app/${room}`)],
+  'web/cli': engineRooms,
+};

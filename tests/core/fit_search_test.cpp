@@ -1,0 +1,141 @@
+// The parts of the search for modes, each compared with a dense or analytic solution.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "fit/search/budgeted_step.h"
+#include "fit/search/damping.h"
+#include "fit/search/fit_solver.h"
+#include "fit/search/stop_rule.h"
+#include "fit/tuning.h"
+
+namespace limber {
+namespace {
+
+constexpr int kCoordinates = 12, kResiduals = 5;
+
+Eigen::MatrixXd randomMatrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
+}
+
+// dx^T A dx - 2 g^T dx + w |r + J dx|^2 with small residuals, so that none is clipped.
+struct Problem {
+  Eigen::MatrixXd hessian;
+  Eigen::VectorXd gradient;
+  Mismatch mismatch;
+
+  explicit Problem(unsigned seed) {
+    const Eigen::MatrixXd root = randomMatrix(kCoordinates, kCoordinates, seed);
+    hessian = root * root.transpose() + Eigen::MatrixXd::Identity(kCoordinates, kCoordinates);
+    gradient = randomMatrix(kCoordinates, 1, seed + 1);
+    mismatch.residual = 0.02 * randomMatrix(kResiduals, 1, seed + 2).cwiseMax(-4).cwiseMin(4);
+    mismatch.jacobian = randomMatrix(kCoordinates, kResiduals, seed + 3);
+  }
+  BudgetedStep step() const {
+    Eigen::MatrixXd columns(kCoordinates, 1 + kResiduals);
+    columns << gradient, mismatch.jacobian;
+    return {gradient, mismatch, hessian.ldlt().solve(columns)};
+  }
+  Eigen::VectorXd minimum(double weight) const {
+    const Eigen::MatrixXd& transposed = mismatch.jacobian;
+    return (hessian + weight * transposed * transposed.transpose())
+        .ldlt()
+        .solve(gradient - weight * transposed * mismatch.residual);
+  }
+  double surfaceTerms(const Eigen::VectorXd& dx) const { return dx.dot(hessian * dx) - 2 * gradient.dot(dx); }
+};
+
+TEST(BudgetedStep, isTheMinimumForAnyResidualWeight) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const Problem problem(seed);
+    const BudgetedStep step = problem.step();
+    for (const double weight : {1e-3, 1.0, 1e3}) {
+      const Eigen::VectorXd minimum = problem.minimum(weight);
+      EXPECT_LT((step.step(weight) - minimum).norm(), 1e-9 * minimum.norm()) << seed << " " << weight;
+      EXPECT_NEAR(step.growth(weight), problem.surfaceTerms(minimum), 1e-9) << seed << " " << weight;
+    }
+  }
+}
+
+TEST(BudgetedStep, spendsTheBudgetUnlessTheRangeOfWeightsEndsBefore) {
+  const BudgetedStep step = Problem(4).step();
+  const double budget = 0.5 * (step.growth(1e-3) + step.growth(1e3));
+  const double weight = step.weightWithinBudget(budget, 1e-3, 1e3);
+  EXPECT_LE(step.growth(weight), budget);
+  EXPECT_GT(step.growth(1.0001 * weight), budget);
+  EXPECT_EQ(step.weightWithinBudget(step.growth(1e3), 1e-3, 1e3), 1e3);
+  EXPECT_NEAR(step.weightWithinBudget(step.growth(1e-4), 1e-3, 1e3), 1e-3, 1e-9);
+}
+
+TEST(FitSolver, solvesTheDampedSystemOfTheVerticesThatAreNotLocked) {
+  Job job;
+  const Problem problem(5);
+  const Eigen::SparseMatrix<double> hessian = problem.hessian.sparseView();
+  const Eigen::VectorXd diagonal = randomMatrix(kCoordinates, 1, 6).cwiseAbs();
+  const double damping = 0.3;
+  FitSolver solver({0, 0, 1, 0}, job);
+  const Eigen::VectorXd found = solver.solve({hessian, diagonal, damping}, problem.gradient);
+  EXPECT_EQ(found.segment<3>(6), Eigen::Vector3d::Zero());
+  const std::vector<int> free = {0, 1, 2, 3, 4, 5, 9, 10, 11};
+  Eigen::MatrixXd damped = problem.hessian;
+  damped.diagonal() += damping * diagonal;
+  const Eigen::VectorXd expected =
+      Eigen::MatrixXd(damped(free, free)).ldlt().solve(Eigen::VectorXd(problem.gradient(free)));
+  EXPECT_LT((Eigen::VectorXd(found(free)) - expected).norm(), 1e-10 * expected.norm());
+}
+
+TEST(Damping, risesAfterPoorStepsAndFallsAfterGoodOnes) {
+  Damping damping(3, 0.01, false);
+  damping.adapt(0.2, 1);
+  EXPECT_DOUBLE_EQ(damping.value(), 0.03);
+  damping.adapt(0.5, 1);
+  EXPECT_DOUBLE_EQ(damping.value(), 0.03);
+  damping.adapt(0.9, 1);
+  EXPECT_DOUBLE_EQ(damping.value(), 0.02);
+  Damping fast(3, 0.03, true);
+  fast.adapt(0.9, 1);
+  EXPECT_DOUBLE_EQ(fast.value(), 0.01);
+}
+
+TEST(Damping, isExhaustedAfterEnoughRestores) {
+  Damping damping(3, 0.01, true);
+  int restores = 0;
+  for (; !damping.isExhausted() && restores < 100; ++restores) damping.noteRestore();
+  EXPECT_GT(restores, 2);
+  EXPECT_LT(restores, 10);
+}
+
+TEST(Damping, growsForBlockedVerticesAlone) {
+  Damping damping(6, 0.01, false);
+  Eigen::VectorXd wanted(6), made(6);
+  wanted << 1, 0, 0, 0, 1, 0;
+  made << 0.4, 0, 0, 0, 0.6, 0;
+  const Eigen::VectorXd diagonal = Eigen::VectorXd::Constant(6, 2);
+  damping.scaleBlocked(wanted, made);
+  EXPECT_EQ(damping.scaled(diagonal), (Eigen::VectorXd(6) << 8, 8, 8, 2, 2, 2).finished());
+  damping.scaleBlocked(wanted, wanted);
+  damping.scaleBlocked(wanted, wanted);
+  EXPECT_EQ(damping.scaled(diagonal), diagonal);
+}
+
+TEST(StopRule, endsWhereTheLastRoundsGainLittle) {
+  StopRule rule(1e-8, false);
+  for (const double merit : {0.01, 0.001, 0.0001}) {
+    rule.add(merit);
+    EXPECT_FALSE(rule.isMet(merit));
+  }
+  for (int round = 0; round < 2; ++round) rule.add(0.00009999);
+  EXPECT_FALSE(rule.isMet(0.00009999)) << "the round before these gained a lot";
+  rule.add(0.00009998);
+  EXPECT_TRUE(rule.isMet(0.00009998));
+  rule.restart();
+  EXPECT_FALSE(rule.isMet(0.00009998));
+  EXPECT_TRUE(rule.isMet(1e-9));
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,39 @@
+/** Types of the structure checks, which are plain JavaScript. */
+
+interface ProductFile {
+  path: string;
+  text: string;
+}
+type Rooms = Record<string, string[]>;
+
+declare module '*/structure/arrows.mjs' {
+  export function wrongArrows(files: ProductFile[], rooms: Rooms): string[];
+}
+declare module '*/structure/circles.mjs' {
+  export function importCircles(files: ProductFile[]): string[];
+}
+declare module '*/structure/sizes.mjs' {
+  export const limits: Record<string, number>;
+  export function largeThings(files: ProductFile[]): string[];
+  export function percentile(values: number[], part: number): number;
+}
+declare module '*/structure/type_names.mjs' {
+  export function doubleTypeNames(files: ProductFile[]): string[];
+}
+declare module '*/structure/glossary.mjs' {
+  export function struckWords(files: ProductFile[], glossary: string): string[];
+}
+declare module '*/structure/document_paths.mjs' {
+  export function missingPaths(documents: ProductFile[], known: Set<string>): string[];
+}
+declare module '*/structure/rooms.mjs' {
+  export const rooms: Rooms;
+}
+declare module '*/structure/texts.mjs' {
+  export function blankComments(text: string): string;
+  export function readProduct(): ProductFile[];
+  export function wordsOf(name: string): string[];
+}
+declare module '*/docs/architecture-picture.mjs' {
+  export function drawArchitecture(): string;
+}

@@ -1,0 +1,122 @@
+#include "fit/search/deviation_guard.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "mesh/sampling.h"
+
+namespace limber {
+namespace {
+
+constexpr double kMargin =
+    0.9;  // fraction of the limit that samples may use: points between them are farther
+constexpr size_t kSamplesPerRange = 256;
+// Each triangle is cut into n^2 congruent ones, so that there are about kParts in all; n is at least
+// kFewestCuts for the moving mesh (1 for the original) and at most kMostCuts.
+constexpr double kParts = 20000, kFewestCuts = 3, kMostCuts = 24;
+
+int cutsOf(const TriangleMesh& mesh, double fewest) {
+  const double cuts = std::ceil(std::sqrt(kParts / std::max(1u, mesh.triangleCount())));
+  return static_cast<int>(std::clamp(cuts, fewest, kMostCuts));
+}
+
+using Weights = std::vector<std::array<double, 3>>;
+
+// Barycentric coordinates of the corners of the n^2 congruent triangles that a triangle is cut into.
+Weights lattice(int n) {
+  Weights weights;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; i + j <= n; ++j) weights.push_back({1.0 * i / n, 1.0 * j / n, 1.0 * (n - i - j) / n});
+  return weights;
+}
+
+// Barycentric coordinates of their centres.
+Weights middles(int n) {
+  Weights weights;
+  forEachPart(n, [&](double u, double v) { weights.push_back({u / n, v / n, 1 - (u + v) / n}); });
+  return weights;
+}
+
+Vec3 pointOn(const TriangleMesh& mesh, uint32_t t, const std::array<double, 3>& weight) {
+  return mesh.corner(t, 0) * weight[0] + mesh.corner(t, 1) * weight[1] + mesh.corner(t, 2) * weight[2];
+}
+
+}  // namespace
+
+DeviationGuard::DeviationGuard(const TriangleMesh& original, double limit)
+    : allowed_(kMargin * limit), tree_(original), originalPoints_(original.positions) {
+  const Weights weights = middles(cutsOf(original, 1));
+  for (uint32_t t = 0; t < original.triangleCount(); ++t)
+    for (const auto& weight : weights) originalPoints_.push_back(pointOn(original, t, weight));
+}
+
+Vec3 DeviationGuard::meshPoint(const TriangleMesh& mesh, size_t i) const {
+  return pointOn(mesh, static_cast<uint32_t>(i / weights_.size()), weights_[i % weights_.size()]);
+}
+
+std::vector<uint8_t> DeviationGuard::begin(const TriangleMesh& mesh) {
+  const ClosestPointTree tree(mesh);
+  weights_ = lattice(cutsOf(mesh, kFewestCuts));
+  originalSamples_.resize(originalPoints_.size());
+  meshSamples_.resize(weights_.size() * mesh.triangleCount());
+  parallelFor(originalSamples_.size() + meshSamples_.size(), kSamplesPerRange, [&](size_t from, size_t to) {
+    for (size_t i = from; i < to; ++i) {
+      const bool isOfMesh = i >= originalSamples_.size();
+      const Vec3 point = isOfMesh ? meshPoint(mesh, i - originalSamples_.size()) : originalPoints_[i];
+      const ClosestPoint closest = (isOfMesh ? tree_ : tree).closest(point);
+      (isOfMesh ? meshSamples_[i - originalSamples_.size()] : originalSamples_[i]) = {point, closest};
+    }
+  });
+  std::vector<uint8_t> isFar(mesh.triangleCount(), 0);
+  for (const Sample& sample : originalSamples_)
+    if (sample.closest.distance > allowed_) isFar[sample.closest.triangle] = 1;
+  for (size_t i = 0; i < meshSamples_.size(); ++i)
+    if (meshSamples_[i].closest.distance > allowed_) isFar[i / weights_.size()] = 1;
+  return isFar;
+}
+
+std::vector<uint8_t> DeviationGuard::tooFar(const TriangleMesh& moved) const {
+  std::vector<uint8_t> isFar(moved.triangleCount(), 0);
+  checkOriginal(moved, isFar);
+  checkMoved(moved, isFar);
+  return isFar;
+}
+
+// Where the closest point has moved too far from a sample, another point may be close enough.
+void DeviationGuard::checkOriginal(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const {
+  std::vector<const Sample*> unclear;
+  for (const Sample& sample : originalSamples_) {
+    const ClosestPoint& closest = sample.closest;
+    const double* const b = closest.barycentric;
+    if (closest.distance <= allowed_ &&
+        length(pointOn(moved, closest.triangle, {b[0], b[1], b[2]}) - sample.point) > allowed_)
+      unclear.push_back(&sample);
+  }
+  if (unclear.empty()) return;
+  const ClosestPointTree tree(moved);
+  std::vector<uint32_t> found(unclear.size(), kNone);
+  parallelFor(unclear.size(), kSamplesPerRange, [&](size_t from, size_t to) {
+    for (size_t i = from; i < to; ++i) {
+      const ClosestPoint closest = tree.closest(unclear[i]->point);
+      if (closest.distance > allowed_) found[i] = closest.triangle;
+    }
+  });
+  for (size_t i = 0; i < found.size(); ++i)
+    if (found[i] != kNone) isFar[found[i]] = isFar[unclear[i]->closest.triangle] = 1;
+}
+
+void DeviationGuard::checkMoved(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const {
+  parallelFor(moved.triangleCount(), kSamplesPerRange, [&](size_t from, size_t to) {
+    for (size_t t = from; t < to; ++t)
+      for (size_t i = weights_.size() * t; i < weights_.size() * (t + 1) && !isFar[t]; ++i) {
+        const Sample& sample = meshSamples_[i];
+        const Vec3 point = meshPoint(moved, i);
+        isFar[t] = sample.closest.distance <= allowed_ &&
+                   length(point - sample.closest.position) > allowed_ &&
+                   tree_.closest(point).distance > allowed_;
+      }
+  });
+}
+
+}  // namespace limber

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+#include "query/closest_point.h"
+
+namespace limber {
+
+// Tells which triangles of a moving mesh are too far from its original, or have points of the original too
+// far from them. Both surfaces are judged at samples: about 20,000 points spread over the triangles, at least
+// a few on each, and the vertices. The samples must respect nine tenths of the limit, which leaves a margin
+// for the points between them. Triangles that are too far from the start must not move.
+class DeviationGuard {
+ public:
+  // Keeps a reference to `original`. `limit`: a length in its units.
+  DeviationGuard(const TriangleMesh& original, double limit);
+
+  // Takes the mesh that vertices are about to move from. Returns 1 for each triangle that is too far already,
+  // else 0. O(n log n).
+  std::vector<uint8_t> begin(const TriangleMesh& mesh);
+
+  // `moved`: the mesh of `begin` with other positions. Returns 1 for each triangle that is too far and was
+  // not at the start, else 0. Fast where points move by less than what is left of the limit.
+  std::vector<uint8_t> tooFar(const TriangleMesh& moved) const;
+
+ private:
+  struct Sample {
+    Vec3 point;
+    ClosestPoint closest;  // on the other surface, at the start
+  };
+  Vec3 meshPoint(const TriangleMesh& mesh, size_t i) const;
+  void checkOriginal(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const;
+  void checkMoved(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const;
+
+  double allowed_;                              // largest distance of a sample
+  std::vector<std::array<double, 3>> weights_;  // barycentric coordinates of the samples of every triangle
+  ClosestPointTree tree_;                       // of the original
+  std::vector<Vec3> originalPoints_;            // samples of the original
+  std::vector<Sample> originalSamples_;         // the same with their closest points on the mesh
+  std::vector<Sample> meshSamples_;             // of the mesh, triangle by triangle
+};
+
+}  // namespace limber

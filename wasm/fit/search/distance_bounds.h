@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/topology.h"
+#include "mesh/triangle_mesh.h"
+#include "query/closest_point.h"
+
+namespace limber {
+
+// Upper bounds on the distance of the vertices of a mesh from a surface: for each vertex its distance at the
+// start, or a twentieth of the mean length of the edges around it, whichever is larger. The budget of the
+// search limits a mean distance, in which paws and tips hardly count, for their area is small; but they
+// swing, so that frequencies depend on them.
+class DistanceBounds {
+ public:
+  // Keeps a reference to `surface`.
+  DistanceBounds(const TriangleMesh& surface, const TriangleMesh& start, const Topology& topology);
+
+  // `target` where it respects the bound of vertex v; otherwise the point between it and its closest point of
+  // the surface that does. O(log n).
+  Vec3 limited(uint32_t v, const Vec3& target) const;
+
+ private:
+  struct Bound {
+    Vec3 start;
+    double startDistance;  // of `start` from the surface
+    double most;           // the bound
+  };
+  ClosestPointTree tree_;
+  std::vector<Bound> bounds_;  // per vertex
+};
+
+}  // namespace limber

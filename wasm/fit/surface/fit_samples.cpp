@@ -1,0 +1,40 @@
+#include "fit/surface/fit_samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/sampling.h"
+
+namespace limber {
+
+namespace {
+
+// The centres of the cuts^2 congruent triangles that a triangle is cut into.
+void sampleTriangle(const TriangleMesh& mesh, uint32_t t, uint32_t cuts,
+                    std::vector<FitSamples::OnSurface>& out) {
+  const double area = triangleArea(mesh, t);
+  if (!(area > 0)) return;
+  const Vec3 normal = normalized(areaNormal(mesh, t));
+  const double share = area / (cuts * cuts);
+  forEachPartCentre(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), static_cast<int>(cuts),
+                    [&](const Vec3& p) { out.push_back({p, normal, share}); });
+}
+
+}  // namespace
+
+FitSamples sampleForFit(const TriangleMesh& original, uint32_t count, const EdgeList& featureEdges) {
+  const double perTriangle = static_cast<double>(count) / std::max(1u, original.triangleCount());
+  const auto cuts = static_cast<uint32_t>(std::max(1.0, std::ceil(std::sqrt(perTriangle))));
+  FitSamples samples;
+  for (uint32_t t = 0; t < original.triangleCount(); ++t) sampleTriangle(original, t, cuts, samples.surface);
+  const FeatureSegments features = featureSegments(original, buildTopology(original), &featureEdges);
+  for (const Triangle& segment : features.segments.triangles) {
+    const Vec3 a = original.positions[segment[0]], edge = original.positions[segment[1]] - a;
+    for (uint32_t i = 0; i < 2 * cuts; ++i)
+      samples.features.push_back(
+          {a + edge * ((i + 0.5) / (2 * cuts)), normalized(edge), length(edge) / (2 * cuts)});
+  }
+  return samples;
+}
+
+}  // namespace limber

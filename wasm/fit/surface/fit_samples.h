@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fit/surface/feature_segments.h"
+#include "mesh/triangle_mesh.h"
+
+namespace limber {
+
+// What a result is fitted to: points of the original, each with its normal and the area that it stands for,
+// and points of the original's borders and feature edges, each with its direction and the length that it
+// stands for. In units of the mesh.
+struct FitSamples {
+  struct OnSurface {
+    Vec3 point, normal;  // the normal has length 1
+    double area;
+  };
+  struct OnFeature {
+    Vec3 point, tangent;  // the tangent has length 1
+    double length;
+  };
+  std::vector<OnSurface> surface;
+  std::vector<OnFeature> features;
+};
+
+// At least `count` points of the surface, the same number on each triangle that has area, evenly within it.
+FitSamples sampleForFit(const TriangleMesh& original, uint32_t count, const EdgeList& featureEdges);
+
+}  // namespace limber

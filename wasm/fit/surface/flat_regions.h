@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "mesh/topology.h"
+#include "mesh/triangle_mesh.h"
+
+namespace limber {
+
+// Keeps flat regions flat while vertices move. A flat region is a connected set of triangles in one plane
+// that contains all triangles around some vertex, and where the original lies in that plane too. The vertices
+// of a region, those of its outline included, move within its plane alone: a vertex of two regions moves
+// along the edge where they meet, and a vertex of three regions does not move. Without this the fit leaves
+// dents that are too shallow to matter for a distance but show in the shading.
+class FlatRegions {
+ public:
+  FlatRegions() = default;  // no region
+  FlatRegions(const TriangleMesh& original, const TriangleMesh& mesh, const Topology& topology);
+
+  // Adds a large penalty on displacements out of the planes to a quadratic model of all coordinates (3 v +
+  // axis), whose sparsity pattern must contain the diagonal blocks of the vertices.
+  void stiffen(Eigen::SparseMatrix<double>& hessian) const;
+  // Removes the components out of the planes from displacements: a column each, of all coordinates.
+  void flatten(Eigen::MatrixXd& displacements) const;
+
+ private:
+  struct FlatVertex {
+    Eigen::Index first;      // its first coordinate
+    Eigen::Matrix3d across;  // orthonormal columns along which it does not move; the rest are 0
+  };
+  std::vector<FlatVertex> vertices_;
+};
+
+}  // namespace limber

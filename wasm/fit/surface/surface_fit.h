@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <cstdint>
+#include <vector>
+
+#include "fit/surface/feature_segments.h"
+#include "fit/surface/fit_samples.h"
+#include "mesh/topology.h"
+#include "mesh/triangle_mesh.h"
+
+namespace limber {
+
+struct SurfaceFitOptions {
+  double evenness = 0;  // weight of moving a vertex along the surface to the middle of its triangles
+  const EdgeList* featureEdges = nullptr;     // inner edges that follow the feature edges of the original
+  std::vector<uint32_t> startTriangles = {};  // SurfaceFit::closestTriangles of a fit before; may be empty
+};
+
+// The Gauss-Newton model (Nocedal and Wright 2006, section 10.3) of the squared distance between the samples
+// and a mesh whose vertices move by dx, integrated over the area of the original:
+//   E(dx) = dx^T A dx - 2 g^T dx + constant.
+// It sums, over the samples s, weight * area * (n . (s - closest point of the moved mesh))^2, so that points
+// may slide along the tangent plane; the weight grows with the distance, so that tips and horns keep their
+// position. Samples of borders and feature edges add their squared distance across the edge's direction.
+// Evenness adds the squared distance of each vertex from the middle of its triangles (of its segments, on a
+// feature edge), along the surface alone: see tangentialFreedom.
+struct SurfaceFit {
+  Eigen::SparseMatrix<double> hessian;  // A: 3 vertexCount rows and columns, both triangles stored
+  Eigen::VectorXd dampingDiagonal;      // D: the area around a vertex, at least the mean, per coordinate
+  Eigen::VectorXd gradient;             // g: minus half of the derivative of E at dx = 0
+  double meanSquare = 0;                // mean squared distance of the samples, in squared units of the mesh
+  double area = 0;                      // that the samples stand for
+  std::vector<uint32_t> closestTriangles;  // per sample of the surface
+};
+SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const FitSamples& samples,
+                      const SurfaceFitOptions& options);
+
+}  // namespace limber

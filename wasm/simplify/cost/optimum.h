@@ -1,0 +1,98 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "simplify/collapse_mesh.h"
+#include "simplify/cost/attribute_quadrics.h"
+#include "simplify/quadric.h"
+
+namespace limber {
+
+// Where an edge collapses to, and the geometric error there.
+struct Optimum {
+  Vec3 position;     // as the history records it: a float32 point of the file
+  double error = 0;  // E_QEM, in squared lengths of the frame whose diagonal is 300
+};
+
+// Finds the optimum of edges, and E_QEM there.
+//
+// E_QEM is Eq. 7 with area-weighted plane quadrics, normalised (Garland 1999): each vertex starts with the
+// planes of its triangles, weighted by their areas, and with the sum of these areas; both add up in a
+// collapse. The error is the weighted sum of squares over the area: a mean squared distance. Every feature
+// edge (see SimplifyConstraints) adds planes to both of its ends: those through the edge that stand on its
+// triangles, weighted by kFeatureWeight times the squared length of the edge and not counted as area.
+// Attributes add their residual, see AttributeQuadrics.
+//
+// Where planes leave the order of collapses open (flat faces, straight creases) E_QEM would be rounding
+// noise. A term of kTieBreak times the squared length of the edge, far below what float32 coordinates show,
+// takes shorter edges first there.
+//
+// Deviation: Eq. 11 adds terms without a length to a squared length, so its result would depend on the units
+// of the file. Lengths are therefore measured where the diagonal of the bounding box is 300.
+class OptimumFinder {
+ public:
+  // `lengthWeight` is what the squared length of an edge adds to its error besides the term above. Keeps a
+  // reference to `mesh`.
+  OptimumFinder(const CollapseMesh& mesh, const SimplifyConstraints& constraints, double lengthWeight = 0);
+
+  // The optimum of an edge: the position of least error, or the fixed end where the edge has one, so that
+  // feature edges keep their shape. Where the position of least error lies too far off, the best of the
+  // middle and both ends.
+  Optimum find(uint32_t edge) const;
+
+  // Calls visit(edge, find(edge)) for each edge in order; bit-equal to single calls and much faster.
+  template <class Visit>
+  void forEach(std::span<const uint32_t> edges, const Visit& visit) const;
+
+  // The squared length of an edge in the frame.
+  double squaredLengthOf(uint32_t edge) const;
+  // From squared lengths of the mesh to those of the frame.
+  double lengthScale() const { return lengthScale_; }
+  // The part of the error of an edge that comes from its length, but for the term that breaks ties.
+  double sizeError(uint32_t edge) const { return (lengthWeight_ - kTieBreak) * squaredLengthOf(edge); }
+
+  // To be called before the mesh carries out a collapse.
+  void collapse(const Collapse& step) { attributes_.collapse(step); }
+
+ private:
+  // Of the squared length of an edge.
+  static constexpr double kTieBreak = 1e-9;
+  static constexpr size_t kTogether = 16;  // edges whose memory is read before any of them is worked on
+  using Batch = std::array<Optimum, kTogether>;
+
+  // What the optimum of an edge is found from.
+  struct Input {
+    uint32_t edge;
+    bool isFree;  // neither end is fixed
+    Quadric sum;
+    Vec3 p, q;  // the ends
+  };
+  template <class Real>
+  struct Minimum;
+
+  void findBatch(std::span<const uint32_t> edges, Batch& found) const;
+  std::array<Optimum, 2> findTwo(const Input& e, const Input& f) const;
+  Quadric sumOf(uint32_t edge) const;
+  template <class Real>
+  Minimum<Real> minimumOf(const QuadricOf<Real>& sum, const Point<Real>& p, const Point<Real>& q) const;
+
+  const CollapseMesh& mesh_;
+  double lengthScale_;
+  double lengthWeight_;  // of the squared length of an edge within the error
+  AttributeQuadrics attributes_;
+};
+
+template <class Visit>
+void OptimumFinder::forEach(std::span<const uint32_t> edges, const Visit& visit) const {
+  Batch found;
+  for (size_t begin = 0; begin < edges.size(); begin += kTogether) {
+    const auto batch = edges.subspan(begin, std::min(edges.size() - begin, kTogether));
+    findBatch(batch, found);
+    for (size_t i = 0; i < batch.size(); ++i) visit(batch[i], found[i]);
+  }
+}
+
+}  // namespace limber
