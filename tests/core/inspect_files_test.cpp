@@ -5,8 +5,8 @@
 #include <fstream>
 #include <string>
 
-#include "mesh/inspect.h"
-#include "mesh/weld.h"
+#include "mesh/repair/inspect.h"
+#include "mesh/repair/weld.h"
 #include "shared_meshes.h"
 
 // Compares what `inspect` finds in real files with what other tools found, as the index of the files lists

@@ -1,4 +1,4 @@
-#include "mesh/inspect.h"
+#include "mesh/repair/inspect.h"
 
 #include <gtest/gtest.h>
 

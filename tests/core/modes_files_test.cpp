@@ -5,7 +5,7 @@
 #include <string>
 
 #include "elastic/modes.h"
-#include "mesh/weld.h"
+#include "mesh/repair/weld.h"
 #include "shared_meshes.h"
 
 namespace limber {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/inspect.h"
+#include "mesh/repair/inspect.h"
 
 namespace limber {
 

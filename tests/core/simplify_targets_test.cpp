@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "compare/surface_distance.h"
-#include "mesh/inspect.h"
 #include "mesh/quality.h"
+#include "mesh/repair/inspect.h"
 #include "simplify/simplify.h"
 #include "surfaces.h"
 

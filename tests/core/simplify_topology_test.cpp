@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "mesh/inspect.h"
 #include "mesh/manifold.h"
+#include "mesh/repair/inspect.h"
 #include "mesh/topology.h"
 #include "simplify/simplify.h"
 #include "surfaces.h"

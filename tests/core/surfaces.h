@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/weld.h"
+#include "mesh/repair/weld.h"
 #include "shapes.h"
 #include "simplify/history.h"
 

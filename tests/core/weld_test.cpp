@@ -1,4 +1,4 @@
-#include "mesh/weld.h"
+#include "mesh/repair/weld.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "mesh/close_vertices.h"
-#include "mesh/inspect.h"
+#include "mesh/repair/close_vertices.h"
+#include "mesh/repair/inspect.h"
 #include "shapes.h"
 
 namespace limber {

@@ -247,7 +247,7 @@ describe('glossary', () => {
 });
 
 describe('paths in documents', () => {
-  const known = new Set(['wasm/mesh/weld.cpp', 'docs/modes.md', 'README.md']);
+  const known = new Set(['wasm/mesh/repair/weld.cpp', 'docs/modes.md', 'README.md']);
   const missing = (path: string, text: string) => missingPaths([file(path, text)], known);
 
   test('a file that is not there is told, in code and as the target of a link', () => {
@@ -259,7 +259,7 @@ describe('paths in documents', () => {
 
   test('files, folders, patterns, addresses and examples that are there pass', () => {
     const text =
-      '`wasm/mesh/weld.cpp: weld`, `wasm/mesh/`, `wasm/fit/*.h`, `tests/core/NAME_test.cpp`, [b](https://b.de)';
+      '`wasm/mesh/repair/weld.cpp: weld`, `wasm/mesh/`, `wasm/fit/*.h`, `tests/core/NAME_test.cpp`, [b](https://b.de)';
     expect(missing('README.md', `${text}\n\`\`\`\n\`wasm/none.h\`\n\`\`\`\n`)).toEqual([]);
   });
 });

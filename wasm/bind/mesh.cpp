@@ -4,10 +4,10 @@
 #include "bind/function.h"
 #include "bind/meshes.h"
 #include "fields/curvature.h"
-#include "mesh/inspect.h"
 #include "mesh/quality.h"
+#include "mesh/repair/inspect.h"
+#include "mesh/repair/weld.h"
 #include "mesh/topology.h"
-#include "mesh/weld.h"
 #include "simplify/mirror_images.h"
 
 namespace limber {

@@ -4,6 +4,7 @@
 
 #include "bind/function.h"
 #include "bind/meshes.h"
+#include "simplify/method_name.h"
 #include "simplify/why_kept.h"
 
 namespace limber {

@@ -1,15 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
 namespace limber {
 
 // How collapses are priced: the index of a row of CostPolicies (simplify/cost/policies.h), which names the
 // methods. The enumerators are for C++ callers.
 enum class Method : int32_t { Qem = 0, Paper = 1, Limber = 2 };
-
-// The method of a name, such as "qem". Throws std::invalid_argument with the names there are.
-Method methodNamed(std::string_view name);
 
 }  // namespace limber

@@ -55,8 +55,14 @@ bool liesOnPlane(const std::vector<uint32_t>& partners) {
   return true;
 }
 
-MirrorImages imagesAcross(const TriangleMesh& mesh, const Charts& charts, const NearestVertex& nearest,
-                          const MirrorPlane& plane, Job& job) {
+struct MirrorSearch {
+  const TriangleMesh& mesh;
+  const Charts& charts;
+  const NearestVertex& nearest;
+};
+
+MirrorImages imagesAcross(const MirrorSearch& search, const MirrorPlane& plane, Job& job) {
+  const auto& [mesh, charts, nearest] = search;
   MirrorImages images;
   std::vector<uint32_t> partners = partnersAcross(mesh, nearest, plane, job);
   for (const uint32_t partner : partners) images.asymmetricVertices += partner == kNone;
@@ -78,7 +84,7 @@ MirrorImages findMirrorImages(const TriangleMesh& mesh, const Charts& charts, in
   MirrorImages best;
   for (size_t i = 0; i < planes.size(); ++i) {
     job.report(static_cast<double>(i) / static_cast<double>(planes.size()));
-    MirrorImages images = imagesAcross(mesh, charts, nearest, planes[i], job);
+    MirrorImages images = imagesAcross({mesh, charts, nearest}, planes[i], job);
     const auto rank = [](const MirrorImages& of) {
       return std::tuple(of.partners.empty(), of.asymmetricVertices, of.asymmetricTriangles);
     };

@@ -16,7 +16,7 @@ void sampleTriangle(const TriangleMesh& mesh, uint32_t t, uint32_t cuts,
   if (!(area > 0)) return;
   const Vec3 normal = normalized(areaNormal(mesh, t));
   const double share = area / (cuts * cuts);
-  forEachPartCentre(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), static_cast<int>(cuts),
+  forEachPartCentre({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, static_cast<int>(cuts),
                     [&](const Vec3& p) { out.push_back({p, normal, share}); });
 }
 

@@ -1,4 +1,4 @@
-#include "mesh/orientation.h"
+#include "mesh/repair/orientation.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
-#include "mesh/inspect.h"
+#include "mesh/repair/inspect.h"
 
 #include <algorithm>
 
 #include "mesh/manifold.h"
-#include "mesh/orientation.h"
+#include "mesh/repair/orientation.h"
 #include "mesh/topology.h"
 
 namespace limber {

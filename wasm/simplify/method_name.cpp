@@ -1,4 +1,4 @@
-#include "simplify/method.h"
+#include "simplify/method_name.h"
 
 #include <stdexcept>
 #include <string>

@@ -1,4 +1,4 @@
-#include "mesh/close_vertices.h"
+#include "mesh/repair/close_vertices.h"
 
 #include <algorithm>
 #include <array>

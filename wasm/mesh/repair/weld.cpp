@@ -1,4 +1,4 @@
-#include "mesh/weld.h"
+#include "mesh/repair/weld.h"
 
 #include <algorithm>
 #include <bit>
@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "mesh/close_vertices.h"
-#include "mesh/first_occurrence.h"
-#include "mesh/orientation.h"
+#include "mesh/repair/close_vertices.h"
+#include "mesh/repair/first_occurrence.h"
+#include "mesh/repair/orientation.h"
 #include "mesh/topology.h"
 
 namespace limber {
