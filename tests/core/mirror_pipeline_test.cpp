@@ -7,9 +7,9 @@
 #include "mesh/topology.h"
 #include "mirrored.h"
 #include "same_topology.h"
-#include "simplify/mirror.h"
-#include "simplify/mirror_images.h"
 #include "simplify/simplify.h"
+#include "simplify/symmetry/mirror.h"
+#include "simplify/symmetry/mirror_images.h"
 
 namespace limber {
 namespace {

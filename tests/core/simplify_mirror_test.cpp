@@ -4,8 +4,8 @@
 
 #include "mirrored.h"
 #include "same_topology.h"
-#include "simplify/mirror.h"
 #include "simplify/simplify.h"
+#include "simplify/symmetry/mirror.h"
 
 namespace limber {
 namespace {

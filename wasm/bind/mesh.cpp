@@ -8,7 +8,7 @@
 #include "mesh/repair/inspect.h"
 #include "mesh/repair/weld.h"
 #include "mesh/topology.h"
-#include "simplify/mirror_images.h"
+#include "simplify/symmetry/mirror_images.h"
 
 namespace limber {
 

@@ -15,7 +15,7 @@ namespace {
 // In its own plane a triangle has corner 0 at (0, 0), corner 1 at (a, 0) and corner 2 at (b, c). A Number
 // carries its derivatives by the shape parameters a, b and c.
 using Number = Dual<3>;
-using Tensor = std::array<Number, 3>;  // xx, yy, 2 xy
+using DualTensor = std::array<Number, 3>;  // xx, yy, 2 xy
 constexpr size_t kShapeParameters = 3;
 
 // An element is differentiated by a, b and c, then by small rotations about its own axes x, y and z.
@@ -30,8 +30,8 @@ struct Element {
   double a, b, c;
   Number area;
   std::array<Number, 3> gradientX, gradientY;  // per corner: of its barycentric coordinate
-  std::array<Tensor, 3> cornerCurvature;       // per corner: from its normal displacement
-  std::array<Tensor, 3> edgeCurvature;         // per edge: from its rotation
+  std::array<DualTensor, 3> cornerCurvature;   // per corner: from its normal displacement
+  std::array<DualTensor, 3> edgeCurvature;     // per edge: from its rotation
 };
 
 Eigen::Matrix3d axesOf(const TriangleMesh& mesh, uint32_t t) {
@@ -55,7 +55,7 @@ Element elementOf(const TriangleMesh& mesh, uint32_t t) {
   const std::array<Number, 3> edgeX = {b - a, -b, a}, edgeY = {c, -c, Number(0)};
   const Number twiceArea = a * c;
   element.area = twiceArea * 0.5;
-  std::array<Tensor, 3> tangentNormal;  // t_e m_e^T
+  std::array<DualTensor, 3> tangentNormal;  // t_e m_e^T
   for (size_t e = 0; e < 3; ++e) {
     const Number ex = edgeX[e], ey = edgeY[e], squared = ex * ex + ey * ey;
     element.gradientX[e] = -ey / twiceArea;

@@ -7,7 +7,7 @@
 
 #include "mesh/triangle_mesh.h"
 #include "simplify/history.h"
-#include "simplify/mirror.h"
+#include "simplify/symmetry/mirror.h"
 
 namespace limber {
 

@@ -33,14 +33,19 @@ PartModes solveOne(const Part& part, const ModesOptions& options, bool exact, Jo
   return isLarge && !exact ? solveCoarsely(part, options, job) : solvePart(part, options, job);
 }
 
+// A part, and where its modes go.
+struct PartTask {
+  const Part& part;
+  PartModes& modes;
+};
+
 // Solves small parts side by side. Progress is the share of finished parts.
-void solveSideBySide(const std::vector<Part>& parts, const std::vector<size_t>& small,
-                     const ModesOptions& options, std::vector<PartModes>& modes, Job& job) {
+void solveSideBySide(const std::vector<PartTask>& small, const ModesOptions& options, Job& job) {
   WholePhase phase(job, Phase::Solve);
   std::atomic<size_t> done = 0;
   const auto caller = std::this_thread::get_id();
   parallelFor(small.size(), 1, [&](size_t at, size_t) {
-    modes[small[at]] = solvePart(parts[small[at]], options, job);
+    small[at].modes = solvePart(small[at].part, options, job);
     const double fraction = static_cast<double>(++done) / static_cast<double>(small.size());
     if (std::this_thread::get_id() == caller) phase.report(fraction);
   });
@@ -52,13 +57,13 @@ ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& options, bool ex
   checkModesOptions(mesh, options);
   const std::vector<Part> parts = partsOf(mesh, buildTopology(mesh), options);
   std::vector<PartModes> modes(parts.size());
-  std::vector<size_t> small;
+  std::vector<PartTask> small;
   for (size_t i = 0; i < parts.size(); ++i)
     if (parts.size() > 1 && parts[i].mesh.vertexCount() <= kSmallPartVertices)
-      small.push_back(i);
+      small.push_back({parts[i], modes[i]});
     else
       modes[i] = solveOne(parts[i], options, exact, job);
-  if (!small.empty()) solveSideBySide(parts, small, options, modes, job);
+  if (!small.empty()) solveSideBySide(small, options, job);
   return collectModes(mesh, parts, modes, options);
 }
 

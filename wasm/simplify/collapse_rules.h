@@ -7,8 +7,8 @@
 #include "simplify/collapse_mesh.h"
 #include "simplify/deviation_limit.h"
 #include "simplify/legality.h"
-#include "simplify/mirror.h"
 #include "simplify/simplify_options.h"
+#include "simplify/symmetry/mirror.h"
 
 namespace limber {
 

@@ -12,20 +12,20 @@ namespace {
 constexpr uint32_t kCheckInterval = 4096;  // triangles between two checks for cancellation
 
 // The side of an edge on which a line passes, seen along the line.
-struct Side {
+struct EdgeSide {
   double area;    // twice that of the triangle (from, to, line)
   bool isInside;  // the line passes to the left
 };
 
 // Computed with the lower vertex first, so that both triangles of an edge agree. A line through the edge
 // counts to one side.
-Side sideOf(const std::vector<Vec3>& points, uint32_t from, uint32_t to, const AxisLine& line) {
+EdgeSide sideOf(const std::vector<Vec3>& points, uint32_t from, uint32_t to, const AxisLine& line) {
   const auto [axis, u, v] = line;
   const int axisU = (axis + 1) % 3, axisV = (axis + 2) % 3;
   const bool isReversed = from > to;
   const Vec3 &a = points[isReversed ? to : from], &b = points[isReversed ? from : to];
   const double area = (a[axisU] - u) * (b[axisV] - v) - (a[axisV] - v) * (b[axisU] - u);
-  return isReversed ? Side{-area, area < 0} : Side{area, area >= 0};
+  return isReversed ? EdgeSide{-area, area < 0} : EdgeSide{area, area >= 0};
 }
 
 class Caster {
@@ -89,7 +89,7 @@ void addIntervals(RayFamily& family, uint32_t begin, uint32_t end, int sign) {
 
 std::optional<LineHit> hitTriangle(const std::vector<Vec3>& points, const Triangle& triangle,
                                    const AxisLine& line) {
-  std::array<Side, 3> sides;
+  std::array<EdgeSide, 3> sides;
   for (int c = 0; c < 3; ++c) sides[c] = sideOf(points, triangle[(c + 1) % 3], triangle[(c + 2) % 3], line);
   if (sides[0].isInside != sides[1].isInside || sides[1].isInside != sides[2].isInside) return {};
   double depth = 0, total = 0, low = HUGE_VAL, high = -HUGE_VAL;

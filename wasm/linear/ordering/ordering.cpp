@@ -14,7 +14,7 @@ constexpr size_t kLeafNodes = 10;  // heavy nodes: sets of no more are not cut a
 constexpr uint32_t kNone = UINT32_MAX;
 
 // A separator, or a leaf: a remainder that is not cut any further.
-struct Block {
+struct DissectionBlock {
   std::vector<uint32_t> nodes;
   uint32_t parent = kNone;  // the separator that cut it off from the rest
   uint32_t depth = 0;
@@ -27,7 +27,7 @@ class Dissector {
   Dissector(const NodeGraph& graph, const Job& job)
       : graph_(graph), job_(job), subgraph_(graph), reached_(graph.nodeCount(), 0) {}
 
-  std::vector<Block> run(std::vector<uint32_t> nodes) {
+  std::vector<DissectionBlock> run(std::vector<uint32_t> nodes) {
     divide(std::move(nodes), kNone, 0);
     return std::move(blocks_);
   }
@@ -79,10 +79,10 @@ class Dissector {
   Subgraph subgraph_;
   std::vector<uint32_t> reached_;
   uint32_t marks_ = 0;
-  std::vector<Block> blocks_;
+  std::vector<DissectionBlock> blocks_;
 };
 
-uint32_t commonAncestor(const std::vector<Block>& blocks, uint32_t a, uint32_t b) {
+uint32_t commonAncestor(const std::vector<DissectionBlock>& blocks, uint32_t a, uint32_t b) {
   while (a != b) {
     uint32_t& deeper = a != kNone && (b == kNone || blocks[a].depth >= blocks[b].depth) ? a : b;
     deeper = blocks[deeper].parent;
@@ -93,8 +93,15 @@ uint32_t commonAncestor(const std::vector<Block>& blocks, uint32_t a, uint32_t b
 // The block that a light node joins: the deepest block of its heavy neighbours, or the common ancestor if a
 // neighbour that has a block already lies on another branch. So no two neighbours end up on different
 // branches.
-uint32_t blockFor(uint32_t node, const NodeGraph& graph, const std::vector<Block>& blocks,
-                  const std::vector<uint32_t>& blockOf, uint32_t heaviest) {
+struct Dissection {
+  const NodeGraph& graph;
+  const std::vector<DissectionBlock>& blocks;
+  const std::vector<uint32_t>& blockOf;  // per node; kNone for those without a block so far
+  uint32_t heaviest;                     // weight of a heavy node
+};
+
+uint32_t blockFor(uint32_t node, const Dissection& dissection) {
+  const auto& [graph, blocks, blockOf, heaviest] = dissection;
   uint32_t block = kNone;
   for (uint32_t j : graph.around(node))
     if (graph.weight[j] == heaviest && (block == kNone || blocks[blockOf[j]].depth > blocks[block].depth))
@@ -108,7 +115,7 @@ uint32_t blockFor(uint32_t node, const NodeGraph& graph, const std::vector<Block
 }
 
 // Dissects the heavy nodes and adds the light ones.
-std::vector<Block> dissect(const NodeGraph& graph, const Job& job) {
+std::vector<DissectionBlock> dissect(const NodeGraph& graph, const Job& job) {
   const uint32_t heaviest = *std::max_element(graph.weight.begin(), graph.weight.end());
   std::vector<uint32_t> heavy;
   for (uint32_t i = 0; i < graph.nodeCount(); ++i)
@@ -116,7 +123,7 @@ std::vector<Block> dissect(const NodeGraph& graph, const Job& job) {
   const NodeGraph heavyGraph = Subgraph(graph).of(heavy);
   std::vector<uint32_t> all(heavy.size());
   std::iota(all.begin(), all.end(), 0u);
-  std::vector<Block> blocks = Dissector(heavyGraph, job).run(std::move(all));
+  std::vector<DissectionBlock> blocks = Dissector(heavyGraph, job).run(std::move(all));
   std::vector<uint32_t> blockOf(graph.nodeCount(), kNone);
   for (uint32_t p = 0; p < blocks.size(); ++p)
     for (uint32_t& node : blocks[p].nodes) {
@@ -125,7 +132,7 @@ std::vector<Block> dissect(const NodeGraph& graph, const Job& job) {
     }
   for (uint32_t i = 0; i < graph.nodeCount(); ++i) {
     if (graph.weight[i] == heaviest) continue;
-    const uint32_t block = blockFor(i, graph, blocks, blockOf, heaviest);
+    const uint32_t block = blockFor(i, {graph, blocks, blockOf, heaviest});
     blockOf[i] = block == kNone ? 0 : block;  // a node without neighbours may go anywhere
     blocks[blockOf[i]].nodes.push_back(i);
   }
@@ -136,7 +143,7 @@ std::vector<Block> dissect(const NodeGraph& graph, const Job& job) {
 
 std::vector<uint32_t> eliminationOrder(const NodeGraph& graph, const Job& job) {
   if (graph.nodeCount() == 0) return {};
-  const std::vector<Block> blocks = dissect(graph, job);
+  const std::vector<DissectionBlock> blocks = dissect(graph, job);
   std::vector<uint32_t> order;
   MinimumDegree minimumDegree(graph);
   for (auto block = blocks.rbegin(); block != blocks.rend(); ++block) {  // children before parents

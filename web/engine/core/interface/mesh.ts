@@ -65,7 +65,7 @@ export interface Charts {
   groups: Uint32Array;
 }
 
-/** The mirror symmetry of a mesh, or how far it is from one; see wasm/simplify/mirror_images.h. */
+/** The mirror symmetry of a mesh, or how far it is from one; see wasm/simplify/symmetry/mirror_images.h. */
 export interface MirrorImages {
   /** SimplifyConstraints.mirror; empty where there is no symmetry */
   partners: Uint32Array;

@@ -6,7 +6,7 @@
 
 #include "mesh/charts.h"
 #include "mesh/triangle_mesh.h"
-#include "simplify/mirror.h"
+#include "simplify/symmetry/mirror.h"
 
 namespace limber {
 

@@ -1,4 +1,4 @@
-#include "simplify/mirror.h"
+#include "simplify/symmetry/mirror.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,12 +1,12 @@
-#include "simplify/mirror_images.h"
+#include "simplify/symmetry/mirror_images.h"
 
 #include <tuple>
 
 #include "base/parallel.h"
 #include "mesh/principal_axes.h"
 #include "query/nearest.h"
-#include "simplify/mirror.h"
-#include "simplify/mirror_splits.h"
+#include "simplify/symmetry/mirror.h"
+#include "simplify/symmetry/mirror_splits.h"
 
 namespace limber {
 namespace {

@@ -1,4 +1,4 @@
-#include "simplify/mirror_splits.h"
+#include "simplify/symmetry/mirror_splits.h"
 
 #include <algorithm>
 #include <numeric>
