@@ -6,7 +6,7 @@
 
 // The numbers of the modal fit that were found by experiment, in one place. Each has its unit and its
 // meaning, and, where that was measured, what a larger and a smaller value trade. The measurements are in
-// docs/simplification.md. Lengths are relative to the diagonal of the original's component; a "mean square"
+// docs/experiments.md. Lengths are relative to the diagonal of the original's component; a "mean square"
 // is the weighted mean square of relative errors of eigenvalues, whose root is twice the relative error of
 // frequencies.
 namespace limber::tuning {

@@ -13,7 +13,7 @@ namespace limber {
 // of each triangle of which more than half lies inside: the outline of the region is rounded to edges of the
 // result, outwards as often as inwards. To pin points of every triangle that the region touches would leave
 // too little of the body free, and vertices inside alone would leave too much. All other pins (single ones,
-// lines, and regions too small to contain a triangle) become points of the result, or vertices where these
+// rows, and regions too small to contain a triangle) become points of the result, or vertices where these
 // coincide.
 //
 // `pinned`: vertices of the original. `binding`: a point of the result for each vertex of the original, kNone

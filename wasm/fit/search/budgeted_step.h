@@ -23,8 +23,8 @@ class BudgetedStep {
   // The minimising dx.
   Eigen::VectorXd step(double residualWeight) const;
 
-  // What the surface terms are at the minimising dx: the growth of the squared distance, integrated over the
-  // area, as far as the model holds. It rises with the weight.
+  // The surface terms at the minimising dx: how much the model expects the squared distance, integrated over
+  // the area, to grow. It rises with the weight.
   double growth(double residualWeight) const;
 
   // The largest weight in [least, most] whose growth is at most `budget`, found by bisection; `least` where

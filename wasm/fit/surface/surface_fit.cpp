@@ -17,7 +17,6 @@ namespace limber {
 
 namespace {
 
-using Block = Eigen::Matrix3d;
 namespace constants = tuning::surface;
 
 constexpr size_t kSamplesPerRange = 512;
@@ -49,16 +48,17 @@ std::vector<Contact> findContacts(const TriangleMesh& mesh, const FitSamples& sa
 // The quadratic model while it is summed up.
 struct ModelSums {
   const TriangleMesh& mesh;
-  std::vector<std::array<Block, 6>> triangles;  // blocks between the corners 00 01 02 11 12 22 of a triangle
-  std::vector<Block> vertices;                  // blocks of single vertices
+  std::vector<std::array<Eigen::Matrix3d, 6>>
+      triangles;                          // blocks between the corners 00 01 02 11 12 22 of a triangle
+  std::vector<Eigen::Matrix3d> vertices;  // blocks of single vertices
   Eigen::VectorXd gradient;
 
   explicit ModelSums(const TriangleMesh& ofMesh)
       : mesh(ofMesh),
-        vertices(mesh.vertexCount(), Block::Zero()),
+        vertices(mesh.vertexCount(), Eigen::Matrix3d::Zero()),
         gradient(Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()))) {
-    std::array<Block, 6> zero;
-    zero.fill(Block::Zero());
+    std::array<Eigen::Matrix3d, 6> zero;
+    zero.fill(Eigen::Matrix3d::Zero());
     triangles.assign(mesh.triangleCount(), zero);
   }
 
@@ -68,7 +68,7 @@ struct ModelSums {
 constexpr int kPair[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
 // Adds x^T B x to the quadratic term, where x is the displacement of a point of the surface.
-void addBlocks(ModelSums& sums, const SurfacePoint& point, const Block& block) {
+void addBlocks(ModelSums& sums, const SurfacePoint& point, const Eigen::Matrix3d& block) {
   for (int a = 0; a < 3; ++a)
     for (int b = a; b < 3; ++b)
       sums.triangles[point.triangle][static_cast<size_t>(kPair[a][b])] +=
@@ -114,7 +114,8 @@ void addFeatures(const FeatureSegments& features, const std::vector<FitSamples::
     onMesh.barycentric[start] = closest.barycentric[0];
     onMesh.barycentric[end] = 1 - closest.barycentric[0];
     const Eigen::Vector3d along = eigen(tangent);
-    const Block across = weight * length * (Block::Identity() - along * along.transpose());
+    const Eigen::Matrix3d across =
+        weight * length * (Eigen::Matrix3d::Identity() - along * along.transpose());
     const Eigen::Vector3d force = across * eigen(point - closest.position);
     addBlocks(sums, onMesh, across);
     for (int a = 0; a < 3; ++a)
@@ -126,7 +127,7 @@ void addFeatures(const FeatureSegments& features, const std::vector<FitSamples::
 void addEvenness(const Neighbourhoods& around, double evenness, ModelSums& sums) {
   parallelFor(sums.mesh.vertexCount(), kSamplesPerRange, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v) {
-      const Block block = evenness * around.area[v] * tangentialFreedom(around.normals[v]);
+      const Eigen::Matrix3d block = evenness * around.area[v] * tangentialFreedom(around.normals[v]);
       sums.vertices[v] += block;
       sums.gradientAt(v) += block * eigen(around.middle[v] - sums.mesh.positions[v]);
     }
