@@ -68,8 +68,8 @@ All solves are exact ones (\`--exact\`), Young's modulus and density 1.
 _mesh_ is coarse. The shell is thin-shell theory: it knows no shear through the thickness, which for a plate of a tenth of its
 side is worth 4 to 9 %, on any mesh. Its mesh error falls with the square of the cell size; the element (Morley) is a soft
 one, so nearly always the computed value is too low, and higher modes, whose waves are shorter, are worse. The solid is
-three-dimensional elasticity without any such theory, on a lattice of about 4,000 cells that does not depend on the mesh: finer
-triangles only follow a curved surface better. Its error is that of the lattice, about 1 %, up to 3 % where a limb is four cells wide. The
+three-dimensional elasticity without any such theory, on a lattice of about 2,000 cells that does not depend on the mesh: finer
+triangles only follow a curved surface better. Its error is that of the lattice, about 1 %, up to 3 % where a limb is three cells wide. The
 last section shows both models on the same slab.`;
 
 export function page(results: CaseResult[]): string {

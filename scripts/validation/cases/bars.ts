@@ -67,7 +67,7 @@ export function barCases(core: Core): CaseResult[] {
         'Model solid; 1 x 1 x 6, Poisson 0.3, every vertex of the end z = 0 pinned. omega with E = rho = 1; bending is the mean of a pair.',
       reference: THEORIES,
       reading:
-        'The flat sides are the same in every mesh, and the lattice has about 4,000 cells whatever the mesh: what remains on fine meshes is the lattice and the theories. A face whose corners are all pinned is held all over, so the clamp does not depend on how many vertices the end has. The pinned end cannot warp or contract, which no beam theory knows; that makes the real bar bend a little faster than they say.',
+        'The flat sides are the same in every mesh, and the lattice has about 2,000 cells whatever the mesh: what remains on fine meshes is the lattice and the theories. A face whose corners are all pinned is fixed all over, so the clamp does not depend on how many vertices the end has. The pinned end cannot warp or contract, which no beam theory knows; that makes the real bar bend a little faster than they say.',
       ...barCase(core, true),
     },
     {

@@ -108,7 +108,7 @@ function ringCase(core: Core): CaseResult {
     reference:
       'Thin-ring formulas: in its plane as above; out of its plane (EI / rho A R^4) n^2 (n^2 - 1)^2 / (n^2 + EI / GJ) (Michell 1889; Love 1944, 293), J = 0.1406 side^4.',
     reading:
-      "Three errors meet: the ring is a polygon (falls with the square of the cell size), the lattice of the solid model has about 4,000 cells whatever the mesh, so four of them across the ring's side (this one stays), and the formulas leave out shear and rotary inertia, which would lower them by roughly 0.7 % for n = 2 and 1.5 % for n = 3. So the lattice itself is about 3 % too stiff here: a limb that is only four cells wide is the least that can be trusted to a few percent.",
+      "Three errors meet: the ring is a polygon (falls with the square of the cell size), the lattice of the solid model has about 2,000 cells whatever the mesh, so three of them across the ring's side (this one stays), and the formulas leave out shear and rotary inertia, which would lower them by roughly 0.7 % for n = 2 and 1.5 % for n = 3. So the lattice itself is about 3 % too stiff here: a limb that is only three cells wide is the least that can be trusted to a few percent.",
     quantities: [2, 3].flatMap((n) => [
       { name: `n = ${n}, out of its plane`, analytic: ringOutOfPlane(radius, bending, twist, n) },
       { name: `n = ${n}, in its plane`, analytic: ringInPlane(radius, bending, 1, n) },
