@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "mesh/close_vertices.h"
+#include "mesh/welding/close_vertices.h"
 #include "mesh/inspect.h"
 #include "shapes.h"
 

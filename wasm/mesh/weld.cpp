@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "mesh/close_vertices.h"
-#include "mesh/first_occurrence.h"
 #include "mesh/orientation.h"
 #include "mesh/topology.h"
+#include "mesh/welding/close_vertices.h"
+#include "mesh/welding/first_occurrence.h"
 
 namespace limber {
 namespace {

@@ -1,4 +1,4 @@
-#include "mesh/close_vertices.h"
+#include "mesh/welding/close_vertices.h"
 
 #include <algorithm>
 #include <array>
