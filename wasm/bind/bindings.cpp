@@ -24,6 +24,7 @@
 #include "mesh/topology.h"
 #include "mesh/weld.h"
 #include "modes/find_modes.h"
+#include "simplify/cost/method_names.h"
 #include "simplify/history.h"
 #include "simplify/mirror_images.h"
 #include "simplify/simplify.h"

@@ -8,7 +8,7 @@
 #include "simplify/deviation_limit.h"
 #include "simplify/legality.h"
 #include "simplify/mirror.h"
-#include "simplify/simplify.h"
+#include "simplify/options.h"
 
 namespace limber {
 

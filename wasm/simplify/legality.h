@@ -4,7 +4,7 @@
 #include <span>
 
 #include "simplify/collapse_mesh.h"
-#include "simplify/simplify.h"
+#include "simplify/options.h"
 
 namespace limber {
 

@@ -55,16 +55,23 @@ bool liesOnPlane(const std::vector<uint32_t>& partners) {
   return true;
 }
 
-MirrorImages imagesAcross(const TriangleMesh& mesh, const Charts& charts, const NearestVertex& nearest,
-                          const MirrorPlane& plane, Job& job) {
+struct MirrorSearch {
+  const TriangleMesh& mesh;
+  const Charts& charts;
+  NearestVertex nearest;
+  Job& job;
+};
+
+MirrorImages imagesAcross(const MirrorPlane& plane, const MirrorSearch& search) {
+  const TriangleMesh& mesh = search.mesh;
   MirrorImages images;
-  std::vector<uint32_t> partners = partnersAcross(mesh, nearest, plane, job);
+  std::vector<uint32_t> partners = partnersAcross(mesh, search.nearest, plane, search.job);
   for (const uint32_t partner : partners) images.asymmetricVertices += partner == kNone;
   // The plane of a flat mesh does not count as a symmetry.
   if (liesOnPlane(partners)) images.asymmetricVertices = mesh.vertexCount();
   if (images.asymmetricVertices > 0) return images;
   images.asymmetricTriangles = trianglesWithoutImage(mesh, partners);
-  if (images.asymmetricTriangles > 0) images.corners = matchSplits(mesh, partners, plane, charts);
+  if (images.asymmetricTriangles > 0) images.corners = matchSplits(mesh, partners, plane, search.charts);
   if (images.asymmetricTriangles == 0 || !images.corners.empty()) images.partners = std::move(partners);
   return images;
 }
@@ -73,12 +80,12 @@ MirrorImages imagesAcross(const TriangleMesh& mesh, const Charts& charts, const 
 
 MirrorImages findMirrorImages(const TriangleMesh& mesh, const Charts& charts, int axis, Job& job) {
   job.begin(Phase::Mirror);
-  const NearestVertex nearest(mesh);
+  const MirrorSearch search{mesh, charts, NearestVertex(mesh), job};
   const std::vector<MirrorPlane> planes = candidates(mesh, axis);
   MirrorImages best;
   for (size_t i = 0; i < planes.size(); ++i) {
     job.report(static_cast<double>(i) / static_cast<double>(planes.size()));
-    MirrorImages images = imagesAcross(mesh, charts, nearest, planes[i], job);
+    MirrorImages images = imagesAcross(planes[i], search);
     const auto rank = [](const MirrorImages& of) {
       return std::tuple(of.partners.empty(), of.asymmetricVertices, of.asymmetricTriangles);
     };

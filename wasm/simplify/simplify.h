@@ -1,38 +1,11 @@
 #pragma once
 
-#include <span>
-
 #include "base/job.h"
 #include "mesh/triangle_mesh.h"
-#include "simplify/constraints.h"
 #include "simplify/history.h"
-#include "simplify/method.h"
+#include "simplify/options.h"
 
 namespace limber {
-
-struct SimplifyOptions {
-  Method method = Method::Paper;
-  double strainWeight = 0;     // >= 0; paper: alpha of Eq. 11; limber: w, of strain within the size cost
-  double curvatureWeight = 0;  // >= 0; paper: beta of Eq. 11
-  double qualityWeight = 0;    // >= 0; paper: gamma of Eq. 11; limber: g, of the worst triangle
-  double sizeWeight = 0;       // >= 0; qem and limber: of the squared length of an edge
-  // Targets; the first one that is reached ends the history.
-  uint32_t stopFaces = 0;  // ends as soon as no more triangles are left
-  // Refuses collapses that take the surface farther from the input than this length; 0: none.
-  double maxDeviation = 0;
-  // Degrees, in [0, 60). Refuses a collapse after which the smallest angle among the triangles that it
-  // changes is below this and no larger than it was. So the smallest angle of the mesh never falls below the
-  // lesser of this and that of the input. 0: none.
-  double minAngle = 0;
-  SimplifyConstraints constraints{};
-};
-
-// The fields that guide `paper`; `limber` uses the strain alone, `qem` neither. An empty span counts as 0
-// everywhere.
-struct Guidance {
-  std::span<const float> strain;     // per triangle, in [0, 1]: rank of the (combined) strain
-  std::span<const float> curvature;  // per vertex, in [0, 1]: mean curvature over its maximum
-};
 
 // Throws std::invalid_argument where a guidance field or a constraint does not fit the mesh, or an option is
 // out of its range.

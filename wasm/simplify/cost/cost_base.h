@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "simplify/cost/optimum.h"
-#include "simplify/simplify.h"
+#include "simplify/options.h"
 
 namespace limber {
 

@@ -7,7 +7,7 @@
 #include "simplify/cost/limber.h"
 #include "simplify/cost/paper.h"
 #include "simplify/cost/qem.h"
-#include "simplify/simplify.h"
+#include "simplify/options.h"
 
 namespace limber {
 

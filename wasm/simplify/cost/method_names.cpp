@@ -1,4 +1,4 @@
-#include "simplify/method.h"
+#include "simplify/cost/method_names.h"
 
 #include <stdexcept>
 #include <string>
