@@ -61,15 +61,15 @@ class FeatureRules {
 };
 
 // What the role of a vertex depends on.
-struct EdgesAround {
+struct FeatureCounts {
   uint32_t borders = 0, features = 0;  // numbers of edges; borders are not counted twice
   bool outlinesPinnedSet = false;      // a feature edge leads to a vertex that is not in all sets of this one
   bool leavesSet = false;              // any edge does so
 };
 
-std::vector<EdgesAround> edgesAround(const Topology& topology, const SimplifyConstraints& constraints,
-                                     const std::vector<uint8_t>& isFeature) {
-  std::vector<EdgesAround> around(topology.vertexStart.size() - 1);
+std::vector<FeatureCounts> countFeatures(const Topology& topology, const SimplifyConstraints& constraints,
+                                         const std::vector<uint8_t>& isFeature) {
+  std::vector<FeatureCounts> around(topology.vertexStart.size() - 1);
   for (size_t e = 0; e < topology.edges.size(); ++e) {
     const Topology::Edge& edge = topology.edges[e];
     const bool border = edge.useCount == 1;
@@ -87,7 +87,7 @@ std::vector<EdgesAround> edgesAround(const Topology& topology, const SimplifyCon
   return around;
 }
 
-VertexRole roleOf(VertexKind kind, const EdgesAround& around, bool borderFixed) {
+VertexRole roleOf(VertexKind kind, const FeatureCounts& around, bool borderFixed) {
   VertexRole role;
   role.onBorder = around.borders > 0;
   role.onFeature = role.onBorder || around.features > 0;
@@ -115,7 +115,7 @@ FeatureEdges findFeatureEdges(const TriangleMesh& mesh, const Topology& topology
     const auto triangles = topology.trianglesAt(edge);
     found.isFeature[e] = rules.isFeature(edge, triangles[0], triangles[1]);
   }
-  const auto around = edgesAround(topology, constraints, found.isFeature);
+  const auto around = countFeatures(topology, constraints, found.isFeature);
   const auto kinds = classifyVertices(mesh, topology);
   found.roles.reserve(mesh.vertexCount());
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
