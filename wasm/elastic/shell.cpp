@@ -78,8 +78,8 @@ StrainMatrix membraneStrain(const Frame& frame) {
   return b;
 }
 
-// Morley's element: the constant curvature from normal displacements w and edge rotations. For a linear w
-// with gradient g,
+// Morley's element: the constant curvature from normal displacements w and edge rotations. A linear w with
+// gradient g has
 //   sum_e l_e (g . m_e) m_e m_e^T = -sum_e (w_end - w_start) t_e m_e^T
 // with t_e along edge e and m_e outwards, because the vectors l_e m_e sum to 0. So the displacements enter
 // divided by the area alone, and the gradient itself, which would cancel to rounding in a thin triangle,

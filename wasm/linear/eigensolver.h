@@ -17,18 +17,15 @@ namespace limber {
 //
 // Method of solveEigenproblem:
 // 1. Shift-invert Lanczos (Lanczos 1950; implicitly restarted, by Spectra) on M^1/2 (K - sigma M)^-1 M^1/2
-// over
-//    the unknowns with an entry in M, from a fixed start vector. Nothing is deflated: zero eigenvalues are
-//    found like all others.
+//    over the unknowns with an entry in M, from a fixed start vector. Nothing is deflated: zero eigenvalues
+//    are found like all others.
 // 2. Shift rule: sigma is negative, so K - sigma M is positive definite and needs no pivoting. The first
-// shift is
-//    -EigenOptions::scale. If it is not between 0.005 and 15 times the first positive eigenvalue lambda_1,
-//    the search is repeated with sigma = -lambda_1 / 2.
+//    shift is -EigenOptions::scale. If it is not between 0.005 and 15 times the first positive eigenvalue
+//    lambda_1, the search is repeated with sigma = -lambda_1 / 2.
 // 3. Block inverse iteration with Rayleigh-Ritz until the residuals are small or stop falling.
 // 4. Completeness by Sylvester's law of inertia: the negative pivots of K - s M, with s in the widest gap
-// above
-//    the last wanted pair, count the eigenvalues below s. If the search has missed members of a cluster, a
-//    second search orthogonal to the known pairs adds them.
+//    above the last wanted pair, count the eigenvalues below s. If the search has missed members of a
+//    cluster, a second search orthogonal to the known pairs adds them.
 // Pencils with at most 120 entries in M are solved densely.
 //
 // The result is deterministic and does not depend on the number of threads. Cost: two or three factorisations

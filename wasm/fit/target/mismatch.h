@@ -6,8 +6,8 @@
 namespace limber {
 
 // By how much the modes of a mesh miss those of its original: the residuals that the fit minimises. For modes
-// psi of the mesh that have been aligned with those of the original (see alignModes) they are the entries i,
-// j of
+// psi of the mesh that have been aligned with those of the original (see alignModes) they are the entries
+// (i, j) of
 //   psi^T K psi / sqrt(lambda_i lambda_j) - identity,
 // with eigenvalues lambda of the original: the diagonal holds the relative errors of eigenvalues, and what is
 // off it tells how modes of neighbouring frequencies mix. Each is multiplied by the root of its weight.

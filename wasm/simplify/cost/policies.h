@@ -21,15 +21,13 @@ namespace limber {
 //
 // - boundsAreCosts: whether the bounds of `setBounds` are the costs themselves.
 // - followsNeighbourhood: whether edges have to be queued again by their bounds when their ends or the
-// triangles
-//   around these change. Otherwise they stay where they are queued, or where `expectedCost` puts them, and
-//   are priced anew when they come up: most have become dearer, or are gone by then. Only an edge that has
-//   become cheaper comes late, which does not show in the distance of the result (0.5 % less for qem on 18
-//   meshes at 25 %).
+//   triangles around these change. Otherwise they stay where they are queued, or where `expectedCost` puts
+//   them, and are priced anew when they come up: most have become dearer, or are gone by then. Only an edge
+//   that has become cheaper comes late, which does not show in the distance of the result (0.5 % less for qem
+//   on 18 meshes at 25 %).
 // - kTolerance: of two costs whose ratio is below this, either may go first; 1 for an exact order.
 // - expectedCost(edge, cost): an estimate of the cost of an edge, which has been `cost`, after its own ends
-// have
-//   changed.
+//   have changed.
 // - collapse: to be called before the mesh carries out a collapse; updates what is known of the kept vertex.
 template <class Cost>
 concept CostPolicy = std::constructible_from<Cost, const TriangleMesh&, const CollapseMesh&, const Guidance&,
