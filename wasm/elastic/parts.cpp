@@ -39,8 +39,10 @@ Grouping groupComponents(const TriangleMesh& body, const Topology& topology, Ela
   return grouping;
 }
 
-void addVertices(std::vector<Part>& parts, const TriangleMesh& body, const Topology& topology,
-                 const std::vector<uint32_t>& partOfComponent, std::vector<uint32_t>& local) {
+// Hands the vertices of the body to the parts. Returns, per vertex of the body, its id in its part.
+std::vector<uint32_t> addVertices(const TriangleMesh& body, const Topology& topology,
+                                  const std::vector<uint32_t>& partOfComponent, std::vector<Part>& parts) {
+  std::vector<uint32_t> local(body.vertexCount());
   for (uint32_t v = 0; v < body.vertexCount(); ++v) {
     Part& part = parts[partOfComponent[topology.componentOfVertex[v]]];
     local[v] = part.mesh.vertexCount();
@@ -48,6 +50,7 @@ void addVertices(std::vector<Part>& parts, const TriangleMesh& body, const Topol
     part.vertexOfBody.push_back(v);
     part.componentOfVertex.push_back(topology.componentOfVertex[v]);
   }
+  return local;
 }
 
 void scaleToFrame(Part& part) {
@@ -73,8 +76,7 @@ std::vector<Part> partsOf(const TriangleMesh& body, const Topology& topology, co
       partOf[c] = partOf[grouping.host[c]];
       parts[partOf[c]].components.push_back(c);
     }
-  std::vector<uint32_t> local(body.vertexCount());
-  addVertices(parts, body, topology, partOf, local);
+  const std::vector<uint32_t> local = addVertices(body, topology, partOf, parts);
   const auto partOfVertex = [&](uint32_t v) -> Part& { return parts[partOf[topology.componentOfVertex[v]]]; };
   for (const Triangle& t : body.triangles)
     partOfVertex(t[0]).mesh.triangles.push_back({local[t[0]], local[t[1]], local[t[2]]});

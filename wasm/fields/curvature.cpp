@@ -63,9 +63,9 @@ std::vector<bool> borderVertices(const TriangleMesh& mesh, const Topology& topol
 // A border vertex has triangles on one side only, so the gradient of the area there contains a component
 // across the border that is not curvature. The vertex gets the area-weighted mean of its inner neighbours.
 // Without any, the caller's value stays, which is the part of the gradient along the normal.
-void fillBorder(const TriangleMesh& mesh, const Topology& topology, const std::vector<bool>& border,
-                const std::vector<double>& area, std::vector<float>& curvature) {
-  std::vector<double> sum(mesh.vertexCount(), 0), weight(mesh.vertexCount(), 0);
+void fillBorder(const Topology& topology, const std::vector<bool>& border, const std::vector<double>& area,
+                std::vector<float>& curvature) {
+  std::vector<double> sum(area.size(), 0), weight(area.size(), 0);
   const auto add = [&](uint32_t to, uint32_t from) {
     if (!border[to] || border[from]) return;
     sum[to] += area[from] * curvature[from];
@@ -75,7 +75,7 @@ void fillBorder(const TriangleMesh& mesh, const Topology& topology, const std::v
     add(edge.a, edge.b);
     add(edge.b, edge.a);
   }
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+  for (size_t v = 0; v < area.size(); ++v)
     if (weight[v] > 0) curvature[v] = static_cast<float>(sum[v] / weight[v]);
 }
 
@@ -98,7 +98,7 @@ Curvature meanCurvature(const TriangleMesh& mesh, const Topology& topology, Job&
     }
   });
   job.report(0.8);
-  fillBorder(mesh, topology, border, area, out.vertex);
+  fillBorder(topology, border, area, out.vertex);
   out.triangle.resize(mesh.triangleCount());
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];

@@ -33,14 +33,14 @@ PartModes solveOne(const Part& part, const ModesOptions& options, bool exact, Jo
   return isLarge && !exact ? solveCoarsely(part, options, job) : solvePart(part, options, job);
 }
 
-// Solves small parts side by side. Progress is the share of finished parts.
-void solveSideBySide(const std::vector<Part>& parts, const std::vector<size_t>& small,
-                     const ModesOptions& options, std::vector<PartModes>& modes, Job& job) {
+// Calls solve(i) for the indices of small parts, side by side. Progress is the share of finished parts.
+template <class Solve>
+void solveSideBySide(const std::vector<size_t>& small, const Solve& solve, Job& job) {
   WholePhase phase(job, Phase::Solve);
   std::atomic<size_t> done = 0;
   const auto caller = std::this_thread::get_id();
   parallelFor(small.size(), 1, [&](size_t at, size_t) {
-    modes[small[at]] = solvePart(parts[small[at]], options, job);
+    solve(small[at]);
     const double fraction = static_cast<double>(++done) / static_cast<double>(small.size());
     if (std::this_thread::get_id() == caller) phase.report(fraction);
   });
@@ -58,7 +58,8 @@ ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& options, bool ex
       small.push_back(i);
     else
       modes[i] = solveOne(parts[i], options, exact, job);
-  if (!small.empty()) solveSideBySide(parts, small, options, modes, job);
+  const auto solve = [&](size_t i) { modes[i] = solvePart(parts[i], options, job); };
+  if (!small.empty()) solveSideBySide(small, solve, job);
   return collectModes(mesh, parts, modes, options);
 }
 

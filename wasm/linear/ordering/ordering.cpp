@@ -90,11 +90,17 @@ uint32_t commonAncestor(const std::vector<Block>& blocks, uint32_t a, uint32_t b
   return a;
 }
 
+// The dissection of the heavy nodes, to which light nodes are added one by one.
+struct Dissection {
+  std::vector<Block> blocks;
+  std::vector<uint32_t> blockOf;  // per node; kNone as long as it has none
+};
+
 // The block that a light node joins: the deepest block of its heavy neighbours, or the common ancestor if a
 // neighbour that has a block already lies on another branch. So no two neighbours end up on different
 // branches.
-uint32_t blockFor(uint32_t node, const NodeGraph& graph, const std::vector<Block>& blocks,
-                  const std::vector<uint32_t>& blockOf, uint32_t heaviest) {
+uint32_t blockFor(uint32_t node, const NodeGraph& graph, const Dissection& dissection, uint32_t heaviest) {
+  const auto& [blocks, blockOf] = dissection;
   uint32_t block = kNone;
   for (uint32_t j : graph.around(node))
     if (graph.weight[j] == heaviest && (block == kNone || blocks[blockOf[j]].depth > blocks[block].depth))
@@ -116,20 +122,21 @@ std::vector<Block> dissect(const NodeGraph& graph, const Job& job) {
   const NodeGraph heavyGraph = Subgraph(graph).of(heavy);
   std::vector<uint32_t> all(heavy.size());
   std::iota(all.begin(), all.end(), 0u);
-  std::vector<Block> blocks = Dissector(heavyGraph, job).run(std::move(all));
-  std::vector<uint32_t> blockOf(graph.nodeCount(), kNone);
-  for (uint32_t p = 0; p < blocks.size(); ++p)
-    for (uint32_t& node : blocks[p].nodes) {
+  Dissection dissection{Dissector(heavyGraph, job).run(std::move(all)),
+                        std::vector<uint32_t>(graph.nodeCount(), kNone)};
+  auto& [blocks, blockOf] = dissection;
+  for (uint32_t b = 0; b < blocks.size(); ++b)
+    for (uint32_t& node : blocks[b].nodes) {
       node = heavy[node];
-      blockOf[node] = p;
+      blockOf[node] = b;
     }
   for (uint32_t i = 0; i < graph.nodeCount(); ++i) {
     if (graph.weight[i] == heaviest) continue;
-    const uint32_t block = blockFor(i, graph, blocks, blockOf, heaviest);
+    const uint32_t block = blockFor(i, graph, dissection, heaviest);
     blockOf[i] = block == kNone ? 0 : block;  // a node without neighbours may go anywhere
     blocks[blockOf[i]].nodes.push_back(i);
   }
-  return blocks;
+  return std::move(blocks);
 }
 
 }  // namespace
