@@ -69,7 +69,7 @@ class PartShell {
  public:
   PartShell(const Part& part, const ModesOptions& options, Job& job)
       : part_(part),
-        topology_((begin(part, job), buildTopology(part.mesh))),
+        topology_(beginAssembly(part, job)),
         shell_(part.mesh, topology_,
                {options.material.poisson, kRefineTolerance, kRefineSteps, part.pinned,
                 static_cast<int>(rigidMotionsLeft(pinnedPoints(part)))},
@@ -82,9 +82,10 @@ class PartShell {
   }
 
  private:
-  static void begin(const Part& part, Job& job) {
+  static Topology beginAssembly(const Part& part, Job& job) {
     job.begin(Phase::Assemble);
     requireMemoryToSolve(estimatedMemory(part.mesh));
+    return buildTopology(part.mesh);
   }
   PartModes gathered(const EigenSolution& solution) const {
     return gather(part_, solution,

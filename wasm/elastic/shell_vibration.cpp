@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSpareModes = 6;  // the subspace converges as fast as the first mode left out allows
 constexpr int kRigidMotions = 6;
-constexpr int kFewUnknowns = 400;      // such a small shell is solved from scratch as fast as from a start
+constexpr int kFewUnknowns = 400;      // such a small shell is solved from scratch in no time
 constexpr double kShiftOfStart = 0.5;  // times the first eigenvalue of a start
 
 }  // namespace

@@ -17,11 +17,16 @@ struct Symmetric2 {
   double a, b, c;
 };
 
-// F^T F of a triangle in its rest tangent frame. There the rest edges are (px, 0) and (qx, qy). With the
-// deformed edges u and v the columns of F are u / px and (v - u qx / px) / qy.
-Symmetric2 rightCauchyGreen(double px, double qx, double qy, const Vec3& u, const Vec3& v) {
-  const Vec3 first = u / px;
-  const Vec3 second = (v - first * qx) / qy;
+// Two edges of a rest triangle in its tangent frame: (px, 0) and (qx, qy).
+struct RestEdges {
+  double px, qx, qy;
+};
+
+// F^T F of a triangle whose rest edges have become u and v: the columns of F are u / px and (v - u qx / px) /
+// qy.
+Symmetric2 rightCauchyGreen(const RestEdges& rest, const Vec3& u, const Vec3& v) {
+  const Vec3 first = u / rest.px;
+  const Vec3 second = (v - first * rest.qx) / rest.qy;
   return {dot(first, first), dot(first, second), dot(second, second)};
 }
 
@@ -36,7 +41,7 @@ double triangleStrain(const TriangleMesh& mesh, uint32_t t, std::span<const floa
   };
   const Vec3 base = displacement(0);
   const Vec3 u = p + displacement(1) - base, v = q + displacement(2) - base;
-  const Symmetric2 c = rightCauchyGreen(px, dot(p, q) / px, height, u, v);
+  const Symmetric2 c = rightCauchyGreen({px, dot(p, q) / px, height}, u, v);
   const double exx = (c.a - 1) / 2, eyy = (c.c - 1) / 2, exy = c.b / 2;
   return std::sqrt(exx * exx + eyy * eyy + 2 * exy * exy);
 }

@@ -21,8 +21,8 @@ constexpr int kLanczosRestarts = 100;
 constexpr double kLanczosTolerance = 1e-10, kRoughTolerance = 1e-4;
 constexpr double kZeroRatio = 1e-4;        // eigenvalues below this times |sigma| count as zero
 constexpr double kDenseZeroRatio = 1e-12;  // of the largest eigenvalue, where solved densely
-// Within these multiples of the first positive eigenvalue a shift is good enough: Lanczos takes about as many
-// steps as with the best one, and another shift would cost a factorisation.
+// A shift within these multiples of the first positive eigenvalue is good enough: Lanczos converges well, and
+// another shift would cost a factorisation.
 constexpr double kSmallestShift = 0.005, kLargestShift = 15;
 constexpr double kBestShift = 0.5;     // times the first positive eigenvalue, for the next attempt
 constexpr double kShiftGrowth = 10;    // if no positive eigenvalue was found

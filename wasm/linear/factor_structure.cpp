@@ -10,7 +10,7 @@ namespace limber {
 
 namespace {
 
-// Subtrees with less than this share of the work become tasks of one thread: small enough to keep some ten
+// Subtrees with less than this share of the work become tasks of one thread: small enough to keep several
 // threads evenly busy, large enough that little work is left above the tasks.
 constexpr double kTaskShare = 1.0 / 24;
 

@@ -40,16 +40,17 @@ std::vector<uint32_t> coarsePins(const Part& original, const MeshAt& at) {
   return pins;
 }
 
-// The displacement gradient at a vertex, with derivatives along x, y and z as columns: least squares over its
-// neighbours in the tangent plane, while the normal rotates with the plane (Kirchhoff). The heights of
-// neighbours above the plane enter by fixed-point steps, each of which is more exact by a factor of the
-// curvature times the edge length.
+// A vertex of a mesh and what lies around it.
 struct Neighbourhood {
   uint32_t vertex;
   std::span<const uint32_t> ring;  // its neighbours
   const Vec3& normal;              // of unit length
 };
 
+// The displacement gradient at a vertex, with derivatives along x, y and z as columns: least squares over its
+// neighbours in the tangent plane, while the normal rotates with the plane (Kirchhoff). The heights of
+// neighbours above the plane enter by fixed-point steps, each of which is more exact by a factor of the
+// curvature times the edge length.
 Eigen::Matrix3d gradientAt(const std::vector<Vec3>& positions,
                            const Eigen::Ref<const Eigen::VectorXd>& displacement, const Neighbourhood& at) {
   const uint32_t v = at.vertex;

@@ -7,8 +7,8 @@ namespace limber {
 // Sizes, in vertices, from which large shells are solved and fitted in another way. Each number stands here
 // alone.
 
-// A shell part with more vertices is solved by way of a decimated copy, unless an exact solve is asked for.
-// Below it an exact solve takes about a second.
+// A shell part with more vertices is solved by way of a decimated copy, unless an exact solve is asked for:
+// the time of an exact solve grows faster than that of a copy with refinement.
 inline constexpr uint32_t kExactVertices = 8000;
 
 // The size of that copy: its modes are close enough for a few steps of inverse iteration on the part itself.

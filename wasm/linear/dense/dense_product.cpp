@@ -13,8 +13,9 @@ using Eigen::Index;
 using UnalignedPair = double __attribute__((vector_size(16), aligned(8), may_alias));
 
 constexpr Index kTile = 4;     // rows and columns of c that are summed in registers
-constexpr Index kDepth = 256;  // columns of a that are packed at once: two such panels fit the L1 cache
-constexpr Index kRows = 64, kCols = 96;  // of c that are computed from one packed block of a and b: L2 cache
+constexpr Index kDepth = 256;  // columns of a that are packed at once: two such panels fit the nearest cache
+constexpr Index kRows = 64,
+                kCols = 96;  // the block of c that is computed from one packed block of a and of b
 
 RealPair load(const double* at) {
   return *reinterpret_cast<const UnalignedPair*>(at);
@@ -73,9 +74,11 @@ void subtractTile(const Tile& tile, double* c, Index colStride) {
   }
 }
 
-void subtractPart(const Tile& tile, Index rows, Index cols, double* c, Index colStride) {
-  for (Index j = 0; j < cols; ++j, c += colStride)
-    for (Index i = 0; i < rows; ++i) c[i] -= i < 2 ? tile.top[j][i] : tile.bottom[j][i - 2];
+// The same for the part of a tile that lies within `c`.
+void subtractPart(const Tile& tile, const Strided<double>& c) {
+  for (Index j = 0; j < c.cols; ++j)
+    for (Index i = 0; i < c.rows; ++i)
+      c.data[i + j * c.colStride] -= i < 2 ? tile.top[j][i] : tile.bottom[j][i - 2];
 }
 
 void subtractPacked(const double* a, const double* b, Index depth, const Strided<double>& c) {
@@ -86,7 +89,8 @@ void subtractPacked(const double* a, const double* b, Index depth, const Strided
       if (row + kTile <= c.rows && col + kTile <= c.cols)
         subtractTile(tile, to, c.colStride);
       else
-        subtractPart(tile, std::min(kTile, c.rows - row), std::min(kTile, c.cols - col), to, c.colStride);
+        subtractPart(tile,
+                     {to, std::min(kTile, c.rows - row), std::min(kTile, c.cols - col), 1, c.colStride});
     }
 }
 
@@ -142,9 +146,14 @@ void subtractDots(const Strided<const double>& a, const double* x, double* y) {
   }
 }
 
+struct Range {
+  Index first, count;
+};
+
 template <class Scalar>
-Strided<Scalar> block(const Strided<Scalar>& m, Index row, Index col, Index rows, Index cols) {
-  return {m.data + row * m.rowStride + col * m.colStride, rows, cols, m.rowStride, m.colStride};
+Strided<Scalar> block(const Strided<Scalar>& m, Range rows, Range cols) {
+  return {m.data + rows.first * m.rowStride + cols.first * m.colStride, rows.count, cols.count, m.rowStride,
+          m.colStride};
 }
 
 }  // namespace
@@ -159,11 +168,11 @@ void subtractStridedProduct(const Strided<const double>& a, const Strided<const 
     const Index depth = std::min(kDepth, a.cols - k);
     for (Index col = 0; col < c.cols; col += kCols) {
       const Index cols = std::min(kCols, c.cols - col);
-      pack(block(b, k, col, depth, cols).transpose(), packedB);
+      pack(block(b, {k, depth}, {col, cols}).transpose(), packedB);
       for (Index row = 0; row < c.rows; row += kRows) {
         const Index rows = std::min(kRows, c.rows - row);
-        pack(block(a, row, k, rows, depth), packedA);
-        subtractPacked(packedA.data(), packedB.data(), depth, block(c, row, col, rows, cols));
+        pack(block(a, {row, rows}, {k, depth}), packedA);
+        subtractPacked(packedA.data(), packedB.data(), depth, block(c, {row, rows}, {col, cols}));
       }
     }
   }

@@ -15,8 +15,7 @@ std::vector<uint32_t> match(const NodeGraph& graph) {
   std::vector<uint32_t> visit(count), partner(count, kNone);
   for (uint32_t i = 0; i < count; ++i) visit[i] = i;
   // Visiting in a scattered order keeps the pairs from lining up with the numbering. The factor is Knuth's
-  // for
-  // multiplicative hashing.
+  // for multiplicative hashing.
   const auto scatter = [](uint32_t i) { return (i + 1) * 2654435761u; };
   std::sort(visit.begin(), visit.end(), [&](uint32_t a, uint32_t b) { return scatter(a) < scatter(b); });
   for (uint32_t i : visit) {

@@ -90,18 +90,17 @@ uint32_t commonAncestor(const std::vector<DissectionBlock>& blocks, uint32_t a, 
   return a;
 }
 
+// The dissection of the heavy nodes, to which light nodes are added one by one.
+struct Dissection {
+  std::vector<DissectionBlock> blocks;
+  std::vector<uint32_t> blockOf;  // per node; kNone as long as it has none
+};
+
 // The block that a light node joins: the deepest block of its heavy neighbours, or the common ancestor if a
 // neighbour that has a block already lies on another branch. So no two neighbours end up on different
 // branches.
-struct Dissection {
-  const NodeGraph& graph;
-  const std::vector<DissectionBlock>& blocks;
-  const std::vector<uint32_t>& blockOf;  // per node; kNone for those without a block so far
-  uint32_t heaviest;                     // weight of a heavy node
-};
-
-uint32_t blockFor(uint32_t node, const Dissection& dissection) {
-  const auto& [graph, blocks, blockOf, heaviest] = dissection;
+uint32_t blockFor(uint32_t node, const NodeGraph& graph, const Dissection& dissection, uint32_t heaviest) {
+  const auto& [blocks, blockOf] = dissection;
   uint32_t block = kNone;
   for (uint32_t j : graph.around(node))
     if (graph.weight[j] == heaviest && (block == kNone || blocks[blockOf[j]].depth > blocks[block].depth))
@@ -123,20 +122,21 @@ std::vector<DissectionBlock> dissect(const NodeGraph& graph, const Job& job) {
   const NodeGraph heavyGraph = Subgraph(graph).of(heavy);
   std::vector<uint32_t> all(heavy.size());
   std::iota(all.begin(), all.end(), 0u);
-  std::vector<DissectionBlock> blocks = Dissector(heavyGraph, job).run(std::move(all));
-  std::vector<uint32_t> blockOf(graph.nodeCount(), kNone);
-  for (uint32_t p = 0; p < blocks.size(); ++p)
-    for (uint32_t& node : blocks[p].nodes) {
+  Dissection dissection{Dissector(heavyGraph, job).run(std::move(all)),
+                        std::vector<uint32_t>(graph.nodeCount(), kNone)};
+  auto& [blocks, blockOf] = dissection;
+  for (uint32_t b = 0; b < blocks.size(); ++b)
+    for (uint32_t& node : blocks[b].nodes) {
       node = heavy[node];
-      blockOf[node] = p;
+      blockOf[node] = b;
     }
   for (uint32_t i = 0; i < graph.nodeCount(); ++i) {
     if (graph.weight[i] == heaviest) continue;
-    const uint32_t block = blockFor(i, {graph, blocks, blockOf, heaviest});
+    const uint32_t block = blockFor(i, graph, dissection, heaviest);
     blockOf[i] = block == kNone ? 0 : block;  // a node without neighbours may go anywhere
     blocks[blockOf[i]].nodes.push_back(i);
   }
-  return blocks;
+  return std::move(blocks);
 }
 
 }  // namespace
