@@ -1,67 +1,26 @@
 /** What is particular to each method of simplification. No other file asks which method it is. */
 
-import type { Method, Model } from '../core/core';
+import type { Model } from '../core/core';
+import { METHODS } from '../core/methods';
+import type { Method } from '../core/methods';
 import { OPTIONS, SETTING_NAMES } from './table';
 import type { SettingName, Settings } from './table';
 
-export interface MethodSpec {
-  /** Settings that start with other values than the table's. */
+/** A row of METHODS; its settings are checked to be settings. */
+export interface MethodSpec extends Omit<(typeof METHODS)[number], 'defaults' | 'reads' | 'autoModel'> {
   defaults: Partial<Settings>;
-  /** Settings that this method reads and some other does not. */
   reads: readonly SettingName[];
-  /** The strain of the guiding modes enters the cost of a collapse, so modes are found first. */
-  needsGuidance: boolean;
-  /** Curvature enters the cost of a collapse. */
-  needsCurvature: boolean;
-  /** The result can be fitted to the modes of the original. */
-  canFit: boolean;
-  /** Seams and borders of materials stay closed, and attributes enter the cost of a collapse. */
-  keepsAttributes: boolean;
-  /** what the model `auto` stands for */
   autoModel: 'auto' | Model;
-  /** how many modes guide where they are `auto` */
-  autoModes: number;
 }
 
-const METHOD_TABLE: Record<Method, MethodSpec> = {
-  limber: {
-    defaults: {},
-    reads: ['strainWeight', 'qualityWeight', 'sizeWeight', 'fit', 'seams'],
-    needsGuidance: true,
-    needsCurvature: false,
-    canFit: true,
-    keepsAttributes: true,
-    autoModel: 'auto',
-    autoModes: 6,
-  },
-  /** as printed: Eq. 11, guided by the first mode of the Laplacian */
-  paper: {
-    defaults: { strainWeight: 0.05, curvatureWeight: 1, qualityWeight: 0.01, sizeWeight: 0 },
-    reads: ['strainWeight', 'curvatureWeight', 'qualityWeight'],
-    needsGuidance: true,
-    needsCurvature: true,
-    canFit: false,
-    keepsAttributes: false,
-    autoModel: 'laplacian',
-    autoModes: 1,
-  },
-  qem: {
-    defaults: { sizeWeight: 0 },
-    reads: ['sizeWeight', 'seams'],
-    needsGuidance: false,
-    needsCurvature: false,
-    canFit: false,
-    keepsAttributes: true,
-    autoModel: 'auto',
-    autoModes: 6,
-  },
-};
+const SPECS: readonly MethodSpec[] = METHODS;
 
 /** Settings that not every method reads. */
-const PARTICULAR = new Set(Object.values(METHOD_TABLE).flatMap(({ reads }) => reads));
+const PARTICULAR = new Set(SPECS.flatMap(({ reads }) => reads));
 
 /** What is particular to the method of these settings. */
-export const methodOf = ({ method }: Pick<Settings, 'method'>): MethodSpec => METHOD_TABLE[method];
+export const methodOf = ({ method }: Pick<Settings, 'method'>): MethodSpec =>
+  SPECS.find(({ name }) => name === method)!;
 
 /** Whether the method of these settings reads the setting. */
 export const readsSetting = (settings: Pick<Settings, 'method'>, setting: SettingName): boolean =>
@@ -77,7 +36,7 @@ export function defaultSettings(method: Method = 'limber'): Settings {
 /** What changes with the method: itself, and every setting that some method starts differently. */
 export function methodChange(method: Method): Partial<Settings> {
   const defaults = defaultSettings(method);
-  const names = Object.values(METHOD_TABLE).flatMap((spec) => Object.keys(spec.defaults) as SettingName[]);
+  const names = SPECS.flatMap((spec) => Object.keys(spec.defaults) as SettingName[]);
   return { method, ...Object.fromEntries(names.map((name) => [name, defaults[name]])) };
 }
 

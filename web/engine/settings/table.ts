@@ -4,6 +4,7 @@
  * the stage or host that reads it.
  */
 
+import { METHOD_NAMES } from '../core/methods';
 import { describeScenarios, SCENARIO_NAMES } from '../core/scenarios';
 import type { OptionOf, OptionSpec, SettingValue } from './types';
 
@@ -15,7 +16,7 @@ const ROWS = {
     default: 'limber',
     help: 'How the next edge is chosen: limber (shape, size, quality and strain, then a fit to the modes), paper (strain, curvature and shape, Eq. 11) or qem (area-weighted quadrics alone).',
     group: 'method',
-    choices: ['limber', 'paper', 'qem'],
+    choices: METHOD_NAMES,
   },
   /** alpha of Eq. 11; w of limber */
   strainWeight: {

@@ -1,7 +1,7 @@
 /** Step 3: how the next edge is chosen, and what limits the collapses. */
 
+import { METHODS } from '../../../engine/core/methods';
 import { methodChange, methodOf, OPTIONS, readsSetting } from '../../../engine/settings/options';
-import type { Settings } from '../../../engine/settings/options';
 import { changeSettings, wants } from '../../state/store';
 import { BrushSection, NamedLocks } from './brush_section';
 import { Choice, Section, SettingRange, Toggle } from '../../controls/controls';
@@ -9,19 +9,7 @@ import { SettingControls } from '../../controls/setting_controls';
 import { ACROSS_SEAMS, StopReason } from './stop_reason';
 import { AskVertex } from './why_card';
 
-const METHODS: { value: Settings['method']; text: string; title: string }[] = [
-  {
-    value: 'limber',
-    text: 'Motion',
-    title: 'Shape, triangle sizes and strain guide the collapses; then the result is fitted to the modes',
-  },
-  {
-    value: 'paper',
-    text: 'Paper',
-    title: 'Strain, curvature and triangle shape guide the collapses (Eq. 11 of the paper)',
-  },
-  { value: 'qem', text: 'Shape only', title: 'Area-weighted quadrics only' },
-];
+const METHOD_CHOICES = METHODS.map(({ name, label, title }) => ({ value: name, text: label, title }));
 
 export function ReducePanel() {
   const settings = wants.settings.value;
@@ -30,7 +18,7 @@ export function ReducePanel() {
       <Section title="Method">
         <Choice
           label="Method"
-          options={METHODS}
+          options={METHOD_CHOICES}
           value={settings.method}
           onChange={(value) => changeSettings(methodChange(value))}
         />

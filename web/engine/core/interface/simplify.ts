@@ -1,11 +1,7 @@
 /** Simplification: the history of collapses, and the mesh at any point of it. */
 
+import type { Method } from '../methods';
 import type { MeshInput, TriangleMesh } from './mesh';
-
-/** In the order of `enum class Method` in wasm/simplify/simplify.h. */
-export const METHODS = ['qem', 'paper', 'limber'] as const;
-
-export type Method = (typeof METHODS)[number];
 
 export const BORDERS = ['free', 'fixed'] as const;
 

@@ -1,0 +1,76 @@
+/**
+ * Every method of simplification, with what is particular to it: the one list of TypeScript. Each row has a cost policy of the
+ * same name in `wasm/simplify/cost`, with a row in `policies.h` there; a new method needs these and nothing else.
+ */
+
+import type { Model } from './interface/modes';
+
+interface MethodRow {
+  name: string;
+  label: string;
+  /** what guides the collapses */
+  title: string;
+  /** Settings that start with other values than those of the table of settings. */
+  defaults: Readonly<Record<string, number>>;
+  /** Settings that this method reads and some other does not. */
+  reads: readonly string[];
+  /** The strain of the guiding modes enters the cost of a collapse, so modes are found first. */
+  needsGuidance: boolean;
+  /** Curvature enters the cost of a collapse. */
+  needsCurvature: boolean;
+  /** The result can be fitted to the modes of the original. */
+  canFit: boolean;
+  /** Seams and borders of materials stay closed, and attributes enter the cost of a collapse. */
+  keepsAttributes: boolean;
+  /** what the model `auto` stands for */
+  autoModel: 'auto' | Model;
+  /** how many modes guide where they are `auto` */
+  autoModes: number;
+}
+
+export const METHODS = [
+  {
+    name: 'limber',
+    label: 'Motion',
+    title: 'Shape, triangle sizes and strain guide the collapses; then the result is fitted to the modes',
+    defaults: {},
+    reads: ['strainWeight', 'qualityWeight', 'sizeWeight', 'fit', 'seams'],
+    needsGuidance: true,
+    needsCurvature: false,
+    canFit: true,
+    keepsAttributes: true,
+    autoModel: 'auto',
+    autoModes: 6,
+  },
+  /** as printed: Eq. 11, guided by the first mode of the Laplacian */
+  {
+    name: 'paper',
+    label: 'Paper',
+    title: 'Strain, curvature and triangle shape guide the collapses (Eq. 11 of the paper)',
+    defaults: { strainWeight: 0.05, curvatureWeight: 1, qualityWeight: 0.01, sizeWeight: 0 },
+    reads: ['strainWeight', 'curvatureWeight', 'qualityWeight'],
+    needsGuidance: true,
+    needsCurvature: true,
+    canFit: false,
+    keepsAttributes: false,
+    autoModel: 'laplacian',
+    autoModes: 1,
+  },
+  {
+    name: 'qem',
+    label: 'Shape only',
+    title: 'Area-weighted quadrics only',
+    defaults: { sizeWeight: 0 },
+    reads: ['sizeWeight', 'seams'],
+    needsGuidance: false,
+    needsCurvature: false,
+    canFit: false,
+    keepsAttributes: true,
+    autoModel: 'auto',
+    autoModes: 6,
+  },
+] as const satisfies readonly MethodRow[];
+
+export type Method = (typeof METHODS)[number]['name'];
+
+export const METHOD_NAMES: readonly Method[] = METHODS.map(({ name }) => name);
