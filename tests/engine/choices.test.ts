@@ -6,7 +6,6 @@ import { describe, expect, it } from 'vitest';
 import {
   ATTRIBUTE_LIMIT,
   BORDERS,
-  METHODS,
   MODE_NAMES,
   MODELS,
   PHASES,
@@ -14,6 +13,7 @@ import {
   STOP_REASONS,
   VERDICTS,
 } from '../../web/engine/core/core';
+import { METHOD_NAMES } from '../../web/engine/core/methods';
 import { defaultSettings, OPTIONS } from '../../web/engine/settings/options';
 
 const folder = join(import.meta.dirname, '..', '..', 'wasm');
@@ -62,7 +62,6 @@ const sorted = (names: readonly string[]): string[] => [...names].sort();
 
 describe('the core and TypeScript have the same', () => {
   it.each([
-    ['methods', METHODS],
     ['elastic models', [...MODELS, 'auto']],
     ['names of modes', MODE_NAMES],
     ['reasons to stop', STOP_REASONS],
@@ -75,6 +74,11 @@ describe('the core and TypeScript have the same', () => {
     const compared = [...source.matchAll(/\bname == "(\w+)"/g)].map(([, name]) => name);
     expect([...nameLists, compared].map(sorted)).toContainEqual(sorted(SIMULATION_MODELS));
     expect(enumLists).toContainEqual([...SIMULATION_MODELS]);
+  });
+
+  it('methods', () => {
+    const policies = [...source.matchAll(/\bkName = "(\w+)"/g)].map(([, name]) => name);
+    expect(sorted(policies)).toEqual(sorted(METHOD_NAMES));
   });
 
   it('borders', () => {
@@ -110,7 +114,7 @@ describe('the core and TypeScript have the same', () => {
 
 describe('the settings offer', () => {
   it.each([
-    ['method', METHODS],
+    ['method', METHOD_NAMES],
     ['model', [...MODELS, 'auto']],
     ['borders', BORDERS],
     ['material', SIMULATION_MODELS],

@@ -23,7 +23,7 @@ function floorOf(options: SimplifyOptions): MeshAt {
 }
 const point = ({ positions }: TriangleMesh, v: number) => [...positions.subarray(3 * v, 3 * v + 3)];
 
-describe('wishes through the core', () => {
+describe('constraints through the core', () => {
   it('leaves a locked vertex where it is', () => {
     const locked = new Uint8Array(vertexCount);
     locked[7] = 1;

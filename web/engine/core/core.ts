@@ -38,8 +38,8 @@ export interface Core
   /** 1 in the one-thread build */
   threads: number;
   /**
-   * The job's four words in shared memory ([0] cancel wish, [1] phase, [2] progress in 1/10,000): other threads read the
-   * progress and set the wish while a call runs. null in the one-thread build, which has `onProgress` alone.
+   * The job's four words in shared memory ([0] request to cancel, [1] phase, [2] progress in 1/10,000): other threads read the
+   * progress and request cancellation while a call runs. null in the one-thread build, which has `onProgress` alone.
    */
   job: Int32Array | null;
   /** the size of the wasm memory, which never shrinks */
