@@ -161,7 +161,7 @@ PartModes solveLaplacian(const Part& part, const ModesOptions& options, Job& job
     const Eigen::Index k = mode / axisCount;
     const auto axis = static_cast<int>(mode % axisCount);
     modes.basis.lambda[mode] = solution.basis.lambda[k];
-    for (Eigen::Index v = 0; v < part.mesh.vertexCount(); ++v)
+    for (Eigen::Index v = 0; v < solution.basis.phi.rows(); ++v)
       modes.basis.phi.col(mode).segment<3>(3 * v) =
           eigen(axes[static_cast<size_t>(axis)] * solution.basis.phi(v, k));
     normaliseShape(modes.basis.phi.col(mode));

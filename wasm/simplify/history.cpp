@@ -53,7 +53,8 @@ void collectTriangles(const TriangleMesh& input, const std::vector<uint32_t>& su
     const Triangle triangle{survivor[a], survivor[b], survivor[c]};
     result.mesh.triangles[count] = triangle;
     result.inputOfTriangle[count] = t;
-    count += (triangle[0] != triangle[1]) & (triangle[1] != triangle[2]) & (triangle[2] != triangle[0]);
+    const auto differ = [&](int i, int j) { return static_cast<uint32_t>(triangle[i] != triangle[j]); };
+    count += differ(0, 1) & differ(1, 2) & differ(2, 0);  // without a branch
     if (count > expected) refuseHistory();
   }
   result.mesh.triangles.resize(count);

@@ -183,7 +183,8 @@ class Builder {
       if (stretches[connected_.rootOf(copy)] > 0) continue;
       const auto [first, last] = std::equal_range(cells.begin(), cells.end(), cells[copy]);
       uint32_t fullest = copy;
-      for (auto c = static_cast<uint32_t>(first - cells.begin()); c < last - cells.begin(); ++c)
+      const auto end = static_cast<uint32_t>(last - cells.begin());
+      for (auto c = static_cast<uint32_t>(first - cells.begin()); c < end; ++c)
         if (stretchCount_[c] > stretchCount_[fullest]) fullest = c;
       if (fullest != copy) joints.push_back({copy, fullest});
     }

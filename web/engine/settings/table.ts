@@ -412,6 +412,7 @@ const ROWS = {
     group: 'simulation',
     choices: SCENARIO_NAMES,
   },
+  /** Deviation: the paper simulates springs, which are another material on every mesh. */
   material: {
     kind: 'choice',
     flag: 'material',
