@@ -62,8 +62,7 @@ void requireMemory(uint64_t bytes, const char* what, const char* cure) {
   const uint64_t left = memoryLeft();
   if (bytes <= left) return;
   throw std::runtime_error(std::string(what) + " would take about " + inWords(bytes) +
-                           " of memory, but only " + inWords(left) +
-                           " are left: " + cure + ".");
+                           " of memory, but only " + inWords(left) + " are left: " + cure + ".");
 }
 
 }  // namespace limber

@@ -85,8 +85,8 @@ inline TriangleMesh meshOf(const val& in) {
   return mesh;
 }
 
-// The ElasticMaterial of an options object: young (Pa), poisson, density (kg/m3), thickness (units of the mesh) and unit
-// (metres per unit of the mesh).
+// The ElasticMaterial of an options object: young (Pa), poisson, density (kg/m3), thickness (units of the
+// mesh) and unit (metres per unit of the mesh).
 inline ElasticMaterial materialOf(const val& in) {
   return {in["young"].as<double>(), in["poisson"].as<double>(), in["density"].as<double>(),
           in["thickness"].as<double>(), in["unit"].as<double>()};

@@ -42,7 +42,7 @@ struct FitPartOptions {
   std::span<const uint8_t> locked = {}, pinned = {};  // per vertex of the original
   const ResultMirror* mirror = nullptr;               // where the result is its own image
   uint32_t fewestFaces = 12;                          // results of fewer are left out
-  uint32_t largeVertices = kLargeResultVertices;                     // results of more are large ...
+  uint32_t largeVertices = kLargeResultVertices;      // results of more are large ...
   uint32_t mostOriginal = kRefinedVertices;  // ... and left out where the original has more than this
 };
 

@@ -30,7 +30,8 @@ struct ModalFitOptions {
   // (what lies between follows), in few rounds, and not at all where they had more than this in the original:
   // its frequencies are not known as well as they would have to be then.
   uint32_t largeVertices = kLargeResultVertices, mostOriginal = kRefinedVertices;
-  uint32_t coarseVertices = kCoarseVertices;  // of a copy of a large result, whose modes are where the search begins
+  uint32_t coarseVertices =
+      kCoarseVertices;  // of a copy of a large result, whose modes are where the search begins
 };
 
 // How far the frequencies were off, before and after: root mean square of lambda / lambda_original - 1 over

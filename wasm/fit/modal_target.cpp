@@ -245,8 +245,8 @@ void ModalTarget::vibrate(const TriangleMesh& mesh, size_t thickness, Job& job) 
   const bool isWhole = found.phi.rows() == shell_.unknownCount();
   if (isWhole && mesh.positions == solvedAt_) return;
   const VibrationRequest request{thicknessOf(thickness), modesAt(thickness) + kMargin};
-  found = found.lambda.size() > 0 ? shell_.follow(mesh, found, request, job)
-                                  : shell_.solve(mesh, request, job);
+  found =
+      found.lambda.size() > 0 ? shell_.follow(mesh, found, request, job) : shell_.solve(mesh, request, job);
 }
 
 Mismatch ModalTarget::compare(const TriangleMesh& mesh, size_t thickness, Job& job) {
