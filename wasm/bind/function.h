@@ -20,9 +20,10 @@ using emscripten::val;
 // The job of the running call; there is one call at a time.
 inline Job theJob;
 
-// The names of all functions that `offer` has offered, for load_core.ts.
+// The names of all functions that `offer` has offered on this thread, for load_core.ts. Emscripten runs the
+// EMSCRIPTEN_BINDINGS blocks on every thread of the pool, some at the same time.
 inline std::vector<std::string>& offeredFunctions() {
-  static std::vector<std::string> names;
+  static thread_local std::vector<std::string> names;
   return names;
 }
 

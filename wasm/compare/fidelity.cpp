@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "compare/assignment.h"
-#include "elastic/mode_conversions.h"
 #include "mesh/topology.h"
 #include "transfer/shape_transfer.h"
 

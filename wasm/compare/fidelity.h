@@ -1,8 +1,7 @@
 #pragma once
 
 #include "base/job.h"
-#include "elastic/modes.h"
-#include "linear/mode_basis.h"
+#include "elastic/mode_conversions.h"
 #include "mesh/triangle_mesh.h"
 
 namespace limber {
