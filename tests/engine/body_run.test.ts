@@ -208,7 +208,7 @@ describe('a run over a body', () => {
     const seconds = run.secondsOf(STAGES.history, settings);
     expect(seconds).toBeGreaterThan(0);
     expect(() => run.get(STAGES.history, { ...settings, pins: 'vertices:999' })).toThrow(
-      /^--pins names vertex 999/,
+      /^“Held in place” names vertex 999/,
     );
     ran.clear();
     expect(run.get(STAGES.history, settings)).toBe(history);
