@@ -4,7 +4,6 @@ import { spawn, spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { build } from './build.mjs';
-import { check } from './check.mjs';
 import { buildPreset } from './setup/core.mjs';
 import { findChromium, folders, root } from './setup/environment.mjs';
 
@@ -19,7 +18,8 @@ function add(suite, { passed, failed, skipped }) {
   console.log(`${failed ? 'FAILED' : 'ok    '} ${suite}: ${passed} passed, ${failed} failed${skips}`);
 }
 
-function runChecks() {
+async function runChecks() {
+  const { check } = await import('./check.mjs'); // needs the packages that `build` installs
   for (const { name, problems } of check()) {
     if (problems) console.log(problems);
     add(name, { passed: problems ? 0 : 1, failed: problems ? 1 : 0, skipped: 0 });
@@ -105,7 +105,7 @@ function runPlaywright() {
 const setup = build({ tests: true });
 rmSync(results, { recursive: true, force: true });
 mkdirSync(results, { recursive: true });
-runChecks();
+await runChecks();
 await runCoreTests('native', { headers: setup.headers });
 await runCoreTests('single', setup);
 runVitest();
