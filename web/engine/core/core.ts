@@ -1,6 +1,6 @@
 /**
  * The typed face of the C++ core: plain data and free functions, the same names as in `wasm/`. Typed arrays are copied at
- * the edge, in and out; nothing here remembers anything between calls but a running simulation (see simulated_bodies.ts).
+ * the edge, in and out; the core remembers nothing between calls but kept meshes, kept histories and running simulations.
  */
 
 import type { MeshFunctions } from './interface/mesh';
