@@ -216,6 +216,27 @@ describe('a run over a body', () => {
     expect(run.secondsOf(STAGES.history, { ...settings, creases: 3 })).toBe(0);
   });
 
+  it('releases what the core keeps for it as soon as another value takes its place', () => {
+    const released: number[] = [];
+    const counting: Core = {
+      ...core,
+      releaseHistory: (handle) => {
+        released.push(handle.handle);
+        return core.releaseHistory(handle);
+      },
+    };
+    const { document, bodies } = model;
+    const run = new BodyRun({ core: counting, body: bodies[0], document });
+    const settings = everything('qem');
+    run.get(STAGES.level, settings);
+    run.get(STAGES.level, { ...settings, targetFaces: 12 });
+    expect(released).toHaveLength(0);
+    run.get(STAGES.level, { ...settings, creases: 3 });
+    expect(released).toHaveLength(1);
+    run.dispose();
+    expect(new Set(released).size).toBe(2);
+  });
+
   it('resolves what the method resolves: a model that is named or follows is the same', () => {
     const paper = everything('paper');
     expect(keyOf(STAGES.modes, { ...paper, model: 'laplacian' })).toBe(keyOf(STAGES.modes, paper));

@@ -1,3 +1,4 @@
+import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { NONE } from '../../web/engine/core/core';
 import type { Core, Progress } from '../../web/engine/core/core';
@@ -55,6 +56,35 @@ describe('the core', () => {
   it('gives the same bits in both builds and on any number of threads', async () => {
     const expected = results(await loadTestCore(1));
     for (const threads of [2, 3]) expect(results(await loadTestCore(threads))).toEqual(expected);
+  });
+
+  it('gives the same results for what it keeps as for plain data, until that is released', async () => {
+    const core = await loadTestCore(1);
+    const { mesh } = core.weld(torus().positions, torus().triangles, { tolerance: 0 });
+    const none = new Float32Array();
+    const history = core.simplify(mesh, none, none, { ...paper, method: 'qem' });
+    const kept = core.keepMesh(mesh);
+    const keptHistory = core.keepHistory(history);
+    expect(core.simplify(kept, none, none, { ...paper, method: 'qem' })).toEqual(history);
+    for (const faces of [100, 200])
+      expect(core.meshAt(kept, keptHistory, faces)).toEqual(core.meshAt(mesh, history, faces));
+    core.releaseHistory(keptHistory);
+    core.releaseMesh(kept);
+    expect(() => core.meshAt(mesh, keptHistory, 100)).toThrow('This history has been released');
+    expect(() => core.inspect(kept)).toThrow('This mesh has been released: open the file again.');
+  });
+
+  it('offers the functions that its interface names, and no others', async () => {
+    const folder = new URL('../../web/engine/core/interface/', import.meta.url);
+    const named = readdirSync(folder).flatMap((file) => {
+      const [, body = ''] = readFileSync(new URL(file, folder), 'utf8').split(
+        /export interface \w+Functions \{/,
+      );
+      return [...body.matchAll(/^ {2}(\w+)\(/gm)].map(([, name]) => name);
+    });
+    const { threads, job, peakHeapBytes, ...offered } = await loadTestCore(1);
+    expect([threads, job, typeof peakHeapBytes]).toEqual([1, null, 'function']);
+    expect(Object.keys(offered).sort()).toEqual(named.sort());
   });
 
   it('has a job to look at only where memory is shared', async () => {
