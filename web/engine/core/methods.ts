@@ -8,8 +8,10 @@ import type { Model } from './interface/modes';
 interface MethodRow {
   name: string;
   label: string;
-  /** what guides the collapses */
+  /** what guides the collapses, as a sentence without its end */
   title: string;
+  /** the same as an aside in a help text */
+  aside: string;
   /** Settings that start with other values than those of the table of settings. */
   defaults: Readonly<Record<string, number>>;
   /** Settings that this method reads and some other does not. */
@@ -33,6 +35,7 @@ export const METHODS = [
     name: 'limber',
     label: 'Motion',
     title: 'Shape, triangle sizes and strain guide the collapses; then the result is fitted to the modes',
+    aside: 'shape, size, quality and strain, then a fit to the modes',
     defaults: {},
     reads: ['strainWeight', 'qualityWeight', 'sizeWeight', 'fit', 'seams'],
     needsGuidance: true,
@@ -47,6 +50,7 @@ export const METHODS = [
     name: 'paper',
     label: 'Paper',
     title: 'Strain, curvature and triangle shape guide the collapses (Eq. 11 of the paper)',
+    aside: 'strain, curvature and shape, Eq. 11',
     defaults: { strainWeight: 0.05, curvatureWeight: 1, qualityWeight: 0.01, sizeWeight: 0 },
     reads: ['strainWeight', 'curvatureWeight', 'qualityWeight'],
     needsGuidance: true,
@@ -60,6 +64,7 @@ export const METHODS = [
     name: 'qem',
     label: 'Shape only',
     title: 'Area-weighted quadrics only',
+    aside: 'area-weighted quadrics alone',
     defaults: { sizeWeight: 0 },
     reads: ['sizeWeight', 'seams'],
     needsGuidance: false,
@@ -74,3 +79,9 @@ export const METHODS = [
 export type Method = (typeof METHODS)[number]['name'];
 
 export const METHOD_NAMES: readonly Method[] = METHODS.map(({ name }) => name);
+
+/** All methods with their asides, as an enumeration: "limber (...), paper (...) or qem (...)". */
+export function describeMethods(): string {
+  const words = METHODS.map(({ name, aside }) => `${name} (${aside})`);
+  return `${words.slice(0, -1).join(', ')} or ${words.at(-1)}`;
+}

@@ -4,7 +4,7 @@
  * the stage or host that reads it.
  */
 
-import { METHOD_NAMES } from '../core/methods';
+import { describeMethods, METHOD_NAMES } from '../core/methods';
 import { describeScenarios, SCENARIO_NAMES } from '../core/scenarios';
 import type { OptionOf, OptionSpec, SettingValue } from './types';
 
@@ -14,7 +14,7 @@ const ROWS = {
     flag: 'method',
     label: 'Method',
     default: 'limber',
-    help: 'How the next edge is chosen: limber (shape, size, quality and strain, then a fit to the modes), paper (strain, curvature and shape, Eq. 11) or qem (area-weighted quadrics alone).',
+    help: `How the next edge is chosen: ${describeMethods()}.`,
     group: 'method',
     choices: METHOD_NAMES,
   },
