@@ -4,8 +4,7 @@ import { batch, effect, signal, untracked } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { faceCount } from '../../engine/core/mesh';
 import { fileDefaults } from '../../engine/settings/options';
-import { targetsByShare } from '../../engine/stages/face_shares';
-import type { FileRequest } from '../../engine/stages/file_request';
+import type { KeptShare } from '../../engine/stages/face_shares';
 import { STAGES } from '../../engine/stages/stages';
 import { CANCELLED, exportKey } from '../worker/protocol';
 import type { ExportRequest, PinsResult } from '../worker/protocol';
@@ -97,7 +96,7 @@ const tasks: Task[] = [
     what: 'Writing and checking the file',
     key: () =>
       wants.exportOpen.value && restedFaces.value === wantedFaces.value ? afterHistory(exportedKey)() : null,
-    run: () => client.call((worker) => worker.export(settings(), bodyTargets(), exportRequest())),
+    run: () => client.call((worker) => worker.export(settings(), keptShare(), exportRequest())),
     result: results.exported,
   },
   {
@@ -145,15 +144,11 @@ async function findPins(): Promise<unknown> {
   }
 }
 
-/** How many faces each body of the file keeps: the shown body's share, the others in proportion. */
-export function bodyTargets(): number[] {
-  const file = results.file.value;
-  const shown = results.body.value;
-  if (!file || !shown) return [];
-  if (file.bodies.length === 1) return [restedFaces.value];
-  const counts = file.bodies.map(({ faces }) => faces);
-  return targetsByShare(counts, restedFaces.value / faceCount(shown.mesh));
-}
+/** What is kept of the shown body. */
+const keptShare = (): KeptShare => ({
+  faces: restedFaces.value,
+  of: results.body.value ? faceCount(results.body.value.mesh) : 0,
+});
 
 const baseName = (name: string): string =>
   name
@@ -168,11 +163,7 @@ export const exportRequest = (): ExportRequest => ({
   output: `${baseName(results.file.value?.name ?? '')}-limber.glb`,
 });
 
-export function exportedKey(): string {
-  const request = exportRequest();
-  const file: FileRequest = { settings: settings(), targets: bodyTargets(), fields: request.fields };
-  return exportKey(file, request);
-}
+export const exportedKey = (): string => exportKey(settings(), keptShare(), exportRequest());
 
 /** The key that the result of each task was made from. */
 const done = new Map<Task, string>();

@@ -32,7 +32,8 @@ export async function exportAll(
     ...(levels.length > 0 ? { levels: levelsTime } : {}),
   };
   const faces = sum(results.map(({ mesh }) => faceCount(mesh)));
-  return { bytes, validation, report, faces, levels, binding: binding ? output.binding() : null };
+  const text = binding ? output.binding() : null;
+  return { bytes, validation, report, faces, targetFaces: sum(targets), levels, binding: text };
 }
 
 /** `name`: of the file of the first level. */

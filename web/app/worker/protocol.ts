@@ -19,7 +19,7 @@ import type { Report } from '../../engine/report/report';
 import type { Settings } from '../../engine/settings/options';
 import type { DeviationMark } from '../../engine/stages/deviation_marks';
 import { keyOfFile } from '../../engine/stages/file_request';
-import type { FileRequest } from '../../engine/stages/file_request';
+import type { KeptShare } from '../../engine/stages/face_shares';
 
 export interface Started {
   threads: number;
@@ -136,6 +136,8 @@ export interface ExportResult {
   validation: Validation;
   report: Report;
   faces: number;
+  /** the most faces that all bodies together may have: `--faces` of the command line */
+  targetFaces: number;
   levels: ExportedLevel[];
   /** text of the binding file; null: not asked for */
   binding: string | null;
@@ -144,8 +146,11 @@ export interface ExportResult {
 }
 
 /** Text that is equal where two exports are the same. */
-export const exportKey = (file: FileRequest, { binding, output }: ExportRequest): string =>
-  [keyOfFile(file), binding, output].join('\n');
+export function exportKey(settings: Settings, kept: KeptShare, request: ExportRequest): string {
+  const { fields, binding, output } = request;
+  const file = { settings, targets: [kept.faces, kept.of], fields };
+  return [keyOfFile(file), binding, output].join('\n');
+}
 
 /** Every call throws an Error with one sentence; a cancelled one an Error whose message is CANCELLED. */
 export interface WorkerApi {
@@ -165,8 +170,8 @@ export interface WorkerApi {
   /** `faces`: of the result that is explained. */
   why(body: number, settings: Settings, faces: number): Promise<WhyResult>;
   measure(body: number, settings: Settings, faces: number): Promise<ResultMetrics>;
-  /** `targets`: see FileRequest. */
-  export(settings: Settings, targets: number[], request: ExportRequest): Promise<ExportResult>;
+  /** `kept`: of the shown body; every other body keeps the same share of its prepared faces, as on the command line. */
+  export(settings: Settings, kept: KeptShare, request: ExportRequest): Promise<ExportResult>;
   /** A ZIP archive of files by name. */
   pack(files: Record<string, Uint8Array>): Promise<Uint8Array>;
 }

@@ -7,10 +7,12 @@ import { pinAttributes } from '../../engine/body/pin_attributes';
 import type { Core } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
 import { droppedByExport } from '../../engine/document/export';
+import { faceCount } from '../../engine/core/mesh';
 import { openModel } from '../../engine/document/open';
 import { isBlockedBySeams } from '../../engine/report/stop_report';
 import { checkSettings } from '../../engine/settings/options';
 import type { BodyRun } from '../../engine/stages/body_run';
+import { targetsByShare } from '../../engine/stages/face_shares';
 import { FileRun } from '../../engine/stages/file_run';
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
@@ -139,12 +141,15 @@ const api: WorkerApi = {
       const { hausdorff, mean } = distance;
       return { minAngle, meanMinAngle, hausdorff, mean, certificate, inspection };
     }),
-  export: (settings, targets, request) =>
+  export: (settings, kept, request) =>
     translateErrors(async () => {
-      const fileRequest = { settings, targets, fields: request.fields };
+      const counts = openedFile()
+        .prepared(settings)
+        .map(({ mesh }) => faceCount(mesh));
+      const fileRequest = { settings, targets: targetsByShare(counts, kept), fields: request.fields };
       const done = await exportAll(openedFile(), fileRequest, request);
       const buffers = [done, ...done.levels].map(({ bytes }) => bytes.buffer);
-      return transfer({ ...done, key: exportKey(fileRequest, request) }, buffers);
+      return transfer({ ...done, key: exportKey(settings, kept, request) }, buffers);
     }),
   pack: (files) => {
     const bytes = zipSync(files, { level: 6, mtime: ZIP_TIME });

@@ -32,6 +32,12 @@ export function targetsOf(counts: number[], { faces, ratio }: FaceTarget): numbe
   );
 }
 
-/** Per body as many faces, in proportion, as `ratio` leaves of the whole file. */
-export const targetsByShare = (counts: number[], ratio: number): number[] =>
-  shareInProportion(Math.round(ratio * sum(counts)), counts);
+/** What is kept of one body of a file: `faces` of its `of` faces. */
+export interface KeptShare {
+  faces: number;
+  of: number;
+}
+
+/** Per body of a file as many faces, in proportion, as the share leaves of the whole file. */
+export const targetsByShare = (counts: number[], { faces, of }: KeptShare): number[] =>
+  counts.length === 1 ? [faces] : shareInProportion(Math.round((faces / of) * sum(counts)), counts);

@@ -9,7 +9,7 @@ import { commandLine } from '../../command_line';
 import { download } from '../../files/files';
 import { refusalOf } from '../../state/refusal';
 import type { Refusal } from '../../state/refusal';
-import { bodyTargets, client, exportedKey, exportRequest } from '../../state/runner';
+import { client, exportedKey, exportRequest } from '../../state/runner';
 import { changeSettings, results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
 import { Section, Toggle } from '../../controls/controls';
@@ -181,17 +181,17 @@ function Actions({ exported }: { exported: ExportResult | null }) {
         </button>
       )}
       <SaveReport exported={exported} output={output} />
-      <CommandLine />
+      {exported && <CommandLine faces={exported.targetFaces} />}
     </div>
   );
 }
 
 /** The command that writes the same file. */
-function CommandLine() {
+function CommandLine({ faces }: { faces: number }) {
   const { output, binding, fields } = exportRequest();
   const [isCopied, setCopied] = useState(false);
   const line = commandLine(wants.settings.value, results.file.value!.name, output, {
-    faces: bodyTargets().reduce((sum, faces) => sum + faces, 0),
+    faces,
     fields,
     binding: binding ? bindingName(output) : null,
   });
