@@ -23,6 +23,10 @@ beforeAll(async () => {
 const moved = (positions: Float32Array, by: number[], scale = 1): Float32Array =>
   positions.map((value, i) => scale * value + by[i % 3]);
 
+const boundBodies = ({ binding }: Twin, original: TriangleMesh, optimized: TriangleMesh) => ({
+  ...{ original, optimized, binding },
+});
+
 describe('measures of two bodies', () => {
   const mesh = grid(3, 2);
 
@@ -185,8 +189,8 @@ describe('twins', () => {
       };
       const other =
         name === 'original'
-          ? onOptimized(mesh, result.mesh, twin.binding, point)
-          : onOriginal(mesh, result.mesh, twin.binding, point);
+          ? onOptimized(core, boundBodies(twin, mesh, result.mesh), point)
+          : onOriginal(core, boundBodies(twin, mesh, result.mesh), point);
       const target = positionOf(own.triangles, own.positions, point).map((x) => x + 0.2) as [
         number,
         number,
@@ -213,8 +217,8 @@ describe('twins', () => {
     const { twin, mesh, result } = makeTwin(120);
     for (let triangle = 0; triangle < mesh.triangles.length / 3; triangle += 17) {
       const point = { triangle, barycentric: [0.25, 0.25, 0.5] as [number, number, number] };
-      const there = onOptimized(mesh, result.mesh, twin.binding, point);
-      const back = onOriginal(mesh, result.mesh, twin.binding, there);
+      const bound = boundBodies(twin, mesh, result.mesh);
+      const back = onOriginal(core, bound, onOptimized(core, bound, point));
       const [from, to] = [
         positionOf(mesh.triangles, mesh.positions, point),
         positionOf(mesh.triangles, mesh.positions, back),

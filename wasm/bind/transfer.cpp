@@ -1,8 +1,9 @@
-// What is carried from the original to the result: attributes and vertices.
+// What is carried from the original to the result: attributes, vertices and single points.
 
 #include "bind/charts.h"
 #include "bind/function.h"
 #include "bind/meshes.h"
+#include "query/closest_among.h"
 #include "transfer/bind_meshes.h"
 #include "transfer/corner_sources.h"
 
@@ -32,6 +33,15 @@ val jsBindToResult(const val& mesh, const val& result) {
   return toJs(bindToResult(*meshOf(mesh), fromJs<MeshAt>(result), theJob));
 }
 
+val jsClosestPoint(const val& mesh, const val& triangles, const val& point) {
+  const auto list = vectorOf<uint32_t>(triangles);
+  const ClosestPoint found = closestAmong(*meshOf(mesh), list, fromJs<Vec3>(point));
+  val out = val::object();
+  out.set("triangle", found.triangle);
+  out.set("barycentric", toJs(Vec3{found.barycentric[0], found.barycentric[1], found.barycentric[2]}));
+  return out;
+}
+
 }  // namespace
 }  // namespace limber
 
@@ -39,4 +49,5 @@ EMSCRIPTEN_BINDINGS(limber_transfer) {
   using namespace limber;
   offer<&jsSourceOfCorners>("sourceOfCorners");
   offer<&jsBindToResult>("bindToResult");
+  offer<&jsClosestPoint>("closestPoint");
 }

@@ -15,7 +15,7 @@ export { findPins } from '../../../web/engine/body/pins';
 export { loadCore } from '../../../web/engine/core/load_core';
 export { openModel } from '../../../web/engine/document/open';
 export { STEP_SECONDS, simulationOptions } from '../../../web/engine/motion/simulation';
-export { closestPoint, positionOf } from '../../../web/engine/motion/twin_points';
+export { positionOf } from '../../../web/engine/motion/twin_points';
 export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/settings/options';
 export { measureResult } from '../../../web/engine/stages/measure';
 export { prepareBody } from '../../../web/engine/stages/prepared';

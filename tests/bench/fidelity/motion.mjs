@@ -93,7 +93,9 @@ function deviations(loaded, mesh, { motion, pinned, bodies }) {
 function pathsOf({ engine, core }, original, { moving, points, options }) {
   const placeOn = (point) => engine.positionOf(original.triangles, original.positions, point);
   const bound =
-    moving === original ? points : points.map((point) => engine.closestPoint(moving, placeOn(point), []));
+    moving === original
+      ? points
+      : points.map((point) => core.closestPoint(moving, new Uint32Array(), placeOn(point)));
   const rest = bound.map((point) => engine.positionOf(moving.triangles, moving.positions, point));
   const body = core.startSimulation(moving, original, options);
   const steps = Math.round(options.seconds / engine.STEP_SECONDS);

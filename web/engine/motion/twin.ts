@@ -51,7 +51,7 @@ export class Twin {
 
   /** Throws an Error with one sentence where a mesh or an option is of no use. */
   constructor(
-    core: Core,
+    private readonly core: Core,
     original: TriangleMesh,
     result: MeshAt,
     options: TwinOptions & { diagonal: number },
@@ -139,10 +139,10 @@ export class Twin {
 
   /** Takes a point of one body, and the point bound to it on the other; the returned function draws both to `target`. */
   drag(name: TwinName, point: SurfacePoint): (target: [number, number, number]) => void {
-    const { original, optimized } = this.meshes;
+    const bound = { ...this.meshes, binding: this.binding };
     const points: Record<TwinName, SurfacePoint> = {
-      original: name === 'original' ? point : onOriginal(original, optimized, this.binding, point),
-      optimized: name === 'optimized' ? point : onOptimized(original, optimized, this.binding, point),
+      original: name === 'original' ? point : onOriginal(this.core, bound, point),
+      optimized: name === 'optimized' ? point : onOptimized(this.core, bound, point),
     };
     return (target) => {
       this.bodies.drag(0, points.original, target);

@@ -1,6 +1,6 @@
 /** What is carried from an original to its result. */
 
-import type { Charts, MeshInput } from './mesh';
+import type { Charts, MeshInput, SurfacePoint } from './mesh';
 import type { MeshAt } from './simplify';
 
 /** Where on the input the attributes of corner 3 * t + k of a result come from; see wasm/transfer/corner_sources.h. */
@@ -27,4 +27,6 @@ export interface TransferFunctions {
   sourceOfCorners(mesh: MeshInput, charts: Charts, result: MeshAt): CornerSources;
   /** every vertex of `mesh` on `result`, whose vertices may have moved since the history made it */
   bindToResult(mesh: MeshInput, result: MeshAt): Binding;
+  /** the point closest to `point` on the triangles of the list; an empty list stands for all of them */
+  closestPoint(mesh: MeshInput, triangles: Uint32Array, point: [number, number, number]): SurfacePoint;
 }
