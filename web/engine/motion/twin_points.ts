@@ -1,11 +1,11 @@
-/** A point on one of two bound bodies, found on the other: what a hand drags on both. */
+/** Finds a point of one of two bound bodies on the other, so that both can be dragged there. */
 
 import type { Binding, SurfacePoint, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
 
 type Point = [number, number, number];
 
-/** Where a point of the surface is while the vertices are at `positions`. */
+/** The position of a surface point when the vertices are at `positions`. */
 export function positionOf(triangles: Uint32Array, positions: Float32Array, point: SurfacePoint): Point {
   return [0, 1, 2].map((c) =>
     [0, 1, 2].reduce(
@@ -16,8 +16,8 @@ export function positionOf(triangles: Uint32Array, positions: Float32Array, poin
 }
 
 /**
- * The point of `optimized` that a point of `original` is bound to: the closest one to the mean of its corners' bound
- * points, among the triangles around these, so that a sheet close by is never taken for this one.
+ * The point of `optimized` that a point of `original` is bound to: the closest one to the weighted mean of its corners'
+ * bound points. Only the triangles around these are searched, so that a nearby sheet is never mistaken for this one.
  */
 export function onOptimized(
   original: TriangleMesh,
@@ -37,7 +37,7 @@ export function onOptimized(
   return closestPoint(optimized, target, around(optimized, new Set(bound)));
 }
 
-/** The point of `original` that is bound where `point` lies on `optimized`. */
+/** The point of `original` that corresponds to a point of `optimized`. */
 export function onOriginal(
   original: TriangleMesh,
   optimized: TriangleMesh,
@@ -51,7 +51,7 @@ export function onOriginal(
   return closestPoint(original, positionOf(optimized.triangles, optimized.positions, point), candidates);
 }
 
-/** The triangles that share a vertex with one of `of`, these included. */
+/** The triangles that share a vertex with one of `of`, including these. */
 function around({ triangles }: TriangleMesh, of: Set<number>): number[] {
   const vertices = new Set<number>();
   for (const t of of) if (t !== NONE) for (let k = 0; k < 3; ++k) vertices.add(triangles[3 * t + k]);
@@ -61,7 +61,7 @@ function around({ triangles }: TriangleMesh, of: Set<number>): number[] {
   return found;
 }
 
-/** The point closest to `target` at rest, among the triangles in `candidates`, or among all where these are none. */
+/** The point closest to `target` at rest among the triangles in `candidates`, or among all if that is empty. */
 export function closestPoint(mesh: TriangleMesh, target: Point, candidates: number[]): SurfacePoint {
   const all =
     candidates.length > 0 ? candidates : Array.from({ length: mesh.triangles.length / 3 }, (_, t) => t);
