@@ -8,7 +8,7 @@ import { buildWasm } from './setup/core.mjs';
 import { root, run } from './setup/environment.mjs';
 import { setUp } from './setup/setup.mjs';
 
-/** Builds what is out of date; returns what `setUp` found. */
+/** Builds what is out of date; returns the result of `setUp`. */
 export function build({ tests = false, coreOnly = false } = {}) {
   const setup = setUp({ tests });
   console.log('Building the core ...');
@@ -33,7 +33,7 @@ export function build({ tests = false, coreOnly = false } = {}) {
   return setup;
 }
 
-/** Runs `make` where any file below `inputs` differs from the last time, or `output` is not there. */
+/** Runs `make` if any file below `inputs` has changed since the last time or `output` does not exist. */
 function whenChanged(name, inputs, output, make) {
   const stamp = join(root, 'build', 'stamps', name);
   const state = fingerprint(inputs.map((input) => join(root, input)));

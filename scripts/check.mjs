@@ -1,4 +1,4 @@
-// npm run lint: formatting, lint, types and structure. Each check is one line, and counts as one test in `npm test`.
+// npm run lint: checks formatting, lint, types and structure. Each check prints one line and is one test of `npm test`.
 // Usage: node scripts/check.mjs [--only NAME]     NAME: the checks whose names contain it
 
 import { spawnSync } from 'node:child_process';
@@ -33,8 +33,8 @@ export const coreFiles = () =>
   );
 
 /**
- * glTF-Transform's texture functions bring sharp with a prebuilt libvips (LGPL). Nothing here calls them, and neither the
- * page nor the command line's bundle holds it.
+ * glTF-Transform's texture functions depend on sharp, which has a prebuilt libvips (LGPL). Nothing here calls them, and
+ * neither bundle, of the page or the command line, contains it.
  */
 const notShipped = /^node_modules\/@img\/sharp-libvips-/;
 
@@ -53,7 +53,7 @@ function licences() {
 const readGlossary = () => readFileSync(join(root, 'docs', 'glossary.md'), 'utf8');
 const ofProduct = (findProblems) => () => findProblems(readProduct()).join('\n');
 
-/** The documents, as { path, text }, against all files that git knows. */
+/** Compares the paths in the documents with all files that git knows. */
 function documentProblems() {
   const git = spawnSync('git', ['ls-files', '--cached', '--others', '--exclude-standard'], {
     cwd: root,
@@ -66,7 +66,7 @@ function documentProblems() {
   return missingPaths(documents, known).join('\n');
 }
 
-/** Name of a check -> what finds its problems: text, empty where there are none. */
+/** Name of a check -> function that returns its problems as text, empty if there are none. */
 const checks = {
   prettier: () => node(['prettier', 'bin', 'prettier.cjs'], '--check', '.', '--log-level', 'warn'),
   eslint: () => node(['eslint', 'bin', 'eslint.js'], '.', '--max-warnings', '0'),
@@ -82,7 +82,7 @@ const checks = {
   'paths in documents': documentProblems,
 };
 
-/** Runs the checks whose names contain `only`, or all: { name, problems }, `problems` empty where it passed. */
+/** Runs the checks whose names contain `only`, or all. Returns { name, problems }; `problems` is empty if it passed. */
 export function check(only = '') {
   return Object.entries(checks)
     .filter(([name]) => name.includes(only))

@@ -1,4 +1,4 @@
-// npm test: sets up, builds, runs every suite and ends with one plain line "N passed, N failed" that adds them all up.
+// npm test: sets up, builds, runs every suite and ends with one line of totals, "N passed, N failed".
 
 import { spawn, spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
@@ -26,7 +26,7 @@ async function runChecks() {
   }
 }
 
-/** Counts of a GoogleTest report, with the words of what failed or was skipped; a crash leaves no report. */
+/** Counts of a GoogleTest report, and messages of failed or skipped tests; a crash leaves no report. */
 function readGoogleTest(file) {
   if (!existsSync(file)) return { passed: 0, failed: 1, skipped: 0 };
   const suites = JSON.parse(readFileSync(file, 'utf8')).testsuites;
@@ -36,7 +36,7 @@ function readGoogleTest(file) {
   return { passed: tests.length - failed - skipped, failed, skipped };
 }
 
-/** Runs one test program to its end; its words are shown only where it fails or skips. */
+/** Runs one test program to its end; its output is shown only if tests fail or are skipped. */
 function runProgram(command, args, env) {
   return new Promise((done) => {
     const child = spawn(command, args, { cwd: root, env: { ...process.env, ...env } });
@@ -65,7 +65,7 @@ async function runCoreTests(preset, setup) {
     if (counts.failed || counts.skipped) console.log(words);
     add(`core, ${isWasm ? 'wasm' : 'native with sanitizers'}, ${name}`, counts);
   };
-  // Two at a time: one for each core of a small machine.
+  // Two at a time, one per core of a small machine.
   const queue = [...names];
   const worker = async () => {
     while (queue.length) await runOne(queue.shift());

@@ -1,4 +1,4 @@
-// Draws docs/images/architecture.svg: the rooms and the arrows between them, from scripts/structure/rooms.mjs.
+// Draws docs/images/architecture.svg: the rooms of scripts/structure/rooms.mjs and the arrows between them.
 // Usage: node scripts/docs/architecture-picture.mjs
 
 import { writeFileSync } from 'node:fs';
@@ -12,8 +12,8 @@ const column = { width: 520, gap: 40, margin: 20, top: 70 };
 const colours = { wasm: '#e8eef7', 'web/engine': '#e9f5ec', 'web/app': '#fbf1e2', 'web/cli': '#fbf1e2' };
 
 /**
- * Where a room stands on its row, in boxes from the middle, so that no arrow runs behind another room. A row with a room that
- * is not listed here is spread evenly.
+ * The offset of a room from the middle of its row, in boxes, chosen so that no arrow runs behind another room. A row with a
+ * room that is not listed here is spread evenly.
  */
 const shift = {
   'wasm/base': 0,
@@ -39,29 +39,29 @@ const shift = {
   'web/app': -0.75,
 };
 
-/** Rooms that are drawn: folders. */
+/** Only rooms that are folders are drawn. */
 const drawn = Object.keys(rooms).filter((room) => !/\.\w+$/.test(room));
 
 const isCore = (room) => room.startsWith('wasm/');
 const labelOf = (room) => (room === 'web/app' ? 'app' : room.split('/').at(-1));
 const groupOf = (room) => (isCore(room) ? 'wasm' : room.split('/').slice(0, 2).join('/'));
 
-/** Rooms that `room` may know. What panels use of the files beside them is left out: those files put the panels together. */
+/** Rooms that `room` may use. What panels use of the files of web/app is left out: those files assemble the panels. */
 const knownBy = (room) => rooms[room].filter((target) => target !== 'web/app' && drawn.includes(target));
 
-/** The longest way down from a room: rooms on one row do not know each other. */
+/** The length of the longest path down from a room; rooms on one row do not use each other. */
 const rankOf = (room) => Math.max(-1, ...knownBy(room).map(rankOf)) + 1;
 
 const knows = (room, target) => knownBy(room).some((next) => next === target || knows(next, target));
 
-/** Arrows that no chain of others says already. */
+/** Arrows that are not implied by a chain of other arrows. */
 const plainArrows = drawn.flatMap((from) =>
   knownBy(from)
     .filter((to) => !knownBy(from).some((between) => between !== to && knows(between, to)))
     .map((to) => ({ from, to })),
 );
 
-/** Room -> { x, y } of the middle of its box; the core stands on the left, all else on the right. */
+/** Room -> { x, y } of the middle of its box; the core is on the left, everything else on the right. */
 function positions() {
   const places = {};
   for (const side of [true, false]) {
@@ -102,7 +102,7 @@ function drawRoom(room, { x, y }) {
   );
 }
 
-/** How calls cross from the engine's `core` to the core's `bind`. */
+/** Draws how calls cross from the engine's `core` to the core's `bind`. */
 function drawBoundary({ 'web/engine/core': from, 'wasm/bind': to }) {
   const [start, end] = [from.x - box.width / 2, to.x + box.width / 2 + 3];
   const middle = column.margin + column.width + column.gap / 2;

@@ -3,7 +3,7 @@ import { standing, type Shape } from './shape';
 const cells = [8, 24, 8] as const;
 const cellSize = 1 / 8;
 
-/** The paper's rectangle: a closed bar of 8 x 24 x 8 cells (1 x 3 x 1 m), 898 vertices, 1,792 faces, upright. */
+/** The paper's rectangle: a closed upright bar of 8 x 24 x 8 cells (1 x 3 x 1 m), 898 vertices and 1,792 faces. */
 export function makeBar(): Shape {
   const points: number[] = [];
   const triangles: number[] = [];
@@ -25,7 +25,7 @@ export function makeBar(): Shape {
   return standing(points, triangles);
 }
 
-/** The quads of the side where coordinate `axis` is `end`: corners in cells, counter-clockwise from outside. */
+/** The quads of the side where coordinate `axis` is `end`; corners in cells, counter-clockwise seen from outside. */
 function sideQuads(axis: number, end: number): number[][][] {
   const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
   const corner = (i: number, j: number) => {

@@ -3,7 +3,7 @@ import { shade } from './normals';
 import type { Sample } from './samples';
 import type { Shape } from './shape';
 
-/** One mesh, one primitive, one plain material; the same shape gives the same bytes. */
+/** A GLB with one mesh, one primitive and one plain material. The same shape gives the same bytes. */
 export async function sampleGlb(sample: Sample, shape: Shape): Promise<Uint8Array> {
   const document = new Document();
   const root = document.getRoot();

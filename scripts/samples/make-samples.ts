@@ -1,4 +1,4 @@
-// Writes every sample as GLB, and index.json with what a card needs. Usage: node make-samples.mjs FOLDER
+// Writes every sample as GLB, and index.json with the data of their cards. Usage: node make-samples.mjs FOLDER
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

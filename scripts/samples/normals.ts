@@ -1,4 +1,4 @@
-// Vertex normals with creases, for display: vertices are split where the surface is sharp, at the same position.
+// Vertex normals for display: vertices are duplicated at creases.
 
 import { angleBetween, cross, dot, length, pointAt, subtract, type Point, type Shape } from './shape';
 
@@ -9,9 +9,9 @@ export interface ShadedShape {
 }
 
 /**
- * Angle-weighted unit normals. The faces around a vertex share one where a path of edges, each bent by at most
- * `creaseDegrees`, joins them; otherwise the vertex is repeated with bitwise equal coordinates. Vertices keep their
- * order, copies one after the other.
+ * Angle-weighted unit normals. Faces around a vertex share a normal if a path across edges with angles of at most
+ * `creaseDegrees` connects them; otherwise the vertex is duplicated with bitwise equal coordinates. Vertices keep their
+ * order, and copies of a vertex are consecutive.
  */
 export function shade(shape: Shape, creaseDegrees: number): ShadedShape {
   const faceNormals = unitNormals(shape);
@@ -59,7 +59,7 @@ function cornerAngle(shape: Shape, corner: number): number {
   return angleBetween(subtract(next, here), subtract(last, here));
 }
 
-/** Union-find over face corners: across every edge that is not a crease, the corners at either end belong together. */
+/** Union-find over face corners: across every edge that is not a crease, the two corners at each end are joined. */
 function smoothCornerGroups({ triangles }: Shape, faceNormals: readonly Point[], smallestCosine: number) {
   const parent = Uint32Array.from(triangles, (_, corner) => corner);
   const root = (corner: number): number => {

@@ -1,4 +1,4 @@
-// The samples that come with the product.
+// The samples that ship with the product.
 
 import { makeBar } from './bar';
 import { makeCloth } from './cloth/cloth';
@@ -14,9 +14,9 @@ export interface Sample {
   /** Linear RGB of the base colour. */
   colour: readonly [number, number, number];
   roughness: number;
-  /** Whether both sides of the surface are seen. */
+  /** Whether both sides of the surface are visible. */
   isOpen: boolean;
-  /** Edges bent by more than this are shaded as creases; 180: none are, the surface is smooth. */
+  /** Edges with a larger angle, degrees, are shaded as creases; 180: none are. */
   creaseDegrees: number;
   make: () => Shape;
 }

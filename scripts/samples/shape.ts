@@ -1,4 +1,4 @@
-// A sample's geometry and the few operations that all generators need.
+// The geometry of a sample, and operations that all generators need.
 
 /** A welded triangle mesh in metres, +Y up; `triangles` are counter-clockwise seen from outside. */
 export interface Shape {
@@ -19,7 +19,7 @@ export const cross = (a: Point, b: Point): Point => [
   a[0] * b[1] - a[1] * b[0],
 ];
 
-/** The linear interpolation from `a` at 0 to `b` at 1. */
+/** Linear interpolation from `a` at 0 to `b` at 1. */
 export const mix = (a: number, b: number, fraction: number) => a + (b - a) * fraction;
 
 /** The angle between two directions, radians in [0, pi]; exact for small angles, where acos is not. */
@@ -32,7 +32,7 @@ export const pointAt = (positions: ArrayLike<number>, v: number): Point => [
   positions[3 * v + 2],
 ];
 
-/** `points` and `triangles` as a shape that stands on y = 0, its bounding box centred on the Y axis. */
+/** A shape of `points` and `triangles`, moved to stand on y = 0 with its bounding box centred on the Y axis. */
 export function standing(points: ArrayLike<number>, triangles: ArrayLike<number>): Shape {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];

@@ -3,10 +3,10 @@
 import { build } from 'vite';
 import { root } from './environment.mjs';
 
-/** `options` are Vite's `build`; paths in them are from the repository's root. */
+/** Bundles with `options`, Vite's `build` options; paths in them are relative to the repository's root. */
 export const bundle = (options) =>
   build({ root, configFile: false, logLevel: 'warn', publicDir: false, build: options });
 
-/** One module for Node; for browsers too where it needs no package. */
+/** Bundles one module for Node, which also runs in browsers if it imports no package. */
 export const bundleModule = (entry, outDir) =>
   bundle({ ssr: entry, outDir, emptyOutDir: true, target: 'es2022' });

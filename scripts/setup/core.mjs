@@ -1,10 +1,10 @@
-// Builds the C++ core: twice as wasm for the product (threads and one thread), natively for tests and benchmarks.
+// Builds the C++ core: as wasm for the product, with and without threads, and natively for tests and benchmarks.
 
 import { copyFileSync, existsSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { findGoogleTest, folders, root, run } from './environment.mjs';
 
-/** Configures a preset once and builds `targets`. `quiet` shows the compiler's words only where it fails. */
+/** Configures a preset once and builds `targets`. `quiet` shows the compiler's output only if it fails. */
 export function buildPreset(preset, targets, { emscripten, headers, quiet = true }) {
   const folder = join(folders.build, preset);
   if (!existsSync(join(folder, 'build.ninja'))) {
@@ -20,7 +20,7 @@ export function buildPreset(preset, targets, { emscripten, headers, quiet = true
   run('ninja', ['-C', folder, ...targets], { quiet });
 }
 
-/** Both wasm builds of the product, in public/wasm/. */
+/** Builds both wasm builds of the product into public/wasm/. */
 export function buildWasm(setup) {
   const target = join(root, 'public', 'wasm');
   mkdirSync(target, { recursive: true });

@@ -1,4 +1,4 @@
-// What this machine has and where: the one place that knows folders outside the repository.
+// Finds the tools of this machine; only this file knows folders outside of the repository.
 
 import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
@@ -11,7 +11,7 @@ export const folders = {
   build: join(root, 'build'),
 };
 
-/** The output of a command, or null where it cannot be run or fails. */
+/** The output of a command, or null if it cannot be run or fails. */
 export function outputOf(command, ...args) {
   try {
     return execFileSync(command, args, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }).trim();
@@ -20,7 +20,7 @@ export function outputOf(command, ...args) {
   }
 }
 
-/** Runs a command with the terminal's output; ends this program with one sentence where it fails. */
+/** Runs a command with output to the terminal; ends this program with one sentence if it fails. */
 export function run(command, args, { cwd = root, env = process.env, quiet = false } = {}) {
   const result = spawnSync(command, args, { cwd, env, stdio: quiet ? 'pipe' : 'inherit', encoding: 'utf8' });
   if (result.status === 0) return;
@@ -37,7 +37,7 @@ export function isOnPath(command) {
   return (process.env.PATH ?? '').split(delimiter).some((folder) => existsSync(join(folder, command)));
 }
 
-/** True where version `found` ("3.1.69") is at least `wanted`. */
+/** Whether version `found` ("3.1.69") is at least `wanted`. */
 export function isAtLeast(found, wanted) {
   const a = found.split('.').map(Number);
   const b = wanted.split('.').map(Number);
@@ -45,7 +45,7 @@ export function isAtLeast(found, wanted) {
   return true;
 }
 
-/** The folder of an Emscripten new enough: the machine's own, or the one unpacked here; null where there is none. */
+/** The folder of a recent enough Emscripten, the machine's own or the one unpacked here; null if there is none. */
 export function findEmscripten() {
   const candidates = [
     process.env.EMSCRIPTEN_ROOT,
@@ -63,7 +63,7 @@ export function findEmscripten() {
   return null;
 }
 
-/** The folder that holds emcc together with its CMake toolchain file (emcc on the PATH may be a link or a wrapper). */
+/** The folder with both emcc and its CMake toolchain file (emcc on the PATH may be a link or a wrapper). */
 function emscriptenHome(folder) {
   const toolchain = join('cmake', 'Modules', 'Platform', 'Emscripten.cmake');
   const reported = outputOf(join(folder, 'em-config'), 'EMSCRIPTEN_ROOT');
@@ -73,7 +73,7 @@ function emscriptenHome(folder) {
   );
 }
 
-/** The folder that holds eigen3/ and Spectra/, or null. */
+/** The folder that contains eigen3/ and Spectra/, or null. */
 export function findHeaders() {
   const candidates = [
     process.env.LIMBER_HEADERS,

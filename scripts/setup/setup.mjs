@@ -1,4 +1,4 @@
-// Brings a machine to the point where everything here builds: packages of npm, then of the system. Fast when done before.
+// Installs everything that building needs: packages of npm, then of the system. Fast if all are installed already.
 
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -20,7 +20,7 @@ import {
 const isDebian = () => existsSync('/etc/debian_version') && isOnPath('apt-get');
 const debianRelease = () => /VERSION_ID="(\d+)"/.exec(readFileSync('/etc/os-release', 'utf8'))?.[1];
 
-// What a build needs: how to see that it is there, the Debian packages that bring it, what to do elsewhere.
+// Requirements of a build: how to detect each, its Debian packages, and what to do on other systems.
 const buildNeeds = [
   {
     name: 'a C++ compiler (g++ >= 12)',
@@ -63,7 +63,7 @@ const testNeeds = [
   },
 ];
 
-/** Sets up all that building needs; with `tests`, all that testing needs too. */
+/** Sets up everything that building needs and, with `tests`, everything that testing needs. */
 export function setUp({ tests = false } = {}) {
   installNodePackages();
   installSystemPackages([...buildNeeds, ...(tests ? testNeeds : [])]);
@@ -92,7 +92,7 @@ function installSystemPackages(needs) {
     fail(`Still missing after installation: ${still.map((need) => need.name).join(', ')}.`);
 }
 
-/** Installs Debian packages as root or through sudo; otherwise says in one sentence what to run. */
+/** Installs Debian packages as root or through sudo; if neither is possible, says in one sentence what to run. */
 function apt(packages) {
   const isRoot = process.getuid?.() === 0;
   const hasSudo = !isRoot && isOnPath('sudo') && outputOf('sudo', '-n', 'true') !== null;
@@ -108,7 +108,7 @@ function apt(packages) {
   });
 }
 
-/** The folder of an Emscripten >= 3.1.69: what is there, else Debian 13's package, else the same unpacked on Debian 12. */
+/** The folder of Emscripten >= 3.1.69: the installed one, Debian 13's package, or that package unpacked on Debian 12. */
 function setUpEmscripten() {
   const found = findEmscripten();
   if (found) return found;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Unpacks Emscripten 3.1.69 from Debian 13 into .toolchain/ on a Debian 12 that has LLVM 19; installs nothing.
-# Binaryen of Debian 13 needs a newer libc than Debian 12 has, so its tools start through the unpacked loader.
+# Debian 13's Binaryen needs a newer libc than Debian 12's, so its tools are started through the unpacked loader.
 # Usage: toolchain.sh TARGET_FOLDER
 set -euo pipefail
 
@@ -9,7 +9,7 @@ work="$target.partial"
 rm -rf "$work"
 mkdir -p "$work/lists/partial" "$work/cache/archives/partial" "$work/debs" "$work/etc"
 
-# The mirror this machine already uses for Debian; no host is ever named here.
+# The Debian mirror that this machine already uses; this script names no host.
 mirror=$(apt-get indextargets --format '$(REPO_URI) $(CODENAME)' | awk '$2 ~ /^(bookworm|oldstable)$/ { print $1; exit }')
 [ -n "$mirror" ] || { echo "No Debian mirror was found in this machine's apt sources." >&2; exit 1; }
 echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror trixie main" > "$work/etc/trixie.list"
@@ -26,7 +26,7 @@ mkdir -p "$work/root"
 for package in "$work"/debs/*.deb; do dpkg -x "$package" "$work/root"; done
 rm -rf "$work/debs" "$work/lists" "$work/cache" "$work/etc"
 
-# The rest of Emscripten must not know that it will be renamed: everything below is relative to $target.
+# Emscripten must not depend on its temporary name: everything below is relative to $target.
 mv "$work/root" "$work.root" && rm -rf "$work" "$target" && mv "$work.root" "$target"
 
 lib="$target/usr/lib/x86_64-linux-gnu"
@@ -40,9 +40,9 @@ done
 
 emscripten="$target/usr/share/emscripten"
 mkdir -p "$emscripten/node_modules"
-# Debian's node-acorn would bring Debian's own Node along; the project has acorn from npm.
+# Debian's node-acorn would install Debian's own Node; the project has acorn from npm.
 ln -sfn "$(realpath "$(dirname "$0")/../../node_modules/acorn")" "$emscripten/node_modules/acorn"
-# Scripts of Emscripten are CommonJS unless their name says otherwise, whatever the project around them is.
+# Emscripten's scripts are CommonJS unless their name says otherwise, whatever the surrounding project is.
 echo '{ "type": "commonjs" }' > "$target/package.json"
 cat > "$emscripten/.emscripten" <<CONFIG
 LLVM_ROOT = '/usr/lib/llvm-19/bin'
@@ -51,7 +51,7 @@ NODE_JS = '$(command -v node)'
 CACHE = '$target/cache'
 CONFIG
 
-# Only the prebuilt system libraries that are linked are worth their disk space: everything else is built on demand.
+# Keep only the prebuilt system libraries that are linked; the others are built on demand.
 found=$(find "$target/usr" -type d -name sysroot -path '*cache*' | head -n 1)
 if [ -n "$found" ]; then
   rm -rf "$found"/lib/*/lto "$found"/lib/*/lto-pic "$found"/lib/*/pic "$found"/lib/*/libGL*

@@ -1,14 +1,14 @@
-// Every include and import has to go along an arrow between rooms.
+// Every include and import must follow an arrow between rooms.
 
 import { importEdges } from './imports.mjs';
 
-/** The room of a path: the longest that the path lies in; undefined where it lies in none. */
+/** The room of a path: the longest room name that contains the path; undefined if none does. */
 export const roomOf = (path, rooms) =>
   Object.keys(rooms)
     .filter((room) => path === room || path.startsWith(`${room}/`))
     .sort((a, b) => b.length - a.length)[0];
 
-/** Every include or import against an arrow, and every file outside the rooms, a sentence each. */
+/** One sentence for every include or import that follows no arrow, and for every file outside of the rooms. */
 export function wrongArrows(files, rooms) {
   const code = files.filter(({ text }) => text);
   const homeless = code

@@ -1,4 +1,4 @@
-// No file may lead back to itself through includes or imports. A C++ header and its source count as one file.
+// No file may include or import itself through others. A C++ header and its source count as one file.
 
 import { importEdges } from './imports.mjs';
 import { isCore } from './texts.mjs';
@@ -13,7 +13,7 @@ function unitGraph(files) {
   return graph;
 }
 
-/** Every unit that can be reached from `start`, which is among them only where it lies on a circle. */
+/** Every unit that can be reached from `start`; `start` is among them only if it is on a cycle. */
 function reachableFrom(start, graph) {
   const seen = new Set();
   const open = [start];
@@ -26,7 +26,7 @@ function reachableFrom(start, graph) {
   return seen;
 }
 
-/** Groups of units each of which reaches all others of its group, as lists of names. */
+/** Groups of units that reach all others of their group, as lists of names. */
 export function circlesOf(files) {
   const graph = unitGraph(files.filter(({ text }) => text));
   const reach = new Map([...graph.keys()].map((unit) => [unit, reachableFrom(unit, graph)]));
@@ -39,7 +39,7 @@ export function circlesOf(files) {
   return [...groups.values()];
 }
 
-/** Every circle, a sentence each. */
+/** One sentence for every cycle. */
 export const importCircles = (files) =>
   circlesOf(files).map(
     (group) => `These ${group.length} include each other in a circle: ${group.join(', ')}.`,

@@ -1,4 +1,4 @@
-// The functions of a C++ file, read from where braces open: { name, line, length, parameters, isExported }.
+// Finds the functions of a C++ file by their braces: { name, line, length, parameters, isExported }.
 
 import { blankComments, lineAt } from './texts.mjs';
 
@@ -21,7 +21,7 @@ function withoutTemplate(header) {
   return rest;
 }
 
-/** Where the parenthesis that opens at `start` closes. */
+/** The offset at which the parenthesis opened at `start` closes. */
 function closingOf(text, start) {
   let depth = 0;
   for (let at = start; at < text.length; ++at) {
@@ -31,7 +31,7 @@ function closingOf(text, start) {
   return text.length;
 }
 
-/** How many parameters stand between two parentheses: commas outside of any bracket, and one more. */
+/** The number of parameters between two parentheses: commas outside of brackets, plus one. */
 function countParameters(list) {
   if (/^\s*(void)?\s*$/.test(list)) return 0;
   let depth = 0;
@@ -44,7 +44,7 @@ function countParameters(list) {
   return count;
 }
 
-/** { name, parameters } of what stands before a body, or undefined where that is no function. */
+/** { name, parameters } of the text before a body, or undefined if it is not a function. */
 export function readSignature(header) {
   const text = withoutTemplate(header);
   const match = /(operator\s*(?:\(\)|[^\s\w(]+|[\w:<> ]+)|~?[\w:]+(?:<[^()]*>)?)\s*\(/.exec(
@@ -65,7 +65,7 @@ function kindOf(header, before) {
   if (isNamespace.test(text)) return 'namespace';
   if (isType.test(text)) return 'type';
   if (/^concept\b/.test(withoutTemplate(text))) return 'value';
-  // `members_{…}` and `= {…}` are values: a body stands behind a space and never behind an equals sign.
+  // `members_{…}` and `= {…}` are values: a body follows a space and never an equals sign.
   if (/\w/.test(before) || /[=,(]$/.test(text) || !text.includes('(')) return 'value';
   return 'function';
 }
@@ -79,7 +79,7 @@ const codeLines = (blanked, start, end) =>
     .split('\n')
     .filter((line) => !isBlank(line)).length;
 
-/** Spaces in place of preprocessor lines. */
+/** Replaces preprocessor lines by spaces. */
 const withoutDirectives = (text) =>
   text.replace(/^[ \t]*#(?:[^\n]*\\\n)*[^\n]*/gm, (found) => found.replace(/[^\n]/g, ' '));
 
@@ -105,12 +105,12 @@ export function visitBlocks(text, visit) {
         visit({ ...block, end: at + 1, scope: stack.map(({ header }) => header), blanked });
       if (block.kind !== 'value') start = at + 1;
     } else if (sign === ';' && inside !== 'function' && inside !== 'value') start = at + 1;
-    // An access label ends what stood before it.
+    // An access label ends the text before it.
     else if (sign === ':' && /(public|private|protected)\s*$/.test(blanked.slice(start, at))) start = at + 1;
   }
 }
 
-/** All functions with a body, members included; what a lambda holds counts to the function around it. */
+/** All functions with a body, including members; lines of a lambda count as those of the function around it. */
 export function cppFunctions({ path, text }, header = '') {
   const found = [];
   const declared = blankComments(header);

@@ -1,10 +1,10 @@
-// Files that the documents name have to be there.
+// Files that the documents name must exist.
 
 import { dirname, join } from 'node:path/posix';
 
 const product = /^(?:wasm|web|tests|scripts|docs)\//;
 
-/** Paths in `code` that begin with a folder of the repository, and targets of links; patterns and outputs are left out. */
+/** Paths in `code` that begin with a folder of the repository, and link targets; without patterns and outputs. */
 function pathsOf({ path, text }) {
   const prose = text.replace(/^```[^]*?^```/gm, '');
   const named = [...prose.matchAll(/`([\w./-]+)(?::[^`]*)?`/g)].map((match) => match[1]);
@@ -17,7 +17,7 @@ function pathsOf({ path, text }) {
     .filter((name) => !isPattern(name));
 }
 
-/** Every file or folder that a document names and that is not among `known`, a sentence each. */
+/** One sentence for every file or folder that a document names and that is not in `known`. */
 export function missingPaths(documents, known) {
   const folders = new Set([...known].flatMap((path) => parentsOf(path)));
   return documents.flatMap((document) =>

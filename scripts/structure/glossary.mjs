@@ -4,7 +4,7 @@ import ts from 'typescript';
 import { blankComments, isCore, wordsOf } from './texts.mjs';
 import { parse, walk } from './ts_functions.mjs';
 
-/** Names that may hold a struck word, where, and why. */
+/** Names that may contain a struck word, where, and why. */
 const allowed = [
   {
     name: /^pull$/i,
@@ -15,7 +15,7 @@ const allowed = [
 const isAllowed = (path, name) => allowed.some((one) => one.name.test(name) && one.path.test(path));
 
 /**
- * Struck terms: { words, names }. A word is struck wherever it is a word of an identifier; a term in `backticks` only as a whole
+ * Struck terms: { words, names }. A word is struck as any word of an identifier, a term in `backticks` only as a whole
  * identifier. Terms of several words are advice for prose and are not checked.
  */
 export function struckTerms(glossary) {
@@ -49,7 +49,7 @@ function identifiersOf(file) {
   return found;
 }
 
-/** { path, name, word, term } of every struck word in a name of the product, once for each name of a file. */
+/** { path, name, word, term } of every struck word in a name of the product, once per name and file. */
 export function struckNames(files, glossary) {
   const { words, names } = struckTerms(glossary);
   return files.flatMap((file) => {
@@ -62,7 +62,7 @@ export function struckNames(files, glossary) {
   });
 }
 
-/** The same, a sentence for each file. */
+/** One sentence about struck words per file. */
 export function struckWords(files, glossary) {
   const byFile = new Map();
   for (const one of struckNames(files, glossary))

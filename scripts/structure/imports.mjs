@@ -1,4 +1,4 @@
-// Which file of the product includes or imports which, type imports counted.
+// Finds which file of the product includes or imports which; type imports count.
 
 import { dirname, join } from 'node:path/posix';
 import ts from 'typescript';
@@ -10,7 +10,7 @@ function includesOf({ text }) {
   return [...text.matchAll(/^\s*#include "([^"]+)"/gm)].map((match) => join('wasm', match[1]));
 }
 
-/** `import … from`, `export … from`, `import('…')` as a value and as a type; only paths that begin with a dot. */
+/** Matches `import … from`, `export … from` and `import('…')` as a value or type, for paths that begin with a dot. */
 function importsOf({ path, text }, known) {
   return ts
     .preProcessFile(text, true, true)

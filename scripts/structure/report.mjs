@@ -1,4 +1,4 @@
-// Prints how large and how tangled the product is, as a table in Markdown.
+// Prints the size and coupling of the product as a Markdown table.
 // Usage: node scripts/structure/report.mjs
 
 import { readFileSync } from 'node:fs';
@@ -20,7 +20,7 @@ const largest = (entries) => entries.reduce((most, entry) => (entry[1] > most[1]
 const told = ([name, count]) => `${count} (${name})`;
 const where = ({ name, path }) => `${name}, ${path}`;
 
-/** A row for each product: its functions' lengths and parameters. */
+/** One row per product: lengths and parameters of its functions. */
 function functionRows([product, list]) {
   const lengths = list.map(({ length }) => length);
   const parameters = list.map((one) => one.parameters);

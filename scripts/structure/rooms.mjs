@@ -1,6 +1,6 @@
-// The rooms of the house and the arrows between them: each room names the rooms that it may know.
+// The rooms (folders) of the product and the arrows between them: each room lists the rooms that it may use.
 
-/** Folders of wasm; `bind`, which joins the core to JavaScript, knows all of them. */
+/** Folders of wasm; `bind`, which connects the core to JavaScript, may use all of them. */
 export const core = {
   base: [],
   mesh: ['base'],
@@ -16,7 +16,7 @@ export const core = {
   fit: ['base', 'mesh', 'linear', 'query', 'elastic', 'simplify', 'transfer', 'modes', 'compare'],
 };
 
-/** Folders of web/engine; a folder knows only folders that stand above it here. */
+/** Folders of web/engine; a folder may use only those listed above it. */
 export const engine = {
   core: [],
   document: ['core'],
@@ -27,7 +27,7 @@ export const engine = {
   stages: ['core', 'document', 'settings', 'body', 'report', 'motion'],
 };
 
-/** Folders of web/app; the files beside them, which put the page together, know all of them. */
+/** Folders of web/app; the files next to them, which assemble the page, may use all of them. */
 export const app = {
   'stroke.ts': [],
   worker: [],
@@ -52,7 +52,7 @@ const appRooms = Object.entries(app).map(([room, known]) => [
   [...engineRooms, ...known.map((name) => `web/app/${name}`), ...(room === 'panels' ? ['web/app'] : [])],
 ]);
 
-/** Room -> rooms that it may know. A room is a folder with all below it that is in no room of its own, or one file. */
+/** Room -> rooms that it may use. A room is one file, or a folder with everything below it that is in no other room. */
 export const rooms = {
   ...below('wasm', { ...core, bind: Object.keys(core) }),
   ...below('web/engine', engine),

@@ -1,4 +1,4 @@
-// How large folders, files and functions of the product may be.
+// Limits on the size of folders, files and functions of the product.
 
 import { dirname } from 'node:path/posix';
 import { cppFunctions } from './cpp_functions.mjs';
@@ -9,9 +9,9 @@ export const limits = {
   filesOfFolder: 30,
   linesOfFile: 350,
   linesOfFunction: 60,
-  linesOfMost: 35, // of 99 in 100 functions
+  linesOfMost: 35, // for 99 of 100 functions
   parameters: 4,
-  parametersOfEntryPoint: 5, // of a function that its module exports
+  parametersOfEntryPoint: 5, // for a function that its module exports
 };
 
 /** Files that may be longer, and why. */
@@ -20,17 +20,17 @@ export const longFiles = {
     'one row for each setting: a table is read by looking up, and is best in one place',
 };
 
-/** { folder: how many files lie directly in it }. */
+/** { folder: number of files directly in it }. */
 export function folderSizes(files) {
   const counts = {};
   for (const { path } of files) counts[dirname(path)] = (counts[dirname(path)] ?? 0) + 1;
   return counts;
 }
 
-/** Lines of a text, without the empty one behind the last line break. */
+/** The number of lines of a text, without the empty one after the last line break. */
 export const lineCount = (text) => text.replace(/\n$/, '').split('\n').length;
 
-/** All functions of C++ and of TypeScript: { core: [...], web: [...] }. */
+/** All functions in C++ and in TypeScript: { core: [...], web: [...] }. */
 export function functionsOf(files) {
   const texts = new Map(files.map(({ path, text }) => [path, text]));
   const code = files.filter(({ text }) => text);
@@ -42,7 +42,7 @@ export function functionsOf(files) {
   };
 }
 
-/** The least number that at least the share `part` of `values` does not exceed. */
+/** The smallest number that at least the share `part` of `values` does not exceed. */
 export function percentile(values, part) {
   const sorted = [...values].sort((a, b) => a - b);
   return sorted[Math.max(0, Math.ceil(part * sorted.length) - 1)] ?? 0;
@@ -68,7 +68,7 @@ function largeFunctions(functions, language) {
   return most > limits.linesOfMost ? [...large, tail] : large;
 }
 
-/** All that is too large, a sentence each. */
+/** One sentence for everything that is too large. */
 export function largeThings(files) {
   const folders = Object.entries(folderSizes(files))
     .filter(([, count]) => count > limits.filesOfFolder)

@@ -1,4 +1,4 @@
-// What all structure checks read: the product's files as { path, text }, text without comments and strings, words of names.
+// Input of all structure checks: the product's files as { path, text }, text without comments and strings, words of names.
 
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -7,7 +7,7 @@ import { root } from '../setup/environment.mjs';
 const isCode = (path) => /\.(h|cpp|ts|tsx)$/.test(path);
 export const isCore = (path) => /\.(h|cpp)$/.test(path);
 
-/** Every file below the folders, as { path, text }, in the order of their paths; text is '' where it is not code. */
+/** Every file below the folders as { path, text }, ordered by path; text is '' if the file is not code. */
 export function readProduct(folders = ['wasm', 'web']) {
   return folders
     .flatMap((folder) =>
@@ -22,7 +22,7 @@ export function readProduct(folders = ['wasm', 'web']) {
     }));
 }
 
-/** Comments, strings and characters of C++ as spaces; every line break stays, so that offsets and lines do too. */
+/** Replaces C++ comments, strings and characters by spaces; line breaks stay, so offsets and line numbers are valid. */
 export function blankComments(text) {
   // An apostrophe between digits separates them: 20'000.
   const quiet =
@@ -40,5 +40,5 @@ export function wordsOf(name) {
     .map((word) => word.toLowerCase());
 }
 
-/** The line of an offset, from 1. */
+/** The line number of an offset, from 1. */
 export const lineAt = (text, offset) => text.slice(0, offset).split('\n').length;

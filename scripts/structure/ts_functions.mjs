@@ -1,4 +1,4 @@
-// The functions of a TypeScript file, by the compiler's syntax tree: { name, line, length, parameters, isExported }.
+// Finds the functions of a TypeScript file in the compiler's syntax tree: { name, line, length, parameters, isExported }.
 
 import ts from 'typescript';
 
@@ -21,7 +21,7 @@ const isExportedStatement = (node) =>
   ts.canHaveModifiers(node) &&
   (ts.getModifiers(node) ?? []).some(({ kind }) => kind === ts.SyntaxKind.ExportKeyword);
 
-/** The name of a function, or of what it is given to. */
+/** The name of a function, or of the variable or property that it is assigned to. */
 function nameOf(node) {
   if (node.name) return node.name.getText();
   const { parent } = node;
@@ -41,7 +41,7 @@ function isExported(node) {
   );
 }
 
-/** The lines of `source` that hold more than comments. */
+/** The lines of `source` that contain more than comments. */
 function codeLines(source, node) {
   const lines = new Set();
   walk(node, (inner) => {
@@ -53,7 +53,7 @@ function codeLines(source, node) {
   return lines.size;
 }
 
-/** All functions with a body: declarations, methods, accessors, function expressions and arrows. */
+/** All functions with a body: declarations, methods, accessors, function expressions and arrow functions. */
 export function tsFunctions(file) {
   const source = parse(file);
   const found = [];

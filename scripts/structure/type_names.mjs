@@ -1,4 +1,4 @@
-// A name of a type means one thing: per namespace of the core, among the exports of the engine, of the page, of the command line.
+// A type name has one meaning per namespace of the core, and among the exports of the engine, page and command line each.
 
 import ts from 'typescript';
 import { visitBlocks } from './cpp_functions.mjs';
@@ -21,7 +21,7 @@ function cppTypes({ path, text }) {
     const name = kind === 'type' && typeHeader.exec(header)?.[1];
     if (name) found.push({ space: scopeName(scope), name, path });
   });
-  // Aliases at the level of a namespace stand at the start of a line.
+  // Aliases at namespace level start at the beginning of a line.
   const aliases = [...blankComments(text).matchAll(/^using (\w+) =/gm)];
   return [...found, ...aliases.map((match) => ({ space: 'limber', name: match[1], path }))];
 }
@@ -40,7 +40,7 @@ function tsTypes(file) {
     .map((node) => ({ space: product, name: node.name?.text ?? 'default', path: file.path }));
 }
 
-/** Every name that is defined in more than one file, a sentence each. */
+/** One sentence for every name that is defined in more than one file. */
 export function doubleTypeNames(files) {
   const places = new Map();
   for (const file of files.filter(({ text }) => text))

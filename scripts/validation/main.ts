@@ -1,4 +1,4 @@
-/** Runs all cases and returns what is to be written: path below docs/ -> content. */
+/** Runs all cases and returns the files to write: path below docs/ -> content. */
 
 import { loadCore } from '../../web/engine/core/load_core';
 import { barCases } from './cases/bars';

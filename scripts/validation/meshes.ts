@@ -3,18 +3,18 @@
 import type { TriangleMesh } from '../../web/engine/core/core';
 
 /**
- * regular: even cells, one diagonal; union jack: even cells, alternating diagonals; irregular: moved vertices, diagonals
- * by chance; graded: cells of which the largest is about eight times as long as the smallest.
+ * regular: equal cells, one diagonal direction; union jack: equal cells, alternating diagonals; irregular: displaced
+ * vertices, random diagonals; graded: the longest cell is about eight times as long as the shortest.
  */
 export type MeshKind = 'regular' | 'union jack' | 'irregular' | 'graded';
 
-/** How far an irregular mesh moves a vertex, in cells. */
+/** Largest displacement of a vertex in an irregular mesh, in cells. */
 const JITTER = 0.25;
 const GRADING = 8;
 
 type Random = () => number;
 
-/** Numbers in [0, 1), the same for the same seed. */
+/** Pseudorandom numbers in [0, 1), the same for the same seed. */
 function seeded(seed: number): Random {
   let state = seed >>> 0;
   return () => {
@@ -23,26 +23,26 @@ function seeded(seed: number): Random {
   };
 }
 
-/** 0 .. 1 in `cells` steps, growing geometrically where graded. */
+/** 0 .. 1 in `cells` steps, which grow geometrically if graded. */
 export function steps(cells: number, kind: MeshKind): number[] {
   if (kind !== 'graded') return Array.from({ length: cells + 1 }, (_, i) => i / cells);
   const ratio = GRADING ** (1 / (cells - 1));
   return Array.from({ length: cells + 1 }, (_, i) => (ratio ** i - 1) / (ratio ** cells - 1));
 }
 
-/** 0 .. 1 in `cells` steps that close to a ring; graded: short on one side, long on the other. */
+/** 0 .. 1 in `cells` steps around a ring; if graded, short on one side and long on the other. */
 function ringSteps(cells: number, kind: MeshKind): number[] {
   const swing = kind === 'graded' ? (GRADING - 1) / (GRADING + 1) / (2 * Math.PI) : 0;
   return steps(cells, 'regular').map((t) => t + swing * Math.sin(2 * Math.PI * t));
 }
 
 interface Grid {
-  /** parameters of the grid's lines; a closed direction ends where it starts */
+  /** parameters of the grid lines; a closed direction ends where it starts */
   x: number[];
   y: number[];
   closedX?: boolean;
   closedY?: boolean;
-  /** lines whose vertices keep their parameter in an irregular mesh; the ends of an open direction do anyway */
+  /** further lines whose vertices keep their parameter in an irregular mesh, besides the ends of an open direction */
   fixedX?: (i: number) => boolean;
   fixedY?: (j: number) => boolean;
   place(x: number, y: number): [number, number, number];
@@ -80,7 +80,7 @@ function otherDiagonal(kind: MeshKind, cell: number, random: Random): boolean {
 const split = ([a, b, c, d]: number[], isOther: boolean) =>
   isOther ? [a, b, d, b, c, d] : [a, b, c, a, c, d];
 
-/** A unit square in the plane z = 0. With a frame, one more row of cells lies outside along the given sides. */
+/** A unit square in the plane z = 0. A frame adds a row of cells outside along the given sides. */
 export function plate(cells: number, kind: MeshKind, frame: 'none' | 'left' | 'all' = 'none'): TriangleMesh {
   const inner = steps(cells, kind);
   const before = [inner[0] - (inner[1] - inner[0])];
@@ -178,8 +178,8 @@ export function box(size: number[], cells: number[], kind: MeshKind): TriangleMe
 }
 
 /**
- * A unit sphere: regular is an octahedron whose edges are cut into `cuts`, irregular the same with moved vertices, graded a
- * grid of longitudes and latitudes with needles at its poles.
+ * A unit sphere: regular is an octahedron whose edges are divided into `cuts`, irregular the same with displaced vertices,
+ * graded a grid of longitudes and latitudes with needles at its poles.
  */
 export function sphere(cuts: number, kind: MeshKind): TriangleMesh {
   return kind === 'graded' ? globe(4 * cuts, 2 * cuts) : octahedralSphere(cuts, kind);

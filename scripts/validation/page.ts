@@ -1,4 +1,4 @@
-/** The page of all cases, as Markdown. */
+/** Writes the page of all cases as Markdown. */
 
 import { errorPercent, facesWithin, finestErrors } from './cases/case';
 import type { CaseResult, Run } from './cases/case';

@@ -1,4 +1,4 @@
-/** Convergence plots as SVG: the worst error of a run over its faces, both logarithmic, a line for each kind of mesh. */
+/** Convergence plots as SVG: the worst error over the face count, both logarithmic, with one line per kind of mesh. */
 
 import { worstError } from './cases/case';
 import type { CaseResult, Run } from './cases/case';
@@ -16,7 +16,7 @@ const STYLES: Partial<Record<Run['kind'], { colour: string; dash: string }>> = {
 interface Axis {
   low: number;
   high: number;
-  /** from a value to pixels */
+  /** maps a value to pixels */
   at(value: number): number;
   ticks: number[];
 }
@@ -46,7 +46,7 @@ function text(x: number, y: number, content: string, style = ''): string {
   return `<text x="${fixed(x)}" y="${fixed(y)}" ${style}>${content}</text>`;
 }
 
-/** White behind, so that it can be read on a dark page too. */
+/** White background, so that the plot is readable on a dark page too. */
 export function convergencePlot({ title, quantities, runs, isSecondOrder }: CaseResult): string {
   const points = runs.map((run) => ({ kind: run.kind, x: run.faces, y: worstError(run, quantities) }));
   const [left, right] = [FRAME.left, WIDTH - FRAME.right];
@@ -104,7 +104,7 @@ export function convergencePlot({ title, quantities, runs, isSecondOrder }: Case
   ].join('\n');
 }
 
-/** A grey line that falls with the square of the cell size, that is, with the faces; it starts below the coarsest mesh. */
+/** A grey line for errors proportional to the squared cell size, i.e. 1 / faces; it starts below the coarsest mesh. */
 function secondOrder(
   x: Axis,
   y: Axis,

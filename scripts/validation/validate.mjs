@@ -1,4 +1,4 @@
-// Writes docs/validation.md and its plots: computed against analytic frequencies.
+// Writes docs/validation.md and its plots, which compare computed with analytic frequencies.
 // Usage: npm run build && npm run validate        takes about two minutes
 
 import { mkdirSync, writeFileSync } from 'node:fs';

@@ -1,9 +1,9 @@
-// Meshes to measure with, each one component: { positions: Float32Array, triangles: Uint32Array }, and their file
+// Meshes for benchmarks, one component each: { positions: Float32Array, triangles: Uint32Array }, and their file format
 // for tests/bench/native/shell_modes.cpp.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 
-/** A grid of cellsX x cellsY quads, split along alternating diagonals, its vertices given by place(x, y). */
+/** A grid of cellsX x cellsY quads, split along alternating diagonals, with vertices at place(x, y). */
 function grid(cellsX, cellsY, { closedX = false, closedY = false, place }) {
   const countX = closedX ? cellsX : cellsX + 1;
   const countY = closedY ? cellsY : cellsY + 1;
@@ -20,7 +20,7 @@ function grid(cellsX, cellsY, { closedX = false, closedY = false, place }) {
   return { positions, triangles };
 }
 
-/** A torus of about `faces` triangles, its tube 0.35 of its radius; a little uneven, so that no mode counts twice. */
+/** A torus of about `faces` triangles with a tube of 0.35 of its radius, slightly uneven so that no mode is multiple. */
 export function torus(faces) {
   const across = Math.round(Math.sqrt((faces / 2) * 0.35));
   const around = Math.round(faces / 2 / across);
@@ -44,7 +44,7 @@ export function cloth(faces) {
   });
 }
 
-/** A sphere with soft bumps: an octahedron whose edges are cut into the count that gives about `faces` triangles. */
+/** A sphere with soft bumps: an octahedron whose edges are divided to give about `faces` triangles. */
 export function bumpySphere(faces) {
   const cuts = Math.round(Math.sqrt(faces / 8));
   const vertices = new Map();
@@ -99,7 +99,7 @@ export function bar(cells) {
   return { positions: Float32Array.from(positions), triangles: Uint32Array.from(triangles) };
 }
 
-/** Pairs of vertices, each edge once, in the order in which the faces name them. */
+/** Vertex pairs of all edges, each once, in the order in which faces name them. */
 export function edgesOf({ triangles }) {
   const edges = new Map();
   for (let t = 0; t < triangles.length; t += 3)
@@ -113,7 +113,7 @@ export function edgesOf({ triangles }) {
 
 const octants = () => [1, -1].flatMap((x) => [1, -1].flatMap((y) => [1, -1].map((z) => [x, y, z])));
 
-/** Positions and faces of an OBJ file, polygons as fans. */
+/** Positions and triangles of an OBJ file; polygons become fans. */
 export function readObj(path) {
   const positions = [];
   const triangles = [];
@@ -155,7 +155,7 @@ export function largestComponent({ positions, triangles }) {
   return { positions: Float32Array.from(moved), triangles: Uint32Array.from(kept) };
 }
 
-/** uint32 vertices, uint32 triangles, positions, triangles. */
+/** Writes uint32 vertex count, uint32 triangle count, positions and triangles. */
 export function writeMesh(path, { positions, triangles }) {
   const counts = Uint32Array.of(positions.length / 3, triangles.length / 3);
   writeFileSync(

@@ -1,4 +1,4 @@
-// Speed of our products of dense blocks beside Eigen's, in WebAssembly and natively.
+// Compares the speed of our products of dense blocks with Eigen's, in WebAssembly and natively.
 // Usage: npm run build && node tests/bench/dense.mjs [--write]     --write puts the table into docs/benchmarks.md.
 
 import { execFileSync } from 'node:child_process';

@@ -1,7 +1,7 @@
-// Time of the modal fit in wasm, and what it makes of the frequencies; beside it the search for twelve modes of the same
+// Time of the modal fit in wasm and its effect on the frequencies, next to the time of computing twelve modes of the same
 // mesh, which the page does anyway. Usage: npm run build && node tests/bench/fit.mjs [--write] [--threads 2] [--rounds 2]
 // --write puts the table into docs/benchmarks.md. Real meshes are read from ../shared/meshes or $LIMBER_SHARED/meshes;
-// what is not there is left out, and said.
+// absent ones are left out and listed.
 
 import { existsSync } from 'node:fs';
 import { join, resolve } from 'node:path';
@@ -24,7 +24,7 @@ const kept = 0.25;
 const limits = [
   { faces: 12_000, seconds: 1.5 },
   { faces: 110_000, seconds: 30 },
-  { faces: 220_000, seconds: 120 }, // more than 20,000 vertices are left: fitted in fewer rounds
+  { faces: 220_000, seconds: 120 }, // more than 20,000 vertices remain: fitted in fewer rounds
 ];
 const material = { young: 1e6, poisson: 0.3, density: 1000, unit: 1 };
 const missing = [];
@@ -104,7 +104,7 @@ for (const mesh of meshes()) {
   const faces = mesh.triangles.length / 3;
   const { modes, fit, before, after } = measure(mesh);
   const limit = limits.find((entry) => faces <= entry.faces).seconds;
-  const isFitted = before !== undefined; // else it would take more memory than there is
+  const isFitted = before !== undefined; // otherwise the fit would need more memory than available
   const inTime = fit <= 1000 * limit ? `<= ${limit} s: met` : `<= ${limit} s: **missed**`;
   const verdict = isFitted ? inTime : 'not fitted: memory';
   const errors = [before, after].map((error) => (isFitted ? `${error.toFixed(2)} %` : ''));

@@ -1,9 +1,9 @@
-// Time, memory and fill of the search for modes, against a peer, as a table with ratios.
+// Time, memory and fill of the mode solver against a peer, as a table with ratios.
 // Usage: npm run build && node tests/bench/modes.mjs [--write] [--rounds 3] [--only small|large|million|fill]
-// --write puts the tables into docs/benchmarks.md. Wants cmake and ninja; for the peer Python 3 with numpy, scipy and
+// --write puts the tables into docs/benchmarks.md. Needs cmake and ninja; for the peer Python 3 with numpy, scipy and
 // scikit-sparse (it tries to install them into build/bench/python; scikit-sparse needs SuiteSparse's headers, e.g.
-// apt install libsuitesparse-dev, and libopenblas0-pthread for a fast BLAS); for the browser Chromium. What is not
-// here is left out, and said. Real meshes are read from ../shared/meshes or $LIMBER_SHARED/meshes.
+// apt install libsuitesparse-dev, and libopenblas0-pthread for a fast BLAS); for the browser Chromium. Missing
+// tools are left out and listed. Real meshes are read from ../shared/meshes or $LIMBER_SHARED/meshes.
 
 import { existsSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -66,7 +66,7 @@ function realMeshes() {
   });
 }
 
-/** Ours and the peer's in turn, `rounds` times; the least of each. */
+/** Runs ours and the peer's alternately, `rounds` times; returns the minimum of each. */
 async function race(mesh) {
   const first = [];
   const later = [];

@@ -1,4 +1,4 @@
-// One measurement in headless Chromium: a page with shared memory whose worker runs the core.
+// Takes one measurement in headless Chromium: a page with shared memory whose worker runs the core.
 
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
@@ -29,7 +29,7 @@ const worker = `
   };
 `;
 
-/** Serves the page, its worker, the core and the mesh, isolated so that memory can be shared. */
+/** Serves the page, its worker, the core and the mesh, cross-origin isolated so that memory can be shared. */
 async function serve(mesh) {
   const folders = {
     '/wasm/': join(root, 'public', 'wasm'),
@@ -63,7 +63,7 @@ async function serve(mesh) {
   return server;
 }
 
-/** What runModes gives, measured within the browser's worker; throws where there is no Chromium. */
+/** The result of runModes, measured in the browser's worker; throws if there is no Chromium. */
 export async function runInBrowser(mesh, threads, options) {
   const executablePath = findChromium();
   if (!executablePath) throw new Error('No Chromium was found: install one or set CHROMIUM.');

@@ -1,4 +1,4 @@
-// What tests/bench/modes.mjs measures with: our native program, the Python peer, the bundled engine.
+// Tools of tests/bench/modes.mjs: our native program, the Python peer and the bundled engine.
 
 import { execFile, spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
@@ -13,7 +13,7 @@ const root = resolve(import.meta.dirname, '..', '..');
 const folder = join(root, 'build', 'bench');
 const here = (name) => join(import.meta.dirname, name);
 
-/** Runs a program that prints JSON. */
+/** Runs a program that prints JSON, and parses its output. */
 async function jsonOf(program, args, environment = {}) {
   const options = { env: { ...process.env, ...environment }, maxBuffer: 1 << 26 };
   const { stdout } = await execute(program, args, options);
@@ -30,14 +30,14 @@ export async function loadBundledCore(threads) {
   return loadCore({ threads, wasmFolder: pathToFileURL(join(root, 'public', 'wasm', '/')).href });
 }
 
-/** Milliseconds, and what was returned. */
+/** Returns the milliseconds of a call, and its result. */
 export function timed(run) {
   const start = performance.now();
   const result = run();
   return [performance.now() - start, result];
 }
 
-/** The native program, optimised: (mesh, options) -> what it prints. */
+/** Builds the optimised native program: (mesh, options) -> its output. */
 export function buildNative() {
   const options = ['-DLIMBER_BENCH=ON', '-DLIMBER_TESTS=OFF', `-DLIMBER_HEADERS=${findHeaders()}`];
   run('cmake', ['--preset', 'release', '-B', folder, ...options], { quiet: true });
@@ -70,7 +70,7 @@ function findPython() {
   return null;
 }
 
-/** (matrix, threads of its BLAS, options) -> what the peer prints; null where Python or a package is not here. */
+/** (matrix, threads of its BLAS, options) -> the peer's output; null if Python or a package is missing. */
 export function findPeer() {
   const python = findPython();
   if (!python) return null;

@@ -1,4 +1,4 @@
-// The paper's Tables 2 to 5 through the command line, ours beside the paper's, as Markdown for docs/paper.md.
+// Reproduces the paper's Tables 2 to 5 by the command line; prints both as Markdown for docs/paper.md.
 // Usage: npm run build && node tests/bench/paper-tables.mjs > tables.md
 // The bar, the cloth and the tower are the project's own samples; other meshes are read from ../shared/meshes (or the
 // folder in LIMBER_SHARED) and their rows say so where they are absent.
@@ -14,7 +14,7 @@ const folder = mkdtempSync(join(tmpdir(), 'limber-tables-'));
 const sample = (name) => join(root, 'public', 'samples', `${name}.glb`);
 const real = (name) => join(shared, name);
 
-/** Runs `limber optimize` and gives its report; a missed target (exit 2) still has one. */
+/** Runs `limber optimize` and returns its report; a missed target (exit 2) also has one. */
 function optimize(input, options) {
   const report = join(folder, 'report.json');
   const args = [

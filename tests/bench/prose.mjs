@@ -1,11 +1,11 @@
-// Paragraphs of generated documents, in lines of bounded length.
+// Wraps paragraphs of generated documents into lines of bounded length.
 
 const WIDTH = 130;
 
-/** At the start of a line these would begin a list, a heading or a quotation. */
+/** Whether a word at the start of a line would begin a list, a heading or a quotation. */
 const isMark = (word) => /^([-+*>]|#+|\d+[.)])$/.test(word);
 
-/** `line` cut at spaces into lines of at most `width` characters; further lines of a list item are indented. */
+/** Breaks `line` at spaces into lines of at most `width` characters; further lines of a list item are indented. */
 function wrapLine(line, width) {
   const indent = line.startsWith('- ') ? '  ' : '';
   const lines = [''];
@@ -17,7 +17,7 @@ function wrapLine(line, width) {
   return lines.join('\n');
 }
 
-/** Wraps every line of a Markdown text that is no table, heading or picture. */
+/** Wraps every line of a Markdown text except tables, headings and pictures. */
 export const wrapProse = (text, width = WIDTH) =>
   text
     .split('\n')

@@ -1,4 +1,4 @@
-// One mesh through the core, timed; the same in Node and in a browser's worker.
+// Times the core on one mesh; runs in Node and in a browser's worker.
 
 /** Reads the file that writeMesh of bench_meshes.mjs has written. */
 export function meshOf(buffer) {
@@ -21,7 +21,7 @@ function diagonalOf({ positions }) {
   return Math.hypot(...size);
 }
 
-/** Twelve modes, `calls` times after each other in the same core: the first call still compiles. */
+/** Computes twelve modes `calls` times in the same core, because the first call still compiles. */
 export function runModes(core, buffer, { model, exact, calls }) {
   const mesh = meshOf(buffer);
   const options = {

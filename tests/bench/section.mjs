@@ -1,4 +1,4 @@
-// What the benchmarks of docs/benchmarks.md share: tables, and their places in the document.
+// Shared by the benchmarks of docs/benchmarks.md: tables, and writing them into the document.
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
@@ -12,14 +12,14 @@ const row = (cells) => `| ${cells.join(' | ')} |`;
 export const table = (header, rows) =>
   [row(header), row(header.map(() => '---')), ...rows.map(row)].join('\n');
 
-/** Says what was not there to be measured. */
+/** Prints what could not be measured. */
 export function tellMissing(missing) {
   if (missing.length) console.log(`\nMISSING HERE:\n${missing.map((what) => `- ${what}`).join('\n')}`);
 }
 
 /**
- * Replaces what stands between the markers of a benchmark; without markers it goes to the end. `name`: of the markers and
- * the script; `remark`: a sentence on how it was measured.
+ * Replaces the text between the markers of a benchmark, or appends it if there are no markers. `name` is that of the
+ * markers and the script; `remark` is a sentence on how it was measured.
  */
 export async function writeSection({ name, title, remark, missing, sections }) {
   const [begin, end] = [`<!-- ${name}: begin -->`, `<!-- ${name}: end -->`];

@@ -1,7 +1,7 @@
-// Time of the whole history, one thread, wasm, against meshoptimizer's simplify to 25 % on the same mesh, and of meshAt.
+// Time of the whole history and of meshAt, in wasm on one thread, against meshoptimizer's simplify to 25 %.
 // Usage: npm run build && node tests/bench/simplify.mjs [--write] [--rounds 5] [--largest 1000000]
-// --write puts the tables into docs/benchmarks.md. Ours and the peer run in turn in one process; each number is the least.
-// Real meshes are read from ../shared/meshes or $LIMBER_SHARED/meshes; what is not there is left out, and said.
+// --write puts the tables into docs/benchmarks.md. Ours and the peer alternate in one process; numbers are minima.
+// Real meshes are read from ../shared/meshes or $LIMBER_SHARED/meshes; absent ones are left out and listed.
 
 import { existsSync } from 'node:fs';
 import { join, resolve } from 'node:path';
@@ -44,7 +44,7 @@ function* meshes() {
       if (faces <= Number(options.largest)) yield { name, ...generate(faces) };
 }
 
-/** A field that varies over the body, in place of a rank of strain. */
+/** A field that varies over the body, used instead of a strain rank. */
 function strainOf({ positions, triangles }) {
   return Float32Array.from({ length: triangles.length / 3 }, (_, t) => {
     const [x, y] = positions.subarray(3 * triangles[3 * t], 3 * triangles[3 * t] + 2);

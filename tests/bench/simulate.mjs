@@ -1,7 +1,7 @@
-// Speed of the simulation against a plain native loop and two peers, as tables with ratios.
+// Compares the speed of the simulation with a plain native loop and two peers, as tables with ratios.
 // Usage: npm run build && node tests/bench/simulate.mjs [--write] [--seconds 3]
-// --write puts the tables into docs/benchmarks.md. Wants g++; for the peers it tries to install jolt-physics (npm) and
-// pyPBD (pip) into build/bench/peers. What is not here is left out, and said. The Eiffel tower is read from
+// --write puts the tables into docs/benchmarks.md. Needs g++; for the peers it tries to install jolt-physics (npm) and
+// pyPBD (pip) into build/bench/peers. Missing ones are left out and listed. The Eiffel tower is read from
 // ../shared/meshes or $LIMBER_SHARED/meshes.
 
 import { execFile, execFileSync, spawnSync } from 'node:child_process';
@@ -127,7 +127,7 @@ const optionsFor = (mesh, material, substeps) => ({
   unit: 1,
 });
 
-/** Seconds of the shortest step of all bodies, one call a step. */
+/** Seconds of the shortest step of all bodies, with one call per step. */
 function timeOf(core, bodies, settings) {
   const numbers = Uint32Array.from(bodies.map((body) => core.startSimulation(body, bodies[0], settings)));
   let least = Infinity;
@@ -183,7 +183,7 @@ function springs() {
   ];
 }
 
-/** How much more two processes count than one in the same time: 2 where both cores are free. */
+/** Throughput of two processes relative to one: 2 if both cores are free. */
 async function freeCores() {
   const source = 'let n = 0; const end = Date.now() + 700; while (Date.now() < end) n++; console.log(n)';
   const counted = () =>
@@ -213,7 +213,7 @@ async function threads() {
   ];
 }
 
-/** The mesh with every second collapse that the paper's cost allows. */
+/** The mesh reduced to half of its faces by quadrics. */
 function half(mesh) {
   const settings = { method: 'qem', strainWeight: 0, curvatureWeight: 0, qualityWeight: 0 };
   const history = oneThread.simplify(mesh, new Float32Array(), new Float32Array(), settings);
@@ -256,7 +256,7 @@ if (options.write) await write();
 rmSync(scratch, { recursive: true });
 process.exit(0);
 
-/** Replaces what stands between the markers of docs/benchmarks.md, which is made where it is not there. */
+/** Replaces the text between the markers of docs/benchmarks.md, which is created if absent. */
 async function write() {
   const path = join(root, 'docs', 'benchmarks.md');
   const [begin, end] = ['<!-- simulate: begin -->', '<!-- simulate: end -->'];

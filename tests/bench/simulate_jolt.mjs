@@ -1,5 +1,5 @@
-// The same springs in jolt-physics' soft body: simulate_jolt.mjs JOLT_MODULE BODY.json SECONDS; JSON on stdout.
-// Jolt's iterations are substeps of their own (XPBD, one pass each), as ours.
+// Simulates the same springs as a soft body of jolt-physics: simulate_jolt.mjs JOLT_MODULE BODY.json SECONDS; JSON on stdout.
+// Jolt's iterations are substeps (XPBD with one pass each), like ours.
 
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';

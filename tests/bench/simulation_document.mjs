@@ -1,6 +1,7 @@
-// The measured parts of docs/simulation.md: pictures of motions and the paper's Table 2.
+// Writes the measured parts of docs/simulation.md: pictures of motions and the paper's Table 2.
 // Usage: npm run build && node tests/bench/simulation_document.mjs [--pictures] [--table]
-// Both without a flag. Wants Chromium for the pictures, and the Eiffel tower in ../shared/meshes or $LIMBER_SHARED/meshes.
+// Without flags it writes both. Needs Chromium for the pictures, and the Eiffel tower in ../shared/meshes or
+// $LIMBER_SHARED/meshes.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -68,12 +69,12 @@ function stripOf({ mesh: name, file, scenario, view, height }) {
 
 // ---- Table 2 ----
 
-/** Faces before and after, as the paper has them, with its milliseconds. */
+/** Faces before and after, with milliseconds, as in the paper. */
 const PAPER = [
   { mesh: 'bar', title: 'Rectangle', faces: 950, before: 13.6, after: 8.0 },
   { mesh: 'eiffel', title: 'Eiffel', faces: 3832, before: 48.0, after: 34.0 },
 ];
-/** Shares of the paper's count that limber is tried at for the same frequency error. */
+/** Fractions of the paper's face count at which limber is tried for the same frequency error. */
 const SHARES = [1, 0.75, 0.5, 0.35, 0.25, 0.18, 0.12];
 const MODE_COUNT = 10;
 const [STEP_PARTS, TIMED_MILLISECONDS] = [10, 5000];
@@ -84,7 +85,7 @@ function errorOf(mesh, result) {
     .frequencyErrorMean;
 }
 
-/** Milliseconds of the shortest step of 2,000 substeps of each: tenths of one in turn, short enough to find the core free. */
+/** Milliseconds of each body's shortest step of 2,000 substeps, from alternating tenths, so that the core is often free. */
 function stepTimes(mesh, bodies) {
   const settings = { ...engine.defaultSettings(), material: 'springs', substeps: 2000 / STEP_PARTS };
   const given = engine.simulationOptions(mesh.prepared, settings, null);
@@ -100,7 +101,7 @@ function stepTimes(mesh, bodies) {
   return least.map((milliseconds) => STEP_PARTS * milliseconds);
 }
 
-/** The smallest result of limber, of those tried, whose frequencies are no worse than `error`. */
+/** The smallest result of limber among those tried whose frequency error is at most `error`. */
 function asGoodAs(mesh, error, faces) {
   let best = null;
   for (const share of SHARES) {

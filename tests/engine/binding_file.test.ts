@@ -26,7 +26,7 @@ let core: Core;
 let bound: Bound;
 beforeAll(async () => {
   core = await loadTestCore(1);
-  // A vertex that no face uses comes first.
+  // The first vertex is used by no face.
   const lines = toObj(torus()).replace(/f (\d+) (\d+) (\d+)/g, (_, ...corners: string[]) =>
     ['f', ...corners.slice(0, 3).map((corner) => Number(corner) + 1)].join(' '),
   );
@@ -39,7 +39,7 @@ beforeAll(async () => {
 });
 
 describe('a binding file', () => {
-  it('gives back what was written', () => {
+  it('is read back as it was written', () => {
     expect(readBinding('bind.json', writeBinding([bound.body]))).toEqual([bound.body]);
   });
 
@@ -62,7 +62,7 @@ describe('a binding file', () => {
     }
   });
 
-  it('is refused where it is damaged', async () => {
+  it('is refused if it is damaged', async () => {
     const text = writeBinding([bound.body]);
     const cases: [string, string][] = [
       ['torus', 'is not JSON'],

@@ -1,4 +1,4 @@
-/** Stages run again when, and only when, a setting has changed that they read; the page and the command line write the same files. */
+/** A stage runs again exactly when a setting that it reads has changed; the page and the command line write the same files. */
 
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -30,7 +30,7 @@ import { butterfly, grid, toObj, torus } from './support/shapes';
 type StageName = keyof typeof STAGES;
 const NAMES = Object.keys(STAGES) as StageName[];
 
-/** The stages that read each setting themselves, for a body of which everything is asked. */
+/** The stages that read each setting directly, for a run with the settings `everything`. */
 const READERS: Record<RunSettingName, StageName[]> = {
   weld: ['prepared'],
   symmetry: ['prepared'],
@@ -79,7 +79,7 @@ const READERS: Record<RunSettingName, StageName[]> = {
   threads: [],
 };
 
-/** Readers that the settings of a method leave without effect. */
+/** Settings that have no effect for a method. */
 const WITHOUT_EFFECT: Record<Settings['method'], RunSettingName[]> = {
   limber: ['curvatureWeight'],
   paper: ['sizeWeight', 'seams'],
@@ -88,7 +88,7 @@ const WITHOUT_EFFECT: Record<Settings['method'], RunSettingName[]> = {
 
 const mesh = butterfly(2, 3);
 
-/** Another value for every setting. */
+/** A value other than the default for every setting. */
 const OTHER: RunSettings = {
   ...{ method: 'qem', model: 'shell', modeCount: 5, modes: [1], modeWeights: [3, 1], p: Infinity },
   ...{ strainThreshold: 0.2, direction: 'x', pins: 'high:30', exact: true },
@@ -106,7 +106,7 @@ const OTHER: RunSettings = {
   ...{ threads: 1, targetFaces: 12, fields: false },
 };
 
-/** Everything is asked of it that a method can do. */
+/** Settings that request everything that a method can do. */
 const everything = (method: Settings['method']): RunSettings => ({
   ...defaultSettings(method),
   ...{ modeCount: 4, modes: [1, 2], lods: [0.5], calibrate: true, maxFrequencyError: 90 },
@@ -137,13 +137,13 @@ function startRun(): { run: BodyRun; ran: Set<string> } {
 const valuesOf = (run: BodyRun, settings: RunSettings) =>
   Object.fromEntries(NAMES.map((name) => [name, run.get(STAGES[name] as AnyStage, settings)]));
 
-/** Whether a stage is one of these, or needs one of them under these settings. */
+/** Whether a stage is in `from`, or needs one of `from` directly or indirectly under these settings. */
 function follows(stage: AnyStage, from: Set<AnyStage>, settings: RunSettings): boolean {
   if (from.has(stage)) return true;
   return stage.isWanted(settings) && Object.values(stage.needs).some((need) => follows(need, from, settings));
 }
 
-/** The stages that run again once `setting` has changed, by the table above. */
+/** The stages that run again after `setting` has changed, derived from READERS. */
 function expectedToRun(setting: RunSettingName, method: Settings['method'], changed: RunSettings): string[] {
   if (WITHOUT_EFFECT[method].includes(setting) && setting !== 'seams') return [];
   const readers = READERS[setting].filter((name) => method === 'limber' || isReadBy(method, setting, name));
@@ -153,7 +153,7 @@ function expectedToRun(setting: RunSettingName, method: Settings['method'], chan
     .sort();
 }
 
-/** Only limber is fitted, and the paper's method knows nothing of seams. */
+/** Whether `reader` reads the setting for a method other than limber: these are not fitted, and paper ignores seams. */
 function isReadBy(method: Settings['method'], setting: RunSettingName, reader: StageName): boolean {
   if (setting === 'seams') return method === 'qem' && ['history', 'explanation'].includes(reader);
   const isOfFit = ['poisson', 'thickness', 'maxDeviation', 'minAngle', 'fit'].includes(setting);
@@ -172,7 +172,7 @@ describe('a run over a body', () => {
   });
 
   it.each(['limber', 'paper', 'qem'] as const)(
-    'by %s runs exactly the stages again that a changed setting concerns, to the result of a fresh run',
+    'with %s runs again exactly the stages that a changed setting affects, with the result of a fresh run',
     (method) => {
       const base = everything(method);
       const { run, ran } = startRun();
@@ -191,7 +191,7 @@ describe('a run over a body', () => {
     },
   );
 
-  it('gives what it has given before, the very same, while nothing changes', () => {
+  it('returns the same objects as before while nothing changes', () => {
     const { run, ran } = startRun();
     const settings = everything('limber');
     const first = valuesOf(run, settings);
@@ -201,7 +201,7 @@ describe('a run over a body', () => {
     for (const name of NAMES) expect(again[name]).toBe(first[name]);
   });
 
-  it('keeps the value of a stage that fails, and the time that the last one took', () => {
+  it('keeps the last value of a stage that fails, and the time it took', () => {
     const { run, ran } = startRun();
     const settings = everything('qem');
     const history = run.get(STAGES.history, settings);
@@ -237,7 +237,7 @@ describe('a run over a body', () => {
     expect(new Set(released).size).toBe(2);
   });
 
-  it('resolves what the method resolves: a model that is named or follows is the same', () => {
+  it('treats a model that is named and one that follows from `auto` as the same', () => {
     const paper = everything('paper');
     expect(keyOf(STAGES.modes, { ...paper, model: 'laplacian' })).toBe(keyOf(STAGES.modes, paper));
     expect(keyOf(STAGES.modes, { ...paper, model: 'shell' })).not.toBe(keyOf(STAGES.modes, paper));
@@ -246,13 +246,13 @@ describe('a run over a body', () => {
     expect(keyOf(STAGES.guidance, { ...limber, modes: [1, 2, 3, 4] })).toBe(keyOf(STAGES.guidance, asked));
   });
 
-  it('does not depend on the modes where quadrics alone choose', () => {
+  it('does not depend on the modes with qem', () => {
     const qem = { ...everything('qem'), maxFrequencyError: 0 };
     for (const change of [{ modeCount: 7 }, { young: 5e6 }, { p: Infinity }, { thickness: 9 }, { unit: 3 }])
       expect(keyOf(STAGES.fitted, { ...qem, ...change })).toBe(keyOf(STAGES.fitted, qem));
   });
 
-  it('depends on the fit of limber alone, where it is on', () => {
+  it('depends on settings of the fit only with limber and with the fit on', () => {
     const [limber, paper] = [everything('limber'), everything('paper')].map((settings) => ({
       ...settings,
       maxFrequencyError: 0,
@@ -326,7 +326,7 @@ describe('the page and the command line', () => {
   });
 });
 
-/** A torus and a sheet, an OBJ object each. */
+/** A torus and a sheet, each an object of an OBJ file. */
 function twoBodies(): string {
   const lines = toObj(together(torus(16, 10), grid(6, 6))).split('\n');
   const firstOfGrid = lines.filter((line) => line.startsWith('v')).length + 2 * 16 * 10;

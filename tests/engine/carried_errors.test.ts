@@ -18,7 +18,7 @@ const api = {
 expose(api, port2);
 const remote = wrap<typeof api>(port1);
 
-it('a refused setting arrives with its setting and its sentence', async () => {
+it('the error for a refused setting arrives with the setting and the sentence', async () => {
   const error: unknown = await remote.refuse().catch((thrown: unknown) => thrown);
   expect(error).toBeInstanceOf(SettingError);
   expect(error).toMatchObject({
@@ -27,6 +27,6 @@ it('a refused setting arrives with its setting and its sentence', async () => {
   });
 });
 
-it('other errors arrive as they always did', async () => {
+it('other errors arrive unchanged', async () => {
   await expect(remote.fail()).rejects.toMatchObject({ name: 'RangeError', message: 'too large' });
 });

@@ -1,4 +1,4 @@
-/** What the core and the settings both know is read from the sources of the core and compared. */
+/** Compares names and limits that the core and the settings both define, as read from the sources of the core. */
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -23,12 +23,12 @@ const source = readdirSync(folder, { recursive: true, encoding: 'utf8' })
   .map((name) => readFileSync(join(folder, name), 'utf8'))
   .join('\n');
 
-/** The names by which the core is called: every list of strings that is called `list` or ...Names. */
+/** The names that the core accepts: every list of strings that is called `list` or ...Names. */
 const nameLists = [...source.matchAll(/\b(?:\w*Names|list)\s*=?\s*\{((?:\s*"[^"]*"\s*,?)+)\}/g)].map(
   ([, list]) => [...list.matchAll(/"([^"]*)"/g)].map(([, name]) => name),
 );
 
-/** The members of every enum in lower case, in order; those of `name` must count up from 0. */
+/** The members of every enum in lower case and in order; their values must count up from 0. */
 const enums = new Map(
   [...source.matchAll(/enum class (\w+) : [\w:]+ \{([^}]*)\}/g)].map(([, name, body]) => {
     const members = body
@@ -43,7 +43,7 @@ const enums = new Map(
 
 const enumLists = [...enums.values()];
 
-/** A constant of the core. */
+/** The value of a constant of the core. */
 function constant(name: string): number {
   const found = new RegExp(`\\b${name} = ([\\d.']+)`).exec(source);
   if (!found) throw new Error(`The core has no constant ${name}.`);
@@ -90,7 +90,7 @@ describe('the core and TypeScript have the same', () => {
     expect(verdicts).toEqual([...VERDICTS]);
   });
 
-  it('number of phases', () => {
+  it('numbers of phases', () => {
     expect(enums.get('Phase')).toHaveLength(PHASES.length);
   });
 
@@ -104,7 +104,7 @@ describe('the core and TypeScript have the same', () => {
     expect(constant('kMostSubsteps')).toBe(OPTIONS.substeps.max);
   });
 
-  it('defaults, for the core has none of its own for what the settings decide', () => {
+  it('defaults, because the core has none for values that the settings decide', () => {
     const { substeps, friction } = defaultSettings();
     expect([substeps, friction]).not.toContain(0);
     expect(memberDefault('SimulationOptions', 'substeps')).toBe(0);
@@ -118,7 +118,7 @@ describe('the settings offer', () => {
     ['model', [...MODELS, 'auto']],
     ['borders', BORDERS],
     ['material', SIMULATION_MODELS],
-  ] as const)('as %s what the core knows', (setting, names) => {
+  ] as const)('for %s exactly the names that the core accepts', (setting, names) => {
     expect(sorted(OPTIONS[setting].choices)).toEqual(sorted(names));
   });
 });

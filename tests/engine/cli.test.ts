@@ -53,7 +53,7 @@ beforeAll(() => {
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
 describe('limber optimize', () => {
-  it('writes a GLB and says in one line what came of it', async () => {
+  it('writes a GLB and sums up the result in one line', async () => {
     const { code, stdout, stderr } = limber('optimize', 'torus.obj', 'out.glb');
     expect([code, stderr]).toEqual([0, '']);
     expect(stdout).toMatch(
@@ -71,7 +71,7 @@ describe('limber optimize', () => {
     expect(bytes[2].equals(bytes[0])).toBe(true);
   });
 
-  it('gives the report alone on stdout with --report -, and with --json', () => {
+  it('prints nothing but the report to stdout with --report - and with --json', () => {
     for (const flags of [['--report', '-'], ['--json'], ['--json', '--report=-']]) {
       const { code, stdout } = limber('optimize', 'torus.obj', 'out.glb', '--faces', '200', ...flags);
       expect(code).toBe(0);
@@ -102,7 +102,7 @@ describe('limber optimize', () => {
     }
   });
 
-  it('writes the report to a file beside the summary', () => {
+  it('writes the report to a file and still prints the summary', () => {
     const { stdout } = limber(
       'optimize',
       'torus.obj',
@@ -118,11 +118,11 @@ describe('limber optimize', () => {
     expect(written).not.toHaveProperty('modes');
   });
 
-  it('keeps silent with --quiet', () => {
+  it('prints nothing with --quiet', () => {
     expect(limber('optimize', 'two.obj', 'out.glb', '--quiet')).toEqual({ code: 0, stdout: '', stderr: '' });
   });
 
-  it('writes OUT, tells the reason and exits with 2 where the target cannot be reached', () => {
+  it('writes OUT, gives the reason and exits with 2 if the target cannot be reached', () => {
     const { code, stdout, stderr } = limber(
       'optimize',
       'torus.obj',
@@ -140,8 +140,8 @@ describe('limber optimize', () => {
     expect(existsSync(path('floor.glb'))).toBe(true);
   });
 
-  it('says how to go on where seams hold, and goes on', () => {
-    // Every face has a piece of the texture to itself.
+  it('says how to go further if seams stop it, and then does so', () => {
+    // Every face has its own part of the texture.
     const lines = toObj(torus()).trim().split('\n');
     const faces = lines.filter((line) => line.startsWith('f'));
     const own = faces.map((line, t) => {
@@ -170,7 +170,7 @@ describe('limber optimize', () => {
     expect(crossed.stdout).toMatch(/^quilt\.obj: 576 -> 144 faces/);
   });
 
-  it('shares --faces out in proportion, and takes the larger of two targets', () => {
+  it('distributes --faces over bodies in proportion and uses the larger of two targets', () => {
     const faces = (...flags: string[]) =>
       report(limber('optimize', 'two.obj', 'out.glb', '--json', ...flags).stdout).output!.faces;
     expect(faces('--faces', '352')).toBeGreaterThan(345);
@@ -180,7 +180,7 @@ describe('limber optimize', () => {
     expect(faces('--ratio', '1')).toBe(704);
   });
 
-  it('takes the largest deviation as a target of its own', () => {
+  it('accepts a largest deviation as the only target', () => {
     const { code, stdout } = limber('optimize', 'torus.obj', 'near.glb', '--max-deviation', '0.5', '--json');
     expect(code).toBe(0);
     const { options, output, surface, stop } = report(stdout);
@@ -191,7 +191,7 @@ describe('limber optimize', () => {
     expect(output!.faces).toBeLessThan(576);
   });
 
-  it('takes the smallest angle as a target of its own', () => {
+  it('accepts a smallest angle as the only target', () => {
     const { code, stdout } = limber('optimize', 'torus.obj', 'round.glb', '--min-angle', '25', '--json');
     expect(code).toBe(0);
     const { input, output, stop } = report(stdout);
@@ -199,7 +199,7 @@ describe('limber optimize', () => {
     expect(output!.minAngle!).toBeGreaterThanOrEqual(Math.min(25, input.minAngle!) - 1e-4);
   });
 
-  it('takes the largest frequency error as a target of its own, and says what it found', () => {
+  it('accepts a largest frequency error as the only target and reports what it found', () => {
     const words = 'optimize torus.obj true.glb --max-frequency-error 4 --fit off --report true.json';
     const { code, stdout } = limber(...words.split(' '));
     expect(code).toBe(0);
@@ -243,7 +243,7 @@ describe('limber optimize', () => {
     expect(readFileSync(path('alone.glb')).equals(readFileSync(path('chain_lod2.glb')))).toBe(true);
   });
 
-  it('gives every level a stiffness of its own with --calibrate', async () => {
+  it('calibrates the stiffness of every level with --calibrate', async () => {
     const words = 'optimize grid.obj soft.glb --method qem --lods 0.25 --calibrate --json';
     const { calibration } = report(limber(...words.split(' ')).stdout);
     const factorIn = async (name: string) => {
@@ -255,7 +255,7 @@ describe('limber optimize', () => {
     expect(await factorIn('soft_lod1.glb')).not.toBe(calibration![0].factor);
   });
 
-  it('tells of a level that nothing can reach', () => {
+  it('reports a level that cannot be reached', () => {
     const words = 'optimize torus.obj chain.glb --method qem --lods 0.5,0.001 --quiet';
     const { code, stderr } = limber(...words.split(' '));
     expect(code).toBe(2);
@@ -264,7 +264,7 @@ describe('limber optimize', () => {
     );
   });
 
-  it('warns where quads are cut another way for a symmetry, and where there is none to keep', () => {
+  it('warns if quads are cut along the other diagonal for a symmetry, and if there is no symmetry to keep', () => {
     const tellOf = (file: string) => {
       const { code, stderr } = limber('optimize', file, 'out.glb', '--method', 'qem', '--symmetry', 'z');
       expect(code).toBe(0);
@@ -334,7 +334,7 @@ describe('limber optimize', () => {
     expect(mesh.listPrimitives()[0].listSemantics()).toEqual(['POSITION', 'NORMAL', '_STRAIN', '_CURVATURE']);
   });
 
-  it('leaves an old OUT alone, and no other file, where it fails', () => {
+  it('leaves an old OUT unchanged and no other file if it fails', () => {
     writeFileSync(path('old.glb'), 'precious');
     expect(limber('optimize', 'bad.obj', 'old.glb').code).toBe(1);
     expect(readFileSync(path('old.glb'), 'utf8')).toBe('precious');
@@ -343,7 +343,7 @@ describe('limber optimize', () => {
 });
 
 describe('limber simulate', () => {
-  it('calibrates the second body, by the factor that optimize writes for engines', async () => {
+  it('calibrates the second body by the factor that optimize writes for engines', async () => {
     const { stdout } = limber(
       'optimize',
       'torus.obj',
@@ -361,7 +361,7 @@ describe('limber simulate', () => {
     expect(simulated.options).toMatchObject({ calibrate: true, colliders: 'ground:-9', friction: 0.5 });
   });
 
-  it('moves a body and says what it costs', () => {
+  it('simulates a body and reports the cost', () => {
     const { code, stdout, stderr } = limber('simulate', 'grid.obj', '--scenario', 'hang', '--seconds', '0.2');
     expect([code, stderr]).toEqual([0, '']);
     expect(stdout).toMatch(
@@ -369,7 +369,7 @@ describe('limber simulate', () => {
     );
   });
 
-  it('reports how far two bodies part, beside the noise floor', () => {
+  it('reports how much two bodies deviate, next to the noise floor', () => {
     limber('optimize', 'torus.obj', 'half.glb', '--quiet');
     const words = 'simulate torus.obj half.glb --scenario sway --material springs --seconds 0.3 --json';
     const { code, stdout } = limber(...words.split(' '));
@@ -404,7 +404,7 @@ describe('limber simulate', () => {
     expect(document.listAnimations()[0].listChannels()).toHaveLength(2);
   });
 
-  it('takes pins in the words of the other commands', () => {
+  it('accepts pins in the same syntax as the other commands', () => {
     const { code, stdout } = limber(
       ...'simulate torus.obj torus.obj --pins high:10 --seconds 0.1 --json'.split(' '),
     );
@@ -494,13 +494,13 @@ describe('a wrong command line', () => {
     expect(limber(...words.split(' '))).toEqual({ code: 1, stdout: '', stderr: `limber: ${message}\n` });
   });
 
-  it('without any word shows the help and fails', () => {
+  it('without any argument shows the help and fails', () => {
     expect(limber()).toMatchObject({ code: 1, stderr: '' });
   });
 });
 
 describe('help', () => {
-  it('stands for every command, within 100 columns', () => {
+  it('exists for every command and fits into 100 columns', () => {
     for (const words of [
       ['--help'],
       ...['optimize', 'modes', 'compare', 'simulate', 'inspect'].map((name) => [name, '--help']),
@@ -524,14 +524,14 @@ describe('limber modes', () => {
     expect(stdout.trim().split('\n')).toHaveLength(6);
   });
 
-  it('takes the solid model for closed bodies: a bar bends, bends, twists, stretches, bends and bends', () => {
+  it('uses the solid model for closed bodies: a bar bends, bends, twists, stretches, bends and bends', () => {
     writeFileSync(path('bar.obj'), toObj(box(4, 4, 12)));
     const { model, modes, zeroModes } = report(limber('modes', 'bar.obj', '--modes', '6', '--json').stdout);
     expect([model, zeroModes]).toEqual(['solid', { expected: 6, found: 6 }]);
     expect(modes!.map(({ name }) => name)).toEqual(['bend', 'bend', 'twist', 'stretch', 'bend', 'bend']);
   });
 
-  it('holds what --pins names, and scales with the material', () => {
+  it('pins the vertices that --pins names, and scales with the material', () => {
     const run = (...flags: string[]) =>
       report(limber('modes', 'grid.obj', '--modes', '2', '--json', ...flags).stdout);
     const clamped = run('--pins', 'low:20');
@@ -551,7 +551,7 @@ describe('limber modes', () => {
     expect(modes!.every((mode) => mode.along === undefined)).toBe(true);
   });
 
-  it('reports them, and nothing that it does not produce', () => {
+  it('reports the modes, and nothing that it does not compute', () => {
     const found = report(limber('modes', 'two.obj', '--modes', '4', '--json').stdout);
     expect(found).toMatchObject({ command: 'modes', model: 'mixed', zeroModes: { expected: 12, found: 12 } });
     expect(found.modes).toHaveLength(8);
@@ -566,7 +566,7 @@ describe('limber modes', () => {
     expect(modes!.map(({ along }) => along).slice(0, 3)).toEqual(['shortest', 'middle', 'longest']);
   });
 
-  it('shows them as morph targets with --shapes', async () => {
+  it('writes the modes as morph targets with --shapes', async () => {
     expect(limber('modes', 'two.obj', '--modes', '3', '--shapes', 'shapes.glb').code).toBe(0);
     const bytes = readFileSync(path('shapes.glb'));
     expect(await validateGlb(bytes)).toEqual({ errors: 0, warnings: 0, messages: [] });
@@ -577,7 +577,7 @@ describe('limber modes', () => {
 });
 
 describe('limber compare', () => {
-  it('finds a mesh like itself', () => {
+  it('finds a mesh identical to itself', () => {
     const { code, stdout } = limber('compare', 'torus.obj', 'torus.obj', '--json');
     expect(code).toBe(0);
     const { fidelity, surface, options, input, output } = report(stdout);
@@ -588,7 +588,7 @@ describe('limber compare', () => {
     expect(fidelity!.macMin).toBeGreaterThan(0.9999);
   });
 
-  it('tells what an optimized mesh has lost', () => {
+  it('reports what an optimized mesh has lost', () => {
     limber('optimize', 'torus.obj', 'half.glb');
     const { code, stdout } = limber('compare', 'torus.obj', 'half.glb', '--modes', '5');
     expect(code).toBe(0);
@@ -598,7 +598,7 @@ describe('limber compare', () => {
 });
 
 describe('limber inspect', () => {
-  it('tells what is in a file', () => {
+  it('reports what is in a file', () => {
     const { code, stdout } = limber('inspect', 'two.obj');
     expect(code).toBe(0);
     expect(stdout).toMatch(

@@ -15,7 +15,7 @@ beforeAll(async () => {
   core = await loadTestCore(1);
 });
 
-/** A body from a file, with an attribute _KEEP where values are given. */
+/** A body from a file, with an attribute _KEEP if values are given. */
 async function open(mesh: TriangleMesh, change: Partial<Settings>, keep?: number[]) {
   const settings = { ...defaultSettings(), modeCount: 6, ...change };
   const document = startDocument();
@@ -46,7 +46,7 @@ describe('a mirror symmetry', () => {
     expect(facesOf(result.mesh, 1)).toEqual(facesOf(result.mesh, -1));
   });
 
-  it('is kept by a fit that brings the frequencies nearer', async () => {
+  it('is preserved by a fit that reduces the frequency errors', async () => {
     const errorOf = async (fit: Settings['fit']) => {
       const { result, prepared } = await optimize(butterfly(10, 12), 120, { symmetry: 'on', fit });
       const options = {
@@ -61,19 +61,19 @@ describe('a mirror symmetry', () => {
     expect(await errorOf('on')).toBeLessThan(0.6 * (await errorOf('off')));
   });
 
-  it('is not kept unless it is asked for', async () => {
+  it('is not preserved unless requested', async () => {
     const { result, constraints } = await optimize(butterfly(), 61, { fit: 'off' });
     expect(constraints).not.toHaveProperty('mirror');
     expect(facesOf(result.mesh, 1)).not.toEqual(facesOf(result.mesh, -1));
   });
 
-  it('that is not there is told in a sentence, and constrains nothing', async () => {
+  it('that does not exist is reported in a sentence and constrains nothing', async () => {
     const across = await open(butterfly(), { symmetry: 'y' });
     expect(across.constraints).not.toHaveProperty('mirror');
     expect(across.note).toMatch(
       /^"thing" has no mirror symmetry across y to keep: \d+ vertices would have no image$/,
     );
-    // Its quads lie across the plane, and a quad has one diagonal.
+    // Its quads cross the plane of symmetry, and a quad has only one diagonal.
     expect((await open(grid(5, 4), { symmetry: 'x' })).note).toBe(
       '"thing" has no mirror symmetry across x to keep: its vertices have images, but 40 triangles would have none',
     );
@@ -82,7 +82,7 @@ describe('a mirror symmetry', () => {
 });
 
 describe('locks, keep weights and creases', () => {
-  it('leave locked vertices where they are, with the fit', async () => {
+  it('leave locked vertices in place, also with the fit', async () => {
     const { result, prepared, constraints } = await optimize(torus(), 150, { lock: 'high:10' });
     expect(constraints.locked!.length).toBeGreaterThan(3);
     for (const vertex of constraints.locked!) {
@@ -104,7 +104,7 @@ describe('locks, keep weights and creases', () => {
     expect(await countOf({ keep: '_KEEP' })).toBeGreaterThan(1.4 * (await countOf({})));
   });
 
-  it('refuse an attribute that is not there', async () => {
+  it('refuse an attribute that does not exist', async () => {
     await expect(open(torus(), { keep: '_NO' })).rejects.toThrow(
       '“Keep triangles where” names the attribute _NO, but "thing" has POSITION: name one of these.',
     );
@@ -113,7 +113,7 @@ describe('locks, keep weights and creases', () => {
     );
   });
 
-  it('keep edges that bend', async () => {
+  it('keep creases', async () => {
     const roof = butterfly(6, 8);
     for (let i = 0; i < roof.positions.length; i += 3)
       roof.positions[i + 2] = 0.2 * Math.abs(roof.positions[i]);

@@ -17,13 +17,13 @@ function historyOf(count: number): History {
 }
 
 describe('the end of a history with a largest deviation', () => {
-  it('stays where it is within it', () => {
+  it('stays where it is if it is within that deviation', () => {
     const history = historyOf(300);
     expect(endWithin(history, 1, () => 1)).toBe(history);
     expect(endWithin(historyOf(0), 1, () => 1).kept.length).toBe(0);
   });
 
-  it.each([0, 1, 150, 297, 298, 299])('goes back to the last of %i collapses that are', (good) => {
+  it.each([0, 1, 150, 297, 298, 299])('moves back to the last of %i collapses that are within it', (good) => {
     const asked: number[] = [];
     const deviationAt = (faces: number) => {
       asked.push(faces);
@@ -40,7 +40,7 @@ describe('the end of a history with a largest deviation', () => {
     expect(asked.length).toBeLessThan(20);
   });
 
-  it('parts no collapse from its mirror image', () => {
+  it('separates no collapse from its mirror image', () => {
     const history = historyOf(300);
     // No vertex is its own image.
     const mirror = Uint32Array.from({ length: 502 }, (_, v) => 501 - v);

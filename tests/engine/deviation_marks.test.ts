@@ -4,7 +4,7 @@ import { markDeviations } from '../../web/engine/stages/deviation_marks';
 const falling = (faces: number): number => 50 / faces;
 
 describe('marks of deviation', () => {
-  it('stand where the deviation is crossed, and ask for no count twice', () => {
+  it('are where the deviation is crossed, and evaluate no face count twice', () => {
     const asked: number[] = [];
     const marks = markDeviations(
       (faces) => {
@@ -22,16 +22,16 @@ describe('marks of deviation', () => {
     expect(asked.length).toBeLessThan(30);
   });
 
-  it('are left out where the floor stays within the deviation', () => {
+  it('are left out if the floor is within the deviation', () => {
     const marks = markDeviations((faces) => falling(faces), { floor: 80, total: 1000 });
     expect(marks.map(({ deviation }) => deviation)).toEqual([0.1, 0.5]);
   });
 
-  it('are none where nothing can go', () => {
+  it('are absent if nothing can be removed', () => {
     expect(markDeviations(() => 5, { floor: 12, total: 12 })).toEqual([]);
   });
 
-  it('stand at a crossing where the deviation is not even', () => {
+  it('are at a crossing even if the deviation is not monotonic', () => {
     const uneven = (faces: number) => (faces > 300 && faces < 330 ? 0.9 : falling(faces));
     for (const { deviation, faces } of markDeviations(uneven, { floor: 4, total: 10_000 }))
       expect(uneven(faces)).toBeLessThanOrEqual(deviation);

@@ -5,7 +5,7 @@ import { explain } from '../../web/engine/report/explanation';
 
 const verdict = (name: (typeof VERDICTS)[number]) => VERDICTS.indexOf(name);
 
-/** Four vertices: cheap, dear for its strain, kept by paint, and one that cannot go. */
+/** Four vertices: a cheap one, one costly for its strain, one kept by paint, and one that cannot be removed. */
 const why: WhyKept = {
   error: Float32Array.of(1, 1, 1, 1),
   size: Float32Array.of(1, 1, 1, 1),
@@ -17,8 +17,8 @@ const why: WhyKept = {
   verdict: Uint8Array.of(verdict('legal'), verdict('legal'), verdict('legal'), verdict('topology')),
 };
 
-describe('why a vertex is kept', () => {
-  it('is the largest term first, as shares of the cost', () => {
+describe('the explanation of a kept vertex', () => {
+  it('lists the terms as shares of the cost, largest first', () => {
     const { reasons } = explain(why, 1);
     expect(reasons.map(({ text }) => text)).toEqual([
       'it bends here',
@@ -28,7 +28,7 @@ describe('why a vertex is kept', () => {
     expect(reasons.map(({ share }) => share)).toEqual([0.75, 0.125, 0.125]);
   });
 
-  it('says how many go before it, of those that can go', () => {
+  it('says how many of the removable vertices go before it', () => {
     expect(explain(why, 0).sentence).toBe('0 % of the vertices go before it.');
     expect(explain(why, 1).sentence).toBe('33 % of the vertices go before it.');
     expect(explain(why, 2)).toMatchObject({ sentence: '67 % of the vertices go before it.', keep: 50 });
@@ -38,7 +38,7 @@ describe('why a vertex is kept', () => {
     expect(explain(why, 3).sentence).toBe('It cannot go: the topology would change.');
   });
 
-  it('has no reasons where nothing costs anything', () => {
+  it('has no reasons if nothing costs anything', () => {
     const free = { ...why, error: new Float32Array(4), size: new Float32Array(4) };
     expect(explain(free, 0).reasons).toEqual([]);
   });

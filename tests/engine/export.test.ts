@@ -13,7 +13,7 @@ import { SQUARE_OBJ, textFile } from './support/files';
 import { addMesh, addRichMesh, floats, glbFile, primitiveOf, readGlb, startDocument } from './support/gltf';
 import { cube, grid, toObj, torus } from './support/shapes';
 
-/** The body's own triangles, or the first `count` of them, as a result. */
+/** A result with the body's own triangles, or the first `count` of them. */
 function asResult(body: Body, count = body.indices.length / 3): ExportedBody {
   const { positions, indices } = body;
   const mesh: TriangleMesh = { positions, triangles: indices.slice(0, 3 * count) };
@@ -36,7 +36,7 @@ const meshNamed = (document: Document, name: string): Mesh =>
     .listMeshes()
     .find((mesh) => mesh.getName() === name)!;
 
-/** Triangles as triples of positions, whatever their vertices are numbered. */
+/** Triangles as triples of positions, independent of the numbering of vertices. */
 function positionsOfCorners(mesh: Mesh): number[][] {
   return mesh.listPrimitives().flatMap((primitive) => {
     const positions = primitive.getAttribute('POSITION')!;
@@ -45,7 +45,7 @@ function positionsOfCorners(mesh: Mesh): number[][] {
 }
 
 describe('an exported GLB', () => {
-  it('of every format has no error and no warning, and its positions to the bit', async () => {
+  it('from every format has no errors, no warnings and bit-equal positions', async () => {
     const shape = torus();
     shape.positions.forEach((value, i) => (shape.positions[i] = value / 3));
     const model = await openModel([textFile('torus.obj', toObj(shape))]);
@@ -61,7 +61,7 @@ describe('an exported GLB', () => {
     expect(new TextDecoder().decode(bytes)).toContain(`"generator":"Limber ${VERSION}"`);
   });
 
-  it('is the same each time, and leaves the model as it was', async () => {
+  it('is the same each time, and the model stays unchanged', async () => {
     const document = startDocument();
     addRichMesh(document, 'rich', cube());
     const model = await openModel([await glbFile(document)]);
@@ -105,7 +105,7 @@ describe('an exported GLB', () => {
     expect(info.getExtension('KHR_texture_transform')).not.toBeNull();
   });
 
-  it('names what shapes take the place of, and the extensions that speak of old vertices', async () => {
+  it('lists what shapes replace, and the extensions that are valid for old vertices only', async () => {
     const source = startDocument();
     const features = source.createExtension(EXTMeshFeatures);
     const implicit = features.createFeatures().addFeatureID(features.createFeatureID().setFeatureCount(8));
@@ -172,7 +172,7 @@ describe('an exported GLB', () => {
     expect(validation.errors).toBe(0);
   });
 
-  it('leaves a body that is not replaced with everything it has', async () => {
+  it('keeps everything of a body that is not replaced', async () => {
     const source = startDocument();
     const rich = addRichMesh(source, 'rich', cube());
     const shared = rich.listPrimitives()[0].getMaterial();
@@ -222,7 +222,7 @@ describe('an exported GLB', () => {
     ).not.toBeNull();
   });
 
-  it('has unit normals where the format does not say, one for each side of a sharp edge and one where it is smooth', async () => {
+  it('has unit normals if the format prescribes none, split at sharp edges and shared where smooth', async () => {
     const models = { cube: cube(), torus: torus() };
     const counts = { cube: 24, torus: torus().positions.length / 3 };
     for (const name of ['cube', 'torus'] as const) {
@@ -235,7 +235,7 @@ describe('an exported GLB', () => {
     }
   });
 
-  it('has no normals where a glTF has none, so that it is shaded flat as before', async () => {
+  it('has no normals if the glTF has none, so that it is shaded flat as before', async () => {
     const source = startDocument();
     addMesh(source, 'cube', [primitiveOf(source, cube())]);
     const { document, validation } = await roundTrip(source);
@@ -245,7 +245,7 @@ describe('an exported GLB', () => {
     expect(validation.errors).toBe(0);
   });
 
-  it('carries fields where asked, by vertex', async () => {
+  it('carries fields per vertex if requested', async () => {
     const model = await openModel([textFile('square.obj', SQUARE_OBJ)]);
     const fields = { strain: Float32Array.from([0, 1, 2, 3]), curvature: Float32Array.from([4, 5, 6, 7]) };
     const body = { ...asResult(model.bodies[0]), fields };
@@ -260,7 +260,7 @@ describe('an exported GLB', () => {
     expect(await attribute(false, '_STRAIN')).toBeUndefined();
   });
 
-  it('writes shapes as morph targets with an animation each', async () => {
+  it('writes shapes as morph targets, each with an animation', async () => {
     const model = await openModel([textFile('square.obj', SQUARE_OBJ)]);
     const displacements = Float32Array.from({ length: 12 }, (_, i) => i);
     const targets = [

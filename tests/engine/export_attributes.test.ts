@@ -20,7 +20,7 @@ beforeAll(async () => {
   core = await loadTestCore(1);
 });
 
-/** Opens the document, keeps `ratio` of its faces, and returns what the file holds then, which must be valid. */
+/** Opens the document, keeps `ratio` of its faces and returns the content of the exported file, which must be valid. */
 async function reduced(source: Document, ratio: number, changes: Partial<Settings> = { method: 'qem' }) {
   const model = await openModel([await glbFile(source)]);
   const settings = { ...defaultSettings(), ...changes };
@@ -39,7 +39,7 @@ async function reduced(source: Document, ratio: number, changes: Partial<Setting
   return { model, document, results, primitives: document.getRoot().listMeshes()[0].listPrimitives() };
 }
 
-/** The attribute of every triangle's corners: values[triangle][corner]. */
+/** The attribute at every corner: values[triangle][corner]. */
 function byCorner(
   primitive: Primitive,
   semantic: string,
@@ -62,7 +62,7 @@ function integers(
     .setArray(array as Uint8Array<ArrayBuffer>);
 }
 
-/** Values per vertex from its position. */
+/** Values per vertex, as a function of its position. */
 function field(
   { positions }: TriangleMesh,
   valuesAt: (x: number, y: number, z: number) => number[],
@@ -72,7 +72,7 @@ function field(
   ).flat();
 }
 
-/** A grid cut at x = 0.5 into two halves that share positions there but no vertex. */
+/** A grid cut at x = 0.5 into two halves that share positions there but no vertices. */
 function cutGrid(cells: number): TriangleMesh {
   const whole = grid(cells, cells);
   const count = whole.positions.length / 3;
@@ -82,7 +82,7 @@ function cutGrid(cells: number): TriangleMesh {
   return { positions: Float32Array.from([...whole.positions, ...whole.positions]), triangles };
 }
 
-/** A wavy grid whose cells have a unit of the texture each: cell k has U from 2 k to 2 k + 1, V from 0 to 1. */
+/** A wavy grid whose cells each have a unit of the texture: cell k has U from 2 k to 2 k + 1, V from 0 to 1. */
 function patchwork(source: Document, cells: number): Primitive {
   const whole = grid(cells, cells);
   const corners = [...whole.triangles];
@@ -109,7 +109,7 @@ function patchwork(source: Document, cells: number): Primitive {
 const sumOf = (values: Iterable<number>) => [...values].reduce((sum, value) => sum + value, 0);
 
 describe('attributes of an exported body', () => {
-  it('are exactly its own where nothing was reduced', async () => {
+  it('are exactly those of the file if nothing was reduced', async () => {
     const source = startDocument();
     const mesh = torus();
     const count = mesh.positions.length / 3;
@@ -143,7 +143,7 @@ describe('attributes of an exported body', () => {
     expect(primitives[0].getAttribute('POSITION')!.getCount()).toBe(count);
   });
 
-  it('that are linear on a flat sheet stay what they are at every point of it', async () => {
+  it('that are linear on a flat sheet keep their value at every point', async () => {
     const source = startDocument();
     const mesh = grid(12, 12);
     const primitive = primitiveOf(source, mesh)
@@ -221,7 +221,7 @@ describe('attributes of an exported body', () => {
     }
   });
 
-  it('hold every cell that has a piece of the texture to itself, and let go where seams may be crossed', async () => {
+  it('preserve every cell with its own part of the texture, unless seams may be crossed', async () => {
     const faces = async (changes: Partial<Settings>) => {
       const source = startDocument();
       addMesh(source, 'quilt', [patchwork(source, 12)]);
@@ -230,11 +230,11 @@ describe('attributes of an exported body', () => {
       return byCorner(primitives[0], 'TEXCOORD_0');
     };
     for (const method of ['limber', 'qem'] as const) {
-      // But for the corners of the sheet, whose cells have two borders.
+      // The corners of the sheet are exceptions, because their cells have two borders.
       expect((await faces({ method })).length).toBeGreaterThanOrEqual(280);
       const crossed = await faces({ method, seams: 'cross' });
       expect(crossed.length).toBeLessThanOrEqual(72);
-      // A triangle's texture is that of the cell it was in, however far it reaches now.
+      // The texture of a triangle is that of its original cell, even if the triangle has grown beyond it.
       for (const corners of crossed) {
         const cell = Math.floor((corners[0][0] + 1e-3) / 2);
         for (const [u, v] of corners) {
@@ -265,7 +265,7 @@ describe('attributes of an exported body', () => {
     expect(inspection).toMatchObject({ boundaryLoops: 1, components: 1, eulerCharacteristic: 1 });
   });
 
-  it('of joints are the strongest ones of the corners, each once, with the sum 1 in their own type', async () => {
+  it('of joints are the strongest of the corners, without repetition, with sum 1 in their component type', async () => {
     for (const type of ['float', 'byte'] as const) {
       const source = startDocument();
       const mesh = torus(16, 8);
@@ -314,7 +314,7 @@ describe('attributes of an exported body', () => {
     }
   });
 
-  it('that point stay unit vectors in their own type, a tangent on one side or the other', async () => {
+  it('that are directions stay unit vectors in their component type, and tangents keep a handedness of 1 or -1', async () => {
     const source = startDocument();
     const mesh = torus(16, 8);
     const normals = field(mesh, (x, y, z) => {
@@ -345,7 +345,7 @@ describe('attributes of an exported body', () => {
     }
   });
 
-  it('that number things are never mixed', async () => {
+  it('that are identifiers are never interpolated', async () => {
     const source = startDocument();
     const mesh = torus(16, 8);
     const ids = field(mesh, (x) => [x > 0 ? 7 : 1000]);
@@ -378,7 +378,7 @@ describe('attributes of an exported body', () => {
 });
 
 describe('the wedges of a body', () => {
-  it('are one for each different set of attributes at a vertex', async () => {
+  it('are one per distinct set of attributes at a vertex', async () => {
     const source = startDocument();
     const mesh = cutGrid(4);
     const count = mesh.positions.length / 6;
@@ -396,7 +396,7 @@ describe('the wedges of a body', () => {
       wedgeCounts.push(attributes.wedgeCount);
       const cost = costAttributesOf(model.document, body, weld, attributes, diagonal)!;
       expect(cost.dimension).toBe(2);
-      // A unit square of UV on a unit square of surface: one unit of UV is one unit of length.
+      // A unit square of UV covers a unit square of surface, so one unit of UV is one unit of length.
       expect(Math.max(...cost.values)).toBeCloseTo(
         Math.max(...(body === model.bodies[0] ? plain : seam)) / diagonal,
         5,
@@ -405,7 +405,7 @@ describe('the wedges of a body', () => {
     expect(wedgeCounts).toEqual([25, 30]);
   });
 
-  it('are none where there is nothing but positions', async () => {
+  it('are absent if there are only positions', async () => {
     const source = startDocument();
     addMesh(source, 'cube', [primitiveOf(source, cube())]);
     const model = await openModel([await glbFile(source)]);

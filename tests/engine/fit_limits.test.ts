@@ -17,9 +17,9 @@ function reduced(mesh: TriangleMesh, targetFaces: number, change: Partial<Settin
   return { fitted, ...measured };
 }
 
-/** Each limit is one that the fit would break if it did not know of it. */
+/** Each limit is one that the fit would violate if it ignored it. */
 describe('a fit with limits', () => {
-  it('keeps the largest deviation', () => {
+  it('respects the largest deviation', () => {
     const free = reduced(torus(), 200, {});
     const maxDeviation = 0.8 * free.distance.hausdorff;
     const limited = reduced(torus(), 200, { maxDeviation });
@@ -28,7 +28,7 @@ describe('a fit with limits', () => {
     expect(limited.fitted.errorAfter[0]).toBeLessThan(0.8 * limited.fitted.errorBefore[0]);
   });
 
-  it('keeps the smallest angle', () => {
+  it('respects the smallest angle', () => {
     const minAngle = 25;
     expect(reduced(torus(), 200, {}).quality.minAngle).toBeLessThan(minAngle);
     const limited = reduced(torus(), 200, { minAngle });

@@ -24,25 +24,25 @@ describe('the search for the fewest faces', () => {
     }
   });
 
-  it('takes the fewest allowed where they hold, after one solve', () => {
+  it('takes the fewest faces allowed after one solve if they are within the limit', () => {
     const { best, finding } = search(() => 0.5, 300);
     expect(best.faces).toBe(300);
     expect(finding).toEqual({ limit: 1, error: 0.5, isBinding: false, tried: [{ faces: 300, error: 0.5 }] });
   });
 
-  it('takes the whole mesh where nothing less holds, and tries that too', () => {
+  it('takes the whole mesh if nothing smaller is within the limit, and tries that too', () => {
     const { best, finding } = search((faces) => (faces === 10_000 ? 0 : 5));
     expect([best.faces, finding.error]).toEqual([10_000, 0]);
     expect(finding.tried.at(-1)).toEqual({ faces: 10_000, error: 0 });
   });
 
-  it('finds a lower range that holds below one that does not', () => {
+  it('finds a lower range within the limit below one outside of it', () => {
     // Fails from 900 to 1,000, succeeds from 800 to 900, fails below.
     const { best } = search((faces) => (faces < 800 || (faces > 900 && faces < 1000) ? 2 : 0.5));
     expect(best.faces).toBeLessThanOrEqual(816);
   });
 
-  it('gives a result that was tried and holds, however errors jump', () => {
+  it('returns a count that was tried and is within the limit, however errors jump', () => {
     for (let seed = 1; seed <= 50; ++seed) {
       const errorAt = (faces: number) =>
         faces >= 10_000 ? 0 : (Math.abs(Math.sin(seed * faces)) * 2000) / faces;
@@ -53,7 +53,7 @@ describe('the search for the fewest faces', () => {
     }
   });
 
-  it('copes with histories of few counts', () => {
+  it('works on histories with few face counts', () => {
     const counts = [4, 50, 60, 1000, 10_000];
     const evaluate = (faces: number) => {
       const reached = counts.filter((count) => count <= faces).at(-1) ?? counts[0];
@@ -95,7 +95,7 @@ describe('a largest frequency error', () => {
     expect(errorOf(Math.floor(0.97 * faces))).toBeGreaterThan(change.maxFrequencyError);
   });
 
-  it('leaves the first word to a number of faces that holds it', () => {
+  it('accepts a requested number of faces that is within it', () => {
     const { faces, frequency } = optimize(torus(), { maxFrequencyError: 50, fit: 'off' }, 400);
     expect(faces).toBeLessThanOrEqual(400);
     expect(faces).toBeGreaterThan(396);
@@ -103,7 +103,7 @@ describe('a largest frequency error', () => {
     expect(frequency.tried).toHaveLength(1);
   });
 
-  it('says of every number of faces that it tries it', () => {
+  it('reports every number of faces that is tried', () => {
     const settings = { ...defaultSettings('qem'), maxFrequencyError: 5 };
     const asked: number[] = [];
     const onTry = (faces: number) => asked.push(faces);
@@ -112,7 +112,7 @@ describe('a largest frequency error', () => {
     expect(asked).toHaveLength(frequency!.tried.length);
   });
 
-  it('keeps a mesh that has nothing to give', () => {
+  it('keeps a mesh that cannot be reduced', () => {
     const { faces, frequency } = optimize(cube(), { maxFrequencyError: 0.01, method: 'qem' });
     expect(faces).toBe(12);
     expect(frequency.error).toBeLessThan(0.01);

@@ -25,7 +25,7 @@ function drawn(mode: number, order: number[] | null): Document {
   return document;
 }
 
-/** A glTF that keeps its buffer beside it, and an image. */
+/** A glTF with its buffer and an image in separate files. */
 function separateGltf(): SourceFile[] {
   const positions = new Uint8Array(Float32Array.from([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer);
   const json = {
@@ -48,7 +48,7 @@ function separateGltf(): SourceFile[] {
 describe('glTF', () => {
   it.each([
     ['a list', 4, [0, 1, 2, 0, 2, 3], [0, 1, 2, 0, 2, 3]],
-    ['a strip, every second triangle turned', 5, [0, 1, 3, 2], [0, 1, 3, 3, 1, 2]],
+    ['a strip, with every second triangle reversed', 5, [0, 1, 3, 2], [0, 1, 3, 3, 1, 2]],
     ['a fan', 6, [0, 1, 2, 3], [0, 1, 2, 0, 2, 3]],
     ['a list without indices', 4, null, [0, 1, 2]],
   ])('reads %s', async (_, mode, order, expected) => {
@@ -57,7 +57,7 @@ describe('glTF', () => {
     expect(bodies[0].name).toBe('square');
   });
 
-  it('joins the primitives of a mesh to one body and shares vertices that they share', async () => {
+  it('joins the primitives of a mesh into one body that shares the vertices they share', async () => {
     const document = startDocument();
     const first = primitiveOf(document, cube());
     const second = document
@@ -156,7 +156,7 @@ describe('glTF', () => {
     );
   });
 
-  it('says what a file without triangles has', async () => {
+  it('says what a file without triangles contains', async () => {
     expect(await failureOf(() => open(startDocument()))).toBe(
       'test.glb has no mesh: export it with a triangle mesh.',
     );
@@ -165,7 +165,7 @@ describe('glTF', () => {
     );
   });
 
-  it('keeps a mesh without triangles out of the bodies and says so', async () => {
+  it('omits a mesh without triangles from the bodies and says so', async () => {
     const document = drawn(1, null);
     addMesh(document, 'cube', [primitiveOf(document, cube())]);
     const { bodies, notes } = await open(document);
@@ -173,7 +173,7 @@ describe('glTF', () => {
     expect(notes).toEqual(['mesh "square" has no triangles (1 primitive of lines skipped)']);
   });
 
-  it('refuses with one sentence what is broken', async () => {
+  it('refuses broken files with one sentence', async () => {
     const { bytes } = await glbFile(drawn(4, [0, 1, 2]));
     const glb = (part: Uint8Array) => failureOf(() => openModel([{ name: 'a.glb', bytes: part }]));
     expect(await glb(bytes.subarray(0, 10))).toBe(
@@ -198,7 +198,7 @@ describe('glTF', () => {
   });
 
   it.each([[[{ children: [0] }]], [[{ children: [1] }, { children: [2] }, { children: [0] }]]])(
-    'refuses nodes that go round in circles: %j',
+    'refuses cycles of nodes: %j',
     async (nodes) => {
       const json = JSON.stringify({ asset: { version: '2.0' }, nodes });
       expect(await failureOf(() => openModel([textFile('a.gltf', json)]))).toMatch(
@@ -207,7 +207,7 @@ describe('glTF', () => {
     },
   );
 
-  it('does not follow a position far beyond its buffer', async () => {
+  it('refuses an accessor that ends far beyond its buffer', async () => {
     const [main, buffer, image] = separateGltf();
     const text = new TextDecoder().decode(main.bytes).replace('"count":3', '"count":3000');
     const message = await failureOf(() => openModel([textFile('model/test.gltf', text), buffer, image]));
@@ -218,7 +218,7 @@ describe('glTF', () => {
 });
 
 describe('a damaged GLB', () => {
-  it('is read, or refused with one sentence, whatever byte is hit', async () => {
+  it('is read or refused with one sentence, whichever byte is damaged', async () => {
     const document = startDocument();
     addRichMesh(document, 'rich', cube());
     const { bytes } = await glbFile(document);
@@ -236,7 +236,7 @@ describe('a damaged GLB', () => {
     );
   });
 
-  it('is read, or refused with one sentence, whatever number of its JSON is wrong', async () => {
+  it('is read or refused with one sentence, whichever number in its JSON is wrong', async () => {
     const document = startDocument();
     addRichMesh(document, 'rich', cube());
     const io = new WebIO().registerExtensions(ALL_EXTENSIONS);
@@ -261,7 +261,7 @@ describe('a damaged GLB', () => {
 });
 
 describe('a set of files', () => {
-  it('is refused where it holds no model, several, or nothing', async () => {
+  it('is refused if it contains no model, several models or no file', async () => {
     expect(await failureOf(() => openModel([]))).toBe(
       'There is no file: choose a GLB, glTF, OBJ, STL or PLY file.',
     );
@@ -276,7 +276,7 @@ describe('a set of files', () => {
     );
   });
 
-  it('may hold files that the model does not need', async () => {
+  it('may contain files that the model does not need', async () => {
     const { bodies } = await openModel([textFile('a.mtl', ''), textFile('a.obj', SQUARE_OBJ)]);
     expect(bodies[0].name).toBe('a');
   });

@@ -4,7 +4,7 @@ import { inFlags } from '../../web/cli/failure';
 import { OPTIONS, wordNote } from '../../web/engine/settings/options';
 
 describe('a note', () => {
-  it('on a coarse solve names its cure as each host knows it', () => {
+  it('about a coarse solve names the remedy in the words of each host', () => {
     const [note] = describeSolve([], 8000);
     expect(inFlags(note)).toBe(
       'the modes come from a copy with 8,000 vertices (--exact solves the mesh itself)',
@@ -12,7 +12,7 @@ describe('a note', () => {
     expect(wordNote(note, (setting) => OPTIONS[setting].label)).toContain('(Solve the mesh itself solves');
   });
 
-  it('on the size is there where it is implausible', () => {
+  it('about the size appears if it is implausible', () => {
     expect(describeSize(1)).toBeNull();
     expect(inFlags(describeSize(0.0005)!)).toBe(
       'the body is 0.50 mm across: set --unit if the file is not in metres',
@@ -20,7 +20,7 @@ describe('a note', () => {
     expect(inFlags(describeSize(2e4)!)).toMatch(/^the body is 20 km across/);
   });
 
-  it('on residuals is there where they are large', () => {
+  it('about residuals appears if they are large', () => {
     expect(describeResiduals([{ residual: 1e-9 }])).toEqual([]);
     expect(describeSolve([{ residual: 1e-9 }, { residual: 1e-6 }], 0).map(inFlags)).toEqual([
       'the largest residual of the modes is 1.0e-6: needle triangles leave their last digits to rounding',

@@ -24,7 +24,7 @@ const paper = {
   qualityWeight: 0.01,
 };
 
-/** Everything that the core computes on the way from a mesh to a smaller one. */
+/** Everything that the core computes when it simplifies a mesh. */
 function results(core: Core) {
   const { mesh } = core.weld(torus().positions, torus().triangles, { tolerance: 0 });
   const modes = core.findModes(mesh, shell);
@@ -87,7 +87,7 @@ describe('the core', () => {
     expect(Object.keys(offered).sort()).toEqual(named.sort());
   });
 
-  it('has a job to look at only where memory is shared', async () => {
+  it('exposes a job only if memory is shared', async () => {
     const [single, threaded] = [await loadTestCore(1), await loadTestCore(2)];
     expect([single.threads, single.job]).toEqual([1, null]);
     expect(threaded.threads).toBe(2);
@@ -95,7 +95,7 @@ describe('the core', () => {
     expect(threaded.peakHeapBytes()).toBeGreaterThan(2 ** 20);
   });
 
-  it('hands out copies, not windows into its memory', async () => {
+  it('returns copies, not views of its memory', async () => {
     const core = await loadTestCore(2);
     const { mesh, vertexOfSource } = core.weld(cube().positions, cube().triangles, { tolerance: 0 });
     expect(mesh.positions.buffer).toBeInstanceOf(ArrayBuffer);
@@ -103,7 +103,7 @@ describe('the core', () => {
     expect([...vertexOfSource]).not.toContain(NONE);
   });
 
-  it.each([1, 2])('tells its progress in words with %i threads', async (threads) => {
+  it.each([1, 2])('reports its progress by phase names with %i threads', async (threads) => {
     const heard: Progress[] = [];
     const core = await loadTestCore(threads, (progress) => heard.push(progress));
     core.findModes(torus(), shell);
@@ -111,7 +111,7 @@ describe('the core', () => {
     for (const { fraction } of heard) expect(fraction >= 0 && fraction <= 1).toBe(true);
   });
 
-  it('stops a running call when another thread requests it, and works on afterwards', async () => {
+  it('stops a running call when another thread requests it, and still works afterwards', async () => {
     let cancel = () => {};
     const core = await loadTestCore(2, ({ fraction }) => fraction > 0 && cancel());
     const mesh = grid(40, 40);
@@ -122,7 +122,7 @@ describe('the core', () => {
     expect(run().modes).toHaveLength(12);
   });
 
-  it('is right after a hundred calls that were cancelled at random times, and keeps no memory of them', async () => {
+  it('is correct after a hundred calls cancelled at random times, and leaks no memory from them', async () => {
     let countdown = Infinity;
     const core = await loadTestCore(2, () => {
       if (--countdown === 0) Atomics.store(core.job!, 0, 1);
@@ -146,11 +146,11 @@ describe('the core', () => {
     countdown = Infinity;
     expect(cancelled).toBeGreaterThan(60);
     expect({ shell: solve('shell'), solid: solve('solid') }).toEqual(expected);
-    // The heap grows by a quarter at a time; a hundred factors that nobody freed would fill it many times over.
+    // The heap grows by a quarter at a time; a hundred leaked factors would fill it many times over.
     expect(core.peakHeapBytes()).toBeLessThan(2 * heap);
   });
 
-  it('throws its sentence as an Error', async () => {
+  it('throws an Error with its sentence', async () => {
     const core = await loadTestCore(1);
     const outOfRange = () => core.weld(cube().positions, Uint32Array.from([0, 1, 99]), { tolerance: 0 });
     expect(outOfRange).toThrow(/^[A-Z].*\.$/);

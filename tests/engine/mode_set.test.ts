@@ -40,15 +40,15 @@ const set = {
   ],
 };
 
-describe('a ordinal of several parts', () => {
-  it('is named by the part with most faces, of equal ones by the first', () => {
+describe('an ordinal of several parts', () => {
+  it('is named after the part with most faces, or the first of equal parts', () => {
     expect(leadingMode(set, 0)?.name).toBe('bend');
     const equal = { components: [part(), part({ host: 1 })], modes: [mode(0, 'bend', 1), mode(0, 'twist')] };
     expect(leadingMode(equal, 0)?.name).toBe('twist');
     expect(leadingMode(set, 9)).toBeNull();
   });
 
-  it('is local where that part is, and then not suggested', () => {
+  it('is local if the mode of that part is, and then not suggested', () => {
     expect(localModes(set, [1, 2, 3])).toEqual([2]);
     expect(suggestedModes(set, 2)).toEqual([1, 3]);
     expect(suggestedModes(set, 6)).toEqual([1, 3, 4]);
@@ -56,7 +56,7 @@ describe('a ordinal of several parts', () => {
 });
 
 describe('numbers of modes', () => {
-  it('are spelt with runs of three and more as one', () => {
+  it('are spelt with runs of three or more as ranges', () => {
     expect(spellModes([2])).toBe('2');
     expect(spellModes([2, 1])).toBe('1, 2');
     expect(spellModes([6, 1, 2, 5, 4])).toBe('1, 2, 4 to 6');
@@ -64,7 +64,7 @@ describe('numbers of modes', () => {
 });
 
 describe('the models of the parts', () => {
-  it('are counted in words, a cavity apart from the solid that it is in', () => {
+  it('are counted in words, with cavities separate from solids', () => {
     const solid = (host: number) => part({ model: 'solid', host });
     expect(describeModels([solid(0), solid(1), solid(2), part({ host: 3 })])).toBe('3 solid parts, 1 shell');
     expect(describeModels([solid(0), solid(0)])).toBe('1 solid part, 1 cavity');

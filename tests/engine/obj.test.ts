@@ -45,7 +45,7 @@ describe('OBJ', () => {
     expect(bodies[0].notes).toEqual(['1 polygon with more than three corners cut into triangles']);
   });
 
-  it('splits vertices where UVs or normals differ, behind all others', async () => {
+  it('splits vertices where UVs or normals differ and numbers the new ones last', async () => {
     const { document, bodies } = await open(
       `${SQUARE_OBJ.replace(/f.*\n/g, '')}v 9 9 9\nvt 0 0\nvt 1 0.25\nvt 1 1\nvn 0 0 2\nvn 0 3 4\n` +
         'f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/2/1 4/2/2\n',
@@ -54,12 +54,12 @@ describe('OBJ', () => {
     expect([...bodies[0].positions.slice(12)]).toEqual([9, 9, 9, 1, 1, 0]);
     const [primitive] = document.getRoot().listMeshes()[0].listPrimitives();
     const values = (name: string) => [...primitive.getAttribute(name)!.getArray()!];
-    // OBJ counts from the lower left corner of a picture, glTF from the upper left.
+    // The origin of UVs is the lower left corner in OBJ and the upper left corner in glTF.
     expect(values('TEXCOORD_0')).toEqual([0, 1, 1, 0.75, 1, 0, 1, 0.75, 0, 1, 1, 0.75]);
     expect(values('NORMAL').slice(6, 12)).toEqual([0, 0, 1, 0, 0.6, 0.8].map(Math.fround));
   });
 
-  it('leaves normals out where a corner has none, and takes colours where every vertex has one', async () => {
+  it('drops normals if a corner has none, and keeps colours if every vertex has one', async () => {
     const normals = `vn 0 0 1\n${SQUARE_OBJ.replace('f 1 2 3', 'f 1//1 2//1 3//1')}`;
     const colours = SQUARE_OBJ.replace(/^v.*$/gm, '$& 1 0.5 0');
     const semantics = async (text: string) => {
@@ -71,7 +71,7 @@ describe('OBJ', () => {
     expect(await semantics(colours.replace(' 1 0.5 0', ' 1'))).toEqual(['POSITION']);
   });
 
-  it('makes a primitive of every material in an object', async () => {
+  it('makes one primitive per material in an object', async () => {
     const model = await open(
       `${SQUARE_OBJ.replace(/f.*\n/g, '')}usemtl red\nf 1 2 3\nusemtl blue sky\nf 1 3 4\nusemtl red\nf 1 2 4\n`,
     );
@@ -90,7 +90,7 @@ describe('OBJ', () => {
     expect(await validateGlb(bytes)).toMatchObject({ errors: 0, warnings: 0 });
   });
 
-  it('makes every object a body, with its own vertices, and groups part of it', async () => {
+  it('makes every object, with its groups, one body with its own vertices', async () => {
     const { bodies } = await open(
       `o left\n${SQUARE_OBJ}o right\nv 5 5 5\nf 2 3 5\ng part\nf 3 4 5\no left\nf 1 2 4\n`,
     );
@@ -101,7 +101,7 @@ describe('OBJ', () => {
     expect([...bodies[1].positions]).toEqual([1, 0, 0, 1, 1, 0, 5, 5, 5, 0, 1, 0]);
   });
 
-  it('names what it does not carry', async () => {
+  it('lists what it does not carry', async () => {
     const { unread, notes } = await open(
       `mtllib a.mtl\nusemtl red\nvt 0 0\nl 1 2\nstrange line\n${SQUARE_OBJ}`,
     );
@@ -148,7 +148,7 @@ describe('OBJ', () => {
     );
   });
 
-  it('never throws anything but a sentence', () =>
+  it('never throws anything other than a sentence', () =>
     fc.assert(
       fc.asyncProperty(
         fc.array(fc.constantFrom(...'vfo 0129.-/e\n\\#\u00e9'), { maxLength: 60 }),

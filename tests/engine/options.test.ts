@@ -18,7 +18,7 @@ import { VERSION } from '../../web/engine/core/version';
 
 const keys = Object.keys(OPTIONS) as (keyof Settings)[];
 const flagOf = (key: keyof Settings) => `--${OPTIONS[key].flag}`;
-/** The sentence as the command line has it; empty where nothing is refused. */
+/** The sentence in the words of the command line; empty if nothing is refused. */
 const failure = (change: Partial<Record<keyof Settings, unknown>>): string => {
   try {
     checkSettings({ ...defaultSettings(), ...change } as Settings);
@@ -31,7 +31,7 @@ const failure = (change: Partial<Record<keyof Settings, unknown>>): string => {
 };
 
 describe('settings', () => {
-  it('are allowed as they come', () => {
+  it('are allowed by default', () => {
     expect(failure({})).toBe('');
     expect(Object.keys(defaultSettings())).toEqual(keys);
     expect(JSON.parse(JSON.stringify(defaultSettings()))).toEqual(defaultSettings());
@@ -55,7 +55,7 @@ describe('settings', () => {
     }
   });
 
-  it('are refused outside their range, and allowed at its ends', () => {
+  it('are refused outside of their range and allowed at its ends', () => {
     for (const key of keys) {
       const option: OptionSpec = OPTIONS[key];
       if (option.kind !== 'number' && option.kind !== 'integer') continue;
@@ -104,7 +104,7 @@ describe('settings', () => {
     expect(resolveModel({ ...paper, model: 'shell' })).toBe('shell');
   });
 
-  it('of any kind never make the check throw anything but a sentence', () => {
+  it('with any values never make the check throw anything other than a sentence', () => {
     fc.assert(
       fc.property(fc.constantFrom(...keys), fc.anything(), (key, value) => {
         const message = failure({ [key]: value });
@@ -125,7 +125,7 @@ describe('an error', () => {
     throw new Error('nothing is refused');
   };
 
-  it('names the setting, and a sentence that each host can word', () => {
+  it('has the setting and a sentence that each host can word', () => {
     const error = refuse({ modes: [20] });
     expect(error.setting).toBe('modes');
     expect(wordSentence('It', error.sentence, (key) => key)).toBe(
@@ -136,7 +136,7 @@ describe('an error', () => {
     );
   });
 
-  it('names no flag, whatever it is about', () => {
+  it('never names a flag', () => {
     const changes: Partial<Settings>[] = [
       { p: 0 },
       { pins: 'x' },
@@ -161,7 +161,7 @@ describe('a method', () => {
     expect(readsSetting(defaultSettings('paper'), 'maxDeviation')).toBe(true);
   });
 
-  it('replaces the weights of another', () => {
+  it('replaces the weights of another method', () => {
     for (const from of ['limber', 'paper', 'qem'] as const)
       for (const to of ['limber', 'paper', 'qem'] as const)
         expect({ ...defaultSettings(from), ...methodChange(to) }).toEqual(defaultSettings(to));
@@ -169,7 +169,7 @@ describe('a method', () => {
 });
 
 describe('a command', () => {
-  it('takes the settings of its groups and those whose row names it', () => {
+  it('accepts the settings of its groups and those whose row names it', () => {
     expect(settingsOf('inspect')).toEqual(['weld', 'threads']);
     expect(settingsOf('compare')).toContain('modeCount');
     expect(settingsOf('simulate')).toContain('pins');
@@ -179,7 +179,7 @@ describe('a command', () => {
 });
 
 describe('the version', () => {
-  it('is that of package.json', () => {
+  it('equals that of package.json', () => {
     const { version } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8')) as {
       version: string;
     };

@@ -25,7 +25,7 @@ import { torus } from './support/shapes';
 const someLevels = fc.uint8Array({ max: LOCKED, minLength: 1, maxLength: 400 });
 
 describe('painted levels as text', () => {
-  it('come back as they were', () => {
+  it('are read back as they were', () => {
     fc.assert(
       fc.property(someLevels, fc.nat(20), (levels, mesh) => {
         const back = parsePaint(withPaint('', mesh, levels));
@@ -36,7 +36,7 @@ describe('painted levels as text', () => {
     );
   });
 
-  it('of several meshes do not touch each other', () => {
+  it('of several meshes do not affect each other', () => {
     const [a, b] = [Uint8Array.of(0, 3, 3), Uint8Array.of(LOCKED)];
     const text = withPaint(withPaint('', 4, b), 0, a);
     expect(parsePaint(text)).toEqual(
@@ -48,7 +48,7 @@ describe('painted levels as text', () => {
     expect(withPaint(text, 0, new Uint8Array(3))).toBe(withPaint('', 4, b));
   });
 
-  it('are short where little is painted', () => {
+  it('are short if little is painted', () => {
     const levels = new Uint8Array(1_000_000);
     levels.fill(LOCKED, 5000, 5200);
     expect(withPaint('', 0, levels).length).toBeLessThan(20);
@@ -60,20 +60,20 @@ describe('painted levels as text', () => {
 });
 
 describe('painted levels on a welded mesh', () => {
-  it('are the highest of what was welded, and go back to all of it', () => {
+  it('are the highest among welded vertices, and map back to all of them', () => {
     const vertexOfSource = Uint32Array.of(0, 1, 1, NONE, 2);
     const welded = weldLevels(Uint8Array.of(1, 2, 7, 9, 0), vertexOfSource, 3);
     expect(welded).toEqual(Uint8Array.of(1, 7, 0));
     expect(unweldLevels(welded, vertexOfSource)).toEqual(Uint8Array.of(1, 7, 7, 0, 0));
   });
 
-  it('are whole keep weights at the strongest, and locks above', () => {
+  it('are keep weights of 1 at the strongest level and locks above it', () => {
     const levels = Uint8Array.of(0, STRONGEST / 2, STRONGEST, LOCKED);
     expect(keepOfLevels(levels)).toEqual(Float32Array.of(0, 0.5, 1, 1));
     expect(lockedIn(levels)).toEqual([3]);
   });
 
-  it('grow under the brush and are wiped off by the eraser alone', () => {
+  it('only grow under the brush and are removed only by the eraser', () => {
     expect(painted(0, 'keep', 1)).toBe(STRONGEST);
     expect(painted(8, 'keep', 0.5)).toBe(8);
     expect(painted(LOCKED, 'keep', 1)).toBe(LOCKED);
@@ -106,21 +106,27 @@ describe('a painted body', () => {
   const share = ({ positions }: { positions: Float32Array }) =>
     positions.filter((x, i) => i % 3 === 0 && x > 0).length / (positions.length / 3);
 
-  it.each(['limber', 'qem', 'paper'] as const)('keeps more vertices where %s was told to', (method) => {
-    expect(share(reduced(half(1, STRONGEST), method, 200))).toBeGreaterThan(0.7);
-    expect(share(reduced(half(-1, STRONGEST), method, 200))).toBeLessThan(0.3);
-  });
+  it.each(['limber', 'qem', 'paper'] as const)(
+    'keeps more vertices under %s where they are painted',
+    (method) => {
+      expect(share(reduced(half(1, STRONGEST), method, 200))).toBeGreaterThan(0.7);
+      expect(share(reduced(half(-1, STRONGEST), method, 200))).toBeLessThan(0.3);
+    },
+  );
 
-  it.each(['limber', 'qem', 'paper'] as const)('has its locked vertices under %s to the end', (method) => {
-    const { positions } = reduced(half(1, LOCKED), method, 0);
-    const positionsLeft = new Set<string>();
-    for (let v = 0; v < positions.length; v += 3) positionsLeft.add(positions.subarray(v, v + 3).join(' '));
-    for (let v = 0; v < shape.positions.length; v += 3)
-      if (shape.positions[v] > 0)
-        expect(positionsLeft).toContain(shape.positions.subarray(v, v + 3).join(' '));
-  });
+  it.each(['limber', 'qem', 'paper'] as const)(
+    'keeps its locked vertices under %s at the floor',
+    (method) => {
+      const { positions } = reduced(half(1, LOCKED), method, 0);
+      const positionsLeft = new Set<string>();
+      for (let v = 0; v < positions.length; v += 3) positionsLeft.add(positions.subarray(v, v + 3).join(' '));
+      for (let v = 0; v < shape.positions.length; v += 3)
+        if (shape.positions[v] > 0)
+          expect(positionsLeft).toContain(shape.positions.subarray(v, v + 3).join(' '));
+    },
+  );
 
-  it('refuses the paint of another file', () => {
+  it('refuses the paint of a different file', () => {
     const paint = withPaint('', 0, Uint8Array.of(1, 2));
     expect(() => paintOn(paint, prepared)).toThrow('“Painted” is for 2 vertices, but "');
   });

@@ -8,7 +8,7 @@ import {
   withPins,
 } from '../../web/engine/settings/pin_edits';
 
-/** Sources 0 and 2 are welded, source 3 is used by no face. */
+/** Source vertices 0 and 2 are welded; no face uses source vertex 3. */
 const vertexOfSource = Uint32Array.from([0, 1, 0, NONE, 2, 3]);
 const edit = (text: string, pinned: number[], isPinning: boolean, vertices: number[]) =>
   editPins(text, Uint32Array.from(pinned), { isPinning, vertices }, vertexOfSource);
@@ -24,7 +24,7 @@ describe('the text of the pins', () => {
     expect(pinValue('low:6', 'attribute')).toBe('');
   });
 
-  it('names vertices as the file numbers them, the lowest of welded ones', () => {
+  it('names vertices by their numbers in the file, welded ones by the lowest', () => {
     expect([...sourcesOfVertices(vertexOfSource)]).toEqual([
       [0, 0],
       [1, 1],
@@ -35,7 +35,7 @@ describe('the text of the pins', () => {
     expect(edit('vertices:2', [0], true, [3])).toBe('vertices:0,5');
   });
 
-  it('does not name what another term pins already', () => {
+  it('does not name vertices that another term pins already', () => {
     expect(edit('low:6', [0, 1], true, [1, 2])).toBe('low:6+vertices:4');
     expect(edit('low:6', [0, 1], true, [1])).toBe('low:6');
   });
@@ -46,7 +46,7 @@ describe('the text of the pins', () => {
     expect(edit('low:6+vertices:4', [0, 2], false, [1])).toBe('low:6+vertices:4');
   });
 
-  it('becomes a list of what is left where a vertex of another term is let go', () => {
+  it('becomes a list of the vertices left if a vertex of another term is unpinned', () => {
     expect(edit('low:6+vertices:4', [0, 1, 2], false, [1])).toBe('vertices:0,4');
     expect(edit('low:6', [1], false, [1])).toBe('');
   });

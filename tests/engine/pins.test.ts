@@ -17,7 +17,7 @@ beforeAll(async () => {
   core = await loadTestCore(1);
 });
 
-/** A sheet of 6 x 2 cells over [0, 1]^2 whose file has a vertex that no face uses, first. */
+/** A sheet of 6 x 2 cells over [0, 1]^2 in a file whose first vertex is used by no face. */
 async function sheet() {
   const text = `v 9 9 9\n${toObj(grid(6, 2)).replace(/^f (\d+) (\d+) (\d+)$/gm, (_, a, b, c) => `f ${+a + 1} ${+b + 1} ${+c + 1}`)}`;
   const model = await openModel([textFile('sheet.obj', text)]);
@@ -30,35 +30,35 @@ const pinsOf = async (text: string) => {
 };
 
 describe('pins', () => {
-  it('are none for an empty text', async () => {
+  it('are empty for an empty text', async () => {
     expect(parsePins('')).toEqual([]);
     expect(await pinsOf('')).toEqual([]);
   });
 
-  it('are parsed once, for each setting', () => {
+  it('are parsed once per setting', () => {
     const terms = parsePins('low:6+vertices:1,2');
     expect(parsePins('high:6', 'lock')).toEqual([{ kind: 'high', percent: 6 }]);
     expect(parsePins('low:6+vertices:1,2')).toBe(terms);
     expect(parsePins('low:7')).not.toBe(terms);
   });
 
-  it('take the ends of the longest axis', async () => {
+  it('select the ends of the longest axis', async () => {
     expect(await pinsOf('low:0')).toEqual([0, 7, 14]);
     expect(await pinsOf('high:20')).toEqual([5, 6, 12, 13, 19, 20]);
   });
 
-  it('take the vertices in a box, in any order of its corners', async () => {
+  it('select the vertices in a box, whose corners may come in any order', async () => {
     expect(await pinsOf('box:0.9,-1,-1,2,0.1,1')).toEqual([6]);
     expect(await pinsOf('box:2,0.1,1,0.9,-1,-1')).toEqual([6]);
   });
 
-  it('name vertices by their number in the file, and join terms', async () => {
+  it('select vertices by their number in the file, and join terms', async () => {
     const { document, prepared } = await sheet();
     const first = prepared.weld.vertexOfSource.findIndex((vertex) => vertex === 0);
     expect([...findPins(`vertices:${first}+high:0`, document, prepared)]).toEqual([0, 6, 13, 20]);
   });
 
-  it('take vertices whose attribute is above one half, of any primitive', async () => {
+  it('select vertices of any primitive whose attribute is above one half', async () => {
     const document = startDocument();
     const [one, two] = [primitiveOf(document, grid(1, 1)), primitiveOf(document, torus())];
     const values = new Float32Array(288).fill(0);
@@ -93,7 +93,7 @@ describe('pins', () => {
     );
   });
 
-  it('leave one rigid motion where they are in a line, and none where they are not', async () => {
+  it('leave one rigid motion if they are on a line, and none otherwise', async () => {
     const { document, prepared } = await sheet();
     const settings = { ...defaultSettings(), model: 'shell' as const, modeCount: 3 };
     const free = findModes(core, prepared, new Uint32Array(), settings);
@@ -106,7 +106,7 @@ describe('pins', () => {
 });
 
 describe('materials', () => {
-  it('are all within the ranges of the settings, and known again by their numbers', () => {
+  it('are all within the ranges of the settings, and recognised by their values', () => {
     for (const name of MATERIAL_NAMES) {
       const settings = { ...defaultSettings(), ...MATERIALS[name] };
       checkSettings(settings);
@@ -116,7 +116,7 @@ describe('materials', () => {
     expect(materialNameOf({ ...defaultSettings(), density: 7 })).toBeNull();
   });
 
-  it('all give modes, thin as they are', () => {
+  it('all give modes although they are thin', () => {
     const { mesh } = core.weld(torus(40, 20).positions, torus(40, 20).triangles, { tolerance: 0 });
     for (const name of MATERIAL_NAMES) {
       const { thickness, ...material } = MATERIALS[name];

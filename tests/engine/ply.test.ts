@@ -77,7 +77,7 @@ describe('PLY', () => {
     expect(unread).toEqual([]);
   });
 
-  it('takes normals, UVs and colours along', async () => {
+  it('reads normals, UVs and colours', async () => {
     const triangle = `ply\nformat ascii 1.0\nelement vertex 3\n${['x', 'y', 'z', 'nx', 'ny', 'nz', 's', 't']
       .map((name) => `property float ${name}\n`)
       .join(
@@ -89,9 +89,9 @@ property list uchar int vertex_indices\nproperty list uchar float texcoord\nend_
     const [primitive] = document.getRoot().listMeshes()[0].listPrimitives();
     const values = (name: string) => [...primitive.getAttribute(name)!.getArray()!];
     expect(values('NORMAL')).toEqual([0, 0, 1, 0, 0.6, 0.8, 0, 0, 1].map(Math.fround));
-    // PLY counts from the lower left corner of a picture, glTF from the upper left.
+    // The origin of UVs is the lower left corner in PLY and the upper left corner in glTF.
     expect(values('TEXCOORD_0')).toEqual([0, 0.75, 1, 1, 0, 0]);
-    // sRGB 55 is 0.0382 of full light, 10 is 0.0030.
+    // sRGB 55 is 0.0382 in linear light, 10 is 0.0030.
     expect(values('COLOR_0').slice(0, 7)).toEqual([65535, 0, 2504, 0, 0, 0, 199]);
     expect(unread).toEqual(['UV coordinates of faces']);
   });
@@ -103,7 +103,7 @@ element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 
     expect([...bodies[0].indices]).toEqual([0, 1, 2, 2, 1, 3, 2, 3, 4]);
   });
 
-  it('refuses with one sentence what is cut off or wrong', async () => {
+  it('refuses truncated or wrong files with one sentence', async () => {
     const bytes = binary(true);
     expect(await failure(bytes.subarray(0, bytes.length - 1))).toMatch(
       /^a\.ply, byte \d+: the file ends too early: export it again\.$/,
@@ -128,7 +128,7 @@ element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 
     expect(await failure(textFile('a.ply', header('ascii', 0, 0)).bytes)).toMatch(/^a\.ply has no faces/);
   });
 
-  it('never throws anything but a sentence, whatever byte is hit', () =>
+  it('never throws anything other than a sentence, whichever byte is damaged', () =>
     fc.assert(
       fc.asyncProperty(fc.nat(), fc.nat(255), fc.boolean(), async (place, value, isText) => {
         const bytes = isText ? new TextEncoder().encode(text) : binary(true);

@@ -3,14 +3,14 @@ import { describe, expect, it } from 'vitest';
 import { triangulatePolygon } from '../../web/engine/document/polygon';
 import { areaOf, triangleArea } from './support/shapes';
 
-/** Vertices on a plane that is tilted so that no axis is special. */
+/** Vertices in a plane that is not parallel to any axis. */
 function tilted(points: number[][]): Float32Array {
   return Float32Array.from(points.flatMap(([x, y]) => [x, 0.6 * y + 0.3 * x, 0.8 * y - 0.2 * x]));
 }
 
 const corners = (points: unknown[]) => points.map((_, i) => i);
 
-/** Each side of the polygon once, each cut twice, in opposite directions. */
+/** Expects every side of the polygon once and every diagonal twice, in opposite directions. */
 function expectTiling(triangles: number[], count: number): void {
   const edges = new Map<string, number>();
   for (let t = 0; t < triangles.length; t += 3)
@@ -27,12 +27,12 @@ function expectTiling(triangles: number[], count: number): void {
 }
 
 describe('a polygon', () => {
-  it('that is convex becomes the fan of its first corner', () => {
+  it('that is convex becomes a fan around its first corner', () => {
     const pentagon = [0, 1, 2, 3, 4].map((i) => [Math.cos(i * 1.2566), Math.sin(i * 1.2566)]);
     expect(triangulatePolygon(corners(pentagon), tilted(pentagon))).toEqual([0, 1, 2, 0, 2, 3, 0, 3, 4]);
   });
 
-  it('with one corner that sees all others is a fan from there', () => {
+  it('with one corner that sees all others becomes a fan around it', () => {
     const dart = [
       [0, 0],
       [2, 1],
@@ -44,7 +44,7 @@ describe('a polygon', () => {
     expect(triangles[0]).toBe(1);
   });
 
-  it('with corners in the middle of straight sides leaves none of them out and makes no flat triangle', () => {
+  it('with corners on straight sides keeps all of them and gets no flat triangle', () => {
     const square = [
       [0, 0],
       [1, 0],
@@ -62,7 +62,7 @@ describe('a polygon', () => {
       expect(triangleArea(positions, triangles.slice(t, t + 3))).toBeGreaterThan(0.1);
   });
 
-  it('of any simple shape is tiled without a gap or an overlap', () => {
+  it('of any simple shape is tiled without gaps or overlaps', () => {
     const star = fc
       .tuple(
         fc.array(fc.double({ min: 0.1, max: 1, noNaN: true }), { minLength: 4, maxLength: 24 }),
@@ -100,7 +100,7 @@ describe('a polygon', () => {
     expectTiling(triangles, staircase.length);
   });
 
-  it('without area is a fan all the same, so that its faces can be counted', () => {
+  it('without area still becomes a fan, so that its faces can be counted', () => {
     const line = [
       [0, 0],
       [1, 0],

@@ -27,7 +27,7 @@ function defaultOf(option: OptionSpec): string {
   return `${value}${value !== 0 ? unitOf(option) : ''}`;
 }
 
-/** The table of flags as the README shows it. */
+/** The table of flags in the form of the README. */
 async function optionsTable(): Promise<string> {
   const rows = Object.values(OPTIONS).map(
     (option) => `| \`--${option.flag}\` | ${defaultOf(option)} | ${range(option)} | ${option.help} |`,
@@ -37,7 +37,7 @@ async function optionsTable(): Promise<string> {
 }
 
 // LIMBER_UPDATE=1 writes the table instead of comparing it.
-test("the README's table of flags is the one of the settings", async () => {
+test("the README's table of flags agrees with the settings", async () => {
   const text = readFileSync(readme, 'utf8');
   const table = (await optionsTable()).trim();
   const [before, after] = [text.indexOf(start), text.indexOf(end) + end.length];

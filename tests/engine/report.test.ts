@@ -21,14 +21,14 @@ beforeAll(async () => {
 const prepare = (mesh = cube()) => prepareBody(core, bodyOf(mesh), defaultSettings());
 
 describe('a report', () => {
-  it('starts with what every report has, and spells infinity', () => {
+  it('starts with the fields of every report, and spells infinity', () => {
     const report = startReport(core, 'optimize', { p: Infinity, ratio: 0.5 }, [prepare()]);
     expect(report).toMatchObject({ schema: 'limber-report/1', command: 'optimize', threads: 1, timings: {} });
     expect(report.options).toEqual({ p: 'inf', ratio: 0.5 });
     expect(JSON.parse(JSON.stringify(report))).toEqual(report);
   });
 
-  it('sums the bodies, takes the smallest angle and the mean over all faces', () => {
+  it('sums over bodies, and has the smallest angle and the mean over all faces', () => {
     const [sheet, ring] = [prepare(grid(4, 4)), prepare(torus())];
     const both = meshReport([sheet, ring]);
     expect(both).toMatchObject({
@@ -43,7 +43,7 @@ describe('a report', () => {
     expect(both.meanMinAngle).toBeCloseTo(mean, 9);
   });
 
-  it('has no genus where one body is not a manifold', () => {
+  it('has no genus if one body is not a manifold', () => {
     const fan = {
       positions: Float32Array.from([0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, -1, -1, 0]),
       triangles: Uint32Array.from([0, 1, 2, 0, 1, 3, 0, 1, 4]),
@@ -51,7 +51,7 @@ describe('a report', () => {
     expect(meshReport([prepare(fan), prepare()])).toMatchObject({ genus: null, nonManifoldEdges: 1 });
   });
 
-  it('numbers components through and sorts the modes of all bodies', () => {
+  it('numbers the components of all bodies consecutively and sorts their modes', () => {
     const settings = { ...defaultSettings(), model: 'shell' as const, modeCount: 3 };
     const sets = [grid(4, 4), torus()].map((mesh) => runOfMesh(core, mesh).get(STAGES.modes, settings));
     const report = modesReport(sets);
@@ -68,7 +68,7 @@ describe('a report', () => {
     expect(modesReport([...sets, laplacian]).model).toBe('mixed');
   });
 
-  it('tells how far the frequencies of the worst part are off, and what is not fitted', () => {
+  it('gives the frequency error of the worst part, and what was not fitted', () => {
     const fit = (before: number[], after: number[], unfitted = '') => ({
       errorBefore: Float64Array.from(before),
       errorAfter: Float64Array.from(after),
@@ -81,7 +81,7 @@ describe('a report', () => {
     });
   });
 
-  it('is exhausted where one body missed, and tells the share of each reason', () => {
+  it('is exhausted if one body missed its target, and gives the share of each reason', () => {
     const refused = { topology: 2, flip: 1, lock: 1, angle: 0, deviation: 0 };
     const reached = { faces: 10, targetFaces: 10, history: { refused, stop: 'exhausted' as const } };
     expect(stopReport([reached]).reason).toBe('target');
@@ -97,7 +97,7 @@ describe('a report', () => {
     );
   });
 
-  it('has the worst distance of all bodies', () => {
+  it('has the largest distance of all bodies', () => {
     const distances = [
       { hausdorff: 1, mean: 0.5, vertexHausdorff: 3 },
       { hausdorff: 2, mean: 0.1, vertexHausdorff: 1 },

@@ -14,7 +14,7 @@ const report = {
 } as unknown as Report;
 
 describe('a report as text', () => {
-  it('has each value under its path as CSV, quoted where it must be', () => {
+  it('has each value under its path in CSV, quoted if necessary', () => {
     const lines = reportAsCsv(report).split('\r\n');
     expect(lines[0]).toBe('key,value');
     expect(lines).toContain('options.pins,"low:6,""x"""');
@@ -23,7 +23,7 @@ describe('a report as text', () => {
     expect(lines).toContain('modes.1.name,a|b');
   });
 
-  it('has a table for each part as Markdown, lists as rows', () => {
+  it('has a table for each section in Markdown, with lists as rows', () => {
     const text = reportAsMarkdown(report);
     expect(text).toContain('# Limber report\n\n| key | value |\n| --- | --- |\n| schema | limber-report/1 |');
     expect(text).toContain('## output\n\n| key | value |\n| --- | --- |\n| faces | 100 |');

@@ -41,7 +41,7 @@ const corners = ({ positions, triangles }: Shape, t: number): [Point, Point, Poi
 };
 const faceIndices = (shape: Shape) => Array.from({ length: shape.triangles.length / 3 }, (_, t) => t);
 
-/** Directed edges "a,b" with their faces. */
+/** Maps directed edges "a,b" to their faces. */
 function directedEdges({ triangles }: Shape): Map<string, number[]> {
   const edges = new Map<string, number[]>();
   triangles.forEach((a, corner) => {
@@ -52,7 +52,7 @@ function directedEdges({ triangles }: Shape): Map<string, number[]> {
   return edges;
 }
 
-/** The number of sets that `links` leave of `count` things. */
+/** The number of connected components of a graph with `count` nodes and the edges `links`. */
 function components(count: number, links: Iterable<readonly [number, number]>): number {
   const parent = Array.from({ length: count }, (_, i) => i);
   const root = (i: number): number => (parent[i] === i ? i : (parent[i] = root(parent[i])));
@@ -117,7 +117,7 @@ describe.each(samples.map((sample): [string, Sample] => [sample.id, sample]))('s
   const shape = shapes[id];
   const vertexCount = shape.positions.length / 3;
 
-  it('has the faces and vertices that are promised', () => {
+  it('has the promised numbers of faces and vertices', () => {
     const faces = shape.triangles.length / 3;
     expect(faces).toBeGreaterThanOrEqual(want.faces[0]);
     expect(faces).toBeLessThanOrEqual(want.faces[1]);
@@ -125,13 +125,13 @@ describe.each(samples.map((sample): [string, Sample] => [sample.id, sample]))('s
     expect(new Set(shape.triangles).size).toBe(vertexCount);
   });
 
-  it('is one consistently wound manifold of the genus it is built with', () => {
+  it('is one consistently oriented manifold of the expected genus', () => {
     const { boundaryLoops, genus } = want;
     expect(topology(shape)).toEqual({ components: 1, boundaryLoops, genus, mostFacesOnDirectedEdge: 1 });
     expect(splitFans(shape)).toEqual([]);
   });
 
-  it('has no face thinner than it should', () => {
+  it('has no face thinner than allowed', () => {
     const angles = faceIndices(shape).map((t) => smallestAngle(...corners(shape, t)));
     expect((Math.min(...angles) * 180) / Math.PI).toBeGreaterThan(want.smallestAngleDegrees);
   });
@@ -152,12 +152,12 @@ describe.each(samples.map((sample): [string, Sample] => [sample.id, sample]))('s
     expect(want.boundaryLoops > 0 ? front : volume(shape)).toBeGreaterThan(0);
   });
 
-  it('is made the same, byte for byte, every time', async () => {
+  it('is bit-equal each time it is made', async () => {
     const again = await sampleGlb(sample, sample.make());
     expect(Buffer.compare(await sampleGlb(sample, shape), again)).toBe(0);
   }, 30_000);
 
-  it('gives a GLB without a word from the validator', async () => {
+  it('gives a GLB that the validator accepts without messages', async () => {
     expect(await validateGlb(await sampleGlb(sample, shape))).toEqual({
       errors: 0,
       warnings: 0,
@@ -165,7 +165,7 @@ describe.each(samples.map((sample): [string, Sample] => [sample.id, sample]))('s
     });
   });
 
-  it('welds back to its vertices, bit for bit, and is lit from the side it faces', async () => {
+  it('welds back to its vertices bit for bit, and its normals agree with its faces', async () => {
     const primitive = await primitiveOf(await sampleGlb(sample, shape));
     const positions = primitive.getAttribute('POSITION')!.getArray()!;
     const normals = primitive.getAttribute('NORMAL')!.getArray()!;
@@ -186,7 +186,7 @@ describe.each(samples.map((sample): [string, Sample] => [sample.id, sample]))('s
 describe('the bar', () => {
   const bar = samples.find(({ id }) => id === 'bar')!;
 
-  it('is 1 x 3 x 1 m of right-angled triangles of one eighth', () => {
+  it('is 1 x 3 x 1 m of right-angled triangles with legs of 1/8 m', () => {
     const shape = shapes.bar;
     expect(volume(shape)).toBeCloseTo(3, 6);
     const areas = faceIndices(shape).map((t) => {
@@ -196,7 +196,7 @@ describe('the bar', () => {
     expect(new Set(areas)).toEqual(new Set([1 / 128]));
   });
 
-  it('is split at its 12 edges alone for shading', async () => {
+  it('has its normals split only at its 12 edges', async () => {
     const primitive = await primitiveOf(await sampleGlb(bar, shapes.bar));
     const sides = 2 * 9 * 9 + 4 * 9 * 25;
     expect(primitive.getAttribute('POSITION')!.getCount()).toBe(sides);
@@ -206,7 +206,7 @@ describe('the bar', () => {
 describe('the cloth', () => {
   const at = (i: number, j: number) => pointAt(shapes.cloth.positions, i + 33 * j);
 
-  it('hangs by its two top corners, slack between them', () => {
+  it('hangs by its two top corners and sags between them', () => {
     const [left, right] = [at(0, 0), at(32, 0)];
     expect(left[1]).toBeCloseTo(right[1], 6);
     expect(length(subtract(left, right))).toBeCloseTo(1.15, 6);
@@ -214,7 +214,7 @@ describe('the cloth', () => {
     expect(heights.filter((y) => y >= Math.min(left[1], right[1])).length).toBe(2);
   });
 
-  it('has stretched or shrunk nowhere by more than three percent', () => {
+  it('is nowhere stretched or shrunk by more than 3 %', () => {
     const ratios: number[] = [];
     for (let j = 0; j < 33; j++)
       for (let i = 0; i < 32; i++) {
@@ -225,7 +225,7 @@ describe('the cloth', () => {
     expect(Math.min(...ratios)).toBeGreaterThan(0.97);
   });
 
-  it('falls in folds: its middle threads wave in depth', () => {
+  it('falls in folds: its middle rows oscillate in depth', () => {
     const depth = (i: number) => at(i, 8)[2];
     const turns = Array.from({ length: 31 }, (_, k) => k + 1).filter(
       (i) => (depth(i) - depth(i - 1)) * (depth(i + 1) - depth(i)) < 0,
@@ -235,7 +235,7 @@ describe('the cloth', () => {
 });
 
 describe('the best triangulation of a convex polygon', () => {
-  it('cuts a long quad and a quad with a corner on its side without a flat triangle', () => {
+  it('has no flat triangle for a long quad and for a quad with a corner on its side', () => {
     const polygon: Point[] = [
       [0, 0, 0],
       [1, 0, 0],

@@ -3,7 +3,7 @@ import { OPTIONS, defaultSettings } from '../../web/engine/settings/options';
 import type { OptionSpec, Settings } from '../../web/engine/settings/options';
 import { changedSettings, readSetting } from '../../web/engine/settings/setting_text';
 
-/** Another value than the default that is allowed. */
+/** An allowed value other than the default. */
 function another(key: keyof Settings): unknown {
   const option: OptionSpec = OPTIONS[key];
   switch (option.kind) {
@@ -30,7 +30,7 @@ function another(key: keyof Settings): unknown {
 }
 
 describe('settings as text', () => {
-  it('are none where all are as they come', () => {
+  it('are empty if all have their defaults', () => {
     for (const method of ['limber', 'qem'] as const)
       expect(changedSettings(defaultSettings(method)).map(({ flag }) => flag)).toEqual(
         method === 'limber' ? [] : ['method'],
@@ -47,7 +47,7 @@ describe('settings as text', () => {
     },
   );
 
-  it('keep infinity', () => {
+  it('preserve infinity', () => {
     const [{ text }] = changedSettings({ ...defaultSettings(), p: Infinity });
     expect(text).toBe('inf');
     expect(readSetting(OPTIONS.p, 'inf')).toBe(Infinity);

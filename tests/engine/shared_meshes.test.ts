@@ -1,6 +1,6 @@
 /**
- * Real meshes from a folder that is not part of the project: LIMBER_SHARED, or ../shared beside the repository. Without
- * it these tests skip.
+ * Tests on real meshes from a folder outside of the project: LIMBER_SHARED, or ../shared next to the repository. They are
+ * skipped if that is absent.
  */
 
 import type { Document, Mesh, Primitive } from '@gltf-transform/core';
@@ -87,7 +87,7 @@ function optimize(model: OpenModel): Optimized[] {
   });
 }
 
-/** What the validator says of the exported file and would not say if no body had been replaced. */
+/** Validator messages about the exported file that would be absent if no body had been replaced. */
 async function addedMessages(model: OpenModel, bytes: Uint8Array): Promise<string[]> {
   const codeOf = (message: string) => message.split(' ')[0];
   const before = await validateGlb(
@@ -101,7 +101,7 @@ async function addedMessages(model: OpenModel, bytes: Uint8Array): Promise<strin
   return (await validateGlb(bytes)).messages.filter((message) => !known.has(codeOf(message)));
 }
 
-/** Everything that has to be there before and after; normals and fields may have been added. */
+/** Everything that has to exist before and after; normals and fields may have been added. */
 function inventory(document: Document) {
   const root = document.getRoot();
   return {
@@ -116,7 +116,7 @@ function inventory(document: Document) {
         node.getMatrix().map((value) => Number(value.toFixed(5)) + 0),
         node.getExtras(),
       ]),
-    // Names of morph targets are written even where they are the default ones.
+    // Names of morph targets are written even if they are the default ones.
     meshes: root
       .listMeshes()
       .map((mesh) => [mesh.getName(), mesh.getWeights(), { ...mesh.getExtras(), targetNames: null }]),
@@ -154,7 +154,7 @@ describe.skipIf(isAbsent)('a real mesh', () => {
         expect(measured.certificate.kept).toBe(true);
         for (const { zeroModesFound, zeroModesExpected } of modes!.components)
           expect(zeroModesFound).toBe(zeroModesExpected);
-        // A coarse solve is refined to frequencies, not to residuals.
+        // A coarse solve is refined until its frequencies converge, not its residuals.
         for (const { residual, component } of modes!.modes)
           expect(residual).toBeLessThanOrEqual(modes!.components[component].coarseVertices > 0 ? 1e-2 : 1e-7);
       }

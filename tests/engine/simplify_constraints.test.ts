@@ -24,14 +24,14 @@ function floorOf(options: SimplifyOptions): MeshAt {
 const point = ({ positions }: TriangleMesh, v: number) => [...positions.subarray(3 * v, 3 * v + 3)];
 
 describe('constraints through the core', () => {
-  it('leaves a locked vertex where it is', () => {
+  it('leave a locked vertex in place', () => {
     const locked = new Uint8Array(vertexCount);
     locked[7] = 1;
     const floor = floorOf({ ...limber, constraints: { locked } });
     expect(point(floor.mesh, floor.vertexOfInput[7])).toEqual(point(mesh, 7));
   });
 
-  it('keeps both sides of a border between groups, and the members of a pinned set', () => {
+  it('keep both sides of a border between groups, and the members of a pinned set', () => {
     const groups = Uint32Array.from({ length: faceCount }, (_, t) =>
       mesh.positions[3 * mesh.triangles[3 * t]] > 0.2 ? 1 : 0,
     );
@@ -41,7 +41,7 @@ describe('constraints through the core', () => {
     for (let v = 0; v < 40; v++) expect(pinnedSets[floor.inputOfVertex[floor.vertexOfInput[v]]]).toBe(2);
   });
 
-  it('says why a history ends', () => {
+  it('leave a history that says why it ends', () => {
     const stop = (options: Partial<SimplifyOptions>) =>
       core.simplify(mesh, none, none, { ...limber, ...options }).stop;
     expect(stop({})).toBe('exhausted');
@@ -50,7 +50,7 @@ describe('constraints through the core', () => {
     expect(stop({ minAngle: 35 })).toBe('angle');
   });
 
-  it('tells for every vertex what keeps it', () => {
+  it('explain for every vertex why it is kept', () => {
     const history = core.simplify(mesh, none, none, limber);
     const why = core.whyKept({ mesh, strain: none, curvature: none, options: limber, history }, 200);
     const { mesh: at } = core.meshAt(mesh, history, 200);
@@ -60,7 +60,7 @@ describe('constraints through the core', () => {
     expect([...why.verdict].some((verdict) => VERDICTS[verdict] === 'legal')).toBe(true);
   });
 
-  it('refuses what does not fit with a sentence', () => {
+  it('are refused with a sentence if they do not fit the mesh', () => {
     const constraints = { locked: new Uint8Array(3) };
     expect(() => floorOf({ ...limber, constraints })).toThrow(
       /^The list of locked vertices has 3 values, but the mesh has \d+ vertices: make it for this mesh\.$/,

@@ -54,7 +54,7 @@ describe('a running simulation', () => {
     expect(all[0]).toEqual(all[1]);
   });
 
-  it('a dragged point reaches its target, and leaves it once released', () => {
+  it('moves a dragged point to its target and lets it leave once released', () => {
     const simulation = new SimulatedBodies(core, sheet, null, optionsFor(sheet, 'sway'));
     const corner = sheet.triangles.indexOf(sheet.positions.length / 3 - 1);
     const barycentric = [0, 1, 2].map((c) => Number(c === corner % 3)) as [number, number, number];
@@ -69,7 +69,7 @@ describe('a running simulation', () => {
     simulation.end();
   });
 
-  it('touches what it is given and what the scenario has', () => {
+  it('collides with the given scene and with that of the scenario', () => {
     const added = { ground: -3, colliders: [{ from: [0, 1, 2], to: [3, 4, 5], radius: 0.5 }] as Collider[] };
     const touched = (scenario: ScenarioName, given: object) => {
       const simulation = new SimulatedBodies(core, sheet, coarse, {
@@ -87,7 +87,7 @@ describe('a running simulation', () => {
     expect(colliders[1].from).toEqual(colliders[1].to);
   });
 
-  it('lies on the capsule that it is given', () => {
+  it('rests on a given capsule', () => {
     const collider: Collider = { from: [0.5, -0.3, -9], to: [0.5, -0.3, 9], radius: 0.2 };
     const options = { ...optionsFor(sheet, 'drop'), colliders: [collider] };
     const simulation = new SimulatedBodies(core, sheet, coarse, options);
@@ -100,7 +100,7 @@ describe('a running simulation', () => {
     simulation.end();
   });
 
-  it('a calibration changes the optimized body and not the original', () => {
+  it('is changed by a calibration for the optimized body, not for the original', () => {
     const positionsOf = (calibration: number) => {
       const simulation = new SimulatedBodies(core, sheet, coarse, {
         ...optionsFor(sheet, 'hang'),
@@ -122,7 +122,7 @@ describe('a running simulation', () => {
     expect(await failureOf(() => simulation.step())).toBe('The simulation has ended: start it again.');
   });
 
-  it('refuses options and pins of no use with a sentence', async () => {
+  it('refuses unusable options and pins with a sentence', async () => {
     const options = { ...optionsFor(sheet, 'twist'), substeps: 0 };
     for (const substeps of [0, OPTIONS.substeps.max + 1])
       expect(await failureOf(() => new SimulatedBodies(core, sheet, null, { ...options, substeps }))).toBe(
@@ -136,7 +136,7 @@ describe('a running simulation', () => {
 });
 
 describe('the scenarios of TypeScript', () => {
-  it('are those of the core, in the same order', async () => {
+  it('equal those of the core, in the same order', async () => {
     const options = { ...optionsFor(sheet, 'twist'), scenario: 'fall' as ScenarioName };
     expect(await failureOf(() => core.scenarioCollisionScene(sheet, options))).toBe(
       `There is no scenario "fall": take one of ${SCENARIO_NAMES.join(', ')}.`,
@@ -145,7 +145,7 @@ describe('the scenarios of TypeScript', () => {
 });
 
 describe('a calibration', () => {
-  it('is that of the fidelity, and 1 of a body with itself', () => {
+  it('equals that of compareFidelity, and is 1 for a body and itself', () => {
     const original = prepareBody(core, bodyOf(sheet), settings);
     const options = { modeCount: 10, ...materialOf(original, settings) };
     const factor = calibrationOf(core, original, coarse, settings);
@@ -155,8 +155,8 @@ describe('a calibration', () => {
   });
 });
 
-describe('two motions compared', () => {
-  it('a body does not deviate from itself', () => {
+describe('a comparison of motions', () => {
+  it('finds no deviation of a body from itself', () => {
     const options = { ...optionsFor(sheet, 'sway'), seconds: 0.2, records: false, binding: null };
     const motion = core.compareMotion(sheet, sheet, options);
     expect([motion.deviationMean, motion.deviationMax]).toEqual([0, 0]);
@@ -164,7 +164,7 @@ describe('two motions compared', () => {
     expect(motion.original.positions).toHaveLength(0);
   });
 
-  it('gives the report its keys', () => {
+  it('has the keys of the report', () => {
     const options = { ...optionsFor(sheet, 'twist'), seconds: 0.2, records: true, binding: null };
     const motion = core.compareMotion(sheet, coarse, options);
     expect(motion.original.positions).toHaveLength(12 * sheet.positions.length);

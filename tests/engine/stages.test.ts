@@ -22,7 +22,7 @@ const settings = (change: Partial<Settings> = {}): Settings => ({ ...defaultSett
 const faces = ({ triangles }: { triangles: Uint32Array }) => triangles.length / 3;
 
 describe('a body', () => {
-  it('is welded, measured and known by its usable part', () => {
+  it('is welded, and measured by its usable part', () => {
     const body = bodyOf(
       together(torus(), {
         positions: Float32Array.from([0, 0, 0, 1, 0, 0]),
@@ -39,7 +39,7 @@ describe('a body', () => {
     ]);
   });
 
-  it('without a usable face is refused with one sentence', () => {
+  it('without usable faces is refused with one sentence', () => {
     const body = bodyOf(
       { positions: Float32Array.from([0, 0, 0, 1, 0, 0]), triangles: Uint32Array.from([0, 1, 1]) },
       'flat',
@@ -49,7 +49,7 @@ describe('a body', () => {
     );
   });
 
-  it('takes thickness in % of its diagonal, and the scale of its node into the unit', () => {
+  it('has its thickness in % of the diagonal, and a unit that includes the scale of its node', () => {
     const prepared = prepareBody(core, { ...bodyOf(cube()), scale: 0.01 }, settings());
     const material = materialOf(prepared, settings({ thickness: 5, unit: 10 }));
     expect(material.thickness).toBeCloseTo(0.05 * Math.sqrt(3), 6);
@@ -87,11 +87,11 @@ describe('guidance', () => {
       guide(torus(), { modes: [2] }),
       guide(torus(), { modes: [2], modeWeights: [7] }),
     ];
-    // Equal strains may be told apart by rounding.
+    // Rounding may separate equal strains.
     plain.rank.forEach((rank, t) => expect(Math.abs(rank - weighted.rank[t])).toBeLessThan(0.01));
   });
 
-  it('is 0 where a body has no elastic mode', () => {
+  it('is 0 if a body has no elastic modes', () => {
     const run = runOfMesh(core, cube());
     const found = run.get(STAGES.modes, settings());
     const none = {
@@ -104,7 +104,7 @@ describe('guidance', () => {
     expect([...rank]).toEqual(Array(12).fill(0));
   });
 
-  it('takes those of the named modes that exist, and refuses where none does', () => {
+  it('uses those of the named modes that exist, and is refused if none does', () => {
     const small = { modes: [1, 90], modeWeights: [1, 1], modeCount: 100 };
     expect(guide(cube(), small).rank).toEqual(guide(cube(), { modes: [1], modeCount: 100 }).rank);
     expect(() => guide(cube(), { modes: [90], modeCount: 100 })).toThrow(
@@ -128,7 +128,7 @@ describe('optimizing', () => {
     expect(measured.distance.hausdorff).toBeLessThan(5);
   });
 
-  it('of nothing changes nothing', () => {
+  it('to the number of faces that a body has changes nothing', () => {
     const { result, prepared, measured } = optimize(1e9);
     expect(result.mesh).toEqual(prepared.mesh);
     expect(measured.distance.hausdorff).toBeLessThan(1e-4);
@@ -142,7 +142,7 @@ describe('optimizing', () => {
     expect(history.trianglesAfter[history.trianglesAfter.length - 1]).toBe(faces(result.mesh));
   });
 
-  it('gives every face and vertex of the result its origin in the file', () => {
+  it('records for every face and vertex of the result its origin in the file', () => {
     const soup = together(torus(), grid(8, 8));
     const { prepared, result, guidance, curvature } = optimize(200, {}, soup);
     const exported = exportedBody(core, prepared, result, { guidance, curvature });

@@ -30,7 +30,7 @@ const failure = (file: { name: string; bytes: Uint8Array }) => failureOf(() => o
 
 describe('STL', () => {
   it.each([
-    ['binary, though it starts with "solid"', { name: 'cube.stl', bytes: toBinaryStl(cube()) }],
+    ['binary although it starts with "solid"', { name: 'cube.stl', bytes: toBinaryStl(cube()) }],
     ['text', textFile('cube.stl', toTextStl(cube()))],
     ['text without a final newline', textFile('CUBE.STL', toTextStl(cube()).trimEnd())],
   ])('reads a file that is %s', async (_, file) => {
@@ -51,7 +51,7 @@ describe('STL', () => {
     expect(bodies[0].indices).toHaveLength(36);
   });
 
-  it('refuses with one sentence what is cut off, broken or empty', async () => {
+  it('refuses truncated, broken or empty files with one sentence', async () => {
     const bytes = toBinaryStl(cube(), 'binary');
     expect(await failure({ name: 'a.stl', bytes: bytes.subarray(0, 400) })).toBe(
       'a.stl is cut off or not STL: 684 bytes are announced, 400 are there: export it again.',

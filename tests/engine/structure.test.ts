@@ -1,4 +1,4 @@
-/** The checks of `npm run lint` that keep the structure: each finds the fault that it is for, and nothing where there is none. */
+/** Tests the structure checks of `npm run lint`: each finds its kind of fault, and nothing if there is none. */
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -24,7 +24,7 @@ describe('arrows', () => {
     'web/app': ['web/engine/core'],
   };
 
-  test('an include along an arrow passes, one against it is told', () => {
+  test('an include along an arrow passes, one against it is reported', () => {
     const base = file('wasm/base/job.h', '#include "mesh/topology.h"\n');
     const mesh = file('wasm/mesh/topology.h', '#include <vector>\n#include "base/job.h"\n');
     expect(wrongArrows([mesh], house)).toEqual([]);
@@ -47,7 +47,7 @@ describe('arrows', () => {
     ]);
   });
 
-  test('a folder of its own room inside another room counts as that room', () => {
+  test('a folder that is a room inside another room counts as its own room', () => {
     const house = { 'web/app': ['web/app/worker'], 'web/app/worker': [] };
     const worker = file('web/app/worker/worker.ts', "import '../app';");
     expect(wrongArrows([worker, file('web/app/app.tsx', "import './worker/worker';")], house)).toHaveLength(
@@ -55,16 +55,16 @@ describe('arrows', () => {
     );
   });
 
-  test('code outside of all rooms is told', () => {
+  test('code outside of all rooms is reported', () => {
     expect(wrongArrows([file('wasm/attic/box.h', '#pragma once\n')], house)).toEqual([
       'wasm/attic/box.h lies in no room of scripts/structure/rooms.mjs.',
     ]);
   });
 
-  test('the rooms themselves have no circle, and know only rooms that are there', () => {
+  test('the rooms have no cycles, and name only rooms that exist', () => {
     const knows = (room: string, target: string, seen = new Set<string>()): boolean =>
       rooms[room].some((next) => next === target || (!seen.has(next) && knows(next, target, seen.add(next))));
-    // The page's root puts the panels together, and they use what stands beside them there.
+    // The page's root assembles the panels, and they use its other files.
     const inner = Object.keys(rooms).filter((room) => room !== 'web/app' && room !== 'web/app/panels');
     expect(inner.filter((room) => knows(room, room))).toEqual([]);
     const known = Object.values(rooms).flat();
@@ -73,7 +73,7 @@ describe('arrows', () => {
 });
 
 describe('circles', () => {
-  test('a header and a source that lead to each other through two files are told', () => {
+  test('a header and a source that include each other through two files are reported', () => {
     const found = importCircles([
       file('wasm/mesh/charts.h', '#include "mesh/corners.h"\n'),
       file('wasm/mesh/corners.h', '#pragma once\n'),
@@ -95,7 +95,7 @@ describe('sizes', () => {
   const named = (name: string, body: string, signature = `int ${name}(int a)`) =>
     `${signature} {\n${body}}\n`;
 
-  test('a folder of 31 files is told, one of 30 is not', () => {
+  test('a folder of 31 files is reported, one of 30 is not', () => {
     const folder = (count: number) =>
       Array.from({ length: count }, (_, i) => file(`wasm/mesh/a${i}.h`, '#pragma once\n'));
     expect(largeThings(folder(limits.filesOfFolder))).toEqual([]);
@@ -104,7 +104,7 @@ describe('sizes', () => {
     ]);
   });
 
-  test('a file of 351 lines is told, the table of settings is not', () => {
+  test('a file of 351 lines is reported, the table of settings is not', () => {
     const text = lines(limits.linesOfFile + 1, '// a comment');
     expect(largeThings([file('wasm/mesh/a.h', text)])).toEqual([
       'wasm/mesh/a.h has 351 lines (at most 350).',
@@ -112,7 +112,7 @@ describe('sizes', () => {
     expect(largeThings([file('web/engine/settings/table.ts', text)])).toEqual([]);
   });
 
-  test('a C++ function of 61 lines is told wherever its signature ends, comments do not count', () => {
+  test('a C++ function of 61 lines is reported wherever its signature ends; comments do not count', () => {
     const split = 'Result Solver::solve(const Mesh& mesh,\n                     int b) const';
     const text = `namespace limber {\n${named('solve', lines(59, '  ++a;'), split)}}\n`;
     expect(largeThings([file('wasm/fit/a.cpp', text)])[0]).toBe(
@@ -121,7 +121,7 @@ describe('sizes', () => {
     expect(largeThings([file('wasm/fit/a.cpp', named('a', lines(70, '  // quiet')))])).toEqual([]);
   });
 
-  test('a TypeScript function of 61 lines is told, one of 60 is not', () => {
+  test('a TypeScript function of 61 lines is reported, one of 60 is not', () => {
     const run = (count: number) => `export const run = () => {\n${lines(count - 2, '  step();')}};\n`;
     const told = 'web/cli/a.ts:1 run is 61 lines long (at most 60).';
     expect(largeThings([file('web/cli/a.ts', run(61))])).toContain(told);
@@ -168,7 +168,7 @@ describe('sizes', () => {
     expect(largeThings([header, file('wasm/fit/a.cpp', text)])).toHaveLength(count);
   });
 
-  test('parameters of TypeScript: five only where the function is exported', () => {
+  test('a TypeScript function may have five parameters only if it is exported', () => {
     const text = 'function f(a, b, c, d, e) {}\n';
     expect(largeThings([file('web/cli/a.ts', text)])).toEqual([
       'web/cli/a.ts:1 f has 5 parameters (at most 4).',
@@ -181,7 +181,7 @@ describe('sizes', () => {
 describe('type names', () => {
   const header = (text: string) => `namespace limber {\n${text}\n}  // namespace limber\n`;
 
-  test('a class in two headers is told, also where one of them is hidden', () => {
+  test('a class in two headers is reported, even if one of them is hidden', () => {
     const one = file('wasm/base/sets.h', header('class Sets {\n int a;\n};'));
     const two = file('wasm/fit/pieces.cpp', header('namespace {\nstruct Sets {\n};\n}'));
     expect(doubleTypeNames([one, two])).toEqual([
@@ -189,7 +189,7 @@ describe('type names', () => {
     ]);
   });
 
-  test('declarations, members of different classes and other namespaces are not', () => {
+  test('declarations, members of different classes and other namespaces are not reported', () => {
     const files = [
       file('wasm/base/a.h', header('class A;\nstruct B {\n struct Part {\n };\n};')),
       file('wasm/base/b.h', header('struct A {\n struct Part {\n };\n};')),
@@ -198,7 +198,7 @@ describe('type names', () => {
     expect(doubleTypeNames(files)).toEqual([]);
   });
 
-  test('types that two files of the engine export are told, those of page and engine are not', () => {
+  test('types that two files of the engine export are reported, types of page and engine are not', () => {
     const text = 'export interface Body { a: number }\n';
     const one = file('web/engine/body/body.ts', text);
     expect(doubleTypeNames([one, file('web/engine/core/body.ts', 'export type Body = 1;')])).toHaveLength(1);
@@ -222,7 +222,7 @@ describe('glossary', () => {
   ].join('\n');
   const struck = (path: string, text: string) => struckWords([file(path, text)], glossary);
 
-  test('a struck word is told inside a name, whole or in part', () => {
+  test('a struck word is reported as a whole name and as part of one', () => {
     expect(struck('wasm/fit/a.h', 'int firstHold_ = 1;')).toEqual([
       'wasm/fit/a.h has names that docs/glossary.md strikes: firstHold_ ("hold": say pinned).',
     ]);
@@ -231,7 +231,7 @@ describe('glossary', () => {
     expect(struck('wasm/fit/hold_down.h', '')).toHaveLength(1);
   });
 
-  test('comments, texts, longer words and terms of several words are not', () => {
+  test('comments, texts, longer words and terms of several words are not reported', () => {
     const quiet =
       '// hold\n/* holds */ const char* a = "hold"; int threshold = 1\'000, piece, line; // "hold"\n';
     expect(struck('wasm/fit/a.h', quiet)).toEqual([]);
@@ -240,7 +240,7 @@ describe('glossary', () => {
     ).toEqual([]);
   });
 
-  test('a name in backticks is struck as a whole name alone', () => {
+  test('a name in backticks is reported only as a whole name', () => {
     expect(struck('wasm/fit/a.h', 'Lines a;')).toHaveLength(1);
     expect(struck('wasm/fit/a.h', 'int lines, featureLines;')).toEqual([]);
   });
@@ -250,21 +250,21 @@ describe('paths in documents', () => {
   const known = new Set(['wasm/mesh/repair/weld.cpp', 'docs/modes.md', 'README.md']);
   const missing = (path: string, text: string) => missingPaths([file(path, text)], known);
 
-  test('a file that is not there is told, in code and as the target of a link', () => {
+  test('a missing file is reported, in code and as the target of a link', () => {
     expect(missing('README.md', 'See `wasm/mesh/wold.cpp: weld`.')).toEqual([
       'README.md names wasm/mesh/wold.cpp, which is not there.',
     ]);
     expect(missing('docs/a.md', '[modes](modes.md#pins), [a](../wasm/a.h)')).toHaveLength(1);
   });
 
-  test('files, folders, patterns, addresses and examples that are there pass', () => {
+  test('existing files, folders and patterns pass, as do addresses and examples', () => {
     const text =
       '`wasm/mesh/repair/weld.cpp: weld`, `wasm/mesh/`, `wasm/fit/*.h`, `tests/core/NAME_test.cpp`, [b](https://b.de)';
     expect(missing('README.md', `${text}\n\`\`\`\n\`wasm/none.h\`\n\`\`\`\n`)).toEqual([]);
   });
 });
 
-test('names fall into words at capitals, underscores and dots', () => {
+test('names are split into words at capitals, underscores and dots', () => {
   expect(wordsOf('readGLTFFile_2')).toEqual(['read', 'gltf', 'file', '2']);
   expect(wordsOf('kd_tree.test.h')).toEqual(['kd', 'tree', 'test', 'h']);
 });
@@ -284,7 +284,7 @@ test('the checks read the whole product', () => {
   expect(paths.some((path) => path.startsWith('web/app/panels/'))).toBe(true);
 });
 
-test('the picture of the architecture is that of the rooms', () => {
+test('the picture of the architecture agrees with the rooms', () => {
   const picture = join(import.meta.dirname, '..', '..', 'docs', 'images', 'architecture.svg');
   expect(readFileSync(picture, 'utf8'), 'run node scripts/docs/architecture-picture.mjs').toBe(
     drawArchitecture(),

@@ -17,7 +17,7 @@ beforeAll(async () => {
   core = await loadTestCore(1);
 });
 
-/** A wavy sheet over [-1, 1] x [0, 1], symmetric across x = 0 but for its quads, which are all cut one way. */
+/** A wavy sheet over [-1, 1] x [0, 1], symmetric across x = 0 except that all quads are cut along the same diagonal. */
 function oneWay(cellsX = 12, cellsY = 8): TriangleMesh {
   const { positions, triangles } = grid(cellsX, cellsY);
   const at = (v: number) => {
@@ -29,7 +29,7 @@ function oneWay(cellsX = 12, cellsY = 8): TriangleMesh {
   return { positions: Float32Array.from(moved), triangles };
 }
 
-/** The same, every face with three vertices of its own that begin anywhere; `isTurned` faces run the other way. */
+/** The same as a soup: every face has its own three vertices, rotated arbitrarily; `isTurned` faces are reversed. */
 function soupOf({ positions, triangles }: TriangleMesh, isTurned: (face: number) => boolean): TriangleMesh {
   const corners: number[] = [];
   for (let t = 0; t < triangles.length; t += 3) {
@@ -48,9 +48,9 @@ function normalOf(positions: ArrayLike<number>, face: number[]): number[] {
 }
 
 interface Made {
-  /** texture coordinates that follow from positions */
+  /** whether texture coordinates are a function of positions */
   isTextured?: boolean;
-  /** every vertex has the normal of its face */
+  /** whether every vertex has the normal of its face */
   isFaceted?: boolean;
 }
 
@@ -75,14 +75,14 @@ async function open(mesh: TriangleMesh, change: Partial<Settings>, made: Made = 
   return { model, run, settings, prepared: run.get(STAGES.prepared, settings) };
 }
 
-/** The mesh as it was prepared, through the file it is written to. */
+/** The prepared mesh, exported to a file and read back. */
 async function written({ model, prepared }: Awaited<ReturnType<typeof open>>) {
   const glb = await readGlb(await exportGlb(model, [exportedMesh(prepared)], { fields: false }));
   return glb.getRoot().listMeshes()[0].listPrimitives()[0];
 }
 
-describe('quads that are cut one way on both sides', () => {
-  it('are cut the other way on one side where a symmetry is asked for, and only there', async () => {
+describe('quads that are cut along the same diagonal on both sides', () => {
+  it('are cut along the other diagonal on one side, only if a symmetry is requested', async () => {
     const mesh = oneWay();
     const { prepared } = await open(mesh, { symmetry: 'x' });
     expect(prepared.body.notes).toEqual(['48 quads cut the other way, so that both sides are mirror images']);
@@ -94,7 +94,7 @@ describe('quads that are cut one way on both sides', () => {
     expect(facesOf(plain.mesh, 1)).not.toEqual(facesOf(plain.mesh, -1));
   });
 
-  it('collapse to a result that is its own image', async () => {
+  it('collapse to a result that is its own mirror image', async () => {
     const { run, settings } = await open(oneWay(), { symmetry: 'on' }, { isTextured: true });
     expect(run.get(STAGES.constraints, settings).note).toBe('');
     const { result } = optimized(run, settings, 60);
@@ -102,7 +102,7 @@ describe('quads that are cut one way on both sides', () => {
     expect(facesOf(result.mesh, 1)).toEqual(facesOf(result.mesh, -1));
   });
 
-  it('of a soup with turned faces keep the numbers of vertices and what these carry', async () => {
+  it('of a soup with reversed faces keep the vertex numbers and attributes', async () => {
     const soup = soupOf(oneWay(), (face) => face % 5 === 0);
     const opened = await open(soup, { symmetry: 'x' }, { isTextured: true });
     const { weld, mesh } = opened.prepared;
@@ -118,7 +118,7 @@ describe('quads that are cut one way on both sides', () => {
       expect(uv.getElement(v, [])).toEqual(position.getElement(v, []).slice(0, 2));
   });
 
-  it('get normals of their own where faces have theirs', async () => {
+  it('get their own normals if normals are per face', async () => {
     const opened = await open(
       soupOf(oneWay(), () => false),
       { symmetry: 'x' },
@@ -136,7 +136,7 @@ describe('quads that are cut one way on both sides', () => {
     }
   });
 
-  it('stay where a seam runs along their diagonals on both sides', async () => {
+  it('stay if a seam runs along their diagonals on both sides', async () => {
     const soup = soupOf(oneWay(4, 2), () => false);
     const document = startDocument();
     const primitive = primitiveOf(document, soup);

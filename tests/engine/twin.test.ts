@@ -30,20 +30,20 @@ const boundBodies = ({ binding }: Twin, original: TriangleMesh, optimized: Trian
 describe('measures of two bodies', () => {
   const mesh = grid(3, 2);
 
-  it('every edge is there once', () => {
+  it('contain every edge once', () => {
     const edges = edgesOf(mesh);
     const pairs = Array.from({ length: edges.length / 2 }, (_, e) => `${edges[2 * e]} ${edges[2 * e + 1]}`);
     expect(new Set(pairs).size).toBe(pairs.length);
     expect(pairs.length).toBe(3 * 3 * 2 + 3 + 2);
   });
 
-  it('twice the size is a stretch of 100 %, and a rigid motion is none', () => {
+  it('give a stretch of 100 % for twice the size and 0 for a rigid motion', () => {
     const stretch = new Stretch(mesh);
     expect(stretch.mean(moved(mesh.positions, [1, 2, 3], 2))).toBeCloseTo(100, 4);
     expect(stretch.mean(moved(mesh.positions, [1, 2, 3]))).toBeCloseTo(0, 4);
   });
 
-  it('vertices that rest apart and move alike have no distance', () => {
+  it('give no distance for vertices that move alike from different rest positions', () => {
     const apart = moved(mesh.positions, [0, 0, 0.5]);
     const distances = new VertexDistances(mesh.positions, apart, 2);
     const now = moved(mesh.positions, [1, 0, 0]);
@@ -55,7 +55,7 @@ describe('measures of two bodies', () => {
 });
 
 describe('a bound surface', () => {
-  // One triangle in the plane z = 0; vertices at its corner, in its middle and unbound.
+  // One triangle in the plane z = 0, and vertices at its corner, above its middle and unbound.
   const triangle: TriangleMesh = {
     positions: Float32Array.of(0, 0, 0, 3, 0, 0, 0, 3, 0),
     triangles: Uint32Array.of(0, 1, 2),
@@ -67,7 +67,7 @@ describe('a bound surface', () => {
   };
   const rest = Float32Array.of(0, 0, 0, 1, 1, 0.5, 7, 8, 9);
 
-  it('follows the triangle, at its height above it, and stays where it is not bound', () => {
+  it('follows the triangle at its height above it; unbound vertices stay in place', () => {
     const turned = Float32Array.of(0, 0, 0, 0, 3, 0, 0, 0, 3); // the normal is +x now
     const flat = boundPositions(binding, triangle, turned, { rest, offsets: false });
     const lifted = boundPositions(binding, triangle, turned, { rest, offsets: true });
@@ -76,8 +76,8 @@ describe('a bound surface', () => {
   });
 });
 
-describe('the corners to hang by', () => {
-  it('are the upper ones of what stands, and those at the back of what lies', () => {
+describe('the corners that a body hangs by', () => {
+  it('are the upper ones of an upright sheet and the back ones of a horizontal sheet', () => {
     const upright = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0.5, 1, 0);
     const flat = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 1);
     const none = new Uint32Array();
@@ -115,7 +115,7 @@ describe('twins', () => {
     twin.end();
   });
 
-  it('are measured after every step, and their costs with them', () => {
+  it('are measured after every step, including their costs', () => {
     const { twin, mesh } = makeTwin(120);
     expect(twin.stepSeconds('original')).toBe(0);
     const samples = steps(twin, 20);
@@ -124,14 +124,14 @@ describe('twins', () => {
     expect(mean).toBeGreaterThan(noise!);
     expect(max).toBeGreaterThan(mean);
     expect(twin.vertexDistances()).toHaveLength(mesh.positions.length / 3);
-    // Vertices of the border move more than points between them.
+    // Vertices of the border move more than the points between them.
     expect(Math.max(...twin.vertexDistances()) / max).toBeGreaterThan(0.8);
     expect(twin.stretchOf('original')).toBeGreaterThan(0);
     for (const name of ['original', 'optimized'] as const) expect(twin.stepSeconds(name)).toBeGreaterThan(0);
     twin.end();
   });
 
-  it('go on without the noise floor as they would with it', () => {
+  it('move without the noise floor exactly as with it', () => {
     const [{ twin: a }, { twin: b }] = [makeTwin(120), makeTwin(120)];
     steps(a, 5);
     a.endNoise();
@@ -142,7 +142,7 @@ describe('twins', () => {
     b.end();
   });
 
-  it('carry pins over by the binding, and move them alike on both bodies', () => {
+  it('transfer pins by the binding, and move them alike on both bodies', () => {
     const { twin, mesh } = makeTwin(60, { pinned: topCorners(sheet), scenario: 'pull', seconds: 0.2 });
     const before = twin.pins('original');
     expect(before).toHaveLength(6);
@@ -158,7 +158,7 @@ describe('twins', () => {
     twin.end();
   });
 
-  it('deviate as the report says, to the last bit', () => {
+  it('have the deviation of the report, to the last bit', () => {
     const { twin, mesh, result, options } = makeTwin(120, { scenario: 'sway' });
     const compared = (count: number) =>
       core.compareMotion(mesh, result.mesh, {
@@ -213,7 +213,7 @@ describe('twins', () => {
     }
   });
 
-  it('a point found on the other body and back again is where it was', () => {
+  it('map a point to the other body and back to where it was', () => {
     const { twin, mesh, result } = makeTwin(120);
     for (let triangle = 0; triangle < mesh.triangles.length / 3; triangle += 17) {
       const point = { triangle, barycentric: [0.25, 0.25, 0.5] as [number, number, number] };
@@ -228,7 +228,7 @@ describe('twins', () => {
     twin.end();
   });
 
-  it('can touch what the scenario has and what is added', () => {
+  it('collide with the scene of the scenario and with what is added', () => {
     const { twin } = makeTwin(120, { scenario: 'drop', colliders: 'ball:0.5,0.5,-0.4,0.2' });
     const { ground, colliders } = twin.collisionScene;
     expect(ground).toBeLessThan(0);
@@ -237,7 +237,7 @@ describe('twins', () => {
     twin.end();
   });
 
-  it.each(['original', 'optimized'] as const)('only the %s is named where only it has diverged', (name) => {
+  it.each(['original', 'optimized'] as const)('name only the %s if only it has diverged', (name) => {
     const numbers: number[] = [];
     const broken: Core = {
       ...core,
@@ -255,7 +255,7 @@ describe('twins', () => {
     twin.end();
   });
 
-  it('that are dragged far beyond their size diverge, and both are named', () => {
+  it('diverge if they are dragged far beyond their size, and both are named', () => {
     const { twin, result } = makeTwin(120);
     const point = {
       triangle: result.mesh.triangles.length / 3 - 1,

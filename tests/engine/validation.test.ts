@@ -1,4 +1,4 @@
-/** The reference values of docs/validation.md against published ones, and some cheap cases of that page. */
+/** Compares the reference values of docs/validation.md with published ones, and tests some cheap cases of that page. */
 
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core } from '../../web/engine/core/core';
@@ -23,7 +23,7 @@ import { box, plate, sphere, squareRing, tube } from '../../scripts/validation/m
 import type { MeshKind } from '../../scripts/validation/meshes';
 import { loadTestCore } from './support/core';
 
-/** Every value within `percent` of its reference. */
+/** Expects every value within `percent` of its reference. */
 function expectNear(values: number[], references: number[], percent: number): void {
   expect(values.length).toBe(references.length);
   values.forEach((value, k) => expect(Math.abs(errorPercent(value, references[k]))).toBeLessThan(percent));
@@ -43,7 +43,7 @@ describe('reference values', () => {
     expect(integrate(quadrature, cube, cube)).toBeCloseTo(2 / 7, 13);
   });
 
-  it('roots are found in order and not more than asked for', () => {
+  it('roots are found in order, at most as many as requested', () => {
     expectNear(
       signChanges(Math.sin, 1, 20, 500, 3),
       [1, 2, 3].map((k) => k * Math.PI),
@@ -67,7 +67,7 @@ describe('reference values', () => {
     });
   });
 
-  it('a plate on hinges starts with 2 pi^2 and 5 pi^2 twice', () => {
+  it('a simply supported plate has 2 pi^2 once and 5 pi^2 twice as its lowest values', () => {
     expectNear(
       supportedPlateFrequencies(3),
       [2, 5, 5].map((k) => k * Math.PI ** 2),
@@ -75,7 +75,7 @@ describe('reference values', () => {
     );
   });
 
-  it("Timoshenko's beam becomes Euler's as it grows slender, free and held", () => {
+  it("Timoshenko's beam approaches Euler's as it becomes slender, free and clamped", () => {
     for (const isHeld of [true, false]) {
       const slender = { side: 1, length: 100, poisson: 0.3 };
       expectNear(timoshenkoBending(slender, isHeld, 1), [eulerBending(slender, isHeld)], 0.3);
@@ -103,7 +103,7 @@ describe('reference values', () => {
     expectNear(tubeFrequencies(narrow, 2, 1), [ringInPlane(1, 0.01 ** 2 / 12, 1, 2)], 0.1);
   });
 
-  it('a ring that cannot twist is no softer out of its plane than in it', () => {
+  it('a ring that cannot twist is no softer out of plane than in plane', () => {
     const [inside, outside] = [ringInPlane(1, 1, 1, 2), ringOutOfPlane(1, 1, 1e9, 2)];
     expect(outside).toBeGreaterThan(inside);
     expect(ringOutOfPlane(1, 1, 0.5, 2)).toBeLessThan(outside);
@@ -117,7 +117,7 @@ describe('meshes of the validation', () => {
     core = await loadTestCore(1);
   });
 
-  it.each(kinds)('%s bodies are closed and wound one way, sheets have their borders', (kind) => {
+  it.each(kinds)('%s bodies are closed and consistently oriented, and sheets have their borders', (kind) => {
     const closed = [box([1, 1, 3], [3, 3, 9], kind), squareRing(24, 2, kind, [1, 0.2]), sphere(4, kind)];
     for (const mesh of closed)
       expect(core.inspect(mesh)).toMatchObject({
@@ -131,7 +131,7 @@ describe('meshes of the validation', () => {
   });
 });
 
-describe('computed against analytic', () => {
+describe('computed against analytic values', () => {
   let core: Core;
   beforeAll(async () => {
     core = await loadTestCore(2);
@@ -147,7 +147,7 @@ describe('computed against analytic', () => {
     },
   );
 
-  it('pinned faces clamp, a pinned line is a hinge', () => {
+  it('pinned faces clamp, and a pinned line is a hinge', () => {
     expectNear(plateRun(core, 'clamped', 32, 'regular').computed.slice(0, 3), [35.985, 73.394, 73.394], 2.5);
     const hinged = plateRun(core, 'supported', 32, 'regular').computed.slice(0, 3);
     expectNear(hinged, supportedPlateFrequencies(3), 1);
@@ -163,20 +163,20 @@ describe('computed against analytic', () => {
     );
   });
 
-  it('a solid bar bends, twists and stretches as beam theories say, whatever its triangles', () => {
+  it('a solid bar bends, twists and stretches as in beam theories, whatever its triangles', () => {
     const bar = { side: 1, length: 3, poisson: 0.3 };
     const references = [...timoshenkoBending(bar, false, 2), twist(bar, 1), stretch(bar, 1)];
     for (const kind of ['regular', 'irregular', 'graded'] as const)
       expectNear(barRun(core, false, 4, kind).computed, references, 1.5);
   });
 
-  it('a clamp holds a solid beam by its end, however few vertices that has', () => {
+  it('a solid beam is clamped by its end, however few vertices that has', () => {
     const bar = { side: 1, length: 6, poisson: 0.3 };
     const references = [...timoshenkoBending(bar, true, 2), twist(bar, 0.5), stretch(bar, 0.5)];
     expectNear(barRun(core, true, 2, 'irregular').computed, references, 1.5);
   });
 
-  it("a solid sphere has Lamb's frequencies within 2 %, breathing too", () => {
+  it("a solid sphere has Lamb's frequencies within 2 %, including the breathing mode", () => {
     const references = [
       ...torsional(2, 1),
       ...torsional(3, 1),

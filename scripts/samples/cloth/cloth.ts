@@ -4,7 +4,7 @@ import { minimise } from './minimise';
 
 const side = 33;
 const width = 1.6;
-/** Distance of the two pinned corners, metres: the slack between them makes the folds. */
+/** Distance between the two pinned corners, metres; it is less than the cloth's width, which causes the folds. */
 const span = 1.15;
 
 const cloth: Cloth = {
@@ -17,12 +17,12 @@ const cloth: Cloth = {
   pins: [0, side - 1],
 };
 
-/** Newtons out of balance on any vertex at rest: one percent of what a vertex weighs. */
+/** Largest net force on a vertex at rest, newtons: 1 % of a vertex's weight. */
 const largestForce = 6e-5;
 
 /**
  * A square cloth of 33 x 33 vertices (2,048 faces) at rest, hung by its two top corners: the minimum of its elastic
- * and potential energy. Vertex i + 33 j is the i-th from the left, the j-th from the top. Open, one boundary loop.
+ * and potential energy. Vertex i + 33 j is i-th from the left and j-th from the top. It has one boundary loop.
  */
 export function makeCloth(): Shape {
   const x = startingFolds();
@@ -32,7 +32,7 @@ export function makeCloth(): Shape {
   return standing(x, gridTriangles());
 }
 
-/** The cloth hung straight down and gathered into uneven folds, so that it falls to one side of the symmetric state. */
+/** The initial cloth, hanging straight down in uneven folds, so that it leaves the symmetric state to one side. */
 function startingFolds(): Float64Array {
   const x = new Float64Array(3 * side * side);
   for (let j = 0; j < side; j++)
@@ -45,7 +45,7 @@ function startingFolds(): Float64Array {
   return x;
 }
 
-/** Two triangles a cell, the diagonals alternating like a chessboard, so that no direction is stiffer. */
+/** Two triangles per cell; diagonals alternate like a chessboard, so that no direction is stiffer. */
 function gridTriangles(): number[] {
   const triangles: number[] = [];
   for (let j = 0; j + 1 < side; j++)

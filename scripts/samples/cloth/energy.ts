@@ -1,9 +1,9 @@
-// The energy of a square cloth on a grid: springs along threads and diagonals, a thin plate's bending, weight.
+// The energy of a square cloth on a grid: springs along threads and diagonals, bending of a thin plate, and weight.
 
 import type { Objective } from './minimise';
 
 export interface Cloth {
-  /** Vertices along a side; vertex i + side * j is thread i from the left, j from the top. */
+  /** Vertices along a side; vertex i + side * j is on thread i from the left and j from the top. */
   side: number;
   /** Rest length of a cell's side, metres. */
   cell: number;
@@ -19,7 +19,7 @@ export interface Cloth {
 }
 
 const gravity = 9.81;
-/** Stiffness of the threads along the border beside that of the others: hems are sewn double. */
+/** Stiffness of threads along the border relative to the others: hems are sewn double. */
 const hem = 2;
 
 interface Spring {
@@ -29,9 +29,9 @@ interface Spring {
   stiffness: number;
 }
 
-/** Energy: half of `stiffness` times the square of a second difference of positions. */
+/** A term with the energy stiffness |d|^2 / 2, where d is a second difference of positions. */
 interface Bend {
-  /** The difference is a - b + c - d: along a thread b and d are one vertex, in a cell it is the twist. */
+  /** The difference is a - b + c - d: along a thread b equals d; over a cell it is the twist. */
   a: number;
   b: number;
   c: number;
@@ -39,7 +39,7 @@ interface Bend {
   stiffness: number;
 }
 
-/** Energy in joules of the flat positions x[3 v + axis]; the gradient of pinned vertices is 0. */
+/** The energy in joules at positions x[3 v + axis]; the gradient of pinned vertices is 0. */
 export function clothEnergy(cloth: Cloth): Objective {
   const springs = springsOf(cloth);
   const bends = bendsOf(cloth);
@@ -122,7 +122,7 @@ function bendsOf({ side, cell, bending }: Cloth): Bend[] {
   return bends;
 }
 
-/** Each vertex's weight in newtons: a quarter of every cell around it. */
+/** The weight of each vertex in newtons: a quarter of every cell around it. */
 function weightsOf({ side, cell, density }: Cloth): Float64Array {
   const weights = new Float64Array(side * side);
   const quarter = (density * gravity * cell * cell) / 4;

@@ -1,10 +1,10 @@
-// Limited-memory BFGS: the minimum of a smooth function of many variables from its values and gradients alone.
+// Limited-memory BFGS: minimises a smooth function of many variables from its values and gradients.
 
-/** Writes the gradient at `x` into `gradient` and gives the value. */
+/** Writes the gradient at `x` to `gradient` and returns the value. */
 export type Objective = (x: Float64Array, gradient: Float64Array) => number;
 
 export interface MinimiseOptions {
-  /** Stops where no component of the gradient is larger. */
+  /** The search stops when no component of the gradient is larger. */
   tolerance: number;
   iterations: number;
 }
@@ -18,7 +18,7 @@ interface Step {
 
 const memory = 12;
 
-/** Moves `x` downhill to a point of gradient at most `tolerance`; gives the largest component that is left. */
+/** Moves `x` to a point whose gradient is at most `tolerance`; returns the largest component left. */
 export function minimise(objective: Objective, x: Float64Array, options: MinimiseOptions): number {
   let gradient = new Float64Array(x.length);
   let value = objective(x, gradient);
@@ -42,7 +42,7 @@ export function minimise(objective: Objective, x: Float64Array, options: Minimis
   return largest(gradient);
 }
 
-/** The two-loop recursion: -H g, H the inverse Hessian as the last steps show it. */
+/** The two-loop recursion for -H g, where H approximates the inverse Hessian from the last steps. */
 function descentDirection(gradient: Float64Array, steps: readonly Step[]): Float64Array {
   const direction = combined(new Float64Array(gradient.length), gradient, -1);
   const factors: number[] = [];
@@ -69,7 +69,7 @@ interface Search {
   isFirst: boolean;
 }
 
-/** A step that lowers the value enough (Armijo) and flattens the slope (weak Wolfe), by bisection; none: undefined. */
+/** Finds a step that satisfies the Armijo and weak Wolfe conditions by bisection; undefined if there is none. */
 function lineSearch(objective: Objective, x: Float64Array, { value, gradient, direction, isFirst }: Search) {
   const slope = dotProduct(gradient, direction);
   if (slope >= 0) return undefined;
@@ -99,7 +99,7 @@ function dotProduct(a: Float64Array, b: Float64Array): number {
   return sum;
 }
 
-/** a + factor b. */
+/** Returns a + factor b. */
 function combined(a: Float64Array, b: Float64Array, factor: number): Float64Array {
   const sum = a.slice();
   addScaled(sum, b, factor);

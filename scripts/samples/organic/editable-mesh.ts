@@ -15,7 +15,7 @@ export class EditableMesh {
       this.addFace(triangles[t], triangles[t + 1], triangles[t + 2]);
   }
 
-  /** The mesh without what was removed, vertices renumbered in order. */
+  /** The mesh without removed elements; vertices are renumbered in order. */
   net(): Net {
     const renumbered: number[] = [];
     const points: number[] = [];
@@ -39,11 +39,11 @@ export class EditableMesh {
     [this.points[3 * v], this.points[3 * v + 1], this.points[3 * v + 2]] = [x, y, z];
   }
 
-  /** All edges once, the smaller vertex first. */
+  /** Every edge once, with the smaller vertex first. */
   edges(): [number, number][] {
     return this.corners.flatMap((face) =>
       face
-        ? face.map((a, i): [number, number] => [a, face[(i + 1) % 3]]).filter(([a, b]) => a < b) // the face on the other side has the edge as b, a
+        ? face.map((a, i): [number, number] => [a, face[(i + 1) % 3]]).filter(([a, b]) => a < b) // the face on the other side has b, a
         : [],
     );
   }
@@ -60,13 +60,13 @@ export class EditableMesh {
     return this.sharedFaces(a, b).length === 2;
   }
 
-  /** The corners across the two faces at an edge: on the left of a -> b, then on its right. */
+  /** The corners opposite an edge in its two faces: first left of a -> b, then right of it. */
   opposite(a: number, b: number): [number, number] {
     const [left, right] = [this.faceWith(a, b), this.faceWith(b, a)];
     return [nextCorner(this.corners[left]!, b), nextCorner(this.corners[right]!, a)];
   }
 
-  /** Cuts an edge and both its faces in two at `middle`. */
+  /** Splits an edge and its two faces at `middle`. */
   split(a: number, b: number, middle: Point): void {
     const [left, right] = this.opposite(a, b);
     const v = this.vertexCount;
@@ -79,14 +79,14 @@ export class EditableMesh {
     this.addFace(v, a, right);
   }
 
-  /** Whether a and b have no common neighbour but the two corners across their edge: else a collapse pinches. */
+  /** Whether a and b have only the two corners opposite their edge as common neighbours (link condition). */
   canCollapse(a: number, b: number): boolean {
     const around = new Set(this.neighbours(a));
     const common = this.neighbours(b).filter((v) => around.has(v));
     return common.length === 2 && common.every((v) => this.valence(v) > 3);
   }
 
-  /** Draws `b` into `a`, which moves to `target`. */
+  /** Collapses `b` into `a`, which moves to `target`. */
   collapse(a: number, b: number, target: Point): void {
     for (const face of this.sharedFaces(a, b)) this.removeFace(face);
     for (const face of [...this.facesOf[b]]) {
@@ -97,7 +97,7 @@ export class EditableMesh {
     this.move(a, target);
   }
 
-  /** Turns the edge a, b into the one across its two faces, which must not be there yet. */
+  /** Flips the edge a, b; the new edge must not exist yet. */
   flip(a: number, b: number): void {
     const [left, right] = this.opposite(a, b);
     for (const face of this.sharedFaces(a, b)) this.removeFace(face);
@@ -105,7 +105,7 @@ export class EditableMesh {
     this.addFace(right, left, a);
   }
 
-  /** Normals (length: twice the area) of the faces at `v`, were it at `position`; faces at `except` are left out. */
+  /** Normals (length: twice the area) of the faces at `v` if it were at `position`, without faces at `except`. */
   normalsAround(v: number, position: Point, except?: number): Point[] {
     const faces = [...this.facesOf[v]].map((t) => this.corners[t]!);
     return faces
@@ -116,7 +116,7 @@ export class EditableMesh {
       });
   }
 
-  /** Whether no face at `v` turns by more than about 45 degrees when it moves to `position`. */
+  /** Whether no face at `v` rotates by more than about 45 degrees when `v` moves to `position`. */
   keepsNormals(v: number, position: Point, except?: number): boolean {
     const before = this.normalsAround(v, this.point(v), except);
     const after = this.normalsAround(v, position, except);
@@ -139,13 +139,13 @@ export class EditableMesh {
     return [...this.facesOf[a]].filter((t) => this.facesOf[b].has(t));
   }
 
-  /** The face that goes from a to b. */
+  /** The face with the directed edge from a to b. */
   private faceWith(a: number, b: number): number {
     return this.sharedFaces(a, b).find((t) => nextCorner(this.corners[t]!, a) === b)!;
   }
 }
 
-/** The corner after `v`, counter-clockwise. */
+/** The next corner after `v`, counter-clockwise. */
 function nextCorner(face: readonly [number, number, number], v: number): number {
   return face[(face.indexOf(v) + 1) % 3];
 }

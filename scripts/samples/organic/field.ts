@@ -1,13 +1,13 @@
-// The implicit surface of the organic shape: limbs along curves, melted together.
+// The implicit surface of the organic shape: limbs along curves, blended smoothly.
 
-/** A limb runs smoothly through knots [x, y, z, radius], metres; a closed one returns to its first knot. */
+/** A limb is a smooth curve through knots [x, y, z, radius], metres; a closed one returns to its first knot. */
 export interface Limb {
   knots: readonly (readonly number[])[];
   isClosed: boolean;
 }
 
 export interface FieldSample {
-  /** Nearly a signed distance: negative inside. */
+  /** Approximate signed distance, metres, negative inside. */
   value: number;
   gradient: [number, number, number];
 }
@@ -16,7 +16,7 @@ export type Field = (x: number, y: number, z: number) => FieldSample;
 
 const piecesPerKnot = 3;
 
-/** Limbs melted together over about `blend` metres: -k log sum exp(-d / k), smooth and the same in any order. */
+/** Blends limbs over about `blend` metres: -k log sum exp(-d / k), smooth and independent of their order. */
 export function meltedLimbs(limbs: readonly Limb[], blend: number): Field {
   const parts = limbs.map(sampledLimb);
   return (x, y, z) => {
@@ -60,12 +60,12 @@ function sampledLimb({ knots, isClosed }: Limb): Float64Array {
   return cones;
 }
 
-/** The cubic from b at 0 to c at 1 whose slopes there are those of the neighbours' chords. */
+/** The cubic from b at 0 to c at 1 whose slopes there are those of the chords a-c and b-d (Catmull-Rom). */
 function catmullRom([a, b, c, d]: readonly number[], t: number): number {
   return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
 }
 
-/** Distance to the nearest of a limb's round cones. */
+/** Distance to the nearest round cone of a limb. */
 function distanceToCones(cones: Float64Array, x: number, y: number, z: number): FieldSample {
   let value = Infinity;
   let nearest = 0;

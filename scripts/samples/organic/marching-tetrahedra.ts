@@ -1,5 +1,5 @@
-// Marching tetrahedra: every grid cube is cut into six tetrahedra, each crossed by a triangle or a quad. The triangles
-// are of all shapes, but the surface is a closed manifold by construction.
+// Marching tetrahedra: every grid cube is cut into six tetrahedra, each crossed by a triangle or a quad. Triangles may be
+// badly shaped, but the surface is a closed manifold by construction.
 
 import { cross, dot, pointAt, subtract, type Point } from '../shape';
 import type { Field } from './field';
@@ -11,11 +11,11 @@ export interface Box {
 
 export interface Net {
   points: number[];
-  /** Counter-clockwise from outside. */
+  /** Counter-clockwise seen from outside. */
   triangles: number[];
 }
 
-/** The surface field = 0 within `box`, which must hold it all, on a grid of `cell` metres. */
+/** The surface field = 0 on a grid of `cell` metres; `box` must contain all of it. */
 export function marchTetrahedra(field: Field, { low, high }: Box, cell: number): Net {
   const grid = new Grid(
     low,
@@ -32,7 +32,7 @@ export function marchTetrahedra(field: Field, { low, high }: Box, cell: number):
 
 class Grid {
   readonly nodeCount: number;
-  /** The six tetrahedra of a cube: steps to their nodes from the cube's low corner, all along its long diagonal. */
+  /** The six tetrahedra of a cube around its long diagonal; steps from the cube's low corner to their nodes. */
   readonly tetrahedra: number[][];
   private readonly stride: number[];
 
@@ -86,7 +86,7 @@ class CutSurface {
     const outwards = subtract(this.grid.point(outside[0]), this.grid.point(inside[0]));
     const loop = [...inside].flatMap((a, i) => {
       const crossed = outside.map((b) => this.vertexBetween(a, b));
-      return i % 2 ? crossed.reverse() : crossed; // of two by two, this goes around the quad
+      return i % 2 ? crossed.reverse() : crossed; // with two nodes on each side, this order goes around the quad
     });
     const [a, b, c] = loop.map((vertex) => pointAt(this.net.points, vertex));
     const isInwards = dot(cross(subtract(b, a), subtract(c, a)), outwards) < 0;
@@ -94,7 +94,7 @@ class CutSurface {
     for (let i = 2; i < loop.length; i++) this.net.triangles.push(loop[0], loop[i - 1], loop[i]);
   }
 
-  /** The vertex where the surface crosses an edge of the grid, kept off the ends so that no triangle is flat. */
+  /** The vertex where the surface crosses an edge of the grid, kept away from its ends so that no triangle is flat. */
   private vertexBetween(inside: number, outside: number): number {
     const key = Math.min(inside, outside) * this.grid.nodeCount + Math.max(inside, outside);
     const known = this.vertexOf.get(key);

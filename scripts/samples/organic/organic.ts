@@ -4,16 +4,16 @@ import { remesh } from './remesh';
 import { marchTetrahedra } from './marching-tetrahedra';
 
 const height = 1.5;
-/** How far a limb turns about the axis on its way up, radians. */
+/** Total rotation of a limb about the axis from foot to crown, radians. */
 const twist = 2.4;
-/** The crown rises towards +X by this slope, and its middle lies this far off the axis of the foot. */
+/** The slope of the crown towards +X, and the distance of its middle from the axis of the foot. */
 const crownTilt = 0.32;
 const crownShift = 0.1;
 
-/** The turn that brings its best side to the front, +Z. */
+/** The rotation about Y that turns its best side to the front, +Z. */
 const bestSide = 2.27;
 
-/** A knot on a winding limb: `turn` is its angle at the foot, `rise` runs from 0 at the foot to 1 at the crown. */
+/** A knot of a winding limb: `turn` is the limb's angle at the foot; `rise` is 0 at the foot and 1 at the crown. */
 function windingKnot(turn: number, rise: number, belly: number, radius: number): number[] {
   const angle = turn + twist * rise;
   const distance = mix(0.12, 0.25, rise) + belly * Math.sin(Math.PI * rise);
@@ -22,7 +22,7 @@ function windingKnot(turn: number, rise: number, belly: number, radius: number):
   return [x + crownShift * Math.sin((Math.PI / 2) * rise), y, distance * Math.sin(angle), radius];
 }
 
-/** A limb that winds from the foot to the crown, slender in the middle; `belly` is how far it bulges. */
+/** A limb that winds from the foot to the crown and is slender in the middle; `belly` is how far it bulges. */
 function windingLimb(turn: number, belly: number, thickness: number): Limb {
   const knots = Array.from({ length: 13 }, (_, i) => {
     const rise = i / 12;
@@ -43,7 +43,7 @@ function bridge(from: number[], to: number[], sag: number): Limb {
   return { knots, isClosed: false };
 }
 
-/** A tilted ring of uneven thickness: the crown. */
+/** The crown: a tilted ring of uneven thickness. */
 function crown(): Limb {
   const knots = Array.from({ length: 16 }, (_, i) => {
     const angle = (i * Math.PI) / 8;
@@ -80,7 +80,7 @@ export function makeOrganic(): Shape {
   return standing(turned(points, bestSide), triangles);
 }
 
-/** Points turned about the Y axis. */
+/** Points rotated about the Y axis. */
 function turned(points: readonly number[], angle: number): number[] {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   return points.map((value, i) => {

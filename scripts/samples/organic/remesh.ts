@@ -1,5 +1,5 @@
-// Isotropic remeshing on an implicit surface: long edges are split, short ones collapse, valences even out by flips,
-// vertices slide to the middle of their neighbours and return to the surface.
+// Isotropic remeshing on an implicit surface: splits long edges, collapses short ones, flips edges to even out valences,
+// moves vertices tangentially to the middle of their neighbours and projects them back.
 
 import { cross, dot, length, subtract, type Point } from '../shape';
 import { EditableMesh } from './editable-mesh';
@@ -7,12 +7,12 @@ import type { Field } from './field';
 import type { Net } from './marching-tetrahedra';
 
 export interface RemeshOptions {
-  /** Wanted edge length, metres. */
+  /** Target edge length, metres. */
   edge: number;
   rounds: number;
 }
 
-/** A net of the same surface and topology with edges of about one length and angles near 60 degrees. */
+/** A mesh of the same surface and topology with edges of similar length and angles near 60 degrees. */
 export function remesh(net: Net, field: Field, { edge, rounds }: RemeshOptions): Net {
   let result = net;
   for (let round = 0; round < rounds; round++) {
@@ -38,7 +38,7 @@ function splitLong(mesh: EditableMesh, longest: number): void {
 
 function collapseShort(mesh: EditableMesh, shortest: number, longest: number): void {
   for (const [a, b] of mesh.edges()) {
-    if (!mesh.isEdge(a, b)) continue; // an earlier collapse took it
+    if (!mesh.isEdge(a, b)) continue; // an earlier collapse removed it
     const [p, q] = [mesh.point(a), mesh.point(b)];
     if (distance(p, q) >= shortest || !mesh.canCollapse(a, b)) continue;
     const target = middle(p, q);
@@ -60,7 +60,7 @@ function evenValences(mesh: EditableMesh): void {
   }
 }
 
-/** Whether the two faces after a flip still look the same way as the two before. */
+/** Whether the two faces after a flip have normals similar to those before. */
 function flipStaysFlat(mesh: EditableMesh, [a, b, c, d]: number[]): boolean {
   const normal = (i: number, j: number, k: number) => {
     const [p, q, r] = [mesh.point(i), mesh.point(j), mesh.point(k)];
@@ -90,7 +90,7 @@ function centroid(points: readonly Point[]): Point {
   return [mean(0), mean(1), mean(2)];
 }
 
-/** Newton's steps along the gradient to the surface. */
+/** Projects a point onto the surface by Newton steps along the gradient. */
 function ontoSurface(field: Field, start: Point): Point {
   let [x, y, z] = start;
   for (let step = 0; step < 2; step++) {

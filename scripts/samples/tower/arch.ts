@@ -1,22 +1,22 @@
-// The arches at the foot: a rib between two legs, hung from the first platform.
+// The arches at the foot: ribs between two legs, hung from the first platform.
 
 import { mix, type Point } from '../shape';
 import type { CellComplex } from './cells';
 import { heights, offset, place } from './profile';
 
-/** Where the rib leaves the legs, and the heights of its crown. */
+/** The heights where the rib leaves the legs, and those of its crown. */
 export interface ArchEnds {
-  /** Heights of the corners of the leg's post that the rib's end covers, ascending. */
+  /** Heights of the corners on the leg's post that the end of the rib covers, ascending. */
   spring: readonly number[];
   crownInner: number;
   crownOuter: number;
 }
 
-/** Along the platform's edge between two legs stand this many hangers, each narrower than the gaps beside it. */
+/** Number of hangers along the platform's edge between two legs; each is narrower than the gaps next to it. */
 const hangers = 4;
 const hangerToGap = 0.5;
 
-/** Grid coordinates of the platform's cells between two legs, from -1 to 1: a gap, a hanger, a gap and so on. */
+/** Grid coordinates of the platform's cells between two legs, from -1 to 1: gaps and hangers in turn. */
 export const columnLines = symmetricLines();
 
 function symmetricLines(): number[] {
@@ -30,16 +30,16 @@ function symmetricLines(): number[] {
 
 type ArchPoint = readonly [number, number];
 
-/** Fuller than a parabola (2), yet steep enough at its ends to leave the leaning legs free. */
+/** Exponent of the arch: fuller than a parabola (2), but steep enough at its ends to clear the inclined legs. */
 const fullness = 2.5;
 
-/** The point of an arch at `fraction` (-1 to 1) of its half width. */
+/** The point of an arch at `fraction` of its half width, -1 to 1. */
 const archPoint = ([halfWidth, foot]: ArchPoint, crown: number, fraction: number): ArchPoint => [
   halfWidth * fraction,
   crown - (crown - foot) * Math.abs(fraction) ** fullness,
 ];
 
-/** Corresponding points along both sides of the rib; `hung` are its pieces below hangers. */
+/** Corresponding points along both sides of the rib; `hung` are its segments below hangers. */
 function ribPoints({ spring, crownInner, crownOuter }: ArchEnds) {
   const [innerFoot, outerFoot] = [spring[0], spring[spring.length - 1]].map((y): ArchPoint => [
     offset(1, y),
@@ -57,7 +57,7 @@ function ribPoints({ spring, crownInner, crownOuter }: ArchEnds) {
   };
 }
 
-/** Adds the four arches, each within the plane of the legs' outer walls. */
+/** Adds the four arches, each in the plane of the legs' outer walls. */
 export function addArches(complex: CellComplex, ends: ArchEnds): void {
   const { inner, outer, hung } = ribPoints(ends);
   const top = heights.first.bottom;
@@ -74,7 +74,7 @@ export function addArches(complex: CellComplex, ends: ArchEnds): void {
       );
 }
 
-/** The four sides of the tower: space of a point of the arch's plane at one of the walls' faces. */
+/** For each of the four sides: maps a point of the arch's plane, on one face of the wall, to space. */
 const sides: ((point: ArchPoint, line: number) => Point)[] = [1, -1].flatMap((sign) => [
   ([x, y]: ArchPoint, line: number) => place(x / offset(1, y), y, sign * line),
   ([x, y]: ArchPoint, line: number) => place(sign * line, y, x / offset(1, y)),

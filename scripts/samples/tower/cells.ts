@@ -1,9 +1,9 @@
-// A solid put together from prisms. Its skin is every face that only one prism owns: where all prisms meet face to
-// face, that skin is closed by construction, whatever the pattern.
+// A solid made of prisms. Its skin consists of the faces that belong to only one prism; if all prisms meet face to face,
+// the skin is closed by construction.
 
 import { angleBetween, cross, dot, length, pointAt, subtract, type Point } from '../shape';
 
-/** Two points nearer than this (metres) are one vertex; far below any strut's width, far above rounding. */
+/** Points closer than this (metres) are one vertex; far below any strut's width and far above rounding. */
 const resolution = 1e-6;
 
 export class CellComplex {
@@ -11,7 +11,7 @@ export class CellComplex {
   private readonly vertexOf = new Map<string, number>();
   private readonly openFaces = new Map<string, number[]>();
 
-  /** Adds the prism between two loops of as many corners; neighbours must share whole faces. */
+  /** Adds the prism between two loops with equal numbers of corners; adjacent prisms must share whole faces. */
   addPrism(bottom: readonly Point[], top: readonly Point[]): void {
     const low = bottom.map((point) => this.vertexAt(point));
     const high = top.map((point) => this.vertexAt(point));
@@ -24,10 +24,10 @@ export class CellComplex {
     for (const face of faces) this.toggleFace(isInsideOut ? face.reverse() : face);
   }
 
-  /** All faces that one prism alone owns, as triangles, counter-clockwise from outside, and their vertices. */
+  /** All faces that belong to only one prism, as triangles counter-clockwise seen from outside, and their vertices. */
   skin(): { points: number[]; triangles: number[] } {
     const triangles = [...this.openFaces.values()].flatMap((face) => this.triangulate(face));
-    const used = [...new Set(triangles)].sort((a, b) => a - b); // the others lie deep inside
+    const used = [...new Set(triangles)].sort((a, b) => a - b); // the others are interior
     const renumbered = new Map(used.map((vertex, i) => [vertex, i]));
     return {
       points: used.flatMap((vertex) => pointAt(this.points, vertex)),
@@ -45,7 +45,7 @@ export class CellComplex {
     return vertex;
   }
 
-  /** A face seen a second time lies between two prisms and is no skin. */
+  /** A face that occurs a second time is between two prisms and not part of the skin. */
   private toggleFace(face: number[]): void {
     const key = [...face].sort((a, b) => a - b).join();
     if (!this.openFaces.delete(key)) this.openFaces.set(key, face);
@@ -66,7 +66,7 @@ export class CellComplex {
     return bestTriangulation(corners.map((v) => pointAt(this.points, v))).map((corner) => corners[corner]);
   }
 
-  /** Starts the loop at its lowest corner, of these the innermost: mirrored faces then get mirrored diagonals. */
+  /** Starts the loop at its lowest corner, the innermost of equals, so that mirrored faces get mirrored diagonals. */
   private fromLowestCorner(face: number[]): number[] {
     const rank = face.map((v) => {
       const [x, y, z] = pointAt(this.points, v);
@@ -78,8 +78,8 @@ export class CellComplex {
 }
 
 /**
- * The triangulation of a convex polygon (corners may be collinear) whose smallest angle is largest, by dynamic
- * programming over chords: corner indices, three a triangle. On a tie, chords from corner 0 win.
+ * The triangulation of a convex polygon (corners may be collinear) that maximises the smallest angle, by dynamic
+ * programming over chords. Returns three corner indices per triangle. Ties go to chords from corner 0.
  */
 export function bestTriangulation(polygon: readonly Point[]): number[] {
   const count = polygon.length;
@@ -110,7 +110,7 @@ export function bestTriangulation(polygon: readonly Point[]): number[] {
   return triangles;
 }
 
-/** The smallest angle of a triangle, radians; 0 where it is degenerate. */
+/** The smallest angle of a triangle, radians; 0 if it is degenerate. */
 export function smallestAngle(a: Point, b: Point, c: Point): number {
   const [ab, bc, ca] = [subtract(b, a), subtract(c, b), subtract(a, c)];
   if (length(cross(ab, bc)) === 0) return 0;

@@ -1,24 +1,24 @@
-// Braced walls: posts, rings and X braces, as prisms through the thickness of a wall.
+// Braced walls: posts, rings and X braces are prisms through the thickness of a wall.
 
 import { mix, type Point } from '../shape';
 import type { CellComplex } from './cells';
 
-/** A point of a wall's own plane: coordinate across it (grid), height (metres). */
+/** A point in the plane of a wall: coordinate across it (grid) and height (metres). */
 export type WallPoint = readonly [number, number];
 
 export interface Wall {
-  /** Space of a wall point, on the inner (0) or outer (1) face of the wall. */
+  /** Maps a wall point on the inner (0) or outer (1) face of the wall to space. */
   place(point: WallPoint, side: 0 | 1): Point;
   from: number;
   to: number;
 }
 
-/** The levels of a storey: rings, and between each two of them a bay that may be braced. */
+/** The levels of a storey: rings, and between two rings a bay that may be braced. */
 export interface Storey {
   rings: { bottom: number; top: number }[];
-  /** For each bay: where its braces end, as a fraction of its width from the posts and of its height from the rings. */
+  /** Per bay: where braces end, as a fraction of its width from the posts and of its height from the rings. */
   gussets: number[];
-  /** Pieces of a post between the braces' ends of a bay, and of a brace's arm from its end to the middle. */
+  /** Numbers of segments of a post between the ends of a bay's braces, and of a brace's arm from end to middle. */
   pieces: { post: number; arm: number };
 }
 
@@ -45,7 +45,7 @@ export function postCuts({ rings, gussets, pieces }: Storey): number[] {
   return cuts;
 }
 
-/** The rings of a wall, cut where braces end; `extra` are further corners along the lowest ring's bottom. */
+/** The rings of a wall, split where braces end; `extra` are further corners along the bottom of the lowest ring. */
 export function addRings(
   complex: CellComplex,
   wall: Wall,
@@ -64,7 +64,7 @@ export function addRings(
   });
 }
 
-/** Rings of an open wall: no braces end there. */
+/** The rings of an open wall, where no braces end. */
 export function addPlainRings(complex: CellComplex, wall: Wall, { rings }: Storey): void {
   for (const { bottom, top } of rings)
     addWallCell(complex, wall, [
@@ -99,7 +99,7 @@ export function addBraces(complex: CellComplex, wall: Wall, { rings, gussets, pi
   });
 }
 
-/** A straight bar between two cuts: two points on the wall's inner face, then two on its outer face. */
+/** A straight bar between two sections, each of two points on the wall's inner face and two on its outer face. */
 function addArm(complex: CellComplex, start: readonly Point[], end: readonly Point[], pieces: number): void {
   const cut = (piece: number) => {
     const [a, b, c, d] = start.map((point, i) => between(point, end[i], piece / pieces));

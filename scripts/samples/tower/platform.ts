@@ -1,13 +1,13 @@
-// Horizontal slabs of rectangles whose corners may lie on a neighbour's side.
+// Horizontal slabs of rectangles whose corners may be on a neighbour's side.
 
 import type { CellComplex } from './cells';
 import { place } from './profile';
 
-/** [x0, x1, z0, z1] in the tower's grid. */
+/** [x0, x1, z0, z1] in grid coordinates. */
 export type Rectangle = readonly [number, number, number, number];
 type PlanPoint = readonly [number, number];
 
-/** Every rectangle's outline with all corners of its neighbours on it, so that cells share whole faces. */
+/** The outline of every rectangle, split at its neighbours' corners so that cells share whole faces. */
 export function conformingOutlines(rectangles: readonly Rectangle[]): PlanPoint[][] {
   const corners = rectangles.flatMap(([x0, x1, z0, z1]): PlanPoint[] => [
     [x0, z0],
@@ -15,7 +15,7 @@ export function conformingOutlines(rectangles: readonly Rectangle[]): PlanPoint[
     [x1, z1],
     [x0, z1],
   ]);
-  /** The corners strictly between two ends of a side, ascending; the side lies where the other axis is `at`. */
+  /** The corners strictly between two ends of a side, ascending; `at` is the side's coordinate along the other axis. */
   const along = (axis: 0 | 1, at: number, from: number, to: number) => {
     const onSide = corners.filter((corner) => corner[1 - axis] === at).map((corner) => corner[axis]);
     return [...new Set(onSide)].filter((value) => value > from && value < to).sort((a, b) => a - b);
@@ -46,7 +46,7 @@ export function addSlab(
     );
 }
 
-/** All cells between neighbouring lines. */
+/** All cells between adjacent lines. */
 export function gridOf(xLines: readonly number[], zLines: readonly number[]): Rectangle[] {
   return xLines
     .slice(1)

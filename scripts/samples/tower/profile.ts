@@ -9,7 +9,7 @@ export const heights = {
   third: { bottom: 2.42, top: 2.475, lip: 2.447 },
 } as const;
 
-/** Distance of the outer faces from the axis: the curve that gives the tower its look. */
+/** Distance of the outer faces from the axis, which defines the tower's silhouette. */
 const halfWidth = (y: number) => 0.028 + 0.54 * Math.exp(-1.17 * y);
 const legWidth = (y: number) => 0.085 + 0.155 * Math.exp(-1.3 * y);
 
@@ -24,7 +24,7 @@ function legLines(y: number): number[] {
   return [0, inner, inner + strut, outer - strut, outer, outer + overhang(y)];
 }
 
-/** The same above: there the four legs have become one shaft, and the lines inside it only taper. */
+/** The same above, where the four legs have merged into one shaft and the inner lines only taper. */
 function shaftLines(y: number): number[] {
   const base = legLines(heights.second.top);
   const outer = halfWidth(y);
@@ -34,7 +34,7 @@ function shaftLines(y: number): number[] {
 }
 
 /**
- * Distance from the axis of grid coordinate `s` at height `y`. Along each horizontal axis |s| is 1 at a leg's inner
+ * Distance of grid coordinate `s` from the axis at height `y`. Along each horizontal axis |s| is 1 at a leg's inner
  * face, 2 and 3 at the inner sides of its two walls, 4 at its outer face and 5 at the platforms' edge.
  */
 export function offset(s: number, y: number): number {
@@ -44,5 +44,5 @@ export function offset(s: number, y: number): number {
   return Math.sign(s) * distance;
 }
 
-/** The point of the grid coordinates (s, y, s). */
+/** The point at grid coordinates (s, y, s). */
 export const place = (sx: number, y: number, sz: number): Point => [offset(sx, y), y, offset(sz, y)];

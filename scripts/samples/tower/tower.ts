@@ -7,7 +7,7 @@ import { addBraces, addPlainRings, addRings, gussetOf, postCuts, type Storey, ty
 import { addSlab, conformingOutlines, gridOf, mirrored, turned, type Rectangle } from './platform';
 import { heights, offset, place, strutWidth } from './profile';
 
-/** Width of the braces' bars beside that of posts and rings. */
+/** Width of the braces relative to that of posts and rings. */
 const barRatio = 0.8;
 
 /** The closed skin of the tower, about 3 m high. */
@@ -34,7 +34,7 @@ export function makeTower(): Shape {
   return standing(points, triangles);
 }
 
-/** A storey between two heights: rings at both and at `fractions` in between, `opening` wide between the posts. */
+/** A storey between two heights: rings at both and at `fractions` between; posts are `opening` apart. */
 function storey(
   [bottom, top]: number[],
   fractions: number[],
@@ -52,7 +52,7 @@ function storey(
   return { rings, gussets, pieces };
 }
 
-/** Four legs: square tubes of four posts, their outer walls braced, their inner walls with rings alone. */
+/** Four legs: square tubes of four posts with braced outer walls; their inner walls have only rings. */
 function addLegs(complex: CellComplex, floor: Storey): void {
   for (const [qx, qz] of [
     [1, 1],
@@ -89,7 +89,7 @@ function addPost(complex: CellComplex, floor: Storey, [x0, x1, z0, z1]: Rectangl
 /** One tube of four posts and four braced walls, from the second platform to the third. */
 function addShaft(complex: CellComplex, floor: Storey): void {
   const base = floor.rings[0].bottom;
-  // Walls are straight across, -3 to 3; the lowest ring has the corners of the platform's cells below it.
+  // Walls are straight from -3 to 3; the lowest ring has the corners of the platform's cells below it.
   const across = (u: number, y: number) => (u / 3) * offset(3, y);
   const corners = [-2, -1, 1, 2].map((line) => (3 * offset(line, base)) / offset(3, base));
   for (const sign of [1, -1]) {
@@ -106,7 +106,7 @@ function addShaft(complex: CellComplex, floor: Storey): void {
   }
 }
 
-/** A block with upright sides under each leg. */
+/** A block with vertical sides under each leg. */
 function addPlinths(complex: CellComplex): void {
   const [inner, outer] = [0.95, 4.5];
   const under: Rectangle[] = gridOf([1, 2, 3, 4], [1, 2, 3, 4]);
@@ -123,14 +123,14 @@ function addPlinths(complex: CellComplex): void {
   }
 }
 
-/** A platform's cells with an open middle; `lines` cut its strips between the legs. */
+/** The cells of a platform with an open middle; `lines` divide its strips between the legs. */
 function openPlan(lines: readonly number[]): Rectangle[] {
   const corner = gridOf([1, 2, 3, 4, 5], [1, 2, 3, 4, 5]).flatMap(mirrored);
   const strips = gridOf(lines, [1, 3, 4, 5]).flatMap(turned);
   return [...corner, ...strips];
 }
 
-/** A platform in two steps: the upper one overhangs as far as line 5. */
+/** A platform of two slabs; the upper one extends to line 5. */
 function addPlatform(
   complex: CellComplex,
   { bottom, lip, top }: { bottom: number; lip: number; top: number },
@@ -147,7 +147,7 @@ function addPlatform(
   addSlab(complex, outlines, lip, top);
 }
 
-/** The cabin on the third platform, its roof and the mast: square loops, one above the other. */
+/** The cabin on the third platform, its roof and the mast, as square loops on top of each other. */
 function addSpire(complex: CellComplex): void {
   const base = heights.third.top;
   const cabin = offset(3, base);

@@ -8,34 +8,34 @@ export interface Bar {
   poisson: number;
 }
 
-/** Saint-Venant's torsion constant of a square, over side^4 (Timoshenko and Goodier 1970, section 109). */
+/** Saint-Venant's torsion constant of a square divided by side^4 (Timoshenko and Goodier 1970, section 109). */
 export const SQUARE_TORSION = 0.1406;
 
-/** Cowper 1966. */
+/** Shear coefficient (Cowper 1966). */
 export const squareShearFactor = (poisson: number) => (10 * (1 + poisson)) / (12 + 11 * poisson);
 
 const shearModulus = (poisson: number) => 1 / (2 * (1 + poisson));
 
-/** The n-th twist of a bar with free ends; one end held: n = 1/2, 3/2, .. */
+/** The n-th torsional frequency of a bar with free ends; with one end clamped n = 1/2, 3/2, .. */
 export function twist({ length, poisson }: Bar, n: number): number {
   return ((n * Math.PI) / length) * Math.sqrt(shearModulus(poisson) * SQUARE_TORSION * 6);
 }
 
-/** The n-th stretch of a bar with free ends; one end held: n = 1/2, 3/2, .. Thin-bar theory. */
+/** The n-th longitudinal frequency of a thin bar with free ends; with one end clamped n = 1/2, 3/2, .. */
 export const stretch = ({ length }: Bar, n: number) => (n * Math.PI) / length;
 
-/** Euler-Bernoulli's first bending frequency, free or held at one end. */
+/** First bending frequency of the Euler-Bernoulli beam, free or clamped at one end. */
 export function eulerBending({ side, length }: Bar, isHeld: boolean): number {
   return ((isHeld ? 1.8751041 : 4.7300407) / length) ** 2 * (side / Math.sqrt(12));
 }
 
 /**
- * The lowest `count` bending frequencies of Timoshenko's beam (with shear and rotary inertia), both ends free or one held.
- * y = (deflection, rotation, moment, shear force) obeys y' = A y; a frequency is where the transfer matrix exp(A length)
- * lets moment and force vanish at the far end.
+ * The lowest `count` bending frequencies of Timoshenko's beam (shear and rotary inertia), with both ends free or one end
+ * clamped. y = (deflection, rotation, moment, shear force) satisfies y' = A y; at a frequency the transfer matrix
+ * exp(A length) allows moment and force to vanish at the far end.
  */
 export function timoshenkoBending(bar: Bar, isHeld: boolean, count: number): number[] {
-  const start = isHeld ? 2 : 0; // which unknowns of the near end are not 0
+  const start = isHeld ? 2 : 0; // first of the two unknowns that are not 0 at the near end
   const condition = (omega: number): number => {
     const t = exponential(timoshenkoSystem(bar, omega));
     return t[2][start] * t[3][start + 1] - t[2][start + 1] * t[3][start];
@@ -56,7 +56,7 @@ function timoshenkoSystem({ side, length, poisson }: Bar, omega: number): number
   ].map((row) => row.map((value) => value * length));
 }
 
-/** exp(A) by Taylor's series of A / 2^k, squared k times. */
+/** exp(A), from the Taylor series of A / 2^k squared k times. */
 function exponential(matrix: number[][]): number[][] {
   const size = Math.max(...matrix.flat().map(Math.abs));
   const halvings = Math.max(0, Math.ceil(Math.log2(size)) + 4);

@@ -1,6 +1,6 @@
 /** Eigenvalues of small dense symmetric problems, for reference solutions. */
 
-/** Row-major, `size` x `size`. */
+/** A row-major matrix of `size` x `size`. */
 export interface Matrix {
   size: number;
   values: Float64Array;
@@ -8,14 +8,14 @@ export interface Matrix {
 
 export const zeros = (size: number): Matrix => ({ size, values: new Float64Array(size * size) });
 
-/** All lambda of K x = lambda M x, ascending; K symmetric, M symmetric and positive definite. Both are overwritten. */
+/** All lambda of K x = lambda M x, ascending, for symmetric K and symmetric positive definite M. Overwrites both. */
 export function generalisedEigenvalues(stiffness: Matrix, mass: Matrix): number[] {
   factoriseCholesky(mass);
   reduce(stiffness, mass);
   return jacobiEigenvalues(stiffness);
 }
 
-/** M = L L^T, in the lower triangle. */
+/** Cholesky factorisation M = L L^T in the lower triangle. */
 function factoriseCholesky({ size, values }: Matrix): void {
   for (let j = 0; j < size; j++)
     for (let i = j; i < size; i++) {
@@ -55,7 +55,7 @@ function jacobiEigenvalues({ size, values }: Matrix): number[] {
   return Array.from({ length: size }, (_, i) => values[at(i, i)]).sort((a, b) => a - b);
 }
 
-/** Makes the entry (p, q) of a symmetric matrix 0. */
+/** Rotates entry (p, q) of a symmetric matrix to 0. */
 function rotate(size: number, values: Float64Array, p: number, q: number): void {
   const entry = values[p * size + q];
   if (entry === 0) return;

@@ -1,6 +1,6 @@
-/** Legendre polynomials and their quadrature on [-1, 1], as a basis for Ritz's method. */
+/** Legendre polynomials and Gauss quadrature on [-1, 1], as a basis for the Ritz method. */
 
-/** Values and derivatives of one function at the points of a quadrature. */
+/** Values and derivatives of one function at quadrature points. */
 export interface Sampled {
   value: Float64Array;
   first: Float64Array;
@@ -12,7 +12,7 @@ export interface Quadrature {
   weights: Float64Array;
 }
 
-/** P_0 .. P_(count - 1) at x with two derivatives: [order][k]. */
+/** P_0 .. P_(count - 1) at x and their first two derivatives: [order][k]. */
 function legendreAt(x: number, count: number): number[][] {
   const p = [1, x];
   const first = [0, 1];
@@ -25,7 +25,7 @@ function legendreAt(x: number, count: number): number[][] {
   return [p, first, second];
 }
 
-/** Gauss's quadrature with `count` points, exact for polynomials of degree 2 count - 1. */
+/** Gauss quadrature with `count` points, exact for polynomials up to degree 2 count - 1. */
 export function gaussLegendre(count: number): Quadrature {
   const points = new Float64Array(count);
   const weights = new Float64Array(count);
@@ -43,7 +43,7 @@ export function gaussLegendre(count: number): Quadrature {
   return { points, weights };
 }
 
-/** A factor that every function of a basis carries, with its two derivatives: it holds the border. */
+/** A factor of every basis function that enforces the boundary conditions, with its first two derivatives. */
 export type Border = (x: number) => [value: number, first: number, second: number];
 
 export const BORDERS = {
@@ -54,7 +54,7 @@ export const BORDERS = {
   clamped: (x: number): [number, number, number] => [(1 - x * x) ** 2, -4 * x * (1 - x * x), 12 * x * x - 4],
 } satisfies Record<string, Border>;
 
-/** border(x) P_k(x) for k < count at the points of a quadrature, scaled to a size of about 1. */
+/** border(x) P_k(x) for k < count at quadrature points, scaled to magnitudes of about 1. */
 export function legendreBasis(count: number, { points }: Quadrature, border: Border): Sampled[] {
   const sampled = Array.from({ length: count }, () => ({
     value: new Float64Array(points.length),
@@ -74,7 +74,7 @@ export function legendreBasis(count: number, { points }: Quadrature, border: Bor
   return sampled;
 }
 
-/** The integral of a product, from samples. */
+/** The integral of a product, from samples at quadrature points. */
 export function integrate({ weights }: Quadrature, a: Float64Array, b: Float64Array): number {
   let sum = 0;
   for (let i = 0; i < weights.length; i++) sum += weights[i] * a[i] * b[i];

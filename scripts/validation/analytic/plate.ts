@@ -1,4 +1,4 @@
-/** Thin square plates (Kirchhoff): omega a^2 sqrt(rho h / D). */
+/** Frequency parameters omega a^2 sqrt(rho h / D) of thin square plates (Kirchhoff). */
 
 import { generalisedEigenvalues, zeros } from './eigenvalues';
 import { BORDERS, gaussLegendre, integrate, legendreBasis } from './legendre';
@@ -9,8 +9,8 @@ export type PlateSupport = 'free' | 'clamped' | 'cantilever';
 const TERMS = 12;
 
 /**
- * The lowest `count` frequency parameters by Ritz's method with 12 x 12 Legendre polynomials: upper bounds, converged to
- * about four digits (corners of a cantilever are the slowest). A cantilever is held along one side.
+ * The lowest `count` frequency parameters by the Ritz method with 12 x 12 Legendre polynomials: upper bounds, converged to
+ * about four digits (most slowly at the corners of a cantilever). A cantilever is clamped along one side.
  */
 export function plateFrequencies(support: PlateSupport, poisson: number, count: number): number[] {
   const across = support === 'clamped' ? BORDERS.clamped : BORDERS.free;
@@ -33,7 +33,7 @@ export function plateFrequencies(support: PlateSupport, poisson: number, count: 
     }
   const rigid = support === 'free' ? 3 : 0;
   const lambda = generalisedEigenvalues(stiffness, mass).slice(rigid, rigid + count);
-  return lambda.map((value) => 4 * Math.sqrt(value)); // the side of [-1, 1] is 2
+  return lambda.map((value) => 4 * Math.sqrt(value)); // the side is 2 on [-1, 1]
 }
 
 /** [i][k]: the integrals of f_i'' f_k'', f_i'' f_k, f_i' f_k' and f_i f_k. */
@@ -50,7 +50,7 @@ function integrals(border: Border) {
   };
 }
 
-/** All sides held but free to turn: pi^2 (m^2 + n^2), ascending. */
+/** All sides simply supported: pi^2 (m^2 + n^2), ascending. */
 export function supportedPlateFrequencies(count: number): number[] {
   const all: number[] = [];
   for (let m = 1; m <= count; m++) for (let n = 1; n <= count; n++) all.push(Math.PI ** 2 * (m * m + n * n));

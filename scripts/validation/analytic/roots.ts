@@ -1,4 +1,4 @@
-/** Roots of a continuous function on (from, to), ascending, where its sign changes between steps; at most `count`. */
+/** At most `count` roots of a continuous function on (from, to), ascending, found by sign changes between steps. */
 export function signChanges(
   f: (x: number) => number,
   from: number,

@@ -1,10 +1,10 @@
-/** A free elastic sphere (Lamb 1882): omega R / c_T, c_T = sqrt(G / rho) the speed of shear waves. */
+/** Frequencies omega R / c_T of a free elastic sphere (Lamb 1882), with shear wave speed c_T = sqrt(G / rho). */
 
 import { signChanges } from './roots';
 
 const HIGHEST = 12;
 
-/** Spherical Bessel function j_l(x), x > 0, by the recurrence upwards: for l not much above x. */
+/** Spherical Bessel function j_l(x), x > 0, by upward recurrence, which is accurate only for l not much above x. */
 function bessel(l: number, x: number): number {
   let [low, high] = [Math.sin(x) / x, Math.sin(x) / x ** 2 - Math.cos(x) / x];
   if (l === 0) return low;
@@ -15,13 +15,13 @@ function bessel(l: number, x: number): number {
 /** c_T / c_L. */
 const speedRatio = (poisson: number) => Math.sqrt((1 - 2 * poisson) / (2 * (1 - poisson)));
 
-/** Twists on spheres about the centre, degree l >= 1; each counts 2 l + 1 times. */
+/** Torsional frequencies of degree l >= 1, each with multiplicity 2 l + 1. */
 export function torsional(l: number, count: number): number[] {
   const condition = (x: number) => (l - 1) * bessel(l, x) - x * bessel(l + 1, x);
   return signChanges(condition, 0.5, HIGHEST, 2000, count);
 }
 
-/** In and out everywhere, degree 0; each counts once. */
+/** Breathing frequencies of degree 0, each with multiplicity 1. */
 export function breathing(poisson: number, count: number): number[] {
   const condition = (x: number): number => {
     const y = speedRatio(poisson) * x;
@@ -30,7 +30,7 @@ export function breathing(poisson: number, count: number): number[] {
   return signChanges(condition, 0.5, HIGHEST, 2000, count);
 }
 
-/** Degree l >= 1 with radial motion: the determinant of the two boundary conditions; each counts 2 l + 1 times. */
+/** Spheroidal frequencies of degree l >= 1, from the determinant of two boundary conditions; multiplicity 2 l + 1. */
 export function spheroidal(l: number, poisson: number, count: number): number[] {
   const condition = (x: number): number => {
     const y = speedRatio(poisson) * x;

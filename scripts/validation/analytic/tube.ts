@@ -10,13 +10,13 @@ export interface Tube {
   poisson: number;
 }
 
-/** Rayleigh 1894, section 233: every cross-section bends alike, without stretching; n >= 2 waves around. */
+/** Rayleigh 1894, section 233: inextensional, equal bending of all cross-sections; n >= 2 waves around. */
 export function rayleighTube({ radius, thickness, poisson }: Tube, n: number): number {
   const bending = thickness ** 2 / (12 * (1 - poisson ** 2) * radius ** 4);
   return Math.sqrt((bending * n ** 2 * (n ** 2 - 1) ** 2) / (n ** 2 + 1));
 }
 
-/** In-plane bending of a thin ring (Hoppe 1871; Love 1944, section 293): secondMoment and area of its cross-section. */
+/** In-plane bending of a thin ring (Hoppe 1871; Love 1944, section 293) with the cross-section's secondMoment and area. */
 export function ringInPlane(radius: number, secondMoment: number, area: number, n: number): number {
   const bending = secondMoment / (area * radius ** 4);
   return Math.sqrt((bending * n ** 2 * (n ** 2 - 1) ** 2) / (n ** 2 + 1));
@@ -31,8 +31,8 @@ export function ringOutOfPlane(radius: number, bendingOverArea: number, twist: n
 const TERMS = 36;
 
 /**
- * The lowest `count` elastic frequencies with n >= 2 waves around, by Ritz's method on the thin-shell theory of Sanders and
- * Koiter (u = U cos nt along the axis, v = V sin nt around, w = W cos nt outwards; Legendre polynomials along the axis).
+ * The lowest `count` elastic frequencies with n >= 2 waves around, by the Ritz method on the thin-shell theory of Sanders
+ * and Koiter (u = U cos nt along the axis, v = V sin nt around, w = W cos nt outwards; Legendre polynomials along the axis).
  */
 export function tubeFrequencies(tube: Tube, n: number, count: number): number[] {
   const { radius, length, thickness, poisson } = tube;
@@ -41,7 +41,7 @@ export function tubeFrequencies(tube: Tube, n: number, count: number): number[] 
   const slope = 2 / length;
   const membrane = thickness / (1 - poisson ** 2);
   const weights = strainWeights(membrane, (membrane * thickness ** 2) / 12, poisson);
-  // Strains of the k-th function of each displacement: [e_x, e_t, gamma, k_x, k_t, 2 k_xt].
+  // Strains [e_x, e_t, gamma, k_x, k_t, 2 k_xt] of the k-th function of each displacement.
   const strains = [0, 1, 2].flatMap((field) =>
     basis.map(({ value, first, second }) => {
       const scaled = (f: Float64Array, factor: number) => f.map((x) => factor * x);
@@ -79,7 +79,7 @@ export function tubeFrequencies(tube: Tube, n: number, count: number): number[] 
     .map((lambda) => Math.sqrt(lambda));
 }
 
-/** The energy is the sum of weight strain_a strain_b / 2. */
+/** Triples (a, b, weight) of the energy, which is the sum of weight strain_a strain_b / 2. */
 function strainWeights(membrane: number, bending: number, poisson: number): [number, number, number][] {
   return [membrane, bending].flatMap((size, k): [number, number, number][] => {
     const x = 3 * k;

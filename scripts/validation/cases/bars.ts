@@ -1,4 +1,4 @@
-/** Bars of square cross-section, as solids. */
+/** Bars of square cross-section, modelled as solids. */
 
 import type { Core, Mode, ModeName } from '../../../web/engine/core/core';
 import { stretch, timoshenkoBending, twist } from '../analytic/bar';
@@ -11,7 +11,7 @@ const KINDS: MeshKind[] = ['regular', 'irregular', 'graded'];
 const FREE = { side: 1, length: 3, poisson: POISSON };
 const HELD = { side: 1, length: 6, poisson: POISSON };
 
-/** Bending pairs 1 and 2, twist 1, stretch 1, told apart by the names that the core gives. */
+/** Bending pairs 1 and 2, twist 1 and stretch 1, distinguished by the names that the core gives. */
 export function barRun(core: Core, isHeld: boolean, cells: number, kind: MeshKind): Run {
   const { length } = isHeld ? HELD : FREE;
   const mesh = box([1, 1, length], [cells, cells, cells * length], kind);

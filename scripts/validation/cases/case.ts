@@ -1,4 +1,4 @@
-/** What a validation case is made of, and how it asks the core. */
+/** The data of a validation case, and its calls of the core. */
 
 import type { Core, ModeSet, ModesOptions, TriangleMesh } from '../../../web/engine/core/core';
 import type { MeshKind } from '../meshes';
@@ -15,30 +15,30 @@ export interface Run {
   /** e.g. "16 x 16" */
   size: string;
   faces: number;
-  /** per quantity */
+  /** one value per quantity */
   computed: number[];
 }
 
 export interface CaseResult {
   id: string;
   title: string;
-  /** what is computed with which model */
+  /** what is computed, and with which model */
   setting: string;
-  /** what it is compared with, and where that comes from */
+  /** the reference and its source */
   reference: string;
-  /** why differences remain and what can be trusted */
+  /** why differences remain, and what can be trusted */
   reading: string;
   quantities: Quantity[];
   runs: Run[];
-  /** the error should fall with the square of the cell size, and the plot has a line to compare with */
+  /** whether the error should fall with the square of the cell size; the plot then has a reference line */
   isSecondOrder: boolean;
-  /** of the frequencies in the table */
+  /** unit of the frequencies in the table */
   digits: number;
 }
 
 export const POISSON = 0.3;
 
-/** Modes with E = rho = 1 and lengths in metres, so that omega is in units of sqrt(E / rho) / m. */
+/** Modes with E = rho = 1 and lengths in metres; omega is thus in units of sqrt(E / rho) / m. */
 export function modesOf(core: Core, mesh: TriangleMesh, options: Partial<ModesOptions>): ModeSet {
   return core.findModes(mesh, {
     model: 'shell',
@@ -66,7 +66,7 @@ export function verticesWhere(
   return Uint32Array.from(found);
 }
 
-/** Means of consecutive groups: the members of a frequency that counts several times. */
+/** Means of consecutive groups, whose members share a multiple frequency. */
 export function groupMeans(values: number[], sizes: number[]): number[] {
   let first = 0;
   return sizes.map((size) => {
@@ -81,21 +81,21 @@ export const errorPercent = (computed: number, analytic: number) => 100 * (compu
 export const worstError = (run: Run, quantities: Quantity[]) =>
   Math.max(...quantities.map(({ analytic }, k) => Math.abs(errorPercent(run.computed[k], analytic))));
 
-/** The run with the most faces of each kind. */
+/** The run with the most faces for each kind of mesh. */
 export function finest(runs: Run[]): Run[] {
   const last = new Map<Run['kind'], Run>();
   for (const run of runs) if (run.faces >= (last.get(run.kind)?.faces ?? 0)) last.set(run.kind, run);
   return [...last.values()];
 }
 
-/** Of the finest mesh of every kind, the smallest and largest of the worst errors, e.g. "0.3 to 0.9 %". */
+/** The smallest and largest of the worst errors on the finest mesh of every kind, e.g. "0.3 to 0.9 %". */
 export function finestErrors(runs: Run[], quantities: Quantity[]): string {
   const errors = finest(runs).map((run) => worstError(run, quantities));
   const [low, high] = [Math.min(...errors), Math.max(...errors)].map((value) => value.toPrecision(2));
   return low === high ? `${low} %` : `${low} to ${high} %`;
 }
 
-/** From how many faces on each kind of mesh stays within `percent`, e.g. "regular from 512 faces, graded never". */
+/** The face count above which each kind of mesh is within `percent`, e.g. "regular from 512 faces". */
 export function facesWithin(percent: number, runs: Run[], quantities: Quantity[]): string {
   return finest(runs)
     .map(({ kind }) => {

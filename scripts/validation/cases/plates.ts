@@ -1,4 +1,4 @@
-/** Thin square plates, as shells. */
+/** Thin square plates, modelled as shells. */
 
 import type { Core } from '../../../web/engine/core/core';
 import { plateFrequencies, supportedPlateFrequencies } from '../analytic/plate';
@@ -14,7 +14,7 @@ const RIGIDITY = THICKNESS ** 3 / (12 * (1 - POISSON ** 2));
 
 type Support = 'free' | 'supported' | 'clamped' | 'cantilever';
 
-/** omega a^2 sqrt(rho h / D) of the first six modes. */
+/** Frequency parameters omega a^2 sqrt(rho h / D) of the first six modes. */
 export function plateRun(core: Core, support: Support, cells: number, kind: MeshKind): Run {
   const frames = { free: 'none', supported: 'none', clamped: 'all', cantilever: 'left' } as const;
   const mesh = plate(cells, kind, frames[support]);

@@ -1,4 +1,4 @@
-/** One slab, two models: what is the theory's error and what is the mesh's. */
+/** One slab with two models, which separates the error of the theory from that of the mesh. */
 
 import type { Core } from '../../../web/engine/core/core';
 import { plateFrequencies } from '../analytic/plate';
@@ -9,7 +9,7 @@ import type { CaseResult, Run } from './case';
 const THICKNESSES = [0.01, 0.02, 0.05, 0.1, 0.2];
 const CELLS = 32;
 
-/** omega a^2 sqrt(rho h / D) of the first five modes of a free slab of side 1. */
+/** Frequency parameters omega a^2 sqrt(rho h / D) of the first five modes of a free slab of side 1. */
 function slabRun(core: Core, kind: 'shell' | 'solid', thickness: number): Run {
   const layers = Math.max(1, Math.round(CELLS * thickness));
   const mesh =

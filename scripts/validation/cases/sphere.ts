@@ -8,12 +8,12 @@ import { groupMeans, modesOf } from './case';
 import type { CaseResult, Run } from './case';
 
 const KINDS: MeshKind[] = ['regular', 'irregular', 'graded'];
-/** At 0.3 breathing would fall together with a spheroidal frequency of l = 4, and the lattice would mix them. */
+/** At 0.3 breathing would coincide with a spheroidal frequency of l = 4, and the lattice would mix them. */
 const POISSON = 0.25;
 const SHEAR_SPEED = Math.sqrt(1 / (2 * (1 + POISSON)));
 const MODES = 30;
 
-/** How a mode moves: the share of radial motion in its energy, and how evenly that goes outwards. */
+/** The character of a mode: the share of radial motion in its energy, and how uniformly that is outwards. */
 function radialMotion({ positions }: TriangleMesh, { shapes }: ModeSet, ordinal: number) {
   let [all, radial, outwards] = [0, 0, 0];
   for (let v = 0; v < positions.length; v += 3) {

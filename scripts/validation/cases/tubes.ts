@@ -1,4 +1,4 @@
-/** A thin tube and a thin band as shells, a ring as a solid. */
+/** A thin tube and a thin band modelled as shells, and a ring as a solid. */
 
 import type { Core } from '../../../web/engine/core/core';
 import { SQUARE_TORSION } from '../analytic/bar';

@@ -1,4 +1,4 @@
-// How far texture coordinates are from where they were: our methods on meshes that have them, through the product's own way.
+// Measures how far our methods shift texture coordinates, on meshes that have them, with the product's own pipeline.
 
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -10,12 +10,12 @@ const TEXTURED = [
   { name: 'fox', file: 'gltf/Fox.glb' },
 ];
 
-/** Beyond this, in % of the diagonal, a point has come to lie on the other side of a seam. */
+/** A point with a larger error, in % of the diagonal, is on the wrong side of a seam. */
 const ACROSS_A_SEAM = 5;
 
 /**
- * One result: { mesh, method, ratio, median, mean, acrossSeams }: errors in % of the diagonal, as lengths on the surface,
- * the mean of those that lie on their own side of every seam; and the share in % of those that do not.
+ * One result: { mesh, method, ratio, median, mean, acrossSeams }. Errors are lengths on the surface in % of the diagonal;
+ * `mean` is that of points on the right side of every seam, and acrossSeams is the share of the others in %.
  */
 export async function attributeErrors({ engine, core }, { methods, ratios, missing }) {
   const found = [];
@@ -38,13 +38,13 @@ export async function attributeErrors({ engine, core }, { methods, ratios, missi
 }
 
 /**
- * At every vertex of the original: its texture coordinates beside those of the result at the point where the vertex is
- * bound to it. At a seam the nearest of the vertex's own counts, for the point lies on one side of it.
+ * Per vertex of the original: the difference between its texture coordinates and those of the result at the point that it
+ * is bound to. At a seam the nearest of the vertex's coordinates counts, because the point is on one side of the seam.
  */
 function errorOf({ engine, core }, document, prepared, result) {
   const { mesh, body, weld, attributes, diagonal } = prepared;
   const { wedges } = attributes.charts;
-  // Already as lengths on the surface over the diagonal.
+  // These are already lengths on the surface relative to the diagonal.
   const { values } = engine.costAttributesOf(document, body, weld, attributes, diagonal);
   const ofCorner = cornerValues(core.sourceOfCorners(mesh, attributes.charts, result), wedges, values);
   const binding = core.bindToResult(mesh, result);
@@ -63,7 +63,7 @@ function errorOf({ engine, core }, document, prepared, result) {
   };
 }
 
-/** Two numbers per corner of the result, mixed from the wedges of the triangle of the original that they come from. */
+/** Two numbers per corner of the result, interpolated from the wedges of its source triangle of the original. */
 function cornerValues({ triangle, barycentric }, wedges, values) {
   const mixedValues = new Float32Array(2 * triangle.length);
   triangle.forEach((t, corner) => {
@@ -74,7 +74,7 @@ function cornerValues({ triangle, barycentric }, wedges, values) {
   return mixedValues;
 }
 
-/** Two numbers of three corners from `first` on, mixed by the weights from `place` on. */
+/** Interpolates two numbers of the corners first, first + 1 and first + 2 with the three weights from `place` on. */
 function mixed(ofCorner, first, weights, place) {
   return [0, 1].map((d) =>
     [0, 1, 2].reduce((sum, k) => sum + weights[place + k] * ofCorner[2 * (first + k) + d], 0),

@@ -1,4 +1,4 @@
-// Results on disk, under the hash of all that they depend on: a second run computes only what has changed.
+// Stores results on disk under a hash of all their inputs, so that a second run computes only what has changed.
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,10 +8,10 @@ import { readMesh } from './python_peers.mjs';
 
 const folder = join(scratch, 'cache');
 
-/** Where the result mesh of a case lies; the record lies beside it. */
+/** The file of a case's result mesh; the record is next to it. */
 const pathOf = (key, ending) => join(folder, `${key}.${ending}`);
 
-/** What `compute() -> { record, mesh }` gives, or has given for the same key; the mesh is read again when it is asked for. */
+/** The result of `compute() -> { record, mesh }`, or the stored one for the same key; the mesh is read on demand. */
 export function cached(key, compute) {
   const recordFile = pathOf(key, 'json');
   const meshOf = () => readMesh(pathOf(key, 'bin'));

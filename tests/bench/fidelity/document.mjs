@@ -1,4 +1,4 @@
-// docs/results.md: its generated part, between the markers, and the plots.
+// Writes the generated part of docs/results.md, between the markers, and its plots.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
@@ -17,7 +17,7 @@ const percent = (ratio) => `${100 * ratio} %`;
 const least = { best: Math.min };
 const most = { best: Math.max };
 const FREQUENCIES = { key: 'frequencyErrorMean', digits: 2, ...least };
-/** What is told of every mesh at 25 %. */
+/** The measures that are listed for every mesh at 25 %. */
 const DETAILS = [
   ['Mean frequency error of modes 1-10, %', FREQUENCIES],
   ['Lowest subspace MAC of modes 1-10', { key: 'macMin', digits: 3, ...most }],
@@ -66,7 +66,7 @@ function sectionsOf(cases, ratios, attributes) {
   ];
 }
 
-/** Replaces what stands between the markers and writes the plots. */
+/** Replaces the text between the markers and writes the plots. */
 export async function writeDocument(cases, { meshes, methods, ratios, attributes, missing }) {
   const path = join(root, 'docs', 'results.md');
   const before = readFileSync(path, 'utf8');

@@ -1,4 +1,4 @@
-// What the evaluation uses of the engine, as one entry for its bundle; and the samples, from where they are made.
+// The entry of the evaluation's bundle: the parts of the engine that it uses, and the generators of the samples.
 
 import type { Document } from '@gltf-transform/core';
 import type { PreparedBody } from '../../../web/engine/body/prepared_body';
@@ -24,11 +24,11 @@ export interface Asked {
   targetFaces: number;
   /** vertices of the prepared mesh */
   pinned?: Uint32Array;
-  /** where the body comes from; without it it has no attributes */
+  /** the file of the body; without it the body has no attributes */
   document?: Document;
 }
 
-/** The result of a body, and the seconds from its modes to its fit. */
+/** The result for a body, and the seconds from its modes to its fit. */
 export function optimizeBody(
   core: Core,
   { body, weld }: PreparedBody,

@@ -1,11 +1,11 @@
-// How well every method keeps the motion of every mesh, as tables, plots and pictures.
+// Measures how well every method preserves the motion of every mesh; writes tables, plots and pictures.
 // Usage: npm run build && node tests/bench/fidelity/evaluate.mjs [--write] [--all] ...
 //   --write        puts tables, plots and pictures into docs/results.md
-//   --all          the large meshes too
-//   --quick        a few meshes, 25 %, our methods alone, printed in a minute: for tuning
-//   --motion       how far the results move apart from their originals, at 25 %, in place of all else
-//   --set KEY=VALUE      changes a setting of our methods (several times), as in web/engine/settings/options.ts: --set fit=off
-//   --methods a,b  --meshes a,b  --ratios 0.5,0.25      which to run; a mesh is named by how its name begins
+//   --all          includes the large meshes
+//   --quick        for tuning: prints a few meshes at 25 % with our methods only, in a minute
+//   --motion       only measures how far the results' motions deviate from those of their originals, at 25 %
+//   --set KEY=VALUE      changes a setting of our methods (repeatable; web/engine/settings/options.ts), e.g. --set fit=off
+//   --methods a,b  --meshes a,b  --ratios 0.5,0.25      which to run; the beginning of a mesh's name is enough
 
 import { parseArgs } from 'node:util';
 import { attributeErrors } from './attributes.mjs';

@@ -1,4 +1,4 @@
-// The bundled engine and a loaded core, for the evaluation.
+// Loads the bundled engine and the core for the evaluation.
 
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
@@ -11,14 +11,14 @@ export const scratch = join(root, 'build', 'bench', 'fidelity');
 export const imageFolder = join(root, 'docs', 'images', 'simplification');
 const wasm = join(root, 'public', 'wasm');
 
-/** First 16 hexadecimal digits of the SHA-256 of all parts, which are strings or typed arrays. */
+/** The first 16 hexadecimal digits of the SHA-256 of all parts, which are strings or typed arrays. */
 export function hashOf(...parts) {
   const hash = createHash('sha256');
   for (const part of parts) hash.update(part).update('\n');
   return hash.digest('hex').slice(0, 16);
 }
 
-/** { engine, core, version }: `version` changes with the core's and the engine's code. Wants `npm run build` first. */
+/** { engine, core, version }: `version` changes with the code of core and engine. Requires `npm run build`. */
 export async function loadEngine() {
   const outDir = join(scratch, 'engine');
   await bundleModule('tests/bench/fidelity/engine.ts', outDir);

@@ -1,11 +1,11 @@
-// What one result is like beside its original: one flat record of numbers.
+// Compares one result with its original; returns one flat record of numbers.
 
-/** Modes that are compared; modes 11-20 enter by compareFidelity itself. */
+/** Number of compared modes; compareFidelity adds modes 11 to 20 itself. */
 const MODE_COUNT = 10;
 
 /**
- * Lengths in % of the original's diagonal, angles in degrees, errors in %. A result that no shell can be solved on has
- * `failure`, one sentence, in place of its frequencies.
+ * Lengths in % of the original's diagonal, angles in degrees, errors in %. If the shell modes of a result cannot be
+ * computed, `failure`, one sentence, replaces its frequencies.
  */
 export function measure({ engine, core }, prepared, mesh) {
   const { weld, quality, distance, certificate } = engine.measureResult(core, prepared, { mesh });

@@ -1,4 +1,4 @@
-// The meshes of the evaluation: the samples and those of ../shared/meshes, each its largest component, welded.
+// The meshes of the evaluation: the welded largest components of the samples and of meshes in ../shared/meshes.
 
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
@@ -9,8 +9,8 @@ export const shared = join(process.env.LIMBER_SHARED ?? join(root, '..', 'shared
 
 /**
  * `kind` decides the target of the mean smallest angle: organic, cloth, or hard (edges and struts: no target). A mesh
- * with `sample` comes from scripts/samples, the others from their `file`; `large` ones take part with --all alone;
- * `quick` ones make up the quick table.
+ * with `sample` comes from scripts/samples, the others from their `file`. `large` meshes need --all; `quick` meshes are
+ * those of the quick table.
  */
 export const MESHES = [
   { name: 'bar', sample: 'bar', kind: 'hard', quick: true },
@@ -40,7 +40,7 @@ export const MESHES = [
   { name: 'skull', file: 'skull_100k_highgenus.obj', kind: 'organic', large: true },
 ];
 
-/** What lies in ../shared/meshes and takes no part, and why. */
+/** Meshes in ../shared/meshes that are not used, and why. */
 export const LEFT_OUT = [
   ['blub_fish_quads, spot_quads_control, cube_no_bottom, boxNotManifold', 'fewer than 1,000 faces'],
   ['openscad_nonmanifold_crash, dirty/*', 'not manifold or degenerate: shells on them are not defined'],
@@ -50,8 +50,8 @@ export const LEFT_OUT = [
 ];
 
 /**
- * The chosen meshes, ready: { name, kind, prepared, hash }. `names` picks by the beginnings of names, otherwise
- * `isWanted` decides. Files that are not there are pushed to `missing`.
+ * The chosen meshes, prepared: { name, kind, prepared, hash }. `names` selects by beginnings of names, otherwise
+ * `isWanted` decides. Absent files are pushed to `missing`.
  */
 export function loadMeshes({ engine, core }, { names, isWanted, missing }) {
   const chosen = MESHES.filter((mesh) =>

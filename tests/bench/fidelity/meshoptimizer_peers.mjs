@@ -1,18 +1,18 @@
-// meshoptimizer's simplifiers on the welded mesh, to an exact count, whatever the error.
+// meshoptimizer's simplifiers on the welded mesh, to an exact face count at any error.
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { MeshoptSimplifier } from 'meshoptimizer';
 import { root } from './load_engine.mjs';
 
-/** A limit on the error that nothing reaches, relative to the extent. */
+/** An error limit, relative to the size, that no result reaches. */
 const ANY_ERROR = 1e9;
-/** meshopt_SimplifyVertex_Lock and _Priority of its C header; its JavaScript passes the bytes of `vertex_lock` on. */
+/** meshopt_SimplifyVertex_Lock and _Priority of its C header; its JavaScript forwards the bytes of `vertex_lock`. */
 const [LOCK, PRIORITY] = [1, 4];
-/** Vertices whose strain ranks above this get the priority. */
+/** Vertices whose strain rank is above this get the priority. */
 const STRAINED = 0.75;
 
-/** The peer whose frequencies come closest; the targets are against it. */
+/** The peer with the smallest frequency errors, which the targets refer to. */
 export const BEST_PEER = 'meshoptimizer update';
 
 const without = new Float32Array(0);
@@ -33,7 +33,7 @@ function update({ prepared }, faces, priorities) {
   return compact(positions, indices.slice(0, count));
 }
 
-/** The mesh of `indices` without vertices that none of them uses. */
+/** The mesh of `indices` without unused vertices. */
 function compact(positions, indices) {
   const triangles = indices.slice();
   const [remap, count] = MeshoptSimplifier.compactMesh(triangles);
@@ -44,7 +44,7 @@ function compact(positions, indices) {
   return { positions: kept, triangles };
 }
 
-/** Per vertex PRIORITY where a triangle around it bends much in the first six modes, by our own guidance. */
+/** Per vertex: PRIORITY if our guidance ranks a triangle around it high over the first six modes. */
 function strainPriorities({ engine, core }, { prepared }) {
   const settings = engine.defaultSettings('qem');
   const rank = engine.strainRank(core, prepared, settings);
@@ -55,7 +55,7 @@ function strainPriorities({ engine, core }, { prepared }) {
   return priorities;
 }
 
-/** Per vertex LOCK on the outline of what is pinned; null where nothing is. */
+/** Per vertex: LOCK on the outline of the pinned vertices; null if none are pinned. */
 function outlineLocks({ prepared }, pinned) {
   if (!pinned?.length) return null;
   const { positions, triangles } = prepared.mesh;

@@ -1,10 +1,10 @@
-// The methods that are compared, as data: { name, isOurs, holdsPins, version, run(mesh, faces) -> { mesh, seconds } };
-// results of the same name and version are the same. Where `holdsPins`, run takes pinned vertices of the mesh too.
+// The compared methods as data: { name, isOurs, holdsPins, version, run(mesh, faces) -> { mesh, seconds } };
+// results of equal name and version are equal. With `holdsPins`, run also takes pinned vertices of the mesh.
 
 import { meshoptimizerPeers } from './meshoptimizer_peers.mjs';
 import { pythonPeers } from './python_peers.mjs';
 
-/** A method of ours: the engine's whole pipeline with the defaults of the method and `changes`. */
+/** One of our methods: the engine's whole pipeline with the method's defaults and `changes`. */
 function ours(loaded, name, changes) {
   const { engine, core } = loaded;
   const settings = { ...engine.defaultSettings(changes.method), ...changes };
@@ -18,7 +18,7 @@ function ours(loaded, name, changes) {
   return { name, isOurs: true, holdsPins: true, version, settings, run };
 }
 
-/** Ours that this build of the engine knows; `changes` go to each of them. */
+/** Our methods in this build of the engine, each with `changes`. */
 export function ourMethods(loaded, changes = {}) {
   const { choices } = loaded.engine.OPTIONS.method;
   const knowsFit = 'fit' in loaded.engine.OPTIONS;
@@ -29,7 +29,7 @@ export function ourMethods(loaded, changes = {}) {
   });
 }
 
-/** Those of others; what is not here is pushed to `missing`. */
+/** The peers; those that are not installed are pushed to `missing`. */
 export async function peerMethods(loaded, missing) {
   return [...(await meshoptimizerPeers(loaded)), ...pythonPeers(missing)];
 }

@@ -1,4 +1,4 @@
-// How far the results of every method move apart from their originals: --motion of evaluate.mjs.
+// Measures how far the results of every method deviate from their originals in motion: --motion of evaluate.mjs.
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,19 +8,19 @@ import { meanOf } from './targets.mjs';
 import { runCases } from './run_cases.mjs';
 
 const RATIO = 0.25;
-/** What is pinned in each motion, in the words of --pins: what the scenario pins by itself. */
+/** The pins of each motion in the syntax of --pins: the default pins of the scenario. */
 export const MOTIONS = { sway: 'low:6', twist: 'low:6+high:6', drape: '' };
 /**
- * Seconds of each motion, and substeps: with fewer the original runs softer than its material by as much as results
- * differ, and one that is too soft comes closest.
+ * Seconds and substeps of each motion. With fewer substeps the original is softer than its material by as much as results
+ * differ, and a result that is too soft would come closest.
  */
 export const [SECONDS, SUBSTEPS] = [1, 400];
-/** The row that shows what the solver itself is off by. */
+/** The row that shows the error of the solver itself. */
 export const SOLVER = 'the original, half the substeps';
 
 /**
- * { mesh, method, sway, twist, drape } of every mesh and method: the mean deviation, or null where it has diverged. A
- * method that can hold pins has a second row, `NAME, told`: its results for each motion's pins.
+ * { mesh, method, sway, twist, drape } for every mesh and method: the mean deviation, or null if the motion diverged. A
+ * method that accepts pins has a second row, `NAME, told`, with its results for each motion's pins.
  */
 export function runMotions(loaded, { meshes, methods }) {
   mkdirSync(join(scratch, 'motion'), { recursive: true });
@@ -38,7 +38,7 @@ export function runMotions(loaded, { meshes, methods }) {
   });
 }
 
-/** [name, mesh, substeps] of all that moves beside the original. Where nothing is pinned there is nothing to tell. */
+/** [name, mesh, substeps] of all bodies except the original. Without pins there are no `told` rows. */
 function bodiesOf(loaded, mesh, methods, pinned) {
   const told = methods.filter(({ holdsPins }) => holdsPins);
   const meshOf = (method) => {
@@ -61,7 +61,7 @@ function toldOf(method, pinned) {
   return { ...method, name: `${method.name}, told`, version: `${method.version} ${hashOf(pinned)}`, run };
 }
 
-/** [name, mean deviation in % of the diagonal, or null] of every body. */
+/** [name, mean deviation in % of the diagonal, or null] for every body. */
 function deviations(loaded, mesh, { motion, pinned, bodies }) {
   const { engine, core, version } = loaded;
   const settings = { ...engine.defaultSettings(), scenario: motion, seconds: SECONDS };
@@ -89,7 +89,7 @@ function deviations(loaded, mesh, { motion, pinned, bodies }) {
   });
 }
 
-/** How far each point of the original's surface has gone after each step, [(step * points + point) * 3 + c]. */
+/** Displacements of points of the original's surface after each step, [(step * points + point) * 3 + c]. */
 function pathsOf({ engine, core }, original, { moving, points, options }) {
   const placeOn = (point) => engine.positionOf(original.triangles, original.positions, point);
   const bound =

@@ -1,4 +1,4 @@
-// The tables of --motion, and their place in docs/results.md.
+// Writes the tables of --motion into docs/results.md.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -13,7 +13,7 @@ const [BEGIN, END] = ['<!-- motion: begin -->', '<!-- motion: end -->'];
 const names = Object.keys(MOTIONS);
 const isWhole = (one) => names.every((name) => one[name] !== null);
 
-/** A line a method: means over the meshes on which nothing diverged. */
+/** One line per method: means over the meshes on which nothing diverged. */
 export function motionTable(motions) {
   const broken = new Set(motions.filter((one) => !isWhole(one)).map(({ mesh }) => mesh));
   const whole = motions.filter(({ mesh }) => !broken.has(mesh));
@@ -27,7 +27,7 @@ export function motionTable(motions) {
   return table([`mean over ${count} meshes`, 'all three', ...names, 'diverged'], rows);
 }
 
-/** A line a mesh and motion, a column a method. */
+/** One line per mesh and motion, one column per method. */
 function meshTable(motions) {
   const methods = unique(motions.map(({ method }) => method)).filter((method) => method !== SOLVER);
   const rows = unique(motions.map(({ mesh }) => mesh)).flatMap((mesh) =>
@@ -42,7 +42,7 @@ function meshTable(motions) {
   return table(['mesh, motion', ...methods], rows);
 }
 
-/** Replaces what stands between the markers of docs/results.md. */
+/** Replaces the text between the markers of docs/results.md. */
 export async function writeMotions(motions) {
   const path = join(root, 'docs', 'results.md');
   const before = readFileSync(path, 'utf8');

@@ -1,10 +1,10 @@
-// Points that are followed on their way, spread evenly over a surface.
+// Points whose motion is tracked, distributed evenly over a surface.
 
 const COUNT = 1000;
 /** Steps of a sequence that fills the unit square evenly: 1 / p and 1 / p^2 with p^3 = p + 1. */
 const [STEP_U, STEP_V] = [0.7548776662466927, 0.5698402909980532];
 
-/** 1,000 points, [{ triangle, barycentric }], stratified along the cumulated area of the triangles. */
+/** 1,000 points, [{ triangle, barycentric }], stratified by the cumulative area of the triangles. */
 export function samplePoints({ positions, triangles }) {
   const areas = Array.from({ length: triangles.length / 3 }, (_, t) => areaOf(positions, triangles, t));
   const total = areas.reduce((sum, area) => sum + area, 0);

@@ -1,4 +1,4 @@
-// Runs in the browser: draws meshes side by side, faces lit and flat, their edges on top. Bundled by pictures.mjs.
+// Runs in the browser: draws meshes side by side with flat shading and their edges on top. Bundled by pictures.mjs.
 
 import {
   AmbientLight,
@@ -19,7 +19,7 @@ import {
   WireframeGeometry,
 } from 'three';
 
-/** What is seen over what is filled. */
+/** The ratio of the visible size to the size of the body. */
 const MARGIN = 1.08;
 
 interface Panel {
@@ -34,10 +34,10 @@ interface Picture {
   /** from the body towards the eye; +Y is up */
   view: [number, number, number];
   columns: number;
-  /** of a panel, pixels */
+  /** height of a panel, pixels */
   width: number;
   height: number;
-  /** all panels decide what is seen, not the first alone */
+  /** whether the camera fits the bodies of all panels, not only that of the first */
   all?: boolean;
 }
 
@@ -61,7 +61,7 @@ function sceneOf({ positions, triangles }: Panel): Scene {
   return scene;
 }
 
-/** Sees all of `positions` from the direction `view`, as large as `aspect` (width over height) lets it. */
+/** A camera that sees all of `positions` from the direction `view`, as large as `aspect` (width over height) allows. */
 function cameraFor(positions: number[], view: Vector3, aspect: number): OrthographicCamera {
   const box = new Box3().setFromArray(positions);
   const distance = 2 * box.getSize(new Vector3()).length();
@@ -88,7 +88,7 @@ function addLights(scene: Scene, camera: OrthographicCamera): void {
   scene.add(new AmbientLight(0xffffff, 1.1), light);
 }
 
-/** A figure with its caption for every panel. */
+/** Adds a figure with a caption for every panel. */
 function draw({ panels, view, columns, width, height, all }: Picture): void {
   const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
   renderer.setSize(width, height);

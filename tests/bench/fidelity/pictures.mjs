@@ -1,4 +1,4 @@
-// Pictures of what the methods leave at 25 %, side by side, by headless Chromium.
+// Draws the results of the methods at 25 % side by side with headless Chromium.
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,7 +11,7 @@ const RATIO = 0.25;
 const COLUMNS = 4;
 const WIDTH = 300;
 
-/** `view` points from the body to the eye, +Y up; `height` of a panel in pixels, as the body needs. */
+/** `view` points from the body to the eye, +Y up; `height` is that of a panel in pixels, chosen per body. */
 export const PICTURES = [
   { mesh: 'bar', view: [1, 0.6, 1.2], height: 300 },
   { mesh: 'hanging cloth', view: [0.3, 0.25, 1], height: 290 },
@@ -56,7 +56,7 @@ async function buildPage() {
   return join(outDir, 'picture_page.js');
 }
 
-/** Writes docs/images/simplification/MESH.png; without Chromium none, which is pushed to `missing`. */
+/** Writes docs/images/simplification/MESH.png; without Chromium it writes none and adds to `missing`. */
 export async function writePictures(cases, meshes, missing) {
   const pictures = PICTURES.flatMap(({ mesh: name, view, height }) => {
     const mesh = meshes.find((one) => one.name === name);
@@ -67,7 +67,7 @@ export async function writePictures(cases, meshes, missing) {
   await drawPictures(pictures, imageFolder, missing);
 }
 
-/** Writes each { file, picture }, see picture_page.ts, to the folder; without Chromium none, which is pushed to `missing`. */
+/** Writes each { file, picture } (see picture_page.ts) to the folder; without Chromium, none, and adds to `missing`. */
 export async function drawPictures(pictures, folder, missing) {
   const executablePath = findChromium();
   if (!executablePath) {

@@ -1,11 +1,11 @@
-// Plots of the evaluation as SVG, with white behind so that they can be read on a dark page too.
+// Plots of the evaluation as SVG, with a white background so that they are readable on a dark page too.
 
 import { SUBJECT, meanOf } from './targets.mjs';
 
 const WIDTH = 880;
 const FRAME = { left: 110, right: 230, top: 40, bottom: 46 };
 const ROW = 24;
-/** Our own in blue, those of others in warm colours and greys; a shape each, for those who do not see colours. */
+/** Our methods are blue, the peers have warm colours and greys; each has its own shape for colour-blind readers. */
 const STYLES = {
   [SUBJECT]: ['#0072b2', 'circle'],
   'limber without fit': ['#56b4e9', 'circle'],
@@ -86,7 +86,7 @@ const legend = (methods) =>
 
 const TITLE = 'font-size="14" font-weight="bold"';
 
-/** A row a mesh, the mean frequency error of its first ten modes as marks on a logarithmic axis. */
+/** One row per mesh, with the mean frequency errors of its first ten modes as marks on a logarithmic axis. */
 export function meshPlot(cases, ratio) {
   const shown = cases.filter((one) => one.ratio === ratio && !one.failure && one.frequencyErrorMean > 0);
   const meshes = unique(shown.map(({ mesh }) => mesh));
@@ -109,7 +109,7 @@ export function meshPlot(cases, ratio) {
   ]);
 }
 
-/** The mean over the meshes of the frequency error over the faces, a line a method. */
+/** The frequency error, averaged over the meshes, over the faces, with one line per method. */
 export function facesPlot(cases) {
   const failed = new Set(cases.filter(({ failure }) => failure).map(({ mesh }) => mesh));
   const common = cases.filter(({ mesh }) => !failed.has(mesh));

@@ -1,4 +1,4 @@
-// Peers from Python: pymeshlab and fast-simplification, installed into build/bench/python where they are not here.
+// Peers from Python: pymeshlab and fast-simplification, installed into build/bench/python if they are missing.
 
 import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync } from 'node:fs';
@@ -15,7 +15,7 @@ const versionOf = (python, name) => {
   return status === 0 ? stdout.trim().split('\n').at(-1) : null;
 };
 
-/** A Python with the package: $LIMBER_BENCH_PYTHON, our own or python3; installs it into our own at need; or null. */
+/** A Python with the package: $LIMBER_BENCH_PYTHON, our own or python3; installs it into our own if needed; or null. */
 function findPython(name) {
   const candidates = [process.env.LIMBER_BENCH_PYTHON, own, 'python3'];
   const found = candidates.find((python) => python && versionOf(python, name));
@@ -26,7 +26,7 @@ function findPython(name) {
   return versionOf(own, name) ? own : null;
 }
 
-/** A mesh as tests/bench/bench_meshes.mjs writes it, each array with its own buffer. */
+/** Reads a mesh that tests/bench/bench_meshes.mjs has written; each array has its own buffer. */
 export function readMesh(path) {
   const { buffer, byteOffset, length } = readFileSync(path);
   const bytes = buffer.slice(byteOffset, byteOffset + length);
@@ -49,7 +49,7 @@ function runPeer(python, name, { prepared }, faces) {
   return { mesh: readMesh(target), seconds };
 }
 
-/** Methods for the packages that are there; the others are pushed to `missing`. */
+/** Methods for the installed packages; the others are pushed to `missing`. */
 export function pythonPeers(missing) {
   const settings = {
     pymeshlab: 'quadric edge collapse, topology and boundary preserved',

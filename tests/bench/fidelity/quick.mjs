@@ -1,4 +1,4 @@
-// A table for tuning: a line a mesh at one ratio, and the means.
+// Prints a table for tuning: one line per mesh at one ratio, and the means.
 
 import { measure } from './measure.mjs';
 
@@ -24,8 +24,8 @@ const mean = (records, key) => records.reduce((sum, record) => sum + record[key]
 const cellsOf = (valueOf) => COLUMNS.map(([, key, digits]) => valueOf(key)?.toFixed(digits) ?? '-');
 
 /**
- * Prints as it goes: errors in %, lengths in % of the diagonal, angles in degrees, seconds without the measuring. The last
- * line of a method is its means over those of `peer`, a list of cases on the same meshes.
+ * Prints lines as they are computed: errors in %, lengths in % of the diagonal, angles in degrees, seconds without the
+ * measurement. The last line of a method has its means divided by those of `peer`, a list of cases on the same meshes.
  */
 export function printQuickTable(loaded, { meshes, methods, ratio, peer }) {
   for (const method of methods) {

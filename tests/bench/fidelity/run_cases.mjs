@@ -1,11 +1,11 @@
-// Every mesh by every method at every ratio, measured.
+// Simplifies every mesh by every method at every ratio and measures the results.
 
 import { cached } from './cache.mjs';
 import { hashOf } from './load_engine.mjs';
 import { measure } from './measure.mjs';
 
 /**
- * Peers too are measured again where the core or the engine has changed: the measure is part of them.
+ * Peers are also measured again if the core or the engine has changed, because these do the measuring.
  * One result: { mesh, kind, inputMinAngle, method, isOurs, ratio, targetFaces, ...measure(), seconds, meshOf() }.
  */
 export function runCases(loaded, { meshes, methods, ratios }, print = console.log) {

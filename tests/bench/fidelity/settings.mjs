@@ -1,6 +1,6 @@
-// "--set key=value" as changes to the engine's settings.
+// Parses "--set key=value" into changes of the engine's settings.
 
-/** A value in the words of its default: a number, on or off, or text. */
+/** Parses a value by the type of its default: a number, on or off, or text. */
 function valueOf(text, usual) {
   if (typeof usual === 'boolean') {
     if (text !== 'on' && text !== 'off')

@@ -29,7 +29,7 @@ const COLUMNS = [
   ['time, s', 'seconds', 2],
 ];
 
-/** A line a method: means over the meshes that every method gave a solvable result for, and counts over all meshes. */
+/** One line per method: means over the meshes that every method has a solvable result for, and counts over all. */
 export function meansTable(cases, ratio) {
   const chosen = cases.filter((one) => one.ratio === ratio);
   const failed = new Set(chosen.filter(({ failure }) => failure).map(({ mesh }) => mesh));
@@ -48,7 +48,7 @@ export function meansTable(cases, ratio) {
   );
 }
 
-/** A line a mesh, a column a method; the best of each line is bold. */
+/** One line per mesh, one column per method; the best of each line is bold. */
 export function meshTable(cases, ratio, { key, digits, best }) {
   const chosen = cases.filter((one) => one.ratio === ratio);
   const methods = unique(chosen.map(({ method }) => method));
@@ -65,7 +65,7 @@ export function meshTable(cases, ratio, { key, digits, best }) {
   return table(['mesh', ...methods], rows);
 }
 
-/** Results that are not what was asked: topology, count, shells that cannot be solved. */
+/** Results with a wrong topology or face count, or whose shell modes cannot be computed. */
 export function remarks(cases) {
   const lines = cases.flatMap((one) => {
     const { mesh, method, ratio, topologyKept, failure } = one;
@@ -81,7 +81,7 @@ export function remarks(cases) {
   });
 }
 
-/** From attributes.mjs. */
+/** The table of the results of attributes.mjs. */
 export function attributeTable(errors) {
   const rows = errors.map(({ mesh, method, ratio, median, mean, acrossSeams }) => [
     ...[mesh, `${100 * ratio} %`, method, median.toFixed(3), mean.toFixed(3), `${acrossSeams.toFixed(1)} %`],

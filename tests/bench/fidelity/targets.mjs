@@ -2,20 +2,20 @@
 
 import { BEST_PEER } from './meshoptimizer_peers.mjs';
 
-/** The method that has to meet them. */
+/** The method that has to meet the targets. */
 export const SUBJECT = 'limber';
 const RATIO = 0.25;
-/** A distance of nothing, in % of the diagonal. */
+/** Distances below this, in % of the diagonal, count as 0. */
 const UNSEEN = 1e-4;
 
 const NOT_KNOWN = ['no mesh to tell', null];
 
 export const meanOf = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
-/** Whether a result has the count that was asked for, to 1 %: others are not compared in size-dependent numbers. */
+/** Whether a result has the target face count to 1 %; others are not compared in size-dependent numbers. */
 export const reachedCount = ({ faces, targetFaces }) => faces <= 1.01 * targetFaces;
 
-/** Pairs of both methods' cases on the same mesh, where both reached the count and could be measured. */
+/** Pairs of both methods' cases on the same mesh, if both reached the count and could be measured. */
 function pairsOf(cases, first, second) {
   const of = (method) =>
     cases.filter((one) => one.ratio === RATIO && one.method === method && !one.failure && reachedCount(one));
@@ -26,7 +26,7 @@ function pairsOf(cases, first, second) {
   );
 }
 
-/** Mean over the meshes of `first` over that of `second`. */
+/** The mean over the meshes of `first` divided by that of `second`. */
 function ratioOfMeans(cases, [first, second], key, limit) {
   const pairs = pairsOf(cases, first, second);
   if (pairs.length === 0) return NOT_KNOWN;
@@ -35,7 +35,7 @@ function ratioOfMeans(cases, [first, second], key, limit) {
   return [`${text} (${pairs.length} meshes)`, a / b <= limit];
 }
 
-/** Median over the meshes of the ratio of `first` to `second`, where either is seen at all; meshes above the limit. */
+/** The median ratio of `first` to `second` over meshes where either is visible; lists the meshes above the limit. */
 function medianRatio(cases, [first, second], key, limit) {
   const pairs = pairsOf(cases, first, second).filter(([a, b]) => Math.max(a[key], b[key]) > UNSEEN);
   if (pairs.length === 0) return NOT_KNOWN;
@@ -56,7 +56,7 @@ function neverWorse(cases) {
   return [worse.length > 0 ? `worse on ${names}` : `on none of ${pairs.length}`, worse.length === 0];
 }
 
-/** The least of `key` over the subject's meshes of these kinds that reached the count; those below the limit are named. */
+/** The minimum of `key` over the subject's meshes of these kinds that reached the count; lists those below the limit. */
 function atLeast(cases, key, limit, kinds) {
   const all = cases.filter(
     ({ method, ratio, kind, failure }) =>
@@ -88,7 +88,7 @@ const againstPeer = (title, key, share) => [
   (cases) => ratioOfMeans(cases, [SUBJECT, BEST_PEER], key, 1 / share),
 ];
 
-/** [what is wanted, cases -> [what was found, whether that is met (null: not known)]] */
+/** [target in words, cases -> [value in words, whether the target is met (null: unknown)]] */
 export const TARGETS = [
   againstPeer('Frequency error, modes 1-10', 'frequencyErrorMean', 6),
   againstPeer('The same after the best single factor', 'frequencyErrorCalibrated', 4),

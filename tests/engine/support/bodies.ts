@@ -1,4 +1,4 @@
-/** Bodies without a file. */
+/** Bodies that do not come from a file. */
 
 import type { TriangleMesh } from '../../../web/engine/core/core';
 import type { Body } from '../../../web/engine/document/open';
@@ -16,7 +16,7 @@ export function bodyOf(mesh: TriangleMesh, name = 'body'): Body {
   };
 }
 
-/** Both meshes as one soup, the second moved by 10 along x. */
+/** Both meshes as one, with the second translated by 10 along x. */
 export function together(first: TriangleMesh, second: TriangleMesh): TriangleMesh {
   const moved = second.positions.map((value, i) => (i % 3 === 0 ? value + 10 : value));
   const offset = first.positions.length / 3;

@@ -1,4 +1,4 @@
-/** The real core, in either build. */
+/** Loads the real core in either build. */
 
 import type { Core, Progress } from '../../../web/engine/core/core';
 import { loadCore } from '../../../web/engine/core/load_core';

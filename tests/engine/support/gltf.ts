@@ -1,4 +1,4 @@
-/** glTF files made on the spot, one per feature. */
+/** Builds glTF files in memory. */
 
 import { Accessor, Document, Logger, WebIO } from '@gltf-transform/core';
 import type { Mesh, Primitive } from '@gltf-transform/core';
@@ -60,7 +60,7 @@ const PIXEL = Uint8Array.from(
   (letter) => letter.charCodeAt(0),
 );
 
-/** A primitive with everything that vertices can carry: UVs, tangents, colours, texture, skin, morphs, animation. */
+/** Adds a mesh with UVs, tangents, colours, a texture, a skin, a morph target, a custom attribute and an animation. */
 export function addRichMesh(document: Document, name: string, mesh: TriangleMesh): Mesh {
   const vertexCount = mesh.positions.length / 3;
   const repeated = (values: number[]) => Array.from({ length: vertexCount }, () => values).flat();

@@ -1,8 +1,8 @@
-/** Meshes and their mirror images. */
+/** Compares meshes with their mirror images. */
 
 import type { TriangleMesh } from '../../../web/engine/core/core';
 
-/** The faces by their points, each from its lowest corner, with x times `side`. */
+/** The faces as sorted texts of their points, each from its lowest corner; -1 mirrors the mesh across x = 0. */
 export function facesOf({ positions, triangles }: TriangleMesh, side: 1 | -1): string[] {
   const point = (v: number) =>
     [side * positions[3 * v] + 0, positions[3 * v + 1], positions[3 * v + 2]].join(' ');

@@ -1,4 +1,4 @@
-/** Types of packages that bring none. */
+/** Types of packages that have none of their own. */
 
 declare module 'gltf-validator' {
   interface Report {

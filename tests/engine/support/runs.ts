@@ -1,4 +1,4 @@
-/** Runs over bodies, taken through all their stages. */
+/** Takes runs over bodies through all their stages. */
 
 import type { Core, TriangleMesh } from '../../../web/engine/core/core';
 import type { OpenModel } from '../../../web/engine/document/open';
@@ -8,7 +8,7 @@ import { guidingStrain } from '../../../web/engine/stages/guidance';
 import { STAGES } from '../../../web/engine/stages/stages';
 import { bodyOf } from './bodies';
 
-/** A run over a body without a file. */
+/** A run over a body that does not come from a file. */
 export const runOfMesh = (core: Core, mesh: TriangleMesh): BodyRun =>
   new BodyRun({ core, body: bodyOf(mesh), document: null });
 
@@ -16,7 +16,7 @@ export const runOfMesh = (core: Core, mesh: TriangleMesh): BodyRun =>
 export const runOfModel = (core: Core, { bodies, document }: OpenModel, body = 0): BodyRun =>
   new BodyRun({ core, body: bodies[body], document });
 
-/** What the stages make of a body that may keep so many faces. */
+/** The values of the stages for a target of `targetFaces` faces. */
 export function optimized(run: BodyRun, settings: Settings, targetFaces: number) {
   const own = { ...settings, targetFaces, fields: false };
   const fitted = run.get(STAGES.fitted, own);

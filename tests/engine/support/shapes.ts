@@ -1,8 +1,8 @@
-/** Small closed and open surfaces, wound outwards. */
+/** Small closed and open surfaces, oriented outwards. */
 
 import type { TriangleMesh } from '../../../web/engine/core/core';
 
-/** A flat grid in the xy plane of cellsX * cellsY cells, each two triangles. */
+/** A flat grid over [0, 1]^2 in the xy plane of cellsX * cellsY cells with two triangles each. */
 export function grid(cellsX: number, cellsY: number): TriangleMesh {
   const positions: number[] = [];
   const triangles: number[] = [];
@@ -96,7 +96,7 @@ export function triangleArea(positions: ArrayLike<number>, corners: number[]): n
   return Math.hypot(u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]) / 2;
 }
 
-/** A wavy sheet over [-1, 1] x [0, 1] of 2 * cellsX * cellsY cells, positions and triangles its own mirror image across x = 0. */
+/** A wavy sheet over [-1, 1] x [0, 1] of 2 * cellsX * cellsY cells, mirror-symmetric across x = 0 with its triangles. */
 export function butterfly(cellsX = 6, cellsY = 8): TriangleMesh {
   const positions: number[] = [];
   const triangles: number[] = [];

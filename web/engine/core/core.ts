@@ -1,6 +1,7 @@
 /**
- * The typed face of the C++ core: plain data and free functions, the same names as in `wasm/`. Typed arrays are copied at
- * the edge, in and out; the core remembers nothing between calls but kept meshes, kept histories and running simulations.
+ * The typed interface of the C++ core: plain data and free functions with the same names as in `wasm/`. Typed arrays are
+ * copied in both directions. Between calls the core keeps only running simulations (see simulated_bodies.ts), and the
+ * meshes and histories of `keepMesh` and `keepHistory`.
  */
 
 import type { MeshFunctions } from './interface/mesh';
@@ -23,8 +24,8 @@ export * from './interface/simulate';
 export * from './interface/job';
 
 /**
- * The core. Every function is synchronous and may run for long: call it off the main thread. All throw an Error with one
- * sentence; a cancelled call throws an Error whose name is 'Cancelled'.
+ * The core. Every function is synchronous and may run for a long time: call it off the main thread. All functions throw
+ * an Error whose message is one sentence; a cancelled call throws an Error whose name is 'Cancelled'.
  */
 export interface Core
   extends
@@ -38,11 +39,12 @@ export interface Core
   /** 1 in the one-thread build */
   threads: number;
   /**
-   * The job's four words in shared memory ([0] request to cancel, [1] phase, [2] progress in 1/10,000): other threads read the
-   * progress and request cancellation while a call runs. null in the one-thread build, which has `onProgress` alone.
+   * The job's four words in shared memory ([0] request to cancel, [1] phase, [2] progress in 1/10,000), through which other
+   * threads read the progress and request cancellation while a call runs. null in the one-thread build, which reports
+   * progress through `onProgress` only.
    */
   job: Int32Array | null;
-  /** the size of the wasm memory, which never shrinks */
+  /** the size of the wasm memory, which never shrinks, in bytes */
   peakHeapBytes(): number;
 }
 
@@ -51,6 +53,6 @@ export interface CoreOptions {
   threads: number;
   /** the address of the folder that holds limber-threads.mjs and limber-single.mjs, with a final slash */
   wasmFolder: string;
-  /** called on the calling thread in either build, at most once a percent */
+  /** called on the calling thread in either build, at most once per percent */
   onProgress?: (progress: Progress) => void;
 }

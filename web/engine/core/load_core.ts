@@ -1,15 +1,15 @@
-/** Loads the WebAssembly core, in Node, a browser's worker or its page, and gives it its typed face. */
+/** Loads the WebAssembly core in Node, a browser's worker or a page, and wraps it in its typed interface. */
 
 import { PHASES } from './core';
 import type { Core, CoreOptions, Progress } from './core';
 
-/** More threads than this have not been found to help. */
+/** More threads have not been found to help. */
 const MOST_THREADS = 8;
 
 type Observer = (phase: number, fraction: number) => void;
 type CoreFunctions = Omit<Core, 'threads' | 'job' | 'peakHeapBytes'>;
 
-/** What the module of wasm/bind exports. */
+/** The exports of the module of wasm/bind. */
 interface CoreModule extends CoreFunctions {
   wasmMemory: WebAssembly.Memory;
   jobAddress(): number;
@@ -26,8 +26,8 @@ type CreateModule = (options: {
 }) => Promise<CoreModule>;
 
 /**
- * Loads the build that fits: with threads where memory can be shared and more than one is wanted. The choice is made
- * before the import, for the threaded module cannot even start without shared memory.
+ * Loads the threaded build if memory can be shared and more than one thread is wanted, otherwise the one-thread build. The
+ * choice precedes the import, because the threaded module cannot even start without shared memory.
  */
 export async function loadCore(options: CoreOptions): Promise<Core> {
   const wanted = options.threads === 0 ? Math.min(coreCount(), MOST_THREADS) : options.threads;
@@ -56,7 +56,7 @@ function wrapModule(module: CoreModule, threads: number, onProgress?: (progress:
   };
 }
 
-/** The one place where an exception of the core, which arrives as a returned Error, is thrown. */
+/** Wraps a function of the core so that an exception, which arrives as a returned Error, is thrown. */
 function callOf(module: CoreModule, name: keyof CoreFunctions, observer: Observer | null) {
   const inner = module[name] as (...values: unknown[]) => unknown;
   return (...values: unknown[]): unknown => {
@@ -67,7 +67,7 @@ function callOf(module: CoreModule, name: keyof CoreFunctions, observer: Observe
   };
 }
 
-/** Logical cores. Node 20 has no navigator. */
+/** The number of logical cores. Node 20 has no navigator. */
 function coreCount(): number {
   const { navigator, process } = globalThis as {
     navigator?: { hardwareConcurrency?: number };

@@ -30,5 +30,5 @@ export function diagonalOf(positions: Float32Array): number {
   return length3(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
-/** The sum from the first value to the last. */
+/** The sum, added from the first value to the last. */
 export const sum = (values: readonly number[]): number => values.reduce((total, value) => total + value, 0);

@@ -1,5 +1,5 @@
 /**
- * Every method of simplification, with what is particular to it: the one list of TypeScript. Each row has a cost policy of the
+ * The only list of simplification methods in TypeScript, with the properties of each. Each row has a cost policy of the
  * same name in `wasm/simplify/cost`, with a row in `policies.h` there; a new method needs these and nothing else.
  */
 
@@ -12,21 +12,21 @@ interface MethodRow {
   title: string;
   /** the same as an aside in a help text */
   aside: string;
-  /** Settings that start with other values than those of the table of settings. */
+  /** settings whose default for this method differs from the table of settings */
   defaults: Readonly<Record<string, number>>;
-  /** Settings that this method reads and some other does not. */
+  /** settings that this method reads and at least one other does not */
   reads: readonly string[];
-  /** The strain of the guiding modes enters the cost of a collapse, so modes are found first. */
+  /** whether the strain of the guiding modes enters the cost of a collapse, so that modes are found first */
   needsGuidance: boolean;
-  /** Curvature enters the cost of a collapse. */
+  /** whether curvature enters the cost of a collapse */
   needsCurvature: boolean;
-  /** The result can be fitted to the modes of the original. */
+  /** whether the result can be fitted to the modes of the original */
   canFit: boolean;
-  /** Seams and borders of materials stay closed, and attributes enter the cost of a collapse. */
+  /** whether seams and borders of materials stay closed and attributes enter the cost of a collapse */
   keepsAttributes: boolean;
-  /** what the model `auto` stands for */
+  /** the elastic model that `auto` stands for */
   autoModel: 'auto' | Model;
-  /** how many modes guide where they are `auto` */
+  /** the number of guiding modes that `auto` stands for */
   autoModes: number;
 }
 
@@ -45,7 +45,7 @@ export const METHODS = [
     autoModel: 'auto',
     autoModes: 6,
   },
-  /** as printed: Eq. 11, guided by the first mode of the Laplacian */
+  /** the method as printed: Eq. 11, guided by the first mode of the Laplacian */
   {
     name: 'paper',
     label: 'Paper',

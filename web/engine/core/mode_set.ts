@@ -1,21 +1,21 @@
-/** Questions to a set of modes. */
+/** Queries on a set of modes. */
 
 import type { ComponentModes, Mode, ModeSet } from './core';
 import { counted } from './words';
 
-/** Elastic modes of the component that has most; ordinals from here on are empty. */
+/** The largest number of elastic modes of a component; ordinals from this number on are empty. */
 export function modesAvailable({ components }: Pick<ModeSet, 'components'>): number {
   return components.reduce((most, { modeCount }) => Math.max(most, modeCount), 0);
 }
 
-/** Of the largest copy that was solved in the place of a part; 0 where all were solved as they are. */
+/** Vertices of the largest coarse copy that was solved in place of a part; 0 if every part was solved itself. */
 export function coarseVerticesOf({ components }: Pick<ModeSet, 'components'>): number {
   return components.reduce((most, { coarseVertices }) => Math.max(most, coarseVertices), 0);
 }
 
 type NamedModes = Pick<ModeSet, 'modes' | 'components'>;
 
-/** The mode that speaks for a ordinal: that of the part with most faces, of equal ones the first; null for an empty ordinal. */
+/** The mode that represents an ordinal: that of the part with most faces, the first of equals; null if there is none. */
 export function leadingMode({ modes, components }: NamedModes, ordinal: number): Mode | null {
   const own = modes.filter((mode) => mode.ordinal === ordinal);
   const isLarger = (a: Mode, b: Mode) => {
@@ -25,18 +25,18 @@ export function leadingMode({ modes, components }: NamedModes, ordinal: number):
   return own.reduce<Mode | null>((lead, mode) => (lead && !isLarger(mode, lead) ? lead : mode), null);
 }
 
-/** Of `modes` (numbers from 1) those that are local: little of the body moves. */
+/** Those of `modes` (numbers from 1) that are local: little of the body moves. */
 export function localModes(set: NamedModes, modes: number[]): number[] {
   return modes.filter((mode) => leadingMode(set, mode - 1)?.name === 'local');
 }
 
-/** The first `count` modes (numbers from 1) that are not local; fewer where there are no more. */
+/** The first `count` modes (numbers from 1) that are not local, or all of them if there are fewer. */
 export function suggestedModes(set: NamedModes, count: number): number[] {
   const all = Array.from({ length: modesAvailable(set) }, (_, ordinal) => ordinal + 1);
   return all.filter((mode) => leadingMode(set, mode - 1)?.name !== 'local').slice(0, count);
 }
 
-/** Which model the parts got, in words: "3 solid parts, 1 shell". A cavity belongs to the solid that it is in. */
+/** The models of the parts in words: "3 solid parts, 1 shell". A cavity belongs to the solid around it. */
 export function describeModels(components: ComponentModes[]): string {
   const cavities = components.filter(({ host }, i) => host !== i).length;
   const own = components.filter(({ host }, i) => host === i);
@@ -53,7 +53,7 @@ export function describeModels(components: ComponentModes[]): string {
     .join(', ');
 }
 
-/** Numbers in words, ascending, runs of three and more as one: "1, 2, 4 to 6". */
+/** Mode numbers in words, ascending, with runs of three or more as ranges: "1, 2, 4 to 6". */
 export function spellModes(modes: number[]): string {
   const sorted = [...modes].sort((a, b) => a - b);
   const runs: number[][] = [];

@@ -1,18 +1,18 @@
 /**
- * Every scenario, with its words: the one list of TypeScript. Each row has a row of the same name in
- * `wasm/simulate/scenario.cpp`, which says what happens; a new scenario needs both and nothing else.
+ * The only list of scenarios in TypeScript, with their words. Each row has a row of the same name in
+ * `wasm/simulate/scenario.cpp`, which defines what happens; a new scenario needs both and nothing else.
  */
 
 interface ScenarioWords {
   name: string;
   label: string;
-  /** what happens, as an aside in a help text; '' where the name says it */
+  /** what happens, as an aside in a help text; '' if the name says it all */
   aside: string;
   /** what happens, as a sentence */
   sentence: string;
-  /** which ends are pinned unless the user says otherwise, as the subject of a sentence; '' for none */
+  /** the ends that are pinned by default, as the subject of a sentence; '' for none */
   pinned: string;
-  /** the body hangs and may swing below itself, which a view should leave space for */
+  /** whether the body hangs and may swing below itself, so that a view has to leave space there */
   hangs: boolean;
 }
 
@@ -83,7 +83,7 @@ export const SCENARIO_NAMES: readonly ScenarioName[] = SCENARIOS.map(({ name }) 
 export const scenarioWords = (name: ScenarioName): ScenarioWords =>
   SCENARIOS.find((scenario) => scenario.name === name)!;
 
-/** All scenarios with their asides, as an enumeration: "twist (the ...), sway (...), ... or drape (...)". */
+/** All scenarios with their asides as an enumeration: "twist (the ...), sway (...), ..., or drape (...)". */
 export function describeScenarios(): string {
   const words = SCENARIOS.map(({ name, aside }) => (aside === '' ? name : `${name} (${aside})`));
   return `${words.slice(0, -1).join(', ')}, or ${words.at(-1)}`;

@@ -1,6 +1,6 @@
-/** Times between calls. */
+/** A stopwatch. */
 
-/** The returned function gives the seconds since its last call, at first since the start. */
+/** The returned function returns the seconds since its last call, or since the start on its first call. */
 export function startStopwatch(): () => number {
   let last = performance.now();
   return () => {

@@ -1,22 +1,22 @@
-/** Vertex attributes at points of a surface: mixed from the corners of a triangle by their shares. */
+/** Vertex attributes at surface points, interpolated from the corners of a triangle with barycentric weights. */
 
 import type { Accessor } from '@gltf-transform/core';
 import { length3 } from '../core/exact_math';
 
-/** What each written vertex is made of. */
+/** The vertices of the primitive that each written vertex is interpolated from. */
 export interface VertexSources {
-  /** vertices[3 * i + c] of the primitive */
+  /** vertices[3 * i + c]: vertex numbers in the primitive */
   vertices: Uint32Array;
-  /** shares[3 * i + c], their sum is 1; where it is one vertex alone its share comes first and is 1 */
+  /** shares[3 * i + c]: barycentric weights with sum 1; a copy of a single vertex has the weights 1, 0, 0 */
   shares: Float32Array;
 }
 
 export type Values = NonNullable<ReturnType<Accessor['getArray']>>;
 
-/** glTF's component types that an exported attribute keeps; others (16- and 64-bit floats) become float32. */
+/** Component types that an exported attribute keeps; others (16- and 64-bit floats) become float32. */
 const KEPT_TYPES = [Int8Array, Uint8Array, Int16Array, Uint16Array, Uint32Array, Float32Array] as const;
 
-/** Of a normalized integer: what stands for 1. */
+/** The integer that stands for 1 in a normalized accessor of each type. */
 const ONE: Record<string, number> = {
   Int8Array: 127,
   Uint8Array: 255,
@@ -24,18 +24,18 @@ const ONE: Record<string, number> = {
   Uint16Array: 65535,
 };
 
-/** `length` zeros of the type that an accessor with `array` is written in. */
+/** `length` zeros of the type in which an accessor that has `array` is written. */
 export function emptyLike(array: Values, length: number): Values {
   const kept = KEPT_TYPES.find((type) => array instanceof type) ?? Float32Array;
   return new kept(length) as Values;
 }
 
-/** What one unit of the accessor's numbers stands for: 1, or 1 / 255 and the like. */
+/** The value of the stored number 1: 1 itself, or 1 / 255 and the like for normalized integers. */
 export function unitOf(accessor: Accessor): number {
   return accessor.getNormalized() ? 1 / (ONE[accessor.getArray()!.constructor.name] ?? 1) : 1;
 }
 
-/** Each component on its own, rounded where the accessor holds integers. */
+/** Interpolates each component on its own and rounds the values of integer accessors. */
 export function blendLinear(accessor: Accessor, { vertices, shares }: VertexSources): Values {
   const array = accessor.getArray()!;
   const size = accessor.getElementSize();
@@ -55,7 +55,7 @@ export function blendLinear(accessor: Accessor, { vertices, shares }: VertexSour
   return blended;
 }
 
-/** The value of the corner with the largest share, for what has no in-between: numbers of things. */
+/** The value of the corner with the largest share, for identifiers, which cannot be interpolated. */
 export function takeNearest(accessor: Accessor, { vertices, shares }: VertexSources): Values {
   const array = accessor.getArray()!;
   const size = accessor.getElementSize();
@@ -68,8 +68,8 @@ export function takeNearest(accessor: Accessor, { vertices, shares }: VertexSour
 }
 
 /**
- * Unit vectors: the first three components are mixed and brought back to length 1, a fourth (the side of a tangent) is
- * that of the largest share. `fallback` gives the direction of vertex i where the mix vanishes.
+ * Interpolates unit vectors: the first three components are mixed and normalised; a fourth (the handedness of a tangent)
+ * comes from the corner with the largest share. `fallback` gives the direction of vertex i where the mix vanishes.
  */
 export function blendDirections(
   accessor: Accessor,
@@ -89,7 +89,7 @@ export function blendDirections(
       for (let k = 0; k < 3; ++k) mixed[c] += shares[3 * i + k] * array[size * vertices[3 * i + k] + c];
     }
     const length = length3(mixed[0], mixed[1], mixed[2]);
-    // Opposite vectors leave nothing but rounding.
+    // Opposite vectors cancel to mere rounding errors.
     const direction = length > 1e-3 * scale ? mixed.map((value) => value / length) : fallback(i);
     for (let c = 0; c < 3; ++c)
       blended[size * i + c] = scale === 1 ? direction[c] : Math.round(scale * direction[c]);

@@ -12,7 +12,7 @@ const TRIANGLES = 4;
 const TRIANGLE_STRIP = 5;
 const TRIANGLE_FAN = 6;
 
-/** What is gathered from the primitives of one mesh. */
+/** The data gathered from the primitives of one mesh. */
 interface Gathering {
   positions: GrowingFloats;
   indices: GrowingIndices;
@@ -22,7 +22,7 @@ interface Gathering {
   skipped: { points: number; lines: number; empty: number };
 }
 
-/** Throws an Error that names the mesh and primitive where data are broken, and where nothing has triangles. */
+/** Throws an Error if data are broken, which names the mesh and primitive, or if no mesh has triangles. */
 export function bodiesOfDocument(file: string, document: Document): { bodies: Body[]; notes: string[] } {
   const meshes = document.getRoot().listMeshes();
   const bodies: Body[] = [];
@@ -77,7 +77,7 @@ function gather(file: string, name: string, mesh: Mesh): Gathering {
   return gathering;
 }
 
-/** Adds the decoded positions, unless another primitive has; returns the body's number of the first one. */
+/** Adds the decoded positions unless another primitive has already; returns the body's index of the first vertex. */
 function addPositions({ positions, firstVertex }: Gathering, accessor: Accessor, where: string): number {
   const known = firstVertex.get(accessor);
   if (known !== undefined) return known;
@@ -117,7 +117,7 @@ function cornersOf(primitive: Primitive, vertexCount: number, where: string): Ui
   return triangles;
 }
 
-/** Positions in the index list of the corners of triangle t; every second one of a strip is turned. */
+/** Offsets of the corners of triangle t in the index list; every second triangle of a strip is reversed. */
 function stripCorners(mode: number, t: number): [number, number, number] {
   if (mode === TRIANGLE_FAN) return [0, t + 1, t + 2];
   return t % 2 === 0 ? [t, t + 1, t + 2] : [t + 1, t, t + 2];
@@ -134,7 +134,7 @@ function skippedNotes({ points, lines, empty }: Gathering['skipped']): string[] 
     .map(([count, kind]) => `${counted(count, kind, kind.replace('primitive', 'primitives'))} skipped`);
 }
 
-/** How much larger the node makes the body: the quadratic mean of its three axes, and whether they agree. */
+/** The scale of the node, a root mean square over its three axes, and whether the axes agree to 0.1 %. */
 function scaleOf(node: Node): { scale: number; isEven: boolean } {
   const matrix = node.getWorldMatrix();
   const [x, y, z] = [0, 4, 8].map((at) => length3(matrix[at], matrix[at + 1], matrix[at + 2]));

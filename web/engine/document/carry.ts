@@ -1,4 +1,4 @@
-/** Writes a primitive's attributes and morph targets for new vertices that are made of its old ones. */
+/** Writes a primitive's attributes and morph targets for new vertices that are interpolated from its old ones. */
 
 import type { Accessor, Buffer, Document, Primitive } from '@gltf-transform/core';
 import { length3 } from '../core/exact_math';
@@ -6,19 +6,19 @@ import { blendDirections, blendLinear, takeNearest } from './blend';
 import type { Values, VertexSources } from './blend';
 import { mergeInfluences } from './influences';
 
-/** Where new data go. */
+/** The document and buffer that new data are written to. */
 export interface Destination {
   document: Document;
   buffer: Buffer;
 }
 
-/** Custom attributes that are numbers of things, whatever their type. */
+/** Custom attributes that are identifiers, whatever their component type. */
 const IDENTIFIERS = /^_(FEATURE_ID_\d+|BATCHID)$/;
 const INFLUENCES = /^(JOINTS|WEIGHTS)_\d+$/;
 
 /**
- * Replaces every attribute of `primitive` but POSITION by its values at `sources`, in the component type it has. `normalOf`
- * gives the direction of the new vertex i where mixed normals cancel out.
+ * Replaces every attribute of `primitive` except POSITION by its values at `sources` and keeps its component type.
+ * `normalOf` gives the direction of the new vertex i where the interpolated normals cancel out.
  */
 export function carryAttributes(
   destination: Destination,
@@ -47,7 +47,7 @@ function valuesAt(
   return blendLinear(accessor, sources);
 }
 
-/** Sets with both joints and weights go together; a set that lacks one is taken from the nearest corner. */
+/** Merges all sets that have both joints and weights; a set that lacks one is copied from the nearest corner. */
 function carryInfluences(destination: Destination, primitive: Primitive, sources: VertexSources): void {
   const numbers = primitive
     .listSemantics()
@@ -76,7 +76,7 @@ function carryInfluences(destination: Destination, primitive: Primitive, sources
   }
 }
 
-/** Displacements of every morph target, mixed like positions. */
+/** Interpolates the displacements of every morph target linearly. */
 export function carryTargets(destination: Destination, primitive: Primitive, sources: VertexSources): void {
   for (const target of primitive.listTargets()) {
     // A target may be shared between primitives whose vertices differ.
@@ -100,7 +100,7 @@ function copyWith({ document, buffer }: Destination, accessor: Accessor, values:
     .setArray(values);
 }
 
-/** Whether a custom attribute holds whole numbers alone, which are taken for numbers of things. */
+/** Whether a custom attribute has only whole numbers, which are then taken for identifiers. */
 function hasNoBetween(semantic: string, accessor: Accessor): boolean {
   return (
     IDENTIFIERS.test(semantic) || (!accessor.getNormalized() && accessor.getArray()!.every(Number.isInteger))

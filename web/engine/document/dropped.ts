@@ -1,4 +1,4 @@
-/** What an export would lose, said before it is done. */
+/** Lists what an export would lose before it is done. */
 
 import type { Mesh, Primitive } from '@gltf-transform/core';
 import { counted } from '../core/words';
@@ -6,8 +6,8 @@ import type { OpenModel } from './model';
 import { uncarriedExtensions } from './prune';
 
 /**
- * What the model has and `exportGlb` leaves out where bodies are replaced, in plain words: "extension EXT_mesh_features",
- * "2 morph targets". `replacesTargets`: shapes take the place of the bodies' own morph targets. Empty: nothing is lost.
+ * The content of the model that `exportGlb` drops where it replaces bodies, in plain words: "extension EXT_mesh_features",
+ * "2 morph targets"; empty if nothing is lost. With `replacesTargets`, shapes replace the bodies' own morph targets.
  */
 export function droppedByExport(model: OpenModel, replacesTargets = false): string[] {
   const meshes = meshesOf(model);

@@ -19,20 +19,20 @@ import type { PrimitiveGeometry, SourcedMesh } from './vertices';
 export { droppedByExport } from './dropped';
 
 export interface ExportedBody {
-  /** what it comes from */
+  /** the body of the model that it replaces */
   body: Body;
   mesh: TriangleMesh;
-  /** the triangle of the Body that each triangle of `mesh` comes from */
+  /** per triangle of `mesh`: the triangle of `body` that it comes from */
   inputOfTriangle: Uint32Array;
-  /** where on the Body the attributes of each corner of `mesh` come from */
+  /** per corner of `mesh`: the point of `body` that its attributes come from */
   sources: CornerSources;
-  /** its normals follow from its faces, and are computed again for those that have changed */
+  /** the normals of `body` are those of its faces; changed faces get new ones */
   isFaceted: boolean;
   /** per vertex of `mesh` */
   fields?: { strain: Float32Array; curvature: Float32Array };
-  /** shapes to write as morph targets in place of its own, with an animation each */
+  /** shapes written as morph targets, each with an animation; they replace the body's own */
   targets?: MorphTarget[];
-  /** for engines, in the mesh's extras: see CalibrationReport */
+  /** written to the mesh's extras for engines; see CalibrationReport */
   calibration?: number;
 }
 
@@ -43,16 +43,16 @@ export interface ExportOptions {
 
 /** glTF's primitive mode. */
 const TRIANGLES = 4;
-/** From here on an index needs 32 bits; 65,535 itself is reserved. */
+/** With this many vertices or more, indices need 32 bits: index 65,535 is reserved. */
 const MANY_VERTICES = 65535;
 
 /**
- * Writes the model with `bodies[i]`, which comes from it, in place of model.bodies[i]; null leaves a body as it is. The model stays unchanged.
- * Positions are those of the meshes to the bit. Every attribute and morph target is taken from the body at the corners'
- * sources, in its own type. A glTF body without normals stays without, so that viewers shade it flat as before; those of other
- * formats get smooth ones, split where faces meet at more than 60 degrees.
- * Faces stay with their primitive, hence with their material; hierarchy, skins, animations, names and extras stay;
- * `droppedByExport` names what does not. The same input gives the same bytes.
+ * Writes the model with model.bodies[i] replaced by `bodies[i]`; null keeps a body as it is. The model itself does not
+ * change. Written positions equal those of the meshes bit for bit. Every attribute and morph target is interpolated from
+ * the body at the corners' sources and keeps its component type. A glTF body without normals gets none, so that viewers
+ * shade it flat as before; bodies of other formats get smooth normals, split where faces meet at more than 60 degrees.
+ * Faces keep their primitive and hence their material. Hierarchy, skins, animations, names and extras are preserved;
+ * `droppedByExport` lists what is not. The same input gives the same bytes.
  */
 export async function exportGlb(
   model: OpenModel,
@@ -76,12 +76,12 @@ export async function exportGlb(
   return (await createGltfIo()).writeBinary(document);
 }
 
-/** glTF has faces without normals shaded flat; the other formats do not say. */
+/** glTF prescribes flat shading for meshes without normals; the other formats prescribe nothing. */
 function isSmoothed({ format }: OpenModel): boolean {
   return format !== 'glb' && format !== 'gltf';
 }
 
-/** A GLB holds one buffer. */
+/** A GLB can contain only one buffer. */
 function mergeBuffers(document: Document): Buffer {
   const root = document.getRoot();
   const [kept = document.createBuffer(), ...others] = root.listBuffers();
@@ -92,8 +92,8 @@ function mergeBuffers(document: Document): Buffer {
 }
 
 /**
- * Gives the body's mesh its new geometry, with `smoothed` also normals where it has none; returns the primitives that
- * hold it.
+ * Gives the body's mesh its new geometry and returns the primitives written. With `smoothed`, primitives without normals
+ * get smooth ones.
  */
 function replaceMesh(destination: Destination, exported: ExportedBody, smoothed: boolean): Primitive[] {
   const { body } = exported;
@@ -121,7 +121,7 @@ function replaceMesh(destination: Destination, exported: ExportedBody, smoothed:
   return written;
 }
 
-/** Where the normal of a corner, if it has one, comes from: its source, its face, or the faces that it is smooth with. */
+/** Per corner: CARRIED if its normal comes from its source or it has none, otherwise the key of a computed normal. */
 function normalKeys(
   primitive: Primitive,
   { body, inputOfTriangle, sources, isFaceted }: ExportedBody,
@@ -134,7 +134,7 @@ function normalKeys(
   return (corner) => {
     const t = Math.floor(corner / 3);
     const source = inputOfTriangle[t];
-    // The corners of a quad that is cut another way have normals of two faces.
+    // The corners of a quad that is cut along its other diagonal have normals of two faces.
     const isAsItWas = isUntouched(sources, t, source) && !body.recut?.[source];
     return isAsItWas ? CARRIED : normals.faceKey(corner);
   };
@@ -151,7 +151,7 @@ function shareOut({ spans }: Body, inputOfTriangle: Uint32Array): number[][] {
   return shares;
 }
 
-/** Puts the geometry with everything that its vertices carry in place of the primitive's own. */
+/** Replaces the primitive's geometry, attributes and morph targets. */
 function writePrimitive(
   destination: Destination,
   primitive: Primitive,
@@ -186,7 +186,7 @@ function writePrimitive(
   writeTargets(destination, primitive, exported.targets ?? [], geometry);
 }
 
-/** The carried normals as floats, with the computed ones in their places. */
+/** Normals as floats: computed where `normalKey` names one, otherwise carried. */
 function normalsOf(
   primitive: Primitive,
   { normalKey }: PrimitiveGeometry,

@@ -1,4 +1,4 @@
-/** GLB and glTF: the file's own document, and its meshes as bodies. */
+/** Reads GLB and glTF files into their own document and its bodies. */
 
 import type { Document, GLTF, JSONDocument } from '@gltf-transform/core';
 import { bodiesOfDocument } from './bodies';
@@ -68,7 +68,7 @@ function checkJson(name: string, json: GLTF.IGLTF): void {
     throw new Error(`${name} requires ${unknown.join(', ')}, which cannot be read: export it without.`);
 }
 
-/** A node below itself would send every walk through the tree round in circles. */
+/** Refuses a node that is its own descendant: every traversal of the tree would loop forever. */
 function checkNodes(name: string, nodes: GLTF.INode[] = []): void {
   const parents = new Map<number, number>();
   nodes.forEach(({ children }, parent) => {
@@ -90,7 +90,7 @@ function checkNodes(name: string, nodes: GLTF.INode[] = []): void {
   }
 }
 
-/** Puts the bytes of every outside buffer and image under the address that the file gives it. */
+/** Adds the bytes of every external buffer and image to the resources, under the URI that the file gives it. */
 function addCompanions(file: SourceFile, { json, resources }: JSONDocument, files: SourceFile[]): void {
   const missing = new Set<string>();
   for (const { uri } of [...(json.buffers ?? []), ...(json.images ?? [])]) {
@@ -107,7 +107,7 @@ function addCompanions(file: SourceFile, { json, resources }: JSONDocument, file
   );
 }
 
-/** Paths, relative to the file, of the buffers and images that a GLB or glTF names; none for anything else. */
+/** Paths, relative to the file, of the buffers and images that a GLB or glTF names; empty for other formats. */
 export function companionNames(file: SourceFile): string[] {
   const isGlb = String.fromCharCode(...file.bytes.subarray(0, 4)) === 'glTF';
   if (!isGlb && !file.name.toLowerCase().endsWith('.gltf')) return [];
@@ -126,14 +126,14 @@ function findCompanion(main: string, uri: string, files: SourceFile[]): SourceFi
   );
 }
 
-/** `uri` seen from the folder of `main`, with forward slashes and without dots. */
+/** Resolves `uri` against the folder of `main`; the path has forward slashes and no dot segments. */
 export function companionPath(main: string, uri: string): string {
   const folder = main.replace(/\\/g, '/').split('/').slice(0, -1);
   let decoded = uri;
   try {
     decoded = decodeURIComponent(uri);
   } catch {
-    // A stray % is a character of the name.
+    // A % that starts no escape sequence is a character of the name.
   }
   const path: string[] = [];
   for (const part of [...folder, ...decoded.replace(/\\/g, '/').split('/')]) {
@@ -155,7 +155,7 @@ async function readDocument(name: string, jsonDocument: JSONDocument): Promise<D
   }
 }
 
-/** A buffer that is too short gives a short accessor without a word. */
+/** The reader silently shortens an accessor whose buffer is too short, so element counts are checked here. */
 function checkAccessors(json: GLTF.IGLTF, document: Document): void {
   const accessors = document.getRoot().listAccessors();
   (json.accessors ?? []).forEach(({ count }, i) => {

@@ -1,4 +1,4 @@
-/** The one glTF reader and writer, with its decoders. */
+/** The only glTF reader and writer, with its decoders. */
 
 import { Logger, WebIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
@@ -10,7 +10,7 @@ export const SUPPORTED_EXTENSIONS = new Set<string>(
   ALL_EXTENSIONS.map(({ EXTENSION_NAME }) => EXTENSION_NAME),
 );
 
-/** Reads and writes without network or file system; `extensions` are those a file uses, whose decoders are loaded. */
+/** Reads and writes in memory only. Loads the decoders of `extensions`, the extensions that a file uses. */
 export async function createGltfIo(extensions: readonly string[] = []): Promise<WebIO> {
   const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
   if (extensions.includes(MESHOPT)) {
@@ -22,7 +22,7 @@ export async function createGltfIo(extensions: readonly string[] = []): Promise<
   return io;
 }
 
-/** In Node the decoder finds its wasm file beside itself; a bundle ships that file and says where it is. */
+/** In Node the decoder finds its wasm file in its own folder; a bundle ships that file and passes its address. */
 async function loadDraco(): Promise<unknown> {
   const { default: createDecoder } = await import('draco3dgltf/draco_decoder_gltf_nodejs.js');
   if (import.meta.env.SSR) return createDecoder();

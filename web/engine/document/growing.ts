@@ -1,4 +1,4 @@
-/** Typed arrays that grow by doubling, for readers that learn the count at the end. */
+/** Typed arrays that grow by doubling, for readers that do not know the count in advance. */
 
 export class GrowingFloats {
   length = 0;

@@ -1,10 +1,10 @@
-/** Joints and weights at points of a surface. */
+/** Joints and weights at surface points. */
 
 import type { Accessor } from '@gltf-transform/core';
 import { emptyLike, unitOf } from './blend';
 import type { Values, VertexSources } from './blend';
 
-/** JOINTS_n and WEIGHTS_n of one n. */
+/** The attributes JOINTS_n and WEIGHTS_n for one n. */
 export interface InfluenceSet<T> {
   joints: T;
   weights: T;
@@ -15,12 +15,12 @@ interface Influence {
   weight: number;
 }
 
-/** Influences of a vertex in one set. */
+/** The number of influences per vertex in one set. */
 const PER_SET = 4;
 
 /**
- * The influences of the three corners together, each joint once: the largest ones that the sets have room for, brought to
- * the sum 1 in the numbers of their type. A vertex that is one vertex alone keeps what it has.
+ * Merges the influences of the three corners, so that each joint occurs once. The largest ones that fit into the sets are
+ * kept and scaled to sum 1 in the numbers of their component type. A copy of a single vertex keeps its influences.
  */
 export function mergeInfluences(
   sets: InfluenceSet<Accessor>[],
@@ -54,7 +54,7 @@ function copyInfluences(
   });
 }
 
-/** Descending by weight, then ascending by joint; those without weight are left out. */
+/** The influences of vertex i with a weight above 0, descending by weight, then ascending by joint. */
 function gatherInfluences(
   sets: InfluenceSet<Accessor>[],
   { vertices, shares }: VertexSources,
@@ -85,12 +85,12 @@ function writeInfluences(
   const numbers = strongest.map(({ weight }) =>
     one === 1 ? weight / sum : Math.round((one * weight) / sum),
   );
-  // What rounding has added or lost is the largest one's.
+  // The largest weight absorbs the rounding error of the sum.
   if (one !== 1) numbers[0] += one - numbers.reduce((total, number) => total + number, 0);
   strongest.forEach(({ joint }, rank) => {
     const { joints, weights } = merged[Math.floor(rank / PER_SET)];
     const at = PER_SET * to + (rank % PER_SET);
-    // A joint without weight has to be number 0.
+    // glTF requires joint 0 where the weight is 0.
     joints[at] = numbers[rank] > 0 ? joint : 0;
     weights[at] = numbers[rank];
   });

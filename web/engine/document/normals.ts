@@ -1,25 +1,25 @@
-/** Vertex normals for display: smooth, and split along sharp edges; or those of the faces. */
+/** Vertex normals for display: either smooth and split along sharp edges, or face normals. */
 
 import type { TriangleMesh } from '../core/core';
 import { arcCosine, length3 } from '../core/exact_math';
 
-/** Of 60 degrees: faces that meet at more keep an edge between them. */
+/** Cosine of 60 degrees: normals are split at edges whose faces meet at a larger angle. */
 const CREASE_COSINE = 0.5;
 
 export interface CornerNormals {
-  /** per corner 3 * t + k: a corner of the same vertex that has the same normal; the same for all that share it */
+  /** per corner 3 * t + k: the lowest corner of the same vertex that shares its normal */
   group: Uint32Array;
   /** unit normals, normals[3 * corner + c]; filled at group corners only */
   normals: Float32Array;
 }
 
-/** Normals of a mesh, computed when they are first asked for. A key stands for one normal. */
+/** Normals of a mesh, computed at the first query. A key identifies one normal. */
 export interface ResultNormals {
-  /** equal for corners at one vertex that are joined by edges below 60 degrees */
+  /** equal for corners at one vertex that are connected through edges below 60 degrees */
   smoothKey(corner: number): number;
-  /** equal for the corners of one triangle */
+  /** equal for the three corners of a triangle */
   faceKey(corner: number): number;
-  /** a unit vector */
+  /** the unit normal of a key */
   at(key: number): ArrayLike<number>;
 }
 
@@ -42,7 +42,7 @@ export function resultNormals(mesh: TriangleMesh): ResultNormals {
   };
 }
 
-/** Angle-weighted normals over the corners of a vertex that are joined by edges below 60 degrees. */
+/** Angle-weighted normals over the corners of a vertex that are connected through edges below 60 degrees. */
 export function cornerNormals(mesh: TriangleMesh): CornerNormals {
   const { triangles } = mesh;
   const faceNormals = unitFaceNormals(mesh);
@@ -56,7 +56,7 @@ export function cornerNormals(mesh: TriangleMesh): CornerNormals {
   return { group, normals: normalise(group, sums, faceNormals) };
 }
 
-/** Unit normals per triangle; 0 for a triangle without area. */
+/** Unit normals normals[3 * t + c]; 0 for a triangle without area. */
 function unitFaceNormals({ positions, triangles }: TriangleMesh): Float64Array {
   const normals = new Float64Array(triangles.length);
   for (let t = 0; t < triangles.length; t += 3) {
@@ -85,7 +85,7 @@ function angleAt({ positions, triangles }: TriangleMesh, corner: number): number
   return length > 0 ? arcCosine(along / length) : 0;
 }
 
-/** Per corner the lowest corner of its group. */
+/** Per corner: the lowest corner of its group. */
 function smoothGroups(triangles: Uint32Array, vertexCount: number, faceNormals: Float64Array): Uint32Array {
   const parent = Uint32Array.from(triangles, (_, corner) => corner);
   const find = (corner: number): number => {
@@ -132,7 +132,7 @@ function cornersOfVertices(triangles: Uint32Array, vertexCount: number) {
   return { first, corners };
 }
 
-/** A sum that vanishes falls back to its face, and a face without area to +z: a normal must have length 1. */
+/** Where a sum vanishes the face normal replaces it, and +z where the face has no area: normals must have length 1. */
 function normalise(group: Uint32Array, sums: Float64Array, faceNormals: Float64Array): Float32Array {
   const normals = new Float32Array(sums.length);
   group.forEach((root, corner) => {

@@ -1,6 +1,6 @@
 /**
- * Wavefront OBJ: polygons with UVs and normals, vertex colours; every `o` is a body, groups belong to their object, and each
- * `usemtl` name in it is a primitive.
+ * Reads Wavefront OBJ: polygons with UVs and normals, and vertex colours. Every `o` is a body, groups belong to their
+ * object, and each `usemtl` name of an object is a primitive.
  */
 
 import { NONE } from '../core/core';
@@ -15,44 +15,45 @@ import { attributesOfRaw } from './vertex_values';
 
 const SLASH = 47;
 
-/** What else the format knows, and passes over. */
+/** Further keywords of the format, which are skipped. */
 const KNOWN = new Set('g s p l o # mg lod cstype deg surf curv curv2 end parm vp usemap'.split(' '));
 const LINES_AND_POINTS = new Set(['l', 'p']);
 
 interface ObjectFaces {
   name: string;
-  /** corners by the name of their material, '' without one */
+  /** corners by the name of their material; '' stands for none */
   parts: Map<string, ObjCorners>;
   polygons: number;
   shortFaces: number;
 }
 
-/** Numbers from 0; NONE without UV or normal. */
+/** Indices from 0; NONE for a missing UV or normal. */
 interface FaceCorner {
   vertex: number;
   uv: number;
   normal: number;
 }
 
-/** What is gathered on the way through the file. */
+/** The state of reading a file. */
 interface Reading {
   scan: TextScanner;
   positions: GrowingFloats;
   uvs: GrowingFloats;
   normals: GrowingFloats;
-  /** sRGB; of use where every vertex has one */
+  /** sRGB; used only if every vertex has one */
   colours: GrowingFloats;
   objects: Map<string, ObjectFaces>;
   object: ObjectFaces;
   material: string;
   hasLibrary: boolean;
   linesAndPoints: number;
-  /** the highest vertex number that did not exist yet where a face named it */
+  /** the highest vertex number that a face named before its vertex line, and the line of that face */
   ahead: { vertex: number; line: number } | null;
+  /** the first unknown line, and the number of unknown lines */
   stranger: { text: string; line: number; count: number } | null;
 }
 
-/** Throws an Error that names the line. Weights after the coordinates are passed over. */
+/** Throws an Error that names the line. Weights after the coordinates are skipped. */
 export function readObj(file: SourceFile): SurfaceFile {
   const reading = startReading(file);
   const { scan } = reading;
@@ -116,7 +117,7 @@ function readVertex({ scan, positions, colours }: Reading): void {
   if (!Number.isFinite(x + y + z)) scan.fail('a coordinate is too large for a 32-bit number');
   positions.push3(x, y, z);
   if (!scan.seekWord()) return;
-  // One number alone is a weight.
+  // A single number is a weight.
   const [red, green, blue] = [scan.numberOrNaN(), scan.numberOrNaN(), scan.numberOrNaN()];
   if (!Number.isNaN(blue)) colours.push3(red, green, blue);
 }
@@ -127,7 +128,7 @@ function readFace(reading: Reading): void {
   let count = 0;
   for (; scan.seekWord(); ++count) {
     const corner = readCorner(reading);
-    // A repeated neighbour adds nothing to a polygon; the triangle rule below still counts it as degenerate.
+    // A repeated corner adds nothing to a polygon; the padding below still makes it a degenerate triangle.
     if (corner.vertex !== corners.at(-1)?.vertex) corners.push(corner);
   }
   while (corners.length > 1 && corners[0].vertex === corners[corners.length - 1].vertex) corners.pop();
@@ -148,7 +149,7 @@ function partOf({ parts }: ObjectFaces, material: string): ObjCorners {
   return part;
 }
 
-/** Triples of numbers into `corners`. Where vertices come after their faces, polygons cannot be looked at yet. */
+/** Index triples into `corners`. If vertices come after their faces, the shape is unknown and polygons become fans. */
 function trianglesOf(corners: FaceCorner[], { ahead, positions }: Reading): number[] {
   if (corners.length === 3) return [0, 1, 2];
   const numbers = corners.map((_, i) => i);
@@ -174,7 +175,7 @@ function readCorner(reading: Reading): FaceCorner {
   }
   const uv = readReference(scan, uvs.length / 2);
   const normal = readReference(scan, normals.length / 3);
-  // Whatever else stands there.
+  // Skip the rest of the corner.
   if (scan.peek() > 32) scan.word();
   if (number === 0) scan.fail('a face names vertex 0, but vertices are numbered from 1');
   if (number < -count) scan.fail(`a face names vertex ${number}, but only ${count} come before it`);
@@ -183,7 +184,7 @@ function readCorner(reading: Reading): FaceCorner {
   return { vertex: number > 0 ? number - 1 : count + number, uv, normal };
 }
 
-/** A slash and the number of a UV or normal, of which there are `count` so far; NONE where it names none. */
+/** Reads a slash and the number of a UV or normal; `count` were read so far. Returns NONE if it names none. */
 function readReference(scan: TextScanner, count: number): number {
   if (scan.peek() !== SLASH) return NONE;
   scan.at += 1;
@@ -250,7 +251,7 @@ function surfaceOf(object: ObjectFaces, reading: Reading, isOneOfMany: boolean):
   };
 }
 
-/** The values of the elements `which`, 0 for NONE and for what is not there. */
+/** The values of the elements `which`; 0 for NONE and for elements that do not exist. */
 function pick(values: Float32Array, which: Uint32Array, size: number): Float32Array {
   const picked = new Float32Array(size * which.length);
   which.forEach((from, to) => {

@@ -1,9 +1,9 @@
-/** Corners of an OBJ object that name a position, a UV and a normal each, as vertices that have all three. */
+/** Turns corners of an OBJ object, each with indices of a position, UV and normal, into vertices that have all three. */
 
 import { NONE } from '../core/core';
 import { GrowingIndices } from './growing';
 
-/** Numbers per corner; NONE where a corner names no UV or normal. */
+/** Indices per corner; NONE for a missing UV or normal. */
 export class ObjCorners {
   readonly vertices = new GrowingIndices();
   readonly uvs = new GrowingIndices();
@@ -16,20 +16,20 @@ export class ObjCorners {
   }
 }
 
-/** One vertex for each different corner. */
+/** One vertex for each distinct corner. */
 export interface ObjVertices {
-  /** per vertex: where its values are */
+  /** per vertex: the index of its position in the file */
   vertexOf: Uint32Array;
   uvOf: Uint32Array;
   normalOf: Uint32Array;
-  /** vertices of the corners */
+  /** per corner: its vertex */
   indices: Uint32Array;
 }
 
 /**
- * The first corner at a position takes the position's number, so that vertices are numbered as in the file; further UVs and
- * normals there follow behind all positions. `onlyUsed`: positions that no corner names are left out, the others are numbered
- * in the order of their first use.
+ * The first corner at a position gets the position's number, so that vertices are numbered as in the file; corners there
+ * with other UVs or normals are numbered after all positions. With `onlyUsed`, positions that no corner names are left out
+ * and the others are numbered in the order of their first use.
  */
 export function splitVertices(parts: ObjCorners[], positionCount: number, onlyUsed: boolean): ObjVertices {
   const splitter = new VertexSplitter(onlyUsed ? usedPositions(parts) : null, positionCount);
@@ -43,7 +43,7 @@ export function splitVertices(parts: ObjCorners[], positionCount: number, onlyUs
   return { ...splitter.finish(), indices };
 }
 
-/** A number per position that a corner names. */
+/** Numbers the positions that corners name in the order of their first use. */
 function usedPositions(parts: ObjCorners[]): Map<number, number> {
   const numbers = new Map<number, number>();
   for (const { vertices } of parts)
@@ -57,7 +57,7 @@ class VertexSplitter {
   private readonly vertexOf = new GrowingIndices();
   private readonly uvOf = new GrowingIndices();
   private readonly normalOf = new GrowingIndices();
-  /** vertices at one position form a chain */
+  /** per vertex: the next vertex at the same position */
   private readonly next = new Map<number, number>();
 
   constructor(
@@ -70,7 +70,7 @@ class VertexSplitter {
     else for (let vertex = 0; vertex < positionCount; ++vertex) this.add(vertex, NONE, NONE);
   }
 
-  /** The vertex with this uv and normal: that of the file, or a further one where it has others already. */
+  /** The vertex with this UV and normal: that of the file, or a new one if the former already has others. */
   vertexFor(vertex: number, uv: number, normal: number): number {
     const base = this.numbers ? this.numbers.get(vertex)! : vertex;
     if (!this.isTaken[base]) {

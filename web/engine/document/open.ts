@@ -1,4 +1,4 @@
-/** Bytes in, a document with its bodies out: GLB, glTF with its files, OBJ, STL and PLY. */
+/** Opens the bytes of a GLB, glTF with its files, OBJ, STL or PLY as a document with its bodies. */
 
 import { openGltf } from './gltf';
 import type { Format, OpenModel, SourceFile } from './model';
@@ -13,8 +13,8 @@ const FORMATS: readonly Format[] = ['glb', 'gltf', 'obj', 'stl', 'ply'];
 const READABLE = 'a GLB, glTF, OBJ, STL or PLY file';
 
 /**
- * Opens the one model among `files`; the others are its companions (buffers and textures of a .gltf).
- * Throws an Error with one sentence: what is wrong, where, and the cure.
+ * Opens the only model among `files`; the others are its companions (buffers and textures of a .gltf).
+ * Throws an Error whose one sentence says what is wrong, where, and what to do.
  */
 export async function openModel(files: SourceFile[]): Promise<OpenModel> {
   const { file, format } = chooseModel(files);
@@ -45,7 +45,7 @@ function formatOfName(name: string): Format | null {
   return FORMATS.find((format) => format === ending) ?? null;
 }
 
-/** What the first bytes leave no doubt about. */
+/** The format if the first bytes identify it, otherwise null. */
 function formatOfBytes(bytes: Uint8Array): Format | null {
   const start = String.fromCharCode(...bytes.subarray(0, 4));
   if (start === 'glTF') return 'glb';

@@ -1,4 +1,4 @@
-/** Types of packages that bring none. */
+/** Types of packages that have none of their own. */
 
 declare module 'gltf-validator' {
   interface Issue {
@@ -28,6 +28,6 @@ declare module '*?url' {
 }
 
 interface ImportMeta {
-  /** Vite: SSR is true where the bundle runs in Node */
+  /** Vite: SSR is true if the bundle runs in Node */
   readonly env: { readonly SSR: boolean };
 }

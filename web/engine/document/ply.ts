@@ -1,6 +1,6 @@
 /**
- * PLY, text and binary of both byte orders: vertices with normals, UVs and colours, faces with any number of corners, triangle
- * strips. One body.
+ * Reads PLY, as text or binary in either byte order, as one body: vertices with normals, UVs and colours, faces with any
+ * number of corners, and triangle strips.
  */
 
 import { GrowingIndices } from './growing';
@@ -15,10 +15,10 @@ import { attributesOfRaw } from './vertex_values';
 import type { RawAttributes } from './vertex_values';
 
 const INDEX_LISTS = ['vertex_indices', 'vertex_index'];
-/** Properties of faces that are passed over. */
+/** Properties of faces that are skipped, in plain words. */
 const UNREAD: Record<string, string> = { texcoord: 'UV coordinates of faces', red: 'colours of faces' };
 
-/** What a property of a vertex is, by its name: a component of one of these arrays. */
+/** The array of each kind of vertex property; names[c] matches the property of component c. */
 const COLUMNS: { key: 'positions' | keyof RawAttributes; names: RegExp[] }[] = [
   { key: 'positions', names: [/^x$/, /^y$/, /^z$/] },
   { key: 'normals', names: [/^nx$/, /^ny$/, /^nz$/] },
@@ -26,10 +26,10 @@ const COLUMNS: { key: 'positions' | keyof RawAttributes; names: RegExp[] }[] = [
   { key: 'colours', names: [/^(diffuse_)?red$/, /^(diffuse_)?green$/, /^(diffuse_)?blue$/] },
 ];
 
-/** Of integer types: what stands for a full colour. */
+/** The integer that stands for a full colour in each type. */
 const FULL: Partial<Record<PlyType, number>> = { uint8: 255, int8: 127, uint16: 65535, int16: 32767 };
 
-/** Where the values of a property go: values[size * row + component]; all vertices' values of one kind in a row. */
+/** The destination of a property: vertex `row` is written to values[size * row + component], times `scale`. */
 interface Column {
   values: Float32Array;
   size: number;
@@ -38,16 +38,16 @@ interface Column {
   isPosition: boolean;
 }
 
-/** Values one after the other, whatever the encoding. */
+/** Reads value after value from either encoding. */
 interface ValueSource {
   read(type: PlyType): number;
-  /** NaN where a text has no finite number */
+  /** NaN if a text has no finite number */
   readLoosely(type: PlyType): number;
   skip(type: PlyType): void;
   fail(problem: string): never;
 }
 
-/** What is gathered on the way: polygons as their corner counts and all corners in a row. */
+/** The content read so far: polygons are stored as their corner counts and one list of all corners. */
 interface PlyContent {
   positions: Float32Array;
   attributes: RawAttributes;
@@ -60,7 +60,7 @@ export function readPly(file: SourceFile): SurfaceFile {
   const header = readPlyHeader(file);
   const source = header.encoding === 'ascii' ? textSource(file, header) : binarySource(file, header);
   const vertexCount = header.elements.find((element) => element.name === 'vertex')?.count ?? 0;
-  // Four bytes at least stand for a vertex, so that a false count cannot ask for endless memory.
+  // Every vertex takes at least one byte; this check keeps a false count from requesting endless memory.
   if (vertexCount > file.bytes.length) source.fail(`${vertexCount} vertices do not fit into the file`);
   const content: PlyContent = {
     positions: new Float32Array(3 * vertexCount),
@@ -88,7 +88,7 @@ function unreadOf({ elements }: PlyHeader): string[] {
   return names.filter((name) => name in UNREAD).map((name) => UNREAD[name]);
 }
 
-/** Room for the kinds of values that vertices have all components of. */
+/** Zeroed arrays for the kinds of attributes whose components all occur among the vertex properties. */
 function emptyAttributes({ elements }: PlyHeader, vertexCount: number): RawAttributes {
   const vertex = elements.find((element) => element.name === 'vertex');
   const has = (name: RegExp) => vertex?.properties.some((property) => name.test(property.name));
@@ -150,7 +150,7 @@ function readPolygon(source: ValueSource, { type, countType }: PlyProperty, cont
   content.cornerCounts.push(count);
 }
 
-/** Strips of triangles, each ended by a negative index; every second triangle is turned. */
+/** Reads strips of triangles, each ended by a negative index; every second triangle is reversed. */
 function readStrips(source: ValueSource, { type, countType }: PlyProperty, content: PlyContent): void {
   const count = source.read(countType!);
   let [older, newer, length] = [0, 0, 0];
@@ -168,7 +168,7 @@ function readStrips(source: ValueSource, { type, countType }: PlyProperty, conte
   }
 }
 
-/** Index triples of all polygons, and how many of them had more than three corners. */
+/** Index triples of all polygons, and the number of polygons with more than three corners. */
 function triangulate(file: string, { positions, cornerCounts, corners }: PlyContent) {
   const counts = cornerCounts.finish();
   const flat = corners.finish();
@@ -188,7 +188,7 @@ function triangulate(file: string, { positions, cornerCounts, corners }: PlyCont
   return { indices: indices.finish(), polygons };
 }
 
-/** A polygon with fewer than three different corners becomes one degenerate triangle, which welding counts. */
+/** A polygon with fewer than three distinct corners becomes one degenerate triangle, which welding counts. */
 function trianglesOf(polygon: number[], positions: Float32Array): number[] {
   const corners = polygon.filter(
     (vertex, i) => vertex !== polygon[(i + polygon.length - 1) % polygon.length],

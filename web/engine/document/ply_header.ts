@@ -1,4 +1,4 @@
-/** The header of a PLY file: what elements follow, and how they are written. */
+/** The header of a PLY file: the elements that follow, and their encoding. */
 
 import type { SourceFile } from './model';
 import { excerpt, TextScanner } from './text_scanner';
@@ -8,7 +8,7 @@ export type PlyType = 'int8' | 'uint8' | 'int16' | 'uint16' | 'int32' | 'uint32'
 export interface PlyProperty {
   name: string;
   type: PlyType;
-  /** of a list: the type of its length */
+  /** type of the length of a list; absent for other properties */
   countType?: PlyType;
 }
 
@@ -21,7 +21,7 @@ export interface PlyElement {
 export interface PlyHeader {
   encoding: 'ascii' | 'little' | 'big';
   elements: PlyElement[];
-  /** byte offset of what follows the header, and its line */
+  /** byte offset of the data after the header, and their line */
   bodyAt: number;
   bodyLine: number;
 }

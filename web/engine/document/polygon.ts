@@ -1,19 +1,19 @@
-/** Cuts one polygon of a file into triangles. */
+/** Triangulates one polygon of a file. */
 
 import earcut from 'earcut';
 import { length3 } from '../core/exact_math';
 
-/** A corner off the line between its neighbours by less than this, of the polygon's size, is dented inwards by as much. */
+/** A corner closer than this to the line through its neighbours is moved inwards by as much; relative to the size. */
 const DENT = 1e-6;
-/** A triangle lower than this share of its longest side counts as none; float32 cannot tell it from a line. */
+/** A triangle lower than this times its longest side counts as degenerate; float32 cannot tell it from a line. */
 const FLAT = 1e-6;
-/** Below this share of its size squared, twice a polygon's area counts as none. */
+/** A polygon has no area if twice its area is below this times its size squared. */
 const NO_AREA = 1e-12;
 
 /**
- * Triangles of the polygon `corners` (vertex indices, without repeated neighbours, at least 3) as index triples: n - 2 of
- * them, so that no corner is left out and neighbours still meet. A fan from the first corner that sees all others: the
- * common rule, which convex polygons always meet. Other polygons are cut by ears in the plane of their Newell normal.
+ * Triangulates the polygon `corners` (at least 3 vertex indices, no two neighbours equal). Returns n - 2 index triples, so
+ * that no corner is left out and adjacent polygons still meet. The result is a fan from the first corner that sees all
+ * others, which every convex polygon has; polygons without one are ear-clipped in the plane of their Newell normal.
  */
 export function triangulatePolygon(corners: number[], positions: Float32Array): number[] {
   if (corners.length === 3) return corners;
@@ -37,7 +37,7 @@ function fan(corners: number[], start: number): number[] {
 }
 
 /**
- * The corners in the plane of the Newell normal, scaled to size 1 and turning left: points[2 * i + c]; null where the
+ * The corners in the plane of the Newell normal, scaled to size 1 and counter-clockwise: points[2 * i + c]; null if the
  * polygon has no area.
  */
 function projectPolygon(corners: number[], positions: Float32Array): number[] | null {
@@ -47,7 +47,7 @@ function projectPolygon(corners: number[], positions: Float32Array): number[] | 
   for (let i = 0; i < corners.length; ++i)
     for (let c = 0; c < 3; ++c) {
       const [u, v] = [(c + 1) % 3, (c + 2) % 3];
-      // Relative to the first corner, so that a polygon far from the origin costs no digits.
+      // Positions relative to the first corner avoid cancellation far from the origin.
       normal[c] +=
         (at(i, u) - at(0, u)) * (at(i + 1, v) - at(0, v)) - (at(i, v) - at(0, v)) * (at(i + 1, u) - at(0, u));
       size = Math.max(size, Math.abs(at(i, c) - at(0, c)));
@@ -62,7 +62,7 @@ function projectPolygon(corners: number[], positions: Float32Array): number[] | 
   });
 }
 
-/** Two unit vectors that make a right-handed frame with `normal`. */
+/** Two unit vectors that form a right-handed frame with `normal`. */
 function planeAxes(normal: number[]): [number[], number[]] {
   const smallest = normal.reduce(
     (best, value, c) => (Math.abs(value) < Math.abs(normal[best]) ? c : best),
@@ -100,7 +100,7 @@ function distance(points: number[], a: number, b: number): number {
   return length3(points[2 * a] - points[2 * b], points[2 * a + 1] - points[2 * b + 1], 0);
 }
 
-/** A fan of upright triangles has gone round where one of them, after the first, reaches over its first side again. */
+/** A fan of counter-clockwise triangles winds twice if one after the first contains the fan's first side again. */
 function windsTwice(points: number[], start: number): boolean {
   const count = points.length / 2;
   const first = (start + 1) % count;
@@ -111,7 +111,7 @@ function windsTwice(points: number[], start: number): boolean {
   return false;
 }
 
-/** earcut leaves out corners on straight sides, which would open a crack there; dented, they stay. */
+/** earcut drops corners on straight sides, which would open cracks; corners that are moved slightly inwards stay. */
 function dentStraightCorners(points: number[]): number[] {
   const count = points.length / 2;
   return points.map((value, at) => {

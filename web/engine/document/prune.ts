@@ -1,4 +1,4 @@
-/** Takes out of a document what new vertices cannot carry, and what nothing uses any more. */
+/** Removes from a document what new vertices cannot carry, and what nothing uses any more. */
 
 import type {
   Accessor,
@@ -14,13 +14,13 @@ import type {
 } from '@gltf-transform/core';
 import { Features } from '@gltf-transform/extensions';
 
-/** Extensions of primitives that speak of materials, or of attributes by their name. */
+/** Primitive extensions that refer to materials, or to attributes by name, and so stay valid. */
 const CARRIED = new Set(['KHR_materials_variants', 'EXT_structural_metadata']);
 const QUANTIZATION = 'KHR_mesh_quantization';
 const DRACO = 'KHR_draco_mesh_compression';
 const COMPRESSIONS = [DRACO, 'EXT_meshopt_compression'];
 
-/** Extensions without properties of their own, and what in the document still needs them. */
+/** Extensions without properties of their own, each with a test of whether the document still needs it. */
 const NEEDED_BY: Record<string, (document: Document, kept: Primitive[]) => boolean> = {
   [QUANTIZATION]: (document) => primitivesOf(document).some(isQuantized),
   KHR_mesh_primitive_restart: (_, kept) => kept.length > 0,
@@ -31,7 +31,7 @@ const NEEDED_BY: Record<string, (document: Document, kept: Primitive[]) => boole
   KHR_texture_basisu: (document) => hasTexture(document, 'image/ktx2'),
 };
 
-/** Takes out the mesh's morph targets with their weights, and what animates these. */
+/** Removes the mesh's morph targets, their weights and the animations of these. */
 export function dropMorphing(document: Document, mesh: Mesh): void {
   for (const primitive of mesh.listPrimitives())
     for (const target of primitive.listTargets()) {
@@ -58,17 +58,17 @@ function dropWeightChannels(animation: Animation, nodes: Node[]): void {
   if (animation.listChannels().length === 0) animation.dispose();
 }
 
-/** Whether an extension of a primitive still says the truth about new vertices. */
+/** Whether an extension of a primitive stays valid for new vertices. */
 function isCarried(extension: ExtensionProperty): boolean {
   if (extension instanceof Features)
-    // Without attribute and texture the features are counted by the vertices, which change.
+    // Features without an attribute or texture are numbered by vertices, which change.
     return extension
       .listFeatureIDs()
       .every((ids) => ids.getAttribute() !== null || ids.getTexture() !== null);
   return CARRIED.has(extension.extensionName);
 }
 
-/** Names of the primitive's extensions that speak of its old vertices. */
+/** Names of the primitive's extensions that are valid for its old vertices only. */
 export function uncarriedExtensions(primitive: Primitive): string[] {
   return primitive
     .listExtensions()
@@ -80,9 +80,7 @@ export function dropUncarried(primitive: Primitive): void {
   for (const name of uncarriedExtensions(primitive)) primitive.setExtension(name, null);
 }
 
-/**
- * Draco decodes joint weights that do not add up to 1, which only stays unseen while they are compressed.
- */
+/** Joint weights decoded from Draco do not add up to 1; the validator would report them in the uncompressed file. */
 export function normaliseWeights(document: Document): void {
   const root = document.getRoot();
   if (!root.listExtensionsUsed().some(({ extensionName }) => extensionName === DRACO)) return;
@@ -97,7 +95,7 @@ export function normaliseWeights(document: Document): void {
   }
 }
 
-/** Four weights of a vertex per array; all of them add up to 1 afterwards, where they are not all 0. */
+/** Scales the weights of each vertex, four per array, to sum 1 unless all are 0. */
 function makeSumsOne(arrays: Float32Array[]): void {
   for (let first = 0; first < arrays[0].length; first += 4) {
     let sum = 0;
@@ -106,7 +104,7 @@ function makeSumsOne(arrays: Float32Array[]): void {
   }
 }
 
-/** Disposes data, textures, skins and extensions that nothing refers to; nodes, materials and cameras stay. */
+/** Disposes of data, textures, skins and extensions that nothing refers to; nodes, materials and cameras stay. */
 export function disposeUnused(document: Document, replaced: Set<Primitive>): void {
   const root = document.getRoot();
   const isUnused = (property: Property) => property.listParents().every((parent) => parent === root);
@@ -125,7 +123,7 @@ const primitivesOf = (document: Document): Primitive[] =>
     .listMeshes()
     .flatMap((mesh) => mesh.listPrimitives());
 
-/** Properties of an extension that hang nowhere, until none is left. */
+/** Disposes of the extension's properties that have no parent, until none is left. */
 function disposeOrphans(extension: Extension): void {
   const orphans = extension.listProperties().filter((property) => property.listParents().length === 0);
   for (const orphan of orphans) orphan.dispose();
@@ -134,12 +132,12 @@ function disposeOrphans(extension: Extension): void {
 
 function isNeeded(document: Document, extension: Extension, kept: Primitive[]): boolean {
   const name = extension.extensionName;
-  // Nothing is compressed on output.
+  // Output is never compressed.
   if (COMPRESSIONS.includes(name)) return false;
   return name in NEEDED_BY ? NEEDED_BY[name](document, kept) : extension.listProperties().length > 0;
 }
 
-/** Integers where glTF alone allows floats only; colours, joints, weights and normalized UVs may be integers anyway. */
+/** Whether positions, normals, tangents or UVs are integers, which core glTF allows for normalized UVs only. */
 function isQuantized(primitive: Primitive): boolean {
   const holders = [primitive, ...primitive.listTargets()];
   return holders.some((holder) =>

@@ -1,4 +1,4 @@
-/** A simulated motion as a GLB for other programs: the bodies side by side, a morph target and a keyframe per frame. */
+/** Writes a simulated motion as a GLB: the bodies stand side by side, with a morph target and a keyframe per frame. */
 
 import { Document } from '@gltf-transform/core';
 import type { Animation, Buffer, Mesh, Node } from '@gltf-transform/core';
@@ -11,14 +11,14 @@ export interface RecordedBody {
   mesh: TriangleMesh;
   /** positions[(step * vertexCount + v) * 3 + c] after each step */
   positions: Float32Array;
-  /** where the body stands in the scene, along x */
+  /** x translation of the body in the scene */
   offset: number;
 }
 
-/** A longer motion is thinned out evenly: targets cost memory in every viewer. */
+/** Longer motions are subsampled evenly, because every morph target costs memory in a viewer. */
 const MOST_FRAMES = 60;
 
-/** `stepSeconds` lie between two steps. The same input gives the same bytes. */
+/** `stepSeconds` is the time between two steps. The same input gives the same bytes. */
 export async function recordingGlb(bodies: RecordedBody[], stepSeconds: number): Promise<Uint8Array> {
   const document = new Document();
   const buffer = document.createBuffer();
@@ -37,7 +37,7 @@ export async function recordingGlb(bodies: RecordedBody[], stepSeconds: number):
   return (await createGltfIo()).writeBinary(document);
 }
 
-/** The steps that are kept; the last one is. */
+/** The steps that are kept, evenly spaced, always with the last one. */
 function framesOf({ mesh, positions }: RecordedBody): number[] {
   const steps = positions.length / mesh.positions.length;
   const count = Math.min(steps, MOST_FRAMES);
@@ -64,7 +64,7 @@ function meshOf(document: Document, buffer: Buffer, body: RecordedBody, frames: 
     .setWeights(frames.map(() => 0));
 }
 
-/** At time k > 0 target k - 1 alone counts, and in between two of them in proportion. */
+/** At times[k], k > 0, only target k - 1 has weight 1; weights are linear in between. */
 function animate(
   document: Document,
   animation: Animation,

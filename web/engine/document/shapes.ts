@@ -1,24 +1,24 @@
-/** Modes for other programs: morph targets of a body, and animations that swing them. */
+/** Writes modes for other programs: morph targets of a body, and animations that oscillate them. */
 
 import type { Accessor, Animation, Buffer, Document, Mesh, Node } from '@gltf-transform/core';
 import type { ModeSet, TriangleMesh } from '../core/core';
 import { modesAvailable } from '../core/mode_set';
 
-/** A shape that a mesh can take on: where each vertex goes at weight 1. */
+/** A deformation of a mesh: the displacement of each vertex at weight 1. */
 export interface MorphTarget {
   name: string;
-  /** displacements[3 * v + c] per vertex of the mesh */
+  /** displacements[3 * v + c], in units of the mesh */
   displacements: Float32Array;
 }
 
-/** Largest displacement of a shape, of the bounding-box diagonal of the body. */
+/** Largest displacement of a shape, relative to the diagonal of the body's bounding box. */
 const AMPLITUDE = 0.1;
 const SWING_SECONDS = 2;
 const KEYFRAMES = 33;
 
 /**
- * One target per asked ordinal that exists: target k moves every part of the body in its own (k + 1)-th mode, so that
- * parts with many modes do not become a target each. `ordinals` from 0.
+ * One target per entry of `ordinals` (from 0) that exists. The target of ordinal k moves every part of the body in the
+ * part's own (k + 1)-th mode, which keeps the number of targets independent of the number of parts.
  */
 export function shapeTargets(
   mesh: TriangleMesh,
@@ -47,7 +47,7 @@ function shapeName(modes: ModeSet, ordinal: number): string {
   return `mode ${ordinal + 1}, ${frequencies[0].toPrecision(3)} Hz`;
 }
 
-/** One animation per target, sin(theta) over two seconds, on every node that shows one of `meshes`. */
+/** Adds one animation per target, a full sine in two seconds, for every node that shows one of `meshes`. */
 export function addSwings(document: Document, buffer: Buffer, meshes: Set<Mesh>): void {
   const nodes = document
     .getRoot()

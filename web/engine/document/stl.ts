@@ -1,4 +1,4 @@
-/** STL, binary and text: a soup of triangles, one body. */
+/** Reads binary and text STL: a triangle soup, read as one body. */
 
 import { GrowingFloats } from './growing';
 import { counted } from '../core/words';
@@ -38,7 +38,7 @@ function readBinary({ name, bytes }: SourceFile): { positions: Float32Array; sol
   const positions = new Float32Array(9 * facets);
   for (let facet = 0; facet < facets; ++facet)
     for (let i = 0; i < 9; ++i) {
-      // A facet is its normal, nine coordinates and two bytes of attributes.
+      // A facet is a normal (12 bytes), nine coordinates and two bytes of attributes.
       const value = view.getFloat32(HEADER_BYTES + FACET_BYTES * facet + 12 + 4 * i, true);
       if (!Number.isFinite(value))
         throw new Error(
@@ -67,7 +67,7 @@ function readText({ name, bytes }: SourceFile): { positions: Float32Array; solid
 
 function readFacet(scan: TextScanner, positions: GrowingFloats): void {
   expectWord(scan, 'normal');
-  // The normal is not used, and files in the wild have "nan" in it.
+  // The normal is not used, and real files contain "nan" there.
   for (let i = 0; i < 3; ++i) scan.word();
   expectWord(scan, 'outer');
   expectWord(scan, 'loop');

@@ -1,17 +1,17 @@
-/** Formats without a scene of their own (OBJ, STL, PLY) become a document with one node and mesh per body. */
+/** Turns files of formats without a scene (OBJ, STL, PLY) into a document with one node and one mesh per body. */
 
 import { Document } from '@gltf-transform/core';
 import type { Accessor, Buffer, Material, Primitive } from '@gltf-transform/core';
 import type { Body, Format, OpenModel } from './model';
 
-/** One body as a reader found it. */
+/** One body as read from a file. */
 export interface Surface {
   name: string;
   positions: Float32Array;
   indices: Uint32Array;
-  /** what its vertices carry, under glTF's names; unit normals, the origin of UVs is the upper left corner */
+  /** vertex attributes under glTF's names; normals have length 1, UVs start at the upper left corner */
   attributes?: SurfaceAttributes;
-  /** triangles from `first` to the next part's are of this material ('': none); absent: one part without */
+  /** triangles [first, next part's first) have this material ('' for none); absent: one part without material */
   parts?: { material: string; first: number }[];
   notes: string[];
 }
@@ -19,15 +19,15 @@ export interface Surface {
 export interface SurfaceAttributes {
   NORMAL?: Float32Array;
   TEXCOORD_0?: Float32Array;
-  /** linear, 65,535 stands for 1 */
+  /** linear light; 65,535 stands for 1 */
   COLOR_0?: Uint16Array;
 }
 
-/** What a reader found in a file. */
+/** The content of a file as read. */
 export interface SurfaceFile {
   surfaces: Surface[];
   notes: string[];
-  /** what was there and is not carried, in plain words */
+  /** content of the file that is dropped, in plain words */
   unread: string[];
 }
 
@@ -49,7 +49,7 @@ export function modelOfSurfaces(name: string, format: Format, file: SurfaceFile)
   return { name, format, document, bodies, notes: file.notes, unread: file.unread };
 }
 
-/** One per part; they share the vertices. */
+/** One primitive per part; all share the vertices. */
 function primitivesOf(
   document: Document,
   { positions, indices, attributes = {} }: Surface,
@@ -85,7 +85,7 @@ function accessorOf(
     .setArray(array as Float32Array<ArrayBuffer> | Uint16Array<ArrayBuffer>);
 }
 
-/** Its name is all that is known of it. */
+/** Only the name of a material is known. */
 function materialNamed(document: Document, materials: Map<string, Material>, name: string): Material {
   const known = materials.get(name);
   if (known) return known;

@@ -1,4 +1,4 @@
-/** Reads words and numbers from the bytes of a text file, in one pass, without making a string of the whole. */
+/** Reads words and numbers from the bytes of a text file in one pass, without decoding the whole into a string. */
 
 const TAB = 9;
 const NEWLINE = 10;
@@ -11,16 +11,16 @@ const ZERO = 48;
 const BACKSLASH = 92;
 const LOWER_E = 101;
 
-/** Decimal powers that a double holds exactly. */
+/** Powers of ten that are exact in a double: 10^0 to 10^22. */
 const EXACT_POWERS = Array.from({ length: 23 }, (_, exponent) => Number(`1e${exponent}`));
-/** Integers of this many digits are exact in a double. */
+/** Integers of up to this many digits are exact in a double. */
 const EXACT_DIGITS = 15;
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
 
 export class TextScanner {
-  /** from 1 */
+  /** current line, from 1 */
   line = 1;
-  /** byte offset */
+  /** current byte offset */
   at: number;
 
   constructor(
@@ -36,7 +36,7 @@ export class TextScanner {
     return this.at >= this.bytes.length;
   }
 
-  /** Skips blanks of this line, joining it with the next after a backslash; true where a word follows. */
+  /** Skips blanks on this line, which a final backslash continues on the next; returns whether a word follows. */
   seekWord(): boolean {
     for (; this.at < this.bytes.length; ++this.at) {
       const byte = this.bytes[this.at];
@@ -49,7 +49,7 @@ export class TextScanner {
     return false;
   }
 
-  /** Skips blanks and line ends; true where a word follows. */
+  /** Skips blanks and line ends; returns whether a word follows. */
   seekWordAnywhere(): boolean {
     while (!this.seekWord()) {
       if (this.atEnd) return false;
@@ -64,7 +64,7 @@ export class TextScanner {
     this.passNewline();
   }
 
-  /** The word here; '' at the end of the line. */
+  /** Reads the next word; '' at the end of the line. */
   word(): string {
     if (!this.seekWord()) return '';
     const start = this.at;
@@ -72,7 +72,7 @@ export class TextScanner {
     return this.text(start, this.at);
   }
 
-  /** What is left of this line, without blanks around it. */
+  /** Reads the rest of this line, without surrounding blanks. */
   rest(): string {
     this.seekWord();
     const start = this.at;
@@ -80,12 +80,12 @@ export class TextScanner {
     return this.text(start, this.at).trim();
   }
 
-  /** The byte here; -1 at the end of the file. */
+  /** The current byte; -1 at the end of the file. */
   peek(): number {
     return this.at < this.bytes.length ? this.bytes[this.at] : -1;
   }
 
-  /** A finite number, correctly rounded to a double; `what` names it in the error. */
+  /** Reads a finite number, correctly rounded to a double. Throws an Error that calls it `what`. */
   number(what: string): number {
     if (!this.seekWord()) this.fail(`${what} is missing`);
     const start = this.at;
@@ -93,7 +93,7 @@ export class TextScanner {
     return Number.isNaN(value) ? this.slowNumber(start, what) : value;
   }
 
-  /** The next word as a number; NaN where it is not one, or the line ends. */
+  /** Reads the next word as a number; NaN if it is not one or the line ends. */
   numberOrNaN(): number {
     if (!this.seekWord()) return NaN;
     const start = this.at;
@@ -104,7 +104,7 @@ export class TextScanner {
     return NUMBER.test(word) ? Number(word) : NaN;
   }
 
-  /** An integer with an optional sign; NaN where there is none. Stops at the first other byte. */
+  /** Reads an integer with an optional sign and stops at the first other byte; NaN if there are no digits. */
   integer(): number {
     const isNegative = this.passSign();
     let value = 0;
@@ -118,7 +118,7 @@ export class TextScanner {
     throw new Error(`${this.file}, line ${this.line}: ${problem}.`);
   }
 
-  /** Decimals with few digits are exact as integer times or over a power of ten; NaN for everything else. */
+  /** Reads a decimal whose digits and power of ten are exact, so that one operation rounds correctly; otherwise NaN. */
   private shortDecimal(): number {
     const isNegative = this.passSign();
     const start = this.at;
@@ -158,7 +158,7 @@ export class TextScanner {
     return byte === MINUS;
   }
 
-  /** The decimal digit here, otherwise something below 0. */
+  /** The current decimal digit; negative if there is none. */
   private digit(): number {
     const digit = this.peek() - ZERO;
     return digit > 9 ? -1 : digit;
@@ -168,7 +168,7 @@ export class TextScanner {
     return this.bytes[at] === NEWLINE || this.bytes[at] === RETURN;
   }
 
-  /** From a line end past it: LF, CR LF or CR. */
+  /** Skips the line end at the current byte: LF, CR LF or CR. */
   private passNewline(): void {
     if (this.at >= this.bytes.length) return;
     if (this.bytes[this.at] === RETURN && this.bytes[this.at + 1] === NEWLINE) ++this.at;
@@ -182,7 +182,7 @@ export class TextScanner {
   }
 }
 
-/** A piece of a stranger's text that can stand in a sentence. */
+/** At most 40 printable characters of untrusted text, to be quoted in a message. */
 export function excerpt(text: string): string {
   const plain = text.replace(/[^\x20-\x7e\u00a0-\uffff]/g, '?');
   return plain.length > 40 ? `${plain.slice(0, 37)}...` : plain;

@@ -3,7 +3,7 @@
 export interface Validation {
   errors: number;
   warnings: number;
-  /** errors, then warnings: what and where */
+  /** errors, then warnings, each with its code and JSON pointer */
   messages: string[];
 }
 

@@ -1,9 +1,9 @@
-/** Normals, UVs and colours of formats without a scene, as glTF wants them. */
+/** Converts normals, UVs and colours of formats without a scene to glTF's conventions. */
 
 import { length3 } from '../core/exact_math';
 import type { SurfaceAttributes } from './surface';
 
-/** What a reader found; normals need not have length 1, UVs start at the lower left corner, colours are sRGB in [0, 1]. */
+/** Attributes as read: normals of any length, UVs from the lower left corner, sRGB colours in [0, 1]. */
 export interface RawAttributes {
   /** normals[3 * v + c] */
   normals?: Float32Array;
@@ -13,7 +13,7 @@ export interface RawAttributes {
   colours?: Float32Array;
 }
 
-/** Normals are left out where one that `indices` name has no direction; UVs and colours that are no numbers become 0. */
+/** Drops the normals if one that `indices` uses has no direction; UVs and colours that are not finite become 0. */
 export function attributesOfRaw(
   { normals, uvs, colours }: RawAttributes,
   indices: Uint32Array,
@@ -42,7 +42,7 @@ function unitNormals(normals: Float32Array, indices: Uint32Array): Float32Array 
   return unit;
 }
 
-/** sRGB to linear light (IEC 61966-2-1); rounding to 16 bits hides what engines' powers differ in. */
+/** sRGB to linear light (IEC 61966-2-1). Rounding to 16 bits hides differences in `**` between JavaScript engines. */
 function linearOf(value: number): number {
   const clamped = Math.min(1, Math.max(0, finite(value)));
   const linear = clamped <= 0.04045 ? clamped / 12.92 : ((clamped + 0.055) / 1.055) ** 2.4;

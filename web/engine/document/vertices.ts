@@ -1,4 +1,4 @@
-/** Which vertices a primitive of the file gets: one for each place on the result that looks different. */
+/** Splits the vertices of a result where the attributes of their corners differ, as a primitive of the file needs. */
 
 import type { Primitive } from '@gltf-transform/core';
 import { NONE } from '../core/core';
@@ -6,28 +6,28 @@ import type { CornerSources, TriangleMesh } from '../core/core';
 import type { VertexSources } from './blend';
 import type { Body, PrimitiveSpan } from './model';
 
-/** What one primitive of the file shows of a mesh. */
+/** The part of a mesh that one primitive of the file shows. */
 export interface PrimitiveGeometry {
-  /** per vertex here: the vertex of the mesh, and the corner of the mesh that it was first met at */
+  /** per vertex of the primitive: its vertex of the mesh, and the first corner of the mesh that uses it */
   vertexOfMesh: number[];
   firstCorner: number[];
-  /** per vertex here: what its normal is computed from, or CARRIED */
+  /** per vertex of the primitive: a key of ResultNormals, or CARRIED */
   normalKey: number[];
   sources: VertexSources;
   indices: number[];
 }
 
-/** In place of a normal's key: the normal comes from the sources. */
+/** Stands for a key where the normal, if any, is interpolated from the sources. */
 export const CARRIED = -1;
 
-/** A mesh whose corners know where on the body their attributes come from. */
+/** A mesh with the points of the body that the attributes of its corners come from. */
 export interface SourcedMesh {
   mesh: TriangleMesh;
   body: Body;
   sources: CornerSources;
 }
 
-/** The corners of some of its triangles as vertices, in the order of their first use. */
+/** Turns the corners of `triangles` into vertices, in the order of their first use. */
 export function geometryOf(
   sourced: SourcedMesh,
   span: PrimitiveSpan,
@@ -41,7 +41,7 @@ export function geometryOf(
   return gathering.finish();
 }
 
-/** Whether the triangle's corners are the three corners of the body's triangle `source` as they were. */
+/** Whether the three corners of triangle t are still vertices of the body's triangle `source`. */
 export function isUntouched({ triangle, barycentric }: CornerSources, t: number, source: number): boolean {
   const isWhole = (corner: number) =>
     triangle[corner] === source && barycentric.subarray(3 * corner, 3 * corner + 3).includes(1);
@@ -55,7 +55,7 @@ class VertexGathering {
   private readonly indices: number[] = [];
   private readonly vertices: number[] = [];
   private readonly shares: number[] = [];
-  /** written vertices at one vertex of the mesh form a chain */
+  /** per vertex of the mesh: the last vertex written there; `previous` links it to the earlier ones */
   private readonly lastAt = new Map<number, number>();
   private readonly previous: number[] = [];
   private readonly normals: ArrayLike<number> | null;
@@ -102,7 +102,7 @@ class VertexGathering {
     return { vertexOfMesh, firstCorner, normalKey, sources, indices };
   }
 
-  /** Vertices of the primitive and their shares; the one of a corner that is one vertex alone comes first. */
+  /** Three vertices of the primitive and their shares; a corner on a single vertex has shares 1, 0, 0. */
   private sourceOf(corner: number): [number[], number[]] {
     const { body, sources } = this.sourced;
     const first = 3 * sources.triangle[corner];
@@ -124,7 +124,7 @@ class VertexGathering {
     return [0, 1, 2].every((k) => this.vertices[at + k] === vertices[k]);
   }
 
-  /** Whether two vertices of the primitive agree in all attributes and displacements. */
+  /** Whether two vertices of the primitive have equal attributes and displacements. */
   private looksLike(a: number, b: number, withNormals: boolean): boolean {
     if (a === b) return true;
     const agree = ({ array, size }: { array: ArrayLike<number>; size: number }): boolean => {

@@ -1,15 +1,15 @@
-/** The corners that a body is hung by. */
+/** Finds the corners that a body hangs by. */
 
 import type { TriangleMesh } from '../core/core';
 
 /**
- * The vertices at the two ends of the upper border, ascending: highest and leftmost, highest and rightmost. A sheet that
- * lies flat hangs by its back border.
+ * The vertices at the two ends of the upper border, highest and leftmost and highest and rightmost, in ascending order. A
+ * horizontal sheet hangs by its back border.
  */
 export function topCorners({ positions }: TriangleMesh): Uint32Array {
   const [low, high] = boundsOf(positions);
   const size = high.map((value, c) => value - low[c]);
-  // A flat sheet has no upper border: the one farthest back takes its part.
+  // A horizontal sheet has no upper border, so its back border is used.
   const up = size[1] > 0.05 * Math.max(...size) ? 1 : 2;
   const sign = up === 1 ? 1 : -1;
   const across = up === 1 ? (size[0] >= size[2] ? 0 : 2) : 0;

@@ -1,4 +1,4 @@
-/** A point on one of two bound bodies, found on the other: what a hand drags on both. */
+/** Finds a point of one of two bound bodies on the other, so that both can be dragged there. */
 
 import type { Binding, Core, SurfacePoint, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
@@ -12,7 +12,7 @@ export interface BoundBodies {
   binding: Binding;
 }
 
-/** Where a point of the surface is while the vertices are at `positions`. */
+/** The position of a surface point when the vertices are at `positions`. */
 export function positionOf(triangles: Uint32Array, positions: Float32Array, point: SurfacePoint): Point {
   return [0, 1, 2].map((c) =>
     [0, 1, 2].reduce(
@@ -23,8 +23,8 @@ export function positionOf(triangles: Uint32Array, positions: Float32Array, poin
 }
 
 /**
- * The point of `optimized` that a point of `original` is bound to: the closest one to the mean of its corners' bound
- * points, among the triangles around these, so that a sheet close by is never taken for this one.
+ * The point of `optimized` that a point of `original` is bound to: the closest one to the weighted mean of its corners'
+ * bound points. Only the triangles around these are searched, so that a nearby sheet is never mistaken for this one.
  */
 export function onOptimized(
   core: Core,
@@ -43,7 +43,7 @@ export function onOptimized(
   return core.closestPoint(optimized, Uint32Array.from(around(optimized, new Set(bound))), target);
 }
 
-/** The point of `original` that is bound where `point` lies on `optimized`. */
+/** The point of `original` that corresponds to a point of `optimized`. */
 export function onOriginal(
   core: Core,
   { original, optimized, binding }: BoundBodies,
@@ -57,7 +57,7 @@ export function onOriginal(
   return core.closestPoint(original, Uint32Array.from(candidates), target);
 }
 
-/** The triangles that share a vertex with one of `of`, these included. */
+/** The triangles that share a vertex with one of `of`, including these. */
 function around({ triangles }: TriangleMesh, of: Set<number>): number[] {
   const vertices = new Set<number>();
   for (const t of of) if (t !== NONE) for (let k = 0; k < 3; ++k) vertices.add(triangles[3 * t + k]);

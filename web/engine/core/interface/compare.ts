@@ -1,9 +1,9 @@
-/** How alike two meshes are: surface distance and frequencies. */
+/** Compares two meshes by surface distance and by frequencies. */
 
 import type { ElasticMaterial } from './material';
 import type { MeshInput } from './mesh';
 
-/** In units of the mesh. */
+/** Distances between two surfaces, in units of the mesh. */
 export interface SurfaceDistance {
   hausdorff: number;
   mean: number;
@@ -11,11 +11,11 @@ export interface SurfaceDistance {
 }
 
 export interface FidelityOptions extends ElasticMaterial {
-  /** compared modes, at least 1 */
+  /** number of compared modes, at least 1 */
   modeCount: number;
 }
 
-/** Errors in %; the keys of the report. */
+/** Errors in %, under the keys of the report. */
 export interface Fidelity {
   frequencyErrorMean: number;
   frequencyErrorMax: number;
@@ -28,7 +28,7 @@ export interface Fidelity {
   macMin: number;
 }
 
-/** The lowest elastic modes of a body's shell over all of its parts. */
+/** The lowest elastic shell modes over all parts of a body. */
 export interface ShellModes {
   /** rad/s, ascending */
   omega: Float64Array;
@@ -40,15 +40,15 @@ export interface ShellModes {
 export interface CompareFunctions {
   measureSurfaceDistance(a: MeshInput, b: MeshInput): SurfaceDistance;
   compareFidelity(original: MeshInput, other: MeshInput, options: FidelityOptions): Fidelity;
-  /** twice options.modeCount modes of the original, for frequencyErrors */
+  /** the 2 * options.modeCount modes of the original that frequencyErrors needs */
   shellModes(original: MeshInput, options: FidelityOptions): ShellModes;
-  /** frequencyErrorMean and frequencyErrorMax of compareFidelity alone, in %: a sixth of its work */
+  /** only frequencyErrorMean and frequencyErrorMax of compareFidelity, in %, for a sixth of its work */
   frequencyErrors(
     original: MeshInput,
     modes: ShellModes,
     other: MeshInput,
     options: FidelityOptions,
   ): { mean: number; max: number };
-  /** that of compareFidelity alone, in a fraction of the time */
+  /** only calibrationFactor of compareFidelity, in a fraction of its time */
   calibrationFactor(original: MeshInput, other: MeshInput, options: FidelityOptions): number;
 }

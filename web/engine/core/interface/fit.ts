@@ -4,36 +4,36 @@ import type { Charts, MeshInput } from './mesh';
 import type { MeshAt } from './simplify';
 
 export interface FitOptions {
-  /** of the shell, in units of the mesh; half and twice as thick ones count too */
+  /** of the shell, in units of the mesh; shells half and twice as thick are fitted too */
   thickness: number;
   poisson: number;
   charts: Charts;
-  /** whether their seams stay in place; those of groups always do */
+  /** whether seams of `charts` stay in place; borders of groups always do */
   keepsSeams: boolean;
-  /** per input vertex: not 0 where it stays; may be empty */
+  /** per input vertex: not 0 if it must not move; may be empty */
   locked: Uint8Array;
-  /** vertices that stay too; the modes of the body pinned there are fitted */
+  /** further vertices that must not move; the fitted modes are those of the body pinned there */
   pinned: Uint32Array;
-  /** SimplifyConstraints.mirror: a result that is its own image stays one */
+  /** SimplifyConstraints.mirror; a symmetric result stays symmetric */
   mirror?: Uint32Array;
-  /** what the result keeps, where it does so already: distance from `mesh`, in its units, and degrees; 0 sets no limit */
+  /** limits that stay satisfied if the result satisfies them: distance from `mesh` in its units, degrees; 0: none */
   maxDeviation: number;
   minAngle: number;
 }
 
-/** A result that vibrates like its original; frequency errors (root mean square, %) of each part that was fitted. */
+/** A result that vibrates like its original, and the RMS frequency error (%) of each fitted part. */
 export interface Fitted {
   result: MeshAt;
   errorBefore: Float64Array;
   errorAfter: Float64Array;
-  /** components of more than 20,000 vertices, which are fitted at half and twice the thickness, in six rounds */
+  /** number of components of more than 20,000 vertices, fitted at half and twice the thickness in six rounds */
   large: number;
-  /** such components that stay as they are: the original has more than 120,000 vertices there, or memory is short */
+  /** such components that are not fitted: more than 120,000 vertices in the original, or too little memory */
   tooLarge: number;
 }
 
 /** The functions of the core on this topic. */
 export interface FitFunctions {
-  /** the result with its vertices moved a little and some edges flipped, so that it vibrates like `mesh` */
+  /** moves vertices of the result slightly and flips some edges, so that it vibrates like `mesh` */
   fitModes(mesh: MeshInput, result: MeshAt, options: FitOptions): Fitted;
 }

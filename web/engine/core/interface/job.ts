@@ -1,4 +1,4 @@
-/** Progress of the running call. */
+/** Phases and progress of the running call. */
 
 /** In the order of `enum class Phase` in wasm/base/job.h. */
 export const PHASES = [
@@ -17,7 +17,7 @@ export const PHASES = [
   'looking for symmetry',
 ] as const;
 
-/** Progress of the running call. `fraction` is of the phase, in [0, 1]. */
+/** Progress of the running call; `fraction` is that of the phase, in [0, 1]. */
 export interface Progress {
   phase: (typeof PHASES)[number];
   fraction: number;

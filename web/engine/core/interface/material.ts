@@ -1,4 +1,4 @@
-/** The material that every elastic model shares. */
+/** The material that all elastic models share. */
 
 /** A homogeneous isotropic material on a body. */
 export interface ElasticMaterial {

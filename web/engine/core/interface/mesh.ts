@@ -1,6 +1,6 @@
 /** Meshes: welding, inspection, quality, curvature and mirror symmetry. */
 
-/** An indexed triangle surface; corners counter-clockwise seen from outside. Every coordinate is a float32. */
+/** An indexed triangle mesh with corners counter-clockwise seen from outside. */
 export interface TriangleMesh {
   /** positions[3 * v + c], in units of the file */
   positions: Float32Array;
@@ -8,6 +8,7 @@ export interface TriangleMesh {
   triangles: Uint32Array;
 }
 
+/** Stands for a vertex, triangle or corner that does not exist. */
 export const NONE = 0xffffffff;
 
 export interface WeldOptions {
@@ -15,10 +16,10 @@ export interface WeldOptions {
   tolerance: number;
 }
 
-/** A body ready for everything else, and where its parts came from. */
+/** A welded body, ready for all other functions, and the origin of its vertices and triangles. */
 export interface WeldResult {
   mesh: TriangleMesh;
-  /** per source vertex: its vertex in `mesh`, or NONE where no usable face needs it */
+  /** per source vertex: its vertex in `mesh`, or NONE if no usable face has it */
   vertexOfSource: Uint32Array;
   /** per triangle of `mesh`: its index in the source */
   sourceOfTriangle: Uint32Array;
@@ -26,17 +27,17 @@ export interface WeldResult {
   degenerateFaces: number;
   duplicateFaces: number;
   flippedFaces: number;
-  /** the source as it came: welded, degenerate faces dropped, duplicates still there */
+  /** inspection of the welded source without degenerate faces but with duplicates */
   inspection: Inspection;
 }
 
-/** What a mesh is like, and what is wrong with it. */
+/** Counts, topology and defects of a mesh. */
 export interface Inspection {
   vertices: number;
   faces: number;
   components: number;
   boundaryLoops: number;
-  /** summed over components; null where the mesh is non-manifold or not orientable */
+  /** summed over components; null if the mesh is non-manifold or not orientable */
   genus: number | null;
   eulerCharacteristic: number;
   nonManifoldEdges: number;
@@ -57,11 +58,11 @@ export interface Curvature {
   triangle: Float32Array;
 }
 
-/** What parts a mesh into charts, over which no attribute may bleed. Both may be empty. */
+/** Divides a mesh into charts, across whose borders no attribute may bleed. Both arrays may be empty. */
 export interface Charts {
-  /** wedges[3 * t + corner]: equal at a vertex where all attributes are */
+  /** wedges[3 * t + corner]: equal for corners at a vertex that have equal attributes */
   wedges: Uint32Array;
-  /** per triangle: what it is drawn with */
+  /** per triangle: its primitive or material */
   groups: Uint32Array;
 }
 
@@ -70,13 +71,13 @@ export interface MirrorImages {
   /** SimplifyConstraints.mirror; empty where there is no symmetry */
   partners: Uint32Array;
   /**
-   * Per corner of the mesh with some quads cut the other way: which corner of the mesh it has been; empty where it is
-   * symmetric as it stands, or not at all.
+   * Per corner of the mesh with some quads cut along the other diagonal: the corner of the input mesh that it was; empty if
+   * the mesh is symmetric without such cuts, or not symmetric at all.
    */
   corners: Uint32Array;
-  /** without an image */
+  /** vertices without an image */
   asymmetricVertices: number;
-  /** without an image, as the mesh stands, though their vertices have theirs */
+  /** triangles of the input mesh without an image although their vertices have images */
   asymmetricTriangles: number;
 }
 
@@ -99,7 +100,7 @@ export interface MeshFunctions {
   weld(positions: Float32Array, indices: Uint32Array, options: WeldOptions): WeldResult;
   inspect(mesh: MeshInput): Inspection;
   meanCurvature(mesh: MeshInput): Curvature;
-  /** the plane through the centre that a mesh is symmetric to: normal to axis 0, 1 or 2; -1: any that is found */
+  /** looks for mirror symmetry across the plane through the centre normal to axis 0, 1 or 2; -1: tries all */
   findMirrorImages(mesh: MeshInput, charts: Charts, axis: number): MirrorImages;
   measureQuality(mesh: MeshInput): Quality;
   /** copies a mesh into the core, which keeps it until `releaseMesh` */

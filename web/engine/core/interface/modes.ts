@@ -16,11 +16,11 @@ export type ModeName = (typeof MODE_NAMES)[number];
 export interface ModesOptions extends ElasticMaterial {
   /** 'auto': solid for closed parts, shell for others */
   model: Model | 'auto';
-  /** laplacian: 0 x, 1 y, 2 z; -1: every mode along each principal axis in turn */
+  /** laplacian: axis of motion, 0 x, 1 y, 2 z; -1: every mode once along each principal axis */
   direction: number;
   /** vertices that are held in place */
   pinned: Uint32Array;
-  /** false: shells of more than 8,000 vertices are solved on a decimated copy and refined */
+  /** false: shells of more than 8,000 vertices are solved on a decimated copy and then refined */
   exact: boolean;
   /** elastic modes per component */
   modeCount: number;
@@ -33,9 +33,9 @@ export interface Mode {
   /** |K phi - lambda M phi| / (lambda |M phi|) */
   residual: number;
   component: number;
-  /** it is the component's (ordinal + 1)-th elastic mode */
+  /** the mode is the (ordinal + 1)-th elastic mode of its component */
   ordinal: number;
-  /** laplacian: the principal axis it moves along, 0 shortest .. 2 longest; otherwise -1 */
+  /** laplacian: the principal axis of motion, 0 shortest .. 2 longest; otherwise -1 */
   axis: number;
   name: ModeName;
 }
@@ -43,16 +43,16 @@ export interface Mode {
 export interface ComponentModes {
   faces: number;
   model: Model;
-  /** the component whose modes it takes part in: itself, but for a cavity of a solid */
+  /** the component whose modes it shares: the solid around a cavity, otherwise itself */
   host: number;
-  /** of the copy that was solved in its place; 0: solved as it is */
+  /** vertices of the coarse copy that was solved in its place; 0 if it was solved itself */
   coarseVertices: number;
   zeroModesExpected: number;
   zeroModesFound: number;
   modeCount: number;
 }
 
-/** Modes of every component. Ordinal k holds, at each vertex, the (k + 1)-th elastic mode of the vertex's own component. */
+/** Modes of all components. At each vertex, ordinal k is the (k + 1)-th elastic mode of the vertex's own component. */
 export interface ModeSet {
   /** ascending by omega */
   modes: Mode[];
@@ -66,13 +66,13 @@ export interface ModeSet {
 }
 
 export interface GuidanceOptions {
-  /** modes by number from 0, each component's own */
+  /** ordinals of the guiding modes, from 0 */
   ordinals: number[];
-  /** w_k of Eq. 6 per entry of `ordinals`; empty: 1 / omega_k^2 */
+  /** per entry of `ordinals`: w_k of Eq. 6; if empty, 1 / omega_k^2 */
   weights: number[];
-  /** in [1, Infinity] */
+  /** exponent of the norm that combines modes, in [1, Infinity] */
   p: number;
-  /** ranks below it count as 0, in [0, 1] */
+  /** ranks below this count as 0; in [0, 1] */
   threshold: number;
 }
 

@@ -1,32 +1,32 @@
-/** Simplification: the history of collapses, and the mesh at any point of it. */
+/** Simplification: the history of collapses, and the mesh at any point in it. */
 
 import type { Method } from '../methods';
 import type { MeshInput, TriangleMesh } from './mesh';
 
 export const BORDERS = ['free', 'fixed'] as const;
 
-/** The most values a wedge can have in SimplifyConstraints.attributes. */
+/** The largest number of values per wedge in SimplifyConstraints.attributes. */
 export const ATTRIBUTE_LIMIT = 8;
 
-/** What a simplification has to respect besides the surface; see wasm/simplify/constraints.h. Every list may be left out. */
+/** What a simplification respects besides the surface; see wasm/simplify/constraints.h. Every list is optional. */
 export interface SimplifyConstraints {
-  /** wedges[3 * t + corner]: equal at a vertex where all attributes are */
+  /** wedges[3 * t + corner]: equal for corners at a vertex that have equal attributes */
   wedges?: Uint32Array;
   /** per triangle: its primitive or material */
   groups?: Uint32Array;
-  /** per vertex: not 0 where it may be neither moved nor removed */
+  /** per vertex: not 0 if it must be neither moved nor removed */
   locked?: Uint8Array;
   /** per vertex, in [0, 1]: costs are multiplied by 1 + 99 keep */
   keep?: Float32Array;
-  /** per vertex: bit k is set in the members of set k; survivors carry the sets, see MeshAt.inputOfVertex */
+  /** per vertex: bit k is set in members of set k; surviving vertices keep the sets, see MeshAt.inputOfVertex */
   pinnedSets?: Uint32Array;
-  /** attributes[wedge * attributeDimension + i] (per vertex without wedges); 1 weighs as much as the bounding diagonal */
+  /** attributes[wedge * attributeDimension + i] (per vertex without wedges); 1 weighs as much as the diagonal */
   attributes?: Float32Array;
   /** 1 to ATTRIBUTE_LIMIT */
   attributeDimension?: number;
-  /** per vertex: its mirror image, itself on the plane of symmetry; both sides then collapse together */
+  /** per vertex: its mirror image, on the plane of symmetry the vertex itself; both sides collapse together */
   mirror?: Uint32Array;
-  /** degrees; edges that bend more are creases; 0: none */
+  /** degrees between face normals above which an edge is a crease; 0: no creases */
   creaseAngle?: number;
   borders?: (typeof BORDERS)[number];
 }
@@ -39,23 +39,23 @@ export interface SimplifyOptions {
   curvatureWeight: number;
   /** gamma; g of limber */
   qualityWeight: number;
-  /** s of limber; of an edge's squared length for qem */
+  /** s of limber; for qem the weight of an edge's squared length */
   sizeWeight?: number;
-  /** ends the history as soon as no more are left */
+  /** the history ends once at most this many triangles are left */
   stopFaces?: number;
-  /** refuses collapses that take the surface farther from the input: a length in units of the mesh; 0: none */
+  /** refuses collapses that take the surface farther from the input; units of the mesh; 0: no limit */
   maxDeviation?: number;
-  /** refuses collapses that make an angle smaller than this (degrees) where there was none; 0: none */
+  /** refuses collapses that create an angle below this (degrees) where there was none; 0: no limit */
   minAngle?: number;
   constraints?: SimplifyConstraints;
 }
 
-/** Why the edges left at the end cannot collapse, each under its first reason; all 0 where the history ended at stopFaces. */
+/** Counts of the edges left that cannot collapse, by first reason; all 0 if the history ended at stopFaces. */
 export interface Refused {
   topology: number;
   flip: number;
   lock: number;
-  /** an angle below `minAngle` would come into being */
+  /** an angle below `minAngle` would result */
   angle: number;
   /** the surface would be farther than `maxDeviation` from the input */
   deviation: number;
@@ -64,7 +64,7 @@ export interface Refused {
 /** Why a history ends, in the order of `enum class StopReason` in wasm/simplify/history.h. */
 export const STOP_REASONS = ['target', 'deviation', 'angle', 'exhausted'] as const;
 
-/** Every collapse down to its end. Collapse i moves vertex kept[i] to positions[3 * i + c] and takes in removed[i]. */
+/** All collapses in order. Collapse i merges vertex removed[i] into kept[i] and moves it to positions[3 * i + c]. */
 export interface History {
   vertexCount: number;
   triangleCount: number;
@@ -74,9 +74,9 @@ export interface History {
   /** triangles left after collapse i, descending */
   trianglesAfter: Uint32Array;
   refused: Refused;
-  /** why it ends */
+  /** why the history ends */
   stop: (typeof STOP_REASONS)[number];
-  /** SimplifyConstraints.mirror, where it was among the constraints: collapses then come in pairs */
+  /** SimplifyConstraints.mirror if it was given; collapses then come in pairs */
   mirror?: Uint32Array;
 }
 
@@ -84,8 +84,8 @@ export interface History {
 export const VERDICTS = ['legal', 'lock', 'topology', 'flip', 'angle', 'deviation'] as const;
 
 /**
- * What speaks for each vertex of a MeshAt: the terms of the cheapest collapse among its edges, legal ones first. The cost is
- * (error + size + strain + curvature + quality) * keep; see `struct CostTerms` in wasm/simplify/cost.h.
+ * Why each vertex of a MeshAt is kept: the cost terms of the cheapest collapse among its edges, where legal ones come first.
+ * The cost is (error + size + strain + curvature + quality) * keep; see `struct CostTerms` in wasm/simplify/cost.h.
  */
 export interface WhyKept {
   error: Float32Array;
@@ -96,25 +96,25 @@ export interface WhyKept {
   keep: Float32Array;
   /** the vertex at the other end, or 0xffffffff */
   neighbour: Uint32Array;
-  /** an index of VERDICTS */
+  /** an index into VERDICTS */
   verdict: Uint8Array;
 }
 
-/** Edges flipped after the history; both empty where there are none. */
+/** Edges flipped after the history; both arrays are empty if there are none. */
 export interface Flips {
   /** the triangles as the history left them */
   triangles: Uint32Array;
-  /** per corner now: the corner (3 * t + c) of those that it has been */
+  /** per corner after the flips: the corner (3 * t + c) of `triangles` that it was */
   corners: Uint32Array;
 }
 
 export interface MeshAt {
   mesh: TriangleMesh;
-  /** per input vertex: the vertex of `mesh` that it has become */
+  /** per input vertex: the vertex of `mesh` that it was merged into */
   vertexOfInput: Uint32Array;
-  /** per vertex of `mesh`: the input vertex that has survived as it */
+  /** per vertex of `mesh`: the input vertex that survived as this vertex */
   inputOfVertex: Uint32Array;
-  /** per triangle of `mesh`: which input triangle it is */
+  /** per triangle of `mesh`: its input triangle */
   inputOfTriangle: Uint32Array;
   flips: Flips;
 }
@@ -127,7 +127,7 @@ export interface HistoryHandle {
 /** A history as plain data, or one that the core keeps. */
 export type HistoryInput = History | HistoryHandle;
 
-/** A history with everything that it was made from. */
+/** A history with all of its inputs. */
 export interface Reduction {
   mesh: MeshInput;
   strain: Float32Array;
@@ -138,11 +138,11 @@ export interface Reduction {
 
 /** The functions of the core on this topic. */
 export interface SimplifyFunctions {
-  /** strain: rank per triangle; curvature: per vertex, over its maximum; empty arrays count as 0 */
+  /** strain: rank per triangle; curvature: per vertex, relative to its maximum; empty arrays count as 0 */
   simplify(mesh: MeshInput, strain: Float32Array, curvature: Float32Array, options: SimplifyOptions): History;
   /** the largest mesh of the history with at most `faces` triangles */
   meshAt(mesh: MeshInput, history: HistoryInput, faces: number): MeshAt;
-  /** for every vertex of meshAt(mesh, history, faces) of the reduction */
+  /** one entry per vertex of meshAt(mesh, history, faces) of the reduction */
   whyKept(reduction: Reduction, faces: number): WhyKept;
   /** copies a history into the core, which keeps it until `releaseHistory` */
   keepHistory(history: History): HistoryHandle;

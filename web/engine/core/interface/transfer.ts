@@ -1,19 +1,19 @@
-/** What is carried from an original to its result. */
+/** Maps between an original and its result. */
 
 import type { Charts, MeshInput, SurfacePoint } from './mesh';
 import type { MeshAt } from './simplify';
 
-/** Where on the input the attributes of corner 3 * t + k of a result come from; see wasm/transfer/corner_sources.h. */
+/** The points of the input that the attributes of a result's corners come from; see wasm/transfer/corner_sources.h. */
 export interface CornerSources {
-  /** a triangle of the input */
+  /** per corner 3 * t + k: a triangle of the input */
   triangle: Uint32Array;
-  /** barycentric[3 * corner + c] on it */
+  /** barycentric[3 * corner + c] on that triangle */
   barycentric: Float32Array;
 }
 
-/** Where each vertex of the input lies on a result. */
+/** The point of a result that each vertex of the input is bound to. */
 export interface Binding {
-  /** of the result, per input vertex; NONE where no triangle used it */
+  /** per input vertex: a triangle of the result, or NONE if no input triangle uses the vertex */
   triangle: Uint32Array;
   /** barycentric[3 * v + c] */
   barycentric: Float32Array;
@@ -23,9 +23,9 @@ export interface Binding {
 
 /** The functions of the core on this topic. */
 export interface TransferFunctions {
-  /** where the attributes of a result's corners come from, without crossing a seam */
+  /** finds the sources of the attributes of a result's corners without crossing a seam */
   sourceOfCorners(mesh: MeshInput, charts: Charts, result: MeshAt): CornerSources;
-  /** every vertex of `mesh` on `result`, whose vertices may have moved since the history made it */
+  /** binds every vertex of `mesh` to `result`, whose vertices may have moved since the history created it */
   bindToResult(mesh: MeshInput, result: MeshAt): Binding;
   /** the point closest to `point` on the triangles of the list; an empty list stands for all of them */
   closestPoint(mesh: MeshInput, triangles: Uint32Array, point: [number, number, number]): SurfacePoint;
