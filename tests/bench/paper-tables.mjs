@@ -1,7 +1,7 @@
 // Reproduces the paper's Tables 2 to 5 by the command line; prints both as Markdown for docs/paper.md.
 // Usage: npm run build && node tests/bench/paper-tables.mjs > tables.md
 // The bar, the cloth and the tower are the project's own samples; other meshes are read from ../shared/meshes (or the
-// folder in LIMBER_SHARED) and their rows say so where they are absent.
+// folder in LIMBER_SHARED) and their rows say so if they are absent.
 
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';

@@ -26,6 +26,6 @@ it.each([
   );
 });
 
-it('takes the last of several floors', () => {
+it('uses the last of several floors', () => {
   expect(collisionSceneOf('ground:1+ball:0,0,0,1+ground:2')).toMatchObject({ ground: 2 });
 });

@@ -101,7 +101,7 @@ describe('glTF', () => {
     expect([...bodies[0].positions]).toEqual([...cube().positions]);
   });
 
-  it('takes the scale of the first node that shows the mesh', async () => {
+  it('uses the scale of the first node that shows the mesh', async () => {
     const document = startDocument();
     const mesh = addMesh(document, 'even', [primitiveOf(document, cube())]);
     addMesh(document, 'uneven', [primitiveOf(document, cube())]);

@@ -25,8 +25,8 @@ export function twist({ length, poisson }: Bar, n: number): number {
 export const stretch = ({ length }: Bar, n: number) => (n * Math.PI) / length;
 
 /** First bending frequency of the Euler-Bernoulli beam, free or clamped at one end. */
-export function eulerBending({ side, length }: Bar, isHeld: boolean): number {
-  return ((isHeld ? 1.8751041 : 4.7300407) / length) ** 2 * (side / Math.sqrt(12));
+export function eulerBending({ side, length }: Bar, isClamped: boolean): number {
+  return ((isClamped ? 1.8751041 : 4.7300407) / length) ** 2 * (side / Math.sqrt(12));
 }
 
 /**
@@ -34,13 +34,13 @@ export function eulerBending({ side, length }: Bar, isHeld: boolean): number {
  * clamped. y = (deflection, rotation, moment, shear force) satisfies y' = A y; at a frequency the transfer matrix
  * exp(A length) allows moment and force to vanish at the far end.
  */
-export function timoshenkoBending(bar: Bar, isHeld: boolean, count: number): number[] {
-  const start = isHeld ? 2 : 0; // first of the two unknowns that are not 0 at the near end
+export function timoshenkoBending(bar: Bar, isClamped: boolean, count: number): number[] {
+  const start = isClamped ? 2 : 0; // first of the two unknowns that are not 0 at the near end
   const condition = (omega: number): number => {
     const t = exponential(timoshenkoSystem(bar, omega));
     return t[2][start] * t[3][start + 1] - t[2][start + 1] * t[3][start];
   };
-  const first = eulerBending(bar, isHeld);
+  const first = eulerBending(bar, isClamped);
   return signChanges(condition, 0.05 * first, 20 * count * first, 4000 * count, count);
 }
 

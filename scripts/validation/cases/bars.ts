@@ -9,13 +9,13 @@ import type { CaseResult, Run } from './case';
 
 const KINDS: MeshKind[] = ['regular', 'irregular', 'graded'];
 const FREE = { side: 1, length: 3, poisson: POISSON };
-const HELD = { side: 1, length: 6, poisson: POISSON };
+const CLAMPED = { side: 1, length: 6, poisson: POISSON };
 
 /** Bending pairs 1 and 2, twist 1 and stretch 1, distinguished by the names that the core gives. */
-export function barRun(core: Core, isHeld: boolean, cells: number, kind: MeshKind): Run {
-  const { length } = isHeld ? HELD : FREE;
+export function barRun(core: Core, isClamped: boolean, cells: number, kind: MeshKind): Run {
+  const { length } = isClamped ? CLAMPED : FREE;
   const mesh = box([1, 1, length], [cells, cells, cells * length], kind);
-  const pinned = verticesWhere(mesh, (_x, _y, z) => isHeld && z === 0);
+  const pinned = verticesWhere(mesh, (_x, _y, z) => isClamped && z === 0);
   const { modes } = modesOf(core, mesh, { model: 'solid', modeCount: 10, pinned });
   const bends = named(modes, 'bend');
   const computed = [
@@ -37,11 +37,11 @@ const named = (modes: Mode[], name: ModeName) =>
 
 function barCase(
   core: Core,
-  isHeld: boolean,
+  isClamped: boolean,
 ): Pick<CaseResult, 'quantities' | 'runs' | 'isSecondOrder' | 'digits'> {
-  const bar = isHeld ? HELD : FREE;
-  const bending = timoshenkoBending(bar, isHeld, 2);
-  const first = isHeld ? 0.5 : 1;
+  const bar = isClamped ? CLAMPED : FREE;
+  const bending = timoshenkoBending(bar, isClamped, 2);
+  const first = isClamped ? 0.5 : 1;
   return {
     quantities: [
       { name: 'bend 1', analytic: bending[0] },
@@ -49,7 +49,7 @@ function barCase(
       { name: 'twist 1', analytic: twist(bar, first) },
       { name: 'stretch 1', analytic: stretch(bar, first) },
     ],
-    runs: KINDS.flatMap((kind) => [2, 4, 8, 16].map((cells) => barRun(core, isHeld, cells, kind))),
+    runs: KINDS.flatMap((kind) => [2, 4, 8, 16].map((cells) => barRun(core, isClamped, cells, kind))),
     isSecondOrder: false,
     digits: 4,
   };

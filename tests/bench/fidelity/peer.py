@@ -1,4 +1,4 @@
-"""One run of a peer: peer.py PEER MESH FACES RESULT. Prints {"seconds", "version"}; times the decimation alone.
+"""Runs a peer once: peer.py PEER MESH FACES RESULT. Prints {"seconds", "version"}; times only the decimation.
 
 Meshes are files of tests/bench/bench_meshes.mjs: two uint32 counts, float32 positions, uint32 triangles.
 """

@@ -51,7 +51,7 @@ export interface Core
 export interface CoreOptions {
   /** 0: min(cores, 8); 1 loads the one-thread build */
   threads: number;
-  /** the address of the folder that holds limber-threads.mjs and limber-single.mjs, with a final slash */
+  /** the address of the folder with limber-threads.mjs and limber-single.mjs, with a final slash */
   wasmFolder: string;
   /** called on the calling thread in either build, at most once per percent */
   onProgress?: (progress: Progress) => void;

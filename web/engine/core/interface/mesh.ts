@@ -68,7 +68,7 @@ export interface Charts {
 
 /** The mirror symmetry of a mesh, or how far it is from one; see wasm/simplify/symmetry/mirror_images.h. */
 export interface MirrorImages {
-  /** SimplifyConstraints.mirror; empty where there is no symmetry */
+  /** SimplifyConstraints.mirror; empty if there is no symmetry */
   partners: Uint32Array;
   /**
    * Per corner of the mesh with some quads cut along the other diagonal: the corner of the input mesh that it was; empty if

@@ -18,7 +18,7 @@ export interface ModesOptions extends ElasticMaterial {
   model: Model | 'auto';
   /** laplacian: axis of motion, 0 x, 1 y, 2 z; -1: every mode once along each principal axis */
   direction: number;
-  /** vertices that are held in place */
+  /** ids of pinned vertices, ascending */
   pinned: Uint32Array;
   /** false: shells of more than 8,000 vertices are solved on a decimated copy and then refined */
   exact: boolean;
