@@ -1,5 +1,6 @@
 /** The numbers below the viewport. */
 
+import { faceCount } from '../../engine/core/mesh';
 import type { Inspection } from '../../engine/core/core';
 import { isFitted } from '../../engine/settings/options';
 import { results, shownFit, shownMesh, view, wants } from '../state/store';
@@ -14,11 +15,11 @@ export function Readouts() {
   if (view.step.value === 'test') return <SimulateReadouts />;
   const result = shownMesh.value;
   if (view.step.value !== 'reduce' || !result) return <OriginalReadouts />;
-  return <ResultReadouts body={body} faces={result.mesh.triangles.length / 3} />;
+  return <ResultReadouts body={body} faces={faceCount(result.mesh)} />;
 }
 
 function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
-  const total = body.mesh.triangles.length / 3;
+  const total = faceCount(body.mesh);
   const metrics = results.metrics.value;
   const change = total > 0 ? (100 * (faces - total)) / total : 0;
   return (

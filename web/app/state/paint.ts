@@ -1,5 +1,6 @@
 /** The painted levels of the shown body, and strokes of the brush that change them. */
 
+import { vertexCount } from '../../engine/core/mesh';
 import { computed } from '@preact/signals';
 import { painted, unweldLevels, weldLevels } from '../../engine/body/paint';
 import { parsePaint, withPaint } from '../../engine/settings/paint_text';
@@ -13,7 +14,7 @@ export const shownLevels = computed((): Levels | null => {
   const levels = body && parsePaint(wants.settings.value.paint).get(meshNumber());
   // For a text of another file the stage of the history reports the error.
   if (!levels || levels.length !== body.vertexOfSource.length) return null;
-  return weldLevels(levels, body.vertexOfSource, body.mesh.positions.length / 3);
+  return weldLevels(levels, body.vertexOfSource, vertexCount(body.mesh));
 });
 
 /** The index of the shown body's mesh among the meshes of the file. */
@@ -22,7 +23,7 @@ const meshNumber = (): number => results.file.value!.bodies[wants.body.value].me
 /** The levels after a stroke of the tool in use; with Shift every tool erases. */
 export function levelsAfter({ vertices, isErasing }: Stroke): Levels {
   const { value: before } = shownLevels;
-  const levels = before ? before.slice() : new Uint8Array(results.body.value!.mesh.positions.length / 3);
+  const levels = before ? before.slice() : new Uint8Array(vertexCount(results.body.value!.mesh));
   const { tool, softness } = view.brush.value;
   for (const [vertex, distance] of vertices)
     levels[vertex] = painted(

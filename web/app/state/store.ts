@@ -1,5 +1,6 @@
 /** The whole state of the page: what the user wants, what has been computed from it, and how it is shown. */
 
+import { faceCount } from '../../engine/core/mesh';
 import { computed, signal } from '@preact/signals';
 import type { Curvature, MeshAt, Progress, StrainGuidance } from '../../engine/core/core';
 import { defaultSettings } from '../../engine/settings/options';
@@ -142,6 +143,6 @@ export const isBrushing = computed(
 
 /** How many faces the shown body should keep. */
 export const wantedFaces = computed(() => {
-  const total = results.body.value ? results.body.value.mesh.triangles.length / 3 : 0;
+  const total = results.body.value ? faceCount(results.body.value.mesh) : 0;
   return wants.faces.value ?? Math.floor(total / 2);
 });

@@ -1,5 +1,6 @@
 /** One body of the viewport in a scene of its own. */
 
+import { vertexCount } from '../../engine/core/mesh';
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
 import type { Levels } from '../../engine/settings/paint_text';
@@ -106,7 +107,7 @@ export class Pane {
   private applyPaint(): void {
     const { mesh, levels } = this;
     if (mesh && this.isPaintStale)
-      setPaint(this.body.geometry, mesh, levels?.length === mesh.positions.length / 3 ? levels : null);
+      setPaint(this.body.geometry, mesh, levels?.length === vertexCount(mesh) ? levels : null);
     this.isPaintStale = false;
   }
 
@@ -118,7 +119,7 @@ export class Pane {
     const { hasField } = this.body.material.uniforms;
     writePositions(this.body.geometry, mesh, positions ?? mesh.positions, groups);
     if (!positions) return this.applyField();
-    hasField.value = values?.length === mesh.positions.length / 3;
+    hasField.value = values?.length === vertexCount(mesh);
     if (values && hasField.value) writeValues(this.body.geometry, mesh, values);
   }
 

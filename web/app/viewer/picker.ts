@@ -1,5 +1,6 @@
 /** Finds vertices of a mesh at rest under a ray and around a point. */
 
+import { faceCount } from '../../engine/core/mesh';
 import { BufferAttribute, BufferGeometry, DoubleSide, Sphere, Vector3 } from 'three';
 import type { Ray } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
@@ -26,7 +27,7 @@ export class Picker {
   /** Returns at once for small meshes, later for large ones. */
   static of(mesh: TriangleMesh): Picker | Promise<Picker> {
     const geometry = geometryOf(mesh);
-    if (mesh.triangles.length / 3 <= MOST_TRIANGLES_AT_ONCE) return new Picker(mesh, buildTree(geometry));
+    if (faceCount(mesh) <= MOST_TRIANGLES_AT_ONCE) return new Picker(mesh, buildTree(geometry));
     return buildInWorker(mesh).then(
       (built) => new Picker(mesh, MeshBVH.deserialize(built, geometry, { setIndex: false })),
     );

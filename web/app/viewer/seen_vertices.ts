@@ -1,5 +1,6 @@
 /** Projects the vertices of a swinging body. A search tree would be out of date in every frame, so there is none. */
 
+import { vertexCount } from '../../engine/core/mesh';
 import { Matrix4 } from 'three';
 import type { PerspectiveCamera } from 'three';
 
@@ -39,7 +40,7 @@ export function nearestSeen(
 ): number | null {
   const project = projection(camera, size);
   const near: { vertex: number; distance: number; depth: number }[] = [];
-  for (let vertex = 0; vertex < body.positions.length / 3; vertex++) {
+  for (let vertex = 0; vertex < vertexCount(body); vertex++) {
     const seen = project(body, vertex);
     const distance = Math.hypot(seen.x - x, seen.y - y);
     if (distance <= pixels && seen.depth > 0) near.push({ vertex, distance, depth: seen.depth });

@@ -1,5 +1,6 @@
 /** Animated pictures of modes: one shared renderer draws them in turn and copies each to its own small canvas. */
 
+import { faceCount } from '../../engine/core/mesh';
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
 import { bodyGeometry, setDisplacement, setField } from './body_geometry';
@@ -45,7 +46,7 @@ export class Thumbnails {
     const { geometry } = bodyGeometry(mesh);
     this.body.geometry = geometry;
     this.body.material.uniforms.isFlat.value = isLarge(mesh);
-    this.faces = mesh.triangles.length / 3;
+    this.faces = faceCount(mesh);
     setField(geometry, mesh, null);
     const sphere = geometry.boundingSphere!;
     this.amplitude = 0.18 * sphere.radius;

@@ -1,5 +1,6 @@
 /** Painted levels on a body: onto its welded mesh and back, and what they mean there; see settings/paint_text.ts. */
 
+import { vertexCount } from '../core/mesh';
 import { NONE } from '../core/core';
 import { SettingError } from '../settings/errors';
 import { LOCKED, parsePaint, STRONGEST } from '../settings/paint_text';
@@ -19,7 +20,7 @@ export function paintOn(
       'paint',
       `is for ${levels.length} vertices, but "${body.name}" has ${vertexOfSource.length}: take the file that was painted.`,
     );
-  return weldLevels(levels, vertexOfSource, mesh.positions.length / 3);
+  return weldLevels(levels, vertexOfSource, vertexCount(mesh));
 }
 
 /** From source vertices to the welded mesh, where the highest level counts; `vertexOfSource` as WeldResult has it. */

@@ -1,5 +1,6 @@
 /** Which vertices of a body the terms of pins stand for; see settings/pin_text.ts. */
 
+import { vertexCount } from '../core/mesh';
 import type { Document } from '@gltf-transform/core';
 import { NONE } from '../core/core';
 import { SettingError } from '../settings/errors';
@@ -119,7 +120,7 @@ export function firstComponents(
   setting: SettingName,
 ): Float32Array {
   const primitives = document.getRoot().listMeshes()[body.mesh].listPrimitives();
-  const values = new Float32Array(body.positions.length / 3);
+  const values = new Float32Array(vertexCount(body));
   let isFound = false;
   for (const { primitive, firstVertex } of body.spans) {
     const attribute = primitives[primitive].getAttribute(name);

@@ -1,5 +1,6 @@
 /** Vertex normals for display: either smooth and split along sharp edges, or face normals. */
 
+import { vertexCount } from '../core/mesh';
 import type { TriangleMesh } from '../core/core';
 import { arcCosine, length3 } from '../core/exact_math';
 
@@ -46,7 +47,7 @@ export function resultNormals(mesh: TriangleMesh): ResultNormals {
 export function cornerNormals(mesh: TriangleMesh): CornerNormals {
   const { triangles } = mesh;
   const faceNormals = unitFaceNormals(mesh);
-  const group = smoothGroups(triangles, mesh.positions.length / 3, faceNormals);
+  const group = smoothGroups(triangles, vertexCount(mesh), faceNormals);
   const sums = new Float64Array(3 * triangles.length);
   for (let corner = 0; corner < triangles.length; ++corner) {
     const t = Math.floor(corner / 3);

@@ -1,5 +1,6 @@
 /** What the settings ask of a simulation, and what it needs to know of an original and its result. */
 
+import { vertexCount } from '../core/mesh';
 import type { Binding, Core, SimulationOptions, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
 import { collisionSceneOf } from './colliders';
@@ -73,7 +74,7 @@ export function bindingBetween(
   optimized.weld.sourceOfTriangle.forEach((source, t) => {
     if (source < entry.faces) triangleOfSource[source] = t;
   });
-  const count = original.mesh.positions.length / 3;
+  const count = vertexCount(original.mesh);
   const triangle = new Uint32Array(count).fill(NONE);
   const barycentric = new Float32Array(3 * count);
   vertexOfSource.forEach((v, source) => {

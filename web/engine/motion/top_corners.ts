@@ -1,13 +1,14 @@
 /** Finds the corners that a body hangs by. */
 
 import type { TriangleMesh } from '../core/core';
+import { boundsOf } from '../core/mesh';
 
 /**
  * The vertices at the two ends of the upper border, highest and leftmost and highest and rightmost, in ascending order. A
  * horizontal sheet hangs by its back border.
  */
 export function topCorners({ positions }: TriangleMesh): Uint32Array {
-  const [low, high] = boundsOf(positions);
+  const { low, high } = boundsOf(positions);
   const size = high.map((value, c) => value - low[c]);
   // A horizontal sheet has no upper border, so its back border is used.
   const up = size[1] > 0.05 * Math.max(...size) ? 1 : 2;
@@ -24,15 +25,4 @@ export function topCorners({ positions }: TriangleMesh): Uint32Array {
     return best;
   };
   return Uint32Array.from(new Set([farthest(-1), farthest(1)])).sort();
-}
-
-/** The lowest and the highest coordinate along each axis. */
-export function boundsOf(positions: Float32Array): [number[], number[]] {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  positions.forEach((value, i) => {
-    low[i % 3] = Math.min(low[i % 3], value);
-    high[i % 3] = Math.max(high[i % 3], value);
-  });
-  return [low, high];
 }

@@ -1,5 +1,6 @@
 /** Finds a point of one of two bound bodies on the other, so that both can be dragged there. */
 
+import { faceCount } from '../core/mesh';
 import type { Binding, Core, SurfacePoint, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
 
@@ -51,7 +52,7 @@ export function onOriginal(
 ): SurfacePoint {
   const near = new Set(around(optimized, new Set([point.triangle])));
   const candidates: number[] = [];
-  for (let t = 0; t < original.triangles.length / 3; ++t)
+  for (let t = 0; t < faceCount(original); ++t)
     if ([0, 1, 2].some((k) => near.has(binding.triangle[original.triangles[3 * t + k]]))) candidates.push(t);
   const target = positionOf(optimized.triangles, optimized.positions, point);
   return core.closestPoint(original, Uint32Array.from(candidates), target);

@@ -3,7 +3,7 @@
 import { computed } from '@preact/signals';
 import type { CollisionScene } from '../../../engine/core/core';
 import { scenarioWords } from '../../../engine/core/scenarios';
-import { boundsOf } from '../../../engine/motion/top_corners';
+import { boundsOf } from '../../../engine/core/mesh';
 import { viewportColours } from '../../state/scheme';
 import { twin } from '../../state/twin';
 import { results, shownMesh, view, wants } from '../../state/store';
@@ -58,7 +58,7 @@ function sceneAround(
   diagonal: number,
   collisionScene: CollisionScene,
 ): ShownCollisionScene {
-  const [low, high] = boundsOf(positions);
+  const { low, high } = boundsOf(positions);
   const centre = low.map((value, c) => (value + high[c]) / 2);
   const size = high.map((value, c) => value - low[c]);
   // A body may be pinned at one end of its longest side, and then hangs down from there.
