@@ -45,13 +45,6 @@ OptimumFinder::Minimum<Real> OptimumFinder::minimumOf(const QuadricOf<Real>& sum
           dot(offset, offset) - kLargestOffset * kLargestOffset * square};
 }
 
-// The quadric whose error the collapse of an edge has.
-Quadric OptimumFinder::sumOf(uint32_t edge) const {
-  const auto [a, b] = mesh_.edge(edge);
-  const Quadric planes = mesh_.quadric(a) + mesh_.quadric(b);
-  return attributes_.empty() ? planes : planes + attributes_.residual(edge);
-}
-
 Optimum OptimumFinder::find(uint32_t edge) const {
   const auto [a, b] = mesh_.edge(edge);
   const Vec3 &p = mesh_.position(a), &q = mesh_.position(b);
@@ -77,22 +70,6 @@ std::array<Optimum, 2> OptimumFinder::findTwo(const Input& e, const Input& f) co
     return minimum.excess[i] > 0 ? find(edge) : Optimum{lane(minimum.position, i), minimum.error[i]};
   };
   return {optimum(e.edge, 0), optimum(f.edge, 1)};
-}
-
-// Reads what all edges need before it works on any, so that the machine waits for all these reads at once.
-void OptimumFinder::findBatch(std::span<const uint32_t> edges, Batch& found) const {
-  std::array<Input, kTogether> inputs;
-  for (size_t i = 0; i < edges.size(); ++i) {
-    const uint32_t edge = edges[i];
-    const auto [a, b] = mesh_.edge(edge);
-    inputs[i] = {edge, mesh_.fixedEnd(edge) == kNone, sumOf(edge), mesh_.position(a), mesh_.position(b)};
-  }
-  for (size_t i = 0; i + 1 < edges.size(); i += 2) {
-    const auto [first, second] = findTwo(inputs[i], inputs[i + 1]);
-    found[i] = first;
-    found[i + 1] = second;
-  }
-  if (edges.size() % 2 != 0) found[edges.size() - 1] = find(edges.back());
 }
 
 }  // namespace limber

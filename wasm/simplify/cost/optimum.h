@@ -61,7 +61,6 @@ class OptimumFinder {
   // Of the squared length of an edge.
   static constexpr double kTieBreak = 1e-9;
   static constexpr size_t kTogether = 16;  // edges whose memory is read before any of them is worked on
-  using Batch = std::array<Optimum, kTogether>;
 
   // What the optimum of an edge is found from.
   struct Input {
@@ -73,9 +72,17 @@ class OptimumFinder {
   template <class Real>
   struct Minimum;
 
-  void findBatch(std::span<const uint32_t> edges, Batch& found) const;
+  Input inputOf(uint32_t edge) const {
+    const auto [a, b] = mesh_.edge(edge);
+    return {edge, mesh_.fixedEnd(edge) == kNone, sumOf(edge), mesh_.position(a), mesh_.position(b)};
+  }
   std::array<Optimum, 2> findTwo(const Input& e, const Input& f) const;
-  Quadric sumOf(uint32_t edge) const;
+  // The quadrics of both ends together, with what their attributes add.
+  Quadric sumOf(uint32_t edge) const {
+    const auto [a, b] = mesh_.edge(edge);
+    const Quadric planes = mesh_.quadric(a) + mesh_.quadric(b);
+    return attributes_.empty() ? planes : planes + attributes_.residual(edge);
+  }
   template <class Real>
   Minimum<Real> minimumOf(const QuadricOf<Real>& sum, const Point<Real>& p, const Point<Real>& q) const;
 
@@ -85,13 +92,20 @@ class OptimumFinder {
   AttributeQuadrics attributes_;
 };
 
+// Reads what all edges of a batch need before it works on any, so that the machine waits for all these reads
+// at once.
 template <class Visit>
 void OptimumFinder::forEach(std::span<const uint32_t> edges, const Visit& visit) const {
-  Batch found;
+  std::array<Input, kTogether> inputs;
   for (size_t begin = 0; begin < edges.size(); begin += kTogether) {
-    const auto batch = edges.subspan(begin, std::min(edges.size() - begin, kTogether));
-    findBatch(batch, found);
-    for (size_t i = 0; i < batch.size(); ++i) visit(batch[i], found[i]);
+    const size_t count = std::min(edges.size() - begin, kTogether);
+    for (size_t i = 0; i < count; ++i) inputs[i] = inputOf(edges[begin + i]);
+    for (size_t i = 0; i + 1 < count; i += 2) {
+      const auto [first, second] = findTwo(inputs[i], inputs[i + 1]);
+      visit(inputs[i].edge, first);
+      visit(inputs[i + 1].edge, second);
+    }
+    if (count % 2 != 0) visit(edges[begin + count - 1], find(edges[begin + count - 1]));
   }
 }
 
