@@ -10,9 +10,8 @@
 namespace limber {
 
 template <>
-struct Names<Method> {
-  static constexpr std::array list = {"qem", "paper", "limber"};
-  static constexpr const char* what = "method";
+struct Convert<Method> {
+  static Method fromJs(const val& in) { return methodNamed(in.as<std::string>()); }
 };
 
 template <>

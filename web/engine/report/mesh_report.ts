@@ -4,16 +4,8 @@ import type { InspectedBody } from '../body/prepared_body';
 import type { Inspection } from '../core/core';
 import { faceCount, sum } from '../core/mesh';
 
-export interface MeshReport {
-  /** welded, without degenerate faces; duplicate faces still there */
-  vertices: number;
-  faces: number;
-  components: number;
-  boundaryLoops: number;
-  genus: number | null;
-  eulerCharacteristic: number;
-  nonManifoldEdges: number;
-  nonManifoldVertices: number;
+/** The counts of the inspection are those of the welded mesh without degenerate faces, duplicate faces included. */
+export interface MeshReport extends Omit<Inspection, 'orientationClashes'> {
   degenerateFaces: number;
   duplicateFaces: number;
   /** faces whose winding was reversed so that neighbours agree */
