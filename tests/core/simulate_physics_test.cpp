@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "shapes.h"
+#include "simulate/running_scenario.h"
 #include "simulate/scenario.h"
 #include "simulate/simulation.h"
 #include "simulate/wind.h"
@@ -270,9 +271,59 @@ TEST(SimulatedPhysics, aDroppedBodyComesToRestOnTheGround) {
   }
 }
 
+Scenario draping(const TriangleMesh& mesh) {
+  const ScenarioKind* kind = scenarioKind("drape");
+  return {kind, bounds(mesh), 5, 1, {}, startPose(kind, mesh)};
+}
+
+// A rotation by an angle about the direction (1, 2, 3).
+TriangleMesh rotated(TriangleMesh mesh, double angle) {
+  const Vec3 axis = normalized(Vec3{1, 2, 3});
+  for (Vec3& p : mesh.positions)
+    p = p * std::cos(angle) + cross(axis, p) * std::sin(angle) +
+        axis * (dot(axis, p) * (1 - std::cos(angle)));
+  return mesh;
+}
+
+TEST(SimulatedPhysics, clothIsDrapedFlatAboveTheBallAndTheFloorFromAnyPose) {
+  for (const double angle : {0.0, 0.4, 1.1, 2.0, 3.1}) {
+    TriangleMesh cloth = shapes::jittered(shapes::grid(12, 8, 1, 0.7), 0.01, 4);
+    cloth = rotated(cloth, angle);
+    const Scenario drape = draping(cloth);
+    const TriangleMesh flat = posed(drape, cloth);
+    const CollisionScene scene = collisionSceneOf(drape);
+    const Collider& ball = scene.colliders.at(0);
+    const Bounds box = bounds(flat);
+    EXPECT_LT(box.high.y - box.low.y, 0.03);
+    EXPECT_GT(box.low.y, ball.from.y + ball.radius);
+    EXPECT_LT(box.low.y, ball.from.y + ball.radius + 0.03);
+    EXPECT_DOUBLE_EQ(*scene.ground, ball.from.y - ball.radius);
+    EXPECT_LT(std::abs(0.5 * (box.low.x + box.high.x) - ball.from.x), 1e-9);
+    for (size_t v = 1; v < flat.positions.size(); ++v)  // a rotation, not a mirror image nor a deformation
+      EXPECT_NEAR(length(flat.positions[v] - flat.positions[0]),
+                  length(cloth.positions[v] - cloth.positions[0]), 1e-12);
+    EXPECT_NEAR(dot(areaNormal(flat, 0),
+                    cross(drape.pose->of(cloth.corner(0, 1)) - drape.pose->of(cloth.corner(0, 0)),
+                          flat.corner(0, 2) - flat.corner(0, 0))),
+                squaredLength(areaNormal(cloth, 0)), 1e-12);
+  }
+}
+
+TEST(SimulatedPhysics, clothThatSlidesOffTheBallStaysOnTheFloor) {
+  const TriangleMesh cloth = shapes::grid(14, 4, 1, 0.2);
+  const Scenario drape = draping(cloth);
+  SimulationOptions options = rubber(0.005, 20);
+  options.friction = 0;
+  RunningScenario body(cloth, options, drape, {});
+  const Job job;
+  for (int i = 0; i < 240; ++i) body.step(job);
+  const double ground = *collisionSceneOf(drape).ground;
+  for (const Vec3& p : body.simulation().positions()) EXPECT_GT(p.y, ground - 1e-4);
+}
+
 TEST(SimulatedPhysics, clothComesToRestOnTheBallThatItIsDrapedOver) {
-  const TriangleMesh cloth = shapes::grid(12, 12);
-  const Scenario drape = {scenarioKind("drape"), bounds(cloth), 5};
+  const Scenario drape = draping(shapes::grid(12, 12));
+  const TriangleMesh cloth = posed(drape, shapes::grid(12, 12));
   SimulationOptions options = rubber(0.01, 20);
   options.damping = 4;
   Simulation body(cloth, options);

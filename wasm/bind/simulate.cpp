@@ -62,8 +62,13 @@ SimulationOptions simulationOptionsOf(const val& in) {
 }
 
 Scenario scenarioOf(const TriangleMesh& original, const val& in) {
-  return {scenarioKind(in["scenario"].as<std::string>()), bounds(original), in["seconds"].as<double>(),
-          in["unit"].as<double>(), fromJs<CollisionScene>(in)};
+  const ScenarioKind* kind = scenarioKind(in["scenario"].as<std::string>());
+  return {kind,
+          bounds(original),
+          in["seconds"].as<double>(),
+          in["unit"].as<double>(),
+          fromJs<CollisionScene>(in),
+          startPose(kind, original)};
 }
 
 val jsScenarioCollisionScene(const val& original, const val& in) {

@@ -10,8 +10,8 @@ namespace limber {
 
 RunningScenario::RunningScenario(const TriangleMesh& mesh, const SimulationOptions& options,
                                  const Scenario& scenario, const Pins& pins)
-    : scenario_(scenario), simulation_(mesh, options, pins), pins_(pins) {
-  for (const uint32_t v : pins.vertices) pinRest_.push_back(mesh.positions[v]);
+    : scenario_(scenario), simulation_(posed(scenario, mesh), options, pins), pins_(pins) {
+  for (const uint32_t v : pins.vertices) pinRest_.push_back(posed(scenario, mesh.positions[v]));
   for (const SurfacePoint& point : pins.points) pinRest_.push_back(simulation_.position(point));
   startScenario(scenario_, mesh.positions, simulation_);
 }

@@ -12,6 +12,7 @@ namespace limber {
 struct ScenarioKind {
   std::string_view name;
   bool pinsLowerEnd = false, pinsUpperEnd = false;
+  bool laysFlat = false;
   Vec3 (*pinTarget)(const Scenario&, const Vec3& rest, double time) = nullptr;  // of pins in the upper half
   Vec3 (*initialVelocity)(const Scenario&, const Vec3& rest) = nullptr;         // m/s
   Vec3 (*gravity)(const Scenario&) = nullptr;                                   // m/s2
@@ -83,10 +84,6 @@ Vec3 gravityAlongY(const Scenario&) {
   return {0, kGravity, 0};
 }
 
-Vec3 gravityAcross(const Scenario& scenario) {
-  return alongAxis(scenario.across(), kGravity);
-}
-
 Vec3 gusts(const Scenario& scenario, double time) {
   const double gust = 1 + kGust * std::sin(2 * std::numbers::pi * kGustRate * time);
   return alongAxis(scenario.across(), kWindSpeed * gust * eased(time / kWindRise));
@@ -96,13 +93,14 @@ void addFloor(const Scenario& scenario, CollisionScene& scene) {
   if (!scene.ground) scene.ground = scenario.box.low.y - kDropHeight * scenario.box.diagonal();
 }
 
-// Under the middle of the box, seen along the gravity of gravityAcross.
+// Under the middle of the posed box, on a floor, so that nothing that slides off is lost.
 void addBall(const Scenario& scenario, CollisionScene& scene) {
-  const int down = scenario.across();
+  const Bounds box = scenario.pose ? scenario.pose->box : scenario.box;
   const double diagonal = scenario.box.diagonal(), radius = kBallRadius * diagonal;
-  Vec3 centre = centreOf(scenario);
-  centre[down] = scenario.box.low[down] - kBallGap * diagonal - radius;
+  Vec3 centre = (box.low + box.high) * 0.5;
+  centre.y = box.low.y - kBallGap * diagonal - radius;
   scene.colliders.push_back({centre, centre, radius});
+  if (!scene.ground) scene.ground = centre.y - radius;
 }
 
 constexpr std::array<ScenarioKind, 7> kScenarios = {{
@@ -112,7 +110,7 @@ constexpr std::array<ScenarioKind, 7> kScenarios = {{
     {.name = "drop", .gravity = gravityAlongY, .addToScene = addFloor},
     {.name = "pull", .pinsLowerEnd = true, .pinsUpperEnd = true, .pinTarget = stretchedTarget},
     {.name = "wind", .pinsUpperEnd = true, .gravity = gravityAlongY, .wind = gusts},
-    {.name = "drape", .gravity = gravityAcross, .addToScene = addBall},
+    {.name = "drape", .laysFlat = true, .gravity = gravityAlongY, .addToScene = addBall},
 }};
 
 }  // namespace
@@ -162,6 +160,20 @@ std::vector<uint32_t> defaultPins(const TriangleMesh& mesh, const Scenario& scen
     if (isPinned) pins.push_back(v);
   }
   return pins;
+}
+
+std::optional<Pose> startPose(const ScenarioKind* kind, const TriangleMesh& original) {
+  return kind->laysFlat ? std::optional(layFlat(original)) : std::nullopt;
+}
+
+Vec3 posed(const Scenario& scenario, const Vec3& point) {
+  return scenario.pose ? scenario.pose->of(point) : point;
+}
+
+TriangleMesh posed(const Scenario& scenario, const TriangleMesh& mesh) {
+  TriangleMesh out = mesh;
+  for (Vec3& p : out.positions) p = posed(scenario, p);
+  return out;
 }
 
 Vec3 pinTarget(const Scenario& scenario, const Vec3& rest, double time) {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "simulate/collision_scene.h"
+#include "simulate/pose.h"
 #include "simulate/simulation.h"
 
 namespace limber {
@@ -20,7 +22,7 @@ namespace limber {
 //   pull   The pins of the upper half move along the axis by a fifth of its length within 0.7 of the time.
 //   wind   Gravity, and wind across the axis that rises to 8 m/s within a quarter of a second and gusts by a
 //          third, 0.8 times per second.
-//   drape  Gravity along the shortest side, onto a ball of a fifth of a diagonal under the middle.
+//   drape  Laid flat (see layFlat) above a ball of a fifth of a diagonal on a floor; gravity.
 struct ScenarioKind;
 
 // Never null. Throws std::invalid_argument with the known names where there is no scenario of this name.
@@ -33,20 +35,26 @@ std::vector<std::string> scenarioNames();
 // equal ones), and its lower end is the one with the lower coordinate.
 struct Scenario {
   const ScenarioKind* kind = nullptr;
-  Bounds box = {};            // of the original, in units of the mesh
-  double seconds = 0;         // of the whole motion, > 0
-  double unit = 1;            // metres per unit of the mesh
-  CollisionScene added = {};  // joins what the scenario has by itself; its ground replaces the scenario's
+  Bounds box = {};                // of the original, in units of the mesh
+  double seconds = 0;             // of the whole motion, > 0
+  double unit = 1;                // metres per unit of the mesh
+  CollisionScene added = {};      // joins what the scenario has by itself; its ground replaces the scenario's
+  std::optional<Pose> pose = {};  // see startPose; none: the body starts as it is
 
   int axis() const;
-  // The direction of sway, wind and the gravity of drape: the shortest side of the box (the last of equal
-  // ones).
+  // The direction of sway and wind: the shortest side of the box (the last of equal ones).
   int across() const;
 };
 
 // The vertices of the original that a scenario pins unless the user says otherwise, ascending: those within 6
 // % of the length of the axis of its lower end, of its upper end, or of both. None for drop and drape.
 std::vector<uint32_t> defaultPins(const TriangleMesh& mesh, const Scenario& scenario);
+
+// How the scenario of this kind poses the original at its start; none where it leaves it as it is.
+std::optional<Pose> startPose(const ScenarioKind* kind, const TriangleMesh& original);
+// A point or a mesh in the pose of the scenario.
+Vec3 posed(const Scenario& scenario, const Vec3& point);
+TriangleMesh posed(const Scenario& scenario, const TriangleMesh& mesh);
 
 // Where a pin that rests at `rest` is at `time` (seconds), in units of the mesh.
 Vec3 pinTarget(const Scenario& scenario, const Vec3& rest, double time);

@@ -1,24 +1,29 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "elastic/material.h"
+#include "elastic/solvers/solver_model.h"
 #include "simulate/blocks.h"
 
 namespace limber {
 
-// A thin elastic plate whose material is in SI units: the thickness is in metres and the unit is 1.
+// A thin elastic plate, in SI units. Stretching and bending may come from different materials, as they do
+// where a solver has a constant for each.
 struct Sheet {
-  ElasticMaterial material;
-
-  // E h, in N/m.
-  double stretching() const { return material.young * material.thickness; }
-  // D = E h^3 / (12 (1 - nu^2)), in N m.
-  double bending() const {
-    const double h = material.thickness, nu = material.poisson;
-    return material.young * h * h * h / (12 * (1 - nu * nu));
-  }
+  double stretching = 0;      // E h, N/m
+  double poisson = 0;         // of the membrane, in (-1, 1)
+  double bending = 0;         // D, N m
+  double bendingPoisson = 0;  // in (-1, 1)
+  double surfaceDensity = 0;  // kg/m2
 };
+
+// The plate of a material: D = E h^3 / (12 (1 - nu^2)).
+Sheet sheetOf(const ElasticMaterial& material);
+// The plate of a solver's constants. With Lame's constants in plane stress, lambda and mu, nu = lambda /
+// (lambda + 2 mu) and E = 2 mu (1 + nu).
+Sheet sheetOf(const SolverConstants& constants);
 
 // What all constraints of a body are made with.
 struct ConstraintOptions {
@@ -27,5 +32,12 @@ struct ConstraintOptions {
   double substep;  // seconds
   uint32_t order;  // see `colour`
 };
+
+// Factors on the stiffness of constraints, by constraint; empty where all are 1.
+using StiffnessFactors = std::span<const double>;
+
+inline double factorOf(StiffnessFactors factors, size_t constraint) {
+  return factors.empty() ? 1 : factors[constraint];
+}
 
 }  // namespace limber

@@ -31,6 +31,13 @@ void requireOptions(const SimulationOptions& options) {
           "The damping must be at least 0 per second.");
 }
 
+void requireSolverOf(const SimulationOptions& options, const TriangleMesh& mesh) {
+  if (!options.solver) return;
+  if (options.solver->constants.unit != options.material.unit)
+    throw std::invalid_argument("The solver and the material have different units: give them the same.");
+  requireSolver(*options.solver, mesh);
+}
+
 void requirePins(const TriangleMesh& mesh, const Pins& pins) {
   for (const uint32_t v : pins.vertices)
     if (v >= mesh.vertexCount())
@@ -47,6 +54,7 @@ void requirePins(const TriangleMesh& mesh, const Pins& pins) {
 
 Simulation::Simulation(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins) {
   requireOptions(options);
+  requireSolverOf(options, mesh);
   requirePins(mesh, pins);
   state_ = std::make_unique<SimulationState>(mesh, options, pins);
 }

@@ -17,8 +17,8 @@ class Helpers;
 struct SimulationState;
 
 // One elastic surface in motion, solved by XPBD with small substeps and one pass per substep (Macklin et al.
-// 2016, 2019). Masses are lumped: every vertex has a third of the mass of its triangles. The same input gives
-// the same bits on any number of threads.
+// 2016, 2019). Masses are lumped: every vertex has a third of the mass of its triangles, unless a solver of
+// the panel says otherwise. The same input gives the same bits on any number of threads.
 class Simulation {
  public:
   static constexpr double kStep = kStepSeconds;

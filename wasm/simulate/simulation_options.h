@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "elastic/material.h"
 #include "mesh/surface_point.h"
+#include "simulate/simulated_solver.h"
 
 namespace limber {
 
@@ -13,7 +15,7 @@ namespace limber {
 inline constexpr double kStepSeconds = 1.0 / 60;
 
 // Shell: membrane and bending of a thin plate, the same material on every mesh. Springs: the edges, as in the
-// paper, which are another material on every mesh.
+// paper (see paperSprings), which are another material on every mesh.
 enum class SimulationModel : int32_t { Springs = 0, Shell = 1 };
 
 // Positions and lengths of the mesh, of pins and of colliders are in units of the mesh; everything else is in
@@ -21,6 +23,9 @@ enum class SimulationModel : int32_t { Springs = 0, Shell = 1 };
 struct SimulationOptions {
   ElasticMaterial material;
   SimulationModel model = SimulationModel::Shell;
+  // A solver of the panel instead of `model`. Its constants take the place of the material, whose unit must
+  // be theirs. Only Morley's shell keeps volumes.
+  std::optional<SimulatedSolver> solver = {};
   int substeps = 0;         // per step, 1 to 10,000; callers must set it
   double damping = 0;       // 1/s, >= 0: the rate at which velocities decay
   double friction = 0;      // Coulomb's coefficient, >= 0, against the ground, colliders and the body itself

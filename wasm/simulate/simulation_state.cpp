@@ -4,10 +4,11 @@
 #include <chrono>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 #include "base/parallel.h"
 #include "simulate/constraints/bending_rest.h"
+#include "simulate/constraints/solver_rest.h"
+#include "simulate/lumped_masses.h"
 #include "simulate/wind.h"
 
 namespace limber {
@@ -24,8 +25,13 @@ constexpr double kContactMargin = 0.02;
 // The share of the way to its target that a dragged point makes in a step.
 constexpr double kDragPace = 0.2;
 
-uint32_t blockCountOf(const TriangleMesh& mesh, SimulationModel model) {
-  const uint32_t least = model == SimulationModel::Springs ? kThreadedSprings : kThreadedShell;
+bool hasEdgeSprings(const SimulationOptions& options) {
+  if (options.solver) return options.solver->model.stretch == StretchElement::EdgeSprings;
+  return options.model == SimulationModel::Springs;
+}
+
+uint32_t blockCountOf(const TriangleMesh& mesh, const SimulationOptions& options) {
+  const uint32_t least = hasEdgeSprings(options) ? kThreadedSprings : kThreadedShell;
   return mesh.vertexCount() < least ? 1 : std::min(mesh.vertexCount() / kBlockVertices, kMostBlocks);
 }
 
@@ -46,20 +52,20 @@ TriangleMesh inSlots(const TriangleMesh& source, const std::vector<uint32_t>& sl
   return mesh;
 }
 
-// Every vertex gets a third of the mass of the triangles around it, and at least 1e-9 of the mean.
-std::vector<double> lumpedMasses(const TriangleMesh& mesh, double arealDensity) {
-  std::vector<double> masses(mesh.vertexCount(), 0.0);
-  double sum = 0;
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-    const double third = arealDensity * triangleArea(mesh, t) / 3;
-    for (const uint32_t v : mesh.triangles[t]) masses[v] += third;
-    sum += 3 * third;
-  }
-  if (!(sum > 0) || !std::isfinite(sum))
-    throw std::invalid_argument("The mesh has no area to simulate: give it triangles that are not flat.");
-  const double least = 1e-9 * sum / mesh.vertexCount();
-  for (double& mass : masses) mass = std::max(mass, least);
-  return masses;
+std::optional<SimulatedSolver> solverInSlots(const SimulationOptions& options, const TriangleMesh& source,
+                                             const std::vector<uint32_t>& slotOf) {
+  if (!options.solver) return std::nullopt;
+  return renumbered(*options.solver, source, slotOf);
+}
+
+// Visits what `state` has, stretching before bending.
+template <class State, class Visit>
+void forEachKind(State& state, Visit visit) {
+  if (state.edges) visit(*state.edges);
+  if (state.membrane) visit(*state.membrane);
+  if (state.crossSprings) visit(*state.crossSprings);
+  if (state.bending) visit(*state.bending);
+  if (state.hinges) visit(*state.hinges);
 }
 
 // A phase that calls run(i, repeat) for each of `count` items.
@@ -91,14 +97,16 @@ bool hasNoBorder(const Topology& topology) {
 SimulationState::SimulationState(const TriangleMesh& source, const SimulationOptions& given,
                                  const Pins& givenPins)
     : options(given),
-      blockCount(blockCountOf(source, given.model)),
+      blockCount(blockCountOf(source, given)),
       slotOf(slotsOf(source, blockCount)),
       mesh(inSlots(source, slotOf, given.material.unit)),
       restDiagonal(bounds(mesh).diagonal()),
       topology(buildTopology(mesh)),
       blocks(blocksOf(mesh, flapsOf(mesh, topology), blockCount)),
+      solver(solverInSlots(given, source, slotOf)),
+      sheet(solver ? sheetOf(solver->constants) : sheetOf(given.material)),
       substep(kStepSeconds / given.substeps),
-      masses(lumpedMasses(mesh, given.material.density * given.material.thickness * given.material.unit)),
+      masses(lumpedMasses(mesh, sheet, solver ? &*solver : nullptr)),
       closed(hasNoBorder(topology)),
       contacts(blocks),
       triangleContacts(mesh, blocks),
@@ -128,19 +136,27 @@ void SimulationState::makeParticles() {
 }
 
 void SimulationState::makeConstraints() {
-  Sheet sheet = {options.material};
-  sheet.material.thickness *= options.material.unit;
-  sheet.material.unit = 1;
   if (options.selfCollision) selfContacts.emplace(mesh, options.friction);
   const ConstraintOptions made = {sheet, blocks, substep, options.order};
-  if (options.model == SimulationModel::Springs) {
-    edges.emplace(mesh, topology, particles, made);
-    return;
-  }
-  membrane.emplace(mesh, particles, made);
-  bending.emplace(mesh, topology, particles, made);
+  if (!hasEdgeSprings(options))
+    membrane.emplace(mesh, solver ? StiffnessFactors(solver->stretchFactors) : StiffnessFactors{}, particles,
+                     made);
+  else
+    edges.emplace(solver ? edgeSprings(*solver, mesh, topology) : paperSprings(mesh, topology, sheet),
+                  particles, made);
+  if (solver || options.model == SimulationModel::Shell) makeBending(made);
   const double bulkModulus = options.material.young / (3 * (1 - 2 * options.material.poisson));
-  if (options.keepsVolume) volume.emplace(mesh, topology, blocks, bulkModulus);
+  if (options.keepsVolume && bending) volume.emplace(mesh, topology, blocks, bulkModulus);
+}
+
+void SimulationState::makeBending(const ConstraintOptions& made) {
+  const BendElement element = solver ? solver->model.bend : BendElement::Morley;
+  if (element == BendElement::CrossSprings)
+    crossSprings.emplace(limber::crossSprings(*solver, mesh, topology), particles, made);
+  else if (element == BendElement::Morley)
+    bending.emplace(mesh, topology, particles, made);
+  else
+    hinges.emplace(hingesOf(*solver, mesh, topology), mesh, particles, made);
 }
 
 void SimulationState::makePins() {
@@ -152,15 +168,8 @@ void SimulationState::makePins() {
   }
 }
 
-template <class Visit>
-void SimulationState::forEachKind(Visit visit) {
-  if (edges) visit(*edges);
-  if (membrane) visit(*membrane);
-  if (bending) visit(*bending);
-}
-
 void SimulationState::projectGroup(size_t group) {
-  forEachKind([&](const auto& constraints) {
+  forEachKind(*this, [&](const auto& constraints) {
     const auto& start = constraints.colouring().groupStart;
     constraints.project(start[group], start[group + 1]);
   });
@@ -187,7 +196,7 @@ void SimulationState::startBlock(size_t block) {
 void SimulationState::startGroup(size_t group) {
   if (group < blockCount) startBlock(group);
   triangleContacts.rebase(particles, collisionScene, contactDistance_, group);
-  forEachKind([&](auto& constraints) {
+  forEachKind(*this, [&](auto& constraints) {
     const auto& start = constraints.colouring().groupStart;
     constraints.rebase(particles, start[group], start[group + 1]);
   });
@@ -289,14 +298,15 @@ std::vector<Vec3> SimulationState::velocities() const {
 }
 
 uint32_t SimulationState::constraintCount() const {
-  if (edges) return edges->count();
-  return membrane->count() + bending->count() + (volume ? volume->count() : 0);
+  uint32_t count = volume ? volume->count() : 0;
+  forEachKind(*this, [&](const auto& constraints) { count += constraints.count(); });
+  return count;
 }
 
 double SimulationState::elasticEnergy() const {
-  if (edges) return edges->energy(particles.positions);
-  return membrane->energy(particles.positions) + bending->energy(particles.positions) +
-         (volume ? volume->energy(particles.positions) : 0);
+  double energy = volume ? volume->energy(particles.positions) : 0;
+  forEachKind(*this, [&](const auto& constraints) { energy += constraints.energy(particles.positions); });
+  return energy;
 }
 
 }  // namespace limber

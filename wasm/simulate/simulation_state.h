@@ -7,6 +7,7 @@
 #include "simulate/blocks.h"
 #include "simulate/constraints/bending_constraints.h"
 #include "simulate/constraints/edge_constraints.h"
+#include "simulate/constraints/hinge_constraints.h"
 #include "simulate/constraints/membrane_constraints.h"
 #include "simulate/constraints/point_constraints.h"
 #include "simulate/constraints/volume_constraints.h"
@@ -40,13 +41,16 @@ struct SimulationState {
   double restDiagonal;  // metres
   Topology topology;
   Blocks blocks;
+  std::optional<SimulatedSolver> solver;  // by slots
+  Sheet sheet;
   double substep;              // seconds
   std::vector<double> masses;  // kg
   bool closed;                 // no border
   Particles particles;
-  std::optional<EdgeConstraints> edges;
+  std::optional<EdgeConstraints> edges, crossSprings;
   std::optional<MembraneConstraints> membrane;
   std::optional<BendingConstraints> bending;
+  std::optional<HingeConstraints> hinges;
   std::optional<VolumeConstraints> volume;
   Contacts contacts;
   TriangleContacts triangleContacts;
@@ -64,9 +68,8 @@ struct SimulationState {
  private:
   void makeParticles();
   void makeConstraints();
+  void makeBending(const ConstraintOptions& made);
   void makePins();
-  template <class Visit>
-  void forEachKind(Visit visit);
   void startBlock(size_t block);
   void projectContacts(size_t group);
   void startGroup(size_t group);

@@ -42,8 +42,7 @@ BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology&
                                        Particles& particles, const ConstraintOptions& options)
     : rotations_(topology.edges.size() + kIdleRotationStride * (options.blocks.groupCount() + 1)),
       exactPsi_(topology.edges.size(), 0.0) {
-  rotationWeight_ =
-      rotationWeights(mesh, topology, options.sheet.material.density * options.sheet.material.thickness);
+  rotationWeight_ = rotationWeights(mesh, topology, options.sheet.surfaceDensity);
   const auto flaps = flapsOf(mesh, topology);
   // A stencil has six vertices. Rotations need no entries of their own: triangles that share a rotation share
   // an edge.
@@ -202,12 +201,12 @@ inline BendingConstraints::Hinges BendingConstraints::hingesOf(const Batch& b) {
   const Float4 inverse = splat(1) / squareRoot(dot(normal, normal) + splat(1e-30f));
   Hinges hinges;
   hinges.normal = normal * inverse;
-  hinges.hinge[0] = hingeOf({corner1, corner2, flap0}, hinges.normal, inverse,
-                            {b.restCosine[0], b.restSine[0], b.share[0]});
-  hinges.hinge[1] = hingeOf({corner2 - corner1, zero - corner1, flap1 - corner1}, hinges.normal, inverse,
-                            {b.restCosine[1], b.restSine[1], b.share[1]});
-  hinges.hinge[2] = hingeOf({zero - corner2, corner1 - corner2, flap2 - corner2}, hinges.normal, inverse,
-                            {b.restCosine[2], b.restSine[2], b.share[2]});
+  hinges.hinge[0] = hingeOf<foldTangent>({corner1, corner2, flap0}, hinges.normal, inverse,
+                                         {b.restCosine[0], b.restSine[0], b.share[0]});
+  hinges.hinge[1] = hingeOf<foldTangent>({corner2 - corner1, zero - corner1, flap1 - corner1}, hinges.normal,
+                                         inverse, {b.restCosine[1], b.restSine[1], b.share[1]});
+  hinges.hinge[2] = hingeOf<foldTangent>({zero - corner2, corner1 - corner2, flap2 - corner2}, hinges.normal,
+                                         inverse, {b.restCosine[2], b.restSine[2], b.share[2]});
   return hinges;
 }
 
@@ -216,11 +215,8 @@ inline Symmetric3x4 BendingConstraints::systemOf(const Batch& b, const Hinges& h
   const Hinge* hinge = hinges.hinge;
   const auto own = [&](int e) {
     const Hinge& h = hinge[e];
-    const Float4 atStart =
-        h.flapStart * h.flapStart + h.start * (h.start + splat(2) * h.flapStart * h.cosine);
-    const Float4 atEnd = h.flapEnd * h.flapEnd + h.end * (h.end + splat(2) * h.flapEnd * h.cosine);
-    return b.weight[e] * h.apex * h.apex + b.weight[(e + 1) % 3] * atStart + b.weight[(e + 2) % 3] * atEnd +
-           b.flapWeight[e] * h.flap * h.flap + b.rotationWeight[e];
+    return b.weight[e] * h.apex * h.apex + b.weight[(e + 1) % 3] * squaredAtStart(h) +
+           b.weight[(e + 2) % 3] * squaredAtEnd(h) + b.flapWeight[e] * h.flap * h.flap + b.rotationWeight[e];
   };
   const auto mixed = [&](int e) {
     const int f = (e + 1) % 3, g = (e + 2) % 3;

@@ -44,7 +44,7 @@ std::array<double, 6> bendingCompliance(const TriangleMesh& mesh, uint32_t t, co
     inverse[e][1] = scale * f[1] * g[1];
     inverse[e][2] = scale * 0.5 * (f[0] * g[1] + f[1] * g[0]);
   }
-  const double nu = sheet.material.poisson, softness = 1 / (rest.area() * sheet.bending() * (1 - nu * nu));
+  const double nu = sheet.bendingPoisson, softness = 1 / (rest.area() * sheet.bending * (1 - nu * nu));
   // In float the compliance of a needle is singular and its stiffness unbounded, so this share is added to
   // the diagonal.
   constexpr double kLoading = 1e-4;

@@ -1,15 +1,16 @@
 #include "simulate/constraints/edge_constraints.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace limber {
 
 namespace {
 
-std::vector<uint32_t> edgeVertices(const Topology& topology) {
+std::vector<uint32_t> endsOf(const std::vector<Spring>& springs) {
   std::vector<uint32_t> vertices;
-  vertices.reserve(2 * topology.edges.size());
-  for (const auto& edge : topology.edges) vertices.insert(vertices.end(), {edge.a, edge.b});
+  vertices.reserve(2 * springs.size());
+  for (const Spring& spring : springs) vertices.insert(vertices.end(), {spring.a, spring.b});
   return vertices;
 }
 
@@ -21,17 +22,22 @@ double areaAround(const TriangleMesh& mesh, const Topology& topology, const Topo
 
 }  // namespace
 
-EdgeConstraints::EdgeConstraints(const TriangleMesh& mesh, const Topology& topology, Particles& particles,
-                                 const ConstraintOptions& options)
-    : colouring_(colour(edgeVertices(topology), 2, options.blocks, options.order)) {
+std::vector<Spring> paperSprings(const TriangleMesh& mesh, const Topology& topology, const Sheet& sheet) {
+  std::vector<Spring> springs;
   for (const auto& edge : topology.edges) {
     const double rest = length(mesh.positions[edge.a] - mesh.positions[edge.b]);
-    const double stiffness = options.sheet.stretching() * areaAround(mesh, topology, edge) / (rest * rest);
-    // The heavier end comes second, so that the ratio of the weights is at most 1.
-    const bool inOrder = particles.inverseMass[edge.a] >= particles.inverseMass[edge.b];
-    springs_.push_back(
-        {inOrder ? edge.a : edge.b, inOrder ? edge.b : edge.a, rest, rest > 0 ? stiffness : 0});
+    const double stiffness = sheet.stretching * areaAround(mesh, topology, edge) / (rest * rest);
+    springs.push_back({edge.a, edge.b, rest, rest > 0 ? stiffness : 0});
   }
+  return springs;
+}
+
+EdgeConstraints::EdgeConstraints(std::vector<Spring> springs, Particles& particles,
+                                 const ConstraintOptions& options)
+    : springs_(std::move(springs)), colouring_(colour(endsOf(springs_), 2, options.blocks, options.order)) {
+  // The heavier end comes second, so that the ratio of the weights is at most 1.
+  for (Spring& spring : springs_)
+    if (particles.inverseMass[spring.a] < particles.inverseMass[spring.b]) std::swap(spring.a, spring.b);
   batches_.resize(colouring_.batches.size());
   forEachLane(colouring_,
               [&](size_t i, const Lane& lane) { setSpring(batches_[i], lane, particles, options.substep); });

@@ -10,15 +10,23 @@
 
 namespace limber {
 
-// Distance constraints along the edges, C = |x_a - x_b| - rest, as in the paper (section 4). An edge has the
-// stiffness E h (area of its triangles) / rest^2, with which the springs of a triangle mesh carry the energy
-// of a sheet (Van Gelder 1998). That is exact for equilateral meshes; on others, springs are another material
-// whatever their rule.
+// 1/2 stiffness (|x_a - x_b| - rest)^2
+struct Spring {
+  uint32_t a, b;
+  double rest, stiffness;  // m, N/m
+};
+
+// The springs of the paper: one on every edge, with the stiffness E h (area of its triangles) / rest^2, with
+// which the springs of a triangle mesh carry the energy of a sheet (Van Gelder 1998). That is exact for
+// equilateral meshes; on others, springs are another material whatever their rule. `mesh` is in metres.
+std::vector<Spring> paperSprings(const TriangleMesh& mesh, const Topology& topology, const Sheet& sheet);
+
+// Distance constraints, C = |x_a - x_b| - rest: along edges, as in the paper (section 4), or across them.
 class EdgeConstraints {
  public:
-  // Rest lengths are those of `mesh`, in metres. `particles.motion` must not be reallocated afterwards.
-  EdgeConstraints(const TriangleMesh& mesh, const Topology& topology, Particles& particles,
-                  const ConstraintOptions& options);
+  // The ends of each spring belong to one triangle and its neighbours across edges. `particles.motion` must
+  // not be reallocated afterwards.
+  EdgeConstraints(std::vector<Spring> springs, Particles& particles, const ConstraintOptions& options);
 
   uint32_t count() const { return static_cast<uint32_t>(springs_.size()); }
   const Colouring& colouring() const { return colouring_; }
@@ -40,14 +48,10 @@ class EdgeConstraints {
     // The two ends, as pointers rather than indices: see gather.h.
     Motion *a[4], *b[4];
   };
-  struct Spring {
-    uint32_t a, b;
-    double rest, stiffness;  // m, N/m
-  };
   void setSpring(Batch& batch, const Lane& lane, Particles& particles, double substep);
 
   std::vector<Batch> batches_;
-  std::vector<Spring> springs_;  // by edge
+  std::vector<Spring> springs_;
   Colouring colouring_;
 };
 

@@ -4,15 +4,16 @@
 
 namespace limber {
 
-MembraneConstraints::MembraneConstraints(const TriangleMesh& mesh, Particles& particles,
-                                         const ConstraintOptions& options)
+MembraneConstraints::MembraneConstraints(const TriangleMesh& mesh, StiffnessFactors factors,
+                                         Particles& particles, const ConstraintOptions& options)
     : triangles_(mesh.triangles), sheet_(options.sheet), count_(mesh.triangleCount()) {
   std::vector<uint32_t> vertices;
   for (const Triangle& t : mesh.triangles) vertices.insert(vertices.end(), t.begin(), t.end());
   colouring_ = colour(vertices, 3, options.blocks, options.order);
   for (uint32_t t = 0; t < count_; ++t) {
     const TriangleRest rest = triangleRest(mesh, t);
-    rest_.push_back({rest.area(), 1 / rest.x1, -rest.x2 / (rest.x1 * rest.y2), 1 / rest.y2});
+    rest_.push_back(
+        {rest.area(), 1 / rest.x1, -rest.x2 / (rest.x1 * rest.y2), 1 / rest.y2, factorOf(factors, t)});
   }
   batches_.resize(colouring_.batches.size());
   forEachLane(colouring_, [&](size_t i, const Lane& lane) {
@@ -24,7 +25,7 @@ void MembraneConstraints::setTriangle(Batch& batch, const Lane& lane, Particles&
   const int k = lane.lane;
   const uint32_t t = lane.constraint;
   const bool empty = t == kNone;
-  const Rest rest = empty ? Rest{1, 1, 0, 1} : rest_[t];
+  const Rest rest = empty ? Rest{1, 1, 0, 1, 1} : rest_[t];
   batch.xx[k] = static_cast<float>(rest.xx);
   batch.xy[k] = static_cast<float>(rest.xy);
   batch.yy[k] = static_cast<float>(rest.yy);
@@ -44,7 +45,7 @@ void MembraneConstraints::setTriangle(Batch& batch, const Lane& lane, Particles&
   batch.mass11[k] = static_cast<float>(mass[0]);
   batch.mass12[k] = static_cast<float>(mass[1]);
   batch.mass22[k] = static_cast<float>(mass[2]);
-  const double stiffness = rest.area * sheet_.stretching() * substep * substep;
+  const double stiffness = rest.factor * rest.area * sheet_.stretching * substep * substep;
   batch.compliance[k] = empty ? 1 : static_cast<float>(1 / stiffness);
 }
 
@@ -61,8 +62,8 @@ void MembraneConstraints::rebase(const Particles& particles, size_t begin, size_
 
 void MembraneConstraints::project(size_t begin, size_t end) const {
   const Float4 one = splat(1), half = splat(0.5f);
-  const Float4 coupling = splat(static_cast<float>(sheet_.material.poisson));
-  const Float4 shearing = splat(static_cast<float>(2 * (1 + sheet_.material.poisson)));
+  const Float4 coupling = splat(static_cast<float>(sheet_.poisson));
+  const Float4 shearing = splat(static_cast<float>(2 * (1 + sheet_.poisson)));
   for (const Batch *batch = batches_.data() + begin, *last = batches_.data() + end; batch < last; ++batch) {
     const Batch& b = *batch;
     const Vec3x4 origin = gatherMotion(b.corner[0]);
@@ -88,7 +89,7 @@ void MembraneConstraints::project(size_t begin, size_t end) const {
 }
 
 double MembraneConstraints::energy(const std::vector<Vec3>& positions) const {
-  const double nu = sheet_.material.poisson, factor = 0.5 * sheet_.stretching() / (1 - nu * nu);
+  const double nu = sheet_.poisson, factor = 0.5 * sheet_.stretching / (1 - nu * nu);
   double sum = 0;
   for (uint32_t t = 0; t < count_; ++t) {
     const Vec3& origin = positions[triangles_[t][0]];
@@ -96,7 +97,7 @@ double MembraneConstraints::energy(const std::vector<Vec3>& positions) const {
     const Rest& rest = rest_[t];
     const Vec3 f1 = edge1 * rest.xx, f2 = edge1 * rest.xy + edge2 * rest.yy;
     const double xx = 0.5 * (dot(f1, f1) - 1), yy = 0.5 * (dot(f2, f2) - 1), xy = 0.5 * dot(f1, f2);
-    sum += factor * rest.area * (xx * xx + yy * yy + 2 * nu * xx * yy + 2 * (1 - nu) * xy * xy);
+    sum += rest.factor * factor * rest.area * (xx * xx + yy * yy + 2 * nu * xx * yy + 2 * (1 - nu) * xy * xy);
   }
   return sum;
 }

@@ -16,8 +16,10 @@ namespace limber {
 // E, on any mesh. The three components are solved together.
 class MembraneConstraints {
  public:
-  // Rest shapes are those of `mesh`, in metres. `particles.motion` must not be reallocated afterwards.
-  MembraneConstraints(const TriangleMesh& mesh, Particles& particles, const ConstraintOptions& options);
+  // Rest shapes are those of `mesh`, in metres; `factors` are by triangle. `particles.motion` must not be
+  // reallocated afterwards.
+  MembraneConstraints(const TriangleMesh& mesh, StiffnessFactors factors, Particles& particles,
+                      const ConstraintOptions& options);
 
   uint32_t count() const { return count_; }
   const Colouring& colouring() const { return colouring_; }
@@ -33,7 +35,7 @@ class MembraneConstraints {
     Vec3x4 base1, base2;  // edges from corner 0 to corners 1 and 2 at the start of the step
     Float4 xx, xy, yy;    // (xx xy; 0 yy) is the inverse of (x1 x2; 0 y2), whose columns are the rest edges
     Float4 mass11, mass12, mass22;  // sum over the corners of w grad_i grad_j
-    Float4 compliance;              // 1 / (area E h substep^2)
+    Float4 compliance;              // 1 / (factor area E h substep^2)
     Float4 weight[3];               // w of the corners, 1/kg; 0 in an empty lane
     MotionLanes corner[3];
   };
@@ -43,6 +45,7 @@ class MembraneConstraints {
   std::vector<Triangle> triangles_;
   struct Rest {
     double area, xx, xy, yy;
+    double factor;  // on the stiffness
   };
   std::vector<Rest> rest_;  // by triangle
   Sheet sheet_;
