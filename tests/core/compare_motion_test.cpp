@@ -104,6 +104,72 @@ TEST(CompareMotion, steppingTwoBodiesSideBySideGivesTheSameDeviationToTheLastBit
   EXPECT_EQ(worst, comparison.deviation.max);
 }
 
+TEST(CompareMotion, tellsHowFarTheOriginalIsFromItselfWithTwiceTheSubsteps) {
+  const TriangleMesh fine = shapes::grid(8, 16, 0.5, 1), coarse = shapes::grid(4, 8, 0.5, 1);
+  MotionOptions options = swaying(fine);
+  Job job;
+  const MotionComparison at20 = compareMotion(fine, &coarse, options, job);
+  options.simulation.substeps = 40;
+  const MotionComparison at40 = compareMotion(fine, &coarse, options, job);
+  EXPECT_EQ(at20.substeps, 20);
+  EXPECT_GT(at20.substepDeviation, at40.substepDeviation);
+  EXPECT_GT(at40.substepDeviation, 0);
+  // The two runs that the first number compares, once more.
+  std::vector<std::vector<Vec3>> runs;
+  for (const int substeps : {20, 40}) {
+    options.simulation.substeps = substeps;
+    RunningScenario body(fine, options.simulation, options.scenario, {options.pinned, {}});
+    const MotionSamples samples(fine, fine, body.simulation(), options.sampleCount);
+    runs.emplace_back();
+    for (int step = 0; step < 30; ++step) {
+      body.step(job);
+      const auto moved = samples.displacements(body.simulation());
+      runs.back().insert(runs.back().end(), moved.begin(), moved.end());
+    }
+  }
+  EXPECT_EQ(at20.substepDeviation, motionDeviation(runs[0], runs[1], bounds(fine).diagonal()).mean);
+}
+
+TEST(CompareMotion, doublesTheSubstepsUntilTheOriginalHasConverged) {
+  const TriangleMesh fine = shapes::grid(8, 16, 0.5, 1), coarse = shapes::grid(4, 8, 0.5, 1);
+  MotionOptions options = swaying(fine);
+  options.simulation.substeps = 5;
+  Job job;
+  const MotionComparison few = compareMotion(fine, &coarse, options, job);
+  EXPECT_FALSE(few.isConverged);
+  options.doublesSubsteps = true;
+  const MotionComparison enough = compareMotion(fine, &coarse, options, job);
+  EXPECT_TRUE(enough.isConverged);
+  EXPECT_LE(enough.substepDeviation, kConverged * enough.deviation.mean);
+  ASSERT_GT(enough.substeps, 5);
+  // It is what the substeps as used give by themselves, and half of them are not enough.
+  options.doublesSubsteps = false;
+  options.simulation.substeps = enough.substeps;
+  const MotionComparison again = compareMotion(fine, &coarse, options, job);
+  EXPECT_EQ(again.deviation.mean, enough.deviation.mean);
+  EXPECT_EQ(again.noiseFloor, enough.noiseFloor);
+  options.simulation.substeps = enough.substeps / 2;
+  EXPECT_FALSE(compareMotion(fine, &coarse, options, job).isConverged);
+}
+
+TEST(CompareMotion, aTunedSolverBringsTheOtherBodyBackToTheOriginal) {
+  const TriangleMesh mesh = shapes::grid(8, 16, 0.5, 1);
+  MotionOptions options = swaying(mesh);
+  const SolverConstants stiff = {1000, 800, 0.05, 0.3, 1, 1};
+  SolverConstants soft = stiff;
+  for (double* constant : {&soft.stretch, &soft.secondStretch, &soft.bend}) *constant *= 0.5;
+  const SolverModel model = {StretchElement::Membrane, BendElement::HingeByArea, MassRule::Area};
+  options.simulation.solver = {model, stiff, {}, {}, {}};
+  options.otherSolver = {model, soft, {}, {}, {}};
+  Job job;
+  EXPECT_GT(compareMotion(mesh, &mesh, options, job).deviation.mean, 0.1);
+  const auto inner =
+      static_cast<size_t>(3 * mesh.triangleCount() - 48) / 2;  // edges without 48 on the border
+  options.otherSolver->stretchFactors.assign(mesh.triangleCount(), 2.0);
+  options.otherSolver->bendFactors.assign(inner, 2.0);
+  EXPECT_EQ(compareMotion(mesh, &mesh, options, job).deviation.mean, 0);
+}
+
 TEST(MotionDeviation, isThatOfDisplacementsInPercentOfTheDiagonal) {
   const std::vector<Vec3> still = {{0, 0, 0}, {0, 0, 0}}, moved = {{0.1, 0, 0}, {0, 0, 0.3}};
   const MotionDeviation deviation = motionDeviation(still, moved, 2);

@@ -219,7 +219,7 @@ std::vector<SimulatedSolver> panel() {
 // A quarter of a tube, with borders, wound both ways at random: an elastic body for every solver, while a
 // flat plate of springs does not resist bending.
 TriangleMesh arch(int cells) {
-  TriangleMesh mesh = shapes::jittered(shapes::grid(cells, cells), 0.1 / cells, 5);
+  TriangleMesh mesh = shapes::jittered(shapes::grid(cells, cells), 0.25 / cells, 5);
   for (Vec3& p : mesh.positions) {
     const double angle = 1.5 * p.x;
     p = {std::sin(angle) * (0.7 + p.z), p.y, std::cos(angle) * (0.7 + p.z)};
@@ -252,7 +252,7 @@ std::vector<Vibration> vibrationsOf(const Reference& reference, int first, int l
   return vibrations;
 }
 
-// How many times its own period a struck vibration takes to swing, where substeps are a 1,200th of it.
+// How many times its own period a struck vibration takes to swing, where substeps are a 9,600th of it.
 double simulatedPeriod(Reference reference, const Vibration& vibration) {
   const double period = 2 * std::acos(-1.0) / vibration.omega;
   SolverConstants& constants = reference.solver.constants;
@@ -260,11 +260,11 @@ double simulatedPeriod(Reference reference, const Vibration& vibration) {
   const double scale = std::pow(period / (40 * Simulation::kStep), 2);
   for (double* stiffness : {&constants.stretch, &constants.secondStretch, &constants.bend})
     *stiffness *= scale;
-  Simulation body(reference.mesh, optionsOf(reference.solver, 60));
+  Simulation body(reference.mesh, optionsOf(reference.solver, 240));
   double largest = 0;
   for (const Vec3& u : vibration.shape) largest = std::max(largest, length(u));
   Positions velocities;
-  for (const Vec3& u : vibration.shape) velocities.push_back(u * (4e-4 / largest));
+  for (const Vec3& u : vibration.shape) velocities.push_back(u * (2e-4 / largest));
   body.setVelocities(velocities);
   std::vector<double> crossings;
   double before = 0;
@@ -279,13 +279,15 @@ double simulatedPeriod(Reference reference, const Vibration& vibration) {
   return crossings.size() < 3 ? 0 : (crossings[2] - crossings[0]) / 40;
 }
 
+// What is left is XPBD's own error, which falls with the substep: the softest vibration of springs is a
+// hundredth too slow here and four times that with a quarter of the substeps.
 TEST(SimulatedSolvers, smallVibrationsHaveTheFrequenciesOfTheLinearStiffness) {
   const TriangleMesh mesh = arch(4);
   for (const SimulatedSolver& solver : panel())
     for (const SimulatedSolver& own : {solver, tuned(mesh, solver)}) {
       const Reference reference(mesh, own);
       for (const Vibration& vibration : vibrationsOf(reference, 0, 3))
-        EXPECT_NEAR(simulatedPeriod(reference, vibration), 1, 0.01)
+        EXPECT_NEAR(simulatedPeriod(reference, vibration), 1, 0.015)
             << static_cast<int>(own.model.stretch) << " " << static_cast<int>(own.model.bend) << " "
             << own.masses.size();
     }
@@ -336,14 +338,45 @@ TEST(SimulatedSolvers, factorsStayWithTheirConstraintsWhereBodiesAreCutIntoBlock
   }
 }
 
-TEST(SimulatedSolvers, aStruckBodyKeepsItsEnergyAndItsMomenta) {
+// Struck so that it is deformed everywhere.
+Simulation struckBody(const TriangleMesh& mesh, const SimulatedSolver& solver, int substeps) {
+  Simulation body(mesh, optionsOf(solver, substeps));
+  Positions velocities;
+  for (const Vec3& p : mesh.positions)
+    velocities.push_back({std::sin(7 * p.y), 0.5 * std::sin(9 * p.z), std::cos(8 * p.x + p.y)});
+  body.setVelocities(velocities);
+  return body;
+}
+
+// XPBD loses energy as implicit Euler steps do: in proportion to the substep, and it never gains any.
+TEST(SimulatedSolvers, aStruckBodyLosesEnergyInProportionToTheSubstepAndGainsNone) {
+  const TriangleMesh mesh = arch(5);
+  for (const SimulatedSolver& solver : panel()) {
+    std::vector<double> losses;
+    for (const int substeps : {400, 800}) {
+      Simulation body = struckBody(mesh, solver, substeps);
+      const double energy = body.kineticEnergy();
+      double mostElastic = 0, mostOfAll = 0;
+      for (int i = 0; i < 12; ++i) {
+        body.step(kJob);
+        mostElastic = std::max(mostElastic, body.elasticEnergy());
+        mostOfAll = std::max(mostOfAll, body.kineticEnergy() + body.elasticEnergy());
+      }
+      EXPECT_GT(mostElastic, 0.1 * energy);
+      EXPECT_LT(mostOfAll, 1.001 * energy);
+      losses.push_back(1 - (body.kineticEnergy() + body.elasticEnergy()) / energy);
+    }
+    EXPECT_GT(losses[1], 0);
+    EXPECT_LT(losses[0], 0.2);
+    EXPECT_NEAR(losses[1] / losses[0], 0.5, 0.1);
+  }
+}
+
+TEST(SimulatedSolvers, aStruckBodyKeepsItsMomenta) {
   const TriangleMesh mesh = arch(5);
   for (const SimulatedSolver& solver : panel()) {
     const Reference reference(mesh, solver);
-    Simulation body(mesh, optionsOf(solver, 400));
-    Positions velocities;
-    for (const Vec3& p : mesh.positions) velocities.push_back({std::sin(7 * p.y), 0.5 * std::sin(9 * p.z), std::cos(8 * p.x + p.y)});
-    body.setVelocities(velocities);
+    Simulation body = struckBody(mesh, solver, 100);
     const auto momenta = [&] {
       Vec3 linear, angular;
       for (uint32_t v = 0; v < body.vertexCount(); ++v) {
@@ -352,18 +385,13 @@ TEST(SimulatedSolvers, aStruckBodyKeepsItsEnergyAndItsMomenta) {
       }
       return std::pair{linear, angular};
     };
-    const double energy = body.kineticEnergy();
+    double scale = 0;  // of momenta that do not cancel out
+    for (uint32_t v = 0; v < body.vertexCount(); ++v) scale += reference.masses[v] * length(body.velocity(v));
     const auto before = momenta();
-    double mostElastic = 0;
-    for (int i = 0; i < 60; ++i) {
-      body.step(kJob);
-      mostElastic = std::max(mostElastic, body.elasticEnergy());
-      EXPECT_NEAR((body.kineticEnergy() + body.elasticEnergy()) / energy, 1, 0.05);
-    }
-    EXPECT_GT(mostElastic, 0.1 * energy);
+    for (int i = 0; i < 30; ++i) body.step(kJob);
     const auto after = momenta();
-    EXPECT_LT(length(after.first - before.first), 1e-4 * length(before.first));
-    EXPECT_LT(length(after.second - before.second), 1e-3 * length(before.second));
+    EXPECT_LT(length(after.first - before.first), 1e-4 * scale);
+    EXPECT_LT(length(after.second - before.second), 5e-4 * scale * bounds(mesh).diagonal());
   }
 }
 

@@ -6,6 +6,7 @@
 #include "bind/function.h"
 #include "bind/material.h"
 #include "bind/meshes.h"
+#include "bind/solver.h"
 #include "compare/compare_motion.h"
 #include "compare/motion_deviation.h"
 #include "simulate/running_scenario.h"
@@ -20,12 +21,21 @@ struct Names<SimulationModel> {
 };
 
 template <>
+struct Fields<SimulatedSolver> {
+  static constexpr auto list =
+      std::tuple(field("model", &SimulatedSolver::model), field("constants", &SimulatedSolver::constants),
+                 optionalField("stretchFactors", &SimulatedSolver::stretchFactors),
+                 optionalField("bendFactors", &SimulatedSolver::bendFactors),
+                 optionalField("masses", &SimulatedSolver::masses));
+};
+
+template <>
 struct Fields<SimulationOptions> {
   static constexpr auto list = std::tuple(
       field("material", &SimulationOptions::model), field("substeps", &SimulationOptions::substeps),
       field("damping", &SimulationOptions::damping), field("friction", &SimulationOptions::friction),
       field("selfCollision", &SimulationOptions::selfCollision),
-      optionalField("order", &SimulationOptions::order));
+      optionalField("solver", &SimulationOptions::solver), optionalField("order", &SimulationOptions::order));
 };
 
 template <>
@@ -112,6 +122,8 @@ val jsCompareMotion(const val& originalIn, const val& resultIn, const val& in) {
   options.scenario = scenarioOf(*original, in);
   options.pinned = pinnedOf(*original, options.scenario, in);
   options.records = in["records"].as<bool>();
+  if (!in["doublesSubsteps"].isUndefined()) options.doublesSubsteps = in["doublesSubsteps"].as<bool>();
+  options.otherSolver = fromJs<std::optional<SimulatedSolver>>(in["otherSolver"]);
   if (!in["calibration"].isUndefined()) options.calibration = in["calibration"].as<double>();
   const auto result = resultIn.isNull() ? nullptr : meshOf(resultIn);
   if (result) options.binding = bindingOf(*original, *result, in["binding"]);
@@ -122,6 +134,9 @@ val jsCompareMotion(const val& originalIn, const val& resultIn, const val& in) {
   out.set("deviationMean", comparison.deviation.mean);
   out.set("deviationMax", comparison.deviation.max);
   out.set("noiseFloor", comparison.noiseFloor);
+  out.set("substeps", comparison.substeps);
+  out.set("substepDeviation", comparison.substepDeviation);
+  out.set("isConverged", comparison.isConverged);
   return out;
 }
 

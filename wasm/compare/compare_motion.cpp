@@ -22,34 +22,32 @@ double secondsNow() {
 // The runs of one comparison, one after the other, with their common progress.
 class ComparedRuns {
  public:
-  // `original` and `options` must outlive this object. `count` is how many runs there will be.
-  ComparedRuns(const TriangleMesh& original, const MotionOptions& options, int count, Job& job)
+  // `original` and `options` must outlive this object.
+  ComparedRuns(const TriangleMesh& original, const MotionOptions& options, uint32_t sampleCount, Job& job)
       : original_(original),
         options_(options),
-        sampleCount_(count > 1 ? options.sampleCount : 0),
+        sampleCount_(sampleCount),
         steps_(std::max(1, static_cast<int>(std::lround(options.scenario.seconds / Simulation::kStep)))),
-        total_(steps_ * count),
         job_(job) {
     job_.begin(Phase::Simulate);
   }
 
   struct Body {
     const TriangleMesh& mesh;
-    Pins pins;
-    uint32_t order;
+    const Pins& pins;
+    SimulationOptions options;
     bool records;
-    double calibration = 1;
   };
   struct Result {
     MotionRun run;
     std::vector<Vec3> displacements;  // [step sampleCount + sample], units of the mesh
   };
 
+  // Announces runs of so many substeps altogether.
+  void expect(double substeps) { expected_ += substeps; }
+
   Result run(const Body& body) {
-    SimulationOptions options = options_.simulation;
-    options.order = body.order;
-    options.material.young *= body.calibration;
-    RunningScenario running(body.mesh, options, options_.scenario, body.pins);
+    RunningScenario running(body.mesh, body.options, options_.scenario, body.pins);
     const Simulation& simulation = running.simulation();
     const MotionSamples samples(original_, body.mesh, simulation, sampleCount_);
     Result result;
@@ -64,10 +62,14 @@ class ComparedRuns {
       const auto displacements = samples.displacements(simulation);
       result.displacements.insert(result.displacements.end(), displacements.begin(), displacements.end());
       if (body.records) record(simulation, result.run.positions);
-      job_.report(static_cast<double>(++done_) / total_);
+      done_ += static_cast<double>(body.options.substeps) / steps_;
+      shown_ = std::max(shown_, done_ / expected_);
+      job_.report(std::min(shown_, 1.0));
     }
     return result;
   }
+
+  int steps() const { return steps_; }
 
  private:
   static void record(const Simulation& simulation, std::vector<float>& positions) {
@@ -80,30 +82,101 @@ class ComparedRuns {
   const TriangleMesh& original_;
   const MotionOptions& options_;
   uint32_t sampleCount_;
-  int steps_, total_, done_ = 0;
+  int steps_;
+  double expected_ = 0, done_ = 0, shown_ = 0;  // substeps, substeps, the fraction that was reported
   Job& job_;
+};
+
+// The original against its other body at growing substeps.
+class Comparison {
+ public:
+  Comparison(const TriangleMesh& original, const TriangleMesh& other, const MotionOptions& options, Job& job)
+      : original_(original),
+        other_(other),
+        options_(options),
+        diagonal_(bounds(original).diagonal()),
+        pins_{options.pinned, {}},
+        carried_(carryPins(original, options.pinned, other, options.binding)),
+        runs_(original, options, options.sampleCount, job) {}
+
+  MotionComparison run() {
+    int substeps = options_.simulation.substeps;
+    runs_.expect(5.0 * substeps);
+    ComparedRuns::Result first = runs_.run(originalWith(substeps, 0, options_.records));
+    for (;; substeps *= 2) {
+      ComparedRuns::Result second = runs_.run(otherWith(substeps));
+      const bool mayGoOn = options_.doublesSubsteps && solved(first.run, 4 * substeps) <= kMostSolved &&
+                           2 * substeps < kMostSubsteps;
+      ComparedRuns::Result doubled =
+          runs_.run(originalWith(std::min(2 * substeps, kMostSubsteps), 0, options_.records && mayGoOn));
+      MotionComparison found = compared(first, second, doubled, substeps);
+      if (found.isConverged || !mayGoOn) {
+        const ComparedRuns::Result reordered = runs_.run(originalWith(substeps, kOtherOrder, false));
+        found.noiseFloor = motionDeviation(first.displacements, reordered.displacements, diagonal_).mean;
+        found.original = std::move(first.run);
+        found.other = std::move(second.run);
+        return found;
+      }
+      runs_.expect(7.0 * substeps);
+      first = std::move(doubled);
+    }
+  }
+
+ private:
+  // The constraints that a run of the original solves.
+  double solved(const MotionRun& run, int substeps) const {
+    return static_cast<double>(run.constraints) * substeps * runs_.steps();
+  }
+
+  ComparedRuns::Body originalWith(int substeps, uint32_t order, bool records) const {
+    SimulationOptions options = options_.simulation;
+    options.substeps = substeps;
+    options.order += order;
+    return {original_, pins_, options, records};
+  }
+
+  ComparedRuns::Body otherWith(int substeps) const {
+    SimulationOptions options = options_.simulation;
+    options.substeps = substeps;
+    options.material.young *= options_.calibration;
+    if (options.solver)
+      options.solver = options_.otherSolver.value_or(
+          SimulatedSolver{options.solver->model, options.solver->constants, {}, {}, {}});
+    return {other_, carried_, options, options_.records};
+  }
+
+  MotionComparison compared(const ComparedRuns::Result& first, const ComparedRuns::Result& second,
+                            const ComparedRuns::Result& doubled, int substeps) const {
+    MotionComparison found;
+    found.substeps = substeps;
+    found.deviation = motionDeviation(first.displacements, second.displacements, diagonal_);
+    found.substepDeviation = motionDeviation(first.displacements, doubled.displacements, diagonal_).mean;
+    found.isConverged = found.substepDeviation <= kConverged * found.deviation.mean;
+    return found;
+  }
+
+  static constexpr int kMostSubsteps = 10000;  // of a Simulation
+
+  const TriangleMesh& original_;
+  const TriangleMesh& other_;
+  const MotionOptions& options_;
+  double diagonal_;
+  Pins pins_, carried_;
+  ComparedRuns runs_;
 };
 
 }  // namespace
 
 MotionComparison compareMotion(const TriangleMesh& original, const TriangleMesh* other,
                                const MotionOptions& options, Job& job) {
-  const uint32_t order = options.simulation.order;
-  const bool records = options.records;
+  if (other) return Comparison(original, *other, options, job).run();
   const Pins pins = {options.pinned, {}};
-  ComparedRuns runs(original, options, other ? 3 : 1, job);
-  ComparedRuns::Result first = runs.run({original, pins, order, records});
-  MotionComparison comparison;
-  comparison.original = std::move(first.run);
-  if (!other) return comparison;
-  const Pins carried = carryPins(original, options.pinned, *other, options.binding);
-  ComparedRuns::Result second = runs.run({*other, carried, order, records, options.calibration});
-  const ComparedRuns::Result reordered = runs.run({original, pins, order + kOtherOrder, false});
-  comparison.other = std::move(second.run);
-  const double diagonal = bounds(original).diagonal();
-  comparison.deviation = motionDeviation(first.displacements, second.displacements, diagonal);
-  comparison.noiseFloor = motionDeviation(first.displacements, reordered.displacements, diagonal).mean;
-  return comparison;
+  ComparedRuns runs(original, options, 0, job);
+  runs.expect(options.simulation.substeps);
+  MotionComparison alone;
+  alone.original = runs.run({original, pins, options.simulation, options.records}).run;
+  alone.substeps = options.simulation.substeps;
+  return alone;
 }
 
 }  // namespace limber
