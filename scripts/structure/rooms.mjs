@@ -20,11 +20,12 @@ export const core = {
 export const engine = {
   core: [],
   document: ['core'],
-  settings: ['core'],
+  solvers: ['core'],
+  settings: ['core', 'solvers'],
   body: ['core', 'document', 'settings'],
-  report: ['core', 'document', 'settings', 'body'],
+  report: ['core', 'document', 'solvers', 'settings', 'body'],
   motion: ['core', 'document', 'settings', 'body'],
-  stages: ['core', 'document', 'settings', 'body', 'report', 'motion'],
+  stages: ['core', 'document', 'solvers', 'settings', 'body', 'report', 'motion'],
 };
 
 /** Folders of web/app; the files next to them, which assemble the page, may use all of them. */

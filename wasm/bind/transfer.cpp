@@ -1,10 +1,13 @@
 // What is carried from the original to the result: attributes, vertices and single points.
 
+#include <algorithm>
+
 #include "bind/charts.h"
 #include "bind/function.h"
 #include "bind/meshes.h"
 #include "query/closest_among.h"
 #include "transfer/bind_meshes.h"
+#include "transfer/carry_pins.h"
 #include "transfer/corner_sources.h"
 
 namespace limber {
@@ -33,6 +36,20 @@ val jsBindToResult(const val& mesh, const val& result) {
   return toJs(bindToResult(*meshOf(mesh), fromJs<MeshAt>(result), theJob));
 }
 
+// A pin inside a triangle becomes the corner with the largest share of it.
+val jsCarryPins(const val& original, const val& pinned, const val& result) {
+  const auto mesh = meshOf(result);
+  Pins pins = carryPins(*meshOf(original), vectorOf<uint32_t>(pinned), *mesh);
+  for (const SurfacePoint& point : pins.points) {
+    const auto corner = std::ranges::max_element(point.barycentric) - point.barycentric.begin();
+    pins.vertices.push_back(mesh->triangles[point.triangle][static_cast<size_t>(corner)]);
+  }
+  std::ranges::sort(pins.vertices);
+  const auto doubles = std::ranges::unique(pins.vertices);
+  pins.vertices.erase(doubles.begin(), doubles.end());
+  return toJs(pins.vertices);
+}
+
 val jsClosestPoint(const val& mesh, const val& triangles, const val& point) {
   const auto list = vectorOf<uint32_t>(triangles);
   const ClosestPoint found = closestAmong(*meshOf(mesh), list, fromJs<Vec3>(point));
@@ -49,5 +66,6 @@ EMSCRIPTEN_BINDINGS(limber_transfer) {
   using namespace limber;
   offer<&jsSourceOfCorners>("sourceOfCorners");
   offer<&jsBindToResult>("bindToResult");
+  offer<&jsCarryPins>("carryPins");
   offer<&jsClosestPoint>("closestPoint");
 }

@@ -6,6 +6,8 @@ import { checkSettings, settingsOf } from '../engine/settings/options';
 import type { Settings } from '../engine/settings/options';
 import { readNumber } from '../engine/settings/kinds';
 import { readSettings } from '../engine/settings/setting_text';
+import { SOLVER_NAMES } from '../engine/solvers/profiles';
+import { engineFromFile } from './engine_file';
 import { UsageError } from './failure';
 import { COMMAND_SPECS, COMMANDS, flagsOf } from './flags';
 import type { Command, Flag } from './flags';
@@ -22,6 +24,8 @@ export interface Arguments {
   shapes: string | null;
   /** file for the binding of the original's vertices: optimize writes it, simulate reads it */
   bind: string | null;
+  /** where the settings of the solver go; see --settings */
+  settingsFile: string | null;
   /** where the simulated motion goes */
   record: string | null;
   /** null: every body */
@@ -55,6 +59,7 @@ export function parseArguments(words: string[]): Arguments | Question {
     fields: values.has('fields'),
     shapes: values.get('shapes') ?? null,
     bind: values.get('bind') ?? null,
+    settingsFile: values.get('settings') ?? null,
     record: values.get('record') ?? null,
     mesh: values.get('mesh') ?? null,
     reports: [...new Set([...(report === undefined ? [] : [report]), ...(values.has('json') ? ['-'] : [])])],
@@ -123,9 +128,24 @@ function checkOperands(command: Command, operands: string[]): void {
 /** Throws SettingError. */
 function settingsFrom(command: Command, values: Map<string, string>): Settings {
   const base = { ...COMMAND_SPECS[command].defaults, ...readPreset(values) };
+  const engine = values.get('engine');
+  if (engine !== undefined) values.set('engine', engineFromFile(engine));
   const settings = readSettings(settingsOf(command), (flag) => values.get(flag), base);
   checkSettings(settings);
+  checkSolverFlags(command, settings, values);
   return settings;
+}
+
+/** What is asked of a solver needs one; a command that tunes needs a file for what it finds. */
+function checkSolverFlags(command: Command, { solver }: Settings, values: Map<string, string>): void {
+  if (solver === 'none') {
+    const flag = ['settings', 'engine', 'tune', 'bend-ratio', 'mass'].find((name) => values.has(name));
+    if (command === 'tune' || (command === 'optimize' && flag !== undefined))
+      throw new UsageError(
+        `${flag ? `--${flag}` : 'limber tune'} needs a solver: --solver ${SOLVER_NAMES.join('|')}.`,
+      );
+  } else if (command === 'tune' && !values.has('settings'))
+    throw new UsageError('limber tune needs a file for what it finds: --settings FILE.');
 }
 
 /** The four numbers of --material-preset; none without it. */

@@ -38,9 +38,10 @@ export async function runCompare(args: Arguments): Promise<number> {
   const report = startReport(session.core, 'compare', optionsAsUsed(args), originals);
   report.output = meshReport(others);
   report.surface = worstSurface(distances);
-  report.fidelity = worstFidelity(fidelities);
+  const fidelity = worstFidelity(fidelities);
+  report.fidelity = fidelity;
   report.timings = { load, weld, measure: measured, modes: stopwatch(), total: total() };
-  finish(session, report, compareText(args, report, pairs));
+  finish(session, report, compareText(args, report, fidelity, pairs));
   return EXIT.done;
 }
 
@@ -70,6 +71,7 @@ function fidelityOf({ core, args }: Session, original: PreparedBody, other: Prep
 function compareText(
   { operands }: Arguments,
   report: Report,
+  fidelity: Fidelity,
   pairs: { original: PreparedBody; other: PreparedBody }[],
 ) {
   const { input, output } = report;
@@ -84,7 +86,7 @@ function compareText(
     ],
     ['topology', isKept ? 'the same' : 'different'],
     ...surfaceRows(report.surface!),
-    ...fidelityRows(report.fidelity!, Number(report.options.modeCount)),
+    ...fidelityRows(fidelity, Number(report.options.modeCount)),
   ]);
 }
 

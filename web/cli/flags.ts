@@ -35,6 +35,12 @@ const REPORT: Flag = {
   help: 'Write the JSON report to FILE, or alone to stdout.',
   group: 'output',
 };
+const SETTINGS: Flag = {
+  name: 'settings',
+  value: 'FILE',
+  help: 'Write what the solver needs to move the result like the original (docs/formats.md).',
+  group: 'output',
+};
 /** Sets the whole material; flags for a part of it override that part. */
 const MATERIAL_PRESET: Flag = {
   name: 'material-preset',
@@ -84,8 +90,15 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
         help: 'Write where each original vertex lies on the optimized mesh (docs/formats.md).',
         group: 'output',
       },
+      SETTINGS,
       ...COMMON,
     ],
+    defaults: {},
+  },
+  tune: {
+    operands: ['A', 'B'],
+    summary: 'Find the parameters with which B, any coarse mesh of A, moves like A in a solver.',
+    flags: [SETTINGS, ...COMMON],
     defaults: {},
   },
   modes: {

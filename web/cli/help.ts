@@ -9,6 +9,7 @@ const GROUPS: Record<string, string> = {
   target: 'Target',
   method: 'Method',
   motion: 'Motion',
+  solver: 'Solver',
   simulation: 'Simulation',
   material: 'Material',
   output: 'Output',

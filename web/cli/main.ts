@@ -12,9 +12,11 @@ import { runModes } from './modes';
 import { runOptimize } from './optimize';
 import { clearProgress } from './session';
 import { runSimulate } from './simulate';
+import { runTune } from './tune';
 
 const RUN: Record<Command, (args: Arguments) => Promise<number>> = {
   optimize: runOptimize,
+  tune: runTune,
   modes: runModes,
   compare: runCompare,
   simulate: runSimulate,

@@ -16,7 +16,7 @@ import type { Arguments } from './arguments';
 import { EXIT, inFlags } from './failure';
 import { checkFolder, checkOutput, writeWhole } from './files';
 import { checkLevels, writeLevels } from './levels';
-import { describeMiss, levelLine, summaryLine } from './optimize_words';
+import { describeMiss, levelLine, summaryLine, tuningLines } from './optimize_words';
 import { finish, openFile, prepareFile, startSession } from './session';
 import type { Session } from './session';
 
@@ -26,7 +26,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const [input, path] = args.operands;
   checkOutput(path, input);
   checkLevels(args);
-  if (args.bind !== null) checkFolder(args.bind);
+  for (const file of [args.bind, args.settingsFile]) if (file !== null) checkFolder(file);
   const total = startStopwatch();
   const stopwatch = startStopwatch();
   const session = await startSession(args);
@@ -38,6 +38,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
   stopwatch();
   writeWhole(path, await output.glb());
   if (args.bind !== null) writeWhole(args.bind, output.binding());
+  if (args.settingsFile !== null) writeWhole(args.settingsFile, output.settings());
   const dropped = droppedByExport(model);
   if (dropped.length > 0) session.warnings.push(`${path} leaves out ${dropped.join(', ')}`);
   const exportTime = stopwatch();
@@ -61,6 +62,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
   ].filter((sentence) => sentence !== '');
   const text = [
     summaryLine(args, output, report.timings.total),
+    ...tuningLines(report),
     ...levels.map((level) => levelLine(level.report)),
   ].join('\n');
   finish(session, report, text, missed);

@@ -3,11 +3,14 @@
 import { basename } from 'node:path';
 import type { PreparedBody } from '../engine/body/prepared_body';
 import { faceCount, sum } from '../engine/core/mesh';
+import type { Report } from '../engine/report/report';
 import { fitReport, worstSurface } from '../engine/report/result_report';
 import type { LevelReport } from '../engine/report/result_report';
+import { describeTuning } from '../engine/report/solver_report';
 import { describeRefused, isBlockedBySeams, stopReport } from '../engine/report/stop_report';
 import type { StoppedBody, StopReport } from '../engine/report/stop_report';
 import type { Settings } from '../engine/settings/options';
+import type { SolverName } from '../engine/solvers/profiles';
 import type { FileOutput } from '../engine/stages/file_output';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
@@ -77,6 +80,12 @@ function frequencyWords({ frequency }: StopReport): string[] {
   const less = beyond ? ` (${count(beyond.faces)} faces: ${beyond.error.toFixed(2)} %)` : '';
   return [`frequencies within ${error.toFixed(2)} % of ${limit} %${less}`];
 }
+
+/** How near the results move in the solver that they are tuned for; none without one. */
+export const tuningLines = ({ fidelity }: Report): string[] =>
+  Object.entries(fidelity?.solvers ?? {}).flatMap(([solver, report]) =>
+    describeTuning(solver as SolverName, report),
+  );
 
 export function levelLine({ file, output, surface }: LevelReport): string {
   const { hausdorff, mean } = surface;

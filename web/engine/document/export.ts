@@ -34,6 +34,14 @@ export interface ExportedBody {
   targets?: MorphTarget[];
   /** written to the mesh's extras for engines; see CalibrationReport */
   calibration?: number;
+  /** written for engines: to the mesh's extras as `limberSettings`, and as attributes */
+  settings?: ExportedSettings;
+}
+
+export interface ExportedSettings {
+  extras: object;
+  /** values per vertex of the mesh, by semantic: `_LIMBER_MASS` and so on */
+  attributes: Readonly<Record<string, Float32Array>>;
 }
 
 export interface ExportOptions {
@@ -74,6 +82,20 @@ export async function exportGlb(
   disposeUnused(document, replaced);
   document.getRoot().getAsset().generator = `Limber ${VERSION}`;
   return (await createGltfIo()).writeBinary(document);
+}
+
+/** Per vertex of each primitive that `exportGlb` writes for a body, in order: its vertex of `exported.mesh`. */
+export function renderVertices(model: OpenModel, exported: ExportedBody): number[] {
+  const { body } = exported;
+  const primitives = model.document.getRoot().listMeshes()[body.mesh].listPrimitives();
+  const sourced: SourcedMesh = { mesh: exported.mesh, body, sources: exported.sources };
+  const normals = resultNormals(exported.mesh);
+  const trianglesOfSpan = shareOut(body, exported.inputOfTriangle);
+  return body.spans.flatMap((span, i) => {
+    const primitive = primitives[span.primitive];
+    const keyOf = normalKeys(primitive, exported, normals, isSmoothed(model));
+    return geometryOf(sourced, span, primitive, trianglesOfSpan[i], keyOf).vertexOfMesh;
+  });
 }
 
 /** glTF prescribes flat shading for meshes without normals; the other formats prescribe nothing. */
@@ -117,6 +139,7 @@ function replaceMesh(destination: Destination, exported: ExportedBody, smoothed:
   });
   if (exported.calibration !== undefined)
     mesh.setExtras({ ...mesh.getExtras(), limberCalibration: exported.calibration });
+  if (exported.settings) mesh.setExtras({ ...mesh.getExtras(), limberSettings: exported.settings.extras });
   if (exported.targets) mesh.setWeights(exported.targets.map(() => 0));
   return written;
 }
@@ -182,6 +205,12 @@ function writePrimitive(
       'SCALAR',
     );
   }
+  for (const [semantic, values] of Object.entries(exported.settings?.attributes ?? {}))
+    add(
+      semantic,
+      Float32Array.from(vertexOfMesh, (v) => values[v]),
+      'SCALAR',
+    );
   writeIndices(destination, primitive, geometry);
   writeTargets(destination, primitive, exported.targets ?? [], geometry);
 }

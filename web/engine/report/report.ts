@@ -7,7 +7,7 @@
  */
 
 import type { InspectedBody } from '../body/prepared_body';
-import type { Core, Fidelity, Model, SurfaceDistance } from '../core/core';
+import type { Core, Model, SurfaceDistance } from '../core/core';
 import { VERSION } from '../core/version';
 import { methodOf, resolveModel, resolveModes } from '../settings/options';
 import type { Settings } from '../settings/options';
@@ -16,10 +16,12 @@ import type { MeshReport } from './mesh_report';
 import type { ComponentReport, ModeReport, SolveReport, ZeroModes } from './modes_report';
 import type { CalibrationReport, SimulationReport } from './motion_report';
 import type { FitReport, LevelReport } from './result_report';
+import type { FidelityReport } from './solver_report';
 import type { StopReport } from './stop_report';
 
 export interface Report {
-  schema: 'limber-report/1';
+  /** 2 where there is `fidelity.solvers` */
+  schema: 'limber-report/1' | 'limber-report/2';
   version: string;
   command: string;
   /** as used: `auto` is resolved; p may be "inf" */
@@ -37,7 +39,7 @@ export interface Report {
   solve?: SolveReport;
   fit?: FitReport;
   surface?: SurfaceDistance;
-  fidelity?: Fidelity;
+  fidelity?: FidelityReport;
   simulation?: SimulationReport;
   calibration?: CalibrationReport[];
   stop?: StopReport;

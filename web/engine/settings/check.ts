@@ -1,16 +1,23 @@
 /** Whether settings are such as can be worked with, each by itself and together. */
 
 import { counted } from '../core/words';
+import { engineValues } from './engine_text';
 import { SettingError } from './errors';
 import { rulesOf } from './kinds';
 import { resolveModes } from './methods';
 import { OPTIONS, SETTING_NAMES } from './table';
 import type { SettingName, Settings } from './table';
+import { profileOf } from '../solvers/profiles';
 import type { OptionSpec } from './types';
 
 /** Throws SettingError, whose sentence has the first value that is refused, what is allowed, and the cure. */
 export function checkSettings(settings: Settings): void {
   for (const setting of SETTING_NAMES) checkSetting(setting, settings[setting]);
+  checkModes(settings);
+  checkSolver(settings);
+}
+
+function checkModes(settings: Settings): void {
   const { modes, modeCount, modeWeights } = settings;
   const highest = Array.isArray(modes) ? Math.max(...modes) : 0;
   const computed = { setting: 'modeCount' } as const;
@@ -29,6 +36,18 @@ export function checkSettings(settings: Settings): void {
       { setting: 'modes' },
       '.',
     ]);
+}
+
+/** Whether the solver has the parameters that are given, and takes what it is to be tuned by. */
+function checkSolver({ solver, engine, tune }: Settings): void {
+  if (solver === 'none') return;
+  engineValues(solver, engine);
+  const { takes } = profileOf(solver);
+  if (tune === 'constraint' && !takes.constraintValues)
+    throw new SettingError(
+      'tune',
+      `is constraint, but ${solver} takes maps of vertices at best: give global or vertex.`,
+    );
 }
 
 /** Throws SettingError with the value, what is allowed, and the default. */

@@ -6,7 +6,8 @@ import type { Command, OptionGroup } from './types';
 
 /** Groups of which a command takes every setting; a row can name further commands. */
 export const COMMAND_GROUPS: Record<Command, readonly OptionGroup[]> = {
-  optimize: ['target', 'method', 'motion', 'material', 'common'],
+  optimize: ['target', 'method', 'motion', 'material', 'solver', 'common'],
+  tune: ['solver', 'material', 'common'],
   modes: ['motion', 'material', 'common'],
   compare: ['material', 'common'],
   simulate: ['simulation', 'material', 'common'],

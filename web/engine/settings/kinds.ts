@@ -1,6 +1,7 @@
 /** What the kinds of settings have in common: how a value is read from text, which values are allowed, and in what words. */
 
 import { parseColliders } from './collider_text';
+import { parseEngine } from './engine_text';
 import { parsePaint } from './paint_text';
 import { parsePins } from './pin_text';
 import type { SettingName } from './table';
@@ -94,6 +95,13 @@ const KINDS: { [Kind in OptionKind]: KindRules<Kind> } = {
     parse: (text) => parseColliders(text),
     describe: () => 'terms joined by +',
     placeholder: () => 'SPEC',
+  },
+  engine: {
+    read: asItIs,
+    isAllowed: isText,
+    parse: (text) => parseEngine(text),
+    describe: () => 'name=value with commas',
+    placeholder: () => 'FILE|NAME=VALUE,...',
   },
   name: {
     read: asItIs,

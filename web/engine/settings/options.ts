@@ -1,4 +1,4 @@
-/** The settings, as other folders see them; the forms of texts are in pin_text.ts, paint_text.ts and collider_text.ts. */
+/** The settings, as other folders see them; the forms of texts are in pin_text.ts, paint_text.ts, collider_text.ts and engine_text.ts. */
 
 export { checkSetting, checkSettings } from './check';
 export { settingsOf } from './commands';

@@ -6,6 +6,7 @@
 
 import { describeMethods, METHOD_NAMES } from '../core/methods';
 import { describeScenarios, SCENARIO_NAMES } from '../core/scenarios';
+import { describeSolvers, SOLVER_NAMES } from '../solvers/profiles';
 import type { OptionOf, OptionSpec, SettingValue } from './types';
 
 const ROWS = {
@@ -315,7 +316,7 @@ const ROWS = {
     help: 'What is held in place: low:PCT, high:PCT (ends of the longest axis), box:x0,y0,z0,x1,y1,z1, attribute:NAME, vertices:i,j, joined by +.',
     group: 'motion',
     isOfFile: true,
-    commands: ['simulate'],
+    commands: ['tune', 'simulate'],
   },
   /** solve large shells as they are, not on a decimated copy */
   exact: {
@@ -402,6 +403,56 @@ const ROWS = {
     help: 'Length of one unit of the file in metres; it changes frequencies, not the mesh.',
     group: 'material',
     placeholder: 'METRES',
+  },
+  /** the solver that results are tuned for, see solvers/profiles.ts */
+  solver: {
+    kind: 'choice',
+    flag: 'solver',
+    label: 'Where it will move',
+    default: 'none',
+    help: `Find the parameters with which the result moves like the original in a solver: none, or ${describeSolvers()}.`,
+    group: 'solver',
+    choices: ['none', ...SOLVER_NAMES],
+  },
+  tune: {
+    kind: 'choice',
+    flag: 'tune',
+    label: 'Tuned by',
+    default: 'global',
+    help: 'What is tuned: one factor on stretching and one on bending (global), smooth maps of factors (vertex), or a factor for every spring, triangle and hinge (constraint), where the engine takes them.',
+    group: 'solver',
+    choices: ['global', 'vertex', 'constraint'],
+  },
+  /** the user's own parameters of the engine, see engine_text.ts; '': defaults that follow from the material */
+  engine: {
+    kind: 'engine',
+    flag: 'engine',
+    label: 'Your parameters',
+    default: '',
+    help: 'Your own parameters of the solver, as typed in for the original: name=value with commas, or a file of them; the others follow from the material.',
+    group: 'solver',
+  },
+  bendRatio: {
+    kind: 'number',
+    flag: 'bend-ratio',
+    label: 'Bending over stretching',
+    min: 1e-9,
+    max: 1e6,
+    step: 0.001,
+    slider: { min: 0.0001, max: 1, isLogarithmic: true },
+    default: 0.05,
+    help: 'Springs and dihedral only: the bend constant over the stretch constant (for dihedral times the square of the mean edge), where none is given.',
+    group: 'solver',
+    placeholder: 'R',
+  },
+  massRule: {
+    kind: 'choice',
+    flag: 'mass',
+    label: 'Mass of a vertex',
+    default: 'auto',
+    help: 'How the mass of the original is shared out: by the area around each vertex, the same for every vertex, or as the solver does it by itself (auto).',
+    group: 'solver',
+    choices: ['auto', 'area', 'vertex'],
   },
   scenario: {
     kind: 'choice',

@@ -1,11 +1,11 @@
 /** How a setting is described, by the kind of its value. The descriptions themselves are the rows of table.ts. */
 
 /** The commands of the command line. */
-export const COMMANDS = ['optimize', 'modes', 'compare', 'simulate', 'inspect'] as const;
+export const COMMANDS = ['optimize', 'tune', 'modes', 'compare', 'simulate', 'inspect'] as const;
 export type Command = (typeof COMMANDS)[number];
 
 /** A section of the help; it also decides which commands take the flag, see commands.ts. */
-export type OptionGroup = 'target' | 'method' | 'motion' | 'material' | 'simulation' | 'common';
+export type OptionGroup = 'target' | 'method' | 'motion' | 'material' | 'solver' | 'simulation' | 'common';
 
 /** A section of the page's panels that shows every number and switch of its own, in the order of the table. */
 export type PageSection = 'method' | 'limits' | 'reduction' | 'modes' | 'material' | 'simulation';
@@ -75,8 +75,10 @@ export interface NumbersOption extends Described, Ranged {
   emptyMeans?: string;
 }
 
-/** Text of a form that has a parser: pin_text.ts, paint_text.ts, collider_text.ts; of a name, any text. */
-export interface TextOption<Kind extends 'pins' | 'paint' | 'colliders' | 'name'> extends Described {
+/** Text of a form that has a parser: pin_text.ts, paint_text.ts, collider_text.ts, engine_text.ts; of a name, any text. */
+export interface TextOption<
+  Kind extends 'pins' | 'paint' | 'colliders' | 'engine' | 'name',
+> extends Described {
   kind: Kind;
   default: string;
 }
@@ -96,6 +98,7 @@ export type OptionSpec =
   | TextOption<'pins'>
   | TextOption<'paint'>
   | TextOption<'colliders'>
+  | TextOption<'engine'>
   | TextOption<'name'>
   | SwitchOption;
 
@@ -112,6 +115,7 @@ interface ValueOfKind {
   pins: string;
   paint: string;
   colliders: string;
+  engine: string;
   name: string;
   switch: boolean;
 }

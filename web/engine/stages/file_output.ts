@@ -4,7 +4,7 @@ import { bindingOfBody } from '../body/body_binding';
 import type { PreparedBody } from '../body/prepared_body';
 import type { MeshAt } from '../core/core';
 import { faceCount, sum } from '../core/mesh';
-import { exportGlb } from '../document/export';
+import { exportGlb, renderVertices } from '../document/export';
 import type { ExportedBody } from '../document/export';
 import { writeBinding } from '../report/binding_file';
 import { meshReport } from '../report/mesh_report';
@@ -13,15 +13,19 @@ import { startReport } from '../report/report';
 import type { Report } from '../report/report';
 import { resultReport, worstSurface } from '../report/result_report';
 import type { LevelReport } from '../report/result_report';
+import { settingsFile, writeSettings } from '../report/settings_file';
+import { solverReport } from '../report/solver_report';
 import { stopReport } from '../report/stop_report';
 import type { StoppedBody } from '../report/stop_report';
 import { methodOf } from '../settings/options';
+import type { TunedBody } from '../solvers/tuned_body';
 import type { BodyRun } from './body_run';
 import { runSettings } from './file_request';
 import type { FileRequest } from './file_request';
 import type { FileRun } from './file_run';
 import type { AnyStage, RunSettings, SettingsOf, ValueOf } from './stage';
 import { STAGES } from './stages';
+import { tunedResultStage } from './tuned';
 
 /** A further level of detail, not yet written anywhere. */
 export interface LevelOutput {
@@ -94,6 +98,32 @@ export class FileOutput {
     );
   }
 
+  /** The results tuned to move like their originals in the solver of the settings; none without one. */
+  tuned(): TunedBody[] {
+    return this.values(STAGES.tuned).filter((tuned) => tuned !== null);
+  }
+
+  /** The text of the settings file of the first level and the further ones; there has to be a solver. */
+  settings(): string {
+    const { model } = this.file;
+    const levels = this.file.usable.map(({ run, i }) => {
+      const settings = runSettings(this.request, i);
+      const first = { exported: run.get(STAGES.written, settings), tuned: run.get(STAGES.tuned, settings)! };
+      const others = run.get(STAGES.writtenLevels, settings);
+      const tuned = run.get(STAGES.tunedLevels, settings)!;
+      return [first, ...others.map((exported, n) => ({ exported, tuned: tuned[n] }))];
+    });
+    const bodies = levels[0].flatMap((_, level) =>
+      levels.map((own) => ({
+        name: own[level].exported.body.name,
+        level,
+        renderVertices: renderVertices(model, own[level].exported),
+        tuned: own[level].tuned,
+      })),
+    );
+    return writeSettings(settingsFile(bodies));
+  }
+
   prepared(): PreparedBody[] {
     return this.file.prepared(this.request.settings);
   }
@@ -126,9 +156,11 @@ export class FileOutput {
       stopped,
     }));
     const { calibrate } = this.request.settings;
+    const tuned = this.tuned();
     return {
       ...startReport(this.file.core, 'optimize', options, prepared),
       ...resultReport(bodies),
+      ...(tuned.length > 0 ? solverReport(tuned) : {}),
       ...(calibrate ? { calibration: calibrationReport(prepared, this.values(STAGES.calibration)) } : {}),
       ...(levels.length > 0 ? { levels } : {}),
       timings: this.timings(),
@@ -150,6 +182,7 @@ export class FileOutput {
       reduce: isSearched ? 0 : secondsOf(STAGES.level),
       ...(!isSearched && fitted > 0.001 ? { fit: fitted } : {}),
       measure: secondsOf(STAGES.measured),
+      ...(this.request.settings.solver === 'none' ? {} : { tune: secondsOf(tunedResultStage) }),
     };
   }
 

@@ -1,11 +1,8 @@
-/** Stages: the further levels of detail of a body, from the history that is there. */
+/** Stage: the further levels of detail of a body, from the history that is there. */
 
 import type { Measured } from '../body/body_result';
-import { MATERIAL_SETTINGS } from '../body/material';
 import type { MeshAt } from '../core/core';
 import { faceCount } from '../core/mesh';
-import type { ExportedBody } from '../document/export';
-import { calibrationOf } from '../motion/simulation';
 import { constraintsStage } from './constraints';
 import { facesByRatio } from './face_shares';
 import { FIT_SETTINGS, fitSettings, fittedLevelAt } from './fit';
@@ -13,7 +10,6 @@ import { keptHistoryStage } from './kept_history';
 import { measureResult } from './measure';
 import { preparedStage } from './prepared';
 import { declareStage } from './stage';
-import { exportedBody, writtenFields } from './written';
 
 export interface FurtherLevel {
   targetFaces: number;
@@ -34,17 +30,4 @@ export const furtherLevelsStage = declareStage({
       const { result } = fittedLevelAt(core, { prepared, kept }, targetFaces, request);
       return { targetFaces, result, measured: measureResult(core, prepared, result) };
     }),
-});
-
-/** The further levels as the exporter takes them. */
-export const writtenLevelsStage = declareStage({
-  name: 'written levels',
-  reads: ['calibrate', ...MATERIAL_SETTINGS],
-  needs: { prepared: preparedStage, levels: furtherLevelsStage, fields: writtenFields },
-  derive: ({ calibrate, ...material }) => ({ calibration: calibrate ? material : null }),
-  run: ({ core }, { prepared, levels, fields }, { calibration }) =>
-    levels.map(({ result }): ExportedBody => ({
-      ...exportedBody(core, prepared, result, fields),
-      ...(calibration ? { calibration: calibrationOf(core, prepared, result.mesh, calibration) } : {}),
-    })),
 });

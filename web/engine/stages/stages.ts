@@ -4,14 +4,16 @@ import { constraintsStage, pinnedStage } from './constraints';
 import { deviationMarksStage } from './deviation_marks';
 import { explanationStage } from './explanation';
 import { fittedStage } from './fitted';
-import { furtherLevelsStage, writtenLevelsStage } from './further_levels';
+import { furtherLevelsStage } from './further_levels';
 import { curvatureStage, guidanceStage, guidingModes } from './guidance';
 import { historyStage } from './history';
 import { levelStage } from './level';
 import { calibrationStage, measuredStage } from './measured';
 import { modesStage } from './modes';
 import { preparedStage } from './prepared';
+import { tunedStage } from './tuned';
 import { writtenStage } from './written';
+import { tunedLevelsStage, writtenLevelsStage } from './written_levels';
 
 export const STAGES = {
   prepared: preparedStage,
@@ -29,7 +31,9 @@ export const STAGES = {
   calibration: calibrationStage,
   explanation: explanationStage,
   deviationMarks: deviationMarksStage,
+  tuned: tunedStage,
   written: writtenStage,
   furtherLevels: furtherLevelsStage,
+  tunedLevels: tunedLevelsStage,
   writtenLevels: writtenLevelsStage,
 };

@@ -5,11 +5,13 @@ import type { PreparedBody } from '../body/prepared_body';
 import type { Core, Curvature, MeshAt, StrainGuidance, TriangleMesh } from '../core/core';
 import { vertexCount } from '../core/mesh';
 import type { ExportedBody } from '../document/export';
+import { exportedSettings } from '../report/settings_file';
 import { fittedStage } from './fitted';
 import { curvatureStage, guidingStrain } from './guidance';
 import { calibrationStage } from './measured';
 import { preparedStage } from './prepared';
 import { declareStage, where } from './stage';
+import { tunedStage } from './tuned';
 
 /** Fields of the original that are written with a result; without guidance the strain is written as 0. */
 export interface WrittenFields {
@@ -36,10 +38,12 @@ export const writtenStage = declareStage({
     fitted: fittedStage,
     fields: writtenFields,
     calibration: writtenCalibration,
+    tuned: tunedStage,
   },
-  run: ({ core }, { prepared, fitted, fields, calibration }): ExportedBody => ({
+  run: ({ core }, { prepared, fitted, fields, calibration, tuned }): ExportedBody => ({
     ...exportedBody(core, prepared, fitted.result, fields),
     ...(calibration === null ? {} : { calibration }),
+    ...(tuned === null ? {} : { settings: exportedSettings(tuned) }),
   }),
 });
 

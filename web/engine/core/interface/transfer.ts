@@ -27,6 +27,11 @@ export interface TransferFunctions {
   sourceOfCorners(mesh: MeshInput, charts: Charts, result: MeshAt): CornerSources;
   /** binds every vertex of `mesh` to `result`, whose vertices may have moved since the history created it */
   bindToResult(mesh: MeshInput, result: MeshAt): Binding;
+  /**
+   * The vertices of `result` that pins of the original stand for, ascending, by closest points at rest; a pin inside a triangle
+   * becomes the vertex with the largest share of it. See wasm/transfer/carry_pins.h.
+   */
+  carryPins(original: MeshInput, pinned: Uint32Array, result: MeshInput): Uint32Array;
   /** the point closest to `point` on the triangles of the list; an empty list stands for all of them */
   closestPoint(mesh: MeshInput, triangles: Uint32Array, point: [number, number, number]): SurfacePoint;
 }

@@ -1,0 +1,33 @@
+/** The user's own parameters of an engine from a file: a JSON object, or lines of name=value. */
+
+import { existsSync } from 'node:fs';
+import { UsageError } from './failure';
+import { readText } from './files';
+
+/** The value of --engine as name=value with commas: itself, or the content of the file that it names. */
+export function engineFromFile(value: string): string {
+  if (value.includes('=') && !existsSync(value)) return value;
+  const text = readText(value).trim();
+  return text.startsWith('{') ? textOfJson(value, text) : textOfLines(text);
+}
+
+function textOfJson(file: string, text: string): string {
+  let values: unknown;
+  try {
+    values = JSON.parse(text);
+  } catch {
+    throw new UsageError(`${file} is not JSON: give an object of numbers, or lines of name=value.`);
+  }
+  const entries = Object.entries(values as object);
+  const wrong = entries.find(([, value]) => typeof value !== 'number');
+  if (wrong) throw new UsageError(`${file} has ${JSON.stringify(wrong[1])} for ${wrong[0]}: give a number.`);
+  return entries.map(([name, value]) => `${name}=${value}`).join(',');
+}
+
+/** Lines may end in a comment after #. */
+const textOfLines = (text: string): string =>
+  text
+    .split('\n')
+    .map((line) => line.replace(/#.*/, '').trim())
+    .filter((line) => line !== '')
+    .join(',');

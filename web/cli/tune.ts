@@ -1,0 +1,96 @@
+/** limber tune A B: A is the original, B any coarse mesh of it. */
+
+import { basename } from 'node:path';
+import type { PreparedBody } from '../engine/body/prepared_body';
+import { NONE } from '../engine/core/core';
+import { faceCount } from '../engine/core/mesh';
+import { startStopwatch } from '../engine/core/stopwatch';
+import type { OpenModel } from '../engine/document/model';
+import { meshReport } from '../engine/report/mesh_report';
+import { startReport } from '../engine/report/report';
+import { settingsFile, writeSettings } from '../engine/report/settings_file';
+import { describeTuning, solverReport } from '../engine/report/solver_report';
+import type { SolverName } from '../engine/solvers/profiles';
+import type { TunedBody } from '../engine/solvers/tuned_body';
+import type { FileRun } from '../engine/stages/file_run';
+import { STAGES } from '../engine/stages/stages';
+import { tuneMesh, tuneSettings } from '../engine/stages/tune';
+import type { Arguments } from './arguments';
+import { checkPairs } from './compare';
+import { EXIT, UsageError } from './failure';
+import { checkFolder, writeWhole } from './files';
+import { settingsAsUsed } from './flags';
+import { finish, openFile, prepareFile, startSession } from './session';
+import type { Session } from './session';
+import { count } from './words';
+
+export async function runTune(args: Arguments): Promise<number> {
+  const path = args.settingsFile!;
+  checkFolder(path);
+  const [total, stopwatch] = [startStopwatch(), startStopwatch()];
+  const session = await startSession(args);
+  const [first, second] = [
+    await openFile(session, args.operands[0]),
+    await openFile(session, args.operands[1]),
+  ];
+  const load = stopwatch();
+  const file = prepareFile(session, first);
+  const originals = file.prepared(args.settings);
+  const others = prepareFile(session, second).prepared(args.settings);
+  checkPairs(args, originals, others);
+  const weld = stopwatch();
+  const tuned = tuneFile(session, file, others);
+  const tune = stopwatch();
+  const bodies = others.map((other, i) => ({
+    name: other.body.name,
+    level: 0,
+    renderVertices: renderVertices(second, other),
+    tuned: tuned[i],
+  }));
+  writeWhole(path, writeSettings(settingsFile(bodies)));
+  const found = solverReport(tuned);
+  const report = {
+    ...startReport(session.core, 'tune', settingsAsUsed('tune', args.settings), originals),
+    ...found,
+    output: meshReport(others),
+    timings: { load, weld, tune, export: stopwatch(), total: total() },
+  };
+  const solver = args.settings.solver as SolverName;
+  const [errors, ...motion] = describeTuning(solver, found.fidelity.solvers[solver]!);
+  const seconds = `${report.timings.total.toFixed(1)} s -> ${path}`;
+  finish(session, report, [`${basename(args.operands[1])}: ${errors}`, ...motion, seconds].join('\n'));
+  return EXIT.done;
+}
+
+function tuneFile({ core, args }: Session, file: FileRun, others: PreparedBody[]): TunedBody[] {
+  const settings = tuneSettings(args.settings)!;
+  return file.usable.map(({ run }, i) => {
+    file.announce(run);
+    const prepared = run.get(STAGES.prepared, args.settings);
+    checkFaces(args, prepared, others[i]);
+    const { mesh } = others[i];
+    const pinnedOriginal = run.get(STAGES.pinned, args.settings);
+    const pinned = core.carryPins(prepared.mesh, pinnedOriginal, mesh);
+    return tuneMesh(core, prepared, { mesh, pinned, pinnedOriginal }, settings);
+  });
+}
+
+function checkFaces({ operands }: Arguments, { mesh, body }: PreparedBody, other: PreparedBody): void {
+  const [before, after] = [faceCount(mesh), faceCount(other.mesh)];
+  if (after <= before) return;
+  const [a, b] = operands.map((operand) => basename(operand));
+  throw new UsageError(
+    `"${body.name}" has ${count(before)} faces in ${a} and ${count(after)} in ${b}: name the original first.`,
+  );
+}
+
+/** Per vertex of each primitive of the body, in order: the vertex of the welded mesh; -1 where no usable face has it. */
+function renderVertices({ document }: OpenModel, { weld, body }: PreparedBody): number[] {
+  const primitives = document.getRoot().listMeshes()[body.mesh].listPrimitives();
+  return body.spans.flatMap(({ primitive, firstVertex }) => {
+    const end = firstVertex + primitives[primitive].getAttribute('POSITION')!.getCount();
+    return Array.from(weld.vertexOfSource.subarray(firstVertex, end), (vertex) =>
+      vertex === NONE ? -1 : vertex,
+    );
+  });
+}

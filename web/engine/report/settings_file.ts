@@ -1,0 +1,246 @@
+/** The settings file: what a solver needs to move an optimized mesh as it moves the original. See docs/formats.md. */
+
+import type { TunedFrequencies, TunedMotion, TuneKind } from '../core/core';
+import { VERSION } from '../core/version';
+import type { ExportedSettings } from '../document/export';
+import { totalMass, valueOfRole } from '../solvers/profile';
+import type { NativeValues, Role } from '../solvers/profile';
+import { profileOf } from '../solvers/profiles';
+import type { SolverName } from '../solvers/profiles';
+import type { TunedBody } from '../solvers/tuned_body';
+
+export const SETTINGS_SCHEMA = 'limber-settings/1';
+
+/** The stiffness of constraint c is constant * factors[c]; factor 1 where there are none. */
+interface ConstraintSettings {
+  constant: number;
+  /** i, j for each spring */
+  pairs?: number[];
+  factors?: number[];
+}
+
+export interface StretchSettings extends ConstraintSettings {
+  /** Lame's lambda times the thickness; `constant` then is mu times the thickness */
+  second?: number;
+  /** the constraints are the triangles of `mesh` */
+  triangles?: true;
+}
+
+export interface BendSettings extends ConstraintSettings {
+  /** i, j, k, l for each hinge: its edge, then the opposite corners */
+  hinges?: number[];
+}
+
+export interface BodySettings extends Partial<Record<Exclude<Role, 'substeps'>, number>> {
+  name: string;
+  /** 0, or the number of the further level */
+  level: number;
+  /** metres per unit of the mesh */
+  unit: number;
+  mesh: { positions: number[]; triangles: number[] };
+  /** per vertex of each primitive of the file, in order: the vertex of `mesh`; -1 where no usable face has it */
+  renderVertices: number[];
+  mass: { rule: 'area' | 'vertex'; perVertex: number[] };
+  /** factors per vertex */
+  vertex?: { stretch: number[]; bend: number[] };
+  stretch: StretchSettings;
+  bend: BendSettings;
+  pins: number[];
+  substeps: number;
+  /** to type into the engine for this mesh */
+  engine: NativeValues;
+  original: OriginalSettings;
+  frequencies: TunedFrequencies;
+  motion?: TunedMotion;
+}
+
+/** What is typed in for the original, and what it amounts to. */
+export type OriginalSettings = {
+  vertices: number;
+  faces: number;
+  totalMass: number;
+  stretch: number;
+  bend: number;
+} & NativeValues;
+
+export interface SettingsFile {
+  schema: typeof SETTINGS_SCHEMA;
+  version: string;
+  solver: SolverName;
+  /** how far the panel's solver has been checked against the engine: generic, verified or derived */
+  status: string;
+  tune: TuneKind;
+  /** `length`: metres per unit of the first body */
+  units: { length: number };
+  /** of the first body, as all that is not in `bodies` */
+  engine: NativeValues;
+  original: OriginalSettings;
+  bodies: BodySettings[];
+  /** of the first level, the body whose frequencies are off most */
+  frequencies: TunedFrequencies;
+  motion?: TunedMotion;
+}
+
+/** A tuned body of a written file. */
+export interface SettledBody {
+  name: string;
+  level: number;
+  renderVertices: number[];
+  tuned: TunedBody;
+}
+
+/** The content of the file; `bodies` are those of the first level, then those of the others. At least one. */
+export function settingsFile(bodies: SettledBody[]): SettingsFile {
+  const { solver, tune } = bodies[0].tuned;
+  const entries = bodies.map(bodySettings);
+  const [{ engine, original, unit }] = entries;
+  const worst = worstTuned(bodies.filter(({ level }) => level === bodies[0].level).map((body) => body.tuned));
+  return {
+    schema: SETTINGS_SCHEMA,
+    version: VERSION,
+    solver,
+    status: profileOf(solver).status,
+    tune,
+    units: { length: unit },
+    engine,
+    original,
+    bodies: entries,
+    frequencies: shortened(worst.tuned.frequencies),
+    ...motionOf(worst),
+  };
+}
+
+/** The body whose frequencies are off most when tuned, the first of equal ones. */
+export const worstTuned = (bodies: TunedBody[]): TunedBody =>
+  bodies.reduce((worst, one) =>
+    one.tuned.frequencies.errorTuned > worst.tuned.frequencies.errorTuned ? one : worst,
+  );
+
+const motionOf = ({ tuned: { motion } }: TunedBody): { motion?: TunedMotion } =>
+  motion ? { motion: shortened(motion) } : {};
+
+export function bodySettings({ name, level, renderVertices, tuned: body }: SettledBody): BodySettings {
+  const { tuned, result } = body;
+  const hasMaps = tuned.stretchField.length > 0;
+  return {
+    ...{ name, level, unit: result.constants.unit },
+    mesh: { positions: list(body.mesh.positions), triangles: [...body.mesh.triangles] },
+    renderVertices,
+    mass: { rule: body.massRule, perVertex: list(tuned.masses) },
+    ...(hasMaps ? { vertex: { stretch: list(tuned.stretchField), bend: list(tuned.bendField) } } : {}),
+    stretch: stretchSettings(body),
+    bend: bendSettings(body),
+    pins: [...body.pins],
+    substeps: body.substeps,
+    ...roleValues(body),
+    engine: shortened(result.values),
+    original: originalSettings(body),
+    frequencies: shortened(tuned.frequencies),
+    ...motionOf(body),
+  };
+}
+
+function stretchSettings({ tuned, model, result: { constants } }: TunedBody): StretchSettings {
+  const isNet = model.stretch === 'edge-springs';
+  return {
+    constant: short(constants.stretch),
+    ...(isNet ? {} : { second: short(constants.secondStretch) }),
+    ...(isNet ? { pairs: [...tuned.stretchVertices] } : { triangles: true as const }),
+    ...factorsOf(tuned.stretchFactors),
+  };
+}
+
+function bendSettings({ tuned, model, result: { constants } }: TunedBody): BendSettings {
+  const vertices = [...tuned.bendVertices];
+  return {
+    constant: short(constants.bend),
+    ...(model.bend === 'cross-springs' ? { pairs: vertices } : { hinges: vertices }),
+    ...factorsOf(tuned.bendFactors),
+  };
+}
+
+const factorsOf = (factors: Float64Array): { factors?: number[] } =>
+  factors.length > 0 ? { factors: list(factors) } : {};
+
+const ROLES = ['damping', 'air', 'collisionThickness', 'friction', 'selfCollisionDistance'] as const;
+
+function roleValues({
+  solver,
+  result: { values },
+}: TunedBody): Partial<Record<(typeof ROLES)[number], number>> {
+  const entries = ROLES.map((role) => [role, valueOfRole(profileOf(solver), values, role)] as const);
+  return Object.fromEntries(
+    entries.filter(([, value]) => value !== undefined).map(([role, value]) => [role, short(value!)]),
+  );
+}
+
+function originalSettings({ original: { facts, constants, values } }: TunedBody): OriginalSettings {
+  return shortened({
+    vertices: facts.vertices,
+    faces: facts.faces,
+    totalMass: totalMass(constants, facts),
+    stretch: constants.stretch,
+    bend: constants.bend,
+    ...values,
+  });
+}
+
+/** Nine digits: enough to give a float32 back, and few enough to read. */
+const short = (value: number): number => Number(value.toPrecision(9));
+const list = (values: Float32Array | Float64Array): number[] => Array.from(values, short);
+const shortened = <T extends object>(values: T): T =>
+  Object.fromEntries(
+    Object.entries(values).map(([key, value]) => [key, typeof value === 'number' ? short(value) : value]),
+  ) as T;
+
+/** What a GLB has of the settings of a body: numbers in the extras of its mesh, and what vertices have as attributes. */
+export function exportedSettings(tuned: TunedBody): ExportedSettings {
+  const { masses, stretchField, bendField } = tuned.tuned;
+  const maps = { _LIMBER_STRETCH: stretchField, _LIMBER_BEND: bendField };
+  return {
+    extras: settingsExtras(tuned),
+    attributes: {
+      _LIMBER_MASS: Float32Array.from(masses),
+      ...Object.fromEntries(
+        Object.entries(maps)
+          .filter(([, field]) => field.length > 0)
+          .map(([semantic, field]) => [semantic, Float32Array.from(field)]),
+      ),
+    },
+  };
+}
+
+/** The settings of a body without lists. */
+function settingsExtras(tuned: TunedBody): object {
+  const { solver, tune, massRule, model, result, substeps } = tuned;
+  const { stretch, secondStretch, bend, unit } = result.constants;
+  const isNet = model.stretch === 'edge-springs';
+  return {
+    ...{ schema: SETTINGS_SCHEMA, version: VERSION, solver, tune, unit },
+    mass: { rule: massRule },
+    stretch: { constant: short(stretch), ...(isNet ? {} : { second: short(secondStretch) }) },
+    bend: { constant: short(bend) },
+    substeps,
+    ...roleValues(tuned),
+    engine: shortened(result.values),
+    original: originalSettings(tuned),
+    frequencies: shortened(tuned.tuned.frequencies),
+    ...motionOf(tuned),
+  };
+}
+
+/** The text of the file: an entry a line, lists of numbers in one. */
+export const writeSettings = (file: SettingsFile): string => `${spell(file, '')}\n`;
+
+function spell(value: unknown, indent: string): string {
+  if (value === null || typeof value !== 'object') return JSON.stringify(value);
+  const deeper = `${indent} `;
+  if (Array.isArray(value)) {
+    if (value.every((entry) => typeof entry === 'number')) return `[${value.join(',')}]`;
+    return `[\n${value.map((entry) => deeper + spell(entry, deeper)).join(',\n')}\n${indent}]`;
+  }
+  const lines = Object.entries(value).map(
+    ([key, inner]) => `${deeper}${JSON.stringify(key)}: ${spell(inner, deeper)}`,
+  );
+  return lines.length === 0 ? '{}' : `{\n${lines.join(',\n')}\n${indent}}`;
+}

@@ -1,0 +1,89 @@
+/** Reads a settings file and checks it, so that what works with it need not. */
+
+import { SOLVER_NAMES } from '../solvers/profiles';
+import { SETTINGS_SCHEMA } from './settings_file';
+import type { BodySettings, SettingsFile } from './settings_file';
+
+/** Says what is wrong with the entry of a body; null: nothing. */
+type Check = (body: BodySettings, vertices: number, faces: number) => string | null;
+
+const isNumbers = (value: unknown): value is number[] =>
+  Array.isArray(value) && value.every((entry) => typeof entry === 'number' && Number.isFinite(entry));
+
+const isIndices = (value: unknown, end: number, size = 1): boolean =>
+  isNumbers(value) &&
+  value.length % size === 0 &&
+  value.every((v) => Number.isInteger(v) && v >= 0 && v < end);
+
+const isPositive = (values: unknown, length: number): boolean =>
+  isNumbers(values) && values.length === length && values.every((value) => value > 0);
+
+const CHECKS: readonly Check[] = [
+  ({ mesh }, vertices) =>
+    isIndices(mesh.triangles, vertices, 3) ? null : 'triangles that name vertices it does not have',
+  ({ renderVertices }, vertices) =>
+    isNumbers(renderVertices) && renderVertices.every((v) => Number.isInteger(v) && v >= -1 && v < vertices)
+      ? null
+      : 'render vertices that name vertices it does not have',
+  ({ mass }, vertices) =>
+    isPositive(mass.perVertex, vertices) ? null : 'not one mass above 0 for each vertex',
+  ({ vertex }, vertices) =>
+    !vertex || (isPositive(vertex.stretch, vertices) && isPositive(vertex.bend, vertices))
+      ? null
+      : 'not two factors above 0 for each vertex',
+  ({ stretch }, vertices, faces) => {
+    const count = stretch.pairs ? stretch.pairs.length / 2 : faces;
+    return isIndices(stretch.pairs ?? [], vertices, 2) && hasFactors(stretch, count)
+      ? null
+      : 'damaged constraints against stretching';
+  },
+  ({ bend }, vertices) => {
+    const isListed = isIndices(bend.pairs ?? [], vertices, 2) && isIndices(bend.hinges ?? [], vertices, 4);
+    const count = (bend.pairs?.length ?? 0) / 2 + (bend.hinges?.length ?? 0) / 4;
+    return isListed && hasFactors(bend, count) ? null : 'damaged constraints against bending';
+  },
+  ({ pins }, vertices) => (isIndices(pins, vertices) ? null : 'pins that name vertices it does not have'),
+];
+
+const hasFactors = (
+  { constant, factors }: { constant: unknown; factors?: unknown },
+  count: number,
+): boolean =>
+  typeof constant === 'number' && constant >= 0 && (factors === undefined || isPositive(factors, count));
+
+/** Throws an Error with one sentence where `text`, the content of the file `name`, is no valid settings file. */
+export function readSettingsFile(name: string, text: string): SettingsFile {
+  const fail = (problem: string): never => {
+    throw new Error(`${name} ${problem}: write it again with limber optimize --settings.`);
+  };
+  const file = parse(text) ?? fail('is not JSON');
+  if (file.schema !== SETTINGS_SCHEMA || !Array.isArray(file.bodies) || file.bodies.length === 0)
+    return fail(`is not a ${SETTINGS_SCHEMA}`);
+  if (!(SOLVER_NAMES as readonly unknown[]).includes(file.solver))
+    return fail(`is for ${String(file.solver)}, which is none of ${SOLVER_NAMES.join(', ')}`);
+  for (const body of file.bodies as BodySettings[]) {
+    const problem = problemOf(body);
+    if (problem) fail(`has ${problem} for "${String(body?.name)}"`);
+  }
+  return file as unknown as SettingsFile;
+}
+
+function problemOf(body: BodySettings): string | null {
+  const parts = [body?.mesh, body?.mass, body?.stretch, body?.bend];
+  if (parts.some((part) => part === null || typeof part !== 'object'))
+    return 'no mesh, mass, stretch or bend';
+  const { positions, triangles } = body.mesh;
+  if (!isNumbers(positions) || positions.length % 3 !== 0) return 'damaged positions';
+  const [vertices, faces] = [positions.length / 3, (triangles?.length ?? 0) / 3];
+  return CHECKS.reduce<string | null>((found, check) => found ?? check(body, vertices, faces), null);
+}
+
+/** null where the text is not a JSON object. */
+function parse(text: string): Record<string, unknown> | null {
+  try {
+    const value = JSON.parse(text) as unknown;
+    return typeof value === 'object' ? (value as Record<string, unknown> | null) : null;
+  } catch {
+    return null;
+  }
+}

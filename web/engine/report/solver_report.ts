@@ -1,0 +1,47 @@
+/** How near a result moves to its original in a solver, untouched and tuned. */
+
+import type { Fidelity, TunedFrequencies, TunedMotion } from '../core/core';
+import { profileOf } from '../solvers/profiles';
+import type { SolverName } from '../solvers/profiles';
+import type { TunedBody } from '../solvers/tuned_body';
+import { worstTuned } from './settings_file';
+
+/** Errors in %; of the body whose frequencies are off most. */
+export interface SolverReport {
+  frequencies: TunedFrequencies;
+  /** absent where nothing was moved */
+  motion?: TunedMotion;
+}
+
+/** What a report says of fidelity: `compare` gives all of it but `solvers`, a tuning gives `solvers` alone. */
+export interface FidelityReport extends Partial<Fidelity> {
+  solvers?: Partial<Record<SolverName, SolverReport>>;
+}
+
+/** The keys of a report about tuned bodies, of which there is at least one. */
+export function solverReport(bodies: TunedBody[]): {
+  schema: 'limber-report/2';
+  fidelity: { solvers: NonNullable<FidelityReport['solvers']> };
+} {
+  const { solver, tuned } = worstTuned(bodies);
+  const { frequencies, motion } = tuned;
+  const report = { frequencies, ...(motion ? { motion } : {}) };
+  return { schema: 'limber-report/2', fidelity: { solvers: { [solver]: report } } };
+}
+
+const percentOf = (value: number): string => `${value.toFixed(value < 0.1 ? 3 : 2)} %`;
+
+/** Sentences without their end about what a tuning has found, for the terminal and the page. */
+export function describeTuning(solver: SolverName, { frequencies, motion }: SolverReport): string[] {
+  const { errorUntouched, errorTuned, errorUnseen } = frequencies;
+  const found = `in ${profileOf(solver).label} the first ten frequencies are off ${percentOf(errorTuned)} with the settings, ${percentOf(errorUntouched)} without`;
+  const others = `the next that were not tuned ${percentOf(errorUnseen)}`;
+  return [`${found} (${others})`, ...(motion ? [describeMotion(motion)] : [])];
+}
+
+const SCENES: Record<string, string> = { sway: 'swaying', hang: 'hanging from its pins' };
+
+function describeMotion({ scene, untouched, tuned, noiseFloor, kept }: TunedMotion): string {
+  const told = `${SCENES[scene] ?? scene} it is ${percentOf(tuned)} of its size away from the original with them, ${percentOf(untouched)} without (noise ${percentOf(noiseFloor)})`;
+  return kept === 'tuned' ? told : `${told}, so the factors stay at 1`;
+}

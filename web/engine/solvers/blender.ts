@@ -1,0 +1,131 @@
+/**
+ * Blender 4.5, the cloth modifier with angular bending (source/blender/simulation/intern/SIM_mass_spring.cpp,
+ * cloth_calc_spring_force). Edges are springs of the stiffness tension / (mean length of all springs), the same for all of them;
+ * inner edges are hinges 1/2 (0.1 bending l) (d theta)^2. Set compression to tension: then springs resist both ways alike. Shear
+ * springs exist in quads alone. `mass` is that of every vertex, and there is no map for it. Air acts on every vertex with
+ * 0.01 air times its velocity (SIM_mass_spring_force_drag). Stiffness can vary by vertex groups, towards the maxima.
+ *
+ * Units: gravity enters times 0.001 and time counts in frames (cloth_calc_force), so that gravity is real where a frame lasts
+ * sqrt(0.001) s, 31.6 frames a second. In that time stiffness in N/m is 1000 times what the modifier has.
+ */
+
+import { hingeOfPlate, springOfPlate } from './plate';
+import { asItIs, perVertex, withEdge } from './profile';
+import type { Change, SolverProfile } from './profile';
+
+/** 1 / (seconds in a frame)^2 */
+const TIME = 1000;
+const HINGE = 0.1;
+
+/** Damping of a spring, and of a hinge whose stiffness has the length of its edge in it. */
+const withSpring = ({ stretch }: Change): number => stretch;
+const withHinge = ({ bend, edge }: Change): number => bend * edge;
+
+export const blender: SolverProfile = {
+  name: 'blender',
+  label: 'Blender',
+  words: 'Blender: the cloth modifier with angular bending',
+  stretch: 'edge-springs',
+  bend: 'hinge-length',
+  mass: 'vertex',
+  takes: { vertexMaps: true, constraintValues: false, vertexMasses: false },
+  status: 'derived',
+  isLocal: false,
+  parameters: [
+    {
+      name: 'tension',
+      alias: 'tension_stiffness',
+      unit: '',
+      min: 1e-9,
+      max: 10000,
+      words: 'stiffness of edges, for compression too',
+    },
+    {
+      name: 'bending',
+      alias: 'bending_stiffness',
+      unit: '',
+      min: 0,
+      max: 10000,
+      words: 'stiffness of hinges',
+    },
+    { name: 'mass', unit: 'kg', min: 1e-9, max: 1e9, words: 'of every vertex' },
+    {
+      name: 'air',
+      alias: 'air_damping',
+      unit: '',
+      min: 0,
+      max: 10,
+      words: 'viscosity of the air',
+      role: 'air',
+      carried: perVertex,
+    },
+    {
+      name: 'tension_damping',
+      unit: '',
+      min: 0,
+      max: 50,
+      words: 'damping of edges',
+      role: 'damping',
+      carried: withSpring,
+    },
+    { name: 'bending_damping', unit: '', min: 0, max: 1000, words: 'damping of hinges', carried: withHinge },
+    {
+      name: 'distance_min',
+      unit: 'm',
+      min: 0.001,
+      max: 1,
+      words: 'distance to what it touches',
+      role: 'collisionThickness',
+      carried: withEdge,
+    },
+    {
+      name: 'self_distance_min',
+      unit: 'm',
+      min: 0.001,
+      max: 0.1,
+      words: 'distance between its own parts',
+      role: 'selfCollisionDistance',
+      carried: withEdge,
+    },
+    {
+      name: 'friction',
+      unit: '',
+      min: 0,
+      max: 80,
+      words: 'of what it touches',
+      role: 'friction',
+      carried: asItIs,
+    },
+    {
+      name: 'quality',
+      unit: '',
+      min: 1,
+      max: 1000,
+      words: 'steps of a frame',
+      role: 'substeps',
+      carried: asItIs,
+    },
+  ],
+  defaults(material, { area, vertices, meanEdge }) {
+    return {
+      tension: (springOfPlate(material) * meanEdge) / TIME,
+      bending: hingeOfPlate(material) / meanEdge / HINGE / TIME,
+      mass: (material.density * material.thickness * area) / vertices,
+      ...{ air: 1, tension_damping: 5, bending_damping: 0.5 },
+      ...{ distance_min: 0.015, self_distance_min: 0.015, friction: 5, quality: 20 },
+    };
+  },
+  constants: ({ tension, bending, mass }, { area, vertices, meanEdge, unit }) => ({
+    stretch: (TIME * tension) / meanEdge,
+    secondStretch: 0,
+    bend: TIME * HINGE * bending,
+    poisson: 0,
+    surfaceDensity: (mass * vertices) / area,
+    unit,
+  }),
+  elastic: ({ stretch, bend, surfaceDensity }, { area, vertices, meanEdge }) => ({
+    tension: (stretch * meanEdge) / TIME,
+    bending: bend / TIME / HINGE,
+    mass: (surfaceDensity * area) / vertices,
+  }),
+};

@@ -1,0 +1,151 @@
+/**
+ * An engine profile: the parameters that a user types into an engine, and what they amount to in a solver of the panel
+ * (wasm/elastic/solvers). A profile is one file in this folder and one row of profiles.ts.
+ */
+
+import type { MassRule, SolverConstants, SolverModel } from '../core/core';
+import type { MeshFacts } from './mesh_facts';
+
+/** Native parameters by name, as typed into the engine. */
+export type NativeValues = Readonly<Record<string, number>>;
+
+/** A change from the original to the coarse mesh; each is the coarse mesh's value over the original's. */
+export interface Change {
+  /** of the mean edge */
+  edge: number;
+  /** of the number of vertices */
+  vertices: number;
+  /** of the constants of the solver, tuning included */
+  stretch: number;
+  bend: number;
+}
+
+/** What a native parameter is for an engine, where loaders need to find it without knowing the engine. */
+export type Role =
+  'damping' | 'air' | 'substeps' | 'collisionThickness' | 'friction' | 'selfCollisionDistance';
+
+export interface NativeParameter {
+  name: string;
+  /** another name by which the engine's own scripts call it */
+  alias?: string;
+  /** '' where it has none */
+  unit: string;
+  min: number;
+  max: number;
+  /** one sentence without its end */
+  words: string;
+  role?: Role;
+  /**
+   * Of a parameter that `elastic` does not give: the factor from the value on the original to the one on the coarse mesh. The
+   * result is kept within the range. Absent: `elastic` gives the value.
+   */
+  carried?: (change: Change) => number;
+}
+
+/** What the defaults of native parameters follow from. */
+export interface SolverMaterial {
+  /** Young's modulus, Pa */
+  young: number;
+  /** Poisson's ratio */
+  poisson: number;
+  /** kg/m3 */
+  density: number;
+  /** m */
+  thickness: number;
+  /** bend constant over stretch constant, for families that have such a ratio */
+  bendRatio: number;
+}
+
+/** What an engine can take besides a number for the whole body. */
+export interface Takes {
+  /** a factor for every vertex, on stretching and on bending */
+  vertexMaps: boolean;
+  /** a value for every constraint */
+  constraintValues: boolean;
+  /** a mass for every vertex */
+  vertexMasses: boolean;
+}
+
+export interface SolverProfile {
+  name: string;
+  label: string;
+  /** what it is, as an aside */
+  words: string;
+  stretch: SolverModel['stretch'];
+  bend: SolverModel['bend'];
+  /** how the engine distributes the mass of a body by itself */
+  mass: MassRule;
+  takes: Takes;
+  /** verified: frequencies of the panel's solver agree with the engine's own; derived: from its sources and documents alone */
+  status: 'generic' | 'verified' | 'derived';
+  /** whether the number of substeps that is needed follows from the stiffest constraint: explicit steps and XPBD */
+  isLocal: boolean;
+  parameters: readonly NativeParameter[];
+  /** Values for everything that the user has not `given`; with the material of the settings on the original. */
+  defaults(material: SolverMaterial, original: MeshFacts, given: NativeValues): NativeValues;
+  /** The constants of the solver on a mesh into whose settings these values are typed. */
+  constants(values: NativeValues, facts: MeshFacts): SolverConstants;
+  /** The elastic parameters and the mass that give a mesh these constants: the inverse of `constants`. */
+  elastic(constants: SolverConstants, facts: MeshFacts): NativeValues;
+}
+
+/** For parameters that do not depend on the mesh. */
+export const asItIs = (): number => 1;
+/** For lengths that have to stay a share of the edges: distances of collision. */
+export const withEdge = ({ edge }: Change): number => edge;
+/** For what acts on each vertex and has to stay the same in sum. */
+export const perVertex = ({ vertices }: Change): number => 1 / vertices;
+
+/** All native values: the user's own over the defaults. */
+export const completeValues = (
+  profile: SolverProfile,
+  { material, original, given }: { material: SolverMaterial; original: MeshFacts; given: NativeValues },
+): NativeValues => ({ ...profile.defaults(material, original, given), ...given });
+
+/** A mesh with the values that are typed in for it and what they amount to. */
+export interface SolverState {
+  values: NativeValues;
+  constants: SolverConstants;
+  facts: MeshFacts;
+}
+
+/**
+ * The values to type in for the coarse mesh so that it has `constants`: elastic ones and the mass follow from these, all others
+ * are those of the original, scaled as each parameter says.
+ */
+export function nativeValues(
+  profile: SolverProfile,
+  original: SolverState,
+  { constants, facts }: Omit<SolverState, 'values'>,
+): NativeValues {
+  const ratio = (now: number, before: number): number => (before > 0 ? now / before : 1);
+  const change: Change = {
+    edge: ratio(facts.meanEdge, original.facts.meanEdge),
+    vertices: facts.vertices / original.facts.vertices,
+    stretch: ratio(constants.stretch, original.constants.stretch),
+    bend: ratio(constants.bend, original.constants.bend),
+  };
+  const elastic = profile.elastic(constants, facts);
+  return Object.fromEntries(
+    profile.parameters.map((parameter) => {
+      const { name, carried, min, max } = parameter;
+      if (!carried) return [name, elastic[name]];
+      const value = original.values[name] * carried(change);
+      return [name, Math.min(max, Math.max(min, value))];
+    }),
+  );
+}
+
+/** The parameter that plays a role; undefined where the engine has none. */
+export const parameterOf = ({ parameters }: SolverProfile, role: Role): NativeParameter | undefined =>
+  parameters.find((parameter) => parameter.role === role);
+
+/** The value of a role; undefined where the engine has no such parameter. */
+export function valueOfRole(profile: SolverProfile, values: NativeValues, role: Role): number | undefined {
+  const parameter = parameterOf(profile, role);
+  return parameter && values[parameter.name];
+}
+
+/** The total mass that constants stand for on a mesh, kg. */
+export const totalMass = ({ surfaceDensity }: SolverConstants, { area }: MeshFacts): number =>
+  surfaceDensity * area;

@@ -1,0 +1,131 @@
+/** Tunes a coarse mesh to its original in a solver: what is typed in for the original, and what for the coarse mesh. */
+
+import type {
+  Core,
+  MassRule,
+  SolverConstants,
+  SolverModel,
+  TriangleMesh,
+  Tuned,
+  TuneKind,
+} from '../core/core';
+import { meshFacts } from './mesh_facts';
+import { completeValues, nativeValues, totalMass, valueOfRole } from './profile';
+import type { NativeValues, SolverMaterial, SolverProfile, SolverState } from './profile';
+import { profileOf } from './profiles';
+import type { SolverName } from './profiles';
+import { substepsNeeded } from './substeps';
+
+export interface TuneRequest {
+  solver: SolverName;
+  tune: TuneKind;
+  /** the user's own parameters for the original; the others follow from `material` */
+  given: NativeValues;
+  material: SolverMaterial;
+  /** 'auto': as the engine does it by itself */
+  massRule: MassRule | 'auto';
+}
+
+/** An original and a coarse mesh of it, both welded, with the vertices that are pinned. */
+export interface TunedPair {
+  original: TriangleMesh;
+  result: TriangleMesh;
+  /** ascending; both empty where nothing is pinned */
+  pinnedOriginal: Uint32Array;
+  pinnedResult: Uint32Array;
+  /** metres per unit of both meshes */
+  unit: number;
+}
+
+export interface TunedBody {
+  solver: SolverName;
+  tune: TuneKind;
+  model: SolverModel;
+  /** how the masses of the coarse mesh are distributed: carried over from the original by area, or equal */
+  massRule: MassRule;
+  original: SolverState;
+  /** the coarse mesh; its constants have the factors in them */
+  result: SolverState;
+  mesh: TriangleMesh;
+  pins: Uint32Array;
+  tuned: Tuned;
+  /** of a step of 1/60 s, or what the engine counts instead, so that the motion has converged */
+  substeps: number;
+}
+
+/** Throws the core's sentence where the meshes do not belong together. */
+export function tuneBody(core: Core, pair: TunedPair, request: TuneRequest): TunedBody {
+  const profile = profileOf(request.solver);
+  const { original, untouched } = statesOf(profile, pair, request);
+  const model = modelOf(profile, request.massRule);
+  const massRule = profile.takes.vertexMasses ? 'area' : 'vertex';
+  const tuned = core.tuneSolver(pair.original, pair.result, {
+    model,
+    original: original.constants,
+    result: untouched.constants,
+    pinnedOriginal: pair.pinnedOriginal,
+    pinnedResult: pair.pinnedResult,
+    tune: request.tune,
+    tunedMass: massRule,
+    looks: true,
+  });
+  const constants = tunedConstants(original, untouched, tuned);
+  const values = nativeValues(profile, original, { constants, facts: untouched.facts });
+  return {
+    ...{ solver: request.solver, tune: request.tune, model, massRule, original },
+    result: { values, constants, facts: untouched.facts },
+    mesh: pair.result,
+    pins: pair.pinnedResult,
+    tuned,
+    substeps: substepsOf(profile, values, { mesh: pair.result, model, constants, tuned }),
+  };
+}
+
+export const modelOf = (
+  { stretch, bend, mass }: SolverProfile,
+  rule: TuneRequest['massRule'],
+): SolverModel => ({
+  stretch,
+  bend,
+  mass: rule === 'auto' ? mass : rule,
+});
+
+/** The original with the user's parameters, and the coarse mesh with the same numbers typed in again. */
+export function statesOf(
+  profile: SolverProfile,
+  pair: Pick<TunedPair, 'original' | 'result' | 'unit'>,
+  { material, given }: Pick<TuneRequest, 'material' | 'given'>,
+): { original: SolverState; untouched: SolverState } {
+  const facts = meshFacts(pair.original, pair.unit);
+  const values = completeValues(profile, { material, original: facts, given });
+  const coarse = meshFacts(pair.result, pair.unit);
+  return {
+    original: { values, facts, constants: profile.constants(values, facts) },
+    untouched: { values, facts: coarse, constants: profile.constants(values, coarse) },
+  };
+}
+
+/** The constants of the coarse mesh with the factors in them, and the total mass of the original. */
+export function tunedConstants(
+  original: SolverState,
+  untouched: SolverState,
+  { stretchFactor, bendFactor }: Pick<Tuned, 'stretchFactor' | 'bendFactor'>,
+): SolverConstants {
+  const { constants, facts } = untouched;
+  return {
+    ...constants,
+    stretch: stretchFactor * constants.stretch,
+    secondStretch: stretchFactor * constants.secondStretch,
+    bend: bendFactor * constants.bend,
+    surfaceDensity: totalMass(original.constants, original.facts) / facts.area,
+  };
+}
+
+function substepsOf(
+  profile: SolverProfile,
+  values: NativeValues,
+  mesh: Parameters<typeof substepsNeeded>[0],
+): number {
+  const typed = valueOfRole(profile, values, 'substeps');
+  return typed ?? substepsNeeded(mesh);
+}

@@ -1,0 +1,76 @@
+/** What the settings ask of a tuning, and a result tuned as they say. */
+
+import { MATERIAL_SETTINGS, materialOf } from '../body/material';
+import type { MaterialSettings } from '../body/material';
+import type { PinnedVertices } from '../body/pins';
+import type { PreparedBody } from '../body/prepared_body';
+import type { Core, MeshAt, TriangleMesh } from '../core/core';
+import { engineValues } from '../settings/engine_text';
+import type { Settings } from '../settings/options';
+import { profileOf } from '../solvers/profiles';
+import type { SolverName } from '../solvers/profiles';
+import { tuneBody } from '../solvers/tuned_body';
+import type { TunedBody } from '../solvers/tuned_body';
+
+export const TUNE_SETTINGS = [
+  'solver',
+  'tune',
+  'engine',
+  'bendRatio',
+  'massRule',
+  ...MATERIAL_SETTINGS,
+] as const;
+
+type AllSettings = Pick<Settings, (typeof TUNE_SETTINGS)[number]>;
+
+/** The settings that a tuning depends on, with the parameters of the engine as text. */
+export interface TuneSettings extends Omit<AllSettings, 'solver'> {
+  solver: SolverName;
+}
+
+/** null: no solver is asked for. The bend ratio counts only where the solver has one that is not given. */
+export function tuneSettings(settings: AllSettings): TuneSettings | null {
+  const { solver } = settings;
+  if (solver === 'none') return null;
+  return { ...settings, solver, bendRatio: readsBendRatio(settings) ? settings.bendRatio : 0 };
+}
+
+function readsBendRatio({ solver, engine }: AllSettings): boolean {
+  if (solver !== 'springs' && solver !== 'dihedral') return false;
+  return !('bend' in engineValues(solver, engine));
+}
+
+/** Tunes `result`, a coarse mesh of the prepared body in the same units, in the solver of the settings. */
+export function tuneMesh(
+  core: Core,
+  prepared: PreparedBody,
+  result: { mesh: TriangleMesh; pinned: PinnedVertices; pinnedOriginal: PinnedVertices },
+  settings: TuneSettings,
+): TunedBody {
+  const { solver, tune, engine, massRule, bendRatio } = settings;
+  const { young, poisson, density, thickness, unit } = materialOf(
+    prepared,
+    settings satisfies MaterialSettings,
+  );
+  const pair = {
+    original: prepared.mesh,
+    result: result.mesh,
+    pinnedOriginal: result.pinnedOriginal,
+    pinnedResult: result.pinned,
+    unit,
+  };
+  return tuneBody(core, pair, {
+    ...{ solver, tune, massRule },
+    given: engineValues(solver, engine),
+    material: { young, poisson, density, thickness: thickness * unit, bendRatio },
+  });
+}
+
+/** The pinned vertices of a result: those that pinned vertices of the original survived as. Collapses keep their outline. */
+export function pinnedOfResult(pinned: PinnedVertices, { inputOfVertex }: MeshAt): PinnedVertices {
+  const isPinned = new Set(pinned);
+  return Uint32Array.from([...inputOfVertex.keys()].filter((vertex) => isPinned.has(inputOfVertex[vertex])));
+}
+
+/** What a solver is called in sentences. */
+export const labelOfSolver = (solver: SolverName): string => profileOf(solver).label;
