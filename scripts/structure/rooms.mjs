@@ -24,7 +24,7 @@ export const engine = {
   settings: ['core', 'solvers'],
   body: ['core', 'document', 'settings'],
   report: ['core', 'document', 'solvers', 'settings', 'body'],
-  motion: ['core', 'document', 'settings', 'body'],
+  motion: ['core', 'document', 'solvers', 'settings', 'body'],
   stages: ['core', 'document', 'solvers', 'settings', 'body', 'report', 'motion'],
 };
 

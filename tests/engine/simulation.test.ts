@@ -168,7 +168,7 @@ describe('a comparison of motions', () => {
     const options = { ...optionsFor(sheet, 'twist'), seconds: 0.2, records: true, binding: null };
     const motion = core.compareMotion(sheet, coarse, options);
     expect(motion.original.positions).toHaveLength(12 * sheet.positions.length);
-    const report = simulationReport([motion], options);
+    const report = simulationReport([motion], { material: options.material, scenario: options.scenario });
     expect(report.original.edges).toBe(12 * 12 * 3 + 24);
     expect(report.original.constraints).toBe(2 * 288);
     expect(report.edgeRatio).toBeCloseTo(456 / 120, 12);

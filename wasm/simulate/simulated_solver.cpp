@@ -28,22 +28,20 @@ void requireCount(const std::vector<double>& values, size_t count, const std::st
   require(arePositive(values), what + " must be finite and above 0.");
 }
 
-bool bends(const Topology::Edge& edge) {
-  return edge.useCount == 2;
+// The vertex of a triangle that is not on the edge; kNone where it has no such corner.
+uint32_t cornerOpposite(const Triangle& t, const Topology::Edge& edge) {
+  for (const uint32_t v : t)
+    if (v != edge.a && v != edge.b) return v;
+  return kNone;
 }
 
-size_t bendingCount(const Topology& topology) {
-  return static_cast<size_t>(std::ranges::count_if(topology.edges, bends));
-}
-
-// Factors of edges (of those that bend, with `onlyBending`) in the order that they have after renumbering.
-std::vector<double> sortedFactors(const std::vector<double>& factors, const Topology& topology,
-                                  const std::vector<uint32_t>& slotOf, bool onlyBending) {
+// Factors of edges in the order that the edges have after renumbering.
+template <class Edges>
+std::vector<double> sortedFactors(const std::vector<double>& factors, const Edges& edges,
+                                  const std::vector<uint32_t>& slotOf) {
   std::vector<std::pair<std::pair<uint32_t, uint32_t>, double>> entries;
-  for (const Topology::Edge& edge : topology.edges) {
-    if (factors.empty() || (onlyBending && !bends(edge))) continue;
-    entries.push_back({std::minmax({slotOf[edge.a], slotOf[edge.b]}), factors[entries.size()]});
-  }
+  for (size_t i = 0; i < factors.size(); ++i)
+    entries.push_back({std::minmax({slotOf[edges[i].a], slotOf[edges[i].b]}), factors[i]});
   std::ranges::sort(entries);
   std::vector<double> sorted;
   for (const auto& entry : entries) sorted.push_back(entry.second);
@@ -51,6 +49,19 @@ std::vector<double> sortedFactors(const std::vector<double>& factors, const Topo
 }
 
 }  // namespace
+
+std::vector<BendingEdge> bendingEdges(const TriangleMesh& mesh, const Topology& topology) {
+  std::vector<BendingEdge> bending;
+  for (const Topology::Edge& edge : topology.edges) {
+    if (edge.useCount != 2) continue;
+    const auto users = topology.trianglesAt(edge);
+    const uint32_t k = cornerOpposite(mesh.triangles[users[0]], edge),
+                   l = cornerOpposite(mesh.triangles[users[1]], edge);
+    if (k == kNone || l == kNone || k == l) continue;
+    bending.push_back({edge.a, edge.b, k, l, triangleArea(mesh, users[0]) + triangleArea(mesh, users[1])});
+  }
+  return bending;
+}
 
 void requireSolver(const SimulatedSolver& solver, const TriangleMesh& mesh) {
   const auto& [stretch, second, bend, poisson, surfaceDensity, unit] = solver.constants;
@@ -67,7 +78,7 @@ void requireSolver(const SimulatedSolver& solver, const TriangleMesh& mesh) {
                "The factors on stretching");
   require(solver.model.bend != BendElement::Morley || solver.bendFactors.empty(),
           "The shell takes no factors on single bending constraints: leave them out.");
-  requireCount(solver.bendFactors, bendingCount(topology), "The factors on bending");
+  requireCount(solver.bendFactors, bendingEdges(mesh, topology).size(), "The factors on bending");
   requireCount(solver.masses, mesh.vertexCount(), "The masses");
 }
 
@@ -78,8 +89,8 @@ SimulatedSolver renumbered(const SimulatedSolver& solver, const TriangleMesh& me
   if (solver.stretchFactors.empty() && solver.bendFactors.empty()) return out;
   const Topology topology = buildIncidence(mesh);
   if (solver.model.stretch == StretchElement::EdgeSprings)
-    out.stretchFactors = sortedFactors(solver.stretchFactors, topology, slotOf, false);
-  out.bendFactors = sortedFactors(solver.bendFactors, topology, slotOf, true);
+    out.stretchFactors = sortedFactors(solver.stretchFactors, topology.edges, slotOf);
+  out.bendFactors = sortedFactors(solver.bendFactors, bendingEdges(mesh, topology), slotOf);
   return out;
 }
 

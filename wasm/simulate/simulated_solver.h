@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "elastic/solvers/solver_model.h"
-#include "mesh/triangle_mesh.h"
+#include "mesh/topology.h"
 
 namespace limber {
 
 // A solver of the panel on one mesh, with what tuning gives it. Constraints are numbered as in
 // elastic/solvers/solver_constraints.h: triangles by index, or edges in the order of Topology::edges; bending
-// constraints by the order of their edges, of which those with exactly two triangles bend.
+// constraints in the order of `bendingEdges`.
 struct SimulatedSolver {
   SolverModel model = {};
   SolverConstants constants = {};
@@ -18,6 +18,14 @@ struct SimulatedSolver {
   std::vector<double> bendFactors = {};     // per bending constraint, > 0; empty: 1; never for Morley
   std::vector<double> masses = {};          // per vertex, kg, > 0; empty: by the rule of the model
 };
+
+// An edge from a to b that bends, and the corners opposite to it.
+struct BendingEdge {
+  uint32_t a, b, k, l;
+  double area;  // of both triangles, in units of the mesh
+};
+// The edges with exactly two triangles and two different corners opposite, in the order of Topology::edges.
+std::vector<BendingEdge> bendingEdges(const TriangleMesh& mesh, const Topology& topology);
 
 // Throws std::invalid_argument with a sentence where constants, factors or masses are out of range, or are
 // not as many as the mesh has constraints and vertices.

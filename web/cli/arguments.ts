@@ -128,6 +128,10 @@ function checkOperands(command: Command, operands: string[]): void {
 /** Throws SettingError. */
 function settingsFrom(command: Command, values: Map<string, string>): Settings {
   const base = { ...COMMAND_SPECS[command].defaults, ...readPreset(values) };
+  if (values.get('substeps') === 'auto') {
+    values.delete('substeps');
+    values.set('converge', '');
+  }
   const engine = values.get('engine');
   if (engine !== undefined) values.set('engine', engineFromFile(engine));
   const settings = readSettings(settingsOf(command), (flag) => values.get(flag), base);
@@ -139,8 +143,9 @@ function settingsFrom(command: Command, values: Map<string, string>): Settings {
 /** What is asked of a solver needs one; a command that tunes needs a file for what it finds. */
 function checkSolverFlags(command: Command, { solver }: Settings, values: Map<string, string>): void {
   if (solver === 'none') {
-    const flag = ['settings', 'engine', 'tune', 'bend-ratio', 'mass'].find((name) => values.has(name));
-    if (command === 'tune' || (command === 'optimize' && flag !== undefined))
+    const flags = ['engine', 'tune', 'bend-ratio', 'mass', ...(command === 'simulate' ? [] : ['settings'])];
+    const flag = flags.find((name) => values.has(name));
+    if (command === 'tune' || flag !== undefined)
       throw new UsageError(
         `${flag ? `--${flag}` : 'limber tune'} needs a solver: --solver ${SOLVER_NAMES.join('|')}.`,
       );

@@ -139,6 +139,12 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
         help: 'Carry pins over to B by this file of limber optimize --bind, not by closest points.',
         group: 'simulation',
       },
+      {
+        name: 'settings',
+        value: 'FILE',
+        help: 'Give B the masses and factors of this file of limber optimize --settings or limber tune; A keeps the parameters that it was tuned to.',
+        group: 'simulation',
+      },
       ...COMMON,
     ],
     defaults: {},

@@ -8,13 +8,26 @@ import { recordingGlb } from '../engine/document/recording';
 import type { RecordedBody } from '../engine/document/recording';
 import type { PreparedBody } from '../engine/body/prepared_body';
 import { startStopwatch } from '../engine/core/stopwatch';
-import { bindingBetween, calibrationOf, simulationOptions, STEP_SECONDS } from '../engine/motion/simulation';
+import { materialOf } from '../engine/body/material';
+import { describeConvergence } from '../engine/motion/convergence';
+import {
+  bindingBetween,
+  calibrationOf,
+  simulationOptions,
+  solversAsTheyAre,
+  STEP_SECONDS,
+} from '../engine/motion/simulation';
 import { meshReport } from '../engine/report/mesh_report';
-import { calibrationReport, simulationReport } from '../engine/report/motion_report';
+import { calibrationReport, simulationReport, worstMotion } from '../engine/report/motion_report';
 import type { RunReport, SimulationReport } from '../engine/report/motion_report';
+import type { SettingsFile } from '../engine/report/settings_file';
+import { readSettingsFile } from '../engine/report/settings_reader';
+import { settledSolvers } from '../engine/report/settled_solver';
 import { startReport } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
 import type { FileRun } from '../engine/stages/file_run';
+import { profileOf } from '../engine/solvers/profiles';
+import type { SolverPair } from '../engine/solvers/solver_pair';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
 import { checkPairs } from './compare';
@@ -48,15 +61,16 @@ export async function runSimulate(args: Arguments): Promise<number> {
   const sides = { file, originals, others };
   const weld = stopwatch();
   const bindings = args.bind === null ? null : readBinding(basename(args.bind), readText(args.bind));
+  const settled = readSettled(args);
   const factors = calibrationFactors(session, sides);
   const calibration = stopwatch();
-  const motions = compareMotions(session, sides, { bindings, factors });
+  const motions = compareMotions(session, sides, { bindings, factors, settled });
   const simulated = stopwatch();
   if (args.record !== null)
     writeWhole(args.record, await recordingGlb(recorded(motions, originals, others), STEP_SECONDS));
   const report = startReport(session.core, 'simulate', optionsAsUsed(args), originals);
   if (others) report.output = meshReport(others);
-  report.simulation = simulationReport(motions, args.settings);
+  report.simulation = simulationReport(motions, askedOf(args, settled, others !== null));
   if (factors) report.calibration = calibrationReport(originals, factors);
   report.timings = {
     load,
@@ -66,7 +80,7 @@ export async function runSimulate(args: Arguments): Promise<number> {
     export: stopwatch(),
     total: total(),
   };
-  finish(session, report, simulateText(args, report, originals));
+  finish(session, report, simulateText(args, report, originals) + (others ? convergenceText(motions) : ''));
   return EXIT.done;
 }
 
@@ -74,6 +88,8 @@ export async function runSimulate(args: Arguments): Promise<number> {
 function checkArguments(args: Arguments): void {
   if (args.bind !== null && args.operands.length < 2)
     throw new UsageError('--bind carries pins over to B, which is missing: name both files.');
+  if (args.settingsFile !== null && args.operands.length < 2)
+    throw new UsageError('--settings has what B is simulated with, which is missing: name both files.');
   checkCalibration(args);
   if (args.record !== null) checkOutput(args.record, args.operands[0]);
 }
@@ -81,10 +97,41 @@ function checkArguments(args: Arguments): void {
 function checkCalibration({ settings, operands }: Arguments): void {
   if (!settings.calibrate) return;
   if (operands.length < 2) throw new UsageError('--calibrate matches B to A: name both files.');
+  if (settings.solver !== 'none')
+    throw new UsageError('--calibrate is for no solver: --solver tunes with --settings instead.');
   if (settings.material === 'springs')
     throw new UsageError(
       '--calibrate is for --material shell: springs have no stiffness against bending that a factor could match.',
     );
+}
+
+/** The settings that B was tuned with; null: B is simulated as it is. */
+function readSettled({ settingsFile, settings }: Arguments): SettingsFile | null {
+  if (settingsFile === null) return null;
+  const name = basename(settingsFile);
+  const file = readSettingsFile(name, readText(settingsFile));
+  if (settings.solver !== 'none' && settings.solver !== file.solver)
+    throw new UsageError(`${name} is for --solver ${file.solver}, not ${settings.solver}: give that.`);
+  return file;
+}
+
+function askedOf({ settings }: Arguments, settled: SettingsFile | null, isPair: boolean) {
+  const { material, scenario, solver: named } = settings;
+  const solver = settled?.solver ?? (named === 'none' ? undefined : named);
+  return { material, scenario, solver, tuned: solver && isPair ? settled !== null : undefined };
+}
+
+/** What both are simulated with in a solver; null without one. */
+function solversOf(
+  { settings }: Arguments,
+  original: PreparedBody,
+  other: PreparedBody | null,
+  settled: SettingsFile | null,
+): SolverPair | null {
+  if (settled && other)
+    return settledSolvers(settled, original.mesh, other, materialOf(original, settings).unit);
+  const meshes = { original: original.mesh, result: (other ?? original).mesh };
+  return solversAsTheyAre(original, meshes, settings);
 }
 
 /** Per body the factor on the stiffness of B; null where none is asked for. */
@@ -93,10 +140,16 @@ function calibrationFactors({ core, args }: Session, { originals, others }: Side
   return originals.map((original, i) => calibrationOf(core, original, others[i].mesh, args.settings));
 }
 
+interface MotionRequest {
+  bindings: BodyBinding[] | null;
+  factors: number[] | null;
+  settled: SettingsFile | null;
+}
+
 function compareMotions(
   session: Session,
   { file, originals, others }: Sides,
-  { bindings, factors }: { bindings: BodyBinding[] | null; factors: number[] | null },
+  { bindings, factors, settled }: MotionRequest,
 ): MotionComparison[] {
   const { settings, record } = session.args;
   return file.usable.map(({ run }, i) => {
@@ -104,11 +157,15 @@ function compareMotions(
     file.announce(run);
     const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
     const binding = others && bindings ? bindingBetween(original, others[i], bindings) : null;
+    const solvers = solversOf(session.args, original, others?.[i] ?? null, settled);
     return session.core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
       ...simulationOptions(original, settings, pinned),
       records: record !== null,
       binding,
       calibration: factors?.[i] ?? 1,
+      solver: solvers?.original ?? null,
+      otherSolver: solvers?.result ?? null,
+      doublesSubsteps: settings.converge,
     });
   });
 }
@@ -141,10 +198,12 @@ function simulateText(
   { simulation, calibration }: Report,
   bodies: PreparedBody[],
 ): string {
-  const { material, scenario, substeps, original, optimized } = simulation!;
+  const { material, solver, tuned, scenario, substeps, original, optimized } = simulation!;
+  const tuning = tuned === undefined ? '' : tuned ? ', tuned' : ', as it is';
+  const made = solver ? `${profileOf(solver).label}${tuning}` : material;
   const what = bodies.length > 1 ? `${bodies.length} bodies` : bodies[0].body.name;
   return list([
-    ['scenario', `${scenario}, ${settings.seconds} s, ${material}, ${substeps} substeps, ${what}`],
+    ['scenario', `${scenario}, ${settings.seconds} s, ${made}, ${substeps} substeps, ${what}`],
     [basename(operands[0]), cost(original)],
     ...(calibration ?? []).map(({ body, factor }): [string, string] => [
       'calibrated stiffness',
@@ -152,6 +211,12 @@ function simulateText(
     ]),
     ...(optimized ? pairRows(basename(operands[1]), optimized, simulation!) : []),
   ]);
+}
+
+/** A line where the original of the body that deviates most has not converged; else nothing. */
+function convergenceText(motions: MotionComparison[]): string {
+  const sentence = describeConvergence(worstMotion(motions), (substeps) => `take --substeps ${substeps}`);
+  return sentence ? `\n${sentence}` : '';
 }
 
 function cost({ constraints, edges, secondsPerStep, nanosecondsPerConstraint }: RunReport): string {

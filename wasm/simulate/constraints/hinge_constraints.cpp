@@ -29,7 +29,6 @@ HingeConstraints::HingeConstraints(std::vector<RestHinge> hinges, const Triangle
       rest_(hinges_.size()),
       colouring_(colour(stencilsOf(hinges_), 4, options.blocks, options.order)) {
   for (size_t i = 0; i < hinges_.size(); ++i) {
-    if (hinges_[i].flap == kNone) continue;
     const Fold fold = foldAt(hinges_[i], mesh.positions);
     const double size = std::hypot(fold.cosine, fold.sine);
     if (size > 0) rest_[i] = {fold.cosine / size, fold.sine / size};
@@ -42,7 +41,7 @@ HingeConstraints::HingeConstraints(std::vector<RestHinge> hinges, const Triangle
 void HingeConstraints::setHinge(Batch& batch, const Lane& lane, Particles& particles, double substep) {
   const int k = lane.lane;
   const uint32_t idle = particles.idle(lane.group);
-  const bool isEmpty = lane.constraint == kNone || hinges_[lane.constraint].flap == kNone;
+  const bool isEmpty = lane.constraint == kNone;
   const RestHinge hinge = isEmpty ? RestHinge{idle, idle, idle, idle, 0} : hinges_[lane.constraint];
   const RestAngle rest = isEmpty ? RestAngle{} : rest_[lane.constraint];
   // Any two triangles with area will do for an empty lane.
@@ -66,7 +65,7 @@ void HingeConstraints::rebase(const Particles& particles, size_t begin, size_t e
   for (size_t i = begin; i < end; ++i)
     for (int k = 0; k < 4; ++k) {
       const uint32_t index = colouring_.batches[i][k];
-      if (index == kNone || hinges_[index].flap == kNone) continue;
+      if (index == kNone) continue;
       const RestHinge& hinge = hinges_[index];
       const Vec3 apex = particles.positions[hinge.apex];
       setLane(batches_[i].baseStart, k, particles.positions[hinge.start] - apex);
@@ -103,7 +102,6 @@ void HingeConstraints::project(size_t begin, size_t end) const {
 double HingeConstraints::energy(const std::vector<Vec3>& positions) const {
   double sum = 0;
   for (size_t i = 0; i < hinges_.size(); ++i) {
-    if (hinges_[i].flap == kNone) continue;
     const Fold fold = foldAt(hinges_[i], positions);
     const RestAngle& rest = rest_[i];
     const double angle = std::atan2(fold.sine * rest.cosine - fold.cosine * rest.sine,

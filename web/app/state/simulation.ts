@@ -8,11 +8,11 @@ import { OPTIONS } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { topCorners } from '../../engine/motion/top_corners';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
-import type { SimulationApi, TwinFrame, TwinRequest } from '../worker/simulation_protocol';
+import type { SimulationApi, TwinFrame, TwinRequest, TwinSetup } from '../worker/simulation_protocol';
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { results, shownMesh, status, view, wantedFaces, wants } from './store';
-import { pinSource, twin } from './twin';
+import { pinSource, twin, usedTuning } from './twin';
 
 /** ms; numbers that change faster than this cannot be read. */
 const NUMBERS_EVERY = 250;
@@ -26,16 +26,20 @@ const LONG_STEP = 0.3;
 const MOST_SAMPLES = 3600;
 
 const simulationKeys = (Object.keys(OPTIONS) as (keyof Settings)[]).filter((key) =>
-  ['simulation', 'material'].includes(OPTIONS[key].group),
+  ['simulation', 'material', 'solver'].includes(OPTIONS[key].group),
 );
 
+/** counts tunings, whose content is no text */
+let tuningNumber = 0;
+const tuningKey = computed(() => (usedTuning.value ? `tuned ${(tuningNumber += 1)}` : 'as it is'));
+
 /** The inputs of the simulation as text; null while they are incomplete. */
-const key = computed<string | null>(() => {
+export const simulationKey = computed<string | null>(() => {
   const settings = wants.settings.value;
   if (view.step.value !== 'test' || isPending() || !shownMesh.value || !results.body.value) return null;
   const values = simulationKeys.map((name) => settings[name]);
   const pins = pinSource.value === 'pins' ? keyOf(STAGES.pinned, settings) : pinSource.value;
-  return [meshKey(), pins, ...values, twin.alwaysNoise.value].join(' ');
+  return [meshKey(), pins, ...values, tuningKey.value, twin.alwaysNoise.value].join(' ');
 });
 
 const meshKey = (): string =>
@@ -104,25 +108,30 @@ function pinnedVertices(): Uint32Array | null {
   return pinSource.value === 'corners' ? topCorners(body.mesh) : (results.pins.value?.vertices ?? null);
 }
 
+/** What both bodies are started with, now. */
+export function twinSetup(result: MeshAt): TwinSetup {
+  const { mesh: original, diagonal, scale } = results.body.value!;
+  return {
+    number: startNumber,
+    original,
+    result,
+    meshKey: meshKey(),
+    size: { body: { scale }, diagonal },
+    settings: wants.settings.value,
+    pinned: pinnedVertices(),
+    tuned: usedTuning.value,
+    noise: twin.alwaysNoise.value ? 'always' : 'in real time',
+  };
+}
+
 /** Starts a new simulation, at rest. */
 async function start(result: MeshAt): Promise<void> {
-  const { mesh: original, diagonal, scale } = results.body.value!;
   if ((twin.frame.value?.bodies.original.stepSeconds ?? 0) > LONG_STEP) closeWorker();
   clearFrames();
   const number = startNumber;
   twin.failure.value = null;
   const api = remote ?? openWorker();
-  const size = { body: { scale }, diagonal };
-  const setup = {
-    number,
-    original,
-    result,
-    meshKey: meshKey(),
-    size,
-    settings: wants.settings.value,
-    pinned: pinnedVertices(),
-    noise: twin.alwaysNoise.value ? ('always' as const) : ('in real time' as const),
-  };
+  const setup = twinSetup(result);
   try {
     await loaded;
     const collisionScene = await api.start(setup, frameRequest());
@@ -139,7 +148,7 @@ const isMoving = (): boolean => twin.playing.value && isVisible.value;
 
 /** Goes back to the start, at rest. */
 export function reset(): void {
-  if (shownMesh.value && key.value) void start(shownMesh.value);
+  if (shownMesh.value && simulationKey.value) void start(shownMesh.value);
 }
 
 /** Pauses and takes one step of 1/60 s. */
@@ -191,7 +200,7 @@ function applyFrame(frame: TwinFrame): void {
 export function startSimulations(): void {
   document.addEventListener('visibilitychange', () => (isVisible.value = !document.hidden));
   effect(() => {
-    const { value: wanted } = key;
+    const { value: wanted } = simulationKey;
     if (view.step.value !== 'test') return untracked(closeWorker);
     if (wanted === null) return;
     untracked(invalidate);

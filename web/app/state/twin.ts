@@ -3,6 +3,7 @@
 import { computed, signal } from '@preact/signals';
 import type { CollisionScene } from '../../engine/core/core';
 import type { TwinSample } from '../../engine/motion/twin';
+import type { TunedBody } from '../../engine/solvers/tuned_body';
 import type { TwinFrame } from '../worker/simulation_protocol';
 import { wants } from './store';
 
@@ -17,6 +18,10 @@ export const twin = {
   heat: signal(false),
   /** measure the noise floor even where the motion then becomes slower than real time */
   alwaysNoise: signal(false),
+  /** the result on screen, tuned in the solver of the settings; null: nothing has been tuned */
+  tunedBody: signal<TunedBody | null>(null),
+  /** whether a result that has been tuned is simulated so */
+  prefersTuned: signal(true),
   /** null: the pins of the Motion step where there are any */
   chosenPinSource: signal<PinSource | null>(null),
   /** what is on screen; null until a simulation has started */
@@ -38,4 +43,11 @@ export const pinSource = computed<PinSource>(() => {
   const { value: chosen } = twin.chosenPinSource;
   if (chosen === null) return hasPins ? 'pins' : 'scenario';
   return chosen === 'pins' && !hasPins ? 'scenario' : chosen;
+});
+
+/** The tuning that is simulated: none without a solver, nor where another solver has been tuned. */
+export const usedTuning = computed<TunedBody | null>(() => {
+  const { value: tuned } = twin.tunedBody;
+  const isForSolver = tuned !== null && tuned.solver === wants.settings.value.solver;
+  return isForSolver && twin.prefersTuned.value ? tuned : null;
 });

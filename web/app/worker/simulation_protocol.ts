@@ -4,6 +4,7 @@ import type { MeshAt, SurfacePoint, CollisionScene, TriangleMesh } from '../../e
 import type { Settings } from '../../engine/settings/options';
 import type { BodySize } from '../../engine/body/prepared_body';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
+import type { TunedBody } from '../../engine/solvers/tuned_body';
 
 export interface TwinSetup {
   /** counts starts; frames carry it, so that those of an earlier twin are never shown */
@@ -16,6 +17,8 @@ export interface TwinSetup {
   settings: Settings;
   /** vertices of the original; null: what the scenario pins by itself */
   pinned: Uint32Array | null;
+  /** what the result is simulated with in the solver of the settings; null: the same numbers as the original, as it is */
+  tuned: TunedBody | null;
   /** whether the original runs a third time, hidden, with its constraints in another order */
   noise: 'always' | 'in real time';
 }

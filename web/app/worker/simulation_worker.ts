@@ -3,10 +3,11 @@
 import { expose, transfer } from 'comlink';
 import type { Core } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
-import { calibrationOf, simulationOptions, STEP_SECONDS } from '../../engine/motion/simulation';
+import { calibrationOf, STEP_SECONDS } from '../../engine/motion/simulation';
 import { Twin } from '../../engine/motion/twin';
 import { TwinPlayer } from './simulation_player';
 import type { ShowFrame, SimulationApi, TwinFrame, TwinSetup } from './simulation_protocol';
+import { twinOptions } from './twin_options';
 
 let core: Core;
 let player: TwinPlayer | null = null;
@@ -25,9 +26,9 @@ function moved(frame: TwinFrame): TwinFrame {
 
 let calibrated = { key: '', factor: 1 };
 
-/** The last calibration is kept: it takes a while and depends on no setting of the simulation. */
+/** The last calibration is kept: it takes a while and depends on no setting of the simulation. Solvers are tuned instead. */
 function calibrationFor({ original, result, meshKey, size, settings }: TwinSetup): number {
-  if (!settings.calibrate) return 1;
+  if (!settings.calibrate || settings.solver !== 'none') return 1;
   const key = `${meshKey} ${settings.thickness} ${settings.poisson}`;
   if (calibrated.key !== key)
     calibrated = { key, factor: calibrationOf(core, { ...size, mesh: original }, result.mesh, settings) };
@@ -35,9 +36,9 @@ function calibrationFor({ original, result, meshKey, size, settings }: TwinSetup
 }
 
 function makeTwin(setup: TwinSetup): Twin {
-  const { original, result, size, settings, pinned } = setup;
+  const { original, result, size } = setup;
   return new Twin(core, original, result, {
-    ...simulationOptions(size, settings, pinned),
+    ...twinOptions(setup),
     calibration: calibrationFor(setup),
     diagonal: size.diagonal,
     measuresNoise: true,

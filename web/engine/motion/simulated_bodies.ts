@@ -16,6 +16,7 @@ import type {
   CollisionScene,
   Core,
   MotionDeviation,
+  SimulatedSolver,
   SimulationOptions,
   StartOptions,
   SurfacePoint,
@@ -24,6 +25,8 @@ import type {
 import { STEP_SECONDS } from './simulation';
 
 export interface BodiesOptions extends SimulationOptions {
+  /** of the optimized body, where the original has a solver; left out or null: the original's */
+  otherSolver?: SimulatedSolver | null;
   /** per vertex of the original its point on the optimized mesh; null or left out: closest points */
   binding?: StartOptions['binding'];
   /** adds a last body: the original with its constraints in another order, whose deviation is the noise floor */
@@ -51,10 +54,13 @@ export class SimulatedBodies {
     private readonly core: Core,
     original: TriangleMesh,
     optimized: TriangleMesh | null,
-    { binding = null, hasReordered = false, ...options }: BodiesOptions,
+    { binding = null, hasReordered = false, otherSolver = null, ...options }: BodiesOptions,
   ) {
     const bodies: [TriangleMesh, StartOptions][] = [[original, options]];
-    if (optimized) bodies.push([optimized, { ...calibrated(options), binding }]);
+    if (optimized) {
+      const solver = otherSolver ?? options.solver;
+      bodies.push([optimized, { ...calibrated(options), solver, binding }]);
+    }
     if (hasReordered) bodies.push([original, { ...options, order: 1 }]);
     const numbers: number[] = [];
     try {

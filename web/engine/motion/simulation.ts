@@ -9,7 +9,10 @@ import { materialOf } from '../body/material';
 import type { MaterialSettings } from '../body/material';
 import type { PinnedVertices } from '../body/pins';
 import type { BodySize, PreparedBody } from '../body/prepared_body';
+import { engineValues } from '../settings/engine_text';
 import type { Settings } from '../settings/options';
+import { untouchedSolvers } from '../solvers/solver_pair';
+import type { SolverPair } from '../solvers/solver_pair';
 
 /** Seconds of one step, whatever the number of substeps. */
 export const STEP_SECONDS = 1 / 60;
@@ -36,6 +39,23 @@ export function simulationOptions(
     pinned,
     ...materialOf(original, settings),
   };
+}
+
+/**
+ * What original and result are simulated with in the solver of the settings, the same numbers typed in for both; null where no
+ * solver is asked for. Throws SettingError where the solver does not have the parameters that are given.
+ */
+export function solversAsTheyAre(
+  size: BodySize,
+  meshes: { original: TriangleMesh; result: TriangleMesh },
+  settings: Settings,
+): SolverPair | null {
+  const { solver, engine, massRule, bendRatio } = settings;
+  if (solver === 'none') return null;
+  const { young, poisson, density, thickness, unit } = materialOf(size, settings);
+  const material = { young, poisson, density, thickness: thickness * unit, bendRatio };
+  const given = engineValues(solver, engine);
+  return untouchedSolvers({ solver, massRule, given, material }, { ...meshes, unit });
 }
 
 /** How many modes a body is calibrated by. */

@@ -4,6 +4,7 @@ import type {
   Binding,
   Core,
   MeshAt,
+  SimulatedSolver,
   SimulationOptions,
   SurfacePoint,
   CollisionScene,
@@ -27,6 +28,8 @@ export interface TwinSample {
 }
 
 export interface TwinOptions extends SimulationOptions {
+  /** of the optimized body, where the original has a solver; see solvers/solver_pair.ts */
+  otherSolver?: SimulatedSolver | null;
   /** run the original once more with its constraints in another order */
   measuresNoise: boolean;
 }
@@ -44,6 +47,8 @@ export class Twin {
   private readonly meshes: Record<TwinName, TriangleMesh>;
   private readonly stretch: Record<TwinName, Stretch>;
   private readonly costs: Record<TwinName, number[]> = { original: [], optimized: [] };
+  /** the original at the start, in the pose of the scenario */
+  private readonly start: Float32Array;
   private readonly distances: VertexDistances;
   /** what both bodies can touch */
   readonly collisionScene: CollisionScene;
@@ -67,8 +72,9 @@ export class Twin {
     });
     this.collisionScene = this.bodies.collisionScene;
     this.stretch = { original: new Stretch(original), optimized: new Stretch(result.mesh) };
-    const restOther = this.onOriginalVertices(result.mesh.positions, false);
-    this.distances = new VertexDistances(original.positions, restOther, diagonal);
+    this.start = this.positions('original');
+    const startOther = this.onOriginalVertices(this.positions('optimized'), false);
+    this.distances = new VertexDistances(this.start, startOther, diagonal);
   }
 
   get time(): number {
@@ -102,8 +108,7 @@ export class Twin {
 
   /** The original's vertices as the binding carries them on the optimized body at `positions`. */
   private onOriginalVertices(positions: Float32Array, offsets: boolean): Float32Array {
-    const rest = this.meshes.original.positions;
-    return boundPositions(this.binding, this.meshes.optimized, positions, { rest, offsets });
+    return boundPositions(this.binding, this.meshes.optimized, positions, { rest: this.start, offsets });
   }
 
   /** positions[3 * v + c], a copy. */

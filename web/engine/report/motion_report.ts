@@ -1,8 +1,9 @@
 /** What simulations have cost, and how results are calibrated for them. */
 
-import type { MotionComparison, MotionRun, SimulationModel } from '../core/core';
+import type { MotionComparison, SimulationModel } from '../core/core';
 import type { ScenarioName } from '../core/scenarios';
 import { sum } from '../core/mesh';
+import type { SolverName } from '../solvers/profiles';
 
 /** The factor on Young's modulus that gives a result the first ten frequencies of its original. */
 export interface CalibrationReport {
@@ -14,6 +15,11 @@ export interface CalibrationReport {
 export interface SimulationReport {
   material: SimulationModel;
   scenario: ScenarioName;
+  /** of the panel, instead of `material` */
+  solver?: SolverName;
+  /** whether results had the settings of a tuning; absent without a solver or without results */
+  tuned?: boolean;
+  /** as used */
   substeps: number;
   original: RunReport;
   optimized?: RunReport;
@@ -22,7 +28,17 @@ export interface SimulationReport {
   /** edges of the originals over those of the results */
   edgeRatio?: number;
   /** motion deviation of the worst body, in % of its diagonal */
-  deviation?: { mean: number; max: number; noiseFloor: number };
+  deviation?: DeviationReport;
+}
+
+export interface DeviationReport {
+  mean: number;
+  max: number;
+  noiseFloor: number;
+  /** how far the original moves from itself with twice the substeps */
+  substeps: number;
+  /** whether that is at most a quarter of `mean` */
+  converged: boolean;
 }
 
 /** The cost of simulating all originals together, or all results. */
@@ -46,30 +62,39 @@ export function calibrationReport(
 /** The cost of all bodies together, and the deviation of the worst one. */
 export function simulationReport(
   motions: MotionComparison[],
-  { material, scenario, substeps }: Pick<SimulationReport, 'material' | 'scenario' | 'substeps'>,
+  { material, scenario, solver, tuned }: Pick<SimulationReport, 'material' | 'scenario' | 'solver' | 'tuned'>,
 ): SimulationReport {
   const others = motions.map(({ other }) => other).filter((other) => other !== null);
-  const original = runReport(
-    motions.map((motion) => motion.original),
-    substeps,
-  );
-  const alone = { material, scenario, substeps, original };
+  const substeps = Math.max(...motions.map((motion) => motion.substeps));
+  const inSolver = { ...(solver ? { solver } : {}), ...(tuned === undefined ? {} : { tuned }) };
+  const alone = { material, scenario, ...inSolver, substeps, original: runReport(motions, 'original') };
   if (others.length < motions.length) return alone;
-  const optimized = runReport(others, substeps);
-  const worst = motions.reduce((most, one) => (one.deviationMean > most.deviationMean ? one : most));
+  const optimized = runReport(motions, 'other');
+  const worst = worstMotion(motions);
   return {
     ...alone,
     optimized,
-    speedup: original.secondsPerStep / optimized.secondsPerStep,
-    edgeRatio: original.edges / optimized.edges,
-    deviation: { mean: worst.deviationMean, max: worst.deviationMax, noiseFloor: worst.noiseFloor },
+    speedup: alone.original.secondsPerStep / optimized.secondsPerStep,
+    edgeRatio: alone.original.edges / optimized.edges,
+    deviation: {
+      mean: worst.deviationMean,
+      max: worst.deviationMax,
+      noiseFloor: worst.noiseFloor,
+      substeps: worst.substepDeviation,
+      converged: worst.isConverged,
+    },
   };
 }
 
-function runReport(runs: MotionRun[], substeps: number): RunReport {
+/** The body whose result deviates most. */
+export const worstMotion = (motions: MotionComparison[]): MotionComparison =>
+  motions.reduce((most, one) => (one.deviationMean > most.deviationMean ? one : most));
+
+function runReport(motions: MotionComparison[], body: 'original' | 'other'): RunReport {
+  const runs = motions.map((motion) => motion[body]!);
   const [constraints, edges, secondsPerStep] = (['constraints', 'edges', 'secondsPerStep'] as const).map(
     (key) => sum(runs.map((run) => run[key])),
   );
-  const nanosecondsPerConstraint = (1e9 * secondsPerStep) / (substeps * constraints);
-  return { constraints, edges, secondsPerStep, nanosecondsPerConstraint };
+  const solved = sum(motions.map((motion, i) => motion.substeps * runs[i].constraints));
+  return { constraints, edges, secondsPerStep, nanosecondsPerConstraint: (1e9 * secondsPerStep) / solved };
 }

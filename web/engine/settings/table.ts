@@ -412,6 +412,7 @@ const ROWS = {
     default: 'none',
     help: `Find the parameters with which the result moves like the original in a solver: none, or ${describeSolvers()}.`,
     group: 'solver',
+    commands: ['simulate'],
     choices: ['none', ...SOLVER_NAMES],
   },
   tune: {
@@ -431,6 +432,7 @@ const ROWS = {
     default: '',
     help: 'Your own parameters of the solver, as typed in for the original: name=value with commas, or a file of them; the others follow from the material.',
     group: 'solver',
+    commands: ['simulate'],
   },
   bendRatio: {
     kind: 'number',
@@ -443,6 +445,7 @@ const ROWS = {
     default: 0.05,
     help: 'Springs and dihedral only: the bend constant over the stretch constant (for dihedral times the square of the mean edge), where none is given.',
     group: 'solver',
+    commands: ['simulate'],
     placeholder: 'R',
   },
   massRule: {
@@ -452,6 +455,7 @@ const ROWS = {
     default: 'auto',
     help: 'How the mass of the original is shared out: by the area around each vertex, the same for every vertex, or as the solver does it by itself (auto).',
     group: 'solver',
+    commands: ['simulate'],
     choices: ['auto', 'area', 'vertex'],
   },
   scenario: {
@@ -469,7 +473,7 @@ const ROWS = {
     flag: 'material',
     label: 'Simulated as',
     default: 'shell',
-    help: 'What the simulation is made of: shell (membrane and bending, the same on any mesh) or springs (the edges, as in the paper).',
+    help: 'What the simulation is made of without a solver: shell (membrane and bending, the same on any mesh) or springs (the edges, as in the paper, stiff by the triangles beside them).',
     group: 'simulation',
     choices: ['shell', 'springs'],
   },
@@ -499,6 +503,15 @@ const ROWS = {
     slider: { min: 1, max: 2000, isLogarithmic: true },
     default: 20,
     help: 'Substeps of a step of 1/60 s; more make stiff or fine meshes more exact (the paper takes 2,000).',
+    group: 'simulation',
+  },
+  /** double the substeps until the original has converged; `--substeps auto` says the same */
+  converge: {
+    kind: 'switch',
+    flag: 'converge',
+    label: 'Until converged',
+    default: false,
+    help: 'Double the substeps until more of them would change the motion of A by less than a quarter of how far B parts from it; --substeps auto says the same.',
     group: 'simulation',
   },
   /** 1/s: velocities fall by this rate */

@@ -13,6 +13,8 @@ import { Choice, Section, Select, SettingRange, Toggle } from '../../controls/co
 import { count } from '../../controls/numbers';
 import { RefusedText } from '../../controls/refused_text';
 import { SettingControls } from '../../controls/setting_controls';
+import { ConvergenceCheck } from './convergence_check';
+import { SolverSelect } from './solver_select';
 
 const SCENARIO_CHOICES = SCENARIOS.map(({ name, label }) => ({ value: name, text: label }));
 
@@ -45,7 +47,9 @@ export function SimulatePanel() {
           onChange={(value) => changeSettings({ scenario: value as Settings['scenario'] })}
         />
         <PinSourceSelect />
+        <SolverSelect />
         <SettingRange name="substeps" />
+        <ConvergenceCheck />
       </Section>
       <Section title="View">
         <Choice

@@ -4,6 +4,7 @@ import type { ElasticMaterial } from './material';
 import type { MeshInput, SurfacePoint } from './mesh';
 import type { ScenarioName } from '../scenarios';
 import type { Binding } from './transfer';
+import type { SolverConstants, SolverModel } from './tune';
 
 /** In the order of `enum class SimulationModel` in wasm/simulate/simulation.h. */
 export const SIMULATION_MODELS = ['springs', 'shell'] as const;
@@ -25,8 +26,22 @@ export interface CollisionScene {
   colliders: Collider[];
 }
 
+/** A solver of the panel on one mesh, with what tuning gives it; see wasm/simulate/simulated_solver.h for the order of factors. */
+export interface SimulatedSolver {
+  model: SolverModel;
+  constants: SolverConstants;
+  /** per stretch constraint; left out: 1 */
+  stretchFactors?: Float64Array;
+  /** per bending constraint; left out: 1; never for 'morley' */
+  bendFactors?: Float64Array;
+  /** per vertex, kg; left out: by the rule of the model */
+  masses?: Float64Array;
+}
+
 export interface SimulationOptions extends ElasticMaterial, Partial<CollisionScene> {
   material: SimulationModel;
+  /** of this body, instead of `material`; left out or null: none */
+  solver?: SimulatedSolver | null;
   /** what happens; see wasm/simulate/scenario.h */
   scenario: ScenarioName;
   /** duration of the scenario */
@@ -53,6 +68,10 @@ export interface StartOptions extends SimulationOptions {
 }
 
 export interface ComparisonOptions {
+  /** of the other body, where the original has a solver; left out or null: the original's without factors and masses */
+  otherSolver?: SimulatedSolver | null;
+  /** whether the substeps are doubled until the original has converged; false by default */
+  doublesSubsteps?: boolean;
   /** whether the positions of every step are kept */
   records: boolean;
   /** points of the other body bound to the original's vertices, to transfer its pins; null: closest points are used */
@@ -87,6 +106,12 @@ export interface MotionComparison {
   deviationMax: number;
   /** mean deviation of the original from itself with its constraints in another order */
   noiseFloor: number;
+  /** as used */
+  substeps: number;
+  /** mean deviation of the original from itself with twice the substeps; 0 if there was no other body */
+  substepDeviation: number;
+  /** whether that is at most a quarter of `deviationMean` */
+  isConverged: boolean;
 }
 
 /** The functions of the core on this topic. */

@@ -1,0 +1,54 @@
+/** The check of the substeps on the Test step: runs on demand in a worker of its own, and can be ended at any time. */
+
+import { computed, signal } from '@preact/signals';
+import { wrap } from 'comlink';
+import type { Convergence } from '../../engine/motion/convergence';
+import type { ConvergenceApi } from '../worker/convergence_worker';
+import { simulationKey, twinSetup } from './simulation';
+import { shownMesh } from './store';
+
+interface Checked {
+  /** the inputs of the simulation that was checked */
+  key: string;
+  convergence: Convergence | null;
+  /** why it could not be checked, in one sentence */
+  failure: string | null;
+}
+
+const checked = signal<Checked | null>(null);
+const checkingKey = signal<string | null>(null);
+let worker: Worker | null = null;
+
+/** What is known of the simulation as it is asked for now; null: it has not been checked. */
+export const convergenceCheck = computed(() =>
+  checked.value?.key === simulationKey.value ? checked.value : null,
+);
+export const isCheckingConvergence = computed(
+  () => checkingKey.value !== null && checkingKey.value === simulationKey.value,
+);
+
+export function endConvergenceCheck(): void {
+  worker?.terminate();
+  worker = null;
+  checkingKey.value = null;
+}
+
+/** Replaces a check that is running. */
+export async function checkConvergence(): Promise<void> {
+  const [key, result] = [simulationKey.value, shownMesh.value];
+  endConvergenceCheck();
+  if (key === null || !result) return;
+  const own = new Worker(new URL('../worker/convergence_worker.ts', import.meta.url), { type: 'module' });
+  worker = own;
+  checkingKey.value = key;
+  const found = { key, convergence: null, failure: null };
+  try {
+    const wasmFolder = new URL('wasm/', document.baseURI).href;
+    const convergence = await wrap<ConvergenceApi>(own).measure(wasmFolder, twinSetup(result));
+    if (worker === own) checked.value = { ...found, convergence };
+  } catch (error) {
+    if (worker === own)
+      checked.value = { ...found, failure: error instanceof Error ? error.message : String(error) };
+  }
+  if (worker === own) endConvergenceCheck();
+}

@@ -1,0 +1,41 @@
+/** Whether a simulated original has converged, in words. */
+
+import type { MotionComparison } from '../core/core';
+import { OPTIONS } from '../settings/options';
+
+/** The share of the deviation that substeps may make up; as kConverged of wasm/compare/compare_motion.h. */
+const CONVERGED = 0.25;
+
+/** What a comparison says of its substeps. */
+export type Convergence = Pick<
+  MotionComparison,
+  'substeps' | 'substepDeviation' | 'deviationMean' | 'isConverged'
+>;
+
+/**
+ * The substeps at which the original would have converged: what is left falls about as the substep does. Rounded up to one, two
+ * or five times a power of ten, as far as a step can have so many.
+ */
+export function substepsToTake({ substeps, substepDeviation, deviationMean }: Convergence): number {
+  const { max } = OPTIONS.substeps;
+  const wanted = (substeps * substepDeviation) / (CONVERGED * deviationMean);
+  if (!(wanted < max)) return max;
+  const power = 10 ** Math.floor(Math.log10(wanted));
+  return [1, 2, 5, 10].map((step) => step * power).find((round) => round >= wanted)!;
+}
+
+const percentOf = (value: number): string => `${value.toPrecision(2)} %`;
+
+/** One sentence where the original has not converged; null where it has. `take` says how to raise the substeps. */
+export function describeConvergence(
+  convergence: Convergence,
+  take: (substeps: number) => string,
+): string | null {
+  const { substeps, substepDeviation, deviationMean, isConverged } = convergence;
+  if (isConverged) return null;
+  const finer = Math.min(2 * substeps, OPTIONS.substeps.max);
+  return (
+    `At ${substeps} substeps the original is still ${percentOf(substepDeviation)} away from itself at ${finer}, ` +
+    `beside the ${percentOf(deviationMean)} that are judged: ${take(substepsToTake(convergence))}.`
+  );
+}

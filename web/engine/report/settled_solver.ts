@@ -1,0 +1,136 @@
+/** What a settings file says of a mesh that was read from its own file: the way back into a simulation. */
+
+import type { SimulatedSolver, SolverModel, TriangleMesh } from '../core/core';
+import { NONE } from '../core/core';
+import { faceCount, vertexCount } from '../core/mesh';
+import type { PreparedBody } from '../body/prepared_body';
+import { constraintVertices } from '../solvers/constraint_vertices';
+import { meshFacts } from '../solvers/mesh_facts';
+import { profileOf } from '../solvers/profiles';
+import type { SolverPair } from '../solvers/solver_pair';
+import { modelOf } from '../solvers/tuned_body';
+import type { BodySettings, SettingsFile } from './settings_file';
+
+/**
+ * What the original and its result are simulated with by a settings file. `unit`: metres per unit of their meshes. Throws an
+ * Error with one sentence where the file is not of this result.
+ */
+export function settledSolvers(
+  { solver, bodies }: SettingsFile,
+  original: TriangleMesh,
+  result: PreparedBody,
+  unit: number,
+): SolverPair {
+  const entry = entryOf(bodies, result);
+  if (Math.abs(entry.unit / unit - 1) > 1e-9)
+    throw new Error(
+      `The settings of "${entry.name}" are for ${entry.unit} m a unit, but here it is ${unit} m: give the --unit of the settings.`,
+    );
+  const profile = profileOf(solver);
+  const model = modelOf(profile, entry.mass.rule);
+  const constants = profile.constants(entry.original, meshFacts(original, unit));
+  return {
+    original: { model: modelOf(profile, 'auto'), constants },
+    result: settledSolver(entry, model, result),
+  };
+}
+
+/** The entry of a body, of all levels the one that has its vertices and faces. */
+function entryOf(bodies: BodySettings[], { body, weld, mesh }: PreparedBody): BodySettings {
+  const found = bodies.find(
+    (entry) =>
+      entry.name === body.name &&
+      entry.renderVertices.length === weld.vertexOfSource.length &&
+      entry.mesh.triangles.length === mesh.triangles.length,
+  );
+  if (found) return found;
+  throw new Error(
+    `The settings are not of "${body.name}" with ${faceCount(mesh)} faces: take those that were written with this file.`,
+  );
+}
+
+/** The solver with the masses and factors of the entry, in the order of the prepared mesh. */
+function settledSolver(entry: BodySettings, model: SolverModel, result: PreparedBody): SimulatedSolver {
+  const of = verticesOf(entry, result);
+  const masses = Float64Array.from(of, (v) => entry.mass.perVertex[v]);
+  const { area } = meshFacts(result.mesh, entry.unit);
+  const total = masses.reduce((sum, mass) => sum + mass, 0);
+  const [stretch, bend] = [entry.stretch, entry.bend];
+  const constants = {
+    stretch: stretch.constant,
+    secondStretch: stretch.second ?? 0,
+    bend: bend.constant,
+    poisson: entry.engine.poisson ?? 0,
+    surfaceDensity: total / area,
+    unit: entry.unit,
+  };
+  const here = constraintVertices(result.mesh, model);
+  const there = constraintVertices(asMesh(entry), model);
+  const listed = {
+    stretch: new ListedFactors(listOf(stretch.pairs, 2) ?? there.stretch, stretch.factors, entry.vertex?.stretch),
+    bend: new ListedFactors(
+      listOf(bend.pairs, 2) ?? listOf(bend.hinges, 4) ?? there.bend,
+      bend.factors,
+      entry.vertex?.bend,
+    ),
+  };
+  const factors = (kind: 'stretch' | 'bend') =>
+    Float64Array.from(here[kind], (vertices) => listed[kind].take(vertices.map((v) => of[v])));
+  return {
+    model,
+    constants,
+    masses,
+    ...(listed.stretch.isEmpty ? {} : { stretchFactors: factors('stretch') }),
+    ...(listed.bend.isEmpty || model.bend === 'morley' ? {} : { bendFactors: factors('bend') }),
+  };
+}
+
+const asMesh = ({ mesh: { positions, triangles } }: BodySettings): TriangleMesh => ({
+  positions: Float32Array.from(positions),
+  triangles: Uint32Array.from(triangles),
+});
+
+function listOf(flat: number[] | undefined, size: number): number[][] | null {
+  if (!flat) return null;
+  return Array.from({ length: flat.length / size }, (_, c) => flat.slice(size * c, size * c + size));
+}
+
+/** Per vertex of the prepared mesh its vertex in the settings. */
+function verticesOf({ name, renderVertices }: BodySettings, { weld, mesh }: PreparedBody): Uint32Array {
+  const of = new Uint32Array(vertexCount(mesh)).fill(NONE);
+  weld.vertexOfSource.forEach((vertex, source) => {
+    if (vertex !== NONE && renderVertices[source] >= 0) of[vertex] = renderVertices[source];
+  });
+  if (of.includes(NONE))
+    throw new Error(`The settings of "${name}" are of another mesh: take those that were written with this file.`);
+  return of;
+}
+
+/** Factors that are found by the vertices of their constraints. */
+class ListedFactors {
+  private readonly queues = new Map<string, number[]>();
+  readonly isEmpty: boolean;
+
+  constructor(
+    lists: number[][],
+    factors: number[] | undefined,
+    private readonly field: number[] | undefined,
+  ) {
+    this.isEmpty = !factors && !field;
+    if (factors)
+      lists.forEach((vertices, c) => {
+        const key = keyOf(vertices);
+        this.queues.set(key, [...(this.queues.get(key) ?? []), factors[c]]);
+      });
+  }
+
+  /** Of the constraint on these vertices of the settings; of several alike, one after the other. */
+  take(vertices: number[]): number {
+    const own = this.queues.get(keyOf(vertices))?.shift() ?? 1;
+    if (!this.field) return own;
+    const { field } = this;
+    return (own * vertices.reduce((sum, v) => sum + field[v], 0)) / vertices.length;
+  }
+}
+
+const keyOf = (vertices: number[]): string => [...vertices].sort((a, b) => a - b).join(' ');
