@@ -5,9 +5,7 @@ import { simulationOptions, solversAsTheyAre } from '../../engine/motion/simulat
 import { tunedSolvers } from '../../engine/solvers/solver_pair';
 import type { TwinSetup } from './simulation_protocol';
 
-export function twinOptions(
-  setup: TwinSetup,
-): SimulationOptions & { otherSolver: SimulatedSolver | null } {
+export function twinOptions(setup: TwinSetup): SimulationOptions & { otherSolver: SimulatedSolver | null } {
   const { original, result, size, settings, pinned, tuned } = setup;
   const solvers = tuned
     ? tunedSolvers(tuned)

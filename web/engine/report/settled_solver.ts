@@ -67,7 +67,11 @@ function settledSolver(entry: BodySettings, model: SolverModel, result: Prepared
   const here = constraintVertices(result.mesh, model);
   const there = constraintVertices(asMesh(entry), model);
   const listed = {
-    stretch: new ListedFactors(listOf(stretch.pairs, 2) ?? there.stretch, stretch.factors, entry.vertex?.stretch),
+    stretch: new ListedFactors(
+      listOf(stretch.pairs, 2) ?? there.stretch,
+      stretch.factors,
+      entry.vertex?.stretch,
+    ),
     bend: new ListedFactors(
       listOf(bend.pairs, 2) ?? listOf(bend.hinges, 4) ?? there.bend,
       bend.factors,
@@ -102,7 +106,9 @@ function verticesOf({ name, renderVertices }: BodySettings, { weld, mesh }: Prep
     if (vertex !== NONE && renderVertices[source] >= 0) of[vertex] = renderVertices[source];
   });
   if (of.includes(NONE))
-    throw new Error(`The settings of "${name}" are of another mesh: take those that were written with this file.`);
+    throw new Error(
+      `The settings of "${name}" are of another mesh: take those that were written with this file.`,
+    );
   return of;
 }
 
