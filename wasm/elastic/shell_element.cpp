@@ -81,7 +81,7 @@ StrainMatrix bendingCurvature(const Frame& frame, const std::array<double, 3>& s
 
 // The gaps of a tie: of the middle corner from the longest edge, then between the rotations of the longest
 // edge and each other.
-void tie(const Frame& frame, const std::array<double, 3>& sign, ShellElement& element) {
+void setGaps(const Frame& frame, const std::array<double, 3>& sign, ShellElement& element) {
   const int e = frame.longest, middle = e, start = (e + 1) % 3, end = (e + 2) % 3;
   const double share = std::clamp(-frame.edgeX[end] / frame.length[e], 0.0, 1.0);
   for (int axis = 0; axis < 3; ++axis) {
@@ -106,7 +106,7 @@ ShellElement shellElement(const TriangleMesh& mesh, uint32_t t) {
   ShellElement element;
   element.isTie = !(frame.flatness > kDegenerate);
   if (element.isTie) {
-    tie(frame, sign, element);
+    setGaps(frame, sign, element);
     return element;
   }
   element.strain = membraneStrain(frame);
