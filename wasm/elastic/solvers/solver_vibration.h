@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/job.h"
@@ -35,6 +36,8 @@ class SolverVibration {
   // Refines modes of nearly the same factors and masses, by inverse iteration; finds the modes that the start
   // approximates. `count` of them are exact; as many are returned as the start has.
   ModeBasis follow(std::span<const double> factors, const ModeBasis& start, int count, Job& job) const;
+
+  void setMasses(std::vector<double> masses) { setting_.masses = std::move(masses); }
 
   // 6 where nothing is pinned, else 0.
   int rigidMotionCount() const { return setting_.pinned.empty() ? 6 : 0; }
