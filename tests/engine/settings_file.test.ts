@@ -154,10 +154,22 @@ describe('what a report says of them', () => {
     expect(report.fidelity.solvers.springs!.frequencies).toEqual(worse);
   });
 
+  it('leaves out errors of modes that a body does not have, and says so', () => {
+    const none = { errorUntouched: NaN, errorTuned: NaN, errorUnseen: NaN, errorOtherPins: NaN };
+    const flat = tunedBody('springs', { frequencies: none, motion: null });
+    expect(fileOf(flat)).not.toHaveProperty('motion');
+    expect(writeSettings(fileOf(flat))).toContain('"frequencies": {}');
+    const { springs } = solverReport([flat, tunedBody('springs')]).fidelity.solvers;
+    expect(springs!.frequencies.errorTuned).toBe(5);
+    expect(describeTuning('springs', solverReport([flat]).fidelity.solvers.springs!)[0]).toMatch(
+      /^in Springs this shape bends without resistance/,
+    );
+  });
+
   it('reads as sentences', () => {
     const { solvers } = solverReport([tunedBody('springs')]).fidelity;
     expect(describeTuning('springs', solvers.springs!)).toEqual([
-      'in Springs the first ten frequencies are off 5.00 % with the settings, 40.00 % without (the next that were not tuned 7.00 %)',
+      'in Springs the first ten frequencies are off 5.00 % with the settings (modes that were not tuned 7.00 %), 40.00 % without',
       'swaying it is 0.40 % of its size away from the original with them, 1.50 % without (noise 0.010 %)',
     ]);
     const { frequencies } = solvers.springs!;
