@@ -281,7 +281,7 @@ describe('limber optimize', () => {
   it('fits to the modes by default, but not with --fit off', () => {
     const errorOf = (...flags: string[]) => {
       expect(limber('optimize', 'torus.obj', 'fit.glb', '--ratio', '0.3', ...flags).code).toBe(0);
-      return report(limber('compare', 'torus.obj', 'fit.glb', '--json').stdout).fidelity!.frequencyErrorMean;
+      return report(limber('compare', 'torus.obj', 'fit.glb', '--json').stdout).fidelity!.frequencyErrorMean!;
     };
     expect(errorOf()).toBeLessThan(0.5 * errorOf('--fit', 'off'));
   });

@@ -14,6 +14,7 @@ function range(option: OptionSpec): string {
   if (option.kind === 'choice') return option.choices.join(', ');
   if (option.kind === 'switch') return 'given or not';
   if (option.kind === 'pins' || option.kind === 'colliders') return 'terms joined by +';
+  if (option.kind === 'engine') return 'name=value with commas';
   if (option.kind === 'name') return 'name of an attribute';
   if (option.kind === 'paint') return 'as the page writes it';
   if (option.kind === 'modes') return 'auto, all, 1,2,...';

@@ -24,6 +24,8 @@ function another(key: keyof Settings): unknown {
       return 'ground:-1+ball:0,1,0,0.5';
     case 'paint':
       return '0:IA';
+    case 'engine':
+      return 'young=1e5,poisson=0.3';
     case 'name':
       return '_KEEP +&=';
   }

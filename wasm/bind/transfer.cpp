@@ -1,6 +1,7 @@
 // What is carried from the original to the result: attributes, vertices and single points.
 
 #include <algorithm>
+#include <iterator>
 
 #include "bind/charts.h"
 #include "bind/function.h"
@@ -41,7 +42,7 @@ val jsCarryPins(const val& original, const val& pinned, const val& result) {
   const auto mesh = meshOf(result);
   Pins pins = carryPins(*meshOf(original), vectorOf<uint32_t>(pinned), *mesh);
   for (const SurfacePoint& point : pins.points) {
-    const auto corner = std::ranges::max_element(point.barycentric) - point.barycentric.begin();
+    const auto corner = std::ranges::max_element(point.barycentric) - std::begin(point.barycentric);
     pins.vertices.push_back(mesh->triangles[point.triangle][static_cast<size_t>(corner)]);
   }
   std::ranges::sort(pins.vertices);

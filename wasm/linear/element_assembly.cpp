@@ -13,12 +13,15 @@ ElementAssembly::ElementAssembly(const std::vector<uint32_t>& firstUnknown,
 
 void ElementAssembly::findNeighbours() {
   const size_t nodeCount = firstUnknown_.size() - 1;
-  std::vector<uint32_t> useStart(nodeCount + 1, 0), uses(elementNodes_.size());
-  for (uint32_t node : elementNodes_) ++useStart[node + 1];
+  std::vector<uint32_t> useStart(nodeCount + 1, 0), uses;
+  for (uint32_t node : elementNodes_)
+    if (node != kNoNode) ++useStart[node + 1];
   for (size_t i = 0; i < nodeCount; ++i) useStart[i + 1] += useStart[i];
+  uses.resize(useStart.back());
   std::vector<uint32_t> next(useStart.begin(), useStart.end() - 1);
   for (size_t k = 0; k < elementNodes_.size(); ++k)
-    uses[next[elementNodes_[k]]++] = static_cast<uint32_t>(k / nodesPerElement_);
+    if (elementNodes_[k] != kNoNode)
+      uses[next[elementNodes_[k]]++] = static_cast<uint32_t>(k / nodesPerElement_);
 
   std::vector<uint32_t> seenBy(nodeCount, UINT32_MAX);
   start_.push_back(0);
@@ -26,6 +29,7 @@ void ElementAssembly::findNeighbours() {
     for (uint32_t use = useStart[i]; use < useStart[i + 1]; ++use)
       for (uint32_t k = 0; k < nodesPerElement_; ++k) {
         const uint32_t j = elementNodes_[uses[use] * nodesPerElement_ + k];
+        if (j == kNoNode) break;
         if (seenBy[j] == i) continue;
         seenBy[j] = i;
         neighbours_.push_back(j);
@@ -70,9 +74,9 @@ void ElementAssembly::add(uint32_t element, const Eigen::Ref<const Eigen::Matrix
   const uint32_t* nodes = elementNodes_.data() + size_t{element} * nodesPerElement_;
   whole_ = matrix.selfadjointView<Eigen::Lower>();
   const double* firstColumn = whole_.data();
-  for (uint32_t j = 0; j < nodesPerElement_; ++j) {
+  for (uint32_t j = 0; j < nodesPerElement_ && nodes[j] != kNoNode; ++j) {
     const double* from = firstColumn;
-    for (uint32_t i = 0; i < nodesPerElement_; ++i) {
+    for (uint32_t i = 0; i < nodesPerElement_ && nodes[i] != kNoNode; ++i) {
       const uint32_t offset = offsetOf(nodes[i], nodes[j]), rows = unknownsOf(nodes[i]);
       for (uint32_t c = 0; c < unknownsOf(nodes[j]); ++c) {
         double* to = sum_.valuePtr() + sum_.outerIndexPtr()[firstUnknown_[nodes[j]] + c] + offset;

@@ -11,6 +11,9 @@ namespace limber {
 // each pair of nodes that share an element, zeros included.
 class ElementAssembly {
  public:
+  // Fills the last places of an element that has fewer nodes than others.
+  static constexpr uint32_t kNoNode = UINT32_MAX;
+
   // elementNodes[nodesPerElement * element + k]; no node may occur twice in one element.
   ElementAssembly(const std::vector<uint32_t>& firstUnknown, const std::vector<uint32_t>& elementNodes,
                   uint32_t nodesPerElement);

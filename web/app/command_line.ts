@@ -7,16 +7,28 @@ import { changedSettings } from '../engine/settings/setting_text';
 const quoted = (word: string): string =>
   /^[\w./:,+-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
 
+interface CommandFiles {
+  faces: number;
+  fields: boolean;
+  /** names of further files; null: not asked for */
+  binding: string | null;
+  settings: string | null;
+}
+
 export function commandLine(
   settings: Settings,
   input: string,
   output: string,
-  { faces, fields, binding }: { faces: number; fields: boolean; binding: string | null },
+  { faces, fields, binding, settings: file }: CommandFiles,
 ): string {
   const flags = changedSettings(settings)
     .filter(({ key }) => settingsOf('optimize').includes(key))
     .flatMap(({ flag, text }) => [`--${flag}`, ...(text === null ? [] : [text])]);
   const words = ['limber', 'optimize', input, output, '--faces', String(faces), ...flags];
-  const extras = [...(fields ? ['--fields'] : []), ...(binding === null ? [] : ['--bind', binding])];
+  const extras = [
+    ...(fields ? ['--fields'] : []),
+    ...(binding === null ? [] : ['--bind', binding]),
+    ...(file === null ? [] : ['--settings', file]),
+  ];
   return [...words, ...extras].map(quoted).join(' ');
 }

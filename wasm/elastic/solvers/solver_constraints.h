@@ -1,12 +1,15 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "elastic/solvers/constraint_strain.h"
+#include "elastic/solvers/hinge_element.h"
+#include "elastic/solvers/membrane_element.h"
 #include "elastic/solvers/solver_model.h"
+#include "elastic/solvers/spring_element.h"
 #include "mesh/topology.h"
 
 namespace limber {
@@ -21,22 +24,16 @@ struct SolverConstraint {
   std::array<uint32_t, 4> vertices{};
 };
 
-// The generalised strain of a constraint, scaled so that its energy is 1/2 |strain|^2 in joules, and its
-// derivatives by the positions of its vertices in metres (column 3 k + axis for its k-th vertex). Rows and
-// columns beyond those of the constraint are 0.
-struct ConstraintStrain {
-  Eigen::Vector3d strain = Eigen::Vector3d::Zero();
-  Eigen::Matrix<double, 3, 12> jacobian = Eigen::Matrix<double, 3, 12>::Zero();
-};
-
 // All constraints of a solver on one mesh, for every model without Morley's element. At rest every strain is
 // 0, and K = sum_c J_c^T J_c is the exact stiffness.
 //
 // Order: stretch constraints first (triangles by index, or edges in the order of Topology::edges), then
-// bending constraints by the order of their edges. An edge bends if it has exactly two triangles.
+// bending constraints by the order of their edges. An edge bends if it has exactly two triangles, and if
+// these are not the two sides of one triangle. Triangles without area, or next to none, have the bounded
+// stiffness that MembraneElement and HingeElement describe.
 class SolverConstraints {
  public:
-  // Copies what it needs. Throws std::invalid_argument for Morley's element.
+  // Copies what it needs. Throws std::invalid_argument for Morley's element and for a constant out of range.
   SolverConstraints(const TriangleMesh& rest, const Topology& topology, const SolverModel& model,
                     const SolverConstants& constants);
 
@@ -46,16 +43,29 @@ class SolverConstraints {
 
   // `positions`: of all vertices, in metres.
   ConstraintStrain strainAt(uint32_t c, std::span<const Vec3> positions) const;
+  // 1/2 |strain|^2 in joules.
+  double energyAt(uint32_t c, std::span<const Vec3> positions) const;
   // Rest positions in metres.
   std::span<const Vec3> rest() const { return rest_; }
 
  private:
+  void addStretch(const TriangleMesh& mesh, const Topology& topology, StretchElement element,
+                  const SolverConstants& constants);
+  void addBends(const TriangleMesh& mesh, const Topology& topology, BendElement element, double bend);
+  template <size_t N>
+  std::array<Vec3, N> at(const SolverConstraint& constraint, std::span<const Vec3> positions) const;
+
   std::vector<SolverConstraint> constraints_;
+  std::vector<uint32_t> elementOf_;  // per constraint: its index among the elements of its type
+  std::vector<SpringElement> springs_;
+  std::vector<HingeElement> hinges_;
+  std::vector<MembraneElement> membranes_;
   std::vector<Vec3> rest_;
   uint32_t stretchCount_ = 0;
 };
 
-// Masses of all vertices in kg; their sum is surfaceDensity times the area.
+// Masses of all vertices in kg, all above 0; their sum is surfaceDensity times the area. By area, a vertex
+// whose triangles have next to no area has the least mass of `lumpedAreas`.
 std::vector<double> solverMasses(const TriangleMesh& mesh, MassRule rule, const SolverConstants& constants);
 
 }  // namespace limber

@@ -1,4 +1,4 @@
-/** The file of all bodies, checked: the engine writes it, its further levels, the binding and the report. */
+/** The file of all bodies, checked: the engine writes it, its further levels, the binding, the settings and the report. */
 
 import { startStopwatch } from '../../engine/core/stopwatch';
 import { faceCount, sum } from '../../engine/core/mesh';
@@ -33,7 +33,9 @@ export async function exportAll(
   };
   const faces = sum(results.map(({ mesh }) => faceCount(mesh)));
   const text = binding ? output.binding() : null;
-  return { bytes, validation, report, faces, targetFaces: sum(targets), levels, binding: text };
+  const tuned = settings.solver === 'none' ? null : output.settings();
+  const shown = { bytes, validation, report, faces, targetFaces: sum(targets) };
+  return { ...shown, levels, binding: text, settings: tuned };
 }
 
 /** `name`: of the file of the first level. */

@@ -141,6 +141,8 @@ export interface ExportResult {
   levels: ExportedLevel[];
   /** text of the binding file; null: not asked for */
   binding: string | null;
+  /** text of the settings file of the solver; null: there is none */
+  settings: string | null;
   /** see exportKey */
   key: string;
 }

@@ -50,7 +50,7 @@ export interface BodySettings extends Partial<Record<Exclude<Role, 'substeps'>, 
   /** to type into the engine for this mesh */
   engine: NativeValues;
   original: OriginalSettings;
-  frequencies: TunedFrequencies;
+  frequencies: Partial<TunedFrequencies>;
   motion?: TunedMotion;
 }
 
@@ -77,7 +77,7 @@ export interface SettingsFile {
   original: OriginalSettings;
   bodies: BodySettings[];
   /** of the first level, the body whose frequencies are off most */
-  frequencies: TunedFrequencies;
+  frequencies: Partial<TunedFrequencies>;
   motion?: TunedMotion;
 }
 
@@ -105,16 +105,18 @@ export function settingsFile(bodies: SettledBody[]): SettingsFile {
     engine,
     original,
     bodies: entries,
-    frequencies: shortened(worst.tuned.frequencies),
+    frequencies: shortened(knownErrors(worst.tuned.frequencies)),
     ...motionOf(worst),
   };
 }
 
 /** The body whose frequencies are off most when tuned, the first of equal ones. */
 export const worstTuned = (bodies: TunedBody[]): TunedBody =>
-  bodies.reduce((worst, one) =>
-    one.tuned.frequencies.errorTuned > worst.tuned.frequencies.errorTuned ? one : worst,
-  );
+  bodies.reduce((worst, one) => (tunedError(one) > tunedError(worst) ? one : worst));
+
+/** A body without modes is off least. */
+const tunedError = ({ tuned }: TunedBody): number =>
+  Number.isFinite(tuned.frequencies.errorTuned) ? tuned.frequencies.errorTuned : -1;
 
 const motionOf = ({ tuned: { motion } }: TunedBody): { motion?: TunedMotion } =>
   motion ? { motion: shortened(motion) } : {};
@@ -135,7 +137,7 @@ export function bodySettings({ name, level, renderVertices, tuned: body }: Settl
     ...roleValues(body),
     engine: shortened(result.values),
     original: originalSettings(body),
-    frequencies: shortened(tuned.frequencies),
+    frequencies: shortened(knownErrors(tuned.frequencies)),
     ...motionOf(body),
   };
 }
@@ -193,6 +195,10 @@ const shortened = <T extends object>(values: T): T =>
     Object.entries(values).map(([key, value]) => [key, typeof value === 'number' ? short(value) : value]),
   ) as T;
 
+/** Errors that are known: those of modes that a body does not have are left out. */
+export const knownErrors = (frequencies: TunedFrequencies): Partial<TunedFrequencies> =>
+  Object.fromEntries(Object.entries(frequencies).filter(([, error]) => Number.isFinite(error)));
+
 /** What a GLB has of the settings of a body: numbers in the extras of its mesh, and what vertices have as attributes. */
 export function exportedSettings(tuned: TunedBody): ExportedSettings {
   const { masses, stretchField, bendField } = tuned.tuned;
@@ -224,7 +230,7 @@ function settingsExtras(tuned: TunedBody): object {
     ...roleValues(tuned),
     engine: shortened(result.values),
     original: originalSettings(tuned),
-    frequencies: shortened(tuned.tuned.frequencies),
+    frequencies: shortened(knownErrors(tuned.tuned.frequencies)),
     ...motionOf(tuned),
   };
 }

@@ -4,11 +4,11 @@ import type { Fidelity, TunedFrequencies, TunedMotion } from '../core/core';
 import { profileOf } from '../solvers/profiles';
 import type { SolverName } from '../solvers/profiles';
 import type { TunedBody } from '../solvers/tuned_body';
-import { worstTuned } from './settings_file';
+import { knownErrors, worstTuned } from './settings_file';
 
-/** Errors in %; of the body whose frequencies are off most. */
+/** Errors in %, of the body whose frequencies are off most; those of modes that it does not have are absent. */
 export interface SolverReport {
-  frequencies: TunedFrequencies;
+  frequencies: Partial<TunedFrequencies>;
   /** absent where nothing was moved */
   motion?: TunedMotion;
 }
@@ -25,7 +25,7 @@ export function solverReport(bodies: TunedBody[]): {
 } {
   const { solver, tuned } = worstTuned(bodies);
   const { frequencies, motion } = tuned;
-  const report = { frequencies, ...(motion ? { motion } : {}) };
+  const report = { frequencies: knownErrors(frequencies), ...(motion ? { motion } : {}) };
   return { schema: 'limber-report/2', fidelity: { solvers: { [solver]: report } } };
 }
 
@@ -33,10 +33,18 @@ const percentOf = (value: number): string => `${value.toFixed(value < 0.1 ? 3 : 
 
 /** Sentences without their end about what a tuning has found, for the terminal and the page. */
 export function describeTuning(solver: SolverName, { frequencies, motion }: SolverReport): string[] {
-  const { errorUntouched, errorTuned, errorUnseen } = frequencies;
-  const found = `in ${profileOf(solver).label} the first ten frequencies are off ${percentOf(errorTuned)} with the settings, ${percentOf(errorUntouched)} without`;
-  const others = `the next that were not tuned ${percentOf(errorUnseen)}`;
-  return [`${found} (${others})`, ...(motion ? [describeMotion(motion)] : [])];
+  return [describeFrequencies(solver, frequencies), ...(motion ? [describeMotion(motion)] : [])];
+}
+
+function describeFrequencies(
+  solver: SolverName,
+  { errorUntouched, errorTuned, errorUnseen }: Partial<TunedFrequencies>,
+): string {
+  const { label } = profileOf(solver);
+  if (errorUntouched === undefined || errorTuned === undefined)
+    return `in ${label} this shape bends without resistance, so there are no frequencies to tune: masses are, the factors stay at 1`;
+  const unseen = errorUnseen === undefined ? '' : ` (modes that were not tuned ${percentOf(errorUnseen)})`;
+  return `in ${label} the first ten frequencies are off ${percentOf(errorTuned)} with the settings${unseen}, ${percentOf(errorUntouched)} without`;
 }
 
 const SCENES: Record<string, string> = { sway: 'swaying', hang: 'hanging from its pins' };

@@ -39,7 +39,7 @@ function checkModes(settings: Settings): void {
 }
 
 /** Whether the solver has the parameters that are given, and takes what it is to be tuned by. */
-function checkSolver({ solver, engine, tune }: Settings): void {
+function checkSolver({ solver, engine, tune, massRule }: Settings): void {
   if (solver === 'none') return;
   engineValues(solver, engine);
   const { takes } = profileOf(solver);
@@ -47,6 +47,11 @@ function checkSolver({ solver, engine, tune }: Settings): void {
     throw new SettingError(
       'tune',
       `is constraint, but ${solver} takes maps of vertices at best: give global or vertex.`,
+    );
+  if (massRule === 'area' && !takes.vertexMasses)
+    throw new SettingError(
+      'massRule',
+      `is area, but ${solver} has one mass for all vertices: give vertex or auto.`,
     );
 }
 

@@ -15,6 +15,7 @@ import type { ExportResult } from '../../worker/protocol';
 import { Section, Toggle } from '../../controls/controls';
 import { count } from '../../controls/numbers';
 import { RefusedText } from '../../controls/refused_text';
+import { SolverSection } from './solver_section';
 import './export_panel.css';
 
 /** The files that are shown and saved; null while they are those of earlier settings. */
@@ -46,6 +47,7 @@ export function ExportPanel() {
         <p>{describeFile(exported)}</p>
         <Extras />
       </Section>
+      <SolverSection report={exported?.report ?? null} />
       <LeftOut dropped={file.dropped} />
       {exported && <Verdict exported={exported} />}
       <Actions exported={exported} />
@@ -159,7 +161,8 @@ function Verdict({ exported }: { exported: ExportResult }) {
 
 function Actions({ exported }: { exported: ExportResult | null }) {
   const { output, binding } = exportRequest();
-  const hasMore = binding || wants.settings.value.lods.length > 0;
+  const { lods, solver } = wants.settings.value;
+  const hasMore = binding || solver !== 'none' || lods.length > 0;
   return (
     <div class="actions">
       <button
@@ -180,6 +183,15 @@ function Actions({ exported }: { exported: ExportResult | null }) {
           Save all as .zip
         </button>
       )}
+      {solver !== 'none' && (
+        <button
+          type="button"
+          disabled={!exported}
+          onClick={() => download(settingsName(output), exported!.settings!, 'application/json')}
+        >
+          Save settings
+        </button>
+      )}
       <SaveReport exported={exported} output={output} />
       {exported && <CommandLine faces={exported.targetFaces} />}
     </div>
@@ -194,6 +206,7 @@ function CommandLine({ faces }: { faces: number }) {
     faces,
     fields,
     binding: binding ? bindingName(output) : null,
+    settings: wants.settings.value.solver === 'none' ? null : settingsName(output),
   });
   const copy = () => navigator.clipboard.writeText(line).then(() => setCopied(true));
   return (
@@ -236,15 +249,17 @@ function SaveReport({ exported, output }: { exported: ExportResult | null; outpu
   );
 }
 
+const settingsName = (output: string): string => output.replace(/glb$/, 'settings.json');
 const bindingName = (output: string): string => output.replace(/glb$/, 'bind.json');
 
-/** Saves the file, its levels, the binding and the report in one archive. */
+/** Saves the file, its levels, the binding, the settings and the report in one archive. */
 async function saveAll(exported: ExportResult, output: string): Promise<void> {
   const text = (content: string) => new TextEncoder().encode(content);
   const files: Record<string, Uint8Array> = {
     [output]: exported.bytes,
     ...Object.fromEntries(exported.levels.map(({ name, bytes }) => [name, bytes])),
     ...(exported.binding === null ? {} : { [bindingName(output)]: text(exported.binding) }),
+    ...(exported.settings === null ? {} : { [settingsName(output)]: text(exported.settings) }),
     [output.replace(/glb$/, 'json')]: text(JSON.stringify(exported.report, null, 2)),
   };
   const archive = await client.aside<Uint8Array>((worker) => worker.pack(files));

@@ -42,6 +42,7 @@ export interface TuneOptions {
   looks: boolean;
 }
 
+/** NaN where a body has no such modes. */
 export interface TunedFrequencies {
   /** mean relative errors (%) of modes 1 to 10, free */
   errorUntouched: number;

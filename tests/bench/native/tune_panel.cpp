@@ -1,0 +1,130 @@
+// Tunes coarse meshes to their originals in every solver of the panel and prints the errors of frequencies as
+// Markdown, for docs/engines.md:
+//
+//   tune_panel [--faces 0.25] [--solvers springs,dihedral] [--kinds global,constraint] MESH.obj...
+//
+// Untouched parameters are those of one thin shell, typed in again on the coarse mesh: thickness 2 % of the
+// diagonal, Poisson's ratio 0.3; springs across have a twentieth of the stiffness of edges.
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "../../core/shared_meshes.h"
+#include "base/parallel.h"
+#include "fit/tune/tune_solver.h"
+#include "mesh/repair/weld.h"
+#include "simplify/simplify.h"
+
+using namespace limber;
+
+namespace {
+
+struct Solver {
+  const char* name;
+  SolverModel model;
+};
+
+constexpr Solver kSolvers[] = {
+    {"shell", {StretchElement::Membrane, BendElement::Morley, MassRule::Area}},
+    {"hinge-shell", {StretchElement::Membrane, BendElement::HingeByArea, MassRule::Area}},
+    {"newton", {StretchElement::Membrane, BendElement::HingeByLength, MassRule::Area}},
+    {"dihedral", {StretchElement::EdgeSprings, BendElement::Hinge, MassRule::Area}},
+    {"springs", {StretchElement::EdgeSprings, BendElement::CrossSprings, MassRule::Area}},
+};
+
+constexpr const char* kKinds[] = {"global", "vertex", "constraint"};
+
+struct Arguments {
+  double faces = 0.25;
+  std::string solvers, kinds;
+  std::vector<std::string> files;
+};
+
+Arguments parse(int count, char** values) {
+  Arguments arguments;
+  for (int i = 1; i < count; ++i) {
+    const std::string value = values[i];
+    if (value == "--faces" && i + 1 < count)
+      arguments.faces = std::atof(values[++i]);
+    else if (value == "--solvers" && i + 1 < count)
+      arguments.solvers = "," + std::string(values[++i]) + ",";
+    else if (value == "--kinds" && i + 1 < count)
+      arguments.kinds = "," + std::string(values[++i]) + ",";
+    else
+      arguments.files.push_back(value);
+  }
+  return arguments;
+}
+
+bool isChosen(const std::string& list, const char* name) {
+  return list.empty() || list.find("," + std::string(name) + ",") != std::string::npos;
+}
+
+double meanEdge(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    for (int c = 0; c < 3; ++c) sum += length(mesh.corner(t, (c + 1) % 3) - mesh.corner(t, c));
+  return sum / (3.0 * mesh.triangleCount());
+}
+
+SolverConstants constantsOf(const SolverModel& model, const TriangleMesh& original) {
+  const double young = 1e6, poisson = 0.3, density = 1000, thickness = 0.02 * bounds(original).diagonal();
+  const double plane = young * thickness / (1 - poisson * poisson), d = plane * thickness * thickness / 12;
+  SolverConstants constants;
+  constants.poisson = poisson;
+  constants.surfaceDensity = density * thickness;
+  constants.stretch = plane * (1 - poisson) / 2;
+  constants.secondStretch = plane * poisson;
+  if (model.stretch == StretchElement::EdgeSprings) constants.stretch = 0.866 * young * thickness;
+  constants.bend = d;
+  if (model.bend == BendElement::Hinge) constants.bend = 3.46 * d;
+  if (model.bend == BendElement::HingeByLength) constants.bend = 3.46 * d / meanEdge(original);
+  if (model.bend == BendElement::CrossSprings) constants.bend = 0.05 * constants.stretch;
+  return constants;
+}
+
+void measure(const std::string& file, const Arguments& arguments, Job& job) {
+  const shared_meshes::Soup soup = shared_meshes::readObj(file);
+  const TriangleMesh original = weld(soup.positions, soup.indices).mesh;
+  const auto faces = static_cast<uint32_t>(arguments.faces * original.triangleCount());
+  const TriangleMesh coarse =
+      meshAt(original, simplify(original, {}, {.method = Method::Qem}, job), faces).mesh;
+  const std::string name = std::filesystem::path(file).stem().string();
+  for (const Solver& solver : kSolvers)
+    for (int kind = 0; kind < 3; ++kind) {
+      if (!isChosen(arguments.solvers, solver.name) || !isChosen(arguments.kinds, kKinds[kind])) continue;
+      TuneOptions options;
+      options.model = solver.model;
+      options.original = options.result = constantsOf(solver.model, original);
+      options.tune = static_cast<TuneKind>(kind);
+      const auto start = std::chrono::steady_clock::now();
+      try {
+        const Tuned tuned = tuneSolver(original, coarse, options, job);
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        std::printf("| %s | %s | %s | %.2f | %.2f | %.2f | %.2f | %.3f %.3f | %.1f s |\n", name.c_str(),
+                    solver.name, kKinds[kind], tuned.frequencies.errorUntouched, tuned.frequencies.errorTuned,
+                    tuned.frequencies.errorUnseen, tuned.frequencies.errorOtherPins, tuned.stretchFactor,
+                    tuned.bendFactor, seconds.count());
+      } catch (const std::exception& error) {
+        std::printf("| %s | %s | %s | %s |\n", name.c_str(), solver.name, kKinds[kind], error.what());
+      }
+      std::fflush(stdout);
+    }
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+  setThreadCount(2);
+  Job job;
+  const Arguments arguments = parse(count, values);
+  std::printf(
+      "| mesh | solver | tuned | untouched | tuned | modes 21-30 | other clamping | factors | time |\n");
+  std::printf("| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  for (const std::string& file : arguments.files) measure(file, arguments, job);
+}

@@ -1,0 +1,186 @@
+/** The settings file says what a tuning has found, and is read back as it was written. */
+
+import { describe, expect, it } from 'vitest';
+import type { Tuned } from '../../web/engine/core/core';
+import { exportedSettings, settingsFile, writeSettings } from '../../web/engine/report/settings_file';
+import type { SettingsFile } from '../../web/engine/report/settings_file';
+import { readSettingsFile } from '../../web/engine/report/settings_reader';
+import { describeTuning, solverReport } from '../../web/engine/report/solver_report';
+import { nativeValues } from '../../web/engine/solvers/profile';
+import { profileOf } from '../../web/engine/solvers/profiles';
+import type { SolverName } from '../../web/engine/solvers/profiles';
+import { statesOf, tunedConstants } from '../../web/engine/solvers/tuned_body';
+import type { TunedBody } from '../../web/engine/solvers/tuned_body';
+import { grid } from './support/shapes';
+
+const MATERIAL = { young: 1e5, poisson: 0.3, density: 500, thickness: 0.01, bendRatio: 0.05 };
+const [original, mesh] = [grid(4, 4), grid(1, 1)];
+
+/** A sheet of two triangles, as if it were tuned to a finer one. */
+function tunedBody(solver: SolverName, change: Partial<Tuned> = {}): TunedBody {
+  const profile = profileOf(solver);
+  const isNet = profile.stretch === 'edge-springs';
+  const states = statesOf(profile, { original, result: mesh, unit: 1 }, { material: MATERIAL, given: {} });
+  const tuned: Tuned = {
+    stretchFactor: 1.25,
+    bendFactor: 0.5,
+    stretchField: new Float64Array(),
+    bendField: new Float64Array(),
+    stretchFactors: new Float64Array(),
+    bendFactors: new Float64Array(),
+    masses: Float64Array.of(1, 2, 2, 1 / 3),
+    stretchVertices: isNet ? Uint32Array.of(0, 1, 1, 2, 0, 2, 2, 3, 1, 3) : mesh.triangles,
+    bendVertices: profile.bend === 'cross-springs' ? Uint32Array.of(0, 3) : Uint32Array.of(1, 2, 0, 3),
+    frequencies: { errorUntouched: 40, errorTuned: 5, errorUnseen: 7, errorOtherPins: 8 },
+    motion: { scene: 'sway', untouched: 1.5, tuned: 0.4, noiseFloor: 0.01, kept: 'tuned' },
+    ...change,
+  };
+  const constants = tunedConstants(states.original, states.untouched, tuned);
+  const { facts } = states.untouched;
+  return {
+    ...{ solver, tune: 'global', massRule: profile.takes.vertexMasses ? 'area' : 'vertex', mesh, tuned },
+    model: { stretch: profile.stretch, bend: profile.bend, mass: profile.mass },
+    original: states.original,
+    result: { values: nativeValues(profile, states.original, { constants, facts }), constants, facts },
+    pins: Uint32Array.of(1, 3),
+    substeps: 20,
+  };
+}
+
+const fileOf = (tuned: TunedBody): SettingsFile =>
+  settingsFile([{ name: 'sheet', level: 0, renderVertices: [0, 1, 2, 2, 1, 3, -1], tuned }]);
+
+describe('a settings file', () => {
+  it.each(['shell', 'hinge-shell', 'dihedral', 'springs', 'jolt', 'mujoco', 'newton', 'blender'] as const)(
+    'for %s is read as it was written',
+    (solver) => {
+      const file = fileOf(tunedBody(solver));
+      const text = writeSettings(file);
+      expect(readSettingsFile('sheet.json', text)).toEqual(JSON.parse(JSON.stringify(file)));
+      expect(writeSettings(fileOf(tunedBody(solver)))).toBe(text);
+    },
+  );
+
+  it('has what a solver of springs needs', () => {
+    const { schema, solver, units, engine, bodies, motion } = fileOf(tunedBody('springs'));
+    expect([schema, solver, units.length]).toEqual(['limber-settings/1', 'springs', 1]);
+    const [body] = bodies;
+    expect(body.mesh.triangles).toEqual([...mesh.triangles]);
+    expect(body.mesh.positions.map(Math.fround)).toEqual([...mesh.positions]);
+    expect(body.stretch.pairs).toEqual([0, 1, 1, 2, 0, 2, 2, 3, 1, 3]);
+    expect(body.bend.pairs).toEqual([0, 3]);
+    expect(body.mass).toEqual({ rule: 'area', perVertex: [1, 2, 2, 0.333333333] });
+    expect(body.pins).toEqual([1, 3]);
+    expect(body.stretch.constant).toBeCloseTo(1.25 * body.original.stretch, 5);
+    expect(body.bend.constant).toBeCloseTo(0.5 * body.original.bend, 5);
+    expect(engine).toMatchObject({ stretch: body.stretch.constant, bend: body.bend.constant });
+    expect([body.damping, body.friction]).toEqual([0.5, 0.5]);
+    expect(motion).toMatchObject({ kept: 'tuned' });
+  });
+
+  it('has hinges, both constants of a membrane, maps and factors where there are any', () => {
+    const fields = { stretchField: Float64Array.of(1, 1.5, 1, 1), bendField: Float64Array.of(1, 1, 0.5, 1) };
+    const [body] = fileOf(tunedBody('newton', fields)).bodies;
+    expect(body.vertex).toEqual({ stretch: [1, 1.5, 1, 1], bend: [1, 1, 0.5, 1] });
+    expect(body.stretch.triangles).toBe(true);
+    expect(body.stretch.second! / body.stretch.constant).toBeCloseTo(0.6 / 0.7, 6);
+    expect(body.bend.hinges).toEqual([1, 2, 0, 3]);
+    const factors = { stretchFactors: Float64Array.of(2, 3), bendFactors: Float64Array.of(0.25) };
+    const [own] = fileOf(tunedBody('newton', factors)).bodies;
+    expect([own.stretch.factors, own.bend.factors]).toEqual([[2, 3], [0.25]]);
+  });
+
+  it('keeps lists of numbers in one line', () => {
+    const text = writeSettings(fileOf(tunedBody('springs')));
+    expect(text).toContain('"pairs": [0,1,1,2,0,2,2,3,1,3]');
+    expect(text.split('\n').length).toBeLessThan(120);
+  });
+});
+
+describe('a damaged settings file', () => {
+  const damaged = (change: (body: SettingsFile['bodies'][number], file: SettingsFile) => void): string => {
+    const file = structuredClone(fileOf(tunedBody('springs')));
+    change(file.bodies[0], file);
+    return writeSettings(file);
+  };
+
+  it.each([
+    ['{', 'is not JSON'],
+    ['{"schema": "limber-binding/1"}', 'is not a limber-settings/1'],
+    [damaged((_, file) => (file.solver = 'havok' as SolverName)), 'is for havok, which is none of shell, '],
+    [
+      damaged((body) => (body.mesh.triangles[2] = 9)),
+      'has triangles that name vertices it does not have for "sheet"',
+    ],
+    [damaged((body) => body.mass.perVertex.pop()), 'has not one mass above 0 for each vertex for "sheet"'],
+    [damaged((body) => (body.mass.perVertex[0] = 0)), 'has not one mass above 0 for each vertex for "sheet"'],
+    [damaged((body) => body.stretch.pairs!.pop()), 'has damaged constraints against stretching for "sheet"'],
+    [damaged((body) => (body.bend.factors = [1, 2])), 'has damaged constraints against bending for "sheet"'],
+    [damaged((body) => (body.pins = [4])), 'has pins that name vertices it does not have for "sheet"'],
+    [
+      damaged((body) => (body.renderVertices = [4])),
+      'has render vertices that name vertices it does not have for "sheet"',
+    ],
+    [
+      damaged((body) => delete (body as Partial<typeof body>).mass),
+      'has no mesh, mass, stretch or bend for "sheet"',
+    ],
+  ])('is refused with one sentence: %#', (text, problem) => {
+    expect(() => readSettingsFile('s.json', text)).toThrow(`s.json ${problem}`);
+    expect(() => readSettingsFile('s.json', text)).toThrow(
+      /: write it again with limber optimize --settings\.$/,
+    );
+  });
+});
+
+describe('what a GLB has of them', () => {
+  it('is numbers in the extras, and masses and maps as attributes', () => {
+    const fields = { stretchField: Float64Array.of(1, 1.5, 1, 1), bendField: Float64Array.of(1, 1, 0.5, 1) };
+    const { extras, attributes } = exportedSettings(tunedBody('jolt', fields));
+    const { engine, stretch } = extras as { engine: Record<string, number>; stretch: { constant: number } };
+    expect(engine.compliance * stretch.constant).toBeCloseTo(1, 6);
+    expect(JSON.stringify(extras)).not.toMatch(/\[/);
+    expect(Object.keys(attributes)).toEqual(['_LIMBER_MASS', '_LIMBER_STRETCH', '_LIMBER_BEND']);
+    expect([...attributes._LIMBER_MASS]).toEqual([1, 2, 2, Math.fround(1 / 3)]);
+    expect(Object.keys(exportedSettings(tunedBody('jolt')).attributes)).toEqual(['_LIMBER_MASS']);
+  });
+});
+
+describe('what a report says of them', () => {
+  it('is that of the body that is off most', () => {
+    const worse = { errorUntouched: 9, errorTuned: 6, errorUnseen: 7, errorOtherPins: 8 };
+    const report = solverReport([tunedBody('springs'), tunedBody('springs', { frequencies: worse })]);
+    expect(report.schema).toBe('limber-report/2');
+    expect(report.fidelity.solvers.springs!.frequencies).toEqual(worse);
+  });
+
+  it('leaves out errors of modes that a body does not have, and says so', () => {
+    const none = { errorUntouched: NaN, errorTuned: NaN, errorUnseen: NaN, errorOtherPins: NaN };
+    const flat = tunedBody('springs', { frequencies: none, motion: null });
+    expect(fileOf(flat)).not.toHaveProperty('motion');
+    expect(writeSettings(fileOf(flat))).toContain('"frequencies": {}');
+    const { springs } = solverReport([flat, tunedBody('springs')]).fidelity.solvers;
+    expect(springs!.frequencies.errorTuned).toBe(5);
+    expect(describeTuning('springs', solverReport([flat]).fidelity.solvers.springs!)[0]).toMatch(
+      /^in Springs this shape bends without resistance/,
+    );
+  });
+
+  it('reads as sentences', () => {
+    const { solvers } = solverReport([tunedBody('springs')]).fidelity;
+    expect(describeTuning('springs', solvers.springs!)).toEqual([
+      'in Springs the first ten frequencies are off 5.00 % with the settings (modes that were not tuned 7.00 %), 40.00 % without',
+      'swaying it is 0.40 % of its size away from the original with them, 1.50 % without (noise 0.010 %)',
+    ]);
+    const { frequencies } = solvers.springs!;
+    const motion = {
+      scene: 'hang',
+      untouched: 0.2,
+      tuned: 0.3,
+      noiseFloor: 0.01,
+      kept: 'untouched' as const,
+    };
+    expect(describeTuning('jolt', { frequencies, motion })[1]).toMatch(/so the factors stay at 1$/);
+    expect(describeTuning('jolt', { frequencies })).toHaveLength(1);
+  });
+});

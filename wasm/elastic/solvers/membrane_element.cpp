@@ -1,0 +1,53 @@
+#include "elastic/solvers/membrane_element.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/eigen_vec3.h"
+
+namespace limber {
+namespace {
+
+// Height over longest edge from which on the stiffness of a triangle is bounded, and at which it has none.
+constexpr double kFlattest = 1e-4, kDegenerate = 1e-12;
+
+}  // namespace
+
+MembraneElement::MembraneElement(double shear, double second, const std::array<Vec3, 3>& rest) {
+  std::array<Vec3, 3> edge;  // opposite to each corner
+  for (int c = 0; c < 3; ++c) edge[c] = rest[(c + 2) % 3] - rest[(c + 1) % 3];
+  const auto longest = std::ranges::max_element(edge, {}, squaredLength);
+  const Vec3 doubleNormal = cross(edge[0], edge[1]);
+  const double doubleArea = length(doubleNormal);
+  const double flatness = squaredLength(*longest) > 0 ? doubleArea / squaredLength(*longest) : 0;
+  if (flatness < kDegenerate) return;
+  const Vec3 along = normalized(*longest), across = cross(doubleNormal / doubleArea, along);
+  for (int c = 0; c < 3; ++c)  // edge c, rotated by 90 degrees, over twice the area
+    gradients_.col(c) = Eigen::Vector2d(-dot(edge[c], across), dot(edge[c], along)) / doubleArea;
+  const double area = 0.5 * doubleArea * std::min(1.0, flatness / kFlattest);
+  dilation_ = std::sqrt((shear + second) * area);
+  shear_ = std::sqrt(shear * area);
+}
+
+ConstraintStrain MembraneElement::strainAt(const std::array<Vec3, 3>& positions) const {
+  ConstraintStrain result;
+  if (shear_ == 0) return result;
+  Eigen::Matrix<double, 3, 2> f = Eigen::Matrix<double, 3, 2>::Zero();
+  // Relative to the first vertex, for positions far from the origin lose digits.
+  for (int c = 1; c < 3; ++c) f += eigen(positions[c] - positions[0]) * gradients_.col(c).transpose();
+  const double xx = 0.5 * (f.col(0).squaredNorm() - 1), yy = 0.5 * (f.col(1).squaredNorm() - 1),
+               xy = 0.5 * f.col(0).dot(f.col(1));
+  result.strain = {dilation_ * (xx + yy), shear_ * (xx - yy), 2 * shear_ * xy};
+  for (int c = 0; c < 3; ++c) {
+    const Eigen::RowVector3d byXx = gradients_(0, c) * f.col(0).transpose(),
+                             byYy = gradients_(1, c) * f.col(1).transpose(),
+                             byXy = 0.5 *
+                                    (gradients_(0, c) * f.col(1) + gradients_(1, c) * f.col(0)).transpose();
+    result.jacobian.block<1, 3>(0, 3 * c) = dilation_ * (byXx + byYy);
+    result.jacobian.block<1, 3>(1, 3 * c) = shear_ * (byXx - byYy);
+    result.jacobian.block<1, 3>(2, 3 * c) = 2 * shear_ * byXy;
+  }
+  return result;
+}
+
+}  // namespace limber

@@ -1,0 +1,139 @@
+#include "elastic/solvers/solver_vibration.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "elastic/pins.h"
+#include "elastic/shell.h"
+#include "elastic/solve_modes.h"
+#include "linear/shifted_pencil.h"
+
+namespace limber {
+namespace {
+
+constexpr int kSpareModes = 6;         // a subspace converges as fast as the first mode left out allows
+constexpr int kFewUnknowns = 400;      // so small a mesh is solved from scratch in no time
+constexpr double kShiftOfStart = 0.5;  // times the first eigenvalue of a start
+constexpr double kFollowTolerance = 1e-4;
+constexpr int kFollowSteps = 4;
+constexpr double kFloatRounding = 0x1p-24;
+constexpr double kLeastBendShare = 1e-6;  // of the eigenvalue with all constraints, in the rough estimate
+
+// All polynomials of degree 2 as displacements along each axis: 3 v + c, by 30.
+Eigen::MatrixXd quadraticMotions(const TriangleMesh& mesh, Eigen::Index unknownCount) {
+  const Bounds box = bounds(mesh);
+  const Vec3 middle = 0.5 * (box.low + box.high);
+  const double size = std::max(box.diagonal(), 1e-300);
+  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(unknownCount, 30);
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3 p = (mesh.positions[v] - middle) / size;
+    const double terms[10] = {1,         p.x,       p.y,       p.z,       p.x * p.x,
+                              p.y * p.y, p.z * p.z, p.x * p.y, p.y * p.z, p.z * p.x};
+    for (int k = 0; k < 10; ++k)
+      for (int axis = 0; axis < 3; ++axis)
+        motions(3 * static_cast<Eigen::Index>(v) + axis, 3 * k + axis) = terms[k];
+  }
+  return motions;
+}
+
+// The first eigenvalue beyond `zeros` of the pencil within the span of columns. Directions of next to no mass
+// are left out.
+double ritzValue(const SparsePencil& pencil, const Eigen::MatrixXd& span, int zeros) {
+  const Eigen::MatrixXd stiffness = span.transpose() * (pencil.k * span);
+  const Eigen::MatrixXd mass = span.transpose() * (pencil.m.asDiagonal() * span);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> masses(mass);
+  const double least = 1e-9 * masses.eigenvalues().maxCoeff();
+  const auto first = (masses.eigenvalues().array() < least).count();
+  const Eigen::MatrixXd basis =
+      masses.eigenvectors().rightCols(mass.cols() - first) *
+      masses.eigenvalues().tail(mass.cols() - first).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+                                     basis.transpose() * stiffness * basis, Eigen::EigenvaluesOnly)
+                                     .eigenvalues();
+  return values.size() > zeros ? values[zeros] : values[values.size() - 1];
+}
+
+}  // namespace
+
+std::shared_ptr<const FactorStructure> structureOf(const SolverStiffness& stiffness, const Job& job) {
+  const std::vector<double> factors(stiffness.count(), 0.0), masses(stiffness.vertexCount(), 1.0);
+  return std::make_shared<const FactorStructure>(factorStructure(stiffness.pencil(factors, masses), job));
+}
+
+SolverVibration::SolverVibration(Setting setting, std::shared_ptr<const FactorStructure> structure)
+    : setting_(std::move(setting)),
+      clamped_(setting_.stiffness.clampedUnknowns(setting_.pinned)),
+      structure_(std::move(structure)) {}
+
+SparsePencil SolverVibration::pencilOf(std::span<const double> factors) const {
+  SparsePencil pencil = setting_.stiffness.pencil(factors, setting_.masses);
+  if (!clamped_.empty()) clampUnknowns(pencil, clamped_);
+  return pencil;
+}
+
+EigenSolution SolverVibration::solve(std::span<const double> factors, int count, double scale,
+                                     Job& job) const {
+  EigenOptions options;
+  options.pairCount = count + kSpareModes;
+  options.expectedNullity = rigidMotionCount();
+  options.scale = scale;
+  options.structure = structure_;
+  options.isRough = true;
+  return solveModes(pencilOf(factors), options, job);
+}
+
+ModeBasis SolverVibration::follow(std::span<const double> factors, const ModeBasis& start, int count,
+                                  Job& job) const {
+  if (start.modeCount() == 0) return start;
+  if (setting_.stiffness.unknownCount() <= kFewUnknowns)
+    return solve(factors, count, start.lambda[0], job).basis;
+  const SparsePencil pencil = pencilOf(factors);
+  const int rigid = rigidMotionCount();
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(pencil.unknownCount(), rigid + start.phi.cols());
+  if (rigid > 0) {
+    columns.topLeftCorner(3 * static_cast<Eigen::Index>(setting_.mesh.vertexCount()), rigid) =
+        rigidMotions(setting_.mesh);
+    for (int k = 0; k < rigid; ++k) columns.col(k) /= std::sqrt(columns.col(k).cwiseAbs2().dot(pencil.m));
+  }
+  columns.topRightCorner(start.phi.rows(), start.phi.cols()) = start.phi;
+  for (const uint32_t row : clamped_) columns.row(row).setZero();
+  RefineOptions options;
+  options.shift = -kShiftOfStart * start.lambda[0];
+  options.tolerance = kFollowTolerance;
+  options.pairCount = static_cast<int>(start.modeCount());
+  options.spareCount = std::max(0, options.pairCount - count);
+  options.largestStepCount = kFollowSteps;
+  options.residuals = false;
+  options.structure = structure_;
+  return refineModes(pencil, columns, options, job).basis;
+}
+
+double SolverVibration::roughFirstEigenvalue() const {
+  const uint32_t stretches = setting_.stiffness.stretchCount();
+  std::vector<double> factors(setting_.stiffness.count(), 1.0);
+  Eigen::MatrixXd motions = quadraticMotions(setting_.mesh, setting_.stiffness.unknownCount());
+  for (const uint32_t row : clamped_) motions.row(row).setZero();
+  const double all = ritzValue(pencilOf(factors), motions, rigidMotionCount());
+  std::fill_n(factors.begin(), stretches, 0.0);
+  const double bend = ritzValue(pencilOf(factors), motions, rigidMotionCount());
+  return std::sqrt(all * std::max(bend, kLeastBendShare * all));
+}
+
+uint32_t SolverVibration::countNoise(std::span<const double> factors, Job& job) const {
+  const SparsePencil pencil = pencilOf(factors);
+  const TriangleMesh& mesh = setting_.mesh;
+  double largest = 0, length = 0;
+  for (Eigen::Index u = 0; u < pencil.m.size(); ++u)
+    if (pencil.m[u] > 0) largest = std::max(largest, pencil.k.coeff(u, u) / pencil.m[u]);
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    length += limber::length(mesh.corner(t, 1) - mesh.corner(t, 0));
+  const double edge = length / std::max<double>(1, mesh.triangleCount());
+  const double slope = kFloatRounding * bounds(mesh).diagonal() / edge;
+  ShiftedPencil shifted(pencil, structure_, job);
+  const uint32_t below = shifted.countBelow(largest * slope * slope);
+  const auto rigid = static_cast<uint32_t>(rigidMotionCount());
+  return below > rigid ? below - rigid : 0;
+}
+
+}  // namespace limber

@@ -1,0 +1,118 @@
+#include "fit/tune/clamped_modes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fit/tune/mode_matching.h"
+
+namespace limber {
+namespace {
+
+constexpr int kMargin = 8;  // extra modes of the result, as the order of modes may differ
+
+SolverVibration vibrationOf(const SolverPart& part, std::span<const double> masses,
+                            const std::vector<uint32_t>& pinned) {
+  return {{part.mesh, *part.stiffness, part.vertexValues(masses), pinned}, part.structure};
+}
+
+std::vector<double> ones(const SolverPart& part) {
+  return std::vector<double>(part.stiffness->count(), 1.0);
+}
+
+}  // namespace
+
+PartModesPair::PartModesPair(const PartPair& pair, const PartPins& pins, const TuneMasses& masses, int count)
+    : pair_(&pair),
+      pairIndex_(pins.pair),
+      count_(count),
+      original_(vibrationOf(pair.original, masses.original, pins.original)),
+      result_(vibrationOf(pair.result, masses.result, pins.result)) {}
+
+void PartModesPair::solveResult(double scale, Job& job) {
+  const std::vector<double> factors = ones(pair_->result);
+  const double rough = scale > 0 ? scale : result_.roughFirstEigenvalue();
+  const EigenSolution solution = result_.solve(factors, count_ + kMargin, rough, job);
+  isDefinite_ = static_cast<int>(solution.nullity) == result_.rigidMotionCount() &&
+                solution.basis.modeCount() > 0 && result_.countNoise(factors, job) == 0;
+  modes_ = solution.basis;
+}
+
+void PartModesPair::solveOriginal(Job& job) {
+  const EigenSolution solution = original_.solve(ones(pair_->original), count_, firstEigenvalue(), job);
+  isDefinite_ = isDefinite_ && static_cast<int>(solution.nullity) == original_.rigidMotionCount();
+  const Eigen::Index count =
+      std::min({solution.basis.modeCount(), static_cast<Eigen::Index>(count_), modes_.modeCount()});
+  wanted_ = solution.basis.lambda.head(count);
+  Eigen::MatrixXd weighted = solution.basis.phi.topLeftCorner(
+      3 * static_cast<Eigen::Index>(pair_->original.mesh.vertexCount()), count);
+  for (uint32_t v = 0; v < pair_->original.mesh.vertexCount(); ++v)
+    weighted.middleRows<3>(3 * static_cast<Eigen::Index>(v)) *= original_.masses()[v];
+  expected_ = pair_->carryThirds(weighted);
+  match();
+}
+
+void PartModesPair::follow(std::span<const double> factors, Job& job) {
+  modes_ = result_.follow(pair_->result.constraintValues(factors), modes_, count_, job);
+  match();
+}
+
+void PartModesPair::setResultMasses(std::span<const double> masses) {
+  result_.setMasses(pair_->result.vertexValues(masses));
+}
+
+void PartModesPair::match() {
+  if (modes_.modeCount() < wanted_.size()) {  // some have sunk to those without resistance
+    isDefinite_ = false;
+    return;
+  }
+  const Eigen::Index rows = expected_.rows();
+  partner_ = matchModes(modes_.phi.topRows(rows).transpose() * expected_);
+}
+
+ClampedModes::ClampedModes(const std::deque<PartPair>& pairs, const Clamping& clamping,
+                           const TuneMasses& masses, int count)
+    : kind_(clamping.kind), count_(static_cast<size_t>(count)) {
+  parts_.reserve(clamping.parts.size());
+  for (const PartPins& pins : clamping.parts) parts_.emplace_back(pairs[pins.pair], pins, masses, count);
+}
+
+void ClampedModes::solve(const std::vector<double>& scales, Job& job) {
+  for (PartModesPair& part : parts_) {
+    part.solveResult(part.pairIndex() < scales.size() ? scales[part.pairIndex()] : 0, job);
+    if (!part.isDefinite()) return;
+    part.solveOriginal(job);
+    if (!part.isDefinite()) return;
+  }
+  for (size_t p = 0; p < parts_.size(); ++p)
+    for (Eigen::Index i = 0; i < parts_[p].wanted().size(); ++i)
+      wanted_.push_back({p, static_cast<size_t>(i), parts_[p].wanted()[i]});
+  std::ranges::stable_sort(wanted_, {}, &Wanted::lambda);
+  wanted_.resize(std::min(wanted_.size(), count_));
+}
+
+bool ClampedModes::isDefinite() const {
+  return std::ranges::all_of(parts_, [](const PartModesPair& part) { return part.isDefinite(); });
+}
+
+void ClampedModes::follow(std::span<const double> factors, Job& job) {
+  for (PartModesPair& part : parts_) part.follow(factors, job);
+}
+
+void ClampedModes::setResultMasses(std::span<const double> masses) {
+  for (PartModesPair& part : parts_) part.setResultMasses(masses);
+}
+
+double ClampedModes::residual(size_t i) const {
+  const Wanted& wanted = wanted_[i];
+  return std::log(parts_[wanted.part].eigenvalue(wanted.mode) / wanted.lambda);
+}
+
+double ClampedModes::meanError(size_t first, size_t last) const {
+  if (last > wanted_.size()) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0;
+  for (size_t i = first; i < last; ++i) sum += std::abs(std::exp(0.5 * residual(i)) - 1);
+  return 100 * sum / static_cast<double>(last - first);
+}
+
+}  // namespace limber

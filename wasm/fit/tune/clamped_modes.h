@@ -1,0 +1,95 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/job.h"
+#include "fit/tune/clampings.h"
+#include "fit/tune/tune_parts.h"
+
+namespace limber {
+
+struct TuneMasses {
+  std::span<const double> original, result;  // kg per vertex of the bodies
+};
+
+// The modes of one part in one clamping: those of the original, and those of the result for any factors,
+// matched to them.
+class PartModesPair {
+ public:
+  // Refers to `pair`. `count`: modes of the original that are wanted.
+  PartModesPair(const PartPair& pair, const PartPins& pins, const TuneMasses& masses, int count);
+
+  // Finds the modes of the result with factors of 1, then those of the original, whose first eigenvalue is
+  // near. Throws Cancelled, and std::runtime_error as solveModes.
+  void solveResult(double scale, Job& job);
+  void solveOriginal(Job& job);
+  // Whether rigid motions alone meet no resistance on the result, and on the original.
+  bool isDefinite() const { return isDefinite_; }
+
+  // Modes of the result for other factors of its constraints, to about 1e-4 in eigenvalues.
+  void follow(std::span<const double> factors, Job& job);
+  // The same part with other masses of the result, vertices of the body; its modes have to be followed.
+  void setResultMasses(std::span<const double> masses);
+
+  // Of the original, ascending; at most `count`.
+  const Eigen::VectorXd& wanted() const { return wanted_; }
+  // Of the result: the eigenvalue that stands for mode i of the original, and the shape.
+  double eigenvalue(size_t i) const { return modes_.lambda[partner_[i]]; }
+  auto shape(size_t i) const { return modes_.phi.col(partner_[i]); }
+  double firstEigenvalue() const { return modes_.lambda[0]; }
+  size_t pairIndex() const { return pairIndex_; }
+  const PartPair& pair() const { return *pair_; }
+
+ private:
+  void match();
+
+  const PartPair* pair_;
+  size_t pairIndex_;
+  int count_;
+  SolverVibration original_, result_;
+  bool isDefinite_ = true;
+  ModeBasis modes_;  // of the result, some more than wanted
+  Eigen::VectorXd wanted_;
+  Eigen::MatrixXd expected_;  // T^T M phi of the original: its inner products with shapes of the result
+  std::vector<Eigen::Index> partner_;
+};
+
+// All parts in one clamping, their modes sorted together.
+class ClampedModes {
+ public:
+  // One mode of the original.
+  struct Wanted {
+    size_t part, mode;  // of parts()
+    double lambda;
+  };
+
+  ClampedModes(const std::deque<PartPair>& pairs, const Clamping& clamping, const TuneMasses& masses,
+               int count);
+
+  ClampKind kind() const { return kind_; }
+  // Solves both bodies. `scales`: per part of the body a rough size of its first eigenvalue. Throws as
+  // PartModesPair; stops early where the energy of a solver leaves motions without resistance.
+  void solve(const std::vector<double>& scales, Job& job);
+  bool isDefinite() const;
+
+  // `factors`: per constraint of the result's body.
+  void follow(std::span<const double> factors, Job& job);
+  void setResultMasses(std::span<const double> masses);
+
+  // The lowest modes of the original over all parts, ascending: at most the count.
+  const std::vector<Wanted>& wanted() const { return wanted_; }
+  // ln(lambda / lambda of the original) of mode i.
+  double residual(size_t i) const;
+  // Mean relative errors of frequencies of modes first .. last - 1 in %; NaN where the original has fewer.
+  double meanError(size_t first, size_t last) const;
+  const std::vector<PartModesPair>& parts() const { return parts_; }
+
+ private:
+  ClampKind kind_;
+  size_t count_;
+  std::vector<PartModesPair> parts_;
+  std::vector<Wanted> wanted_;
+};
+
+}  // namespace limber

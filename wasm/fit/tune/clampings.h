@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fit/tune/tune_options.h"
+#include "fit/tune/tune_parts.h"
+
+namespace limber {
+
+// How a body is held while its modes are compared. The lower and the other end are those of the longest side
+// of the bounding box of the original.
+enum class ClampKind : uint8_t { Free, LowerEnd, UserPins, OtherEnd };
+
+// The pinned vertices of one part in one clamping, of both bodies, by ids of the part; none where it is free.
+struct PartPins {
+  size_t pair;  // index of the part
+  std::vector<uint32_t> original, result;
+};
+
+// The parts that take part in a clamping: all of them where they are free; else those whose pins leave no
+// rigid motion on either body.
+struct Clamping {
+  ClampKind kind = ClampKind::Free;
+  std::vector<PartPins> parts;
+};
+
+// Free first, then the clampings that some part takes part in. Ends are a tenth of the longest side; their
+// pins are carried over to the coarse mesh as transfer/carry_pins.h does.
+std::vector<Clamping> findClampings(const TriangleMesh& original, const std::deque<PartPair>& pairs,
+                                    const TuneOptions& options);
+
+}  // namespace limber

@@ -1,0 +1,62 @@
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "fit/tune/factor_range.h"
+#include "fit/tune/tune_steps.h"
+
+namespace limber {
+namespace {
+
+constexpr int kRounds = 8;
+constexpr double kSettled = 3e-3;  // a step in logarithms below which nothing is gained
+
+// The derivatives by the logarithms of the two factors: fitted modes x 2.
+Eigen::MatrixXd sumsByKind(const Eigen::MatrixXd& jacobian, size_t stretchCount) {
+  const auto stretches = static_cast<Eigen::Index>(stretchCount);
+  Eigen::MatrixXd sums(jacobian.rows(), 2);
+  sums.col(0) = jacobian.leftCols(stretches).rowwise().sum();
+  sums.col(1) = jacobian.rightCols(jacobian.cols() - stretches).rowwise().sum();
+  return sums;
+}
+
+}  // namespace
+
+std::vector<double> factorsOf(const GlobalFactors& factors, const TuneConstraints& constraints) {
+  std::vector<double> all(constraints.all.size(), factors.bend);
+  std::fill_n(all.begin(), constraints.stretchCount, factors.stretch);
+  return all;
+}
+
+GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constraints, Job& job) {
+  GlobalFactors best;
+  Eigen::Vector2d x = Eigen::Vector2d::Zero();
+  double bestSquares = problem.residuals().squaredNorm();
+  for (int round = 0; round < kRounds; ++round) {
+    Eigen::MatrixXd jacobian = sumsByKind(problem.jacobian(), constraints.stretchCount);
+    if (!constraints.tunesStretch) jacobian.col(0).setZero();
+    const Eigen::VectorXd residual = problem.residuals();
+    const double scatter = residual.squaredNorm() / static_cast<double>(residual.size());
+    const double drawn = std::max(scatter, kLeastScatter) / (kPriorDeviation * kPriorDeviation);
+    const Eigen::Matrix2d normal = jacobian.transpose() * jacobian + drawn * Eigen::Matrix2d::Identity();
+    const Eigen::Vector2d gradient = jacobian.transpose() * residual + drawn * x;
+    const Eigen::Vector2d next =
+        (x - normal.ldlt().solve(gradient)).cwiseMax(-kFactorRange).cwiseMin(kFactorRange);
+    const double step = (next - x).cwiseAbs().maxCoeff();
+    x = next;
+    const GlobalFactors factors{std::exp(x[0]), std::exp(x[1])};
+    problem.moveTo(factorsOf(factors, constraints), job);
+    if (!problem.isDefinite()) break;
+    const double squares = problem.residuals().squaredNorm();
+    if (squares < bestSquares) {
+      bestSquares = squares;
+      best = factors;
+    }
+    if (step < kSettled) break;
+  }
+  const std::vector<double> all = factorsOf(best, constraints);
+  if (problem.factors() != all) problem.moveTo(all, job);
+  return best;
+}
+
+}  // namespace limber

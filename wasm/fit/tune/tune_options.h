@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elastic/solvers/solver_model.h"
+
+namespace limber {
+
+// Global: one factor for each kind of constraint. Vertex: smooth fields per vertex times these. Constraint: a
+// factor for each constraint.
+enum class TuneKind : int32_t { Global = 0, Vertex = 1, Constraint = 2 };
+
+struct TuneOptions {
+  SolverModel model;
+  // What the user's own parameters amount to on the original, and on the coarse mesh untouched.
+  SolverConstants original, result;
+  std::vector<uint32_t> pinnedOriginal, pinnedResult;  // vertices; both may be empty
+  TuneKind tune = TuneKind::Global;
+  MassRule tunedMass = MassRule::Area;  // Area: carried over from the original. Vertex: the same for all
+  bool looks = false;                   // whether bodies move before anything is handed over
+};
+
+// Mean relative errors of frequencies in %; NaN where a body has no such modes.
+struct TunedFrequencies {
+  double errorUntouched = std::numeric_limits<double>::quiet_NaN();  // modes 1 to 10, free
+  double errorTuned = std::numeric_limits<double>::quiet_NaN();
+  double errorUnseen = std::numeric_limits<double>::quiet_NaN();  // modes 21 to 30, tuned
+  // Modes 1 to 10 of the body clamped at the end that was not fitted, tuned.
+  double errorOtherPins = std::numeric_limits<double>::quiet_NaN();
+};
+
+enum class KeptParameters : int32_t { Tuned = 0, Untouched = 1 };
+
+// Deviations in % of the diagonal, see compare/motion_deviation.h.
+struct TunedMotion {
+  std::string scene;
+  double untouched = 0, tuned = 0, noiseFloor = 0;
+  KeptParameters kept = KeptParameters::Tuned;
+};
+
+// The parameters with which a solver moves a coarse mesh as it moves the original. Constraints are those of
+// SolverStiffness in its order.
+struct Tuned {
+  double stretchFactor = 1, bendFactor = 1;         // on TuneOptions::result
+  std::vector<double> stretchField, bendField;      // Vertex: per vertex, mean 1; else empty
+  std::vector<double> stretchFactors, bendFactors;  // Constraint: per constraint of its kind; else empty
+  std::vector<double> masses;                       // kg per vertex; their sum is the mass of the original
+  std::vector<uint32_t> stretchVertices, bendVertices;  // of each constraint, one after the other
+  TunedFrequencies frequencies;
+  std::optional<TunedMotion> motion;
+};
+
+}  // namespace limber

@@ -1,0 +1,122 @@
+#include "fit/tune/tune_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limber {
+namespace {
+
+constexpr double kClampedOverFree =
+    0.03;  // first eigenvalue of a beam clamped at one end over that of a free one
+
+int wantedModes(ClampKind kind) {
+  switch (kind) {
+    case ClampKind::Free:
+      return 30;
+    case ClampKind::LowerEnd:
+      return 8;
+    default:
+      return 10;
+  }
+}
+
+size_t fittedModes(const ClampedModes& clamping) {
+  const size_t count = clamping.wanted().size();
+  if (clamping.kind() == ClampKind::OtherEnd) return 0;
+  return clamping.kind() == ClampKind::Free ? std::min<size_t>(count, 20) : count;
+}
+
+// Adds rows to the Jacobian for the fitted modes of a clamping, from row `first` on.
+void fillRows(const ClampedModes& clamping, const std::vector<double>& factors, Eigen::Index first,
+              Eigen::MatrixXd& jacobian) {
+  for (size_t p = 0; p < clamping.parts().size(); ++p) {
+    const PartModesPair& part = clamping.parts()[p];
+    std::vector<size_t> rows;
+    for (size_t i = 0; i < fittedModes(clamping); ++i)
+      if (clamping.wanted()[i].part == p) rows.push_back(i);
+    if (rows.empty()) continue;
+    const SolverPart& solver = part.pair().result;
+    Eigen::MatrixXd shapes(solver.stiffness->unknownCount(), static_cast<Eigen::Index>(rows.size()));
+    for (size_t k = 0; k < rows.size(); ++k)
+      shapes.col(static_cast<Eigen::Index>(k)) = part.shape(clamping.wanted()[rows[k]].mode);
+    const Eigen::MatrixXd energies = solver.stiffness->energies(shapes);
+    for (size_t k = 0; k < rows.size(); ++k) {
+      const double lambda = part.eigenvalue(clamping.wanted()[rows[k]].mode);
+      for (size_t c = 0; c < solver.constraints.size(); ++c)
+        jacobian(first + static_cast<Eigen::Index>(rows[k]), solver.constraints[c]) =
+            factors[solver.constraints[c]] *
+            energies(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(k)) / lambda;
+    }
+  }
+}
+
+}  // namespace
+
+TuneProblem::TuneProblem(const std::deque<PartPair>& pairs, const std::vector<Clamping>& clampings,
+                         const TuneMasses& masses, size_t constraintCount, Job& job)
+    : factors_(constraintCount, 1.0) {
+  std::vector<double> scales;  // none for the free parts: they estimate it themselves
+  for (const Clamping& clamping : clampings) {
+    ClampedModes& modes = clampings_.emplace_back(pairs, clamping, masses, wantedModes(clamping.kind));
+    modes.solve(scales, job);
+    if (!modes.isDefinite()) return;
+    if (clamping.kind != ClampKind::Free) continue;
+    scales.resize(pairs.size());
+    for (const PartModesPair& part : modes.parts())
+      scales[part.pairIndex()] = kClampedOverFree * part.firstEigenvalue();
+  }
+}
+
+bool TuneProblem::isDefinite() const {
+  return std::ranges::all_of(clampings_, [](const ClampedModes& modes) { return modes.isDefinite(); });
+}
+
+void TuneProblem::moveTo(const std::vector<double>& factors, Job& job) {
+  factors_ = factors;
+  for (ClampedModes& clamping : clampings_)
+    if (clamping.kind() != ClampKind::OtherEnd) clamping.follow(factors_, job);
+}
+
+Eigen::VectorXd TuneProblem::residuals() const {
+  std::vector<double> residuals;
+  for (const ClampedModes& clamping : clampings_)
+    for (size_t i = 0; i < fittedModes(clamping); ++i) residuals.push_back(clamping.residual(i));
+  return Eigen::Map<Eigen::VectorXd>(residuals.data(), static_cast<Eigen::Index>(residuals.size()));
+}
+
+Eigen::MatrixXd TuneProblem::jacobian() const {
+  size_t count = 0;
+  for (const ClampedModes& clamping : clampings_) count += fittedModes(clamping);
+  Eigen::MatrixXd jacobian =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(factors_.size()));
+  Eigen::Index first = 0;
+  for (const ClampedModes& clamping : clampings_) {
+    fillRows(clamping, factors_, first, jacobian);
+    first += static_cast<Eigen::Index>(fittedModes(clamping));
+  }
+  return jacobian;
+}
+
+double TuneProblem::fittedError() const {
+  const Eigen::VectorXd residual = residuals();
+  return 100 * ((0.5 * residual.array()).exp() - 1).abs().mean();
+}
+
+double TuneProblem::otherPinsError(Job& job) {
+  for (ClampedModes& clamping : clampings_) {
+    if (clamping.kind() != ClampKind::OtherEnd) continue;
+    clamping.follow(factors_, job);
+    return clamping.meanError(0, 10);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double TuneProblem::freeErrorWith(std::span<const double> masses, Job& job) const {
+  ClampedModes free = clampings_[0];
+  free.setResultMasses(masses);
+  free.follow(std::vector<double>(factors_.size(), 1.0), job);
+  return free.meanError(0, 10);
+}
+
+}  // namespace limber

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "base/job.h"
+#include "fit/tune/clamped_modes.h"
+
+namespace limber {
+
+// The factors on the constraints of a coarse mesh, and how far its modes then are from those of the original:
+// 20 free modes, 8 of the body clamped at its lower end and 10 of the body pinned by the user are fitted;
+// free modes 21 to 30 and 10 of the body clamped at its other end are not.
+class TuneProblem {
+ public:
+  // Solves both bodies with factors of 1. Refers to `pairs`. `constraintCount`: of the result's body. Throws
+  // Cancelled, and std::runtime_error as solveModes.
+  TuneProblem(const std::deque<PartPair>& pairs, const std::vector<Clamping>& clampings,
+              const TuneMasses& masses, size_t constraintCount, Job& job);
+
+  // Whether all motions but rigid ones meet resistance. Nothing else is to be asked of a problem that is not.
+  bool isDefinite() const;
+
+  // Factors per constraint of the result's body, > 0: the fitted modes follow. Throws Cancelled.
+  void moveTo(const std::vector<double>& factors, Job& job);
+  const std::vector<double>& factors() const { return factors_; }
+
+  // ln(lambda / lambda of the original) of the fitted modes.
+  Eigen::VectorXd residuals() const;
+  // Their exact derivatives by the logarithms of the factors: fitted modes x constraints of the body. At an
+  // eigenvalue of several modes these are derivatives of the mixtures found.
+  Eigen::MatrixXd jacobian() const;
+  // Mean relative error of the fitted frequencies in %.
+  double fittedError() const;
+
+  // Mean errors in %, see TunedFrequencies. `otherPinsError` lets those modes follow first.
+  double freeError() const { return clampings_[0].meanError(0, 10); }
+  double unseenError() const { return clampings_[0].meanError(20, 30); }
+  double otherPinsError(Job& job);
+  // freeError() for other masses of the result and factors of 1. The problem is as before afterwards.
+  double freeErrorWith(std::span<const double> masses, Job& job) const;
+
+ private:
+  std::vector<ClampedModes> clampings_;  // the free ones first
+  std::vector<double> factors_;
+};
+
+}  // namespace limber

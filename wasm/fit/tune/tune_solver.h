@@ -1,0 +1,26 @@
+#pragma once
+
+#include "base/job.h"
+#include "fit/tune/tune_options.h"
+#include "mesh/triangle_mesh.h"
+
+namespace limber {
+
+// Finds the parameters with which a solver moves a coarse mesh as it moves the original, while the shape of
+// the mesh stays as it is: masses, and factors on the stiffness of its constraints, so that the lowest
+// frequencies are those of the original in the same solver. At rest the stiffness is linear in the factors,
+// so the derivatives of all eigenvalues are exact and cost nothing.
+//
+// On a mesh with a border the factors on stretching stay 1: what hangs is governed by its lengths. Where the
+// solver's energy leaves motions without resistance (a flat sheet of springs bends freely), there are no
+// frequencies to fit: factors stay 1 and errors are NaN. Factors keep to [0.1, 10].
+//
+// With `looks` original and result then move through a short scene, see fit/tune/motion_look.h, and tuned
+// factors are handed over only where the motion is no worse for them.
+//
+// Both meshes are welded. Throws Cancelled; std::invalid_argument with a sentence where they do not belong
+// together, see fit/tune/tune_checks.h, or a constant is out of range; std::runtime_error as solveModes.
+Tuned tuneSolver(const TriangleMesh& original, const TriangleMesh& result, const TuneOptions& options,
+                 Job& job);
+
+}  // namespace limber

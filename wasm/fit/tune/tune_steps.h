@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/job.h"
+#include "elastic/solvers/solver_stiffness.h"
+#include "fit/tune/tune_problem.h"
+
+namespace limber {
+
+// The constraints of a body: what their factors are made of.
+struct TuneConstraints {
+  std::span<const SolverConstraint> all;  // stretch constraints first
+  size_t stretchCount;
+  bool tunesStretch;  // false: the factors of stretch constraints stay 1
+};
+
+struct GlobalFactors {
+  double stretch = 1, bend = 1;
+};
+
+// One factor for each kind of constraint, by Gauss-Newton steps in their logarithms, each drawn towards 0 as
+// an unknown of standard deviation ln(10) / 2 would be whose measurements have the scatter of what is left:
+// so modes decide where they can, and a factor that no mode depends on stays 1. Leaves the problem at the
+// result. All three keep to [0.1, 10]. Throws Cancelled.
+GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constraints, Job& job);
+
+struct VertexFields {
+  std::vector<double> stretch, bend;  // per vertex, mean 1
+  GlobalFactors factors;              // times these
+};
+
+// Smooth fields per vertex times `start`; a constraint has the mean of its vertices. Their logarithms have a
+// Gaussian prior whose correlation length is a half wave of the highest fitted mode, sqrt(area / modes), and
+// whose variance explains half of the squared residuals that `start` leaves; the other half counts as
+// scatter.
+VertexFields tuneFields(TuneProblem& problem, const TuneConstraints& constraints, const TriangleMesh& mesh,
+                        const GlobalFactors& start, Job& job);
+
+// A factor for each constraint from `start` on: least-norm steps in logarithms, at most 0.7 a round, until
+// the mean error of the fitted frequencies is below 0.25 % or falls no more, at most 20 rounds.
+std::vector<double> tuneConstraints(TuneProblem& problem, const TuneConstraints& constraints,
+                                    const GlobalFactors& start, Job& job);
+
+// The factors on all constraints for one factor for each kind.
+std::vector<double> factorsOf(const GlobalFactors& factors, const TuneConstraints& constraints);
+
+}  // namespace limber
