@@ -77,6 +77,7 @@ const READERS: Record<RunSettingName, StageName[]> = {
   material: [],
   seconds: [],
   substeps: [],
+  converge: [],
   damping: [],
   selfCollision: [],
   colliders: [],
@@ -107,7 +108,7 @@ const OTHER: RunSettings = {
   ),
   ...{ young: 2e6, poisson: 0.2, density: 500, thickness: 3, unit: 0.1 },
   ...{ solver: 'dihedral', tune: 'vertex', engine: 'stretch=200', bendRatio: 0.1, massRule: 'vertex' },
-  ...{ scenario: 'wind', material: 'springs', seconds: 1, substeps: 9, damping: 1 },
+  ...{ scenario: 'wind', material: 'springs', seconds: 1, substeps: 9, converge: true, damping: 1 },
   ...{ selfCollision: true, colliders: 'ground:0', friction: 0.1, calibrate: false, weld: 4 },
   ...{ threads: 1, targetFaces: 12, fields: false },
 };

@@ -4,9 +4,15 @@ import { SCENARIO_NAMES } from '../../web/engine/core/scenarios';
 import type { ScenarioName } from '../../web/engine/core/scenarios';
 import { defaultSettings, OPTIONS } from '../../web/engine/settings/options';
 import { SimulatedBodies } from '../../web/engine/motion/simulated_bodies';
-import { calibrationOf, simulationOptions, STEP_SECONDS } from '../../web/engine/motion/simulation';
+import {
+  calibrationOf,
+  simulationOptions,
+  solversAsTheyAre,
+  STEP_SECONDS,
+} from '../../web/engine/motion/simulation';
 import { materialOf } from '../../web/engine/body/material';
 import { simulationReport } from '../../web/engine/report/motion_report';
+import { profileOf, SOLVER_NAMES } from '../../web/engine/solvers/profiles';
 import { prepareBody } from '../../web/engine/stages/prepared';
 import { bodyOf } from './support/bodies';
 import { loadTestCore } from './support/core';
@@ -38,6 +44,18 @@ describe('a running simulation', () => {
     run(simulation, 6);
     expect(simulation.time).toBeCloseTo(6 * STEP_SECONDS, 12);
     expect(simulation.positions(0)).not.toEqual(sheet.positions);
+    simulation.end();
+  });
+
+  it('lays a sheet flat above the ball to drape it', () => {
+    const simulation = new SimulatedBodies(core, sheet, coarse, optionsFor(sheet, 'drape'));
+    const { ground, colliders } = simulation.collisionScene;
+    for (const body of [0, 1]) {
+      const heights = simulation.positions(body).filter((_, i) => i % 3 === 1);
+      expect(Math.max(...heights) - Math.min(...heights)).toBeLessThan(1e-6);
+      expect(heights[0]).toBeGreaterThan(colliders[0].from[1] + colliders[0].radius);
+    }
+    expect(ground).toBeCloseTo(colliders[0].from[1] - colliders[0].radius, 12);
     simulation.end();
   });
 
@@ -82,6 +100,7 @@ describe('a running simulation', () => {
     expect(touched('twist', {})).toEqual({ ground: null, colliders: [] });
     expect(touched('twist', added)).toEqual(added);
     expect(touched('drop', {}).ground).toBeLessThan(0);
+    expect(touched('drape', {}).ground).toBeLessThan(0);
     const { colliders } = touched('drape', added);
     expect(colliders).toHaveLength(2);
     expect(colliders[1].from).toEqual(colliders[1].to);
@@ -175,5 +194,89 @@ describe('a comparison of motions', () => {
     expect(report.speedup).toBeGreaterThan(1);
     expect(report.original.nanosecondsPerConstraint).toBeGreaterThan(0);
     expect(report.deviation!.mean).toBeLessThan(report.deviation!.max);
+    expect(report.deviation!.substeps).toBe(motion.substepDeviation);
+    expect(report.deviation!.converged).toBe(motion.isConverged);
+    expect(report.substeps).toBe(options.substeps);
+  });
+
+  it('tells whether the original has converged, and doubles the substeps until it has', () => {
+    const options = { ...optionsFor(sheet, 'sway'), seconds: 0.2, records: false, binding: null };
+    const few = core.compareMotion(sheet, coarse, { ...options, substeps: 1 });
+    expect(few.isConverged).toBe(false);
+    expect(few.substepDeviation).toBeGreaterThan(0.25 * few.deviationMean);
+    const enough = core.compareMotion(sheet, coarse, { ...options, substeps: 1, doublesSubsteps: true });
+    expect(enough.isConverged).toBe(true);
+    expect(Math.log2(enough.substeps) % 1).toBe(0);
+    expect(enough.substepDeviation).toBeLessThanOrEqual(0.25 * enough.deviationMean);
+  });
+});
+
+describe('a solver of the panel', () => {
+  const arch = (mesh: TriangleMesh): TriangleMesh => ({
+    ...mesh,
+    positions: mesh.positions.map((value, i) =>
+      i % 3 === 2 ? Math.sin(3 * mesh.positions[i - 2]) / 4 : value,
+    ),
+  });
+  const [original, result] = [arch(sheet), arch(coarse)];
+  const inSolver = (solver: (typeof SOLVER_NAMES)[number], massRule: 'auto' | 'vertex' = 'auto') => {
+    const size = prepareBody(core, bodyOf(original), settings);
+    return solversAsTheyAre(size, { original, result }, { ...settings, solver, massRule })!;
+  };
+
+  it('is none where none is asked for', () => {
+    const size = prepareBody(core, bodyOf(original), settings);
+    expect(solversAsTheyAre(size, { original, result }, settings)).toBeNull();
+  });
+
+  it.each(SOLVER_NAMES)('moves original and result: %s', (name) => {
+    const pair = inSolver(name);
+    const { stretch, bend } = profileOf(name);
+    expect(pair.original.model).toMatchObject({ stretch, bend });
+    const options = { ...optionsFor(original, 'hang'), seconds: 0.1, records: true, binding: null };
+    const motion = core.compareMotion(original, result, {
+      ...options,
+      solver: pair.original,
+      otherSolver: pair.result,
+    });
+    expect(motion.original.positions.every(Number.isFinite)).toBe(true);
+    expect(motion.original.positions).not.toEqual(original.positions);
+    const [edges, bends, triangles] = [456, 408, 288];
+    const constraints =
+      (stretch === 'membrane' ? triangles : edges) + (bend === 'morley' ? triangles : bends);
+    expect(motion.original).toMatchObject({ constraints, edges });
+  });
+
+  it('gives the optimized body its own constants, masses and factors', () => {
+    const pair = inSolver('springs');
+    const options = { ...optionsFor(original, 'sway'), seconds: 0.1, records: false, binding: null };
+    const deviationOf = (otherSolver: typeof pair.result): number =>
+      core.compareMotion(original, original, { ...options, solver: pair.original, otherSolver })
+        .deviationMean;
+    const { model, constants } = pair.original;
+    expect(deviationOf(pair.original)).toBe(0);
+    const soft = { ...constants, stretch: constants.stretch / 2, bend: constants.bend / 2 };
+    expect(deviationOf({ model, constants: soft })).toBeGreaterThan(0.01);
+    const [stretchFactors, bendFactors] = [new Float64Array(456).fill(2), new Float64Array(408).fill(2)];
+    expect(deviationOf({ model, constants: soft, stretchFactors, bendFactors })).toBe(0);
+    const heavy = new Float64Array(169).fill(1);
+    expect(deviationOf({ model, constants, masses: heavy })).toBeGreaterThan(0.01);
+  });
+
+  it('can give every vertex the same mass', () => {
+    const byArea = inSolver('springs');
+    const byVertex = inSolver('springs', 'vertex');
+    expect(byVertex.original.model.mass).toBe('vertex');
+    expect({ ...byVertex.original.model, mass: 'area' }).toEqual(byArea.original.model);
+  });
+
+  it('refuses factors that are not of the mesh', async () => {
+    const { model, constants } = inSolver('springs').original;
+    const solver = { model, constants, stretchFactors: new Float64Array(3).fill(1) };
+    expect(
+      await failureOf(() => new SimulatedBodies(core, sheet, null, { ...optionsFor(sheet, 'hang'), solver })),
+    ).toBe(
+      'The factors on stretching are 3, but the mesh needs 456: take the settings that were written for this mesh.',
+    );
   });
 });

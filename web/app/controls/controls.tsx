@@ -129,7 +129,7 @@ export function Select({ label, options, value, title, onChange }: SelectProps) 
 
 interface ChoiceProps<T extends string> {
   label: string;
-  options: readonly { value: T; text: string; title?: string; disabled?: boolean }[];
+  options: readonly { value: T; text: string; title?: string }[];
   value: T;
   onChange(value: T): void;
 }
@@ -144,7 +144,6 @@ export function Choice<T extends string>({ label, options, value, onChange }: Ch
           type="button"
           aria-pressed={option.value === value}
           title={option.title}
-          disabled={option.disabled}
           onClick={() => onChange(option.value)}
         >
           {option.text}

@@ -15,6 +15,7 @@ import { besideControl } from './refusal';
 import { saveFiles, startSaving } from './saved_session';
 import { afterBody, afterHistory, keyed, of, ofFaces } from './task';
 import type { LevelStage, Task } from './task';
+import { isTuningWanted } from './twin';
 import { changeSettings, results, shownMesh, status, view, wantedFaces, whyKey, wants } from './store';
 import { forgetUndo, startUndo, withoutUndo } from './undo';
 
@@ -85,6 +86,12 @@ const tasks: Task[] = [
     key: atRest(STAGES.fitted),
     run: () => client.call((worker) => worker.fit(body(), settings(), restedFaces.value)),
     result: results.fitted,
+  },
+  {
+    what: 'Tuning the result to its solver',
+    key: () => (isTuningWanted.value && results.fitted.value ? atRest(STAGES.tuned)() : null),
+    run: () => client.call((worker) => worker.tune(body(), settings(), restedFaces.value)),
+    result: results.tuned,
   },
   {
     what: 'Measuring the result',

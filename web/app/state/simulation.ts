@@ -12,7 +12,7 @@ import type { SimulationApi, TwinFrame, TwinRequest, TwinSetup } from '../worker
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { results, shownMesh, status, view, wantedFaces, wants } from './store';
-import { pinSource, twin, usedTuning } from './twin';
+import { isTuningWanted, pinSource, twin, usedTuning } from './twin';
 
 /** ms; numbers that change faster than this cannot be read. */
 const NUMBERS_EVERY = 250;
@@ -29,17 +29,13 @@ const simulationKeys = (Object.keys(OPTIONS) as (keyof Settings)[]).filter((key)
   ['simulation', 'material', 'solver'].includes(OPTIONS[key].group),
 );
 
-/** counts tunings, whose content is no text */
-let tuningNumber = 0;
-const tuningKey = computed(() => (usedTuning.value ? `tuned ${(tuningNumber += 1)}` : 'as it is'));
-
 /** The inputs of the simulation as text; null while they are incomplete. */
 export const simulationKey = computed<string | null>(() => {
   const settings = wants.settings.value;
   if (view.step.value !== 'test' || isPending() || !shownMesh.value || !results.body.value) return null;
   const values = simulationKeys.map((name) => settings[name]);
   const pins = pinSource.value === 'pins' ? keyOf(STAGES.pinned, settings) : pinSource.value;
-  return [meshKey(), pins, ...values, tuningKey.value, twin.alwaysNoise.value].join(' ');
+  return [meshKey(), pins, ...values, usedTuning.value !== null, twin.alwaysNoise.value].join(' ');
 });
 
 const meshKey = (): string =>
@@ -50,8 +46,9 @@ const meshKey = (): string =>
     isFittedShown(),
   ].join(' ');
 
-/** Whether the optimized mesh is still to be fitted. */
-const isPending = (): boolean => status.working.value && !isFittedShown();
+/** Whether the optimized mesh is still to be fitted, or to be tuned. */
+const isPending = (): boolean =>
+  status.working.value && (!isFittedShown() || (isTuningWanted.value && usedTuning.value === null));
 
 const isFittedShown = (): boolean => results.fitted.value?.result === shownMesh.value;
 

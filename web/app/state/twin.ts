@@ -5,7 +5,9 @@ import type { CollisionScene } from '../../engine/core/core';
 import type { TwinSample } from '../../engine/motion/twin';
 import type { TunedBody } from '../../engine/solvers/tuned_body';
 import type { TwinFrame } from '../worker/simulation_protocol';
-import { wants } from './store';
+import { keyOf } from '../../engine/stages/stage';
+import { STAGES } from '../../engine/stages/stages';
+import { results, view, wantedFaces, wants } from './store';
 
 /** Where the pins come from: the scenario, the two upper corners, or the Motion step. */
 export type PinSource = 'scenario' | 'corners' | 'pins';
@@ -18,10 +20,8 @@ export const twin = {
   heat: signal(false),
   /** measure the noise floor even where the motion then becomes slower than real time */
   alwaysNoise: signal(false),
-  /** the result on screen, tuned in the solver of the settings; null: nothing has been tuned */
-  tunedBody: signal<TunedBody | null>(null),
-  /** whether a result that has been tuned is simulated so */
-  prefersTuned: signal(true),
+  /** simulate the result with what tuning finds for it in the solver of the settings, not as it is */
+  wantsTuned: signal(false),
   /** null: the pins of the Motion step where there are any */
   chosenPinSource: signal<PinSource | null>(null),
   /** what is on screen; null until a simulation has started */
@@ -45,9 +45,15 @@ export const pinSource = computed<PinSource>(() => {
   return chosen === 'pins' && !hasPins ? 'scenario' : chosen;
 });
 
-/** The tuning that is simulated: none without a solver, nor where another solver has been tuned. */
+/** Whether the result on screen is to be tuned for the Test step. */
+export const isTuningWanted = computed(
+  () => view.step.value === 'test' && twin.wantsTuned.value && wants.settings.value.solver !== 'none',
+);
+
+/** The tuning that is simulated; null: the result as it is, also until it has been tuned. */
 export const usedTuning = computed<TunedBody | null>(() => {
-  const { value: tuned } = twin.tunedBody;
-  const isForSolver = tuned !== null && tuned.solver === wants.settings.value.solver;
-  return isForSolver && twin.prefersTuned.value ? tuned : null;
+  const { value: found } = results.tuned;
+  if (!isTuningWanted.value || !found) return null;
+  const wanted = { ...wants.settings.value, targetFaces: wantedFaces.value };
+  return found.key === keyOf(STAGES.tuned, wanted) ? found.tuned : null;
 });

@@ -19,6 +19,7 @@ import type { Report } from '../../engine/report/report';
 import type { Settings } from '../../engine/settings/options';
 import type { DeviationMark } from '../../engine/stages/deviation_marks';
 import { keyOfFile } from '../../engine/stages/file_request';
+import type { TunedBody } from '../../engine/solvers/tuned_body';
 import type { KeptShare } from '../../engine/stages/face_shares';
 
 export interface Started {
@@ -105,6 +106,14 @@ export interface FitResult extends Omit<FittedResult, 'result'> {
   key: string;
 }
 
+/** The result tuned to move like the original in the solver of the settings. */
+export interface TunedResult {
+  /** null without a solver */
+  tuned: TunedBody | null;
+  /** of the stage, see keyOf */
+  key: string;
+}
+
 export interface ResultMetrics {
   minAngle: number;
   meanMinAngle: number;
@@ -169,6 +178,8 @@ export interface WorkerApi {
   meshAt(body: number, settings: Settings, faces: number): Promise<MeshAt>;
   /** The mesh that is exported: fitted to the modes where the settings say so. */
   fit(body: number, settings: Settings, faces: number): Promise<FitResult>;
+  /** Tunes the mesh of `fit` in the solver of the settings. */
+  tune(body: number, settings: Settings, faces: number): Promise<TunedResult>;
   /** `faces`: of the result that is explained. */
   why(body: number, settings: Settings, faces: number): Promise<WhyResult>;
   measure(body: number, settings: Settings, faces: number): Promise<ResultMetrics>;

@@ -128,6 +128,11 @@ const api: WorkerApi = {
       const isSame = fitted.result === run.get(STAGES.level, own);
       return { ...fitted, result: isSame ? null : fitted.result, key: keyOf(STAGES.fitted, own) };
     }),
+  tune: (body, settings, targetFaces) =>
+    translateErrors(() => {
+      const own = { ...settings, targetFaces };
+      return { tuned: runOf(body).get(STAGES.tuned, own), key: keyOf(STAGES.tuned, own) };
+    }),
   why: (body, settings, targetFaces) =>
     translateErrors(() => {
       const own = { ...settings, targetFaces };

@@ -1,9 +1,8 @@
 /** In which solver both bodies move, and whether the optimized one has what tuning found for it. */
 
 import { profileOf, SOLVER_NAMES } from '../../../engine/solvers/profiles';
-import type { SolverName } from '../../../engine/solvers/profiles';
 import type { Settings } from '../../../engine/settings/options';
-import { changeSettings, wants } from '../../state/store';
+import { changeSettings, status, wants } from '../../state/store';
 import { twin, usedTuning } from '../../state/twin';
 import { Choice, Select } from '../../controls/controls';
 
@@ -23,9 +22,16 @@ export function SolverSelect() {
         title={titleOf(solver)}
         options={options}
         value={solver}
-        onChange={(value) => changeSettings({ solver: value as Settings['solver'] })}
+        onChange={(value) =>
+          changeSettings({
+            solver: value as Settings['solver'],
+            engine: '',
+            tune: 'global',
+            massRule: 'auto',
+          })
+        }
       />
-      {solver !== 'none' && <Tuning solver={solver} />}
+      {solver !== 'none' && <Tuning />}
     </>
   );
 }
@@ -37,28 +43,28 @@ function titleOf(solver: Settings['solver']): string {
   return `Both bodies are ${words}, solved here by XPBD.${known}`;
 }
 
-const NOT_TUNED = 'Nothing has been tuned for this solver yet.';
+const TUNINGS = [
+  { value: 'as it is', text: 'As it is', title: 'The same numbers for both' },
+  { value: 'tuned', text: 'Tuned', title: 'The masses and factors with which it moves like the original' },
+] as const;
 
-function Tuning({ solver }: { solver: SolverName }) {
-  const isTuned = twin.tunedBody.value?.solver === solver;
-  const options = [
-    { value: 'as it is', text: 'As it is', title: 'The same numbers for both' },
-    {
-      value: 'tuned',
-      text: 'Tuned',
-      title: isTuned ? 'The masses and factors that were found for the optimized mesh' : NOT_TUNED,
-      disabled: !isTuned,
-    },
-  ] as const;
+/** Tuning takes a while, so it starts when it is asked for. */
+function Tuning() {
+  const isWanted = twin.wantsTuned.value;
   return (
-    <div class="control">
-      <span>Optimized</span>
-      <Choice
-        label="Optimized mesh"
-        options={options}
-        value={usedTuning.value ? 'tuned' : 'as it is'}
-        onChange={(choice) => (twin.prefersTuned.value = choice === 'tuned')}
-      />
-    </div>
+    <>
+      <div class="control">
+        <span>Optimized mesh</span>
+        <Choice
+          label="Optimized mesh"
+          options={TUNINGS}
+          value={isWanted ? 'tuned' : 'as it is'}
+          onChange={(choice) => (twin.wantsTuned.value = choice === 'tuned')}
+        />
+      </div>
+      {isWanted && !usedTuning.value && (
+        <p class="hint">{status.working.value ? 'Tuning ...' : 'It could not be tuned: shown as it is.'}</p>
+      )}
+    </>
   );
 }

@@ -1,0 +1,26 @@
+import { describe, expect, it } from 'vitest';
+import { describeConvergence, substepsToTake } from '../../web/engine/motion/convergence';
+
+const found = { substeps: 20, substepDeviation: 3, deviationMean: 2.4, isConverged: false };
+
+describe('what is said of substeps', () => {
+  it('is nothing where the original has converged', () => {
+    expect(describeConvergence({ ...found, isConverged: true }, String)).toBeNull();
+  });
+
+  it('is how far the original is from itself, and what to take', () => {
+    expect(describeConvergence(found, (substeps) => `take --substeps ${substeps}`)).toBe(
+      'At 20 substeps the original is still 3.0 % away from itself at 40, beside the 2.4 % that are judged: take --substeps 100.',
+    );
+  });
+
+  it.each([
+    [{ ...found, substepDeviation: 0.7 }, 50],
+    [{ ...found, substepDeviation: 3 }, 100],
+    [{ ...found, substepDeviation: 3.1 }, 200],
+    [{ ...found, substeps: 5000 }, 10_000],
+    [{ ...found, deviationMean: 0 }, 10_000],
+  ])('rounds up to what can be remembered, within the range: %o', (convergence, substeps) => {
+    expect(substepsToTake(convergence)).toBe(substeps);
+  });
+});
