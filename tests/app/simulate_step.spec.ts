@@ -114,6 +114,46 @@ test('every scenario starts at rest and moves both bodies', async ({ page }) => 
   }
 });
 
+test('both bodies move in the solver that is chosen', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openTest(page);
+  await button(page, 'Step').click();
+  const solver = page.getByLabel('Solver', { exact: true });
+  const tuning = page.getByRole('group', { name: 'Optimized mesh' });
+  await expect(tuning).toHaveCount(0);
+  const start = await restart(page, () => solver.selectOption('springs'));
+  await expect(tuning.getByRole('button', { name: 'As it is' })).toHaveAttribute('aria-pressed', 'true');
+  const { changed } = await compare(page, start, await playUntil(page, 0.3));
+  for (const pixels of changed) expect(pixels).toBeGreaterThan(MOVED_PIXELS);
+  const springs = await numberIn(page, 'Deviation');
+  await restart(page, () => solver.selectOption('none'));
+  await playUntil(page, 0.3);
+  expect(await numberIn(page, 'Deviation')).not.toBe(springs);
+});
+
+test('a check says whether the substeps are enough, and what to take where they are not', async ({
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openTest(page);
+  const field = page.getByRole('spinbutton', { name: 'Substeps' });
+  await field.fill('1');
+  await field.blur();
+  await button(page, 'Check substeps').click();
+  await button(page, 'Cancel the check').click();
+  await button(page, 'Check substeps').click();
+  await expect(
+    page.getByText(/^At 1 substep the original is still [\d.]+ % away from itself at 2/),
+  ).toBeVisible({
+    timeout: 60_000,
+  });
+  const take = page.getByRole('button', { name: /^Take / });
+  const wanted = /[\d,]+/.exec(await take.innerText())![0].replaceAll(',', '');
+  await take.click();
+  await expect(field).toHaveValue(wanted);
+  await expect(page.getByText(/away from itself/)).toHaveCount(0);
+});
+
 test('another number of substeps starts again, and fewer of them leave more stretch', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openTest(page);

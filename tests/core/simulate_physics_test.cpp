@@ -426,6 +426,34 @@ TEST(SimulatedPhysics, aStripThatFoldsOnTheGroundLiesOnItselfOnlyWithSelfCollisi
   }
 }
 
+Vec3 middleOf(const Simulation& body, uint32_t begin, uint32_t end) {
+  Vec3 sum;
+  for (uint32_t v = begin; v < end; ++v) sum += body.position(v);
+  return sum / (end - begin);
+}
+
+TEST(SimulatedPhysics, closedPartsThatAreDroppedOnEachOtherStayApart) {
+  const TriangleMesh ball = shapes::sphere(2, 0.2);
+  TriangleMesh upper = ball;
+  for (Vec3& p : upper.positions) p = p + Vec3{0.02, 0.6, 0.01};
+  const TriangleMesh both = shapes::together(ball, upper);
+  const Scenario drop = {scenarioKind("drop"), bounds(both), 2};
+  ASSERT_TRUE(touchesItself(drop, both));
+  EXPECT_FALSE(touchesItself(drop, shapes::grid(3, 3)));
+  EXPECT_FALSE(touchesItself({scenarioKind("sway"), bounds(both), 2}, both));
+  RunningScenario body(both, rubber(0.02, 20), drop, {});
+  const Job job;
+  const auto half = ball.vertexCount();
+  double nearest = 1;
+  for (int i = 0; i < 120; ++i) {
+    body.step(job);
+    const Simulation& now = body.simulation();
+    nearest = std::min(nearest, length(middleOf(now, 0, half) - middleOf(now, half, 2 * half)));
+  }
+  EXPECT_LT(nearest, 0.5);  // they have met
+  EXPECT_GT(nearest, 0.3);  // and only been dented
+}
+
 TEST(SimulatedPhysics, aClosedBodyKeepsItsVolume) {
   const TriangleMesh mesh = shapes::sphere(2, 0.5);
   const auto volume = [&](bool keeps) {

@@ -8,9 +8,20 @@
 
 namespace limber {
 
+namespace {
+
+SimulationOptions optionsIn(const Scenario& scenario, const TriangleMesh& mesh, SimulationOptions options) {
+  options.selfCollision = options.selfCollision || touchesItself(scenario, mesh);
+  return options;
+}
+
+}  // namespace
+
 RunningScenario::RunningScenario(const TriangleMesh& mesh, const SimulationOptions& options,
                                  const Scenario& scenario, const Pins& pins)
-    : scenario_(scenario), simulation_(posed(scenario, mesh), options, pins), pins_(pins) {
+    : scenario_(scenario),
+      simulation_(posed(scenario, mesh), optionsIn(scenario, mesh, options), pins),
+      pins_(pins) {
   for (const uint32_t v : pins.vertices) pinRest_.push_back(posed(scenario, mesh.positions[v]));
   for (const SurfacePoint& point : pins.points) pinRest_.push_back(simulation_.position(point));
   startScenario(scenario_, mesh.positions, simulation_);

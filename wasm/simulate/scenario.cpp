@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "mesh/topology.h"
+
 namespace limber {
 
 // Empty functions stand for: pins stay at rest, no initial velocity, no gravity, still air, nothing to touch.
@@ -13,6 +15,7 @@ struct ScenarioKind {
   std::string_view name;
   bool pinsLowerEnd = false, pinsUpperEnd = false;
   bool laysFlat = false;
+  bool touchesItself = false;                                                   // closed bodies do
   Vec3 (*pinTarget)(const Scenario&, const Vec3& rest, double time) = nullptr;  // of pins in the upper half
   Vec3 (*initialVelocity)(const Scenario&, const Vec3& rest) = nullptr;         // m/s
   Vec3 (*gravity)(const Scenario&) = nullptr;                                   // m/s2
@@ -107,7 +110,7 @@ constexpr std::array<ScenarioKind, 7> kScenarios = {{
     {.name = "twist", .pinsLowerEnd = true, .pinsUpperEnd = true, .pinTarget = twistedTarget},
     {.name = "sway", .pinsLowerEnd = true, .initialVelocity = blowVelocity},
     {.name = "hang", .pinsUpperEnd = true, .gravity = gravityAlongY},
-    {.name = "drop", .gravity = gravityAlongY, .addToScene = addFloor},
+    {.name = "drop", .touchesItself = true, .gravity = gravityAlongY, .addToScene = addFloor},
     {.name = "pull", .pinsLowerEnd = true, .pinsUpperEnd = true, .pinTarget = stretchedTarget},
     {.name = "wind", .pinsUpperEnd = true, .gravity = gravityAlongY, .wind = gusts},
     {.name = "drape", .laysFlat = true, .gravity = gravityAlongY, .addToScene = addBall},
@@ -164,6 +167,12 @@ std::vector<uint32_t> defaultPins(const TriangleMesh& mesh, const Scenario& scen
 
 std::optional<Pose> startPose(const ScenarioKind* kind, const TriangleMesh& original) {
   return kind->laysFlat ? std::optional(layFlat(original)) : std::nullopt;
+}
+
+bool touchesItself(const Scenario& scenario, const TriangleMesh& mesh) {
+  if (!scenario.kind->touchesItself) return false;
+  const Topology topology = buildIncidence(mesh);
+  return std::ranges::none_of(topology.edges, [](const auto& edge) { return edge.useCount == 1; });
 }
 
 Vec3 posed(const Scenario& scenario, const Vec3& point) {

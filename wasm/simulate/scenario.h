@@ -18,7 +18,9 @@ namespace limber {
 //   sway   The initial velocity is across the axis, 0.5 diagonals per second at the upper end, and grows with
 //          the square of the height above the lower end.
 //   hang   Gravity, 9.81 m/s2 along -y.
-//   drop   Gravity, and a floor 0.3 diagonals below the box.
+//   drop   Gravity, and a floor 0.3 diagonals below the box. Closed bodies collide with themselves, so that
+//   legs
+//          stay out of bellies.
 //   pull   The pins of the upper half move along the axis by a fifth of its length within 0.7 of the time.
 //   wind   Gravity, and wind across the axis that rises to 8 m/s within a quarter of a second and gusts by a
 //          third, 0.8 times per second.
@@ -52,6 +54,8 @@ std::vector<uint32_t> defaultPins(const TriangleMesh& mesh, const Scenario& scen
 
 // How the scenario of this kind poses the original at its start; none where it leaves it as it is.
 std::optional<Pose> startPose(const ScenarioKind* kind, const TriangleMesh& original);
+// Whether the body collides with itself whatever SimulationOptions say.
+bool touchesItself(const Scenario& scenario, const TriangleMesh& mesh);
 // A point or a mesh in the pose of the scenario.
 Vec3 posed(const Scenario& scenario, const Vec3& point);
 TriangleMesh posed(const Scenario& scenario, const TriangleMesh& mesh);

@@ -33,6 +33,18 @@ struct Grid {
   }
 };
 
+// Appends the vertices of the triangles around v.
+void appendNeighbours(const TriangleMesh& mesh, const Topology& topology, uint32_t v,
+                      std::vector<uint32_t>& neighbours) {
+  for (const uint32_t t : topology.trianglesAround(v))
+    neighbours.insert(neighbours.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+}
+
+void sortUnique(std::vector<uint32_t>& values) {
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
 }  // namespace
 
 SelfContacts::SelfContacts(const TriangleMesh& mesh, double friction)
@@ -40,6 +52,22 @@ SelfContacts::SelfContacts(const TriangleMesh& mesh, double friction)
   const Topology topology = buildTopology(mesh);
   for (const auto& edge : topology.edges)
     distance_ += length(rest_[edge.a] - rest_[edge.b]) / static_cast<double>(topology.edges.size());
+  nearStart_.push_back(0);
+  std::vector<uint32_t> one, two;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    one.clear();
+    two.clear();
+    appendNeighbours(mesh, topology, v, one);
+    sortUnique(one);
+    for (const uint32_t neighbour : one) appendNeighbours(mesh, topology, neighbour, two);
+    sortUnique(two);
+    near_.insert(near_.end(), two.begin(), two.end());
+    nearStart_.push_back(static_cast<uint32_t>(near_.size()));
+  }
+}
+
+bool SelfContacts::areNear(uint32_t a, uint32_t b) const {
+  return std::binary_search(near_.begin() + nearStart_[a], near_.begin() + nearStart_[a + 1], b);
 }
 
 void SelfContacts::addPair(const Particles& particles, uint32_t a, uint32_t b, double searchDistance) {
@@ -49,6 +77,7 @@ void SelfContacts::addPair(const Particles& particles, uint32_t a, uint32_t b, d
   const double distance = std::min(distance_, atRest);
   if (wa + wb == 0 || !(squaredLength(apart) < (distance + searchDistance) * (distance + searchDistance)))
     return;
+  if (areNear(a, b)) return;
   pairs_.push_back({a, b, toFloat4(apart), static_cast<float>(distance), static_cast<float>(wa / (wa + wb)),
                     static_cast<float>(wb / (wa + wb))});
 }

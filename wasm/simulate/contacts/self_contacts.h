@@ -8,8 +8,9 @@
 
 namespace limber {
 
-// Keeps the parts of a body apart that do not lie side by side. Two vertices push each other away when they
-// come closer than the mean edge length, or than they are at rest where that is less. This suits cloth of
+// Keeps the parts of a body apart that do not lie side by side. Two vertices that are more than two edges
+// away from each other push each other away when they come closer than the mean edge length, or than they are
+// at rest where that is less. This suits cloth of
 // even triangles. A coarse or uneven mesh can slip through itself, and so can a part that moves by more than
 // an edge in a step.
 class SelfContacts {
@@ -37,7 +38,11 @@ class SelfContacts {
   };
   void addPair(const Particles& particles, uint32_t a, uint32_t b, double searchDistance);
 
+  bool areNear(uint32_t a, uint32_t b) const;
+
   std::vector<Vec3> rest_;
+  // Vertices at most two edges away from v, ascending: near_[nearStart_[v]] to near_[nearStart_[v + 1] - 1].
+  std::vector<uint32_t> near_, nearStart_;
   double distance_ = 0;
   float friction_;
   std::vector<Pair> pairs_;

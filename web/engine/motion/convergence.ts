@@ -1,6 +1,7 @@
 /** Whether a simulated original has converged, in words. */
 
 import type { MotionComparison } from '../core/core';
+import { counted } from '../core/words';
 import { OPTIONS } from '../settings/options';
 
 /** The share of the deviation that substeps may make up; as kConverged of wasm/compare/compare_motion.h. */
@@ -35,7 +36,7 @@ export function describeConvergence(
   if (isConverged) return null;
   const finer = Math.min(2 * substeps, OPTIONS.substeps.max);
   return (
-    `At ${substeps} substeps the original is still ${percentOf(substepDeviation)} away from itself at ${finer}, ` +
+    `At ${counted(substeps, 'substep')} the original is still ${percentOf(substepDeviation)} away from itself at ${finer}, ` +
     `beside the ${percentOf(deviationMean)} that are judged: ${take(substepsToTake(convergence))}.`
   );
 }

@@ -534,7 +534,7 @@ const ROWS = {
     flag: 'self-collision',
     label: 'Touches itself',
     default: false,
-    help: 'Sheets push each other away where they meet, for cloth of even triangles; slower.',
+    help: 'Sheets push each other away where they meet, for cloth of even triangles; slower. Closed bodies that are dropped always do.',
     group: 'simulation',
     page: 'simulation',
   },
