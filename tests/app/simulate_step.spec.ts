@@ -136,11 +136,17 @@ test('a check says whether the substeps are enough, and what to take where they 
 }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openTest(page);
-  const field = page.getByRole('spinbutton', { name: 'Substeps' });
-  await field.fill('1');
-  await field.blur();
+  const field = page.getByLabel('Substeps, exact');
+  const substeps = async (count: number) => {
+    await field.fill(String(count));
+    await field.press('Enter');
+  };
+  await substeps(2000); // takes minutes
   await button(page, 'Check substeps').click();
+  await expect(page.getByText('Checking ...')).toBeVisible();
   await button(page, 'Cancel the check').click();
+  await expect(page.getByText('Checking ...')).toHaveCount(0);
+  await substeps(1);
   await button(page, 'Check substeps').click();
   await expect(
     page.getByText(/^At 1 substep the original is still [\d.]+ % away from itself at 2/),
