@@ -88,9 +88,10 @@ class ComparedRuns {
 };
 
 // The original against its other body at growing substeps.
-class Comparison {
+class ComparedMotions {
  public:
-  Comparison(const TriangleMesh& original, const TriangleMesh& other, const MotionOptions& options, Job& job)
+  ComparedMotions(const TriangleMesh& original, const TriangleMesh& other, const MotionOptions& options,
+                  Job& job)
       : original_(original),
         other_(other),
         options_(options),
@@ -169,7 +170,7 @@ class Comparison {
 
 MotionComparison compareMotion(const TriangleMesh& original, const TriangleMesh* other,
                                const MotionOptions& options, Job& job) {
-  if (other) return Comparison(original, *other, options, job).run();
+  if (other) return ComparedMotions(original, *other, options, job).run();
   const Pins pins = {options.pinned, {}};
   ComparedRuns runs(original, options, 0, job);
   runs.expect(options.simulation.substeps);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kFlat = 0.25;
 
 // How far the mesh reaches along a unit vector, from end to end.
-double extentAlong(const TriangleMesh& mesh, const Vec3& axis) {
+double lengthAlong(const TriangleMesh& mesh, const Vec3& axis) {
   double low = dot(mesh.positions.front(), axis), high = low;
   for (const Vec3& p : mesh.positions) {
     low = std::min(low, dot(p, axis));
@@ -33,7 +33,7 @@ Vec3 shortestSide(const Bounds& box) {
 // The direction that becomes vertical, upwards if it is not horizontal.
 Vec3 normalOf(const TriangleMesh& mesh, const Bounds& box) {
   const PrincipalAxes axes = principalAxes(mesh);
-  const bool isSheet = extentAlong(mesh, axes.axis[0]) < kFlat * extentAlong(mesh, axes.axis[1]);
+  const bool isSheet = lengthAlong(mesh, axes.axis[0]) < kFlat * lengthAlong(mesh, axes.axis[1]);
   const Vec3 normal = isSheet ? axes.axis[0] : shortestSide(box);
   return normal.y < 0 ? normal * -1.0 : normal;
 }
