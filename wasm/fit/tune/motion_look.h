@@ -36,7 +36,8 @@ struct MovingBody {
 // noticeable share of the energy of the swing, and for `hang` of that joined with a pendulum's.
 class MotionLook {
  public:
-  // Moves the original. Throws Cancelled, and std::invalid_argument as SolverConstraints does.
+  // Moves the original, which must outlive this object with all that it refers to. Throws Cancelled, and
+  // std::invalid_argument as SolverConstraints does.
   MotionLook(const MovingBody& original, const SolverModel& model, Job& job);
   ~MotionLook();
   MotionLook(MotionLook&&) noexcept;
@@ -57,8 +58,7 @@ class MotionLook {
 
   // What the steps in time alone contribute to a deviation, in % of the diagonal: the difference between the
   // original with the step of the look and with twice that step, over 3, for the steps are of second order
-  // (Richardson). Moves the original once more at the first call. Nothing if there is no look. Throws
-  // Cancelled.
+  // (Richardson). Moves the original once more. Nothing if there is no look. Throws Cancelled.
   std::optional<double> noiseFloor(Job& job);
 
  private:
