@@ -13,7 +13,7 @@ export const core = {
   transfer: ['base', 'mesh', 'query', 'simplify', 'simulate'],
   modes: ['base', 'mesh', 'linear', 'query', 'elastic', 'simplify'],
   compare: ['base', 'mesh', 'linear', 'query', 'elastic', 'simulate', 'transfer'],
-  fit: ['base', 'mesh', 'linear', 'query', 'elastic', 'simplify', 'transfer', 'modes', 'compare'],
+  fit: ['base', 'mesh', 'linear', 'query', 'elastic', 'simplify', 'simulate', 'transfer', 'modes', 'compare'],
 };
 
 /** Folders of web/engine; a folder may use only those listed above it. */

@@ -55,6 +55,31 @@ test('levels and the binding are checked, packed, and the same as from the comma
   expect(report.levels.map(({ ratio }) => ratio)).toEqual([0.3, 0.1]);
 });
 
+test('the settings of a solver are told, checked where typed, and the same as from the command line', async ({
+  page,
+}) => {
+  await openExport(page);
+  await page.getByLabel('Solver').selectOption('hinge-shell');
+  await expect(page.locator('.tuning')).toContainText('In Discrete Shells the first ten frequencies are off');
+  await page.getByText('Your parameters').click();
+  const young = page.getByLabel('young');
+  await young.fill('soft');
+  await young.press('Enter');
+  await expect(page.getByRole('alert')).toContainText('This has soft for young: give a number.');
+  await young.fill('2e5');
+  await young.press('Enter');
+  await expect(page.locator('code.command')).toContainText(
+    "--solver hinge-shell --engine 'young=200000' --settings sheet-out-limber.settings.json",
+  );
+  const settings = await saved(page, 'Save settings');
+  const command = await page.locator('code.command').innerText();
+  const words = command.replaceAll("'", '').split(' ').slice(1);
+  const program = join(import.meta.dirname, '..', '..', 'dist', 'cli', 'limber.mjs');
+  execFileSync(process.execPath, [program, ...words, '--quiet'], { cwd: scratch });
+  expect(readFileSync(join(scratch, 'sheet-out-limber.settings.json')).equals(settings)).toBe(true);
+  expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+});
+
 test('the report is saved as JSON, CSV and Markdown', async ({ page }) => {
   await openExport(page);
   const json = JSON.parse((await saved(page, 'Save report as JSON')).toString()) as {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -116,6 +117,59 @@ TEST(SolverConstraints, haveTheEnergyOfAUniformlyStretchedSheet) {
   const double xx = 0.5 * (1.44 - 1), yy = 0.5 * (0.01 + 0.81 - 1), xy = 0.5 * 1.2 * 0.1, area = 2 * 0.25;
   const double expected = area * (700 * (xx * xx + yy * yy + 2 * xy * xy) + 150 * (xx + yy) * (xx + yy));
   EXPECT_NEAR(energy(constraints, moved), expected, 1e-12 * expected);
+}
+
+// The derivative of J^T strain by positions, by central differences, for a constraint that is stretched in
+// all directions: it is J^T J and the stress stiffness, but that the latter counts along a spring too.
+TEST(SolverConstraints, haveASecondDerivativeOfJacobiansAndTension) {
+  constexpr double step = 1e-6;
+  const TriangleMesh mesh = shapes::jittered(shapes::grid(1, 1), 0.1, 2);
+  for (const SolverModel& model : {kModels[0], kModels[3]}) {
+    const SolverConstraints constraints = constraintsOf(mesh, model);
+    std::vector<Vec3> x;
+    for (const Vec3& p : constraints.rest()) x.push_back({1.3 * p.x + 0.1 * p.y, 0.2 * p.x, 1.2 * p.y});
+    for (uint32_t c = 0; c < constraints.stretchCount(); ++c) {
+      const auto forces = [&] {
+        const ConstraintStrain at = constraints.strainAt(c, x);
+        return Eigen::VectorXd(at.jacobian.transpose() * at.strain);
+      };
+      const ConstraintStrain at = constraints.strainAt(c, x);
+      Eigen::MatrixXd expected = at.jacobian.transpose() * at.jacobian;
+      const Eigen::Matrix4d stress = constraints.stressStiffnessAt(c, x);
+      const int count = constraints[c].vertexCount;
+      Eigen::Matrix3d across = Eigen::Matrix3d::Identity();
+      if (count == 2) {
+        const Eigen::Vector3d along = at.jacobian.block<1, 3>(0, 0).transpose().normalized();
+        across -= along * along.transpose();
+      }
+      EXPECT_GT(stress.norm(), 0);
+      for (int k = 0; k < count; ++k)
+        for (int l = 0; l < count; ++l) expected.block<3, 3>(3 * k, 3 * l) += stress(k, l) * across;
+      for (int k = 0; k < 3 * count; ++k) {
+        double& coordinate = x[constraints[c].vertices[k / 3]][k % 3];
+        const double kept = coordinate;
+        coordinate = kept + step;
+        const Eigen::VectorXd above = forces();
+        coordinate = kept - step;
+        const Eigen::VectorXd below = forces();
+        coordinate = kept;
+        EXPECT_LT(((above - below) / (2 * step) - expected.col(k)).norm(), 1e-7 * expected.norm());
+      }
+    }
+  }
+}
+
+TEST(SolverConstraints, haveAStressStiffnessWithoutNegativeEigenvalues) {
+  for (const TriangleMesh& mesh : bodies())
+    for (const SolverModel& model : kModels) {
+      const SolverConstraints constraints = constraintsOf(mesh, model);
+      const std::vector<Vec3> x = randomlyMoved(constraints.rest(), 0.1, 5);
+      for (uint32_t c = 0; c < constraints.count(); ++c) {
+        const Eigen::Matrix4d stress = constraints.stressStiffnessAt(c, x);
+        const Eigen::Vector4d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(stress).eigenvalues();
+        EXPECT_GE(values[0], -1e-12 * (1 + values[3]));
+      }
+    }
 }
 
 TEST(SolverConstraints, haveTheEnergyOfSpringsThatStretch) {

@@ -117,7 +117,7 @@ const OTHER: RunSettings = {
 const everything = (method: Settings['method']): RunSettings => ({
   ...defaultSettings(method),
   ...{ modeCount: 4, modes: [1, 2], lods: [0.5], calibrate: true, maxFrequencyError: 90 },
-  ...{ curvatureWeight: 1, targetFaces: 14, fields: true },
+  ...{ curvatureWeight: 1, targetFaces: 14, fields: true, solver: 'springs' },
 });
 
 let core: Core;
@@ -302,11 +302,14 @@ describe('the page and the command line', () => {
         '.5,.2',
         '--calibrate',
         '--fields',
+        '--solver',
+        'hinge-shell',
         '--threads',
         '1',
         '--quiet',
       ];
-      const words = ['optimize', input, output, ...flags, '--bind', join(folder, 'bind.json')];
+      const files = ['--bind', join(folder, 'bind.json'), '--settings', join(folder, 'settings.json')];
+      const words = ['optimize', input, output, ...flags, ...files];
       const args = parseArguments([...words, '--report', join(folder, 'report.json')]) as Arguments;
       expect(await runOptimize(args)).toBe(0);
 
@@ -323,8 +326,18 @@ describe('the page and the command line', () => {
         written('out_lod2.glb'),
       ]);
       expect(page.binding).toBe(readFileSync(join(folder, 'bind.json'), 'utf8'));
+      expect(page.settings).toBe(readFileSync(join(folder, 'settings.json'), 'utf8'));
       const report = JSON.parse(readFileSync(join(folder, 'report.json'), 'utf8')) as typeof page.report;
-      for (const key of ['input', 'output', 'modes', 'fit', 'surface', 'stop', 'calibration'] as const)
+      for (const key of [
+        'input',
+        'output',
+        'modes',
+        'fit',
+        'fidelity',
+        'surface',
+        'stop',
+        'calibration',
+      ] as const)
         expect(page.report[key]).toEqual(report[key]);
       expect(page.report.calibration).toHaveLength(2);
     } finally {

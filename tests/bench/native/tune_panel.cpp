@@ -90,10 +90,10 @@ SolverConstants constantsOf(const SolverModel& model, const TriangleMesh& origin
 
 void measure(const std::string& file, const Arguments& arguments, Job& job) {
   const shared_meshes::Soup soup = shared_meshes::readObj(file);
-  const TriangleMesh original = weld(soup.positions, soup.indices).mesh;
+  const TriangleMesh original = weld(soup.positions, soup.indices, {}, job).mesh;
   const auto faces = static_cast<uint32_t>(arguments.faces * original.triangleCount());
   const TriangleMesh coarse =
-      meshAt(original, simplify(original, {}, {.method = Method::Qem}, job), faces).mesh;
+      meshAt(original, simplify(original, {}, {.method = Method::Limber}, job), faces).mesh;
   const std::string name = std::filesystem::path(file).stem().string();
   for (const Solver& solver : kSolvers)
     for (int kind = 0; kind < 3; ++kind) {

@@ -29,15 +29,24 @@ MembraneElement::MembraneElement(double shear, double second, const std::array<V
   shear_ = std::sqrt(shear * area);
 }
 
-ConstraintStrain MembraneElement::strainAt(const std::array<Vec3, 3>& positions) const {
-  ConstraintStrain result;
-  if (shear_ == 0) return result;
+Eigen::Matrix<double, 3, 2> MembraneElement::deformationAt(const std::array<Vec3, 3>& positions) const {
   Eigen::Matrix<double, 3, 2> f = Eigen::Matrix<double, 3, 2>::Zero();
   // Relative to the first vertex, for positions far from the origin lose digits.
   for (int c = 1; c < 3; ++c) f += eigen(positions[c] - positions[0]) * gradients_.col(c).transpose();
+  return f;
+}
+
+Eigen::Vector3d MembraneElement::strainOf(const Eigen::Matrix<double, 3, 2>& f) const {
   const double xx = 0.5 * (f.col(0).squaredNorm() - 1), yy = 0.5 * (f.col(1).squaredNorm() - 1),
                xy = 0.5 * f.col(0).dot(f.col(1));
-  result.strain = {dilation_ * (xx + yy), shear_ * (xx - yy), 2 * shear_ * xy};
+  return {dilation_ * (xx + yy), shear_ * (xx - yy), 2 * shear_ * xy};
+}
+
+ConstraintStrain MembraneElement::strainAt(const std::array<Vec3, 3>& positions) const {
+  ConstraintStrain result;
+  if (shear_ == 0) return result;
+  const Eigen::Matrix<double, 3, 2> f = deformationAt(positions);
+  result.strain = strainOf(f);
   for (int c = 0; c < 3; ++c) {
     const Eigen::RowVector3d byXx = gradients_(0, c) * f.col(0).transpose(),
                              byYy = gradients_(1, c) * f.col(1).transpose(),
@@ -47,6 +56,22 @@ ConstraintStrain MembraneElement::strainAt(const std::array<Vec3, 3>& positions)
     result.jacobian.block<1, 3>(1, 3 * c) = shear_ * (byXx - byYy);
     result.jacobian.block<1, 3>(2, 3 * c) = 2 * shear_ * byXy;
   }
+  return result;
+}
+
+Eigen::Matrix4d MembraneElement::stressStiffnessAt(const std::array<Vec3, 3>& positions) const {
+  const Eigen::Vector3d strain = strainOf(deformationAt(positions));
+  // The second Piola-Kirchhoff stress times the area, without its compressions.
+  const double mean = dilation_ * strain[0], half = shear_ * strain[1], across = shear_ * strain[2];
+  const double radius = std::hypot(half, across), larger = mean + radius, smaller = mean - radius;
+  Eigen::Matrix2d stress = Eigen::Matrix2d::Zero();
+  if (smaller >= 0)
+    stress << mean + half, across, across, mean - half;
+  else if (larger > 0)
+    stress << radius + half, across, across, radius - half;
+  if (smaller < 0 && larger > 0) stress *= larger / (2 * radius);
+  Eigen::Matrix4d result = Eigen::Matrix4d::Zero();
+  result.topLeftCorner<3, 3>() = gradients_.transpose() * stress * gradients_;
   return result;
 }
 

@@ -23,8 +23,13 @@ class MembraneElement {
   MembraneElement(double shear, double second, const std::array<Vec3, 3>& rest);
 
   ConstraintStrain strainAt(const std::array<Vec3, 3>& positions) const;
+  // See SolverConstraints::stressStiffnessAt.
+  Eigen::Matrix4d stressStiffnessAt(const std::array<Vec3, 3>& positions) const;
 
  private:
+  Eigen::Matrix<double, 3, 2> deformationAt(const std::array<Vec3, 3>& positions) const;  // F
+  Eigen::Vector3d strainOf(const Eigen::Matrix<double, 3, 2>& deformation) const;
+
   // Columns: barycentric coordinates' gradients in the plane at rest, so that F = sum_k x_k gradient_k^T.
   Eigen::Matrix<double, 2, 3> gradients_ = Eigen::Matrix<double, 2, 3>::Zero();
   double dilation_ = 0, shear_ = 0;  // sqrt((mu + lambda) A) and sqrt(mu A)

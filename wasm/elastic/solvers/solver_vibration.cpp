@@ -121,17 +121,25 @@ double SolverVibration::roughFirstEigenvalue() const {
 }
 
 uint32_t SolverVibration::countNoise(std::span<const double> factors, Job& job) const {
+  const SolverStiffness& stiffness = setting_.stiffness;
+  const bool hasHinges =
+      stiffness.count() > stiffness.stretchCount() && stiffness[stiffness.stretchCount()].vertexCount > 2;
+  if (hasHinges) return 0;
   const SparsePencil pencil = pencilOf(factors);
   const TriangleMesh& mesh = setting_.mesh;
-  double largest = 0, length = 0;
+  std::vector<double> local;  // squared frequencies of single vertices while all others are fixed
+  double length = 0;
   for (Eigen::Index u = 0; u < pencil.m.size(); ++u)
-    if (pencil.m[u] > 0) largest = std::max(largest, pencil.k.coeff(u, u) / pencil.m[u]);
+    if (pencil.m[u] > 0) local.push_back(pencil.k.coeff(u, u) / pencil.m[u]);
+  if (local.empty()) return 0;
+  const auto middle = local.begin() + static_cast<ptrdiff_t>(local.size() / 2);
+  std::ranges::nth_element(local, middle);
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
     length += limber::length(mesh.corner(t, 1) - mesh.corner(t, 0));
   const double edge = length / std::max<double>(1, mesh.triangleCount());
   const double slope = kFloatRounding * bounds(mesh).diagonal() / edge;
   ShiftedPencil shifted(pencil, structure_, job);
-  const uint32_t below = shifted.countBelow(largest * slope * slope);
+  const uint32_t below = shifted.countBelow(*middle * slope * slope);
   const auto rigid = static_cast<uint32_t>(rigidMotionCount());
   return below > rigid ? below - rigid : 0;
 }

@@ -49,7 +49,8 @@ class SolverVibration {
   // with all constraints and with those of bending alone. Within two or three powers of ten.
   double roughFirstEigenvalue() const;
   // Elastic eigenvalues below the size that positions rounded to float32 give to motions without any
-  // resistance: more than none where a sheet of springs is flat. One factorisation.
+  // resistance: more than none where a sheet of springs is flat. None with any other bending element. One
+  // factorisation.
   uint32_t countNoise(std::span<const double> factors, Job& job) const;
 
  private:

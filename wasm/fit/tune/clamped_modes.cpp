@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "fit/tune/mode_matching.h"
+#include "transfer/shape_transfer.h"
 
 namespace limber {
 namespace {
 
+// The clamped modes of an original with more vertices are refined from those of the result, which takes one
+// factorisation instead of two or three; its free modes are always found from scratch.
+constexpr uint32_t kFollowedVertices = 3000;
 constexpr int kMargin = 8;  // extra modes of the result, as the order of modes may differ
 
 SolverVibration vibrationOf(const SolverPart& part, std::span<const double> masses,
@@ -38,14 +43,26 @@ void PartModesPair::solveResult(double scale, Job& job) {
   modes_ = solution.basis;
 }
 
-void PartModesPair::solveOriginal(Job& job) {
-  const EigenSolution solution = original_.solve(ones(pair_->original), count_, firstEigenvalue(), job);
+ModeBasis PartModesPair::originalBasis(Job& job) {
+  const std::vector<double> factors = ones(pair_->original);
+  if (original_.rigidMotionCount() == 0 && pair_->original.mesh.vertexCount() > kFollowedVertices) {
+    const Eigen::Index rows = 3 * static_cast<Eigen::Index>(pair_->result.mesh.vertexCount());
+    const ModeBasis start{modes_.lambda,
+                          transfer(modes_.phi.topRows(rows), pair_->result.mesh, pair_->points)};
+    return original_.follow(factors, start, count_, job);
+  }
+  EigenSolution solution = original_.solve(factors, count_, firstEigenvalue(), job);
   isDefinite_ = isDefinite_ && static_cast<int>(solution.nullity) == original_.rigidMotionCount();
+  return std::move(solution.basis);
+}
+
+void PartModesPair::solveOriginal(Job& job) {
+  const ModeBasis basis = originalBasis(job);
   const Eigen::Index count =
-      std::min({solution.basis.modeCount(), static_cast<Eigen::Index>(count_), modes_.modeCount()});
-  wanted_ = solution.basis.lambda.head(count);
-  Eigen::MatrixXd weighted = solution.basis.phi.topLeftCorner(
-      3 * static_cast<Eigen::Index>(pair_->original.mesh.vertexCount()), count);
+      std::min({basis.modeCount(), static_cast<Eigen::Index>(count_), modes_.modeCount()});
+  wanted_ = basis.lambda.head(count);
+  Eigen::MatrixXd weighted =
+      basis.phi.topLeftCorner(3 * static_cast<Eigen::Index>(pair_->original.mesh.vertexCount()), count);
   for (uint32_t v = 0; v < pair_->original.mesh.vertexCount(); ++v)
     weighted.middleRows<3>(3 * static_cast<Eigen::Index>(v)) *= original_.masses()[v];
   expected_ = pair_->carryThirds(weighted);

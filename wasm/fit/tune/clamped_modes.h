@@ -42,6 +42,7 @@ class PartModesPair {
   const PartPair& pair() const { return *pair_; }
 
  private:
+  ModeBasis originalBasis(Job& job);
   void match();
 
   const PartPair* pair_;

@@ -1,6 +1,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fit/tune/factor_range.h"
 #include "fit/tune/tune_steps.h"
@@ -10,18 +11,38 @@ namespace {
 
 constexpr int kRounds = 20;
 constexpr double kGoodError = 0.25;     // %, of the fitted frequencies
-constexpr double kLongestChange = 0.7;  // of a logarithm in a round
+constexpr double kLongestChange = 0.7;  // of a logarithm in a round, at first
 constexpr double kDamping = 1e-4;  // of the mean diagonal of J J^T: modes of one frequency share their rows
-constexpr double kStalled = 0.95;  // of the best error so far; more of it is no progress
-constexpr int kPatience = 3;       // rounds without progress
+constexpr double kShortestChange = 0.05;  // longest changes are halved down to this where errors grow
+constexpr int kPasses = 8;                // to find the unknowns that their bounds stop
 
-// The change of the logarithms of least norm that takes the residuals to 0 at first order.
-Eigen::VectorXd leastNormStep(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual) {
-  Eigen::MatrixXd gram = jacobian * jacobian.transpose();
-  gram.diagonal().array() += kDamping * gram.diagonal().mean();
-  Eigen::VectorXd step = -jacobian.transpose() * gram.ldlt().solve(residual);
-  const double longest = step.cwiseAbs().maxCoeff();
-  if (longest > kLongestChange) step *= kLongestChange / longest;
+// How far each logarithm may change in a round.
+struct Bounded {
+  Eigen::VectorXd least, most;
+};
+
+// The change of the logarithms of least norm that takes the residuals to 0 at first order, within bounds:
+// unknowns that would leave theirs stop there, and the others take over.
+Eigen::VectorXd leastNormStep(Eigen::MatrixXd jacobian, const Eigen::VectorXd& residual,
+                              const Bounded& bounds) {
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(jacobian.cols()), left = residual;
+  double damping = 0;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    Eigen::MatrixXd gram = jacobian * jacobian.transpose();
+    if (pass == 0) damping = kDamping * gram.diagonal().mean();
+    gram.diagonal().array() += damping;
+    const Eigen::VectorXd free = -jacobian.transpose() * gram.ldlt().solve(left);
+    bool isStopped = false;
+    for (Eigen::Index c = 0; c < step.size(); ++c) {
+      if (free[c] == 0) continue;  // stopped before, or without any effect
+      step[c] = std::clamp(free[c], bounds.least[c], bounds.most[c]);
+      if (step[c] == free[c] || pass + 1 == kPasses) continue;
+      isStopped = true;
+      left += jacobian.col(c) * step[c];
+      jacobian.col(c).setZero();
+    }
+    if (!isStopped) break;
+  }
   return step;
 }
 
@@ -32,21 +53,27 @@ std::vector<double> tuneConstraints(TuneProblem& problem, const TuneConstraints&
   std::vector<double> best = factorsOf(start, constraints);
   Eigen::VectorXd x =
       Eigen::Map<Eigen::VectorXd>(best.data(), static_cast<Eigen::Index>(best.size())).array().log();
-  double bestError = problem.fittedError();
-  int idle = 0;
-  for (int round = 0; round < kRounds && bestError > kGoodError && idle < kPatience; ++round) {
+  Eigen::VectorXd bestX = x;
+  double bestError = problem.fittedError(), longest = kLongestChange;
+  for (int round = 0; round < kRounds && bestError > kGoodError && longest > kShortestChange; ++round) {
     Eigen::MatrixXd jacobian = problem.jacobian();
     if (!constraints.tunesStretch)
       jacobian.leftCols(static_cast<Eigen::Index>(constraints.stretchCount)).setZero();
-    x = (x + leastNormStep(jacobian, problem.residuals())).cwiseMax(-kFactorRange).cwiseMin(kFactorRange);
+    const Bounded bounds{(-kFactorRange - x.array()).max(-longest), (kFactorRange - x.array()).min(longest)};
+    x += leastNormStep(std::move(jacobian), problem.residuals(), bounds);
     const Eigen::VectorXd factors = x.array().exp();
     problem.moveTo({factors.begin(), factors.end()}, job);
     if (!problem.isDefinite()) break;
     const double error = problem.fittedError();
-    idle = error < kStalled * bestError ? 0 : idle + 1;
-    if (error >= bestError) continue;
-    bestError = error;
-    best = problem.factors();
+    if (error < bestError) {
+      bestError = error;
+      bestX = x;
+      best = problem.factors();
+      continue;
+    }
+    longest /= 2;
+    x = bestX;
+    problem.moveTo(best, job);
   }
   if (problem.factors() != best) problem.moveTo(best, job);
   return best;

@@ -55,7 +55,9 @@ class FieldUnknowns {
   FieldUnknowns(const TuneConstraints& constraints, uint32_t vertexCount, const GlobalFactors& start)
       : constraints_(constraints), vertexCount_(vertexCount), start_(start) {}
 
-  Eigen::Index count() const { return (constraints_.tunesStretch ? 2 : 1) * Eigen::Index{vertexCount_}; }
+  Eigen::Index count() const {
+    return (constraints_.tunesStretch ? 2 : 1) * static_cast<Eigen::Index>(vertexCount_);
+  }
 
   std::vector<double> factors(const Eigen::VectorXd& x) const {
     std::vector<double> all = factorsOf(start_, constraints_);
@@ -83,7 +85,7 @@ class FieldUnknowns {
   bool isStretch(size_t c) const { return c < constraints_.stretchCount; }
   bool isTuned(size_t c) const { return constraints_.tunesStretch || !isStretch(c); }
   Eigen::Index unknownOf(size_t c, uint32_t v) const {
-    return (isStretch(c) ? Eigen::Index{vertexCount_} : 0) + v;
+    return (isStretch(c) ? static_cast<Eigen::Index>(vertexCount_) : 0) + v;
   }
   double meanOver(size_t c, const Eigen::VectorXd& x) const {
     const SolverConstraint& constraint = constraints_.all[c];

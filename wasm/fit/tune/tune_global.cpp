@@ -9,7 +9,7 @@ namespace limber {
 namespace {
 
 constexpr int kRounds = 8;
-constexpr double kSettled = 3e-3;  // a step in logarithms below which nothing is gained
+constexpr double kSettled = 0.01;  // a step in logarithms: half a percent in frequencies
 
 // The derivatives by the logarithms of the two factors: fitted modes x 2.
 Eigen::MatrixXd sumsByKind(const Eigen::MatrixXd& jacobian, size_t stretchCount) {
@@ -48,11 +48,12 @@ GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constrai
     problem.moveTo(factorsOf(factors, constraints), job);
     if (!problem.isDefinite()) break;
     const double squares = problem.residuals().squaredNorm();
-    if (squares < bestSquares) {
+    const bool isWorse = squares >= bestSquares;  // modes have changed partners
+    if (!isWorse) {
       bestSquares = squares;
       best = factors;
     }
-    if (step < kSettled) break;
+    if (isWorse || step < kSettled) break;
   }
   const std::vector<double> all = factorsOf(best, constraints);
   if (problem.factors() != all) problem.moveTo(all, job);

@@ -31,7 +31,9 @@ export interface BendSettings extends ConstraintSettings {
   hinges?: number[];
 }
 
-export interface BodySettings extends Partial<Record<Exclude<Role, 'substeps'>, number>> {
+type RoleValues = Partial<Record<Role, number>>;
+
+export interface BodySettings extends RoleValues {
   name: string;
   /** 0, or the number of the further level */
   level: number;
@@ -46,7 +48,6 @@ export interface BodySettings extends Partial<Record<Exclude<Role, 'substeps'>, 
   stretch: StretchSettings;
   bend: BendSettings;
   pins: number[];
-  substeps: number;
   /** to type into the engine for this mesh */
   engine: NativeValues;
   original: OriginalSettings;
@@ -133,7 +134,6 @@ export function bodySettings({ name, level, renderVertices, tuned: body }: Settl
     stretch: stretchSettings(body),
     bend: bendSettings(body),
     pins: [...body.pins],
-    substeps: body.substeps,
     ...roleValues(body),
     engine: shortened(result.values),
     original: originalSettings(body),
@@ -166,13 +166,13 @@ const factorsOf = (factors: Float64Array): { factors?: number[] } =>
 
 const ROLES = ['damping', 'air', 'collisionThickness', 'friction', 'selfCollisionDistance'] as const;
 
-function roleValues({
-  solver,
-  result: { values },
-}: TunedBody): Partial<Record<(typeof ROLES)[number], number>> {
-  const entries = ROLES.map((role) => [role, valueOfRole(profileOf(solver), values, role)] as const);
+/** Damping, contacts and substeps, as far as the engine has them. */
+function roleValues({ solver, substeps, result: { values } }: TunedBody): RoleValues {
+  const profile = profileOf(solver);
+  const found = ROLES.map((role) => [role, valueOfRole(profile, values, role)] as const);
+  const entries = [['substeps', substeps ?? undefined] as const, ...found];
   return Object.fromEntries(
-    entries.filter(([, value]) => value !== undefined).map(([role, value]) => [role, short(value!)]),
+    entries.flatMap(([role, value]) => (value === undefined ? [] : [[role, short(value)]])),
   );
 }
 
@@ -218,7 +218,7 @@ export function exportedSettings(tuned: TunedBody): ExportedSettings {
 
 /** The settings of a body without lists. */
 function settingsExtras(tuned: TunedBody): object {
-  const { solver, tune, massRule, model, result, substeps } = tuned;
+  const { solver, tune, massRule, model, result } = tuned;
   const { stretch, secondStretch, bend, unit } = result.constants;
   const isNet = model.stretch === 'edge-springs';
   return {
@@ -226,7 +226,6 @@ function settingsExtras(tuned: TunedBody): object {
     mass: { rule: massRule },
     stretch: { constant: short(stretch), ...(isNet ? {} : { second: short(secondStretch) }) },
     bend: { constant: short(bend) },
-    substeps,
     ...roleValues(tuned),
     engine: shortened(result.values),
     original: originalSettings(tuned),

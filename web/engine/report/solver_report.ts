@@ -47,7 +47,11 @@ function describeFrequencies(
   return `in ${label} the first ten frequencies are off ${percentOf(errorTuned)} with the settings${unseen}, ${percentOf(errorUntouched)} without`;
 }
 
-const SCENES: Record<string, string> = { sway: 'swaying', hang: 'hanging from its pins' };
+const SCENES: Record<string, string> = {
+  sway: 'swaying',
+  hang: 'falling from its pins',
+  'sway and hang': 'swaying and falling from its pins',
+};
 
 function describeMotion({ scene, untouched, tuned, noiseFloor, kept }: TunedMotion): string {
   const told = `${SCENES[scene] ?? scene} it is ${percentOf(tuned)} of its size away from the original with them, ${percentOf(untouched)} without (noise ${percentOf(noiseFloor)})`;

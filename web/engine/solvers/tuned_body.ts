@@ -49,8 +49,8 @@ export interface TunedBody {
   mesh: TriangleMesh;
   pins: Uint32Array;
   tuned: Tuned;
-  /** of a step of 1/60 s, or what the engine counts instead, so that the motion has converged */
-  substeps: number;
+  /** of a step of 1/60 s, or what the engine counts instead, so that the motion converges; null: not known */
+  substeps: number | null;
 }
 
 /** Throws the core's sentence where the meshes do not belong together. */
@@ -125,7 +125,6 @@ function substepsOf(
   profile: SolverProfile,
   values: NativeValues,
   mesh: Parameters<typeof substepsNeeded>[0],
-): number {
-  const typed = valueOfRole(profile, values, 'substeps');
-  return typed ?? substepsNeeded(mesh);
+): number | null {
+  return profile.isLocal ? substepsNeeded(mesh) : (valueOfRole(profile, values, 'substeps') ?? null);
 }

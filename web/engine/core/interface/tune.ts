@@ -54,7 +54,7 @@ export interface TunedFrequencies {
 }
 
 export interface TunedMotion {
-  /** 'sway' or 'hang' */
+  /** 'sway', 'hang' or 'sway and hang' */
   scene: string;
   /** deviations, % of the diagonal */
   untouched: number;

@@ -1,0 +1,238 @@
+#include "fit/tune/implicit_system.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/parallel.h"
+#include "mesh/eigen_vec3.h"
+
+namespace limber {
+namespace {
+
+constexpr size_t kGrain = 256;  // constraints that a thread takes at once
+
+void addTo(Eigen::VectorXd& unknowns, uint32_t index, const Eigen::Vector3d& value) {
+  unknowns.segment<3>(3 * static_cast<Eigen::Index>(index)) += value;
+}
+
+}  // namespace
+
+// A constraint with its factor taken into the strain.
+struct ImplicitSystem::Linearisation {
+  ConstraintStrain strain;
+  Eigen::Matrix4d stress = Eigen::Matrix4d::Zero();
+};
+
+ImplicitSystem::ImplicitSystem(const ConstrainedBody& body, double inertia, const Job& job)
+    : constraints_(body.constraints),
+      masses_(body.masses.begin(), body.masses.end()),
+      factors_(body.factors.begin(), body.factors.end()) {
+  numberVertices(body.pins);
+  addPointSprings(body, inertia);
+  buildPattern();
+  structure_ = std::make_shared<const FactorStructure>(factorStructure(pencil_, job));
+}
+
+void ImplicitSystem::numberVertices(const Pins& pins) {
+  indexOf_.assign(masses_.size(), 0);
+  for (const uint32_t v : pins.vertices) indexOf_[v] = kNone;
+  for (uint32_t v = 0; v < indexOf_.size(); ++v) {
+    if (indexOf_[v] == kNone) continue;
+    indexOf_[v] = static_cast<uint32_t>(free_.size());
+    free_.push_back(v);
+  }
+}
+
+// Per vertex the mean of the diagonal of K at rest over its coordinates.
+std::vector<double> ImplicitSystem::restStiffness() const {
+  std::vector<double> stiffness(masses_.size(), 0);
+  for (uint32_t c = 0; c < constraints_.count(); ++c) {
+    const ConstraintStrain at = constraints_.strainAt(c, constraints_.rest());
+    for (int k = 0; k < constraints_[c].vertexCount; ++k)
+      stiffness[constraints_[c].vertices[k]] +=
+          factorOf(c) * at.jacobian.middleCols<3>(3 * k).squaredNorm() / 3;
+  }
+  return stiffness;
+}
+
+void ImplicitSystem::addPointSprings(const ConstrainedBody& body, double inertia) {
+  if (body.pins.points.empty()) return;
+  const std::vector<double> stiffness = restStiffness();
+  for (const SurfacePoint& point : body.pins.points) {
+    PointSpring spring{body.mesh.triangles[point.triangle], {}, 0, {}};
+    for (int c = 0; c < 3; ++c) {
+      const uint32_t v = spring.vertices[c];
+      spring.weights[c] = point.barycentric[c];
+      spring.stiffness = std::max(spring.stiffness, kPointStiffness * (stiffness[v] + inertia * masses_[v]));
+      spring.target += constraints_.rest()[v] * spring.weights[c];
+    }
+    points_.push_back(spring);
+  }
+}
+
+// Vertices are coupled where a constraint or a pinned point has both.
+void ImplicitSystem::buildPattern() {
+  std::vector<std::vector<uint32_t>> neighbours(free_.size());
+  const auto couple = [&](std::span<const uint32_t> vertices) {
+    for (const uint32_t v : vertices)
+      for (const uint32_t w : vertices)
+        if (indexOf_[v] != kNone && indexOf_[w] != kNone) neighbours[indexOf_[v]].push_back(indexOf_[w]);
+  };
+  for (uint32_t c = 0; c < constraints_.count(); ++c)
+    couple(std::span(constraints_[c].vertices).first(constraints_[c].vertexCount));
+  for (const PointSpring& spring : points_) couple(spring.vertices);
+  for (uint32_t i = 0; i < free_.size(); ++i) {
+    neighbours[i].push_back(i);
+    std::ranges::sort(neighbours[i]);
+    const auto repeated = std::ranges::unique(neighbours[i]);
+    neighbours[i].erase(repeated.begin(), repeated.end());
+  }
+  reserveEntries(neighbours);
+}
+
+void ImplicitSystem::reserveEntries(const std::vector<std::vector<uint32_t>>& neighbours) {
+  neighbourStart_.push_back(0);
+  for (const auto& of : neighbours) {
+    neighbours_.insert(neighbours_.end(), of.begin(), of.end());
+    neighbourStart_.push_back(static_cast<uint32_t>(neighbours_.size()));
+  }
+  const auto unknowns = static_cast<Eigen::Index>(unknownCount());
+  pencil_.k.resize(unknowns, unknowns);
+  pencil_.k.resizeNonZeros(9 * static_cast<Eigen::Index>(neighbours_.size()));
+  pencil_.m.resize(unknowns);
+  pencil_.firstUnknown.push_back(0);
+  int* row = pencil_.k.innerIndexPtr();
+  int* column = pencil_.k.outerIndexPtr();
+  for (uint32_t i = 0; i < free_.size(); ++i) {
+    for (uint32_t axis = 0; axis < 3; ++axis) {
+      *column++ = static_cast<int>(row - pencil_.k.innerIndexPtr());
+      for (const uint32_t j : neighbours[i])
+        for (uint32_t other = 0; other < 3; ++other) *row++ = static_cast<int>(3 * j + other);
+    }
+    pencil_.m.segment<3>(3 * static_cast<Eigen::Index>(i)).setConstant(masses_[free_[i]]);
+    pencil_.firstUnknown.push_back(3 * (i + 1));
+  }
+  *column = static_cast<int>(row - pencil_.k.innerIndexPtr());
+  std::fill_n(pencil_.k.valuePtr(), pencil_.k.nonZeros(), 0.0);
+}
+
+void ImplicitSystem::setPointTargets(std::span<const Vec3> targets) {
+  for (size_t i = 0; i < points_.size(); ++i) points_[i].target = targets[i];
+}
+
+Vec3 ImplicitSystem::gapOf(const PointSpring& spring, std::span<const Vec3> positions) const {
+  Vec3 gap = -spring.target;
+  for (int c = 0; c < 3; ++c) gap += positions[spring.vertices[c]] * spring.weights[c];
+  return gap;
+}
+
+double ImplicitSystem::energyAt(std::span<const Vec3> positions) const {
+  std::vector<double> energies(constraints_.count());
+  parallelFor(energies.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t c = begin; c < end; ++c) {
+      const auto index = static_cast<uint32_t>(c);
+      energies[c] = factorOf(index) * constraints_.energyAt(index, positions);
+    }
+  });
+  double sum = std::accumulate(energies.begin(), energies.end(), 0.0);
+  for (const PointSpring& spring : points_)
+    sum += 0.5 * spring.stiffness * squaredLength(gapOf(spring, positions));
+  return sum;
+}
+
+void ImplicitSystem::addPointSpringsTo(std::span<const Vec3> positions, Eigen::VectorXd& gradient) const {
+  for (const PointSpring& spring : points_) {
+    const Eigen::Vector3d force = spring.stiffness * eigen(gapOf(spring, positions));
+    for (int c = 0; c < 3; ++c)
+      if (const uint32_t i = indexOf_[spring.vertices[c]]; i != kNone)
+        addTo(gradient, i, spring.weights[c] * force);
+  }
+}
+
+Eigen::VectorXd ImplicitSystem::gradientAt(std::span<const Vec3> positions) const {
+  std::vector<Eigen::Matrix<double, 12, 1>> parts(constraints_.count());
+  parallelFor(parts.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t c = begin; c < end; ++c) {
+      const ConstraintStrain at = constraints_.strainAt(static_cast<uint32_t>(c), positions);
+      parts[c] = factorOf(static_cast<uint32_t>(c)) * (at.jacobian.transpose() * at.strain);
+    }
+  });
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(unknownCount());
+  for (uint32_t c = 0; c < parts.size(); ++c)
+    for (int k = 0; k < constraints_[c].vertexCount; ++k)
+      if (const uint32_t i = indexOf_[constraints_[c].vertices[k]]; i != kNone)
+        addTo(gradient, i, parts[c].segment<3>(3 * k));
+  addPointSpringsTo(positions, gradient);
+  return gradient;
+}
+
+Eigen::VectorXd ImplicitSystem::linearise(std::span<const Vec3> positions) {
+  std::vector<Linearisation> parts(constraints_.count());
+  parallelFor(parts.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t c = begin; c < end; ++c) {
+      const auto index = static_cast<uint32_t>(c);
+      parts[c].strain = constraints_.strainAt(index, positions);
+      parts[c].stress = constraints_.stressStiffnessAt(index, positions);
+    }
+  });
+  std::fill_n(pencil_.k.valuePtr(), pencil_.k.nonZeros(), 0.0);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(unknownCount());
+  for (uint32_t c = 0; c < parts.size(); ++c) {
+    const Eigen::Matrix<double, 12, 1> force =
+        factorOf(c) * (parts[c].strain.jacobian.transpose() * parts[c].strain.strain);
+    for (int k = 0; k < constraints_[c].vertexCount; ++k)
+      if (const uint32_t i = indexOf_[constraints_[c].vertices[k]]; i != kNone)
+        addTo(gradient, i, force.segment<3>(3 * k));
+    addBlocks(c, parts[c]);
+  }
+  addPointSpringsTo(positions, gradient);
+  addPointBlocks();
+  return gradient;
+}
+
+// The first entry of block (i, j), whose columns are 3 times the number of neighbours of j apart.
+double* ImplicitSystem::blockOf(uint32_t i, uint32_t j) {
+  const auto first = neighbours_.begin() + neighbourStart_[j],
+             last = neighbours_.begin() + neighbourStart_[j + 1];
+  return pencil_.k.valuePtr() + 9 * static_cast<size_t>(neighbourStart_[j]) +
+         3 * static_cast<size_t>(std::lower_bound(first, last, i) - first);
+}
+
+void ImplicitSystem::addBlocks(uint32_t c, const Linearisation& at) {
+  const SolverConstraint& constraint = constraints_[c];
+  const double factor = factorOf(c);
+  for (int k = 0; k < constraint.vertexCount; ++k) {
+    const uint32_t i = indexOf_[constraint.vertices[k]];
+    if (i == kNone) continue;
+    for (int l = 0; l <= k; ++l) {
+      const uint32_t j = indexOf_[constraint.vertices[l]];
+      if (j == kNone) continue;
+      Eigen::Matrix3d block =
+          factor * (at.strain.jacobian.topRows(constraint.rows).middleCols<3>(3 * k).transpose() *
+                    at.strain.jacobian.topRows(constraint.rows).middleCols<3>(3 * l));
+      block.diagonal().array() += factor * at.stress(k, l);
+      const auto add = [this](uint32_t row, uint32_t column, const Eigen::Matrix3d& values) {
+        const uint32_t height = 3 * (neighbourStart_[column + 1] - neighbourStart_[column]);
+        Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>>(blockOf(row, column),
+                                                             Eigen::OuterStride<>(height)) += values;
+      };
+      add(i, j, block);
+      if (k != l) add(j, i, block.transpose());
+    }
+  }
+}
+
+void ImplicitSystem::addPointBlocks() {
+  for (const PointSpring& spring : points_)
+    for (int k = 0; k < 3; ++k)
+      for (int l = 0; l < 3; ++l) {
+        const uint32_t i = indexOf_[spring.vertices[k]], j = indexOf_[spring.vertices[l]];
+        if (i == kNone || j == kNone) continue;
+        const uint32_t height = 3 * (neighbourStart_[j + 1] - neighbourStart_[j]);
+        double* block = blockOf(i, j);
+        for (uint32_t axis = 0; axis < 3; ++axis)
+          block[axis * (height + 1)] += spring.stiffness * spring.weights[k] * spring.weights[l];
+      }
+}
+
+}  // namespace limber

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/job.h"
+#include "elastic/solvers/solver_constraints.h"
+#include "linear/factor_structure.h"
+#include "linear/sparse_pencil.h"
+#include "simulate/simulation_options.h"
+
+namespace limber {
+
+// A body whose motion is governed by the constraints of a solver.
+struct ConstrainedBody {
+  const SolverConstraints& constraints;
+  const TriangleMesh& mesh;         // whose triangles the pinned points refer to
+  std::span<const double> masses;   // kg per vertex, each > 0
+  std::span<const double> factors;  // on the stiffness of each constraint, >= 0; empty: 1
+  Pins pins = {};
+};
+
+// The elastic energy of a body with its derivatives, as a sparse pencil over the unknowns of its free
+// vertices: those that are not pinned, three unknowns each, in the order of vertices. Pinned points are tied
+// to their targets by springs that are `kPointStiffness` times as stiff as the body and its inertia at their
+// triangle: so much less than the body itself do they yield. Positions are in metres.
+class ImplicitSystem {
+ public:
+  static constexpr double kPointStiffness = 1e4;
+
+  // Finds the pattern and the elimination order. `inertia`: 1/s2, what masses are multiplied by in the
+  // matrices to be solved; it only serves the stiffness of pinned points. Refers to the constraints and
+  // copies the rest. Throws Cancelled.
+  ImplicitSystem(const ConstrainedBody& body, double inertia, const Job& job);
+
+  uint32_t unknownCount() const { return 3 * static_cast<uint32_t>(free_.size()); }
+  // Ids of the free vertices, ascending: unknown 3 i + axis is a coordinate of vertex free()[i].
+  const std::vector<uint32_t>& free() const { return free_; }
+  const SolverConstraints& constraints() const { return constraints_; }
+  std::span<const double> masses() const { return masses_; }
+
+  // The targets of pinned points, in metres.
+  void setPointTargets(std::span<const Vec3> targets);
+
+  // Joules, with the springs of pinned points. The same to the last bit for any number of threads.
+  double energyAt(std::span<const Vec3> positions) const;
+  // Its derivative by the unknowns, N. Also sets K of the pencil to a positive semidefinite approximation of
+  // its second derivative: J^T J and what tension adds.
+  Eigen::VectorXd linearise(std::span<const Vec3> positions);
+  // The derivative alone.
+  Eigen::VectorXd gradientAt(std::span<const Vec3> positions) const;
+
+  // K as last linearised and M: the masses of the free vertices.
+  const SparsePencil& pencil() const { return pencil_; }
+  std::shared_ptr<const FactorStructure> structure() const { return structure_; }
+
+ private:
+  struct PointSpring {
+    std::array<uint32_t, 3> vertices;
+    std::array<double, 3> weights;
+    double stiffness;
+    Vec3 target;
+  };
+  struct Linearisation;
+
+  void numberVertices(const Pins& pins);
+  void addPointSprings(const ConstrainedBody& body, double inertia);
+  void buildPattern();
+  void reserveEntries(const std::vector<std::vector<uint32_t>>& neighbours);
+  std::vector<double> restStiffness() const;
+  double factorOf(uint32_t c) const { return factors_.empty() ? 1 : factors_[c]; }
+  double* blockOf(uint32_t i, uint32_t j);
+  void addBlocks(uint32_t c, const Linearisation& at);
+  void addPointSpringsTo(std::span<const Vec3> positions, Eigen::VectorXd& gradient) const;
+  void addPointBlocks();
+  Vec3 gapOf(const PointSpring& spring, std::span<const Vec3> positions) const;
+
+  const SolverConstraints& constraints_;
+  std::vector<double> masses_, factors_;
+  std::vector<uint32_t> free_, indexOf_;  // free vertices, and per vertex its index among them or kNone
+  std::vector<PointSpring> points_;
+  // Vertex index i has the couplings neighbours_[neighbourStart_[i] .. neighbourStart_[i + 1]), ascending.
+  std::vector<uint32_t> neighbourStart_, neighbours_;
+  SparsePencil pencil_;
+  std::shared_ptr<const FactorStructure> structure_;
+};
+
+}  // namespace limber

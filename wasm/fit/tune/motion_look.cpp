@@ -1,0 +1,126 @@
+#include "fit/tune/motion_look.h"
+
+#include <stdexcept>
+
+#include "compare/motion_deviation.h"
+#include "fit/tune/motion_look_run.h"
+#include "transfer/carry_pins.h"
+
+namespace limber {
+namespace {
+
+// Faces of an original from which on a look takes minutes.
+constexpr uint32_t kMostFaces = 12000;
+constexpr uint32_t kRecordEvery = 2, kLongStride = 2;
+
+std::string refusalOf(const MovingBody& original, const SolverModel& model) {
+  if (model.bend == BendElement::Morley)
+    return "The motion was not looked at: the look moves bodies of springs, hinges and membranes, and the "
+           "bending "
+           "of this solver is Morley's element.";
+  if (original.mesh.triangleCount() > kMostFaces)
+    return "The motion was not looked at: the original has " + std::to_string(original.mesh.triangleCount()) +
+           " faces, and to move one of more than " + std::to_string(kMostFaces) + " faces takes too long.";
+  return {};
+}
+
+}  // namespace
+
+struct MotionLook::State {
+  const MovingBody original;
+  const SolverModel model;
+  std::string refusal;
+  std::vector<LookScene> scenes;
+  std::vector<std::vector<Vec3>> displacements;  // of the original, per scene
+
+  double diagonal() const { return bounds(original.mesh).diagonal() * original.constants.unit; }
+
+  Pins pinsOf(const LookScene& scene, const MovingBody& body) const {
+    if (&body.mesh == &original.mesh) return scene.pins;
+    return scene.usersPins ? body.pins : carryPins(original.mesh, scene.pins.vertices, body.mesh);
+  }
+
+  // Per scene, see runScene.
+  std::optional<std::vector<std::vector<Vec3>>> run(const MovingBody& body, uint32_t stride, Job& job) const {
+    WholePhase phase(job, Phase::Simulate);
+    std::vector<std::vector<Vec3>> all;
+    for (const LookScene& scene : scenes) {
+      const auto done = static_cast<double>(all.size()), count = static_cast<double>(scenes.size());
+      const LookRun run{lookSamples(original.mesh, body.mesh), pinsOf(scene, body), stride, kRecordEvery};
+      auto moved =
+          runScene(scene, body, model, run, [&](double part) { phase.report((done + part) / count); }, job);
+      if (!moved) return std::nullopt;
+      all.push_back(std::move(*moved));
+    }
+    return all;
+  }
+
+  std::vector<double> deviationsFrom(const std::vector<std::vector<Vec3>>& other) const {
+    std::vector<double> deviations;
+    for (size_t i = 0; i < scenes.size(); ++i)
+      deviations.push_back(motionDeviation(displacements[i], other[i], diagonal()).mean);
+    return deviations;
+  }
+};
+
+namespace {
+
+double meanOf(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value / static_cast<double>(values.size());
+  return sum;
+}
+
+}  // namespace
+
+MotionLook::MotionLook(const MovingBody& original, const SolverModel& model, Job& job)
+    : state_(new State{original, model, refusalOf(original, model), {}, {}}) {
+  if (!state_->refusal.empty()) return;
+  {
+    const WholePhase phase(job, Phase::Simulate);
+    state_->scenes = lookScenes(original, model, job);
+  }
+  if (state_->scenes.empty()) {
+    state_->refusal = "The motion was not looked at: nothing of the original can swing.";
+    return;
+  }
+  if (auto moved = state_->run(original, 1, job))
+    state_->displacements = std::move(*moved);
+  else
+    state_->refusal = "The motion was not looked at: the time steps of the original do not converge.";
+}
+
+MotionLook::~MotionLook() = default;
+MotionLook::MotionLook(MotionLook&&) noexcept = default;
+MotionLook& MotionLook::operator=(MotionLook&&) noexcept = default;
+
+const std::string& MotionLook::refusal() const {
+  return state_->refusal;
+}
+
+std::string MotionLook::scene() const {
+  std::string names;
+  for (const LookScene& scene : state_->scenes) names += (names.empty() ? "" : " and ") + scene.name;
+  return names;
+}
+
+std::optional<std::vector<double>> MotionLook::deviationsOf(const MovingBody& body, Job& job) {
+  if (!refusal().empty()) return std::nullopt;
+  const auto moved = state_->run(body, 1, job);
+  if (!moved) return std::nullopt;
+  return state_->deviationsFrom(*moved);
+}
+
+std::optional<double> MotionLook::deviationOf(const MovingBody& body, Job& job) {
+  const auto deviations = deviationsOf(body, job);
+  return deviations ? std::optional(meanOf(*deviations)) : std::nullopt;
+}
+
+std::optional<double> MotionLook::noiseFloor(Job& job) {
+  if (!refusal().empty()) return std::nullopt;
+  const auto moved = state_->run(state_->original, kLongStride, job);
+  if (!moved) return std::nullopt;
+  return meanOf(state_->deviationsFrom(*moved)) / 3;
+}
+
+}  // namespace limber

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/job.h"
+#include "elastic/solvers/solver_model.h"
+#include "mesh/topology.h"
+#include "mesh/triangle_mesh.h"
+#include "simulate/simulation_options.h"
+
+namespace limber {
+
+// A body as a solver moves it. What it refers to must outlive the calls that take it.
+struct MovingBody {
+  const TriangleMesh& mesh;
+  const Topology& topology;
+  SolverConstants constants;             // factors on all stretch or all bending constraints are put in here
+  Pins pins = {};                        // of the user
+  std::span<const double> masses = {};   // kg per vertex, each > 0; empty: those of the model's rule
+  std::span<const double> factors = {};  // on the stiffness of each of the SolverConstraints; empty: 1
+};
+
+// A look at the motion itself, before tuned parameters are handed over: the original moves through one or two
+// short scenes in our own implementation of a solver, and other bodies are compared with it.
+//
+// Scenes: `sway` for a closed body: the lower end of the longest side is pinned, and the rest starts across
+// it with a velocity that grows with the square of the height, so that the swing peaks near 4 % of the
+// diagonal whatever the stiffness. `hang` for an open one: it falls under gravity along -y from the pins of
+// the user, or from the upper end of its longest side. A closed body with pins of the user gets both.
+//
+// A scene lasts for one and a half periods of the motion itself: of the lowest frequency that carries a
+// noticeable share of the energy of the swing, and for `hang` of that joined with a pendulum's.
+class MotionLook {
+ public:
+  // Moves the original, which must outlive this object with all that it refers to. Throws Cancelled, and
+  // std::invalid_argument as SolverConstraints does.
+  MotionLook(const MovingBody& original, const SolverModel& model, Job& job);
+  ~MotionLook();
+  MotionLook(MotionLook&&) noexcept;
+  MotionLook& operator=(MotionLook&&) noexcept;
+
+  // The sentence that says why there is no look; empty if there is one.
+  const std::string& refusal() const;
+  // 'sway', 'hang', or 'sway and hang'.
+  std::string scene() const;
+
+  // Mean motion deviation of another mesh of the same body in % of the diagonal of the original, see
+  // compare/motion_deviation.h: over points, steps and scenes. Pins of the user are those of `body`, those of
+  // `sway` are carried over. Nothing if there is no look, or if the solver of time steps fails on this body.
+  // Throws Cancelled.
+  std::optional<double> deviationOf(const MovingBody& body, Job& job);
+  // The same for each scene.
+  std::optional<std::vector<double>> deviationsOf(const MovingBody& body, Job& job);
+
+  // What the steps in time alone contribute to a deviation, in % of the diagonal: the difference between the
+  // original with the step of the look and with twice that step, over 3, for the steps are of second order
+  // (Richardson). Moves the original once more. Nothing if there is no look. Throws Cancelled.
+  std::optional<double> noiseFloor(Job& job);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace limber

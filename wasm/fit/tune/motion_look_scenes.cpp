@@ -1,0 +1,116 @@
+#include "fit/tune/motion_look_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fit/tune/motion_look_spectrum.h"
+
+namespace limber {
+namespace {
+
+constexpr double kPeriods = 1.5;
+constexpr uint32_t kStepsPerPeriod = 40;
+constexpr double kSwaySize = 0.04;   // of the diagonal, at the peak
+constexpr double kMostBorder = 0.5;  // of the diagonal: the border of a body with small holes
+constexpr double kGravity = 9.81;    // m/s2
+
+double diagonalOf(const MovingBody& body) {
+  return bounds(body.mesh).diagonal() * body.constants.unit;
+}
+
+Scenario scenarioOf(const MovingBody& original, const char* name) {
+  return {.kind = scenarioKind(name),
+          .box = bounds(original.mesh),
+          .seconds = 1,
+          .unit = original.constants.unit};
+}
+
+// What hanging bodies are asked for their lowest frequency with: a velocity across the body that grows with
+// the square of the distance from the pins' centre.
+std::vector<Vec3> velocitiesFromPins(const MovingBody& original, const LookScene& scene) {
+  Vec3 centre;
+  for (const uint32_t v : scene.pins.vertices)
+    centre += original.mesh.positions[v] / static_cast<double>(scene.pins.vertices.size());
+  Vec3 across;
+  across[scene.scenario.across()] = 1;
+  std::vector<Vec3> velocities;
+  for (const Vec3& p : original.mesh.positions) velocities.push_back(across * squaredLength(p - centre));
+  return velocities;
+}
+
+std::vector<Vec3> swayVelocities(const MovingBody& original, const LookScene& scene) {
+  std::vector<Vec3> velocities;
+  for (const Vec3& p : original.mesh.positions) velocities.push_back(initialVelocity(scene.scenario, p));
+  return velocities;
+}
+
+void setDuration(LookScene& scene, double omega) {
+  scene.step = 2 * std::numbers::pi / omega / kStepsPerPeriod;
+  scene.stepCount = static_cast<uint32_t>(kPeriods * kStepsPerPeriod);
+}
+
+// False where nothing swings.
+bool timeScene(LookScene& scene, const MovingBody& original, const SolverModel& model, Job& job) {
+  const SolverConstraints constraints(original.mesh, original.topology, model, original.constants);
+  const std::vector<double> masses = massesOf(original, model);
+  ImplicitSystem system({constraints, original.mesh, masses, original.factors, scene.pins}, 0, job);
+  if (system.unknownCount() == 0) return false;
+  const bool sways = scene.gravity == Vec3{};
+  const std::vector<Vec3> velocities =
+      sways ? swayVelocities(original, scene) : velocitiesFromPins(original, scene);
+  const Swing swing = swingOf(swingSpectrum(system, velocities, job));
+  const double diagonal = diagonalOf(original);
+  if (sways) {
+    if (swing.omega == 0) return false;
+    double fastest = 0;
+    for (const uint32_t v : system.free()) fastest = std::max(fastest, length(velocities[v]));
+    scene.speed = kSwaySize * diagonal / (fastest * swing.reach);
+    scene.motionSize = kSwaySize * diagonal;
+    setDuration(scene, swing.omega);
+    return true;
+  }
+  // A rod of the length of the diagonal swings about its end with omega^2 = 3/2 g / L. Stiffnesses add, and
+  // so do the squares of the frequencies, at least (Southwell 1922).
+  const double squared = swing.omega * swing.omega + 1.5 * kGravity / diagonal;
+  scene.motionSize = std::min(diagonal, kGravity / squared);
+  setDuration(scene, std::sqrt(squared));
+  return true;
+}
+
+}  // namespace
+
+bool isNearlyClosed(const TriangleMesh& mesh, const Topology& topology) {
+  double border = 0;
+  for (const Topology::Edge& edge : topology.edges)
+    if (edge.useCount == 1) border += length(mesh.positions[edge.a] - mesh.positions[edge.b]);
+  return border < kMostBorder * bounds(mesh).diagonal();
+}
+
+std::vector<double> massesOf(const MovingBody& body, const SolverModel& model) {
+  if (body.masses.empty()) return solverMasses(body.mesh, model.mass, body.constants);
+  return {body.masses.begin(), body.masses.end()};
+}
+
+std::vector<LookScene> lookScenes(const MovingBody& original, const SolverModel& model, Job& job) {
+  const bool isClosed = isNearlyClosed(original.mesh, original.topology),
+             isPinned = original.pins.count() > 0;
+  std::vector<LookScene> scenes;
+  if (isClosed) {
+    const Scenario sway = scenarioOf(original, "sway");
+    scenes.push_back({.name = "sway", .scenario = sway, .pins = {defaultPins(original.mesh, sway), {}}});
+  }
+  if (!isClosed || isPinned) {
+    const Scenario hang = scenarioOf(original, "hang");
+    const Pins pins = isPinned ? original.pins : Pins{defaultPins(original.mesh, hang), {}};
+    scenes.push_back({.name = "hang",
+                      .scenario = hang,
+                      .gravity = {0, -kGravity, 0},
+                      .usersPins = isPinned,
+                      .pins = pins});
+  }
+  std::erase_if(scenes, [&](LookScene& scene) { return !timeScene(scene, original, model, job); });
+  return scenes;
+}
+
+}  // namespace limber

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/job.h"
+#include "fit/tune/motion_look.h"
+#include "simulate/scenario.h"
+
+namespace limber {
+
+// A scene of MotionLook. It is found from the original, and the same for every body.
+struct LookScene {
+  std::string name;        // 'sway' or 'hang'
+  Scenario scenario;       // whose initial velocity counts
+  double speed = 0;        // factor on the initial velocity of the scenario
+  Vec3 gravity = {};       // m/s2
+  bool usersPins = false;  // whether bodies are held by the pins of the user
+  Pins pins = {};          // of the original
+  double step = 0;         // seconds
+  uint32_t stepCount = 0;  // divisible by 4
+  double motionSize = 0;   // metres
+};
+
+// The scenes of an original, with durations from its own vibrations. A scene in which nothing swings, or in
+// which everything is pinned, is left out. To be called within a WholePhase. Throws Cancelled.
+std::vector<LookScene> lookScenes(const MovingBody& original, const SolverModel& model, Job& job);
+
+// Whether a surface has so little border that it moves like a closed one: less than half its diagonal.
+bool isNearlyClosed(const TriangleMesh& mesh, const Topology& topology);
+
+// The masses of a body, by the rule of the model where it has none of its own.
+std::vector<double> massesOf(const MovingBody& body, const SolverModel& model);
+
+}  // namespace limber
