@@ -11,6 +11,7 @@ import type { FitFunctions } from './interface/fit';
 import type { TransferFunctions } from './interface/transfer';
 import type { CompareFunctions } from './interface/compare';
 import type { SimulateFunctions } from './interface/simulate';
+import type { TuneFunctions } from './interface/tune';
 import type { Progress } from './interface/job';
 
 export * from './interface/material';
@@ -21,6 +22,7 @@ export * from './interface/fit';
 export * from './interface/transfer';
 export * from './interface/compare';
 export * from './interface/simulate';
+export * from './interface/tune';
 export * from './interface/job';
 
 /**
@@ -35,7 +37,8 @@ export interface Core
     FitFunctions,
     TransferFunctions,
     CompareFunctions,
-    SimulateFunctions {
+    SimulateFunctions,
+    TuneFunctions {
   /** 1 in the one-thread build */
   threads: number;
   /**
