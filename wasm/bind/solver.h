@@ -14,13 +14,13 @@ struct Names<StretchElement> {
 template <>
 struct Names<BendElement> {
   static constexpr std::array list = {"morley", "hinge-area", "hinge-length", "hinge", "cross-springs"};
-  static constexpr const char* what = "bend element";
+  static constexpr const char* what = "bending element";
 };
 
 template <>
 struct Names<MassRule> {
   static constexpr std::array list = {"area", "vertex"};
-  static constexpr const char* what = "rule of masses";
+  static constexpr const char* what = "rule for masses";
 };
 
 template <>
