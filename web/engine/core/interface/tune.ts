@@ -42,11 +42,7 @@ export interface TuneOptions {
   looks: boolean;
 }
 
-<<<<<<< HEAD
-/** NaN where a body has no such modes. */
-=======
 /** Of the tuned parameters, kept or not; NaN where the body has no such modes, as a flat sheet of springs. */
->>>>>>> wpanel
 export interface TunedFrequencies {
   /** mean relative errors (%) of modes 1 to 10, free */
   errorUntouched: number;
