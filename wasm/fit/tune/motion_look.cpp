@@ -1,6 +1,6 @@
 #include "fit/tune/motion_look.h"
 
-#include <stdexcept>
+#include <cmath>
 
 #include "compare/motion_deviation.h"
 #include "fit/tune/motion_look_run.h"
@@ -14,10 +14,8 @@ constexpr uint32_t kMostFaces = 12000;
 constexpr uint32_t kRecordEvery = 2, kLongStride = 2;
 
 std::string refusalOf(const MovingBody& original, const SolverModel& model) {
-  if (model.bend == BendElement::Morley)
-    return "The motion was not looked at: the look moves bodies of springs, hinges and membranes, and the "
-           "bending "
-           "of this solver is Morley's element.";
+  if (model.bend == BendElement::Morley && !(original.constants.bend > 0))
+    return "The motion was not looked at: a shell without bending stiffness has no thickness.";
   if (original.mesh.triangleCount() > kMostFaces)
     return "The motion was not looked at: the original has " + std::to_string(original.mesh.triangleCount()) +
            " faces, and to move one of more than " + std::to_string(kMostFaces) + " faces takes too long.";
@@ -120,7 +118,8 @@ std::optional<double> MotionLook::noiseFloor(Job& job) {
   if (!refusal().empty()) return std::nullopt;
   const auto moved = state_->run(state_->original, kLongStride, job);
   if (!moved) return std::nullopt;
-  return meanOf(state_->deviationsFrom(*moved)) / 3;
+  const double order = state_->model.bend == BendElement::Morley ? 1 : 2;
+  return meanOf(state_->deviationsFrom(*moved)) / (std::exp2(order) - 1);
 }
 
 }  // namespace limber

@@ -32,6 +32,10 @@ struct MovingBody {
 // diagonal whatever the stiffness. `hang` for an open one: it falls under gravity along -y from the pins of
 // the user, or from the upper end of its longest side. A closed body with pins of the user gets both.
 //
+// Springs, hinges and membranes move by the implicit steps of ImplicitMotion, and the shell with Morley's
+// element by the XPBD of simulate/simulation.h, whose substeps are of first order. An original of more than
+// 12,000 faces is not looked at.
+//
 // A scene lasts for one and a half periods of the motion itself: of the lowest frequency that carries a
 // noticeable share of the energy of the swing, and for `hang` of that joined with a pendulum's.
 class MotionLook {
@@ -57,8 +61,9 @@ class MotionLook {
   std::optional<std::vector<double>> deviationsOf(const MovingBody& body, Job& job);
 
   // What the steps in time alone contribute to a deviation, in % of the diagonal: the difference between the
-  // original with the step of the look and with twice that step, over 3, for the steps are of second order
-  // (Richardson). Moves the original once more. Nothing if there is no look. Throws Cancelled.
+  // original with the step of the look and with twice that step, over 3 for steps of second order and over 1
+  // for those of first order (Richardson). Moves the original once more. Nothing if there is no look. Throws
+  // Cancelled.
   std::optional<double> noiseFloor(Job& job);
 
  private:

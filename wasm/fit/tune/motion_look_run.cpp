@@ -2,6 +2,7 @@
 
 #include "compare/motion_deviation.h"
 #include "fit/tune/implicit_motion.h"
+#include "fit/tune/motion_look_shell.h"
 #include "mesh/surface_samples.h"
 #include "query/closest_point.h"
 
@@ -29,6 +30,7 @@ std::vector<SurfacePoint> lookSamples(const TriangleMesh& original, const Triang
 std::optional<std::vector<Vec3>> runScene(const LookScene& scene, const MovingBody& body,
                                           const SolverModel& model, const LookRun& run,
                                           const std::function<void(double)>& report, Job& job) {
+  if (model.bend == BendElement::Morley) return runShellScene(scene, body, run, report, job);
   const SolverConstraints constraints(body.mesh, body.topology, model, body.constants);
   const std::vector<double> masses = massesOf(body, model);
   ImplicitMotion motion({constraints, body.mesh, masses, body.factors, run.pins},

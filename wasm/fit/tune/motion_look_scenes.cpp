@@ -45,6 +45,17 @@ std::vector<Vec3> swayVelocities(const MovingBody& original, const LookScene& sc
   return velocities;
 }
 
+// Morley's shell is timed by hinges that bend like it around a cylinder: hinges by area have three times the
+// energy of a plate of their constant.
+SolverConstraints timingConstraints(const MovingBody& original, SolverModel model) {
+  SolverConstants constants = original.constants;
+  if (model.bend == BendElement::Morley) {
+    model.bend = BendElement::HingeByArea;
+    constants.bend /= 3;
+  }
+  return {original.mesh, original.topology, model, constants};
+}
+
 void setDuration(LookScene& scene, double omega) {
   scene.step = 2 * std::numbers::pi / omega / kStepsPerPeriod;
   scene.stepCount = static_cast<uint32_t>(kPeriods * kStepsPerPeriod);
@@ -52,7 +63,7 @@ void setDuration(LookScene& scene, double omega) {
 
 // False where nothing swings.
 bool timeScene(LookScene& scene, const MovingBody& original, const SolverModel& model, Job& job) {
-  const SolverConstraints constraints(original.mesh, original.topology, model, original.constants);
+  const SolverConstraints constraints = timingConstraints(original, model);
   const std::vector<double> masses = massesOf(original, model);
   ImplicitSystem system({constraints, original.mesh, masses, original.factors, scene.pins}, 0, job);
   if (system.unknownCount() == 0) return false;
