@@ -99,10 +99,14 @@ Eigen::VectorXd ImplicitMotion::inertiaForce(const Objective& objective, const S
   return force;
 }
 
-void ImplicitMotion::factorise(double inertia, Job& job) {
-  factorisation_.factorise(-inertia, job);
-  factorisedInertia_ = inertia;
+// The derivative of the elastic energy; factorises the second derivative of the objective.
+Eigen::VectorXd ImplicitMotion::linearise(const Objective& objective, const State& x, Job& job) {
+  Eigen::VectorXd gradient = system_.linearise(x, stress_);
+  factorisation_.factorise(-objective.inertia, job);
   ++factorisationCount_;
+  if (stress_ == StressKind::Tension || factorisation_.negativePivots() == 0) return gradient;
+  stress_ = StressKind::Tension;
+  return linearise(objective, x, job);
 }
 
 // Moves x along the direction by the longest step that decreases the objective, whose derivative along the
@@ -128,13 +132,15 @@ double ImplicitMotion::moveAlong(const Objective& objective, const Eigen::Vector
 
 bool ImplicitMotion::minimise(const Objective& objective, State& x, Job& job) {
   const double tolerance = kTolerance * options_.motionSize;
-  bool renews = factorisedInertia_ != objective.inertia;
+  stress_ = StressKind::All;
+  // Steps with a factorisation of another shape may end in a long creep that looks like convergence, so that
+  // each step begins with its own.
+  bool renews = true;
   double former = 0;  // length of the last full step, 0 if there was none
   for (int i = 0; i < kMostIterations; ++i) {
     job.check();
-    Eigen::VectorXd gradient = renews ? system_.linearise(x) : system_.gradientAt(x);
+    Eigen::VectorXd gradient = renews ? linearise(objective, x, job) : system_.gradientAt(x);
     gradient += inertiaForce(objective, x);
-    if (renews) factorise(objective.inertia, job);
     Eigen::VectorXd direction = -gradient;
     factorisation_.solve(direction, job);
     ++solveCount_;
@@ -142,7 +148,7 @@ bool ImplicitMotion::minimise(const Objective& objective, State& x, Job& job) {
     if (!std::isfinite(size) || !(growth <= 0)) return false;
     const double fraction = moveAlong(objective, direction, growth, x);
     // Newton's own steps, with a fresh factorisation, contract well enough near the minimum.
-    const double contraction = former > 0 ? size / former : renews ? 0.5 : 1;
+    const double contraction = former > 0 ? size / former : 0.5;
     if (fraction == 1 && contraction < 1 && size * contraction / (1 - contraction) <= tolerance) return true;
     if (fraction == 0 && renews) return size <= tolerance;
     renews = fraction < 1 || (former > 0 && contraction > kSlow);

@@ -26,7 +26,7 @@ struct ImplicitOptions {
 //
 // A step is the minimum of 1/2 |x - y|_M^2 / (2/3 h)^2 + E(x), where y is what inertia and gravity alone
 // would do. It is found by Newton's method with a line search on a positive semidefinite approximation of the
-// second derivative. A factorisation is kept for as long as it converges quickly.
+// second derivative. Within a step, a factorisation is kept for as long as it converges quickly.
 //
 // The same input gives the same bits on any number of threads.
 class ImplicitMotion {
@@ -70,14 +70,14 @@ class ImplicitMotion {
   bool minimise(const Objective& objective, State& x, Job& job);
   double moveAlong(const Objective& objective, const Eigen::VectorXd& direction, double growth,
                    State& x) const;
-  void factorise(double inertia, Job& job);
+  Eigen::VectorXd linearise(const Objective& objective, const State& x, Job& job);
   void advanceTo(State x);
 
   ImplicitOptions options_;
   ImplicitSystem system_;
   Factorisation factorisation_;
   std::vector<uint32_t> pinned_;
-  double factorisedInertia_ = 0;  // 0 before the first factorisation
+  StressKind stress_ = StressKind::All;  // what is tried first in this step
   bool isStarted_ = false;
   State positions_, velocities_, formerPositions_, formerVelocities_, pinTargets_;
   uint32_t solveCount_ = 0, factorisationCount_ = 0;

@@ -20,7 +20,7 @@ constexpr double kNoticeable = 0.05, kRigid = 1e-4;
 }  // namespace
 
 std::vector<SwingLine> swingSpectrum(ImplicitSystem& system, std::span<const Vec3> velocities, Job& job) {
-  system.linearise(system.constraints().rest());
+  system.linearise(system.constraints().rest(), StressKind::Tension);
   const SparsePencil& pencil = system.pencil();
   const Eigen::VectorXd root = pencil.m.cwiseSqrt();
   Eigen::VectorXd start(system.unknownCount());
