@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "base/parallel.h"
-#include "fit/tune/implicit_motion.h"
-#include "fit/tune/motion_look_scenes.h"
-#include "fit/tune/motion_look_spectrum.h"
+#include "fit/tune/look/implicit_motion.h"
+#include "fit/tune/look/look_scenes.h"
+#include "fit/tune/look/swing_spectrum.h"
 #include "shapes.h"
 
 namespace limber {
@@ -180,7 +180,8 @@ TEST(SwingSpectrum, findsTheFrequenciesOfABodyWithTheirShares) {
   EXPECT_NEAR(lines[1].share, 0.8, 1e-9);
   const Swing swing = swingOf(lines);
   EXPECT_NEAR(swing.omega, std::sqrt(2 * 4000 * 0.36 / 0.5), 1e-3);
-  EXPECT_NEAR(swing.reach * swing.reach, 0.2 / lines[0].omegaSquared + 0.8 / lines[1].omegaSquared, 1e-12);
+  EXPECT_NEAR(swing.seconds * swing.seconds, 0.2 / lines[0].omegaSquared + 0.8 / lines[1].omegaSquared,
+              1e-12);
 }
 
 }  // namespace

@@ -2,27 +2,13 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "base/job.h"
-#include "elastic/solvers/solver_model.h"
-#include "mesh/topology.h"
-#include "mesh/triangle_mesh.h"
-#include "simulate/simulation_options.h"
+#include "fit/tune/moving_body.h"
 
 namespace limber {
-
-// A body as a solver moves it. What it refers to must outlive the calls that take it.
-struct MovingBody {
-  const TriangleMesh& mesh;
-  const Topology& topology;
-  SolverConstants constants;             // factors on all stretch or all bending constraints are put in here
-  Pins pins = {};                        // of the user
-  std::span<const double> masses = {};   // kg per vertex, each > 0; empty: those of the model's rule
-  std::span<const double> factors = {};  // on the stiffness of each of the SolverConstraints; empty: 1
-};
 
 // A look at the motion itself, before tuned parameters are handed over: the original moves through one or two
 // short scenes in our own implementation of a solver, and other bodies are compared with it.

@@ -1,4 +1,4 @@
-#include "fit/tune/implicit_system.h"
+#include "fit/tune/look/implicit_system.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,10 +1,10 @@
-#include "fit/tune/motion_look_scenes.h"
+#include "fit/tune/look/look_scenes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "fit/tune/motion_look_spectrum.h"
+#include "fit/tune/look/swing_spectrum.h"
 
 namespace limber {
 namespace {
@@ -76,7 +76,7 @@ bool timeScene(LookScene& scene, const MovingBody& original, const SolverModel& 
     if (swing.omega == 0) return false;
     double fastest = 0;
     for (const uint32_t v : system.free()) fastest = std::max(fastest, length(velocities[v]));
-    scene.speed = kSwaySize * diagonal / (fastest * swing.reach);
+    scene.speed = kSwaySize * diagonal / (fastest * swing.seconds);
     scene.motionSize = kSwaySize * diagonal;
     setDuration(scene, swing.omega);
     return true;
@@ -96,11 +96,6 @@ bool isNearlyClosed(const TriangleMesh& mesh, const Topology& topology) {
   for (const Topology::Edge& edge : topology.edges)
     if (edge.useCount == 1) border += length(mesh.positions[edge.a] - mesh.positions[edge.b]);
   return border < kMostBorder * bounds(mesh).diagonal();
-}
-
-std::vector<double> massesOf(const MovingBody& body, const SolverModel& model) {
-  if (body.masses.empty()) return solverMasses(body.mesh, model.mass, body.constants);
-  return {body.masses.begin(), body.masses.end()};
 }
 
 std::vector<LookScene> lookScenes(const MovingBody& original, const SolverModel& model, Job& job) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/job.h"
-#include "fit/tune/implicit_system.h"
+#include "fit/tune/look/implicit_system.h"
 #include "linear/factorisation.h"
 
 namespace limber {

@@ -1,4 +1,4 @@
-#include "fit/tune/motion_look_shell.h"
+#include "fit/tune/look/look_shell.h"
 
 #include <cmath>
 #include <numeric>
@@ -33,30 +33,27 @@ ElasticMaterial materialOf(const MovingBody& body) {
 
 }  // namespace
 
-std::optional<std::vector<Vec3>> runShellScene(const LookScene& scene, const MovingBody& body,
-                                               const LookRun& run, const std::function<void(double)>& report,
-                                               Job& job) {
+LookDisplacements moveShell(const LookRun& run, Job& job) {
+  const auto& [scene, body, pins, samples, stride, recordEvery, report] = run;
   const double timeScale = scene.step / Simulation::kStep;
   SimulationOptions options{.material = materialOf(body),
-                            .substeps = kShellSubsteps / static_cast<int>(run.stride),
+                            .substeps = kShellSubsteps / static_cast<int>(stride),
                             .keepsVolume = false};
   options.material.young *= timeScale * timeScale;
-  Simulation simulation(body.mesh, options, run.pins);
+  Simulation simulation(body.mesh, options, pins);
   simulation.setGravity(scene.gravity * (timeScale * timeScale));
-  std::vector<Vec3> velocities;
-  for (const Vec3& p : body.mesh.positions)
-    velocities.push_back((scene.speed * timeScale) * initialVelocity(scene.scenario, p));
+  std::vector<Vec3> velocities = run.startVelocities();
+  for (Vec3& velocity : velocities) velocity *= timeScale;
   simulation.setVelocities(velocities);
-
   std::vector<Vec3> rest, displacements;
-  for (const SurfacePoint& sample : run.samples) rest.push_back(simulation.position(sample));
+  for (const SurfacePoint& sample : samples) rest.push_back(simulation.position(sample));
   for (uint32_t step = 1; step <= scene.stepCount; ++step) {
     simulation.step(job);
     if (simulation.hasDiverged()) return std::nullopt;
     report(static_cast<double>(step) / scene.stepCount);
-    if (step % run.recordEvery != 0) continue;
+    if (step % recordEvery != 0) continue;
     for (size_t i = 0; i < rest.size(); ++i)
-      displacements.push_back((simulation.position(run.samples[i]) - rest[i]) * body.constants.unit);
+      displacements.push_back((simulation.position(samples[i]) - rest[i]) * body.constants.unit);
   }
   return displacements;
 }
