@@ -64,13 +64,18 @@ class ImplicitMotion {
     State aim;
   };
 
+  struct Point {
+    State x;
+    double value;  // of the objective
+  };
+
   Objective objective() const;
   State predicted() const;
   double valueAt(const Objective& objective, const State& x) const;
   Eigen::VectorXd inertiaForce(const Objective& objective, const State& x) const;
-  bool minimise(const Objective& objective, State& x, Job& job);
+  bool minimise(const Objective& objective, Point& point, Job& job);
   double moveAlong(const Objective& objective, const Eigen::VectorXd& direction, double growth,
-                   State& x) const;
+                   Point& point) const;
   Eigen::VectorXd linearise(const Objective& objective, const State& x, Job& job);
   void advanceTo(State x);
 
