@@ -83,7 +83,6 @@ class ImplicitMotion {
   ImplicitSystem system_;
   Factorisation factorisation_;
   std::vector<uint32_t> pinned_;
-  StressKind stress_ = StressKind::All;  // what is tried first in this step
   bool isStarted_ = false;
   State positions_, velocities_, formerPositions_, formerVelocities_, pinTargets_;
   uint32_t solveCount_ = 0, factorisationCount_ = 0;
