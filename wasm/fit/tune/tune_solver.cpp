@@ -2,18 +2,20 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
+#include "fit/tune/modes/tuned_masses.h"
+#include "fit/tune/steps/tune_problem.h"
+#include "fit/tune/steps/tune_steps.h"
 #include "fit/tune/tune_checks.h"
-#include "fit/tune/tune_problem.h"
-#include "fit/tune/tune_steps.h"
-#include "fit/tune/tuned_masses.h"
+#include "fit/tune/tune_look.h"
 #include "mesh/topology.h"
 
 namespace limber {
 namespace {
 
 // Progress after the stages of a run.
-constexpr double kPrepared = 0.05, kSolved = 0.6, kTuned = 0.9;
+constexpr double kPrepared = 0.05, kSolved = 0.5, kTuned = 0.8;
 
 bool hasBorder(const Topology& topology) {
   return std::ranges::any_of(topology.edges, [](const Topology::Edge& edge) { return edge.useCount == 1; });
@@ -29,30 +31,97 @@ std::vector<SolverConstraint> constraintsOf(const SolverStiffness& stiffness) {
   return all;
 }
 
+// The factors of a run in all the forms that Tuned has, and the factor of every constraint.
+struct Tuning {
+  GlobalFactors global;
+  std::vector<double> stretchField, bendField, stretchFactors, bendFactors;
+  std::vector<double> all;
+};
+
+Tuning tune(TuneProblem& problem, const TuneConstraints& constraints, TuneKind kind, Job& job) {
+  Tuning tuning{tuneGlobally(problem, constraints, job), {}, {}, {}, {}, {}};
+  if (kind == TuneKind::Vertex) {
+    VertexFields fields = tuneFields(problem, constraints, tuning.global, job);
+    tuning.global = fields.factors;
+    tuning.stretchField = std::move(fields.stretch);
+    tuning.bendField = std::move(fields.bend);
+  }
+  if (kind == TuneKind::Constraint) {
+    const std::vector<double> factors = tuneConstraints(problem, constraints, tuning.global, job);
+    const auto bends = factors.begin() + static_cast<ptrdiff_t>(constraints.stretchCount);
+    tuning.stretchFactors.assign(factors.begin(), bends);
+    tuning.bendFactors.assign(bends, factors.end());
+    tuning.global = {};
+  }
+  tuning.all = problem.factors();
+  return tuning;
+}
+
+// Factors of 1 in the form that the kind asks for.
+Tuning untouchedOf(TuneKind kind, const TuneConstraints& constraints) {
+  Tuning tuning;
+  tuning.all.assign(constraints.all.size(), 1.0);
+  if (kind == TuneKind::Vertex)
+    tuning.stretchField = tuning.bendField = std::vector<double>(constraints.mesh.vertexCount(), 1.0);
+  if (kind == TuneKind::Constraint) {
+    tuning.stretchFactors.assign(constraints.stretchCount, 1.0);
+    tuning.bendFactors.assign(constraints.all.size() - constraints.stretchCount, 1.0);
+  }
+  return tuning;
+}
+
+// A tuning and what its modes are like.
+struct Attempt {
+  Tuning tuning;
+  TunedFrequencies frequencies;
+};
+
+// On an open mesh whose factors are global, stretching may be tuned as well if the motion says so.
+std::vector<Attempt> attempts(TuneProblem& problem, TuneConstraints constraints, const TuneOptions& options,
+                              Job& job) {
+  const double untouched =
+      problem.freeErrorWith(solverMasses(constraints.mesh, options.model.mass, options.result), job);
+  std::vector<Attempt> all;
+  const auto attempt = [&] {
+    Tuning tuning = tune(problem, constraints, options.tune, job);
+    all.push_back({std::move(tuning),
+                   {untouched, problem.freeError(), problem.unseenError(), problem.otherPinsError(job)}});
+  };
+  attempt();
+  if (constraints.tunesStretch || !options.looks || options.tune != TuneKind::Global) return all;
+  constraints.tunesStretch = true;
+  problem.moveTo(std::vector<double>(constraints.all.size(), 1.0), job);
+  attempt();
+  return all;
+}
+
+// The attempt to hand over: the first one, or what moves best.
+Attempt chosen(std::vector<Attempt> all, const LookedAt& bodies, Tuned& tuned, Job& job) {
+  if (!bodies.options.looks) return std::move(all[0]);
+  std::vector<TuneCandidate> candidates;
+  for (const Attempt& attempt : all) candidates.push_back({attempt.tuning.all});
+  const std::optional<LookOutcome> outcome = lookAtMotion(bodies, candidates, job);
+  if (!outcome) return std::move(all[0]);
+  tuned.motion = outcome->motion;
+  return std::move(all[outcome->best]);
+}
+
+// Writes everything that follows from the constraints and factors.
+void write(Attempt attempt, Tuned& tuned) {
+  tuned.frequencies = attempt.frequencies;
+  tuned.stretchFactor = attempt.tuning.global.stretch;
+  tuned.bendFactor = attempt.tuning.global.bend;
+  tuned.stretchField = std::move(attempt.tuning.stretchField);
+  tuned.bendField = std::move(attempt.tuning.bendField);
+  tuned.stretchFactors = std::move(attempt.tuning.stretchFactors);
+  tuned.bendFactors = std::move(attempt.tuning.bendFactors);
+}
+
 void listVertices(const std::vector<SolverConstraint>& constraints, Tuned& tuned) {
   for (const SolverConstraint& constraint : constraints) {
     auto& vertices = constraint.kind == ConstraintKind::Stretch ? tuned.stretchVertices : tuned.bendVertices;
     vertices.insert(vertices.end(), constraint.vertices.begin(),
                     constraint.vertices.begin() + constraint.vertexCount);
-  }
-}
-
-void tuneFinely(TuneProblem& problem, const TuneConstraints& constraints, const TriangleMesh& mesh,
-                TuneKind kind, Tuned& tuned, Job& job) {
-  const GlobalFactors start{tuned.stretchFactor, tuned.bendFactor};
-  if (kind == TuneKind::Vertex) {
-    VertexFields fields = tuneFields(problem, constraints, mesh, start, job);
-    tuned.stretchFactor = fields.factors.stretch;
-    tuned.bendFactor = fields.factors.bend;
-    tuned.stretchField = std::move(fields.stretch);
-    tuned.bendField = std::move(fields.bend);
-  }
-  if (kind == TuneKind::Constraint) {
-    const std::vector<double> factors = tuneConstraints(problem, constraints, start, job);
-    const auto first = factors.begin() + static_cast<ptrdiff_t>(constraints.stretchCount);
-    tuned.stretchFactors.assign(factors.begin(), first);
-    tuned.bendFactors.assign(first, factors.end());
-    tuned.stretchFactor = tuned.bendFactor = 1;
   }
 }
 
@@ -65,28 +134,28 @@ Tuned tuneSolver(const TriangleMesh& original, const TriangleMesh& result, const
   const SolverStiffness stiffness(result, buildTopology(result), options.model, options.result);
   const std::deque<PartPair> pairs =
       pairParts({original, result, options.model, options.original, options.result, stiffness}, job);
-  const std::vector<double> originalMasses = solverMasses(original, options.model.mass, options.original);
+  const std::vector<double> masses = solverMasses(original, options.model.mass, options.original);
   Tuned tuned;
-  tuned.masses = options.tunedMass == MassRule::Vertex ? equalMasses(originalMasses, result.vertexCount())
-                                                       : carryMasses(pairs, result, originalMasses);
+  tuned.masses = options.tunedMass == MassRule::Vertex ? equalMasses(masses, result.vertexCount())
+                                                       : carryMasses(pairs, result, masses);
   const std::vector<SolverConstraint> all = constraintsOf(stiffness);
   listVertices(all, tuned);
   whole.report(kPrepared);
-  TuneProblem problem(pairs, findClampings(original, pairs, options), {originalMasses, tuned.masses},
-                      all.size(), job);
-  if (!problem.isDefinite()) return tuned;
+  TuneProblem problem({pairs, findClampings(original, pairs, options), {masses, tuned.masses}, all.size()},
+                      job);
   whole.report(kSolved);
-  tuned.frequencies.errorUntouched =
-      problem.freeErrorWith(solverMasses(result, options.model.mass, options.result), job);
-  const TuneConstraints constraints{all, stiffness.stretchCount(), !hasBorder(buildTopology(original))};
-  const GlobalFactors global = tuneGlobally(problem, constraints, job);
-  tuned.stretchFactor = global.stretch;
-  tuned.bendFactor = global.bend;
-  tuneFinely(problem, constraints, result, options.tune, tuned, job);
+  const TuneConstraints constraints{result, all, stiffness.stretchCount(),
+                                    !hasBorder(buildTopology(original))};
+  const Tuning untouched = untouchedOf(options.tune, constraints);
+  if (!problem.isDefinite()) {
+    write({untouched, {}}, tuned);
+    return tuned;
+  }
+  std::vector<Attempt> found = attempts(problem, constraints, options, job);
   whole.report(kTuned);
-  tuned.frequencies.errorTuned = problem.freeError();
-  tuned.frequencies.errorUnseen = problem.unseenError();
-  tuned.frequencies.errorOtherPins = problem.otherPinsError(job);
+  Attempt best = chosen(std::move(found), {original, result, options, tuned.masses}, tuned, job);
+  if (tuned.motion && tuned.motion->kept == KeptParameters::Untouched) best.tuning = untouched;
+  write(std::move(best), tuned);
   return tuned;
 }
 

@@ -42,7 +42,7 @@ export interface TuneOptions {
   looks: boolean;
 }
 
-/** NaN where a body has no such modes. */
+/** Of the tuned parameters, kept or not; NaN where the body has no such modes, as a flat sheet of springs. */
 export interface TunedFrequencies {
   /** mean relative errors (%) of modes 1 to 10, free */
   errorUntouched: number;
@@ -54,7 +54,7 @@ export interface TunedFrequencies {
 }
 
 export interface TunedMotion {
-  /** 'sway', 'hang' or 'sway and hang' */
+  /** 'sway' or 'hang' */
   scene: string;
   /** deviations, % of the diagonal */
   untouched: number;

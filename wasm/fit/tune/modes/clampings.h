@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "fit/tune/modes/tune_parts.h"
 #include "fit/tune/tune_options.h"
-#include "fit/tune/tune_parts.h"
 
 namespace limber {
 

@@ -1,4 +1,4 @@
-#include "fit/tune/tune_parts.h"
+#include "fit/tune/modes/tune_parts.h"
 
 #include <algorithm>
 #include <numeric>
@@ -71,12 +71,11 @@ std::vector<std::vector<uint32_t>> constraintsOfParts(const Body& body, const So
   return constraints;
 }
 
-SolverPart solverPart(MeshParts::Part& part, std::vector<uint32_t>& constraints, const SolverModel& model,
-                      const SolverConstants& constants, const Job& job) {
+SolverPart solverPart(MeshParts::Part& part, const SolverModel& model, const SolverConstants& constants,
+                      const Job& job) {
   SolverPart solver;
   solver.mesh = std::move(part.mesh);
   solver.vertices = std::move(part.vertices);
-  solver.constraints = std::move(constraints);
   solver.stiffness =
       std::make_unique<SolverStiffness>(solver.mesh, buildTopology(solver.mesh), model, constants);
   solver.structure = structureOf(*solver.stiffness, job);
@@ -113,16 +112,14 @@ Eigen::MatrixXd PartPair::carryThirds(const Eigen::MatrixXd& values) const {
 std::deque<PartPair> pairParts(const TuneBodies& bodies, Job& job) {
   Body original = bodyOf(bodies.original), result = bodyOf(bodies.result);
   const std::vector<uint32_t> partner = partners(original, result);
-  std::vector<std::vector<uint32_t>> originalConstraints(original.parts.parts.size());
   auto resultConstraints = constraintsOfParts(result, bodies.resultStiffness);
   std::deque<PartPair> pairs;
   for (size_t i = 0; i < partner.size(); ++i) {
-    const uint32_t p = original.matters[i], q = partner[i];
     PartPair& pair = pairs.emplace_back();
-    pair.original = solverPart(original.parts.parts[p], originalConstraints[p], bodies.model,
-                               bodies.originalConstants, job);
-    pair.result =
-        solverPart(result.parts.parts[q], resultConstraints[q], bodies.model, bodies.resultConstants, job);
+    pair.original =
+        solverPart(original.parts.parts[original.matters[i]], bodies.model, bodies.originalConstants, job);
+    pair.result = solverPart(result.parts.parts[partner[i]], bodies.model, bodies.resultConstants, job);
+    pair.result.constraints = std::move(resultConstraints[partner[i]]);
     pair.points = closestPoints(pair.original.mesh, pair.result.mesh);
   }
   return pairs;

@@ -1,4 +1,4 @@
-#include "fit/tune/mode_matching.h"
+#include "fit/tune/modes/mode_matching.h"
 
 namespace limber {
 namespace {

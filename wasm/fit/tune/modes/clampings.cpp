@@ -1,4 +1,4 @@
-#include "fit/tune/clampings.h"
+#include "fit/tune/modes/clampings.h"
 
 #include <algorithm>
 

@@ -6,19 +6,25 @@
 #include <vector>
 
 #include "base/job.h"
-#include "fit/tune/clamped_modes.h"
+#include "fit/tune/modes/clamped_modes.h"
 
 namespace limber {
+
+struct TuneSetup {
+  const std::deque<PartPair>& pairs;
+  std::vector<Clamping> clampings;  // the free one first
+  TuneMasses masses;
+  size_t constraintCount;  // of the result's body
+};
 
 // The factors on the constraints of a coarse mesh, and how far its modes then are from those of the original:
 // 20 free modes, 8 of the body clamped at its lower end and 10 of the body pinned by the user are fitted;
 // free modes 21 to 30 and 10 of the body clamped at its other end are not.
 class TuneProblem {
  public:
-  // Solves both bodies with factors of 1. Refers to `pairs`. `constraintCount`: of the result's body. Throws
-  // Cancelled, and std::runtime_error as solveModes.
-  TuneProblem(const std::deque<PartPair>& pairs, const std::vector<Clamping>& clampings,
-              const TuneMasses& masses, size_t constraintCount, Job& job);
+  // Solves both bodies with factors of 1. Refers to the pairs. Throws Cancelled, and
+  // std::runtime_error as solveModes.
+  TuneProblem(const TuneSetup& setup, Job& job);
 
   // Whether all motions but rigid ones meet resistance. Nothing else is to be asked of a problem that is not.
   bool isDefinite() const;

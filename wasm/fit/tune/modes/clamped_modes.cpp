@@ -1,11 +1,11 @@
-#include "fit/tune/clamped_modes.h"
+#include "fit/tune/modes/clamped_modes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "fit/tune/mode_matching.h"
+#include "fit/tune/modes/mode_matching.h"
 #include "transfer/shape_transfer.h"
 
 namespace limber {

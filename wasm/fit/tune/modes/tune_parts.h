@@ -15,7 +15,7 @@ namespace limber {
 struct SolverPart {
   TriangleMesh mesh;
   std::vector<uint32_t> vertices;     // per vertex: its id in the body
-  std::vector<uint32_t> constraints;  // per constraint: its index in the body
+  std::vector<uint32_t> constraints;  // per constraint its index in the body; of results alone
   std::unique_ptr<const SolverStiffness> stiffness;
   std::shared_ptr<const FactorStructure> structure;
 

@@ -1,4 +1,4 @@
-#include "fit/tune/tuned_masses.h"
+#include "fit/tune/modes/tuned_masses.h"
 
 #include <algorithm>
 #include <numeric>

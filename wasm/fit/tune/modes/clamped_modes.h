@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/job.h"
-#include "fit/tune/clampings.h"
-#include "fit/tune/tune_parts.h"
+#include "fit/tune/modes/clampings.h"
+#include "fit/tune/modes/tune_parts.h"
 
 namespace limber {
 

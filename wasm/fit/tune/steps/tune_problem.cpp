@@ -1,4 +1,4 @@
-#include "fit/tune/tune_problem.h"
+#include "fit/tune/steps/tune_problem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,16 +53,15 @@ void fillRows(const ClampedModes& clamping, const std::vector<double>& factors, 
 
 }  // namespace
 
-TuneProblem::TuneProblem(const std::deque<PartPair>& pairs, const std::vector<Clamping>& clampings,
-                         const TuneMasses& masses, size_t constraintCount, Job& job)
-    : factors_(constraintCount, 1.0) {
+TuneProblem::TuneProblem(const TuneSetup& setup, Job& job) : factors_(setup.constraintCount, 1.0) {
   std::vector<double> scales;  // none for the free parts: they estimate it themselves
-  for (const Clamping& clamping : clampings) {
-    ClampedModes& modes = clampings_.emplace_back(pairs, clamping, masses, wantedModes(clamping.kind));
+  for (const Clamping& clamping : setup.clampings) {
+    ClampedModes& modes =
+        clampings_.emplace_back(setup.pairs, clamping, setup.masses, wantedModes(clamping.kind));
     modes.solve(scales, job);
     if (!modes.isDefinite()) return;
     if (clamping.kind != ClampKind::Free) continue;
-    scales.resize(pairs.size());
+    scales.resize(setup.pairs.size());
     for (const PartModesPair& part : modes.parts())
       scales[part.pairIndex()] = kClampedOverFree * part.firstEigenvalue();
   }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "fit/tune/tune_parts.h"
+#include "fit/tune/modes/tune_parts.h"
 
 namespace limber {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "fit/tune/factor_range.h"
-#include "fit/tune/tune_steps.h"
+#include "fit/tune/steps/factor_range.h"
+#include "fit/tune/steps/tune_steps.h"
 #include "linear/factorisation.h"
 #include "mesh/vertex_areas.h"
 
@@ -52,8 +52,8 @@ double totalArea(const TriangleMesh& mesh) {
 // Unknowns: logarithms of the bending field, then of the stretch field where that is tuned.
 class FieldUnknowns {
  public:
-  FieldUnknowns(const TuneConstraints& constraints, uint32_t vertexCount, const GlobalFactors& start)
-      : constraints_(constraints), vertexCount_(vertexCount), start_(start) {}
+  FieldUnknowns(const TuneConstraints& constraints, const GlobalFactors& start)
+      : constraints_(constraints), vertexCount_(constraints.mesh.vertexCount()), start_(start) {}
 
   Eigen::Index count() const {
     return (constraints_.tunesStretch ? 2 : 1) * static_cast<Eigen::Index>(vertexCount_);
@@ -123,9 +123,10 @@ std::vector<double> withMeanOne(const Eigen::Ref<const Eigen::VectorXd>& logarit
 
 }  // namespace
 
-VertexFields tuneFields(TuneProblem& problem, const TuneConstraints& constraints, const TriangleMesh& mesh,
-                        const GlobalFactors& start, Job& job) {
-  const FieldUnknowns unknowns(constraints, mesh.vertexCount(), start);
+VertexFields tuneFields(TuneProblem& problem, const TuneConstraints& constraints, const GlobalFactors& start,
+                        Job& job) {
+  const TriangleMesh& mesh = constraints.mesh;
+  const FieldUnknowns unknowns(constraints, start);
   const auto modes = static_cast<double>(problem.residuals().size());
   const SparsePencil pencil = smoothness(mesh, std::sqrt(totalArea(mesh) / modes));
   Factorisation prior(pencil, job);

@@ -5,12 +5,13 @@
 
 #include "base/job.h"
 #include "elastic/solvers/solver_stiffness.h"
-#include "fit/tune/tune_problem.h"
+#include "fit/tune/steps/tune_problem.h"
 
 namespace limber {
 
 // The constraints of a body: what their factors are made of.
 struct TuneConstraints {
+  const TriangleMesh& mesh;
   std::span<const SolverConstraint> all;  // stretch constraints first
   size_t stretchCount;
   bool tunesStretch;  // false: the factors of stretch constraints stay 1
@@ -35,8 +36,8 @@ struct VertexFields {
 // Gaussian prior whose correlation length is a half wave of the highest fitted mode, sqrt(area / modes), and
 // whose variance explains half of the squared residuals that `start` leaves; the other half counts as
 // scatter.
-VertexFields tuneFields(TuneProblem& problem, const TuneConstraints& constraints, const TriangleMesh& mesh,
-                        const GlobalFactors& start, Job& job);
+VertexFields tuneFields(TuneProblem& problem, const TuneConstraints& constraints, const GlobalFactors& start,
+                        Job& job);
 
 // A factor for each constraint from `start` on: least-norm steps in logarithms, at most 0.7 a round, until
 // the mean error of the fitted frequencies is below 0.25 % or falls no more, at most 20 rounds.

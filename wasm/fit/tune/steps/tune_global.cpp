@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/tune/factor_range.h"
-#include "fit/tune/tune_steps.h"
+#include "fit/tune/steps/factor_range.h"
+#include "fit/tune/steps/tune_steps.h"
 
 namespace limber {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "fit/tune/factor_range.h"
-#include "fit/tune/tune_steps.h"
+#include "fit/tune/steps/factor_range.h"
+#include "fit/tune/steps/tune_steps.h"
 
 namespace limber {
 namespace {

@@ -1,0 +1,104 @@
+// Tuning: the parameters with which a solver moves a coarse mesh as it moves the original.
+
+#include "bind/function.h"
+#include "bind/meshes.h"
+#include "fit/tune/tune_solver.h"
+
+namespace limber {
+
+template <>
+struct Names<StretchElement> {
+  static constexpr std::array list = {"membrane", "edge-springs"};
+  static constexpr const char* what = "stretch element";
+};
+
+template <>
+struct Names<BendElement> {
+  static constexpr std::array list = {"morley", "hinge-area", "hinge-length", "hinge", "cross-springs"};
+  static constexpr const char* what = "bending element";
+};
+
+template <>
+struct Names<MassRule> {
+  static constexpr std::array list = {"area", "vertex"};
+  static constexpr const char* what = "rule for masses";
+};
+
+template <>
+struct Names<TuneKind> {
+  static constexpr std::array list = {"global", "vertex", "constraint"};
+  static constexpr const char* what = "kind of tuning";
+};
+
+template <>
+struct Names<KeptParameters> {
+  static constexpr std::array list = {"tuned", "untouched"};
+  static constexpr const char* what = "choice of parameters";
+};
+
+template <>
+struct Fields<SolverModel> {
+  static constexpr auto list =
+      std::tuple(field("stretch", &SolverModel::stretch), field("bend", &SolverModel::bend),
+                 field("mass", &SolverModel::mass));
+};
+
+template <>
+struct Fields<SolverConstants> {
+  static constexpr auto list = std::tuple(
+      field("stretch", &SolverConstants::stretch), field("secondStretch", &SolverConstants::secondStretch),
+      field("bend", &SolverConstants::bend), field("poisson", &SolverConstants::poisson),
+      field("surfaceDensity", &SolverConstants::surfaceDensity), field("unit", &SolverConstants::unit));
+};
+
+template <>
+struct Fields<TuneOptions> {
+  static constexpr auto list =
+      std::tuple(field("model", &TuneOptions::model), field("original", &TuneOptions::original),
+                 field("result", &TuneOptions::result), field("pinnedOriginal", &TuneOptions::pinnedOriginal),
+                 field("pinnedResult", &TuneOptions::pinnedResult), field("tune", &TuneOptions::tune),
+                 field("tunedMass", &TuneOptions::tunedMass), field("looks", &TuneOptions::looks));
+};
+
+template <>
+struct Fields<TunedFrequencies> {
+  static constexpr auto list = std::tuple(field("errorUntouched", &TunedFrequencies::errorUntouched),
+                                          field("errorTuned", &TunedFrequencies::errorTuned),
+                                          field("errorUnseen", &TunedFrequencies::errorUnseen),
+                                          field("errorOtherPins", &TunedFrequencies::errorOtherPins));
+};
+
+template <>
+struct Fields<TunedMotion> {
+  static constexpr auto list =
+      std::tuple(field("untouched", &TunedMotion::untouched), field("tuned", &TunedMotion::tuned),
+                 field("noiseFloor", &TunedMotion::noiseFloor), field("kept", &TunedMotion::kept));
+};
+
+template <>
+struct Fields<Tuned> {
+  static constexpr auto list =
+      std::tuple(field("stretchFactor", &Tuned::stretchFactor), field("bendFactor", &Tuned::bendFactor),
+                 field("stretchField", &Tuned::stretchField), field("bendField", &Tuned::bendField),
+                 field("stretchFactors", &Tuned::stretchFactors), field("bendFactors", &Tuned::bendFactors),
+                 field("masses", &Tuned::masses), field("stretchVertices", &Tuned::stretchVertices),
+                 field("bendVertices", &Tuned::bendVertices), field("frequencies", &Tuned::frequencies));
+};
+
+namespace {
+
+val jsTuneSolver(const val& original, const val& result, const val& options) {
+  const Tuned tuned = tuneSolver(*meshOf(original), *meshOf(result), fromJs<TuneOptions>(options), theJob);
+  val out = toJs(tuned);
+  out.set("motion", toJs(tuned.motion));
+  if (tuned.motion) out["motion"].set("scene", val(tuned.motion->scene));
+  return out;
+}
+
+}  // namespace
+}  // namespace limber
+
+EMSCRIPTEN_BINDINGS(limber_tune) {
+  using namespace limber;
+  offer<&jsTuneSolver>("tuneSolver");
+}

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/job.h"
+#include "fit/tune/tune_options.h"
+#include "mesh/triangle_mesh.h"
+
+namespace limber {
+
+// Decides by the motion itself which factors are handed over.
+struct LookedAt {
+  const TriangleMesh& original;
+  const TriangleMesh& result;
+  const TuneOptions& options;
+  const std::vector<double>& masses;  // tuned, kg per vertex of the result
+};
+
+// Parameters that might be handed over, best first where motions are equal.
+struct TuneCandidate {
+  std::vector<double> factors;  // per constraint of the result
+};
+
+struct LookOutcome {
+  TunedMotion motion;  // `tuned`: of the best candidate
+  size_t best = 0;     // the candidate that deviates least; of no meaning where untouched is kept
+};
+
+// Moves original, the result with factors of 1, and the result with each candidate. Nothing where there is no
+// look, see MotionLook::refusal, or where untouched or all candidates cannot be moved. Throws Cancelled.
+std::optional<LookOutcome> lookAtMotion(const LookedAt& bodies, const std::vector<TuneCandidate>& candidates,
+                                        Job& job);
+
+}  // namespace limber
