@@ -22,7 +22,7 @@ const givenLevel = where(
   ({ maxFrequencyError }) => maxFrequencyError === 0,
 );
 
-/** The level of `targetFaces`, or one of more faces where frequencies would be off too far, fitted to the modes. */
+/** The level of `targetFaces`, or one of more faces where frequencies would be off too far, fitted. */
 export const fittedStage = declareStage({
   name: 'fitted',
   reads: [...FIT_SETTINGS, ...MATERIAL_SETTINGS, 'maxFrequencyError', 'targetFaces'],
