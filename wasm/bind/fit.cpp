@@ -13,8 +13,7 @@ struct Fields<ModalFitResult> {
   static constexpr auto list =
       std::tuple(field("result", &ModalFitResult::result), field("errorBefore", &ModalFitResult::errorBefore),
                  field("errorAfter", &ModalFitResult::errorAfter), field("large", &ModalFitResult::large),
-                 field("tooLarge", &ModalFitResult::tooLarge),
-                 field("flips", &ModalFitResult::flips));
+                 field("tooLarge", &ModalFitResult::tooLarge), field("flips", &ModalFitResult::flips));
 };
 
 template <>

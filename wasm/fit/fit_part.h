@@ -47,7 +47,7 @@ struct FitParts {
 };
 
 // `mirror`: null where the result is not its own mirror image.
-FitParts findFitParts(const TriangleMesh& original, const MeshAt& result,
-                      const FitConstraints& constraints, const ResultMirror* mirror);
+FitParts findFitParts(const TriangleMesh& original, const MeshAt& result, const FitConstraints& constraints,
+                      const ResultMirror* mirror);
 
 }  // namespace limber

@@ -1,5 +1,6 @@
 #include "fit/shape_fit.h"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 
@@ -17,6 +18,9 @@ namespace limber {
 namespace {
 
 namespace constants = tuning::surface_rounds;
+
+constexpr double kRounding =
+    1e-6;  // of the diagonal, more than float32 positions lift an edge of a flat mesh
 
 // All components take part, whatever their size.
 FitConstraints constraintsOf(const ShapeFitOptions& options) {
@@ -39,22 +43,30 @@ struct ShapeContext {
   Job& job;
 };
 
+// What flips keep, besides the edges that are fixed: no flip lifts the surface by more than what is far from
+// it.
+FlipLimits flipLimits(const FitPart& part, const StepLimits& steps, double startDistance) {
+  FlipLimits limits{part.fixedEdges, part.partners(), steps.minAngle};
+  limits.mostLift = std::max(tuning::surface::kFarDistance * startDistance, kRounding);
+  return limits;
+}
+
 void fitPart(FitPart& part, const ShapeContext& context, ShapeFitResult& fitted) {
-  const auto& [maxDeviation, minAngle] =
-      PartLimits::Asked{context.options.maxDeviation, context.options.minAngle};
+  const double maxDeviation = context.options.maxDeviation;
   const Topology topology = buildTopology(part.result);
   lockCorners(part, topology);
   const FitSamples samples =
       sampleForFit(part.original, tuning::surface::kSamplesPerTriangle * part.result.triangleCount(),
                    part.originalFeatureEdges);
   const DistanceBounds bounds(part.original, part.result, topology);
-  const PartLimits limits(part, {maxDeviation, minAngle});
+  const PartLimits limits(part, {maxDeviation, context.options.minAngle});
   StepLimits steps = limits.steps;
   steps.distanceBounds = &bounds;
-  FlipLimits flips{part.fixedEdges, part.partners(), steps.minAngle};
-  if (steps.deviation) flips.mostLift = constants::kMostLift * maxDeviation / part.frame.diagonal;
-  std::vector<uint32_t> corners = unflipped(part.result).corners;
   ShapeRounds rounds(part, samples, steps, context.job);
+  FlipLimits flips = flipLimits(part, steps, rounds.startDistance());
+  if (steps.deviation)
+    flips.mostLift = std::min(flips.mostLift, constants::kMostLift * maxDeviation / part.frame.diagonal);
+  std::vector<uint32_t> corners = unflipped(part.result).corners;
   for (int round = 0; round < constants::kRounds; ++round) {
     context.report(static_cast<double>(round) / constants::kRounds);
     fitted.flips += flipToDelaunay(part.result, flips, corners);

@@ -15,8 +15,11 @@ ShapeRounds::ShapeRounds(FitPart& part, const FitSamples& samples, const StepLim
       limits_(limits),
       job_(job),
       wanted_(measureSizes(part.original, buildTopology(part.original)).values) {
-  const Eigen::Vector2d start = measureSizes(part.result, buildTopology(part.result)).values;
-  if (wanted_[1] == 0) areaRange_ = std::abs(start[0] - wanted_[0]);
+  const Topology topology = buildTopology(part.result);
+  if (wanted_[1] == 0) areaRange_ = std::abs(measureSizes(part.result, topology).values[0] - wanted_[0]);
+  SurfaceFit start = fitSurface(part.result, topology, samples, {.featureEdges = &part.featureEdges});
+  startDistance_ = std::sqrt(start.meanSquare);
+  closestTriangles_ = std::move(start.closestTriangles);
 }
 
 void ShapeRounds::move() {
@@ -24,6 +27,8 @@ void ShapeRounds::move() {
   const Topology topology = buildTopology(mesh);
   SurfaceFit fit = fitSurface(mesh, topology, samples_,
                               {.evenness = tuning::surface_rounds::kEvenness,
+                               .normalWeight = NormalWeight::Angle,
+                               .holdsUnsampled = true,
                                .featureEdges = &part_.featureEdges,
                                .startTriangles = std::move(closestTriangles_)});
   closestTriangles_ = std::move(fit.closestTriangles);
