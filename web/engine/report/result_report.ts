@@ -13,8 +13,8 @@ import type { StoppedBody, StopReport } from './stop_report';
 /** What results were fitted to. */
 export interface FitReport {
   kind: 'surface' | 'modal';
-  /** number of flipped edges */
-  flips: number;
+  /** number of edges that a fit to the surface has flipped */
+  flips?: number;
   /** frequency errors before and after a modal fit, in %: those of the part where they are largest */
   before?: number;
   after?: number;
@@ -83,8 +83,9 @@ export function fitReport(fits: FitOfBody[]): { fit?: FitReport } {
   return {
     fit: {
       kind,
-      flips: sum(fits.map((fit) => fit.flips)),
-      ...(kind === 'modal' ? { before: worst(before), after: worst(after) } : {}),
+      ...(kind === 'modal'
+        ? { before: worst(before), after: worst(after) }
+        : { flips: sum(fits.map((fit) => fit.flips)) }),
       ...(unfitted.length > 0 ? { unfitted } : {}),
     },
   };
