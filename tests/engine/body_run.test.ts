@@ -117,7 +117,7 @@ const OTHER: RunSettings = {
 const everything = (method: Settings['method']): RunSettings => ({
   ...defaultSettings(method),
   ...{ modeCount: 4, modes: [1, 2], lods: [0.5], calibrate: true, maxFrequencyError: 90 },
-  ...{ curvatureWeight: 1, targetFaces: 14, fields: true, solver: 'dihedral' },
+  ...{ fit: 'modal', curvatureWeight: 1, targetFaces: 14, fields: true, solver: 'dihedral' },
 });
 
 let core: Core;
@@ -268,6 +268,19 @@ describe('a run over a body', () => {
       keyOf(STAGES.furtherLevels, settings) === keyOf(STAGES.furtherLevels, { ...settings, ...change });
     expect(isSame(limber, { fit: 'off' })).toBe(false);
     expect(isSame(paper, { fit: 'off' })).toBe(true);
+  });
+
+  it('depends on the shell only with a fit to the modes', () => {
+    const [modal, surface] = (['modal', 'surface'] as const).map((fit) => ({
+      ...everything('limber'),
+      maxFrequencyError: 0,
+      fit,
+    }));
+    const isSame = (settings: RunSettings) =>
+      keyOf(STAGES.furtherLevels, settings) ===
+      keyOf(STAGES.furtherLevels, { ...settings, thickness: 7, poisson: 0.1 });
+    expect(isSame(modal)).toBe(false);
+    expect(isSame(surface)).toBe(true);
   });
 
   it('lets no stage see a setting that it does not declare', () => {

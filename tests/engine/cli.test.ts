@@ -54,7 +54,7 @@ afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
 describe('limber optimize', () => {
   it('writes a GLB and sums up the result in one line', async () => {
-    const { code, stdout, stderr } = limber('optimize', 'torus.obj', 'out.glb');
+    const { code, stdout, stderr } = limber('optimize', 'torus.obj', 'out.glb', '--fit', 'modal');
     expect([code, stderr]).toEqual([0, '']);
     expect(stdout).toMatch(
       /^torus\.obj: 576 -> 288 faces \(-50\.0 %\), topology kept, deviation \d+\.\d\d % \(mean \d+\.\d\d %\), smallest angle \d+\.\d deg, frequencies off \d+\.\d\d % \(\d+\.\d\d % before the fit\), \d+\.\d s -> out\.glb\n$/,
@@ -278,12 +278,38 @@ describe('limber optimize', () => {
     );
   });
 
-  it('fits to the modes by default, but not with --fit off', () => {
+  it('fits to the modes with --fit modal, but not with --fit off', () => {
     const errorOf = (...flags: string[]) => {
       expect(limber('optimize', 'torus.obj', 'fit.glb', '--ratio', '0.3', ...flags).code).toBe(0);
       return report(limber('compare', 'torus.obj', 'fit.glb', '--json').stdout).fidelity!.frequencyErrorMean!;
     };
-    expect(errorOf()).toBeLessThan(0.5 * errorOf('--fit', 'off'));
+    expect(errorOf('--fit', 'modal')).toBeLessThan(0.5 * errorOf('--fit', 'off'));
+  });
+
+  it('fits to the surface by default, which takes it nearer than --fit off, and says so', () => {
+    const reduce = (...flags: string[]) => {
+      const words = ['optimize', 'torus.obj', 'fit.glb', '--ratio', '0.3', '--report', 'fit.json', ...flags];
+      const { code, stdout } = limber(...words);
+      expect(code).toBe(0);
+      return { stdout, ...report(readFileSync(path('fit.json'), 'utf8')) };
+    };
+    const [fitted, off] = [reduce(), reduce('--fit', 'off')];
+    expect(fitted.surface!.mean).toBeLessThan(0.95 * off.surface!.mean);
+    expect(fitted.fit).toEqual({ kind: 'surface', flips: fitted.fit!.flips });
+    expect(off.fit).toBeUndefined();
+    expect(fitted.stdout).toMatch(/, fitted to the surface \(\d+ edges? flipped\), /);
+  });
+
+  it('takes --fit on of version 0.1 for --fit modal, and says so', () => {
+    const bytesOf = (fit: string) => {
+      const { code, stderr } = limber('optimize', 'torus.obj', 'fit.glb', '--ratio', '0.3', '--fit', fit);
+      expect(code).toBe(0);
+      return { stderr, bytes: readFileSync(path('fit.glb')) };
+    };
+    const [former, modal] = [bytesOf('on'), bytesOf('modal')];
+    expect(former.bytes.equals(modal.bytes)).toBe(true);
+    expect(modal.stderr).toBe('');
+    expect(former.stderr).toBe('limber: --fit on of earlier versions is now modal (default: surface).\n');
   });
 
   it('optimizes only the body of --mesh', async () => {

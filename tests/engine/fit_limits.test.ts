@@ -12,13 +12,34 @@ beforeAll(async () => {
 });
 
 function reduced(mesh: TriangleMesh, targetFaces: number, change: Partial<Settings>) {
-  const settings = { ...defaultSettings(), modeCount: 6, ...change };
+  const settings = { ...defaultSettings(), fit: 'modal' as const, modeCount: 6, ...change };
   const { fitted, measured } = optimized(runOfMesh(core, mesh), settings, targetFaces);
   return { fitted, ...measured };
 }
 
 /** Each limit is one that the fit would violate if it ignored it. */
-describe('a fit with limits', () => {
+describe('a fit to the surface with limits', () => {
+  const fit = 'surface' as const;
+
+  it('respects the largest deviation', () => {
+    const free = reduced(torus(), 200, { fit });
+    const maxDeviation = 0.8 * free.distance.hausdorff;
+    const limited = reduced(torus(), 200, { fit, maxDeviation });
+    expect(limited.fitted.unfitted).toBe('');
+    expect(limited.distance.hausdorff).toBeLessThanOrEqual(maxDeviation);
+  });
+
+  it('respects the smallest angle', () => {
+    const minAngle = 25;
+    expect(reduced(torus(), 200, { fit }).quality.minAngle).toBeLessThan(minAngle);
+    const limited = reduced(torus(), 200, { fit, minAngle });
+    expect(limited.fitted.unfitted).toBe('');
+    expect(limited.quality.minAngle).toBeGreaterThanOrEqual(minAngle);
+  });
+});
+
+/** Each limit is one that the fit would violate if it ignored it. */
+describe('a fit to the modes with limits', () => {
   it('respects the largest deviation', () => {
     const free = reduced(torus(), 200, {});
     const maxDeviation = 0.8 * free.distance.hausdorff;

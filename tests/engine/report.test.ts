@@ -4,6 +4,7 @@ import { defaultSettings } from '../../web/engine/settings/options';
 import { meshReport } from '../../web/engine/report/mesh_report';
 import { modesReport } from '../../web/engine/report/modes_report';
 import { startReport } from '../../web/engine/report/report';
+import { describeShapeFit } from '../../web/engine/report/fit_words';
 import { fitReport, worstSurface } from '../../web/engine/report/result_report';
 import { describeRefused, stopReport } from '../../web/engine/report/stop_report';
 import { prepareBody } from '../../web/engine/stages/prepared';
@@ -70,15 +71,32 @@ describe('a report', () => {
 
   it('gives the frequency error of the worst part, and what was not fitted', () => {
     const fit = (before: number[], after: number[], unfitted = '') => ({
+      kind: 'modal' as const,
+      flips: 7,
       errorBefore: Float64Array.from(before),
       errorAfter: Float64Array.from(after),
       unfitted,
     });
     expect(fitReport([fit([], []), fit([], [])])).toEqual({});
-    expect(fitReport([fit([2, 4], [0.1, 0.3]), fit([5], [0.2])])).toEqual({ fit: { before: 5, after: 0.3 } });
-    expect(fitReport([fit([2], [1]), fit([], [], 'too large'), fit([], [], 'too large')])).toEqual({
-      fit: { before: 2, after: 1, unfitted: ['too large'] },
+    expect(fitReport([fit([2, 4], [0.1, 0.3]), fit([5], [0.2])])).toEqual({
+      fit: { kind: 'modal', before: 5, after: 0.3 },
     });
+    expect(fitReport([fit([2], [1]), fit([], [], 'too large'), fit([], [], 'too large')])).toEqual({
+      fit: { kind: 'modal', before: 2, after: 1, unfitted: ['too large'] },
+    });
+  });
+
+  it('counts the flips of fits to the surface, which know no frequencies', () => {
+    const none = new Float64Array();
+    const fit = (flips: number, unfitted = '') => ({
+      kind: 'surface' as const,
+      flips,
+      errorBefore: none,
+      errorAfter: none,
+      unfitted,
+    });
+    expect(fitReport([fit(3), fit(4)])).toEqual({ fit: { kind: 'surface', flips: 7 } });
+    expect(describeShapeFit(fit(1))).toBe('fitted to the surface (1 edge flipped)');
   });
 
   it('is exhausted if one body missed its target, and gives the share of each reason', () => {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { OPTIONS, defaultSettings } from '../../web/engine/settings/options';
 import type { OptionSpec, Settings } from '../../web/engine/settings/options';
-import { changedSettings, readSetting } from '../../web/engine/settings/setting_text';
+import { changedSettings, describeFormerWords, readSetting } from '../../web/engine/settings/setting_text';
 
 /** An allowed value other than the default. */
 function another(key: keyof Settings): unknown {
@@ -48,6 +48,15 @@ describe('settings as text', () => {
       expect(readSetting(OPTIONS[key], changed[0].text ?? 'on')).toEqual(settings[key]);
     },
   );
+
+  it('take a word of an earlier version for its present one, and say so', () => {
+    expect(readSetting(OPTIONS.fit, 'on')).toBe('modal');
+    expect(readSetting(OPTIONS.symmetry, 'on')).toBe('on');
+    const texts: Record<string, string> = { fit: 'on', symmetry: 'on' };
+    expect(describeFormerWords(['fit', 'symmetry'], (flag) => texts[flag])).toEqual([
+      [{ setting: 'fit' }, ' on of earlier versions is now modal (default: surface)'],
+    ]);
+  });
 
   it('preserve infinity', () => {
     const [{ text }] = changedSettings({ ...defaultSettings(), p: Infinity });

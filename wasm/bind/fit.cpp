@@ -1,9 +1,10 @@
-// The modal fit.
+// The fits: to the surface, and to the modes.
 
 #include "bind/charts.h"
 #include "bind/function.h"
 #include "bind/meshes.h"
 #include "fit/modal_fit.h"
+#include "fit/shape_fit.h"
 
 namespace limber {
 
@@ -12,7 +13,13 @@ struct Fields<ModalFitResult> {
   static constexpr auto list =
       std::tuple(field("result", &ModalFitResult::result), field("errorBefore", &ModalFitResult::errorBefore),
                  field("errorAfter", &ModalFitResult::errorAfter), field("large", &ModalFitResult::large),
-                 field("tooLarge", &ModalFitResult::tooLarge));
+                 field("tooLarge", &ModalFitResult::tooLarge), field("flips", &ModalFitResult::flips));
+};
+
+template <>
+struct Fields<ShapeFitResult> {
+  static constexpr auto list =
+      std::tuple(field("result", &ShapeFitResult::result), field("flips", &ShapeFitResult::flips));
 };
 
 namespace {
@@ -41,6 +48,13 @@ struct Fields<ModalFitOptions> {
       field("maxDeviation", &ModalFitOptions::maxDeviation), field("minAngle", &ModalFitOptions::minAngle));
 };
 
+template <>
+struct Fields<ShapeFitOptions> {
+  static constexpr auto list = std::tuple(field("keepsSeams", &ShapeFitOptions::keepsSeams),
+                                          field("maxDeviation", &ShapeFitOptions::maxDeviation),
+                                          field("minAngle", &ShapeFitOptions::minAngle));
+};
+
 namespace {
 
 val jsFitModes(const val& mesh, const val& result, const val& in) {
@@ -53,10 +67,21 @@ val jsFitModes(const val& mesh, const val& result, const val& in) {
   return toJs(fitModes(*meshOf(mesh), fromJs<MeshAt>(result), options, theJob));
 }
 
+val jsFitShape(const val& mesh, const val& result, const val& in) {
+  const auto lists = fromJs<FitLists>(in);
+  auto options = fromJs<ShapeFitOptions>(in);
+  options.charts = lists.charts.view();
+  options.locked = lists.locked;
+  options.pinned = PinnedVertices(vectorOf<uint32_t>(in["pinned"]));
+  options.mirror = lists.mirror;
+  return toJs(fitShape(*meshOf(mesh), fromJs<MeshAt>(result), options, theJob));
+}
+
 }  // namespace
 }  // namespace limber
 
 EMSCRIPTEN_BINDINGS(limber_fit) {
   using namespace limber;
   offer<&jsFitModes>("fitModes");
+  offer<&jsFitShape>("fitShape");
 }

@@ -49,16 +49,16 @@ EdgeList withImages(EdgeList edges, const std::vector<uint32_t>& partners) {
 
 }  // namespace
 
-FitEdges findFitEdges(const FitEdgesInput& input, const ModalFitOptions& options) {
+FitEdges findFitEdges(const FitEdgesInput& input, const FitConstraints& constraints) {
   const auto& [original, topology, result, mirror] = input;
-  const ChartSides sides(original, topology, options.charts, result);
+  const ChartSides sides(original, topology, constraints.charts, result);
   const EdgeList seams = seamsOfResult(result, sides);
   FitEdges found;
-  if (options.keepsSeams) {
+  if (constraints.keepsSeams) {
     found.original = seamsOfOriginal(topology, sides);
     found.result = seams;
   } else {
-    const ChartSides groups(original, topology, {{}, options.charts.groups}, result);
+    const ChartSides groups(original, topology, {{}, constraints.charts.groups}, result);
     found.original = seamsOfOriginal(topology, groups);
     found.result = seamsOfResult(result, groups);
   }

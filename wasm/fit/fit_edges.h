@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/modal_fit_options.h"
+#include "fit/fit_constraints.h"
 #include "fit/result_mirror.h"
 #include "fit/surface/feature_segments.h"
 #include "mesh/topology.h"
@@ -22,6 +22,6 @@ struct FitEdgesInput {
   const MeshAt& result;
   const ResultMirror* mirror;
 };
-FitEdges findFitEdges(const FitEdgesInput& input, const ModalFitOptions& options);
+FitEdges findFitEdges(const FitEdgesInput& input, const FitConstraints& constraints);
 
 }  // namespace limber

@@ -45,7 +45,7 @@ PinnedVertices pinnedIn(const MeshParts::Part& part, const std::vector<uint8_t>&
 
 class PartFinder {
  public:
-  PartFinder(const TriangleMesh& original, const MeshAt& result, const ModalFitOptions& options,
+  PartFinder(const TriangleMesh& original, const MeshAt& result, const FitConstraints& constraints,
              const ResultMirror* mirror);
 
   FitParts find();
@@ -57,7 +57,7 @@ class PartFinder {
   void takeMeshes(uint32_t component, FitPart& part);
   MeshMirror mirrorOf(const FitPart& part) const;
 
-  const ModalFitOptions& options_;
+  const FitConstraints& constraints_;
   const ResultMirror* mirror_;
   Topology topology_;                                                       // of the original
   std::vector<uint32_t> componentOfResult_;                                 // per vertex of the result
@@ -67,14 +67,14 @@ class PartFinder {
   std::vector<EdgeList> originalFeatureEdges_, featureEdges_, fixedEdges_;  // by component
 };
 
-PartFinder::PartFinder(const TriangleMesh& original, const MeshAt& result, const ModalFitOptions& options,
+PartFinder::PartFinder(const TriangleMesh& original, const MeshAt& result, const FitConstraints& constraints,
                        const ResultMirror* mirror)
-    : options_(options), mirror_(mirror), topology_(buildTopology(original)) {
+    : constraints_(constraints), mirror_(mirror), topology_(buildTopology(original)) {
   for (const uint32_t v : result.inputOfVertex) componentOfResult_.push_back(topology_.componentOfVertex[v]);
   markVertices(original, result);
   originals_ = splitMesh(original, topology_.componentOfVertex, topology_.componentCount);
   results_ = splitMesh(result.mesh, componentOfResult_, topology_.componentCount);
-  const FitEdges edges = findFitEdges({original, topology_, result, mirror}, options);
+  const FitEdges edges = findFitEdges({original, topology_, result, mirror}, constraints);
   originalFeatureEdges_ = splitEdges(edges.original, originals_, topology_.componentOfVertex);
   featureEdges_ = splitEdges(edges.result, results_, componentOfResult_);
   fixedEdges_ = splitEdges(edges.fixed, results_, componentOfResult_);
@@ -82,9 +82,9 @@ PartFinder::PartFinder(const TriangleMesh& original, const MeshAt& result, const
 
 // A pinned vertex is locked too, and so is the mirror image of a locked vertex.
 void PartFinder::markVertices(const TriangleMesh& original, const MeshAt& result) {
-  isPinned_ = options_.pinned.mask(original.vertexCount());
+  isPinned_ = constraints_.pinned.mask(original.vertexCount());
   isResultPinned_ = carriedMarks(result, isPinned_);
-  locked_ = carriedMarks(result, options_.locked);
+  locked_ = carriedMarks(result, constraints_.locked);
   for (uint32_t v = 0; v < locked_.size(); ++v) locked_[v] |= isResultPinned_[v];
   if (!mirror_) return;
   for (uint32_t v = 0; v < locked_.size(); ++v)
@@ -96,8 +96,8 @@ FitParts PartFinder::find() {
   for (uint32_t component = 0; component < topology_.componentCount; ++component) {
     const MeshParts::Part& result = results_.parts[component];
     if (result.triangles.size() < kFewestFaces || imageOf(component) < component) continue;
-    const bool isLarge = result.vertices.size() > options_.largeVertices;
-    if (isLarge && originals_.parts[component].vertices.size() > options_.mostOriginal) {
+    const bool isLarge = result.vertices.size() > constraints_.largeVertices;
+    if (isLarge && originals_.parts[component].vertices.size() > constraints_.mostOriginal) {
       ++found.tooLarge;
       continue;
     }
@@ -154,9 +154,9 @@ MeshMirror PartFinder::mirrorOf(const FitPart& part) const {
 
 }  // namespace
 
-FitParts findFitParts(const TriangleMesh& original, const MeshAt& result, const ModalFitOptions& options,
+FitParts findFitParts(const TriangleMesh& original, const MeshAt& result, const FitConstraints& constraints,
                       const ResultMirror* mirror) {
-  return PartFinder(original, result, options, mirror).find();
+  return PartFinder(original, result, constraints, mirror).find();
 }
 
 }  // namespace limber

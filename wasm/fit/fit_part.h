@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "fit/modal_fit_options.h"
+#include "fit/fit_constraints.h"
 #include "fit/result_mirror.h"
 #include "fit/surface/feature_segments.h"
 #include "fit/surface/flat_regions.h"
@@ -29,7 +29,7 @@ struct FitPart {
   EdgeList fixedEdges;                          // edges of `result` that are not flipped
   FlatRegions flatRegions;                      // of `result`
   UnitFrame frame;
-  bool isLarge = false;              // whether `result` has more than ModalFitOptions::largeVertices
+  bool isLarge = false;              // whether `result` has more than FitConstraints::largeVertices
   std::optional<MeshMirror> mirror;  // of `result`, where it is its own mirror image
   bool hasImage = false;             // whether another component is its mirror image, which is left out
 
@@ -43,11 +43,11 @@ struct FitPart {
 // too large, and the second one of two that are mirror images of each other are left out.
 struct FitParts {
   std::vector<FitPart> parts;
-  uint32_t tooLarge = 0;  // components that are left out because of ModalFitOptions::mostOriginal
+  uint32_t tooLarge = 0;  // components that are left out because of FitConstraints::mostOriginal
 };
 
 // `mirror`: null where the result is not its own mirror image.
-FitParts findFitParts(const TriangleMesh& original, const MeshAt& result, const ModalFitOptions& options,
+FitParts findFitParts(const TriangleMesh& original, const MeshAt& result, const FitConstraints& constraints,
                       const ResultMirror* mirror);
 
 }  // namespace limber

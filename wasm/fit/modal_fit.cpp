@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "base/memory.h"
 #include "fit/fit_part.h"
+#include "fit/part_limits.h"
 #include "fit/part_writer.h"
-#include "fit/search/deviation_guard.h"
 #include "fit/search/modal_search.h"
 #include "fit/surface_rounds.h"
-#include "mesh/quality.h"
 
 namespace limber {
 
@@ -28,28 +26,6 @@ struct FitContext {
   std::function<void(double)> report;  // takes the fraction of the present part that is done
   Job& job;
 };
-
-// The limits of a part, and what watches over one of them.
-struct PartLimits {
-  std::optional<DeviationGuard> deviation;
-  StepLimits steps;  // refers to `deviation`
-
-  PartLimits(const FitPart& part, const ModalFitOptions& options) {
-    steps.partners = part.partners();
-    if (options.minAngle > 0)
-      steps.minAngle = std::min(options.minAngle, measureQuality(part.result).minAngle);
-    if (options.maxDeviation > 0)
-      steps.deviation = &deviation.emplace(part.original, options.maxDeviation / part.frame.diagonal);
-  }
-  PartLimits(const PartLimits&) = delete;
-};
-
-// The corners of a mesh where no edge has been flipped: each comes from itself.
-std::vector<uint32_t> unflippedCorners(const TriangleMesh& mesh) {
-  std::vector<uint32_t> corners(3 * size_t{mesh.triangleCount()});
-  std::iota(corners.begin(), corners.end(), 0u);
-  return corners;
-}
 
 // The largest root mean square distance that a search may use.
 double budgetOf(const FitPart& part, const FitSamples& samples) {
@@ -94,14 +70,14 @@ void fitLarge(FitPart& part, const FitContext& context, ModalFitResult& fitted) 
   const FitSamples samples =
       sampleForFit(part.original, tuning::surface::kLargeSamplesPerTriangle * part.result.triangleCount(),
                    part.originalFeatureEdges);
-  const PartLimits partLimits(part, context.options);
+  const PartLimits partLimits(part, {context.options.maxDeviation, context.options.minAngle});
   const SearchLimits limits{
       .budget = budgetOf(part, samples), .steps = partLimits.steps, .effort = tuning::kLargeSearch};
   const std::optional<SearchErrors> errors = searchModes(part, samples, limits, context);
   if (!errors) return;
   addErrors(*errors, fitted);
   ++fitted.large;
-  writePart(part, unflippedCorners(part.result), context.start, fitted.result);
+  writePart(part, unflipped(part.result).corners, context.start, fitted.result);
 }
 
 SearchLimits limitsOf(const FitPart& part, const FitSamples& samples, const StepLimits& steps) {
@@ -117,10 +93,10 @@ void fitPart(FitPart& part, const FitContext& context, ModalFitResult& fitted) {
   const FitSamples samples =
       sampleForFit(part.original, tuning::surface::kSamplesPerTriangle * part.result.triangleCount(),
                    part.originalFeatureEdges);
-  const PartLimits partLimits(part, context.options);
+  const PartLimits partLimits(part, {context.options.maxDeviation, context.options.minAngle});
   const SearchLimits limits = limitsOf(part, samples, partLimits.steps);
   FitPart unprepared = part;
-  std::vector<uint32_t> corners = unflippedCorners(part.result);
+  std::vector<uint32_t> corners = unflipped(part.result).corners;
   uint32_t flips =
       runSurfaceRounds(part, {samples, partLimits.steps, context.options.maxDeviation}, corners, context.job);
   std::optional<SearchErrors> errors = searchModes(part, samples, limits, context);
@@ -128,7 +104,7 @@ void fitPart(FitPart& part, const FitContext& context, ModalFitResult& fitted) {
     const std::optional<SearchErrors> second = searchModes(unprepared, samples, limits, context);
     if (second && second->after < errors->after) {
       std::swap(part, unprepared);
-      corners = unflippedCorners(part.result);
+      corners = unflipped(part.result).corners;
       flips = 0;
       errors = second;
     }
@@ -144,13 +120,13 @@ ModalFitResult fitModes(const TriangleMesh& original, const MeshAt& result, cons
                         Job& job) {
   WholePhase phase(job, Phase::Fit);
   ModalFitResult fitted{result, {}, {}, 0, 0, 0};
-  fitted.result.flips.triangles = result.mesh.triangles;
-  fitted.result.flips.corners = unflippedCorners(result.mesh);
+  fitted.result.flips = unflipped(result.mesh);
   if (result.mesh.triangleCount() == original.triangleCount()) return fitted;
   std::optional<ResultMirror> mirror;
   if (!options.mirror.empty()) mirror = mirrorOfResult(original, result, options.mirror);
   const StartResult start{result.mesh, mirror ? &*mirror : nullptr};
-  auto [parts, tooLarge] = findFitParts(original, result, options, start.mirror);
+  const FitConstraints constraints = options.constraints();
+  auto [parts, tooLarge] = findFitParts(original, result, constraints, start.mirror);
   fitted.tooLarge = tooLarge;
   for (size_t i = 0; i < parts.size(); ++i) {
     const auto report = [&](double fraction) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "fit/fit_constraints.h"
 #include "mesh/charts.h"
 #include "mesh/pinned_vertices.h"
 #include "modes/vertex_limits.h"
@@ -33,6 +34,10 @@ struct ModalFitOptions {
   // known as precisely as a fit would need.
   uint32_t mostOriginal = kRefinedVertices;
   uint32_t coarseVertices = kCoarseVertices;  // see ModalTargetOptions
+
+  FitConstraints constraints() const {
+    return {charts, keepsSeams, locked, pinned, largeVertices, mostOriginal};
+  }
 };
 
 }  // namespace limber

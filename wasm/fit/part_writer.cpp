@@ -1,5 +1,7 @@
 #include "fit/part_writer.h"
 
+#include <numeric>
+
 #include "mesh/corner.h"
 
 namespace limber {
@@ -31,6 +33,12 @@ void writeImage(uint32_t t, const ResultMirror& mirror, const TriangleMesh& befo
 }
 
 }  // namespace
+
+Flips unflipped(const TriangleMesh& mesh) {
+  Flips flips{mesh.triangles, std::vector<uint32_t>(3 * size_t{mesh.triangleCount()})};
+  std::iota(flips.corners.begin(), flips.corners.end(), 0u);
+  return flips;
+}
 
 void writePart(const FitPart& part, const std::vector<uint32_t>& corners, const StartResult& start,
                MeshAt& result) {

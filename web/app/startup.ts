@@ -1,11 +1,12 @@
 /** What the page opens by itself: the last session of this tab, what a link asks for, or the first sample. */
 
 import { openSample, samples } from './files/samples';
-import { awaited, describeLinkError, readLink } from './state/link';
+import { awaited, describeFormerLink, describeLinkError, readLink } from './state/link';
 import type { Wanted } from './state/link';
 import { openFiles } from './state/runner';
 import { savedSession } from './state/saved_session';
 import { results, status, wants } from './state/store';
+import type { Notice } from './state/store';
 
 const FIRST_SAMPLE = 'tower';
 
@@ -32,20 +33,23 @@ function readHash(): Wanted | null {
   history.replaceState(null, '', location.pathname + location.search);
   addEventListener('hashchange', () => location.reload());
   try {
-    return readLink(hash);
+    const wanted = readLink(hash);
+    const former = describeFormerLink(hash);
+    if (former !== '') showAfterOpening({ kind: 'info', text: `${former}.` });
+    return wanted;
   } catch (error) {
-    showErrorAfterOpening(`The link has an error. ${describeLinkError(error)}`);
+    showAfterOpening({ kind: 'error', text: `The link has an error. ${describeLinkError(error)}` });
     return null;
   }
 }
 
-/** Shows the error after the first file is open, as opening it removes earlier notices. */
-function showErrorAfterOpening(text: string): void {
+/** Shows the notice after the first file is open, as opening it removes earlier ones. */
+function showAfterOpening(notice: Notice): void {
   const stop = results.opened.subscribe((opened) => {
     if (opened === 0) return;
     queueMicrotask(() => {
       stop();
-      status.notice.value = { kind: 'error', text };
+      status.notice.value = notice;
     });
   });
 }

@@ -3,9 +3,9 @@
 import { parseArgs } from 'node:util';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/settings/materials';
 import { checkSettings, settingsOf } from '../engine/settings/options';
-import type { Settings } from '../engine/settings/options';
+import type { Note, Settings } from '../engine/settings/options';
 import { readNumber } from '../engine/settings/kinds';
-import { readSettings } from '../engine/settings/setting_text';
+import { describeFormerWords, readSettings } from '../engine/settings/setting_text';
 import { SOLVER_NAMES } from '../engine/solvers/profiles';
 import { engineFromFile } from './engine_file';
 import { UsageError } from './failure';
@@ -17,6 +17,8 @@ export interface Arguments {
   command: Command;
   operands: string[];
   settings: Settings;
+  /** what is to be said of words of earlier versions */
+  formerWords: Note[];
   /** null: not asked for */
   faces: number | null;
   ratio: number | null;
@@ -54,6 +56,7 @@ export function parseArguments(words: string[]): Arguments | Question {
     command,
     operands,
     settings,
+    formerWords: describeFormerWords(settingsOf(command), (flag) => values.get(flag)),
     faces: readTarget(values, 'faces', 'a whole number of at least 1', (n) => n >= 1 && Number.isInteger(n)),
     ratio: readTarget(values, 'ratio', 'a number above 0 and up to 1', (n) => n > 0 && n <= 1),
     fields: values.has('fields'),

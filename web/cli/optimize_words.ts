@@ -3,6 +3,7 @@
 import { basename } from 'node:path';
 import type { PreparedBody } from '../engine/body/prepared_body';
 import { faceCount, sum } from '../engine/core/mesh';
+import { describeShapeFit } from '../engine/report/fit_words';
 import type { Report } from '../engine/report/report';
 import { fitReport, worstSurface } from '../engine/report/result_report';
 import type { LevelReport } from '../engine/report/result_report';
@@ -64,13 +65,15 @@ export function summaryLine({ operands }: Arguments, output: FileOutput, seconds
   ].join(', ');
 }
 
-/** The frequency errors of the part where they are largest. */
+/** What results were fitted to; of a modal fit the frequency errors of the part where they are largest. */
 function fitWords(output: FileOutput): string[] {
   const { fit } = fitReport(output.values(STAGES.fitted));
   if (!fit) return [];
   const why = fit.unfitted ? [`not fitted: ${fit.unfitted.join('; ')}`] : [];
-  const off = `frequencies off ${fit.after.toFixed(2)} % (${fit.before.toFixed(2)} % before the fit)`;
-  return fit.before > 0 ? [off, ...why] : why;
+  const { before = 0, after = 0, flips = 0 } = fit;
+  if (fit.kind === 'surface') return [describeShapeFit({ flips }), ...why];
+  const off = `frequencies off ${after.toFixed(2)} % (${before.toFixed(2)} % before the fit)`;
+  return before > 0 ? [off, ...why] : why;
 }
 
 /** How far the frequencies are off where they are a target, and how far they would be with fewer faces. */

@@ -10,7 +10,7 @@ import type { OpenModel } from '../engine/document/open';
 import type { Report } from '../engine/report/report';
 import { FileRun } from '../engine/stages/file_run';
 import type { Arguments } from './arguments';
-import { UsageError } from './failure';
+import { inFlags, UsageError } from './failure';
 import { checkFolder, readModelFiles, writeWhole } from './files';
 import { count, plain } from './words';
 
@@ -27,7 +27,7 @@ const CLEAR_LINE = '\r\u001b[K';
 
 export async function startSession(args: Arguments): Promise<Session> {
   for (const report of args.reports) if (report !== '-') checkFolder(report);
-  const session = { args, warnings: [], activity: '' };
+  const session = { args, warnings: args.formerWords.map(inFlags), activity: '' };
   const showsProgress = !args.quiet && process.stderr.isTTY;
   const onProgress = showsProgress ? (progress: Progress) => showProgress(session, progress) : undefined;
   const core = await loadCore({ threads: args.settings.threads, wasmFolder: findWasm(), onProgress });

@@ -2,8 +2,10 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 
 #include "fit/tuning.h"
+#include "mesh/corner.h"
 #include "mesh/eigen_vec3.h"
 #include "mesh/vertex_areas.h"
 
@@ -26,14 +28,25 @@ void addSegments(const TriangleMesh& mesh, const FeatureSegments& features, Neig
     }
 }
 
-void addTriangles(const TriangleMesh& mesh, Neighbourhoods& around, std::vector<double>& weight) {
+double angleAt(const TriangleMesh& mesh, Corner corner) {
+  const uint32_t t = corner.triangle();
+  const Vec3& apex = mesh.corner(t, corner.index());
+  const Vec3 p = mesh.corner(t, nextIndex(corner.index())) - apex;
+  const Vec3 q = mesh.corner(t, previousIndex(corner.index())) - apex;
+  return std::atan2(length(cross(p, q)), dot(p, q));
+}
+
+void addTriangles(const TriangleMesh& mesh, NormalWeight normalWeight, Neighbourhoods& around,
+                  std::vector<double>& weight) {
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const double area = triangleArea(mesh, t);
     const Eigen::Vector3d normal = eigen(normalized(areaNormal(mesh, t)));
     const Vec3 centre = triangleCentre(mesh, t);
-    for (uint32_t v : mesh.triangles[t]) {
+    for (int c = 0; c < 3; ++c) {
+      const uint32_t v = mesh.triangles[t][static_cast<size_t>(c)];
       if (around.isOnFeature[v]) continue;
-      around.normals[v] += area * normal * normal.transpose();
+      const double share = normalWeight == NormalWeight::Area ? area : angleAt(mesh, Corner(t, c));
+      around.normals[v] += share * normal * normal.transpose();
       around.middle[v] += area * centre;
       weight[v] += area;
     }
@@ -42,13 +55,14 @@ void addTriangles(const TriangleMesh& mesh, Neighbourhoods& around, std::vector<
 
 }  // namespace
 
-Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const FeatureSegments& features) {
+Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const FeatureSegments& features,
+                                NormalWeight normalWeight) {
   const uint32_t n = mesh.vertexCount();
   Neighbourhoods around{vertexAreas(mesh), std::vector<Eigen::Matrix3d>(n, Eigen::Matrix3d::Zero()),
                         std::vector<Vec3>(n), std::vector<uint8_t>(n, 0)};
   std::vector<double> weight(n, 0);
   addSegments(mesh, features, around, weight);
-  addTriangles(mesh, around, weight);
+  addTriangles(mesh, normalWeight, around, weight);
   for (uint32_t v = 0; v < n; ++v)
     around.middle[v] = weight[v] > 0 ? around.middle[v] / weight[v] : mesh.positions[v];
   return around;

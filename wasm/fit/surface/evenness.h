@@ -16,7 +16,14 @@ struct Neighbourhoods {
   std::vector<Vec3> middle;              // mean of the triangles' centres, by area (of the segments' middles)
   std::vector<uint8_t> isOnFeature;      // whether the vertex is on a border or a feature edge
 };
-Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const FeatureSegments& features);
+
+// What a triangle's normal counts in the covariance of a vertex: its area, or its angle at the vertex. By
+// area a corner of three planes, one of which has small triangles, looks like an edge; by angle it does not,
+// for angles do not depend on how planes are cut into triangles.
+enum class NormalWeight : uint8_t { Area, Angle };
+
+Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const FeatureSegments& features,
+                                NormalWeight weight);
 
 // The directions along which a vertex may move without leaving the surface: the sum of s d d^T over the
 // eigenvectors d of the covariance of its normals but the last one, where s falls from 1 at an eigenvalue of

@@ -103,6 +103,15 @@ void addContacts(const FitSamples& samples, SurfaceFit& fit, ModelSums& sums) {
   }
 }
 
+void holdUnsampled(ModelSums& sums) {
+  for (uint32_t t = 0; t < sums.mesh.triangleCount(); ++t) {
+    if (!std::ranges::all_of(sums.triangles[t], [](const auto& block) { return block.isZero(); })) continue;
+    const Eigen::Vector3d n = eigen(normalized(areaNormal(sums.mesh, t)));
+    const Eigen::Matrix3d share = triangleArea(sums.mesh, t) / 3 * n * n.transpose();
+    for (const size_t diagonal : {0, 3, 5}) sums.triangles[t][diagonal] = share;
+  }
+}
+
 void addFeatures(const FeatureSegments& features, const std::vector<FitSamples::OnFeature>& samples,
                  double weight, ModelSums& sums) {
   if (features.triangle.empty() || samples.empty()) return;
@@ -171,10 +180,11 @@ SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const 
   fit.closestTriangles = options.startTriangles;
   ModelSums sums(mesh);
   addContacts(samples, fit, sums);
+  if (options.holdsUnsampled) holdUnsampled(sums);
   const FeatureSegments features = featureSegments(mesh, topology, options.featureEdges);
   const double edge = std::sqrt(fit.area / std::max(1u, mesh.triangleCount()));
   addFeatures(features, samples.features, constants::kBorderWeight * edge, sums);
-  const Neighbourhoods around = neighbourhoodsOf(mesh, features);
+  const Neighbourhoods around = neighbourhoodsOf(mesh, features, options.normalWeight);
   if (options.evenness > 0) addEvenness(around, options.evenness, sums);
   fit.dampingDiagonal = dampingDiagonalOf(around.area);
   fit.hessian = assemble(topology, sums);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "fit/surface/evenness.h"
 #include "fit/surface/feature_segments.h"
 #include "fit/surface/fit_samples.h"
 #include "mesh/topology.h"
@@ -13,6 +14,10 @@ namespace limber {
 
 struct SurfaceFitOptions {
   double evenness = 0;  // weight of moving a vertex along the surface to the middle of its triangles
+  NormalWeight normalWeight = NormalWeight::Area;  // in what evenness takes for the surface around a vertex
+  // Whether triangles that are closest to no sample, such as those under another sheet, keep their planes;
+  // nothing else would hold their vertices.
+  bool holdsUnsampled = false;
   const EdgeList* featureEdges = nullptr;     // inner edges that follow the feature edges of the original
   std::vector<uint32_t> startTriangles = {};  // SurfaceFit::closestTriangles of a fit before; may be empty
 };

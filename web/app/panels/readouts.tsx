@@ -2,7 +2,7 @@
 
 import { faceCount } from '../../engine/core/mesh';
 import type { Inspection } from '../../engine/core/core';
-import { isFitted } from '../../engine/settings/options';
+import { fitOf } from '../../engine/settings/options';
 import { results, shownFit, shownMesh, view, wants } from '../state/store';
 import type { BodySummary } from '../worker/protocol';
 import { count, fixed } from '../controls/numbers';
@@ -60,9 +60,9 @@ function TopologyReadout() {
   );
 }
 
-/** The frequency errors of the part with the largest ones. There is no readout without a fit. */
+/** The frequency errors of the part with the largest ones. There is no readout without a modal fit. */
 function FrequencyReadout() {
-  if (!isFitted(wants.settings.value)) return null;
+  if (fitOf(wants.settings.value) !== 'modal') return null;
   const fitted = shownFit.value;
   if (fitted?.errorAfter.length === 0)
     return <Readout name="Frequency error" value="not fitted" note={fitted.unfitted} />;

@@ -6,10 +6,11 @@ import {
   SETTING_NAMES,
   SettingError,
   checkSettings,
+  wordNote,
   wordSentence,
 } from '../../engine/settings/options';
 import type { SettingName, Settings } from '../../engine/settings/options';
-import { changedSettings, readSettings } from '../../engine/settings/setting_text';
+import { changedSettings, describeFormerWords, readSettings } from '../../engine/settings/setting_text';
 
 export interface Wanted {
   settings: Settings;
@@ -42,6 +43,13 @@ export function writeLink({ settings, faces, body, file }: Wanted): string {
   if (body > 0) words.set('body', String(body));
   if (file !== null) words.set('file', file);
   return words.toString();
+}
+
+/** What is to be said of words of earlier versions in a link; '' for nothing. */
+export function describeFormerLink(text: string): string {
+  const words = new URLSearchParams(text.replace(/^#/, ''));
+  const notes = describeFormerWords(SETTING_NAMES, (flag) => words.get(flag));
+  return notes.map((note) => wordNote(note, (name) => OPTIONS[name].label)).join('; ');
 }
 
 /** The request of a link; null for an empty text. Throws SettingError, or an Error with one sentence. */

@@ -82,7 +82,7 @@ const tasks: Task[] = [
     result: results.mesh,
   },
   {
-    what: 'Fitting the result to the modes',
+    what: 'Fitting the result',
     key: atRest(STAGES.fitted),
     run: () => client.call((worker) => worker.fit(body(), settings(), restedFaces.value)),
     result: results.fitted,

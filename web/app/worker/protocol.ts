@@ -176,7 +176,7 @@ export interface WorkerApi {
   history(body: number, settings: Settings): Promise<HistorySummary>;
   marks(body: number, settings: Settings): Promise<DeviationMarks>;
   meshAt(body: number, settings: Settings, faces: number): Promise<MeshAt>;
-  /** The mesh that is exported: fitted to the modes where the settings say so. */
+  /** The mesh that is exported: fitted where the settings say so. */
   fit(body: number, settings: Settings, faces: number): Promise<FitResult>;
   /** Tunes the mesh of `fit` in the solver of the settings. */
   tune(body: number, settings: Settings, faces: number): Promise<TunedResult>;

@@ -1,6 +1,7 @@
 /** What the stages find out about the result of one body. */
 
 import type { Fitted, Inspection, Quality, SurfaceDistance, WeldResult } from '../core/core';
+import type { Settings } from '../settings/options';
 
 /** An optimized mesh beside its original. */
 export interface Measured {
@@ -23,6 +24,8 @@ export interface Certificate {
 }
 
 export interface FittedResult extends Fitted {
+  /** how it was fitted; errors of frequencies are known of a modal fit alone */
+  kind: Settings['fit'];
   /** why the result, or parts of it, stay as the collapses left them; '' where all parts are fitted or none is to be */
   unfitted: string;
 }

@@ -20,7 +20,7 @@ interface MethodRow {
   needsGuidance: boolean;
   /** whether curvature enters the cost of a collapse */
   needsCurvature: boolean;
-  /** whether the result can be fitted to the modes of the original */
+  /** whether the result can be fitted to the original: to its surface or its modes */
   canFit: boolean;
   /** whether seams and borders of materials stay closed and attributes enter the cost of a collapse */
   keepsAttributes: boolean;
@@ -34,8 +34,8 @@ export const METHODS = [
   {
     name: 'limber',
     label: 'Motion',
-    title: 'Shape, triangle sizes and strain guide the collapses; then the result is fitted to the modes',
-    aside: 'shape, size, quality and strain, then a fit to the modes',
+    title: 'Shape, triangle sizes and strain guide the collapses; then the result is fitted to the surface',
+    aside: 'shape, size, quality and strain, then a fit to the surface',
     defaults: {},
     reads: ['strainWeight', 'qualityWeight', 'sizeWeight', 'fit', 'seams'],
     needsGuidance: true,

@@ -1,7 +1,11 @@
-/** How results were fitted to the modes, in words. */
+/** How results were fitted, in words. */
 
-import type { Fitted } from '../core/core';
+import type { Fitted, ShapeFitted } from '../core/core';
 import { counted } from '../core/words';
+
+/** What a fit to the surface has done. */
+export const describeShapeFit = ({ flips }: Pick<ShapeFitted, 'flips'>): string =>
+  `fitted to the surface (${counted(flips, 'edge', 'edges')} flipped)`;
 
 /** How large parts were fitted; '' where there are none. */
 export function describeLargeFit({ large }: Fitted): string {

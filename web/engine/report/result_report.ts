@@ -3,22 +3,27 @@
 import type { FittedResult } from '../body/body_result';
 import type { InspectedBody } from '../body/prepared_body';
 import type { Fidelity, ModeSet, SurfaceDistance } from '../core/core';
+import { sum } from '../core/mesh';
 import { meshReport } from './mesh_report';
 import type { MeshReport } from './mesh_report';
 import { modesReport } from './modes_report';
 import { stopReport } from './stop_report';
 import type { StoppedBody, StopReport } from './stop_report';
 
-/** Frequency errors before and after the fit, in %: those of the part where they are largest. */
+/** What results were fitted to. */
 export interface FitReport {
-  before: number;
-  after: number;
+  kind: 'surface' | 'modal';
+  /** number of edges that a fit to the surface has flipped */
+  flips?: number;
+  /** frequency errors before and after a modal fit, in %: those of the part where they are largest */
+  before?: number;
+  after?: number;
   /** why bodies, or parts of them, are not fitted */
   unfitted?: string[];
 }
 
-/** What fitReport needs to know of a body: the errors of its fitted parts. */
-export type FitOfBody = Pick<FittedResult, 'errorBefore' | 'errorAfter' | 'unfitted'>;
+/** What fitReport needs to know of a body. */
+export type FitOfBody = Pick<FittedResult, 'kind' | 'flips' | 'errorBefore' | 'errorAfter' | 'unfitted'>;
 
 /** A further level of detail. */
 export interface LevelReport {
@@ -72,11 +77,15 @@ export function fitReport(fits: FitOfBody[]): { fit?: FitReport } {
   const unfitted = [...new Set(fits.map((fit) => fit.unfitted).filter((why) => why !== ''))];
   const worst = (errors: Float64Array[]) => errors.reduce((most, own) => Math.max(most, ...own), 0);
   const [before, after] = [fits.map((fit) => fit.errorBefore), fits.map((fit) => fit.errorAfter)];
-  if (unfitted.length === 0 && after.every((errors) => errors.length === 0)) return {};
+  const kind = fits.some((fit) => fit.kind === 'surface') ? 'surface' : 'modal';
+  const hasErrors = after.some((errors) => errors.length > 0);
+  if (unfitted.length === 0 && kind === 'modal' && !hasErrors) return {};
   return {
     fit: {
-      before: worst(before),
-      after: worst(after),
+      kind,
+      ...(kind === 'modal'
+        ? { before: worst(before), after: worst(after) }
+        : { flips: sum(fits.map((fit) => fit.flips)) }),
       ...(unfitted.length > 0 ? { unfitted } : {}),
     },
   };

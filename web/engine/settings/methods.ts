@@ -47,9 +47,9 @@ export function fileDefaults(): Partial<Settings> {
   return Object.fromEntries(names.map((name) => [name, defaults[name]]));
 }
 
-/** Whether results are fitted to the original's modes. */
-export const isFitted = (settings: Pick<Settings, 'method' | 'fit'>): boolean =>
-  methodOf(settings).canFit && settings.fit === 'on';
+/** How results are fitted: as the settings say, where the method can. */
+export const fitOf = (settings: Pick<Settings, 'method' | 'fit'>): Settings['fit'] =>
+  methodOf(settings).canFit ? settings.fit : 'off';
 
 /** The model that guides: the one asked for, or what the method takes for `auto`. */
 export const resolveModel = (settings: Pick<Settings, 'method' | 'model'>): 'auto' | Model =>

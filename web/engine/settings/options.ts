@@ -7,7 +7,7 @@ export type { Note, Sentence } from './errors';
 export {
   defaultSettings,
   fileDefaults,
-  isFitted,
+  fitOf,
   methodChange,
   methodOf,
   readsSetting,

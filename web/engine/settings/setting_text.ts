@@ -1,5 +1,6 @@
 /** Settings as text and back, the same for flags and for links. */
 
+import type { Note } from './errors';
 import { rulesOf } from './kinds';
 import { defaultSettings } from './methods';
 import { OPTIONS, SETTING_NAMES } from './table';
@@ -7,7 +8,26 @@ import type { SettingName, Settings } from './table';
 import type { OptionSpec } from './types';
 
 /** The value that `text` stands for; text that is no number comes back as it is, and the range check refuses it. */
-export const readSetting = (option: OptionSpec, text: string): unknown => rulesOf(option).read(text);
+export const readSetting = (option: OptionSpec, text: string): unknown =>
+  rulesOf(option).read(presentWord(option, text) ?? text);
+
+/** The choice that a word of an earlier version stands for now; null for every other text. */
+const presentWord = (option: OptionSpec, text: string): string | null =>
+  (option.kind === 'choice' && option.formerly?.[text]) || null;
+
+/** What is to be said of texts that are words of an earlier version: a sentence each. */
+export function describeFormerWords(
+  names: readonly SettingName[],
+  textOfFlag: (flag: string) => string | null | undefined,
+): Note[] {
+  return names.flatMap((setting) => {
+    const option = OPTIONS[setting];
+    const text = textOfFlag(option.flag);
+    const word = typeof text === 'string' ? presentWord(option, text) : null;
+    if (word === null) return [];
+    return [[{ setting }, ` ${text} of earlier versions is now ${word} (default: ${option.default})`]];
+  });
+}
 
 /** The settings that texts stand for, over the defaults of the method that they name, or of `base`. Nothing is checked. */
 export function readSettings(

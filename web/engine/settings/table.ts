@@ -75,15 +75,16 @@ const ROWS = {
     group: 'method',
     page: 'reduction',
   },
-  /** move vertices after the collapses so that frequencies are kept */
+  /** what vertices are moved for after the collapses */
   fit: {
     kind: 'choice',
     flag: 'fit',
-    label: 'Fit to the modes',
-    default: 'on',
-    help: 'Limber only: after the collapses, move vertices a little so that the result vibrates like the original.',
+    label: 'Fit',
+    default: 'surface',
+    help: "Limber only: after the collapses, move vertices a little: to the original's surface, keeping outline, corners and area (surface); so that the result vibrates like the original in limber's own shell (modal; on in version 0.1); or not at all (off).",
     group: 'method',
-    choices: ['on', 'off'],
+    choices: ['surface', 'modal', 'off'],
+    formerly: { on: 'modal' },
   },
   /** % of the diagonal; 0: no limit */
   maxDeviation: {

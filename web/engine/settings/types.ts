@@ -48,6 +48,8 @@ interface Numeric extends Described, Ranged {
 export interface ChoiceOption extends Described {
   kind: 'choice';
   choices: readonly string[];
+  /** words of earlier versions, and the choice that each stands for now */
+  formerly?: Readonly<Record<string, string>>;
   default: string;
 }
 

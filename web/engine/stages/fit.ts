@@ -1,13 +1,13 @@
-/** Fits a level of the history to the modes of the original. */
+/** Fits a level of the history to the original: to its surface, or to its modes as well. */
 
 import type { BodyConstraints } from '../body/constraints';
 import type { FittedResult } from '../body/body_result';
 import { thicknessOf } from '../body/material';
 import type { PreparedBody } from '../body/prepared_body';
 import { maskOf } from '../body/vertex_mask';
-import type { Core, MeshAt, TriangleMesh } from '../core/core';
+import type { Core, Fitted, MeshAt, TriangleMesh } from '../core/core';
 import { describeUnfitted } from '../report/fit_words';
-import { isFitted } from '../settings/options';
+import { fitOf } from '../settings/options';
 import type { Settings } from '../settings/options';
 import type { KeptHistory } from './kept_history';
 import { levelAt } from './level';
@@ -25,11 +25,21 @@ export const FIT_SETTINGS = [
 
 type AllSettings = Pick<Settings, (typeof FIT_SETTINGS)[number]>;
 
-export type FitSettings = Omit<AllSettings, 'method' | 'fit'>;
+type Limits = Pick<AllSettings, 'seams' | 'maxDeviation' | 'minAngle'>;
+type ShellSettings = Pick<AllSettings, 'thickness' | 'poisson'>;
+
+/** What a fit depends on: a fit to the surface knows nothing of the shell. */
+export interface FitSettings extends Limits {
+  /** null: the fit is to the surface alone */
+  shell: ShellSettings | null;
+}
 
 /** The settings that the fit depends on; null: results stay as the collapses left them. */
-export function fitSettings({ method, fit, ...settings }: AllSettings): FitSettings | null {
-  return isFitted({ method, fit }) ? settings : null;
+export function fitSettings(settings: AllSettings): FitSettings | null {
+  const fit = fitOf(settings);
+  if (fit === 'off') return null;
+  const { seams, maxDeviation, minAngle, thickness, poisson } = settings;
+  return { seams, maxDeviation, minAngle, shell: fit === 'modal' ? { thickness, poisson } : null };
 }
 
 /** How a level is fitted. */
@@ -53,24 +63,39 @@ export function fitResult(
   { constraints, settings }: FitRequest,
 ): FittedResult {
   if (settings === null) return unfitted(result, '');
+  const kind = settings.shell === null ? 'surface' : 'modal';
+  for (const share of settings.maxDeviation > 0 ? DEVIATION_SHARES : [1]) {
+    const fitted = fitWithin(core, prepared, result, { constraints, settings, share });
+    if (keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
+      return { ...fitted, kind, unfitted: describeUnfitted(fitted) };
+  }
+  return unfitted(result, 'the fit would break a limit of deviation or angle');
+}
+
+/** The fit that may use a share of the largest deviation; a fit to the surface finds no errors of frequencies. */
+function fitWithin(
+  core: Core,
+  prepared: PreparedBody,
+  result: MeshAt,
+  { constraints, settings, share }: { constraints: BodyConstraints; settings: FitSettings; share: number },
+): Fitted {
   const { mesh } = prepared;
-  const request = {
-    thickness: thicknessOf(prepared, settings),
-    poisson: settings.poisson,
+  const options = {
     charts: prepared.attributes.charts,
     keepsSeams: settings.seams === 'keep',
     locked: maskOf(mesh, constraints.pinned, constraints.locked) ?? new Uint8Array(),
     pinned: constraints.pinned ?? new Uint32Array(),
     mirror: constraints.mirror,
+    maxDeviation: ((share * settings.maxDeviation) / 100) * prepared.diagonal,
+    minAngle: settings.minAngle,
   };
-  for (const share of settings.maxDeviation > 0 ? DEVIATION_SHARES : [1]) {
-    const maxDeviation = ((share * settings.maxDeviation) / 100) * prepared.diagonal;
-    const limits = { maxDeviation, minAngle: settings.minAngle };
-    const fitted = core.fitModes(mesh, result, { ...request, ...limits });
-    if (keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
-      return { ...fitted, unfitted: describeUnfitted(fitted) };
-  }
-  return unfitted(result, 'the fit would break a limit of deviation or angle');
+  if (settings.shell === null) return { ...NO_ERRORS, ...core.fitShape(mesh, result, options) };
+  const { poisson } = settings.shell;
+  return core.fitModes(mesh, result, {
+    ...options,
+    thickness: thicknessOf(prepared, settings.shell),
+    poisson,
+  });
 }
 
 /** The level of at most `faces` faces, fitted. */
@@ -83,12 +108,19 @@ export function fittedLevelAt(
   return fitResult(core, prepared, levelAt(core, kept, faces), request);
 }
 
-const unfitted = (result: MeshAt, why: string): FittedResult => ({
-  result,
+/** What is known of frequencies where they were not looked at. */
+const NO_ERRORS = {
   errorBefore: new Float64Array(),
   errorAfter: new Float64Array(),
   large: 0,
   tooLarge: 0,
+};
+
+const unfitted = (result: MeshAt, why: string): FittedResult => ({
+  ...NO_ERRORS,
+  result,
+  kind: 'off',
+  flips: 0,
   unfitted: why,
 });
 

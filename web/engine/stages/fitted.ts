@@ -35,7 +35,7 @@ function frequencyTarget(
   return { targetFaces, maxFrequencyError, material, tune: tuneSettings(asked) };
 }
 
-/** The level of `targetFaces`, or one of more faces where frequencies would be off too far, fitted to the modes. */
+/** The level of `targetFaces`, or one of more faces where frequencies would be off too far, fitted. */
 export const fittedStage = declareStage({
   name: 'fitted',
   reads: [...FIT_SETTINGS, ...TUNE_SETTINGS, 'maxFrequencyError', 'targetFaces'],

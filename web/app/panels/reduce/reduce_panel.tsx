@@ -2,14 +2,21 @@
 
 import { METHODS } from '../../../engine/core/methods';
 import { methodChange, methodOf, OPTIONS, readsSetting } from '../../../engine/settings/options';
+import type { Settings } from '../../../engine/settings/options';
 import { changeSettings, wants } from '../../state/store';
 import { BrushSection, NamedLocks } from './brush_section';
-import { Choice, Section, SettingRange, Toggle } from '../../controls/controls';
+import { Choice, Section, Select, SettingRange, Toggle } from '../../controls/controls';
 import { SettingControls } from '../../controls/setting_controls';
 import { ACROSS_SEAMS, StopReason } from './stop_reason';
 import { AskVertex } from './why_card';
 
 const METHOD_CHOICES = METHODS.map(({ name, label, title }) => ({ value: name, text: label, title }));
+
+const FIT_CHOICES: readonly { value: Settings['fit']; text: string }[] = [
+  { value: 'surface', text: 'To the surface' },
+  { value: 'modal', text: 'To the modes of the shell' },
+  { value: 'off', text: 'None' },
+];
 
 export function ReducePanel() {
   const settings = wants.settings.value;
@@ -46,10 +53,12 @@ function MoreSettings() {
       {methodOf(settings).needsGuidance && <SettingRange name="minAngle" />}
       <SettingControls section="reduction" />
       {readsSetting(settings, 'fit') && (
-        <Toggle
+        <Select
           label={OPTIONS.fit.label}
-          checked={fit === 'on'}
-          onChange={(on) => changeSettings({ fit: on ? 'on' : 'off' })}
+          title={OPTIONS.fit.help}
+          options={FIT_CHOICES}
+          value={fit}
+          onChange={(value) => changeSettings({ fit: value as Settings['fit'] })}
         />
       )}
       <Toggle

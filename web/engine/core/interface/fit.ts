@@ -1,18 +1,16 @@
-/** The fit of a result to the modes of its original. */
+/** The fits of a result to its original: to the surface alone, or to the modes as well. */
 
 import type { Charts, MeshInput } from './mesh';
 import type { MeshAt } from './simplify';
 
-export interface FitOptions {
-  /** of the shell, in units of the mesh; shells half and twice as thick are fitted too */
-  thickness: number;
-  poisson: number;
+/** What a fit has to respect. */
+export interface ShapeFitOptions {
   charts: Charts;
   /** whether seams of `charts` stay in place; borders of groups always do */
   keepsSeams: boolean;
   /** per input vertex: not 0 if it must not move; may be empty */
   locked: Uint8Array;
-  /** further vertices that must not move; the fitted modes are those of the body pinned there */
+  /** further vertices that must not move */
   pinned: Uint32Array;
   /** SimplifyConstraints.mirror; a symmetric result stays symmetric */
   mirror?: Uint32Array;
@@ -21,9 +19,22 @@ export interface FitOptions {
   minAngle: number;
 }
 
-/** A result that vibrates like its original, and the RMS frequency error (%) of each fitted part. */
-export interface Fitted {
+/** What a fit to the modes needs to know besides; they are those of the body pinned at `pinned`. */
+export interface FitOptions extends ShapeFitOptions {
+  /** of the shell, in units of the mesh; shells half and twice as thick are fitted too */
+  thickness: number;
+  poisson: number;
+}
+
+/** A result that is nearer to its original. */
+export interface ShapeFitted {
   result: MeshAt;
+  /** number of flipped edges */
+  flips: number;
+}
+
+/** A result that vibrates like its original, and the RMS frequency error (%) of each fitted part. */
+export interface Fitted extends ShapeFitted {
   errorBefore: Float64Array;
   errorAfter: Float64Array;
   /** number of components of more than 20,000 vertices, fitted at half and twice the thickness in six rounds */
@@ -34,6 +45,8 @@ export interface Fitted {
 
 /** The functions of the core on this topic. */
 export interface FitFunctions {
+  /** flips some edges and moves vertices of the result to the surface of `mesh`; keeps its outline, corners and area */
+  fitShape(mesh: MeshInput, result: MeshAt, options: ShapeFitOptions): ShapeFitted;
   /** moves vertices of the result slightly and flips some edges, so that it vibrates like `mesh` */
   fitModes(mesh: MeshInput, result: MeshAt, options: FitOptions): Fitted;
 }

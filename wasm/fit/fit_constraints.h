@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "mesh/charts.h"
+#include "mesh/pinned_vertices.h"
+
+namespace limber {
+
+// What decides how a result is divided into the parts that a fit works on, and what stays in place there. See
+// ModalFitOptions and ShapeFitOptions, whose fields these are.
+struct FitConstraints {
+  Charts charts = {};      // of the original
+  bool keepsSeams = true;  // whether all seams between charts stay in place, or borders of groups alone
+  std::span<const uint8_t> locked = {};  // [v] of the original
+  PinnedVertices pinned = {};            // vertices of the original
+  uint32_t largeVertices = 0;            // a component of the result with more vertices is large ...
+  uint32_t mostOriginal = 0;             // ... and left out where the original has more than this
+};
+
+}  // namespace limber

@@ -1,0 +1,100 @@
+#include "fit/shape_fit.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "fit/delaunay_flips.h"
+#include "fit/fit_part.h"
+#include "fit/part_limits.h"
+#include "fit/part_writer.h"
+#include "fit/search/distance_bounds.h"
+#include "fit/shape_rounds.h"
+#include "fit/surface/border_corners.h"
+#include "fit/tuning.h"
+
+namespace limber {
+
+namespace {
+
+namespace constants = tuning::surface_rounds;
+
+constexpr double kRounding =
+    1e-6;  // of the diagonal, more than float32 positions lift an edge of a flat mesh
+
+// All components take part, whatever their size.
+FitConstraints constraintsOf(const ShapeFitOptions& options) {
+  return {options.charts, options.keepsSeams, options.locked, options.pinned, ~0u, ~0u};
+}
+
+void lockCorners(FitPart& part, const Topology& topology) {
+  const std::vector<uint8_t> isCorner = findBorderCorners(part.result, topology);
+  for (uint32_t v = 0; v < isCorner.size(); ++v) part.locked[v] |= isCorner[v];
+  if (part.mirror)
+    for (uint32_t v = 0; v < isCorner.size(); ++v)
+      if (isCorner[v]) part.locked[part.mirror->partners[v]] = 1;
+}
+
+// What is the same for all parts of a call.
+struct ShapeContext {
+  const ShapeFitOptions& options;
+  StartResult start;
+  std::function<void(double)> report;  // takes the fraction of the present part that is done
+  Job& job;
+};
+
+// What flips keep, besides the edges that are fixed: no flip lifts the surface by more than what is far from
+// it.
+FlipLimits flipLimits(const FitPart& part, const StepLimits& steps, double startDistance) {
+  FlipLimits limits{part.fixedEdges, part.partners(), steps.minAngle};
+  limits.mostLift = std::max(tuning::surface::kFarDistance * startDistance, kRounding);
+  return limits;
+}
+
+void fitPart(FitPart& part, const ShapeContext& context, ShapeFitResult& fitted) {
+  const double maxDeviation = context.options.maxDeviation;
+  const Topology topology = buildTopology(part.result);
+  lockCorners(part, topology);
+  const FitSamples samples =
+      sampleForFit(part.original, tuning::surface::kSamplesPerTriangle * part.result.triangleCount(),
+                   part.originalFeatureEdges);
+  const DistanceBounds bounds(part.original, part.result, topology);
+  const PartLimits limits(part, {maxDeviation, context.options.minAngle});
+  StepLimits steps = limits.steps;
+  steps.distanceBounds = &bounds;
+  ShapeRounds rounds(part, samples, steps, context.job);
+  FlipLimits flips = flipLimits(part, steps, rounds.startDistance());
+  if (steps.deviation)
+    flips.mostLift = std::min(flips.mostLift, constants::kMostLift * maxDeviation / part.frame.diagonal);
+  std::vector<uint32_t> corners = unflipped(part.result).corners;
+  for (int round = 0; round < constants::kRounds; ++round) {
+    context.report(static_cast<double>(round) / constants::kRounds);
+    fitted.flips += flipToDelaunay(part.result, flips, corners);
+    rounds.move();
+  }
+  writePart(part, corners, context.start, fitted.result);
+}
+
+}  // namespace
+
+ShapeFitResult fitShape(const TriangleMesh& original, const MeshAt& result, const ShapeFitOptions& options,
+                        Job& job) {
+  WholePhase phase(job, Phase::Fit);
+  ShapeFitResult fitted{result, 0};
+  fitted.result.flips = unflipped(result.mesh);
+  if (result.mesh.triangleCount() == original.triangleCount()) return fitted;
+  std::optional<ResultMirror> mirror;
+  if (!options.mirror.empty()) mirror = mirrorOfResult(original, result, options.mirror);
+  const StartResult start{result.mesh, mirror ? &*mirror : nullptr};
+  const FitConstraints constraints = constraintsOf(options);
+  FitParts found = findFitParts(original, result, constraints, start.mirror);
+  for (size_t i = 0; i < found.parts.size(); ++i) {
+    const auto report = [&](double fraction) {
+      phase.report((static_cast<double>(i) + fraction) / static_cast<double>(found.parts.size()));
+    };
+    fitPart(found.parts[i], {options, start, report, job}, fitted);
+  }
+  return fitted;
+}
+
+}  // namespace limber

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "base/job.h"
+#include "fit/fit_part.h"
+#include "fit/search/fit_solver.h"
+#include "fit/search/guarded_step.h"
+#include "fit/surface/fit_samples.h"
+#include "fit/surface/sheet_sizes.h"
+#include "fit/surface/surface_fit.h"
+
+namespace limber {
+
+// Moves the vertices of a part, round by round, to where its surface is nearest to that of the original,
+// while the sizes of its sheets stay the original's. With E(dx) the squared distance (SurfaceFit), a round
+// takes
+//   dx = A^-1 (g + C lambda),    C^T dx = sizes of the original - sizes of the result,
+// the least distance under linear conditions (Nocedal and Wright 2006, section 16.1), where the columns of C
+// are the derivatives of area and outline. The multipliers lambda are shortened where meeting the conditions
+// would cost more distance than the round gains, so that no round is worse than none.
+//
+// A part without a border has no outline, and its area has a range: it may be as far from the original's as
+// it was at the start. Distance would be the price of more, since a polyhedron that is near a curved surface
+// has another area.
+class ShapeRounds {
+ public:
+  // Keeps references to all arguments but `limits`. part.result is what rounds begin with.
+  ShapeRounds(FitPart& part, const FitSamples& samples, const StepLimits& limits, Job& job);
+
+  // One round: part.result gets other positions; its triangles may have changed since the last round. Throws
+  // Cancelled.
+  void move();
+
+  // The root mean square distance of the original's surface from part.result at the start.
+  double startDistance() const { return startDistance_; }
+
+ private:
+  Eigen::VectorXd stepOf(const SurfaceFit& fit, const SheetSizes& now) const;
+  Eigen::Vector2d wantedChange(const Eigen::Vector2d& planned) const;
+
+  FitPart& part_;
+  const FitSamples& samples_;
+  StepLimits limits_;
+  Job& job_;
+  Eigen::Vector2d wanted_;  // area and length of the outline of the original
+  double areaRange_ = 0;    // how far the area may be from the wanted one
+  double startDistance_ = 0;
+  std::vector<uint32_t> closestTriangles_;  // of the last round, see SurfaceFit
+};
+
+}  // namespace limber
