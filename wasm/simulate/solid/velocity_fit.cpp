@@ -2,7 +2,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <array>
-#include <cmath>
+#include <stdexcept>
 
 namespace limber {
 
@@ -35,6 +35,9 @@ class NormalEquations {
     Matrix matrix(right_.rows(), right_.rows());
     matrix.setFromTriplets(entries_.begin(), entries_.end());
     const Eigen::SimplicialLDLT<Matrix> factor(matrix);
+    if (factor.info() != Eigen::Success)
+      throw std::runtime_error(
+          "The velocities cannot be given to the inside of the body: use the material shell.");
     return factor.solve(right_);
   }
 
@@ -61,14 +64,17 @@ std::vector<Vec3> fitVelocities(const LatticeBody& body, std::span<const Vec3> v
   NormalEquations equations(body.nodes.size());
   for (size_t v = 0; v < velocities.size(); ++v)
     equations.add(body.cells[body.vertices[v].cell], body.vertices[v].weights, 1, velocities[v]);
+  for (const auto& cell : body.cells)
+    for (uint32_t corner = 0; corner < 8; ++corner)
+      for (uint32_t axis = 0; axis < 3; ++axis)
+        equations.add(std::array{cell[corner], cell[corner ^ 1u << axis]}, std::array{-1.0, 1.0},
+                      kFirstDifference);
   const auto neighbours = neighboursOf(body);
   for (uint32_t node = 0; node < body.nodes.size(); ++node)
-    for (uint32_t axis = 0; axis < 3; ++axis) {
-      const uint32_t low = neighbours[6 * size_t{node} + 2 * axis],
-                     high = neighbours[6 * size_t{node} + 2 * axis + 1];
-      if (high != kNone) equations.add(std::array{node, high}, std::array{-1.0, 1.0}, kFirstDifference);
-      if (high != kNone && low != kNone)
-        equations.add(std::array{low, node, high}, std::array{1.0, -2.0, 1.0}, kSmoothness);
+    for (uint32_t direction = 0; direction < 6; ++direction) {
+      const uint32_t next = neighbours[6 * size_t{node} + direction];
+      const uint32_t last = next == kNone ? kNone : neighbours[6 * size_t{next} + direction];
+      if (last != kNone) equations.add(std::array{node, next, last}, std::array{1.0, -2.0, 1.0}, kSmoothness);
     }
   const Eigen::MatrixXd fitted = equations.solve();
   std::vector<Vec3> result;
