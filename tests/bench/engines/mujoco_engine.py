@@ -9,7 +9,6 @@ from models import Body, hinge_areas, hinge_lengths, hinges_stiffness, membrane
 NAME = "mujoco"
 # Masses of a flexcomp: its mass, the same for every vertex.
 MASS_RULE = "vertex"
-PARAMETERS = {"young": 1e5, "poisson": 0.3, "thickness": 0.02, "mass": 1.0}
 
 
 def xml(mesh, parameters, timestep, pins=()):
