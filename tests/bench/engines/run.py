@@ -1,0 +1,215 @@
+"""How far coarse meshes move from their original in the engines themselves.
+
+Usage: python tests/bench/engines/run.py [--engines mujoco,newton] [--meshes spot,bowl] [--methods limber,...]
+       [--starts 1] [--seconds 100] [--tables]
+Needs numpy, scipy, pymeshlab, fast-simplification and the engines (docs/engines.md says how to install them), `npm run
+build`, and the meshes of ../shared/meshes or $LIMBER_SHARED/meshes. Every simulation is kept in build/bench/engines, so
+that a run that was stopped, also by --seconds, goes on where it was. --tables only prints what is there.
+"""
+
+import argparse
+import hashlib
+import importlib
+import json
+import os
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+import scenes
+from meshes import closest_points, renumbered
+from simplifiers import METHODS, ROOT, simplified
+from tuning import carried_masses, carried_pins, frequency_error, targets, tune
+
+CACHE = ROOT / "build" / "bench" / "engines"
+SHARED = Path(os.environ.get("LIMBER_SHARED", ROOT.parent / "shared")) / "meshes"
+ENGINES = ("mujoco", "newton", "blender", "jolt")
+FLOORS = ("renumbered", "half the step")
+
+
+class OutOfTime(Exception):
+    pass
+
+
+def load_engines(names):
+    """{name: module} of those that are installed; the others are told."""
+    found = {}
+    for name in names:
+        try:
+            found[name] = importlib.import_module(f"{name}_engine")
+        except (ImportError, OSError, RuntimeError) as error:
+            print(f"skipped: {name} ({error})", file=sys.stderr)
+    return found
+
+
+class Case:
+    """One original in one engine: its body, pins, targets, and whatever is computed once for all results."""
+
+    def __init__(self, engine, entry):
+        self.engine, self.entry = engine, entry
+        self.original = scenes.load(entry, SHARED)
+        self.pins = scenes.pins_of(self.original)
+        self.parameters = engine.parameters_of(self.original, scenes.definition["material"])
+        self.body = engine.body(self.original, self.parameters)
+        self.points = scenes.surface_points(self.original, scenes.definition["points"])
+        self._goal = None
+
+    @property
+    def goal(self):
+        if self._goal is None:
+            self._goal = targets(self.body, self.pins)
+        return self._goal
+
+    def paths(self, scene, start, mesh=None, pins=None, points=None, parameters=None, masses=None, halved=False):
+        """Positions of the sample points (frames x points x 3) of the original or of `mesh`; None if it diverged."""
+        mesh = self.original if mesh is None else mesh
+        pins = self.pins if pins is None else pins
+        per_frame = scenes.definition["stepsPerFrame"] * (2 if halved else 1)
+        motion = scenes.motion(scene, start, self.original, mesh, pins, per_frame)
+        frames = self.engine.simulate(mesh, parameters or self.parameters, motion, masses)
+        return None if frames is None else scenes.at_points(frames, mesh.triangles, points or self.points)
+
+
+def deviation(reference, paths):
+    """Mean distance over all points and frames, % of the diagonal (1 m), the distance at rest included."""
+    return None if paths is None else float(100 * np.linalg.norm(paths - reference, axis=2).mean())
+
+
+class Store:
+    """Results by key in one JSON file; paths of originals as compressed arrays."""
+
+    def __init__(self, deadline):
+        self.file = CACHE / "results.json"
+        self.results = json.loads(self.file.read_text()) if self.file.exists() else {}
+        self.deadline = deadline
+
+    def get(self, key, compute):
+        if key not in self.results:
+            if time.time() > self.deadline:
+                raise OutOfTime
+            self.results[key] = compute()
+            CACHE.mkdir(parents=True, exist_ok=True)
+            temporary = self.file.with_suffix(".new")
+            temporary.write_text(json.dumps(self.results, indent=0))
+            temporary.replace(self.file)
+        return self.results[key]
+
+    def paths(self, key, compute):
+        name = hashlib.sha256(key.encode()).hexdigest()[:16]
+        file = CACHE / "paths" / f"{name}.npz"
+        if not file.exists():
+            if time.time() > self.deadline:
+                raise OutOfTime
+            paths = compute()
+            if paths is None:
+                raise RuntimeError(f"the original diverges: {key}")
+            file.parent.mkdir(parents=True, exist_ok=True)
+            np.savez_compressed(file, paths=paths.astype(np.float32))
+        return np.load(file)["paths"].astype(float)
+
+
+def floors(store, case, scene, start, reference, key):
+    """Deviation of the original itself, renumbered and with half the step."""
+    def of_renumbered():
+        mesh, place = renumbered(case.original)
+        masses = np.empty_like(case.body.masses)
+        masses[place] = case.body.masses
+        triangle, weights = case.points
+        # The same points on the renumbered mesh: through its closest points, which are exact there.
+        at = np.einsum("pk,pkc->pc", weights, case.original.positions[case.original.triangles[triangle]])
+        points = closest_points(mesh, at)
+        return deviation(reference, case.paths(scene, start, mesh, np.sort(place[case.pins]), points, None, masses))
+
+    store.get(f"{key}|{FLOORS[0]}", of_renumbered)
+    store.get(f"{key}|{FLOORS[1]}", lambda: deviation(reference, case.paths(scene, start, halved=True)))
+
+
+def run_result(store, case, method, scene_starts, key):
+    """Untouched and tuned deviations of one method's mesh in all scenes and starts."""
+    coarse = simplified(case.entry["name"], case.original, "low:6", method, scenes.definition["ratio"])
+    pins = carried_pins(case.original, case.pins, coarse)
+    triangle, weights = case.points
+    at = np.einsum("pk,pkc->pc", weights, case.original.positions[case.original.triangles[triangle]])
+    points = closest_points(coarse, at)
+    masses = carried_masses(case.original, case.body.masses, coarse)
+    tuning_key = f"{case.engine.NAME}|{case.entry['name']}|{method}|tuning"
+
+    def tuning():
+        untouched = case.engine.body(coarse, case.parameters)
+        body = case.engine.body(coarse, case.parameters, masses)
+        factors = tune(case.goal, body, pins, coarse.is_open)
+        return {
+            "faces": len(coarse.triangles),
+            "factors": factors,
+            "untouched": frequency_error(untouched.modes(10)[0], case.goal[0][:10]),
+            "tuned": frequency_error(body.modes(10, (), factors)[0], case.goal[0][:10]),
+        }
+
+    tuned = store.get(tuning_key, tuning)
+    native = case.engine.native(case.parameters, tuned["factors"])
+    for scene, start, reference in scene_starts:
+        cell = f"{key}|{scene}|{start}|{method}"
+        run = lambda parameters, own: deviation(
+            reference, case.paths(scene, start, coarse, pins, points, parameters, own)
+        )
+        store.get(f"{cell}|untouched", lambda: run(case.parameters, None))
+        store.get(f"{cell}|tuned", lambda: run(native, masses))
+
+
+def cases(engines, options):
+    """(key, case) of every engine and mesh that was asked for; Blender has cloth alone."""
+    for entry in scenes.definition["meshes"]:
+        if options.meshes and entry["name"] not in options.meshes:
+            continue
+        for name, engine in engines.items():
+            if name != "blender" or entry["kind"] == "sheet":
+                yield f"{name}|{entry['name']}", Case(engine, entry)
+
+
+def cells_of(store, case, start, key):
+    """(scene, start, the original's paths) of all scenes of the case."""
+    for scene, about in scenes.definition["scenes"].items():
+        if about["kind"] == case.entry["kind"]:
+            path_key = f"{key}|{scene}|{start}|original"
+            yield scene, start, store.paths(path_key, lambda: case.paths(scene, start))
+
+
+def run(store, engines, options):
+    for start in range(options.starts):
+        for key, case in cases(engines, options):
+            cells = list(cells_of(store, case, start, key))
+            for method in options.methods:
+                run_result(store, case, method, cells, key)
+    for key, case in cases(engines, options):
+        for scene, start, reference in cells_of(store, case, 0, key):
+            floors(store, case, scene, start, reference, f"{key}|{scene}|{start}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    words = lambda text: [word.strip() for word in text.split(";" if ";" in text else ",") if word.strip()]
+    parser.add_argument("--engines", type=words, default=list(ENGINES))
+    parser.add_argument("--meshes", type=words, default=[])
+    parser.add_argument("--methods", type=lambda text: text.split(";"), default=list(METHODS), help="separated by ;")
+    parser.add_argument("--starts", type=int, default=scenes.definition["starts"])
+    parser.add_argument("--seconds", type=float, default=1e9, help="stop after about this time; run again to go on")
+    parser.add_argument("--tables", action="store_true")
+    options = parser.parse_args()
+    store = Store(time.time() + options.seconds)
+    finished = True
+    if not options.tables:
+        try:
+            run(store, load_engines(options.engines), options)
+        except OutOfTime:
+            finished = False
+    from tables import tables
+
+    print(tables(store.results))
+    if not finished:
+        print("\nStopped by --seconds; run again to go on.", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    main()

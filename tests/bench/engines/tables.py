@@ -1,0 +1,107 @@
+"""Markdown tables of the results of run.py."""
+
+import numpy as np
+
+import scenes
+from simplifiers import METHODS, OURS
+
+FLOORS = ("renumbered", "half the step")
+
+
+def geometric(values):
+    return float(np.exp(np.mean(np.log(values)))) if values else float("nan")
+
+
+def table(head, rows):
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines)
+
+
+def number(value):
+    return "diverged" if value is None else f"{value:.3g}"
+
+
+def cells_of(results):
+    """{(engine, kind): {(mesh, scene): {method: {state: [deviation of each start]}}}}"""
+    kinds = {entry["name"]: entry["kind"] for entry in scenes.definition["meshes"]}
+    found = {}
+    for key, value in results.items():
+        parts = key.split("|")
+        if len(parts) < 5:
+            continue
+        engine, mesh, scene, _, method = parts[:5]
+        state = parts[5] if len(parts) > 5 else "floor"
+        cell = found.setdefault((engine, kinds[mesh]), {}).setdefault((mesh, scene), {})
+        cell.setdefault(method, {}).setdefault(state, []).append(value)
+    return found
+
+
+def median(values):
+    return None if not values or any(value is None for value in values) else float(np.median(values))
+
+
+def tables(results):
+    parts = []
+    for (engine, kind), cells in sorted(cells_of(results).items()):
+        parts.append(f"### {engine}, {'bodies' if kind == 'body' else 'sheets'}\n\n{motion_table(cells)}")
+    frequencies = {key: value for key, value in results.items() if key.endswith("|tuning")}
+    if frequencies:
+        parts.append(f"### Frequencies of modes 1 to 10 in our model of each engine\n\n{frequency_table(frequencies)}")
+    return "\n\n".join(parts)
+
+
+def motion_table(cells):
+    methods = [method for method in METHODS if any(method in cell for cell in cells.values())]
+    rows, gathered = [], {(method, state): [] for method in methods for state in ("untouched", "tuned")}
+    complete = [
+        name for name, cell in cells.items()
+        if all(median(cell.get(m, {}).get(s)) is not None for m in methods for s in ("untouched", "tuned"))
+    ]
+    for (mesh, scene), cell in cells.items():
+        row = [f"{mesh}, {scene}"]
+        for method in methods:
+            states = cell.get(method, {})
+            values = [median(states.get(state)) for state in ("untouched", "tuned")]
+            row.append(" -> ".join(number(value) if states else "" for value in values))
+            for state, value in zip(("untouched", "tuned"), values):
+                if (mesh, scene) in complete:
+                    gathered[method, state].append(value)
+        row.append(" / ".join(number(median(cell.get(floor, {}).get("floor", []))) for floor in FLOORS
+                              if floor in cell))
+        rows.append(row)
+    means = [f"geometric mean of {len(complete)}"]
+    for method in methods:
+        means.append(" -> ".join(f"{geometric(gathered[method, state]):.3g}" for state in ("untouched", "tuned")))
+    rows.append([*means, ""])
+    note = best_peer_note(gathered, methods) if complete else ""
+    return table(["", *methods, "renumbered / half the step"], rows) + note
+
+
+def best_peer_note(gathered, methods):
+    peers = [method for method in methods if method not in OURS]
+    if not peers:
+        return ""
+    best = min(peers, key=lambda method: geometric(gathered[method, "untouched"]))
+    least = min(peers, key=lambda method: geometric(gathered[method, "tuned"]))
+    lines = []
+    for ours in [method for method in methods if method in OURS]:
+        against = geometric(gathered[ours, "tuned"]) / geometric(gathered[best, "untouched"])
+        alike = geometric(gathered[ours, "tuned"]) / geometric(gathered[least, "tuned"])
+        lines.append(f"`{ours}` tuned over the best peer untouched ({best}): {against:.2f}; over the best peer tuned "
+                     f"alike ({least}): {alike:.2f}.")
+    return "\n\n" + " ".join(lines)
+
+
+def frequency_table(frequencies):
+    found = {}
+    for key, value in frequencies.items():
+        engine, mesh, method, _ = key.split("|")
+        found.setdefault((engine, mesh), {})[method] = value
+    rows = []
+    for (engine, mesh), of in found.items():
+        row = [engine, mesh]
+        for method in METHODS:
+            value = of.get(method)
+            row.append(f"{value['untouched']:.1f} -> {value['tuned']:.1f}" if value else "")
+        rows.append(row)
+    return table(["engine", "mesh", *METHODS], rows)

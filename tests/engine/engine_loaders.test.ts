@@ -1,0 +1,153 @@
+/**
+ * The loaders of docs/engines, run in the engines themselves, on one hinge whose frequency is known. Jolt is a package of the
+ * project; the others are run where a Python has them: $LIMBER_BENCH_PYTHON, build/bench/python or python3. Tests of an engine
+ * that is absent are skipped.
+ */
+
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, describe, expect, it } from 'vitest';
+
+const repository = new URL('../../', import.meta.url).pathname;
+const bench = join(repository, 'tests', 'bench', 'engines');
+const folder = mkdtempSync(join(tmpdir(), 'limber-loaders-'));
+afterAll(() => rmSync(folder, { recursive: true }));
+
+/** Metres in a unit of the file: not 1, so that a loader that forgets them fails. */
+const UNIT = 2;
+const FLAP = 3;
+/** In metres: the edge of the hinge on the x axis, a pinned corner below and the flap above it. */
+const PLACES = [0, 0, 0, 1, 0, 0, 0.5, -0.8, 0, 0.4, 0.9, 0];
+const [LENGTH, HEIGHT, AREAS] = [1, 0.9, (0.9 + 0.8) / 2];
+const MASS = 0.2;
+
+function settingsOf(engine: object, bend: number, stretch: object = {}): object {
+  const body = {
+    name: 'flap',
+    level: 0,
+    unit: UNIT,
+    mesh: { positions: PLACES.map((x) => x / UNIT), triangles: [0, 1, 3, 1, 0, 2] },
+    mass: { rule: 'area', perVertex: [0.5, 0.5, 0.5, MASS] },
+    stretch: { constant: 500, pairs: [0, 1, 1, 3, 0, 3, 0, 2, 1, 2], ...stretch },
+    bend: { constant: bend, hinges: [0, 1, 2, 3] },
+    pins: [0, 1, 2],
+    substeps: 10,
+    engine,
+  };
+  return { schema: 'limber-settings/1', bodies: [body] };
+}
+
+/** Hz, of a flap of mass MASS on a hinge of `stiffness` N m: its moment of inertia is MASS HEIGHT^2. */
+const flapFrequency = (stiffness: number): number =>
+  Math.sqrt(stiffness / (MASS * HEIGHT * HEIGHT)) / (2 * Math.PI);
+
+function writtenSettings(name: string, settings: object): string {
+  const file = join(folder, `${name}.json`);
+  writeFileSync(file, JSON.stringify(settings));
+  return file;
+}
+
+/** A Python that imports `module`, or undefined. */
+function pythonWith(module: string): string | undefined {
+  const own = join(repository, 'build', 'bench', 'python', 'bin', 'python');
+  const candidates = [process.env.LIMBER_BENCH_PYTHON, existsSync(own) ? own : undefined, 'python3'];
+  const code = `import importlib.util as u, sys; sys.exit(0 if u.find_spec("${module}") and u.find_spec("numpy") else 1)`;
+  return candidates.find((python) => python && spawnSync(python, ['-c', code]).status === 0);
+}
+
+function flapIn(python: string, engine: string, settings: object): number {
+  const file = writtenSettings(engine, settings);
+  const program = join(bench, 'flap.py');
+  const { status, stdout, stderr } = spawnSync(python, [program, engine, file, String(FLAP)], {
+    encoding: 'utf8',
+  });
+  expect(status, stderr).toBe(0);
+  return (JSON.parse(stdout.trim().split('\n').at(-1)!) as { frequency: number }).frequency;
+}
+
+describe('a flap in the engine, loaded from a settings file', () => {
+  const python = { mujoco: pythonWith('mujoco'), newton: pythonWith('newton'), blender: pythonWith('bpy') };
+  const [young, poisson, thickness] = [2e8, 0.3, 0.01];
+  const plate = (young * thickness ** 3) / (12 * (1 - poisson * poisson));
+
+  it.skipIf(!python.mujoco)('swings in MuJoCo with the hinge D l^2 / (A1 + A2), within 1 %', () => {
+    const stiffness = (plate * LENGTH * LENGTH) / AREAS;
+    const found = flapIn(python.mujoco!, 'mujoco', settingsOf({ young, poisson, thickness }, stiffness));
+    expect(Math.abs(found / flapFrequency(stiffness) - 1)).toBeLessThan(0.01);
+  });
+
+  it.skipIf(!python.mujoco)('takes the factor of a single hinge in MuJoCo', () => {
+    const stiffness = (plate * LENGTH * LENGTH) / AREAS;
+    const settings = settingsOf({ young, poisson, thickness }, stiffness) as {
+      bodies: { bend: { factors?: number[] } }[];
+    };
+    settings.bodies[0].bend.factors = [2.25];
+    const found = flapIn(python.mujoco!, 'mujoco', settings);
+    expect(Math.abs(found / flapFrequency(stiffness) - 1.5)).toBeLessThan(0.015);
+  });
+
+  it.skipIf(!python.newton)(
+    'swings in Newton with the hinge edge_ke l, within 1 %',
+    () => {
+      const engine = { tri_ke: 400, tri_ka: 300, edge_ke: 4, density: 1 };
+      const found = flapIn(python.newton!, 'newton', settingsOf(engine, engine.edge_ke));
+      expect(Math.abs(found / flapFrequency(engine.edge_ke * LENGTH) - 1)).toBeLessThan(0.01);
+    },
+    300_000,
+  );
+
+  it.skipIf(!python.blender)(
+    'swings in Blender with the torque 0.1 bending l h / 3 in N m, within 5 %',
+    () => {
+      const engine = { tension: 500, bending: 500, mass: 50, air: 0 };
+      const settings = settingsOf(engine, 0);
+      const found = flapIn(python.blender!, 'blender', settings);
+      // Stiffness counts 1000 times in seconds, and every vertex has the mass of the settings.
+      const stiffness = (1000 * 0.1 * engine.bending * LENGTH * HEIGHT) / 3;
+      const expected = flapFrequency((stiffness * MASS) / engine.mass);
+      expect(Math.abs(found / expected - 1)).toBeLessThan(0.05);
+    },
+  );
+});
+
+describe('the Jolt loader', () => {
+  const program = join(bench, 'jolt_run.mjs');
+  const stiffness = 3;
+
+  function heights(settings: object, iterations: number): number[] {
+    const [body] = (settings as { bodies: object[] }).bodies;
+    const start = [...PLACES];
+    start[3 * FLAP + 2] = 0.01;
+    const [step, frames] = [1 / 120, 240];
+    const still = new Array<number>(12).fill(0);
+    const job = { body, start, velocity: still, step, frames, iterations, forces: null };
+    const [source, target] = [writtenSettings('job', job), join(folder, 'result.bin')];
+    const { status, stderr } = spawnSync(process.execPath, [program, source, target], { encoding: 'utf8' });
+    expect(status, stderr).toBe(0);
+    const { buffer, byteOffset, length } = readFileSync(target);
+    const values = new Float32Array(buffer.slice(byteOffset, byteOffset + length));
+    return Array.from({ length: frames }, (_, frame) => values[12 * frame + 3 * FLAP + 2]);
+  }
+
+  function frequencyOf(series: number[], step: number): number {
+    const times = series.flatMap((value, k) => {
+      const next = series[k + 1];
+      return k + 1 < series.length && value > 0 !== next > 0 ? [(k + value / (value - next)) * step] : [];
+    });
+    return (times.length - 1) / (2 * (times.at(-1)! - times[0]));
+  }
+
+  it('makes a flap swing with the frequency of its hinge, within 1 %', () => {
+    const found = frequencyOf(heights(settingsOf({}, stiffness), 10), 1 / 120);
+    expect(Math.abs(found / flapFrequency(stiffness) - 1)).toBeLessThan(0.01);
+  });
+
+  it('takes the factors of single constraints', () => {
+    const settings = settingsOf({}, stiffness) as { bodies: { bend: { factors?: number[] } }[] };
+    settings.bodies[0].bend.factors = [4];
+    const found = frequencyOf(heights(settings, 10), 1 / 120);
+    expect(Math.abs(found / flapFrequency(stiffness) - 2)).toBeLessThan(0.02);
+  });
+});
