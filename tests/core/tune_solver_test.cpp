@@ -243,10 +243,12 @@ TEST(TuneSolver, HandsOverWhatMovesBest) {
   EXPECT_EQ(other.bendFactor == 1, !isBetter);
 }
 
-TEST(TuneSolver, HasNoLookWithMorleysElement) {
+TEST(TuneSolver, LooksAtMorleysElementWithTwoFactorsAlone) {
   Job job;
   TuneOptions options = optionsFor(kModels[0].second, body(), TuneKind::Global);
   options.looks = true;
+  EXPECT_TRUE(tuneSolver(body(), coarseBody(), options, job).motion.has_value());
+  options.tune = TuneKind::Constraint;
   EXPECT_FALSE(tuneSolver(body(), coarseBody(), options, job).motion.has_value());
 }
 
