@@ -8,7 +8,6 @@ namespace limber {
 namespace {
 
 using Tensor = Eigen::Vector3d;  // xx, yy, 2 xy
-using StrainMatrix = ShellElement::Strain;
 
 // A triangle flatter than this has no plane and becomes a tie between its vertices.
 constexpr double kDegenerate = 1e-12;
@@ -46,8 +45,8 @@ Frame frameOf(const TriangleMesh& mesh, uint32_t t) {
 
 // Constant-strain triangle: the in-plane strain from the displacements. The gradient of the barycentric
 // coordinate of corner c is edge c, rotated by 90 degrees, over twice the area.
-StrainMatrix membraneStrain(const Frame& frame) {
-  StrainMatrix b = StrainMatrix::Zero();
+ShellElement::Strain membraneStrain(const Frame& frame) {
+  ShellElement::Strain b = ShellElement::Strain::Zero();
   for (int c = 0; c < 3; ++c) {
     const double gx = -frame.edgeY[c] / (2 * frame.area), gy = frame.edgeX[c] / (2 * frame.area);
     for (int axis = 0; axis < 3; ++axis)
@@ -63,9 +62,9 @@ StrainMatrix membraneStrain(const Frame& frame) {
 // with t_e along edge e and m_e outwards, because the vectors l_e m_e sum to 0. So the displacements enter
 // divided by the area alone, and the gradient itself, which would cancel to rounding in a thin triangle,
 // never appears.
-StrainMatrix bendingCurvature(const Frame& frame, const std::array<double, 3>& sign) {
+ShellElement::Strain bendingCurvature(const Frame& frame, const std::array<double, 3>& sign) {
   std::array<Tensor, 3> tangentNormal;  // t_e m_e^T, with t_e = (cosine, sine) and m_e = (sine, -cosine)
-  StrainMatrix b;
+  ShellElement::Strain b;
   for (int e = 0; e < 3; ++e) {
     const double cosine = frame.edgeX[e] / frame.length[e], sine = frame.edgeY[e] / frame.length[e];
     tangentNormal[e] = Tensor(cosine * sine, -cosine * sine, sine * sine - cosine * cosine);

@@ -1,7 +1,7 @@
 // Tunes coarse meshes to their originals in every solver of the panel and prints the errors of frequencies as
 // Markdown, for docs/engines.md:
 //
-//   tune_panel [--faces 0.25] [--solvers springs,dihedral] [--kinds global,constraint] MESH.obj...
+//   tune_panel [--faces 0.25] [--solvers springs,dihedral] [--kinds global,constraint] [--looks] MESH.obj...
 //
 // Untouched parameters are those of one thin shell, typed in again on the coarse mesh: thickness 2 % of the
 // diagonal, Poisson's ratio 0.3; springs across have a twentieth of the stiffness of edges.
@@ -41,6 +41,7 @@ constexpr const char* kKinds[] = {"global", "vertex", "constraint"};
 
 struct Arguments {
   double faces = 0.25;
+  bool looks = false;
   std::string solvers, kinds;
   std::vector<std::string> files;
 };
@@ -53,6 +54,8 @@ Arguments parse(int count, char** values) {
       arguments.faces = std::atof(values[++i]);
     else if (value == "--solvers" && i + 1 < count)
       arguments.solvers = "," + std::string(values[++i]) + ",";
+    else if (value == "--looks")
+      arguments.looks = true;
     else if (value == "--kinds" && i + 1 < count)
       arguments.kinds = "," + std::string(values[++i]) + ",";
     else
@@ -88,6 +91,15 @@ SolverConstants constantsOf(const SolverModel& model, const TriangleMesh& origin
   return constants;
 }
 
+// "untouched -> tuned (noise floor)", % of the diagonal.
+std::string motionOf(const Tuned& tuned) {
+  if (!tuned.motion) return "";
+  char text[80];
+  std::snprintf(text, sizeof text, "%s %.3f -> %.3f (%.3f)", tuned.motion->scene.c_str(),
+                tuned.motion->untouched, tuned.motion->tuned, tuned.motion->noiseFloor);
+  return text;
+}
+
 void measure(const std::string& file, const Arguments& arguments, Job& job) {
   const shared_meshes::Soup soup = shared_meshes::readObj(file);
   const TriangleMesh original = weld(soup.positions, soup.indices, {}, job).mesh;
@@ -102,14 +114,15 @@ void measure(const std::string& file, const Arguments& arguments, Job& job) {
       options.model = solver.model;
       options.original = options.result = constantsOf(solver.model, original);
       options.tune = static_cast<TuneKind>(kind);
+      options.looks = arguments.looks;
       const auto start = std::chrono::steady_clock::now();
       try {
         const Tuned tuned = tuneSolver(original, coarse, options, job);
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        std::printf("| %s | %s | %s | %.2f | %.2f | %.2f | %.2f | %.3f %.3f | %.1f s |\n", name.c_str(),
+        std::printf("| %s | %s | %s | %.2f | %.2f | %.2f | %.2f | %.3f %.3f | %s | %.1f s |\n", name.c_str(),
                     solver.name, kKinds[kind], tuned.frequencies.errorUntouched, tuned.frequencies.errorTuned,
                     tuned.frequencies.errorUnseen, tuned.frequencies.errorOtherPins, tuned.stretchFactor,
-                    tuned.bendFactor, seconds.count());
+                    tuned.bendFactor, motionOf(tuned).c_str(), seconds.count());
       } catch (const std::exception& error) {
         std::printf("| %s | %s | %s | %s |\n", name.c_str(), solver.name, kKinds[kind], error.what());
       }
@@ -124,7 +137,8 @@ int main(int count, char** values) {
   Job job;
   const Arguments arguments = parse(count, values);
   std::printf(
-      "| mesh | solver | tuned | untouched | tuned | modes 21-30 | other clamping | factors | time |\n");
-  std::printf("| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+      "| mesh | solver | tuned | untouched | tuned | modes 21-30 | other clamping | factors | motion | time "
+      "|\n");
+  std::printf("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const std::string& file : arguments.files) measure(file, arguments, job);
 }

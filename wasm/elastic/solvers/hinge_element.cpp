@@ -10,10 +10,10 @@ namespace {
 // Height over longest edge from which on the stiffness of a triangle is bounded, and at which it has none.
 constexpr double kFlattest = 1e-4, kDegenerate = 1e-12;
 
-struct Fold {
+struct FoldedHinge {
   Vec3 edge, first, second;  // the edge, and normals whose lengths are twice the areas
 
-  explicit Fold(const std::array<Vec3, 4>& x)
+  explicit FoldedHinge(const std::array<Vec3, 4>& x)
       : edge(x[1] - x[0]), first(cross(edge, x[2] - x[0])), second(cross(x[3] - x[0], edge)) {}
 
   double angle() const { return std::atan2(dot(cross(first, second), normalized(edge)), dot(first, second)); }
@@ -45,7 +45,7 @@ void setDerivative(ConstraintStrain& strain, int vertex, const Vec3& gradient) {
 }  // namespace
 
 HingeElement::HingeElement(BendElement element, double bend, const std::array<Vec3, 4>& rest) : root_(0) {
-  const Fold fold(rest);
+  const FoldedHinge fold(rest);
   const double first = length(fold.first), second = length(fold.second);
   const double flattest =
       std::min(flatness(fold.edge, rest[2] - rest[0], first), flatness(fold.edge, rest[3] - rest[0], second));
@@ -57,7 +57,7 @@ HingeElement::HingeElement(BendElement element, double bend, const std::array<Ve
 
 ConstraintStrain HingeElement::strainAt(const std::array<Vec3, 4>& x) const {
   ConstraintStrain result;
-  const Fold fold(x);
+  const FoldedHinge fold(x);
   const double squaredEdge = squaredLength(fold.edge), edge = std::sqrt(squaredEdge);
   if (root_ == 0 || edge == 0) return result;
   result.strain[0] = root_ * std::remainder(fold.angle() - angle_, 2 * std::numbers::pi);

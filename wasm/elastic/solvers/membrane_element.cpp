@@ -59,17 +59,19 @@ ConstraintStrain MembraneElement::strainAt(const std::array<Vec3, 3>& positions)
   return result;
 }
 
-Eigen::Matrix4d MembraneElement::stressStiffnessAt(const std::array<Vec3, 3>& positions) const {
+Eigen::Matrix4d MembraneElement::stressStiffnessAt(const std::array<Vec3, 3>& positions,
+                                                   StressKind kind) const {
   const Eigen::Vector3d strain = strainOf(deformationAt(positions));
-  // The second Piola-Kirchhoff stress times the area, without its compressions.
+  // The second Piola-Kirchhoff stress times the area.
   const double mean = dilation_ * strain[0], half = shear_ * strain[1], across = shear_ * strain[2];
   const double radius = std::hypot(half, across), larger = mean + radius, smaller = mean - radius;
   Eigen::Matrix2d stress = Eigen::Matrix2d::Zero();
-  if (smaller >= 0)
+  const bool isWhole = kind == StressKind::All || smaller >= 0;
+  if (isWhole)
     stress << mean + half, across, across, mean - half;
   else if (larger > 0)
     stress << radius + half, across, across, radius - half;
-  if (smaller < 0 && larger > 0) stress *= larger / (2 * radius);
+  if (!isWhole && larger > 0) stress *= larger / (2 * radius);
   Eigen::Matrix4d result = Eigen::Matrix4d::Zero();
   result.topLeftCorner<3, 3>() = gradients_.transpose() * stress * gradients_;
   return result;

@@ -24,7 +24,7 @@ class MembraneElement {
 
   ConstraintStrain strainAt(const std::array<Vec3, 3>& positions) const;
   // See SolverConstraints::stressStiffnessAt.
-  Eigen::Matrix4d stressStiffnessAt(const std::array<Vec3, 3>& positions) const;
+  Eigen::Matrix4d stressStiffnessAt(const std::array<Vec3, 3>& positions, StressKind kind) const;
 
  private:
   Eigen::Matrix<double, 3, 2> deformationAt(const std::array<Vec3, 3>& positions) const;  // F

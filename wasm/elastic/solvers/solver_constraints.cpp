@@ -101,11 +101,14 @@ ConstraintStrain SolverConstraints::strainAt(uint32_t c, std::span<const Vec3> p
   return hinges_[element].strainAt(at<4>(constraint, positions));
 }
 
-Eigen::Matrix4d SolverConstraints::stressStiffnessAt(uint32_t c, std::span<const Vec3> positions) const {
+Eigen::Matrix4d SolverConstraints::stressStiffnessAt(uint32_t c, std::span<const Vec3> positions,
+                                                     StressKind kind) const {
   const SolverConstraint& constraint = constraints_[c];
   const uint32_t element = elementOf_[c];
-  if (constraint.vertexCount == 2) return springs_[element].stressStiffnessAt(at<2>(constraint, positions));
-  if (constraint.vertexCount == 3) return membranes_[element].stressStiffnessAt(at<3>(constraint, positions));
+  if (constraint.vertexCount == 2)
+    return springs_[element].stressStiffnessAt(at<2>(constraint, positions), kind);
+  if (constraint.vertexCount == 3)
+    return membranes_[element].stressStiffnessAt(at<3>(constraint, positions), kind);
   return Eigen::Matrix4d::Zero();
 }
 

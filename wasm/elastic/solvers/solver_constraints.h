@@ -43,10 +43,11 @@ class SolverConstraints {
 
   // `positions`: of all vertices, in metres.
   ConstraintStrain strainAt(uint32_t c, std::span<const Vec3> positions) const;
-  // What tension adds to the Gauss-Newton matrix J^T J of the second derivative of the energy: block (k, l),
-  // by the k-th and the l-th vertex, is entry (k, l) times the identity. Compression adds nothing, so that
-  // the matrix is positive semidefinite, and so does a hinge. N/m.
-  Eigen::Matrix4d stressStiffnessAt(uint32_t c, std::span<const Vec3> positions) const;
+  // What stress adds to the Gauss-Newton matrix J^T J of the second derivative of the energy: block (k, l),
+  // by the k-th and the l-th vertex, is entry (k, l) times the identity. For a membrane and all stress it is
+  // exact, for a spring exact across its direction; for a hinge it is left out. Of tension alone it is
+  // positive semidefinite. N/m.
+  Eigen::Matrix4d stressStiffnessAt(uint32_t c, std::span<const Vec3> positions, StressKind kind) const;
   // 1/2 |strain|^2 in joules.
   double energyAt(uint32_t c, std::span<const Vec3> positions) const;
   // Rest positions in metres.

@@ -137,9 +137,9 @@ uint32_t SolverVibration::countNoise(std::span<const double> factors, Job& job) 
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
     length += limber::length(mesh.corner(t, 1) - mesh.corner(t, 0));
   const double edge = length / std::max<double>(1, mesh.triangleCount());
-  const double slope = kFloatRounding * bounds(mesh).diagonal() / edge;
+  const double tilt = kFloatRounding * bounds(mesh).diagonal() / edge;
   ShiftedPencil shifted(pencil, structure_, job);
-  const uint32_t below = shifted.countBelow(*middle * slope * slope);
+  const uint32_t below = shifted.countBelow(*middle * tilt * tilt);
   const auto rigid = static_cast<uint32_t>(rigidMotionCount());
   return below > rigid ? below - rigid : 0;
 }

@@ -18,10 +18,11 @@ ConstraintStrain SpringElement::strainAt(const std::array<Vec3, 2>& positions) c
   return result;
 }
 
-Eigen::Matrix4d SpringElement::stressStiffnessAt(const std::array<Vec3, 2>& positions) const {
+Eigen::Matrix4d SpringElement::stressStiffnessAt(const std::array<Vec3, 2>& positions,
+                                                 StressKind kind) const {
   Eigen::Matrix4d result = Eigen::Matrix4d::Zero();
   const double current = length(positions[1] - positions[0]);
-  if (current <= length_) return result;
+  if (current == 0 || (kind == StressKind::Tension && current <= length_)) return result;
   const double tension = root_ * root_ * (current - length_) / current;  // per length
   result.topLeftCorner<2, 2>() << tension, -tension, -tension, tension;
   return result;

@@ -15,8 +15,8 @@ class SpringElement {
 
   // Where both ends coincide the spring has no direction, and the derivatives are 0.
   ConstraintStrain strainAt(const std::array<Vec3, 2>& positions) const;
-  // See SolverConstraints::stressStiffnessAt. Across the spring it is exact.
-  Eigen::Matrix4d stressStiffnessAt(const std::array<Vec3, 2>& positions) const;
+  // See SolverConstraints::stressStiffnessAt. Exact across the spring.
+  Eigen::Matrix4d stressStiffnessAt(const std::array<Vec3, 2>& positions, StressKind kind) const;
 
  private:
   double root_, length_;

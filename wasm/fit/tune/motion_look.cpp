@@ -1,9 +1,12 @@
 #include "fit/tune/motion_look.h"
 
-#include <stdexcept>
+#include <cmath>
 
 #include "compare/motion_deviation.h"
-#include "fit/tune/motion_look_run.h"
+#include "fit/tune/look/look_constraints.h"
+#include "fit/tune/look/look_shell.h"
+#include "mesh/surface_samples.h"
+#include "query/closest_point.h"
 #include "transfer/carry_pins.h"
 
 namespace limber {
@@ -13,11 +16,20 @@ namespace {
 constexpr uint32_t kMostFaces = 12000;
 constexpr uint32_t kRecordEvery = 2, kLongStride = 2;
 
+// The points of motion deviation, see compare/motion_deviation.h, bound to a body.
+std::vector<SurfacePoint> samplesOn(const TriangleMesh& original, const TriangleMesh& body) {
+  const SurfaceSamples samples = sampleSurface(original, kMotionSamples);
+  const ClosestPointTree tree(body);
+  std::vector<SurfacePoint> points;
+  for (size_t i = 0; i < samples.positions.size(); ++i)
+    points.push_back(
+        tree.closestFacing(samples.positions[i], normalized(areaNormal(original, samples.triangles[i]))));
+  return points;
+}
+
 std::string refusalOf(const MovingBody& original, const SolverModel& model) {
-  if (model.bend == BendElement::Morley)
-    return "The motion was not looked at: the look moves bodies of springs, hinges and membranes, and the "
-           "bending "
-           "of this solver is Morley's element.";
+  if (model.bend == BendElement::Morley && !(original.constants.bend > 0))
+    return "The motion was not looked at: a shell without bending stiffness has no thickness.";
   if (original.mesh.triangleCount() > kMostFaces)
     return "The motion was not looked at: the original has " + std::to_string(original.mesh.triangleCount()) +
            " faces, and to move one of more than " + std::to_string(kMostFaces) + " faces takes too long.";
@@ -40,15 +52,18 @@ struct MotionLook::State {
     return scene.usersPins ? body.pins : carryPins(original.mesh, scene.pins.vertices, body.mesh);
   }
 
-  // Per scene, see runScene.
+  // Per scene.
   std::optional<std::vector<std::vector<Vec3>>> run(const MovingBody& body, uint32_t stride, Job& job) const {
     WholePhase phase(job, Phase::Simulate);
+    const std::vector<SurfacePoint> samples = samplesOn(original.mesh, body.mesh);
     std::vector<std::vector<Vec3>> all;
     for (const LookScene& scene : scenes) {
-      const auto done = static_cast<double>(all.size()), count = static_cast<double>(scenes.size());
-      const LookRun run{lookSamples(original.mesh, body.mesh), pinsOf(scene, body), stride, kRecordEvery};
-      auto moved =
-          runScene(scene, body, model, run, [&](double part) { phase.report((done + part) / count); }, job);
+      const double done = static_cast<double>(all.size());
+      const auto report = [&, count = static_cast<double>(scenes.size())](double part) {
+        phase.report((done + part) / count);
+      };
+      const LookRun run{scene, body, pinsOf(scene, body), samples, stride, kRecordEvery, report};
+      auto moved = model.bend == BendElement::Morley ? moveShell(run, job) : moveConstraints(run, model, job);
       if (!moved) return std::nullopt;
       all.push_back(std::move(*moved));
     }
@@ -120,7 +135,8 @@ std::optional<double> MotionLook::noiseFloor(Job& job) {
   if (!refusal().empty()) return std::nullopt;
   const auto moved = state_->run(state_->original, kLongStride, job);
   if (!moved) return std::nullopt;
-  return meanOf(state_->deviationsFrom(*moved)) / 3;
+  const double order = state_->model.bend == BendElement::Morley ? 1 : 2;
+  return meanOf(state_->deviationsFrom(*moved)) / (std::exp2(order) - 1);
 }
 
 }  // namespace limber

@@ -8,6 +8,7 @@ namespace limber {
 std::optional<LookOutcome> lookAtMotion(const LookedAt& bodies, const std::vector<TuneCandidate>& candidates,
                                         Job& job) {
   const auto& [original, result, options, masses] = bodies;
+  if (options.model.bend == BendElement::Morley && options.tune != TuneKind::Global) return std::nullopt;
   const Topology originalTopology = buildTopology(original), topology = buildTopology(result);
   MotionLook look({original, originalTopology, options.original, {options.pinnedOriginal, {}}, {}, {}},
                   options.model, job);
@@ -18,6 +19,10 @@ std::optional<LookOutcome> lookAtMotion(const LookedAt& bodies, const std::vecto
   std::optional<double> least;
   LookOutcome outcome;
   for (size_t i = 0; i < candidates.size(); ++i) {
+    body.constants = options.result;
+    body.constants.stretch *= candidates[i].stretch;
+    body.constants.secondStretch *= candidates[i].stretch;
+    body.constants.bend *= candidates[i].bend;
     body.factors = candidates[i].factors;
     const std::optional<double> deviation = look.deviationOf(body, job);
     if (!deviation || (least && *deviation >= *least)) continue;

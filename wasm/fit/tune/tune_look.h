@@ -19,7 +19,8 @@ struct LookedAt {
 
 // Parameters that might be handed over, best first where motions are equal.
 struct TuneCandidate {
-  std::vector<double> factors;  // per constraint of the result
+  double stretch = 1, bend = 1;      // on all constraints of a kind
+  std::vector<double> factors = {};  // per constraint of the result, times these; empty: 1
 };
 
 struct LookOutcome {
@@ -28,7 +29,8 @@ struct LookOutcome {
 };
 
 // Moves original, the result with factors of 1, and the result with each candidate. Nothing where there is no
-// look, see MotionLook::refusal, or where untouched or all candidates cannot be moved. Throws Cancelled.
+// look (see MotionLook::refusal, and Morley's element moves with a factor for each kind alone), or where
+// untouched or all candidates cannot be moved. Throws Cancelled.
 std::optional<LookOutcome> lookAtMotion(const LookedAt& bodies, const std::vector<TuneCandidate>& candidates,
                                         Job& job);
 

@@ -99,7 +99,10 @@ std::vector<Attempt> attempts(TuneProblem& problem, TuneConstraints constraints,
 Attempt chosen(std::vector<Attempt> all, const LookedAt& bodies, Tuned& tuned, Job& job) {
   if (!bodies.options.looks) return std::move(all[0]);
   std::vector<TuneCandidate> candidates;
-  for (const Attempt& attempt : all) candidates.push_back({attempt.tuning.all});
+  const bool isGlobal = bodies.options.tune == TuneKind::Global;
+  for (const Attempt& attempt : all)
+    candidates.push_back(isGlobal ? TuneCandidate{attempt.tuning.global.stretch, attempt.tuning.global.bend}
+                                  : TuneCandidate{1, 1, attempt.tuning.all});
   const std::optional<LookOutcome> outcome = lookAtMotion(bodies, candidates, job);
   if (!outcome) return std::move(all[0]);
   tuned.motion = outcome->motion;

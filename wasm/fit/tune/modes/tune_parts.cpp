@@ -15,15 +15,15 @@ namespace {
 
 constexpr double kLeastShare = 1e-3;  // of the area of a body, of a part that matters
 
-struct Body {
+struct ConnectedBody {
   const TriangleMesh& mesh;
   Topology topology;
   MeshParts parts;
   std::vector<uint32_t> matters;  // parts that matter
 };
 
-Body bodyOf(const TriangleMesh& mesh) {
-  Body body{mesh, buildTopology(mesh), {}, {}};
+ConnectedBody bodyOf(const TriangleMesh& mesh) {
+  ConnectedBody body{mesh, buildTopology(mesh), {}, {}};
   body.parts = splitMesh(mesh, body.topology.componentOfVertex, body.topology.componentCount);
   std::vector<double> areas;
   for (const MeshParts::Part& part : body.parts.parts) {
@@ -39,7 +39,7 @@ Body bodyOf(const TriangleMesh& mesh) {
 
 // Per part of the original that matters the part of the result that most of its vertices are closest to, each
 // once.
-std::vector<uint32_t> partners(const Body& original, const Body& result) {
+std::vector<uint32_t> partners(const ConnectedBody& original, const ConnectedBody& result) {
   if (original.matters.size() != result.matters.size())
     throw std::invalid_argument("The original has " + std::to_string(original.matters.size()) +
                                 " parts and the coarse mesh has " + std::to_string(result.matters.size()) +
@@ -64,7 +64,8 @@ std::vector<uint32_t> partners(const Body& original, const Body& result) {
 }
 
 // Where the constraints of each part stand among those of the body: each part keeps their order.
-std::vector<std::vector<uint32_t>> constraintsOfParts(const Body& body, const SolverStiffness& whole) {
+std::vector<std::vector<uint32_t>> constraintsOfParts(const ConnectedBody& body,
+                                                      const SolverStiffness& whole) {
   std::vector<std::vector<uint32_t>> constraints(body.parts.parts.size());
   for (uint32_t c = 0; c < whole.count(); ++c)
     constraints[body.topology.componentOfVertex[whole[c].vertices[0]]].push_back(c);
@@ -110,7 +111,7 @@ Eigen::MatrixXd PartPair::carryThirds(const Eigen::MatrixXd& values) const {
 }
 
 std::deque<PartPair> pairParts(const TuneBodies& bodies, Job& job) {
-  Body original = bodyOf(bodies.original), result = bodyOf(bodies.result);
+  ConnectedBody original = bodyOf(bodies.original), result = bodyOf(bodies.result);
   const std::vector<uint32_t> partner = partners(original, result);
   auto resultConstraints = constraintsOfParts(result, bodies.resultStiffness);
   std::deque<PartPair> pairs;

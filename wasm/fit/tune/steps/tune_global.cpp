@@ -9,6 +9,7 @@ namespace limber {
 namespace {
 
 constexpr int kRounds = 8;
+constexpr int kWorseRounds = 2;    // in a row end the search: one alone may be modes that change partners
 constexpr double kSettled = 0.01;  // a step in logarithms: half a percent in frequencies
 
 // The derivatives by the logarithms of the two factors: fitted modes x 2.
@@ -31,6 +32,7 @@ std::vector<double> factorsOf(const GlobalFactors& factors, const TuneConstraint
 GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constraints, Job& job) {
   GlobalFactors best;
   Eigen::Vector2d x = Eigen::Vector2d::Zero();
+  int worseRounds = 0;
   double bestSquares = problem.residuals().squaredNorm();
   for (int round = 0; round < kRounds; ++round) {
     Eigen::MatrixXd jacobian = sumsByKind(problem.jacobian(), constraints.stretchCount);
@@ -48,12 +50,14 @@ GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constrai
     problem.moveTo(factorsOf(factors, constraints), job);
     if (!problem.isDefinite()) break;
     const double squares = problem.residuals().squaredNorm();
-    const bool isWorse = squares >= bestSquares;  // modes have changed partners
-    if (!isWorse) {
+    if (squares < bestSquares) {
       bestSquares = squares;
       best = factors;
+      worseRounds = 0;
+    } else if (++worseRounds == kWorseRounds) {
+      break;
     }
-    if (isWorse || step < kSettled) break;
+    if (step < kSettled) break;
   }
   const std::vector<double> all = factorsOf(best, constraints);
   if (problem.factors() != all) problem.moveTo(all, job);

@@ -1,4 +1,4 @@
-#include "fit/tune/implicit_motion.h"
+#include "fit/tune/look/implicit_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,9 @@ namespace {
 // velocity, so that errors that all point the same way sum to half the square of the number of steps: 0.5 %
 // of the motion in 100 steps.
 constexpr double kTolerance = 1e-6;
+// What may be left to do, in the norm of energy, of a step that does not get nearer, as where a sheet
+// buckles.
+constexpr double kLooseTolerance = 1e-4;
 // A factorisation is renewed where Newton's steps contract by less than this.
 constexpr double kSlow = 0.4;
 constexpr int kMostIterations = 60;
@@ -22,8 +25,9 @@ constexpr int kMostIterations = 60;
 // step, and its most shortenings.
 constexpr double kDecrease = 1e-4, kShortening = 0.5;
 constexpr int kMostShortenings = 20;
-// Differences of the objective below this fraction of it are rounding.
-constexpr double kRounding = 1e-13;
+// A step that is expected to decrease the objective by less than this fraction is not checked: differences
+// as small may be rounding.
+constexpr double kUnchecked = 1e-9;
 
 // The length of the largest displacement of a vertex among unknowns. Infinite where any is not finite.
 double largest(const Eigen::VectorXd& unknowns) {
@@ -99,56 +103,69 @@ Eigen::VectorXd ImplicitMotion::inertiaForce(const Objective& objective, const S
   return force;
 }
 
-void ImplicitMotion::factorise(double inertia, Job& job) {
-  factorisation_.factorise(-inertia, job);
-  factorisedInertia_ = inertia;
-  ++factorisationCount_;
+// The derivative of the elastic energy; factorises the second derivative of the objective.
+Eigen::VectorXd ImplicitMotion::linearise(const Objective& objective, const State& x, Job& job) {
+  Eigen::VectorXd gradient;
+  for (const StressKind kind : {StressKind::All, StressKind::Tension}) {
+    gradient = system_.linearise(x, kind);
+    factorisation_.factorise(-objective.inertia, job);
+    ++factorisationCount_;
+    if (factorisation_.negativePivots() == 0) break;
+  }
+  return gradient;
 }
 
 // Moves x along the direction by the longest step that decreases the objective, whose derivative along the
-// direction is `growth` < 0. Returns the fraction of the direction, 0 where none decreases it.
+// direction is `growth` <= 0. Returns the fraction of the direction, 0 where none decreases it.
 double ImplicitMotion::moveAlong(const Objective& objective, const Eigen::VectorXd& direction, double growth,
-                                 State& x) const {
-  const double before = valueAt(objective, x);
+                                 Point& point) const {
   double fraction = 1;
   for (int i = 0; i < kMostShortenings; ++i, fraction *= kShortening) {
-    State moved = x;
+    Point moved = point;
     Eigen::Index unknown = 0;
     for (const uint32_t v : system_.free()) {
-      moved[v] += Vec3{direction[unknown], direction[unknown + 1], direction[unknown + 2]} * fraction;
+      moved.x[v] += Vec3{direction[unknown], direction[unknown + 1], direction[unknown + 2]} * fraction;
       unknown += 3;
     }
-    if (valueAt(objective, moved) <= before + kDecrease * fraction * growth + kRounding * before) {
-      x = std::move(moved);
+    moved.value = valueAt(objective, moved.x);
+    const bool isChecked = -growth > kUnchecked * point.value;
+    if (!isChecked || moved.value <= point.value + kDecrease * fraction * growth) {
+      point = std::move(moved);
       return fraction;
     }
   }
   return 0;
 }
 
-bool ImplicitMotion::minimise(const Objective& objective, State& x, Job& job) {
+bool ImplicitMotion::minimise(const Objective& objective, Point& point, Job& job) {
   const double tolerance = kTolerance * options_.motionSize;
-  bool renews = factorisedInertia_ != objective.inertia;
+  // Steps with a factorisation of another shape may end in a long creep that looks like convergence, so that
+  // each step begins with its own.
+  bool renews = true;
   double former = 0;  // length of the last full step, 0 if there was none
+  bool isNear = false;
   for (int i = 0; i < kMostIterations; ++i) {
     job.check();
-    Eigen::VectorXd gradient = renews ? system_.linearise(x) : system_.gradientAt(x);
-    gradient += inertiaForce(objective, x);
-    if (renews) factorise(objective.inertia, job);
+    Eigen::VectorXd gradient = renews ? linearise(objective, point.x, job) : system_.gradientAt(point.x);
+    gradient += inertiaForce(objective, point.x);
     Eigen::VectorXd direction = -gradient;
     factorisation_.solve(direction, job);
     ++solveCount_;
     const double size = largest(direction), growth = gradient.dot(direction);
     if (!std::isfinite(size) || !(growth <= 0)) return false;
-    const double fraction = moveAlong(objective, direction, growth, x);
+    // In the norm of energy, what is left to do is a small fraction of the motion.
+    const bool isLast = -growth <= kTolerance * kTolerance * point.value;
+    const double fraction = moveAlong(objective, direction, growth, point);
     // Newton's own steps, with a fresh factorisation, contract well enough near the minimum.
-    const double contraction = former > 0 ? size / former : renews ? 0.5 : 1;
-    if (fraction == 1 && contraction < 1 && size * contraction / (1 - contraction) <= tolerance) return true;
-    if (fraction == 0 && renews) return size <= tolerance;
+    const double contraction = former > 0 ? size / former : 0.5;
+    if (isLast || (fraction == 1 && contraction < 1 && size * contraction / (1 - contraction) <= tolerance))
+      return true;
+    isNear = -growth <= kLooseTolerance * kLooseTolerance * point.value;
+    if (fraction == 0 && renews) break;
     renews = fraction < 1 || (former > 0 && contraction > kSlow);
     former = fraction == 1 ? size : 0;
   }
-  return false;
+  return isNear;
 }
 
 void ImplicitMotion::advanceTo(State x) {
@@ -164,13 +181,15 @@ void ImplicitMotion::advanceTo(State x) {
 
 bool ImplicitMotion::step(Job& job) {
   const Objective aim = objective();
-  State x = predicted();
-  for (size_t i = 0; i < pinned_.size(); ++i) x[pinned_[i]] = pinTargets_[i];
-  State resting = positions_;
-  for (size_t i = 0; i < pinned_.size(); ++i) resting[pinned_[i]] = pinTargets_[i];
-  if (valueAt(aim, resting) < valueAt(aim, x)) x = std::move(resting);
-  if (!minimise(aim, x, job)) return false;
-  advanceTo(std::move(x));
+  const auto pointAt = [&](State x) {
+    for (size_t i = 0; i < pinned_.size(); ++i) x[pinned_[i]] = pinTargets_[i];
+    const double value = valueAt(aim, x);
+    return Point{std::move(x), value};
+  };
+  Point point = pointAt(predicted()), resting = pointAt(positions_);
+  if (resting.value < point.value) point = std::move(resting);
+  if (!minimise(aim, point, job)) return false;
+  advanceTo(std::move(point.x));
   return true;
 }
 

@@ -1,4 +1,4 @@
-#include "fit/tune/motion_look_spectrum.h"
+#include "fit/tune/look/swing_spectrum.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr double kNoticeable = 0.05, kRigid = 1e-4;
 }  // namespace
 
 std::vector<SwingLine> swingSpectrum(ImplicitSystem& system, std::span<const Vec3> velocities, Job& job) {
-  system.linearise(system.constraints().rest());
+  system.linearise(system.constraints().rest(), StressKind::Tension);
   const SparsePencil& pencil = system.pencil();
   const Eigen::VectorXd root = pencil.m.cwiseSqrt();
   Eigen::VectorXd start(system.unknownCount());
@@ -68,13 +68,13 @@ Swing swingOf(std::span<const SwingLine> spectrum) {
     if (sum >= 0.5) break;
   }
   Swing swing;
-  double reach = 0;
+  double squaredSeconds = 0;
   for (const auto& [omegaSquared, share] : spectrum) {
     if (omegaSquared <= kRigid * median) continue;
     if (swing.omega == 0 && share >= kNoticeable) swing.omega = std::sqrt(omegaSquared);
-    if (share >= kNoticeable) reach += share / omegaSquared;
+    if (share >= kNoticeable) squaredSeconds += share / omegaSquared;
   }
-  swing.reach = std::sqrt(reach);
+  swing.seconds = std::sqrt(squaredSeconds);
   return swing;
 }
 

@@ -47,9 +47,9 @@ class ImplicitSystem {
 
   // Joules, with the springs of pinned points. The same to the last bit for any number of threads.
   double energyAt(std::span<const Vec3> positions) const;
-  // Its derivative by the unknowns, N. Also sets K of the pencil to a positive semidefinite approximation of
-  // its second derivative: J^T J and what tension adds.
-  Eigen::VectorXd linearise(std::span<const Vec3> positions);
+  // Its derivative by the unknowns, N. Also sets K of the pencil to an approximation of its second
+  // derivative: J^T J and what stress adds, positive semidefinite for tension alone.
+  Eigen::VectorXd linearise(std::span<const Vec3> positions, StressKind kind);
   // The derivative alone.
   Eigen::VectorXd gradientAt(std::span<const Vec3> positions) const;
 

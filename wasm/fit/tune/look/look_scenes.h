@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/job.h"
-#include "fit/tune/motion_look.h"
+#include "fit/tune/moving_body.h"
 #include "simulate/scenario.h"
 
 namespace limber {
@@ -29,8 +29,5 @@ std::vector<LookScene> lookScenes(const MovingBody& original, const SolverModel&
 
 // Whether a surface has so little border that it moves like a closed one: less than half its diagonal.
 bool isNearlyClosed(const TriangleMesh& mesh, const Topology& topology);
-
-// The masses of a body, by the rule of the model where it has none of its own.
-std::vector<double> massesOf(const MovingBody& body, const SolverModel& model);
 
 }  // namespace limber

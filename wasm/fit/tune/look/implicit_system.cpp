@@ -1,4 +1,4 @@
-#include "fit/tune/implicit_system.h"
+#include "fit/tune/look/implicit_system.h"
 
 #include <algorithm>
 #include <numeric>
@@ -166,13 +166,13 @@ Eigen::VectorXd ImplicitSystem::gradientAt(std::span<const Vec3> positions) cons
   return gradient;
 }
 
-Eigen::VectorXd ImplicitSystem::linearise(std::span<const Vec3> positions) {
+Eigen::VectorXd ImplicitSystem::linearise(std::span<const Vec3> positions, StressKind kind) {
   std::vector<Linearisation> parts(constraints_.count());
   parallelFor(parts.size(), kGrain, [&](size_t begin, size_t end) {
     for (size_t c = begin; c < end; ++c) {
       const auto index = static_cast<uint32_t>(c);
       parts[c].strain = constraints_.strainAt(index, positions);
-      parts[c].stress = constraints_.stressStiffnessAt(index, positions);
+      parts[c].stress = constraints_.stressStiffnessAt(index, positions, kind);
     }
   });
   std::fill_n(pencil_.k.valuePtr(), pencil_.k.nonZeros(), 0.0);

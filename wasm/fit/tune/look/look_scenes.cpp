@@ -1,10 +1,10 @@
-#include "fit/tune/motion_look_scenes.h"
+#include "fit/tune/look/look_scenes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "fit/tune/motion_look_spectrum.h"
+#include "fit/tune/look/swing_spectrum.h"
 
 namespace limber {
 namespace {
@@ -45,6 +45,17 @@ std::vector<Vec3> swayVelocities(const MovingBody& original, const LookScene& sc
   return velocities;
 }
 
+// Morley's shell is timed by hinges that bend like it around a cylinder: hinges by area have three times the
+// energy of a plate of their constant.
+SolverConstraints timingConstraints(const MovingBody& original, SolverModel model) {
+  SolverConstants constants = original.constants;
+  if (model.bend == BendElement::Morley) {
+    model.bend = BendElement::HingeByArea;
+    constants.bend /= 3;
+  }
+  return {original.mesh, original.topology, model, constants};
+}
+
 void setDuration(LookScene& scene, double omega) {
   scene.step = 2 * std::numbers::pi / omega / kStepsPerPeriod;
   scene.stepCount = static_cast<uint32_t>(kPeriods * kStepsPerPeriod);
@@ -52,7 +63,7 @@ void setDuration(LookScene& scene, double omega) {
 
 // False where nothing swings.
 bool timeScene(LookScene& scene, const MovingBody& original, const SolverModel& model, Job& job) {
-  const SolverConstraints constraints(original.mesh, original.topology, model, original.constants);
+  const SolverConstraints constraints = timingConstraints(original, model);
   const std::vector<double> masses = massesOf(original, model);
   ImplicitSystem system({constraints, original.mesh, masses, original.factors, scene.pins}, 0, job);
   if (system.unknownCount() == 0) return false;
@@ -65,7 +76,7 @@ bool timeScene(LookScene& scene, const MovingBody& original, const SolverModel& 
     if (swing.omega == 0) return false;
     double fastest = 0;
     for (const uint32_t v : system.free()) fastest = std::max(fastest, length(velocities[v]));
-    scene.speed = kSwaySize * diagonal / (fastest * swing.reach);
+    scene.speed = kSwaySize * diagonal / (fastest * swing.seconds);
     scene.motionSize = kSwaySize * diagonal;
     setDuration(scene, swing.omega);
     return true;
@@ -85,11 +96,6 @@ bool isNearlyClosed(const TriangleMesh& mesh, const Topology& topology) {
   for (const Topology::Edge& edge : topology.edges)
     if (edge.useCount == 1) border += length(mesh.positions[edge.a] - mesh.positions[edge.b]);
   return border < kMostBorder * bounds(mesh).diagonal();
-}
-
-std::vector<double> massesOf(const MovingBody& body, const SolverModel& model) {
-  if (body.masses.empty()) return solverMasses(body.mesh, model.mass, body.constants);
-  return {body.masses.begin(), body.masses.end()};
 }
 
 std::vector<LookScene> lookScenes(const MovingBody& original, const SolverModel& model, Job& job) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/job.h"
-#include "fit/tune/implicit_system.h"
+#include "fit/tune/look/implicit_system.h"
 #include "linear/factorisation.h"
 
 namespace limber {
@@ -20,13 +20,14 @@ struct ImplicitOptions {
 // The motion of a constrained body by implicit steps. They are stable for any stiffness, and their error is
 // of second order: BDF2 (Hairer and Wanner 1996, Solving Ordinary Differential Equations II, III.1 and V.1),
 // after one step of backward Euler. A vibration of frequency omega keeps its amplitude but for
-// 1/4 (omega h)^4 in a step of h, and its frequency but for 1/3 (omega h)^2: at 60 steps for a period it
-// loses 0.2 % of amplitude and .4 % of frequency in one, for any mesh alike. Vibrations that are much faster
+// 1/4 (omega h)^4 in a step of h, and its frequency but for 1/3 (omega h)^2: at 40 steps for a period it
+// loses 0.6 % of amplitude and 0.8 % of frequency in one, for any mesh alike. Vibrations that are much faster
 // than the step are damped away, so that what is stiff follows at rest.
 //
 // A step is the minimum of 1/2 |x - y|_M^2 / (2/3 h)^2 + E(x), where y is what inertia and gravity alone
-// would do. It is found by Newton's method with a line search on a positive semidefinite approximation of the
-// second derivative. A factorisation is kept for as long as it converges quickly.
+// would do. It is found by Newton's method with a line search. The second derivative takes account of
+// compression as long as that leaves it positive definite, and of tension alone otherwise. A factorisation is
+// kept within a step for as long as it converges quickly.
 //
 // The same input gives the same bits on any number of threads.
 class ImplicitMotion {
@@ -63,21 +64,25 @@ class ImplicitMotion {
     State aim;
   };
 
+  struct Point {
+    State x;
+    double value;  // of the objective
+  };
+
   Objective objective() const;
   State predicted() const;
   double valueAt(const Objective& objective, const State& x) const;
   Eigen::VectorXd inertiaForce(const Objective& objective, const State& x) const;
-  bool minimise(const Objective& objective, State& x, Job& job);
+  bool minimise(const Objective& objective, Point& point, Job& job);
   double moveAlong(const Objective& objective, const Eigen::VectorXd& direction, double growth,
-                   State& x) const;
-  void factorise(double inertia, Job& job);
+                   Point& point) const;
+  Eigen::VectorXd linearise(const Objective& objective, const State& x, Job& job);
   void advanceTo(State x);
 
   ImplicitOptions options_;
   ImplicitSystem system_;
   Factorisation factorisation_;
   std::vector<uint32_t> pinned_;
-  double factorisedInertia_ = 0;  // 0 before the first factorisation
   bool isStarted_ = false;
   State positions_, velocities_, formerPositions_, formerVelocities_, pinTargets_;
   uint32_t solveCount_ = 0, factorisationCount_ = 0;

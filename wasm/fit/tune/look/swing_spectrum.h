@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/job.h"
-#include "fit/tune/implicit_system.h"
+#include "fit/tune/look/implicit_system.h"
 
 namespace limber {
 
@@ -25,8 +25,8 @@ std::vector<SwingLine> swingSpectrum(ImplicitSystem& system, std::span<const Vec
 
 // What to expect of a swing.
 struct Swing {
-  double omega = 0;  // rad/s: the lowest frequency that carries a noticeable share of the energy; 0 if none
-  double reach = 0;  // seconds: the largest displacement over the largest velocity of the start
+  double omega = 0;    // rad/s: the lowest frequency that carries a noticeable share of the energy; 0 if none
+  double seconds = 0;  // the largest displacement over the largest velocity of the start
 };
 // Rigid motions, and frequencies as low beside those that carry most energy, are left out.
 Swing swingOf(std::span<const SwingLine> spectrum);

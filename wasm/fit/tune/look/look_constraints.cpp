@@ -1,0 +1,35 @@
+#include "fit/tune/look/look_constraints.h"
+
+#include "fit/tune/look/implicit_motion.h"
+
+namespace limber {
+namespace {
+
+Vec3 pointOf(std::span<const Vec3> positions, const TriangleMesh& mesh, const SurfacePoint& point) {
+  Vec3 sum;
+  for (int c = 0; c < 3; ++c) sum += positions[mesh.triangles[point.triangle][c]] * point.barycentric[c];
+  return sum;
+}
+
+}  // namespace
+
+LookDisplacements moveConstraints(const LookRun& run, const SolverModel& model, Job& job) {
+  const auto& [scene, body, pins, samples, stride, recordEvery, report] = run;
+  const SolverConstraints constraints(body.mesh, body.topology, model, body.constants);
+  const std::vector<double> masses = massesOf(body, model);
+  ImplicitMotion motion({constraints, body.mesh, masses, body.factors, pins},
+                        {stride * scene.step, scene.motionSize, scene.gravity}, job);
+  motion.setVelocities(run.startVelocities());
+  std::vector<Vec3> rest, displacements;
+  for (const SurfacePoint& sample : samples) rest.push_back(pointOf(constraints.rest(), body.mesh, sample));
+  for (uint32_t step = stride; step <= scene.stepCount; step += stride) {
+    if (!motion.step(job)) return std::nullopt;
+    report(static_cast<double>(step) / scene.stepCount);
+    if (step % recordEvery != 0) continue;
+    for (size_t i = 0; i < rest.size(); ++i)
+      displacements.push_back(pointOf(motion.positions(), body.mesh, samples[i]) - rest[i]);
+  }
+  return displacements;
+}
+
+}  // namespace limber

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "fit/tune/look/look_scenes.h"
+#include "mesh/surface_point.h"
+
+namespace limber {
+
+// One body on its way through a scene of MotionLook.
+struct LookRun {
+  const LookScene& scene;
+  const MovingBody& body;
+  Pins pins = {};                           // of the body in this scene
+  std::vector<SurfacePoint> samples = {};   // points of the body that are followed
+  uint32_t stride = 1;                      // every step is as long as so many of the scene
+  uint32_t recordEvery = 1;                 // steps of the scene between records, divisible by `stride`
+  std::function<void(double)> report = {};  // called with the fraction that is done
+
+  // In m/s.
+  std::vector<Vec3> startVelocities() const {
+    std::vector<Vec3> velocities;
+    for (const Vec3& p : body.mesh.positions)
+      velocities.push_back(scene.speed * initialVelocity(scene.scenario, p));
+    return velocities;
+  }
+};
+
+// Displacements of the samples in metres, [record sampleCount + sample]; nothing where a body cannot be
+// moved.
+using LookDisplacements = std::optional<std::vector<Vec3>>;
+
+}  // namespace limber

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "base/job.h"
+#include "fit/tune/look/look_run.h"
+
+namespace limber {
+
+// Moves a body of the shell with Morley's element by the XPBD of simulate/simulation.h: its thickness,
+// Young's modulus and density are those that amount to the constants and the total mass of the body. Time is
+// scaled so that a step of the scene is a step of the simulation, of kShellSubsteps / stride substeps.
+// Nothing where the body diverges. Throws Cancelled, and std::invalid_argument where the body has factors per
+// constraint, or no bending stiffness, which needs a thickness.
+inline constexpr int kShellSubsteps = 60;
+LookDisplacements moveShell(const LookRun& run, Job& job);
+
+}  // namespace limber
