@@ -183,6 +183,6 @@ describe('what a report says of them', () => {
     const [errors, told] = describeTuning('jolt', { frequencies, motion });
     expect(errors).toMatch(/40\.00 % with your own numbers, which are kept$/);
     expect(told).toMatch(/so stiffness stays as it is, and masses alone are tuned$/);
-    expect(describeTuning('jolt', { frequencies })).toHaveLength(1);
+    expect(describeTuning('jolt', { frequencies })[1]).toBe('the motion itself was not looked at');
   });
 });

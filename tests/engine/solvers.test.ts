@@ -163,6 +163,7 @@ describe('blender', () => {
     };
     return { original, values: nativeValues(profileOf('blender'), original, result) };
   };
+  const faceAreas = coarse.area / coarse.faces / (fine.area / fine.faces);
   const [edges, vertices] = [coarse.meanEdge / fine.meanEdge, coarse.vertices / fine.vertices];
 
   it('needs tension by the edge, and mass and air by the vertices, for the same stiffness and mass', () => {
@@ -171,8 +172,8 @@ describe('blender', () => {
       tension: original.values.tension * edges,
       mass: original.values.mass / vertices,
       air: Math.min(10, original.values.air / vertices),
-      bending: original.values.bending,
-      bending_damping: original.values.bending_damping * edges,
+      bending: (original.values.bending * edges) / faceAreas,
+      bending_damping: original.values.bending_damping,
       friction: 5,
     });
   });

@@ -34,7 +34,8 @@ const percentOf = (value: number): string => `${value.toFixed(value < 0.1 ? 3 : 
 /** Sentences without their end about what a tuning has found, for the terminal and the page. */
 export function describeTuning(solver: SolverName, { frequencies, motion }: SolverReport): string[] {
   const isKept = motion?.kept !== 'untouched';
-  return [describeFrequencies(solver, frequencies, isKept), ...(motion ? [describeMotion(motion)] : [])];
+  const moved = motion ? describeMotion(motion) : 'the motion itself was not looked at';
+  return [describeFrequencies(solver, frequencies, isKept), moved];
 }
 
 function describeFrequencies(

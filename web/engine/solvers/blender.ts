@@ -1,14 +1,17 @@
 /**
  * Blender 4.5, the cloth modifier with angular bending (source/blender/simulation/intern/SIM_mass_spring.cpp,
- * cloth_calc_spring_force). Edges are springs of the stiffness tension / (mean length of all springs), the same for all of them;
- * inner edges are hinges 1/2 (0.1 bending l) (d theta)^2. Set compression to tension: then springs resist both ways alike. Shear
- * springs exist in quads alone. `mass` is that of every vertex, and there is no map for it. Air acts on every vertex with
- * 0.01 air times its velocity (SIM_mass_spring_force_drag). Stiffness can vary by vertex groups, towards the maxima.
+ * cloth_calc_spring_force). Edges are springs of the stiffness tension / (mean length of all springs), the same for all of them.
+ * Set compression to tension: then springs resist both ways alike. Shear springs exist in quads alone. Bending gives each corner
+ * opposite an inner edge the force 0.1 bending l dtheta / 3 (implicit_blender.c, spring_angular), as a hinge of the stiffness
+ * 0.1 bending (A1 + A2) / 3 does (tests/bench/engines/blender_engine.py); the panel takes hinges by length with the same mean.
+ * `mass` is that of every vertex, and there is no map for it. Air acts on every vertex with 0.01 air times its velocity
+ * (SIM_mass_spring_force_drag). Stiffness can vary by vertex groups, towards the maxima.
  *
  * Units: gravity enters times 0.001 and time counts in frames (cloth_calc_force), so that gravity is real where a frame lasts
  * sqrt(0.001) s, 31.6 frames a second. In that time stiffness in N/m is 1000 times what the modifier has.
  */
 
+import type { MeshFacts } from './mesh_facts';
 import { hingeOfPlate, springOfPlate } from './plate';
 import { asItIs, perVertex, withEdge } from './profile';
 import type { Change, SolverProfile } from './profile';
@@ -17,9 +20,12 @@ import type { Change, SolverProfile } from './profile';
 const TIME = 1000;
 const HINGE = 0.1;
 
-/** Damping of a spring, and of a hinge whose stiffness has the length of its edge in it. */
+/** The mean stiffness (N m) of a hinge for `bending` 1: a third of the areas of both of its triangles. */
+const hingeOf = ({ area, faces }: MeshFacts): number => (TIME * HINGE * 2 * area) / (3 * faces);
+
+/** Damping follows the stiffness. Bending has the length of its edge in its stiffness, not in its damping. */
 const withSpring = ({ stretch }: Change): number => stretch;
-const withHinge = ({ bend, edge }: Change): number => bend * edge;
+const withHinge = ({ bend }: Change): number => bend;
 
 export const blender: SolverProfile = {
   name: 'blender',
@@ -115,26 +121,33 @@ export const blender: SolverProfile = {
       carried: asItIs,
     },
   ],
-  defaults(material, { area, vertices, meanEdge }) {
+  defaults(material, facts) {
+    const { area, vertices, meanEdge } = facts;
     return {
       tension: (springOfPlate(material) * meanEdge) / TIME,
-      bending: hingeOfPlate(material) / meanEdge / HINGE / TIME,
+      bending: hingeOfPlate(material) / hingeOf(facts),
       mass: (material.density * material.thickness * area) / vertices,
       ...{ shear: 5, air: 1, tension_damping: 5, bending_damping: 0.5 },
       ...{ distance_min: 0.015, self_distance_min: 0.015, friction: 5, quality: 20 },
     };
   },
-  constants: ({ tension, bending, mass }, { area, vertices, meanEdge, unit }) => ({
-    stretch: (TIME * tension) / meanEdge,
-    secondStretch: 0,
-    bend: TIME * HINGE * bending,
-    poisson: 0,
-    surfaceDensity: (mass * vertices) / area,
-    unit,
-  }),
-  elastic: ({ stretch, bend, surfaceDensity }, { area, vertices, meanEdge }) => ({
-    tension: (stretch * meanEdge) / TIME,
-    bending: bend / TIME / HINGE,
-    mass: (surfaceDensity * area) / vertices,
-  }),
+  constants({ tension, bending, mass }, facts) {
+    const { area, vertices, meanEdge, unit } = facts;
+    return {
+      stretch: (TIME * tension) / meanEdge,
+      secondStretch: 0,
+      bend: (bending * hingeOf(facts)) / meanEdge,
+      poisson: 0,
+      surfaceDensity: (mass * vertices) / area,
+      unit,
+    };
+  },
+  elastic({ stretch, bend, surfaceDensity }, facts) {
+    const { area, vertices, meanEdge } = facts;
+    return {
+      tension: (stretch * meanEdge) / TIME,
+      bending: (bend * meanEdge) / hingeOf(facts),
+      mass: (surfaceDensity * area) / vertices,
+    };
+  },
 };

@@ -19,7 +19,7 @@ export const jolt: SolverProfile = {
   bend: 'hinge',
   mass: 'vertex',
   takes: { vertexMaps: true, constraintValues: true, vertexMasses: true },
-  status: 'derived',
+  status: 'verified',
   isLocal: true,
   parameters: [
     { name: 'compliance', alias: 'mCompliance', unit: 'm/N', min: 1e-15, max: 1e9, words: 'of every edge' },

@@ -23,7 +23,7 @@ export const mujoco: SolverProfile = {
   bend: 'hinge-area',
   mass: 'vertex',
   takes: { vertexMaps: true, constraintValues: true, vertexMasses: true },
-  status: 'derived',
+  status: 'verified',
   isLocal: false,
   parameters: [
     { name: 'young', unit: 'Pa', min: 1e-6, max: 1e15, words: "Young's modulus" },

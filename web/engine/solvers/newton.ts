@@ -24,7 +24,7 @@ export const newton: SolverProfile = {
   bend: 'hinge-length',
   mass: 'area',
   takes: { vertexMaps: true, constraintValues: true, vertexMasses: true },
-  status: 'derived',
+  status: 'verified',
   isLocal: false,
   parameters: [
     { name: 'tri_ke', unit: 'N/m', min: 1e-12, max: 1e15, words: 'shear stiffness of triangles' },

@@ -76,7 +76,7 @@ export interface SolverProfile {
   /** how the engine distributes the mass of a body by itself */
   mass: MassRule;
   takes: Takes;
-  /** verified: frequencies of the panel's solver agree with the engine's own; derived: from its sources and documents alone */
+  /** verified: frequencies of the panel's solver agree with the engine's own (docs/engines.md); derived: from its sources alone */
   status: 'generic' | 'verified' | 'derived';
   /** whether the number of substeps that is needed follows from the stiffest constraint: explicit steps and XPBD */
   isLocal: boolean;
