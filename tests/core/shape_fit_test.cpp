@@ -268,13 +268,13 @@ TEST(ShapeFit, doesNothingToAWholeMeshAndCanBeCancelled) {
 
 // Triangles that are closest to no sample of the original, here because a plate twice as fine lies on them,
 // would have nothing that holds them.
-TEST(SurfaceFit, holdsTrianglesThatNoSampleFinds) {
+TEST(SurfaceFit, keepsThePlanesOfTrianglesThatNoSampleFinds) {
   TriangleMesh mesh = shapes::grid(2, 2);
   const Topology topology = buildTopology(mesh);
   FitSamples samples;
   samples.surface.push_back({{0.1, 0.05, 0}, {0, 0, 1}, 0.5});
-  const auto stiffnessAt = [&](bool holds) {
-    const SurfaceFit fit = fitSurface(mesh, topology, samples, {.holdsUnsampled = holds});
+  const auto stiffnessAt = [&](bool keeps) {
+    const SurfaceFit fit = fitSurface(mesh, topology, samples, {.keepsUnsampled = keeps});
     return fit.hessian.coeff(3 * 8 + 2, 3 * 8 + 2);  // across the plane, at the corner far from the sample
   };
   EXPECT_EQ(stiffnessAt(false), 0);

@@ -84,7 +84,7 @@ describe('a largest frequency error', () => {
   };
 
   it.each([
-    ['with the fit', torus(16, 8), { maxFrequencyError: 8 }],
+    ['with the fit to the modes', torus(16, 8), { maxFrequencyError: 8, fit: 'modal' as const }],
     ['without the fit', torus(), { maxFrequencyError: 4, fit: 'off' as const }],
     ['of a sheet', grid(10, 14), { maxFrequencyError: 3, method: 'qem' as const }],
   ])('holds %s, and fewer faces break it', (_, mesh, change) => {

@@ -28,7 +28,7 @@ void ShapeRounds::move() {
   SurfaceFit fit = fitSurface(mesh, topology, samples_,
                               {.evenness = tuning::surface_rounds::kEvenness,
                                .normalWeight = NormalWeight::Angle,
-                               .holdsUnsampled = true,
+                               .keepsUnsampled = true,
                                .featureEdges = &part_.featureEdges,
                                .startTriangles = std::move(closestTriangles_)});
   closestTriangles_ = std::move(fit.closestTriangles);

@@ -18,14 +18,16 @@ function ours(loaded, name, changes) {
   return { name, isOurs: true, holdsPins: true, version, settings, run };
 }
 
-/** Our methods in this build of the engine, each with `changes`. */
+/** Our methods in this build of the engine, each with `changes`. The evaluation is in limber's own shell: so is the fit. */
 export function ourMethods(loaded, changes = {}) {
   const { choices } = loaded.engine.OPTIONS.method;
-  const knowsFit = 'fit' in loaded.engine.OPTIONS;
   return choices.flatMap((method) => {
-    const plain = ours(loaded, method, { ...changes, method });
-    if (method !== 'limber' || !knowsFit || 'fit' in changes) return [plain];
-    return [plain, ours(loaded, 'limber without fit', { ...changes, method, fit: 'off' })];
+    if (method !== 'limber' || 'fit' in changes) return [ours(loaded, method, { ...changes, method })];
+    return [
+      ours(loaded, method, { ...changes, method, fit: 'modal' }),
+      ours(loaded, 'limber, surface fit', { ...changes, method, fit: 'surface' }),
+      ours(loaded, 'limber without fit', { ...changes, method, fit: 'off' }),
+    ];
   });
 }
 

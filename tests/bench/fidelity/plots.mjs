@@ -8,6 +8,7 @@ const ROW = 24;
 /** Our methods are blue, the peers have warm colours and greys; each has its own shape for colour-blind readers. */
 const STYLES = {
   [SUBJECT]: ['#0072b2', 'circle'],
+  'limber, surface fit': ['#1f9bd1', 'circle'],
   'limber without fit': ['#56b4e9', 'circle'],
   qem: ['#007a5a', 'square'],
   paper: ['#6a51a3', 'square'],

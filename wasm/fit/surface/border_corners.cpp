@@ -7,7 +7,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kStraight = std::numbers::pi, kLeastTurn = std::numbers::pi / 6;
+constexpr double kStraight = std::numbers::pi, kCornerAngle = std::numbers::pi / 6;
 
 double interiorAngle(const TriangleMesh& mesh, const Topology& topology, uint32_t v) {
   double sum = 0;
@@ -27,7 +27,7 @@ std::vector<uint8_t> findBorderCorners(const TriangleMesh& mesh, const Topology&
   for (const Topology::Edge& edge : topology.edges)
     if (edge.useCount == 1)
       for (const uint32_t v : {edge.a, edge.b})
-        isCorner[v] = std::abs(interiorAngle(mesh, topology, v) - kStraight) > kLeastTurn;
+        isCorner[v] = std::abs(interiorAngle(mesh, topology, v) - kStraight) > kCornerAngle;
   return isCorner;
 }
 

@@ -103,7 +103,7 @@ void addContacts(const FitSamples& samples, SurfaceFit& fit, ModelSums& sums) {
   }
 }
 
-void holdUnsampled(ModelSums& sums) {
+void keepUnsampled(ModelSums& sums) {
   for (uint32_t t = 0; t < sums.mesh.triangleCount(); ++t) {
     if (!std::ranges::all_of(sums.triangles[t], [](const auto& block) { return block.isZero(); })) continue;
     const Eigen::Vector3d n = eigen(normalized(areaNormal(sums.mesh, t)));
@@ -180,7 +180,7 @@ SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const 
   fit.closestTriangles = options.startTriangles;
   ModelSums sums(mesh);
   addContacts(samples, fit, sums);
-  if (options.holdsUnsampled) holdUnsampled(sums);
+  if (options.keepsUnsampled) keepUnsampled(sums);
   const FeatureSegments features = featureSegments(mesh, topology, options.featureEdges);
   const double edge = std::sqrt(fit.area / std::max(1u, mesh.triangleCount()));
   addFeatures(features, samples.features, constants::kBorderWeight * edge, sums);

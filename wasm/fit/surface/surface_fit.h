@@ -17,7 +17,7 @@ struct SurfaceFitOptions {
   NormalWeight normalWeight = NormalWeight::Area;  // in what evenness takes for the surface around a vertex
   // Whether triangles that are closest to no sample, such as those under another sheet, keep their planes;
   // nothing else would hold their vertices.
-  bool holdsUnsampled = false;
+  bool keepsUnsampled = false;
   const EdgeList* featureEdges = nullptr;     // inner edges that follow the feature edges of the original
   std::vector<uint32_t> startTriangles = {};  // SurfaceFit::closestTriangles of a fit before; may be empty
 };
