@@ -10,13 +10,14 @@
 #include "compare/compare_motion.h"
 #include "compare/motion_deviation.h"
 #include "simulate/running_scenario.h"
+#include "simulate/solid/lattice_body.h"
 #include "transfer/carry_pins.h"
 
 namespace limber {
 
 template <>
 struct Names<SimulationModel> {
-  static constexpr std::array list = {"springs", "shell"};
+  static constexpr std::array list = {"springs", "shell", "solid"};
   static constexpr const char* what = "model of simulation";
 };
 
@@ -65,9 +66,10 @@ struct Fields<MotionDeviation> {
 
 namespace {
 
-SimulationOptions simulationOptionsOf(const val& in) {
+SimulationOptions simulationOptionsOf(const val& in, const TriangleMesh& original) {
   auto options = fromJs<SimulationOptions>(in);
   options.material = fromJs<ElasticMaterial>(in);
+  if (options.model == SimulationModel::Solid && !options.solver) options.cellSize = solidCellSize(original);
   return options;
 }
 
@@ -118,7 +120,7 @@ std::vector<SurfacePoint> bindingOf(const TriangleMesh& original, const Triangle
 val jsCompareMotion(const val& originalIn, const val& resultIn, const val& in) {
   const auto original = meshOf(originalIn);
   MotionOptions options;
-  options.simulation = simulationOptionsOf(in);
+  options.simulation = simulationOptionsOf(in, *original);
   options.scenario = scenarioOf(*original, in);
   options.pinned = pinnedOf(*original, options.scenario, in);
   options.records = in["records"].as<bool>();
@@ -163,7 +165,7 @@ val jsStartSimulation(const val& meshIn, const val& originalIn, const val& in) {
   const Scenario scenario = scenarioOf(*original, in);
   const auto binding = bindingOf(*original, *mesh, in["binding"]);
   const Pins pins = carryPins(*original, pinnedOf(*original, scenario, in), *mesh, binding);
-  RunningScenario body(*mesh, simulationOptionsOf(in), scenario, pins);
+  RunningScenario body(*mesh, simulationOptionsOf(in, *original), scenario, pins);
   MotionSamples samples(*original, *mesh, body.simulation());
   running.emplace(++lastNumber, Running{std::move(body), std::move(samples), scenario.box.diagonal()});
   return val(lastNumber);

@@ -29,6 +29,17 @@ std::vector<uint32_t> splitLongEdges(TriangleMesh& mesh, const Topology& topolog
   return middle;
 }
 
+// Appends the ends of the edges that the vertices from `before` on lie in the middle of.
+void addParents(const Topology& topology, const std::vector<uint32_t>& middle, uint32_t before,
+                std::vector<std::array<uint32_t, 2>>& parents) {
+  const size_t first = parents.size();
+  for (uint32_t e = 0; e < middle.size(); ++e) {
+    if (middle[e] == kNone) continue;
+    parents.resize(std::max(parents.size(), first + middle[e] - before + 1));
+    parents[first + middle[e] - before] = {topology.edges[e].a, topology.edges[e].b};
+  }
+}
+
 // Appends the pieces of a triangle with no, one, two or three split edges, with the winding of the triangle.
 // middle[c] is the middle vertex of the edge opposite to corner c, or kNone.
 void addPieces(const Triangle& triangle, std::array<uint32_t, 3> middle, std::vector<Triangle>& pieces) {
@@ -46,7 +57,8 @@ void addPieces(const Triangle& triangle, std::array<uint32_t, 3> middle, std::ve
 
 }  // namespace
 
-void refinePinnedFaces(TriangleMesh& mesh, std::vector<uint32_t>& pinned, double length) {
+void refinePinnedFaces(TriangleMesh& mesh, std::vector<uint32_t>& pinned, double length,
+                       std::vector<std::array<uint32_t, 2>>* parents) {
   std::vector<uint8_t> isPinned(mesh.vertexCount(), 0);
   for (uint32_t v : pinned) isPinned[v] = 1;
   for (;;) {
@@ -55,6 +67,7 @@ void refinePinnedFaces(TriangleMesh& mesh, std::vector<uint32_t>& pinned, double
     const std::vector<uint32_t> middle = splitLongEdges(mesh, topology, isPinned, length);
     if (mesh.vertexCount() == before) return;
     for (uint32_t v = before; v < mesh.vertexCount(); ++v) pinned.push_back(v);
+    if (parents) addParents(topology, middle, before, *parents);
     std::vector<Triangle> pieces;
     for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
       const auto middleOpposite = [&](uint32_t c) { return middle[topology.edgeOpposite(Corner(t, c))]; };

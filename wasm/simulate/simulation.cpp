@@ -5,6 +5,7 @@
 #include <string>
 
 #include "simulate/simulation_state.h"
+#include "simulate/solid/solid_simulation.h"
 
 namespace limber {
 
@@ -56,25 +57,32 @@ Simulation::Simulation(const TriangleMesh& mesh, const SimulationOptions& option
   requireOptions(options);
   requireSolverOf(options, mesh);
   requirePins(mesh, pins);
-  state_ = std::make_unique<SimulationState>(mesh, options, pins);
+  if (options.model == SimulationModel::Solid && !options.solver)
+    solid_ = std::make_unique<SolidSimulation>(mesh, options, pins);
+  else
+    state_ = std::make_unique<SimulationState>(mesh, options, pins);
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::step(const Job& job, Helpers* helpers) {
+  if (solid_) return solid_->step(job, helpers);
   state_->step(job, helpers);
 }
 
 double Simulation::helpedSeconds() const {
+  if (solid_) return solid_->helpedSeconds();
   return state_->helpedSeconds;
 }
 
 uint32_t Simulation::vertexCount() const {
+  if (solid_) return solid_->vertexCount();
   return state_->particles.count();
 }
 
 Vec3 Simulation::position(uint32_t v) const {
+  if (solid_) return solid_->position(v);
   return state_->particles.positions[state_->slotOf[v]] / state_->options.material.unit;
 }
 
@@ -85,6 +93,7 @@ std::vector<Vec3> Simulation::positions() const {
 }
 
 Vec3 Simulation::position(const SurfacePoint& point) const {
+  if (solid_) return solid_->position(point);
   Vec3 sum;
   for (int c = 0; c < 3; ++c)
     sum += state_->particles.positions[state_->mesh.triangles[point.triangle][c]] * point.barycentric[c];
@@ -92,10 +101,12 @@ Vec3 Simulation::position(const SurfacePoint& point) const {
 }
 
 Vec3 Simulation::velocity(uint32_t v) const {
+  if (solid_) return solid_->velocity(v);
   return state_->velocity(state_->slotOf[v]);
 }
 
 void Simulation::setVelocities(std::span<const Vec3> velocities) {
+  if (solid_) return solid_->setVelocities(velocities);
   Particles& particles = state_->particles;
   for (uint32_t v = 0; v < vertexCount(); ++v) {
     const uint32_t slot = state_->slotOf[v];
@@ -106,47 +117,57 @@ void Simulation::setVelocities(std::span<const Vec3> velocities) {
 }
 
 void Simulation::setGravity(const Vec3& gravity) {
+  if (solid_) return solid_->setGravity(gravity);
   state_->gravity = gravity;
 }
 
 void Simulation::setWind(const Vec3& wind) {
+  if (solid_) return solid_->setWind(wind);
   state_->wind = wind;
 }
 
 void Simulation::setGround(double height) {
+  if (solid_) return solid_->setGround(height);
   state_->collisionScene.ground = height * state_->options.material.unit;
 }
 
 void Simulation::setColliders(std::span<const Collider> colliders) {
-  const double unit = state_->options.material.unit;
   for (const Collider& c : colliders)
     if (!(c.radius > 0)) throw std::invalid_argument("The radius of a collider must be above 0.");
+  if (solid_) return solid_->setColliders(colliders);
+  const double unit = state_->options.material.unit;
   state_->collisionScene.colliders.clear();
   for (const Collider& c : colliders)
     state_->collisionScene.colliders.push_back({c.from * unit, c.to * unit, c.radius * unit});
 }
 
 void Simulation::drag(const SurfacePoint& point, const Vec3& target) {
-  if (point.triangle >= state_->mesh.triangleCount())
+  const uint32_t triangleCount = solid_ ? solid_->triangleCount() : state_->mesh.triangleCount();
+  if (point.triangle >= triangleCount)
     throw std::invalid_argument("The dragged point lies in a triangle that the mesh does not have.");
+  if (solid_) return solid_->drag(point, target);
   state_->dragged.clear();
   state_->dragged.add(state_->mesh, state_->particles, point);
   state_->dragTarget = target * state_->options.material.unit;
 }
 
 void Simulation::release() {
+  if (solid_) return solid_->release();
   state_->dragged.clear();
 }
 
 void Simulation::setPinTargets(std::span<const Vec3> targets) {
-  if (targets.size() != state_->pins.count())
-    throw std::invalid_argument("There are " + std::to_string(state_->pins.count()) + " pins, but " +
+  const size_t pinCount = solid_ ? solid_->pinCount() : state_->pins.count();
+  if (targets.size() != pinCount)
+    throw std::invalid_argument("There are " + std::to_string(pinCount) + " pins, but " +
                                 std::to_string(targets.size()) + " targets: give one for each.");
+  if (solid_) return solid_->setPinTargets(targets);
   for (size_t i = 0; i < targets.size(); ++i)
     state_->pinTargets[i] = targets[i] * state_->options.material.unit;
 }
 
 double Simulation::kineticEnergy() const {
+  if (solid_) return solid_->kineticEnergy();
   double sum = 0;
   for (uint32_t slot = 0; slot < vertexCount(); ++slot)
     sum += 0.5 * state_->masses[slot] * squaredLength(state_->velocity(slot));
@@ -154,10 +175,12 @@ double Simulation::kineticEnergy() const {
 }
 
 double Simulation::elasticEnergy() const {
+  if (solid_) return solid_->elasticEnergy();
   return state_->elasticEnergy();
 }
 
 bool Simulation::isFinite() const {
+  if (solid_) return solid_->isFinite();
   const Particles& particles = state_->particles;
   for (uint32_t slot = 0; slot < vertexCount(); ++slot)
     if (!limber::isFinite(particles.positions[slot]) || !limber::isFinite(state_->velocity(slot)))
@@ -166,21 +189,25 @@ bool Simulation::isFinite() const {
 }
 
 bool Simulation::hasDiverged() const {
+  if (solid_) return solid_->hasDiverged();
   if (!isFinite()) return true;
   return bounds({state_->particles.positions, {}}).diagonal() > kDivergedGrowth * state_->restDiagonal;
 }
 
 double Simulation::mass() const {
+  if (solid_) return solid_->mass();
   double sum = 0;
   for (const double mass : state_->masses) sum += mass;
   return sum;
 }
 
 uint32_t Simulation::constraintCount() const {
+  if (solid_) return solid_->constraintCount();
   return state_->constraintCount();
 }
 
 uint32_t Simulation::edgeCount() const {
+  if (solid_) return solid_->edgeCount();
   return static_cast<uint32_t>(state_->topology.edges.size());
 }
 

@@ -15,6 +15,7 @@ namespace limber {
 
 class Helpers;
 struct SimulationState;
+class SolidSimulation;
 
 // One elastic surface in motion, solved by XPBD with small substeps and one pass per substep (Macklin et al.
 // 2016, 2019). Masses are lumped: every vertex has a third of the mass of its triangles, unless a solver of
@@ -79,6 +80,7 @@ class Simulation {
 
  private:
   std::unique_ptr<SimulationState> state_;
+  std::unique_ptr<SolidSimulation> solid_;  // instead of state_ where the model is Solid
 };
 
 }  // namespace limber

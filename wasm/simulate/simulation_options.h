@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/vec3.h"
 #include "elastic/material.h"
 #include "mesh/surface_point.h"
 #include "simulate/simulated_solver.h"
@@ -15,8 +16,9 @@ namespace limber {
 inline constexpr double kStepSeconds = 1.0 / 60;
 
 // Shell: membrane and bending of a thin plate, the same material on every mesh. Springs: the edges, as in the
-// paper (see paperSprings), which are another material on every mesh.
-enum class SimulationModel : int32_t { Springs = 0, Shell = 1 };
+// paper (see paperSprings), which are another material on every mesh. Solid: a lattice through the inside of
+// closed components, in which the surface is embedded; open components are shells.
+enum class SimulationModel : int32_t { Springs = 0, Shell = 1, Solid = 2 };
 
 // Positions and lengths of the mesh, of pins and of colliders are in units of the mesh; everything else is in
 // SI units. Defaults and ranges that users see live in web/engine/settings/options.ts alone.
@@ -31,6 +33,9 @@ struct SimulationOptions {
   double friction = 0;      // Coulomb's coefficient, >= 0, against the ground, colliders and the body itself
   bool keepsVolume = true;  // closed components of a shell behave as if the material filled them
   bool selfCollision = false;  // parts of the body push each other away, see SelfContacts
+  // Solid: the size of the lattice's cells, in units of the mesh. Original and result need the same, see
+  // solidCellSize; 0 derives it from the mesh itself.
+  Vec3 cellSize = {};
   uint32_t order = 0;  // 0 solves constraints in the order of the mesh, n > 0 in the n-th shuffled order
 };
 

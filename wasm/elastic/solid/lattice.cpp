@@ -44,11 +44,11 @@ constexpr double kSliverLeast = 0.4, kSliverMost = 2.5;
 
 class Builder {
  public:
-  Builder(const TriangleMesh& body, uint32_t targetCells, Job& job)
+  Builder(const TriangleMesh& body, const LatticeGrid& grid, Job& job)
       : body_(body),
         job_(job),
         surface_{lattice_.points, body.triangles, lattice_.grid, signedVolume(body) < 0 ? -1 : 1} {
-    lattice_.grid = latticeGrid(body, targetCells);
+    lattice_.grid = grid;
     lattice_.points = inLatticeUnits(body, lattice_.grid);
   }
 
@@ -68,6 +68,7 @@ class Builder {
     for (const RayFamily& family : families_) followRays(pieces, family);
     measureSlivers(pieces);
     attachLooseCopies(pieces);
+    lattice_.cells = pieces.cellsOfCopies();
     numberNodes(copyCount);
     assignVertices(pieces);
     return std::move(lattice_);
@@ -227,7 +228,11 @@ class Builder {
 }  // namespace
 
 Lattice buildLattice(const TriangleMesh& body, uint32_t targetCells, Job& job) {
-  return Builder(body, targetCells, job).build();
+  return Builder(body, latticeGrid(body, targetCells), job).build();
+}
+
+Lattice buildLattice(const TriangleMesh& body, const Vec3& cellSize, Job& job) {
+  return Builder(body, latticeGrid(body, cellSize), job).build();
 }
 
 }  // namespace limber

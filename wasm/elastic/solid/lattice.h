@@ -16,6 +16,7 @@ namespace limber {
 // cell that the surface touches has at least one copy, however thin the body is there.
 struct Lattice {
   LatticeGrid grid;
+  std::vector<uint32_t> cells;      // per copy: its cell of the grid
   std::vector<uint32_t> copyNodes;  // [8 * copy + corner], corners as in `trilinearWeights`
   std::vector<CellMeasure> filled;  // per copy
   // Per copy, [4 * axis + lateral]: the share of the cell's cross-section in which the body ends on the far
@@ -33,5 +34,7 @@ struct Lattice {
 // `body` must be closed and oriented. `targetCells`: the approximate number of copies. Deterministic. O(n log
 // n) in the triangles and the samples of filled cells. Throws Cancelled.
 Lattice buildLattice(const TriangleMesh& body, uint32_t targetCells, Job& job);
+// The same with cells of about the given size, see `latticeGrid`.
+Lattice buildLattice(const TriangleMesh& body, const Vec3& cellSize, Job& job);
 
 }  // namespace limber

@@ -43,12 +43,19 @@ int LatticeGrid::along(int axis, double coordinate) const {
 }
 
 LatticeGrid latticeGrid(const TriangleMesh& body, uint32_t targetCells) {
+  const double side = cellSide(body, targetCells);
+  return latticeGrid(body, Vec3{side, side, side});
+}
+
+LatticeGrid latticeGrid(const TriangleMesh& body, const Vec3& cellSize) {
   const Bounds box = bounds(body);
   const Vec3 size = box.high - box.low;
   LatticeGrid grid;
-  for (double side = cellSide(body, targetCells);; side *= kCoarsening) {
-    for (int axis = 0; axis < 3; ++axis)
-      grid.count[axis] = std::max(1, static_cast<int>(std::lround(size[axis] / side)));
+  for (double factor = 1;; factor *= kCoarsening) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double count = std::min(size[axis] / (factor * cellSize[axis]), double{kMostCells});
+      grid.count[axis] = std::max(1, static_cast<int>(std::lround(count)));
+    }
     if (grid.cellCount() <= kMostCells) break;
   }
   for (int axis = 0; axis < 3; ++axis) {

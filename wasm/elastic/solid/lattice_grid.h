@@ -38,6 +38,9 @@ struct LatticeGrid {
 // body. The box is larger than the body by a millionth of a cell, unevenly, so that no side of the body and
 // no plane of symmetry lies in a side of cells.
 LatticeGrid latticeGrid(const TriangleMesh& body, uint32_t targetCells);
+// The same with cells that are as close to `cellSize` as an even division of the box allows. Given the size
+// of another grid, a body with nearly the same box gets as many cells along each axis.
+LatticeGrid latticeGrid(const TriangleMesh& body, const Vec3& cellSize);
 
 // A closed surface within its lattice.
 struct LatticeSurface {

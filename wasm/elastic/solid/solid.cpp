@@ -51,15 +51,10 @@ SparsePencil assemble(const Lattice& lattice, double poisson, Job& job) {
   SparsePencil pencil;
   for (uint32_t node = 0; node <= lattice.nodeCount; ++node) pencil.firstUnknown.push_back(3 * node);
   const Hexahedron brick(lattice.grid.size, poisson);
-  const CellMeasure full = fullCell();
   ElementAssembly assembly(pencil.firstUnknown, lattice.copyNodes, 8);
   for (uint32_t copy = 0; copy < lattice.copyCount(); ++copy) {
     if (copy % kCheckInterval == 0) job.check();
-    CellMeasure filled = lattice.filled[copy];
-    const double fraction = filledFraction(filled);
-    const double added = kEmptyStiffness + (fraction < kSliver ? kStiffnessOfMass * fraction : 0);
-    for (int q = 0; q < 27; ++q) filled[q] += added * full[q];
-    assembly.add(copy, brick.stiffness(filled));
+    assembly.add(copy, brick.stiffness(stiffnessMeasure(lattice.filled[copy])));
   }
   pencil.k = assembly.take();
   std::vector<double> mass = latticeMass(lattice, brick);
@@ -84,6 +79,15 @@ void embed(const Lattice& lattice, SolidModel& solid) {
 }
 
 }  // namespace
+
+CellMeasure stiffnessMeasure(const CellMeasure& filled) {
+  static const CellMeasure full = fullCell();
+  const double fraction = filledFraction(filled);
+  const double added = kEmptyStiffness + (fraction < kSliver ? kStiffnessOfMass * fraction : 0);
+  CellMeasure measure = filled;
+  for (int q = 0; q < 27; ++q) measure[q] += added * full[q];
+  return measure;
+}
 
 SolidModel solidModel(const TriangleMesh& body, const SolidOptions& options, Job& job) {
   const Lattice lattice = buildLattice(body, options.targetCells, job);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/job.h"
+#include "elastic/solid/hexahedron.h"
 #include "linear/sparse_pencil.h"
 #include "mesh/triangle_mesh.h"
 
@@ -29,5 +30,9 @@ struct SolidOptions {
 // size of the cells. Each connected part has six rigid motions. O(n log n) in the triangles and the samples
 // of filled cells. Throws Cancelled.
 SolidModel solidModel(const TriangleMesh& body, const SolidOptions& options, Job& job);
+
+// How the cell of a lattice is filled as far as its stiffness goes: a little stiffness is added where there
+// is next to none (solid.cpp).
+CellMeasure stiffnessMeasure(const CellMeasure& filled);
 
 }  // namespace limber
