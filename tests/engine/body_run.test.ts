@@ -65,11 +65,11 @@ const READERS: Record<RunSettingName, StageName[]> = {
   maxFrequencyError: ['fitted'],
   targetFaces: ['level', 'fitted', 'explanation'],
   lods: ['furtherLevels'],
-  solver: ['tuned', 'tunedLevels'],
-  tune: ['tuned', 'tunedLevels'],
-  engine: ['tuned', 'tunedLevels'],
-  bendRatio: ['tuned', 'tunedLevels'],
-  massRule: ['tuned', 'tunedLevels'],
+  solver: ['fitted', 'tuned', 'tunedLevels'],
+  tune: ['fitted', 'tuned', 'tunedLevels'],
+  engine: ['fitted', 'tuned', 'tunedLevels'],
+  bendRatio: ['fitted', 'tuned', 'tunedLevels'],
+  massRule: ['fitted', 'tuned', 'tunedLevels'],
   calibrate: ['written', 'writtenLevels'],
   fields: ['written', 'writtenLevels'],
   // Only simulations and the core itself read these.
@@ -107,7 +107,7 @@ const OTHER: RunSettings = {
     Uint8Array.from({ length: vertexCount(mesh) }, (_, v) => v % 9),
   ),
   ...{ young: 2e6, poisson: 0.2, density: 500, thickness: 3, unit: 0.1 },
-  ...{ solver: 'dihedral', tune: 'vertex', engine: 'stretch=200', bendRatio: 0.1, massRule: 'vertex' },
+  ...{ solver: 'hinge-shell', tune: 'vertex', engine: 'stretch=200', bendRatio: 0.1, massRule: 'vertex' },
   ...{ scenario: 'wind', material: 'springs', seconds: 1, substeps: 9, converge: true, damping: 1 },
   ...{ selfCollision: true, colliders: 'ground:0', friction: 0.1, calibrate: false, weld: 4 },
   ...{ threads: 1, targetFaces: 12, fields: false },
@@ -117,7 +117,7 @@ const OTHER: RunSettings = {
 const everything = (method: Settings['method']): RunSettings => ({
   ...defaultSettings(method),
   ...{ modeCount: 4, modes: [1, 2], lods: [0.5], calibrate: true, maxFrequencyError: 90 },
-  ...{ curvatureWeight: 1, targetFaces: 14, fields: true, solver: 'springs' },
+  ...{ curvatureWeight: 1, targetFaces: 14, fields: true, solver: 'dihedral' },
 });
 
 let core: Core;

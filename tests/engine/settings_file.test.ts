@@ -169,8 +169,8 @@ describe('what a report says of them', () => {
   it('reads as sentences', () => {
     const { solvers } = solverReport([tunedBody('springs')]).fidelity;
     expect(describeTuning('springs', solvers.springs!)).toEqual([
-      'in Springs the first ten frequencies are off 5.00 % with the settings (modes that were not tuned 7.00 %), 40.00 % without',
-      'swaying it is 0.40 % of its size away from the original with them, 1.50 % without (noise 0.010 %)',
+      'in Springs the first ten frequencies are off 5.00 % tuned (modes that were not tuned 7.00 %), 40.00 % with your own numbers',
+      'swaying it is 0.40 % of its size away from the original tuned, 1.50 % with your own numbers (noise 0.010 %)',
     ]);
     const { frequencies } = solvers.springs!;
     const motion = {
@@ -180,7 +180,9 @@ describe('what a report says of them', () => {
       noiseFloor: 0.01,
       kept: 'untouched' as const,
     };
-    expect(describeTuning('jolt', { frequencies, motion })[1]).toMatch(/so the factors stay at 1$/);
+    const [errors, told] = describeTuning('jolt', { frequencies, motion });
+    expect(errors).toMatch(/40\.00 % with your own numbers, which are kept$/);
+    expect(told).toMatch(/so stiffness stays as it is, and masses alone are tuned$/);
     expect(describeTuning('jolt', { frequencies })).toHaveLength(1);
   });
 });

@@ -33,18 +33,21 @@ const percentOf = (value: number): string => `${value.toFixed(value < 0.1 ? 3 : 
 
 /** Sentences without their end about what a tuning has found, for the terminal and the page. */
 export function describeTuning(solver: SolverName, { frequencies, motion }: SolverReport): string[] {
-  return [describeFrequencies(solver, frequencies), ...(motion ? [describeMotion(motion)] : [])];
+  const isKept = motion?.kept !== 'untouched';
+  return [describeFrequencies(solver, frequencies, isKept), ...(motion ? [describeMotion(motion)] : [])];
 }
 
 function describeFrequencies(
   solver: SolverName,
   { errorUntouched, errorTuned, errorUnseen }: Partial<TunedFrequencies>,
+  isKept: boolean,
 ): string {
   const { label } = profileOf(solver);
   if (errorUntouched === undefined || errorTuned === undefined)
     return `in ${label} this shape bends without resistance, so there are no frequencies to tune: masses are, the factors stay at 1`;
   const unseen = errorUnseen === undefined ? '' : ` (modes that were not tuned ${percentOf(errorUnseen)})`;
-  return `in ${label} the first ten frequencies are off ${percentOf(errorTuned)} with the settings${unseen}, ${percentOf(errorUntouched)} without`;
+  const errors = `in ${label} the first ten frequencies are off ${percentOf(errorTuned)} tuned${unseen}, ${percentOf(errorUntouched)} with your own numbers`;
+  return isKept ? errors : `${errors}, which are kept`;
 }
 
 const SCENES: Record<string, string> = {
@@ -54,6 +57,6 @@ const SCENES: Record<string, string> = {
 };
 
 function describeMotion({ scene, untouched, tuned, noiseFloor, kept }: TunedMotion): string {
-  const told = `${SCENES[scene] ?? scene} it is ${percentOf(tuned)} of its size away from the original with them, ${percentOf(untouched)} without (noise ${percentOf(noiseFloor)})`;
-  return kept === 'tuned' ? told : `${told}, so the factors stay at 1`;
+  const told = `${SCENES[scene] ?? scene} it is ${percentOf(tuned)} of its size away from the original tuned, ${percentOf(untouched)} with your own numbers (noise ${percentOf(noiseFloor)})`;
+  return kept === 'tuned' ? told : `${told}, so stiffness stays as it is, and masses alone are tuned`;
 }

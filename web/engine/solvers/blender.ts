@@ -41,6 +41,15 @@ export const blender: SolverProfile = {
       words: 'stiffness of edges, for compression too',
     },
     {
+      name: 'shear',
+      alias: 'shear_stiffness',
+      unit: '',
+      min: 0,
+      max: 10000,
+      words: 'stiffness of the diagonals of quads, of which triangles have none',
+      carried: ({ stretch, edge }) => stretch * edge,
+    },
+    {
       name: 'bending',
       alias: 'bending_stiffness',
       unit: '',
@@ -111,7 +120,7 @@ export const blender: SolverProfile = {
       tension: (springOfPlate(material) * meanEdge) / TIME,
       bending: hingeOfPlate(material) / meanEdge / HINGE / TIME,
       mass: (material.density * material.thickness * area) / vertices,
-      ...{ air: 1, tension_damping: 5, bending_damping: 0.5 },
+      ...{ shear: 5, air: 1, tension_damping: 5, bending_damping: 0.5 },
       ...{ distance_min: 0.015, self_distance_min: 0.015, friction: 5, quality: 20 },
     };
   },

@@ -24,6 +24,8 @@ export interface TuneRequest {
   material: SolverMaterial;
   /** 'auto': as the engine does it by itself */
   massRule: MassRule | 'auto';
+  /** whether the motion is looked at before anything is handed over */
+  looks: boolean;
 }
 
 /** An original and a coarse mesh of it, both welded, with the vertices that are pinned. */
@@ -67,7 +69,7 @@ export function tuneBody(core: Core, pair: TunedPair, request: TuneRequest): Tun
     pinnedResult: pair.pinnedResult,
     tune: request.tune,
     tunedMass: massRule,
-    looks: true,
+    looks: request.looks,
   });
   const constants = tunedConstants(original, untouched, tuned);
   const values = nativeValues(profile, original, { constants, facts: untouched.facts });

@@ -1,14 +1,16 @@
 /** Stage: the result of the body, which is exported. */
 
 import type { FittedResult, FrequencyFinding } from '../body/body_result';
-import { MATERIAL_SETTINGS } from '../body/material';
 import { constraintsStage } from './constraints';
+import type { Settings } from '../settings/options';
 import { FIT_SETTINGS, fitResult, fitSettings } from './fit';
 import { findFrequencyLevel } from './frequency_level';
+import type { FrequencyTarget } from './frequency_level';
 import { keptHistoryStage } from './kept_history';
 import { levelStage } from './level';
 import { preparedStage } from './prepared';
 import { declareStage, where } from './stage';
+import { TUNE_SETTINGS, tuneSettings } from './tune';
 
 export interface FittedLevel extends FittedResult {
   /** null where frequencies are no target */
@@ -22,21 +24,31 @@ const givenLevel = where(
   ({ maxFrequencyError }) => maxFrequencyError === 0,
 );
 
+function frequencyTarget(
+  settings: Pick<Settings, (typeof TUNE_SETTINGS)[number] | 'maxFrequencyError'> & { targetFaces: number },
+): FrequencyTarget | null {
+  const { young, poisson, density, thickness, unit, targetFaces, maxFrequencyError } = settings;
+  if (maxFrequencyError === 0) return null;
+  const { solver, tune, engine, bendRatio, massRule } = settings;
+  const material = { young, poisson, density, thickness, unit };
+  const asked = { solver, tune, engine, bendRatio, massRule, ...material };
+  return { targetFaces, maxFrequencyError, material, tune: tuneSettings(asked) };
+}
+
 /** The level of `targetFaces`, or one of more faces where frequencies would be off too far, fitted to the modes. */
 export const fittedStage = declareStage({
   name: 'fitted',
-  reads: [...FIT_SETTINGS, ...MATERIAL_SETTINGS, 'maxFrequencyError', 'targetFaces'],
+  reads: [...FIT_SETTINGS, ...TUNE_SETTINGS, 'maxFrequencyError', 'targetFaces'],
   needs: {
     prepared: preparedStage,
     constraints: constraintsStage,
     kept: keptHistoryStage,
     level: givenLevel,
   },
-  derive: ({ young, density, unit, maxFrequencyError, targetFaces, ...settings }) => {
-    const { thickness, poisson } = settings;
-    const material = { young, poisson, density, thickness, unit };
-    const frequency = maxFrequencyError > 0 ? { targetFaces, maxFrequencyError, material } : null;
-    return { fit: fitSettings(settings), frequency };
+  derive: (settings) => {
+    const { method, fit, seams, maxDeviation, minAngle, thickness, poisson } = settings;
+    const ofFit = { method, fit, seams, maxDeviation, minAngle, thickness, poisson };
+    return { fit: fitSettings(ofFit), frequency: frequencyTarget(settings) };
   },
   run: (context, inputs, { fit, frequency }): FittedLevel => {
     const { prepared, kept, level } = inputs;

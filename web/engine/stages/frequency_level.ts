@@ -4,12 +4,15 @@ import type { FittedResult, FrequencyFinding } from '../body/body_result';
 import { materialOf } from '../body/material';
 import type { MaterialSettings } from '../body/material';
 import type { PreparedBody } from '../body/prepared_body';
+import type { Core, MeshAt } from '../core/core';
 import { faceCount } from '../core/mesh';
 import { fittedLevelAt } from './fit';
 import type { FitRequest } from './fit';
 import { searchFaces } from './frequency_target';
 import type { KeptHistory } from './kept_history';
 import type { RunContext } from './stage';
+import { tunedErrorOf } from './tune';
+import type { TuneSettings } from './tune';
 
 /** The modes that --max-frequency-error looks at. */
 const TARGET_MODES = 6;
@@ -20,28 +23,51 @@ export interface FrequencyTarget {
   /** % */
   maxFrequencyError: number;
   material: MaterialSettings;
+  /** the solver in which the frequencies are judged, tuned; null: as shells, untouched */
+  tune: TuneSettings | null;
 }
 
 /**
- * The fitted level with the fewest faces, at least `targetFaces`, at which each of the first six frequencies, as
- * compareFidelity finds them, is within `maxFrequencyError` of the original's.
+ * The fitted level with the fewest faces, at least `targetFaces`, at which the frequencies are within `maxFrequencyError` of the
+ * original's: each of the first six, as compareFidelity finds them; with a solver the first ten there on average, tuned.
  */
 export function findFrequencyLevel(
   { core, onTry }: RunContext,
   { prepared, kept }: { prepared: PreparedBody; kept: KeptHistory },
   request: FitRequest,
-  { targetFaces, maxFrequencyError: limit, material }: FrequencyTarget,
+  target: FrequencyTarget,
 ): FittedResult & { frequency: FrequencyFinding } {
-  const options = { modeCount: TARGET_MODES, ...materialOf(prepared, material) };
-  const modes = core.shellModes(prepared.mesh, options);
+  const errorOf = target.tune
+    ? tunedErrors(core, prepared, request, target.tune)
+    : shellErrors(core, prepared, target.material);
   const evaluate = (faces: number) => {
     onTry?.(faces);
     const fitted = fittedLevelAt(core, { prepared, kept }, faces, request);
-    const { mesh } = fitted.result;
-    const error = core.frequencyErrors(prepared.mesh, modes, mesh, options).max;
-    return { fitted, faces: faceCount(mesh), error };
+    return { fitted, faces: faceCount(fitted.result.mesh), error: errorOf(fitted.result) };
   };
-  const range = { fewest: targetFaces, most: faceCount(prepared.mesh), limit };
+  const range = {
+    fewest: target.targetFaces,
+    most: faceCount(prepared.mesh),
+    limit: target.maxFrequencyError,
+  };
   const { best, finding } = searchFaces(evaluate, range);
   return { ...best.fitted, frequency: finding };
+}
+
+type ErrorOf = (result: MeshAt) => number;
+
+function shellErrors(core: Core, prepared: PreparedBody, material: MaterialSettings): ErrorOf {
+  const options = { modeCount: TARGET_MODES, ...materialOf(prepared, material) };
+  const modes = core.shellModes(prepared.mesh, options);
+  return ({ mesh }) => core.frequencyErrors(prepared.mesh, modes, mesh, options).max;
+}
+
+function tunedErrors(
+  core: Core,
+  prepared: PreparedBody,
+  { constraints }: FitRequest,
+  settings: TuneSettings,
+): ErrorOf {
+  const pinned = constraints.pinned ?? new Uint32Array();
+  return (result) => tunedErrorOf(core, prepared, { result, pinned }, settings);
 }

@@ -6,8 +6,8 @@ import type { PinnedVertices } from '../body/pins';
 import type { PreparedBody } from '../body/prepared_body';
 import type { Core, MeshAt, TriangleMesh } from '../core/core';
 import { engineValues } from '../settings/engine_text';
+import { SettingError } from '../settings/options';
 import type { Settings } from '../settings/options';
-import { profileOf } from '../solvers/profiles';
 import type { SolverName } from '../solvers/profiles';
 import { tuneBody } from '../solvers/tuned_body';
 import type { TunedBody } from '../solvers/tuned_body';
@@ -40,12 +40,19 @@ function readsBendRatio({ solver, engine }: AllSettings): boolean {
   return !('bend' in engineValues(solver, engine));
 }
 
+/** A coarse mesh with its pins and those of its original. */
+export interface PinnedMesh {
+  mesh: TriangleMesh;
+  pinned: PinnedVertices;
+  pinnedOriginal: PinnedVertices;
+}
+
 /** Tunes `result`, a coarse mesh of the prepared body in the same units, in the solver of the settings. */
 export function tuneMesh(
   core: Core,
   prepared: PreparedBody,
-  result: { mesh: TriangleMesh; pinned: PinnedVertices; pinnedOriginal: PinnedVertices },
-  settings: TuneSettings,
+  result: PinnedMesh,
+  { looks = true, ...settings }: TuneSettings & { looks?: boolean },
 ): TunedBody {
   const { solver, tune, engine, massRule, bendRatio } = settings;
   const { young, poisson, density, thickness, unit } = materialOf(
@@ -60,10 +67,29 @@ export function tuneMesh(
     unit,
   };
   return tuneBody(core, pair, {
-    ...{ solver, tune, massRule },
+    ...{ solver, tune, massRule, looks },
     given: engineValues(solver, engine),
     material: { young, poisson, density, thickness: thickness * unit, bendRatio },
   });
+}
+
+/**
+ * The mean error of the first ten frequencies of a result in the solver of the settings, tuned, in %. Throws SettingError where
+ * the original has no frequencies there.
+ */
+export function tunedErrorOf(
+  core: Core,
+  prepared: PreparedBody,
+  { result, pinned }: { result: MeshAt; pinned: PinnedVertices },
+  settings: TuneSettings,
+): number {
+  const coarse = { mesh: result.mesh, pinned: pinnedOfResult(pinned, result), pinnedOriginal: pinned };
+  const { errorTuned } = tuneMesh(core, prepared, coarse, { ...settings, looks: false }).tuned.frequencies;
+  if (Number.isFinite(errorTuned)) return errorTuned;
+  throw new SettingError(
+    'maxFrequencyError',
+    `cannot be kept in ${settings.solver}, where "${prepared.body.name}" bends without resistance: take another solver.`,
+  );
 }
 
 /** The pinned vertices of a result: those that pinned vertices of the original survived as. Collapses keep their outline. */
@@ -71,6 +97,3 @@ export function pinnedOfResult(pinned: PinnedVertices, { inputOfVertex }: MeshAt
   const isPinned = new Set(pinned);
   return Uint32Array.from([...inputOfVertex.keys()].filter((vertex) => isPinned.has(inputOfVertex[vertex])));
 }
-
-/** What a solver is called in sentences. */
-export const labelOfSolver = (solver: SolverName): string => profileOf(solver).label;

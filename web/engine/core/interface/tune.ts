@@ -54,7 +54,7 @@ export interface TunedFrequencies {
 }
 
 export interface TunedMotion {
-  /** 'sway', 'hang' or 'sway and hang' */
+  /** 'sway' or 'hang' */
   scene: string;
   /** deviations, % of the diagonal */
   untouched: number;
