@@ -11,7 +11,6 @@ namespace limber {
 
 namespace {
 
-constexpr int kMostSubsteps = 10000;
 // A body has diverged when its bounding box grows beyond this many times its diagonal at rest.
 constexpr double kDivergedGrowth = 10;
 
