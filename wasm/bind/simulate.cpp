@@ -69,7 +69,7 @@ namespace {
 SimulationOptions simulationOptionsOf(const val& in, const TriangleMesh& original) {
   auto options = fromJs<SimulationOptions>(in);
   options.material = fromJs<ElasticMaterial>(in);
-  if (options.model == SimulationModel::Solid) options.cellSize = solidCellSize(original);
+  if (options.model == SimulationModel::Solid && !options.solver) options.cellSize = solidCellSize(original);
   return options;
 }
 

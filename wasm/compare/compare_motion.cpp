@@ -156,8 +156,6 @@ class ComparedMotions {
     return found;
   }
 
-  static constexpr int kMostSubsteps = 10000;  // of a Simulation
-
   const TriangleMesh& original_;
   const TriangleMesh& other_;
   const MotionOptions& options_;

@@ -11,7 +11,6 @@ namespace limber {
 
 namespace {
 
-constexpr int kMostSubsteps = 10000;
 // A body has diverged when its bounding box grows beyond this many times its diagonal at rest.
 constexpr double kDivergedGrowth = 10;
 
@@ -57,7 +56,7 @@ Simulation::Simulation(const TriangleMesh& mesh, const SimulationOptions& option
   requireOptions(options);
   requireSolverOf(options, mesh);
   requirePins(mesh, pins);
-  if (options.model == SimulationModel::Solid)
+  if (options.model == SimulationModel::Solid && !options.solver)
     solid_ = std::make_unique<SolidSimulation>(mesh, options, pins);
   else
     state_ = std::make_unique<SimulationState>(mesh, options, pins);

@@ -103,6 +103,10 @@ function checkCalibration({ settings, operands }: Arguments): void {
     throw new UsageError(
       '--calibrate is for --material shell: springs have no stiffness against bending that a factor could match.',
     );
+  if (settings.material === 'solid')
+    throw new UsageError(
+      '--calibrate is for --material shell: solids of A and B have lattices of the same size, so that there is nothing to match.',
+    );
 }
 
 /** The settings that B was tuned with; null: B is simulated as it is. */

@@ -474,9 +474,9 @@ const ROWS = {
     flag: 'material',
     label: 'Simulated as',
     default: 'shell',
-    help: 'What the simulation is made of without a solver: shell (membrane and bending, the same on any mesh) or springs (the edges, as in the paper, stiff by the triangles beside them).',
+    help: 'What the simulation is made of without a solver: shell (membrane and bending, the same on any mesh), solid (closed parts have an inside, a lattice as coarse in both bodies; open ones are shells) or springs (the edges, as in the paper, stiff by the triangles beside them).',
     group: 'simulation',
-    choices: ['shell', 'springs'],
+    choices: ['shell', 'solid', 'springs'],
   },
   seconds: {
     kind: 'number',

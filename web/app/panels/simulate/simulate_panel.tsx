@@ -24,11 +24,6 @@ function describeScenario(scenario: Settings['scenario']): string {
   return pinSource.value === 'scenario' && pinned ? `${sentence} ${pinned} held.` : sentence;
 }
 
-const MATERIALS: { value: Settings['material']; text: string; title: string }[] = [
-  { value: 'shell', text: 'Shell', title: 'Membrane and bending: the same material on any mesh' },
-  { value: 'springs', text: 'Springs', title: 'The edges, as in the paper: another material on every mesh' },
-];
-
 const LAYOUTS = [
   { value: 'beside', text: 'Side by side' },
   { value: 'over', text: 'Overlaid' },
@@ -74,15 +69,6 @@ function More() {
   return (
     <details class="more">
       <summary>More</summary>
-      <div class="control">
-        <span title={OPTIONS.material.help}>{OPTIONS.material.label}</span>
-        <Choice
-          label={OPTIONS.material.label}
-          options={MATERIALS}
-          value={wants.settings.value.material}
-          onChange={(material) => changeSettings({ material })}
-        />
-      </div>
       <CollidersText />
       <SettingControls section="simulation" />
       <Toggle

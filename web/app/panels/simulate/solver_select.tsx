@@ -1,43 +1,60 @@
 /** In which solver both bodies move, and whether the optimized one has what tuning found for it. */
 
 import { profileOf, SOLVER_NAMES } from '../../../engine/solvers/profiles';
+import type { SolverName } from '../../../engine/solvers/profiles';
 import type { Settings } from '../../../engine/settings/options';
 import { changeSettings, status, wants } from '../../state/store';
 import { twin, usedTuning } from '../../state/twin';
 import { Choice, Select } from '../../controls/controls';
 
+type Material = Settings['material'];
+
 /** What moves without a solver of the panel. */
-const OWN: Record<Settings['material'], string> = { shell: "Limber's shell", springs: "The paper's springs" };
+const OWN: Record<Material, { text: string; title: string }> = {
+  shell: { text: "Limber's shell", title: 'Membrane and bending: the same material on any mesh' },
+  solid: {
+    text: "Limber's solid",
+    title: 'Closed parts have an inside, the same in both bodies; open ones are shells',
+  },
+  springs: {
+    text: "The paper's springs",
+    title: 'The edges, as in the paper: another material on every mesh',
+  },
+};
+const OWN_NAMES = Object.keys(OWN) as Material[];
+
+/** Materials of the program stand before the solvers of engines, under names that no solver has. */
+const ownValue = (material: Material): string => `own ${material}`;
+
+const OPTIONS = [
+  ...OWN_NAMES.map((material) => ({ value: ownValue(material), text: OWN[material].text })),
+  ...SOLVER_NAMES.map((name) => ({ value: name as string, text: profileOf(name).label })),
+];
 
 export function SolverSelect() {
   const { solver, material } = wants.settings.value;
-  const options = [
-    { value: 'none', text: OWN[material] },
-    ...SOLVER_NAMES.map((name) => ({ value: name, text: profileOf(name).label })),
-  ];
   return (
     <>
       <Select
         label="Solver"
-        title={titleOf(solver)}
-        options={options}
-        value={solver}
-        onChange={(value) =>
-          changeSettings({
-            solver: value as Settings['solver'],
-            engine: '',
-            tune: 'global',
-            massRule: 'auto',
-          })
-        }
+        title={solver === 'none' ? OWN[material].title : titleOf(solver)}
+        options={OPTIONS}
+        value={solver === 'none' ? ownValue(material) : solver}
+        onChange={choose}
       />
       {solver !== 'none' && <Tuning />}
     </>
   );
 }
 
-function titleOf(solver: Settings['solver']): string {
-  if (solver === 'none') return 'What both bodies are made of: see Simulated as, under More.';
+function choose(value: string): void {
+  const material = OWN_NAMES.find((own) => ownValue(own) === value);
+  const others = { engine: '', tune: 'global', massRule: 'auto' } as const;
+  if (material) changeSettings({ solver: 'none', material, ...others });
+  else changeSettings({ solver: value as SolverName, ...others });
+}
+
+function titleOf(solver: SolverName): string {
   const { words, status } = profileOf(solver);
   const known = status === 'derived' ? ' Derived from its documents, not checked against the engine.' : '';
   return `Both bodies are ${words}, solved here by XPBD.${known}`;

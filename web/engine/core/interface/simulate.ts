@@ -7,9 +7,9 @@ import type { Binding } from './transfer';
 import type { SolverConstants, SolverModel } from './tune';
 
 /** In the order of `enum class SimulationModel` in wasm/simulate/simulation.h. */
-export const SIMULATION_MODELS = ['springs', 'shell'] as const;
+export const SIMULATION_MODELS = ['springs', 'shell', 'solid'] as const;
 
-/** shell: membrane and bending, the same material on any mesh; springs: one per edge, as in the paper */
+/** shell: membrane and bending, the same material on any mesh; springs: one per edge, as in the paper; solid: closed parts are solid, open ones shells */
 export type SimulationModel = (typeof SIMULATION_MODELS)[number];
 
 /** A capsule, or a ball if `from` equals `to`; units of the mesh. */
