@@ -115,9 +115,11 @@ void SolidState::makeParticles() {
 }
 
 void SolidState::makePins() {
-  for (const uint32_t v : pinnedVertices_) fixed_.add(particles_, embeddedVertex(body_, v));
+  std::vector<LatticePoint> points;
+  for (const uint32_t v : pinnedVertices_) points.push_back(embeddedVertex(body_, v));
   for (const SurfacePoint& point : pins_.points)
-    fixed_.add(particles_, embeddedPoint(body_, drawn_[point.triangle], point.barycentric));
+    points.push_back(embeddedPoint(body_, drawn_[point.triangle], point.barycentric));
+  fixed_.set(particles_, std::move(points));
   for (size_t i = 0; i < fixed_.count(); ++i) pinStarts_.push_back(fixed_.position(i, particles_));
   pinTargets_ = pinStarts_;
 }
@@ -143,8 +145,7 @@ void SolidState::startPins() {
 }
 
 void SolidState::drag(const SurfacePoint& point, const Vec3& target) {
-  dragged_.clear();
-  dragged_.add(particles_, embeddedPoint(body_, drawn_[point.triangle], point.barycentric));
+  dragged_.set(particles_, {embeddedPoint(body_, drawn_[point.triangle], point.barycentric)});
   dragTarget_ = target * options_.material.unit;
 }
 
