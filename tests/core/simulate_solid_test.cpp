@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -291,6 +292,7 @@ TEST(SimulatedSolid, pinsStayWhereTheyAre) {
   const Scenario scenario = {scenarioKind("twist"), bounds(mesh), 1, 1, {}};
   Pins pins = {defaultPins(mesh, scenario)};
   ASSERT_EQ(pins.vertices.size(), 18u);
+  std::reverse(pins.vertices.begin(), pins.vertices.end());
   Simulation body(mesh, rubber(20), pins);
   const Job job;
   std::vector<Vec3> rest, velocities;

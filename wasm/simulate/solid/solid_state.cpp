@@ -79,6 +79,12 @@ SolidState::SolidState(const TriangleMesh& mesh, const SimulationOptions& option
 void SolidState::makeBody() {
   const Vec3 cell = squaredLength(options_.cellSize) > 0 ? options_.cellSize : solidCellSize(surface_);
   refinePinnedFaces(surface_, pinnedVertices_, longestSide(cell), &pinnedParents_);
+  std::vector<uint32_t> pinOf(surface_.vertexCount(), kNone);
+  for (uint32_t pin = 0; pin < pinnedVertices_.size(); ++pin) pinOf[pinnedVertices_[pin]] = pin;
+  for (auto& [a, b] : pinnedParents_) {
+    a = pinOf[a];
+    b = pinOf[b];
+  }
   std::vector<uint32_t> all(surface_.vertexCount());
   std::iota(all.begin(), all.end(), 0u);
   refinePinnedFaces(surface_, all, longestSide(cell));
