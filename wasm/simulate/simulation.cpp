@@ -57,7 +57,7 @@ Simulation::Simulation(const TriangleMesh& mesh, const SimulationOptions& option
   requireSolverOf(options, mesh);
   requirePins(mesh, pins);
   if (options.model == SimulationModel::Solid && !options.solver)
-    solid_ = std::make_unique<SolidSimulation>(mesh, options, pins);
+    solid_ = std::make_unique<SolidSimulation<Simulation>>(mesh, options, pins);
   else
     state_ = std::make_unique<SimulationState>(mesh, options, pins);
 }
@@ -188,8 +188,8 @@ bool Simulation::isFinite() const {
 }
 
 bool Simulation::hasDiverged() const {
-  if (solid_) return solid_->hasDiverged();
   if (!isFinite()) return true;
+  if (solid_) return bounds({positions(), {}}).diagonal() > kDivergedGrowth * solid_->restDiagonal();
   return bounds({state_->particles.positions, {}}).diagonal() > kDivergedGrowth * state_->restDiagonal;
 }
 

@@ -15,6 +15,7 @@ namespace limber {
 
 class Helpers;
 struct SimulationState;
+template <class Sheets>
 class SolidSimulation;
 
 // One elastic surface in motion, solved by XPBD with small substeps and one pass per substep (Macklin et al.
@@ -80,7 +81,7 @@ class Simulation {
 
  private:
   std::unique_ptr<SimulationState> state_;
-  std::unique_ptr<SolidSimulation> solid_;  // instead of state_ where the model is Solid
+  std::unique_ptr<SolidSimulation<Simulation>> solid_;  // instead of state_ where the model is Solid
 };
 
 }  // namespace limber

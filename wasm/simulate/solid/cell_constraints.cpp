@@ -40,27 +40,28 @@ inline void add(Vec3x4& sum, const Vec3x4& term, Float4 factor) {
   sum = sum + term * factor;
 }
 
-struct Columns {
+struct GradientColumns {
   Vec3x4 x, y, z;
 };
 
-inline Columns operator*(const Columns& a, Float4 s) {
+inline GradientColumns operator*(const GradientColumns& a, Float4 s) {
   return {a.x * s, a.y * s, a.z * s};
 }
-inline Columns operator-(const Columns& a, const Columns& b) {
+inline GradientColumns operator-(const GradientColumns& a, const GradientColumns& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-inline Float4 dot(const Columns& a, const Columns& b) {
+inline Float4 dot(const GradientColumns& a, const GradientColumns& b) {
   return dot(a.x, b.x) + dot(a.y, b.y) + dot(a.z, b.z);
 }
 // A times the symmetric matrix xx, yy, zz, yz, zx, xy.
-inline Columns operator*(const Columns& a, const Float4 (&m)[6]) {
+inline GradientColumns operator*(const GradientColumns& a, const Float4 (&m)[6]) {
   return {a.x * m[0] + a.y * m[5] + a.z * m[4], a.x * m[5] + a.y * m[1] + a.z * m[3],
           a.x * m[4] + a.y * m[3] + a.z * m[2]};
 }
 
 // The mean deformation gradient from amplitudes.
-inline Columns gradientOf(const Vec3x4 (&a)[8], const Float4 (&moments)[6], const Float4 (&scale)[3]) {
+inline GradientColumns gradientOf(const Vec3x4 (&a)[8], const Float4 (&moments)[6],
+                                  const Float4 (&scale)[3]) {
   const auto& [x, y, z, yz, zx, xy] = moments;
   return {(a[1] + a[5] * z + a[3] * y + a[7] * yz) * scale[0],
           (a[2] + a[6] * z + a[3] * x + a[7] * zx) * scale[1],
@@ -68,7 +69,7 @@ inline Columns gradientOf(const Vec3x4 (&a)[8], const Float4 (&moments)[6], cons
 }
 
 // Adds the multipliers of amplitudes that belong to those of the gradient's columns.
-inline void addGradientMultipliers(const Columns& multipliers, const Float4 (&moments)[6],
+inline void addGradientMultipliers(const GradientColumns& multipliers, const Float4 (&moments)[6],
                                    const Float4 (&scale)[3], Vec3x4 (&y)[8]) {
   const auto& [mx, my, mz, myz, mzx, mxy] = moments;
   const Vec3x4 a = multipliers.x * scale[0], b = multipliers.y * scale[1], c = multipliers.z * scale[2];
@@ -81,7 +82,7 @@ inline void addGradientMultipliers(const Columns& multipliers, const Float4 (&mo
   y[7] = y[7] + a * myz + b * mzx + c * mxy;
 }
 
-inline Columns cofactors(const Columns& f) {
+inline GradientColumns cofactors(const GradientColumns& f) {
   return {cross(f.y, f.z), cross(f.z, f.x), cross(f.x, f.y)};
 }
 
@@ -91,7 +92,7 @@ struct Axes {
   Float4 inverseX, inverseY;  // 1 / |f_x|, 1 / |f_y across e_0|
   Float4 leaning;             // f_y . e_0
 };
-inline Axes axesOf(const Columns& f) {
+inline Axes axesOf(const GradientColumns& f) {
   const Float4 one = splat(1), least = splat(kFlattest);
   Axes axes;
   axes.inverseX = one / larger(squareRoot(dot(f.x, f.x)), least);
@@ -106,7 +107,7 @@ inline Axes axesOf(const Columns& f) {
 
 // The multipliers of F's columns that take up a torque on the axes: minus the derivative of the energy of
 // which `torque` is the derivative by the rotation of the axes.
-inline Columns takeUp(const Vec3x4& torque, const Axes& axes) {
+inline GradientColumns takeUp(const Vec3x4& torque, const Axes& axes) {
   const Float4 t0 = dot(torque, axes.e[0]), t1 = dot(torque, axes.e[1]), t2 = dot(torque, axes.e[2]);
   const Float4 lean = t0 * axes.leaning * axes.inverseX * axes.inverseY;
   return {axes.e[2] * (t1 * axes.inverseX + lean) - axes.e[1] * (t2 * axes.inverseX),
@@ -182,7 +183,7 @@ double cellEnergy(const CellRest& rest, const std::array<Vec3, 8>& corners, doub
 }  // namespace
 
 CellConstraints::CellConstraints(const LatticeBody& body, Particles& particles, const Options& options)
-    : cells_(body.cells), rest_(body.rest) {
+    : cells_(body.cells), rest_(body.rest), substep_(options.substep) {
   const double nu = options.poisson;
   mu_ = options.young / (2 * (1 + nu));
   lambda_ = options.young * nu / ((1 + nu) * (1 - 2 * nu)) + mu_;
@@ -190,13 +191,10 @@ CellConstraints::CellConstraints(const LatticeBody& body, Particles& particles, 
   for (const auto& cell : cells_) vertices.insert(vertices.end(), cell.begin(), cell.end());
   colouring_ = colour(vertices, 8, options.blocks, options.order);
   batches_.resize(colouring_.batches.size());
-  forEachLane(colouring_, [&](size_t i, const Lane& lane) {
-    setCell(batches_[i], lane, body, particles, options.substep);
-  });
+  forEachLane(colouring_, [&](size_t i, const Lane& lane) { setCell(batches_[i], lane, body, particles); });
 }
 
-void CellConstraints::setCell(Batch& batch, const Lane& lane, const LatticeBody& body, Particles& particles,
-                              double substep) {
+void CellConstraints::setCell(Batch& batch, const Lane& lane, const LatticeBody& body, Particles& particles) {
   const int lanes = lane.lane;
   const bool isEmpty = lane.constraint == kNone;
   for (int k = 0; k < 8; ++k) {
@@ -215,12 +213,12 @@ void CellConstraints::setCell(Batch& batch, const Lane& lane, const LatticeBody&
 
   const Eigen::Matrix3d mobility = meanMobility(rest, weights);
   const double fastest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(mobility).eigenvalues()[2];
-  const double share = 1 / (1 / (mu_ * rest.volume * substep * substep) + kHessianBound * fastest);
+  const double share = 1 / (1 / (mu_ * rest.volume * substep_ * substep_) + kHessianBound * fastest);
   batch.share[lanes] = static_cast<float>(share);
   constexpr int kRow[6] = {0, 1, 2, 1, 2, 0}, kColumn[6] = {0, 1, 2, 2, 0, 1};
   for (int i = 0; i < 6; ++i)
     batch.mobility[i][lanes] = static_cast<float>(share * mobility(kRow[i], kColumn[i]));
-  const Matrix12 response = hourglassResponse(rest.hourglass * (substep * substep), weights);
+  const Matrix12 response = hourglassResponse(rest.hourglass * (substep_ * substep_), weights);
   for (int i = 0, entry = 0; i < 12; ++i)
     for (int j = 0; j <= i; ++j, ++entry) batch.response[entry][lanes] = static_cast<float>(response(i, j));
 }
@@ -246,9 +244,9 @@ void CellConstraints::projectBatch(const Batch& b) const {
   for (int mask = 1; mask < 8; ++mask) a[mask] = a[mask] + b.base[mask];
 
   // The mean strain: `pressing` is the hydrostatic multiplier over that of the deviatoric constraint.
-  const Columns f = gradientOf(a, b.moments, b.scale), g = cofactors(f);
+  const GradientColumns f = gradientOf(a, b.moments, b.scale), g = cofactors(f);
   const Float4 volume = dot(f.x, g.x);
-  const Columns mobile = g * b.mobility;
+  const GradientColumns mobile = g * b.mobility;
   const Float4 pressing = ((one - volume) + offset + dot(f, mobile)) / (offset + dot(g, mobile));
   addGradientMultipliers((g * pressing - f) * b.share, b.moments, b.scale, moved);
   toCorners(moved);

@@ -61,13 +61,14 @@ class CellConstraints {
     Float4 weight[8];          // w of the corners, 1/kg; 0 in an empty lane
     MotionLanes corner[8];
   };
-  void setCell(Batch& batch, const Lane& lane, const LatticeBody& body, Particles& particles, double substep);
+  void setCell(Batch& batch, const Lane& lane, const LatticeBody& body, Particles& particles);
   void projectBatch(const Batch& batch) const;
 
   std::vector<Batch> batches_;
   std::vector<std::array<uint32_t, 8>> cells_;
   std::vector<CellRest> rest_;
   double mu_, lambda_;  // Pa
+  double substep_;      // seconds
   Colouring colouring_;
 };
 

@@ -17,7 +17,7 @@ void EmbeddedContacts::rebase(const Particles& particles, const CollisionScene& 
   contacts_[group].clear();
   if (scene.empty()) return;
   for (const uint32_t v : vertices_[group]) {
-    const EmbeddedPoint point = embeddedVertex(body_, v);
+    const LatticePoint point = embeddedVertex(body_, v);
     const Vec3 x = point.position(particles);
     const double near = distance.of(squaredLength(point.motion(particles)));
     if (scene.ground && x.y - *scene.ground < near)

@@ -1,16 +1,26 @@
 #include "simulate/solid/embedded_points.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace limber {
 
-Vec3 EmbeddedPoint::position(const Particles& particles) const {
+namespace {
+
+// What the way of the heaviest node counts against the gap of a pin: small enough that pins do not give way,
+// and large enough that the equations can be solved where a node hardly belongs to any pin.
+constexpr double kSoftness = 1e-6;
+
+}  // namespace
+
+Vec3 LatticePoint::position(const Particles& particles) const {
   Vec3 sum;
   for (size_t i = 0; i < nodes.size(); ++i) sum += particles.positions[nodes[i]] * weights[i];
   return sum;
 }
 
-Vec3 EmbeddedPoint::motion(const Particles& particles) const {
+Vec3 LatticePoint::motion(const Particles& particles) const {
   Vec3 sum;
   for (size_t i = 0; i < nodes.size(); ++i) {
     const Float4 q = particles.motion[nodes[i]].q;
@@ -19,17 +29,17 @@ Vec3 EmbeddedPoint::motion(const Particles& particles) const {
   return sum;
 }
 
-EmbeddedPoint embeddedVertex(const LatticeBody& body, uint32_t v) {
+LatticePoint embeddedVertex(const LatticeBody& body, uint32_t v) {
   const EmbeddedVertex& vertex = body.vertices[v];
   const auto& nodes = body.cells[vertex.cell];
   return {{nodes.begin(), nodes.end()}, {vertex.weights.begin(), vertex.weights.end()}};
 }
 
-EmbeddedPoint embeddedPoint(const LatticeBody& body, const Triangle& triangle,
-                            const double (&barycentric)[3]) {
-  EmbeddedPoint point;
+LatticePoint embeddedPoint(const LatticeBody& body, const Triangle& triangle,
+                           const double (&barycentric)[3]) {
+  LatticePoint point;
   for (int c = 0; c < 3; ++c) {
-    const EmbeddedPoint corner = embeddedVertex(body, triangle[c]);
+    const LatticePoint corner = embeddedVertex(body, triangle[c]);
     for (size_t i = 0; i < corner.nodes.size(); ++i) {
       const auto known = std::ranges::find(point.nodes, corner.nodes[i]);
       const auto at = static_cast<size_t>(known - point.nodes.begin());
@@ -43,39 +53,62 @@ EmbeddedPoint embeddedPoint(const LatticeBody& body, const Triangle& triangle,
   return point;
 }
 
-void EmbeddedPins::add(const Particles& particles, EmbeddedPoint point) {
-  Pin pin = {std::move(point), {}};
-  double sum = 0;
-  for (size_t i = 0; i < pin.point.nodes.size(); ++i)
-    sum += particles.inverseMass[pin.point.nodes[i]] * pin.point.weights[i] * pin.point.weights[i];
-  for (size_t i = 0; i < pin.point.nodes.size(); ++i) {
-    const double weight = pin.point.weights[i];
-    pin.shares.push_back({static_cast<float>(weight),
-                          static_cast<float>(particles.inverseMass[pin.point.nodes[i]] * weight / sum)});
+void EmbeddedPins::set(const Particles& particles, std::vector<LatticePoint> points) {
+  pins_.clear();
+  nodes_.clear();
+  std::map<uint32_t, uint32_t> rowOf;
+  for (LatticePoint& point : points) {
+    Pin pin = {std::move(point), {}, {}, {}};
+    for (const uint32_t node : pin.point.nodes) {
+      const auto [entry, isNew] = rowOf.try_emplace(node, static_cast<uint32_t>(nodes_.size()));
+      if (isNew) nodes_.push_back(node);
+      pin.rows.push_back(entry->second);
+    }
+    pins_.push_back(std::move(pin));
   }
-  pins_.push_back(std::move(pin));
+  if (pins_.empty()) return;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Pin& pin : pins_)
+    for (size_t i = 0; i < pin.rows.size(); ++i)
+      for (size_t j = 0; j < pin.rows.size(); ++j)
+        entries.push_back({static_cast<int>(pin.rows[i]), static_cast<int>(pin.rows[j]),
+                           pin.point.weights[i] * pin.point.weights[j]});
+  double heaviest = 0;
+  for (const uint32_t node : nodes_) heaviest = std::max(heaviest, 1 / particles.inverseMass[node]);
+  for (size_t i = 0; i < nodes_.size(); ++i)
+    entries.push_back({static_cast<int>(i), static_cast<int>(i),
+                       kSoftness / (heaviest * particles.inverseMass[nodes_[i]])});
+  const auto size = static_cast<Eigen::Index>(nodes_.size());
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  factor_ = std::make_unique<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>(matrix);
+  way_.resize(size, 3);
 }
 
 void EmbeddedPins::rebase(size_t i, const Particles& particles, const PointConstraints::Path& path,
                           int substeps) {
-  pins_[i].gap = toFloat4(position(i, particles) - path.from);
-  pins_[i].targetMove = toFloat4((path.to - path.from) / substeps);
+  pins_[i].gap = position(i, particles) - path.from;
+  pins_[i].targetMove = (path.to - path.from) / substeps;
 }
 
-void EmbeddedPins::projectPin(const Pin& pin, Particles& particles, Float4 done) {
-  Float4 gap = pin.gap - done * pin.targetMove;
-  for (size_t i = 0; i < pin.shares.size(); ++i) {
-    const Motion& motion = particles.motion[pin.point.nodes[i]];
-    gap += splat(pin.shares[i].first) * (motion.u + motion.q);
+void EmbeddedPins::project(Particles& particles, int substep) {
+  if (pins_.empty()) return;
+  way_.setZero();
+  for (const Pin& pin : pins_) {
+    Vec3 gap = pin.gap - pin.targetMove * double(substep + 1);
+    for (size_t i = 0; i < pin.rows.size(); ++i) {
+      const Motion& motion = particles.motion[pin.point.nodes[i]];
+      const Float4 moved = motion.u + motion.q;
+      gap += Vec3{double{moved[0]}, double{moved[1]}, double{moved[2]}} * pin.point.weights[i];
+    }
+    for (size_t i = 0; i < pin.rows.size(); ++i)
+      for (int c = 0; c < 3; ++c) way_(pin.rows[i], c) -= pin.point.weights[i] * gap[c];
   }
-  for (size_t i = 0; i < pin.shares.size(); ++i)
-    particles.motion[pin.point.nodes[i]].q -= splat(pin.shares[i].second) * gap;
-}
-
-void EmbeddedPins::project(Particles& particles, int substep) const {
-  const Float4 done = splat(static_cast<float>(substep + 1));
-  for (size_t i = 0; i < pins_.size(); ++i)
-    projectPin(pins_[substep % 2 ? pins_.size() - 1 - i : i], particles, done);
+  way_ = factor_->solve(way_).eval();
+  for (size_t i = 0; i < nodes_.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    particles.motion[nodes_[i]].q += toFloat4({way_(row, 0), way_(row, 1), way_(row, 2)});
+  }
 }
 
 }  // namespace limber

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <Eigen/SparseCholesky>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <memory>
 #include <vector>
 
 #include "simulate/constraints/point_constraints.h"
@@ -13,7 +14,7 @@ namespace limber {
 
 // A point that moves with the nodes of a lattice: the sum of weights[i] times the position of nodes[i]. The
 // weights sum to 1.
-struct EmbeddedPoint {
+struct LatticePoint {
   std::vector<uint32_t> nodes;
   std::vector<double> weights;
 
@@ -23,36 +24,38 @@ struct EmbeddedPoint {
   Vec3 motion(const Particles& particles) const;
 };
 
-EmbeddedPoint embeddedVertex(const LatticeBody& body, uint32_t v);
+LatticePoint embeddedVertex(const LatticeBody& body, uint32_t v);
 // The point of a triangle with these barycentric coordinates, as it is drawn: between the triangle's corners.
-EmbeddedPoint embeddedPoint(const LatticeBody& body, const Triangle& triangle,
-                            const double (&barycentric)[3]);
+LatticePoint embeddedPoint(const LatticeBody& body, const Triangle& triangle, const double (&barycentric)[3]);
 
-// Embedded points that are pinned to a target, which moves evenly through the step. Hard constraints: they
-// have no compliance. Several of them on the same nodes are solved one after the other, so a target that the
-// lattice cannot follow exactly is met on average.
+// Embedded points that are pinned to a target, which moves evenly through the step. All of them are met at
+// once: the nodes move by the least sum of mass times squared way with which they are, or come closest to it.
+// One after the other would let a plane of pins give way under what hangs on it.
 class EmbeddedPins {
  public:
-  void add(const Particles& particles, EmbeddedPoint point);
+  // Replaces all points.
+  void set(const Particles& particles, std::vector<LatticePoint> points);
   void clear() { pins_.clear(); }
   size_t count() const { return pins_.size(); }
   Vec3 position(size_t i, const Particles& particles) const { return pins_[i].point.position(particles); }
 
   // Sets how the target of pin i moves within the step, in metres.
   void rebase(size_t i, const Particles& particles, const PointConstraints::Path& path, int substeps);
-  // One pass over all pins, forwards and backwards in turn. `substep` counts from 0 within the step.
-  void project(Particles& particles, int substep) const;
+  // Moves the nodes onto the targets. `substep` counts from 0 within the step.
+  void project(Particles& particles, int substep);
 
  private:
   struct Pin {
-    EmbeddedPoint point;
-    std::vector<std::pair<float, float>> shares;  // per node: its weight, and w weight / sum w weight^2
-    Float4 gap{};                                 // point - target at the start of the step
-    Float4 targetMove{};                          // of the target per substep
+    LatticePoint point;
+    std::vector<uint32_t> rows;  // per node of the point: its place in nodes_
+    Vec3 gap, targetMove;        // metres: point - target at the start of the step, and that of the target
   };
-  static void projectPin(const Pin& pin, Particles& particles, Float4 done);
 
   std::vector<Pin> pins_;
+  std::vector<uint32_t> nodes_;  // that pins move
+  // Of W^T W + epsilon M over nodes_, with the weights W of the pins and the masses M.
+  std::unique_ptr<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>> factor_;
+  Eigen::MatrixXd way_;  // per node of nodes_, metres
 };
 
 }  // namespace limber

@@ -10,9 +10,9 @@ namespace {
 
 // Appends the connected part of a node to an order, breadth first from that node. A part can be passed over a
 // second time, from another node.
-class BreadthFirst {
+class NodeSearch {
  public:
-  BreadthFirst(std::span<const LatticeCell> cells, uint32_t nodeCount)
+  NodeSearch(std::span<const LatticeCell> cells, uint32_t nodeCount)
       : cells_(cells), start_(nodeCount + 1, 0), pass_(nodeCount, 0) {
     for (const LatticeCell& cell : cells)
       for (const uint32_t node : cell) ++start_[node + 1];
@@ -49,7 +49,7 @@ class BreadthFirst {
 }  // namespace
 
 std::vector<uint32_t> nodesFromEndToEnd(std::span<const LatticeCell> cells, uint32_t nodeCount) {
-  BreadthFirst search(cells, nodeCount);
+  NodeSearch search(cells, nodeCount);
   std::vector<uint32_t> order;
   order.reserve(nodeCount);
   for (uint32_t node = 0; node < nodeCount; ++node) {

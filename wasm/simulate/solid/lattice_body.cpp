@@ -102,9 +102,9 @@ void raiseLightMasses(const Lattice& lattice, std::vector<double>& masses) {
 }
 
 // Appends the lattices of parts to a body.
-class Builder {
+class LatticeBodyBuilder {
  public:
-  Builder(LatticeBody& body, const ElasticMaterial& material, const Vec3& cellSize)
+  LatticeBodyBuilder(LatticeBody& body, const ElasticMaterial& material, const Vec3& cellSize)
       : body_(body), material_(material), cellSize_(cellSize) {}
 
   void append(const MeshParts::Part& part) {
@@ -184,7 +184,7 @@ LatticeBody latticeBody(const TriangleMesh& solids, const Vec3& cellSize, const 
   const MeshParts parts = splitMesh(solids, partOfVertex, topology.componentCount);
   LatticeBody body;
   body.vertices.resize(solids.vertexCount());
-  Builder builder(body, material, cellSize);
+  LatticeBodyBuilder builder(body, material, cellSize);
   for (const MeshParts::Part& part : parts.parts)
     if (part.mesh.triangleCount()) builder.append(part);
   return body;

@@ -5,58 +5,117 @@
 #include <span>
 #include <vector>
 
-#include "mesh/component_frame.h"
-#include "simulate/simulation.h"
+#include "simulate/solid/solid_split.h"
 #include "simulate/solid/solid_state.h"
 
 namespace limber {
 
 // A body whose closed components move as solids and whose open ones as shells, each with a solver of its own.
 // The functions are those of Simulation, which leads here when its model is Solid; vertices, triangles and
-// pins are those of the whole body.
+// pins are those of the whole body. `Sheets` is Simulation, which this file cannot know.
+template <class Sheets>
 class SolidSimulation {
  public:
-  SolidSimulation(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins);
+  SolidSimulation(const TriangleMesh& mesh, const SimulationOptions& options, const Pins& pins)
+      : split_(mesh), unit_(options.material.unit) {
+    split_.splitPins(pins);
+    SimulationOptions asShell = options;
+    asShell.model = SimulationModel::Shell;
+    if (split_.sheets.vertexCount())
+      sheets_ = std::make_unique<Sheets>(split_.sheets, asShell, split_.sheetPins);
+    if (split_.solids.vertexCount())
+      solids_ = std::make_unique<SolidState>(split_.solids, options, split_.solidPins);
+  }
 
-  void step(const Job& job, Helpers* helpers);
-  double helpedSeconds() const;
-  uint32_t vertexCount() const { return static_cast<uint32_t>(isSolid_.size()); }
-  uint32_t triangleCount() const { return static_cast<uint32_t>(localTriangle_.size()); }
-  size_t pinCount() const { return sheetPins_.size() + solidPins_.size(); }
-  Vec3 position(uint32_t v) const;
-  Vec3 position(const SurfacePoint& point) const;
-  Vec3 velocity(uint32_t v) const;
-  void setVelocities(std::span<const Vec3> velocities);
-  void setGravity(const Vec3& gravity);
-  void setWind(const Vec3& wind);
-  void setGround(double height);
-  void setColliders(std::span<const Collider> colliders);
-  void drag(const SurfacePoint& point, const Vec3& target);
-  void release();
-  void setPinTargets(std::span<const Vec3> targets);
-  double kineticEnergy() const;
-  double elasticEnergy() const;
-  bool isFinite() const;
-  bool hasDiverged() const;
-  double mass() const;
-  uint32_t constraintCount() const;
-  uint32_t edgeCount() const { return edgeCount_; }
+  void step(const Job& job, Helpers* helpers) {
+    if (sheets_) sheets_->step(job, helpers);
+    if (solids_) solids_->step(job, helpers);
+  }
+  double helpedSeconds() const {
+    return sum<double>([](const auto& part) { return part.helpedSeconds(); });
+  }
+  uint32_t vertexCount() const { return static_cast<uint32_t>(split_.localVertex.size()); }
+  uint32_t triangleCount() const { return static_cast<uint32_t>(split_.localTriangle.size()); }
+  size_t pinCount() const { return split_.sheetPins.count() + split_.solidPins.count(); }
+  uint32_t edgeCount() const { return split_.edgeCount; }
+
+  Vec3 position(uint32_t v) const {
+    const uint32_t local = split_.localVertex[v];
+    return split_.isSolidVertex[v] ? solids_->position(local) : sheets_->position(local);
+  }
+  Vec3 position(const SurfacePoint& point) const {
+    const SurfacePoint local = split_.local(point);
+    return split_.isSolidTriangle[point.triangle] ? solids_->position(local) : sheets_->position(local);
+  }
+  Vec3 velocity(uint32_t v) const {
+    const uint32_t local = split_.localVertex[v];
+    return split_.isSolidVertex[v] ? solids_->velocity(local) : sheets_->velocity(local);
+  }
+  void setVelocities(std::span<const Vec3> velocities) {
+    if (sheets_) sheets_->setVelocities(SolidSplit::chosen(velocities, split_.sheetVertices));
+    if (solids_) solids_->setVelocities(SolidSplit::chosen(velocities, split_.solidVertices));
+  }
+  void setPinTargets(std::span<const Vec3> targets) {
+    if (sheets_) sheets_->setPinTargets(SolidSplit::chosen(targets, split_.sheetPinIndices));
+    if (solids_) solids_->setPinTargets(SolidSplit::chosen(targets, split_.solidPinIndices));
+  }
+
+  void setGravity(const Vec3& gravity) {
+    if (sheets_) sheets_->setGravity(gravity);
+    if (solids_) solids_->gravity = gravity;
+  }
+  void setWind(const Vec3& wind) {
+    if (sheets_) sheets_->setWind(wind);
+    if (solids_) solids_->wind = wind;
+  }
+  void setGround(double height) {
+    if (sheets_) sheets_->setGround(height);
+    if (solids_) solids_->collisionScene.ground = height * unit_;
+  }
+  void setColliders(std::span<const Collider> colliders) {
+    if (sheets_) sheets_->setColliders(colliders);
+    if (!solids_) return;
+    solids_->collisionScene.colliders.clear();
+    for (const Collider& c : colliders)
+      solids_->collisionScene.colliders.push_back({c.from * unit_, c.to * unit_, c.radius * unit_});
+  }
+  void drag(const SurfacePoint& point, const Vec3& target) {
+    release();
+    if (split_.isSolidTriangle[point.triangle])
+      solids_->drag(split_.local(point), target);
+    else
+      sheets_->drag(split_.local(point), target);
+  }
+  void release() {
+    if (sheets_) sheets_->release();
+    if (solids_) solids_->release();
+  }
+
+  double kineticEnergy() const {
+    return sum<double>([](const auto& part) { return part.kineticEnergy(); });
+  }
+  double elasticEnergy() const {
+    return sum<double>([](const auto& part) { return part.elasticEnergy(); });
+  }
+  double mass() const {
+    return sum<double>([](const auto& part) { return part.mass(); });
+  }
+  uint32_t constraintCount() const {
+    return sum<uint32_t>([](const auto& part) { return part.constraintCount(); });
+  }
+  bool isFinite() const { return (!sheets_ || sheets_->isFinite()) && (!solids_ || solids_->isFinite()); }
+  double restDiagonal() const { return split_.diagonal; }  // units of the mesh
 
  private:
-  // The pins of the shells and of the solids, and for each pin of the body which of them it is.
-  void splitPins(const Pins& pins, Pins& ofSheets, Pins& ofSolids);
-  // The point of the sheets or of the solids, by where the triangle is.
-  SurfacePoint local(const SurfacePoint& point) const;
+  template <class Number, class Read>
+  Number sum(Read read) const {
+    return (sheets_ ? read(*sheets_) : Number{}) + (solids_ ? read(*solids_) : Number{});
+  }
 
-  double unit_, restDiagonal_;  // metres per unit of the mesh; units of the mesh
-  uint32_t edgeCount_;
-  std::vector<uint8_t> isSolid_;          // per vertex
-  std::vector<uint32_t> localVertex_;     // per vertex: its number in the sheets or in the solids
-  std::vector<uint8_t> isSolidTriangle_;  // per triangle
-  std::vector<uint32_t> localTriangle_;
-  std::vector<uint32_t> sheetPins_, solidPins_;  // the pins of the body that are theirs, in their order
-  std::unique_ptr<Simulation> sheets_;           // null where all components are closed
-  std::unique_ptr<SolidState> solids_;           // null where none is
+  SolidSplit split_;
+  double unit_;                         // metres per unit of the mesh
+  std::unique_ptr<Sheets> sheets_;      // null where all components are closed
+  std::unique_ptr<SolidState> solids_;  // null where none is
 };
 
 }  // namespace limber

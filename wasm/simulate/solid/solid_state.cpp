@@ -79,6 +79,12 @@ SolidState::SolidState(const TriangleMesh& mesh, const SimulationOptions& option
 void SolidState::makeBody() {
   const Vec3 cell = squaredLength(options_.cellSize) > 0 ? options_.cellSize : solidCellSize(surface_);
   refinePinnedFaces(surface_, pinnedVertices_, longestSide(cell), &pinnedParents_);
+  std::vector<uint32_t> pinOf(surface_.vertexCount(), kNone);
+  for (uint32_t pin = 0; pin < pinnedVertices_.size(); ++pin) pinOf[pinnedVertices_[pin]] = pin;
+  for (auto& [a, b] : pinnedParents_) {
+    a = pinOf[a];
+    b = pinOf[b];
+  }
   std::vector<uint32_t> all(surface_.vertexCount());
   std::iota(all.begin(), all.end(), 0u);
   refinePinnedFaces(surface_, all, longestSide(cell));
@@ -115,9 +121,11 @@ void SolidState::makeParticles() {
 }
 
 void SolidState::makePins() {
-  for (const uint32_t v : pinnedVertices_) fixed_.add(particles_, embeddedVertex(body_, v));
+  std::vector<LatticePoint> points;
+  for (const uint32_t v : pinnedVertices_) points.push_back(embeddedVertex(body_, v));
   for (const SurfacePoint& point : pins_.points)
-    fixed_.add(particles_, embeddedPoint(body_, drawn_[point.triangle], point.barycentric));
+    points.push_back(embeddedPoint(body_, drawn_[point.triangle], point.barycentric));
+  fixed_.set(particles_, std::move(points));
   for (size_t i = 0; i < fixed_.count(); ++i) pinStarts_.push_back(fixed_.position(i, particles_));
   pinTargets_ = pinStarts_;
 }
@@ -143,8 +151,7 @@ void SolidState::startPins() {
 }
 
 void SolidState::drag(const SurfacePoint& point, const Vec3& target) {
-  dragged_.clear();
-  dragged_.add(particles_, embeddedPoint(body_, drawn_[point.triangle], point.barycentric));
+  dragged_.set(particles_, {embeddedPoint(body_, drawn_[point.triangle], point.barycentric)});
   dragTarget_ = target * options_.material.unit;
 }
 

@@ -78,7 +78,7 @@ class SolidState {
   Particles particles_;
   std::optional<CellConstraints> cells_;
   std::optional<EmbeddedContacts> contacts_;
-  std::vector<EmbeddedPoint> vertices_;       // by vertex of the caller
+  std::vector<LatticePoint> vertices_;        // by vertex of the caller
   std::vector<double> surfaceMasses_;         // kg, by vertex of the caller: what the air moves
   EmbeddedPins fixed_, dragged_;              // pinned vertices, then pinned points; no point or one
   std::vector<Vec3> pinTargets_, pinStarts_;  // metres, of fixed_
