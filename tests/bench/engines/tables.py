@@ -9,7 +9,7 @@ FLOORS = ("renumbered", "half the step")
 
 
 def geometric(values):
-    return float(np.exp(np.mean(np.log(values)))) if values else float("nan")
+    return float(np.exp(np.mean(np.log(values))))
 
 
 def table(head, rows):
@@ -69,12 +69,13 @@ def motion_table(cells):
         row.append(" / ".join(number(median(cell.get(floor, {}).get("floor", []))) for floor in FLOORS
                               if floor in cell))
         rows.append(row)
+    head = ["", *methods, "renumbered / half the step"]
+    if not complete:
+        return table(head, rows)
     means = [f"geometric mean of {len(complete)}"]
     for method in methods:
         means.append(" -> ".join(f"{geometric(gathered[method, state]):.3g}" for state in ("untouched", "tuned")))
-    rows.append([*means, ""])
-    note = best_peer_note(gathered, methods) if complete else ""
-    return table(["", *methods, "renumbered / half the step"], rows) + note
+    return table(head, [*rows, [*means, ""]]) + best_peer_note(gathered, methods)
 
 
 def best_peer_note(gathered, methods):
