@@ -17,8 +17,11 @@ def table(head, rows):
     return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines)
 
 
-def number(value):
-    return "diverged" if value is None else f"{value:.3g}"
+def number(values):
+    """The median of all starts; nothing where nothing has been simulated yet."""
+    if not values:
+        return "?"
+    return "diverged" if median(values) is None else f"{median(values):.3g}"
 
 
 def cells_of(results):
@@ -61,13 +64,11 @@ def motion_table(cells):
         row = [f"{mesh}, {scene}"]
         for method in methods:
             states = cell.get(method, {})
-            values = [median(states.get(state)) for state in ("untouched", "tuned")]
-            row.append(" -> ".join(number(value) if states else "" for value in values))
-            for state, value in zip(("untouched", "tuned"), values):
+            row.append(" -> ".join(number(states.get(state)) for state in ("untouched", "tuned")) if states else "")
+            for state in ("untouched", "tuned"):
                 if (mesh, scene) in complete:
-                    gathered[method, state].append(value)
-        row.append(" / ".join(number(median(cell.get(floor, {}).get("floor", []))) for floor in FLOORS
-                              if floor in cell))
+                    gathered[method, state].append(median(states[state]))
+        row.append(" / ".join(number(cell[floor]["floor"]) for floor in FLOORS if floor in cell))
         rows.append(row)
     head = ["", *methods, "renumbered / half the step"]
     if not complete:
