@@ -2,7 +2,7 @@
 
 Usage: python tests/bench/engines/verify.py [mujoco] [newton] [jolt] [blender]      prints a Markdown table
 Exits with 1 where an engine is off by more than its limit: MuJoCo and Newton 1 %, Blender 5 %, Jolt 2 %
-after its error, which halves with twice the iterations, is extrapolated from 10 and 20.
+at 20 iterations; its difference at 10 is told too.
 Engines that are not installed are told and left out.
 """
 
@@ -21,7 +21,7 @@ PINNED_PERCENT = 20
 LIMITS = {"mujoco": 1, "newton": 1, "jolt": 2, "blender": 5}
 PARAMETERS = {
     "mujoco": {"young": 1e4, "poisson": 0.3, "thickness": 0.02, "mass": 1},
-    "newton": {"tri_ke": 80, "tri_ka": 70, "edge_ke": 1, "density": 1},
+    "newton": {"tri_ke": 80, "tri_ka": 70, "edge_ke": 10, "density": 1},
     "jolt": {"compliance": 1 / 50, "bendCompliance": 1, "mass": 1},
     "blender": {"tension": 5000, "bending": 1000, "mass": 300},
 }
@@ -56,8 +56,8 @@ def newton_frequency(engine, mesh, pins):
 def jolt_frequency(engine, mesh, pins):
     ours, ten = measured_frequency(engine, mesh, pins, iterations=10)
     twenty = measured_frequency(engine, mesh, pins, iterations=20)[1]
-    print(f"jolt: {100 * (ten / ours - 1):+.2f} % at 10 iterations, {100 * (twenty / ours - 1):+.2f} % at 20", file=sys.stderr)
-    return ours, 2 * twenty - ten
+    print(f"jolt: ours over its own {100 * (ours / ten - 1):+.2f} % at 10 iterations", file=sys.stderr)
+    return ours, twenty
 
 
 def blender_frequency(engine, mesh, pins):
