@@ -1,10 +1,11 @@
 """How far coarse meshes move from their original in the engines themselves.
 
 Usage: python tests/bench/engines/run.py [--engines mujoco,newton] [--meshes spot,bowl] [--methods limber,...]
-       [--starts 1] [--seconds 100] [--tables]
+       [--starts 1] [--seconds 100] [--tables] [--write]
 Needs numpy, scipy, pymeshlab, fast-simplification and the engines (docs/engines.md says how to install them), `npm run
 build`, and the meshes of ../shared/meshes or $LIMBER_SHARED/meshes. Every simulation is kept in build/bench/engines, so
-that a run that was stopped, also by --seconds, goes on where it was. --tables only prints what is there.
+that a run that was stopped, also by --seconds, goes on where it was. --tables only prints what is there, --write puts it
+into docs/engines.md.
 """
 
 import argparse
@@ -21,12 +22,15 @@ import numpy as np
 import scenes
 from meshes import closest_points, renumbered
 from simplifiers import METHODS, ROOT, simplified
+from tables import tables
 from tuning import carried_masses, carried_pins, frequency_error, targets, tune
 
 CACHE = ROOT / "build" / "bench" / "engines"
 SHARED = Path(os.environ.get("LIMBER_SHARED", ROOT.parent / "shared")) / "meshes"
 ENGINES = ("mujoco", "newton", "blender", "jolt")
 FLOORS = ("renumbered", "half the step")
+DOCUMENT = ROOT / "docs" / "engines.md"
+BEGIN, END = "<!-- tables -->", "<!-- end of tables -->"
 
 
 class OutOfTime(Exception):
@@ -188,6 +192,11 @@ def run(store, engines, options):
             floors(store, case, scene, start, reference, f"{key}|{scene}|{start}")
 
 
+def write_document(text):
+    before, after = DOCUMENT.read_text(encoding="utf-8").split(BEGIN)[0], DOCUMENT.read_text(encoding="utf-8").split(END)[1]
+    DOCUMENT.write_text(f"{before}{BEGIN}\n\n{text}\n\n{END}{after}", encoding="utf-8")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     words = lambda text: [word.strip() for word in text.split(";" if ";" in text else ",") if word.strip()]
@@ -196,7 +205,8 @@ def main():
     parser.add_argument("--methods", type=lambda text: text.split(";"), default=list(METHODS), help="separated by ;")
     parser.add_argument("--starts", type=int, default=scenes.definition["starts"])
     parser.add_argument("--seconds", type=float, default=1e9, help="stop after about this time; run again to go on")
-    parser.add_argument("--tables", action="store_true")
+    parser.add_argument("--tables", action="store_true", help="print what is there, simulate nothing")
+    parser.add_argument("--write", action="store_true", help="put what is complete into docs/engines.md")
     options = parser.parse_args()
     store = Store(time.time() + options.seconds)
     finished = True
@@ -205,9 +215,9 @@ def main():
             run(store, load_engines(options.engines), options)
         except OutOfTime:
             finished = False
-    from tables import tables
-
     print(tables(store.results))
+    if options.write:
+        write_document(tables(store.results, only_complete=True))
     if not finished:
         print("\nStopped by --seconds; run again to go on.", file=sys.stderr)
 

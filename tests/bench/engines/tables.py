@@ -6,6 +6,7 @@ import scenes
 from simplifiers import METHODS, OURS
 
 FLOORS = ("renumbered", "half the step")
+TITLES = {"mujoco": "MuJoCo", "newton": "Newton", "jolt": "Jolt", "blender": "Blender"}
 
 
 def geometric(values):
@@ -43,23 +44,37 @@ def median(values):
     return None if not values or any(value is None for value in values) else float(np.median(values))
 
 
-def tables(results):
+def tables(results, only_complete=False):
+    """Everything that has been simulated; `only_complete`: the scenes in which every mesh has been."""
     parts = []
     for (engine, kind), cells in sorted(cells_of(results).items()):
-        parts.append(f"### {engine}, {'bodies' if kind == 'body' else 'sheets'}\n\n{motion_table(cells)}")
+        if only_complete:
+            cells = complete_cells(cells)
+        if cells:
+            title = f"{TITLES[engine]}, {'bodies' if kind == 'body' else 'sheets'}"
+            parts.append(f"### {title}\n\n{motion_table(cells)}")
     frequencies = {key: value for key, value in results.items() if key.endswith("|tuning")}
     if frequencies:
         parts.append(f"### Frequencies of modes 1 to 10 in our model of each engine\n\n{frequency_table(frequencies)}")
     return "\n\n".join(parts)
 
 
-def motion_table(cells):
-    methods = [method for method in METHODS if any(method in cell for cell in cells.values())]
-    rows, gathered = [], {(method, state): [] for method in methods for state in ("untouched", "tuned")}
-    complete = [
-        name for name, cell in cells.items()
+def methods_of(cells):
+    return [method for method in METHODS if any(method in cell for cell in cells.values())]
+
+
+def complete_cells(cells):
+    """The cells of meshes and scenes where each method that occurs at all moved, untouched and tuned."""
+    methods = methods_of(cells)
+    return {
+        name: cell for name, cell in cells.items()
         if all(median(cell.get(m, {}).get(s)) is not None for m in methods for s in ("untouched", "tuned"))
-    ]
+    }
+
+
+def motion_table(cells):
+    methods, complete = methods_of(cells), complete_cells(cells)
+    rows, gathered = [], {(method, state): [] for method in methods for state in ("untouched", "tuned")}
     for (mesh, scene), cell in cells.items():
         row = [f"{mesh}, {scene}"]
         for method in methods:
