@@ -74,3 +74,39 @@ def hang(mesh, parameters, pins, gravity, frames, quality):
         cloth.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices.foreach_get("co", flat)
         result[frame - 1] = flat.reshape(-1, 3)
     return result
+
+
+QUALITY = 20
+
+
+def simulate(mesh, parameters, motion, masses=None):
+    """The body at rest under the motion's gravity, in Blender's own frames; shorter steps by a higher quality."""
+    frames = round(motion.frames * motion.steps_per_frame * motion.step / FRAME)
+    quality = round(QUALITY * motion.steps_per_frame / 3)
+    return hang(mesh, parameters, motion.pins, motion.gravity, frames, quality)[1:]
+
+
+def carried(parameters, original, coarse):
+    """The least that another resolution needs: the same total mass, and the same stiffness of a spring."""
+    count = len(original.positions) / len(coarse.positions)
+    tension = parameters["tension"] * mean_edge(coarse) / mean_edge(original)
+    return {**parameters, "mass": parameters["mass"] * count, "tension": tension}
+
+
+def native(parameters, factors):
+    m, b = factors
+    return {**parameters, "tension": m * parameters["tension"], "bending": b * parameters["bending"]}
+
+
+def parameters_of(original, material):
+    """What the user types for the original: the net of springs and hinges that is this plate on an even mesh."""
+    _, hinges = original.edges()
+    young, poisson, thickness = (material[key] for key in ("young", "poisson", "thickness"))
+    plate = young * thickness**3 / (12 * (1 - poisson**2))
+    areas = hinge_areas(original, hinges)
+    stiffness = plate * float(np.mean(3 * hinge_lengths(original, hinges) ** 2 / areas))
+    return {
+        "tension": np.sqrt(3) / 2 * young * thickness * mean_edge(original) / TIME,
+        "bending": 3 * stiffness / (0.1 * TIME * float(areas.mean())),
+        "mass": material["mass"] / len(original.positions),
+    }

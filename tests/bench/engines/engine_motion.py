@@ -18,6 +18,8 @@ class Motion:
     pins: np.ndarray = field(default_factory=lambda: np.zeros(0, int))
     # (time, masses) -> forces n x 3 in newtons
     force: Optional[Callable] = None
+    # the acceleration, m/s2, where that is all that `force` does
+    gravity: Optional[np.ndarray] = None
 
 
 def frequency_of(signal, step):

@@ -96,6 +96,21 @@ def native(parameters, factors):
     return {**parameters, **changed}
 
 
+def stiffness_by_differences(mesh, parameters, step=1e-6):
+    """K at rest (3n x 3n) from MuJoCo's own spring forces, by central differences."""
+    model = mujoco.MjModel.from_xml_string(xml(mesh, parameters, 1e-3))
+    data = mujoco.MjData(model)
+
+    def forces(dof, offset):
+        data.qpos[:] = 0
+        data.qpos[dof] = offset
+        mujoco.mj_fwdPosition(model, data)
+        mujoco.mj_fwdVelocity(model, data)
+        return data.qfrc_spring.copy()
+
+    return -np.array([forces(dof, step) - forces(dof, -step) for dof in range(model.nv)]).T / (2 * step)
+
+
 def simulate(mesh, parameters, motion, masses=None):
     """Positions after every frame (frames x n x 3); see engine_motion.Motion."""
     model = mujoco.MjModel.from_xml_string(xml(mesh, parameters, motion.step, motion.pins))

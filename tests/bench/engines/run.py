@@ -1,10 +1,11 @@
 """How far coarse meshes move from their original in the engines themselves.
 
 Usage: python tests/bench/engines/run.py [--engines mujoco,newton] [--meshes spot,bowl] [--methods limber,...]
-       [--starts 1] [--seconds 100] [--tables]
+       [--starts 1] [--seconds 100] [--tables] [--write]
 Needs numpy, scipy, pymeshlab, fast-simplification and the engines (docs/engines.md says how to install them), `npm run
 build`, and the meshes of ../shared/meshes or $LIMBER_SHARED/meshes. Every simulation is kept in build/bench/engines, so
-that a run that was stopped, also by --seconds, goes on where it was. --tables only prints what is there.
+that a run that was stopped, also by --seconds, goes on where it was. --tables only prints what is there, --write puts it
+into docs/engines.md.
 """
 
 import argparse
@@ -21,12 +22,15 @@ import numpy as np
 import scenes
 from meshes import closest_points, renumbered
 from simplifiers import METHODS, ROOT, simplified
+from tables import tables
 from tuning import carried_masses, carried_pins, frequency_error, targets, tune
 
 CACHE = ROOT / "build" / "bench" / "engines"
 SHARED = Path(os.environ.get("LIMBER_SHARED", ROOT.parent / "shared")) / "meshes"
 ENGINES = ("mujoco", "newton", "blender", "jolt")
 FLOORS = ("renumbered", "half the step")
+DOCUMENT = ROOT / "docs" / "engines.md"
+BEGIN, END = "<!-- tables -->", "<!-- end of tables -->"
 
 
 class OutOfTime(Exception):
@@ -134,11 +138,12 @@ def run_result(store, case, method, scene_starts, key):
     at = np.einsum("pk,pkc->pc", weights, case.original.positions[case.original.triangles[triangle]])
     points = closest_points(coarse, at)
     masses = carried_masses(case.original, case.body.masses, coarse)
+    base = case.engine.carried(case.parameters, case.original, coarse) if hasattr(case.engine, "carried") else case.parameters
     tuning_key = f"{case.engine.NAME}|{case.entry['name']}|{method}|tuning"
 
     def tuning():
         untouched = case.engine.body(coarse, case.parameters)
-        body = case.engine.body(coarse, case.parameters, masses)
+        body = case.engine.body(coarse, base, masses)
         factors = tune(case.goal, body, pins, coarse.is_open)
         return {
             "faces": len(coarse.triangles),
@@ -148,7 +153,7 @@ def run_result(store, case, method, scene_starts, key):
         }
 
     tuned = store.get(tuning_key, tuning)
-    native = case.engine.native(case.parameters, tuned["factors"])
+    native = case.engine.native(base, tuned["factors"])
     for scene, start, reference in scene_starts:
         cell = f"{key}|{scene}|{start}|{method}"
         run = lambda parameters, own: deviation(
@@ -159,7 +164,7 @@ def run_result(store, case, method, scene_starts, key):
 
 
 def cases(engines, options):
-    """(key, case) of every engine and mesh that was asked for; Blender has cloth alone."""
+    """(key, case) of every engine and mesh that was asked for; of Blender sheets alone."""
     for entry in scenes.definition["meshes"]:
         if options.meshes and entry["name"] not in options.meshes:
             continue
@@ -169,9 +174,9 @@ def cases(engines, options):
 
 
 def cells_of(store, case, start, key):
-    """(scene, start, the original's paths) of all scenes of the case."""
+    """(scene, start, the original's paths) of all scenes of the case; Blender's own wind is no force by area."""
     for scene, about in scenes.definition["scenes"].items():
-        if about["kind"] == case.entry["kind"]:
+        if about["kind"] == case.entry["kind"] and (case.engine.NAME != "blender" or scene == "hang"):
             path_key = f"{key}|{scene}|{start}|original"
             yield scene, start, store.paths(path_key, lambda: case.paths(scene, start))
 
@@ -187,6 +192,11 @@ def run(store, engines, options):
             floors(store, case, scene, start, reference, f"{key}|{scene}|{start}")
 
 
+def write_document(text):
+    before, after = DOCUMENT.read_text(encoding="utf-8").split(BEGIN)[0], DOCUMENT.read_text(encoding="utf-8").split(END)[1]
+    DOCUMENT.write_text(f"{before}{BEGIN}\n\n{text}\n\n{END}{after}", encoding="utf-8")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     words = lambda text: [word.strip() for word in text.split(";" if ";" in text else ",") if word.strip()]
@@ -195,7 +205,8 @@ def main():
     parser.add_argument("--methods", type=lambda text: text.split(";"), default=list(METHODS), help="separated by ;")
     parser.add_argument("--starts", type=int, default=scenes.definition["starts"])
     parser.add_argument("--seconds", type=float, default=1e9, help="stop after about this time; run again to go on")
-    parser.add_argument("--tables", action="store_true")
+    parser.add_argument("--tables", action="store_true", help="print what is there, simulate nothing")
+    parser.add_argument("--write", action="store_true", help="put what is complete into docs/engines.md")
     options = parser.parse_args()
     store = Store(time.time() + options.seconds)
     finished = True
@@ -204,9 +215,9 @@ def main():
             run(store, load_engines(options.engines), options)
         except OutOfTime:
             finished = False
-    from tables import tables
-
     print(tables(store.results))
+    if options.write:
+        write_document(tables(store.results, only_complete=True))
     if not finished:
         print("\nStopped by --seconds; run again to go on.", file=sys.stderr)
 

@@ -70,6 +70,7 @@ def _hang(result, start, frame, mesh):
     angle = np.radians(20 * start)
     down = GRAVITY * (np.cos(angle) * frame.direction(frame.thin) + np.sin(angle) * frame.direction(frame.long))
     result.force = lambda time, masses: masses[:, None] * down
+    result.gravity = down
 
 
 def _wind(result, start, frame, mesh):

@@ -6,10 +6,11 @@ import scenes
 from simplifiers import METHODS, OURS
 
 FLOORS = ("renumbered", "half the step")
+TITLES = {"mujoco": "MuJoCo", "newton": "Newton", "jolt": "Jolt", "blender": "Blender"}
 
 
 def geometric(values):
-    return float(np.exp(np.mean(np.log(values)))) if values else float("nan")
+    return float(np.exp(np.mean(np.log(values))))
 
 
 def table(head, rows):
@@ -17,8 +18,11 @@ def table(head, rows):
     return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines)
 
 
-def number(value):
-    return "diverged" if value is None else f"{value:.3g}"
+def number(values):
+    """The median of all starts; nothing where nothing has been simulated yet."""
+    if not values:
+        return "?"
+    return "diverged" if median(values) is None else f"{median(values):.3g}"
 
 
 def cells_of(results):
@@ -40,41 +44,54 @@ def median(values):
     return None if not values or any(value is None for value in values) else float(np.median(values))
 
 
-def tables(results):
+def tables(results, only_complete=False):
+    """Everything that has been simulated; `only_complete`: the scenes in which every mesh has been."""
     parts = []
     for (engine, kind), cells in sorted(cells_of(results).items()):
-        parts.append(f"### {engine}, {'bodies' if kind == 'body' else 'sheets'}\n\n{motion_table(cells)}")
+        if only_complete:
+            cells = complete_cells(cells)
+        if cells:
+            title = f"{TITLES[engine]}, {'bodies' if kind == 'body' else 'sheets'}"
+            parts.append(f"### {title}\n\n{motion_table(cells)}")
     frequencies = {key: value for key, value in results.items() if key.endswith("|tuning")}
     if frequencies:
         parts.append(f"### Frequencies of modes 1 to 10 in our model of each engine\n\n{frequency_table(frequencies)}")
     return "\n\n".join(parts)
 
 
-def motion_table(cells):
-    methods = [method for method in METHODS if any(method in cell for cell in cells.values())]
-    rows, gathered = [], {(method, state): [] for method in methods for state in ("untouched", "tuned")}
-    complete = [
-        name for name, cell in cells.items()
+def methods_of(cells):
+    return [method for method in METHODS if any(method in cell for cell in cells.values())]
+
+
+def complete_cells(cells):
+    """The cells of meshes and scenes where each method that occurs at all moved, untouched and tuned."""
+    methods = methods_of(cells)
+    return {
+        name: cell for name, cell in cells.items()
         if all(median(cell.get(m, {}).get(s)) is not None for m in methods for s in ("untouched", "tuned"))
-    ]
+    }
+
+
+def motion_table(cells):
+    methods, complete = methods_of(cells), complete_cells(cells)
+    rows, gathered = [], {(method, state): [] for method in methods for state in ("untouched", "tuned")}
     for (mesh, scene), cell in cells.items():
         row = [f"{mesh}, {scene}"]
         for method in methods:
             states = cell.get(method, {})
-            values = [median(states.get(state)) for state in ("untouched", "tuned")]
-            row.append(" -> ".join(number(value) if states else "" for value in values))
-            for state, value in zip(("untouched", "tuned"), values):
+            row.append(" -> ".join(number(states.get(state)) for state in ("untouched", "tuned")) if states else "")
+            for state in ("untouched", "tuned"):
                 if (mesh, scene) in complete:
-                    gathered[method, state].append(value)
-        row.append(" / ".join(number(median(cell.get(floor, {}).get("floor", []))) for floor in FLOORS
-                              if floor in cell))
+                    gathered[method, state].append(median(states[state]))
+        row.append(" / ".join(number(cell[floor]["floor"]) for floor in FLOORS if floor in cell))
         rows.append(row)
+    head = ["", *methods, "renumbered / half the step"]
+    if not complete:
+        return table(head, rows)
     means = [f"geometric mean of {len(complete)}"]
     for method in methods:
         means.append(" -> ".join(f"{geometric(gathered[method, state]):.3g}" for state in ("untouched", "tuned")))
-    rows.append([*means, ""])
-    note = best_peer_note(gathered, methods) if complete else ""
-    return table(["", *methods, "renumbered / half the step"], rows) + note
+    return table(head, [*rows, [*means, ""]]) + best_peer_note(gathered, methods)
 
 
 def best_peer_note(gathered, methods):

@@ -2,7 +2,7 @@
 
 Usage: python tests/bench/engines/verify.py [mujoco] [newton] [jolt] [blender]      prints a Markdown table
 Exits with 1 where an engine is off by more than its limit: MuJoCo and Newton 1 %, Blender 5 %, Jolt 2 %
-after its error, which halves with twice the iterations, is extrapolated from 10 and 20.
+at 20 iterations; its difference at 10 is told too.
 Engines that are not installed are told and left out.
 """
 
@@ -14,13 +14,14 @@ from scipy.linalg import eig
 
 from engine_motion import Motion, frequency_of
 from meshes import bent_strip, bumpy_sphere, low_pins
+from models import membrane
 from tables import table
 
 PINNED_PERCENT = 20
 LIMITS = {"mujoco": 1, "newton": 1, "jolt": 2, "blender": 5}
 PARAMETERS = {
     "mujoco": {"young": 1e4, "poisson": 0.3, "thickness": 0.02, "mass": 1},
-    "newton": {"tri_ke": 80, "tri_ka": 70, "edge_ke": 1, "density": 1},
+    "newton": {"tri_ke": 80, "tri_ka": 70, "edge_ke": 10, "density": 1},
     "jolt": {"compliance": 1 / 50, "bendCompliance": 1, "mass": 1},
     "blender": {"tension": 5000, "bending": 1000, "mass": 300},
 }
@@ -55,8 +56,8 @@ def newton_frequency(engine, mesh, pins):
 def jolt_frequency(engine, mesh, pins):
     ours, ten = measured_frequency(engine, mesh, pins, iterations=10)
     twenty = measured_frequency(engine, mesh, pins, iterations=20)[1]
-    print(f"jolt: {100 * (ten / ours - 1):+.2f} % at 10 iterations, {100 * (twenty / ours - 1):+.2f} % at 20", file=sys.stderr)
-    return ours, 2 * twenty - ten
+    print(f"jolt: ours over its own {100 * (ours / ten - 1):+.2f} % at 10 iterations", file=sys.stderr)
+    return ours, twenty
 
 
 def blender_frequency(engine, mesh, pins):
@@ -85,8 +86,21 @@ def blender_frequency(engine, mesh, pins):
     return omega / (2 * np.pi), 1 / (2 * top * engine.FRAME)
 
 
+def compare_stiffness(engine):
+    """The relative difference of MuJoCo's stiffness at rest from our formulas, in a row of the table."""
+    mesh, parameters = bumpy_sphere(4), PARAMETERS["mujoco"]
+    shear, lame, bend = engine.plate_constants(parameters)
+    ours = (membrane(mesh, shear, lame) + engine.bending_at_rest(mesh, bend)).toarray()
+    theirs = engine.stiffness_by_differences(mesh, parameters)
+    difference = np.linalg.norm(ours - theirs) / np.linalg.norm(theirs)
+    return ["mujoco", "bumpy sphere, K at rest", "", "", f"{difference:.1e}"], difference < 1e-6
+
+
 def check(name, engine):
     rows, isWithin = [], True
+    if name == "mujoco":
+        row, isWithin = compare_stiffness(engine)
+        rows.append(row)
     for mesh_name, generate in MESHES.items():
         mesh = generate()
         clamped = low_pins(mesh, PINNED_PERCENT)
