@@ -129,9 +129,10 @@ TEST(MotionLook, refusesWithASentence) {
   EXPECT_NE(look.refusal().find("20480"), std::string::npos);
   EXPECT_FALSE(look.deviationOf(large.moving(), job));
   EXPECT_FALSE(look.noiseFloor(job));
+  const Body middle{.mesh = shapes::sphere(4)};
+  EXPECT_NE(MotionLook(middle.moving(), kSprings, job).refusal().find("5120"), std::string::npos);
 }
 
-// Hinges by area of a third of the stiffness bend nearly like the shell, so that each is the other's look.
 TEST(MotionLook, movesMorleysShellToo) {
   Job job;
   constexpr SolverModel morley{StretchElement::Membrane, BendElement::Morley};

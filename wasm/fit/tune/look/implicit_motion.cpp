@@ -25,6 +25,8 @@ constexpr int kMostIterations = 60;
 // step, and its most shortenings.
 constexpr double kDecrease = 1e-4, kShortening = 0.5;
 constexpr int kMostShortenings = 20;
+// Inertia is doubled at most so many times to make a second derivative positive definite.
+constexpr int kMostShifts = 8;
 // A step that is expected to decrease the objective by less than this fraction is not checked: differences
 // as small may be rounding.
 constexpr double kUnchecked = 1e-9;
@@ -103,15 +105,19 @@ Eigen::VectorXd ImplicitMotion::inertiaForce(const Objective& objective, const S
   return force;
 }
 
-// The derivative of the elastic energy; factorises the second derivative of the objective.
+// The derivative of the elastic energy; factorises the second derivative of the objective, with as much more
+// inertia as leaves it positive definite where the body buckles.
 Eigen::VectorXd ImplicitMotion::linearise(const Objective& objective, const State& x, Job& job) {
-  Eigen::VectorXd gradient;
-  for (const StressKind kind : {StressKind::All, StressKind::Tension}) {
-    gradient = system_.linearise(x, kind);
-    factorisation_.factorise(-objective.inertia, job);
+  const Eigen::VectorXd gradient = system_.linearise(x, StressKind::All);
+  double inertia = objective.inertia;
+  for (int i = 0; i < kMostShifts; ++i, inertia *= 2) {
+    factorisation_.factorise(-inertia, job);
     ++factorisationCount_;
-    if (factorisation_.negativePivots() == 0) break;
+    if (factorisation_.negativePivots() == 0) return gradient;
   }
+  system_.linearise(x, StressKind::Tension);
+  factorisation_.factorise(-objective.inertia, job);
+  ++factorisationCount_;
   return gradient;
 }
 
@@ -161,7 +167,7 @@ bool ImplicitMotion::minimise(const Objective& objective, Point& point, Job& job
     if (isLast || (fraction == 1 && contraction < 1 && size * contraction / (1 - contraction) <= tolerance))
       return true;
     isNear = -growth <= kLooseTolerance * kLooseTolerance * point.value;
-    if (fraction == 0 && renews) break;
+    if (fraction == 0 && renews) return isNear || size <= tolerance;
     renews = fraction < 1 || (former > 0 && contraction > kSlow);
     former = fraction == 1 ? size : 0;
   }

@@ -25,9 +25,9 @@ struct ImplicitOptions {
 // than the step are damped away, so that what is stiff follows at rest.
 //
 // A step is the minimum of 1/2 |x - y|_M^2 / (2/3 h)^2 + E(x), where y is what inertia and gravity alone
-// would do. It is found by Newton's method with a line search. The second derivative takes account of
-// compression as long as that leaves it positive definite, and of tension alone otherwise. A factorisation is
-// kept within a step for as long as it converges quickly.
+// would do. It is found by Newton's method with a line search. Where compression leaves the second derivative
+// indefinite, inertia is added until it is definite. A factorisation is kept within a step for as long as it
+// converges quickly.
 //
 // The same input gives the same bits on any number of threads.
 class ImplicitMotion {
