@@ -95,7 +95,7 @@ describe('the core and TypeScript have the same', () => {
   });
 
   it('scenarios', () => {
-    const rows = [...source.matchAll(/\.name = "(\w+)"/g)].map(([, name]) => name);
+    const rows = [...source.matchAll(/^ +\{\.name = "(\w+)"/gm)].map(([, name]) => name);
     expect([...nameLists, rows]).toContainEqual([...OPTIONS.scenario.choices]);
   });
 

@@ -441,7 +441,7 @@ describe('limber simulate', () => {
 
 describe('a wrong command line', () => {
   it.each([
-    ['', 'There is no command "": use optimize, modes, compare, simulate, inspect (limber --help).'],
+    ['', 'There is no command "": use optimize, tune, modes, compare, simulate, inspect (limber --help).'],
     ['optimise', 'There is no command "optimise": did you mean "optimize"?'],
     ['optimize', 'IN is missing: limber optimize IN OUT.glb.'],
     ['optimize torus.obj', 'OUT.glb is missing: limber optimize IN OUT.glb.'],

@@ -32,6 +32,7 @@ function tunedBody(solver: SolverName, change: Partial<Tuned> = {}): TunedBody {
     stretchVertices: isNet ? Uint32Array.of(0, 1, 1, 2, 0, 2, 2, 3, 1, 3) : mesh.triangles,
     bendVertices: profile.bend === 'cross-springs' ? Uint32Array.of(0, 3) : Uint32Array.of(1, 2, 0, 3),
     frequencies: { errorUntouched: 40, errorTuned: 5, errorUnseen: 7, errorOtherPins: 8 },
+    motionRefusal: '',
     motion: { scene: 'sway', untouched: 1.5, tuned: 0.4, noiseFloor: 0.01, kept: 'tuned' },
     ...change,
   };

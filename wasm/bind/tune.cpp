@@ -50,7 +50,8 @@ struct Fields<Tuned> {
                  field("stretchField", &Tuned::stretchField), field("bendField", &Tuned::bendField),
                  field("stretchFactors", &Tuned::stretchFactors), field("bendFactors", &Tuned::bendFactors),
                  field("masses", &Tuned::masses), field("stretchVertices", &Tuned::stretchVertices),
-                 field("bendVertices", &Tuned::bendVertices), field("frequencies", &Tuned::frequencies));
+                 field("bendVertices", &Tuned::bendVertices), field("frequencies", &Tuned::frequencies),
+                 field("motionRefusal", &Tuned::motionRefusal));
 };
 
 namespace {

@@ -97,7 +97,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   },
   tune: {
     operands: ['A', 'B'],
-    summary: 'Find the parameters with which B, any coarse mesh of A, moves like A in a solver.',
+    summary: 'Find the parameters of a solver with which B moves like A.',
     flags: [SETTINGS, ...COMMON],
     defaults: {},
   },

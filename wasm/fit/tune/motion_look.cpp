@@ -31,11 +31,11 @@ std::vector<SurfacePoint> samplesOn(const TriangleMesh& original, const Triangle
 
 std::string refusalOf(const MovingBody& original, const SolverModel& model) {
   if (model.bend == BendElement::Morley && !(original.constants.bend > 0))
-    return "The motion was not looked at: a shell without bending stiffness has no thickness.";
+    return "a shell without bending stiffness has no thickness";
   const uint32_t most = model.bend == BendElement::CrossSprings ? kMostFacesOfSprings : kMostFaces;
   if (original.mesh.triangleCount() > most)
-    return "The motion was not looked at: the original has " + std::to_string(original.mesh.triangleCount()) +
-           " faces, and to move one of more than " + std::to_string(most) + " faces takes too long.";
+    return "the original has " + std::to_string(original.mesh.triangleCount()) +
+           " faces, and to move one of more than " + std::to_string(most) + " faces takes too long";
   return {};
 }
 
@@ -73,6 +73,20 @@ struct MotionLook::State {
     return all;
   }
 
+  // Leaves out the scenes in which the time steps of the original do not converge.
+  void moveOriginal(Job& job) {
+    const std::vector<LookScene> all = std::move(scenes);
+    std::vector<LookScene> moving;
+    for (const LookScene& scene : all) {
+      scenes = {scene};
+      auto moved = run(original, 1, job);
+      if (!moved) continue;
+      displacements.push_back(std::move(moved->front()));
+      moving.push_back(scene);
+    }
+    scenes = std::move(moving);
+  }
+
   std::vector<double> deviationsFrom(const std::vector<std::vector<Vec3>>& other) const {
     std::vector<double> deviations;
     for (size_t i = 0; i < scenes.size(); ++i)
@@ -99,13 +113,11 @@ MotionLook::MotionLook(const MovingBody& original, const SolverModel& model, Job
     state_->scenes = lookScenes(original, model, job);
   }
   if (state_->scenes.empty()) {
-    state_->refusal = "The motion was not looked at: nothing of the original can swing.";
+    state_->refusal = "nothing of the original can swing";
     return;
   }
-  if (auto moved = state_->run(original, 1, job))
-    state_->displacements = std::move(*moved);
-  else
-    state_->refusal = "The motion was not looked at: the time steps of the original do not converge.";
+  state_->moveOriginal(job);
+  if (state_->scenes.empty()) state_->refusal = "the time steps of the original do not converge";
 }
 
 MotionLook::~MotionLook() = default;

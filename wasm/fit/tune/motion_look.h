@@ -33,7 +33,7 @@ class MotionLook {
   MotionLook(MotionLook&&) noexcept;
   MotionLook& operator=(MotionLook&&) noexcept;
 
-  // The sentence that says why there is no look; empty if there is one.
+  // Why there is no look, as a clause; empty if there is one.
   const std::string& refusal() const;
   // 'sway', 'hang', or 'sway and hang'.
   std::string scene() const;

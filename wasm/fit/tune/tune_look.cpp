@@ -5,34 +5,48 @@
 
 namespace limber {
 
-std::optional<LookOutcome> lookAtMotion(const LookedAt& bodies, const std::vector<TuneCandidate>& candidates,
-                                        Job& job) {
-  const auto& [original, result, options, masses] = bodies;
-  if (options.model.bend == BendElement::Morley && options.tune != TuneKind::Global) return std::nullopt;
-  const Topology originalTopology = buildTopology(original), topology = buildTopology(result);
-  MotionLook look({original, originalTopology, options.original, {options.pinnedOriginal, {}}, {}, {}},
-                  options.model, job);
-  if (!look.refusal().empty()) return std::nullopt;
-  MovingBody body{result, topology, options.result, {options.pinnedResult, {}}, masses, {}};
-  const std::optional<double> untouched = look.deviationOf(body, job);
-  if (!untouched) return std::nullopt;
-  std::optional<double> least;
-  LookOutcome outcome;
+namespace {
+
+// The candidate that deviates least, and by how much; nothing where none can be moved.
+struct BestCandidate {
+  size_t index = 0;
+  std::optional<double> deviation = {};
+};
+BestCandidate bestOf(const std::vector<TuneCandidate>& candidates, MovingBody body, MotionLook& look,
+                     Job& job) {
+  const SolverConstants untouched = body.constants;
+  BestCandidate best;
   for (size_t i = 0; i < candidates.size(); ++i) {
-    body.constants = options.result;
+    body.constants = untouched;
     body.constants.stretch *= candidates[i].stretch;
     body.constants.secondStretch *= candidates[i].stretch;
     body.constants.bend *= candidates[i].bend;
     body.factors = candidates[i].factors;
     const std::optional<double> deviation = look.deviationOf(body, job);
-    if (!deviation || (least && *deviation >= *least)) continue;
-    least = deviation;
-    outcome.best = i;
+    if (!deviation || (best.deviation && *deviation >= *best.deviation)) continue;
+    best = {i, deviation};
   }
-  if (!least) return std::nullopt;
-  outcome.motion = {look.scene(), *untouched, *least, look.noiseFloor(job).value_or(0),
-                    *least <= *untouched ? KeptParameters::Tuned : KeptParameters::Untouched};
-  return outcome;
+  return best;
+}
+
+}  // namespace
+
+LookOutcome lookAtMotion(const LookedAt& bodies, const std::vector<TuneCandidate>& candidates, Job& job) {
+  const auto& [original, result, options, masses] = bodies;
+  if (options.model.bend == BendElement::Morley && options.tune != TuneKind::Global)
+    return {.refusal = "the shell moves with one factor of each kind alone"};
+  const Topology originalTopology = buildTopology(original), topology = buildTopology(result);
+  MotionLook look({original, originalTopology, options.original, {options.pinnedOriginal, {}}, {}, {}},
+                  options.model, job);
+  if (!look.refusal().empty()) return {.refusal = look.refusal()};
+  const MovingBody body{result, topology, options.result, {options.pinnedResult, {}}, masses, {}};
+  const std::optional<double> untouched = look.deviationOf(body, job);
+  const BestCandidate best = bestOf(candidates, body, look, job);
+  if (!untouched || !best.deviation) return {.refusal = "the time steps of the coarse mesh do not converge"};
+  const double tuned = *best.deviation;
+  return {.motion = TunedMotion{look.scene(), *untouched, tuned, look.noiseFloor(job).value_or(0),
+                                tuned <= *untouched ? KeptParameters::Tuned : KeptParameters::Untouched},
+          .best = best.index};
 }
 
 }  // namespace limber

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/job.h"
@@ -24,14 +25,14 @@ struct TuneCandidate {
 };
 
 struct LookOutcome {
-  TunedMotion motion;  // `tuned`: of the best candidate
-  size_t best = 0;     // the candidate that deviates least; of no meaning where untouched is kept
+  std::optional<TunedMotion> motion = {};  // `tuned`: of the best candidate
+  size_t best = 0;           // the candidate that deviates least; of no meaning where untouched is kept
+  std::string refusal = {};  // why there is no `motion`, as a clause; else empty
 };
 
-// Moves original, the result with factors of 1, and the result with each candidate. Nothing where there is no
-// look (see MotionLook::refusal, and Morley's element moves with a factor for each kind alone), or where
+// Moves original, the result with factors of 1, and the result with each candidate. No motion where there is
+// no look (see MotionLook::refusal, and Morley's element moves with a factor for each kind alone), or where
 // untouched or all candidates cannot be moved. Throws Cancelled.
-std::optional<LookOutcome> lookAtMotion(const LookedAt& bodies, const std::vector<TuneCandidate>& candidates,
-                                        Job& job);
+LookOutcome lookAtMotion(const LookedAt& bodies, const std::vector<TuneCandidate>& candidates, Job& job);
 
 }  // namespace limber

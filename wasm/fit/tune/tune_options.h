@@ -52,6 +52,7 @@ struct Tuned {
   std::vector<uint32_t> stretchVertices, bendVertices;  // of each constraint, one after the other
   TunedFrequencies frequencies;
   std::optional<TunedMotion> motion;
+  std::string motionRefusal;  // why there is no `motion` although it was asked for, as a clause; else empty
 };
 
 }  // namespace limber

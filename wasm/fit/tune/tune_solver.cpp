@@ -103,10 +103,10 @@ Attempt chosen(std::vector<Attempt> all, const LookedAt& bodies, Tuned& tuned, J
   for (const Attempt& attempt : all)
     candidates.push_back(isGlobal ? TuneCandidate{attempt.tuning.global.stretch, attempt.tuning.global.bend}
                                   : TuneCandidate{1, 1, attempt.tuning.all});
-  const std::optional<LookOutcome> outcome = lookAtMotion(bodies, candidates, job);
-  if (!outcome) return std::move(all[0]);
-  tuned.motion = outcome->motion;
-  return std::move(all[outcome->best]);
+  LookOutcome outcome = lookAtMotion(bodies, candidates, job);
+  tuned.motion = std::move(outcome.motion);
+  tuned.motionRefusal = std::move(outcome.refusal);
+  return std::move(all[outcome.best]);
 }
 
 // Writes everything that follows from the constraints and factors.

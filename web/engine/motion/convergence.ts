@@ -21,7 +21,8 @@ export function substepsToTake({ substeps, substepDeviation, deviationMean }: Co
   const { max } = OPTIONS.substeps;
   const wanted = (substeps * substepDeviation) / (CONVERGED * deviationMean);
   if (!(wanted < max)) return max;
-  const power = 10 ** Math.floor(Math.log10(wanted));
+  let power = 1;
+  while (10 * power <= wanted) power *= 10;
   return [1, 2, 5, 10].map((step) => step * power).find((round) => round >= wanted)!;
 }
 

@@ -11,6 +11,8 @@ export interface SolverReport {
   frequencies: Partial<TunedFrequencies>;
   /** absent where nothing was moved */
   motion?: TunedMotion;
+  /** why nothing was moved, as a clause */
+  motionRefusal?: string;
 }
 
 /** What a report says of fidelity: `compare` gives all of it but `solvers`, a tuning gives `solvers` alone. */
@@ -24,17 +26,22 @@ export function solverReport(bodies: TunedBody[]): {
   fidelity: { solvers: NonNullable<FidelityReport['solvers']> };
 } {
   const { solver, tuned } = worstTuned(bodies);
-  const { frequencies, motion } = tuned;
-  const report = { frequencies: knownErrors(frequencies), ...(motion ? { motion } : {}) };
+  const { frequencies, motion, motionRefusal } = tuned;
+  const moved = { ...(motion && { motion }), ...(motionRefusal && { motionRefusal }) };
+  const report = { frequencies: knownErrors(frequencies), ...moved };
   return { schema: 'limber-report/2', fidelity: { solvers: { [solver]: report } } };
 }
 
 const percentOf = (value: number): string => `${value.toFixed(value < 0.1 ? 3 : 2)} %`;
 
 /** Sentences without their end about what a tuning has found, for the terminal and the page. */
-export function describeTuning(solver: SolverName, { frequencies, motion }: SolverReport): string[] {
+export function describeTuning(
+  solver: SolverName,
+  { frequencies, motion, motionRefusal }: SolverReport,
+): string[] {
   const isKept = motion?.kept !== 'untouched';
-  const moved = motion ? describeMotion(motion) : 'the motion itself was not looked at';
+  const why = motionRefusal === undefined ? '' : `: ${motionRefusal}`;
+  const moved = motion ? describeMotion(motion) : `the motion itself was not looked at${why}`;
   return [describeFrequencies(solver, frequencies, isKept), moved];
 }
 

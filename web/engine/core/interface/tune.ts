@@ -82,6 +82,8 @@ export interface Tuned {
   frequencies: TunedFrequencies;
   /** null where `looks` is false */
   motion: TunedMotion | null;
+  /** why there is no `motion` although it was asked for, as a clause; else empty */
+  motionRefusal: string;
 }
 
 /** The functions of the core on this topic. */
