@@ -69,7 +69,7 @@ test('the settings of a solver are told, checked where typed, and the same as fr
   await young.fill('2e5');
   await young.press('Enter');
   await expect(page.locator('code.command')).toContainText(
-    "--solver hinge-shell --engine 'young=200000' --settings sheet-out-limber.settings.json",
+    "--solver hinge-shell --engine 'young=2e5' --settings sheet-out-limber.settings.json",
   );
   const settings = await saved(page, 'Save settings');
   const command = await page.locator('code.command').innerText();
