@@ -82,6 +82,12 @@ struct Convert<T> {
   static T fromJs(const val& in) { return in.as<T>(); }
 };
 
+template <>
+struct Convert<std::string> {
+  static val toJs(const std::string& value) { return val(value); }
+  static std::string fromJs(const val& in) { return in.as<std::string>(); }
+};
+
 template <HasNames Enum>
 struct Convert<Enum> {
   static val toJs(Enum value) { return val(std::string(Names<Enum>::list[static_cast<size_t>(value)])); }
