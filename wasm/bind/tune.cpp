@@ -39,8 +39,9 @@ struct Fields<TunedFrequencies> {
 template <>
 struct Fields<TunedMotion> {
   static constexpr auto list =
-      std::tuple(field("untouched", &TunedMotion::untouched), field("tuned", &TunedMotion::tuned),
-                 field("noiseFloor", &TunedMotion::noiseFloor), field("kept", &TunedMotion::kept));
+      std::tuple(field("scene", &TunedMotion::scene), field("untouched", &TunedMotion::untouched),
+                 field("tuned", &TunedMotion::tuned), field("noiseFloor", &TunedMotion::noiseFloor),
+                 field("kept", &TunedMotion::kept));
 };
 
 template <>
@@ -51,17 +52,13 @@ struct Fields<Tuned> {
                  field("stretchFactors", &Tuned::stretchFactors), field("bendFactors", &Tuned::bendFactors),
                  field("masses", &Tuned::masses), field("stretchVertices", &Tuned::stretchVertices),
                  field("bendVertices", &Tuned::bendVertices), field("frequencies", &Tuned::frequencies),
-                 field("motionRefusal", &Tuned::motionRefusal));
+                 field("motion", &Tuned::motion), field("motionRefusal", &Tuned::motionRefusal));
 };
 
 namespace {
 
 val jsTuneSolver(const val& original, const val& result, const val& options) {
-  const Tuned tuned = tuneSolver(*meshOf(original), *meshOf(result), fromJs<TuneOptions>(options), theJob);
-  val out = toJs(tuned);
-  out.set("motion", toJs(tuned.motion));
-  if (tuned.motion) out["motion"].set("scene", val(tuned.motion->scene));
-  return out;
+  return toJs(tuneSolver(*meshOf(original), *meshOf(result), fromJs<TuneOptions>(options), theJob));
 }
 
 }  // namespace
