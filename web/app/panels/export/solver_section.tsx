@@ -47,7 +47,7 @@ export function SolverSection({ report }: { report: Report | null }) {
 const TUNES = [
   { value: 'global', text: 'Two numbers', title: 'One factor on stretching and one on bending' },
   { value: 'vertex', text: 'Maps', title: 'Smooth factors at the vertices' },
-  { value: 'constraint', text: 'Each constraint', title: 'A factor for every spring, triangle and hinge' },
+  { value: 'constraint', text: 'Each', title: 'A factor for every spring, triangle and hinge' },
 ] as const;
 
 function Tuning({ solver, report }: { solver: SolverName; report: Report | null }) {

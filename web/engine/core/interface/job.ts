@@ -12,7 +12,7 @@ export const PHASES = [
   'collapsing edges',
   'measuring distance',
   'comparing modes',
-  'fitting modes',
+  'fitting',
   'simulating',
   'looking for symmetry',
 ] as const;
