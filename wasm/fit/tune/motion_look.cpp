@@ -13,7 +13,7 @@ namespace limber {
 namespace {
 
 // Faces of an original from which on a look takes minutes.
-constexpr uint32_t kMostFaces = 12000;
+constexpr uint32_t kMostFaces = 8000;
 // The same for cross springs: nets of them buckle everywhere, so that a step takes ten factorisations.
 constexpr uint32_t kMostFacesOfSprings = 3000;
 constexpr uint32_t kRecordEvery = 2, kLongStride = 2;
