@@ -11,7 +11,6 @@ from scipy.sparse import coo_matrix
 from models import Body, angle_gradients, hinge_areas, hinge_lengths, hinges_stiffness, springs
 
 NAME = "blender"
-MASS_RULE = "vertex"
 FRAME = 0.001**0.5
 TIME = 1000
 
@@ -84,18 +83,6 @@ def simulate(mesh, parameters, motion, masses=None):
     frames = round(motion.frames * motion.steps_per_frame * motion.step / FRAME)
     quality = round(QUALITY * motion.steps_per_frame / 3)
     return hang(mesh, parameters, motion.pins, motion.gravity, frames, quality)[1:]
-
-
-def carried(parameters, original, coarse):
-    """The least that another resolution needs: the same total mass, and the same stiffness of a spring."""
-    count = len(original.positions) / len(coarse.positions)
-    tension = parameters["tension"] * mean_edge(coarse) / mean_edge(original)
-    return {**parameters, "mass": parameters["mass"] * count, "tension": tension}
-
-
-def native(parameters, factors):
-    m, b = factors
-    return {**parameters, "tension": m * parameters["tension"], "bending": b * parameters["bending"]}
 
 
 def parameters_of(original, material):

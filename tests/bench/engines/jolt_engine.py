@@ -10,8 +10,6 @@ import numpy as np
 from models import Body, hinge_areas, hinge_lengths, hinges_stiffness, springs
 
 NAME = "jolt"
-# mInvMass of a vertex: the same for every one.
-MASS_RULE = "vertex"
 SCRIPT = Path(__file__).with_name("jolt_run.mjs")
 # Substeps of a step of 1 / (60 x stepsPerFrame) s.
 ITERATIONS = 20
@@ -30,19 +28,13 @@ def body(mesh, parameters, masses=None):
     return Body(stretch, hinges_stiffness(mesh, hinges, 1 / parameters["bendCompliance"]), masses)
 
 
-def native(parameters, factors):
-    m, b = factors
-    changed = {"compliance": parameters["compliance"] / m, "bendCompliance": parameters["bendCompliance"] / b}
-    return {**parameters, **changed}
-
-
 def settings_body(mesh, parameters, masses, pins):
     """The body of a settings file (limber-settings/1) for these parameters."""
     edges, hinges = mesh.edges()
     return {
         "name": "body", "level": 0, "unit": 1,
         "mesh": {"positions": mesh.positions.ravel().tolist(), "triangles": mesh.triangles.ravel().tolist()},
-        "mass": {"rule": MASS_RULE, "perVertex": np.asarray(masses).tolist()},
+        "mass": {"rule": "vertex", "perVertex": np.asarray(masses).tolist()},
         "stretch": {"constant": 1 / parameters["compliance"], "pairs": edges.ravel().tolist()},
         "bend": {"constant": 1 / parameters["bendCompliance"], "hinges": hinges.ravel().tolist()},
         "pins": [int(pin) for pin in pins], "substeps": ITERATIONS,

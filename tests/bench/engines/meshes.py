@@ -193,3 +193,14 @@ def low_pins(mesh, percent=6, axis=None):
     axis = int(np.argmax(np.ptp(mesh.positions, axis=0))) if axis is None else axis
     x = mesh.positions[:, axis]
     return np.flatnonzero(x <= x.min() + percent / 100 * np.ptp(x))
+
+
+def carried_pins(original, pins, coarse):
+    """Vertices of the coarse mesh whose nearest point on the original is at least half pinned."""
+    if len(pins) == 0:
+        return np.zeros(0, int)
+    pinned = np.zeros(len(original.positions))
+    pinned[pins] = 1
+    triangle, weights = closest_points(original, coarse.positions)
+    share = (pinned[original.triangles[triangle]] * weights).sum(1)
+    return np.flatnonzero(share >= 0.5)

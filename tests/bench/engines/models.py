@@ -104,28 +104,23 @@ class Body:
         self.stretch, self.bend, self.masses = stretch, bend, np.asarray(masses, float)
         self.zero_modes = zero_modes
 
-    def stiffness(self, factors=(1.0, 1.0)):
-        return factors[0] * self.stretch + factors[1] * self.bend
+    @property
+    def stiffness(self):
+        return self.stretch + self.bend
 
-    def modes(self, count, pins=(), factors=(1.0, 1.0)):
+    def modes(self, count, pins=()):
         """(lambda, phi): the lowest `count` elastic modes, ascending; phi (3n x count) is mass-normalised."""
         n = len(self.masses)
         free = np.ones(n, bool)
         free[np.asarray(pins, int)] = False
         unknown = np.flatnonzero(np.repeat(free, 3))
-        stiffness = self.stiffness(factors).tocsc()[unknown][:, unknown]
+        stiffness = self.stiffness.tocsc()[unknown][:, unknown]
         mass = np.repeat(self.masses, 3)[unknown]
         skip = 0 if len(pins) else self.zero_modes
         values, vectors = lowest_modes(stiffness, mass, count + skip)
         phi = np.zeros((3 * n, count))
         phi[unknown] = vectors[:, skip:]
         return values[skip:], phi
-
-    def shares(self, phi, factors):
-        """d ln(lambda_i) / d ln(stretch, bend factor), exact (modes x 2), from mass-normalised modes."""
-        stretch = factors[0] * np.einsum("ui,ui->i", phi, self.stretch @ phi)
-        bend = factors[1] * np.einsum("ui,ui->i", phi, self.bend @ phi)
-        return np.column_stack([stretch, bend]) / (stretch + bend)[:, None]
 
 
 def lowest_modes(stiffness, mass, count):
@@ -142,3 +137,8 @@ def lowest_modes(stiffness, mass, count):
     values = 1 / nu + shift
     order = np.argsort(values)
     return values[order], vectors[:, order] / root[:, None]
+
+
+def frequency_error(eigenvalues, goal):
+    """Mean relative error of frequencies, %."""
+    return float(100 * np.mean(np.abs(np.sqrt(np.maximum(eigenvalues, 0) / goal) - 1)))

@@ -7,8 +7,6 @@ from scipy.sparse import coo_matrix
 from models import Body, hinge_areas, hinge_lengths, hinges_stiffness, membrane
 
 NAME = "mujoco"
-# Masses of a flexcomp: its mass, the same for every vertex.
-MASS_RULE = "vertex"
 
 
 def xml(mesh, parameters, timestep, pins=()):
@@ -87,13 +85,6 @@ def body(mesh, parameters, masses=None):
     _, hinges = mesh.edges()
     constants = bend * hinge_lengths(mesh, hinges) ** 2 / hinge_areas(mesh, hinges)
     return Body(membrane(mesh, shear, lame), hinges_stiffness(mesh, hinges, constants), masses)
-
-
-def native(parameters, factors):
-    """The parameters to type for factors on stretch and bend: Young times m sqrt(m / b), thickness times sqrt(b / m)."""
-    m, b = factors
-    changed = {"young": parameters["young"] * m * np.sqrt(m / b), "thickness": parameters["thickness"] * np.sqrt(b / m)}
-    return {**parameters, **changed}
 
 
 def stiffness_by_differences(mesh, parameters, step=1e-6):

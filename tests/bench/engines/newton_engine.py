@@ -11,8 +11,6 @@ from models import Body, hinge_areas, hinge_lengths, hinges_stiffness, membrane
 
 wp.config.quiet = True
 NAME = "newton"
-# Masses: density times a third of the areas around.
-MASS_RULE = "area"
 # VBD converges slowly where stiffness x step^2 / mass is large: its steps are this many times shorter than the scene's.
 SUBSTEPS = 4
 
@@ -24,12 +22,6 @@ def body(mesh, parameters, masses=None):
         masses = parameters["density"] * mesh.vertex_areas
     bend = hinges_stiffness(mesh, hinges, parameters["edge_ke"] * hinge_lengths(mesh, hinges))
     return Body(membrane(mesh, parameters["tri_ke"], parameters["tri_ka"]), bend, masses)
-
-
-def native(parameters, factors):
-    m, b = factors
-    changed = {"tri_ke": m * parameters["tri_ke"], "tri_ka": m * parameters["tri_ka"], "edge_ke": b * parameters["edge_ke"]}
-    return {**parameters, **changed}
 
 
 def simulate(mesh, parameters, motion, masses=None, iterations=10, substeps=SUBSTEPS):

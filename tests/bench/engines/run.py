@@ -19,15 +19,17 @@ from pathlib import Path
 
 import numpy as np
 
+import product
 import scenes
-from meshes import closest_points, renumbered
-from simplifiers import METHODS, ROOT, simplified
+from meshes import carried_pins, closest_points, renumbered
+from models import frequency_error
+from simplifiers import METHODS, ROOT, mesh_file, simplified
 from tables import tables
-from tuning import carried_masses, carried_pins, frequency_error, targets, tune
 
 CACHE = ROOT / "build" / "bench" / "engines"
 SHARED = Path(os.environ.get("LIMBER_SHARED", ROOT.parent / "shared")) / "meshes"
 ENGINES = ("mujoco", "newton", "blender", "jolt")
+MODES = 10
 FLOORS = ("renumbered", "half the step")
 DOCUMENT = ROOT / "docs" / "engines.md"
 BEGIN, END = "<!-- tables -->", "<!-- end of tables -->"
@@ -62,8 +64,9 @@ class Case:
 
     @property
     def goal(self):
+        """The first eigenvalues of the free original."""
         if self._goal is None:
-            self._goal = targets(self.body, self.pins)
+            self._goal = self.body.modes(MODES)[0]
         return self._goal
 
     def paths(self, scene, start, mesh=None, pins=None, points=None, parameters=None, masses=None, halved=False):
@@ -130,6 +133,21 @@ def floors(store, case, scene, start, reference, key):
     store.get(f"{key}|{FLOORS[1]}", lambda: deviation(reference, case.paths(scene, start, halved=True)))
 
 
+def tune(case, coarse, method):
+    """What `limber tune` writes for the coarse mesh, and its frequencies in our model of the engine."""
+    name, engine = case.entry["name"], case.engine.NAME
+    found = product.tuned(engine, mesh_file(name), case.original, case.parameters, mesh_file(name, method), coarse)
+    body = case.engine.body(coarse, found.engine, found.masses)
+    return {
+        "faces": len(coarse.triangles),
+        "native": found.engine,
+        "masses": found.masses.tolist(),
+        "motion": found.motion,
+        "untouched": frequency_error(case.engine.body(coarse, case.parameters).modes(MODES)[0], case.goal),
+        "tuned": frequency_error(body.modes(MODES)[0], case.goal),
+    }
+
+
 def run_result(store, case, method, scene_starts, key):
     """Untouched and tuned deviations of one method's mesh in all scenes and starts."""
     coarse = simplified(case.entry["name"], case.original, "low:6", method, scenes.definition["ratio"])
@@ -137,23 +155,9 @@ def run_result(store, case, method, scene_starts, key):
     triangle, weights = case.points
     at = np.einsum("pk,pkc->pc", weights, case.original.positions[case.original.triangles[triangle]])
     points = closest_points(coarse, at)
-    masses = carried_masses(case.original, case.body.masses, coarse)
-    base = case.engine.carried(case.parameters, case.original, coarse) if hasattr(case.engine, "carried") else case.parameters
     tuning_key = f"{case.engine.NAME}|{case.entry['name']}|{method}|tuning"
-
-    def tuning():
-        untouched = case.engine.body(coarse, case.parameters)
-        body = case.engine.body(coarse, base, masses)
-        factors = tune(case.goal, body, pins, coarse.is_open)
-        return {
-            "faces": len(coarse.triangles),
-            "factors": factors,
-            "untouched": frequency_error(untouched.modes(10)[0], case.goal[0][:10]),
-            "tuned": frequency_error(body.modes(10, (), factors)[0], case.goal[0][:10]),
-        }
-
-    tuned = store.get(tuning_key, tuning)
-    native = case.engine.native(base, tuned["factors"])
+    tuned = store.get(tuning_key, lambda: tune(case, coarse, method))
+    native, masses = tuned["native"], np.array(tuned["masses"])
     for scene, start, reference in scene_starts:
         cell = f"{key}|{scene}|{start}|{method}"
         run = lambda parameters, own: deviation(

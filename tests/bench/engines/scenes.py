@@ -1,6 +1,7 @@
 """Motions of scenes.json on any mesh of the same shape."""
 
 import json
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,8 @@ GRAVITY = 9.81
 PINNED_PERCENT = 6
 SWAY_SPEED = 0.6
 TWIST_DEGREES = (30, 22.5, 15)
+# Of the small motions, in which thin shells do not buckle.
+SMALL = 1 / 3
 
 definition = json.loads(Path(__file__).with_name("scenes.json").read_text(encoding="utf-8"))
 
@@ -52,14 +55,14 @@ def motion(name, start, original, mesh, pins, steps_per_frame=None):
     return result
 
 
-def _sway(result, start, frame, mesh):
+def _sway(result, start, frame, mesh, size=1):
     angle = np.radians(72 * start)
     direction = np.cos(angle) * frame.direction(frame.thin) + np.sin(angle) * frame.direction(frame.middle)
-    result.velocity[:] = SWAY_SPEED * frame.height(mesh.positions)[:, None] ** 2 * direction
+    result.velocity[:] = size * SWAY_SPEED * frame.height(mesh.positions)[:, None] ** 2 * direction
 
 
-def _release(result, start, frame, mesh):
-    angle = np.radians(TWIST_DEGREES[start]) * frame.height(mesh.positions)
+def _release(result, start, frame, mesh, size=1):
+    angle = size * np.radians(TWIST_DEGREES[start]) * frame.height(mesh.positions)
     a, b = (frame.long + 1) % 3, (frame.long + 2) % 3
     x, y = mesh.positions[:, a] - frame.centre[a], mesh.positions[:, b] - frame.centre[b]
     result.start[:, a] = frame.centre[a] + np.cos(angle) * x - np.sin(angle) * y
@@ -81,7 +84,14 @@ def _wind(result, start, frame, mesh):
     result.force = lambda time, masses: masses[:, None] * down + np.sin(np.pi * (time + phase)) ** 2 * push
 
 
-_starts = {"sway": _sway, "release": _release, "hang": _hang, "wind": _wind}
+_starts = {
+    "sway": _sway,
+    "release": _release,
+    "small sway": partial(_sway, size=SMALL),
+    "small release": partial(_release, size=SMALL),
+    "hang": _hang,
+    "wind": _wind,
+}
 
 
 def pins_of(original):

@@ -1,6 +1,5 @@
 """The meshes that are compared: ours and those of other simplifiers, at 25 % of the faces, kept on disk."""
 
-import os
 import subprocess
 from pathlib import Path
 
@@ -8,14 +7,14 @@ import numpy as np
 
 from glb import read_glb
 from meshes import read_obj, weld, write_obj
+from product import CLI, ROOT
 
-ROOT = Path(__file__).resolve().parents[3]
 FOLDER = ROOT / "build" / "bench" / "engines" / "meshes"
 
 
 def _ours(source, faces, pins, target, extra):
     binary = target.with_suffix(".glb")
-    command = ["node", os.environ.get("LIMBER_CLI", str(ROOT / "dist" / "cli" / "limber.mjs")), "optimize", str(source), str(binary),
+    command = ["node", CLI, "optimize", str(source), str(binary),
                "--quiet", "--faces", str(faces), "--max-deviation", "0", *extra]
     subprocess.run(command + (["--pins", pins] if pins else []), check=True, capture_output=True)
     return read_glb(binary)
@@ -58,15 +57,19 @@ METHODS = {
 OURS = ("limber", "limber, fit off")
 
 
+def mesh_file(name, method=None):
+    """Where the original, or what a method made of it, is stored."""
+    method = f"-{method.replace(' ', '-').replace(',', '')}" if method else ""
+    return FOLDER / f"{name}{method}.obj"
+
+
 def simplified(name, mesh, pins, method, ratio=0.25):
-    """The coarse mesh, computed once; None with a reason on the second place where a simplifier failed."""
+    """The coarse mesh, computed once."""
     FOLDER.mkdir(parents=True, exist_ok=True)
-    source = FOLDER / f"{name}.obj"
+    source, target = mesh_file(name), mesh_file(name, method)
     if not source.exists():
         write_obj(source, mesh)
-    target = FOLDER / f"{name}-{method.replace(' ', '-').replace(',', '')}.obj"
     if not target.exists():
         run, options = METHODS[method]
-        result = run(source, int(ratio * len(mesh.triangles)), pins, target, options)
-        write_obj(target, result)
+        write_obj(target, run(source, int(ratio * len(mesh.triangles)), pins, target, options))
     return read_obj(target)
