@@ -171,7 +171,7 @@ describe('what a report says of them', () => {
     const { solvers } = solverReport([tunedBody('springs')]).fidelity;
     expect(describeTuning('springs', solvers.springs!)).toEqual([
       'in Springs the first ten frequencies are off 5.00 % tuned (modes that were not tuned 7.00 %), 40.00 % with your own numbers',
-      'swaying it is 0.40 % of its size away from the original tuned, 1.50 % with your own numbers (noise 0.010 %)',
+      'swaying it is 0.40 % of its size away from the original tuned, 1.50 % with your own stiffness and the masses of the original (noise 0.010 %)',
     ]);
     const { frequencies } = solvers.springs!;
     const motion = {
@@ -182,8 +182,8 @@ describe('what a report says of them', () => {
       kept: 'untouched' as const,
     };
     const [errors, told] = describeTuning('jolt', { frequencies, motion });
-    expect(errors).toMatch(/40\.00 % with your own numbers, which are kept$/);
-    expect(told).toMatch(/so stiffness stays as it is, and masses alone are tuned$/);
+    expect(errors).toMatch(/40\.00 % with your own numbers$/);
+    expect(told).toMatch(/so the file has your own stiffness and those masses$/);
     expect(describeTuning('jolt', { frequencies })[1]).toBe('the motion itself was not looked at');
   });
 });

@@ -39,23 +39,20 @@ export function describeTuning(
   solver: SolverName,
   { frequencies, motion, motionRefusal }: SolverReport,
 ): string[] {
-  const isKept = motion?.kept !== 'untouched';
   const why = motionRefusal === undefined ? '' : `: ${motionRefusal}`;
   const moved = motion ? describeMotion(motion) : `the motion itself was not looked at${why}`;
-  return [describeFrequencies(solver, frequencies, isKept), moved];
+  return [describeFrequencies(solver, frequencies), moved];
 }
 
 function describeFrequencies(
   solver: SolverName,
   { errorUntouched, errorTuned, errorUnseen }: Partial<TunedFrequencies>,
-  isKept: boolean,
 ): string {
   const { label } = profileOf(solver);
   if (errorUntouched === undefined || errorTuned === undefined)
     return `in ${label} this shape bends without resistance, so there are no frequencies to tune: masses are, the factors stay at 1`;
   const unseen = errorUnseen === undefined ? '' : ` (modes that were not tuned ${percentOf(errorUnseen)})`;
-  const errors = `in ${label} the first ten frequencies are off ${percentOf(errorTuned)} tuned${unseen}, ${percentOf(errorUntouched)} with your own numbers`;
-  return isKept ? errors : `${errors}, which are kept`;
+  return `in ${label} the first ten frequencies are off ${percentOf(errorTuned)} tuned${unseen}, ${percentOf(errorUntouched)} with your own numbers`;
 }
 
 const SCENES: Record<string, string> = {
@@ -65,6 +62,6 @@ const SCENES: Record<string, string> = {
 };
 
 function describeMotion({ scene, untouched, tuned, noiseFloor, kept }: TunedMotion): string {
-  const told = `${SCENES[scene] ?? scene} it is ${percentOf(tuned)} of its size away from the original tuned, ${percentOf(untouched)} with your own numbers (noise ${percentOf(noiseFloor)})`;
-  return kept === 'tuned' ? told : `${told}, so stiffness stays as it is, and masses alone are tuned`;
+  const told = `${SCENES[scene] ?? scene} it is ${percentOf(tuned)} of its size away from the original tuned, ${percentOf(untouched)} with your own stiffness and the masses of the original (noise ${percentOf(noiseFloor)})`;
+  return kept === 'tuned' ? told : `${told}, so the file has your own stiffness and those masses`;
 }
