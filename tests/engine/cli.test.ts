@@ -391,8 +391,21 @@ describe('limber simulate', () => {
     const { code, stdout, stderr } = limber('simulate', 'grid.obj', '--scenario', 'hang', '--seconds', '0.2');
     expect([code, stderr]).toEqual([0, '']);
     expect(stdout).toMatch(
-      /^scenario +hang, 0\.2 s, shell, 20 substeps, grid\ngrid\.obj +256 constraints, 208 edges, \S+ ms a step, \S+ ns a constraint\n$/,
+      /^scenario +hang, 0\.2 s, solid where closed, 20 substeps, grid\ngrid\.obj +256 constraints, 208 edges, \S+ ms a step, \S+ ns a constraint\n$/,
     );
+  });
+
+  it('moves closed bodies as solids, and calibrated ones as shells', () => {
+    writeFileSync(path('bar.obj'), toObj(box(4, 4, 12)));
+    const madeOf = (words: string): string[] =>
+      limber(...`simulate ${words} --scenario sway --seconds 0.05`.split(' ')).stdout.split(/, +/).slice(0, 3);
+    expect(madeOf('bar.obj')).toEqual(['scenario             sway', '0.05 s', 'solid where closed']);
+    const constraintsOf = (words: string): number =>
+      report(limber(...`simulate bar.obj --seconds 0.05 --json ${words}`.trim().split(' ')).stdout).simulation!.original
+        .constraints;
+    expect(constraintsOf('')).toBe(constraintsOf('--material=solid'));
+    expect(constraintsOf('')).not.toBe(constraintsOf('--material=shell'));
+    expect(madeOf('bar.obj bar.obj --calibrate')[2]).toBe('shell');
   });
 
   it('reports how much two bodies deviate, next to the noise floor', () => {

@@ -3,7 +3,7 @@
 import { basename } from 'node:path';
 import { readBinding } from '../engine/report/binding_file';
 import type { BodyBinding } from '../engine/body/body_binding';
-import type { MotionComparison } from '../engine/core/core';
+import type { MotionComparison, SimulationModel } from '../engine/core/core';
 import { recordingGlb } from '../engine/document/recording';
 import type { RecordedBody } from '../engine/document/recording';
 import type { PreparedBody } from '../engine/body/prepared_body';
@@ -16,6 +16,7 @@ import {
   simulationOptions,
   solversAsTheyAre,
   STEP_SECONDS,
+  simulatedMaterial,
 } from '../engine/motion/simulation';
 import { meshReport } from '../engine/report/mesh_report';
 import { calibrationReport, simulationReport, worstMotion } from '../engine/report/motion_report';
@@ -103,10 +104,6 @@ function checkCalibration({ settings, operands }: Arguments): void {
     throw new UsageError(
       '--calibrate is for --material shell: springs have no stiffness against bending that a factor could match.',
     );
-  if (settings.material === 'solid')
-    throw new UsageError(
-      '--calibrate is for --material shell: solids of A and B have lattices of the same size, so that there is nothing to match.',
-    );
 }
 
 /** The settings that B was tuned with; null: B is simulated as it is. */
@@ -120,7 +117,8 @@ function readSettled({ settingsFile, settings }: Arguments): SettingsFile | null
 }
 
 function askedOf({ settings }: Arguments, settled: SettingsFile | null, isPair: boolean) {
-  const { material, scenario, solver: named } = settings;
+  const { scenario, solver: named } = settings;
+  const material = simulatedMaterial(settings);
   const solver = settled?.solver ?? (named === 'none' ? undefined : named);
   return { material, scenario, solver, tuned: solver && isPair ? settled !== null : undefined };
 }
@@ -197,6 +195,12 @@ function optionsAsUsed({ settings, mesh }: Arguments): object {
   return mesh === null ? used : { ...used, mesh };
 }
 
+const MATERIAL_WORDS: Record<SimulationModel, string> = {
+  solid: 'solid where closed',
+  shell: 'shell',
+  springs: 'springs',
+};
+
 function simulateText(
   { operands, settings }: Arguments,
   { simulation, calibration }: Report,
@@ -204,7 +208,7 @@ function simulateText(
 ): string {
   const { material, solver, tuned, scenario, substeps, original, optimized } = simulation!;
   const tuning = tuned === undefined ? '' : tuned ? ', tuned' : ', as it is';
-  const made = solver ? `${profileOf(solver).label}${tuning}` : material;
+  const made = solver ? `${profileOf(solver).label}${tuning}` : MATERIAL_WORDS[material];
   const what = bodies.length > 1 ? `${bodies.length} bodies` : bodies[0].body.name;
   return list([
     ['scenario', `${scenario}, ${settings.seconds} s, ${made}, ${substeps} substeps, ${what}`],

@@ -12,7 +12,8 @@ from models import Body, hinge_areas, hinge_lengths, hinges_stiffness, membrane
 wp.config.quiet = True
 NAME = "newton"
 # VBD converges slowly where stiffness x step^2 / mass is large: its steps are this many times shorter than the scene's.
-SUBSTEPS = 4
+SUBSTEPS = 16
+ITERATIONS = 4
 
 
 def body(mesh, parameters, masses=None):
@@ -24,7 +25,7 @@ def body(mesh, parameters, masses=None):
     return Body(membrane(mesh, parameters["tri_ke"], parameters["tri_ka"]), bend, masses)
 
 
-def simulate(mesh, parameters, motion, masses=None, iterations=10, substeps=SUBSTEPS):
+def simulate(mesh, parameters, motion, masses=None, iterations=ITERATIONS, substeps=SUBSTEPS):
     builder = newton.ModelBuilder(gravity=wp.vec3(0.0))
     keys = ("tri_ke", "tri_ka", "edge_ke", "density")
     builder.add_cloth_mesh(

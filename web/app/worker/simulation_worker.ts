@@ -28,7 +28,7 @@ let calibrated = { key: '', factor: 1 };
 
 /** The last calibration is kept: it takes a while and depends on no setting of the simulation. Solvers are tuned instead. */
 function calibrationFor({ original, result, meshKey, size, settings }: TwinSetup): number {
-  if (!settings.calibrate || settings.solver !== 'none' || settings.material === 'solid') return 1;
+  if (!settings.calibrate || settings.solver !== 'none') return 1;
   const key = `${meshKey} ${settings.thickness} ${settings.poisson}`;
   if (calibrated.key !== key)
     calibrated = { key, factor: calibrationOf(core, { ...size, mesh: original }, result.mesh, settings) };

@@ -1,7 +1,7 @@
 /** What the settings ask of a simulation, and what it needs to know of an original and its result. */
 
 import { vertexCount } from '../core/mesh';
-import type { Binding, Core, SimulationOptions, TriangleMesh } from '../core/core';
+import type { Binding, Core, SimulationModel, SimulationOptions, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
 import { collisionSceneOf } from './colliders';
 import type { BodyBinding } from '../body/body_binding';
@@ -17,6 +17,10 @@ import type { SolverPair } from '../solvers/solver_pair';
 /** Seconds of one step, whatever the number of substeps. */
 export const STEP_SECONDS = 1 / 60;
 
+/** What bodies are made of without a solver: a calibrated one is a shell, as solids with the same lattice have nothing to match. */
+export const simulatedMaterial = ({ material, calibrate }: Settings): SimulationModel =>
+  calibrate && material === 'solid' ? 'shell' : material;
+
 /**
  * The options of a simulation of this body and of any result of it, as the settings say. `pinned` are vertices of the
  * original; null pins what the scenario pins by itself.
@@ -26,9 +30,9 @@ export function simulationOptions(
   settings: Settings,
   pinned: PinnedVertices | null,
 ): SimulationOptions {
-  const { material, scenario, seconds, substeps, damping, selfCollision, friction, colliders } = settings;
+  const { scenario, seconds, substeps, damping, selfCollision, friction, colliders } = settings;
   return {
-    material,
+    material: simulatedMaterial(settings),
     scenario,
     seconds,
     substeps,

@@ -11,11 +11,11 @@ type Material = Settings['material'];
 
 /** What moves without a solver of the panel. */
 const OWN: Record<Material, { text: string; title: string }> = {
-  shell: { text: "Limber's shell", title: 'Membrane and bending: the same material on any mesh' },
   solid: {
     text: "Limber's solid",
     title: 'Closed parts have an inside, the same in both bodies; open ones are shells',
   },
+  shell: { text: "Limber's shell", title: 'Membrane and bending: the same material on any mesh' },
   springs: {
     text: "The paper's springs",
     title: 'The edges, as in the paper: another material on every mesh',
