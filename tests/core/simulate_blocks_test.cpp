@@ -39,7 +39,7 @@ TEST(Blocks, groupsOfAKindShareNoVertexOfAnyTriangleAndItsNeighbours) {
 
 TEST(Blocks, theOrderFromEndToEndIsOneOfAllVerticesAndKeepsNeighboursClose) {
   const TriangleMesh strip = shapes::grid(2, 60);
-  const auto order = orderFromEndToEnd(strip, buildTopology(strip));
+  const auto order = orderFromEndToEnd({flattened(strip.triangles), 3}, strip.vertexCount());
   std::vector<uint32_t> slotOf(strip.vertexCount(), kNone);
   for (uint32_t i = 0; i < order.size(); ++i) slotOf[order[i]] = i;
   EXPECT_EQ(std::count(slotOf.begin(), slotOf.end(), kNone), 0);
@@ -51,7 +51,7 @@ TEST(Blocks, theOrderFromEndToEndIsOneOfAllVerticesAndKeepsNeighboursClose) {
 TEST(Blocks, aLongBodyHasABorderBetweenEveryTwoBlocks) {
   TriangleMesh strip = shapes::grid(60, 2);
   EXPECT_EQ(blocksOf(strip, flapsOf(strip, buildTopology(strip)), 1).borderCount, 0u);
-  const auto order = orderFromEndToEnd(strip, buildTopology(strip));
+  const auto order = orderFromEndToEnd({flattened(strip.triangles), 3}, strip.vertexCount());
   TriangleMesh ordered = strip;
   for (uint32_t i = 0; i < order.size(); ++i) {
     ordered.positions[i] = strip.positions[order[i]];

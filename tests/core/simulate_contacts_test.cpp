@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "moving_bodies.h"
 #include "shapes.h"
-#include "simulate/simulation.h"
 
 namespace limber {
 namespace {
 
-const Vec3 kGravity = {0, -9.81, 0};
+using moving_bodies::kGravity;
+using moving_bodies::run;
 
 SimulationOptions leather(double thickness) {
   SimulationOptions options;
@@ -25,11 +26,6 @@ SimulationOptions leather(double thickness) {
   options.damping = 3;
   options.friction = 0.5;
   return options;
-}
-
-void run(Simulation& simulation, int steps) {
-  const Job job;
-  for (int i = 0; i < steps; ++i) simulation.step(job);
 }
 
 // A horizontal triangle around the y axis with edges of 2 m.

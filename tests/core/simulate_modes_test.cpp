@@ -4,18 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 
 #include "elastic/modes.h"
+#include "moving_bodies.h"
 #include "shapes.h"
-#include "simulate/simulation.h"
 
 namespace limber {
 namespace {
-
-constexpr double kYoung = 1e6, kPoisson = 0.3, kDensity = 1000;
 
 // A plate whose cells are cut along either diagonal, at random, with its inner vertices moved in the plane.
 TriangleMesh irregularPlate(int cells) {
@@ -61,58 +58,28 @@ struct Swing {
   double inPlane;         // share of the shape that lies in the plate, 0..1
 };
 
-// The time between the first and the third sign change of `share`, interpolated between steps of length 1; 0
-// where there are fewer.
-double periodOf(const std::vector<double>& share) {
-  std::vector<double> crossings;
-  for (size_t i = 1; i < share.size(); ++i)
-    if (share[i] * share[i - 1] < 0)
-      crossings.push_back(static_cast<double>(i) - share[i] / (share[i] - share[i - 1]));
-  return crossings.size() < 3 ? 0 : crossings[2] - crossings[0];
-}
-
-// Strikes the body with velocities in the shape of a mode instead of bending it, so that the edge rotations
-// take on their part of the shape by themselves. The clock is the simulation's own step of 1/60 s, so Young's
-// modulus, which goes with the square of a frequency, is chosen so that a period is a second, of `substeps`
-// substeps.
-Swing swing(const TriangleMesh& mesh, const Mode& mode, const float* shape, double thickness, int substeps) {
-  const double period = 2 * std::numbers::pi / mode.omega;
-  SimulationOptions options;
-  options.material.young = kYoung * period * period;
-  options.material.poisson = kPoisson;
-  options.material.density = kDensity;
-  options.material.thickness = thickness;
-  options.keepsVolume = false;  // the analysis has no inside
-  options.substeps = substeps / 60;
-  Simulation body(mesh, options);
-  const auto along = [&](uint32_t v) { return Vec3{shape[3 * v], shape[3 * v + 1], shape[3 * v + 2]}; };
-  std::vector<Vec3> velocities;
+double inPlaneShare(const float* shape, uint32_t vertexCount) {
   double inPlane = 0, all = 0;
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    velocities.push_back(along(v) * (2e-3 * std::numbers::pi * bounds(mesh).diagonal()));
-    all += squaredLength(along(v));
-    inPlane += along(v).x * along(v).x + along(v).y * along(v).y;
+  for (uint32_t v = 0; v < vertexCount; ++v) {
+    const double x = shape[3 * v], y = shape[3 * v + 1], z = shape[3 * v + 2];
+    inPlane += x * x + y * y;
+    all += x * x + y * y + z * z;
   }
-  body.setVelocities(velocities);
-  const Job job;
-  std::vector<double> share;
-  for (int i = 0; i < 110; ++i) {
-    body.step(job);
-    share.push_back(0);
-    for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
-      share.back() += dot(along(v), body.position(v) - mesh.positions[v]);
-  }
-  return {60 / periodOf(share) - 1, inPlane / all};
+  return inPlane / all;
 }
 
+// Of the lowest modes, with periods of `substeps` substeps.
 std::vector<Swing> swingModes(const TriangleMesh& mesh, double thickness, int modeCount, int substeps) {
+  SimulationOptions options = moving_bodies::rubber(thickness, substeps / 60);
+  options.keepsVolume = false;  // the analysis has no inside
   Job job;
-  const ModeSet set =
-      computeModes(mesh, {ElasticModel::Shell, modeCount, {kYoung, kPoisson, kDensity, thickness, 1}}, job);
+  const ModeSet set = computeModes(mesh, {ElasticModel::Shell, modeCount, options.material}, job);
   std::vector<Swing> swings;
-  for (int k = 0; k < modeCount; ++k)
-    swings.push_back(swing(mesh, set.modes[k], set.shapes.data() + size_t(k) * 3 * mesh.vertexCount(),
-                           thickness, substeps));
+  for (int k = 0; k < modeCount; ++k) {
+    const float* const shape = set.shapes.data() + size_t(k) * 3 * mesh.vertexCount();
+    swings.push_back({moving_bodies::frequencyError(mesh, set.modes[k], shape, options),
+                      inPlaneShare(shape, mesh.vertexCount())});
+  }
   return swings;
 }
 

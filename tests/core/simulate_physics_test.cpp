@@ -7,33 +7,20 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "moving_bodies.h"
 #include "shapes.h"
 #include "simulate/running_scenario.h"
 #include "simulate/scenario.h"
-#include "simulate/simulation.h"
 #include "simulate/wind.h"
 
 namespace limber {
 namespace {
 
-const Vec3 kGravity = {0, -9.81, 0};
-
-SimulationOptions rubber(double thickness, int substeps, SimulationModel model = SimulationModel::Shell) {
-  SimulationOptions options;
-  options.model = model;
-  options.material.young = 1e6;
-  options.material.poisson = 0.3;
-  options.material.density = 1000;
-  options.material.thickness = thickness;
-  options.substeps = substeps;
-  options.friction = 0.5;
-  return options;
-}
-
-void run(Simulation& simulation, int steps) {
-  const Job job;
-  for (int i = 0; i < steps; ++i) simulation.step(job);
-}
+using moving_bodies::kGravity;
+using moving_bodies::rubber;
+using moving_bodies::run;
+using moving_bodies::struck;
+using moving_bodies::volumeOf;
 
 // A third of the triangles' mass at each vertex, as the simulation has it.
 std::vector<double> massesOf(const TriangleMesh& mesh, double arealDensity) {
@@ -54,14 +41,6 @@ Momentum momentumOf(const Simulation& body, const std::vector<double>& masses) {
     sum.angular += cross(body.position(v), p);
   }
   return sum;
-}
-
-// Velocities that deform a body strongly everywhere.
-std::vector<Vec3> struck(const TriangleMesh& mesh, double speed) {
-  std::vector<Vec3> velocities;
-  for (const Vec3& p : mesh.positions)
-    velocities.push_back(Vec3{std::sin(3 * p.y + p.z), std::cos(2 * p.x), std::sin(4 * p.x - p.y)} * speed);
-  return velocities;
 }
 
 TEST(SimulatedPhysics, aFreeBodyKeepsItsMomentumAndAngularMomentum) {
@@ -167,16 +146,8 @@ TEST(SimulatedPhysics, aStiffPlateHungByAnEdgeSwingsAsAPendulum) {
     inertia += masses[v] * arm * arm;
   }
   const double period = 2 * std::acos(-1.0) * std::sqrt(inertia / (moment * 9.81));
-  std::vector<double> crossings;
-  double before = 0;
-  for (int i = 1; i < 240 && crossings.size() < 3; ++i) {
-    run(body, 1);
-    const double now = body.position(0).z;
-    if (before * now < 0) crossings.push_back(i - now / (now - before));
-    before = now;
-  }
-  ASSERT_EQ(crossings.size(), 3u);
-  EXPECT_NEAR((crossings[2] - crossings[0]) / 60 / period, 1, 0.01);
+  const double steps = moving_bodies::periodOf(body, 240, [&] { return body.position(0).z; });
+  EXPECT_NEAR(steps / 60 / period, 1, 0.01);
 }
 
 TEST(SimulatedPhysics, moreSubstepsConverge) {
@@ -242,13 +213,6 @@ TEST(SimulatedPhysics, aBallDroppedOnTheGroundComesToRestOnIt) {
   EXPECT_NEAR(lowest, -0.5, 1e-4);
   EXPECT_GT(middle, -0.4);
   EXPECT_LT(body.kineticEnergy(), 0.02);  // it may still roll, by centimetres a second
-}
-
-double volumeOf(const Simulation& body, const TriangleMesh& mesh) {
-  double six = 0;
-  for (const Triangle& t : mesh.triangles)
-    six += dot(body.position(t[0]), cross(body.position(t[1]), body.position(t[2])));
-  return six / 6;
 }
 
 TEST(SimulatedPhysics, aDroppedBodyComesToRestOnTheGround) {
@@ -348,12 +312,12 @@ TEST(SimulatedPhysics, aTwistedClosedBodyKeepsItsVolume) {
   std::vector<Vec3> rest;
   for (const uint32_t v : pins.vertices) rest.push_back(mesh.positions[v]);
   Simulation body(mesh, rubber(0.02, 20), pins);
-  const double volume = volumeOf(body, mesh);
+  const double volume = volumeOf(body.positions(), mesh);
   startScenario(twist, mesh.positions, body);
   for (int i = 0; i < 60; ++i) {
     prepareStep(twist, i * Simulation::kStep, rest, body);
     run(body, 1);
-    EXPECT_NEAR(volumeOf(body, mesh) / volume, 1, 0.02);
+    EXPECT_NEAR(volumeOf(body.positions(), mesh) / volume, 1, 0.02);
   }
 }
 
@@ -464,11 +428,9 @@ TEST(SimulatedPhysics, aClosedBodyKeepsItsVolume) {
     body.setGravity(kGravity);
     body.setGround(-0.5);
     run(body, 60);
-    return volumeOf(body, mesh);
+    return volumeOf(body.positions(), mesh);
   };
-  double rest = 0;
-  for (const Triangle& t : mesh.triangles)
-    rest += dot(mesh.positions[t[0]], cross(mesh.positions[t[1]], mesh.positions[t[2]])) / 6;
+  const double rest = volumeOf(mesh.positions, mesh);
   EXPECT_NEAR(volume(true) / rest, 1, 0.01);
   EXPECT_LT(volume(false) / rest, 0.98);
 }

@@ -4,48 +4,33 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "base/parallel.h"
 #include "elastic/modes.h"
+#include "moving_bodies.h"
 #include "shapes.h"
 #include "simulate/scenario.h"
-#include "simulate/simulation.h"
 #include "simulate/solid/lattice_body.h"
 #include "simulate/solid/solid_state.h"
 
 namespace limber {
 namespace {
 
-constexpr double kYoung = 1e6, kPoisson = 0.3, kDensity = 1000;
-const Vec3 kGravity = {0, -9.81, 0};
+using moving_bodies::kGravity;
+using moving_bodies::run;
+using moving_bodies::struck;
+using moving_bodies::volumeOf;
 
 SimulationOptions rubber(int substeps, const Vec3& cellSize = {}) {
-  SimulationOptions options;
-  options.model = SimulationModel::Solid;
-  options.material.young = kYoung;
-  options.material.poisson = kPoisson;
-  options.material.density = kDensity;
-  options.material.thickness = 0.01;
-  options.substeps = substeps;
-  options.friction = 0.5;
+  SimulationOptions options = moving_bodies::rubber(0.01, substeps, SimulationModel::Solid);
   options.cellSize = cellSize;
   return options;
 }
 
-void run(Simulation& simulation, int steps) {
-  const Job job;
-  for (int i = 0; i < steps; ++i) simulation.step(job);
-}
-
-double volumeOf(const std::vector<Vec3>& positions, const TriangleMesh& mesh) {
-  double volume = 0;
-  for (const Triangle& t : mesh.triangles)
-    volume += dot(positions[t[0]], cross(positions[t[1]], positions[t[2]])) / 6;
-  return volume;
-}
+// Of rubber, kg/m3.
+constexpr double kDensity = 1000;
 
 double farthest(const Simulation& body, const TriangleMesh& mesh) {
   double most = 0;
@@ -62,21 +47,11 @@ SolidMomentum solidMomentum(const SolidState& body) {
   SolidMomentum sum;
   const Particles& particles = body.particles();
   for (uint32_t node = 0; node < particles.count(); ++node) {
-    const Float4 q = particles.motion[node].q;
-    const Vec3 p =
-        Vec3{double{q[0]}, double{q[1]}, double{q[2]}} / (body.substep() * particles.inverseMass[node]);
+    const Vec3 p = toVec3(particles.motion[node].q) / (body.substep() * particles.inverseMass[node]);
     sum.linear += p;
     sum.angular += cross(particles.positions[node], p);
   }
   return sum;
-}
-
-// Velocities that deform a body strongly everywhere.
-std::vector<Vec3> struck(const TriangleMesh& mesh, double speed) {
-  std::vector<Vec3> velocities;
-  for (const Vec3& p : mesh.positions)
-    velocities.push_back(Vec3{std::sin(3 * p.y + p.z), std::cos(2 * p.x), std::sin(4 * p.x - p.y)} * speed);
-  return velocities;
 }
 
 TEST(SimulatedSolid, aBodyAtRestStaysAtRest) {
@@ -89,47 +64,13 @@ TEST(SimulatedSolid, aBodyAtRestStaysAtRest) {
   }
 }
 
-// The time between the first and the third sign change of `share`, interpolated between steps of length 1; 0
-// where there are fewer.
-double periodOf(const std::vector<double>& share) {
-  std::vector<double> crossings;
-  for (size_t i = 1; i < share.size(); ++i)
-    if (share[i] * share[i - 1] < 0)
-      crossings.push_back(static_cast<double>(i) - share[i] / (share[i] - share[i - 1]));
-  return crossings.size() < 3 ? 0 : crossings[2] - crossings[0];
-}
-
-// The relative error of the frequency of a body that is struck in the shape of a mode. Young's modulus is
-// chosen so that a period is 60 steps of the simulation.
-double swing(const TriangleMesh& mesh, const Mode& mode, const float* shape, int substeps) {
-  const double period = 2 * std::numbers::pi / mode.omega;
-  SimulationOptions options = rubber(substeps);
-  options.material.young = kYoung * period * period;
-  Simulation body(mesh, options);
-  const auto along = [&](uint32_t v) { return Vec3{shape[3 * v], shape[3 * v + 1], shape[3 * v + 2]}; };
-  std::vector<Vec3> velocities;
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
-    velocities.push_back(along(v) * (2e-3 * std::numbers::pi * bounds(mesh).diagonal()));
-  body.setVelocities(velocities);
-  const Job job;
-  std::vector<double> share;
-  for (int i = 0; i < 110; ++i) {
-    body.step(job);
-    share.push_back(0);
-    for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
-      share.back() += dot(along(v), body.position(v) - mesh.positions[v]);
-  }
-  return 60 / periodOf(share) - 1;
-}
-
 std::vector<double> frequencyErrors(const TriangleMesh& mesh, int modeCount, int substeps) {
   Job job;
-  const ModeSet set =
-      computeModes(mesh, {ElasticModel::Solid, modeCount, {kYoung, kPoisson, kDensity, 0.01, 1}}, job);
+  const ModeSet set = computeModes(mesh, {ElasticModel::Solid, modeCount, rubber(substeps).material}, job);
   std::vector<double> errors;
   for (int k = 0; k < modeCount; ++k)
-    errors.push_back(
-        swing(mesh, set.modes[k], set.shapes.data() + size_t(k) * 3 * mesh.vertexCount(), substeps));
+    errors.push_back(moving_bodies::frequencyError(
+        mesh, set.modes[k], set.shapes.data() + size_t(k) * 3 * mesh.vertexCount(), rubber(substeps)));
   return errors;
 }
 
@@ -148,7 +89,7 @@ TEST(SimulatedSolid, thinBodiesSwingWithTheFrequenciesOfTheSolidModes) {
 TEST(SimulatedSolid, theStiffnessOfEveryCellIsThatOfTheSolidModes) {
   // The energy of a small deformation that is not linear, against the quadratic form of the elements.
   const TriangleMesh mesh = shapes::torus(16, 10);
-  const LatticeBody body = latticeBody(mesh, {0.1, 0.1, 0.1}, {kYoung, kPoisson, kDensity, 0.01, 1});
+  const LatticeBody body = latticeBody(mesh, {0.1, 0.1, 0.1}, rubber(20).material);
   double least = 1;
   for (const CellRest& rest : body.rest) {
     const auto gradients = meanGradients(rest.size, rest.moments);

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "moving_bodies.h"
 #include "shapes.h"
-#include "simulate/simulation.h"
 
 namespace limber {
 namespace {
@@ -266,17 +266,13 @@ double simulatedPeriod(Reference reference, const Vibration& vibration) {
   Positions velocities;
   for (const Vec3& u : vibration.shape) velocities.push_back(u * (2e-4 / largest));
   body.setVelocities(velocities);
-  std::vector<double> crossings;
-  double before = 0;
-  for (int i = 1; i < 90 && crossings.size() < 3; ++i) {
-    body.step(kJob);
-    double now = 0;
+  const auto share = [&] {
+    double sum = 0;
     for (uint32_t v = 0; v < body.vertexCount(); ++v)
-      now += reference.masses[v] * dot(vibration.shape[v], body.position(v) - reference.mesh.positions[v]);
-    if (before * now < 0) crossings.push_back(i - now / (now - before));
-    before = now;
-  }
-  return crossings.size() < 3 ? 0 : (crossings[2] - crossings[0]) / 40;
+      sum += reference.masses[v] * dot(vibration.shape[v], body.position(v) - reference.mesh.positions[v]);
+    return sum;
+  };
+  return moving_bodies::periodOf(body, 90, share) / 40;
 }
 
 // What is left is XPBD's own error, which falls with the substep: the softest vibration of springs is a

@@ -5,36 +5,21 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "moving_bodies.h"
 #include "shapes.h"
-#include "simulate/simulation.h"
 
 namespace limber {
 namespace {
 
-const Vec3 kGravity = {0, -9.81, 0};
-
-SimulationOptions rubber(SimulationModel model, double thickness, int substeps) {
-  SimulationOptions options;
-  options.model = model;
-  options.material.young = 1e6;
-  options.material.poisson = 0.3;
-  options.material.density = 1000;
-  options.material.thickness = thickness;
-  options.substeps = substeps;
-  options.friction = 0.5;
-  return options;
-}
-
-void run(Simulation& simulation, int steps) {
-  const Job job;
-  for (int i = 0; i < steps; ++i) simulation.step(job);
-}
+using moving_bodies::kGravity;
+using moving_bodies::rubber;
+using moving_bodies::run;
 
 TEST(Simulation, aFallingBodyFollowsTheParabolaUnderFewAndManySubsteps) {
   const TriangleMesh mesh = shapes::sphere(1, 0.3);
   for (const SimulationModel model : {SimulationModel::Springs, SimulationModel::Shell})
     for (const int substeps : {20, 2000}) {
-      Simulation body(mesh, rubber(model, 0.01, substeps));
+      Simulation body(mesh, rubber(0.01, substeps, model));
       body.setGravity(kGravity);
       const Vec3 thrown = {2, 3, -1};
       body.setVelocities(std::vector<Vec3>(mesh.positions.size(), thrown));
@@ -52,7 +37,7 @@ TEST(Simulation, aFallingBodyFollowsTheParabolaUnderFewAndManySubsteps) {
 TEST(Simulation, aBodyAtRestStaysExactlyWhereItIs) {
   const TriangleMesh mesh = shapes::torus(12, 8);
   for (const SimulationModel model : {SimulationModel::Springs, SimulationModel::Shell}) {
-    Simulation body(mesh, rubber(model, 0.05, 20));
+    Simulation body(mesh, rubber(0.05, 20, model));
     run(body, 10);
     for (uint32_t v = 0; v < body.vertexCount(); ++v)
       EXPECT_LT(length(body.position(v) - mesh.positions[v]), 1e-6);

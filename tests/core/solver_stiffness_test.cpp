@@ -45,6 +45,17 @@ double energyOf(const SolverConstraints& constraints, const std::vector<double>&
   return sum;
 }
 
+// A free body in a solver, with the constants of solver_models. Refers to the mesh.
+struct FreeBody {
+  SolverStiffness stiffness;
+  SolverVibration vibration;
+
+  FreeBody(const TriangleMesh& mesh, const SolverModel& model, Job& job)
+      : stiffness(mesh, buildTopology(mesh), model, constantsOf(model, mesh)),
+        vibration({mesh, stiffness, solverMasses(mesh, model.mass, constantsOf(model, mesh)), {}},
+                  structureOf(stiffness, job)) {}
+};
+
 TEST(SolverStiffness, IsTheSecondDerivativeOfTheEnergy) {
   const TriangleMesh mesh = smallBody();
   const Topology topology = buildTopology(mesh);
@@ -106,14 +117,10 @@ TEST(SolverStiffness, LetsRigidMotionsPass) {
 
 TEST(SolverStiffness, HasExactlySixMotionsWithoutResistanceInEveryModel) {
   const TriangleMesh mesh = surfaces::bumpySphere();
-  const Topology topology = buildTopology(mesh);
   Job job;
   for (const auto& [name, model] : kModels) {
     SCOPED_TRACE(name);
-    const SolverConstants constants = constantsOf(model, mesh);
-    const SolverStiffness stiffness(mesh, topology, model, constants);
-    const SolverVibration vibration({mesh, stiffness, solverMasses(mesh, model.mass, constants), {}},
-                                    structureOf(stiffness, job));
+    const auto& [stiffness, vibration] = FreeBody(mesh, model, job);
     const EigenSolution solution =
         vibration.solve(ones(stiffness), 10, vibration.roughFirstEigenvalue(), job);
     EXPECT_EQ(solution.nullity, 6u);
@@ -192,14 +199,10 @@ TEST(SolverStiffness, FollowsTheUnitOfTheMesh) {
 
 TEST(SolverVibration, FollowsModesFromNearOnes) {
   const TriangleMesh mesh = surfaces::bumpySphere();
-  const Topology topology = buildTopology(mesh);
   Job job;
   for (const auto& [name, model] : kModels) {
     SCOPED_TRACE(name);
-    const SolverConstants constants = constantsOf(model, mesh);
-    const SolverStiffness stiffness(mesh, topology, model, constants);
-    const SolverVibration vibration({mesh, stiffness, solverMasses(mesh, model.mass, constants), {}},
-                                    structureOf(stiffness, job));
+    const auto& [stiffness, vibration] = FreeBody(mesh, model, job);
     const ModeBasis start = vibration.solve(ones(stiffness), 12, vibration.roughFirstEigenvalue(), job).basis;
     const ModeBasis followed = vibration.follow(uneven(stiffness), start, 12, job);
     const ModeBasis solved = vibration.solve(uneven(stiffness), 12, start.lambda[0], job).basis;
@@ -211,11 +214,8 @@ TEST(SolverVibration, FollowsModesFromNearOnes) {
 TEST(SolverVibration, FindsAFlatSheetOfSpringsWithoutResistance) {
   const TriangleMesh mesh = surfaces::inFloats(shapes::grid(12, 9, 1.3, 0.9));
   const SolverModel springs{StretchElement::EdgeSprings, BendElement::CrossSprings, MassRule::Area};
-  const SolverConstants constants = constantsOf(springs, mesh);
-  const SolverStiffness stiffness(mesh, buildTopology(mesh), springs, constants);
   Job job;
-  const SolverVibration vibration({mesh, stiffness, solverMasses(mesh, MassRule::Area, constants), {}},
-                                  structureOf(stiffness, job));
+  const auto& [stiffness, vibration] = FreeBody(mesh, springs, job);
   // Every vertex moves out of the plane for nothing; three of these motions are rigid.
   EXPECT_GE(vibration.countNoise(ones(stiffness), job), mesh.vertexCount() - 3);
 }

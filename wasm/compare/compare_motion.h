@@ -47,6 +47,7 @@ struct MotionComparison {
   bool isConverged = false;
 };
 
+// By convention, see docs/report.md: substeps then change the deviation by at most a quarter of it.
 inline constexpr double kConverged = 0.25;
 // The most constraints that are solved in one run to see whether the original has converged (a run solves all
 // constraints in every substep of every step); beyond it `doublesSubsteps` gives up. About a minute at 25 ns

@@ -24,7 +24,6 @@ constexpr double kPinStiffness = 1e4;
 // Rough sizes of the first elastic eigenvalue in the frame of a part.
 constexpr double kSolidScale = 0.5, kLaplacianScale = 5;
 
-constexpr double kRefineTolerance = 1e-4;  // on the relative error of eigenvalues
 constexpr int kRefineSteps = 4;
 
 // Displacements within this relative distance of the largest one count as equal: the one that comes first
@@ -71,7 +70,7 @@ class PartShell {
       : part_(part),
         topology_(beginAssembly(part, job)),
         shell_(part.mesh, topology_,
-               {options.material.poisson, kRefineTolerance, kRefineSteps, part.pinned,
+               {options.material.poisson, kRoughTolerance, kRefineSteps, part.pinned,
                 static_cast<int>(rigidMotionsLeft(pinnedPoints(part)))},
                job),
         request_{options.material.thickness / part.diagonal, options.modeCount} {}

@@ -9,8 +9,6 @@ namespace {
 
 using Tensor = Eigen::Vector3d;  // xx, yy, 2 xy
 
-// A triangle flatter than this has no plane and becomes a tie between its vertices.
-constexpr double kDegenerate = 1e-12;
 // A triangle in its own plane: the x axis along its longest edge, the y axis perpendicular. Edge c is
 // opposite to corner c and runs from corner c + 1 to corner c + 2.
 struct Frame {
@@ -103,7 +101,7 @@ ShellElement shellElement(const TriangleMesh& mesh, uint32_t t) {
   for (int e = 0; e < 3; ++e) sign[e] = triangle[(e + 1) % 3] < triangle[(e + 2) % 3] ? 1 : -1;
   const Frame frame = frameOf(mesh, t);
   ShellElement element;
-  element.isTie = !(frame.flatness > kDegenerate);
+  element.isTie = !(frame.flatness > kDegenerateTriangle);
   if (element.isTie) {
     setGaps(frame, sign, element);
     return element;

@@ -17,7 +17,8 @@ struct ShellElement {
 
   // Whether the corners lie on a line, so that there is no plane. The element then ties the middle corner to
   // the longest edge and makes the edge rotations on both sides equal: the limit of a triangle that flattens.
-  // Without it a crack would open wherever such a triangle closes a surface.
+  // Without it a crack would open wherever such a triangle closes a surface. The stiffness of a tie is E h
+  // and E h^3 / 12 divided by kFlattestTriangle.
   bool isTie = false;
   double weight = 0;  // the area, less in a triangle flatter than kFlattestTriangle; 0 for a tie
   Strain strain = Strain::Zero(), curvature = Strain::Zero();
@@ -25,10 +26,12 @@ struct ShellElement {
 
 ShellElement shellElement(const TriangleMesh& mesh, uint32_t t);
 
-// A triangle flatter than this (height over longest edge) gets the stiffness of one that is just as flat:
-// real stiffness grows with 1 / flatness and would drown the rest of the body in rounding. It still keeps its
-// vertices together. The stiffness of a tie is E h and E h^3 / 12 divided by it.
+// Shells, and the membranes and hinges of solvers: a triangle flatter than this (height over longest edge)
+// gets the stiffness of one that is just as flat, for real stiffness grows with 1 / flatness and would drown
+// the rest of the body in rounding. It still keeps its vertices together.
 inline constexpr double kFlattestTriangle = 1e-4;
+// A triangle flatter than this has no plane.
+inline constexpr double kDegenerateTriangle = 1e-12;
 
 // The stiffness of an edge rotation that only ties hold, relative to the bending stiffness of the tie: enough
 // to keep K regular, too little to matter.

@@ -1,7 +1,8 @@
 #include "elastic/shell_vibration.h"
 
-#include <algorithm>
+#include <utility>
 
+#include "elastic/followed_modes.h"
 #include "elastic/pins.h"
 #include "elastic/shell.h"
 #include "elastic/solve_modes.h"
@@ -10,10 +11,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kSpareModes = 6;  // the subspace converges as fast as the first mode left out allows
 constexpr int kRigidMotions = 6;
-constexpr int kFewUnknowns = 400;      // such a small shell is solved from scratch in no time
-constexpr double kShiftOfStart = 0.5;  // times the first eigenvalue of a start
 
 }  // namespace
 
@@ -52,41 +50,28 @@ ModeBasis VibratingShell::solve(const TriangleMesh& mesh, const VibrationRequest
   return solveModes(pencilOf(mesh, request.thickness), options, job).basis;
 }
 
-RefineOptions VibratingShell::refineOptions(const ModeBasis& start) const {
-  RefineOptions options;
-  options.shift = -kShiftOfStart * start.lambda[0];
+EigenSolution VibratingShell::refined(const SparsePencil& pencil, const Eigen::MatrixXd& columns,
+                                      RefineOptions options, Job& job) const {
   options.tolerance = options_.tolerance;
   options.largestStepCount = options_.largestStepCount;
   options.structure = structure_;
-  return options;
-}
-
-// The rigid motions of a free shell, then the start, with zeros for missing rows and clamped unknowns.
-Eigen::MatrixXd VibratingShell::startColumns(const TriangleMesh& mesh, const Eigen::MatrixXd& phi) const {
-  const int rigid = clamped_.empty() ? kRigidMotions : 0;
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(unknownCount(), rigid + phi.cols());
-  if (rigid > 0)
-    columns.topLeftCorner(3 * static_cast<Eigen::Index>(mesh.vertexCount()), rigid) = rigidMotions(mesh);
-  columns.topRightCorner(phi.rows(), phi.cols()) = phi;
-  for (uint32_t row : clamped_) columns.row(row).setZero();
-  return columns;
+  return refineModes(pencil, columns, std::move(options), job);
 }
 
 EigenSolution VibratingShell::refine(const TriangleMesh& mesh, const ModeBasis& start,
                                      const VibrationRequest& request, Job& job) const {
   RefineOptions options = refineOptions(start);
   options.pairCount = request.modeCount;
-  return refineModes(pencilOf(mesh, request.thickness), startColumns(mesh, start.phi), options, job);
+  const Eigen::MatrixXd columns = startColumns(mesh, start.phi, unknownCount(), clamped_);
+  return refined(pencilOf(mesh, request.thickness), columns, std::move(options), job);
 }
 
 ModeBasis VibratingShell::follow(const TriangleMesh& mesh, const ModeBasis& start,
                                  const VibrationRequest& request, Job& job) const {
   if (start.modeCount() == 0 || unknownCount() <= kFewUnknowns) return solve(mesh, request, job);
-  RefineOptions options = refineOptions(start);
-  options.pairCount = static_cast<int>(start.modeCount());
-  options.spareCount = std::max(0, options.pairCount - request.modeCount);
-  options.residuals = false;
-  return refineModes(pencilOf(mesh, request.thickness), startColumns(mesh, start.phi), options, job).basis;
+  const Eigen::MatrixXd columns = startColumns(mesh, start.phi, unknownCount(), clamped_);
+  return refined(pencilOf(mesh, request.thickness), columns, followOptions(start, request.modeCount), job)
+      .basis;
 }
 
 }  // namespace limber

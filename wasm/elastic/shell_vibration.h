@@ -55,8 +55,9 @@ class VibratingShell {
  private:
   SparsePencil pencilOf(const TriangleMesh& mesh, double thickness) const;
   EigenOptions searchOptions(const VibrationRequest& request) const;
-  RefineOptions refineOptions(const ModeBasis& start) const;
-  Eigen::MatrixXd startColumns(const TriangleMesh& mesh, const Eigen::MatrixXd& phi) const;
+  // With the tolerance, number of steps and structure that all refinements of this shell have.
+  EigenSolution refined(const SparsePencil& pencil, const Eigen::MatrixXd& columns, RefineOptions options,
+                        Job& job) const;
 
   const Topology& topology_;
   VibrationOptions options_;

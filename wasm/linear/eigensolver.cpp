@@ -18,7 +18,7 @@ constexpr int kDenseLimit = 120;  // heavy unknowns: pencils with no more are so
 constexpr int kExtraPairs = 4;    // computed beyond the wanted ones, to find a gap and catch whole clusters
 constexpr int kBasisBeyond = 24;  // Lanczos vectors in addition to the wanted pairs
 constexpr int kLanczosRestarts = 100;
-constexpr double kLanczosTolerance = 1e-10, kRoughTolerance = 1e-4;
+constexpr double kLanczosTolerance = 1e-10;
 constexpr double kZeroRatio = 1e-4;        // eigenvalues below this times |sigma| count as zero
 constexpr double kDenseZeroRatio = 1e-12;  // of the largest eigenvalue, where solved densely
 // A shift within these multiples of the first positive eigenvalue is good enough: Lanczos converges well, and

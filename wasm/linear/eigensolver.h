@@ -31,13 +31,16 @@ namespace limber {
 // The result is deterministic and does not depend on the number of threads. Cost: two or three factorisations
 // and some tens of solves.
 
+// The relative error of eigenvalues that a rough solve and a refined start may have.
+inline constexpr double kRoughTolerance = 1e-4;
+
 struct EigenOptions {
   int pairCount = 12;       // wanted pairs with lambda > 0, >= 1
   int expectedNullity = 6;  // a guess of the number of zero eigenvalues, which sizes the search; >= 0
   double scale = 1;         // a rough size of the first positive eigenvalue, > 0
   // The structure of this pencil or of one with the same pattern, if it is known already.
   std::shared_ptr<const FactorStructure> structure = nullptr;
-  bool isRough = false;  // errors of 1e-4 in eigenvalues will do, and no residuals are wanted
+  bool isRough = false;  // errors of kRoughTolerance will do, and no residuals are wanted
   // Called once with the bytes that the solve takes at its peak, before it takes them. May throw to refuse.
   std::function<void(uint64_t bytes)> admit = nullptr;
 };
@@ -61,12 +64,12 @@ struct EigenSolution {
 EigenSolution solveEigenproblem(const SparsePencil& pencil, const EigenOptions& options, Job& job);
 
 struct RefineOptions {
-  double shift = -1;         // sigma, < 0, of the size of the first positive eigenvalue
-  double tolerance = 1e-4;   // on the relative error of eigenvalues, > 0
-  int pairCount = 12;        // pairs with lambda > 0 to return
-  int spareCount = 0;        // the last so many of them may still be inexact
-  int largestStepCount = 4;  // >= 1
-  bool residuals = true;     // whether EigenSolution::residual is wanted
+  double shift = -1;                   // sigma, < 0, of the size of the first positive eigenvalue
+  double tolerance = kRoughTolerance;  // on the relative error of eigenvalues, > 0
+  int pairCount = 12;                  // pairs with lambda > 0 to return
+  int spareCount = 0;                  // the last so many of them may still be inexact
+  int largestStepCount = 4;            // >= 1
+  bool residuals = true;               // whether EigenSolution::residual is wanted
   std::shared_ptr<const FactorStructure> structure = nullptr;  // as in EigenOptions
   std::function<void(uint64_t bytes)> admit = nullptr;         // as in EigenOptions
 };

@@ -26,4 +26,11 @@ QualityReport measureQuality(const TriangleMesh& mesh) {
   return report;
 }
 
+double meanSide(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    for (int c = 0; c < 3; ++c) sum += length(mesh.corner(t, (c + 1) % 3) - mesh.corner(t, c));
+  return sum / (3.0 * mesh.triangleCount());
+}
+
 }  // namespace limber

@@ -35,4 +35,7 @@ struct QualityReport {
 
 QualityReport measureQuality(const TriangleMesh& mesh);
 
+// The mean over the triangles' sides, in units of the mesh: an edge between two triangles counts twice.
+double meanSide(const TriangleMesh& mesh);
+
 }  // namespace limber

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "elastic/followed_modes.h"
 #include "elastic/mode_conversions.h"
 #include "elastic/part_modes.h"
 #include "mesh/topology.h"
@@ -13,8 +14,6 @@
 namespace limber {
 
 namespace {
-
-constexpr int kSpareModes = 6;  // the subspace converges as fast as the first mode left out allows
 
 PartModes solveCoarsely(const Part& part, const ModesOptions& options, Job& job) {
   const bool isRefined = part.mesh.vertexCount() <= kRefinedVertices;

@@ -46,23 +46,16 @@ class UsedColours {
   std::vector<std::vector<uint64_t>> words_;
 };
 
-// The vertices of all constraints, see `colour`.
-struct Stencils {
-  std::span<const uint32_t> vertices;
-  uint32_t stride;
-
-  std::span<const uint32_t> of(uint32_t i) const { return vertices.subspan(size_t{i} * stride, stride); }
-  bool share(uint32_t i, uint32_t j) const {
-    const auto others = of(j);
-    return std::ranges::any_of(
-        of(i), [&](uint32_t v) { return v != kNone && std::ranges::find(others, v) != others.end(); });
-  }
-};
+bool shareVertex(std::span<const uint32_t> one, std::span<const uint32_t> other) {
+  return std::ranges::any_of(
+      one, [&](uint32_t v) { return v != kNone && std::ranges::find(other, v) != other.end(); });
+}
 
 // Whether constraint i fits into a batch: a lane is empty and no vertex is shared.
 bool hasFreeLane(const Colouring::Batch& batch, uint32_t i, const Stencils& stencils) {
-  return batch.back() == kNone &&
-         std::ranges::none_of(batch, [&](uint32_t j) { return j != kNone && stencils.share(i, j); });
+  return batch.back() == kNone && std::ranges::none_of(batch, [&](uint32_t j) {
+           return j != kNone && shareVertex(stencils.of(i), stencils.of(j));
+         });
 }
 
 // Appends the batches of a group, colour by colour. With `packs`, constraints that fill no batch of their
@@ -93,13 +86,11 @@ void appendBatches(const std::vector<std::vector<uint32_t>>& colours, const Sten
 
 }  // namespace
 
-Colouring colour(std::span<const uint32_t> vertices, uint32_t stride, const Blocks& blocks, uint32_t order) {
-  const auto count = static_cast<uint32_t>(vertices.size() / stride);
+Colouring colour(const Stencils& stencils, const Blocks& blocks, uint32_t order) {
   const auto vertexCount = static_cast<uint32_t>(blocks.blockOf.size());
-  const Stencils stencils = {vertices, stride};
   UsedColours inBlocks(vertexCount), onBorders(vertexCount);
   std::vector<std::vector<std::vector<uint32_t>>> members(blocks.groupCount());  // by group and colour
-  for (const uint32_t i : visitingOrder(count, order)) {
+  for (const uint32_t i : visitingOrder(stencils.count(), order)) {
     const auto own = stencils.of(i);
     const uint32_t group = blocks.groupOf(own);
     UsedColours& used = group < blocks.count() ? inBlocks : onBorders;

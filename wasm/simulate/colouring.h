@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "simulate/blocks.h"
@@ -32,11 +31,18 @@ void forEachLane(const Colouring& colouring, Set set) {
       for (int k = 0; k < 4; ++k) set(i, Lane{k, colouring.batches[i][k], group});
 }
 
-// Colours constraints greedily: each takes the first colour of its group that none of its vertices has.
-// Constraint i has the vertices vertices[stride i] to vertices[stride (i + 1) - 1]; entries of kNone are
-// skipped. The batches of a group come colour by colour. Where the body is cut into blocks, the constraints
-// that fill no batch of their colour come last, in batches of several colours. `order` 0 visits the
-// constraints by index, any other number in a shuffled order of its own.
-Colouring colour(std::span<const uint32_t> vertices, uint32_t stride, const Blocks& blocks, uint32_t order);
+// Calls visit(batch index, lane, constraint) for the lanes of batches [begin, end) that are not empty.
+template <class Visit>
+void forEachConstraint(const Colouring& colouring, size_t begin, size_t end, Visit visit) {
+  for (size_t i = begin; i < end; ++i)
+    for (int k = 0; k < 4; ++k)
+      if (colouring.batches[i][k] != kNone) visit(i, k, colouring.batches[i][k]);
+}
+
+// Colours constraints greedily: each takes the first colour of its group that none of its vertices has. The
+// batches of a group come colour by colour. Where the body is cut into blocks, the constraints that fill no
+// batch of their colour come last, in batches of several colours. `order` 0 visits the constraints by index,
+// any other number in a shuffled order of its own.
+Colouring colour(const Stencils& stencils, const Blocks& blocks, uint32_t order);
 
 }  // namespace limber

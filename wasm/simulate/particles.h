@@ -12,6 +12,11 @@ inline Float4 toFloat4(const Vec3& v) {
   return Float4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0};
 }
 
+// The first three entries.
+inline Vec3 toVec3(Float4 a) {
+  return {double{a[0]}, double{a[1]}, double{a[2]}};
+}
+
 // The motion of a vertex: u is how far it has moved since the start of the step, q how far it moves in this
 // substep, which is its velocity times the substep. Both are (x, y, z, 0) in metres. With many substeps,
 // float positions would stand still, because gravity adds less than half a unit in the last place. Here

@@ -16,6 +16,14 @@ struct SolverPhase {
   std::function<void(size_t begin, size_t end, int repeat)> body;
 };
 
+// A phase that calls run(i, repeat) for each of `count` items.
+template <class Run>
+SolverPhase phaseOf(size_t count, Run run) {
+  return {count, 1, [run](size_t begin, size_t end, int repeat) {
+            for (size_t i = begin; i < end; ++i) run(i, repeat);
+          }};
+}
+
 // All phases of a step: some run once, then some run `repeats` times over, then some run once at the end.
 struct Schedule {
   std::vector<SolverPhase> before, repeated, after;

@@ -17,13 +17,7 @@ namespace {
 
 // Bodies with at least this many vertices are cut into blocks: their phases are long enough to pay for
 // threads.
-constexpr uint32_t kThreadedSprings = 8000, kThreadedShell = 2500;
-constexpr uint32_t kBlockVertices = 512, kMostBlocks = 32;
-
-// Contacts are searched within this share of the body's diagonal, see ContactDistance.
-constexpr double kContactMargin = 0.02;
-// The share of the way to its target that a dragged point makes in a step.
-constexpr double kDragPace = 0.2;
+constexpr BlockSizes kBlocksOfSprings = {8000, 512}, kBlocksOfShell = {2500, 512};
 
 bool hasEdgeSprings(const SimulationOptions& options) {
   if (options.solver) return options.solver->model.stretch == StretchElement::EdgeSprings;
@@ -31,15 +25,14 @@ bool hasEdgeSprings(const SimulationOptions& options) {
 }
 
 uint32_t blockCountOf(const TriangleMesh& mesh, const SimulationOptions& options) {
-  const uint32_t least = hasEdgeSprings(options) ? kThreadedSprings : kThreadedShell;
-  return mesh.vertexCount() < least ? 1 : std::min(mesh.vertexCount() / kBlockVertices, kMostBlocks);
+  return blockCountOf(mesh.vertexCount(), hasEdgeSprings(options) ? kBlocksOfSprings : kBlocksOfShell);
 }
 
 std::vector<uint32_t> slotsOf(const TriangleMesh& mesh, uint32_t blockCount) {
   std::vector<uint32_t> slots(mesh.vertexCount());
   std::iota(slots.begin(), slots.end(), 0u);
   if (blockCount == 1) return slots;
-  const auto order = orderFromEndToEnd(mesh, buildTopology(mesh));
+  const auto order = orderFromEndToEnd({flattened(mesh.triangles), 3}, mesh.vertexCount());
   for (uint32_t slot = 0; slot < slots.size(); ++slot) slots[order[slot]] = slot;
   return slots;
 }
@@ -66,14 +59,6 @@ void forEachKind(State& state, Visit visit) {
   if (state.crossSprings) visit(*state.crossSprings);
   if (state.bending) visit(*state.bending);
   if (state.hinges) visit(*state.hinges);
-}
-
-// A phase that calls run(i, repeat) for each of `count` items.
-template <class Run>
-SolverPhase phaseOf(size_t count, Run run) {
-  return {count, 1, [run](size_t begin, size_t end, int repeat) {
-            for (size_t i = begin; i < end; ++i) run(i, repeat);
-          }};
 }
 
 // Edges whose first vertex lies in block b: [start[b], start[b + 1]).
@@ -264,7 +249,7 @@ void SimulationState::startPins() {
   }
   if (dragged.count()) {
     const Vec3 from = dragged.position(0, particles);
-    dragged.rebase(0, particles, {from, from + (dragTarget - from) * kDragPace}, options.substeps);
+    dragged.rebase(0, particles, PointConstraints::dragged(from, dragTarget), options.substeps);
   }
 }
 
@@ -287,8 +272,7 @@ void SimulationState::step(const Job& job, Helpers* helpers) {
 }
 
 Vec3 SimulationState::velocity(uint32_t v) const {
-  const Float4 q = particles.motion[v].q;
-  return Vec3{double{q[0]}, double{q[1]}, double{q[2]}} / substep;
+  return toVec3(particles.motion[v].q) / substep;
 }
 
 std::vector<Vec3> SimulationState::velocities() const {

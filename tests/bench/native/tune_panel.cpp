@@ -17,6 +17,7 @@
 #include "../../core/shared_meshes.h"
 #include "base/parallel.h"
 #include "fit/tune/tune_solver.h"
+#include "mesh/quality.h"
 #include "mesh/repair/weld.h"
 #include "simplify/simplify.h"
 
@@ -68,13 +69,6 @@ bool isChosen(const std::string& list, const char* name) {
   return list.empty() || list.find("," + std::string(name) + ",") != std::string::npos;
 }
 
-double meanEdge(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (int c = 0; c < 3; ++c) sum += length(mesh.corner(t, (c + 1) % 3) - mesh.corner(t, c));
-  return sum / (3.0 * mesh.triangleCount());
-}
-
 SolverConstants constantsOf(const SolverModel& model, const TriangleMesh& original) {
   const double young = 1e6, poisson = 0.3, density = 1000, thickness = 0.02 * bounds(original).diagonal();
   const double plane = young * thickness / (1 - poisson * poisson), d = plane * thickness * thickness / 12;
@@ -86,7 +80,7 @@ SolverConstants constantsOf(const SolverModel& model, const TriangleMesh& origin
   if (model.stretch == StretchElement::EdgeSprings) constants.stretch = 0.866 * young * thickness;
   constants.bend = d;
   if (model.bend == BendElement::Hinge) constants.bend = 3.46 * d;
-  if (model.bend == BendElement::HingeByLength) constants.bend = 3.46 * d / meanEdge(original);
+  if (model.bend == BendElement::HingeByLength) constants.bend = 3.46 * d / meanSide(original);
   if (model.bend == BendElement::CrossSprings) constants.bend = 0.05 * constants.stretch;
   return constants;
 }

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "elastic/shell_element.h"
+
 namespace limber {
 namespace {
-
-// Height over longest edge from which on the stiffness of a triangle is bounded, and at which it has none.
-constexpr double kFlattest = 1e-4, kDegenerate = 1e-12;
 
 struct FoldedHinge {
   Vec3 edge, first, second;  // the edge, and normals whose lengths are twice the areas
@@ -49,9 +48,9 @@ HingeElement::HingeElement(BendElement element, double bend, const std::array<Ve
   const double first = length(fold.first), second = length(fold.second);
   const double flattest =
       std::min(flatness(fold.edge, rest[2] - rest[0], first), flatness(fold.edge, rest[3] - rest[0], second));
-  if (flattest < kDegenerate) return;
+  if (flattest < kDegenerateTriangle) return;
   root_ = std::sqrt(stiffnessOf(element, bend, length(fold.edge), first + second)) *
-          std::min(1.0, flattest / kFlattest);
+          std::min(1.0, flattest / kFlattestTriangle);
   angle_ = fold.angle();
 }
 

@@ -17,9 +17,10 @@ namespace limber {
 // opposite corners -(l/|n|^2) n, by the ends of the edge the barycentric shares of both.
 //
 // The stiffness against moving a corner of a flat triangle grows with the inverse square of its height. So
-// where the height of a triangle at rest is less than 1e-4 of its longest edge, k is lowered until that
-// stiffness is what it would be at 1e-4; a hinge with a triangle of no area at rest has no stiffness. Where a
-// triangle loses its area in motion, its normal and the derivatives by its opposite corner are 0.
+// where the height of a triangle at rest is less than kFlattestTriangle of its longest edge, k is lowered
+// until that stiffness is what it would be there; a hinge with a triangle of no area at rest has no
+// stiffness. Where a triangle loses its area in motion, its normal and the derivatives by its opposite corner
+// are 0.
 class HingeElement {
  public:
   // `element`: HingeByArea, HingeByLength or Hinge; `bend` its constant in SI units, see BendElement, >= 0.

@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elastic/shell_element.h"
 #include "mesh/eigen_vec3.h"
 
 namespace limber {
-namespace {
-
-// Height over longest edge from which on the stiffness of a triangle is bounded, and at which it has none.
-constexpr double kFlattest = 1e-4, kDegenerate = 1e-12;
-
-}  // namespace
 
 MembraneElement::MembraneElement(double shear, double second, const std::array<Vec3, 3>& rest) {
   std::array<Vec3, 3> edge;  // opposite to each corner
@@ -20,11 +15,11 @@ MembraneElement::MembraneElement(double shear, double second, const std::array<V
   const Vec3 doubleNormal = cross(edge[0], edge[1]);
   const double doubleArea = length(doubleNormal);
   const double flatness = squaredLength(*longest) > 0 ? doubleArea / squaredLength(*longest) : 0;
-  if (flatness < kDegenerate) return;
+  if (flatness < kDegenerateTriangle) return;
   const Vec3 along = normalized(*longest), across = cross(doubleNormal / doubleArea, along);
   for (int c = 0; c < 3; ++c)  // edge c, rotated by 90 degrees, over twice the area
     gradients_.col(c) = Eigen::Vector2d(-dot(edge[c], across), dot(edge[c], along)) / doubleArea;
-  const double area = 0.5 * doubleArea * std::min(1.0, flatness / kFlattest);
+  const double area = 0.5 * doubleArea * std::min(1.0, flatness / kFlattestTriangle);
   dilation_ = std::sqrt((shear + second) * area);
   shear_ = std::sqrt(shear * area);
 }

@@ -14,9 +14,9 @@ namespace limber {
 //   A (mu E : E + lambda / 2 tr(E)^2) = A / 2 ((mu + lambda) (Exx + Eyy)^2 + mu (Exx - Eyy)^2 + 4 mu Exy^2),
 // and its strain has the roots of the three terms as components.
 //
-// The stiffness of a triangle grows with longest edge over height. Where the height at rest is less than 1e-4
-// of the longest edge, the energy is lowered until it is as stiff as one of 1e-4; a triangle of no area at
-// rest has no stiffness.
+// The stiffness of a triangle grows with longest edge over height. Where the height at rest is less than
+// kFlattestTriangle of the longest edge, the energy is lowered to the stiffness of a triangle that is just as
+// flat; a triangle of no area at rest has no stiffness.
 class MembraneElement {
  public:
   // `shear` mu h and `second` lambda h in N/m, mu > 0 and mu + lambda >= 0. Rest positions in metres.

@@ -3,21 +3,17 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "elastic/followed_modes.h"
 #include "elastic/pins.h"
-#include "elastic/shell.h"
 #include "elastic/solve_modes.h"
 #include "linear/shifted_pencil.h"
 
 namespace limber {
 namespace {
 
-constexpr int kSpareModes = 6;         // a subspace converges as fast as the first mode left out allows
-constexpr int kFewUnknowns = 400;      // so small a mesh is solved from scratch in no time
-constexpr double kShiftOfStart = 0.5;  // times the first eigenvalue of a start
-constexpr double kFollowTolerance = 1e-4;
-constexpr int kFollowSteps = 4;
-constexpr double kFloatRounding = 0x1p-24;
+constexpr double kFloatRounding = std::numeric_limits<float>::epsilon() / 2;
 constexpr double kLeastBendShare = 1e-6;  // of the eigenvalue with all constraints, in the rough estimate
 
 // All polynomials of degree 2 as displacements along each axis: 3 v + c, by 30.
@@ -89,22 +85,10 @@ ModeBasis SolverVibration::follow(std::span<const double> factors, const ModeBas
   if (setting_.stiffness.unknownCount() <= kFewUnknowns)
     return solve(factors, count, start.lambda[0], job).basis;
   const SparsePencil pencil = pencilOf(factors);
-  const int rigid = rigidMotionCount();
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(pencil.unknownCount(), rigid + start.phi.cols());
-  if (rigid > 0) {
-    columns.topLeftCorner(3 * static_cast<Eigen::Index>(setting_.mesh.vertexCount()), rigid) =
-        rigidMotions(setting_.mesh);
-    for (int k = 0; k < rigid; ++k) columns.col(k) /= std::sqrt(columns.col(k).cwiseAbs2().dot(pencil.m));
-  }
-  columns.topRightCorner(start.phi.rows(), start.phi.cols()) = start.phi;
-  for (const uint32_t row : clamped_) columns.row(row).setZero();
-  RefineOptions options;
-  options.shift = -kShiftOfStart * start.lambda[0];
-  options.tolerance = kFollowTolerance;
-  options.pairCount = static_cast<int>(start.modeCount());
-  options.spareCount = std::max(0, options.pairCount - count);
-  options.largestStepCount = kFollowSteps;
-  options.residuals = false;
+  Eigen::MatrixXd columns = startColumns(setting_.mesh, start.phi, pencil.unknownCount(), clamped_);
+  for (int k = 0; k < rigidMotionCount(); ++k)
+    columns.col(k) /= std::sqrt(columns.col(k).cwiseAbs2().dot(pencil.m));
+  RefineOptions options = followOptions(start, count);
   options.structure = structure_;
   return refineModes(pencil, columns, options, job).basis;
 }

@@ -7,6 +7,7 @@ namespace limber {
 
 namespace {
 
+// An outline turns by more than 30 degrees at its corners, see docs/glossary.md.
 constexpr double kStraight = std::numbers::pi, kCornerAngle = std::numbers::pi / 6;
 
 double interiorAngle(const TriangleMesh& mesh, const Topology& topology, uint32_t v) {

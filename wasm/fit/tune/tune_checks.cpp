@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "mesh/quality.h"
 #include "transfer/shape_transfer.h"
 
 namespace limber {
@@ -22,13 +23,6 @@ std::string rounded(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);
   return text;
-}
-
-double meanEdge(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (int c = 0; c < 3; ++c) sum += length(mesh.corner(t, (c + 1) % 3) - mesh.corner(t, c));
-  return sum / (3.0 * mesh.triangleCount());
 }
 
 // Of the vertices of one mesh from the surface of the other.
@@ -59,7 +53,7 @@ void requireTunable(const TriangleMesh& original, const TriangleMesh& result, co
   if (std::abs(size / originalSize - 1) > kSameSize)
     refuse("The coarse mesh is " + rounded(size / originalSize) +
            " times as large as the original; scale it to the original's size.");
-  const double tolerance = kMeanDistance * meanEdge(result);
+  const double tolerance = kMeanDistance * meanSide(result);
   const double distance = std::max(meanDistance(original, result), meanDistance(result, original));
   if (distance > tolerance)
     refuse("The two surfaces are " + rounded(100 * distance / originalSize) +

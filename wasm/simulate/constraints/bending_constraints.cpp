@@ -64,7 +64,7 @@ BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology&
         bendingStiffness(compliance_.back(), {rest.share[0] > 0, rest.share[1] > 0, rest.share[2] > 0});
     rest_.push_back(rest);
   }
-  colouring_ = colour(stencils, 6, options.blocks, options.order);
+  colouring_ = colour({stencils, 6}, options.blocks, options.order);
   batches_.resize(colouring_.batches.size());
   forEachLane(colouring_, [&](size_t i, const Lane& lane) {
     setTriangle(batches_[i], lane, particles, options.substep);
@@ -154,22 +154,19 @@ void BendingConstraints::setCompliance(Batch& batch, const Lane& lane, double su
 }
 
 void BendingConstraints::rebase(const Particles& particles, size_t begin, size_t end) {
-  for (size_t i = begin; i < end; ++i)
-    for (int k = 0; k < 4; ++k) {
-      Batch& batch = batches_[i];
-      const uint32_t t = colouring_.batches[i][k];
-      if (t == kNone) continue;
-      const Triangle& corner = rest_[t].corner;
-      const auto at = [&](uint32_t v) { return particles.positions[v] - particles.positions[corner[0]]; };
-      setLane(batch.base1, k, at(corner[1]));
-      setLane(batch.base2, k, at(corner[2]));
-      for (int e = 0; e < 3; ++e) {
-        // Across a border any point outside the triangle will do: it has no effect.
-        const Vec3 start = at(corner[(e + 1) % 3]), end = at(corner[(e + 2) % 3]);
-        const uint32_t flap = rest_[t].flap[e];
-        setLane(batch.baseFlap[e], k, flap == kNone ? start + end - at(corner[e]) : at(flap));
-      }
+  forEachConstraint(colouring_, begin, end, [&](size_t i, int k, uint32_t t) {
+    Batch& batch = batches_[i];
+    const Triangle& corner = rest_[t].corner;
+    const auto at = [&](uint32_t v) { return particles.positions[v] - particles.positions[corner[0]]; };
+    setLane(batch.base1, k, at(corner[1]));
+    setLane(batch.base2, k, at(corner[2]));
+    for (int e = 0; e < 3; ++e) {
+      // Across a border any point outside the triangle will do: it has no effect.
+      const Vec3 from = at(corner[(e + 1) % 3]), to = at(corner[(e + 2) % 3]);
+      const uint32_t flap = rest_[t].flap[e];
+      setLane(batch.baseFlap[e], k, flap == kNone ? from + to - at(corner[e]) : at(flap));
     }
+  });
 }
 
 void BendingConstraints::advanceRotations(size_t begin, size_t end, const Advance& what, float damping) {

@@ -34,7 +34,7 @@ std::vector<Spring> paperSprings(const TriangleMesh& mesh, const Topology& topol
 
 EdgeConstraints::EdgeConstraints(std::vector<Spring> springs, Particles& particles,
                                  const ConstraintOptions& options)
-    : springs_(std::move(springs)), colouring_(colour(endsOf(springs_), 2, options.blocks, options.order)) {
+    : springs_(std::move(springs)), colouring_(colour({endsOf(springs_), 2}, options.blocks, options.order)) {
   // The heavier end comes second, so that the ratio of the weights is at most 1.
   for (Spring& spring : springs_)
     if (particles.inverseMass[spring.a] < particles.inverseMass[spring.b]) std::swap(spring.a, spring.b);
@@ -60,13 +60,10 @@ void EdgeConstraints::setSpring(Batch& batch, const Lane& lane, Particles& parti
 }
 
 void EdgeConstraints::rebase(const Particles& particles, size_t begin, size_t end) {
-  for (size_t i = begin; i < end; ++i)
-    for (int k = 0; k < 4; ++k) {
-      const uint32_t e = colouring_.batches[i][k];
-      if (e == kNone) continue;
-      const Spring& spring = springs_[e];
-      batches_[i].base[k] = toFloat4(particles.positions[spring.a] - particles.positions[spring.b]);
-    }
+  forEachConstraint(colouring_, begin, end, [&](size_t i, int k, uint32_t e) {
+    const Spring& spring = springs_[e];
+    batches_[i].base[k] = toFloat4(particles.positions[spring.a] - particles.positions[spring.b]);
+  });
 }
 
 void EdgeConstraints::project(size_t begin, size_t end) const {

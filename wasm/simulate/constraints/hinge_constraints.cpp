@@ -27,7 +27,7 @@ HingeConstraints::HingeConstraints(std::vector<RestHinge> hinges, const Triangle
                                    Particles& particles, const ConstraintOptions& options)
     : hinges_(std::move(hinges)),
       rest_(hinges_.size()),
-      colouring_(colour(stencilsOf(hinges_), 4, options.blocks, options.order)) {
+      colouring_(colour({stencilsOf(hinges_), 4}, options.blocks, options.order)) {
   for (size_t i = 0; i < hinges_.size(); ++i) {
     const Fold fold = foldAt(hinges_[i], mesh.positions);
     const double size = std::hypot(fold.cosine, fold.sine);
@@ -62,16 +62,13 @@ void HingeConstraints::setHinge(Batch& batch, const Lane& lane, Particles& parti
 }
 
 void HingeConstraints::rebase(const Particles& particles, size_t begin, size_t end) {
-  for (size_t i = begin; i < end; ++i)
-    for (int k = 0; k < 4; ++k) {
-      const uint32_t index = colouring_.batches[i][k];
-      if (index == kNone) continue;
-      const RestHinge& hinge = hinges_[index];
-      const Vec3 apex = particles.positions[hinge.apex];
-      setLane(batches_[i].baseStart, k, particles.positions[hinge.start] - apex);
-      setLane(batches_[i].baseEnd, k, particles.positions[hinge.end] - apex);
-      setLane(batches_[i].baseFlap, k, particles.positions[hinge.flap] - apex);
-    }
+  forEachConstraint(colouring_, begin, end, [&](size_t i, int k, uint32_t index) {
+    const RestHinge& hinge = hinges_[index];
+    const Vec3 apex = particles.positions[hinge.apex];
+    setLane(batches_[i].baseStart, k, particles.positions[hinge.start] - apex);
+    setLane(batches_[i].baseEnd, k, particles.positions[hinge.end] - apex);
+    setLane(batches_[i].baseFlap, k, particles.positions[hinge.flap] - apex);
+  });
 }
 
 void HingeConstraints::project(size_t begin, size_t end) const {

@@ -7,9 +7,7 @@ namespace limber {
 MembraneConstraints::MembraneConstraints(const TriangleMesh& mesh, StiffnessFactors factors,
                                          Particles& particles, const ConstraintOptions& options)
     : triangles_(mesh.triangles), sheet_(options.sheet), count_(mesh.triangleCount()) {
-  std::vector<uint32_t> vertices;
-  for (const Triangle& t : mesh.triangles) vertices.insert(vertices.end(), t.begin(), t.end());
-  colouring_ = colour(vertices, 3, options.blocks, options.order);
+  colouring_ = colour({flattened(triangles_), 3}, options.blocks, options.order);
   for (uint32_t t = 0; t < count_; ++t) {
     const TriangleRest rest = triangleRest(mesh, t);
     rest_.push_back(
@@ -50,14 +48,11 @@ void MembraneConstraints::setTriangle(Batch& batch, const Lane& lane, Particles&
 }
 
 void MembraneConstraints::rebase(const Particles& particles, size_t begin, size_t end) {
-  for (size_t i = begin; i < end; ++i)
-    for (int k = 0; k < 4; ++k) {
-      const uint32_t t = colouring_.batches[i][k];
-      if (t == kNone) continue;
-      const auto at = [&](int c) { return particles.positions[triangles_[t][c]]; };
-      setLane(batches_[i].base1, k, at(1) - at(0));
-      setLane(batches_[i].base2, k, at(2) - at(0));
-    }
+  forEachConstraint(colouring_, begin, end, [&](size_t i, int k, uint32_t t) {
+    const auto at = [&](int c) { return particles.positions[triangles_[t][c]]; };
+    setLane(batches_[i].base1, k, at(1) - at(0));
+    setLane(batches_[i].base2, k, at(2) - at(0));
+  });
 }
 
 void MembraneConstraints::project(size_t begin, size_t end) const {

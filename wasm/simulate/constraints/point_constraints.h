@@ -21,6 +21,8 @@ class PointConstraints {
   struct Path {
     Vec3 from, to;
   };
+  // That of a point that is dragged: a fifth of what is left of the way to its target, as a hand would.
+  static Path dragged(const Vec3& from, const Vec3& target) { return {from, from + (target - from) * 0.2}; }
   // Sets how the target of point i moves within the step, in metres.
   void rebase(size_t i, const Particles& particles, const Path& path, int substeps);
   // One pass over all points in order. `substep` counts from 0 within the step.

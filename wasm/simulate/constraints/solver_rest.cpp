@@ -4,12 +4,21 @@
 
 namespace limber {
 
+namespace {
+
+// A spring that is as long at rest as its ends lie apart.
+Spring springBetween(const TriangleMesh& mesh, uint32_t a, uint32_t b, double stiffness) {
+  return {a, b, length(mesh.positions[a] - mesh.positions[b]), stiffness};
+}
+
+}  // namespace
+
 std::vector<Spring> edgeSprings(const SimulatedSolver& solver, const TriangleMesh& mesh,
                                 const Topology& topology) {
   std::vector<Spring> springs;
   for (const Topology::Edge& edge : topology.edges) {
     const double stiffness = solver.constants.stretch * factorOf(solver.stretchFactors, springs.size());
-    springs.push_back({edge.a, edge.b, length(mesh.positions[edge.a] - mesh.positions[edge.b]), stiffness});
+    springs.push_back(springBetween(mesh, edge.a, edge.b, stiffness));
   }
   return springs;
 }
@@ -19,7 +28,7 @@ std::vector<Spring> crossSprings(const SimulatedSolver& solver, const TriangleMe
   std::vector<Spring> springs;
   for (const BendingEdge& edge : bendingEdges(mesh, topology)) {
     const double stiffness = solver.constants.bend * factorOf(solver.bendFactors, springs.size());
-    springs.push_back({edge.k, edge.l, length(mesh.positions[edge.k] - mesh.positions[edge.l]), stiffness});
+    springs.push_back(springBetween(mesh, edge.k, edge.l, stiffness));
   }
   return springs;
 }

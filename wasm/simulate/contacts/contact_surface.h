@@ -46,4 +46,17 @@ inline Float4 frictionOf(Float4 q, Float4 normal, float most) {
   return slid > 0 ? splat(std::min(1.0f, most / slid)) * sliding : Float4{};
 }
 
+// What a contact does to a point that is inside a surface: it adds `out` to the motion of its substep, which
+// moves it onto the surface, and then takes `friction` away. Metres.
+struct ContactPush {
+  Float4 out, friction;
+};
+
+// For a point that moves by q in the substep and is `depth` metres inside, behind a unit `normal`. Friction
+// takes at most its coefficient times the depth.
+inline ContactPush pushOf(Float4 q, Float4 normal, float depth, float coefficient) {
+  const Float4 out = splat(depth) * normal;
+  return {out, frictionOf(q + out, normal, coefficient * depth)};
+}
+
 }  // namespace limber

@@ -162,9 +162,9 @@ void TriangleContacts::project(Particles& particles, float friction, size_t grou
     const float squared = dot3(outwards, outwards), radius = contact.surface.radius;
     if (squared >= radius * radius || !(squared > 0)) continue;
     const float distance = std::sqrt(squared), depth = radius - distance;
-    const Float4 normal = outwards / splat(distance);
-    const Float4 q = pointAt({motion[0]->q, motion[1]->q, motion[2]->q}, share) + splat(depth) * normal;
-    const Float4 correction = splat(depth) * normal - frictionOf(q, normal, friction * depth);
+    const Float4 q = pointAt({motion[0]->q, motion[1]->q, motion[2]->q}, share);
+    const ContactPush push = pushOf(q, outwards / splat(distance), depth, friction);
+    const Float4 correction = push.out - push.friction;
     float weight = 0, largest = 0;
     for (int c = 0; c < 3; ++c) {
       const float moved = contact.weight[c] * share[c];

@@ -6,7 +6,7 @@
 #include "mesh/triangle_mesh.h"
 #include "simulate/blocks.h"
 #include "simulate/contacts/contact_surface.h"
-#include "simulate/contacts/contacts.h"
+#include "simulate/contacts/point_contact.h"
 #include "simulate/particles.h"
 
 namespace limber {

@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "mesh/eigen_vec3.h"
+
 namespace limber {
 
 namespace {
@@ -133,7 +135,7 @@ Eigen::Matrix3d meanMobility(const CellRest& rest, const std::array<double, 8>& 
   const auto gradients = meanGradients(rest.size, rest.moments);
   Eigen::Matrix3d mobility = Eigen::Matrix3d::Zero();
   for (int k = 0; k < 8; ++k) {
-    const Eigen::Vector3d g(gradients[k].x, gradients[k].y, gradients[k].z);
+    const Eigen::Vector3d g = eigen(gradients[k]);
     mobility += weights[k] * g * g.transpose();
   }
   return mobility;
@@ -187,9 +189,7 @@ CellConstraints::CellConstraints(const LatticeBody& body, Particles& particles, 
   const double nu = options.poisson;
   mu_ = options.young / (2 * (1 + nu));
   lambda_ = options.young * nu / ((1 + nu) * (1 - 2 * nu)) + mu_;
-  std::vector<uint32_t> vertices;
-  for (const auto& cell : cells_) vertices.insert(vertices.end(), cell.begin(), cell.end());
-  colouring_ = colour(vertices, 8, options.blocks, options.order);
+  colouring_ = colour({flattened(cells_), 8}, options.blocks, options.order);
   batches_.resize(colouring_.batches.size());
   forEachLane(colouring_, [&](size_t i, const Lane& lane) { setCell(batches_[i], lane, body, particles); });
 }
@@ -224,16 +224,12 @@ void CellConstraints::setCell(Batch& batch, const Lane& lane, const LatticeBody&
 }
 
 void CellConstraints::rebase(const Particles& particles, size_t begin, size_t end) {
-  for (size_t i = begin; i < end; ++i)
-    for (int lane = 0; lane < 4; ++lane) {
-      const uint32_t cell = colouring_.batches[i][lane];
-      if (cell == kNone) continue;
-      std::array<Vec3, 8>
-          corners;  // seen from the first, so that floats keep their digits far from the origin
-      for (int k = 0; k < 8; ++k)
-        corners[k] = particles.positions[cells_[cell][k]] - particles.positions[cells_[cell][0]];
-      for (int mask = 1; mask < 8; ++mask) setLane(batches_[i].base[mask], lane, amplitudeOf(mask, corners));
-    }
+  forEachConstraint(colouring_, begin, end, [&](size_t i, int lane, uint32_t cell) {
+    std::array<Vec3, 8> corners;  // seen from the first, so that floats keep their digits far from the origin
+    for (int k = 0; k < 8; ++k)
+      corners[k] = particles.positions[cells_[cell][k]] - particles.positions[cells_[cell][0]];
+    for (int mask = 1; mask < 8; ++mask) setLane(batches_[i].base[mask], lane, amplitudeOf(mask, corners));
+  });
 }
 
 void CellConstraints::projectBatch(const Batch& b) const {

@@ -48,8 +48,8 @@ class CellConstraints {
   double energy(const std::vector<Vec3>& positions) const;
 
  private:
-  static constexpr int kPacked =
-      78;  // entries of a symmetric matrix of size 12, row by row up to the diagonal
+  // Entries of a symmetric matrix of size 12, row by row up to the diagonal.
+  static constexpr int kPacked = 12 * 13 / 2;
 
   struct Batch {
     Vec3x4 base[8];      // amplitudes by mask at the start of the step; that of mask 0 is not used

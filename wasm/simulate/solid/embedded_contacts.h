@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "simulate/contacts/contact_surface.h"
-#include "simulate/contacts/contacts.h"
+#include "simulate/blocks.h"
+#include "simulate/contacts/point_contact.h"
 #include "simulate/particles.h"
 #include "simulate/solid/lattice_body.h"
 
@@ -25,14 +25,12 @@ class EmbeddedContacts {
 
  private:
   struct Contact {
-    uint32_t vertex;
-    bool flat;    // the contact is with the ground, which fills y < 0
-    Float4 base;  // the vertex relative to the start of the axis, or to the floor, at the start of the step
-    ContactSurface surface;
+    PointContact point;
     std::array<uint32_t, 8> nodes;
     std::array<float, 8> weights, shares;
   };
-  void add(const Particles& particles, Contact contact, size_t group);
+  // The contact of a vertex of the surface.
+  Contact contactOf(const Particles& particles, uint32_t v, const PointContact& point) const;
 
   const LatticeBody& body_;
   std::vector<std::vector<uint32_t>> vertices_;  // by group

@@ -22,10 +22,7 @@ Vec3 LatticePoint::position(const Particles& particles) const {
 
 Vec3 LatticePoint::motion(const Particles& particles) const {
   Vec3 sum;
-  for (size_t i = 0; i < nodes.size(); ++i) {
-    const Float4 q = particles.motion[nodes[i]].q;
-    sum += Vec3{double{q[0]}, double{q[1]}, double{q[2]}} * weights[i];
-  }
+  for (size_t i = 0; i < nodes.size(); ++i) sum += toVec3(particles.motion[nodes[i]].q) * weights[i];
   return sum;
 }
 
@@ -98,8 +95,7 @@ void EmbeddedPins::project(Particles& particles, int substep) {
     Vec3 gap = pin.gap - pin.targetMove * double(substep + 1);
     for (size_t i = 0; i < pin.rows.size(); ++i) {
       const Motion& motion = particles.motion[pin.point.nodes[i]];
-      const Float4 moved = motion.u + motion.q;
-      gap += Vec3{double{moved[0]}, double{moved[1]}, double{moved[2]}} * pin.point.weights[i];
+      gap += toVec3(motion.u + motion.q) * pin.point.weights[i];
     }
     for (size_t i = 0; i < pin.rows.size(); ++i)
       for (int c = 0; c < 3; ++c) way_(pin.rows[i], c) -= pin.point.weights[i] * gap[c];

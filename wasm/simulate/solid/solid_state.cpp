@@ -8,7 +8,6 @@
 
 #include "base/parallel.h"
 #include "elastic/pinned_patch.h"
-#include "simulate/solid/lattice_blocks.h"
 #include "simulate/solid/velocity_fit.h"
 #include "simulate/wind.h"
 
@@ -17,11 +16,7 @@ namespace limber {
 namespace {
 
 // Lattices with at least this many nodes are cut into blocks, and how large these are.
-constexpr uint32_t kThreadedNodes = 2500, kBlockNodes = 800, kMostBlocks = 32;
-// Contacts are searched within this share of the body's diagonal, see ContactDistance.
-constexpr double kContactMargin = 0.02;
-// The share of the way to its target that a dragged point makes in a step.
-constexpr double kDragPace = 0.2;
+constexpr BlockSizes kBlocksOfNodes = {2500, 800};
 
 double longestSide(const Vec3& cell) {
   return std::max({cell.x, cell.y, cell.z});
@@ -29,7 +24,7 @@ double longestSide(const Vec3& cell) {
 
 // Renumbers the nodes from end to end, so that blocks are ranges.
 void renumber(LatticeBody& body) {
-  const auto order = nodesFromEndToEnd(body.cells, static_cast<uint32_t>(body.nodes.size()));
+  const auto order = orderFromEndToEnd({flattened(body.cells), 8}, static_cast<uint32_t>(body.nodes.size()));
   std::vector<uint32_t> slots(order.size());
   LatticeBody before = body;
   for (uint32_t slot = 0; slot < order.size(); ++slot) {
@@ -39,18 +34,6 @@ void renumber(LatticeBody& body) {
   }
   for (auto& cell : body.cells)
     for (uint32_t& node : cell) node = slots[node];
-}
-
-// A phase that calls run(i, repeat) for each of `count` items.
-template <class Run>
-SolverPhase phaseOf(size_t count, Run run) {
-  return {count, 1, [run](size_t begin, size_t end, int repeat) {
-            for (size_t i = begin; i < end; ++i) run(i, repeat);
-          }};
-}
-
-Vec3 toVec3(Float4 a) {
-  return {double{a[0]}, double{a[1]}, double{a[2]}};
 }
 
 }  // namespace
@@ -90,9 +73,9 @@ void SolidState::makeBody() {
   refinePinnedFaces(surface_, all, longestSide(cell));
   body_ = latticeBody(surface_, cell, options_.material);
   const auto nodeCount = static_cast<uint32_t>(body_.nodes.size());
-  const uint32_t blockCount = nodeCount < kThreadedNodes ? 1 : std::min(nodeCount / kBlockNodes, kMostBlocks);
+  const uint32_t blockCount = blockCountOf(nodeCount, kBlocksOfNodes);
   if (blockCount > 1) renumber(body_);
-  blocks_ = latticeBlocks(body_.cells, nodeCount, blockCount);
+  blocks_ = blocksOf({flattened(body_.cells), 8}, nodeCount, blockCount);
   for (uint32_t v = 0; v < vertexCount_; ++v) vertices_.push_back(embeddedVertex(body_, v));
 }
 
@@ -147,7 +130,7 @@ void SolidState::startPins() {
   pinStarts_ = pinTargets_;
   if (!dragged_.count()) return;
   const Vec3 from = dragged_.position(0, particles_);
-  dragged_.rebase(0, particles_, {from, from + (dragTarget_ - from) * kDragPace}, options_.substeps);
+  dragged_.rebase(0, particles_, PointConstraints::dragged(from, dragTarget_), options_.substeps);
 }
 
 void SolidState::drag(const SurfacePoint& point, const Vec3& target) {
