@@ -1,3 +1,4 @@
+#!/usr/bin/env node
 /** The command line: says its version at once, and loads the rest for everything else. */
 
 import { VERSION } from '../engine/core/version';
