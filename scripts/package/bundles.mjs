@@ -6,9 +6,13 @@ import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { root } from '../setup/environment.mjs';
 
-/** Packages whose files are looked for where they are installed, or whose objects callers pass in: never bundled. */
+/** Its files are looked for where it is installed. */
 const DRACO = 'draco3dgltf';
-const GLTF = ['@gltf-transform/core', '@gltf-transform/extensions'];
+/** Callers pass in its objects. */
+const GLTF = '@gltf-transform/core';
+
+/** No module of the library does anything when it is loaded. */
+const PURE = { treeshake: { moduleSideEffects: false } };
 
 const source = (...path) => join(root, 'web', ...path);
 const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString('base64');
@@ -54,10 +58,13 @@ const nodeLibrary = (folder) =>
     folder,
     { index: source('library', 'index.ts') },
     { entryFileNames: 'node/[name].mjs', chunkFileNames: 'node/[name].mjs' },
-    { ssr: { noExternal: true, external: GLTF }, build: { ssr: true } },
+    { ssr: { noExternal: true, external: [GLTF] }, build: { ssr: true, rolldownOptions: PURE } },
   );
 
-/** What callers import in browsers; `payload` has the worker and the core as texts. */
+/**
+ * What callers import in browsers; `payload` has the worker and the core as texts. What it needs of glTF-Transform is inside, for
+ * the whole of it names files of Node, which webpack and esbuild refuse for browsers.
+ */
 const browserLibrary = (folder, payload) =>
   bundle(
     folder,
@@ -68,7 +75,7 @@ const browserLibrary = (folder, payload) =>
       build: {
         lib: { entry: source('library', 'index.ts'), formats: ['es'] },
         minify: false,
-        rolldownOptions: { external: GLTF },
+        rolldownOptions: PURE,
       },
     },
   );
@@ -100,13 +107,15 @@ function startedFromBlob(glue) {
   return glue.replaceAll(own, 'import.meta.url');
 }
 
-/** Writes all bundles into `folder`, in whose `assets` the core is. Returns the ids of all modules in them. */
+/** Writes all bundles into `folder`, in whose `assets` the core is. Returns the ids of the modules that they have something of. */
 export async function writeBundles(folder) {
   const modules = new Set();
   const run = async (config) => {
     const results = [await build(config)].flat();
     for (const { output } of results)
-      for (const chunk of output) for (const id of chunk.moduleIds ?? []) modules.add(id);
+      for (const { modules: contained = {} } of output)
+        for (const [id, { renderedLength }] of Object.entries(contained))
+          if (renderedLength > 0) modules.add(id);
   };
   await run(programs(folder));
   await run(nodeLibrary(folder));

@@ -21,7 +21,8 @@ export function copyDeclarations(from, entry, to) {
       done.add(target);
       // The positions are those of the quotes in some versions of TypeScript, of the text between them in others.
       const at = text.indexOf(fileName, pos);
-      if (at < 0 || at > end) throw new Error(`${path}: the import of ${fileName} is not where it should be.`);
+      if (at < 0 || at > end)
+        throw new Error(`${path}: the import of ${fileName} is not where it should be.`);
       written = `${written.slice(0, at)}${fileName}.js${written.slice(at + fileName.length)}`;
     }
     const copy = join(to, relative(from, path));

@@ -22,7 +22,11 @@ export async function writePackage(folder) {
     copyFileSync(join(core, name), join(folder, 'assets', name));
     chmodSync(join(folder, 'assets', name), 0o644);
   }
-  run(process.execPath, [join(root, 'node_modules', 'typescript', 'bin', 'tsc'), '-b', 'tsconfig.library.json']);
+  run(process.execPath, [
+    join(root, 'node_modules', 'typescript', 'bin', 'tsc'),
+    '-b',
+    'tsconfig.library.json',
+  ]);
   copyDeclarations(join(root, 'build', 'types'), join('library', 'index.d.ts'), join(folder, 'types'));
   const modules = await writeBundles(folder);
   const repository = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));

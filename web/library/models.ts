@@ -1,7 +1,7 @@
 /** Models of callers as files for the worker, and results in documents of callers. */
 
-import { Document, Format, Logger, WebIO } from '@gltf-transform/core';
-import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
+import { Accessor, Format, Logger, PropertyType, WebIO } from '@gltf-transform/core';
+import type { Document, Extension } from '@gltf-transform/core';
 import { replaceBodies } from '../engine/document/export';
 import { LimberError } from './options';
 import type { Model } from './options';
@@ -25,14 +25,28 @@ export async function filesOf(model: Model): Promise<ModelFiles> {
   );
 }
 
-/** The document as a glTF with its buffers and images, exactly as it is in memory; extensions that are not known are left out. */
+/** The document as a glTF with its buffers and images, exactly as it is in memory. */
 async function filesOfDocument(document: Document): Promise<ModelFiles> {
-  const extensions = ALL_EXTENSIONS.filter(({ EXTENSION_NAME }) => !COMPRESSED.test(EXTENSION_NAME));
-  const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(extensions);
+  recogniseAccessors(document);
+  const used = document.getRoot().listExtensionsUsed();
+  const plain = used.filter(({ extensionName }) => !COMPRESSED.test(extensionName));
+  const io = new WebIO()
+    .setLogger(new Logger(Logger.Verbosity.SILENT))
+    .registerExtensions(plain.map((extension) => extension.constructor as typeof Extension));
   const { json, resources } = await io.writeJSON(document, { format: Format.GLTF, basename: 'document' });
-  const text = new TextEncoder().encode(JSON.stringify(json));
+  // What the worker cannot read stays in the document as it is.
+  const text = new TextEncoder().encode(JSON.stringify({ ...json, extensionsRequired: undefined }));
   const companions = Object.entries(resources).map(([name, bytes]) => ({ name, bytes }));
   return [{ name: 'document.gltf', bytes: text }, ...companions];
+}
+
+/** Bundles for browsers have a copy of glTF-Transform; its writer looks for accessors of its own, and the document has others. */
+function recogniseAccessors(document: Document): void {
+  const [accessor] = document.getRoot().listAccessors();
+  if (!accessor || accessor instanceof Accessor) return;
+  const isAccessor = (value: { propertyType?: string } | null) =>
+    value?.propertyType === PropertyType.ACCESSOR;
+  Object.defineProperty(Accessor, Symbol.hasInstance, { value: isAccessor });
 }
 
 /** Gives the meshes of the document the geometry of the bodies; null leaves one as it is. */

@@ -56,6 +56,8 @@ export class WorkSession {
   /** A run over the chosen bodies, prepared; one without a usable face stays as it is. Throws where no other is left. */
   prepare(model: OpenModel): FileRun {
     const onStage = (stage: string): void => {
+      // A stage that only passes on the value of another has nothing of its own to tell.
+      if (stage.endsWith(' where wanted')) return;
       this.where.stage = stage;
       this.report({ phase: 'idle', fraction: 0 });
     };
