@@ -99,8 +99,14 @@ describe('in Node', () => {
     expect(run(folder, 'npx', 'limber', '--version').trim()).toBe(manifest().version);
   });
 
-  it.each([...programsOf('docs/library.md').keys()])('%s of docs/library.md runs', (name) => {
-    writeFileSync(join(folder, name), programsOf('docs/library.md').get(name)!);
+  const programs = new Map([...programsOf('docs/library.md'), ...programsOf('README.md')]);
+
+  it('the documents have programs', () =>
+    expect([...programs.keys()]).toEqual(['transform.mjs', 'optimize.mjs', 'all.mjs', 'readme.mjs']));
+
+  it.each([...programs.keys()])('%s of the documents runs', (name) => {
+    rmSync(join(folder, 'small.glb'), { force: true });
+    writeFileSync(join(folder, name), programs.get(name)!);
     node(folder, name);
     if (name === 'all.mjs') return;
     const small = statSync(join(folder, 'small.glb')).size;

@@ -3,8 +3,7 @@
  * are started from blobs; with `assets` they are loaded from a folder of the page instead.
  */
 
-import type { CoreAddress, WorkMessage, WorkRequest } from './protocol';
-import type { Listener, StartedWorker } from './start_worker';
+import type { CoreAddress, Listener, StartedWorker, WorkMessage, WorkRequest } from './protocol';
 
 type Build = 'single' | 'threads';
 

@@ -2,8 +2,7 @@
 
 import { existsSync } from 'node:fs';
 import { Worker } from 'node:worker_threads';
-import type { WorkMessage, WorkRequest } from './protocol';
-import type { Listener, StartedWorker } from './start_worker';
+import type { Listener, StartedWorker, WorkMessage, WorkRequest } from './protocol';
 
 /** Throws an Error where a bundler has taken this file out of its package. */
 export function startNodeWorker(listener: Listener): StartedWorker {

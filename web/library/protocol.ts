@@ -66,3 +66,17 @@ export interface Failure {
 /** Any number of `progress`, then one of the others. */
 export type WorkMessage =
   { progress: StageProgress } | { value: Commands[CommandName]['reply'] } | { failure: Failure };
+
+/** A started worker; `listener` gets its messages, and the error that ends it. */
+export interface StartedWorker {
+  core: CoreAddress;
+  post(request: WorkRequest): void;
+  /** whether the program waits for the worker before it ends; Node only */
+  keepAlive(isBusy: boolean): void;
+  terminate(): void;
+}
+
+export interface Listener {
+  onMessage(message: WorkMessage): void;
+  onError(error: Error): void;
+}

@@ -1,20 +1,6 @@
 /** Starts the worker that holds the core, in Node or a browser. The bundle for one of them does not contain the other. */
 
-import type { CoreAddress, WorkMessage, WorkRequest } from './protocol';
-
-/** A started worker; `listener` gets its messages, and the error that ends it. */
-export interface StartedWorker {
-  core: CoreAddress;
-  post(request: WorkRequest): void;
-  /** whether the program waits for the worker before it ends; Node only */
-  keepAlive(isBusy: boolean): void;
-  terminate(): void;
-}
-
-export interface Listener {
-  onMessage(message: WorkMessage): void;
-  onError(error: Error): void;
-}
+import type { Listener, StartedWorker } from './protocol';
 
 /** `assets`: of RunOptions. `threads`: as asked for; 1 needs only the core of one thread. */
 export async function startWorker(

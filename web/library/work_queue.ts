@@ -2,9 +2,8 @@
 
 import { LimberError } from './options';
 import type { RunOptions } from './options';
-import type { CommandName, Commands, Failure, ModelFiles, WorkMessage } from './protocol';
+import type { CommandName, Commands, Failure, ModelFiles, StartedWorker, WorkMessage } from './protocol';
 import { startWorker } from './start_worker';
-import type { StartedWorker } from './start_worker';
 
 interface Work {
   command: CommandName;
