@@ -172,7 +172,7 @@ describe('in Node', () => {
     (resolution) => {
       copyFileSync(fixture('types.ts'), join(folder, 'types.ts'));
       const module = resolution === 'node16' ? 'node16' : 'esnext';
-      const flags = ['--strict', '--noEmit', '--target', 'es2022', '--lib', 'es2023,dom'];
+      const flags = ['--strict', '--noEmit', '--target', 'es2022', '--lib', 'esnext,dom'];
       node(
         folder,
         tool('typescript', 'bin', 'tsc'),
