@@ -49,6 +49,7 @@ export function manifestOf(repository, folder) {
         default: './browser/index.mjs',
       },
       './assets/*': './assets/*',
+      './schemas/*': './schemas/*',
       './package.json': './package.json',
     },
     sideEffects: false,
