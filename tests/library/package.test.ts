@@ -133,7 +133,7 @@ describe('in Node', () => {
       option: [
         'LimberError',
         null,
-        'inspect does not take "ratio", which is no option: see docs/library.md.',
+        'inspect does not take "ratio", which is no option: see the README of the package.',
       ],
       model: ['LimberError', null, 'model.glb is not a usable GLB: it is cut off: export it again.'],
       before: 'stop before',

@@ -17,7 +17,9 @@ export async function startBrowserWorker(
   const worker = new Worker(program, { type: 'module', name: 'limber' });
   worker.addEventListener('message', ({ data }: MessageEvent<WorkMessage>) => listener.onMessage(data));
   worker.addEventListener('error', ({ message }) =>
-    listener.onError(new Error(message || 'The worker of limber could not be started: see docs/library.md.')),
+    listener.onError(
+      new Error(message || 'The worker of limber could not be started: see the README of the package.'),
+    ),
   );
   return {
     core,

@@ -37,7 +37,9 @@ export function settingsFrom(command: Command, options: object): Settings {
 
 function unknownOption(command: Command, name: string): Error {
   const isSetting = (SETTING_NAMES as readonly string[]).includes(name);
-  const why = isSetting ? 'is a setting of other calls: leave it out' : 'is no option: see docs/library.md';
+  const why = isSetting
+    ? 'is a setting of other calls: leave it out'
+    : 'is no option: see the README of the package';
   return new Error(`${command} does not take "${name}", which ${why}.`);
 }
 
