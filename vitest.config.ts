@@ -1,9 +1,9 @@
 import { defineConfig } from 'vitest/config';
 
-// The engine and the command line, against the real wasm.
+// The engine, the command line and the npm package, against the real wasm.
 export default defineConfig({
   test: {
-    include: ['tests/engine/**/*.test.ts'],
+    include: ['tests/engine/**/*.test.ts', 'tests/library/**/*.test.ts'],
     environment: 'node',
     testTimeout: 120_000,
     hookTimeout: 120_000,

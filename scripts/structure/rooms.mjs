@@ -39,6 +39,13 @@ export const app = {
   panels: ['worker', 'viewer', 'state', 'controls', 'files', 'stroke.ts'],
 };
 
+/** Folders of web/library; the files next to `work`, which the caller loads, know its messages only. */
+export const library = {
+  'options.ts': [],
+  'protocol.ts': ['options.ts'],
+  work: ['options.ts', 'protocol.ts'],
+};
+
 const below = (folder, rooms) =>
   Object.fromEntries(
     Object.entries(rooms).map(([room, known]) => [
@@ -53,11 +60,18 @@ const appRooms = Object.entries(app).map(([room, known]) => [
   [...engineRooms, ...known.map((name) => `web/app/${name}`), ...(room === 'panels' ? ['web/app'] : [])],
 ]);
 
+const libraryRooms = Object.entries(library).map(([room, known]) => [
+  `web/library/${room}`,
+  [...engineRooms, ...known.map((name) => `web/library/${name}`)],
+]);
+
 /** Room -> rooms that it may use. A room is one file, or a folder with everything below it that is in no other room. */
 export const rooms = {
   ...below('wasm', { ...core, bind: Object.keys(core) }),
   ...below('web/engine', engine),
   ...Object.fromEntries(appRooms),
   'web/app': [...engineRooms, ...Object.keys(app).map((room) => `web/app/${room}`)],
+  ...Object.fromEntries(libraryRooms),
+  'web/library': [...engineRooms, 'web/library/options.ts', 'web/library/protocol.ts'],
   'web/cli': engineRooms,
 };

@@ -1,6 +1,6 @@
 /** The flags of every command. Those of settings follow from the table of settings. */
 
-import { COMMAND_GROUPS } from '../engine/settings/commands';
+import { COMMAND_DEFAULTS, COMMAND_GROUPS } from '../engine/settings/commands';
 import { rulesOf } from '../engine/settings/kinds';
 import { MATERIAL_NAMES } from '../engine/settings/materials';
 import { COMMANDS, OPTIONS, settingsOf } from '../engine/settings/options';
@@ -113,14 +113,13 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
       },
       ...COMMON,
     ],
-    // With qem the model `auto` stays what suits each part.
-    defaults: { modes: 'all', method: 'qem' },
+    defaults: COMMAND_DEFAULTS.modes,
   },
   compare: {
     operands: ['A', 'B'],
     summary: 'Measure how alike A, the original, and B are in shape and vibration.',
     flags: COMMON,
-    defaults: { modeCount: 10, model: 'shell' },
+    defaults: COMMAND_DEFAULTS.compare,
     words: { modeCount: { help: 'How many elastic modes are compared.', group: 'material' } },
   },
   simulate: {

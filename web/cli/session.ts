@@ -34,9 +34,11 @@ export async function startSession(args: Arguments): Promise<Session> {
   return Object.assign(session, { core });
 }
 
-/** The core is beside the built page, or in public/ in a working copy. */
+/** The core is among the assets of the npm package, beside the built page, or in public/ in a working copy. */
 function findWasm(): string {
-  const folders = ['../app/wasm/', '../../public/wasm/'].map((folder) => new URL(folder, import.meta.url));
+  const folders = ['../assets/', '../app/wasm/', '../../public/wasm/'].map(
+    (folder) => new URL(folder, import.meta.url),
+  );
   const found = folders.find((folder) => existsSync(new URL('limber-single.mjs', folder)));
   if (!found) throw new UsageError('The WebAssembly core is missing: run npm run build.');
   return found.href;

@@ -56,6 +56,8 @@ export interface CoreOptions {
   threads: number;
   /** the address of the folder with limber-threads.mjs and limber-single.mjs, with a final slash */
   wasmFolder: string;
+  /** addresses of files of the core that are not in the folder, by name */
+  addresses?: Readonly<Record<string, string>>;
   /** called on the calling thread in either build, at most once per percent */
   onProgress?: (progress: Progress) => void;
 }

@@ -34,9 +34,10 @@ export async function loadCore(options: CoreOptions): Promise<Core> {
   const canShare = typeof SharedArrayBuffer !== 'undefined';
   const threads = canShare ? wanted : 1;
   const name = threads > 1 ? 'limber-threads' : 'limber-single';
-  const address = new URL(`${name}.mjs`, options.wasmFolder).href;
+  const locateFile = (file: string): string =>
+    options.addresses?.[file] ?? new URL(file, options.wasmFolder).href;
+  const address = locateFile(`${name}.mjs`);
   const { default: createModule } = (await import(/* @vite-ignore */ address)) as { default: CreateModule };
-  const locateFile = (file: string): string => new URL(file, options.wasmFolder).href;
   const module = await createModule({ threadCount: threads, locateFile });
   module.setThreadCount(threads);
   return wrapModule(module, threads, options.onProgress);

@@ -70,18 +70,28 @@ export async function exportGlb(
   const { cloneDocument } = await import('@gltf-transform/functions');
   const document = cloneDocument(model.document);
   const destination = { document, buffer: mergeBuffers(document) };
+  replaceBodies(destination, bodies, { ...options, smoothed: isSmoothed(model) });
+  return (await createGltfIo()).writeBinary(document);
+}
+
+/** Replaces meshes of the document itself, as `exportGlb` does in its copy; null keeps a body as it is. */
+export function replaceBodies(
+  destination: Destination,
+  bodies: (ExportedBody | null)[],
+  { fields, smoothed }: ExportOptions & { smoothed: boolean },
+): void {
+  const { document, buffer } = destination;
   const replaced = new Set<Primitive>();
   bodies.forEach((exported) => {
     if (!exported) return;
-    const shown = options.fields ? exported : { ...exported, fields: undefined };
-    for (const primitive of replaceMesh(destination, shown, isSmoothed(model))) replaced.add(primitive);
+    const shown = fields ? exported : { ...exported, fields: undefined };
+    for (const primitive of replaceMesh(destination, shown, smoothed)) replaced.add(primitive);
   });
   normaliseWeights(document);
   if (bodies.some((exported) => exported?.targets?.length))
-    addSwings(document, destination.buffer, meshesWithTargets(replaced));
+    addSwings(document, buffer, meshesWithTargets(replaced));
   disposeUnused(document, replaced);
   document.getRoot().getAsset().generator = `Limber ${VERSION}`;
-  return (await createGltfIo()).writeBinary(document);
 }
 
 /** Per vertex of each primitive that `exportGlb` writes for a body, in order: its vertex of `exported.mesh`. */

@@ -12,7 +12,9 @@ import type {
   Property,
   Texture,
 } from '@gltf-transform/core';
-import { Features } from '@gltf-transform/extensions';
+import type { Features } from '@gltf-transform/extensions';
+
+const FEATURES = 'EXT_mesh_features';
 
 /** Primitive extensions that refer to materials, or to attributes by name, and so stay valid. */
 const CARRIED = new Set(['KHR_materials_variants', 'EXT_structural_metadata']);
@@ -60,9 +62,10 @@ function dropWeightChannels(animation: Animation, nodes: Node[]): void {
 
 /** Whether an extension of a primitive stays valid for new vertices. */
 function isCarried(extension: ExtensionProperty): boolean {
-  if (extension instanceof Features)
+  // By name: the library gets documents of other copies of glTF-Transform.
+  if (extension.extensionName === FEATURES)
     // Features without an attribute or texture are numbered by vertices, which change.
-    return extension
+    return (extension as Features)
       .listFeatureIDs()
       .every((ids) => ids.getAttribute() !== null || ids.getTexture() !== null);
   return CARRIED.has(extension.extensionName);

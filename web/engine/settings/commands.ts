@@ -1,7 +1,7 @@
 /** Which settings each command takes. */
 
 import { OPTIONS, SETTING_NAMES } from './table';
-import type { SettingName } from './table';
+import type { SettingName, Settings } from './table';
 import type { Command, OptionGroup } from './types';
 
 /** Groups of which a command takes every setting; a row can name further commands. */
@@ -12,6 +12,16 @@ export const COMMAND_GROUPS: Record<Command, readonly OptionGroup[]> = {
   compare: ['material', 'common'],
   simulate: ['simulation', 'material', 'common'],
   inspect: ['common'],
+};
+
+/** Defaults of a command that differ from those of the table. With qem the model `auto` stays what suits each part. */
+export const COMMAND_DEFAULTS: Record<Command, Readonly<Partial<Settings>>> = {
+  optimize: {},
+  tune: {},
+  modes: { modes: 'all', method: 'qem' },
+  compare: { modeCount: 10, model: 'shell' },
+  simulate: {},
+  inspect: {},
 };
 
 /** The settings that a command takes as flags, in the order of the table. */

@@ -12,6 +12,8 @@ export interface FileRunOptions {
   chosen?: number[];
   /** called when work on a body begins, and before each number of faces that is tried to keep its frequencies */
   onActivity?: (body: string, triedFaces?: number) => void;
+  /** called with the name of each stage that is about to be computed */
+  onStage?: (stage: string) => void;
 }
 
 /** The runs over the bodies of a model; page, command line and library work through it and `FileOutput`. */
@@ -28,7 +30,7 @@ export class FileRun {
     this.all = bodies.map((body, i) => {
       if (chosen && !chosen.has(i)) return null;
       const onTry = (faces: number) => options.onActivity?.(body.name, faces);
-      return new BodyRun({ core, body, document, onTry });
+      return new BodyRun({ core, body, document, onTry }, options.onStage);
     });
   }
 

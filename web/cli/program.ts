@@ -1,0 +1,47 @@
+/** Reads the words, loads and runs a command, and ends the program with its exit code. */
+
+import { VERSION } from '../engine/core/version';
+import { parseArguments } from './arguments';
+import type { Arguments } from './arguments';
+import { describeFailure, EXIT } from './failure';
+import type { Command } from './flags';
+
+/** Each command loads what it needs when it is run. */
+const RUN: Record<Command, (args: Arguments) => Promise<number>> = {
+  optimize: async (args) => (await import('./optimize')).runOptimize(args),
+  tune: async (args) => (await import('./tune')).runTune(args),
+  modes: async (args) => (await import('./modes')).runModes(args),
+  compare: async (args) => (await import('./compare')).runCompare(args),
+  simulate: async (args) => (await import('./simulate')).runSimulate(args),
+  inspect: async (args) => (await import('./inspect')).runInspect(args),
+};
+
+/** Returns when the command has ended; the program ends once its output is written. */
+export async function startProgram(words: string[]): Promise<void> {
+  // Errors of the threads in the pool arrive here.
+  process.on('uncaughtException', (error) => exit(fail(error)));
+  // The reader of the output may close it early.
+  process.stdout.on('error', () => process.exit(EXIT.done));
+  exit(await runWords(words).catch(fail));
+}
+
+async function runWords(words: string[]): Promise<number> {
+  const parsed = parseArguments(words);
+  if (!('show' in parsed)) return RUN[parsed.command](parsed);
+  const text = parsed.show === 'version' ? VERSION : (await import('./help')).helpText(parsed.command);
+  process.stdout.write(`${text}\n`);
+  // Help without being asked for it means that something was missing.
+  return words.length > 0 ? EXIT.done : EXIT.badInput;
+}
+
+/** The terminal may still show a line of progress. */
+function fail(error: unknown): number {
+  const { code, line } = describeFailure(error);
+  process.stderr.write(`${process.stderr.isTTY ? '\r\u001b[K' : ''}limber: ${line}\n`);
+  return code;
+}
+
+/** The pool of threads keeps Node alive, so the program ends itself once all its output is written. */
+function exit(code: number): void {
+  process.stdout.write('', () => process.stderr.write('', () => process.exit(code)));
+}

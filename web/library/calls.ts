@@ -1,0 +1,107 @@
+/** The calls of the library. Each is worked on in one worker, in the order of the calls. */
+
+import type { Document } from '@gltf-transform/core';
+import { applyBodies, filesOf, isDocument } from './models';
+import type {
+  CommonOptions,
+  Model,
+  ModesOptions,
+  ModesResult,
+  OptimizedDocument,
+  OptimizedGlb,
+  OptimizeOptions,
+  Reported,
+  RunOptions,
+  SimulateOptions,
+  SimulateResult,
+  TuneOptions,
+  TuneResult,
+} from './options';
+import type { CommandName, Commands } from './protocol';
+import { workQueue } from './work_queue';
+
+/**
+ * Removes triangles where they matter least for how the bodies bend. A document is changed in place and must not be changed by
+ * others meanwhile; of bytes or files the bytes of a GLB come back, equal to those of the command line under the same
+ * settings. A document that was compressed is not any more: compress it again with a transform of glTF-Transform.
+ *
+ * Throws LimberError where the model or an option is not usable, and the signal's reason where it is aborted; the document is
+ * then as it was.
+ */
+export function optimize(
+  model: Document,
+  options?: OptimizeOptions,
+  run?: RunOptions,
+): Promise<OptimizedDocument>;
+export function optimize(
+  model: Exclude<Model, Document>,
+  options?: OptimizeOptions,
+  run?: RunOptions,
+): Promise<OptimizedGlb>;
+export async function optimize(
+  model: Model,
+  options: OptimizeOptions = {},
+  run: RunOptions = {},
+): Promise<OptimizedDocument | OptimizedGlb> {
+  const wantsBodies = isDocument(model);
+  const { glb, bodies, ...others } = await work('optimize', [model], { ...options, wantsBodies }, run);
+  if (!wantsBodies) return { glb: glb!, ...others };
+  applyBodies(model, bodies, options.fields ?? false);
+  return { document: model, ...others };
+}
+
+/** A transform for `document.transform(limber({ ratio: 0.5 }))` of glTF-Transform; see `optimize`. */
+export function limber(options: OptimizeOptions = {}, run: RunOptions = {}) {
+  const transforms = {
+    async limber(document: Document): Promise<void> {
+      await optimize(document, options, run);
+    },
+  };
+  return transforms.limber;
+}
+
+/** Finds the parameters of a solver with which `coarse`, any coarse mesh of the original, moves like it. */
+export const tune = (
+  original: Model,
+  coarse: Model,
+  options: TuneOptions,
+  run: RunOptions = {},
+): Promise<TuneResult> => work('tune', [original, coarse], options, run);
+
+/** Finds the frequencies at which the bodies deform by themselves. */
+export const modes = (model: Model, options: ModesOptions = {}, run: RunOptions = {}): Promise<ModesResult> =>
+  work('modes', [model], options, run);
+
+/** Measures how alike the original and another model are in shape and vibration. */
+export const compare = (
+  original: Model,
+  other: Model,
+  options: CommonOptions = {},
+  run: RunOptions = {},
+): Promise<Reported> => work('compare', [original, other], options, run);
+
+/** Moves the original, and another model beside it unless it is null: times, and how far they part. */
+export const simulate = (
+  original: Model,
+  other: Model | null,
+  options: SimulateOptions = {},
+  run: RunOptions = {},
+): Promise<SimulateResult> => work('simulate', other === null ? [original] : [original, other], options, run);
+
+/** Tells what is in a model and what is wrong with it. */
+export const inspect = (model: Model, options: CommonOptions = {}, run: RunOptions = {}): Promise<Reported> =>
+  work('inspect', [model], options, run);
+
+/** Ends the worker and gives its memory back. The next call starts another. */
+export const close = (): void => workQueue().close();
+
+async function work<Name extends CommandName>(
+  command: Name,
+  models: Model[],
+  options: Commands[Name]['options'],
+  run: RunOptions,
+): Promise<Commands[Name]['reply']> {
+  run.signal?.throwIfAborted();
+  const files = await Promise.all(models.map(filesOf));
+  return workQueue().run(command, files, options, run);
+}

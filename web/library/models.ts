@@ -1,0 +1,57 @@
+/** Models of callers as files for the worker, and results in documents of callers. */
+
+import { Accessor, Format, Logger, PropertyType, WebIO } from '@gltf-transform/core';
+import type { Document, Extension } from '@gltf-transform/core';
+import { replaceBodies } from '../engine/document/export';
+import { LimberError } from './options';
+import type { Model } from './options';
+import type { ModelFiles, OptimizeReply } from './protocol';
+
+/** A document in memory is not compressed, whatever its file was. */
+const COMPRESSED = /(draco|meshopt)/i;
+
+/** Documents may come from another copy of glTF-Transform. */
+export const isDocument = (model: Model): model is Document =>
+  typeof (model as Partial<Document> | null)?.getRoot === 'function';
+
+/** Throws LimberError where it is no model. */
+export async function filesOf(model: Model): Promise<ModelFiles> {
+  if (isDocument(model)) return filesOfDocument(model);
+  if (model instanceof Uint8Array) return [{ name: 'model.glb', bytes: model }];
+  if (model instanceof ArrayBuffer) return [{ name: 'model.glb', bytes: new Uint8Array(model) }];
+  if (Array.isArray(model)) return [...(model as ModelFiles)];
+  throw new LimberError(
+    'There is no model: give a glTF-Transform Document, the bytes of a GLB, or files with name and bytes.',
+  );
+}
+
+/** The document as a glTF with its buffers and images, exactly as it is in memory. */
+async function filesOfDocument(document: Document): Promise<ModelFiles> {
+  recogniseAccessors(document);
+  const used = document.getRoot().listExtensionsUsed();
+  const plain = used.filter(({ extensionName }) => !COMPRESSED.test(extensionName));
+  const io = new WebIO()
+    .setLogger(new Logger(Logger.Verbosity.SILENT))
+    .registerExtensions(plain.map((extension) => extension.constructor as typeof Extension));
+  const { json, resources } = await io.writeJSON(document, { format: Format.GLTF, basename: 'document' });
+  // What the worker cannot read stays in the document as it is.
+  const text = new TextEncoder().encode(JSON.stringify({ ...json, extensionsRequired: undefined }));
+  const companions = Object.entries(resources).map(([name, bytes]) => ({ name, bytes }));
+  return [{ name: 'document.gltf', bytes: text }, ...companions];
+}
+
+/** Bundles for browsers have a copy of glTF-Transform; its writer looks for accessors of its own, and the document has others. */
+function recogniseAccessors(document: Document): void {
+  const [accessor] = document.getRoot().listAccessors();
+  if (!accessor || accessor instanceof Accessor) return;
+  const isAccessor = (value: { propertyType?: string } | null) =>
+    value?.propertyType === PropertyType.ACCESSOR;
+  Object.defineProperty(Accessor, Symbol.hasInstance, { value: isAccessor });
+}
+
+/** Gives the meshes of the document the geometry of the bodies; null leaves one as it is. */
+export function applyBodies(document: Document, bodies: OptimizeReply['bodies'], fields: boolean): void {
+  const buffer = document.getRoot().listBuffers()[0] ?? document.createBuffer();
+  // Meshes without normals stay without, as in every glTF.
+  replaceBodies({ document, buffer }, bodies, { fields, smoothed: false });
+}

@@ -1,0 +1,138 @@
+/** What a caller of the library says: settings by the names of the table, and what is no setting. */
+
+import type { Document } from '@gltf-transform/core';
+import type { Report } from '../engine/report/report';
+import type { LevelReport } from '../engine/report/result_report';
+import type { SettingName, Settings } from '../engine/settings/options';
+import type { SolverName } from '../engine/solvers/profiles';
+
+/** A file by name; a name may have a path relative to the other files. */
+export interface ModelFile {
+  name: string;
+  bytes: Uint8Array;
+}
+
+/**
+ * A mesh to work on: a document of glTF-Transform, the bytes of a GLB, or a GLB, glTF, OBJ, STL or PLY file with the files
+ * that it names.
+ */
+export type Model = Document | Uint8Array | ArrayBuffer | readonly ModelFile[];
+
+/** Settings by name, as in the table of the README without dashes (`strainWeight` is --strain-weight). */
+export interface CommonOptions extends Partial<Settings> {
+  /** only the body of this name; others stay as they are */
+  mesh?: string;
+}
+
+export interface OptimizeOptions extends CommonOptions {
+  /** the most faces that may be left, of the whole file */
+  faces?: number;
+  /** the share of faces that is left, above 0 to 1; 0.5 where nothing else is a target */
+  ratio?: number;
+  /** write strain and curvature as attributes _STRAIN and _CURVATURE */
+  fields?: boolean;
+  /** find where each original vertex lies on the result; `binding` of the result has it */
+  bind?: boolean;
+}
+
+export interface TuneOptions extends CommonOptions {
+  solver: SolverName;
+}
+
+export interface ModesOptions extends CommonOptions {
+  /** write the modes as morph targets with an animation each; `shapes` of the result has the GLB */
+  writesShapes?: boolean;
+}
+
+export interface SimulateOptions extends CommonOptions {
+  /** the text of a binding file of `optimize`, which pins are carried over by */
+  binding?: string;
+  /** the text of a settings file of `optimize` or `tune` */
+  settingsFile?: string;
+  /** write the motion as morph targets with an animation; `recording` of the result has the GLB */
+  records?: boolean;
+}
+
+/** Where a run is. */
+export interface StageProgress {
+  /** the body that is worked on; '' before the first */
+  body: string;
+  /** the stage of its run: "modes", "history", "fitted" and so on; "opening" before the first */
+  stage: string;
+  /** what the core does in it: "solving for modes" */
+  phase: string;
+  /** of the phase, in [0, 1] */
+  fraction: number;
+}
+
+export interface RunOptions {
+  /** Ends the work; the promise is rejected with its reason. */
+  signal?: AbortSignal;
+  onProgress?: (progress: StageProgress) => void;
+  /**
+   * Browsers only: the address of a folder with the files of `limber/assets`, for pages whose content security policy
+   * forbids scripts and workers from blobs. It counts for the first call.
+   */
+  assets?: string | URL;
+}
+
+export interface Level {
+  glb: Uint8Array;
+  report: LevelReport;
+}
+
+interface Optimized {
+  report: Report;
+  /** what happened on the way, in clauses: "164 seam vertices welded" */
+  notes: string[];
+  /** one for each of `lods` */
+  levels: Level[];
+  /** the text of the binding file; null without `bind` */
+  binding: string | null;
+  /** the text of the settings file; null without a solver */
+  settingsFile: string | null;
+}
+
+export interface OptimizedDocument extends Optimized {
+  /** the document that was given, changed */
+  document: Document;
+}
+
+export interface OptimizedGlb extends Optimized {
+  /** the bytes that the command line writes under the same settings */
+  glb: Uint8Array;
+}
+
+export interface Reported {
+  report: Report;
+  notes: string[];
+}
+
+export interface TuneResult extends Reported {
+  settingsFile: string;
+}
+
+export interface ModesResult extends Reported {
+  /** null without `writesShapes` */
+  shapes: Uint8Array | null;
+}
+
+export interface SimulateResult extends Reported {
+  /** null without `records` */
+  recording: Uint8Array | null;
+}
+
+/** Bad input or an error inside; its message is one sentence that says what is wrong, where, and what to do. */
+export class LimberError extends Error {
+  override readonly name = 'LimberError';
+
+  constructor(
+    message: string,
+    /** the setting that is refused; null where it is not a setting */
+    readonly setting: SettingName | null = null,
+    /** whether the error is the library's own, which is worth a report */
+    readonly isInternal = false,
+  ) {
+    super(message);
+  }
+}

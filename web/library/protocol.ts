@@ -1,0 +1,82 @@
+/** What passes between the caller and the worker that holds the core: plain data. */
+
+import type { ExportedBody } from '../engine/document/export';
+import type { SourceFile } from '../engine/document/open';
+import type { SettingName } from '../engine/settings/options';
+import type {
+  ModesOptions,
+  ModesResult,
+  OptimizedGlb,
+  OptimizeOptions,
+  Reported,
+  SimulateOptions,
+  SimulateResult,
+  StageProgress,
+  TuneOptions,
+  TuneResult,
+  CommonOptions,
+} from './options';
+
+/** A model as files, with its companions. */
+export type ModelFiles = SourceFile[];
+
+export interface OptimizeRequest extends OptimizeOptions {
+  /** the caller replaces the bodies in a document of its own, instead of getting a GLB */
+  wantsBodies: boolean;
+}
+
+export interface OptimizeReply extends Omit<OptimizedGlb, 'glb'> {
+  glb: Uint8Array | null;
+  /** per body of the file; null: it stays as it is */
+  bodies: (ExportedBody | null)[];
+}
+
+/** Per command its options and its reply. */
+export interface Commands {
+  optimize: { options: OptimizeRequest; reply: OptimizeReply };
+  tune: { options: TuneOptions; reply: TuneResult };
+  modes: { options: ModesOptions; reply: ModesResult };
+  compare: { options: CommonOptions; reply: Reported };
+  simulate: { options: SimulateOptions; reply: SimulateResult };
+  inspect: { options: CommonOptions; reply: Reported };
+}
+
+export type CommandName = keyof Commands;
+
+/** Where the worker finds the core, see CoreOptions. */
+export interface CoreAddress {
+  wasmFolder: string;
+  addresses?: Record<string, string>;
+}
+
+export interface WorkRequest {
+  command: CommandName;
+  models: ModelFiles[];
+  options: Commands[CommandName]['options'];
+  core: CoreAddress;
+}
+
+/** An error on its way to the caller. */
+export interface Failure {
+  message: string;
+  setting: SettingName | null;
+  isInternal: boolean;
+}
+
+/** Any number of `progress`, then one of the others. */
+export type WorkMessage =
+  { progress: StageProgress } | { value: Commands[CommandName]['reply'] } | { failure: Failure };
+
+/** A started worker; `listener` gets its messages, and the error that ends it. */
+export interface StartedWorker {
+  core: CoreAddress;
+  post(request: WorkRequest): void;
+  /** whether the program waits for the worker before it ends; Node only */
+  keepAlive(isBusy: boolean): void;
+  terminate(): void;
+}
+
+export interface Listener {
+  onMessage(message: WorkMessage): void;
+  onError(error: Error): void;
+}

@@ -1,0 +1,90 @@
+/** Finds the modes of a model, and inspects it. */
+
+import { describeSize, describeSolve } from '../../engine/body/health';
+import { materialOf } from '../../engine/body/material';
+import { exportGlb } from '../../engine/document/export';
+import { shapeTargets } from '../../engine/document/shapes';
+import { modesReport } from '../../engine/report/modes_report';
+import { startReport } from '../../engine/report/report';
+import type { Report } from '../../engine/report/report';
+import { resolveModes } from '../../engine/settings/options';
+import type { Settings } from '../../engine/settings/options';
+import type { FileRun } from '../../engine/stages/file_run';
+import { inspectBody } from '../../engine/stages/prepared';
+import { STAGES } from '../../engine/stages/stages';
+import { exportedMesh } from '../../engine/stages/written';
+import type { CommonOptions, ModesOptions, ModesResult, Reported } from '../options';
+import type { ModelFiles } from '../protocol';
+import { finished } from './optimize';
+import { inNames } from './session';
+import type { WorkSession } from './session';
+import { settingsAsUsed } from './settings';
+
+export async function findModes(
+  session: WorkSession,
+  [files]: ModelFiles[],
+  { mesh, writesShapes = false }: ModesOptions,
+): Promise<ModesResult> {
+  const { core, settings, notes } = session;
+  const model = await session.open(files);
+  const load = session.lap();
+  const file = session.prepare(model);
+  const prepared = file.prepared(settings);
+  for (const body of prepared) {
+    const size = describeSize(body.diagonal * materialOf(body, settings).unit);
+    if (size) notes.push(`${body.body.name}: ${inNames(size)}`);
+  }
+  const weld = session.lap();
+  const sets = file.usable.map(({ run }) => {
+    file.announce(run);
+    return run.get(STAGES.modes, settings);
+  });
+  const modes = session.lap();
+  const shapes = writesShapes ? await shapesGlb(session, file) : null;
+  const report: Report = {
+    ...startReport(core, 'modes', optionsAsUsed(settings, mesh), prepared),
+    ...modesReport(sets),
+    timings: { load, weld, modes, export: session.lap(), total: session.total() },
+  };
+  notes.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0).map(inNames));
+  return { shapes, report: finished(session, report), notes };
+}
+
+function optionsAsUsed(settings: Settings, mesh?: string): object {
+  const used: Partial<Settings> = { ...settings };
+  delete used.method; // it only keeps `auto` from meaning the paper's model
+  return mesh === undefined ? used : { ...used, mesh };
+}
+
+/** The model with the shapes of the modes as morph targets. */
+function shapesGlb({ settings }: WorkSession, { model, runs }: FileRun): Promise<Uint8Array> {
+  const ordinals = resolveModes(settings).map((mode) => mode - 1);
+  const shown = runs.map((run) => {
+    if (!run) return null;
+    const prepared = run.get(STAGES.prepared, settings);
+    const modes = run.get(STAGES.modes, settings);
+    return {
+      ...exportedMesh(prepared),
+      targets: shapeTargets(prepared.mesh, modes, ordinals, prepared.diagonal),
+    };
+  });
+  return exportGlb(model, shown, { fields: false });
+}
+
+export async function inspectModel(
+  session: WorkSession,
+  [files]: ModelFiles[],
+  { mesh }: CommonOptions,
+): Promise<Reported> {
+  const { core, settings, notes } = session;
+  const model = await session.open(files);
+  const load = session.lap();
+  const bodies = session.chosen(model).map((i) => model.bodies[i]);
+  const inspected = bodies.map((body) => inspectBody(core, body, settings));
+  const used = settingsAsUsed('inspect', settings);
+  const report: Report = {
+    ...startReport(core, 'inspect', mesh === undefined ? used : { ...used, mesh }, inspected),
+    timings: { load, inspect: session.lap(), total: session.total() },
+  };
+  return { report: finished(session, report), notes };
+}

@@ -1,0 +1,118 @@
+/** Optimizes a model. */
+
+import { describeSolve } from '../../engine/body/health';
+import { faceCount } from '../../engine/core/mesh';
+import { droppedByExport } from '../../engine/document/export';
+import { describeLargeFit } from '../../engine/report/fit_words';
+import { settingsAsUsed } from '../../engine/report/report';
+import type { Report } from '../../engine/report/report';
+import { targetsOf } from '../../engine/stages/face_shares';
+import type { FaceTarget } from '../../engine/stages/face_shares';
+import { FileOutput } from '../../engine/stages/file_output';
+import { runSettings } from '../../engine/stages/file_request';
+import type { FileRequest } from '../../engine/stages/file_request';
+import type { FileRun } from '../../engine/stages/file_run';
+import { STAGES } from '../../engine/stages/stages';
+import type { Level } from '../options';
+import type { ModelFiles, OptimizeReply, OptimizeRequest } from '../protocol';
+import { inNames } from './session';
+import type { WorkSession } from './session';
+import { checkTarget } from './settings';
+
+const DEFAULT_RATIO = 0.5;
+
+/** Throws an Error where `faces` or `ratio` is no target. */
+export function checkTargets({ faces, ratio }: OptimizeRequest): void {
+  const isCount = Number.isInteger(faces) && faces! >= 1;
+  checkTarget('faces', faces, isCount, 'a whole number of at least 1');
+  checkTarget('ratio', ratio, ratio! > 0 && ratio! <= 1, 'a number above 0 and up to 1');
+}
+
+export async function optimizeModel(
+  session: WorkSession,
+  [files]: ModelFiles[],
+  options: OptimizeRequest,
+): Promise<OptimizeReply> {
+  const { settings, notes } = session;
+  const model = await session.open(files);
+  const load = session.lap();
+  const file = session.prepare(model);
+  const weld = session.lap();
+  const target = targetOf(session, options);
+  const request = requestOf(session, file, { target, fields: options.fields ?? false });
+  const output = new FileOutput(file, request);
+  computeOutput(session, output);
+  session.lap();
+  const glb = options.wantsBodies ? null : await output.glb();
+  const bodies = options.wantsBodies ? writtenBodies(file, request) : [];
+  const binding = options.bind ? output.binding() : null;
+  const settingsFile = settings.solver === 'none' ? null : output.settings();
+  const dropped = droppedByExport(model);
+  if (dropped.length > 0) notes.push(`the result leaves out ${dropped.join(', ')}`);
+  const exportTime = session.lap();
+  const levels = await furtherLevels(output);
+  const levelsTime = session.lap();
+  const report = output.report(
+    optionsAsUsed(session, options, target),
+    levels.map((level) => level.report),
+  );
+  notes.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0).map(inNames));
+  report.timings = {
+    ...{ load, weld, ...report.timings, export: exportTime },
+    ...(levels.length > 0 ? { levels: levelsTime } : {}),
+    total: session.total(),
+  };
+  return { glb, bodies, binding, settingsFile, levels, notes, report: finished(session, report) };
+}
+
+/** The report with the memory as it is at the end. */
+export const finished = ({ core }: WorkSession, report: Report): Report => ({
+  ...report,
+  peakHeapBytes: core.peakHeapBytes(),
+});
+
+/** What is asked for; half the faces where nothing else is a target. */
+function targetOf({ settings }: WorkSession, { faces, ratio }: OptimizeRequest): FaceTarget {
+  const others = [settings.maxDeviation, settings.minAngle, settings.maxFrequencyError];
+  const isAlone = faces === undefined && others.every((limit) => limit === 0);
+  return { faces: faces ?? null, ratio: ratio ?? (isAlone ? DEFAULT_RATIO : null) };
+}
+
+function requestOf(
+  { settings }: WorkSession,
+  file: FileRun,
+  { target, fields }: { target: FaceTarget; fields: boolean },
+): FileRequest {
+  const counts = file.runs.map((run) => (run ? faceCount(run.get(STAGES.prepared, settings).mesh) : 0));
+  return { settings, fields, targets: targetsOf(counts, target) };
+}
+
+function computeOutput({ notes }: WorkSession, output: FileOutput): void {
+  output.compute((run, own) => {
+    const { note } = run.get(STAGES.constraints, own);
+    if (note !== '') notes.push(note);
+    const large = describeLargeFit(run.get(STAGES.fitted, own));
+    if (large !== '') notes.push(`${run.context.body.name}: ${large}`);
+  });
+}
+
+const writtenBodies = (file: FileRun, request: FileRequest): OptimizeReply['bodies'] =>
+  file.runs.map((run, i) => run && run.get(STAGES.written, runSettings(request, i)));
+
+async function furtherLevels(output: FileOutput): Promise<Level[]> {
+  const levels: Level[] = [];
+  for (let i = 0; i < output.levelCount; ++i) {
+    const { bytes, report } = await output.level(i);
+    levels.push({ glb: bytes, report: { file: `lod${i + 1}`, ...report } });
+  }
+  return levels;
+}
+
+function optionsAsUsed(
+  { settings }: WorkSession,
+  { mesh, fields = false }: OptimizeRequest,
+  { faces, ratio }: FaceTarget,
+): object {
+  const target = { ...(faces !== null ? { faces } : {}), ...(ratio !== null ? { ratio } : {}) };
+  return { ...settingsAsUsed(settings), ...target, ...(mesh !== undefined ? { mesh } : {}), fields };
+}

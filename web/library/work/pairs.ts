@@ -1,0 +1,127 @@
+/** Two models of the same bodies: comparing them, and tuning the second. */
+
+import { materialOf } from '../../engine/body/material';
+import type { PreparedBody } from '../../engine/body/prepared_body';
+import { NONE } from '../../engine/core/core';
+import { faceCount } from '../../engine/core/mesh';
+import { counted } from '../../engine/core/words';
+import type { OpenModel } from '../../engine/document/open';
+import { meshReport } from '../../engine/report/mesh_report';
+import { startReport } from '../../engine/report/report';
+import { worstFidelity, worstSurface } from '../../engine/report/result_report';
+import { settingsFile, writeSettings } from '../../engine/report/settings_file';
+import { solverReport } from '../../engine/report/solver_report';
+import type { TunedBody } from '../../engine/solvers/tuned_body';
+import type { FileRun } from '../../engine/stages/file_run';
+import { measureDistance } from '../../engine/stages/measure';
+import { STAGES } from '../../engine/stages/stages';
+import { tuneMesh, tuneSettings } from '../../engine/stages/tune';
+import type { CommonOptions, Reported, TuneOptions, TuneResult } from '../options';
+import type { ModelFiles } from '../protocol';
+import { finished } from './optimize';
+import type { WorkSession } from './session';
+import { settingsAsUsed } from './settings';
+
+/** Throws an Error where the models have different numbers of bodies: they are compared in the order of their files. */
+export function checkPairs(originals: PreparedBody[], others: PreparedBody[]): void {
+  if (originals.length === others.length) return;
+  const first = counted(originals.length, 'body', 'bodies');
+  throw new Error(
+    `The original has ${first} and the other model ${others.length}: name one of each with "mesh".`,
+  );
+}
+
+const withMesh = (used: object, { mesh }: CommonOptions): object =>
+  mesh === undefined ? used : { ...used, mesh };
+
+export async function compareModels(
+  session: WorkSession,
+  [first, second]: ModelFiles[],
+  options: CommonOptions,
+): Promise<Reported> {
+  const { core, settings, notes } = session;
+  const models = [await session.open(first), await session.open(second)];
+  const load = session.lap();
+  const [originals, others] = models.map((model) => session.prepare(model).prepared(settings));
+  checkPairs(originals, others);
+  const weld = session.lap();
+  const distances = originals.map((original, i) => measureDistance(core, original, others[i].mesh));
+  const measure = session.lap();
+  const { modeCount } = settings;
+  const fidelities = originals.map((original, i) => {
+    const material = materialOf(original, settings);
+    return core.compareFidelity(original.mesh, others[i].mesh, { modeCount, ...material });
+  });
+  const used = withMesh({ model: 'shell', ...settingsAsUsed('compare', settings) }, options);
+  const report = {
+    ...startReport(core, 'compare', used, originals),
+    output: meshReport(others),
+    surface: worstSurface(distances),
+    fidelity: worstFidelity(fidelities),
+    timings: { load, weld, measure, modes: session.lap(), total: session.total() },
+  };
+  return { report: finished(session, report), notes };
+}
+
+export async function tuneModel(
+  session: WorkSession,
+  [first, second]: ModelFiles[],
+  options: TuneOptions,
+): Promise<TuneResult> {
+  const { core, settings, notes } = session;
+  const [original, coarse] = [await session.open(first), await session.open(second)];
+  const load = session.lap();
+  const file = session.prepare(original);
+  const originals = file.prepared(settings);
+  const others = session.prepare(coarse).prepared(settings);
+  checkPairs(originals, others);
+  const weld = session.lap();
+  const tuned = tuneFile(session, file, others);
+  const tune = session.lap();
+  const bodies = others.map((other, i) => ({
+    name: other.body.name,
+    level: 0,
+    renderVertices: verticesInFile(coarse, other),
+    tuned: tuned[i],
+  }));
+  const text = writeSettings(settingsFile(bodies));
+  const report = {
+    ...startReport(core, 'tune', withMesh(settingsAsUsed('tune', settings), options), originals),
+    ...solverReport(tuned),
+    output: meshReport(others),
+    timings: { load, weld, tune, export: session.lap(), total: session.total() },
+  };
+  return { settingsFile: text, report: finished(session, report), notes };
+}
+
+function tuneFile({ core, settings }: WorkSession, file: FileRun, others: PreparedBody[]): TunedBody[] {
+  const asked = tuneSettings(settings);
+  if (!asked) throw new Error('tune needs a solver: name one as "solver".');
+  return file.usable.map(({ run }, i) => {
+    file.announce(run);
+    const prepared = run.get(STAGES.prepared, settings);
+    checkFaces(prepared, others[i]);
+    const { mesh } = others[i];
+    const pinnedOriginal = run.get(STAGES.pinned, settings);
+    const pinned = core.carryPins(prepared.mesh, pinnedOriginal, mesh);
+    return tuneMesh(core, prepared, { mesh, pinned, pinnedOriginal }, asked);
+  });
+}
+
+function checkFaces({ mesh, body }: PreparedBody, other: PreparedBody): void {
+  const [before, after] = [faceCount(mesh), faceCount(other.mesh)];
+  if (after > before)
+    throw new Error(
+      `"${body.name}" has ${before} faces in the first model and ${after} in the second: name the original first.`,
+    );
+}
+
+/** Per vertex of each primitive of the body, in order: the vertex of the welded mesh; -1 where no usable face has it. */
+function verticesInFile({ document }: OpenModel, { weld, body }: PreparedBody): number[] {
+  const primitives = document.getRoot().listMeshes()[body.mesh].listPrimitives();
+  return body.spans.flatMap(({ primitive, firstVertex }) => {
+    const end = firstVertex + primitives[primitive].getAttribute('POSITION')!.getCount();
+    const vertices = weld.vertexOfSource.subarray(firstVertex, end);
+    return Array.from(vertices, (vertex) => (vertex === NONE ? -1 : vertex));
+  });
+}

@@ -1,0 +1,82 @@
+/** Answers requests in the worker, one at a time. */
+
+import type { Core, Progress } from '../../engine/core/core';
+import { loadCore } from '../../engine/core/load_core';
+import { SettingError, wordSentence } from '../../engine/settings/options';
+import type { Failure, Commands, CommandName, ModelFiles, WorkMessage, WorkRequest } from '../protocol';
+import { findModes, inspectModel } from './modes';
+import { checkTargets, optimizeModel } from './optimize';
+import { compareModels, tuneModel } from './pairs';
+import { WorkSession } from './session';
+import { settingsFrom } from './settings';
+import { simulateModels } from './simulate';
+
+type Run<Name extends CommandName> = (
+  session: WorkSession,
+  models: ModelFiles[],
+  options: Commands[Name]['options'],
+) => Promise<Commands[Name]['reply']>;
+
+const RUN: { [Name in CommandName]: Run<Name> } = {
+  optimize: optimizeModel,
+  tune: tuneModel,
+  modes: findModes,
+  compare: compareModels,
+  simulate: simulateModels,
+  inspect: inspectModel,
+};
+
+/** The core of the last request, which the next one uses where it asks for as many threads. */
+interface LoadedCore {
+  threads: number;
+  core: Core;
+}
+
+export class Server {
+  private loaded: LoadedCore | null = null;
+  private onProgress: (progress: Progress) => void = () => {};
+
+  /** `send` takes a message to the caller. */
+  constructor(private readonly send: (message: WorkMessage) => void) {}
+
+  /** Sends progress, and then the reply or why there is none. */
+  async answer(request: WorkRequest): Promise<void> {
+    try {
+      this.send({ value: await this.run(request) });
+    } catch (error) {
+      this.send({ failure: failureOf(error) });
+    }
+  }
+
+  private async run({ command, models, options, core: address }: WorkRequest) {
+    const settings = settingsFrom(command, options);
+    if (command === 'optimize') checkTargets(options as Commands['optimize']['options']);
+    const { threads } = settings;
+    if (this.loaded?.threads !== threads) {
+      const onProgress = (progress: Progress) => this.onProgress(progress);
+      this.loaded = { threads, core: await loadCore({ threads, onProgress, ...address }) };
+    }
+    const { core } = this.loaded;
+    const session = new WorkSession(core, settings, options.mesh ?? null, (progress) =>
+      this.send({ progress }),
+    );
+    this.onProgress = (progress) => session.report(progress);
+    try {
+      return await (RUN[command] as Run<CommandName>)(session, models, options as never);
+    } finally {
+      session.dispose();
+    }
+  }
+}
+
+/** Callers know settings by their names. Plain Errors of the engine are about the input. */
+function failureOf(error: unknown): Failure {
+  if (error instanceof SettingError) {
+    const name = (setting: string) => setting;
+    const message = wordSentence(error.setting, error.sentence, name);
+    return { message, setting: error.setting, isInternal: false };
+  }
+  const message = error instanceof Error ? error.message : String(error);
+  const isSentence = error instanceof Error && error.constructor === Error;
+  return { message, setting: null, isInternal: !isSentence };
+}

@@ -1,0 +1,168 @@
+/** Moves a model, and an optimized one beside it. */
+
+import type { BodyBinding } from '../../engine/body/body_binding';
+import { materialOf } from '../../engine/body/material';
+import type { PreparedBody } from '../../engine/body/prepared_body';
+import type { MotionComparison } from '../../engine/core/core';
+import { recordingGlb } from '../../engine/document/recording';
+import type { RecordedBody } from '../../engine/document/recording';
+import {
+  bindingBetween,
+  calibrationOf,
+  simulationOptions,
+  solversAsTheyAre,
+  STEP_SECONDS,
+} from '../../engine/motion/simulation';
+import { readBinding } from '../../engine/report/binding_file';
+import { meshReport } from '../../engine/report/mesh_report';
+import { calibrationReport, simulationReport } from '../../engine/report/motion_report';
+import { startReport } from '../../engine/report/report';
+import type { Report } from '../../engine/report/report';
+import { settledSolvers } from '../../engine/report/settled_solver';
+import type { SettingsFile } from '../../engine/report/settings_file';
+import { readSettingsFile } from '../../engine/report/settings_reader';
+import type { SolverPair } from '../../engine/solvers/solver_pair';
+import type { FileRun } from '../../engine/stages/file_run';
+import { STAGES } from '../../engine/stages/stages';
+import type { SimulateOptions, SimulateResult } from '../options';
+import type { ModelFiles } from '../protocol';
+import { finished } from './optimize';
+import { checkPairs } from './pairs';
+import type { WorkSession } from './session';
+import { settingsAsUsed } from './settings';
+
+/** The bodies of the original and, where there is one, of the other model, in the order of their files. */
+interface Sides {
+  file: FileRun;
+  originals: PreparedBody[];
+  others: PreparedBody[] | null;
+}
+
+/** What the other model is moved with besides its mesh. */
+interface Carried {
+  bindings: BodyBinding[] | null;
+  settled: SettingsFile | null;
+  /** factors on the stiffness per body */
+  factors: number[] | null;
+}
+
+export async function simulateModels(
+  session: WorkSession,
+  [first, second]: ModelFiles[],
+  options: SimulateOptions,
+): Promise<SimulateResult> {
+  const { core, settings, notes } = session;
+  checkCarried(options, settings, second !== undefined);
+  const original = await session.open(first);
+  const other = second ? await session.open(second) : null;
+  const load = session.lap();
+  const file = session.prepare(original);
+  const originals = file.prepared(settings);
+  const others = other && session.prepare(other).prepared(settings);
+  if (others) checkPairs(originals, others);
+  const sides = { file, originals, others };
+  const weld = session.lap();
+  const carried = readCarried(session, sides, options);
+  const calibration = session.lap();
+  const motions = moveBodies(session, sides, { ...carried, records: options.records ?? false });
+  const simulate = session.lap();
+  const recording = options.records ? await recordingGlb(recorded(motions, sides), STEP_SECONDS) : null;
+  const { factors, settled } = carried;
+  const used = settingsAsUsed('simulate', settings);
+  const report: Report = {
+    ...startReport(core, 'simulate', { ...used, ...meshOf(options) }, originals),
+    ...(others ? { output: meshReport(others) } : {}),
+    simulation: simulationReport(motions, askedOf(session, settled, others !== null)),
+    ...(factors ? { calibration: calibrationReport(originals, factors) } : {}),
+    timings: { load, weld, ...(factors ? { calibration } : {}), simulate, export: session.lap() },
+  };
+  report.timings.total = session.total();
+  return { recording, report: finished(session, report), notes };
+}
+
+const meshOf = ({ mesh }: SimulateOptions) => (mesh === undefined ? {} : { mesh });
+
+/** Refuses what could not be done, before any work. */
+function checkCarried(
+  { binding, settingsFile }: SimulateOptions,
+  settings: WorkSession['settings'],
+  isPair: boolean,
+): void {
+  const lonely = binding !== undefined ? 'binding' : settingsFile !== undefined ? 'settingsFile' : null;
+  if (lonely && !isPair) throw new Error(`${lonely} is for the other model, which is missing: give both.`);
+  if (!settings.calibrate) return;
+  if (!isPair) throw new Error('calibrate matches the other model to the original: give both.');
+  if (settings.solver !== 'none' || settings.material !== 'shell')
+    throw new Error('calibrate is for material "shell" and no solver: leave the others out.');
+}
+
+function readCarried(
+  { core, settings }: WorkSession,
+  { originals, others }: Sides,
+  { binding, settingsFile }: SimulateOptions,
+): Carried {
+  const settled = settingsFile === undefined ? null : readSettingsFile('settingsFile', settingsFile);
+  if (settled && settings.solver !== 'none' && settings.solver !== settled.solver)
+    throw new Error(`settingsFile is for solver ${settled.solver}, not ${settings.solver}: give that.`);
+  const factors = others && settings.calibrate;
+  return {
+    bindings: binding === undefined ? null : readBinding('binding', binding),
+    settled,
+    factors: factors
+      ? originals.map((original, i) => calibrationOf(core, original, others[i].mesh, settings))
+      : null,
+  };
+}
+
+function askedOf({ settings }: WorkSession, settled: SettingsFile | null, isPair: boolean) {
+  const { material, scenario, solver: named } = settings;
+  const solver = settled?.solver ?? (named === 'none' ? undefined : named);
+  return { material, scenario, solver, tuned: solver && isPair ? settled !== null : undefined };
+}
+
+/** What both are simulated with in a solver; null without one. */
+function solversOf(
+  { settings }: WorkSession,
+  original: PreparedBody,
+  other: PreparedBody | null,
+  settled: SettingsFile | null,
+): SolverPair | null {
+  if (settled && other)
+    return settledSolvers(settled, original.mesh, other, materialOf(original, settings).unit);
+  return solversAsTheyAre(original, { original: original.mesh, result: (other ?? original).mesh }, settings);
+}
+
+function moveBodies(
+  session: WorkSession,
+  { file, originals, others }: Sides,
+  { bindings, factors, settled, records }: Carried & { records: boolean },
+): MotionComparison[] {
+  const { core, settings } = session;
+  return file.usable.map(({ run }, i) => {
+    const original = originals[i];
+    file.announce(run);
+    const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
+    const solvers = solversOf(session, original, others?.[i] ?? null, settled);
+    return core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
+      ...simulationOptions(original, settings, pinned),
+      records,
+      binding: others && bindings ? bindingBetween(original, others[i], bindings) : null,
+      calibration: factors?.[i] ?? 1,
+      solver: solvers?.original ?? null,
+      otherSolver: solvers?.result ?? null,
+      doublesSubsteps: settings.converge,
+    });
+  });
+}
+
+/** Originals at their own coordinates, the others beside them. */
+function recorded(motions: MotionComparison[], { originals, others }: Sides): RecordedBody[] {
+  const offset = 1.2 * Math.max(...originals.map(({ diagonal }) => diagonal));
+  return motions.flatMap(({ original, other }, i) => {
+    const { body, mesh } = originals[i];
+    const first = { name: body.name, mesh, positions: original.positions, offset: 0 };
+    if (!other) return [first];
+    const name = `${body.name} optimized`;
+    return [first, { name, mesh: others![i].mesh, positions: other.positions, offset }];
+  });
+}

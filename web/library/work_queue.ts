@@ -1,0 +1,142 @@
+/** The one worker and what waits for it. It is started by the first request, and again after one that was ended. */
+
+import { LimberError } from './options';
+import type { RunOptions } from './options';
+import type { CommandName, Commands, Failure, ModelFiles, StartedWorker, WorkMessage } from './protocol';
+import { startWorker } from './start_worker';
+
+interface Work {
+  command: CommandName;
+  models: ModelFiles[];
+  options: Commands[CommandName]['options'];
+  run: RunOptions;
+  resolve(value: unknown): void;
+  reject(reason: unknown): void;
+}
+
+class WorkQueue {
+  private readonly waiting: Work[] = [];
+  private running: Work | null = null;
+  private worker: Promise<StartedWorker> | null = null;
+
+  /** Rejects with the signal's reason where it is aborted, otherwise with a LimberError. */
+  run<Name extends CommandName>(
+    command: Name,
+    models: ModelFiles[],
+    options: Commands[Name]['options'],
+    run: RunOptions,
+  ): Promise<Commands[Name]['reply']> {
+    return new Promise((resolve, reject) => {
+      const { signal } = run;
+      if (signal?.aborted) return reject(signal.reason);
+      const onAbort = () => this.abort(work, signal!.reason);
+      const settle =
+        <Value>(end: (value: Value) => void) =>
+        (value: Value): void => {
+          signal?.removeEventListener('abort', onAbort);
+          end(value);
+        };
+      const ends = { resolve: settle(resolve) as Work['resolve'], reject: settle(reject) };
+      const work: Work = { command, models, options, run, ...ends };
+      signal?.addEventListener('abort', onAbort, { once: true });
+      this.waiting.push(work);
+      this.next();
+    });
+  }
+
+  /** Ends the worker and gives its memory back; what runs or waits is rejected. */
+  close(): void {
+    const open = [...(this.running ? [this.running] : []), ...this.waiting.splice(0)];
+    this.running = null;
+    this.endWorker();
+    for (const work of open) work.reject(new LimberError('The library was closed while it worked.'));
+  }
+
+  private next(): void {
+    if (this.running) return;
+    const work = this.waiting.shift();
+    if (!work) return;
+    this.running = work;
+    this.begin(work).catch((error: unknown) => this.fail(work, error));
+  }
+
+  private async begin(work: Work): Promise<void> {
+    const { run, command, models, options } = work;
+    this.worker ??= this.start(run.assets, options.threads ?? 0);
+    const worker = await this.worker;
+    if (this.running !== work) return;
+    worker.keepAlive(true);
+    worker.post({ command, models, options, core: worker.core });
+  }
+
+  private start(assets: RunOptions['assets'], threads: number): Promise<StartedWorker> {
+    // A worker that has been replaced may still have a message on its way.
+    const isCurrent = () => this.worker === started;
+    const started: Promise<StartedWorker> = startWorker(
+      {
+        onMessage: (message) => void (isCurrent() && this.receive(message)),
+        onError: (error) => void (isCurrent() && this.running && this.fail(this.running, error)),
+      },
+      { assets: assets === undefined ? null : String(assets), threads },
+    );
+    return started;
+  }
+
+  private receive(message: WorkMessage): void {
+    const work = this.running;
+    if (!work) return;
+    if ('progress' in message) return this.tell(work, message);
+    this.running = null;
+    void this.worker?.then((worker) => this.running ?? worker.keepAlive(false));
+    if ('value' in message) work.resolve(message.value);
+    else work.reject(errorOf(message.failure));
+    this.next();
+  }
+
+  /** An error of the caller's function ends the work. */
+  private tell(work: Work, { progress }: Extract<WorkMessage, { progress: unknown }>): void {
+    try {
+      work.run.onProgress?.(progress);
+    } catch (error) {
+      this.abort(work, error);
+    }
+  }
+
+  /** The core cannot be interrupted from outside in every build, so a running work ends with its worker. */
+  private abort(work: Work, reason: unknown): void {
+    const index = this.waiting.indexOf(work);
+    if (index >= 0) this.waiting.splice(index, 1);
+    if (this.running === work) this.end();
+    work.reject(reason);
+    this.next();
+  }
+
+  private fail(work: Work, error: unknown): void {
+    this.end();
+    const message = error instanceof Error ? error.message : String(error);
+    work.reject(errorOf({ message, setting: null, isInternal: true }));
+    this.next();
+  }
+
+  private end(): void {
+    this.running = null;
+    this.endWorker();
+  }
+
+  private endWorker(): void {
+    // One that could not be started has nothing to end.
+    this.worker?.then(
+      (worker) => worker.terminate(),
+      () => {},
+    );
+    this.worker = null;
+  }
+}
+
+const errorOf = ({ message, setting, isInternal }: Failure): LimberError =>
+  new LimberError(message, setting, isInternal);
+
+let queue: WorkQueue | null = null;
+
+/** The queue of this thread. */
+export const workQueue = (): WorkQueue => (queue ??= new WorkQueue());
