@@ -128,9 +128,9 @@ function addPositions({ positions, firstVertex }: Gathering, accessor: Accessor,
   const known = firstVertex.get(accessor);
   if (known !== undefined) return known;
   const first = positions.length / 3;
-  const element: number[] = [];
+  const read = elementReader(accessor);
   for (let v = 0; v < accessor.getCount(); ++v) {
-    const [x, y, z] = accessor.getElement(v, element).map(Math.fround);
+    const [x, y, z] = read(v);
     if (!Number.isFinite(x + y + z))
       throw new Error(
         `${where}: vertex ${v} is at (${x}, ${y}, ${z}), which is not finite: repair the mesh and export it again.`,
@@ -141,15 +141,26 @@ function addPositions({ positions, firstVertex }: Gathering, accessor: Accessor,
   return first;
 }
 
+/** Reads element after element as 32-bit numbers into one array; those that are stored so are not decoded one by one. */
+function elementReader(accessor: Accessor): (v: number) => ArrayLike<number> & Iterable<number> {
+  const array = accessor.getArray();
+  const element = [0, 0, 0];
+  if (!(array instanceof Float32Array) || accessor.getElementSize() !== 3)
+    return (v) => accessor.getElement(v, element).map(Math.fround);
+  return (v) => {
+    for (let c = 0; c < 3; ++c) element[c] = array[3 * v + c];
+    return element;
+  };
+}
+
 /** Three vertex indices per triangle, from a list, strip or fan. */
 function cornersOf(primitive: Primitive, vertexCount: number, where: string): Uint32Array {
-  const given = primitive.getIndices()?.getArray();
-  const indices = given ?? Uint32Array.from({ length: vertexCount }, (_, v) => v);
-  for (const vertex of indices)
-    if (vertex >= vertexCount)
-      throw new Error(
-        `${where}: index ${vertex} is out of range, there are ${vertexCount} vertices: repair the mesh and export it again.`,
-      );
+  const indices = primitive.getIndices()?.getArray() ?? numbersTo(vertexCount);
+  const wrong = (indices as Uint32Array).find((vertex) => vertex >= vertexCount);
+  if (wrong !== undefined)
+    throw new Error(
+      `${where}: index ${wrong} is out of range, there are ${vertexCount} vertices: repair the mesh and export it again.`,
+    );
   const mode: number = primitive.getMode();
   if (![TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN].includes(mode))
     throw new Error(`${where}: its mode ${mode} is unknown: repair the mesh and export it again.`);
@@ -161,6 +172,12 @@ function cornersOf(primitive: Primitive, vertexCount: number, where: string): Ui
       3 * t,
     );
   return triangles;
+}
+
+function numbersTo(count: number): Uint32Array {
+  const numbers = new Uint32Array(count);
+  for (let i = 0; i < count; ++i) numbers[i] = i;
+  return numbers;
 }
 
 /** Offsets of the corners of triangle t in the index list; every second triangle of a strip is reversed. */

@@ -4,7 +4,7 @@ import type { Document, GLTF, JSONDocument } from '@gltf-transform/core';
 import { bodiesOfDocument } from './bodies';
 import { addCompanions, companionPaths, describeMissing } from './companions';
 import { glbParts, describeFirstVersion, isGlb } from './glb';
-import { checkBounds, findWrongList, GLB_BUFFER, mostElements, sizeOf } from './gltf_bounds';
+import { checkBounds, findWrongList, GLB_BUFFER, mostCorners, sizeOf } from './gltf_bounds';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
 import { counted } from '../core/words';
 import type { OpenModel, SourceFile } from './model';
@@ -27,7 +27,7 @@ export async function openGltf(
   const missing = addCompanions(file, jsonDocument, files);
   const size = sizeOf(file.bytes.length, jsonDocument);
   const document = await readDocument(file, jsonDocument, size);
-  const { bodies, notes } = bodiesOfDocument(file.name, document, mostElements(size));
+  const { bodies, notes } = bodiesOfDocument(file.name, document, mostCorners(size));
   const unknown = (json.extensionsUsed ?? []).filter((extension) => !SUPPORTED_EXTENSIONS.has(extension));
   return {
     name: file.name,
@@ -60,7 +60,9 @@ export function parseJson(name: string, bytes: Uint8Array): GLTF.IGLTF {
 }
 
 function checkJson(name: string, json: GLTF.IGLTF): void {
-  const version = String(json.asset?.version ?? 'without a version');
+  const given: unknown = json.asset?.version;
+  const version =
+    typeof given === 'string' || typeof given === 'number' ? String(given) : 'without a version';
   if (version.split('.')[0] !== '2') throw new Error(`${name} is glTF ${version}: convert it to glTF 2.0.`);
   const wrong = findWrongList(json);
   if (wrong !== null) throw new Error(`${name} is not a valid glTF file (${wrong}): export it again.`);
@@ -87,7 +89,8 @@ function isFirstVersion(json: object): boolean {
   const areNamed = [accessors, meshes, nodes].some(
     (list) => typeof list === 'object' && list !== null && !Array.isArray(list),
   );
-  return String(version ?? '').startsWith('1') || (version === undefined && areNamed);
+  const isFirst = typeof version === 'string' && version.startsWith('1');
+  return isFirst || (version === undefined && areNamed);
 }
 
 /** Paths, relative to the file, of the buffers and images that a GLB or glTF names; empty for other formats. */
@@ -97,26 +100,40 @@ export function companionNames(file: SourceFile): string[] {
   return companionPaths(parseJson(file.name, isBinary ? glbParts(file).json : file.bytes));
 }
 
-/** Refuses a node that is its own descendant: every traversal of the tree would loop forever. */
+/** Deeper than any file that is not made to do harm: work on every node grows with its depth. */
+const DEEPEST = 1000;
+
+/** Refuses a node that is its own descendant, since every traversal would loop forever, and nodes that lie too deep. */
 function checkNodes(name: string, nodes: GLTF.INode[] = []): void {
   const parents = new Map<number, number>();
   nodes.forEach(({ children }, parent) => {
     for (const child of Array.isArray(children) ? children : []) parents.set(child, parent);
   });
-  const isFine = new Set<number>();
+  const depths = new Map<number, number>();
   for (const start of parents.keys()) {
-    const path = new Set<number>();
-    for (
-      let node: number | undefined = start;
-      node !== undefined && !isFine.has(node);
-      node = parents.get(node)
-    ) {
-      if (path.has(node))
-        throw new Error(`${name} is not a valid glTF file (node ${node} is below itself): export it again.`);
-      path.add(node);
-    }
-    for (const node of path) isFine.add(node);
+    const path = pathUp(start, parents, depths);
+    if (path === null)
+      throw new Error(`${name} is not a valid glTF file (node ${start} is below itself): export it again.`);
+    const top = parents.get(path[path.length - 1] ?? start);
+    let depth = top === undefined ? -1 : depths.get(top)!;
+    for (const node of path.reverse()) depths.set(node, ++depth);
+    if (depth > DEEPEST)
+      throw new Error(`${name} has nodes more than ${DEEPEST} levels deep: flatten it and export it again.`);
   }
+}
+
+/** The node and those above it up to the first whose depth is known; null if it comes back to one of them. */
+function pathUp(start: number, parents: Map<number, number>, depths: Map<number, number>): number[] | null {
+  const path = new Set<number>();
+  for (
+    let node: number | undefined = start;
+    node !== undefined && !depths.has(node);
+    node = parents.get(node)
+  ) {
+    if (path.has(node)) return null;
+    path.add(node);
+  }
+  return [...path];
 }
 
 /** Reads what has been checked; what still goes wrong is told in the words of the validator. */

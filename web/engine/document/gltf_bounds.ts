@@ -50,8 +50,13 @@ interface MeshoptView {
 
 type Checked = Pick<JSONDocument, 'json' | 'resources'>;
 
+/** Meshes may share their data so often that there is a vertex, or a corner, for so many of a byte. */
+const CORNERS_PER_BYTE = 16;
+
 /** The most vertices, and the most corners, that all bodies of a file of `size` bytes may have. */
-export const mostElements = (size: number): number => PER_BYTE * size + ALWAYS;
+export const mostCorners = (size: number): number => CORNERS_PER_BYTE * size + ALWAYS;
+
+const mostElements = (size: number): number => PER_BYTE * size + ALWAYS;
 
 /** The bytes of the JSON and of all buffers; data addresses are part of the JSON. */
 export function sizeOf(jsonBytes: number, { resources }: JSONDocument): number {
@@ -137,11 +142,11 @@ function checkRange(
   { bufferView, byteOffset = 0, count, size }: Range,
 ): void {
   const view = checked.json.bufferViews?.[bufferView];
-  if (!view) throw new Error(`accessor ${number} names buffer view ${bufferView}, which is not there`);
-  if (!isCount(byteOffset)) throw new Error(`accessor ${number} starts at ${byteOffset}`);
+  if (!view) throw new Error(`accessor ${number} names a buffer view that is not there`);
+  if (!isCount(byteOffset)) throw new Error(`accessor ${number} starts nowhere`);
   const { start, end } = extentOf(checked, view, bufferView);
   const stride = view.byteStride ?? size;
-  if (!isCount(stride) || stride === 0) throw new Error(`buffer view ${bufferView} has the stride ${stride}`);
+  if (!isCount(stride) || stride === 0) throw new Error(`buffer view ${bufferView} has no usable stride`);
   const available = end - start - byteOffset;
   const there = available < size ? 0 : Math.floor((available - size) / stride) + 1;
   if (there < count) throw new Error(`accessor ${number} announces ${count} elements, ${there} are there`);
@@ -152,14 +157,14 @@ function extentOf(checked: Checked, view: GLTF.IBufferView, number: number): { s
   const packed = view.extensions?.[MESHOPT] as MeshoptView | undefined;
   if (packed) return { start: 0, end: unpackedBytes(checked, packed, number) };
   const { byteOffset: start = 0 } = view;
-  if (!isCount(start)) throw new Error(`buffer view ${number} starts at ${start}`);
+  if (!isCount(start)) throw new Error(`buffer view ${number} starts nowhere`);
   return { start, end: bufferBytes(checked, view.buffer, number) };
 }
 
 /** The bytes of a buffer that are there; of a data address at most as many as it has letters. */
 function bufferBytes({ json, resources }: Checked, buffer: number, view: number): number {
   const definition = json.buffers?.[buffer];
-  if (!definition) throw new Error(`buffer view ${view} names buffer ${buffer}, which is not there`);
+  if (!definition) throw new Error(`buffer view ${view} names a buffer that is not there`);
   const { uri } = definition;
   const bytes = resources[uri ?? GLB_BUFFER];
   if (bytes) return bytes.byteLength;
