@@ -4,14 +4,15 @@ import { VERSION } from '../engine/core/version';
 import { parseArguments } from './arguments';
 import type { Arguments } from './arguments';
 import { runCompare } from './compare';
+import { runDry } from './dry_run';
 import { describeFailure, EXIT } from './failure';
 import type { Command } from './flags';
 import { helpText } from './help';
 import { runInspect } from './inspect';
 import { runModes } from './modes';
 import { runOptimize } from './optimize';
-import { clearProgress } from './session';
 import { runSimulate } from './simulate';
+import { clearProgress } from './terminal';
 import { runTune } from './tune';
 
 const RUN: Record<Command, (args: Arguments) => Promise<number>> = {
@@ -25,7 +26,7 @@ const RUN: Record<Command, (args: Arguments) => Promise<number>> = {
 
 async function run(words: string[]): Promise<number> {
   const parsed = parseArguments(words);
-  if (!('show' in parsed)) return RUN[parsed.command](parsed);
+  if (!('show' in parsed)) return parsed.dryRun ? runDry(parsed) : RUN[parsed.command](parsed);
   process.stdout.write(`${parsed.show === 'version' ? VERSION : helpText(parsed.command)}\n`);
   // Help without being asked for it means that something was missing.
   return words.length > 0 ? EXIT.done : EXIT.badInput;

@@ -49,7 +49,10 @@ export async function firstProblem(json: object): Promise<string | null> {
     const { issues } = await validateBytes(bytes, { format: 'gltf', maxIssues: 100, writeTimestamp: false });
     const error = issues.messages.find(({ severity }) => severity === ERROR);
     if (!error) return null;
-    return `${error.message.replace(/\.$/, '').replace(/\. /g, ': ')} at ${error.pointer ?? '/'}`.slice(0, LONGEST);
+    return `${error.message.replace(/\.$/, '').replace(/\. /g, ': ')} at ${error.pointer ?? '/'}`.slice(
+      0,
+      LONGEST,
+    );
   } catch {
     return null;
   }
