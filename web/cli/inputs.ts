@@ -1,5 +1,6 @@
 /** What a command reads, and the check of what it writes against that: all before the work. */
 
+import { existsSync } from 'node:fs';
 import type { SourceFile } from '../engine/document/open';
 import type { Arguments } from './arguments';
 import { readModelFiles } from './files';
@@ -37,5 +38,5 @@ export async function checkFiles(args: Arguments): Promise<CheckedFiles> {
 /** Files that are read besides models. */
 function otherInputs({ command, bind, settingsFile, engineFile }: Arguments): string[] {
   const read = command === 'simulate' ? [bind, settingsFile, engineFile] : [engineFile];
-  return read.filter((path) => path !== null);
+  return read.filter((path) => path !== null).filter((path) => existsSync(path));
 }
