@@ -49,12 +49,13 @@ function chooseModel(files: SourceFile[]): { file: SourceFile; format: Format } 
     throw new Error(`There are ${models.length} models (${names}): open one at a time.`);
   }
   const file = models[0] ?? files[0];
+  if (file.bytes.length === 0 && (models.length > 0 || files.length === 1))
+    throw new Error(`${file.name} is empty: export it again.`);
   const format = formatOfBytes(file.bytes) ?? formatOfName(file.name) ?? guessFormat(file.bytes);
   if (format === null || (models.length === 0 && files.length > 1)) {
     const what = files.length === 1 ? `${file.name} is not` : `None of the ${files.length} files is`;
     throw new Error(`${what} a mesh that can be read: open ${READABLE}.`);
   }
-  if (file.bytes.length === 0) throw new Error(`${file.name} is empty: export it again.`);
   return { file, format };
 }
 
