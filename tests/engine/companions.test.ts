@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { companionNames } from '../../web/engine/document/gltf';
-import { companionPath } from '../../web/engine/document/companions';
+import { companionPath } from '../../web/engine/document/checks/companions';
 import { exportGlb, passThrough } from '../../web/engine/document/export';
 import { glbParts } from '../../web/engine/document/glb';
 import { openAnyModel, openModel } from '../../web/engine/document/open';

@@ -5,7 +5,7 @@ import type { OpenModel } from '../../web/engine/document/open';
 import { defaultSettings } from '../../web/engine/settings/options';
 import { FileOutput } from '../../web/engine/stages/file_output';
 import { FileRun } from '../../web/engine/stages/file_run';
-import { chosenBodies } from '../../web/engine/stages/selection';
+import { chosenBodies } from '../../web/engine/body/selection';
 import { loadTestCore } from './support/core';
 import { failureOf } from './support/files';
 import { addMesh, addRichMesh, glbFile, primitiveOf, readGlb, startDocument } from './support/gltf';

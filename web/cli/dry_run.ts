@@ -4,7 +4,7 @@ import { existsSync } from 'node:fs';
 import { sum } from '../engine/core/mesh';
 import { openAnyModel } from '../engine/document/open';
 import type { OpenModel } from '../engine/document/open';
-import { chosenBodies } from '../engine/stages/selection';
+import { chosenBodies } from '../engine/body/selection';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { followLinks, isSpecial } from './identity';

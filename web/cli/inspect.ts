@@ -6,7 +6,7 @@ import { startStopwatch } from '../engine/core/stopwatch';
 import type { Body, OpenModel } from '../engine/document/open';
 import { startReport } from '../engine/report/report';
 import { inspectBody } from '../engine/stages/prepared';
-import { chosenBodies } from '../engine/stages/selection';
+import { chosenBodies } from '../engine/body/selection';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { settingsAsUsed } from './flags';

@@ -9,7 +9,7 @@ import { openAnyModel, openModel } from '../engine/document/open';
 import type { OpenModel } from '../engine/document/open';
 import type { Report } from '../engine/report/report';
 import { FileRun } from '../engine/stages/file_run';
-import { chosenBodies } from '../engine/stages/selection';
+import { chosenBodies } from '../engine/body/selection';
 import type { Arguments } from './arguments';
 import { describeFailure, inFlags, UsageError } from './failure';
 import { writeWhole } from './files';

@@ -2,14 +2,14 @@
 
 import type { Document, GLTF, JSONDocument } from '@gltf-transform/core';
 import { bodiesOfDocument } from './bodies';
-import { addCompanions, companionPaths, describeMissing } from './companions';
+import { addCompanions, companionPaths, describeMissing } from './checks/companions';
 import { glbParts, describeFirstVersion, isGlb } from './glb';
-import { checkBounds, findWrongList, GLB_BUFFER, mostCorners, sizeOf } from './gltf_bounds';
+import { checkBounds, findWrongList, GLB_BUFFER, mostCorners, sizeOf } from './checks/gltf_bounds';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
 import { counted } from '../core/words';
 import type { OpenModel, SourceFile } from './model';
-import { describeFailure } from './reading_failure';
-import { checkEncoding } from './text_encoding';
+import { describeFailure } from './checks/reading_failure';
+import { checkEncoding } from './checks/text_encoding';
 import { firstProblem } from './validate';
 
 /**

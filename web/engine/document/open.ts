@@ -6,7 +6,7 @@ import type { Format, OpenModel, SourceFile } from './model';
 import { readObj } from './obj';
 import { readPly } from './ply';
 import { modelOfSurfaces } from './surface';
-import { readSafely } from './reading_failure';
+import { readSafely } from './checks/reading_failure';
 import { isBinaryStl, readStl } from './stl';
 
 export type { Body, Format, OpenModel, PrimitiveSpan, SourceFile } from './model';

@@ -1,6 +1,6 @@
 /** Reads words and numbers from the bytes of a text file in one pass, without decoding the whole into a string. */
 
-import { checkEncoding } from './text_encoding';
+import { checkEncoding } from './checks/text_encoding';
 
 const TAB = 9;
 const NEWLINE = 10;

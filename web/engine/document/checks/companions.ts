@@ -1,8 +1,8 @@
 /** The files that a glTF names: buffers, which it cannot do without, and images. */
 
 import type { GLTF, JSONDocument } from '@gltf-transform/core';
-import { counted } from '../core/words';
-import type { SourceFile } from './model';
+import { counted } from '../../core/words';
+import type { SourceFile } from '../model';
 
 /** At most so many names stand in a sentence. */
 const NAMES_SHOWN = 5;
