@@ -49,7 +49,7 @@ export function outputsOf(args: Arguments): Output[] {
  */
 export function checkOutputs(outputs: Output[], inputs: string[], force: boolean): void {
   const files = outputs.filter(({ path }) => path !== STANDARD);
-  for (const output of files) checkPlace(output);
+  for (const output of files) checkFolder(output);
   const read = new Map(inputs.map((path) => [identityOf(path), path]));
   const written = new Map<string, Output>();
   for (const output of files) {
@@ -84,7 +84,7 @@ export function checkEndings(outputs: Output[]): void {
 }
 
 /** Whether the folder is there and lets files be made, and an old file be changed. */
-function checkPlace({ path }: Output): void {
+function checkFolder({ path }: Output): void {
   const end = followLinks(path);
   const folder = dirname(end);
   const shown = existsSync(dirname(path)) ? folder : dirname(path);

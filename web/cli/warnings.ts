@@ -56,10 +56,10 @@ function spanOf(texts: string[]): string {
   const numbers = texts.map((text) =>
     (text.match(NUMBER) ?? []).map((word) => Number(word.replaceAll(',', ''))),
   );
-  let place = -1;
+  let which = -1;
   return texts[0].replace(NUMBER, (word) => {
-    ++place;
-    const values = numbers.map((own) => own[place]);
+    ++which;
+    const values = numbers.map((own) => own[which]);
     const [least, most] = values.reduce(
       ([a, b], v) => [Math.min(a, v), Math.max(b, v)],
       [Infinity, -Infinity],

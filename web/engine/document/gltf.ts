@@ -75,8 +75,8 @@ function parseText(name: string, text: string): unknown {
   try {
     return JSON.parse(text);
   } catch (error) {
-    const place = /position (\d+)/.exec((error as Error).message);
-    const lines = place ? text.slice(0, Number(place[1])).split('\n') : null;
+    const found = /position (\d+)/.exec((error as Error).message);
+    const lines = found ? text.slice(0, Number(found[1])).split('\n') : null;
     const where = lines ? `, from line ${lines.length}, column ${lines[lines.length - 1].length + 1}` : '';
     throw new Error(`${name} is not glTF: its text is not JSON${where}: is it a mesh?`);
   }

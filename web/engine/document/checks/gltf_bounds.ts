@@ -144,7 +144,7 @@ function checkRange(
   const view = checked.json.bufferViews?.[bufferView];
   if (!view) throw new Error(`accessor ${number} names a buffer view that is not there`);
   if (!isCount(byteOffset)) throw new Error(`accessor ${number} starts nowhere`);
-  const { start, end } = extentOf(checked, view, bufferView);
+  const { start, end } = rangeOf(checked, view, bufferView);
   const stride = view.byteStride ?? size;
   if (!isCount(stride) || stride === 0) throw new Error(`buffer view ${bufferView} has no usable stride`);
   const available = end - start - byteOffset;
@@ -153,7 +153,7 @@ function checkRange(
 }
 
 /** Where the view starts in the bytes that it is part of, and where these end. */
-function extentOf(checked: Checked, view: GLTF.IBufferView, number: number): { start: number; end: number } {
+function rangeOf(checked: Checked, view: GLTF.IBufferView, number: number): { start: number; end: number } {
   const packed = view.extensions?.[MESHOPT] as MeshoptView | undefined;
   if (packed) return { start: 0, end: unpackedBytes(checked, packed, number) };
   const { byteOffset: start = 0 } = view;
