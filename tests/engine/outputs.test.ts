@@ -26,10 +26,9 @@ import { levelFiles, writeLevels } from '../../web/cli/levels';
 import { checkRoom } from '../../web/cli/outputs';
 import { isOwnContent } from '../../web/cli/own_files';
 import { checkStandard, readStandard } from '../../web/cli/standard';
-import { brokenLimits, describeMiss } from '../../web/cli/targets';
+import { brokenLimits } from '../../web/cli/targets';
 import { exportGlb } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
-import { defaultSettings } from '../../web/engine/settings/options';
 import { failureOf, SQUARE_OBJ, textFile } from './support/files';
 
 let folder: string;
@@ -330,25 +329,6 @@ describe('a level that fails', () => {
 });
 
 describe('a target', () => {
-  const refused = { topology: 1, flip: 0, lock: 0, angle: 0, deviation: 0 };
-  const body = (stop: 'deviation' | 'exhausted', faces = 90) => ({
-    faces,
-    targetFaces: 50,
-    history: { stop, refused },
-  });
-  const settings = { ...defaultSettings(), maxDeviation: 1 };
-  const miss = (bodies: ReturnType<typeof body>[], isGuarded: boolean) =>
-    describeMiss(bodies, [], { where: '', settings: { ...settings, seams: 'cross' }, isGuarded });
-
-  it('is reached where a limit of the user stops first, and missed at the guard', () => {
-    const bodies = [body('deviation')];
-    expect(miss(bodies, false)).toBe('');
-    expect(miss(bodies, true)).toBe(
-      'Stopped at 90 faces, not 50: fewer would take the surface farther than 1 % of the diagonal from the original; --max-deviation 0 lifts this guard',
-    );
-    expect(miss([body('deviation', 50)], true)).toBe('');
-  });
-
   it('that is a limit is missed where it was asked for and is not kept', () => {
     const limits = { maxDeviation: 1, maxFrequencyError: 5 };
     const found = { deviation: 1.2, frequencyError: 6 };

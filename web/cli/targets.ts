@@ -22,9 +22,8 @@ export interface MissedTargets {
 
 export function missedTargets(args: Arguments, output: FileOutput, levels: WrittenLevel[]): MissedTargets {
   const { asked, settings } = args;
-  const isGuarded = !asked.has('max-deviation');
   const describe = (bodies: StoppedBody[], where = '') =>
-    describeMiss(bodies, output.prepared(), { where, settings, isGuarded });
+    describeMiss(bodies, output.prepared(), { where, settings });
   const ofFile = describe(output.stopped());
   const isAsked = args.faces !== null || args.ratio !== null;
   const found = {
@@ -63,39 +62,28 @@ export function brokenLimits(
   ];
 }
 
-interface MissRequest {
-  /** how the sentence begins */
-  where: string;
-  settings: Settings;
-  /** whether the largest deviation is the default, at which it stops short, and no target of the user's */
-  isGuarded: boolean;
-}
-
 /**
- * Why bodies have more faces than was asked for, because no more edge can collapse or the guard of the deviation stops it, and
- * how to go on; '' where none has. `bodies[i]` comes from `originals[i]`.
+ * Why bodies have more faces than was asked for, because no more edge can collapse, and how to go on where seams are the
+ * reason; '' where none has. `bodies[i]` comes from `originals[i]`. `where`: how the sentence begins.
  */
 export function describeMiss(
   bodies: StoppedBody[],
   originals: PreparedBody[],
-  { where, settings, isGuarded }: MissRequest,
+  { where, settings }: { where: string; settings: Settings },
 ): string {
-  const reasonOf = (body: StoppedBody) => stopReport([body]).reason;
-  const isExhausted = (body: StoppedBody) => reasonOf(body) === 'exhausted';
-  const missed = bodies.filter((body) => isExhausted(body) || (isGuarded && reasonOf(body) === 'deviation'));
+  const missed = bodies.filter(isExhausted);
   if (missed.length === 0) return '';
   const [after, target] = [
     sum(missed.map(({ faces }) => faces)),
     sum(missed.map((body) => body.targetFaces)),
   ];
   const which = bodies.length > 1 ? ` in ${plural(missed.length, 'body', 'bodies')} of ${bodies.length}` : '';
-  const begin = `${where}Stopped at ${count(after)} faces${which}, not ${count(target)}`;
-  const exhausted = missed.filter(isExhausted);
-  if (exhausted.length === 0)
-    return `${begin}: fewer would take the surface farther than ${settings.maxDeviation} % of the diagonal from the original; --max-deviation 0 lifts this guard`;
+  const reasons = describeRefused(stopReport(missed).refused);
   const isBlocked = bodies.some(
     (body, i) => isExhausted(body) && isBlockedBySeams(originals[i], body.history.refused, settings),
   );
   const cure = isBlocked ? '; --seams cross lets them give way' : '';
-  return `${begin}: ${describeRefused(stopReport(exhausted).refused)}${cure}`;
+  return `${where}Stopped at ${count(after)} faces${which}, not ${count(target)}: ${reasons}${cure}`;
 }
+
+const isExhausted = (body: StoppedBody): boolean => stopReport([body]).reason === 'exhausted';
