@@ -50,6 +50,7 @@ function limber(words: string, { input, env }: RunOptions = {}) {
 /** Names and contents of all files in the folder. */
 const state = () =>
   readdirSync(folder)
+    .filter((name) => statSync(path(name)).isFile())
     .sort()
     .map((name) => [
       name,
@@ -112,6 +113,29 @@ describe('a file that is there', () => {
     expect(lstatSync(path('link.glb')).isSymbolicLink()).toBe(true);
     expect(statSync(path('real.glb')).mode & 0o777).toBe(0o600);
     expect(limber('inspect real.glb --json').stdout).toMatch(/"faces": 11[45],/);
+  });
+});
+
+describe.skipIf(!existsSync('/dev/full'))('a disk that is full', () => {
+  it('fails a level, and leaves and names what was written before it', () => {
+    symlinkSync('/dev/full', path('full_lod2.glb'));
+    const words = 'optimize torus.obj full.glb --method qem --lods 0.4,0.2,0.1 --report full.json';
+    const { code, stdout, stderr } = limber(words);
+    expect(code).toBe(1);
+    expect(stderr).toBe(
+      'limber: full_lod2.glb is not written: the disk is full; full.glb, full_lod1.glb are.\n',
+    );
+    expect(stdout).toMatch(/-> full\.glb\nfull_lod1\.glb: \d+ faces, .*\n$/);
+    const { levels } = JSON.parse(readFileSync(path('full.json'), 'utf8')) as Report;
+    expect(levels!.map(({ file }) => file)).toEqual(['full_lod1.glb']);
+    expect(existsSync(path('full_lod3.glb'))).toBe(false);
+  });
+
+  it('fails a report, and names what was written before it', () => {
+    symlinkSync('/dev/full', path('lost.json'));
+    const { code, stderr } = limber('optimize torus.obj full.glb --method qem --report lost.json');
+    expect(code).toBe(1);
+    expect(stderr).toBe('limber: lost.json cannot be written: the disk is full; full.glb is written.\n');
   });
 });
 

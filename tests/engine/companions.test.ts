@@ -141,6 +141,16 @@ describe('a glTF without triangles', () => {
     expect(await validateGlb(bytes)).toMatchObject({ errors: 0 });
   });
 
+  it('is packed into one file where it has several', async () => {
+    const files = triangleAt('data.bin', 'skin.png');
+    const text = new TextDecoder().decode(files[0].bytes).replace('"material":0', '"material":0,"mode":0');
+    const model = await openAnyModel([textFile('test.gltf', text), files[1]]);
+    const bytes = await passThrough(model, files[0].bytes);
+    expect(await validateGlb(bytes)).toMatchObject({ errors: 0 });
+    expect(glbParts({ name: 'a.glb', bytes }).binary!.length).toBeGreaterThanOrEqual(36);
+    expect(jsonOf(bytes).images).toMatchObject([{ uri: 'skin.png' }]);
+  });
+
   it('says once of many meshes that they have no triangles', async () => {
     const document = startDocument();
     for (const name of ['a', 'b', 'c', 'd', 'e', 'f']) addMesh(document, name, []);

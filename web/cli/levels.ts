@@ -38,7 +38,8 @@ export async function writeLevels(
     } catch (error) {
       const { code, line } = describeFailure(error);
       const others = [args.operands[1], ...written.map(({ report }) => report.file)];
-      const sentence = `${file} is not written: ${line.replace(/\.$/, '')}; ${others.join(', ')} ${others.length === 1 ? 'is' : 'are'}`;
+      const why = line.replace(/\.$/, '').replace(`${file} cannot be written: `, '');
+      const sentence = `${file} is not written: ${why}; ${others.join(', ')} ${others.length === 1 ? 'is' : 'are'}`;
       return { written, failure: { code, sentence } };
     }
   }

@@ -98,9 +98,16 @@ function withReferences(document: Document, bytes: Uint8Array): Uint8Array {
   return withJson(bytes, json);
 }
 
-/** The GLB of a model in which nothing is replaced: the bytes of a GLB but for the name of the program that wrote it. */
+/**
+ * The GLB of a model in which nothing is replaced. Of a GLB that needs no other file these are its bytes but for the name of the
+ * program that wrote it; other files are packed into one.
+ */
 export async function passThrough(model: OpenModel, bytes: Uint8Array): Promise<Uint8Array> {
-  if (model.format !== 'glb') return exportGlb(model, [], { fields: false });
+  const needsOthers = model.document
+    .getRoot()
+    .listBuffers()
+    .some((buffer) => buffer.getURI() !== '');
+  if (model.format !== 'glb' || needsOthers) return exportGlb(model, [], { fields: false });
   const json = JSON.parse(new TextDecoder().decode(glbParts({ name: model.name, bytes }).json)) as GLTF.IGLTF;
   json.asset.generator = GENERATOR;
   return withJson(bytes, json);
