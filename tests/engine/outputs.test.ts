@@ -261,26 +261,39 @@ describe('names', () => {
 });
 
 describe('room on the disk', () => {
-  const output = (path: string, size: number) => ({ path: at(path), flag: 'OUT', isGlb: true, size });
+  const output = (path: string, model: number, positions = 0) => ({
+    path: at(path),
+    flag: 'OUT',
+    isGlb: true,
+    capacity: { model, positions },
+  });
   const disk = (free: number) => () => ({ disk: 'a', free });
   const MB = 2 ** 20;
+  const size = { model: 10 * MB, positions: MB };
 
   it('is needed for all outputs on it together', async () => {
     const outputs = [output('a.glb', 1), output('b.glb', 1)];
-    expect(() => checkRoom(outputs, 10 * MB, disk(20 * MB))).not.toThrow();
-    expect(await failureOf(() => checkRoom(outputs, 10 * MB, disk(19 * MB)))).toBe(
+    expect(() => checkRoom(outputs, size, disk(20 * MB))).not.toThrow();
+    expect(await failureOf(() => checkRoom(outputs, size, disk(19 * MB)))).toBe(
       `The disk of ${folder} has 19 MB left, and the result can take 20 MB: make room or choose another folder.`,
     );
   });
 
+  it('is needed for every frame of a recording', () => {
+    expect(() => checkRoom([output('a.glb', 0, 61)], size, disk(61 * MB))).not.toThrow();
+    expect(() => checkRoom([output('a.glb', 0, 61)], size, disk(60 * MB))).toThrow(/61 MB/);
+  });
+
   it('is not asked for where the file system does not tell, nor for stdout and devices', () => {
-    expect(() => checkRoom([output('a.glb', 1)], 10 * MB, () => null)).not.toThrow();
+    expect(() => checkRoom([output('a.glb', 1)], size, () => null)).not.toThrow();
     const others = ['-', '/dev/null'].map((path) => ({ ...output('a', 1), path }));
-    expect(() => checkRoom(others, 10 * MB, disk(0))).not.toThrow();
+    expect(() => checkRoom(others, size, disk(0))).not.toThrow();
   });
 
   it('of this disk is known', () => {
-    expect(() => checkRoom([output('a.glb', 1)], 2 ** 60)).toThrow(/MB left, and the result can take/);
+    expect(() => checkRoom([output('a.glb', 1)], { model: 2 ** 60, positions: 0 })).toThrow(
+      /MB left, and the result can take/,
+    );
   });
 });
 

@@ -9,7 +9,7 @@ import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { followLinks, isSpecial } from './identity';
 import { checkFiles } from './inputs';
-import { checkRoom, decodedBytes } from './outputs';
+import { checkRoom, sizeOfModel } from './outputs';
 import type { Output } from './outputs';
 import { shownName, shownOutput, STANDARD } from './standard';
 import { count, plain, plural } from './words';
@@ -19,7 +19,7 @@ export async function runDry(args: Arguments): Promise<number> {
   const lines: string[] = [];
   for (const [path, sources] of files) {
     const model = await openAnyModel(sources);
-    checkRoom(outputs, decodedBytes(model));
+    checkRoom(outputs, sizeOfModel(model));
     lines.push(describeModel(args, path, model));
   }
   for (const output of outputs) lines.push(`would write ${describeOutput(output)}`);

@@ -2,6 +2,7 @@
 
 import { accessSync, constants, existsSync, statfsSync, statSync } from 'node:fs';
 import { dirname } from 'node:path';
+import { sum } from '../engine/core/mesh';
 import type { OpenModel } from '../engine/document/open';
 import { isOwnFile } from './own_files';
 import type { Arguments } from './arguments';
@@ -17,25 +18,42 @@ export interface Output {
   flag: string;
   /** whether it has to be a GLB */
   isGlb: boolean;
-  /** its largest size, as a multiple of the size of the model; a report is small */
-  size: number;
+  /** what it can hold: how often all numbers and pictures of the model, and how often the positions of its bodies */
+  capacity: { model: number; positions: number };
 }
 
-/** A GLB for each step, of at most 60, of two bodies. */
-const RECORDED = 120;
-/** Numbers as text and indices, beside positions and attributes. */
-const AS_TEXT = 3;
+/** What a model can make of an output, in bytes. */
+export interface ModelSize {
+  /** all numbers and pictures, decoded: what a GLB of it takes, but for its JSON */
+  model: number;
+  positions: number;
+}
+
+/** At most 60 frames and the rest shape. */
+const RECORDED = 61;
+/** Some 100 letters for the 12 bytes of a position: a settings file has numbers as text and the triangles between them. */
+const AS_TEXT = 8;
 
 /** All that the command writes besides stdout. */
 export function outputsOf(args: Arguments): Output[] {
   const { command, operands, settings } = args;
-  const glb = (path: string, flag: string, size: number): Output => ({ path, flag, isGlb: true, size });
-  const text = (path: string, flag: string, size: number): Output => ({ path, flag, isGlb: false, size });
-  const models = command === 'optimize' ? [glb(operands[1], 'OUT', 1)] : [];
-  const levels = levelFiles(args).map((path) => glb(path, 'a level of --lods', 1));
+  const glb = (path: string, flag: string, model = 1, positions = 0): Output => ({
+    path,
+    flag,
+    isGlb: true,
+    capacity: { model, positions },
+  });
+  const text = (path: string, flag: string, positions: number): Output => ({
+    path,
+    flag,
+    isGlb: false,
+    capacity: { model: 0, positions },
+  });
+  const models = command === 'optimize' ? [glb(operands[1], 'OUT')] : [];
+  const levels = levelFiles(args).map((path) => glb(path, 'a level of --lods'));
   const optional: [string | null, (path: string) => Output][] = [
-    [args.shapes, (path) => glb(path, '--shapes', 1 + settings.modeCount)],
-    [args.record, (path) => glb(path, '--record', RECORDED)],
+    [args.shapes, (path) => glb(path, '--shapes', 1, settings.modeCount)],
+    [args.record, (path) => glb(path, '--record', 0, RECORDED)],
     [command === 'optimize' ? args.bind : null, (path) => text(path, '--bind', AS_TEXT)],
     [command === 'simulate' ? null : args.settingsFile, (path) => text(path, '--settings', AS_TEXT)],
   ];
@@ -117,16 +135,16 @@ function checkOwner({ path }: Output): void {
 /** Smaller than any report of a scene. */
 const SMALLEST = 1 << 20;
 
-/** Throws UsageError where a disk has less room than the outputs can take. `modelBytes`: of the model, decoded. */
-export function checkRoom(outputs: Output[], modelBytes: number, roomOf = freeBytes): void {
+/** Throws UsageError where a disk has less room than the outputs can take. */
+export function checkRoom(outputs: Output[], size: ModelSize, roomOf = freeBytes): void {
   const needed = new Map<string, { bytes: number; free: number }>();
-  for (const { path, size } of outputs) {
+  for (const { path, capacity } of outputs) {
     if (path === STANDARD || isSpecial(followLinks(path))) continue;
     const folder = dirname(followLinks(path));
     const room = roomOf(folder);
     if (room === null) continue;
     const { bytes = 0 } = needed.get(room.disk) ?? {};
-    const all = bytes + Math.max(SMALLEST, size * modelBytes);
+    const all = bytes + Math.max(SMALLEST, capacity.model * size.model + capacity.positions * size.positions);
     needed.set(room.disk, { bytes: all, free: room.free });
     if (all > room.free)
       throw new UsageError(
@@ -135,12 +153,12 @@ export function checkRoom(outputs: Output[], modelBytes: number, roomOf = freeBy
   }
 }
 
-/** The bytes of a model's numbers and pictures, which a GLB of it takes at most, but for its JSON. */
-export function decodedBytes({ document }: OpenModel): number {
+export function sizeOfModel({ document, bodies }: OpenModel): ModelSize {
   const root = document.getRoot();
   const numbers = root.listAccessors().map((accessor) => accessor.getArray()?.byteLength ?? 0);
   const pictures = root.listTextures().map((texture) => texture.getImage()?.byteLength ?? 0);
-  return [...numbers, ...pictures].reduce((sum, bytes) => sum + bytes, 0);
+  const positions = sum(bodies.map((body) => body.positions.byteLength));
+  return { model: sum(numbers) + sum(pictures), positions };
 }
 
 const megabytes = (bytes: number): string => Math.ceil(bytes / 2 ** 20).toLocaleString('en-US');

@@ -15,7 +15,7 @@ import { describeFailure, inFlags, UsageError } from './failure';
 import { writeWhole } from './files';
 import { checkFiles } from './inputs';
 import type { CheckedFiles } from './inputs';
-import { checkRoom, decodedBytes } from './outputs';
+import { checkRoom, sizeOfModel } from './outputs';
 import { shownOutput, STANDARD } from './standard';
 import { canRedraw, clearProgress, showProgress } from './terminal';
 import { ofBody, ofSentence, warningLines } from './warnings';
@@ -67,7 +67,7 @@ export async function openAnyFile(session: Session, path: string): Promise<OpenM
 }
 
 function noted({ warnings, checked }: Session, model: OpenModel): OpenModel {
-  checkRoom(checked.outputs, decodedBytes(model));
+  checkRoom(checked.outputs, sizeOfModel(model));
   warnings.push(...model.notes);
   return model;
 }
