@@ -83,6 +83,9 @@ const READERS: Record<RunSettingName, StageName[]> = {
   selfCollision: [],
   colliders: [],
   friction: [],
+  mesh: [],
+  materialName: [],
+  exclude: [],
   threads: [],
 };
 
@@ -111,7 +114,7 @@ const OTHER: RunSettings = {
   ...{ solver: 'hinge-shell', tune: 'vertex', engine: 'stretch=200', bendRatio: 0.1, massRule: 'vertex' },
   ...{ scenario: 'wind', material: 'springs', seconds: 1, substeps: 9, converge: true, damping: 1 },
   ...{ selfCollision: true, colliders: 'ground:0', friction: 0.1, calibrate: false, weld: 4 },
-  ...{ threads: 1, targetFaces: 12, fields: false },
+  ...{ mesh: 'a*', materialName: '?', exclude: 'b', threads: 1, targetFaces: 12, fields: false },
 };
 
 /** Settings that request everything that a method can do. */

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { triangulatePolygon } from '../../web/engine/document/polygon';
+import { describeTooLarge, MOST_CORNERS, triangulatePolygon } from '../../web/engine/document/polygon';
 import { areaOf, triangleArea } from './support/shapes';
 
 /** Vertices in a plane that is not parallel to any axis. */
@@ -39,7 +39,7 @@ describe('a polygon', () => {
       [0, 2],
       [0.5, 1],
     ];
-    const triangles = triangulatePolygon(corners(dart), tilted(dart));
+    const triangles = triangulatePolygon(corners(dart), tilted(dart))!;
     expectTiling(triangles, 4);
     expect(triangles[0]).toBe(1);
   });
@@ -56,7 +56,7 @@ describe('a polygon', () => {
       [0, 1],
     ];
     const positions = tilted(square);
-    const triangles = triangulatePolygon(corners(square), positions);
+    const triangles = triangulatePolygon(corners(square), positions)!;
     expectTiling(triangles, 8);
     for (let t = 0; t < triangles.length; t += 3)
       expect(triangleArea(positions, triangles.slice(t, t + 3))).toBeGreaterThan(0.1);
@@ -78,7 +78,7 @@ describe('a polygon', () => {
     fc.assert(
       fc.property(star, (points) => {
         const positions = tilted(points);
-        const triangles = triangulatePolygon(corners(points), positions);
+        const triangles = triangulatePolygon(corners(points), positions)!;
         expectTiling(triangles, points.length);
         const fanArea = areaOf({
           positions: tilted([...points, [0, 0]]),
@@ -96,7 +96,7 @@ describe('a polygon', () => {
       [i + 1, i],
     ]);
     const staircase = [...steps, [5, 5], [0, 5]];
-    const triangles = triangulatePolygon(corners(staircase), tilted(staircase));
+    const triangles = triangulatePolygon(corners(staircase), tilted(staircase))!;
     expectTiling(triangles, staircase.length);
   });
 
@@ -108,5 +108,30 @@ describe('a polygon', () => {
       [3, 0],
     ];
     expect(triangulatePolygon(corners(line), tilted(line))).toHaveLength(6);
+  });
+
+  const circle = (count: number, radius: (i: number) => number) =>
+    Array.from({ length: count }, (_, i) => {
+      const angle = (2 * Math.PI * i) / count;
+      return [radius(i) * Math.cos(angle), radius(i) * Math.sin(angle)];
+    });
+
+  it('of 100,000 corners is cut at once where it is convex, and refused where it is not', () => {
+    const round = circle(100_000, () => 1);
+    const start = performance.now();
+    expect(triangulatePolygon(corners(round), tilted(round))).toHaveLength(3 * 99_998);
+    const star = circle(100_000, (i) => 1 + (i % 2));
+    expect(triangulatePolygon(corners(star), tilted(star))).toBeNull();
+    const twice = circle(100_000, () => 1).map(
+      (_, i, points) => points[(2 * i + (i >= 50_000 ? 1 : 0)) % points.length],
+    );
+    expect(triangulatePolygon(corners(twice), tilted(twice))).toBeNull();
+    expect(performance.now() - start).toBeLessThan(3000);
+    expect(describeTooLarge(100_000)).toContain(MOST_CORNERS.toLocaleString('en-US'));
+  });
+
+  it('of the most corners that are cut whatever their shape is tiled', () => {
+    const star = circle(MOST_CORNERS, (i) => 1 + (i % 2));
+    expectTiling(triangulatePolygon(corners(star), tilted(star))!, MOST_CORNERS);
   });
 });

@@ -16,6 +16,7 @@ function range(option: OptionSpec): string {
   if (option.kind === 'pins' || option.kind === 'colliders') return 'terms joined by +';
   if (option.kind === 'engine') return 'name=value with commas';
   if (option.kind === 'name') return 'name of an attribute';
+  if (option.kind === 'pattern') return 'names with * and ?';
   if (option.kind === 'paint') return 'as the page writes it';
   if (option.kind === 'modes') return 'auto, all, 1,2,...';
   return `${option.min} to ${option.max === Infinity ? 'inf' : option.max}${unitOf(option)}`;

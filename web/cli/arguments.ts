@@ -7,7 +7,7 @@ import type { Note, Settings } from '../engine/settings/options';
 import { readNumber } from '../engine/settings/kinds';
 import { describeFormerWords, readSettings } from '../engine/settings/setting_text';
 import { SOLVER_NAMES } from '../engine/solvers/profiles';
-import { engineFromFile } from './engine_file';
+import { engineFromFile, fileOfEngine } from './engine_file';
 import { UsageError } from './failure';
 import { COMMAND_SPECS, COMMANDS, flagsOf } from './flags';
 import type { Command, Flag } from './flags';
@@ -30,11 +30,21 @@ export interface Arguments {
   settingsFile: string | null;
   /** where the simulated motion goes */
   record: string | null;
-  /** null: every body */
-  mesh: string | null;
+  /** names of the flags that the user gave */
+  asked: ReadonlySet<string>;
   /** where reports go; '-' is stdout */
   reports: string[];
   quiet: boolean;
+  /** a line for every warning */
+  verbose: boolean;
+  /** files of the user's own may be replaced */
+  force: boolean;
+  /** says what would be written, and does nothing */
+  dryRun: boolean;
+  /** a target that is not reached is no failure */
+  soft: boolean;
+  /** the file of --engine; null: its parameters were given in words, or not */
+  engineFile: string | null;
 }
 
 /** A question that is answered instead of running the command. */
@@ -50,6 +60,7 @@ export function parseArguments(words: string[]): Arguments | Question {
   if (values.has('help')) return { show: 'help', command };
   if (values.has('version')) return { show: 'version' };
   checkOperands(command, operands);
+  const engine = values.get('engine');
   const settings = settingsFrom(command, values);
   const report = values.get('report');
   return {
@@ -64,9 +75,14 @@ export function parseArguments(words: string[]): Arguments | Question {
     bind: values.get('bind') ?? null,
     settingsFile: values.get('settings') ?? null,
     record: values.get('record') ?? null,
-    mesh: values.get('mesh') ?? null,
+    asked: new Set(values.keys()),
     reports: [...new Set([...(report === undefined ? [] : [report]), ...(values.has('json') ? ['-'] : [])])],
     quiet: values.has('quiet'),
+    verbose: values.has('verbose'),
+    force: values.has('force'),
+    dryRun: values.has('dry-run'),
+    soft: values.has('soft'),
+    engineFile: fileOfEngine(engine),
   };
 }
 

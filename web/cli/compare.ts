@@ -1,6 +1,5 @@
 /** limber compare A B: A is the original. */
 
-import { basename } from 'node:path';
 import { materialOf } from '../engine/body/material';
 import type { PreparedBody } from '../engine/body/prepared_body';
 import type { Fidelity, SurfaceDistance } from '../engine/core/core';
@@ -15,6 +14,7 @@ import { EXIT, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
 import { finish, openFile, prepareFile, startSession } from './session';
 import type { Session } from './session';
+import { shownName } from './standard';
 import { count, list, percent, plural } from './words';
 
 export async function runCompare(args: Arguments): Promise<number> {
@@ -46,15 +46,14 @@ export async function runCompare(args: Arguments): Promise<number> {
 }
 
 /** Only the settings that a comparison reads; its elastic model is always the shell. */
-function optionsAsUsed({ settings, mesh }: Arguments): object {
-  const used = { model: 'shell', ...settingsAsUsed('compare', settings) };
-  return mesh === null ? used : { ...used, mesh };
+function optionsAsUsed({ settings }: Arguments): object {
+  return { model: 'shell', ...settingsAsUsed('compare', settings) };
 }
 
 /** Bodies are compared in the order of the files. */
 export function checkPairs({ operands }: Arguments, originals: PreparedBody[], others: PreparedBody[]): void {
   if (originals.length === others.length) return;
-  const [a, b] = operands.map((path) => basename(path));
+  const [a, b] = operands.map((path) => shownName(path));
   throw new UsageError(
     `${a} has ${plural(originals.length, 'body', 'bodies')} and ${b} has ${others.length}: compare one with --mesh NAME.`,
   );
@@ -78,7 +77,7 @@ function compareText(
   const isKept = pairs.every(
     ({ original, other }) => compareTopology(original.inspection, other.inspection).kept,
   );
-  const [a, b] = operands.map((path) => basename(path));
+  const [a, b] = operands.map((path) => shownName(path));
   return list([
     [
       `${a} -> ${b}`,

@@ -4,9 +4,13 @@ import { existsSync } from 'node:fs';
 import { UsageError } from './failure';
 import { readText } from './files';
 
+/** The file that a value of --engine names; null where it has the parameters themselves, or there is none. */
+export const fileOfEngine = (value: string | undefined): string | null =>
+  value === undefined || (value.includes('=') && !existsSync(value)) ? null : value;
+
 /** The value of --engine as name=value with commas: itself, or the content of the file that it names. */
 export function engineFromFile(value: string): string {
-  if (value.includes('=') && !existsSync(value)) return value;
+  if (fileOfEngine(value) === null) return value;
   const text = readText(value).trim();
   return text.startsWith('{') ? textOfJson(value, text) : textOfLines(text);
 }

@@ -1,19 +1,73 @@
 /** Files of the command line: a model with its companions in, whole files out. */
 
-import { existsSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
-import { basename, dirname, join, resolve } from 'node:path';
+import {
+  chmodSync,
+  existsSync,
+  readFileSync,
+  realpathSync,
+  renameSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from 'node:fs';
+import { basename, dirname, join } from 'node:path';
 import { companionNames } from '../engine/document/gltf';
 import type { SourceFile } from '../engine/document/open';
 import { UsageError } from './failure';
+import { followLinks, isSpecial, isWithin } from './identity';
+import { readStandard, STANDARD } from './standard';
 
-/** The model file; for a glTF also the files that it names, as far as they exist. Throws UsageError. */
-export function readModelFiles(path: string): SourceFile[] {
+/** A model and what belongs to it. */
+export interface ModelFiles {
+  files: SourceFile[];
+  /** paths of the model and of all that it names, read or not: nothing may be written over them */
+  paths: string[];
+}
+
+/** The model file; for a glTF also the files that it names, as far as they exist in its folder. Throws UsageError. */
+export async function readModelFiles(path: string): Promise<ModelFiles> {
+  // A model from a pipe has no folder.
+  if (path === STANDARD)
+    return { files: [{ name: 'stdin', bytes: await readStandard(process.stdin) }], paths: [] };
   const main = { name: basename(path), bytes: readBytes(path) };
+  // A link may stand beside links to the companions, or lead to where the companions are.
+  const folders = [dirname(path), dirname(realpathSync(path))];
   const companions = companionNames(main)
     .map((name) => ({ name, path: join(dirname(path), name) }))
-    .filter((companion) => existsSync(companion.path))
-    .map((companion) => ({ name: companion.name, bytes: readBytes(companion.path) }));
-  return [main, ...companions];
+    .filter((companion) => existsSync(companion.path) && isWithin(companion.path, folders))
+    .map((companion) => ({ ...companion, bytes: readBytes(companion.path) }));
+  const libraries = libraryNames(main).map((name) => join(dirname(path), name));
+  return {
+    files: [main, ...companions.map(({ name, bytes }) => ({ name, bytes }))],
+    paths: [
+      path,
+      ...companions.map((companion) => companion.path),
+      ...withTextures(libraries.filter(existsSync)),
+    ],
+  };
+}
+
+/** The material libraries of an OBJ; none of other formats. */
+function libraryNames({ name, bytes }: SourceFile): string[] {
+  if (!name.toLowerCase().endsWith('.obj')) return [];
+  const content = Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const names: string[] = [];
+  for (let at = content.indexOf('mtllib'); at >= 0; at = content.indexOf('mtllib', at + 1)) {
+    const line = content.toString('utf8', at, at + 4096).split(/[\r\n]/, 1)[0];
+    names.push(line.slice('mtllib'.length).trim());
+  }
+  return [...new Set(names)].filter((library) => library !== '');
+}
+
+/** The libraries and the pictures that their lines end in. */
+function withTextures(libraries: string[]): string[] {
+  const pictures = libraries.flatMap((library) =>
+    readText(library)
+      .split(/\r?\n/)
+      .filter((line) => /^\s*(map_|bump|disp|decal|refl|norm)/i.test(line))
+      .map((line) => join(dirname(library), line.trim().split(/\s+/).pop()!)),
+  );
+  return [...libraries, ...pictures.filter(existsSync)];
 }
 
 /** Throws UsageError. */
@@ -28,28 +82,22 @@ function readBytes(path: string): Uint8Array {
   }
 }
 
-/** Throws UsageError where the output could not be written, before any work is done. */
-export function checkOutput(path: string, input: string): void {
-  if (!path.toLowerCase().endsWith('.glb'))
-    throw new UsageError(`${path} is not a .glb: GLB is what can be written, so let the name end in .glb.`);
-  if (resolve(path) === resolve(input))
-    throw new UsageError(`${path} is also the input: choose another name.`);
-  checkFolder(path);
-}
-
-export function checkFolder(path: string): void {
-  const folder = dirname(path);
-  if (!existsSync(folder)) throw new UsageError(`The folder ${folder} does not exist: make it first.`);
-  if (existsSync(path) && statSync(path).isDirectory())
-    throw new UsageError(`${path} is a folder: name a file.`);
-}
-
-/** Writes all or nothing: into a file in the same folder, which is then renamed to `path`. */
+/**
+ * Writes all or nothing: into a file in the same folder, which then takes the place of `path` and its permissions. A link
+ * stays, and the file that it leads to is replaced; a device or pipe is written to.
+ */
 export function writeWhole(path: string, content: Uint8Array | string): void {
-  const partial = join(dirname(path), `.${basename(path)}.${process.pid}.part`);
+  const end = followLinks(path);
+  const partial = join(dirname(end), `.${basename(end)}.${process.pid}.part`);
   try {
+    if (isSpecial(end)) {
+      writeFileSync(end, content);
+      return;
+    }
+    const old = statSync(end, { throwIfNoEntry: false });
     writeFileSync(partial, content);
-    renameSync(partial, path);
+    if (old) chmodSync(partial, old.mode & 0o7777);
+    renameSync(partial, end);
   } catch (error) {
     rmSync(partial, { force: true });
     throw fileError(`${path} cannot be written`, error);
@@ -61,12 +109,16 @@ const REASONS: Record<string, string> = {
   EACCES: 'permission is denied',
   EPERM: 'permission is denied',
   ENOSPC: 'the disk is full',
+  EDQUOT: 'the quota of the disk is used up',
   EROFS: 'the disk is read-only',
+  ELOOP: 'its links lead back to themselves',
+  ENAMETOOLONG: 'its name is too long',
   ERR_FS_FILE_TOO_LARGE: 'it is larger than 2 GB',
 };
 
 function fileError(what: string, error: unknown): Error {
   if (error instanceof UsageError) return error;
-  const { code, message } = error as NodeJS.ErrnoException;
-  return new UsageError(`${what}: ${REASONS[code ?? ''] ?? message}.`);
+  const { code = '' } = error as NodeJS.ErrnoException;
+  const reason = REASONS[code] ?? `the system refuses it${code ? ` (${code})` : ''}`;
+  return new UsageError(`${what}: ${reason}.`);
 }

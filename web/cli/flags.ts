@@ -52,12 +52,21 @@ const COMMON: Flag[] = [
   REPORT,
   { name: 'json', help: 'The same as --report -.', group: 'output' },
   {
-    name: 'mesh',
-    value: 'NAME',
-    help: 'Only the body of this name; others stay as they are.',
-    group: 'common',
+    name: 'force',
+    help: 'Replace files that limber has not written itself; without it they are refused.',
+    group: 'output',
+  },
+  {
+    name: 'dry-run',
+    help: 'Check everything, say what would be written, and write nothing.',
+    group: 'output',
   },
   { name: 'quiet', help: 'Say nothing but errors.', group: 'common' },
+  {
+    name: 'verbose',
+    help: 'A line for every warning; without it equal ones of several bodies share a line.',
+    group: 'common',
+  },
   { name: 'help', help: 'Show this help.', group: 'common' },
   { name: 'version', help: 'Show the version.', group: 'common' },
 ];
@@ -77,6 +86,11 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
         name: 'ratio',
         value: 'R',
         help: 'Keep this share of the faces of each body, above 0 to 1 (default: 0.5, where there is no other target). Of several targets the first one reached stops.',
+        group: 'target',
+      },
+      {
+        name: 'soft',
+        help: 'End with exit code 0 where a target or limit that was asked for is not reached; the reason is told.',
         group: 'target',
       },
       {

@@ -37,8 +37,10 @@ function overview(): string {
     'IN, A and B are GLB, glTF (its files beside it), OBJ, STL or PLY.',
     'limber COMMAND --help shows all options of a command.',
     '',
-    'Exit codes: 0 done, 1 bad input or option, 2 a target was missed (OUT is written all the same),',
-    '3 internal error.',
+    'IN and OUT may be -: stdin and stdout.',
+    '',
+    'Exit codes: 0 done, 1 bad input or option, 2 a target that was asked for was missed (OUT is',
+    'written all the same; --soft makes it 0), 3 internal error.',
   ].join('\n');
 }
 

@@ -6,10 +6,11 @@ import { startStopwatch } from '../engine/core/stopwatch';
 import type { Body, OpenModel } from '../engine/document/open';
 import { startReport } from '../engine/report/report';
 import { inspectBody } from '../engine/stages/prepared';
+import { chosenBodies } from '../engine/body/selection';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { settingsAsUsed } from './flags';
-import { chosenBodies, finish, openFile, startSession } from './session';
+import { finish, openFile, startSession } from './session';
 import { count, plural, table } from './words';
 
 export async function runInspect(args: Arguments): Promise<number> {
@@ -18,7 +19,7 @@ export async function runInspect(args: Arguments): Promise<number> {
   const session = await startSession(args);
   const model = await openFile(session, args.operands[0]);
   const load = stopwatch();
-  const bodies = chosenBodies(session, model).map((i) => model.bodies[i]);
+  const bodies = chosenBodies(model, args.settings).map((i) => model.bodies[i]);
   const inspected = bodies.map((body) => inspectBody(session.core, body, args.settings));
   const used = settingsAsUsed('inspect', args.settings);
   const report = startReport(session.core, 'inspect', used, inspected);

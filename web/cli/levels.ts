@@ -1,12 +1,10 @@
 /** Further levels of detail of limber optimize: one file each. */
 
-import { resolve } from 'node:path';
 import type { LevelReport } from '../engine/report/result_report';
 import type { StoppedBody } from '../engine/report/stop_report';
 import type { FileOutput } from '../engine/stages/file_output';
 import type { Arguments } from './arguments';
-import { UsageError } from './failure';
-import { checkFolder, writeWhole } from './files';
+import { describeFailure } from './failure';
 
 export interface WrittenLevel {
   report: LevelReport;
@@ -14,26 +12,36 @@ export interface WrittenLevel {
   bodies: StoppedBody[];
 }
 
-/** The files of the levels beside OUT.glb: OUT_lod1.glb and so on. */
-export const levelFiles = ({ operands, settings }: Arguments): string[] =>
-  settings.lods.map((_, i) => operands[1].replace(/\.glb$/i, `_lod${i + 1}$&`));
-
-/** Refuses files that could not be written, before any work. */
-export function checkLevels(args: Arguments): void {
-  for (const file of levelFiles(args)) {
-    if (resolve(file) === resolve(args.operands[0]))
-      throw new UsageError(`${file}, a level of --lods, is also the input: choose another name for OUT.`);
-    checkFolder(file);
-  }
+/** What became of the levels: those that are written, and why the next one is not. */
+export interface WrittenLevels {
+  written: WrittenLevel[];
+  /** null: all are written */
+  failure: { code: number; sentence: string } | null;
 }
 
-/** Writes every level of --lods. */
-export async function writeLevels(args: Arguments, output: FileOutput): Promise<WrittenLevel[]> {
+/** The files of the levels beside OUT.glb: OUT_lod1.glb and so on. */
+export const levelFiles = ({ operands, settings }: Pick<Arguments, 'operands' | 'settings'>): string[] =>
+  settings.lods.map((_, i) => operands[1].replace(/\.glb$/i, `_lod${i + 1}$&`));
+
+/** Writes the levels of --lods by `save`, up to the first that fails; what is written stays. */
+export async function writeLevels(
+  args: Pick<Arguments, 'operands' | 'settings'>,
+  output: Pick<FileOutput, 'level'>,
+  save: (path: string, bytes: Uint8Array) => void,
+): Promise<WrittenLevels> {
   const written: WrittenLevel[] = [];
   for (const [i, file] of levelFiles(args).entries()) {
-    const { bytes, bodies, report } = await output.level(i);
-    writeWhole(file, bytes);
-    written.push({ report: { file, ...report }, bodies });
+    try {
+      const { bytes, bodies, report } = await output.level(i);
+      save(file, bytes);
+      written.push({ report: { file, ...report }, bodies });
+    } catch (error) {
+      const { code, line } = describeFailure(error);
+      const others = [args.operands[1], ...written.map(({ report }) => report.file)];
+      const why = line.replace(/\.$/, '').replace(`${file} cannot be written: `, '');
+      const sentence = `${file} is not written: ${why}; ${others.join(', ')} ${others.length === 1 ? 'is' : 'are'}`;
+      return { written, failure: { code, sentence } };
+    }
   }
-  return written;
+  return { written, failure: null };
 }

@@ -1,6 +1,5 @@
 /** limber modes IN */
 
-import { basename } from 'node:path';
 import { describeSize, describeSolve } from '../engine/body/health';
 import { materialOf } from '../engine/body/material';
 import type { PreparedBody } from '../engine/body/prepared_body';
@@ -19,14 +18,14 @@ import { STAGES } from '../engine/stages/stages';
 import { exportedMesh } from '../engine/stages/written';
 import type { Arguments } from './arguments';
 import { EXIT, inFlags } from './failure';
-import { checkOutput, writeWhole } from './files';
-import { finish, openFile, prepareFile, startSession } from './session';
+import { finish, openFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
+import { shownName, shownOutput } from './standard';
+import { ofBody } from './warnings';
 import { plural, table } from './words';
 
 export async function runModes(args: Arguments): Promise<number> {
   const [input] = args.operands;
-  if (args.shapes !== null) checkOutput(args.shapes, input);
   const total = startStopwatch();
   const stopwatch = startStopwatch();
   const session = await startSession(args);
@@ -37,7 +36,7 @@ export async function runModes(args: Arguments): Promise<number> {
   const prepared = file.prepared(settings);
   for (const body of prepared) {
     const size = describeSize(body.diagonal * materialOf(body, settings).unit);
-    if (size) session.warnings.push(`${body.body.name}: ${inFlags(size)}`);
+    if (size) session.warnings.push(ofBody(body.body.name, inFlags(size)));
   }
   const weld = stopwatch();
   const sets = file.usable.map(({ run }) => {
@@ -54,24 +53,24 @@ export async function runModes(args: Arguments): Promise<number> {
   return EXIT.done;
 }
 
-function optionsAsUsed({ settings, mesh }: Arguments): object {
-  const used: Partial<Settings> & { mesh?: string } = { ...settings };
+function optionsAsUsed({ settings }: Arguments): object {
+  const used: Partial<Settings> = { ...settings };
   delete used.method; // it only keeps `auto` from meaning the paper's model
-  if (mesh !== null) used.mesh = mesh;
   return used;
 }
 
 /** Writes the model with the shapes of the modes as morph targets. */
-async function writeShapes({ args, warnings }: Session, file: FileRun, path: string): Promise<void> {
+async function writeShapes(session: Session, file: FileRun, path: string): Promise<void> {
+  const { args, warnings } = session;
   const { model, runs } = file;
   const shown = runs.map((run) => {
     if (!run) return null;
     const { settings } = args;
     return shapesOf(settings, run.get(STAGES.prepared, settings), run.get(STAGES.modes, settings));
   });
-  writeWhole(path, await exportGlb(model, shown, { fields: false }));
+  save(session, path, await exportGlb(model, shown, { fields: false }));
   const dropped = droppedByExport(model, true);
-  if (dropped.length > 0) warnings.push(`${path} leaves out ${dropped.join(', ')}`);
+  if (dropped.length > 0) warnings.push(`${shownOutput(path)} leaves out ${dropped.join(', ')}`);
 }
 
 function shapesOf(settings: Settings, prepared: PreparedBody, modes: ModeSet): ExportedBody {
@@ -107,11 +106,14 @@ function modesText(
   ]);
   const parts = many ? `, ${plural(components!.length, 'part', 'parts')}` : '';
   const zero = `${zeroModes!.found} of ${zeroModes!.expected} zero modes found`;
-  const heading = `${basename(operands[0])}: ${model} model${parts}, ${zero}, ${timings.modes.toFixed(1)} s`;
+  const heading = `${shownName(operands[0])}: ${model} model${parts}, ${zero}, ${timings.modes.toFixed(1)} s`;
   const nominal = isNominal
     ? ['Frequencies of the laplacian model are nominal: only their proportions mean something.']
     : [];
-  return [heading, table([header, ...rows]), ...nominal, ...(shapes !== null ? [`-> ${shapes}`] : [])].join(
-    '\n',
-  );
+  return [
+    heading,
+    table([header, ...rows]),
+    ...nominal,
+    ...(shapes !== null ? [`-> ${shownOutput(shapes)}`] : []),
+  ].join('\n');
 }

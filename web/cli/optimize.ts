@@ -3,70 +3,105 @@
 import { describeSolve } from '../engine/body/health';
 import { faceCount } from '../engine/core/mesh';
 import { startStopwatch } from '../engine/core/stopwatch';
-import { droppedByExport } from '../engine/document/export';
+import { droppedByExport, passThrough } from '../engine/document/export';
+import { describeEmpty } from '../engine/document/open';
+import type { OpenModel } from '../engine/document/open';
 import { describeLargeFit } from '../engine/report/fit_words';
 import { settingsAsUsed } from '../engine/report/report';
-import type { StoppedBody } from '../engine/report/stop_report';
+import type { Report } from '../engine/report/report';
 import { targetsOf } from '../engine/stages/face_shares';
 import type { FaceTarget } from '../engine/stages/face_shares';
 import { FileOutput } from '../engine/stages/file_output';
 import type { FileRun } from '../engine/stages/file_run';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
-import { EXIT, inFlags } from './failure';
-import { checkFolder, checkOutput, writeWhole } from './files';
-import { checkLevels, writeLevels } from './levels';
-import { describeMiss, levelLine, summaryLine, tuningLines } from './optimize_words';
-import { finish, openFile, prepareFile, startSession } from './session';
+import { EXIT, inFlags, UsageError } from './failure';
+import { writeWhole } from './files';
+import { writeLevels } from './levels';
+import type { WrittenLevels } from './levels';
+import { levelLine, summaryLine, tuningLines } from './optimize_words';
+import { finish, openAnyFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
+import { shownName, shownOutput } from './standard';
+import { missedTargets } from './targets';
+import { clearProgress } from './terminal';
+import { ofBody } from './warnings';
+import { plain } from './words';
 
 const DEFAULT_RATIO = 0.5;
 
 export async function runOptimize(args: Arguments): Promise<number> {
   const [input, path] = args.operands;
-  checkOutput(path, input);
-  checkLevels(args);
-  for (const file of [args.bind, args.settingsFile]) if (file !== null) checkFolder(file);
   const total = startStopwatch();
   const stopwatch = startStopwatch();
   const session = await startSession(args);
-  const model = await openFile(session, input);
+  const model = await openAnyFile(session, input);
+  if (model.bodies.length === 0) return passOn(session, model);
   const load = stopwatch();
   const file = prepareFile(session, model);
   const weld = stopwatch();
   const output = optimizeFile(session, file);
   stopwatch();
-  writeWhole(path, await output.glb());
-  if (args.bind !== null) writeWhole(args.bind, output.binding());
-  if (args.settingsFile !== null) writeWhole(args.settingsFile, output.settings());
+  save(session, path, await output.glb());
+  if (args.bind !== null) save(session, args.bind, output.binding());
+  if (args.settingsFile !== null) save(session, args.settingsFile, output.settings());
   const dropped = droppedByExport(model);
-  if (dropped.length > 0) session.warnings.push(`${path} leaves out ${dropped.join(', ')}`);
+  if (dropped.length > 0) session.warnings.push(`${shownOutput(path)} leaves out ${dropped.join(', ')}`);
   const exportTime = stopwatch();
-  const levels = await writeLevels(args, output);
+  const levels = await writeLevels(args, output, (name, bytes) => {
+    writeWhole(name, bytes);
+    session.written.push(name);
+  });
   const levelsTime = stopwatch();
   const report = output.report(
     optionsAsUsed(args),
-    levels.map((level) => level.report),
+    levels.written.map((level) => level.report),
   );
   session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0).map(inFlags));
   report.timings = {
     ...{ load, weld, ...report.timings, export: exportTime },
-    ...(levels.length > 0 ? { levels: levelsTime } : {}),
+    ...(levels.written.length > 0 ? { levels: levelsTime } : {}),
     total: total(),
   };
-  const describe = (bodies: StoppedBody[], where = '') =>
-    describeMiss(bodies, output.prepared(), { where, settings: args.settings });
-  const missed = [
-    ...(wantsCount(args) ? [describe(output.stopped())] : []),
-    ...levels.map(({ bodies, report: { file: name } }) => describe(bodies, `${name}: `)),
-  ].filter((sentence) => sentence !== '');
+  return finishOptimize(session, { output, report, levels });
+}
+
+/** Writes a model without triangles as it is. */
+async function passOn(session: Session, model: OpenModel): Promise<number> {
+  const [input, path] = session.args.operands;
+  if (session.args.reports.length + session.args.settings.lods.length > 0 || session.args.bind !== null)
+    throw new UsageError(
+      `${model.name} ${describeEmpty(model)}, of which nothing can be reported: leave out --report, --lods and --bind.`,
+    );
+  const [main] = session.checked.files.get(input)!;
+  save(session, path, await passThrough(model, main.bytes));
+  session.warnings.length = 0;
+  clearProgress();
+  const line = `${shownName(input)} ${describeEmpty(model)} and is passed on as it is -> ${shownOutput(path)}\n`;
+  if (!session.args.quiet) (session.checked.takesStdout ? process.stderr : process.stdout).write(plain(line));
+  return EXIT.done;
+}
+
+interface Optimized {
+  output: FileOutput;
+  report: Report;
+  levels: WrittenLevels;
+}
+
+/** Says what has come of it; returns the exit code. */
+function finishOptimize(session: Session, { output, report, levels }: Optimized): number {
+  const { args } = session;
+  const missed = missedTargets(args, output, levels.written);
   const text = [
     summaryLine(args, output, report.timings.total),
     ...tuningLines(report),
-    ...levels.map((level) => levelLine(level.report)),
+    ...levels.written.map((level) => levelLine(level.report)),
   ].join('\n');
-  finish(session, report, text, missed);
-  return missed.length === 0 ? EXIT.done : EXIT.missedTarget;
+  session.warnings.push(...missed.unasked, ...(args.soft ? missed.asked : []));
+  const told = [...(args.soft ? [] : missed.asked), ...(levels.failure ? [levels.failure.sentence] : [])];
+  finish(session, report, text, told);
+  if (levels.failure) return levels.failure.code;
+  return missed.asked.length === 0 || args.soft ? EXIT.done : EXIT.missedTarget;
 }
 
 /** Takes every body through its stages; warns where a result is not as asked. */
@@ -78,27 +113,21 @@ function optimizeFile({ args, warnings }: Session, file: FileRun): FileOutput {
     const { note } = run.get(STAGES.constraints, own);
     if (note !== '') warnings.push(note);
     const large = describeLargeFit(run.get(STAGES.fitted, own));
-    if (large !== '') warnings.push(`${run.context.body.name}: ${large}`);
+    if (large !== '') warnings.push(ofBody(run.context.body.name, large));
   });
   return output;
 }
 
 function optionsAsUsed(args: Arguments): object {
-  const { settings, mesh, fields } = args;
+  const { settings, fields } = args;
   const { faces, ratio } = targetOf(args);
   const target = { ...(faces !== null ? { faces } : {}), ...(ratio !== null ? { ratio } : {}) };
-  return { ...settingsAsUsed(settings), ...target, ...(mesh !== null ? { mesh } : {}), fields };
+  return { ...settingsAsUsed(settings), ...target, fields };
 }
 
-/** What is asked for; half the faces where nothing else is a target. */
+/** What is asked for; half the faces where nothing else is a target. Of a default nothing is missed. */
 function targetOf({ faces, ratio, settings }: Arguments): FaceTarget {
   const others = [settings.maxDeviation, settings.minAngle, settings.maxFrequencyError];
   const isAlone = faces === null && others.every((limit) => limit === 0);
   return { faces, ratio: ratio ?? (isAlone ? DEFAULT_RATIO : null) };
-}
-
-/** Whether a number of faces is a target at all: the other targets need none. */
-function wantsCount(args: Arguments): boolean {
-  const { faces, ratio } = targetOf(args);
-  return faces !== null || ratio !== null;
 }

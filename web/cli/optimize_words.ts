@@ -1,47 +1,19 @@
 /** What limber optimize says of its results. */
 
-import { basename } from 'node:path';
-import type { PreparedBody } from '../engine/body/prepared_body';
 import { faceCount, sum } from '../engine/core/mesh';
 import { describeShapeFit } from '../engine/report/fit_words';
 import type { Report } from '../engine/report/report';
 import { fitReport, worstSurface } from '../engine/report/result_report';
 import type { LevelReport } from '../engine/report/result_report';
 import { describeTuning } from '../engine/report/solver_report';
-import { describeRefused, isBlockedBySeams, stopReport } from '../engine/report/stop_report';
-import type { StoppedBody, StopReport } from '../engine/report/stop_report';
-import type { Settings } from '../engine/settings/options';
+import { stopReport } from '../engine/report/stop_report';
+import type { StopReport } from '../engine/report/stop_report';
 import type { SolverName } from '../engine/solvers/profiles';
 import type { FileOutput } from '../engine/stages/file_output';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
-import { count, percent, plural } from './words';
-
-const isExhausted = (body: StoppedBody): boolean => stopReport([body]).reason === 'exhausted';
-
-/**
- * Why bodies have more faces than was asked for, because no more edge can collapse, and how to go on where seams are the
- * reason; '' where none has. `bodies[i]` comes from `originals[i]`.
- */
-export function describeMiss(
-  bodies: StoppedBody[],
-  originals: PreparedBody[],
-  { where, settings }: { where: string; settings: Settings },
-): string {
-  const missed = bodies.filter(isExhausted);
-  if (missed.length === 0) return '';
-  const [after, target] = [
-    sum(missed.map(({ faces }) => faces)),
-    sum(missed.map((body) => body.targetFaces)),
-  ];
-  const which = bodies.length > 1 ? ` in ${plural(missed.length, 'body', 'bodies')} of ${bodies.length}` : '';
-  const reasons = describeRefused(stopReport(missed).refused);
-  const isBlocked = bodies.some(
-    (body, i) => isExhausted(body) && isBlockedBySeams(originals[i], body.history.refused, settings),
-  );
-  const cure = isBlocked ? '; --seams cross lets them give way' : '';
-  return `${where}Stopped at ${count(after)} faces${which}, not ${count(target)}: ${reasons}${cure}`;
-}
+import { shownName, shownOutput } from './standard';
+import { count, percent } from './words';
 
 export function summaryLine({ operands }: Arguments, output: FileOutput, seconds: number): string {
   const before = sum(output.prepared().map(({ mesh }) => faceCount(mesh)));
@@ -55,13 +27,13 @@ export function summaryLine({ operands }: Arguments, output: FileOutput, seconds
     broken.length === 0 ? 'topology kept' : `TOPOLOGY CHANGED (${[...new Set(broken)].join(', ')})`;
   const smallest = Math.min(...measured.map(({ quality }) => quality.minAngle));
   return [
-    `${basename(operands[0])}: ${count(before)} -> ${count(after)} faces (${percent(after / before - 1)})`,
+    `${shownName(operands[0])}: ${count(before)} -> ${count(after)} faces (${percent(after / before - 1)})`,
     topology,
     `deviation ${distance.hausdorff.toFixed(2)} % (mean ${distance.mean.toFixed(2)} %)`,
     `smallest angle ${smallest.toFixed(1)} deg`,
     ...fitWords(output),
     ...frequencyWords(stopReport(output.stopped())),
-    `${seconds.toFixed(1)} s -> ${operands[1]}`,
+    `${seconds.toFixed(1)} s -> ${shownOutput(operands[1])}`,
   ].join(', ');
 }
 

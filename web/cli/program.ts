@@ -5,6 +5,7 @@ import { parseArguments } from './arguments';
 import type { Arguments } from './arguments';
 import { describeFailure, EXIT } from './failure';
 import type { Command } from './flags';
+import { clearProgress } from './terminal';
 
 /** Each command loads what it needs when it is run. */
 const RUN: Record<Command, (args: Arguments) => Promise<number>> = {
@@ -15,6 +16,8 @@ const RUN: Record<Command, (args: Arguments) => Promise<number>> = {
   simulate: async (args) => (await import('./simulate')).runSimulate(args),
   inspect: async (args) => (await import('./inspect')).runInspect(args),
 };
+
+const dryRun = async (args: Arguments): Promise<number> => (await import('./dry_run')).runDry(args);
 
 /** Returns when the command has ended; the program ends once its output is written. */
 export async function startProgram(words: string[]): Promise<void> {
@@ -27,17 +30,17 @@ export async function startProgram(words: string[]): Promise<void> {
 
 async function runWords(words: string[]): Promise<number> {
   const parsed = parseArguments(words);
-  if (!('show' in parsed)) return RUN[parsed.command](parsed);
+  if (!('show' in parsed)) return parsed.dryRun ? dryRun(parsed) : RUN[parsed.command](parsed);
   const text = parsed.show === 'version' ? VERSION : (await import('./help')).helpText(parsed.command);
   process.stdout.write(`${text}\n`);
   // Help without being asked for it means that something was missing.
   return words.length > 0 ? EXIT.done : EXIT.badInput;
 }
 
-/** The terminal may still show a line of progress. */
 function fail(error: unknown): number {
+  clearProgress();
   const { code, line } = describeFailure(error);
-  process.stderr.write(`${process.stderr.isTTY ? '\r\u001b[K' : ''}limber: ${line}\n`);
+  process.stderr.write(`limber: ${line}\n`);
   return code;
 }
 

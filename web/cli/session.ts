@@ -5,31 +5,45 @@ import { describeHealth } from '../engine/body/health';
 import type { PreparedBody } from '../engine/body/prepared_body';
 import type { Core, Progress } from '../engine/core/core';
 import { loadCore } from '../engine/core/load_core';
-import { openModel } from '../engine/document/open';
+import { openAnyModel, openModel } from '../engine/document/open';
 import type { OpenModel } from '../engine/document/open';
 import type { Report } from '../engine/report/report';
 import { FileRun } from '../engine/stages/file_run';
+import { chosenBodies } from '../engine/body/selection';
 import type { Arguments } from './arguments';
-import { inFlags, UsageError } from './failure';
-import { checkFolder, readModelFiles, writeWhole } from './files';
+import { describeFailure, inFlags, UsageError } from './failure';
+import { writeWhole } from './files';
+import { checkFiles } from './inputs';
+import type { CheckedFiles } from './inputs';
+import { checkRoom, sizeOfModel } from './outputs';
+import { shownOutput, STANDARD } from './standard';
+import { canRedraw, clearProgress, showProgress } from './terminal';
+import { ofBody, ofSentence, warningLines } from './warnings';
+import type { Warning } from './warnings';
 import { count, plain } from './words';
 
 export interface Session {
   args: Arguments;
   core: Core;
+  /** what is read and written, checked before the work */
+  checked: CheckedFiles;
+  /** what has been written so far, as the user calls it */
+  written: string[];
   /** written at the end, so that a failure is one line */
-  warnings: string[];
+  warnings: Warning[];
   /** the beginning of the progress line, before the phase */
   activity: string;
 }
 
-const CLEAR_LINE = '\r\u001b[K';
-
+/** Reads the files of the command and checks those that it writes, then loads the core. */
 export async function startSession(args: Arguments): Promise<Session> {
-  for (const report of args.reports) if (report !== '-') checkFolder(report);
-  const session = { args, warnings: args.formerWords.map(inFlags), activity: '' };
-  const showsProgress = !args.quiet && process.stderr.isTTY;
-  const onProgress = showsProgress ? (progress: Progress) => showProgress(session, progress) : undefined;
+  const checked = await checkFiles(args);
+  const warnings: Warning[] = args.formerWords.map(inFlags);
+  const session = { args, checked, warnings, written: [], activity: '' };
+  const showsProgress = !args.quiet && canRedraw(process.stderr);
+  const onProgress = showsProgress
+    ? (progress: Progress) => showProgress(session.activity, progress)
+    : undefined;
   const core = await loadCore({ threads: args.settings.threads, wasmFolder: findWasm(), onProgress });
   return Object.assign(session, { core });
 }
@@ -44,28 +58,37 @@ function findWasm(): string {
   return found.href;
 }
 
-function showProgress({ activity }: { activity: string }, { phase, fraction }: Progress): void {
-  process.stderr.write(`${CLEAR_LINE}${plain(activity)}: ${phase} ${Math.round(100 * fraction)} %`);
-}
-
-export function clearProgress(): void {
-  if (process.stderr.isTTY) process.stderr.write(CLEAR_LINE);
-}
-
+/** Opens the model of an operand and makes sure that there is room for what comes of it. */
 export async function openFile(session: Session, path: string): Promise<OpenModel> {
-  const model = await openModel(readModelFiles(path));
-  session.warnings.push(...model.notes);
+  return noted(session, await openModel(session.checked.files.get(path)!));
+}
+
+/** As `openFile`, but a glTF without triangles opens as a model without bodies. */
+export async function openAnyFile(session: Session, path: string): Promise<OpenModel> {
+  return noted(session, await openAnyModel(session.checked.files.get(path)!));
+}
+
+function noted({ warnings, checked }: Session, model: OpenModel): OpenModel {
+  checkRoom(checked.outputs, sizeOfModel(model));
+  warnings.push(...model.notes);
   return model;
 }
 
-/** The numbers of the bodies that --mesh names; all without it. */
-export function chosenBodies({ args }: Session, model: OpenModel): number[] {
-  const numbers = model.bodies.map((_, i) => i);
-  if (args.mesh === null) return numbers;
-  const chosen = numbers.filter((i) => model.bodies[i].name === args.mesh);
-  if (chosen.length > 0) return chosen;
-  const names = model.bodies.map((body) => `"${body.name}"`).slice(0, 20);
-  throw new UsageError(`${model.name} has no body "${args.mesh}": it has ${names.join(', ')}.`);
+/** Writes an output; where that fails, the sentence has what was written before. */
+export function save(session: Session, path: string, content: Uint8Array | string): void {
+  try {
+    if (path === STANDARD) process.stdout.write(content);
+    else writeWhole(path, content);
+  } catch (error) {
+    throw new UsageError(`${describeFailure(error).line.replace(/\.$/, '')}${describeWritten(session)}.`);
+  }
+  session.written.push(shownOutput(path));
+}
+
+/** A clause on what has been written, to follow a failure; '' where nothing has. */
+export function describeWritten({ written }: Pick<Session, 'written'>): string {
+  if (written.length === 0) return '';
+  return `; ${written.join(', ')} ${written.length === 1 ? 'is' : 'are'} written`;
 }
 
 /** A run over the chosen bodies, prepared. A body without a usable face stays as it is; an error where no other is left. */
@@ -74,35 +97,32 @@ export function prepareFile(session: Session, model: OpenModel): FileRun {
   const onActivity = (body: string, triedFaces?: number): void => {
     session.activity = triedFaces === undefined ? body : `${body}, trying ${count(triedFaces)} faces`;
   };
-  const file = new FileRun(core, model, { chosen: chosenBodies(session, model), onActivity });
+  const file = new FileRun(core, model, { chosen: chosenBodies(model, args.settings), onActivity });
   for (const sentence of file.leaveOutUnusable(args.settings))
-    warnings.push(`${sentence.replace(/\.$/, '')}; it stays as it is`);
+    warnings.push(ofSentence(`${sentence.replace(/\.$/, '')}; it stays as it is`));
   for (const body of file.prepared(args.settings)) warnAbout(session, model, body);
   return file;
 }
 
 function warnAbout({ warnings }: Session, model: OpenModel, { body, weld, inspection }: PreparedBody): void {
-  const name = model.bodies.length > 1 ? `${body.name}: ` : '';
   for (const { kind, text } of describeHealth(body, weld, inspection))
-    if (kind !== 'fact') warnings.push(`${name}${text}`);
+    if (kind !== 'fact') warnings.push(ofBody(body.name, text, model.bodies.length > 1));
 }
 
 /**
  * Writes the report where it was asked for, and `text` to stdout where the report does not go there. `missed`: why targets
  * were not reached; written to stderr even with --quiet.
  */
-export function finish(
-  { args, core, warnings }: Session,
-  report: Report,
-  text: string,
-  missed: string[] = [],
-): void {
+export function finish(session: Session, report: Report, text: string, missed: string[] = []): void {
   clearProgress();
+  const { args, core, warnings, checked } = session;
   const { timings, ...others } = report;
   const json = `${JSON.stringify({ ...others, peakHeapBytes: core.peakHeapBytes(), timings }, null, 2)}\n`;
-  for (const path of args.reports) if (path !== '-') writeWhole(path, json);
-  if (args.reports.includes('-')) process.stdout.write(json);
-  else if (!args.quiet) process.stdout.write(`${plain(text)}\n`);
-  if (!args.quiet) for (const warning of warnings) process.stderr.write(`limber: ${plain(warning)}.\n`);
+  for (const path of args.reports) save(session, path, json);
+  const summary = checked.takesStdout ? process.stderr : process.stdout;
+  if (!args.quiet && !args.reports.includes(STANDARD)) summary.write(`${plain(text)}\n`);
+  if (!args.quiet)
+    for (const line of warningLines(warnings, args.verbose))
+      process.stderr.write(`limber: ${plain(line)}.\n`);
   for (const sentence of missed) process.stderr.write(`limber: ${plain(sentence)}.\n`);
 }

@@ -34,9 +34,10 @@ import type { Arguments } from './arguments';
 import { checkPairs } from './compare';
 import { EXIT, UsageError } from './failure';
 import { settingsAsUsed } from './flags';
-import { checkOutput, readText, writeWhole } from './files';
-import { finish, openFile, prepareFile, startSession } from './session';
+import { readText } from './files';
+import { finish, openFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
+import { shownName } from './standard';
 import { count, list } from './words';
 
 /** The bodies of A and, where it is named, of B, in the order of their files. */
@@ -68,8 +69,8 @@ export async function runSimulate(args: Arguments): Promise<number> {
   const motions = compareMotions(session, sides, { bindings, factors, settled });
   const simulated = stopwatch();
   if (args.record !== null)
-    writeWhole(args.record, await recordingGlb(recorded(motions, originals, others), STEP_SECONDS));
-  const report = startReport(session.core, 'simulate', optionsAsUsed(args), originals);
+    save(session, args.record, await recordingGlb(recorded(motions, originals, others), STEP_SECONDS));
+  const report = startReport(session.core, 'simulate', settingsAsUsed('simulate', args.settings), originals);
   if (others) report.output = meshReport(others);
   report.simulation = simulationReport(motions, askedOf(args, settled, others !== null));
   if (factors) report.calibration = calibrationReport(originals, factors);
@@ -92,7 +93,6 @@ function checkArguments(args: Arguments): void {
   if (args.settingsFile !== null && args.operands.length < 2)
     throw new UsageError('--settings has what B is simulated with, which is missing: name both files.');
   checkCalibration(args);
-  if (args.record !== null) checkOutput(args.record, args.operands[0]);
 }
 
 function checkCalibration({ settings, operands }: Arguments): void {
@@ -190,11 +190,6 @@ function recorded(
   });
 }
 
-function optionsAsUsed({ settings, mesh }: Arguments): object {
-  const used = settingsAsUsed('simulate', settings);
-  return mesh === null ? used : { ...used, mesh };
-}
-
 const MATERIAL_WORDS: Record<SimulationModel, string> = {
   solid: 'solid where closed',
   shell: 'shell',
@@ -212,12 +207,12 @@ function simulateText(
   const what = bodies.length > 1 ? `${bodies.length} bodies` : bodies[0].body.name;
   return list([
     ['scenario', `${scenario}, ${settings.seconds} s, ${made}, ${substeps} substeps, ${what}`],
-    [basename(operands[0]), cost(original)],
+    [shownName(operands[0]), cost(original)],
     ...(calibration ?? []).map(({ body, factor }): [string, string] => [
       'calibrated stiffness',
       `x ${factor.toFixed(4)}${bodies.length > 1 ? `, ${body}` : ''}`,
     ]),
-    ...(optimized ? pairRows(basename(operands[1]), optimized, simulation!) : []),
+    ...(optimized ? pairRows(shownName(operands[1]), optimized, simulation!) : []),
   ]);
 }
 

@@ -1,6 +1,5 @@
 /** limber tune A B: A is the original, B any coarse mesh of it. */
 
-import { basename } from 'node:path';
 import type { PreparedBody } from '../engine/body/prepared_body';
 import { NONE } from '../engine/core/core';
 import { faceCount } from '../engine/core/mesh';
@@ -18,15 +17,14 @@ import { tuneMesh, tuneSettings } from '../engine/stages/tune';
 import type { Arguments } from './arguments';
 import { checkPairs } from './compare';
 import { EXIT, UsageError } from './failure';
-import { checkFolder, writeWhole } from './files';
 import { settingsAsUsed } from './flags';
-import { finish, openFile, prepareFile, startSession } from './session';
+import { finish, openFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
+import { shownName, shownOutput } from './standard';
 import { count } from './words';
 
 export async function runTune(args: Arguments): Promise<number> {
   const path = args.settingsFile!;
-  checkFolder(path);
   const [total, stopwatch] = [startStopwatch(), startStopwatch()];
   const session = await startSession(args);
   const [first, second] = [
@@ -47,7 +45,7 @@ export async function runTune(args: Arguments): Promise<number> {
     renderVertices: renderVertices(second, other),
     tuned: tuned[i],
   }));
-  writeWhole(path, writeSettings(settingsFile(bodies)));
+  save(session, path, writeSettings(settingsFile(bodies)));
   const found = solverReport(tuned);
   const report = {
     ...startReport(session.core, 'tune', settingsAsUsed('tune', args.settings), originals),
@@ -57,8 +55,8 @@ export async function runTune(args: Arguments): Promise<number> {
   };
   const solver = args.settings.solver as SolverName;
   const [errors, ...motion] = describeTuning(solver, found.fidelity.solvers[solver]!);
-  const seconds = `${report.timings.total.toFixed(1)} s -> ${path}`;
-  finish(session, report, [`${basename(args.operands[1])}: ${errors}`, ...motion, seconds].join('\n'));
+  const seconds = `${report.timings.total.toFixed(1)} s -> ${shownOutput(path)}`;
+  finish(session, report, [`${shownName(args.operands[1])}: ${errors}`, ...motion, seconds].join('\n'));
   return EXIT.done;
 }
 
@@ -78,7 +76,7 @@ function tuneFile({ core, args }: Session, file: FileRun, others: PreparedBody[]
 function checkFaces({ operands }: Arguments, { mesh, body }: PreparedBody, other: PreparedBody): void {
   const [before, after] = [faceCount(mesh), faceCount(other.mesh)];
   if (after <= before) return;
-  const [a, b] = operands.map((operand) => basename(operand));
+  const [a, b] = operands.map((operand) => shownName(operand));
   throw new UsageError(
     `"${body.name}" has ${count(before)} faces in ${a} and ${count(after)} in ${b}: name the original first.`,
   );

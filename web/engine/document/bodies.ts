@@ -12,6 +12,9 @@ const TRIANGLES = 4;
 const TRIANGLE_STRIP = 5;
 const TRIANGLE_FAN = 6;
 
+/** At most so many names stand in a note. */
+const NAMES_SHOWN = 5;
+
 /** The data gathered from the primitives of one mesh. */
 interface Gathering {
   positions: GrowingFloats;
@@ -22,37 +25,64 @@ interface Gathering {
   skipped: { points: number; lines: number; empty: number };
 }
 
-/** Throws an Error if data are broken, which names the mesh and primitive, or if no mesh has triangles. */
-export function bodiesOfDocument(file: string, document: Document): { bodies: Body[]; notes: string[] } {
-  const meshes = document.getRoot().listMeshes();
+/**
+ * The bodies, and notes on meshes without triangles. `most`: vertices, and corners, that all bodies together may have: meshes
+ * that share their data could ask for any number. Throws an Error if data are broken, which names the mesh and primitive.
+ */
+export function bodiesOfDocument(
+  file: string,
+  document: Document,
+  most: number,
+): { bodies: Body[]; notes: string[] } {
   const bodies: Body[] = [];
-  const notes: string[] = [];
-  meshes.forEach((mesh, number) => {
-    const node = document
-      .getRoot()
-      .listNodes()
-      .find((candidate) => candidate.getMesh() === mesh);
+  const without: { name: string; reasons: string }[] = [];
+  const nodes = firstNodes(document);
+  const room = { file, left: most };
+  for (const [number, mesh] of document.getRoot().listMeshes().entries()) {
+    const node = nodes.get(mesh);
     const name = mesh.getName() || node?.getName() || `mesh ${number}`;
-    const gathering = gather(file, name, mesh);
-    const scaling = node ? scaleOf(node) : { scale: 1, isEven: true };
+    const gathering = gather(room, name, mesh);
     const bodyNotes = skippedNotes(gathering.skipped);
-    if (!scaling.isEven) bodyNotes.push('its node scales it unevenly: frequencies take the mean scale');
     if (gathering.indices.length === 0) {
-      notes.push(
-        `mesh "${name}" has no triangles${bodyNotes.length > 0 ? ` (${bodyNotes.join(', ')})` : ''}`,
-      );
-      return;
+      without.push({ name, reasons: bodyNotes.join(', ') });
+      continue;
     }
+    const scaling = node ? scaleOf(node) : { scale: 1, isEven: true };
+    if (!scaling.isEven) bodyNotes.push('its node scales it unevenly: frequencies take the mean scale');
     const [positions, indices] = [gathering.positions.finish(), gathering.indices.finish()];
     const { spans } = gathering;
     bodies.push({ name, positions, indices, notes: bodyNotes, mesh: number, spans, scale: scaling.scale });
-  });
-  if (bodies.length > 0) return { bodies, notes };
-  const what = meshes.length === 0 ? 'has no mesh' : `has no triangles (${notes.join('; ')})`;
-  throw new Error(`${file} ${what}: export it with a triangle mesh.`);
+  }
+  return { bodies, notes: describeWithout(without) };
 }
 
-function gather(file: string, name: string, mesh: Mesh): Gathering {
+/** The first node that shows each mesh. */
+function firstNodes(document: Document): Map<Mesh, Node> {
+  const nodes = new Map<Mesh, Node>();
+  for (const node of document.getRoot().listNodes()) {
+    const mesh = node.getMesh();
+    if (mesh && !nodes.has(mesh)) nodes.set(mesh, node);
+  }
+  return nodes;
+}
+
+/** One note for all meshes without triangles for the same reasons. */
+function describeWithout(meshes: { name: string; reasons: string }[]): string[] {
+  const byReasons = new Map<string, string[]>();
+  for (const { name, reasons } of meshes) {
+    if (!byReasons.has(reasons)) byReasons.set(reasons, []);
+    byReasons.get(reasons)!.push(`"${name}"`);
+  }
+  return [...byReasons].map(([reasons, names]) => {
+    const why = reasons === '' ? '' : ` (${reasons})`;
+    if (names.length === 1) return `mesh ${names[0]} has no triangles${why}`;
+    const shown = names.slice(0, NAMES_SHOWN).join(', ') + (names.length > NAMES_SHOWN ? ', ...' : '');
+    return `${names.length} meshes (${shown}) have no triangles${why}`;
+  });
+}
+
+/** Takes what it gathers from the `room` of the file. */
+function gather(room: { file: string; left: number }, name: string, mesh: Mesh): Gathering {
   const gathering: Gathering = {
     positions: new GrowingFloats(),
     indices: new GrowingIndices(),
@@ -66,7 +96,8 @@ function gather(file: string, name: string, mesh: Mesh): Gathering {
     if (mode < TRIANGLES) gathering.skipped[mode < LINES_FROM ? 'points' : 'lines'] += 1;
     else if (!positions?.getArray() || positions.getCount() === 0) gathering.skipped.empty += 1;
     else {
-      const where = `${file}, mesh "${name}", primitive ${number}`;
+      takeRoom(room, gathering, primitive, positions);
+      const where = `${room.file}, mesh "${name}", primitive ${number}`;
       const firstTriangle = gathering.indices.length / 3;
       const first = addPositions(gathering, positions, where);
       gathering.spans.push({ primitive: number, first: firstTriangle, firstVertex: first });
@@ -77,14 +108,29 @@ function gather(file: string, name: string, mesh: Mesh): Gathering {
   return gathering;
 }
 
+/** Counts what a primitive adds to its body against what the file may have. */
+function takeRoom(
+  room: { file: string; left: number },
+  { firstVertex }: Gathering,
+  primitive: Primitive,
+  positions: Accessor,
+): void {
+  const vertices = firstVertex.has(positions) ? 0 : positions.getCount();
+  room.left -= Math.max(vertices, primitive.getIndices()?.getCount() ?? positions.getCount());
+  if (room.left < 0)
+    throw new Error(
+      `${room.file} has primitives that repeat its data too often: share meshes between nodes instead.`,
+    );
+}
+
 /** Adds the decoded positions unless another primitive has already; returns the body's index of the first vertex. */
 function addPositions({ positions, firstVertex }: Gathering, accessor: Accessor, where: string): number {
   const known = firstVertex.get(accessor);
   if (known !== undefined) return known;
   const first = positions.length / 3;
-  const element: number[] = [];
+  const read = elementReader(accessor);
   for (let v = 0; v < accessor.getCount(); ++v) {
-    const [x, y, z] = accessor.getElement(v, element).map(Math.fround);
+    const [x, y, z] = read(v);
     if (!Number.isFinite(x + y + z))
       throw new Error(
         `${where}: vertex ${v} is at (${x}, ${y}, ${z}), which is not finite: repair the mesh and export it again.`,
@@ -95,15 +141,26 @@ function addPositions({ positions, firstVertex }: Gathering, accessor: Accessor,
   return first;
 }
 
+/** Reads element after element as 32-bit numbers into one array; those that are stored so are not decoded one by one. */
+function elementReader(accessor: Accessor): (v: number) => ArrayLike<number> & Iterable<number> {
+  const array = accessor.getArray();
+  const element = [0, 0, 0];
+  if (!(array instanceof Float32Array) || accessor.getElementSize() !== 3)
+    return (v) => accessor.getElement(v, element).map(Math.fround);
+  return (v) => {
+    for (let c = 0; c < 3; ++c) element[c] = array[3 * v + c];
+    return element;
+  };
+}
+
 /** Three vertex indices per triangle, from a list, strip or fan. */
 function cornersOf(primitive: Primitive, vertexCount: number, where: string): Uint32Array {
-  const given = primitive.getIndices()?.getArray();
-  const indices = given ?? Uint32Array.from({ length: vertexCount }, (_, v) => v);
-  for (const vertex of indices)
-    if (vertex >= vertexCount)
-      throw new Error(
-        `${where}: index ${vertex} is out of range, there are ${vertexCount} vertices: repair the mesh and export it again.`,
-      );
+  const indices = primitive.getIndices()?.getArray() ?? numbersTo(vertexCount);
+  const wrong = (indices as Uint32Array).find((vertex) => vertex >= vertexCount);
+  if (wrong !== undefined)
+    throw new Error(
+      `${where}: index ${wrong} is out of range, there are ${vertexCount} vertices: repair the mesh and export it again.`,
+    );
   const mode: number = primitive.getMode();
   if (![TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN].includes(mode))
     throw new Error(`${where}: its mode ${mode} is unknown: repair the mesh and export it again.`);
@@ -115,6 +172,12 @@ function cornersOf(primitive: Primitive, vertexCount: number, where: string): Ui
       3 * t,
     );
   return triangles;
+}
+
+function numbersTo(count: number): Uint32Array {
+  const numbers = new Uint32Array(count);
+  for (let i = 0; i < count; ++i) numbers[i] = i;
+  return numbers;
 }
 
 /** Offsets of the corners of triangle t in the index list; every second triangle of a strip is reversed. */

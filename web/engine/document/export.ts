@@ -1,11 +1,12 @@
 /** A document with some meshes replaced by their optimized geometry, as GLB bytes. */
 
 import { Mesh } from '@gltf-transform/core';
-import type { Buffer, Document, Primitive } from '@gltf-transform/core';
+import type { Buffer, Document, GLTF, Primitive } from '@gltf-transform/core';
 import type { CornerSources, TriangleMesh } from '../core/core';
 import { VERSION } from '../core/version';
 import { carryAttributes, carryTargets } from './carry';
 import type { Destination } from './carry';
+import { glbParts, withJson } from './glb';
 import { createGltfIo } from './gltf_io';
 import type { Body, OpenModel } from './model';
 import { resultNormals } from './normals';
@@ -49,6 +50,8 @@ export interface ExportOptions {
   fields: boolean;
 }
 
+/** What written files name as the program that made them; such files may be replaced without being asked. */
+export const GENERATOR = `Limber ${VERSION}`;
 /** glTF's primitive mode. */
 const TRIANGLES = 4;
 /** With this many vertices or more, indices need 32 bits: index 65,535 is reserved. */
@@ -71,7 +74,7 @@ export async function exportGlb(
   const document = cloneDocument(model.document);
   const destination = { document, buffer: mergeBuffers(document) };
   replaceBodies(destination, bodies, { ...options, smoothed: isSmoothed(model) });
-  return (await createGltfIo()).writeBinary(document);
+  return withReferences(document, await (await createGltfIo()).writeBinary(document));
 }
 
 /** Replaces meshes of the document itself, as `exportGlb` does in its copy; null keeps a body as it is. */
@@ -91,7 +94,33 @@ export function replaceBodies(
   if (bodies.some((exported) => exported?.targets?.length))
     addSwings(document, buffer, meshesWithTargets(replaced));
   disposeUnused(document, replaced);
-  document.getRoot().getAsset().generator = `Limber ${VERSION}`;
+  document.getRoot().getAsset().generator = GENERATOR;
+}
+
+/** The GLB with the addresses of images whose bytes are not there, which the writer leaves out. */
+function withReferences(document: Document, bytes: Uint8Array): Uint8Array {
+  const textures = document.getRoot().listTextures();
+  if (textures.every((texture) => texture.getImage())) return bytes;
+  const json = JSON.parse(new TextDecoder().decode(glbParts({ name: '', bytes }).json)) as GLTF.IGLTF;
+  textures.forEach((texture, i) => {
+    if (!texture.getImage()) json.images![i].uri = texture.getURI();
+  });
+  return withJson(bytes, json);
+}
+
+/**
+ * The GLB of a model in which nothing is replaced. Of a GLB that needs no other file these are its bytes but for the name of the
+ * program that wrote it; other files are packed into one.
+ */
+export async function passThrough(model: OpenModel, bytes: Uint8Array): Promise<Uint8Array> {
+  const needsOthers = model.document
+    .getRoot()
+    .listBuffers()
+    .some((buffer) => buffer.getURI() !== '');
+  if (model.format !== 'glb' || needsOthers) return exportGlb(model, [], { fields: false });
+  const json = JSON.parse(new TextDecoder().decode(glbParts({ name: model.name, bytes }).json)) as GLTF.IGLTF;
+  json.asset.generator = GENERATOR;
+  return withJson(bytes, json);
 }
 
 /** Per vertex of each primitive that `exportGlb` writes for a body, in order: its vertex of `exported.mesh`. */

@@ -2,166 +2,169 @@
 
 import type { Document, GLTF, JSONDocument } from '@gltf-transform/core';
 import { bodiesOfDocument } from './bodies';
+import { addCompanions, companionPaths, describeMissing } from './checks/companions';
+import { glbParts, describeFirstVersion, isGlb } from './glb';
+import { checkBounds, findWrongList, GLB_BUFFER, mostCorners, sizeOf } from './checks/gltf_bounds';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
 import { counted } from '../core/words';
 import type { OpenModel, SourceFile } from './model';
+import { describeFailure } from './checks/reading_failure';
+import { checkEncoding } from './checks/text_encoding';
+import { firstProblem } from './validate';
 
-const GLB_HEADER_BYTES = 20;
-const CHUNK_HEADER_BYTES = 8;
-const JSON_CHUNK = 0x4e4f534a;
-/** glTF-Transform's name for the buffer inside a GLB. */
-const GLB_BUFFER = '@glb.bin';
-
-/** Opens `file` with its companions among `files`. Throws an Error with one sentence. */
+/**
+ * Opens `file` with its companions among `files`; it may have no body. Images that are not there stay references. Throws an
+ * Error with one sentence.
+ */
 export async function openGltf(
   file: SourceFile,
   format: 'glb' | 'gltf',
   files: SourceFile[],
 ): Promise<OpenModel> {
-  const jsonDocument =
-    format === 'glb' ? parseGlb(file) : { json: parseJson(file.name, file.bytes), resources: {} };
+  const jsonDocument = jsonDocumentOf(file, format);
   const { json } = jsonDocument;
-  checkJson(file.name, json);
   checkNodes(file.name, json.nodes);
-  addCompanions(file, jsonDocument, files);
-  const document = await readDocument(file.name, jsonDocument);
-  const { bodies, notes } = bodiesOfDocument(file.name, document);
+  const missing = addCompanions(file, jsonDocument, files);
+  const size = sizeOf(file.bytes.length, jsonDocument);
+  const document = await readDocument(file, jsonDocument, size);
+  const { bodies, notes } = bodiesOfDocument(file.name, document, mostCorners(size));
   const unknown = (json.extensionsUsed ?? []).filter((extension) => !SUPPORTED_EXTENSIONS.has(extension));
-  const unread = unknown.map((extension) => `extension ${extension}`);
-  return { name: file.name, format, document, bodies, notes: [...notes, ...restPoseNotes(document)], unread };
+  return {
+    name: file.name,
+    format,
+    document,
+    bodies,
+    notes: [...notes, ...restPoseNotes(document), ...describeMissing(missing)],
+    unread: unknown.map((extension) => `extension ${extension}`),
+  };
 }
 
-function parseGlb({ name, bytes }: SourceFile): JSONDocument {
-  const broken = (problem: string) => new Error(`${name} is not a usable GLB: ${problem}: export it again.`);
-  if (bytes.length < GLB_HEADER_BYTES) throw broken('it is cut off');
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  if (view.getUint32(0, true) !== 0x46546c67) throw broken('it does not start with "glTF"');
-  if (view.getUint32(4, true) !== 2) throw broken(`it has version ${view.getUint32(4, true)}, not 2`);
-  const jsonLength = view.getUint32(12, true);
-  const binaryAt = GLB_HEADER_BYTES + jsonLength;
-  if (view.getUint32(16, true) !== JSON_CHUNK) throw broken('its first chunk is not JSON');
-  if (view.getUint32(8, true) > bytes.length || binaryAt > bytes.length)
-    throw broken(`it is cut off: ${view.getUint32(8, true)} bytes are announced, ${bytes.length} are there`);
-  const json = parseJson(name, bytes.subarray(GLB_HEADER_BYTES, binaryAt));
-  if (binaryAt + CHUNK_HEADER_BYTES > bytes.length) return { json, resources: {} };
-  const start = binaryAt + CHUNK_HEADER_BYTES;
-  const end = start + view.getUint32(binaryAt, true);
-  if (end > bytes.length) throw broken('its binary chunk is cut off');
-  return { json, resources: { [GLB_BUFFER]: new Uint8Array(bytes.slice(start, end)) } };
+function jsonDocumentOf(file: SourceFile, format: 'glb' | 'gltf'): JSONDocument {
+  if (format === 'gltf') return { json: parseJson(file.name, file.bytes), resources: {} };
+  const { json, binary } = glbParts(file);
+  const resources: JSONDocument['resources'] = {};
+  if (binary !== null) resources[GLB_BUFFER] = new Uint8Array(binary);
+  return { json: parseJson(file.name, json), resources };
 }
 
-function parseJson(name: string, bytes: Uint8Array): GLTF.IGLTF {
-  try {
-    const json = JSON.parse(new TextDecoder().decode(bytes)) as unknown;
-    if (typeof json === 'object' && json !== null && 'asset' in json) return json as GLTF.IGLTF;
-  } catch (error) {
-    throw new Error(`${name} is not glTF: ${(error as Error).message}: is it a mesh?`);
-  }
-  throw new Error(`${name} is not glTF: it has no "asset": is it a mesh?`);
+/** The JSON of a glTF 2.0 file. Throws an Error with one sentence. */
+export function parseJson(name: string, bytes: Uint8Array): GLTF.IGLTF {
+  checkEncoding(name, bytes);
+  const json = parseText(name, new TextDecoder().decode(bytes));
+  if (typeof json !== 'object' || json === null)
+    throw new Error(`${name} is not glTF: it has no "asset": is it a mesh?`);
+  if (isFirstVersion(json)) throw new Error(describeFirstVersion(name));
+  if (!('asset' in json)) throw new Error(`${name} is not glTF: it has no "asset": is it a mesh?`);
+  checkJson(name, json as GLTF.IGLTF);
+  return json as GLTF.IGLTF;
 }
 
 function checkJson(name: string, json: GLTF.IGLTF): void {
-  if (String(json.asset?.version ?? '').split('.')[0] !== '2')
-    throw new Error(`${name} is glTF ${json.asset?.version ?? 'without a version'}: convert it to glTF 2.0.`);
+  const given: unknown = json.asset?.version;
+  const version =
+    typeof given === 'string' || typeof given === 'number' ? String(given) : 'without a version';
+  if (version.split('.')[0] !== '2') throw new Error(`${name} is glTF ${version}: convert it to glTF 2.0.`);
+  const wrong = findWrongList(json);
+  if (wrong !== null) throw new Error(`${name} is not a valid glTF file (${wrong}): export it again.`);
   const unknown = (json.extensionsRequired ?? []).filter((extension) => !SUPPORTED_EXTENSIONS.has(extension));
   if (unknown.length > 0)
     throw new Error(`${name} requires ${unknown.join(', ')}, which cannot be read: export it without.`);
 }
 
-/** Refuses a node that is its own descendant: every traversal of the tree would loop forever. */
+function parseText(name: string, text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch (error) {
+    const found = /position (\d+)/.exec((error as Error).message);
+    const lines = found ? text.slice(0, Number(found[1])).split('\n') : null;
+    const where = lines ? `, from line ${lines.length}, column ${lines[lines.length - 1].length + 1}` : '';
+    throw new Error(`${name} is not glTF: its text is not JSON${where}: is it a mesh?`);
+  }
+}
+
+/** In the first version, collections were objects and the asset could be left out. */
+function isFirstVersion(json: object): boolean {
+  const { asset, accessors, meshes, nodes } = json as Record<string, unknown>;
+  const version = (asset as { version?: unknown } | undefined)?.version;
+  const areNamed = [accessors, meshes, nodes].some(
+    (list) => typeof list === 'object' && list !== null && !Array.isArray(list),
+  );
+  const isFirst = typeof version === 'string' && version.startsWith('1');
+  return isFirst || (version === undefined && areNamed);
+}
+
+/** Paths, relative to the file, of the buffers and images that a GLB or glTF names; empty for other formats. */
+export function companionNames(file: SourceFile): string[] {
+  const isBinary = isGlb(file.bytes);
+  if (!isBinary && !file.name.toLowerCase().endsWith('.gltf')) return [];
+  return companionPaths(parseJson(file.name, isBinary ? glbParts(file).json : file.bytes));
+}
+
+/** Deeper than any file that is not made to do harm: work on every node grows with its depth. */
+const DEEPEST = 1000;
+
+/** Refuses a node that is its own descendant, since every traversal would loop forever, and nodes that lie too deep. */
 function checkNodes(name: string, nodes: GLTF.INode[] = []): void {
   const parents = new Map<number, number>();
   nodes.forEach(({ children }, parent) => {
     for (const child of Array.isArray(children) ? children : []) parents.set(child, parent);
   });
-  const isFine = new Set<number>();
+  const depths = new Map<number, number>();
   for (const start of parents.keys()) {
-    const path = new Set<number>();
-    for (
-      let node: number | undefined = start;
-      node !== undefined && !isFine.has(node);
-      node = parents.get(node)
-    ) {
-      if (path.has(node))
-        throw new Error(`${name} is not a valid glTF file (node ${node} is below itself): export it again.`);
-      path.add(node);
-    }
-    for (const node of path) isFine.add(node);
+    const path = pathUp(start, parents, depths);
+    if (path === null)
+      throw new Error(`${name} is not a valid glTF file (node ${start} is below itself): export it again.`);
+    const top = parents.get(path[path.length - 1] ?? start);
+    let depth = top === undefined ? -1 : depths.get(top)!;
+    for (const node of path.reverse()) depths.set(node, ++depth);
+    if (depth > DEEPEST)
+      throw new Error(`${name} has nodes more than ${DEEPEST} levels deep: flatten it and export it again.`);
   }
 }
 
-/** Adds the bytes of every external buffer and image to the resources, under the URI that the file gives it. */
-function addCompanions(file: SourceFile, { json, resources }: JSONDocument, files: SourceFile[]): void {
-  const missing = new Set<string>();
-  for (const { uri } of [...(json.buffers ?? []), ...(json.images ?? [])]) {
-    if (!uri || uri.startsWith('data:')) continue;
-    const companion = findCompanion(file.name, uri, files);
-    if (companion) resources[uri] = new Uint8Array(companion.bytes);
-    else missing.add(uri);
+/** The node and those above it up to the first whose depth is known; null if it comes back to one of them. */
+function pathUp(start: number, parents: Map<number, number>, depths: Map<number, number>): number[] | null {
+  const path = new Set<number>();
+  for (
+    let node: number | undefined = start;
+    node !== undefined && !depths.has(node);
+    node = parents.get(node)
+  ) {
+    if (path.has(node)) return null;
+    path.add(node);
   }
-  if (missing.size === 0) return;
-  const names = [...missing].join(', ');
-  const verb = missing.size === 1 ? 'is' : 'are';
-  throw new Error(
-    `${file.name} needs ${names}, which ${verb} not there: open the whole folder, or put them beside it.`,
-  );
+  return [...path];
 }
 
-/** Paths, relative to the file, of the buffers and images that a GLB or glTF names; empty for other formats. */
-export function companionNames(file: SourceFile): string[] {
-  const isGlb = String.fromCharCode(...file.bytes.subarray(0, 4)) === 'glTF';
-  if (!isGlb && !file.name.toLowerCase().endsWith('.gltf')) return [];
-  const json = isGlb ? parseGlb(file).json : parseJson(file.name, file.bytes);
-  const addresses = [...(json.buffers ?? []), ...(json.images ?? [])].map(({ uri }) => uri ?? '');
-  const outside = addresses.filter((address) => address !== '' && !address.startsWith('data:'));
-  return [...new Set(outside.map((address) => companionPath('', address)))];
-}
-
-function findCompanion(main: string, uri: string, files: SourceFile[]): SourceFile | undefined {
-  const path = companionPath(main, uri);
-  const baseName = path.split('/').pop();
-  return (
-    files.find((file) => companionPath('', file.name) === path) ??
-    files.find((file) => file.name.split(/[/\\]/).pop() === baseName)
-  );
-}
-
-/** Resolves `uri` against the folder of `main`; the path has forward slashes and no dot segments. */
-export function companionPath(main: string, uri: string): string {
-  const folder = main.replace(/\\/g, '/').split('/').slice(0, -1);
-  let decoded = uri;
+/** Reads what has been checked; what still goes wrong is told in the words of the validator. */
+async function readDocument(file: SourceFile, jsonDocument: JSONDocument, size: number): Promise<Document> {
+  const refuse = (reason: string) =>
+    new Error(`${file.name} is not a valid glTF file (${reason}): check it with the glTF validator.`);
   try {
-    decoded = decodeURIComponent(uri);
-  } catch {
-    // A % that starts no escape sequence is a character of the name.
-  }
-  const path: string[] = [];
-  for (const part of [...folder, ...decoded.replace(/\\/g, '/').split('/')]) {
-    if (part === '..' && path.length > 0 && path[path.length - 1] !== '..') path.pop();
-    else if (part !== '.' && part !== '') path.push(part);
-  }
-  return path.join('/');
-}
-
-async function readDocument(name: string, jsonDocument: JSONDocument): Promise<Document> {
-  const io = await createGltfIo(jsonDocument.json.extensionsUsed);
-  try {
-    const document = await io.readJSON(jsonDocument);
-    checkAccessors(jsonDocument.json, document);
-    return document;
+    checkBounds(jsonDocument, size);
   } catch (error) {
-    const reason = error instanceof Error ? error.message.replace(/\.$/, '') : String(error);
-    throw new Error(`${name} is not a valid glTF file (${reason}): check it with the glTF validator.`);
+    throw refuse((error as Error).message);
   }
+  const io = await createGltfIo(jsonDocument.json.extensionsUsed);
+  let document: Document;
+  try {
+    document = await io.readJSON(jsonDocument);
+  } catch (error) {
+    throw refuse((await firstProblem(jsonDocument.json)) ?? describeFailure(error).replace(/:.*/, ''));
+  }
+  const shortened = findShortened(jsonDocument.json, document);
+  if (shortened !== null) throw refuse(shortened);
+  return document;
 }
 
 /** The reader silently shortens an accessor whose buffer is too short, so element counts are checked here. */
-function checkAccessors(json: GLTF.IGLTF, document: Document): void {
+function findShortened(json: GLTF.IGLTF, document: Document): string | null {
   const accessors = document.getRoot().listAccessors();
-  (json.accessors ?? []).forEach(({ count }, i) => {
+  for (const [i, { count }] of (json.accessors ?? []).entries()) {
     const found = accessors[i]?.getArray() ? accessors[i].getCount() : count;
-    if (found !== count) throw new Error(`accessor ${i} announces ${count} elements, ${found} are there`);
-  });
+    if (found !== count) return `accessor ${i} announces ${count} elements, ${found} are there`;
+  }
+  return null;
 }
 
 function restPoseNotes(document: Document): string[] {

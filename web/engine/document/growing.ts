@@ -1,8 +1,11 @@
 /** Typed arrays that grow by doubling, for readers that do not know the count in advance. */
 
+/** Small, since a file may have a hundred thousand objects. */
+const START = 16;
+
 export class GrowingFloats {
   length = 0;
-  private array = new Float32Array(1 << 12);
+  private array = new Float32Array(START);
 
   push3(x: number, y: number, z: number): void {
     if (this.length + 3 > this.array.length) this.grow();
@@ -35,7 +38,7 @@ export class GrowingFloats {
 
 export class GrowingIndices {
   length = 0;
-  private array = new Uint32Array(1 << 12);
+  private array = new Uint32Array(START);
 
   push(value: number): void {
     if (this.length === this.array.length) this.grow();

@@ -8,7 +8,7 @@ import { GrowingFloats } from './growing';
 import { counted } from '../core/words';
 import type { SourceFile } from './model';
 import { ObjCorners, splitVertices } from './obj_corners';
-import { triangulatePolygon } from './polygon';
+import { describeTooLarge, triangulatePolygon } from './polygon';
 import type { Surface, SurfaceFile } from './surface';
 import { excerpt, TextScanner } from './text_scanner';
 import { attributesOfRaw } from './vertex_values';
@@ -150,7 +150,7 @@ function partOf({ parts }: ObjectFaces, material: string): ObjCorners {
 }
 
 /** Index triples into `corners`. If vertices come after their faces, the shape is unknown and polygons become fans. */
-function trianglesOf(corners: FaceCorner[], { ahead, positions }: Reading): number[] {
+function trianglesOf(corners: FaceCorner[], { scan, ahead, positions }: Reading): number[] {
   if (corners.length === 3) return [0, 1, 2];
   const numbers = corners.map((_, i) => i);
   if (ahead !== null) return numbers.slice(2).flatMap((i) => [0, i - 1, i]);
@@ -159,7 +159,7 @@ function trianglesOf(corners: FaceCorner[], { ahead, positions }: Reading): numb
     { length: 3 * corners.length },
     (_, i) => all[3 * corners[Math.floor(i / 3)].vertex + (i % 3)],
   );
-  return triangulatePolygon(numbers, cornerPositions);
+  return triangulatePolygon(numbers, cornerPositions) ?? scan.fail(describeTooLarge(corners.length));
 }
 
 /** Reads `v`, `v/vt`, `v//vn` or `v/vt/vn`. */

@@ -57,7 +57,8 @@ class VertexSplitter {
   private readonly vertexOf = new GrowingIndices();
   private readonly uvOf = new GrowingIndices();
   private readonly normalOf = new GrowingIndices();
-  /** per vertex: the next vertex at the same position */
+  /** by the hash of a corner: the first vertex with it; `next` leads to the others */
+  private readonly firstOf = new Map<number, number>();
   private readonly next = new Map<number, number>();
 
   constructor(
@@ -79,15 +80,22 @@ class VertexSplitter {
       this.normalOf.view()[base] = normal;
       return base;
     }
-    let found = base;
-    for (;;) {
-      if (this.uvOf.at(found) === uv && this.normalOf.at(found) === normal) return found;
-      const following = this.next.get(found);
-      if (following === undefined) break;
-      found = following;
-    }
-    this.next.set(found, this.vertexOf.length);
-    return this.add(vertex, uv, normal);
+    if (this.uvOf.at(base) === uv && this.normalOf.at(base) === normal) return base;
+    // A position may have a hundred thousand corners, so they are not searched one by one.
+    const hash = hashOf(base, uv, normal);
+    const first = this.firstOf.get(hash);
+    for (let found = first; found !== undefined; found = this.next.get(found))
+      if (this.isCorner(found, vertex, uv, normal)) return found;
+    const added = this.add(vertex, uv, normal);
+    this.firstOf.set(hash, added);
+    if (first !== undefined) this.next.set(added, first);
+    return added;
+  }
+
+  private isCorner(found: number, vertex: number, uv: number, normal: number): boolean {
+    return (
+      this.vertexOf.at(found) === vertex && this.uvOf.at(found) === uv && this.normalOf.at(found) === normal
+    );
   }
 
   finish(): Omit<ObjVertices, 'indices'> {
@@ -104,4 +112,11 @@ class VertexSplitter {
     this.normalOf.push(normal);
     return this.vertexOf.length - 1;
   }
+}
+
+/** 32 bits that spread the three indices; the constants are odd and without structure. */
+function hashOf(vertex: number, uv: number, normal: number): number {
+  const mixed =
+    Math.imul(vertex, 0x9e3779b1) ^ Math.imul(uv + 1, 0x85ebca6b) ^ Math.imul(normal + 1, 0xc2b2ae35);
+  return mixed ^ (mixed >>> 15);
 }

@@ -1,26 +1,44 @@
 /** Opens the bytes of a GLB, glTF with its files, OBJ, STL or PLY as a document with its bodies. */
 
+import { isGlb } from './glb';
 import { openGltf } from './gltf';
 import type { Format, OpenModel, SourceFile } from './model';
 import { readObj } from './obj';
 import { readPly } from './ply';
 import { modelOfSurfaces } from './surface';
-import { readStl } from './stl';
+import { readSafely } from './checks/reading_failure';
+import { isBinaryStl, readStl } from './stl';
 
 export type { Body, Format, OpenModel, PrimitiveSpan, SourceFile } from './model';
 
 const FORMATS: readonly Format[] = ['glb', 'gltf', 'obj', 'stl', 'ply'];
+const SURFACE_READERS = { obj: readObj, stl: readStl, ply: readPly };
 const READABLE = 'a GLB, glTF, OBJ, STL or PLY file';
 
 /**
  * Opens the only model among `files`; the others are its companions (buffers and textures of a .gltf).
- * Throws an Error whose one sentence says what is wrong, where, and what to do.
+ * Throws an Error whose one sentence says what is wrong, where, and what to do; also for a glTF without triangles.
  */
 export async function openModel(files: SourceFile[]): Promise<OpenModel> {
+  const model = await openAnyModel(files);
+  if (model.bodies.length === 0)
+    throw new Error(`${model.name} ${describeEmpty(model)}: export it with a triangle mesh.`);
+  return model;
+}
+
+/** As `openModel`, but a glTF without triangles opens as a model without bodies. */
+export async function openAnyModel(files: SourceFile[]): Promise<OpenModel> {
   const { file, format } = chooseModel(files);
-  if (format === 'glb' || format === 'gltf') return openGltf(file, format, files);
-  if (format === 'obj') return modelOfSurfaces(file.name, format, readObj(file));
-  return modelOfSurfaces(file.name, format, format === 'stl' ? readStl(file) : readPly(file));
+  return readSafely(file.name, async () => {
+    if (format === 'glb' || format === 'gltf') return openGltf(file, format, files);
+    return modelOfSurfaces(file.name, format, SURFACE_READERS[format](file));
+  });
+}
+
+/** What a glTF without triangles has, in words that follow its name. */
+export function describeEmpty({ document, notes }: OpenModel): string {
+  if (document.getRoot().listMeshes().length === 0) return 'has no mesh';
+  return `has no triangles (${notes.join('; ')})`;
 }
 
 function chooseModel(files: SourceFile[]): { file: SourceFile; format: Format } {
@@ -31,12 +49,13 @@ function chooseModel(files: SourceFile[]): { file: SourceFile; format: Format } 
     throw new Error(`There are ${models.length} models (${names}): open one at a time.`);
   }
   const file = models[0] ?? files[0];
-  const format = formatOfBytes(file.bytes) ?? formatOfName(file.name);
+  if (file.bytes.length === 0 && (models.length > 0 || files.length === 1))
+    throw new Error(`${file.name} is empty: export it again.`);
+  const format = formatOfBytes(file.bytes) ?? formatOfName(file.name) ?? guessFormat(file.bytes);
   if (format === null || (models.length === 0 && files.length > 1)) {
     const what = files.length === 1 ? `${file.name} is not` : `None of the ${files.length} files is`;
     throw new Error(`${what} a mesh that can be read: open ${READABLE}.`);
   }
-  if (file.bytes.length === 0) throw new Error(`${file.name} is empty: export it again.`);
   return { file, format };
 }
 
@@ -47,7 +66,18 @@ function formatOfName(name: string): Format | null {
 
 /** The format if the first bytes identify it, otherwise null. */
 function formatOfBytes(bytes: Uint8Array): Format | null {
-  const start = String.fromCharCode(...bytes.subarray(0, 4));
-  if (start === 'glTF') return 'glb';
-  return /^ply[\r\n]$/.test(start) ? 'ply' : null;
+  if (isGlb(bytes)) return 'glb';
+  return /^ply[\r\n]$/.test(String.fromCharCode(...bytes.subarray(0, 4))) ? 'ply' : null;
+}
+
+/** Bytes at the start of a file without an ending, as from a pipe, that are looked at. */
+const LOOKED_AT = 1 << 16;
+
+/** The format of a file whose name says nothing, by what it starts with; null if it could be anything. */
+function guessFormat(bytes: Uint8Array): Format | null {
+  if (isBinaryStl(bytes)) return 'stl';
+  const start = new TextDecoder().decode(bytes.subarray(0, LOOKED_AT));
+  if (/^\s*\{/.test(start)) return 'gltf';
+  if (/^\s*solid\b/i.test(start)) return 'stl';
+  return /^v[ \t]+[-+.\d]/m.test(start) ? 'obj' : null;
 }

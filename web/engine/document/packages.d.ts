@@ -12,7 +12,7 @@ declare module 'gltf-validator' {
   }
   export function validateBytes(
     data: Uint8Array,
-    options?: { format?: string; maxIssues?: number; writeTimestamp?: boolean },
+    options?: { format?: string; maxIssues?: number; writeTimestamp?: boolean; ignoredIssues?: string[] },
   ): Promise<Report>;
 }
 

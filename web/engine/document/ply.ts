@@ -8,9 +8,9 @@ import { counted } from '../core/words';
 import type { SourceFile } from './model';
 import { readPlyHeader } from './ply_header';
 import type { PlyElement, PlyHeader, PlyProperty, PlyType } from './ply_header';
-import { triangulatePolygon } from './polygon';
+import { describeTooLarge, triangulatePolygon } from './polygon';
 import type { SurfaceFile } from './surface';
-import { TextScanner } from './text_scanner';
+import { excerpt, TextScanner } from './text_scanner';
 import { attributesOfRaw } from './vertex_values';
 import type { RawAttributes } from './vertex_values';
 
@@ -60,8 +60,7 @@ export function readPly(file: SourceFile): SurfaceFile {
   const header = readPlyHeader(file);
   const source = header.encoding === 'ascii' ? textSource(file, header) : binarySource(file, header);
   const vertexCount = header.elements.find((element) => element.name === 'vertex')?.count ?? 0;
-  // Every vertex takes at least one byte; this check keeps a false count from requesting endless memory.
-  if (vertexCount > file.bytes.length) source.fail(`${vertexCount} vertices do not fit into the file`);
+  for (const element of header.elements) checkCount(source, element, file.bytes.length - header.bodyAt);
   const content: PlyContent = {
     positions: new Float32Array(3 * vertexCount),
     attributes: emptyAttributes(header, vertexCount),
@@ -80,6 +79,12 @@ export function readPly(file: SourceFile): SurfaceFile {
   const attributes = attributesOfRaw(content.attributes, indices);
   const surface = { name, positions: content.positions, indices, attributes, notes };
   return { surfaces: [surface], notes: [], unread: unreadOf(header) };
+}
+
+/** Every value takes at least one byte; this keeps a false count from requesting endless memory or time. */
+function checkCount(source: ValueSource, { name, count, properties }: PlyElement, bytes: number): void {
+  if (count * Math.max(1, properties.length) > bytes)
+    source.fail(`${count} of "${excerpt(name)}" do not fit into the file: export it again`);
 }
 
 function unreadOf({ elements }: PlyHeader): string[] {
@@ -140,19 +145,25 @@ function readCoordinate(source: ValueSource, { name, type }: PlyProperty, row: n
 }
 
 function skipProperty(source: ValueSource, { type, countType }: PlyProperty): void {
-  const count = countType ? source.read(countType) : 1;
+  const count = countType ? readLength(source, countType) : 1;
   for (let i = 0; i < count; ++i) source.skip(type);
 }
 
+function readLength(source: ValueSource, type: PlyType): number {
+  const length = source.read(type);
+  if (!Number.isInteger(length) || length < 0) source.fail(`${length} is not the length of a list`);
+  return length;
+}
+
 function readPolygon(source: ValueSource, { type, countType }: PlyProperty, content: PlyContent): void {
-  const count = source.read(countType!);
+  const count = readLength(source, countType!);
   for (let i = 0; i < count; ++i) content.corners.push(source.read(type));
   content.cornerCounts.push(count);
 }
 
 /** Reads strips of triangles, each ended by a negative index; every second triangle is reversed. */
 function readStrips(source: ValueSource, { type, countType }: PlyProperty, content: PlyContent): void {
-  const count = source.read(countType!);
+  const count = readLength(source, countType!);
   let [older, newer, length] = [0, 0, 0];
   for (let i = 0; i < count; ++i) {
     const vertex = source.read(type);
@@ -183,13 +194,15 @@ function triangulate(file: string, { positions, cornerCounts, corners }: PlyCont
           `${file}, face ${face}: it names vertex ${vertex | 0}, but vertices go from 0 to ${vertexCount - 1}: export it again.`,
         );
     if (polygon.length > 3) polygons += 1;
-    for (const vertex of trianglesOf(polygon, positions)) indices.push(vertex);
+    const triangles = trianglesOf(polygon, positions);
+    if (triangles === null) throw new Error(`${file}, face ${face}: ${describeTooLarge(polygon.length)}.`);
+    for (const vertex of triangles) indices.push(vertex);
   }
   return { indices: indices.finish(), polygons };
 }
 
 /** A polygon with fewer than three distinct corners becomes one degenerate triangle, which welding counts. */
-function trianglesOf(polygon: number[], positions: Float32Array): number[] {
+function trianglesOf(polygon: number[], positions: Float32Array): number[] | null {
   const corners = polygon.filter(
     (vertex, i) => vertex !== polygon[(i + polygon.length - 1) % polygon.length],
   );

@@ -10,14 +10,22 @@ const FLAT = 1e-6;
 /** A polygon has no area if twice its area is below this times its size squared. */
 const NO_AREA = 1e-12;
 
+/** Ear clipping takes up to the square of the corners, so larger polygons have to be convex. */
+export const MOST_CORNERS = 10_000;
+/** Corners of a larger polygon may dent it by so little, relative to its size: by rounding. */
+const ROUNDING = 1e-6;
+
 /**
  * Triangulates the polygon `corners` (at least 3 vertex indices, no two neighbours equal). Returns n - 2 index triples, so
  * that no corner is left out and adjacent polygons still meet. The result is a fan from the first corner that sees all
- * others, which every convex polygon has; polygons without one are ear-clipped in the plane of their Newell normal.
+ * others, which every convex polygon has; polygons without one are ear-clipped in the plane of their Newell normal. Null for
+ * a polygon of more than MOST_CORNERS corners that is not convex.
  */
-export function triangulatePolygon(corners: number[], positions: Float32Array): number[] {
+export function triangulatePolygon(corners: number[], positions: Float32Array): number[] | null {
   if (corners.length === 3) return corners;
   const points = projectPolygon(corners, positions);
+  if (corners.length > MOST_CORNERS)
+    return points === null || isNearlyConvex(points) ? fan(corners, 0) : null;
   if (points !== null) {
     for (let start = 0; start < corners.length; ++start)
       if (isFanUpright(points, start)) return fan(corners, start);
@@ -27,6 +35,10 @@ export function triangulatePolygon(corners: number[], positions: Float32Array): 
   }
   return fan(corners, 0);
 }
+
+/** Why a polygon could not be triangulated, as a clause. */
+export const describeTooLarge = (corners: number): string =>
+  `a face has ${corners.toLocaleString('en-US')} corners and is not convex, of such at most ${MOST_CORNERS.toLocaleString('en-US')} can be cut into triangles: triangulate it before the export`;
 
 function fan(corners: number[], start: number): number[] {
   const count = corners.length;
@@ -90,11 +102,31 @@ function isFanUpright(points: number[], start: number): boolean {
   const count = points.length / 2;
   for (let i = 1; i + 1 < count; ++i) {
     const [a, b] = [(start + i) % count, (start + i + 1) % count];
-    const longest = Math.max(distance(points, start, a), distance(points, a, b), distance(points, b, start));
+    const longest = longestSide(points, start, a, b);
     if (!(doubledArea(points, start, a, b) > FLAT * longest * longest)) return false;
   }
   return !windsTwice(points, start);
 }
+
+/** Whether the fan from the first corner turns no triangle over, but for rounding, and goes around less than once. */
+function isNearlyConvex(points: number[]): boolean {
+  let turned = 0;
+  for (let i = 1; i + 1 < points.length / 2; ++i) {
+    const area = doubledArea(points, 0, i, i + 1);
+    if (!(area > -ROUNDING * longestSide(points, 0, i, i + 1))) return false;
+    turned += Math.atan2(area, dotAt(points, i, i + 1));
+  }
+  return turned < 2 * Math.PI;
+}
+
+/** The dot product of the sides from corner 0 to two others. */
+function dotAt(points: number[], a: number, b: number): number {
+  const [x, y] = points;
+  return (points[2 * a] - x) * (points[2 * b] - x) + (points[2 * a + 1] - y) * (points[2 * b + 1] - y);
+}
+
+const longestSide = (points: number[], a: number, b: number, c: number): number =>
+  Math.max(distance(points, a, b), distance(points, b, c), distance(points, c, a));
 
 function distance(points: number[], a: number, b: number): number {
   return length3(points[2 * a] - points[2 * b], points[2 * a + 1] - points[2 * b + 1], 0);

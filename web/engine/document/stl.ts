@@ -11,8 +11,8 @@ const FACET_BYTES = 50;
 
 /** Throws an Error that names the line or the facet. */
 export function readStl(file: SourceFile): SurfaceFile {
-  const isBinary = file.bytes.length >= HEADER_BYTES && binaryLength(file.bytes) === file.bytes.length;
-  const isText = !isBinary && new TextScanner(file.name, file.bytes).word().toLowerCase() === 'solid';
+  const isText =
+    !isBinaryStl(file.bytes) && new TextScanner(file.name, file.bytes).word().toLowerCase() === 'solid';
   const { positions, solids } = isText ? readText(file) : readBinary(file);
   if (positions.length === 0) throw new Error(`${file.name} has no facets: export it as a mesh with faces.`);
   const indices = Uint32Array.from({ length: positions.length / 3 }, (_, v) => v);
@@ -20,6 +20,10 @@ export function readStl(file: SourceFile): SurfaceFile {
   const notes = solids > 1 ? [`${counted(solids, 'solid')} read as one body`] : [];
   return { surfaces: [{ name, positions, indices, notes: [] }], notes, unread: [] };
 }
+
+/** Whether the bytes are exactly as many as the header of a binary STL announces. */
+export const isBinaryStl = (bytes: Uint8Array): boolean =>
+  bytes.length >= HEADER_BYTES && binaryLength(bytes) === bytes.length;
 
 function binaryLength(bytes: Uint8Array): number {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

@@ -1,5 +1,7 @@
 /** Reads words and numbers from the bytes of a text file in one pass, without decoding the whole into a string. */
 
+import { checkEncoding } from './checks/text_encoding';
+
 const TAB = 9;
 const NEWLINE = 10;
 const RETURN = 13;
@@ -23,11 +25,13 @@ export class TextScanner {
   /** current byte offset */
   at: number;
 
+  /** Throws an Error with one sentence where the file starts as text in another encoding than UTF-8. */
   constructor(
     private readonly file: string,
     private readonly bytes: Uint8Array,
     start = 0,
   ) {
+    if (start === 0) checkEncoding(file, bytes);
     const hasMark = start === 0 && bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf;
     this.at = hasMark ? 3 : start;
   }

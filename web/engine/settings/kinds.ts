@@ -109,6 +109,12 @@ const KINDS: { [Kind in OptionKind]: KindRules<Kind> } = {
     describe: () => 'the name of an attribute',
     placeholder: () => 'NAME',
   },
+  pattern: {
+    read: asItIs,
+    isAllowed: isText,
+    describe: () => 'names, in which * stands for any letters and ? for one',
+    placeholder: () => 'GLOB',
+  },
   switch: {
     read: () => true,
     isAllowed: (value) => typeof value === 'boolean',

@@ -573,6 +573,36 @@ const ROWS = {
     commands: ['optimize'],
     page: 'simulation',
   },
+  /** the bodies to work on, by name, see name_pattern.ts; '' for all */
+  mesh: {
+    kind: 'pattern',
+    flag: 'mesh',
+    label: 'Only the bodies',
+    default: '',
+    help: 'Only bodies of this name; others stay as they are, byte for byte. In names * stands for any letters, ? for one, | for or.',
+    group: 'common',
+    isOfFile: true,
+  },
+  /** the materials that every face of a body to work on has one of; '' for any */
+  materialName: {
+    kind: 'pattern',
+    flag: 'material-name',
+    label: 'Only the materials',
+    default: '',
+    help: 'Only bodies all of whose materials have such a name; others stay as they are.',
+    group: 'common',
+    isOfFile: true,
+  },
+  /** bodies that are not worked on, by their own name or that of one of their materials; '' for none */
+  exclude: {
+    kind: 'pattern',
+    flag: 'exclude',
+    label: 'Without',
+    default: '',
+    help: 'Not the bodies of this name, nor those with a material of this name; they stay as they are.',
+    group: 'common',
+    isOfFile: true,
+  },
   /** welding distance, % of the diagonal; 0: bitwise equal positions only */
   weld: {
     kind: 'number',

@@ -77,9 +77,9 @@ export interface NumbersOption extends Described, Ranged {
   emptyMeans?: string;
 }
 
-/** Text of a form that has a parser: pin_text.ts, paint_text.ts, collider_text.ts, engine_text.ts; of a name, any text. */
+/** Text of a form that has a parser: pin_text.ts, paint_text.ts, collider_text.ts, engine_text.ts; of a name or pattern, any text. */
 export interface TextOption<
-  Kind extends 'pins' | 'paint' | 'colliders' | 'engine' | 'name',
+  Kind extends 'pins' | 'paint' | 'colliders' | 'engine' | 'name' | 'pattern',
 > extends Described {
   kind: Kind;
   default: string;
@@ -102,6 +102,7 @@ export type OptionSpec =
   | TextOption<'colliders'>
   | TextOption<'engine'>
   | TextOption<'name'>
+  | TextOption<'pattern'>
   | SwitchOption;
 
 export type OptionKind = OptionSpec['kind'];
@@ -119,6 +120,7 @@ interface ValueOfKind {
   colliders: string;
   engine: string;
   name: string;
+  pattern: string;
   switch: boolean;
 }
 

@@ -1,0 +1,274 @@
+/** The command line as a program: exit codes, files that are kept, pipes, and what is said. */
+
+import { spawnSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import {
+  chmodSync,
+  existsSync,
+  lstatSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Report } from '../../web/engine/report/report';
+import { validateGlb } from '../../web/engine/document/validate';
+import { addMesh, floats, glbFile, primitiveOf, readGlb, startDocument } from './support/gltf';
+import { grid, toObj, torus } from './support/shapes';
+
+const program = new URL('../../dist/cli/limber.mjs', import.meta.url).pathname;
+let folder: string;
+const path = (name: string) => join(folder, name);
+
+interface RunOptions {
+  input?: Uint8Array;
+  env?: Record<string, string>;
+}
+
+/** Runs limber in the folder of the test files, on one thread. */
+function limber(words: string, { input, env }: RunOptions = {}) {
+  const run = spawnSync(process.execPath, [program, ...words.split(' ')], {
+    cwd: folder,
+    input,
+    env: { ...process.env, ...env },
+    maxBuffer: 1 << 26,
+  });
+  return {
+    code: run.status,
+    bytes: run.stdout,
+    stdout: run.stdout.toString(),
+    stderr: run.stderr.toString(),
+  };
+}
+
+/** Names and contents of all files in the folder. */
+const state = () =>
+  readdirSync(folder)
+    .filter((name) => statSync(path(name)).isFile())
+    .sort()
+    .map((name) => [
+      name,
+      createHash('sha256')
+        .update(readFileSync(path(name)))
+        .digest('hex'),
+    ]);
+
+beforeAll(async () => {
+  if (!existsSync(program)) throw new Error('dist/cli/limber.mjs is missing: run npm run build first.');
+  folder = mkdtempSync(join(tmpdir(), 'limber-safety-'));
+  writeFileSync(path('torus.obj'), toObj(torus()));
+  const points = startDocument();
+  const positions = floats(points, 'VEC3', [0, 0, 0, 1, 0, 0]);
+  addMesh(points, 'dots', [points.createPrimitive().setAttribute('POSITION', positions).setMode(0)]);
+  writeFileSync(path('points.glb'), (await glbFile(points)).bytes);
+  const many = startDocument();
+  for (let i = 0; i < 30; ++i) {
+    const { positions: corners, triangles } = grid(3, 3);
+    // Two triangles of each body are there twice.
+    const doubled = Uint32Array.from([...triangles, ...triangles.slice(0, 6)]);
+    addMesh(many, `part ${i}`, [primitiveOf(many, { positions: corners, triangles: doubled })]);
+  }
+  writeFileSync(path('many.glb'), (await glbFile(many)).bytes);
+});
+
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+describe('a file that is there', () => {
+  it('stays where limber did not write it, without --force, and nothing else is made', () => {
+    writeFileSync(path('mine.glb'), 'precious');
+    const before = state();
+    expect(limber('optimize torus.obj mine.glb --report new.json')).toMatchObject({
+      code: 1,
+      stdout: '',
+      stderr:
+        'limber: mine.glb exists and was not written by limber: name another file, or replace it with --force.\n',
+    });
+    expect(state()).toEqual(before);
+    expect(limber('optimize torus.obj mine.glb --method qem --force').code).toBe(0);
+    expect(readFileSync(path('mine.glb'), 'latin1').slice(0, 4)).toBe('glTF');
+  });
+
+  it('is replaced where an earlier run wrote it: OUT, levels, report, binding and settings', () => {
+    const words =
+      'optimize torus.obj again.glb --method qem --lods 0.2 --report again.json --bind bind.json --quiet';
+    const tuned = 'tune torus.obj again.glb --solver shell --settings tuned.json --quiet';
+    for (let i = 0; i < 2; ++i) {
+      expect(limber(words)).toMatchObject({ code: 0, stderr: '' });
+      expect(limber(tuned)).toMatchObject({ code: 0, stderr: '' });
+    }
+    expect(limber('modes torus.obj --modes 1 --shapes again.glb').code).toBe(0);
+  });
+
+  it('is replaced behind a link, with its permissions', () => {
+    expect(limber('optimize torus.obj real.glb --method qem').code).toBe(0);
+    chmodSync(path('real.glb'), 0o600);
+    symlinkSync('real.glb', path('link.glb'));
+    expect(limber('optimize torus.obj link.glb --method qem --ratio 0.2').code).toBe(0);
+    expect(lstatSync(path('link.glb')).isSymbolicLink()).toBe(true);
+    expect(statSync(path('real.glb')).mode & 0o777).toBe(0o600);
+    expect(limber('inspect real.glb --json').stdout).toMatch(/"faces": 11[45],/);
+  });
+});
+
+describe.skipIf(!existsSync('/dev/full'))('a disk that is full', () => {
+  it('fails a level, and leaves and names what was written before it', () => {
+    symlinkSync('/dev/full', path('full_lod2.glb'));
+    const words = 'optimize torus.obj full.glb --method qem --lods 0.4,0.2,0.1 --report full.json';
+    const { code, stdout, stderr } = limber(words);
+    expect(code).toBe(1);
+    expect(stderr).toBe(
+      'limber: full_lod2.glb is not written: the disk is full; full.glb, full_lod1.glb are.\n',
+    );
+    expect(stdout).toMatch(/-> full\.glb\nfull_lod1\.glb: \d+ faces, .*\n$/);
+    const { levels } = JSON.parse(readFileSync(path('full.json'), 'utf8')) as Report;
+    expect(levels!.map(({ file }) => file)).toEqual(['full_lod1.glb']);
+    expect(existsSync(path('full_lod3.glb'))).toBe(false);
+  });
+
+  it('fails a report, and names what was written before it', () => {
+    symlinkSync('/dev/full', path('lost.json'));
+    const { code, stderr } = limber('optimize torus.obj full.glb --method qem --report lost.json');
+    expect(code).toBe(1);
+    expect(stderr).toBe('limber: lost.json cannot be written: the disk is full; full.glb is written.\n');
+  });
+});
+
+describe('exit codes', () => {
+  it('are 2 for a target that was asked for, and 0 with --soft, which tells the same', () => {
+    const asked = limber('optimize torus.obj a.glb --method qem --faces 1 --quiet');
+    expect(asked.code).toBe(2);
+    expect(asked.stderr).toMatch(/^limber: Stopped at \d+ faces, not 1: .*\.\n$/);
+    const soft = limber('optimize torus.obj a.glb --method qem --faces 1 --soft');
+    expect(soft.code).toBe(0);
+    expect(soft.stderr).toBe(asked.stderr);
+    expect(limber('optimize torus.obj a.glb --method qem --lods 0.001').code).toBe(2);
+    expect(limber('optimize torus.obj a.glb --method qem --lods 0.001 --soft').code).toBe(0);
+  });
+
+  it('are 0 where the default of half the faces cannot be reached, with a note', () => {
+    // Every vertex is locked.
+    const words = 'optimize torus.obj a.glb --method qem --lock low:100';
+    const { code, stderr } = limber(words);
+    expect([
+      code,
+      stderr.split('\n').filter((line) => line.includes('Stopped at 576 faces, not 288')),
+    ]).toEqual([0, [expect.stringMatching(/^limber: Stopped at 576 faces/)]]);
+    expect(limber(`${words} --ratio 0.5`).code).toBe(2);
+  });
+});
+
+describe('many bodies', () => {
+  it('with the same warning are one line, and a line each with --verbose', () => {
+    const words = 'optimize many.glb a.glb --method qem';
+    expect(limber(words).stderr).toBe('limber: 30 bodies: 2 duplicate faces set aside.\n');
+    const lines = limber(`${words} --verbose`).stderr.trim().split('\n');
+    expect(lines).toHaveLength(30);
+    expect(lines[7]).toBe('limber: part 7: 2 duplicate faces set aside.');
+    expect(limber(`${words} --quiet`).stderr).toBe('');
+  });
+
+  it('are chosen by patterns; the others stay, and the report has what was asked', async () => {
+    const words = 'optimize many.glb a.glb --method qem --mesh part?1* --exclude part?1 --json';
+    const { code, stdout } = limber(words);
+    expect(code).toBe(0);
+    const { options, input } = JSON.parse(stdout) as Report;
+    expect(options).toMatchObject({ mesh: 'part?1*', exclude: 'part?1' });
+    expect(input.faces).toBe(10 * 20);
+    const meshes = (await readGlb(readFileSync(path('a.glb')))).getRoot().listMeshes();
+    const left = meshes.map((mesh) => mesh.listPrimitives()[0].getIndices()!.getCount() / 3);
+    expect(left.filter((faces) => faces === 20)).toHaveLength(20);
+    expect(left.slice(10, 20).every((faces) => faces < 18)).toBe(true);
+  });
+});
+
+describe('pipes', () => {
+  it('carry a model in and out, with the same bytes as files', () => {
+    expect(limber('optimize torus.obj torus.glb --method qem --ratio 1').code).toBe(0);
+    expect(limber('optimize torus.glb file.glb --method qem').code).toBe(0);
+    const piped = limber('optimize - - --method qem', { input: readFileSync(path('torus.glb')) });
+    expect(piped.code).toBe(0);
+    expect(piped.bytes.equals(readFileSync(path('file.glb')))).toBe(true);
+    expect(piped.stderr).toMatch(/^stdin: 576 -> 288 faces .* -> stdout\n$/);
+    const quiet = limber('optimize - - --method qem --quiet', { input: readFileSync(path('torus.glb')) });
+    expect([quiet.stderr, quiet.bytes.equals(piped.bytes)]).toEqual(['', true]);
+  });
+
+  it('are sniffed: a text without a name is read by what it starts with', () => {
+    const { code, stdout } = limber('inspect -', { input: readFileSync(path('torus.obj')) });
+    expect([code, stdout.split('\n')[0]]).toEqual([0, 'stdin: OBJ, 1 body']);
+    expect(limber('inspect -', { input: new Uint8Array() })).toMatchObject({
+      code: 1,
+      stderr: 'limber: stdin is empty: export it again.\n',
+    });
+    expect(limber('compare - -').stderr).toMatch(/^limber: stdin can be read once/);
+    expect(limber('optimize torus.obj - --json').stderr).toMatch(
+      /^limber: stdout takes the model or the report/,
+    );
+  });
+});
+
+describe('--dry-run', () => {
+  it('says what would be written and writes nothing', () => {
+    const before = state();
+    const { code, stdout, stderr } = limber(
+      'optimize many.glb dry.glb --mesh part?1 --lods 0.2 --report dry.json --dry-run',
+    );
+    expect([code, stderr]).toEqual([0, '']);
+    expect(stdout.split('\n')).toEqual([
+      'many.glb: GLB, 1 of 30 bodies, 20 faces',
+      'would write dry.glb',
+      'would write dry_lod1.glb (a level of --lods)',
+      'would write dry.json (--report)',
+      '',
+    ]);
+    expect(state()).toEqual(before);
+  });
+
+  it('refuses what the run would refuse', () => {
+    writeFileSync(path('kept.json'), 'precious');
+    expect(limber('optimize torus.obj dry.glb --report kept.json --dry-run')).toMatchObject({
+      code: 1,
+      stdout: '',
+    });
+    expect(limber('optimize torus.obj dry.glb --mesh door --dry-run').stderr).toMatch(/has no body "door"/);
+    expect(limber('inspect torus.obj --dry-run').stdout).toBe(
+      'torus.obj: OBJ, 1 body, 576 faces\nwould write no file\n',
+    );
+  });
+});
+
+describe('a file without triangles', () => {
+  it('is passed on as it is, again and again, and refused where there is nothing to say of it', async () => {
+    for (let i = 0; i < 2; ++i)
+      expect(limber('optimize points.glb passed.glb')).toMatchObject({
+        code: 0,
+        stdout:
+          'points.glb has no triangles (mesh "dots" has no triangles (1 primitive of points skipped)) and is passed on as it is -> passed.glb\n',
+      });
+    expect(await validateGlb(readFileSync(path('passed.glb')))).toMatchObject({ errors: 0 });
+    expect(limber('inspect points.glb')).toMatchObject({ code: 1 });
+    expect(limber('optimize points.glb passed.glb --report points.json')).toMatchObject({ code: 1 });
+    expect(existsSync(path('points.json'))).toBe(false);
+  });
+});
+
+describe('words on the terminal', () => {
+  it('have no escape sequence, whatever the environment asks for', () => {
+    const environments: Record<string, string>[] = [
+      {},
+      { NO_COLOR: '1' },
+      { TERM: 'dumb' },
+      { FORCE_COLOR: '1' },
+    ];
+    for (const env of environments) {
+      const { stdout, stderr } = limber('optimize torus.obj a.glb --method qem', { env });
+      expect(stdout + stderr).not.toContain('\u001b');
+    }
+  });
+});

@@ -1,0 +1,161 @@
+import { describe, expect, it } from 'vitest';
+import { companionNames } from '../../web/engine/document/gltf';
+import { companionPath } from '../../web/engine/document/checks/companions';
+import { exportGlb, passThrough } from '../../web/engine/document/export';
+import { glbParts } from '../../web/engine/document/glb';
+import { openAnyModel, openModel } from '../../web/engine/document/open';
+import type { SourceFile } from '../../web/engine/document/open';
+import { validateGlb } from '../../web/engine/document/validate';
+import { failureOf, textFile } from './support/files';
+import { addMesh, addRichMesh, floats, glbFile, startDocument } from './support/gltf';
+import { cube } from './support/shapes';
+
+interface Json {
+  asset: { generator?: string };
+  images?: { uri?: string; bufferView?: number }[];
+}
+
+const jsonOf = (bytes: Uint8Array) =>
+  JSON.parse(new TextDecoder().decode(glbParts({ name: 'a.glb', bytes }).json)) as Json;
+
+/** A triangle whose buffer and image are at the given addresses, and the files. */
+function triangleAt(buffer: string, image: string): SourceFile[] {
+  const json = {
+    asset: { version: '2.0' },
+    buffers: [{ uri: buffer, byteLength: 36 }],
+    bufferViews: [{ buffer: 0, byteLength: 36 }],
+    accessors: [
+      { bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 1, 0] },
+      { bufferView: 0, componentType: 5126, count: 3, type: 'VEC2' },
+    ],
+    images: [{ uri: image }],
+    textures: [{ source: 0 }],
+    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0, TEXCOORD_0: 1 }, material: 0 }] }],
+    nodes: [{ mesh: 0 }],
+    scenes: [{ nodes: [0] }],
+    scene: 0,
+  };
+  const positions = new Uint8Array(Float32Array.from([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer);
+  return [textFile('test.gltf', JSON.stringify(json)), { name: 'data.bin', bytes: positions }];
+}
+
+describe('the address of a companion', () => {
+  it.each([
+    ['data.bin', 'data.bin'],
+    ['./parts//my%20data.bin', 'parts/my data.bin'],
+    ['parts\\data.bin', 'parts/data.bin'],
+    ['parts/../data.bin', 'data.bin'],
+    ['100%.bin', '100%.bin'],
+    ['%252e%252e/data.bin', '%2e%2e/data.bin'],
+  ])('%s is %s, below the folder', (uri, path) => {
+    expect(companionPath('', uri)).toBe(path);
+  });
+
+  it.each([
+    '../data.bin',
+    'parts/../../data.bin',
+    '..\\data.bin',
+    '%2e%2e/data.bin',
+    '%2e%2e%2fdata.bin',
+    '..%5cdata.bin',
+    '/etc/passwd',
+    '%2fetc/passwd',
+    '\\\\server\\share\\data.bin',
+    'file:///etc/passwd',
+    'FILE:data.bin',
+    'https://example.org/data.bin',
+    'C:\\data.bin',
+    'c:data.bin',
+    'data.bin\0.png',
+    'data.bin%00.png',
+    '.',
+    'parts/..',
+  ])('%j is outside of the folder or no file', (uri) => {
+    expect(companionPath('', uri)).toBeNull();
+    expect(companionNames(triangleAt(uri, uri)[0])).toEqual([]);
+  });
+
+  it('may go up within the folders that the names of all files have', () => {
+    expect(companionPath('set/models/a.gltf', '../skins/b.png')).toBe('set/skins/b.png');
+    expect(companionPath('set/models/a.gltf', '../../../b.png')).toBeNull();
+  });
+
+  it('outside of the folder is refused for a buffer, whatever files there are', async () => {
+    const [main, data] = triangleAt('../data.bin', 'skin.png');
+    expect(await failureOf(() => openModel([main, data]))).toBe(
+      'test.gltf names ../data.bin, which is outside of its folder and is not read: put the file beside it and name it without a path.',
+    );
+  });
+});
+
+describe('an image that is not there', () => {
+  it.each(['skins/my%20skin.png', '../skin.jpg', 'https://example.org/skin.png'])(
+    'stays a reference to %s, and is said',
+    async (uri) => {
+      const model = await openModel(triangleAt('data.bin', uri));
+      expect(model.notes).toEqual([
+        `1 texture (${uri}) is not there or outside of the folder: the result only names it`,
+      ]);
+      const bytes = await exportGlb(model, [null], { fields: false });
+      expect(jsonOf(bytes).images).toMatchObject([{ uri }]);
+      expect(await validateGlb(bytes)).toMatchObject({ errors: 0 });
+      const again = await openModel([{ name: 'out.glb', bytes }]);
+      expect(again.document.getRoot().listMaterials()[0].getBaseColorTexture()!.getURI()).toBe(uri);
+    },
+  );
+
+  it('is one of many that are named up to five', async () => {
+    const [main, data] = triangleAt('data.bin', 'a.png');
+    const json = JSON.parse(new TextDecoder().decode(main.bytes)) as Json;
+    json.images = Array.from({ length: 7 }, (_, i) => ({ uri: `${i}.png` }));
+    const { notes } = await openModel([textFile('test.gltf', JSON.stringify(json)), data]);
+    expect(notes).toEqual([
+      '7 textures (0.png, 1.png, 2.png, 3.png, 4.png and 2 more) are not there or outside of the folder: the result only names them',
+    ]);
+  });
+});
+
+describe('a glTF without triangles', () => {
+  const points = () => {
+    const document = startDocument();
+    const positions = floats(document, 'VEC3', [0, 0, 0, 1, 0, 0]);
+    addMesh(document, 'dots', [document.createPrimitive().setAttribute('POSITION', positions).setMode(0)]);
+    return glbFile(document);
+  };
+
+  it('opens without bodies where that is allowed, and is refused elsewhere', async () => {
+    const file = await points();
+    expect((await openAnyModel([file])).bodies).toEqual([]);
+    expect(await failureOf(() => openModel([file]))).toMatch(/^test\.glb has no triangles \(mesh "dots"/);
+  });
+
+  it('passes through with nothing changed but the name of the program', async () => {
+    const file = await points();
+    const bytes = await passThrough(await openAnyModel([file]), file.bytes);
+    const [before, after] = [file.bytes, bytes].map((glb) => glbParts({ name: 'a.glb', bytes: glb }));
+    expect(after.binary).toEqual(before.binary);
+    const [old, now] = [jsonOf(file.bytes), jsonOf(bytes)];
+    expect(now.asset.generator).toMatch(/^Limber \d/);
+    expect({ ...now, asset: old.asset }).toEqual(old);
+    expect(await validateGlb(bytes)).toMatchObject({ errors: 0 });
+  });
+
+  it('is packed into one file where it has several', async () => {
+    const files = triangleAt('data.bin', 'skin.png');
+    const text = new TextDecoder().decode(files[0].bytes).replace('"material":0', '"material":0,"mode":0');
+    const model = await openAnyModel([textFile('test.gltf', text), files[1]]);
+    const bytes = await passThrough(model, files[0].bytes);
+    expect(await validateGlb(bytes)).toMatchObject({ errors: 0 });
+    expect(glbParts({ name: 'a.glb', bytes }).binary!.length).toBeGreaterThanOrEqual(36);
+    expect(jsonOf(bytes).images).toMatchObject([{ uri: 'skin.png' }]);
+  });
+
+  it('says once of many meshes that they have no triangles', async () => {
+    const document = startDocument();
+    for (const name of ['a', 'b', 'c', 'd', 'e', 'f']) addMesh(document, name, []);
+    addRichMesh(document, 'cube', cube());
+    const { notes } = await openModel([await glbFile(document)]);
+    expect(notes[0]).toBe('6 meshes ("a", "b", "c", "d", "e", ...) have no triangles');
+  });
+});

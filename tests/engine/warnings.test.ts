@@ -1,0 +1,65 @@
+import { describe, expect, it } from 'vitest';
+import { canRedraw, redrawn } from '../../web/cli/terminal';
+import { ofBody, ofSentence, warningLines } from '../../web/cli/warnings';
+
+const many = (count: number, textOf: (i: number) => string) =>
+  Array.from({ length: count }, (_, i) => ofBody(`part ${i}`, textOf(i)));
+
+describe('warnings', () => {
+  it('of a hundred bodies that are the same are one line', () => {
+    expect(
+      warningLines(
+        many(100, () => '2 edges shared by more than two faces, locked'),
+        false,
+      ),
+    ).toEqual(['100 bodies: 2 edges shared by more than two faces, locked']);
+  });
+
+  it('that differ in numbers are one line with their spans', () => {
+    const warnings = many(3, (i) => `${1000 + 500 * i} seam vertices welded at 2 places, off ${i + 0.5} %`);
+    expect(warningLines(warnings, false)).toEqual([
+      '3 bodies: 1,000 to 2,000 seam vertices welded at 2 places, off 0.5 to 2.5 %',
+    ]);
+  });
+
+  it('stay apart where their words differ, in the order in which they came', () => {
+    const warnings = ['of the file', ...many(2, () => 'a'), ofBody('lamp', 'b'), 'of the file'];
+    expect(warningLines(warnings, false)).toEqual(['of the file', '2 bodies: a', 'lamp: b', 'of the file']);
+  });
+
+  it('have a line each with --verbose', () => {
+    expect(
+      warningLines(
+        many(3, () => 'a'),
+        true,
+      ),
+    ).toEqual(['part 0: a', 'part 1: a', 'part 2: a']);
+  });
+
+  it('of the only body do not name it', () => {
+    expect(warningLines([ofBody('ring', 'a', false)], false)).toEqual(['a']);
+  });
+
+  it('of bodies that cannot be used are one line, and the sentence where it is one body', () => {
+    const sentence = (name: string, faces: number) =>
+      `Body "${name}" has no usable face, ${faces} with a repeated vertex: repair it; it stays as it is`;
+    expect(warningLines([ofSentence(sentence('a "b"', 1))], false)).toEqual([sentence('a "b"', 1)]);
+    expect(warningLines([ofSentence(sentence('a', 1)), ofSentence(sentence('b', 7))], false)).toEqual([
+      '2 bodies: no usable face, 1 to 7 with a repeated vertex: repair it; it stays as it is',
+    ]);
+  });
+});
+
+describe('the line of progress', () => {
+  it('is drawn on terminals that can go back in a line, and on nothing else', () => {
+    expect(canRedraw({ isTTY: true }, 'xterm-256color')).toBe(true);
+    expect(canRedraw({ isTTY: true }, 'dumb')).toBe(false);
+    expect(canRedraw({ isTTY: false }, 'xterm')).toBe(false);
+    expect(canRedraw({}, 'xterm')).toBe(false);
+  });
+
+  it('has no escape sequence, and hides what was there', () => {
+    expect(redrawn('ab', 5)).toBe('\rab   ');
+    expect(redrawn('', 3)).toBe('\r   ');
+  });
+});

@@ -1,0 +1,46 @@
+/** What a command would write, after all checks and without the work. */
+
+import { existsSync } from 'node:fs';
+import { sum } from '../engine/core/mesh';
+import { openAnyModel } from '../engine/document/open';
+import type { OpenModel } from '../engine/document/open';
+import { chosenBodies } from '../engine/body/selection';
+import type { Arguments } from './arguments';
+import { EXIT } from './failure';
+import { followLinks, isSpecial } from './identity';
+import { checkFiles } from './inputs';
+import { checkRoom, sizeOfModel } from './outputs';
+import type { Output } from './outputs';
+import { shownName, shownOutput, STANDARD } from './standard';
+import { count, plain, plural } from './words';
+
+export async function runDry(args: Arguments): Promise<number> {
+  const { files, outputs } = await checkFiles(args);
+  const lines: string[] = [];
+  for (const [path, sources] of files) {
+    const model = await openAnyModel(sources);
+    checkRoom(outputs, sizeOfModel(model));
+    lines.push(describeModel(args, path, model));
+  }
+  for (const output of outputs) lines.push(`would write ${describeOutput(output)}`);
+  if (outputs.length === 0) lines.push('would write no file');
+  process.stdout.write(`${plain(lines.join('\n'))}\n`);
+  return EXIT.done;
+}
+
+function describeModel({ settings }: Arguments, path: string, model: OpenModel): string {
+  const { bodies, format } = model;
+  const chosen = bodies.length === 0 ? [] : chosenBodies(model, settings);
+  const faces = sum(chosen.map((i) => bodies[i].indices.length / 3));
+  const of = chosen.length < bodies.length ? `${count(chosen.length)} of ` : '';
+  const all = plural(bodies.length, 'body', 'bodies');
+  return `${shownName(path)}: ${format.toUpperCase()}, ${of}${all}, ${plural(faces, 'face', 'faces')}`;
+}
+
+function describeOutput({ path, flag }: Output): string {
+  const what = flag === 'OUT' ? shownOutput(path) : `${shownOutput(path)} (${flag})`;
+  if (path === STANDARD || isSpecial(path)) return what;
+  const end = followLinks(path);
+  const leads = end.endsWith(path.replace(/^\.\//, '')) ? '' : `, which leads to ${end}`;
+  return existsSync(end) ? `${what}${leads}, in place of the file that is there` : `${what}${leads}`;
+}

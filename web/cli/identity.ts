@@ -1,0 +1,52 @@
+/** Which file a path leads to: by device and inode where it exists, since names can differ and links can lead there. */
+
+import { lstatSync, readlinkSync, realpathSync, statSync } from 'node:fs';
+import type { BigIntStats } from 'node:fs';
+import { basename, dirname, join, resolve } from 'node:path';
+import { UsageError } from './failure';
+
+/** As many links in a row as Linux follows. */
+const MOST_LINKS = 40;
+
+/** The path that writing to `path` has to replace: that of the file at the end of its links, which need not exist yet. */
+export function followLinks(path: string): string {
+  let end = resolve(path);
+  for (let links = 0; isLink(end); ++links) {
+    if (links === MOST_LINKS) throw new UsageError(`${path} is a link that leads back to itself: remove it.`);
+    end = resolve(dirname(end), readlinkSync(end));
+  }
+  return end;
+}
+
+function isLink(path: string): boolean {
+  return lstatSync(path, { throwIfNoEntry: false })?.isSymbolicLink() ?? false;
+}
+
+/** Equal for two paths just where they lead to the same file, or would do once it exists. Its folder has to exist. */
+export function identityOf(path: string): string {
+  const end = followLinks(path);
+  const found = statSync(end, { bigint: true, throwIfNoEntry: false });
+  if (found) return keyOf(found, end);
+  const folder = dirname(end);
+  return `${keyOf(statSync(folder, { bigint: true }), folder)}/${nameKey(basename(end), process.platform)}`;
+}
+
+/** Some file systems of Windows have no inodes. */
+const keyOf = ({ dev, ino }: BigIntStats, path: string): string =>
+  ino === 0n ? nameKey(realpathSync(path), process.platform) : `${dev}:${ino}`;
+
+/** File names of Windows and macOS are the same in either case, and in either form of Unicode. */
+export const nameKey = (name: string, platform: NodeJS.Platform): string =>
+  platform === 'win32' || platform === 'darwin' ? name.normalize('NFC').toLowerCase() : name;
+
+/** Whether the file that `path` leads to lies in or below one of the folders, all links followed. */
+export function isWithin(path: string, folders: string[]): boolean {
+  const real = realpathSync(path);
+  return folders.some((folder) => real.startsWith(join(realpathSync(folder), '/')));
+}
+
+/** Whether it is a device or pipe, such as /dev/null, which is written to and never replaced. */
+export function isSpecial(path: string): boolean {
+  const found = statSync(path, { throwIfNoEntry: false });
+  return found !== undefined && !found.isFile() && !found.isDirectory();
+}

@@ -1,0 +1,42 @@
+/** What a command reads, and the check of what it writes against that: all before the work. */
+
+import { existsSync } from 'node:fs';
+import type { SourceFile } from '../engine/document/open';
+import type { Arguments } from './arguments';
+import { readModelFiles } from './files';
+import { checkEndings, checkOutputs, outputsOf } from './outputs';
+import type { Output } from './outputs';
+import { checkStandard, STANDARD } from './standard';
+
+export interface CheckedFiles {
+  /** by operand: the model with its companions */
+  files: Map<string, SourceFile[]>;
+  outputs: Output[];
+  /** whether stdout has the model, so that words go to stderr */
+  takesStdout: boolean;
+}
+
+/** Throws UsageError. */
+export async function checkFiles(args: Arguments): Promise<CheckedFiles> {
+  const { command, operands, settings, reports, force } = args;
+  const outputs = outputsOf(args);
+  const models = outputs.filter(({ isGlb }) => isGlb).map(({ path }) => path);
+  const inputs = command === 'optimize' ? operands.slice(0, 1) : operands;
+  checkStandard({ inputs, models, reports, levels: settings.lods.length });
+  checkEndings(outputs);
+  const files = new Map<string, SourceFile[]>();
+  const paths: string[] = otherInputs(args);
+  for (const input of inputs) {
+    const model = await readModelFiles(input);
+    files.set(input, model.files);
+    paths.push(...model.paths);
+  }
+  checkOutputs(outputs, paths, force);
+  return { files, outputs, takesStdout: models.includes(STANDARD) };
+}
+
+/** Files that are read besides models. */
+function otherInputs({ command, bind, settingsFile, engineFile }: Arguments): string[] {
+  const read = command === 'simulate' ? [bind, settingsFile, engineFile] : [engineFile];
+  return read.filter((path) => path !== null).filter((path) => existsSync(path));
+}

@@ -1,0 +1,40 @@
+/** `-` as an operand: stdin where a model is read, stdout where one is written. */
+
+import { basename } from 'node:path';
+import { UsageError } from './failure';
+
+export const STANDARD = '-';
+
+/** A file of the command line as it is called in messages. */
+export const shownName = (path: string): string => (path === STANDARD ? 'stdin' : basename(path));
+export const shownOutput = (path: string): string => (path === STANDARD ? 'stdout' : path);
+
+/** All that is piped in. Throws UsageError where that is nothing. */
+export async function readStandard(
+  stream: AsyncIterable<Uint8Array> & { isTTY?: boolean },
+): Promise<Uint8Array> {
+  if (stream.isTTY) throw new UsageError('stdin is a terminal: pipe a model into it, or name a file.');
+  const chunks: Uint8Array[] = [];
+  for await (const chunk of stream) chunks.push(chunk);
+  return new Uint8Array(Buffer.concat(chunks));
+}
+
+/** Refuses uses of stdin and stdout that exclude each other. */
+export function checkStandard(
+  {
+    inputs,
+    models,
+    reports,
+    levels,
+  }: { inputs: string[]; models: string[]; reports: string[]; levels: number },
+  isTerminal = Boolean(process.stdout.isTTY),
+): void {
+  if (inputs.filter((path) => path === STANDARD).length > 1)
+    throw new UsageError('stdin can be read once: name a file for one of the models.');
+  if (!models.includes(STANDARD)) return;
+  if (levels > 0)
+    throw new UsageError('--lods needs a name for OUT, from which the levels have theirs: name a file.');
+  if (reports.includes(STANDARD))
+    throw new UsageError('stdout takes the model or the report: give one of them a file.');
+  if (isTerminal) throw new UsageError('stdout is a terminal: pipe the model into a file, or name one.');
+}

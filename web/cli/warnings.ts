@@ -1,0 +1,69 @@
+/** Warnings, one line for all bodies that have the same one. */
+
+import { count } from './words';
+
+/** Of one body: the same words of several bodies become one line. */
+export interface BodyWarning {
+  body: string;
+  /** without a full stop at its end */
+  text: string;
+  /** the whole line where no other body has the same warning */
+  alone: string;
+}
+
+export type Warning = string | BodyWarning;
+
+const NUMBER = /\d+(,\d{3})*(\.\d+)?/g;
+
+/** The warning of a body; files with one body do not name it. */
+export const ofBody = (body: string, text: string, isOneOfMany = true): BodyWarning => ({
+  body,
+  text,
+  alone: isOneOfMany ? `${body}: ${text}` : text,
+});
+
+/** The warning of a sentence `Body "NAME" has ...`. */
+export function ofSentence(sentence: string): Warning {
+  const found = /^Body "(.*)" has (.*)$/s.exec(sentence);
+  return found ? { body: found[1], text: found[2], alone: sentence } : sentence;
+}
+
+/**
+ * The lines in the order in which their first warning came. Texts that differ in numbers alone are the same: where a number
+ * differs, the line has its span. With `isVerbose`, each warning has a line of its own.
+ */
+export function warningLines(warnings: Warning[], isVerbose: boolean): string[] {
+  const groups = new Map<string, Warning[]>();
+  warnings.forEach((warning, i) => {
+    const isAlone = isVerbose || typeof warning === 'string';
+    const key = isAlone ? `${i}` : `: ${warning.text.replace(NUMBER, '#')}`;
+    const group = groups.get(key);
+    if (group) group.push(warning);
+    else groups.set(key, [warning]);
+  });
+  return [...groups.values()].map(lineOf);
+}
+
+function lineOf(group: Warning[]): string {
+  const bodies = group.filter((warning) => typeof warning !== 'string');
+  if (bodies.length === 0) return group[0] as string;
+  if (bodies.length === 1) return bodies[0].alone;
+  return `${count(bodies.length)} bodies: ${spanOf(bodies.map(({ text }) => text))}`;
+}
+
+/** The text with the smallest and largest number at each place where the texts differ. */
+function spanOf(texts: string[]): string {
+  const numbers = texts.map((text) =>
+    (text.match(NUMBER) ?? []).map((word) => Number(word.replaceAll(',', ''))),
+  );
+  let which = -1;
+  return texts[0].replace(NUMBER, (word) => {
+    ++which;
+    const values = numbers.map((own) => own[which]);
+    const [least, most] = values.reduce(
+      ([a, b], v) => [Math.min(a, v), Math.max(b, v)],
+      [Infinity, -Infinity],
+    );
+    return least === most ? word : `${least.toLocaleString('en-US')} to ${most.toLocaleString('en-US')}`;
+  });
+}
