@@ -69,9 +69,11 @@ void solveSideBySide(const std::vector<PartTask>& small, const ModesOptions& opt
 
 }  // namespace
 
-ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& options, bool exact, Job& job) {
-  checkModesOptions(mesh, options);
-  const std::vector<Part> parts = partsOf(mesh, buildTopology(mesh), options);
+ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& asked, bool exact, Job& job) {
+  checkModesOptions(mesh, asked);
+  const std::vector<Part> parts = partsOf(mesh, buildTopology(mesh), asked);
+  ModesOptions options = asked;
+  options.guidedParts *= static_cast<uint32_t>(parts.size());
   std::vector<PartModes> modes(parts.size());
   const std::vector<size_t> first = firstEqualParts(mesh, parts);
   std::vector<PartTask> small;

@@ -22,6 +22,8 @@ export interface Arguments {
   /** null: not asked for */
   faces: number | null;
   ratio: number | null;
+  /** whether --max-deviation is a target that was asked for, not the guard */
+  givesDeviation: boolean;
   fields: boolean;
   shapes: string | null;
   /** file for the binding of the original's vertices: optimize writes it, simulate reads it */
@@ -59,6 +61,7 @@ export function parseArguments(words: string[]): Arguments | Question {
     formerWords: describeFormerWords(settingsOf(command), (flag) => values.get(flag)),
     faces: readTarget(values, 'faces', 'a whole number of at least 1', (n) => n >= 1 && Number.isInteger(n)),
     ratio: readTarget(values, 'ratio', 'a number above 0 and up to 1', (n) => n > 0 && n <= 1),
+    givesDeviation: values.has('max-deviation') && settings.maxDeviation > 0,
     fields: values.has('fields'),
     shapes: values.get('shapes') ?? null,
     bind: values.get('bind') ?? null,

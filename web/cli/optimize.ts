@@ -1,15 +1,14 @@
 /** limber optimize IN OUT */
 
 import { describeSolve } from '../engine/body/health';
-import { faceCount } from '../engine/core/mesh';
 import { startStopwatch } from '../engine/core/stopwatch';
 import { droppedByExport } from '../engine/document/export';
 import { describeLargeFit } from '../engine/report/fit_words';
 import { settingsAsUsed } from '../engine/report/report';
 import type { StoppedBody } from '../engine/report/stop_report';
-import { targetsOf } from '../engine/stages/face_shares';
 import type { FaceTarget } from '../engine/stages/face_shares';
 import { FileOutput } from '../engine/stages/file_output';
+import { requestFile } from '../engine/stages/file_targets';
 import type { FileRun } from '../engine/stages/file_run';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
@@ -72,8 +71,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
 /** Takes every body through its stages; warns where a result is not as asked. */
 function optimizeFile({ args, warnings }: Session, file: FileRun): FileOutput {
   const { settings, fields } = args;
-  const counts = file.runs.map((run) => (run ? faceCount(run.get(STAGES.prepared, settings).mesh) : 0));
-  const output = new FileOutput(file, { settings, fields, targets: targetsOf(counts, targetOf(args)) });
+  const output = new FileOutput(file, requestFile(file, { settings, fields, ...targetOf(args) }));
   output.compute((run, own) => {
     const { note } = run.get(STAGES.constraints, own);
     if (note !== '') warnings.push(note);
@@ -91,9 +89,9 @@ function optionsAsUsed(args: Arguments): object {
 }
 
 /** What is asked for; half the faces where nothing else is a target. */
-function targetOf({ faces, ratio, settings }: Arguments): FaceTarget {
-  const others = [settings.maxDeviation, settings.minAngle, settings.maxFrequencyError];
-  const isAlone = faces === null && others.every((limit) => limit === 0);
+function targetOf({ faces, ratio, givesDeviation, settings }: Arguments): FaceTarget {
+  const isAlone =
+    faces === null && !givesDeviation && settings.minAngle === 0 && settings.maxFrequencyError === 0;
   return { faces, ratio: ratio ?? (isAlone ? DEFAULT_RATIO : null) };
 }
 

@@ -73,7 +73,9 @@ export class FileOutput {
     );
     const levels = this.values(STAGES.furtherLevels).map((all) => all[number]);
     const histories = this.values(STAGES.history);
-    const bodies = levels.map(({ result, targetFaces }, i): StoppedBody => ({
+    const bodies = levels.map(({ result, targetFaces, guard }, i): StoppedBody => ({
+      name: this.file.usable[i].run.context.body.name,
+      guard,
       faces: faceCount(result.mesh),
       targetFaces,
       history: histories[i],
@@ -136,11 +138,13 @@ export class FileOutput {
   stopped(): StoppedBody[] {
     const histories = this.values(STAGES.history);
     const targets = this.file.usable.map(({ i }) => this.request.targets[i]);
-    return this.values(STAGES.fitted).map(({ result, frequency }, i) => ({
+    return this.values(STAGES.fitted).map(({ result, frequency, guard }, i) => ({
+      name: this.file.usable[i].run.context.body.name,
       faces: faceCount(result.mesh),
       targetFaces: targets[i],
       history: histories[i],
       frequency,
+      guard,
     }));
   }
 

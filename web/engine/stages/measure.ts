@@ -17,8 +17,19 @@ export function measureResult(core: Core, prepared: PreparedBody, { mesh }: Pick
   };
 }
 
-/** Between the prepared mesh and `other`, in % of the prepared mesh's diagonal. */
+/** What has been measured, so that guard, fit and report measure the same mesh once. */
+const measured = new WeakMap<TriangleMesh, { prepared: PreparedBody; distance: SurfaceDistance }>();
+
+/** Between the prepared mesh and `other`, in % of the prepared mesh's diagonal. Neither may have changed since the last call. */
 export function measureDistance(core: Core, prepared: PreparedBody, other: TriangleMesh): SurfaceDistance {
+  const known = measured.get(other);
+  if (known?.prepared === prepared) return known.distance;
+  const distance = distanceInPercent(core, prepared, other);
+  measured.set(other, { prepared, distance });
+  return distance;
+}
+
+function distanceInPercent(core: Core, prepared: PreparedBody, other: TriangleMesh): SurfaceDistance {
   const distance = core.measureSurfaceDistance(prepared.mesh, other);
   const percent = 100 / prepared.diagonal;
   return {

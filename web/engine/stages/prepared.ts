@@ -3,6 +3,7 @@
 import type { Document } from '@gltf-transform/core';
 import { attributesOf, costAttributesOf, NO_ATTRIBUTES } from '../body/attributes';
 import type { CostAttributes } from '../body/attributes';
+import { findLayers } from '../body/layers';
 import type { InspectedBody, PreparedBody } from '../body/prepared_body';
 import { withMirror } from '../body/symmetry';
 import type { Core } from '../core/core';
@@ -51,9 +52,10 @@ export function prepareBody(
       `Body "${body.name}" has no usable face, ${weld.degenerateFaces} with a repeated vertex: repair it and export it again.`,
     );
   const diagonal = diagonalOf(mesh.positions);
-  const attributes = document ? attributesOf(document, body, weld) : NO_ATTRIBUTES;
+  const layers = findLayers(body, weld);
+  const attributes = document ? attributesOf(document, body, weld, layers) : NO_ATTRIBUTES;
   const costs = document && costAttributesOf(document, body, weld, attributes, diagonal);
   const costAttributes = costs && costs.dimension <= MOST_COST_DIMENSIONS ? costs : NO_COSTS;
-  const prepared = { body, weld, mesh, diagonal, inspection, quality, attributes, costAttributes };
+  const prepared = { body, weld, mesh, diagonal, inspection, quality, attributes, layers, costAttributes };
   return settings.symmetry === 'off' ? prepared : withMirror(core, prepared, settings.symmetry);
 }
