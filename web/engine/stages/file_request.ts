@@ -7,6 +7,8 @@ import { STAGES } from './stages';
 
 export interface FileRequest {
   settings: Settings;
+  /** the number of faces that the whole file was asked for; absent: the sum of the targets */
+  faces?: number;
   /** targets[i]: the most faces that the result of body i of the file may have */
   targets: number[];
   /** levelTargets[n][i]: the same for further level n; absent: the share of `lods` of each body */

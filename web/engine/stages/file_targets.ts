@@ -1,6 +1,5 @@
 /** How many faces each body of a file may keep, of what is asked of the file as a whole. */
 
-import { sum } from '../core/mesh';
 import { placedScale } from '../document/placements';
 import type { Settings } from '../settings/options';
 import { errorCurveStage } from './error_curve';
@@ -35,6 +34,7 @@ export function requestFile(file: FileRun, { settings, fields, own, ...target }:
   return {
     settings,
     fields,
+    faces: target.faces ?? undefined,
     targets: targetsFor(target),
     levelTargets: settings.lods.map((ratio) => targetsFor({ faces: null, ratio })),
   };
@@ -57,16 +57,24 @@ function shareEach(file: FileRun, shared: Usable, settings: Settings): Share {
 }
 
 function shareScene(file: FileRun, shared: Usable, settings: Settings): Share {
+  if (shared.length === 0) return () => [];
   const queue = sceneQueue(file, shared, settings);
-  return ({ faces, ratio }) => {
-    if (shared.length === 0) return [];
-    const ofRatio = ratio === null ? 0 : facesByRatio(ratio, queue.faces);
-    return queue.targets(Math.max(1, ofRatio, faces ?? 0)).map((own) => Math.max(1, own));
-  };
+  return (asked) => targetsInQueue(queue, wantedFaces(asked, queue.faces));
+}
+
+/** Of a ratio and a number of faces the one that is reached first; 1 where neither is asked for. */
+const wantedFaces = ({ faces, ratio }: FaceTarget, all: number): number =>
+  Math.max(1, ratio === null ? 0 : facesByRatio(ratio, all), faces ?? 0);
+
+/** Below the fewest faces of the scene the targets are below those of the bodies, in proportion, so that they count as missed. */
+function targetsInQueue(queue: SceneQueue, wanted: number): number[] {
+  const targets = queue.targets(wanted);
+  const share = Math.min(1, wanted / queue.fewest);
+  return targets.map((own) => Math.max(1, Math.floor(share * own)));
 }
 
 /** The queue of these bodies; its curves follow from their histories. */
-export function sceneQueue(file: FileRun, shared: Usable, settings: Settings): SceneQueue {
+function sceneQueue(file: FileRun, shared: Usable, settings: Settings): SceneQueue {
   const { document } = file.model;
   const meshes = document.getRoot().listMeshes();
   const curves = curvesOf(file, shared, settings);
@@ -79,5 +87,22 @@ export function sceneQueue(file: FileRun, shared: Usable, settings: Settings): S
   );
 }
 
-/** The faces of a whole file that a request asks for at most. */
-export const askedFaces = ({ targets }: FileRequest): number => sum(targets);
+/** The faces of the bodies of a file that share a number of faces. */
+export interface SharedFaces {
+  /** the number that is shared: as asked for, half where nothing is */
+  wanted: number;
+  /** as the bodies came, and the fewest that they can have */
+  faces: number;
+  fewest: number;
+  /** targets[i]: of body i of the file */
+  targets: number[];
+}
+
+/** What `requestFile` asks of each body, and the range of the number that is shared. */
+export function shareFaces(file: FileRun, asked: FileAsked): SharedFaces {
+  const { settings, own } = asked;
+  const shared = file.usable.filter(({ i }) => !own?.has(i));
+  const queue = sceneQueue(file, shared, settings);
+  const { faces, fewest } = queue;
+  return { wanted: wantedFaces(asked, faces), faces, fewest, targets: requestFile(file, asked).targets };
+}
