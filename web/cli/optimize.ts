@@ -1,6 +1,6 @@
 /** limber optimize IN OUT */
 
-import { describeSolve } from '../engine/body/health';
+import { describeFailedModes, describeSolve } from '../engine/body/health';
 import { startStopwatch } from '../engine/core/stopwatch';
 import { droppedByExport } from '../engine/document/export';
 import { describeLargeFit } from '../engine/report/fit_words';
@@ -15,7 +15,7 @@ import type { Arguments } from './arguments';
 import { EXIT, inFlags } from './failure';
 import { checkFolder, checkOutput, writeWhole } from './files';
 import { checkLevels, writeLevels } from './levels';
-import { describeMiss, levelLine, summaryLine, tuningLines } from './optimize_words';
+import { describeGuard, describeMiss, levelLine, summaryLine, tuningLines } from './optimize_words';
 import { finish, openFile, prepareFile, startSession } from './session';
 import type { Session } from './session';
 
@@ -55,9 +55,16 @@ export async function runOptimize(args: Arguments): Promise<number> {
   };
   const describe = (bodies: StoppedBody[], where = '') =>
     describeMiss(bodies, output.prepared(), { where, settings: args.settings });
+  const guards = [
+    describeGuard(output.stopped()),
+    ...levels.map(({ bodies, report: { file: name } }) => describeGuard(bodies, `${name}: `)),
+  ].filter((sentence) => sentence !== '');
+  const isShort = asksForCount(args) && !args.givesDeviation;
+  if (!isShort && !args.givesDeviation) session.warnings.push(...guards);
   const missed = [
     ...(wantsCount(args) ? [describe(output.stopped())] : []),
     ...levels.map(({ bodies, report: { file: name } }) => describe(bodies, `${name}: `)),
+    ...(isShort ? guards : []),
   ].filter((sentence) => sentence !== '');
   const text = [
     summaryLine(args, output, report.timings.total),
@@ -75,6 +82,7 @@ function optimizeFile({ args, warnings }: Session, file: FileRun): FileOutput {
   output.compute((run, own) => {
     const { note } = run.get(STAGES.constraints, own);
     if (note !== '') warnings.push(note);
+    warnings.push(...describeFailedModes(run.context.body.name, run.get(STAGES.guidingModes, own)));
     const large = describeLargeFit(run.get(STAGES.fitted, own));
     if (large !== '') warnings.push(`${run.context.body.name}: ${large}`);
   });
@@ -94,6 +102,9 @@ function targetOf({ faces, ratio, givesDeviation, settings }: Arguments): FaceTa
     faces === null && !givesDeviation && settings.minAngle === 0 && settings.maxFrequencyError === 0;
   return { faces, ratio: ratio ?? (isAlone ? DEFAULT_RATIO : null) };
 }
+
+/** Whether the user has asked for a number of faces, and not the default. */
+const asksForCount = ({ faces, ratio }: Arguments): boolean => faces !== null || ratio !== null;
 
 /** Whether a number of faces is a target at all: the other targets need none. */
 function wantsCount(args: Arguments): boolean {

@@ -2,7 +2,7 @@
 
 import { basename } from 'node:path';
 import type { PreparedBody } from '../engine/body/prepared_body';
-import { faceCount, sum } from '../engine/core/mesh';
+import { sum } from '../engine/core/mesh';
 import { describeShapeFit } from '../engine/report/fit_words';
 import type { Report } from '../engine/report/report';
 import { fitReport, worstSurface } from '../engine/report/result_report';
@@ -43,9 +43,17 @@ export function describeMiss(
   return `${where}Stopped at ${count(after)} faces${which}, not ${count(target)}: ${reasons}${cure}`;
 }
 
+/** Why bodies have more faces than was asked for, because the surface would go too far; '' where none has. */
+export function describeGuard(bodies: StoppedBody[], where = ''): string {
+  const { guarded = [] } = stopReport(bodies);
+  if (guarded.length === 0) return '';
+  const [{ body, faces, deviation, limit }] = [...guarded].sort((a, b) => b.deviation - a.deviation);
+  const others = guarded.length > 1 ? ` and ${plural(guarded.length - 1, 'other body', 'other bodies')}` : '';
+  return `${where}${body}${others} stopped at ${count(faces)} faces, ${deviation.toFixed(2)} % of its diagonal from the original: fewer would go beyond ${limit} %; --max-deviation 0 lifts this`;
+}
+
 export function summaryLine({ operands }: Arguments, output: FileOutput, seconds: number): string {
-  const before = sum(output.prepared().map(({ mesh }) => faceCount(mesh)));
-  const after = sum(output.results().map(({ mesh }) => faceCount(mesh)));
+  const { before, after } = output.writtenFaces();
   const measured = output.values(STAGES.measured);
   const distance = worstSurface(measured.map((one) => one.distance));
   const broken = measured.flatMap(({ certificate }) =>

@@ -48,7 +48,8 @@ export function turnedSolid(radii: number[], heights: number[], around: number):
   const last = radii.length - 1;
   const [bottom, top] = [positions.length / 3, positions.length / 3 + 1];
   positions.push(0, heights[0], 0, 0, heights[last], 0);
-  for (let i = 0; i < around; ++i) triangles.push(bottom, at(0, i), at(0, i + 1), top, at(last, i + 1), at(last, i));
+  for (let i = 0; i < around; ++i)
+    triangles.push(bottom, at(0, i), at(0, i + 1), top, at(last, i + 1), at(last, i));
   return { positions: Float32Array.from(positions), triangles: Uint32Array.from(triangles) };
 }
 
@@ -72,7 +73,9 @@ export const leaf = (along = 20, across = 4): TriangleMesh =>
 const place = (document: Document, mesh: number, at: number[], scale = 1): void => {
   const root = document.getRoot();
   const node = document.createNode(`place ${mesh}`).setMesh(root.listMeshes()[mesh]);
-  root.getDefaultScene()!.addChild(node.setTranslation(at as [number, number, number]).setScale([scale, scale, scale]));
+  root
+    .getDefaultScene()!
+    .addChild(node.setTranslation(at as [number, number, number]).setScale([scale, scale, scale]));
 };
 
 function removeNodes(document: Document): void {
@@ -156,9 +159,17 @@ export function twoSidedLeaf(along = 20, across = 20): Document {
 export function boxScene(): Document {
   const document = startDocument();
   addMesh(document, 'ground', [
-    primitiveOf(document, moved(grid(1, 1), (x, y) => [10 * x - 5, 0, 5 - 10 * y])),
+    primitiveOf(
+      document,
+      moved(grid(1, 1), (x, y) => [10 * x - 5, 0, 5 - 10 * y]),
+    ),
   ]);
-  addMesh(document, 'crate', [primitiveOf(document, moved(box(1, 1, 1), (x, y, z) => [x - 0.5, y, z - 0.5]))]);
+  addMesh(document, 'crate', [
+    primitiveOf(
+      document,
+      moved(box(1, 1, 1), (x, y, z) => [x - 0.5, y, z - 0.5]),
+    ),
+  ]);
   addMesh(document, 'ball', [primitiveOf(document, ball(24))]);
   removeNodes(document);
   place(document, 0, [0, 0, 0]);
@@ -189,9 +200,17 @@ export function roomScene(): Document {
     wall((u, v) => [4 * u, 2.5 * v, 3]),
   ]);
   addMesh(document, 'walls', [primitiveOf(document, walls)]);
-  addMesh(document, 'floor', [primitiveOf(document, moved(grid(16, 24), (x, y) => [4 * x, 0, 6 - 6 * y]))]);
+  addMesh(document, 'floor', [
+    primitiveOf(
+      document,
+      moved(grid(16, 24), (x, y) => [4 * x, 0, 6 - 6 * y]),
+    ),
+  ]);
   addMesh(document, 'door', [
-    primitiveOf(document, moved(box(1, 1, 1), (x, y, z) => [1 + 0.9 * x, 2 * y, 2.97 + 0.06 * z])),
+    primitiveOf(
+      document,
+      moved(box(1, 1, 1), (x, y, z) => [1 + 0.9 * x, 2 * y, 2.97 + 0.06 * z]),
+    ),
   ]);
   const heights = Array.from({ length: 14 }, (_, k) => (0.6 * k) / 13);
   const vase = turnedSolid(
@@ -199,7 +218,12 @@ export function roomScene(): Document {
     heights,
     20,
   );
-  addMesh(document, 'vase', [primitiveOf(document, moved(vase, (x, y, z) => [x + 3, y, z + 1]))]);
+  addMesh(document, 'vase', [
+    primitiveOf(
+      document,
+      moved(vase, (x, y, z) => [x + 3, y, z + 1]),
+    ),
+  ]);
   return document;
 }
 
@@ -226,7 +250,11 @@ export function partsBody(count: number): TriangleMesh {
     Array.from({ length: count }, (_, i) => {
       const heights = Array.from({ length: 6 }, (_unused, k) => 0.2 * k);
       const radii = heights.map((y, k) => 0.2 + 0.05 * Math.sin(3 * y + i) + 0.01 * ((i * 7 + k) % 5));
-      return moved(turnedSolid(radii, heights, 11), (x, y, z) => [x + (i % side), y, z + Math.floor(i / side)]);
+      return moved(turnedSolid(radii, heights, 11), (x, y, z) => [
+        x + (i % side),
+        y,
+        z + Math.floor(i / side),
+      ]);
     }),
   );
 }

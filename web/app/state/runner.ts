@@ -45,9 +45,7 @@ const sharesNow = (): string => sharesKey(settings(), keptFaces.value);
 
 /** The key of a stage that waits until the slider rests on a mesh that is shown. */
 const atRest = (stage: LevelStage) => (): string | null =>
-  isReducing() &&
-  restedFaces.value === wantedFaces.value &&
-  results.mesh.value
+  isReducing() && restedFaces.value === wantedFaces.value && results.mesh.value
     ? afterHistory(ofFaces(stage, () => restedFaces.value))()
     : null;
 

@@ -155,12 +155,10 @@ export const isSharing = computed(
 );
 
 /** How many faces are to be kept, as the worker is asked. */
-export const keptFaces = computed(
-  (): KeptFaces => ({
-    faces: (results.file.value?.bodies.length ?? 0) > 1 ? wants.faces.value : wantedFaces.value,
-    own: [...wants.own.value],
-  }),
-);
+export const keptFaces = computed((): KeptFaces => ({
+  faces: (results.file.value?.bodies.length ?? 0) > 1 ? wants.faces.value : wantedFaces.value,
+  own: [...wants.own.value],
+}));
 
 /** How many faces the shown body should keep. */
 export const wantedFaces = computed((): number => {

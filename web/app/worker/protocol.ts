@@ -11,7 +11,12 @@ import type {
   TriangleMesh,
   WhyKept,
 } from '../../engine/core/core';
-import type { Certificate, FittedResult, FrequencyFinding, GuardFinding } from '../../engine/body/body_result';
+import type {
+  Certificate,
+  FittedResult,
+  FrequencyFinding,
+  GuardFinding,
+} from '../../engine/body/body_result';
 import type { HealthNote } from '../../engine/body/health';
 import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
@@ -176,7 +181,9 @@ export interface SharesResult extends SharedFaces {
 
 /** Text that is equal where faces are shared out in the same way. */
 export const sharesKey = (settings: Settings, kept: KeptFaces): string =>
-  [keyOf(errorCurveStage, settings), settings.maxDeviation, settings.perBody, JSON.stringify(kept)].join('\n');
+  [keyOf(errorCurveStage, settings), settings.maxDeviation, settings.perBody, JSON.stringify(kept)].join(
+    '\n',
+  );
 
 /** Text that is equal where two exports are the same. */
 export function exportKey(settings: Settings, kept: KeptFaces, request: ExportRequest): string {

@@ -102,6 +102,23 @@ export function withLayers(layers: Layers, body: Body, result: MeshAt, sources: 
   };
 }
 
+/** The triangles of a result, each as often as it has layers. */
+export function trianglesOfLayers(
+  { of }: Layers,
+  triangles: Uint32Array,
+  inputOfTriangle: Uint32Array,
+): Uint32Array {
+  const all: number[] = [];
+  inputOfTriangle.forEach((input, t) => {
+    for (const { cornerOf } of of[input]) all.push(...cornerOf.map((c) => triangles[3 * t + c]));
+  });
+  return Uint32Array.from(all);
+}
+
+/** How many faces a result has with all their layers. */
+export const layeredFaces = ({ of }: Layers, inputOfTriangle: Uint32Array): number =>
+  inputOfTriangle.reduce((sum, input) => sum + of[input].length, 0);
+
 /** Among the layers at another place the one of the same primitive, and of the same side where there are several. */
 function layerLike(layers: readonly Layer[], wanted: Layer, body: Body): Layer | undefined {
   const same = layers.filter(({ source }) => spanOf(body, source) === spanOf(body, wanted.source));

@@ -28,6 +28,8 @@ export interface PreparedBody extends InspectedBody {
   attributes: BodyAttributes;
   /** the faces of the body on each triangle of `mesh` */
   layers: Layers;
+  /** points of its surface at which distances are measured, besides its vertices; 0: as the core finds right for a single body */
+  samples: number;
   /** what attributes cost in a collapse */
   costAttributes: CostAttributes;
   /** present where a symmetry is asked for; `partners` are those of `mesh`, whose quads are already cut as `corners` ask */

@@ -36,9 +36,10 @@ function squareOf(matrix: ArrayLike<number>): number {
 
 /** The sum of the squared scales of the node's instances; 1 where it is not instanced. */
 function instances(node: Node): number {
-  const extension = node.getExtension(INSTANCING) as
-    | { listSemantics(): string[]; getAttribute(semantic: string): Accessor | null }
-    | null;
+  const extension = node.getExtension(INSTANCING) as {
+    listSemantics(): string[];
+    getAttribute(semantic: string): Accessor | null;
+  } | null;
   const [first] = extension?.listSemantics() ?? [];
   if (!extension || first === undefined) return 1;
   const scales = extension.getAttribute('SCALE');

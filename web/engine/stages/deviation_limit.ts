@@ -21,7 +21,11 @@ export interface DeviationLimit {
  * The fewest faces, at least those of the level at `faces`, whose level is within the limit: to 1 %, and never beyond it. Where the
  * deviation does not fall with more faces, they are at one of its crossings of the limit.
  */
-export function facesWithin(history: History, faces: number, { limit, deviationAt, guess }: DeviationLimit): number {
+export function facesWithin(
+  history: History,
+  faces: number,
+  { limit, deviationAt, guess }: DeviationLimit,
+): number {
   const ends = wholeEnds(history);
   const facesAt = (i: number): number =>
     ends[i] === 0 ? history.triangleCount : history.trianglesAfter[ends[i] - 1];

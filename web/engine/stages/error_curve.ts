@@ -50,7 +50,10 @@ export function errorCurve(history: History): Pick<ErrorCurve, 'ends' | 'faces' 
 }
 
 /** How many collapses are estimated to stay within `limit`, in units of the body. */
-export function collapsesWithin({ ends, errors }: Pick<ErrorCurve, 'ends' | 'errors'>, limit: number): number {
+export function collapsesWithin(
+  { ends, errors }: Pick<ErrorCurve, 'ends' | 'errors'>,
+  limit: number,
+): number {
   let [low, high] = [0, errors.length - 1];
   while (low < high) {
     const middle = Math.ceil((low + high) / 2);

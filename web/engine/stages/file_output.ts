@@ -1,6 +1,7 @@
 /** What is written of a file: the GLB of all bodies, its further levels, the binding and the report. */
 
 import { bindingOfBody } from '../body/body_binding';
+import { layeredFaces } from '../body/layers';
 import type { PreparedBody } from '../body/prepared_body';
 import type { MeshAt } from '../core/core';
 import { faceCount, sum } from '../core/mesh';
@@ -132,6 +133,16 @@ export class FileOutput {
 
   results(): MeshAt[] {
     return this.values(STAGES.fitted).map(({ result }) => result);
+  }
+
+  /** The faces of all bodies that take part, with all their layers, as they came and as they are written. */
+  writtenFaces(): { before: number; after: number } {
+    const results = this.values(STAGES.fitted);
+    const layers = this.prepared().map((prepared) => prepared.layers);
+    return {
+      before: sum(layers.map(({ of }) => sum(of.map(({ length }) => length)))),
+      after: sum(results.map(({ result }, i) => layeredFaces(layers[i], result.inputOfTriangle))),
+    };
   }
 
   /** Why each body has as many faces as it has. */
