@@ -164,12 +164,11 @@ describe('two-sided leaves', () => {
     };
     expect(facesOf(back, true)).toEqual(facesOf(front, false));
     // Texture coordinates of the back side are its own, five away from those of the front.
-    const least = (primitive: typeof front) =>
+    const least = (primitive: typeof front): number =>
       Math.min(
-        ...primitive
-          .getAttribute('TEXCOORD_0')!
-          .getArray()!
-          .filter((_, i) => i % 2 === 0),
+        ...Array.from<number>(primitive.getAttribute('TEXCOORD_0')!.getArray()!).filter(
+          (_, i) => i % 2 === 0,
+        ),
       );
     expect(least(front)).toBeCloseTo(0, 5);
     expect(least(back)).toBeCloseTo(5, 5);
