@@ -17,7 +17,7 @@ import { defaultSettings, OPTIONS } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
 import { BodyRun } from '../../web/engine/stages/body_run';
 import { FileRun } from '../../web/engine/stages/file_run';
-import { targetsOf } from '../../web/engine/stages/face_shares';
+import { requestFile } from '../../web/engine/stages/file_targets';
 import { fitSettings } from '../../web/engine/stages/fit';
 import { declareStage, keyOf } from '../../web/engine/stages/stage';
 import type { AnyStage, RunSettings, RunSettingName } from '../../web/engine/stages/stage';
@@ -58,6 +58,8 @@ const READERS: Record<RunSettingName, StageName[]> = {
   qualityWeight: ['history', 'explanation'],
   sizeWeight: ['history', 'explanation'],
   maxDeviation: ['history', 'explanation', 'fitted', 'furtherLevels'],
+  perBody: [],
+  levelFaces: ['furtherLevels'],
   minAngle: ['history', 'explanation', 'fitted', 'furtherLevels'],
   borders: ['history', 'explanation'],
   seams: ['history', 'explanation', 'fitted', 'furtherLevels'],
@@ -115,6 +117,7 @@ const OTHER: RunSettings = {
   ...{ scenario: 'wind', material: 'springs', seconds: 1, substeps: 9, converge: true, damping: 1 },
   ...{ selfCollision: true, colliders: 'ground:0', friction: 0.1, calibrate: false, weld: 4 },
   ...{ mesh: 'a*', materialName: '?', exclude: 'b', threads: 1, targetFaces: 12, fields: false },
+  ...{ perBody: true, levelFaces: [20] },
 };
 
 /** Settings that request everything that a method can do. */
@@ -329,8 +332,7 @@ describe('the page and the command line', () => {
 
       const file = new FileRun(core, await openModel([textFile('two.obj', text)]));
       const { settings, fields, faces, ratio } = args;
-      const counts = file.model.bodies.map(({ indices }) => indices.length / 3);
-      const request = { settings, fields, targets: targetsOf(counts, { faces, ratio }) };
+      const request = requestFile(file, { settings, fields, faces, ratio });
       const page = await exportAll(file, request, { fields, binding: true, output: 'out.glb' });
 
       const written = (name: string) => new Uint8Array(readFileSync(join(folder, name)));

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { History } from '../../web/engine/core/core';
-import { endWithin } from '../../web/engine/stages/deviation_limit';
+import { facesWithin } from '../../web/engine/stages/deviation_limit';
 
 /** A history of `count` collapses that take two faces each from 1,000. */
 function historyOf(count: number): History {
@@ -16,35 +16,43 @@ function historyOf(count: number): History {
   };
 }
 
-describe('the end of a history with a largest deviation', () => {
-  it('stays where it is if it is within that deviation', () => {
-    const history = historyOf(300);
-    expect(endWithin(history, 1, () => 1)).toBe(history);
-    expect(endWithin(historyOf(0), 1, () => 1).kept.length).toBe(0);
-  });
+/** Within the limit 1 with at least so many faces. */
+const within = (fewest: number, asked: number[] = []) => ({
+  limit: 1,
+  deviationAt: (faces: number) => {
+    asked.push(faces);
+    return faces >= fewest ? 0.5 : 2;
+  },
+});
 
-  it.each([0, 1, 150, 297, 298, 299])('moves back to the last of %i collapses that are within it', (good) => {
+describe('the faces at which a largest deviation stops a body', () => {
+  it('are those that are asked for where these are within it, by a single measurement', () => {
     const asked: number[] = [];
-    const deviationAt = (faces: number) => {
-      asked.push(faces);
-      return faces >= 1000 - 2 * good ? 0.5 : 2;
-    };
-    const ended = endWithin(historyOf(300), 1, deviationAt);
-    expect(ended.stop).toBe('deviation');
-    expect([ended.kept.length, ended.removed.length, ended.trianglesAfter.length]).toEqual([
-      good,
-      good,
-      good,
-    ]);
-    expect(ended.positions.length).toBe(3 * good);
-    expect(asked.length).toBeLessThan(20);
+    expect(facesWithin(historyOf(300), 600, within(500, asked))).toBe(600);
+    expect(asked).toEqual([600]);
+    expect(facesWithin(historyOf(0), 600, within(2000))).toBe(1000);
   });
 
-  it('separates no collapse from its mirror image', () => {
-    const history = historyOf(300);
+  it.each([1000, 998, 700, 406, 404, 402])('are the fewest from %i faces on that are within it', (fewest) => {
+    for (const guess of [undefined, 0, 150, 299, 300]) {
+      const asked: number[] = [];
+      const found = facesWithin(historyOf(300), 1, { ...within(fewest, asked), guess });
+      expect(found).toBeGreaterThanOrEqual(fewest);
+      expect(found).toBeLessThanOrEqual(Math.max(fewest, 1.01 * fewest));
+      expect(asked.length).toBeLessThan(20);
+    }
+  });
+
+  it('never are faces that have not been measured to be within it', () => {
+    const uneven = (faces: number) => (faces % 16 < 6 ? 0.9 : 2);
+    const found = facesWithin(historyOf(300), 410, { limit: 1, deviationAt: uneven });
+    expect(found === 1000 || uneven(found) <= 1).toBe(true);
+  });
+
+  it('separate no collapse from its mirror image', () => {
     // No vertex is its own image.
     const mirror = Uint32Array.from({ length: 502 }, (_, v) => 501 - v);
-    const deviationAt = (faces: number) => (faces >= 1000 - 2 * 151 ? 0.5 : 2);
-    expect(endWithin({ ...history, mirror }, 1, deviationAt).kept.length).toBe(150);
+    const found = facesWithin({ ...historyOf(300), mirror }, 1, within(1000 - 2 * 151));
+    expect((1000 - found) % 4).toBe(0);
   });
 });

@@ -36,7 +36,7 @@ function results(core: Core) {
   const history = core.simplify(mesh, guidance.rank, curvature.vertex, paper);
   const { mesh: half } = core.meshAt(mesh, history, mesh.triangles.length / 6);
   const fidelity = core.compareFidelity(mesh, half, { ...shell, modeCount: 4 });
-  const distance = core.measureSurfaceDistance(mesh, half);
+  const distance = core.measureSurfaceDistance(mesh, half, 0);
   return {
     mesh,
     modes,

@@ -68,8 +68,8 @@ FidelityOptions fidelityOptionsOf(const val& in) {
   return options;
 }
 
-val jsMeasureSurfaceDistance(const val& a, const val& b) {
-  return toJs(measureSurfaceDistance(*meshOf(a), *meshOf(b), {}, theJob));
+val jsMeasureSurfaceDistance(const val& a, const val& b, uint32_t samples) {
+  return toJs(measureSurfaceDistance(*meshOf(a), *meshOf(b), {.samples = samples}, theJob));
 }
 
 val jsShellModes(const val& mesh, const val& in) {

@@ -67,7 +67,8 @@ struct Fields<History> {
       std::tuple(field("vertexCount", &History::vertexCount), field("triangleCount", &History::triangleCount),
                  field("kept", &History::kept), field("removed", &History::removed),
                  field("positions", &History::positions), field("trianglesAfter", &History::trianglesAfter),
-                 optionalField("refused", &History::refused), optionalField("stop", &History::stop));
+                 optionalField("errors", &History::errors), optionalField("refused", &History::refused),
+                 optionalField("stop", &History::stop));
 };
 
 template <>

@@ -35,7 +35,7 @@ struct Fields<ComponentModes> {
       field("host", &ComponentModes::host), field("coarseVertices", &ComponentModes::coarseVertices),
       field("zeroModesExpected", &ComponentModes::zeroModesExpected),
       field("zeroModesFound", &ComponentModes::zeroModesFound),
-      field("modeCount", &ComponentModes::modeCount));
+      field("modeCount", &ComponentModes::modeCount), optionalField("failure", &ComponentModes::failure));
 };
 
 template <>
@@ -50,7 +50,8 @@ template <>
 struct Fields<ModesOptions> {
   static constexpr auto list =
       std::tuple(field("model", &ModesOptions::model), field("direction", &ModesOptions::direction),
-                 field("pinned", &ModesOptions::pinned), field("modeCount", &ModesOptions::modeCount));
+                 field("pinned", &ModesOptions::pinned), field("modeCount", &ModesOptions::modeCount),
+                 optionalField("guidedParts", &ModesOptions::guidedParts));
 };
 
 template <>

@@ -69,7 +69,9 @@ struct Fields<SimplifyOptions> {
                                           optionalField("sizeWeight", &SimplifyOptions::sizeWeight),
                                           optionalField("stopFaces", &SimplifyOptions::stopFaces),
                                           optionalField("maxDeviation", &SimplifyOptions::maxDeviation),
-                                          optionalField("minAngle", &SimplifyOptions::minAngle));
+                                          optionalField("minAngle", &SimplifyOptions::minAngle),
+                                          optionalField("recordErrors", &SimplifyOptions::recordErrors),
+                                          optionalField("waitBeyond", &SimplifyOptions::waitBeyond));
 };
 
 namespace {

@@ -28,6 +28,7 @@ void addPart(ModeSet& set, const Part& part, const PartModes& modes, double toRa
     entry.host = part.components[0];
     entry.modeCount = modeCount;
     entry.coarseVertices = modes.coarseVertices;
+    entry.failure = modes.failure;
     if (component != entry.host) continue;
     entry.zeroModesExpected = modes.zeroModesExpected;
     entry.zeroModesFound = modes.zeroModesFound;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/job.h"
@@ -20,6 +21,11 @@ struct ModesOptions {
   ElasticMaterial material;
   int direction = -1;  // laplacian: 0 x, 1 y, 2 z; -1: each mode along all principal axes in turn
   std::vector<uint32_t> pinned = {};  // ids of the pinned vertices, in any order
+  // Where modes are needed for guidance alone: the number of bodies in the file for findModes, which counts
+  // the parts of this one itself, and that of all parts otherwise. Parts of a file with many are then solved
+  // on coarser lattices, see latticeCells. 0: modes for their own sake, with the lattice that frequencies
+  // need.
+  uint32_t guidedParts = 0;
 };
 
 // One elastic mode of one component.
@@ -42,6 +48,8 @@ struct ComponentModes {
   uint32_t zeroModesFound = 0;  // counted by the solver (EigenSolution::nullity)
   uint32_t modeCount = 0;       // its elastic modes, <= ModesOptions::modeCount (a tiny part has fewer)
   uint32_t coarseVertices = 0;  // vertices of the copy that was solved instead; 0: the part itself was solved
+  // Why it has no modes, in a sentence; only with ModesOptions::guidedParts, otherwise the solve throws.
+  std::string failure = {};
 };
 
 // The modes of all components. The shapes with one ordinal share one array: at each vertex it holds the shape

@@ -107,6 +107,7 @@ double enclosedVolume(const TriangleMesh& mesh) {
 PartModes solveSolid(const Part& part, const ModesOptions& options, Job& job) {
   job.begin(Phase::Assemble);
   SolidOptions solidOptions;
+  solidOptions.targetCells = latticeCells(part, options);
   solidOptions.poisson = options.material.poisson;
   TriangleMesh mesh = part.mesh;
   std::vector<uint32_t> pinned = part.pinned;
@@ -171,6 +172,15 @@ PartModes solveLaplacian(const Part& part, const ModesOptions& options, Job& job
 }
 
 }  // namespace
+
+uint32_t latticeCells(const Part& part, const ModesOptions& options) {
+  constexpr double kFewestCells = 64;  // four in each direction, for bending needs some
+  const double whole = SolidOptions{}.targetCells;
+  if (options.guidedParts <= 1) return static_cast<uint32_t>(whole);
+  const double resolving = std::pow(part.mesh.triangleCount() / 6.0, 1.5);
+  return static_cast<uint32_t>(
+      std::min(whole, std::max({kFewestCells, resolving, whole / options.guidedParts})));
+}
 
 PartModes refineShell(const Part& part, const PartModes& start, const ModesOptions& options, Job& job) {
   // The squares of the rounded frequencies, not the eigenvalues themselves: the shift, and with it every last

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "elastic/parts.h"
@@ -19,7 +20,14 @@ struct PartModes {
   std::vector<int32_t> axis;     // per mode, see Mode::axis
   uint64_t factorNonzeros = 0;
   uint32_t coarseVertices = 0;  // see ComponentModes::coarseVertices
+  std::string failure = {};     // see ComponentModes::failure
 };
+
+// About how many cells the lattice of a solid part has. For guidance alone, a lattice need not be finer than
+// what it guides: strain is one number per triangle, and a cube of n cells has 6 n^(2/3) faces of cells on
+// its surface, so that (faces / 6)^(3/2) cells resolve it. The parts of a file share the cells of one beyond
+// that.
+uint32_t latticeCells(const Part& part, const ModesOptions& options);
 
 // Solves one part with its own model. A part all of whose vertices are pinned has no modes. Throws as
 // computeModes.

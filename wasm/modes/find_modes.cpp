@@ -1,6 +1,7 @@
 #include "modes/find_modes.h"
 
 #include <atomic>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "elastic/part_modes.h"
 #include "mesh/topology.h"
 #include "modes/coarse_part.h"
+#include "modes/equal_parts.h"
 
 namespace limber {
 
@@ -32,6 +34,20 @@ PartModes solveOne(const Part& part, const ModesOptions& options, bool exact, Jo
   return isLarge && !exact ? solveCoarsely(part, options, job) : solvePart(part, options, job);
 }
 
+// As `solveOne`, but for guidance alone a part that cannot be solved has no modes, and says why.
+PartModes solveOrSkip(const Part& part, const ModesOptions& options, bool exact, Job& job) {
+  if (options.guidedParts == 0) return solveOne(part, options, exact, job);
+  try {
+    return solveOne(part, options, exact, job);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    PartModes none;
+    none.failure = error.what();
+    return none;
+  }
+}
+
 // A part, and where its modes go.
 struct PartTask {
   const Part& part;
@@ -44,7 +60,7 @@ void solveSideBySide(const std::vector<PartTask>& small, const ModesOptions& opt
   std::atomic<size_t> done = 0;
   const auto caller = std::this_thread::get_id();
   parallelFor(small.size(), 1, [&](size_t at, size_t) {
-    small[at].modes = solvePart(small[at].part, options, job);
+    small[at].modes = solveOrSkip(small[at].part, options, true, job);
     const double fraction = static_cast<double>(++done) / static_cast<double>(small.size());
     if (std::this_thread::get_id() == caller) phase.report(fraction);
   });
@@ -52,17 +68,24 @@ void solveSideBySide(const std::vector<PartTask>& small, const ModesOptions& opt
 
 }  // namespace
 
-ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& options, bool exact, Job& job) {
-  checkModesOptions(mesh, options);
-  const std::vector<Part> parts = partsOf(mesh, buildTopology(mesh), options);
+ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& asked, bool exact, Job& job) {
+  checkModesOptions(mesh, asked);
+  const std::vector<Part> parts = partsOf(mesh, buildTopology(mesh), asked);
+  ModesOptions options = asked;
+  options.guidedParts *= static_cast<uint32_t>(parts.size());
   std::vector<PartModes> modes(parts.size());
+  const std::vector<size_t> first = firstEqualParts(mesh, parts);
   std::vector<PartTask> small;
   for (size_t i = 0; i < parts.size(); ++i)
-    if (parts.size() > 1 && parts[i].mesh.vertexCount() <= kSmallPartVertices)
+    if (first[i] != i)
+      continue;
+    else if (parts.size() > 1 && parts[i].mesh.vertexCount() <= kSmallPartVertices)
       small.push_back({parts[i], modes[i]});
     else
-      modes[i] = solveOne(parts[i], options, exact, job);
+      modes[i] = solveOrSkip(parts[i], options, exact, job);
   if (!small.empty()) solveSideBySide(small, options, job);
+  for (size_t i = 0; i < parts.size(); ++i)
+    if (first[i] != i) modes[i] = modes[first[i]];
   return collectModes(mesh, parts, modes, options);
 }
 

@@ -33,7 +33,10 @@ struct History {
   std::vector<uint32_t> kept, removed;          // vertices of the input
   std::vector<float> positions;                 // positions[3 * i + c]
   std::vector<uint32_t> trianglesAfter;         // strictly descending
-  Refused refused;                              // at the end
+  // Per collapse an estimate of how far it has taken the surface from the input, see DeviationEstimate; in
+  // units of the mesh, in no order. Empty unless SimplifyOptions::recordErrors is set.
+  std::vector<float> errors;
+  Refused refused;  // at the end
   StopReason stop = StopReason::Exhausted;
 
   uint32_t collapseCount() const { return static_cast<uint32_t>(kept.size()); }

@@ -1,5 +1,6 @@
 #include "simplify/simplify.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include "simplify/collapse_mesh.h"
 #include "simplify/collapse_rules.h"
 #include "simplify/cost/policies.h"
+#include "simplify/deviation_estimate.h"
 #include "simplify/edge_queue.h"
 
 namespace limber {
@@ -33,6 +35,8 @@ void checkNumbers(const SimplifyOptions& options) {
        {options.strainWeight, options.curvatureWeight, options.qualityWeight, options.sizeWeight})
     if (!(weight >= 0) || !std::isfinite(weight))
       throw std::invalid_argument("The weights of strain, curvature, quality and size must be numbers >= 0.");
+  if (!(options.waitBeyond >= 0) || !std::isfinite(options.waitBeyond))
+    throw std::invalid_argument("The deviation beyond which collapses wait must be a number >= 0.");
   if (!(options.maxDeviation >= 0) || !(options.minAngle >= 0 && options.minAngle < 60))
     throw std::invalid_argument(
         "The largest deviation must be >= 0, the smallest angle between 0 and 60 degrees.");
@@ -50,7 +54,11 @@ class Simplification {
         queue_(mesh_.edgeCount()),
         queuedBy_(mesh_.edgeCount(), QueuedBy::Nothing),
         stopFaces_(options.stopFaces),
+        waitBeyond_(options.waitBeyond),
         job_(job) {
+    if (options.recordErrors || options.waitBeyond > 0) estimate_.emplace(mesh_);
+    if (options.recordErrors) history_.errors.reserve(input.vertexCount());
+    recordsErrors_ = options.recordErrors;
     history_.vertexCount = input.vertexCount();
     history_.triangleCount = input.triangleCount();
     for (auto* list : {&history_.kept, &history_.removed, &history_.trianglesAfter})
@@ -61,7 +69,7 @@ class Simplification {
   History run() {
     queueAll();
     do collapseAll();
-    while (!isDone() && queueLegalEdges());
+    while (!isDone() && (queueLegalEdges() || queueWaitingEdges()));
     if (isDone()) history_.refused = {};
     history_.stop = stopReason();
     return std::move(history_);
@@ -105,7 +113,7 @@ class Simplification {
     if (!costs_.boundsAreCosts() && queuedBy_[edge] == QueuedBy::Bound && isQueuedAgain(edge)) return;
     queuedBy_[edge] = QueuedBy::Nothing;
     const Collapse step = rules_.collapseOf(edge, costs_.target(edge));
-    if (rules_.judge(step) == Verdict::Legal)
+    if (rules_.judge(step) == Verdict::Legal && !mustWait(step))
       carryOutWithImage(step);
     else
       for (const uint32_t v : {step.kept, step.removed}) mesh_.setMarked(v, true);
@@ -119,6 +127,9 @@ class Simplification {
     queuedBy_[edge] = costs_.followsNeighbourhood() ? QueuedBy::Cost : QueuedBy::Bound;
     return true;
   }
+
+  // Whether others go first, see SimplifyOptions::waitBeyond. To be asked for legal collapses alone.
+  bool mustWait(const Collapse& step) { return waitBeyond_ > 0 && estimate_->of(step) > waitBeyond_; }
 
   StopReason stopReason() const {
     const auto [topology, flip, lock, angle, deviation] = history_.refused;
@@ -138,15 +149,17 @@ class Simplification {
   }
 
   void carryOut(const Collapse& step) {
+    const double error = estimate_ ? estimate_->collapse(step) : 0;
     costs_.collapse(step);
     rules_.collapse();
     for (const uint32_t gone : mesh_.collapse(step))
       if (gone != kNone) queue_.remove(gone);
-    record(step);
+    record(step, error);
     updateCosts(step.kept);
   }
 
-  void record(const Collapse& step) {
+  void record(const Collapse& step, double error) {
+    if (recordsErrors_) history_.errors.push_back(static_cast<float>(error));
     history_.kept.push_back(step.kept);
     history_.removed.push_back(step.removed);
     for (const float coordinate : mesh_.inFile(step.target)) history_.positions.push_back(coordinate);
@@ -209,16 +222,24 @@ class Simplification {
   }
 
   // Judges every edge that is left, so that the floor is one by its definition: counts the refusals and
-  // queues the legal edges. Returns whether there are any.
+  // queues the legal edges that need not wait. Returns whether there are any.
   bool queueLegalEdges() {
     history_.refused = {};
     edges_.clear();
+    leastWaiting_ = 0;
     for (uint32_t edge = 0; edge < mesh_.edgeCount(); ++edge) {
       if (mesh_.trianglesOnEdge(edge) == 0) continue;
       if (edge % kEdgesPerRange == 0) job_.check();
       Verdict verdict = rules_.permanentVerdict(edge);
-      if (verdict == Verdict::Legal)
-        verdict = rules_.judge(rules_.collapseOf(edge, costs_.optimum(edge).position));
+      if (verdict == Verdict::Legal) {
+        const Collapse step = rules_.collapseOf(edge, costs_.optimum(edge).position);
+        verdict = rules_.judge(step);
+        if (verdict == Verdict::Legal && mustWait(step)) {
+          const double estimate = estimate_->of(step);
+          leastWaiting_ = leastWaiting_ > 0 ? std::min(leastWaiting_, estimate) : estimate;
+          continue;
+        }
+      }
       history_.refused.lock += verdict == Verdict::Locked;
       history_.refused.topology += verdict == Verdict::Topology;
       history_.refused.flip += verdict == Verdict::Flip;
@@ -231,12 +252,24 @@ class Simplification {
     return !edges_.empty();
   }
 
+  // Lets the collapses that `queueLegalEdges` has found waiting go on, up to at least twice the distance so
+  // far. Returns whether there are any.
+  bool queueWaitingEdges() {
+    if (leastWaiting_ == 0) return false;
+    waitBeyond_ = std::max(2 * waitBeyond_, leastWaiting_);
+    return queueLegalEdges();
+  }
+
   CollapseMesh mesh_;
   Policy costs_;
   CollapseRules rules_;
   EdgeQueue queue_;
   std::vector<QueuedBy> queuedBy_;  // per edge
+  std::optional<DeviationEstimate> estimate_;
   uint32_t stopFaces_;
+  double waitBeyond_;        // doubles, see SimplifyOptions::waitBeyond
+  double leastWaiting_ = 0;  // of the legal collapses that wait, the least estimate; 0: none waits
+  bool recordsErrors_ = false;
   std::vector<uint32_t> edges_, neighbours_;  // scratch memory
   Job& job_;
   History history_;

@@ -22,6 +22,12 @@ struct SimplifyOptions {
   // changes is below this and no larger than it was. So the smallest angle of the mesh never falls below the
   // lesser of this and that of the input. 0: none.
   double minAngle = 0;
+  // Whether the history gets an estimate of the deviation after each collapse, see History::errors.
+  bool recordErrors = false;
+  // Collapses that are estimated to take the surface farther from the input than this length wait until no
+  // other is left; then this length doubles. So beyond it a longer distance is never the price of size,
+  // quality or strain. 0: none waits.
+  double waitBeyond = 0;
   SimplifyConstraints constraints{};
 };
 

@@ -6,7 +6,7 @@ import { cancelRunning } from './state/runner';
 import { reset, stepOnce } from './state/simulation';
 import { twin } from './state/twin';
 import { redo, undo } from './state/undo';
-import { isBrushing, isPicking, results, view, wantedFaces, wants } from './state/store';
+import { isBrushing, isPicking, isSharing, keepFaces, results, slider, view, wants } from './state/store';
 import { blink, LAYOUT_NAMES } from './panels/reduce/compare';
 import { BRUSH_RADIUS } from './panels/reduce/brush_section';
 
@@ -58,10 +58,11 @@ const WITH_CONTROL: Record<string, () => void> = {
 
 /** A collapse removes one face at a border and two elsewhere, so a step of two faces always shows. */
 function stepFaces(direction: number): void {
-  const history = results.history.value;
-  if (!history || view.step.value !== 'reduce') return;
-  const shown = (results.mesh.value?.mesh.triangles.length ?? 0) / 3 || wantedFaces.value;
-  wants.faces.value = Math.min(history.faces, Math.max(history.floorFaces, shown + 2 * direction));
+  const { isReady, fewest, faces, wanted } = slider.value;
+  if (!isReady || view.step.value !== 'reduce') return;
+  const ofBody = (results.mesh.value?.mesh.triangles.length ?? 0) / 3 || wanted;
+  const shown = isSharing.value ? wanted : ofBody;
+  keepFaces(Math.min(faces, Math.max(fewest, shown + 2 * direction)));
 }
 
 function sizeBrush(factor: number): void {

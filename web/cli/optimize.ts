@@ -1,7 +1,6 @@
 /** limber optimize IN OUT */
 
-import { describeSolve } from '../engine/body/health';
-import { faceCount } from '../engine/core/mesh';
+import { describeFailedModes, describeSolve } from '../engine/body/health';
 import { startStopwatch } from '../engine/core/stopwatch';
 import { droppedByExport, passThrough } from '../engine/document/export';
 import { describeEmpty } from '../engine/document/open';
@@ -9,9 +8,8 @@ import type { OpenModel } from '../engine/document/open';
 import { describeLargeFit } from '../engine/report/fit_words';
 import { settingsAsUsed } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
-import { targetsOf } from '../engine/stages/face_shares';
-import type { FaceTarget } from '../engine/stages/face_shares';
 import { FileOutput } from '../engine/stages/file_output';
+import { requestFile } from '../engine/stages/file_targets';
 import type { FileRun } from '../engine/stages/file_run';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
@@ -23,12 +21,10 @@ import { levelLine, summaryLine, tuningLines } from './optimize_words';
 import { finish, openAnyFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';
-import { missedTargets } from './targets';
+import { missedTargets, targetOf } from './targets';
 import { clearProgress } from './terminal';
 import { ofBody } from './warnings';
 import { plain } from './words';
-
-const DEFAULT_RATIO = 0.5;
 
 export async function runOptimize(args: Arguments): Promise<number> {
   const [input, path] = args.operands;
@@ -107,11 +103,11 @@ function finishOptimize(session: Session, { output, report, levels }: Optimized)
 /** Takes every body through its stages; warns where a result is not as asked. */
 function optimizeFile({ args, warnings }: Session, file: FileRun): FileOutput {
   const { settings, fields } = args;
-  const counts = file.runs.map((run) => (run ? faceCount(run.get(STAGES.prepared, settings).mesh) : 0));
-  const output = new FileOutput(file, { settings, fields, targets: targetsOf(counts, targetOf(args)) });
+  const output = new FileOutput(file, requestFile(file, { settings, fields, ...targetOf(args) }));
   output.compute((run, own) => {
     const { note } = run.get(STAGES.constraints, own);
     if (note !== '') warnings.push(note);
+    warnings.push(...describeFailedModes(run.context.body.name, run.get(STAGES.guidingModes, own)));
     const large = describeLargeFit(run.get(STAGES.fitted, own));
     if (large !== '') warnings.push(ofBody(run.context.body.name, large));
   });
@@ -123,11 +119,4 @@ function optionsAsUsed(args: Arguments): object {
   const { faces, ratio } = targetOf(args);
   const target = { ...(faces !== null ? { faces } : {}), ...(ratio !== null ? { ratio } : {}) };
   return { ...settingsAsUsed(settings), ...target, fields };
-}
-
-/** What is asked for; half the faces where nothing else is a target. Of a default nothing is missed. */
-function targetOf({ faces, ratio, settings }: Arguments): FaceTarget {
-  const others = [settings.maxDeviation, settings.minAngle, settings.maxFrequencyError];
-  const isAlone = faces === null && others.every((limit) => limit === 0);
-  return { faces, ratio: ratio ?? (isAlone ? DEFAULT_RATIO : null) };
 }

@@ -1,6 +1,5 @@
 /** What limber optimize says of its results. */
 
-import { faceCount, sum } from '../engine/core/mesh';
 import { describeShapeFit } from '../engine/report/fit_words';
 import type { Report } from '../engine/report/report';
 import { fitReport, worstSurface } from '../engine/report/result_report';
@@ -16,8 +15,7 @@ import { shownName, shownOutput } from './standard';
 import { count, percent } from './words';
 
 export function summaryLine({ operands }: Arguments, output: FileOutput, seconds: number): string {
-  const before = sum(output.prepared().map(({ mesh }) => faceCount(mesh)));
-  const after = sum(output.results().map(({ mesh }) => faceCount(mesh)));
+  const { before, after } = output.writtenFaces();
   const measured = output.values(STAGES.measured);
   const distance = worstSurface(measured.map((one) => one.distance));
   const broken = measured.flatMap(({ certificate }) =>

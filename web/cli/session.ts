@@ -97,7 +97,8 @@ export function prepareFile(session: Session, model: OpenModel): FileRun {
   const onActivity = (body: string, triedFaces?: number): void => {
     session.activity = triedFaces === undefined ? body : `${body}, trying ${count(triedFaces)} faces`;
   };
-  const file = new FileRun(core, model, { chosen: chosenBodies(model, args.settings), onActivity });
+  const guides = args.command === 'optimize';
+  const file = new FileRun(core, model, { chosen: chosenBodies(model, args.settings), guides, onActivity });
   for (const sentence of file.leaveOutUnusable(args.settings))
     warnings.push(ofSentence(`${sentence.replace(/\.$/, '')}; it stays as it is`));
   for (const body of file.prepared(args.settings)) warnAbout(session, model, body);

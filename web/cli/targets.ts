@@ -6,11 +6,14 @@ import { worstSurface } from '../engine/report/result_report';
 import { describeRefused, isBlockedBySeams, stopReport } from '../engine/report/stop_report';
 import type { StoppedBody } from '../engine/report/stop_report';
 import type { Settings } from '../engine/settings/options';
+import type { FaceTarget } from '../engine/stages/face_shares';
 import type { FileOutput } from '../engine/stages/file_output';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
 import type { WrittenLevel } from './levels';
 import { count, plural } from './words';
+
+const DEFAULT_RATIO = 0.5;
 
 /** A sentence for each missed target, without a full stop. */
 export interface MissedTargets {
@@ -20,12 +23,32 @@ export interface MissedTargets {
   unasked: string[];
 }
 
+/** What is asked for; half the faces where nothing else is a target. */
+export function targetOf({ faces, ratio, asked, settings }: Arguments): FaceTarget {
+  const { minAngle, maxFrequencyError } = settings;
+  const isAlone =
+    faces === null && !asksForDeviation({ asked, settings }) && minAngle === 0 && maxFrequencyError === 0;
+  return { faces, ratio: ratio ?? (isAlone ? DEFAULT_RATIO : null) };
+}
+
+/** Whether the largest deviation was asked for: by default it is a guard, and stopping at it misses no target. */
+const asksForDeviation = ({ asked, settings }: Pick<Arguments, 'asked' | 'settings'>): boolean =>
+  asked.has('max-deviation') && settings.maxDeviation > 0;
+
 export function missedTargets(args: Arguments, output: FileOutput, levels: WrittenLevel[]): MissedTargets {
   const { asked, settings } = args;
   const describe = (bodies: StoppedBody[], where = '') =>
     describeMiss(bodies, output.prepared(), { where, settings });
   const ofFile = describe(output.stopped());
   const isAsked = args.faces !== null || args.ratio !== null;
+  const { faces, ratio } = targetOf(args);
+  const hasCount = faces !== null || ratio !== null;
+  const guards = asksForDeviation(args)
+    ? []
+    : [
+        describeGuard(output.stopped()),
+        ...levels.map(({ bodies, report: { file } }) => describeGuard(bodies, `${file}: `)),
+      ];
   const found = {
     deviation: worstSurface(output.values(STAGES.measured).map(({ distance }) => distance)).hausdorff,
     frequencyError: stopReport(output.stopped()).frequency?.error ?? 0,
@@ -36,9 +59,19 @@ export function missedTargets(args: Arguments, output: FileOutput, levels: Writt
       ...(isAsked ? [ofFile] : []),
       ...levels.map(({ bodies, report: { file } }) => describe(bodies, `${file}: `)),
       ...brokenLimits(settings, asked, found),
+      ...(isAsked ? guards : []),
     ].filter(isPresent),
-    unasked: (isAsked ? [] : [ofFile]).filter(isPresent),
+    unasked: (isAsked ? [] : [...(hasCount ? [ofFile] : []), ...guards]).filter(isPresent),
   };
+}
+
+/** Why bodies have more faces than was asked for, because the surface would go too far; '' where none has. */
+export function describeGuard(bodies: StoppedBody[], where = ''): string {
+  const { guarded = [] } = stopReport(bodies);
+  if (guarded.length === 0) return '';
+  const [{ body, faces, deviation, limit }] = [...guarded].sort((a, b) => b.deviation - a.deviation);
+  const others = guarded.length > 1 ? ` and ${plural(guarded.length - 1, 'other body', 'other bodies')}` : '';
+  return `${where}${body}${others} stopped at ${count(faces)} faces, ${deviation.toFixed(2)} % of its diagonal from the original: fewer would go beyond ${limit} %; --max-deviation 0 lifts this`;
 }
 
 /** What lies within rounding of a limit keeps it. */

@@ -19,10 +19,7 @@ export interface ModelFile {
 export type Model = Document | Uint8Array | ArrayBuffer | readonly ModelFile[];
 
 /** Settings by name, as in the table of the README without dashes (`strainWeight` is --strain-weight). */
-export interface CommonOptions extends Partial<Settings> {
-  /** only the body of this name; others stay as they are */
-  mesh?: string;
-}
+export type CommonOptions = Partial<Settings>;
 
 export interface OptimizeOptions extends CommonOptions {
   /** the most faces that may be left, of the whole file */

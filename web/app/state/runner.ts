@@ -4,9 +4,8 @@ import { batch, effect, signal, untracked } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { faceCount } from '../../engine/core/mesh';
 import { fileDefaults } from '../../engine/settings/options';
-import type { KeptShare } from '../../engine/stages/face_shares';
 import { STAGES } from '../../engine/stages/stages';
-import { CANCELLED, exportKey } from '../worker/protocol';
+import { CANCELLED, exportKey, sharesKey } from '../worker/protocol';
 import type { ExportRequest, PinsResult } from '../worker/protocol';
 import { Client } from './client';
 import { takeAwaited } from './link';
@@ -16,7 +15,17 @@ import { saveFiles, startSaving } from './saved_session';
 import { afterBody, afterHistory, keyed, of, ofFaces } from './task';
 import type { LevelStage, Task } from './task';
 import { isTuningWanted } from './twin';
-import { changeSettings, results, shownMesh, status, view, wantedFaces, whyKey, wants } from './store';
+import {
+  changeSettings,
+  keptFaces,
+  results,
+  shownMesh,
+  status,
+  view,
+  wantedFaces,
+  whyKey,
+  wants,
+} from './store';
 import { forgetUndo, startUndo, withoutUndo } from './undo';
 
 const REST_MILLISECONDS = 180;
@@ -27,11 +36,16 @@ const restedFaces = signal(0);
 
 export const client = new Client(new URL('.', document.baseURI).href);
 
+/** Whether results are looked at. */
+const isReducing = (): boolean =>
+  view.step.value === 'reduce' || view.step.value === 'test' || wants.exportOpen.value;
+
+const areSeveral = (): boolean => (results.file.value?.bodies.length ?? 0) > 1;
+const sharesNow = (): string => sharesKey(settings(), keptFaces.value);
+
 /** The key of a stage that waits until the slider rests on a mesh that is shown. */
 const atRest = (stage: LevelStage) => (): string | null =>
-  (view.step.value === 'reduce' || view.step.value === 'test' || wants.exportOpen.value) &&
-  restedFaces.value === wantedFaces.value &&
-  results.mesh.value
+  isReducing() && restedFaces.value === wantedFaces.value && results.mesh.value
     ? afterHistory(ofFaces(stage, () => restedFaces.value))()
     : null;
 
@@ -76,6 +90,12 @@ const tasks: Task[] = [
     result: results.history,
   },
   {
+    what: 'Sharing the faces out',
+    key: () => (isReducing() && areSeveral() ? afterHistory(sharesNow)() : null),
+    run: () => client.call((worker) => worker.shares(settings(), keptFaces.value)),
+    result: results.shares,
+  },
+  {
     what: 'Replaying collapses',
     key: afterHistory(ofFaces(STAGES.level, () => wantedFaces.value)),
     run: () => client.call((worker) => worker.meshAt(body(), settings(), wantedFaces.value)),
@@ -103,7 +123,7 @@ const tasks: Task[] = [
     what: 'Writing and checking the file',
     key: () =>
       wants.exportOpen.value && restedFaces.value === wantedFaces.value ? afterHistory(exportedKey)() : null,
-    run: () => client.call((worker) => worker.export(settings(), keptShare(), exportRequest())),
+    run: () => client.call((worker) => worker.export(settings(), keptFaces.value, exportRequest())),
     result: results.exported,
   },
   {
@@ -151,12 +171,6 @@ async function findPins(): Promise<unknown> {
   }
 }
 
-/** What is kept of the shown body. */
-const keptShare = (): KeptShare => ({
-  faces: restedFaces.value,
-  of: results.body.value ? faceCount(results.body.value.mesh) : 0,
-});
-
 const baseName = (name: string): string =>
   name
     .split('/')
@@ -170,7 +184,7 @@ export const exportRequest = (): ExportRequest => ({
   output: `${baseName(results.file.value?.name ?? '')}-limber.glb`,
 });
 
-export const exportedKey = (): string => exportKey(settings(), keptShare(), exportRequest());
+export const exportedKey = (): string => exportKey(settings(), keptFaces.value, exportRequest());
 
 /** The key that the result of each task was made from. */
 const done = new Map<Task, string>();
@@ -198,6 +212,7 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
         results.opened.value += 1;
         wants.body.value = wanted && wanted.body < file.bodies.length ? wanted.body : 0;
         wants.faces.value = wanted?.faces ?? null;
+        wants.own.value = new Map();
         wants.exportOpen.value = false;
         if (wanted) wants.settings.value = wanted.settings;
         else changeSettings(fileDefaults());
@@ -221,7 +236,6 @@ export function showBody(index: number): void {
   batch(() => {
     for (const task of tasks) task.result.value = null;
     wants.body.value = index;
-    wants.faces.value = null;
   });
   forgetUndo();
 }

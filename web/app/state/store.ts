@@ -18,7 +18,9 @@ import type {
   ModesResult,
   OpenedFile,
   PinsResult,
+  KeptFaces,
   ResultMetrics,
+  SharesResult,
   WhyResult,
 } from '../worker/protocol';
 
@@ -37,8 +39,10 @@ export interface Notice {
 export const wants = {
   settings: signal<Settings>(defaultSettings()),
   body: signal(0),
-  /** kept faces of the shown body; null: half */
+  /** kept faces of all bodies without a number of their own; null: half */
   faces: signal<number | null>(null),
+  /** kept faces of bodies that have a number of their own, by the number of the body */
+  own: signal<ReadonlyMap<number, number>>(new Map()),
   exportOpen: signal(false),
   exportFields: signal(false),
   exportBinding: signal(false),
@@ -54,6 +58,8 @@ export const results = {
   guidance: signal<StrainGuidance | null>(null),
   curvature: signal<Curvature | null>(null),
   history: signal<HistorySummary | null>(null),
+  /** how faces are shared out over the bodies; a file of one body needs none */
+  shares: signal<SharesResult | null>(null),
   marks: signal<DeviationMarks | null>(null),
   mesh: signal<MeshAt | null>(null),
   fitted: signal<FitResult | null>(null),
@@ -143,8 +149,55 @@ export const isBrushing = computed(
   () => view.brush.value.tool !== null && view.step.value === 'reduce' && results.body.value !== null,
 );
 
+/** Whether the shown body has faces from a number that several bodies share. */
+export const isSharing = computed(
+  () => (results.file.value?.bodies.length ?? 0) > 1 && !wants.own.value.has(wants.body.value),
+);
+
+/** How many faces are to be kept, as the worker is asked. */
+export const keptFaces = computed((): KeptFaces => ({
+  faces: (results.file.value?.bodies.length ?? 0) > 1 ? wants.faces.value : wantedFaces.value,
+  own: [...wants.own.value],
+}));
+
 /** How many faces the shown body should keep. */
-export const wantedFaces = computed(() => {
+export const wantedFaces = computed((): number => {
   const total = results.body.value ? faceCount(results.body.value.mesh) : 0;
-  return wants.faces.value ?? Math.floor(total / 2);
+  const half = Math.floor(total / 2);
+  const own = wants.own.value.get(wants.body.value);
+  if (isSharing.value) return results.shares.value?.targets[wants.body.value] ?? half;
+  return own ?? wants.faces.value ?? half;
 });
+
+/** What the slider of the kept faces shows. */
+export const slider = computed(() => {
+  const { value: history } = results.history;
+  const { value: shares } = results.shares;
+  if (isSharing.value)
+    return {
+      isReady: shares !== null,
+      fewest: shares?.fewest ?? 0,
+      faces: shares?.faces ?? 0,
+      wanted: wants.faces.value ?? shares?.wanted ?? 0,
+    };
+  return {
+    isReady: history !== null,
+    fewest: history?.floorFaces ?? 0,
+    faces: history?.faces ?? results.body.value?.inspection.faces ?? 0,
+    wanted: wantedFaces.value,
+  };
+});
+
+/** Keeps so many faces, of what the slider stands for. */
+export function keepFaces(faces: number): void {
+  if (wants.own.value.has(wants.body.value)) setOwnFaces(faces);
+  else wants.faces.value = faces;
+}
+
+/** Gives the shown body a number of faces of its own; null: it shares with the others again. */
+export function setOwnFaces(faces: number | null): void {
+  const own = new Map(wants.own.value);
+  if (faces === null) own.delete(wants.body.value);
+  else own.set(wants.body.value, faces);
+  wants.own.value = own;
+}

@@ -17,6 +17,7 @@ export async function exportAll(
   { output: name, binding }: ExportRequest,
 ): Promise<Omit<ExportResult, 'key'>> {
   const { settings, targets } = request;
+  const asked = request.faces ?? sum(targets);
   const stopwatch = startStopwatch();
   const output = new FileOutput(file, request);
   const results = output.results();
@@ -25,7 +26,7 @@ export async function exportAll(
   const exportTime = stopwatch();
   const { levels, reports } = await exportLevels(output, name);
   const levelsTime = stopwatch();
-  const report = output.report({ ...settingsAsUsed(settings), faces: sum(targets) }, reports);
+  const report = output.report({ ...settingsAsUsed(settings), faces: asked }, reports);
   report.timings = {
     ...report.timings,
     export: exportTime,
@@ -34,7 +35,7 @@ export async function exportAll(
   const faces = sum(results.map(({ mesh }) => faceCount(mesh)));
   const text = binding ? output.binding() : null;
   const tuned = settings.solver === 'none' ? null : output.settings();
-  const shown = { bytes, validation, report, faces, targetFaces: sum(targets) };
+  const shown = { bytes, validation, report, faces, targetFaces: asked };
   return { ...shown, levels, binding: text, settings: tuned };
 }
 

@@ -11,16 +11,23 @@ import type {
   TriangleMesh,
   WhyKept,
 } from '../../engine/core/core';
-import type { Certificate, FittedResult, FrequencyFinding } from '../../engine/body/body_result';
+import type {
+  Certificate,
+  FittedResult,
+  FrequencyFinding,
+  GuardFinding,
+} from '../../engine/body/body_result';
 import type { HealthNote } from '../../engine/body/health';
 import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
 import type { Report } from '../../engine/report/report';
 import type { Settings } from '../../engine/settings/options';
 import type { DeviationMark } from '../../engine/stages/deviation_marks';
+import { errorCurveStage } from '../../engine/stages/error_curve';
 import { keyOfFile } from '../../engine/stages/file_request';
+import { keyOf } from '../../engine/stages/stage';
 import type { TunedBody } from '../../engine/solvers/tuned_body';
-import type { KeptShare } from '../../engine/stages/face_shares';
+import type { SharedFaces } from '../../engine/stages/file_targets';
 
 export interface Started {
   threads: number;
@@ -102,6 +109,8 @@ export interface FitResult extends Omit<FittedResult, 'result'> {
   result: MeshAt | null;
   /** null where frequencies are no target */
   frequency: FrequencyFinding | null;
+  /** null where no deviation has stopped it */
+  guard: GuardFinding | null;
   /** of the stage, see keyOf */
   key: string;
 }
@@ -156,11 +165,31 @@ export interface ExportResult {
   key: string;
 }
 
+/** How many faces are kept. */
+export interface KeptFaces {
+  /** of all bodies without a number of their own together; null: half of theirs */
+  faces: number | null;
+  /** numbers of bodies, and their own numbers of faces */
+  own: [number, number][];
+}
+
+/** How faces are shared out over the bodies; see SharedFaces. */
+export interface SharesResult extends SharedFaces {
+  /** see sharesKey */
+  key: string;
+}
+
+/** Text that is equal where faces are shared out in the same way. */
+export const sharesKey = (settings: Settings, kept: KeptFaces): string =>
+  [keyOf(errorCurveStage, settings), settings.maxDeviation, settings.perBody, JSON.stringify(kept)].join(
+    '\n',
+  );
+
 /** Text that is equal where two exports are the same. */
-export function exportKey(settings: Settings, kept: KeptShare, request: ExportRequest): string {
+export function exportKey(settings: Settings, kept: KeptFaces, request: ExportRequest): string {
   const { fields, binding, output } = request;
-  const file = { settings, targets: [kept.faces, kept.of], fields };
-  return [keyOfFile(file), binding, output].join('\n');
+  const file = { settings, targets: [], fields };
+  return [keyOfFile(file), JSON.stringify(kept), binding, output].join('\n');
 }
 
 /** Every call throws an Error with one sentence; a cancelled one an Error whose message is CANCELLED. */
@@ -183,8 +212,9 @@ export interface WorkerApi {
   /** `faces`: of the result that is explained. */
   why(body: number, settings: Settings, faces: number): Promise<WhyResult>;
   measure(body: number, settings: Settings, faces: number): Promise<ResultMetrics>;
-  /** `kept`: of the shown body; every other body keeps the same share of its prepared faces, as on the command line. */
-  export(settings: Settings, kept: KeptShare, request: ExportRequest): Promise<ExportResult>;
+  /** How many faces each body keeps; collapses the edges of all bodies first. */
+  shares(settings: Settings, kept: KeptFaces): Promise<SharesResult>;
+  export(settings: Settings, kept: KeptFaces, request: ExportRequest): Promise<ExportResult>;
   /** A ZIP archive of files by name. */
   pack(files: Record<string, Uint8Array>): Promise<Uint8Array>;
 }

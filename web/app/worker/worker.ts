@@ -7,19 +7,20 @@ import { pinAttributes } from '../../engine/body/pin_attributes';
 import type { Core } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
 import { droppedByExport } from '../../engine/document/export';
-import { faceCount } from '../../engine/core/mesh';
 import { openModel } from '../../engine/document/open';
 import { isBlockedBySeams } from '../../engine/report/stop_report';
 import { checkSettings } from '../../engine/settings/options';
+import type { Settings } from '../../engine/settings/options';
 import type { BodyRun } from '../../engine/stages/body_run';
-import { targetsByShare } from '../../engine/stages/face_shares';
 import { FileRun } from '../../engine/stages/file_run';
+import { requestFile, shareFaces } from '../../engine/stages/file_targets';
+import type { FileAsked } from '../../engine/stages/file_targets';
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { carrySettingErrors } from './errors';
 import { exportAll } from './exporting';
-import { CANCELLED, exportKey } from './protocol';
-import type { WorkerApi } from './protocol';
+import { CANCELLED, exportKey, sharesKey } from './protocol';
+import type { KeptFaces, WorkerApi } from './protocol';
 import { strainOverview } from './strain_overview';
 
 let core: Core;
@@ -45,6 +46,18 @@ async function translateErrors<T>(make: () => T | Promise<T>): Promise<T> {
   }
 }
 
+/** What the page asks of the file: as the command line does. */
+const askedOf = (settings: Settings, { faces, own }: KeptFaces, fields: boolean): FileAsked => ({
+  settings,
+  fields,
+  faces,
+  ratio: faces === null ? HALF : null,
+  own: new Map(own),
+});
+
+/** The share of the faces that is kept where no number is asked for. */
+const HALF = 0.5;
+
 /** The same files make the same archive. */
 const ZIP_TIME = new Date(1980, 0, 1);
 
@@ -59,7 +72,7 @@ const api: WorkerApi = {
       if (opened.bodies.length === 0)
         throw new Error(`${opened.name} holds no triangles: export a mesh with faces.`);
       file?.dispose();
-      file = new FileRun(core, opened);
+      file = new FileRun(core, opened, { guides: true });
       return {
         name: opened.name,
         format: opened.format,
@@ -146,12 +159,15 @@ const api: WorkerApi = {
       const { hausdorff, mean } = distance;
       return { minAngle, meanMinAngle, hausdorff, mean, certificate, inspection };
     }),
+  shares: (settings, kept) =>
+    translateErrors(() => {
+      checkSettings(settings);
+      const shared = shareFaces(openedFile(), askedOf(settings, kept, false));
+      return { ...shared, key: sharesKey(settings, kept) };
+    }),
   export: (settings, kept, request) =>
     translateErrors(async () => {
-      const counts = openedFile()
-        .prepared(settings)
-        .map(({ mesh }) => faceCount(mesh));
-      const fileRequest = { settings, targets: targetsByShare(counts, kept), fields: request.fields };
+      const fileRequest = requestFile(openedFile(), askedOf(settings, kept, request.fields));
       const done = await exportAll(openedFile(), fileRequest, request);
       const buffers = [done, ...done.levels].map(({ bytes }) => bytes.buffer);
       return transfer({ ...done, key: exportKey(settings, kept, request) }, buffers);

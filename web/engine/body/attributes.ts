@@ -5,6 +5,8 @@ import { NONE } from '../core/core';
 import type { Charts, CornerSources, TriangleMesh, WeldResult } from '../core/core';
 import type { Body } from '../document/model';
 import { length3 } from '../core/exact_math';
+import { findLayers, spanOf } from './layers';
+import type { Layers } from './layers';
 import { sum, vertexCount } from '../core/mesh';
 
 export interface BodyAttributes {
@@ -58,8 +60,21 @@ interface Entries {
  * Two corners at a welded vertex have the same wedge where all their attributes, joints, weights and displacements are
  * equal. Only the sign of a tangent is compared, because its direction follows from the other attributes.
  */
-export function attributesOf(document: Document, body: Body, weld: WeldResult): BodyAttributes {
-  const entries = entriesOf(document, body, weld);
+export function attributesOf(
+  document: Document,
+  body: Body,
+  weld: WeldResult,
+  layers: Layers = findLayers(body, weld),
+): BodyAttributes {
+  const first = attributesOfLayer(entriesOf(document, body, weld), weld);
+  if (layers.most === 1) return first;
+  const all = [first];
+  for (let number = 1; number < layers.most; ++number)
+    all.push(attributesOfLayer(entriesOfLayer(document, body, layers, number), weld));
+  return { ...joinedCharts(all, layers), isFaceted: first.isFaceted };
+}
+
+function attributesOfLayer(entries: Entries, weld: WeldResult): BodyAttributes {
   const isFaceted = countNormals(entries, weld.mesh) > (FACETED * weld.mesh.triangles.length) / 3;
   const lists = entries.primitives.map((primitive) => comparedOf(primitive, !isFaceted));
   const hasAny = lists.some((list) => list.length > 0);
@@ -68,6 +83,30 @@ export function attributesOf(document: Document, body: Body, weld: WeldResult): 
     : { wedges: new Uint32Array(), count: 0 };
   const groups = entries.primitives.length > 1 ? entries.spanOfTriangle : new Uint32Array();
   return { charts: { wedges, groups }, wedgeCount: count, isFaceted };
+}
+
+/** Corners agree where they agree in every layer; triangles are of one group where all their layers are. */
+function joinedCharts(all: BodyAttributes[], { of }: Layers): Pick<BodyAttributes, 'charts' | 'wedgeCount'> {
+  const numbered = (keys: string[]): { ids: Uint32Array; count: number } => {
+    const known = new Map<string, number>();
+    const ids = Uint32Array.from(keys, (key) => {
+      if (!known.has(key)) known.set(key, known.size);
+      return known.get(key)!;
+    });
+    return { ids, count: known.size };
+  };
+  const wedgesOf = all.map(({ charts }) => charts.wedges);
+  const groupsOf = all.map(({ charts }) => charts.groups);
+  const groups = numbered(
+    of.map((layers, t) => layers.map((_, number) => groupsOf[number][t] ?? 0).join(' ')),
+  ).ids;
+  if (wedgesOf.every(({ length }) => length === 0))
+    return { charts: { wedges: new Uint32Array(), groups }, wedgeCount: 0 };
+  const keys = Array.from({ length: 3 * of.length }, (_, corner) =>
+    of[Math.floor(corner / 3)].map((_layer, number) => wedgesOf[number][corner] ?? 0).join(' '),
+  );
+  const wedges = numbered(keys);
+  return { charts: { wedges: wedges.ids, groups }, wedgeCount: wedges.count };
 }
 
 /** UV coordinates and colours of every wedge; null where there are none. UVs count by their length on the surface. */
@@ -140,17 +179,35 @@ function turnedTriangles(body: Body, { mesh, vertexOfSource, sourceOfTriangle }:
 }
 
 function entriesOf(document: Document, body: Body, weld: WeldResult): Entries {
+  return entriesAt(document, body, weld.sourceOfTriangle, cornerInBody(body, weld));
+}
+
+/** Of layer `number`; a triangle without it has its last one. */
+function entriesOfLayer(document: Document, body: Body, { of }: Layers, number: number): Entries {
+  const layerAt = (t: number) => of[t][Math.min(number, of[t].length - 1)];
+  const sources = Uint32Array.from(of, (_, t) => layerAt(t).source);
+  return entriesAt(document, body, sources, (corner) => {
+    const { source, cornerOf } = layerAt(Math.floor(corner / 3));
+    return 3 * source + cornerOf.indexOf(corner % 3);
+  });
+}
+
+/** `ofBody` maps a corner of the welded mesh to its corner of the body. */
+function entriesAt(
+  document: Document,
+  body: Body,
+  sources: Uint32Array,
+  ofBody: (corner: number) => number,
+): Entries {
   const all = document.getRoot().listMeshes()[body.mesh].listPrimitives();
   const primitives = body.spans.map(({ primitive }) => all[primitive]);
   const first = [0];
   for (const primitive of primitives)
     first.push(first[first.length - 1] + primitive.getAttribute('POSITION')!.getCount());
-  const ofBody = cornerInBody(body, weld);
-  const ofCorner = new Uint32Array(weld.mesh.triangles.length);
-  const spanOfTriangle = new Uint32Array(weld.sourceOfTriangle.length);
-  let span = 0;
-  weld.sourceOfTriangle.forEach((source, t) => {
-    while (span + 1 < body.spans.length && body.spans[span + 1].first <= source) ++span;
+  const ofCorner = new Uint32Array(3 * sources.length);
+  const spanOfTriangle = new Uint32Array(sources.length);
+  sources.forEach((source, t) => {
+    const span = spanOf(body, source);
     spanOfTriangle[t] = span;
     const base = first[span] - body.spans[span].firstVertex;
     for (let corner = 3 * t; corner < 3 * t + 3; ++corner)

@@ -30,6 +30,14 @@ export interface FittedResult extends Fitted {
   unfitted: string;
 }
 
+/** Where a body has stopped for its largest deviation; % of the diagonal. */
+export interface GuardFinding {
+  /** the largest deviation of the settings */
+  limit: number;
+  /** of the level that is kept, before the fit */
+  deviation: number;
+}
+
 /** A number of faces that was tried in the search for a largest frequency error. */
 export interface Tried {
   faces: number;

@@ -1,6 +1,6 @@
 /** The state of a body in plain words, for the health list of the page and the notes of the command line. */
 
-import type { Inspection, WeldResult } from '../core/core';
+import type { Inspection, ModeSet, WeldResult } from '../core/core';
 import { counted } from '../core/words';
 import type { Note } from '../settings/errors';
 import type { Body } from '../document/model';
@@ -48,6 +48,16 @@ export function describeSize(metres: number): Note | null {
   if (metres >= 0.001 && metres <= 1000) return null;
   const size = metres < 1 ? `${(1000 * metres).toPrecision(2)} mm` : `${(metres / 1000).toPrecision(2)} km`;
   return [`the body is ${size} across: set `, { setting: 'unit' }, ' if the file is not in metres'];
+}
+
+/** A sentence without its end where parts of a body could not be solved, so that no strain guides them; otherwise none. */
+export function describeFailedModes(name: string, modes: ModeSet | null): string[] {
+  const parts = modes?.components ?? [];
+  const failed = parts.filter(({ failure = '' }) => failure !== '');
+  if (failed.length === 0) return [];
+  const which = parts.length > 1 ? `${counted(failed.length, 'part')} of ${parts.length} in ${name}` : name;
+  const why = failed[0].failure!.replace(/\.$/, '');
+  return [`${which} is reduced by shape and triangle quality alone, for its modes failed: ${why}`];
 }
 
 /** Larger residuals are reported. */

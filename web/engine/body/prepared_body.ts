@@ -3,6 +3,7 @@
 import type { Inspection, MirrorImages, Quality, TriangleMesh, WeldResult } from '../core/core';
 import type { Body } from '../document/model';
 import type { BodyAttributes, CostAttributes } from './attributes';
+import type { Layers } from './layers';
 
 /** A welded body, usable or not. */
 export interface InspectedBody {
@@ -25,6 +26,10 @@ export interface PreparedBody extends InspectedBody {
   quality: Quality;
   /** what its corners carry besides positions */
   attributes: BodyAttributes;
+  /** the faces of the body on each triangle of `mesh` */
+  layers: Layers;
+  /** points of its surface at which distances are measured, besides its vertices; 0: as the core finds right for a single body */
+  samples: number;
   /** what attributes cost in a collapse */
   costAttributes: CostAttributes;
   /** present where a symmetry is asked for; `partners` are those of `mesh`, whose quads are already cut as `corners` ask */

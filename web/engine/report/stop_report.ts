@@ -1,6 +1,6 @@
 /** Why results have as many faces as they have. */
 
-import type { FrequencyFinding, Tried } from '../body/body_result';
+import type { FrequencyFinding, GuardFinding, Tried } from '../body/body_result';
 import type { PreparedBody } from '../body/prepared_body';
 import type { History, Refused } from '../core/core';
 import { sum, vertexCount } from '../core/mesh';
@@ -13,6 +13,14 @@ export interface StopReport {
   refused: Refused;
   /** present where frequencies were a target: of the body with the largest error */
   frequency?: FrequencyReport;
+  /** the bodies that have stopped for their largest deviation; absent where none has */
+  guarded?: GuardReport[];
+}
+
+/** A body that has stopped for its largest deviation; % of the diagonal. */
+export interface GuardReport extends GuardFinding {
+  body: string;
+  faces: number;
 }
 
 /** The largest error of the first six frequencies, in %. */
@@ -33,15 +41,21 @@ export interface StoppedBody {
   targetFaces: number;
   history: Pick<History, 'refused' | 'stop'>;
   frequency?: FrequencyFinding | null;
+  /** present where its largest deviation has stopped it */
+  guard?: GuardFinding | null;
+  name?: string;
 }
 
 /** The reason is that of the first body that stopped above its target; `target` where none did. */
 export function stopReport(bodies: StoppedBody[]): StopReport {
   const total = (key: keyof Refused) => sum(bodies.map(({ history }) => history.refused[key]));
   const first = bodies.find(({ faces, targetFaces }) => faces > targetFaces);
+  const guarded = bodies.flatMap(({ guard, faces, name = '' }) =>
+    guard ? [{ body: name, faces, ...guard }] : [],
+  );
   const findings = bodies.flatMap((body) => (body.frequency ? [{ ...body, frequency: body.frequency }] : []));
   return {
-    reason: first ? (first.frequency?.isBinding ? 'frequency' : first.history.stop) : 'target',
+    reason: first ? reasonOf(first) : 'target',
     refused: {
       topology: total('topology'),
       flip: total('flip'),
@@ -50,7 +64,13 @@ export function stopReport(bodies: StoppedBody[]): StopReport {
       deviation: total('deviation'),
     },
     ...(findings.length > 0 ? { frequency: frequencyReport(findings) } : {}),
+    ...(guarded.length > 0 ? { guarded } : {}),
   };
+}
+
+function reasonOf({ frequency, guard, history }: StoppedBody): StopReport['reason'] {
+  if (frequency?.isBinding) return 'frequency';
+  return guard ? 'deviation' : history.stop;
 }
 
 function frequencyReport(bodies: { faces: number; frequency: FrequencyFinding }[]): FrequencyReport {

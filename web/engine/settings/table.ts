@@ -96,8 +96,8 @@ const ROWS = {
     max: 100,
     step: 0.01,
     slider: { min: 0, max: 5 },
-    default: 0,
-    help: 'Stop before collapses take the surface farther than this from the original, in % of the diagonal; 0 sets no limit.',
+    default: 1,
+    help: 'Stop before the surface of a body is farther than this from the original, in % of its diagonal; 0 sets no limit.',
     group: 'target',
     page: 'limits',
     placeholder: 'PCT',
@@ -132,6 +132,15 @@ const ROWS = {
     group: 'target',
     page: 'reduction',
     placeholder: 'PCT',
+  },
+  /** how faces are shared out over several bodies */
+  perBody: {
+    kind: 'switch',
+    flag: 'per-body',
+    label: 'The same share of each body',
+    default: false,
+    help: 'Take the same share of the faces of each body, instead of faces of the whole scene where they hurt least.',
+    group: 'target',
   },
   /** shares of the faces, in (0, 1], of further levels; empty: none */
   lods: {

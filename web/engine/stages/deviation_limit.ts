@@ -1,49 +1,57 @@
-/** Ends a history at its largest deviation as it is measured: while edges collapse, deviations are judged at samples alone. */
+/** Finds the level at which a body stops for its largest deviation, by measuring levels. */
 
 import type { History } from '../core/core';
 import { nextEnd } from './collapse_pairs';
 
-/** The first step back from the end, as a share of all collapses. */
+/** The first step back from a level that is too far off, as a share of all collapses. */
 const FIRST_STEP = 1 / 256;
+/** The search ends where a level that is within the limit has at most this many times the faces of one that is not. */
+const CLOSE = 1.01;
+
+/** A limit of the deviation, and how levels are measured; in the same unit. */
+export interface DeviationLimit {
+  limit: number;
+  /** of the level of at most so many faces */
+  deviationAt: (faces: number) => number;
+  /** an estimate of the number of collapses that stay within the limit, which saves measuring */
+  guess?: number;
+}
 
 /**
- * The history, ended where its measured surface is still within `limit`. `deviationAt` gives the deviation of the result of
- * at most so many faces. It should fall with more faces; where it does not, the end is at one of its crossings of the limit.
+ * The fewest faces, at least those of the level at `faces`, whose level is within the limit: to 1 %, and never beyond it. Where the
+ * deviation does not fall with more faces, they are at one of its crossings of the limit.
  */
-export function endWithin(history: History, limit: number, deviationAt: (faces: number) => number): History {
+export function facesWithin(
+  history: History,
+  faces: number,
+  { limit, deviationAt, guess }: DeviationLimit,
+): number {
   const ends = wholeEnds(history);
-  const isWithin = (i: number): boolean =>
-    ends[i] === 0 || deviationAt(history.trianglesAfter[ends[i] - 1]) <= limit;
-  let bad = ends.length - 1;
-  if (isWithin(bad)) return history;
+  const facesAt = (i: number): number =>
+    ends[i] === 0 ? history.triangleCount : history.trianglesAfter[ends[i] - 1];
+  const isWithin = (i: number): boolean => ends[i] === 0 || deviationAt(facesAt(i)) <= limit;
+  let bad = ends.findIndex((_, i) => facesAt(i) <= faces);
+  if (bad < 0) bad = ends.length - 1;
+  if (isWithin(bad)) return facesAt(bad);
   let step = Math.max(1, Math.floor(FIRST_STEP * ends.length));
-  let good = Math.max(0, bad - step);
+  const guessed = guess === undefined ? -1 : ends.findLastIndex((end) => end <= guess);
+  let good = guessed >= 0 && guessed < bad ? guessed : Math.max(0, bad - step);
   while (!isWithin(good)) {
     bad = good;
-    step *= 2;
     good = Math.max(0, bad - step);
+    step *= 2;
   }
-  while (bad - good > 1) {
+  while (bad - good > 1 && facesAt(good) > CLOSE * facesAt(bad)) {
     const middle = Math.floor((good + bad) / 2);
     if (isWithin(middle)) good = middle;
     else bad = middle;
   }
-  return { ...firstCollapses(history, ends[good]), stop: 'deviation' };
+  return facesAt(good);
 }
 
 /** Numbers of collapses, ascending from 0, that do not separate a collapse from its mirror image. */
-function wholeEnds(history: History): number[] {
+export function wholeEnds(history: History): number[] {
   const ends = [0];
   while (ends[ends.length - 1] < history.kept.length) ends.push(nextEnd(history, ends[ends.length - 1]));
   return ends;
-}
-
-function firstCollapses(history: History, count: number): History {
-  return {
-    ...history,
-    kept: history.kept.slice(0, count),
-    removed: history.removed.slice(0, count),
-    positions: history.positions.slice(0, 3 * count),
-    trianglesAfter: history.trianglesAfter.slice(0, count),
-  };
 }

@@ -1,10 +1,7 @@
 /** Stage: the face counts of a history at which the surface has moved by given deviations; the page marks them on its slider. */
 
-import { historyStage } from './history';
+import { deviationsStage } from './deviations';
 import { keptHistoryStage } from './kept_history';
-import { levelAt } from './level';
-import { measureDistance } from './measure';
-import { preparedStage } from './prepared';
 import { declareStage } from './stage';
 
 /** Per cent of the diagonal. */
@@ -20,25 +17,12 @@ export interface DeviationMark {
 /** Face counts within this ratio are the same mark on the slider. */
 const CLOSE = 1.02;
 
-/** Deviations of a history by face count, filled while marks are searched: a cancelled search goes on from there. */
-const knownDeviations = declareStage({
-  name: 'known deviations',
-  reads: [],
-  needs: { history: historyStage },
-  run: () => new Map<number, number>(),
-});
-
 export const deviationMarksStage = declareStage({
   name: 'deviation marks',
   reads: [],
-  needs: { prepared: preparedStage, kept: keptHistoryStage, known: knownDeviations },
-  run: ({ core }, { prepared, kept, known }): DeviationMark[] => {
-    const deviationAt = (faces: number): number => {
-      const measure = () => measureDistance(core, prepared, levelAt(core, kept, faces).mesh).hausdorff;
-      const deviation = known.get(faces) ?? measure();
-      known.set(faces, deviation);
-      return deviation;
-    };
+  needs: { kept: keptHistoryStage, deviations: deviationsStage },
+  run: (_context, { kept, deviations }): DeviationMark[] => {
+    const deviationAt = (faces: number): number => deviations.at(faces);
     const { triangleCount: total, trianglesAfter } = kept.history;
     return markDeviations(deviationAt, { floor: trianglesAfter.at(-1) ?? total, total });
   },

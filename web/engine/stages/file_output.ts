@@ -1,6 +1,7 @@
 /** What is written of a file: the GLB of all bodies, its further levels, the binding and the report. */
 
 import { bindingOfBody } from '../body/body_binding';
+import { layeredFaces } from '../body/layers';
 import type { PreparedBody } from '../body/prepared_body';
 import type { MeshAt } from '../core/core';
 import { faceCount, sum } from '../core/mesh';
@@ -73,7 +74,9 @@ export class FileOutput {
     );
     const levels = this.values(STAGES.furtherLevels).map((all) => all[number]);
     const histories = this.values(STAGES.history);
-    const bodies = levels.map(({ result, targetFaces }, i): StoppedBody => ({
+    const bodies = levels.map(({ result, targetFaces, guard }, i): StoppedBody => ({
+      name: this.file.usable[i].run.context.body.name,
+      guard,
       faces: faceCount(result.mesh),
       targetFaces,
       history: histories[i],
@@ -132,15 +135,27 @@ export class FileOutput {
     return this.values(STAGES.fitted).map(({ result }) => result);
   }
 
+  /** The faces of all bodies that take part, with all their layers, as they came and as they are written. */
+  writtenFaces(): { before: number; after: number } {
+    const results = this.values(STAGES.fitted);
+    const layers = this.prepared().map((prepared) => prepared.layers);
+    return {
+      before: sum(layers.map(({ of }) => sum(of.map(({ length }) => length)))),
+      after: sum(results.map(({ result }, i) => layeredFaces(layers[i], result.inputOfTriangle))),
+    };
+  }
+
   /** Why each body has as many faces as it has. */
   stopped(): StoppedBody[] {
     const histories = this.values(STAGES.history);
     const targets = this.file.usable.map(({ i }) => this.request.targets[i]);
-    return this.values(STAGES.fitted).map(({ result, frequency }, i) => ({
+    return this.values(STAGES.fitted).map(({ result, frequency, guard }, i) => ({
+      name: this.file.usable[i].run.context.body.name,
       faces: faceCount(result.mesh),
       targetFaces: targets[i],
       history: histories[i],
       frequency,
+      guard,
     }));
   }
 

@@ -7,22 +7,30 @@ import { STAGES } from './stages';
 
 export interface FileRequest {
   settings: Settings;
+  /** the number of faces that the whole file was asked for; absent: the sum of the targets */
+  faces?: number;
   /** targets[i]: the most faces that the result of body i of the file may have */
   targets: number[];
+  /** levelTargets[n][i]: the same for further level n; absent: the share of `lods` of each body */
+  levelTargets?: number[][];
   /** whether strain and curvature are written as attributes */
   fields: boolean;
 }
 
 /** The settings of the run over body `i`. */
-export const runSettings = ({ settings, targets, fields }: FileRequest, i: number): RunSettings => ({
+export const runSettings = (
+  { settings, targets, levelTargets, fields }: FileRequest,
+  i: number,
+): RunSettings => ({
   ...settings,
   targetFaces: targets[i],
+  ...(levelTargets ? { levelFaces: levelTargets.map((level) => level[i]) } : {}),
   fields,
 });
 
 /** Text that is equal for two requests where the same file, with the same further levels, comes of both. */
-export function keyOfFile({ settings, targets, fields }: FileRequest): string {
+export function keyOfFile({ settings, targets, levelTargets = [], fields }: FileRequest): string {
   const shared = { ...settings, fields, targetFaces: 0 };
   const keys = [STAGES.written, STAGES.writtenLevels].map((stage) => keyOf(stage, shared));
-  return [...keys, targets.join(' ')].join('\n');
+  return [...keys, String(settings.perBody), targets.join(' '), ...levelTargets.map(String)].join('\n');
 }

@@ -8,6 +8,8 @@ import { BodyRun } from './body_run';
 import { STAGES } from './stages';
 
 export interface FileRunOptions {
+  /** Results are asked for, and modes for their guidance alone: a part that cannot be solved is not guided, and parts of a file with many are solved more coarsely. */
+  guides?: boolean;
   /** numbers of the bodies that take part; absent: all of them */
   chosen?: number[];
   /** called when work on a body begins, and before each number of faces that is tried to keep its frequencies */
@@ -30,7 +32,8 @@ export class FileRun {
     this.all = bodies.map((body, i) => {
       if (chosen && !chosen.has(i)) return null;
       const onTry = (faces: number) => options.onActivity?.(body.name, faces);
-      return new BodyRun({ core, body, document, onTry }, options.onStage);
+      const guidedBodies = options.guides ? bodies.length : undefined;
+      return new BodyRun({ core, body, document, onTry, guidedBodies }, options.onStage);
     });
   }
 
@@ -71,7 +74,12 @@ export class FileRun {
 
   /** The prepared bodies that take part. */
   prepared(settings: Settings): PreparedBody[] {
-    return this.usable.map(({ run }) => run.get(STAGES.prepared, settings));
+    return this.preparedOf(this.usable, settings);
+  }
+
+  /** The prepared bodies of some of the runs. */
+  preparedOf(some: FileRun['usable'], settings: Settings): PreparedBody[] {
+    return some.map(({ run }) => run.get(STAGES.prepared, settings));
   }
 
   /** Tells `onActivity` that work on the body of this run begins. */

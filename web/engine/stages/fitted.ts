@@ -1,28 +1,27 @@
 /** Stage: the result of the body, which is exported. */
 
-import type { FittedResult, FrequencyFinding } from '../body/body_result';
+import type { FittedResult, FrequencyFinding, GuardFinding } from '../body/body_result';
+import { faceCount } from '../core/mesh';
 import { constraintsStage } from './constraints';
 import type { Settings } from '../settings/options';
-import { FIT_SETTINGS, fitResult, fitSettings } from './fit';
+import { deviationsStage } from './deviations';
+import { errorCurveStage } from './error_curve';
+import { FIT_SETTINGS, fitSettings } from './fit';
 import { findFrequencyLevel } from './frequency_level';
 import type { FrequencyTarget } from './frequency_level';
+import { fitGuarded } from './guarded_fit';
+import { guardedLevelStage } from './guarded_level';
 import { keptHistoryStage } from './kept_history';
-import { levelStage } from './level';
 import { preparedStage } from './prepared';
-import { declareStage, where } from './stage';
+import { declareStage } from './stage';
 import { TUNE_SETTINGS, tuneSettings } from './tune';
 
 export interface FittedLevel extends FittedResult {
   /** null where frequencies are no target */
   frequency: FrequencyFinding | null;
+  /** null where no deviation has stopped it */
+  guard: GuardFinding | null;
 }
-
-/** Where frequencies are a target, the search evaluates its own levels. */
-const givenLevel = where(
-  levelStage,
-  ['maxFrequencyError'],
-  ({ maxFrequencyError }) => maxFrequencyError === 0,
-);
 
 function frequencyTarget(
   settings: Pick<Settings, (typeof TUNE_SETTINGS)[number] | 'maxFrequencyError'> & { targetFaces: number },
@@ -43,17 +42,24 @@ export const fittedStage = declareStage({
     prepared: preparedStage,
     constraints: constraintsStage,
     kept: keptHistoryStage,
-    level: givenLevel,
+    level: guardedLevelStage,
+    curve: errorCurveStage,
+    deviations: deviationsStage,
   },
   derive: (settings) => {
     const { method, fit, seams, maxDeviation, minAngle, thickness, poisson } = settings;
     const ofFit = { method, fit, seams, maxDeviation, minAngle, thickness, poisson };
-    return { fit: fitSettings(ofFit), frequency: frequencyTarget(settings) };
+    return { fit: fitSettings(ofFit), frequency: frequencyTarget(settings), maxDeviation };
   },
-  run: (context, inputs, { fit, frequency }): FittedLevel => {
+  run: (context, { constraints, ...inputs }, { fit, frequency, maxDeviation }): FittedLevel => {
     const { prepared, kept, level } = inputs;
-    const request = { constraints: inputs.constraints.constraints, settings: fit };
-    if (frequency) return findFrequencyLevel(context, { prepared, kept }, request, frequency);
-    return { ...fitResult(context.core, prepared, level!, request), frequency: null };
+    const request = { constraints: constraints.constraints, settings: fit };
+    if (!frequency) {
+      const guarded = fitGuarded(context.core, { ...inputs, limit: maxDeviation }, request);
+      return { ...guarded, frequency: null };
+    }
+    const target = { ...frequency, targetFaces: faceCount(level.result.mesh) };
+    const found = findFrequencyLevel(context, { prepared, kept }, request, target);
+    return { ...found, guard: found.frequency.isBinding ? null : level.guard };
   },
 });

@@ -4,9 +4,14 @@ import type { Measured } from '../body/body_result';
 import type { MeshAt } from '../core/core';
 import { faceCount } from '../core/mesh';
 import { constraintsStage } from './constraints';
+import { deviationsStage } from './deviations';
+import { errorCurveStage } from './error_curve';
 import { facesByRatio } from './face_shares';
-import { FIT_SETTINGS, fitSettings, fittedLevelAt } from './fit';
+import { FIT_SETTINGS, fitSettings } from './fit';
+import { fitGuarded, unguarded } from './guarded_fit';
+import type { GuardFinding } from '../body/body_result';
 import { keptHistoryStage } from './kept_history';
+import { levelAt } from './level';
 import { measureResult } from './measure';
 import { preparedStage } from './prepared';
 import { declareStage } from './stage';
@@ -14,20 +19,35 @@ import { declareStage } from './stage';
 export interface FurtherLevel {
   targetFaces: number;
   result: MeshAt;
+  guard: GuardFinding | null;
   measured: Measured;
 }
 
 /** One for each of `lods`, in their order; a target for the frequencies is that of the first level alone. */
 export const furtherLevelsStage = declareStage({
   name: 'further levels',
-  reads: ['lods', ...FIT_SETTINGS],
-  needs: { prepared: preparedStage, constraints: constraintsStage, kept: keptHistoryStage },
-  derive: ({ lods, ...settings }) => ({ lods, settings: fitSettings(settings) }),
-  run: ({ core }, { prepared, constraints: { constraints }, kept }, { lods, settings }) =>
-    lods.map((ratio): FurtherLevel => {
-      const targetFaces = Math.max(1, facesByRatio(ratio, faceCount(prepared.mesh)));
-      const request = { constraints, settings };
-      const { result } = fittedLevelAt(core, { prepared, kept }, targetFaces, request);
-      return { targetFaces, result, measured: measureResult(core, prepared, result) };
+  reads: ['lods', 'levelFaces', 'maxDeviation', ...FIT_SETTINGS],
+  needs: {
+    prepared: preparedStage,
+    constraints: constraintsStage,
+    kept: keptHistoryStage,
+    curve: errorCurveStage,
+    deviations: deviationsStage,
+  },
+  derive: ({ lods, levelFaces, maxDeviation, ...settings }) => ({
+    lods,
+    levelFaces,
+    maxDeviation,
+    settings: fitSettings({ ...settings, maxDeviation }),
+  }),
+  run: ({ core }, { prepared, constraints, ...inputs }, { lods, levelFaces, maxDeviation, settings }) =>
+    lods.map((ratio, n): FurtherLevel => {
+      const ofBody = facesByRatio(ratio, faceCount(prepared.mesh));
+      const targetFaces = Math.max(1, levelFaces?.[n] ?? ofBody);
+      const level = unguarded(levelAt(core, inputs.kept, targetFaces));
+      const request = { constraints: constraints.constraints, settings };
+      const guarded = { prepared, level, limit: maxDeviation, ...inputs };
+      const { result, guard } = fitGuarded(core, guarded, request);
+      return { targetFaces, result, guard, measured: measureResult(core, prepared, result) };
     }),
 });

@@ -3,9 +3,7 @@
 import type { PreparedBody } from '../body/prepared_body';
 import type { Core, History } from '../core/core';
 import { constraintsStage } from './constraints';
-import { endWithin } from './deviation_limit';
 import { guidingCurvature, guidingStrain } from './guidance';
-import { measureDistance } from './measure';
 import { preparedStage } from './prepared';
 import { SIMPLIFICATION_SETTINGS, simplificationOf, simplificationSettings } from './simplification';
 import type { Guides, SimplificationSettings } from './simplification';
@@ -25,7 +23,7 @@ export const historyStage = declareStage({
     buildHistory(core, prepared, { constraints, guidance, curvature }, settings),
 });
 
-/** The core judges a largest deviation at samples while edges collapse; here the history ends where it is measured. */
+/** The whole history, with the mirror images that it keeps. */
 export function buildHistory(
   core: Core,
   prepared: PreparedBody,
@@ -35,9 +33,5 @@ export function buildHistory(
   const { strain, curvature, options } = simplificationOf(prepared, guides, settings);
   const simplified = core.simplify(prepared.mesh, strain, curvature, options);
   const { mirror } = guides.constraints;
-  const history = mirror ? { ...simplified, mirror } : simplified;
-  if (settings.maxDeviation === 0) return history;
-  const deviationAt = (faces: number) =>
-    measureDistance(core, prepared, core.meshAt(prepared.mesh, history, faces).mesh).hausdorff;
-  return endWithin(history, settings.maxDeviation, deviationAt);
+  return mirror ? { ...simplified, mirror } : simplified;
 }

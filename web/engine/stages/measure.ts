@@ -1,25 +1,46 @@
 /** Measures a result beside its original: quality, distance and topology. */
 
 import type { Certificate, Measured } from '../body/body_result';
+import { trianglesOfLayers } from '../body/layers';
 import type { PreparedBody } from '../body/prepared_body';
 import type { Core, Inspection, MeshAt, SurfaceDistance, TriangleMesh } from '../core/core';
 
-/** Measures the result as a reader of the exported file finds it. */
-export function measureResult(core: Core, prepared: PreparedBody, { mesh }: Pick<MeshAt, 'mesh'>): Measured {
-  const weld = core.weld(mesh.positions, mesh.triangles, { tolerance: 0 });
+/** Measures the result as a reader of the exported file finds it, with all of its layers. */
+export function measureResult(core: Core, prepared: PreparedBody, result: MeasuredResult): Measured {
+  const { positions, triangles } = result.mesh;
+  const { layers } = prepared;
+  const { inputOfTriangle } = result;
+  const isLayered = layers.most > 1 && inputOfTriangle !== undefined;
+  const written = isLayered ? trianglesOfLayers(layers, triangles, inputOfTriangle) : triangles;
+  const weld = core.weld(positions, written, { tolerance: 0 });
   const { inspection } = weld;
+  const single = isLayered ? core.inspect(weld.mesh) : inspection;
   return {
     weld,
     inspection,
-    quality: core.measureQuality(mesh),
-    distance: measureDistance(core, prepared, mesh),
-    certificate: compareTopology(prepared.inspection, inspection),
+    quality: core.measureQuality(result.mesh),
+    distance: measureDistance(core, prepared, result.mesh),
+    certificate: compareTopology(prepared.inspection, single),
   };
 }
 
-/** Between the prepared mesh and `other`, in % of the prepared mesh's diagonal. */
+/** `inputOfTriangle` tells which triangles have further layers; without it none has. */
+type MeasuredResult = Pick<MeshAt, 'mesh'> & Partial<Pick<MeshAt, 'inputOfTriangle'>>;
+
+/** What has been measured, so that guard, fit and report measure the same mesh once. */
+const measured = new WeakMap<TriangleMesh, { prepared: PreparedBody; distance: SurfaceDistance }>();
+
+/** Between the prepared mesh and `other`, in % of the prepared mesh's diagonal. Neither may have changed since the last call. */
 export function measureDistance(core: Core, prepared: PreparedBody, other: TriangleMesh): SurfaceDistance {
-  const distance = core.measureSurfaceDistance(prepared.mesh, other);
+  const known = measured.get(other);
+  if (known?.prepared === prepared) return known.distance;
+  const distance = distanceInPercent(core, prepared, other);
+  measured.set(other, { prepared, distance });
+  return distance;
+}
+
+function distanceInPercent(core: Core, prepared: PreparedBody, other: TriangleMesh): SurfaceDistance {
+  const distance = core.measureSurfaceDistance(prepared.mesh, other, prepared.samples);
   const percent = 100 / prepared.diagonal;
   return {
     hausdorff: percent * distance.hausdorff,

@@ -14,6 +14,8 @@ import { declareStage } from './stage';
 export interface ModesRequest extends MaterialSettings, Pick<Settings, 'modeCount' | 'direction' | 'exact'> {
   /** resolved for the method */
   model: 'auto' | Model;
+  /** see RunContext */
+  guidedBodies?: number;
 }
 
 export const modesStage = declareStage({
@@ -24,7 +26,8 @@ export const modesStage = declareStage({
     ...settings,
     model: resolveModel({ method, model: settings.model }),
   }),
-  run: ({ core }, { prepared, pinned }, request) => findModes(core, prepared, pinned, request),
+  run: ({ core, guidedBodies }, { prepared, pinned }, request) =>
+    findModes(core, prepared, pinned, { ...request, guidedBodies }),
 });
 
 /** The material is that of the body in the scale of its first node. */
@@ -41,6 +44,7 @@ export function findModes(
     direction: ['x', 'y', 'z'].indexOf(direction),
     pinned,
     exact,
+    guidedParts: request.guidedBodies,
     ...materialOf(prepared, request),
   });
 }

@@ -3,10 +3,11 @@
 import type { Document } from '@gltf-transform/core';
 import { attributesOf, costAttributesOf, NO_ATTRIBUTES } from '../body/attributes';
 import type { CostAttributes } from '../body/attributes';
+import { findLayers } from '../body/layers';
 import type { InspectedBody, PreparedBody } from '../body/prepared_body';
 import { withMirror } from '../body/symmetry';
-import type { Core } from '../core/core';
-import { diagonalOf } from '../core/mesh';
+import type { Core, TriangleMesh } from '../core/core';
+import { diagonalOf, faceCount } from '../core/mesh';
 import type { Body } from '../document/model';
 import type { Settings } from '../settings/options';
 import { declareStage } from './stage';
@@ -19,9 +20,22 @@ export const preparedStage = declareStage({
   name: 'prepared',
   reads: ['weld', 'symmetry'],
   needs: {},
-  run: ({ core, body, document }, _inputs, settings) =>
-    prepareBody(core, body, settings, document ?? undefined),
+  run: ({ core, body, document, guidedBodies = 1 }, _inputs, settings): PreparedBody => {
+    const prepared = prepareBody(core, body, settings, document ?? undefined);
+    return guidedBodies === 1
+      ? prepared
+      : { ...prepared, samples: samplesAmong(guidedBodies, prepared.mesh) };
+  },
 });
+
+/** What a single body gets at least, however few faces it has. */
+const FEWEST_SAMPLES = 10_000;
+const SAMPLES_OF_FACE = 10;
+const MOST_SAMPLES = 500_000;
+
+/** The bodies of a file share the samples of one beyond those that their faces need. */
+const samplesAmong = (bodies: number, mesh: TriangleMesh): number =>
+  Math.min(MOST_SAMPLES, Math.max(SAMPLES_OF_FACE * faceCount(mesh), Math.ceil(FEWEST_SAMPLES / bodies)));
 
 /** Welds and measures a body, usable or not. */
 export function inspectBody(
@@ -51,9 +65,21 @@ export function prepareBody(
       `Body "${body.name}" has no usable face, ${weld.degenerateFaces} with a repeated vertex: repair it and export it again.`,
     );
   const diagonal = diagonalOf(mesh.positions);
-  const attributes = document ? attributesOf(document, body, weld) : NO_ATTRIBUTES;
+  const layers = findLayers(body, weld);
+  const attributes = document ? attributesOf(document, body, weld, layers) : NO_ATTRIBUTES;
   const costs = document && costAttributesOf(document, body, weld, attributes, diagonal);
   const costAttributes = costs && costs.dimension <= MOST_COST_DIMENSIONS ? costs : NO_COSTS;
-  const prepared = { body, weld, mesh, diagonal, inspection, quality, attributes, costAttributes };
+  const prepared = {
+    body,
+    weld,
+    mesh,
+    diagonal,
+    inspection,
+    quality,
+    attributes,
+    layers,
+    samples: 0,
+    costAttributes,
+  };
   return settings.symmetry === 'off' ? prepared : withMirror(core, prepared, settings.symmetry);
 }

@@ -4,7 +4,7 @@ import type { BodyConstraints } from '../body/constraints';
 import type { PreparedBody } from '../body/prepared_body';
 import { maskOf } from '../body/vertex_mask';
 import type { Curvature, SimplifyConstraints, SimplifyOptions, StrainGuidance } from '../core/core';
-import { methodOf, readsSetting } from '../settings/options';
+import { methodOf, OPTIONS, readsSetting } from '../settings/options';
 import type { Settings } from '../settings/options';
 
 const WEIGHTS = ['strainWeight', 'curvatureWeight', 'qualityWeight', 'sizeWeight'] as const;
@@ -62,7 +62,7 @@ export function simplificationOf(
 ): Simplification {
   const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight, minAngle } = settings;
   const weights = { strainWeight, curvatureWeight, qualityWeight, sizeWeight };
-  const maxDeviation = (settings.maxDeviation / 100) * prepared.diagonal;
+  const harm = settings.maxDeviation > 0 ? settings.maxDeviation : OPTIONS.maxDeviation.default;
   return {
     strain: guidance?.rank ?? new Float32Array(0),
     curvature: curvature ? overMaximum(curvature.vertex) : new Float32Array(0),
@@ -70,7 +70,8 @@ export function simplificationOf(
       method,
       ...weights,
       minAngle,
-      maxDeviation,
+      recordErrors: true,
+      waitBeyond: methodOf(settings).waitsBeyond ? (harm / 100) * prepared.diagonal : 0,
       constraints: simplifyConstraints(prepared, settings, constraints),
     },
   };

@@ -12,6 +12,8 @@ import type { Settings } from '../settings/options';
 export interface RunSettings extends Settings {
   /** the most faces that the result may have; where the history ends above it, the result has more */
   targetFaces: number;
+  /** the same for each further level; absent: their share of the body's own faces */
+  levelFaces?: number[];
   /** whether the written body has strain and curvature as attributes */
   fields: boolean;
 }
@@ -24,6 +26,8 @@ export interface RunContext {
   body: Body;
   /** where the body comes from; null: it has no attributes, and none can be named */
   document: Document | null;
+  /** how many bodies the file has whose results are asked for, where modes are needed for guidance alone; absent: for their own sake */
+  guidedBodies?: number;
   /** called before each number of faces that is tried to keep the frequencies */
   onTry?: (faces: number) => void;
 }

@@ -1,8 +1,10 @@
 /** Stage: the result of the body as the exporter takes it. */
 
 import { ownSources, sourcesInBody } from '../body/attributes';
+import { withLayers } from '../body/layers';
+import type { Layered, Layers } from '../body/layers';
 import type { PreparedBody } from '../body/prepared_body';
-import type { Core, Curvature, MeshAt, StrainGuidance, TriangleMesh } from '../core/core';
+import type { Core, CornerSources, Curvature, MeshAt, StrainGuidance, TriangleMesh } from '../core/core';
 import { vertexCount } from '../core/mesh';
 import type { ExportedBody } from '../document/export';
 import { exportedSettings } from '../report/settings_file';
@@ -54,15 +56,10 @@ export function exportedBody(
   result: MeshAt,
   fields: WrittenFields | null,
 ): ExportedBody {
-  const { body, weld, attributes } = prepared;
+  const { body, attributes, layers } = prepared;
   const sources = core.sourceOfCorners(prepared.mesh, attributes.charts, result);
-  const exported = {
-    body,
-    mesh: result.mesh,
-    inputOfTriangle: result.inputOfTriangle.map((triangle) => weld.sourceOfTriangle[triangle]),
-    sources: sourcesInBody(body, weld, sources),
-    isFaceted: attributes.isFaceted,
-  };
+  const { isFaceted } = attributes;
+  const exported = { body, ...inBody(prepared, result, sources, layers), isFaceted };
   if (!fields) return exported;
   const strain = meanOverTriangles(prepared.mesh, fields.guidance?.rank);
   const ofResult = (field: Float32Array) =>
@@ -70,6 +67,21 @@ export function exportedBody(
   return {
     ...exported,
     fields: { strain: ofResult(strain), curvature: ofResult(fields.curvature.vertex) },
+  };
+}
+
+/** The result in terms of the body: all layers of it, wound as they are in the file. */
+function inBody(
+  { body, weld }: PreparedBody,
+  result: MeshAt,
+  sources: CornerSources,
+  layers: Layers,
+): Layered {
+  if (!layers.isPlain) return withLayers(layers, body, result, sources);
+  return {
+    mesh: result.mesh,
+    inputOfTriangle: result.inputOfTriangle.map((triangle) => weld.sourceOfTriangle[triangle]),
+    sources: sourcesInBody(body, weld, sources),
   };
 }
 

@@ -13,7 +13,7 @@ import type { FileRun } from '../../engine/stages/file_run';
 import { inspectBody } from '../../engine/stages/prepared';
 import { STAGES } from '../../engine/stages/stages';
 import { exportedMesh } from '../../engine/stages/written';
-import type { CommonOptions, ModesOptions, ModesResult, Reported } from '../options';
+import type { ModesOptions, ModesResult, Reported } from '../options';
 import type { ModelFiles } from '../protocol';
 import { finished } from './optimize';
 import { inNames } from './session';
@@ -23,7 +23,7 @@ import { settingsAsUsed } from './settings';
 export async function findModes(
   session: WorkSession,
   [files]: ModelFiles[],
-  { mesh, writesShapes = false }: ModesOptions,
+  { writesShapes = false }: ModesOptions,
 ): Promise<ModesResult> {
   const { core, settings, notes } = session;
   const model = await session.open(files);
@@ -42,7 +42,7 @@ export async function findModes(
   const modes = session.lap();
   const shapes = writesShapes ? await shapesGlb(session, file) : null;
   const report: Report = {
-    ...startReport(core, 'modes', optionsAsUsed(settings, mesh), prepared),
+    ...startReport(core, 'modes', optionsAsUsed(settings), prepared),
     ...modesReport(sets),
     timings: { load, weld, modes, export: session.lap(), total: session.total() },
   };
@@ -50,10 +50,10 @@ export async function findModes(
   return { shapes, report: finished(session, report), notes };
 }
 
-function optionsAsUsed(settings: Settings, mesh?: string): object {
+function optionsAsUsed(settings: Settings): object {
   const used: Partial<Settings> = { ...settings };
   delete used.method; // it only keeps `auto` from meaning the paper's model
-  return mesh === undefined ? used : { ...used, mesh };
+  return used;
 }
 
 /** The model with the shapes of the modes as morph targets. */
@@ -71,19 +71,14 @@ function shapesGlb({ settings }: WorkSession, { model, runs }: FileRun): Promise
   return exportGlb(model, shown, { fields: false });
 }
 
-export async function inspectModel(
-  session: WorkSession,
-  [files]: ModelFiles[],
-  { mesh }: CommonOptions,
-): Promise<Reported> {
+export async function inspectModel(session: WorkSession, [files]: ModelFiles[]): Promise<Reported> {
   const { core, settings, notes } = session;
   const model = await session.open(files);
   const load = session.lap();
   const bodies = session.chosen(model).map((i) => model.bodies[i]);
   const inspected = bodies.map((body) => inspectBody(core, body, settings));
-  const used = settingsAsUsed('inspect', settings);
   const report: Report = {
-    ...startReport(core, 'inspect', mesh === undefined ? used : { ...used, mesh }, inspected),
+    ...startReport(core, 'inspect', settingsAsUsed('inspect', settings), inspected),
     timings: { load, inspect: session.lap(), total: session.total() },
   };
   return { report: finished(session, report), notes };

@@ -1,16 +1,15 @@
 /** Optimizes a model. */
 
 import { describeSolve } from '../../engine/body/health';
-import { faceCount } from '../../engine/core/mesh';
 import { droppedByExport } from '../../engine/document/export';
 import { describeLargeFit } from '../../engine/report/fit_words';
 import { settingsAsUsed } from '../../engine/report/report';
 import type { Report } from '../../engine/report/report';
-import { targetsOf } from '../../engine/stages/face_shares';
 import type { FaceTarget } from '../../engine/stages/face_shares';
 import { FileOutput } from '../../engine/stages/file_output';
 import { runSettings } from '../../engine/stages/file_request';
 import type { FileRequest } from '../../engine/stages/file_request';
+import { requestFile } from '../../engine/stages/file_targets';
 import type { FileRun } from '../../engine/stages/file_run';
 import { STAGES } from '../../engine/stages/stages';
 import type { Level } from '../options';
@@ -36,10 +35,10 @@ export async function optimizeModel(
   const { settings, notes } = session;
   const model = await session.open(files);
   const load = session.lap();
-  const file = session.prepare(model);
+  const file = session.prepare(model, { guides: true });
   const weld = session.lap();
   const target = targetOf(session, options);
-  const request = requestOf(session, file, { target, fields: options.fields ?? false });
+  const request = requestFile(file, { settings, fields: options.fields ?? false, ...target });
   const output = new FileOutput(file, request);
   computeOutput(session, output);
   session.lap();
@@ -72,19 +71,13 @@ export const finished = ({ core }: WorkSession, report: Report): Report => ({
 });
 
 /** What is asked for; half the faces where nothing else is a target. */
-function targetOf({ settings }: WorkSession, { faces, ratio }: OptimizeRequest): FaceTarget {
-  const others = [settings.maxDeviation, settings.minAngle, settings.maxFrequencyError];
+function targetOf(
+  { settings }: WorkSession,
+  { faces, ratio, maxDeviation = 0 }: OptimizeRequest,
+): FaceTarget {
+  const others = [maxDeviation, settings.minAngle, settings.maxFrequencyError];
   const isAlone = faces === undefined && others.every((limit) => limit === 0);
   return { faces: faces ?? null, ratio: ratio ?? (isAlone ? DEFAULT_RATIO : null) };
-}
-
-function requestOf(
-  { settings }: WorkSession,
-  file: FileRun,
-  { target, fields }: { target: FaceTarget; fields: boolean },
-): FileRequest {
-  const counts = file.runs.map((run) => (run ? faceCount(run.get(STAGES.prepared, settings).mesh) : 0));
-  return { settings, fields, targets: targetsOf(counts, target) };
 }
 
 function computeOutput({ notes }: WorkSession, output: FileOutput): void {
@@ -110,9 +103,9 @@ async function furtherLevels(output: FileOutput): Promise<Level[]> {
 
 function optionsAsUsed(
   { settings }: WorkSession,
-  { mesh, fields = false }: OptimizeRequest,
+  { fields = false }: OptimizeRequest,
   { faces, ratio }: FaceTarget,
 ): object {
   const target = { ...(faces !== null ? { faces } : {}), ...(ratio !== null ? { ratio } : {}) };
-  return { ...settingsAsUsed(settings), ...target, ...(mesh !== undefined ? { mesh } : {}), fields };
+  return { ...settingsAsUsed(settings), ...target, fields };
 }

@@ -16,7 +16,7 @@ import type { FileRun } from '../../engine/stages/file_run';
 import { measureDistance } from '../../engine/stages/measure';
 import { STAGES } from '../../engine/stages/stages';
 import { tuneMesh, tuneSettings } from '../../engine/stages/tune';
-import type { CommonOptions, Reported, TuneOptions, TuneResult } from '../options';
+import type { Reported, TuneResult } from '../options';
 import type { ModelFiles } from '../protocol';
 import { finished } from './optimize';
 import type { WorkSession } from './session';
@@ -31,14 +31,7 @@ export function checkPairs(originals: PreparedBody[], others: PreparedBody[]): v
   );
 }
 
-const withMesh = (used: object, { mesh }: CommonOptions): object =>
-  mesh === undefined ? used : { ...used, mesh };
-
-export async function compareModels(
-  session: WorkSession,
-  [first, second]: ModelFiles[],
-  options: CommonOptions,
-): Promise<Reported> {
+export async function compareModels(session: WorkSession, [first, second]: ModelFiles[]): Promise<Reported> {
   const { core, settings, notes } = session;
   const models = [await session.open(first), await session.open(second)];
   const load = session.lap();
@@ -52,7 +45,7 @@ export async function compareModels(
     const material = materialOf(original, settings);
     return core.compareFidelity(original.mesh, others[i].mesh, { modeCount, ...material });
   });
-  const used = withMesh({ model: 'shell', ...settingsAsUsed('compare', settings) }, options);
+  const used = { model: 'shell', ...settingsAsUsed('compare', settings) };
   const report = {
     ...startReport(core, 'compare', used, originals),
     output: meshReport(others),
@@ -63,11 +56,7 @@ export async function compareModels(
   return { report: finished(session, report), notes };
 }
 
-export async function tuneModel(
-  session: WorkSession,
-  [first, second]: ModelFiles[],
-  options: TuneOptions,
-): Promise<TuneResult> {
+export async function tuneModel(session: WorkSession, [first, second]: ModelFiles[]): Promise<TuneResult> {
   const { core, settings, notes } = session;
   const [original, coarse] = [await session.open(first), await session.open(second)];
   const load = session.lap();
@@ -86,7 +75,7 @@ export async function tuneModel(
   }));
   const text = writeSettings(settingsFile(bodies));
   const report = {
-    ...startReport(core, 'tune', withMesh(settingsAsUsed('tune', settings), options), originals),
+    ...startReport(core, 'tune', settingsAsUsed('tune', settings), originals),
     ...solverReport(tuned),
     output: meshReport(others),
     timings: { load, weld, tune, export: session.lap(), total: session.total() },

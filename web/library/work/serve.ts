@@ -57,9 +57,7 @@ export class Server {
       this.loaded = { threads, core: await loadCore({ threads, onProgress, ...address }) };
     }
     const { core } = this.loaded;
-    const session = new WorkSession(core, settings, options.mesh ?? null, (progress) =>
-      this.send({ progress }),
-    );
+    const session = new WorkSession(core, settings, (progress) => this.send({ progress }));
     this.onProgress = (progress) => session.report(progress);
     try {
       return await (RUN[command] as Run<CommandName>)(session, models, options as never);

@@ -2,6 +2,7 @@
 
 import { describeHealth } from '../../engine/body/health';
 import type { PreparedBody } from '../../engine/body/prepared_body';
+import { chosenBodies } from '../../engine/body/selection';
 import type { Core, Progress } from '../../engine/core/core';
 import { startStopwatch } from '../../engine/core/stopwatch';
 import { openModel } from '../../engine/document/open';
@@ -26,8 +27,6 @@ export class WorkSession {
   constructor(
     readonly core: Core,
     readonly settings: Settings,
-    /** the body that is chosen; null: all */
-    private readonly mesh: string | null,
     private readonly onProgress: (progress: StageProgress) => void,
   ) {}
 
@@ -42,19 +41,13 @@ export class WorkSession {
     return model;
   }
 
-  /** The numbers of the bodies that take part. Throws an Error where none has the name. */
-  chosen({ name, bodies }: OpenModel): number[] {
-    const numbers = bodies.map((_, i) => i);
-    const { mesh } = this;
-    if (mesh === null) return numbers;
-    const chosen = numbers.filter((i) => bodies[i].name === mesh);
-    if (chosen.length > 0) return chosen;
-    const names = bodies.map((body) => `"${body.name}"`).slice(0, 20);
-    throw new Error(`${name} has no body "${mesh}": it has ${names.join(', ')}.`);
+  /** The numbers of the bodies that take part. Throws an Error where none is chosen. */
+  chosen(model: OpenModel): number[] {
+    return chosenBodies(model, this.settings);
   }
 
-  /** A run over the chosen bodies, prepared; one without a usable face stays as it is. Throws where no other is left. */
-  prepare(model: OpenModel): FileRun {
+  /** A run over the chosen bodies, prepared; `guides`: see FileRunOptions; one without a usable face stays as it is. Throws where no other is left. */
+  prepare(model: OpenModel, { guides = false } = {}): FileRun {
     const onStage = (stage: string): void => {
       // A stage that only passes on the value of another has nothing of its own to tell.
       if (stage.endsWith(' where wanted')) return;
@@ -64,7 +57,7 @@ export class WorkSession {
     const onActivity = (body: string): void => {
       this.where.body = body;
     };
-    const file = new FileRun(this.core, model, { chosen: this.chosen(model), onActivity, onStage });
+    const file = new FileRun(this.core, model, { chosen: this.chosen(model), guides, onActivity, onStage });
     this.files.push(file);
     for (const sentence of file.leaveOutUnusable(this.settings))
       this.notes.push(`${sentence.replace(/\.$/, '')}; it stays as it is`);

@@ -11,12 +11,12 @@ import type { Command, SettingName, Settings } from '../../engine/settings/optio
 
 /** What calls take besides settings. */
 const OTHER_OPTIONS: Record<Command, readonly string[]> = {
-  optimize: ['mesh', 'faces', 'ratio', 'fields', 'bind', 'wantsBodies'],
-  tune: ['mesh'],
-  modes: ['mesh', 'writesShapes'],
-  compare: ['mesh'],
-  simulate: ['mesh', 'binding', 'settingsFile', 'records'],
-  inspect: ['mesh'],
+  optimize: ['faces', 'ratio', 'fields', 'bind', 'wantsBodies'],
+  tune: [],
+  modes: ['writesShapes'],
+  compare: [],
+  simulate: ['binding', 'settingsFile', 'records'],
+  inspect: [],
 };
 
 /**

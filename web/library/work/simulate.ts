@@ -70,7 +70,7 @@ export async function simulateModels(
   const { factors, settled } = carried;
   const used = settingsAsUsed('simulate', settings);
   const report: Report = {
-    ...startReport(core, 'simulate', { ...used, ...meshOf(options) }, originals),
+    ...startReport(core, 'simulate', used, originals),
     ...(others ? { output: meshReport(others) } : {}),
     simulation: simulationReport(motions, askedOf(session, settled, others !== null)),
     ...(factors ? { calibration: calibrationReport(originals, factors) } : {}),
@@ -79,8 +79,6 @@ export async function simulateModels(
   report.timings.total = session.total();
   return { recording, report: finished(session, report), notes };
 }
-
-const meshOf = ({ mesh }: SimulateOptions) => (mesh === undefined ? {} : { mesh });
 
 /** Refuses what could not be done, before any work. */
 function checkCarried(

@@ -3,37 +3,48 @@
 import { count, fixed } from '../../controls/numbers';
 import { keyOf } from '../../../engine/stages/stage';
 import { STAGES } from '../../../engine/stages/stages';
-import { results, wantedFaces, wants } from '../../state/store';
+import { Toggle } from '../../controls/controls';
+import { isSharing, keepFaces, results, setOwnFaces, slider, wantedFaces, wants } from '../../state/store';
 import './scrubber.css';
 
 export function Scrubber() {
-  const history = results.history.value;
-  const total = history?.faces ?? results.body.value?.inspection.faces ?? 0;
-  const floor = history?.floorFaces ?? 0;
-  const value = Math.min(total, Math.max(floor, wantedFaces.value));
+  const { isReady, fewest, faces: total, wanted } = slider.value;
+  const value = Math.min(total, Math.max(fewest, wanted));
   const set = (faces: number) => {
-    if (Number.isFinite(faces)) wants.faces.value = Math.min(total, Math.max(1, Math.round(faces)));
+    if (Number.isFinite(faces)) keepFaces(Math.min(total, Math.max(1, Math.round(faces))));
   };
   return (
     <div class="scrubber">
-      <label for="faces">Kept faces</label>
+      <label for="faces">{isSharing.value ? 'Kept faces of the scene' : 'Kept faces'}</label>
       <div class="track">
         <input
           id="faces"
           type="range"
-          min={floor}
+          min={fewest}
           max={total}
           step={1}
           value={value}
-          disabled={!history}
+          disabled={!isReady}
           aria-valuetext={`${count(value)} of ${count(total)} faces`}
           onInput={(event) => set(event.currentTarget.valueAsNumber)}
         />
-        <Marks />
+        {!isSharing.value && <Marks />}
       </div>
       <ExactFaces value={value} total={total} set={set} />
       <span class="muted ratio">{total > 0 ? `${fixed((100 * value) / total, 1)} %` : ''}</span>
+      {(results.file.value?.bodies.length ?? 0) > 1 && <OwnFaces />}
     </div>
+  );
+}
+
+/** Lets the shown body have a number of faces of its own. */
+function OwnFaces() {
+  return (
+    <Toggle
+      label="This body alone"
+      checked={!isSharing.value}
+      onChange={(on) => setOwnFaces(on ? wantedFaces.value : null)}
+    />
   );
 }
 
@@ -73,7 +84,7 @@ function Marks() {
             style={{ left: `calc(8px + (100% - 16px) * ${positionOf(faces)})` }}
             title={meaning}
             aria-label={meaning}
-            onClick={() => (wants.faces.value = faces)}
+            onClick={() => keepFaces(faces)}
           >
             {isLabelled ? `${i === 0 ? 'deviation ' : ''}${deviation} %` : ''}
           </button>

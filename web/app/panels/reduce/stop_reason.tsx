@@ -2,6 +2,7 @@
 
 import { count, fixed } from '../../controls/numbers';
 import { describeRefused } from '../../../engine/report/stop_report';
+import { OPTIONS } from '../../../engine/settings/options';
 import type { FrequencyFinding, Tried } from '../../../engine/body/body_result';
 import { results, shownFit, shownMesh, wantedFaces } from '../../state/store';
 
@@ -12,6 +13,7 @@ export function StopReason() {
   const history = results.history.value;
   if (!history) return null;
   const frequency = shownFit.value?.frequency;
+  const guard = shownFit.value?.guard;
   const shown = (shownMesh.value?.mesh.triangles.length ?? 0) / 3;
   return (
     <>
@@ -20,6 +22,12 @@ export function StopReason() {
         <p class="hint warning">
           Stopped at {count(history.floorFaces)} faces: {describeRefused(history.refused)}.
           {history.blockedBySeams && ` Turn on “${ACROSS_SEAMS}” under More to go on.`}
+        </p>
+      )}
+      {guard && (
+        <p class="hint warning">
+          Stopped at {count(shown)} faces: with fewer the surface would go too far, more than{' '}
+          {fixed(guard.limit, 2)} % of the diagonal. Set {OPTIONS.maxDeviation.label} to 0 to go on.
         </p>
       )}
       {frequency && (

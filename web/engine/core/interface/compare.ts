@@ -38,7 +38,8 @@ export interface ShellModes {
 
 /** The functions of the core on this topic. */
 export interface CompareFunctions {
-  measureSurfaceDistance(a: MeshInput, b: MeshInput): SurfaceDistance;
+  /** `samples` of each surface, besides its vertices; 0: ten for each triangle, and at least 10,000 */
+  measureSurfaceDistance(a: MeshInput, b: MeshInput, samples: number): SurfaceDistance;
   compareFidelity(original: MeshInput, other: MeshInput, options: FidelityOptions): Fidelity;
   /** the 2 * options.modeCount modes of the original that frequencyErrors needs */
   shellModes(original: MeshInput, options: FidelityOptions): ShellModes;

@@ -24,6 +24,8 @@ export interface ModesOptions extends ElasticMaterial {
   exact: boolean;
   /** elastic modes per component */
   modeCount: number;
+  /** where modes are needed for guidance alone: the number of bodies in the file; parts of many are solved more coarsely */
+  guidedParts?: number;
 }
 
 /** One elastic mode of one component. */
@@ -50,6 +52,8 @@ export interface ComponentModes {
   zeroModesExpected: number;
   zeroModesFound: number;
   modeCount: number;
+  /** why it has no modes, in a sentence; '' where it has been solved. Only with `guidedParts` */
+  failure?: string;
 }
 
 /** Modes of all components. At each vertex, ordinal k is the (k + 1)-th elastic mode of the vertex's own component. */

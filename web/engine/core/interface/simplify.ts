@@ -47,6 +47,10 @@ export interface SimplifyOptions {
   maxDeviation?: number;
   /** refuses collapses that create an angle below this (degrees) where there was none; 0: no limit */
   minAngle?: number;
+  /** whether the history gets `errors` */
+  recordErrors?: boolean;
+  /** collapses that are estimated to go farther from the input than this wait for all others, then it doubles; units of the mesh; 0: none waits */
+  waitBeyond?: number;
   constraints?: SimplifyConstraints;
 }
 
@@ -73,6 +77,8 @@ export interface History {
   positions: Float32Array;
   /** triangles left after collapse i, descending */
   trianglesAfter: Uint32Array;
+  /** per collapse an estimate of how far it has taken the surface from the input, in units of the mesh; empty unless asked for */
+  errors?: Float32Array;
   refused: Refused;
   /** why the history ends */
   stop: (typeof STOP_REASONS)[number];

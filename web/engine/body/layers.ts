@@ -1,0 +1,178 @@
+/** Faces of a body that lie on the same three vertices: back sides that are modelled, and second layers of another material. */
+
+import { NONE } from '../core/core';
+import type { CornerSources, History, MeshAt, TriangleMesh, WeldResult } from '../core/core';
+import type { Body } from '../document/model';
+
+/** One face of the body on a triangle of the welded mesh. */
+export interface Layer {
+  /** the triangle of the body */
+  source: number;
+  /** corner j of the body's triangle lies at corner cornerOf[j] of the welded one */
+  cornerOf: readonly number[];
+}
+
+/** Per triangle of the welded mesh the layers on it; the first one is what it was welded from. */
+export interface Layers {
+  /** layers[t] */
+  of: readonly Layer[][];
+  /** the most layers on one triangle */
+  most: number;
+  /** whether no triangle has a second layer, or is wound the other way than in the body */
+  isPlain: boolean;
+}
+
+/** The layers of a body that was welded. Every usable face of the body is in one of them, as it is wound there. */
+export function findLayers(body: Body, weld: WeldResult): Layers {
+  const { mesh, sourceOfTriangle } = weld;
+  const of = Array.from(sourceOfTriangle, (source, t): Layer[] => [
+    { source, cornerOf: cornersOf(body, weld, source, t) },
+  ]);
+  if (weld.duplicateFaces > 0) addTwins(body, weld, of);
+  const isTurned = ({ cornerOf }: Layer): boolean => cornerOf[1] !== 1;
+  return {
+    of,
+    most: of.reduce((most, layers) => Math.max(most, layers.length), 1),
+    isPlain: mesh.triangles.length === 0 || of.every((layers) => layers.length === 1 && !isTurned(layers[0])),
+  };
+}
+
+function addTwins(body: Body, weld: WeldResult, of: Layer[][]): void {
+  const { mesh, vertexOfSource, sourceOfTriangle } = weld;
+  const keyOf = (vertices: number[]): string => vertices.sort((a, b) => a - b).join();
+  const known = new Map<string, number>();
+  for (let t = 0; t < of.length; ++t) known.set(keyOf([...mesh.triangles.subarray(3 * t, 3 * t + 3)]), t);
+  const isKept = new Uint8Array(body.indices.length / 3);
+  for (const source of sourceOfTriangle) isKept[source] = 1;
+  isKept.forEach((kept, source) => {
+    const vertices = [0, 1, 2].map((j) => vertexOfSource[body.indices[3 * source + j]]);
+    if (kept === 1 || vertices.includes(NONE) || new Set(vertices).size < 3) return;
+    const t = known.get(keyOf(vertices));
+    if (t !== undefined) of[t].push({ source, cornerOf: cornersOf(body, weld, source, t) });
+  });
+}
+
+/** Per corner of the body's triangle the corner of triangle t of the welded mesh at the same vertex. */
+function cornersOf(body: Body, { mesh, vertexOfSource }: WeldResult, source: number, t: number): number[] {
+  return [0, 1, 2].map((j) => {
+    const vertex = vertexOfSource[body.indices[3 * source + j]];
+    const corner = [0, 1, 2].findIndex((c) => mesh.triangles[3 * t + c] === vertex);
+    return corner < 0 ? j : corner;
+  });
+}
+
+/** A mesh as it is written, with every layer, and where its triangles and corners come from in the body. */
+export interface Layered {
+  mesh: TriangleMesh;
+  inputOfTriangle: Uint32Array;
+  sources: CornerSources;
+}
+
+/**
+ * Each triangle of the result once for every layer of the triangle that it comes from, wound as that layer is in the body. `sources`: on
+ * the welded mesh. Attributes of a further layer come from the same points as those of the first one; where it has no layer there,
+ * from its own corner.
+ */
+export function withLayers(layers: Layers, body: Body, result: MeshAt, sources: CornerSources): Layered {
+  const { of, most } = layers;
+  const { mesh, inputOfTriangle } = result;
+  const triangles: number[] = [];
+  const written: number[] = [];
+  const from: number[] = [];
+  const shares: number[] = [];
+  // Layer by layer, so that the first one has the order that it would have alone.
+  for (let number = 0; number < most; ++number)
+    inputOfTriangle.forEach((input, t) => {
+      const layer = of[input][number] as Layer | undefined;
+      if (!layer) return;
+      written.push(layer.source);
+      layer.cornerOf.forEach((c, j) => {
+        triangles.push(mesh.triangles[3 * t + c]);
+        const corner = 3 * t + c;
+        const there = layerLike(of[sources.triangle[corner]], layer, body);
+        from.push((there ?? layer).source);
+        const barycentric = (k: number) => sources.barycentric[3 * corner + k];
+        shares.push(...(there ? there.cornerOf.map(barycentric) : [0, 1, 2].map((k) => (k === j ? 1 : 0))));
+      });
+    });
+  return {
+    mesh: { positions: mesh.positions, triangles: Uint32Array.from(triangles) },
+    inputOfTriangle: Uint32Array.from(written),
+    sources: { triangle: Uint32Array.from(from), barycentric: Float32Array.from(shares) },
+  };
+}
+
+/** The triangles of a result, each as often as it has layers. */
+export function trianglesOfLayers(
+  { of }: Layers,
+  triangles: Uint32Array,
+  inputOfTriangle: Uint32Array,
+): Uint32Array {
+  const all: number[] = [];
+  inputOfTriangle.forEach((input, t) => {
+    for (const { cornerOf } of of[input]) all.push(...cornerOf.map((c) => triangles[3 * t + c]));
+  });
+  return Uint32Array.from(all);
+}
+
+/** How many faces a result has with all their layers. */
+export const layeredFaces = ({ of }: Layers, inputOfTriangle: Uint32Array): number =>
+  inputOfTriangle.reduce((sum, input) => sum + of[input].length, 0);
+
+/** Among the layers at another place the one of the same primitive, and of the same side where there are several. */
+function layerLike(layers: readonly Layer[], wanted: Layer, body: Body): Layer | undefined {
+  const same = layers.filter(({ source }) => spanOf(body, source) === spanOf(body, wanted.source));
+  return same.find(({ cornerOf }) => isEven(cornerOf) === isEven(wanted.cornerOf)) ?? same[0];
+}
+
+const isEven = (corners: readonly number[]): boolean => (corners[1] - corners[0] + 3) % 3 === 1;
+
+/** The number of the span that a triangle of the body belongs to. */
+export function spanOf({ spans }: Body, triangle: number): number {
+  let span = spans.length - 1;
+  while (spans[span].first > triangle) --span;
+  return span;
+}
+
+/** Per number of collapses in `ends`, ascending: the faces with all their layers that are left of the welded mesh. */
+export function writtenFaces(
+  { of }: Layers,
+  { triangles }: TriangleMesh,
+  history: History,
+  ends: Uint32Array,
+): Uint32Array {
+  const lost = new Uint32Array(history.kept.length + 1);
+  const mergedAt = mergeTimes(history);
+  let left = 0;
+  of.forEach((layers, t) => {
+    const [a, b, c] = triangles.subarray(3 * t, 3 * t + 3);
+    const time = Math.min(mergedAt(a, b), mergedAt(b, c), mergedAt(c, a));
+    left += layers.length;
+    if (time < Infinity) lost[time + 1] += layers.length;
+  });
+  let done = 0;
+  return ends.map((end) => {
+    for (; done < end; ++done) left -= lost[done + 1];
+    return left;
+  });
+}
+
+/** Finds the collapse after which two vertices are one; Infinity: they never are. */
+function mergeTimes({ vertexCount, kept, removed }: History): (u: number, v: number) => number {
+  const time = new Float64Array(vertexCount).fill(Infinity);
+  const into = new Uint32Array(vertexCount);
+  removed.forEach((vertex, i) => {
+    time[vertex] = i;
+    into[vertex] = kept[i];
+  });
+  return (u, v) => {
+    let last = 0;
+    while (u !== v) {
+      if (time[u] > time[v]) [u, v] = [v, u];
+      last = time[u];
+      if (last === Infinity) return last;
+      u = into[u];
+    }
+    return last;
+  };
+}

@@ -1,0 +1,53 @@
+/** How large the meshes of a document are in its scenes, and how often they stand there. */
+
+import type { Accessor, Document, Mesh, Node } from '@gltf-transform/core';
+import { length3 } from '../core/exact_math';
+
+/** The vendor's extension for many copies of one node's mesh. */
+const INSTANCING = 'EXT_mesh_gpu_instancing';
+
+/**
+ * The scale of a mesh in the scene with all of its instances: the root of the sum of their squared scales, since the harm of an
+ * error is its square, and is seen in each of them. A scale is the root mean square of the three axes. 1 where no node shows the mesh.
+ */
+export function placedScale(document: Document, mesh: Mesh): number {
+  const nodes = document
+    .getRoot()
+    .listNodes()
+    .filter((node) => node.getMesh() === mesh);
+  const squares = nodes.map((node) => squaredScale(node) * instances(node));
+  const sum = squares.reduce((all, square) => all + square, 0);
+  return nodes.length > 0 && Number.isFinite(sum) ? Math.sqrt(sum) : 1;
+}
+
+/** Joints place a skinned mesh, and its own node does not. */
+function squaredScale(node: Node): number {
+  const skin = node.getSkin();
+  const [joint] = skin?.listJoints() ?? [];
+  if (!skin || !joint) return squareOf(node.getWorldMatrix());
+  const bind = skin.getInverseBindMatrices()?.getElement(0, []);
+  return squareOf(joint.getWorldMatrix()) * (bind ? squareOf(bind) : 1);
+}
+
+function squareOf(matrix: ArrayLike<number>): number {
+  const axes = [0, 4, 8].map((at) => length3(matrix[at], matrix[at + 1], matrix[at + 2]));
+  return axes.reduce((sum, axis) => sum + axis * axis, 0) / 3;
+}
+
+/** The sum of the squared scales of the node's instances; 1 where it is not instanced. */
+function instances(node: Node): number {
+  const extension = node.getExtension(INSTANCING) as {
+    listSemantics(): string[];
+    getAttribute(semantic: string): Accessor | null;
+  } | null;
+  const [first] = extension?.listSemantics() ?? [];
+  if (!extension || first === undefined) return 1;
+  const scales = extension.getAttribute('SCALE');
+  if (!scales) return extension.getAttribute(first)!.getCount();
+  let sum = 0;
+  for (let i = 0; i < scales.getCount(); ++i) {
+    const [x, y, z]: number[] = scales.getElement(i, [] as number[]);
+    sum += (x * x + y * y + z * z) / 3;
+  }
+  return sum;
+}

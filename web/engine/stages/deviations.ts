@@ -1,0 +1,38 @@
+/** Stage: the measured deviation of any level of a history. */
+
+import type { Core, MeshAt } from '../core/core';
+import type { PreparedBody } from '../body/prepared_body';
+import { keptHistoryStage } from './kept_history';
+import type { KeptHistory } from './kept_history';
+import { levelAt } from './level';
+import { measureDistance } from './measure';
+import { preparedStage } from './prepared';
+import { declareStage } from './stage';
+
+/** Measures levels and remembers what it has found, so that a cancelled search goes on from there. */
+export class Deviations {
+  private readonly known = new Map<number, number>();
+
+  constructor(
+    private readonly core: Core,
+    private readonly prepared: PreparedBody,
+    private readonly kept: KeptHistory,
+  ) {}
+
+  /** Of the level of at most `faces` faces, in % of the diagonal. `level`: that level, where it is at hand. */
+  at(faces: number, level?: MeshAt): number {
+    const known = this.known.get(faces);
+    if (known !== undefined) return known;
+    const { mesh } = level ?? levelAt(this.core, this.kept, faces);
+    const deviation = measureDistance(this.core, this.prepared, mesh).hausdorff;
+    this.known.set(faces, deviation);
+    return deviation;
+  }
+}
+
+export const deviationsStage = declareStage({
+  name: 'deviations',
+  reads: [],
+  needs: { prepared: preparedStage, kept: keptHistoryStage },
+  run: ({ core }, { prepared, kept }) => new Deviations(core, prepared, kept),
+});

@@ -1,0 +1,108 @@
+/** How many faces each body of a file may keep, of what is asked of the file as a whole. */
+
+import { placedScale } from '../document/placements';
+import type { Settings } from '../settings/options';
+import { errorCurveStage } from './error_curve';
+import type { ErrorCurve } from './error_curve';
+import { facesByRatio, targetsOf } from './face_shares';
+import type { FaceTarget } from './face_shares';
+import type { FileRequest } from './file_request';
+import type { FileRun } from './file_run';
+import { SceneQueue } from './scene_budget';
+
+/** What is asked of a file. */
+export interface FileAsked extends FaceTarget {
+  settings: Settings;
+  /** whether strain and curvature are written as attributes */
+  fields: boolean;
+  /** faces of bodies that have a number of their own, by their numbers in the file; the target of the whole is that of the others */
+  own?: ReadonlyMap<number, number>;
+}
+
+/**
+ * The request for all bodies of a file: by one queue of errors over the scene, or with `perBody` the same share of each. Needs the
+ * history of every body. The page, the command line and the library all ask for files through this.
+ */
+export function requestFile(file: FileRun, { settings, fields, own, ...target }: FileAsked): FileRequest {
+  const shared = file.usable.filter(({ i }) => !own?.has(i));
+  const share = settings.perBody ? shareEach(file, shared, settings) : shareScene(file, shared, settings);
+  const targetsFor = (asked: FaceTarget): number[] => {
+    const targets = file.model.bodies.map((_, i) => own?.get(i) ?? 0);
+    share(asked).forEach((faces, n) => (targets[shared[n].i] = faces));
+    return targets;
+  };
+  return {
+    settings,
+    fields,
+    faces: target.faces ?? undefined,
+    targets: targetsFor(target),
+    levelTargets: settings.lods.map((ratio) => targetsFor({ faces: null, ratio })),
+  };
+}
+
+type Usable = FileRun['usable'];
+/** Per shared body the most faces that it may have. */
+type Share = (asked: FaceTarget) => number[];
+
+function curvesOf(file: FileRun, shared: Usable, settings: Settings): ErrorCurve[] {
+  return shared.map(({ run }) => {
+    file.announce(run);
+    return run.get(errorCurveStage, settings);
+  });
+}
+
+function shareEach(file: FileRun, shared: Usable, settings: Settings): Share {
+  const counts = file.preparedOf(shared, settings).map(({ mesh }) => mesh.triangles.length / 3);
+  return (asked) => targetsOf(counts, asked);
+}
+
+function shareScene(file: FileRun, shared: Usable, settings: Settings): Share {
+  if (shared.length === 0) return () => [];
+  const queue = sceneQueue(file, shared, settings);
+  return (asked) => targetsInQueue(queue, wantedFaces(asked, queue.faces));
+}
+
+/** Of a ratio and a number of faces the one that is reached first; 1 where neither is asked for. */
+const wantedFaces = ({ faces, ratio }: FaceTarget, all: number): number =>
+  Math.max(1, ratio === null ? 0 : facesByRatio(ratio, all), faces ?? 0);
+
+/** Below the fewest faces of the scene the targets are below those of the bodies, in proportion, so that they count as missed. */
+function targetsInQueue(queue: SceneQueue, wanted: number): number[] {
+  const targets = queue.targets(wanted);
+  const share = Math.min(1, wanted / queue.fewest);
+  return targets.map((own) => Math.max(1, Math.floor(share * own)));
+}
+
+/** The queue of these bodies; its curves follow from their histories. */
+function sceneQueue(file: FileRun, shared: Usable, settings: Settings): SceneQueue {
+  const { document } = file.model;
+  const meshes = document.getRoot().listMeshes();
+  const curves = curvesOf(file, shared, settings);
+  return new SceneQueue(
+    shared.map(({ run }, n) => ({
+      curve: curves[n],
+      scale: placedScale(document, meshes[run.context.body.mesh]),
+      limit: settings.maxDeviation,
+    })),
+  );
+}
+
+/** The faces of the bodies of a file that share a number of faces. */
+export interface SharedFaces {
+  /** the number that is shared: as asked for, half where nothing is */
+  wanted: number;
+  /** as the bodies came, and the fewest that they can have */
+  faces: number;
+  fewest: number;
+  /** targets[i]: of body i of the file */
+  targets: number[];
+}
+
+/** What `requestFile` asks of each body, and the range of the number that is shared. */
+export function shareFaces(file: FileRun, asked: FileAsked): SharedFaces {
+  const { settings, own } = asked;
+  const shared = file.usable.filter(({ i }) => !own?.has(i));
+  const queue = sceneQueue(file, shared, settings);
+  const { faces, fewest } = queue;
+  return { wanted: wantedFaces(asked, faces), faces, fewest, targets: requestFile(file, asked).targets };
+}
