@@ -170,7 +170,7 @@ describe('a method', () => {
 
 describe('a command', () => {
   it('accepts the settings of its groups and those whose row names it', () => {
-    expect(settingsOf('inspect')).toEqual(['weld', 'threads']);
+    expect(settingsOf('inspect')).toEqual(['mesh', 'materialName', 'exclude', 'weld', 'threads']);
     expect(settingsOf('compare')).toContain('modeCount');
     expect(settingsOf('simulate')).toContain('pins');
     expect(settingsOf('optimize')).toContain('calibrate');

@@ -26,6 +26,8 @@ function another(key: keyof Settings): unknown {
       return '0:IA';
     case 'engine':
       return 'young=1e5,poisson=0.3';
+    case 'pattern':
+      return 'wheel_*|a?, \\*&=';
     case 'name':
       return '_KEEP +&=';
   }
