@@ -26,7 +26,8 @@ struct ImplicitSystem::Linearisation {
 ImplicitSystem::ImplicitSystem(const ConstrainedBody& body, double inertia, const Job& job)
     : constraints_(body.constraints),
       masses_(body.masses.begin(), body.masses.end()),
-      factors_(body.factors.begin(), body.factors.end()) {
+      factors_(body.factors.begin(), body.factors.end()),
+      guard_(body.mesh.triangles, body.constraints.rest(), body.guard) {
   numberVertices(body.pins);
   addPointSprings(body, inertia);
   buildPattern();
@@ -81,6 +82,7 @@ void ImplicitSystem::buildPattern() {
   for (uint32_t c = 0; c < constraints_.count(); ++c)
     couple(std::span(constraints_[c].vertices).first(constraints_[c].vertexCount));
   for (const PointSpring& spring : points_) couple(spring.vertices);
+  for (size_t i = 0; i < guard_.count(); ++i) couple(guard_.vertices(i));
   for (uint32_t i = 0; i < free_.size(); ++i) {
     neighbours[i].push_back(i);
     std::ranges::sort(neighbours[i]);
@@ -134,7 +136,7 @@ double ImplicitSystem::energyAt(std::span<const Vec3> positions) const {
       energies[c] = factorOf(index) * constraints_.energyAt(index, positions);
     }
   });
-  double sum = std::accumulate(energies.begin(), energies.end(), 0.0);
+  double sum = std::accumulate(energies.begin(), energies.end(), guard_.energyAt(positions));
   for (const PointSpring& spring : points_)
     sum += 0.5 * spring.stiffness * squaredLength(gapOf(spring, positions));
   return sum;
@@ -149,21 +151,21 @@ void ImplicitSystem::addPointSpringsTo(std::span<const Vec3> positions, Eigen::V
   }
 }
 
-Eigen::VectorXd ImplicitSystem::gradientAt(std::span<const Vec3> positions) const {
-  std::vector<Eigen::Matrix<double, 12, 1>> parts(constraints_.count());
-  parallelFor(parts.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t c = begin; c < end; ++c) {
-      const ConstraintStrain at = constraints_.strainAt(static_cast<uint32_t>(c), positions);
-      parts[c] = factorOf(static_cast<uint32_t>(c)) * (at.jacobian.transpose() * at.strain);
-    }
-  });
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(unknownCount());
-  for (uint32_t c = 0; c < parts.size(); ++c)
-    for (int k = 0; k < constraints_[c].vertexCount; ++k)
-      if (const uint32_t i = indexOf_[constraints_[c].vertices[k]]; i != kNone)
-        addTo(gradient, i, parts[c].segment<3>(3 * k));
-  addPointSpringsTo(positions, gradient);
-  return gradient;
+void ImplicitSystem::addForces(std::span<const uint32_t> vertices, const ConstraintStrain& at, double factor,
+                               Eigen::VectorXd& gradient) const {
+  const Eigen::Matrix<double, 12, 1> force = factor * (at.jacobian.transpose() * at.strain);
+  for (size_t k = 0; k < vertices.size(); ++k)
+    if (const uint32_t i = indexOf_[vertices[k]]; i != kNone)
+      addTo(gradient, i, force.segment<3>(3 * static_cast<Eigen::Index>(k)));
+}
+
+void ImplicitSystem::addGuard(std::span<const Vec3> positions, Eigen::VectorXd& gradient) {
+  for (size_t i = 0; i < guard_.count(); ++i) {
+    if (!guard_.isActive(i, positions)) continue;
+    const Linearisation at{guard_.strainAt(i, positions)};
+    addForces(guard_.vertices(i), at.strain, 1, gradient);
+    addBlocks(guard_.vertices(i), at, 1);
+  }
 }
 
 Eigen::VectorXd ImplicitSystem::linearise(std::span<const Vec3> positions, StressKind kind) {
@@ -178,13 +180,11 @@ Eigen::VectorXd ImplicitSystem::linearise(std::span<const Vec3> positions, Stres
   std::fill_n(pencil_.k.valuePtr(), pencil_.k.nonZeros(), 0.0);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(unknownCount());
   for (uint32_t c = 0; c < parts.size(); ++c) {
-    const Eigen::Matrix<double, 12, 1> force =
-        factorOf(c) * (parts[c].strain.jacobian.transpose() * parts[c].strain.strain);
-    for (int k = 0; k < constraints_[c].vertexCount; ++k)
-      if (const uint32_t i = indexOf_[constraints_[c].vertices[k]]; i != kNone)
-        addTo(gradient, i, force.segment<3>(3 * k));
-    addBlocks(c, parts[c]);
+    const std::span<const uint32_t> vertices(constraints_[c].vertices.data(), constraints_[c].vertexCount);
+    addForces(vertices, parts[c].strain, factorOf(c), gradient);
+    addBlocks(vertices, parts[c], factorOf(c));
   }
+  addGuard(positions, gradient);
   addPointSpringsTo(positions, gradient);
   addPointBlocks();
   return gradient;
@@ -198,24 +198,23 @@ double* ImplicitSystem::blockOf(uint32_t i, uint32_t j) {
          3 * static_cast<size_t>(std::lower_bound(first, last, i) - first);
 }
 
-void ImplicitSystem::addBlocks(uint32_t c, const Linearisation& at) {
-  const SolverConstraint& constraint = constraints_[c];
-  const double factor = factorOf(c);
-  for (int k = 0; k < constraint.vertexCount; ++k) {
-    const uint32_t i = indexOf_[constraint.vertices[k]];
+// Rows of strain beyond those of a constraint are 0.
+void ImplicitSystem::addBlocks(std::span<const uint32_t> vertices, const Linearisation& at, double factor) {
+  const auto add = [this](uint32_t row, uint32_t column, const Eigen::Matrix3d& values) {
+    const uint32_t height = 3 * (neighbourStart_[column + 1] - neighbourStart_[column]);
+    Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>>(blockOf(row, column),
+                                                         Eigen::OuterStride<>(height)) += values;
+  };
+  for (size_t k = 0; k < vertices.size(); ++k) {
+    const uint32_t i = indexOf_[vertices[k]];
     if (i == kNone) continue;
-    for (int l = 0; l <= k; ++l) {
-      const uint32_t j = indexOf_[constraint.vertices[l]];
+    for (size_t l = 0; l <= k; ++l) {
+      const uint32_t j = indexOf_[vertices[l]];
       if (j == kNone) continue;
-      Eigen::Matrix3d block =
-          factor * (at.strain.jacobian.topRows(constraint.rows).middleCols<3>(3 * k).transpose() *
-                    at.strain.jacobian.topRows(constraint.rows).middleCols<3>(3 * l));
-      block.diagonal().array() += factor * at.stress(k, l);
-      const auto add = [this](uint32_t row, uint32_t column, const Eigen::Matrix3d& values) {
-        const uint32_t height = 3 * (neighbourStart_[column + 1] - neighbourStart_[column]);
-        Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>>(blockOf(row, column),
-                                                             Eigen::OuterStride<>(height)) += values;
-      };
+      const auto row = static_cast<Eigen::Index>(k), column = static_cast<Eigen::Index>(l);
+      Eigen::Matrix3d block = factor * (at.strain.jacobian.middleCols<3>(3 * row).transpose() *
+                                        at.strain.jacobian.middleCols<3>(3 * column));
+      block.diagonal().array() += factor * at.stress(row, column);
       add(i, j, block);
       if (k != l) add(j, i, block.transpose());
     }
