@@ -1,7 +1,11 @@
 // Tunes coarse meshes to their originals in every solver of the panel and prints the errors of frequencies as
 // Markdown, for docs/engines.md:
 //
-//   tune_panel [--faces 0.25] [--solvers springs,dihedral] [--kinds global,constraint] [--looks] MESH.obj...
+//   tune_panel [--faces 0.25] [--solvers springs,dihedral] [--kinds global,constraint] [--looks] [--pins 6]
+//     MESH.obj...
+//
+// With `--looks` both bodies also move; `--pins P` pins the lowest P % along the longest side of the box. The
+// last columns tell the seconds and why nothing moved.
 //
 // Untouched parameters are those of one thin shell, typed in again on the coarse mesh: thickness 2 % of the
 // diagonal, Poisson's ratio 0.3; springs across have a twentieth of the stiffness of edges.
@@ -19,6 +23,7 @@
 #include "fit/tune/tune_solver.h"
 #include "mesh/repair/weld.h"
 #include "simplify/simplify.h"
+#include "transfer/carry_pins.h"
 
 using namespace limber;
 
@@ -32,6 +37,7 @@ struct Solver {
 constexpr Solver kSolvers[] = {
     {"shell", {StretchElement::Membrane, BendElement::Morley, MassRule::Area}},
     {"hinge-shell", {StretchElement::Membrane, BendElement::HingeByArea, MassRule::Area}},
+    {"mujoco", {StretchElement::Membrane, BendElement::HingeByArea, MassRule::Vertex}},
     {"newton", {StretchElement::Membrane, BendElement::HingeByLength, MassRule::Area}},
     {"dihedral", {StretchElement::EdgeSprings, BendElement::Hinge, MassRule::Area}},
     {"springs", {StretchElement::EdgeSprings, BendElement::CrossSprings, MassRule::Area}},
@@ -41,6 +47,7 @@ constexpr const char* kKinds[] = {"global", "vertex", "constraint"};
 
 struct Arguments {
   double faces = 0.25;
+  double pinShare = 0;  // of the longest side
   bool looks = false;
   std::string solvers, kinds;
   std::vector<std::string> files;
@@ -52,6 +59,8 @@ Arguments parse(int count, char** values) {
     const std::string value = values[i];
     if (value == "--faces" && i + 1 < count)
       arguments.faces = std::atof(values[++i]);
+    else if (value == "--pins" && i + 1 < count)
+      arguments.pinShare = std::atof(values[++i]) / 100;
     else if (value == "--solvers" && i + 1 < count)
       arguments.solvers = "," + std::string(values[++i]) + ",";
     else if (value == "--looks")
@@ -91,13 +100,26 @@ SolverConstants constantsOf(const SolverModel& model, const TriangleMesh& origin
   return constants;
 }
 
-// "untouched -> tuned (noise floor)", % of the diagonal.
+// "untouched -> tuned (noise floor), what is kept", % of the diagonal, or why there is none.
 std::string motionOf(const Tuned& tuned) {
-  if (!tuned.motion) return "";
-  char text[80];
-  std::snprintf(text, sizeof text, "%s %.3f -> %.3f (%.3f)", tuned.motion->scene.c_str(),
-                tuned.motion->untouched, tuned.motion->tuned, tuned.motion->noiseFloor);
+  if (!tuned.motion) return tuned.motionRefusal;
+  char text[120];
+  std::snprintf(text, sizeof text, "%s %.3f -> %.3f (%.3f), %s", tuned.motion->scene.c_str(),
+                tuned.motion->untouched, tuned.motion->tuned, tuned.motion->noiseFloor,
+                tuned.motion->kept == KeptParameters::Tuned ? "tuned" : "untouched");
   return text;
+}
+
+std::vector<uint32_t> lowestVertices(const TriangleMesh& mesh, double share) {
+  const Bounds box = bounds(mesh);
+  int axis = 0;
+  for (int c = 1; c < 3; ++c)
+    if (box.high[c] - box.low[c] > box.high[axis] - box.low[axis]) axis = c;
+  std::vector<uint32_t> vertices;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    if (mesh.positions[v][axis] <= box.low[axis] + share * (box.high[axis] - box.low[axis]))
+      vertices.push_back(v);
+  return vertices;
 }
 
 void measure(const std::string& file, const Arguments& arguments, Job& job) {
@@ -115,6 +137,10 @@ void measure(const std::string& file, const Arguments& arguments, Job& job) {
       options.original = options.result = constantsOf(solver.model, original);
       options.tune = static_cast<TuneKind>(kind);
       options.looks = arguments.looks;
+      if (arguments.pinShare > 0) {
+        options.pinnedOriginal = lowestVertices(original, arguments.pinShare);
+        options.pinnedResult = carryPins(original, options.pinnedOriginal, coarse).vertices;
+      }
       const auto start = std::chrono::steady_clock::now();
       try {
         const Tuned tuned = tuneSolver(original, coarse, options, job);
