@@ -65,7 +65,14 @@ class ImplicitSystem {
     double stiffness;
     Vec3 target;
   };
-  struct Linearisation;
+  // A constraint at the current positions.
+  struct Linearisation {
+    ConstraintStrain strain;
+    Eigen::Matrix4d stress = Eigen::Matrix4d::Zero();
+  };
+  // Where block (k-th, l-th vertex) of a constraint begins among the values of K: entry 4 k + l; kNone where
+  // a vertex is pinned.
+  using BlockStarts = std::array<uint32_t, 16>;
 
   void numberVertices(const Pins& pins);
   void addPointSprings(const ConstrainedBody& body, double inertia);
@@ -73,10 +80,13 @@ class ImplicitSystem {
   void reserveEntries(const std::vector<std::vector<uint32_t>>& neighbours);
   std::vector<double> restStiffness() const;
   double factorOf(uint32_t c) const { return factors_.empty() ? 1 : factors_[c]; }
-  double* blockOf(uint32_t i, uint32_t j);
+  uint32_t blockStart(uint32_t i, uint32_t j) const;
+  BlockStarts blockStarts(std::span<const uint32_t> vertices) const;
+  void addTo(uint32_t start, uint32_t column, const Eigen::Matrix3d& block);
   void addForces(std::span<const uint32_t> vertices, const ConstraintStrain& at, double factor,
                  Eigen::VectorXd& gradient) const;
-  void addBlocks(std::span<const uint32_t> vertices, const Linearisation& at, double factor);
+  void addBlocks(std::span<const uint32_t> vertices, const BlockStarts& starts, const Linearisation& at,
+                 double factor);
   void addGuard(std::span<const Vec3> positions, Eigen::VectorXd& gradient);
   void addPointSpringsTo(std::span<const Vec3> positions, Eigen::VectorXd& gradient) const;
   void addPointBlocks();
@@ -89,6 +99,8 @@ class ImplicitSystem {
   std::vector<PointSpring> points_;
   // Vertex index i has the couplings neighbours_[neighbourStart_[i] .. neighbourStart_[i + 1]), ascending.
   std::vector<uint32_t> neighbourStart_, neighbours_;
+  std::vector<BlockStarts> starts_;   // per constraint
+  std::vector<Linearisation> parts_;  // per constraint, of the last linearisation
   SparsePencil pencil_;
   std::shared_ptr<const FactorStructure> structure_;
 };

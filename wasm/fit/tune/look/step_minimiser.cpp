@@ -176,13 +176,16 @@ bool StepMinimiser::minimise(const StepObjective& objective, State& x, Job& job)
     const double size = largest(direction), growth = gradient.dot(direction);
     if (!std::isfinite(size) || !(growth <= 0)) return false;
     // In the norm of energy, what is left to do is a small fraction of the motion.
-    const bool isLast = -growth <= kTolerance * kTolerance * point.value;
+    const bool isSmall = -growth <= kTolerance * kTolerance * point.value;
     const double fraction = moveAlong(objective, direction, growth, point);
     x = point.x;
-    // The forcing, where there is nothing to tell the contraction by.
+    // An old factorisation may leave what is soft to the second step, where something stiff has turned: the
+    // first one tells nothing then.
+    const bool isTold = i > 0 || isFresh_;
     const double contraction = former > 0 ? size / former : 0.5;
-    if (isLast || (fraction == 1 && contraction < 1 && size * contraction / (1 - contraction) <= tolerance))
-      return true;
+    const bool isLast =
+        fraction == 1 && contraction < 1 && size * contraction / (1 - contraction) <= tolerance;
+    if (isTold && (isSmall || isLast)) return true;
     isNear = -growth <= kLooseTolerance * kLooseTolerance * point.value;
     if (fraction == 0 && isFresh_) return isNear || size <= tolerance;
     renews_ = renews_ || fraction == 0;
