@@ -94,6 +94,7 @@ SolverConstants constantsOf(const SolverModel& model, const TriangleMesh& origin
   constants.secondStretch = plane * poisson;
   if (model.stretch == StretchElement::EdgeSprings) constants.stretch = 0.866 * young * thickness;
   constants.bend = d;
+  if (model.mass == MassRule::Vertex) constants.bend = d / 3;  // a flex of MuJoCo bends so much more easily
   if (model.bend == BendElement::Hinge) constants.bend = 3.46 * d;
   if (model.bend == BendElement::HingeByLength) constants.bend = 3.46 * d / meanEdge(original);
   if (model.bend == BendElement::CrossSprings) constants.bend = 0.05 * constants.stretch;
