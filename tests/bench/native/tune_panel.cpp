@@ -1,7 +1,11 @@
 // Tunes coarse meshes to their originals in every solver of the panel and prints the errors of frequencies as
 // Markdown, for docs/engines.md:
 //
-//   tune_panel [--faces 0.25] [--solvers springs,dihedral] [--kinds global,constraint] [--looks] MESH.obj...
+//   tune_panel [--faces 0.25] [--solvers springs,dihedral] [--kinds global,constraint] [--looks] [--pins 6]
+//     MESH.obj...
+//
+// With `--looks` both bodies also move; `--pins P` pins the lowest P % along the longest side of the box. The
+// last columns tell the seconds and why nothing moved.
 //
 // Untouched parameters are those of one thin shell, typed in again on the coarse mesh: thickness 2 % of the
 // diagonal, Poisson's ratio 0.3; springs across have a twentieth of the stiffness of edges.
@@ -20,6 +24,7 @@
 #include "mesh/quality.h"
 #include "mesh/repair/weld.h"
 #include "simplify/simplify.h"
+#include "transfer/carry_pins.h"
 
 using namespace limber;
 
@@ -33,6 +38,7 @@ struct Solver {
 constexpr Solver kSolvers[] = {
     {"shell", {StretchElement::Membrane, BendElement::Morley, MassRule::Area}},
     {"hinge-shell", {StretchElement::Membrane, BendElement::HingeByArea, MassRule::Area}},
+    {"mujoco", {StretchElement::Membrane, BendElement::HingeByArea, MassRule::Vertex}},
     {"newton", {StretchElement::Membrane, BendElement::HingeByLength, MassRule::Area}},
     {"dihedral", {StretchElement::EdgeSprings, BendElement::Hinge, MassRule::Area}},
     {"springs", {StretchElement::EdgeSprings, BendElement::CrossSprings, MassRule::Area}},
@@ -42,6 +48,7 @@ constexpr const char* kKinds[] = {"global", "vertex", "constraint"};
 
 struct Arguments {
   double faces = 0.25;
+  double pinShare = 0;  // of the longest side
   bool looks = false;
   std::string solvers, kinds;
   std::vector<std::string> files;
@@ -53,6 +60,8 @@ Arguments parse(int count, char** values) {
     const std::string value = values[i];
     if (value == "--faces" && i + 1 < count)
       arguments.faces = std::atof(values[++i]);
+    else if (value == "--pins" && i + 1 < count)
+      arguments.pinShare = std::atof(values[++i]) / 100;
     else if (value == "--solvers" && i + 1 < count)
       arguments.solvers = "," + std::string(values[++i]) + ",";
     else if (value == "--looks")
@@ -79,19 +88,33 @@ SolverConstants constantsOf(const SolverModel& model, const TriangleMesh& origin
   constants.secondStretch = plane * poisson;
   if (model.stretch == StretchElement::EdgeSprings) constants.stretch = 0.866 * young * thickness;
   constants.bend = d;
+  if (model.mass == MassRule::Vertex) constants.bend = d / 3;  // a flex of MuJoCo bends so much more easily
   if (model.bend == BendElement::Hinge) constants.bend = 3.46 * d;
   if (model.bend == BendElement::HingeByLength) constants.bend = 3.46 * d / meanSide(original);
   if (model.bend == BendElement::CrossSprings) constants.bend = 0.05 * constants.stretch;
   return constants;
 }
 
-// "untouched -> tuned (noise floor)", % of the diagonal.
+// "untouched -> tuned (noise floor), what is kept", % of the diagonal, or why there is none.
 std::string motionOf(const Tuned& tuned) {
-  if (!tuned.motion) return "";
-  char text[80];
-  std::snprintf(text, sizeof text, "%s %.3f -> %.3f (%.3f)", tuned.motion->scene.c_str(),
-                tuned.motion->untouched, tuned.motion->tuned, tuned.motion->noiseFloor);
+  if (!tuned.motion) return tuned.motionRefusal;
+  char text[120];
+  std::snprintf(text, sizeof text, "%s %.3f -> %.3f (%.3f), %s", tuned.motion->scene.c_str(),
+                tuned.motion->untouched, tuned.motion->tuned, tuned.motion->noiseFloor,
+                tuned.motion->kept == KeptParameters::Tuned ? "tuned" : "untouched");
   return text;
+}
+
+std::vector<uint32_t> lowestVertices(const TriangleMesh& mesh, double share) {
+  const Bounds box = bounds(mesh);
+  int axis = 0;
+  for (int c = 1; c < 3; ++c)
+    if (box.high[c] - box.low[c] > box.high[axis] - box.low[axis]) axis = c;
+  std::vector<uint32_t> vertices;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
+    if (mesh.positions[v][axis] <= box.low[axis] + share * (box.high[axis] - box.low[axis]))
+      vertices.push_back(v);
+  return vertices;
 }
 
 void measure(const std::string& file, const Arguments& arguments, Job& job) {
@@ -109,6 +132,10 @@ void measure(const std::string& file, const Arguments& arguments, Job& job) {
       options.original = options.result = constantsOf(solver.model, original);
       options.tune = static_cast<TuneKind>(kind);
       options.looks = arguments.looks;
+      if (arguments.pinShare > 0) {
+        options.pinnedOriginal = lowestVertices(original, arguments.pinShare);
+        options.pinnedResult = carryPins(original, options.pinnedOriginal, coarse).vertices;
+      }
       const auto start = std::chrono::steady_clock::now();
       try {
         const Tuned tuned = tuneSolver(original, coarse, options, job);

@@ -12,10 +12,10 @@
 namespace limber {
 namespace {
 
-// Faces of an original from which on a look takes minutes.
-constexpr uint32_t kMostFaces = 8000;
-// The same for cross springs: nets of them buckle everywhere, so that a step takes ten factorisations.
-constexpr uint32_t kMostFacesOfSprings = 3000;
+// Faces of an original from which on a look takes more than about half a minute.
+constexpr uint32_t kMostFaces = 20000;
+// The same for cross springs: nets of them buckle everywhere, so that a step takes five times as many solves.
+constexpr uint32_t kMostFacesOfSprings = 10000;
 constexpr uint32_t kRecordEvery = 2, kLongStride = 2;
 
 // The points of motion deviation, see compare/motion_deviation.h, bound to a body.

@@ -7,13 +7,20 @@ namespace limber {
 
 namespace {
 
-// The candidate that deviates least, and by how much; nothing where none can be moved.
+struct NoisyLook {
+  MotionLook& look;
+  double noise;  // % of the diagonal: smaller differences of deviations do not count
+};
+
+// The candidate that deviates least, and by how much; nothing where none can be moved. Of those that are
+// equal within the noise it is the first.
 struct BestCandidate {
   size_t index = 0;
   std::optional<double> deviation = {};
 };
-BestCandidate bestOf(const std::vector<TuneCandidate>& candidates, MovingBody body, MotionLook& look,
+BestCandidate bestOf(const std::vector<TuneCandidate>& candidates, MovingBody body, NoisyLook noisy,
                      Job& job) {
+  auto& [look, noise] = noisy;
   const SolverConstants untouched = body.constants;
   BestCandidate best;
   for (size_t i = 0; i < candidates.size(); ++i) {
@@ -23,7 +30,7 @@ BestCandidate bestOf(const std::vector<TuneCandidate>& candidates, MovingBody bo
     body.constants.bend *= candidates[i].bend;
     body.factors = candidates[i].factors;
     const std::optional<double> deviation = look.deviationOf(body, job);
-    if (!deviation || (best.deviation && *deviation >= *best.deviation)) continue;
+    if (!deviation || (best.deviation && *deviation >= *best.deviation - noise)) continue;
     best = {i, deviation};
   }
   return best;
@@ -41,12 +48,14 @@ LookOutcome lookAtMotion(const LookedAt& bodies, const std::vector<TuneCandidate
   if (!look.refusal().empty()) return {.refusal = look.refusal()};
   const MovingBody body{result, topology, options.result, {options.pinnedResult, {}}, masses, {}};
   const std::optional<double> untouched = look.deviationOf(body, job);
-  const BestCandidate best = bestOf(candidates, body, look, job);
+  const double noise = look.noiseFloor(job).value_or(0);
+  const BestCandidate best = bestOf(candidates, body, {look, noise}, job);
   if (!untouched || !best.deviation) return {.refusal = "the time steps of the coarse mesh do not converge"};
   const double tuned = *best.deviation;
-  return {.motion = TunedMotion{look.scene(), *untouched, tuned, look.noiseFloor(job).value_or(0),
-                                tuned <= *untouched ? KeptParameters::Tuned : KeptParameters::Untouched},
-          .best = best.index};
+  return {
+      .motion = TunedMotion{look.scene(), *untouched, tuned, noise,
+                            tuned <= *untouched + noise ? KeptParameters::Tuned : KeptParameters::Untouched},
+      .best = best.index};
 }
 
 }  // namespace limber

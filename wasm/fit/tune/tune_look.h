@@ -30,7 +30,9 @@ struct LookOutcome {
   std::string refusal = {};  // why there is no `motion`, as a clause; else empty
 };
 
-// Moves original, the result with factors of 1, and the result with each candidate. No motion where there is
+// Moves original, the result with factors of 1, and the result with each candidate. Deviations that differ by
+// no more than the noise floor of the look are equal: of equal ones the first candidate is best, and tuned
+// factors, which the frequencies speak for, are kept. No motion where there is
 // no look (see MotionLook::refusal, and Morley's element moves with a factor for each kind alone), or where
 // untouched or all candidates cannot be moved. Throws Cancelled.
 LookOutcome lookAtMotion(const LookedAt& bodies, const std::vector<TuneCandidate>& candidates, Job& job);

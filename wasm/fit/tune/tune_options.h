@@ -35,7 +35,8 @@ struct TunedFrequencies {
 
 enum class KeptParameters : int32_t { Tuned = 0, Untouched = 1 };
 
-// Deviations in % of the diagonal, see compare/motion_deviation.h.
+// Deviations in % of the diagonal, see compare/motion_deviation.h. Differences up to the noise floor do not
+// count.
 struct TunedMotion {
   std::string scene;
   double untouched = 0, tuned = 0, noiseFloor = 0;

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "base/job.h"
 #include "fit/tune/look/implicit_system.h"
-#include "linear/factorisation.h"
+#include "fit/tune/look/step_minimiser.h"
 
 namespace limber {
 
@@ -25,9 +24,8 @@ struct ImplicitOptions {
 // than the step are damped away, so that what is stiff follows at rest.
 //
 // A step is the minimum of 1/2 |x - y|_M^2 / (2/3 h)^2 + E(x), where y is what inertia and gravity alone
-// would do. It is found by Newton's method with a line search. Where compression leaves the second derivative
-// indefinite, inertia is added until it is definite. A factorisation is kept within a step for as long as it
-// converges quickly.
+// would do; see StepMinimiser. Where that does not converge, the step is made of 2, 4, 8 or 16 shorter ones,
+// the first of them of backward Euler; the next step is whole again.
 //
 // The same input gives the same bits on any number of threads.
 class ImplicitMotion {
@@ -41,51 +39,48 @@ class ImplicitMotion {
   // Where the pins are to be at the end of the next step, in metres: pinned vertices, then pinned points.
   void setPinTargets(std::span<const Vec3> targets);
 
-  // Advances by one step. False if Newton's method did not converge, or to nothing finite; the motion must
-  // not be used any more then. Throws Cancelled.
+  // Advances by one step. False if the shortest steps did not converge either, or to nothing finite; the
+  // motion must not be used any more then. Throws Cancelled.
   bool step(Job& job);
 
   // Of all vertices, in metres and m/s.
-  std::span<const Vec3> positions() const { return positions_; }
-  std::span<const Vec3> velocities() const { return velocities_; }
+  std::span<const Vec3> positions() const { return now_.positions; }
+  std::span<const Vec3> velocities() const { return now_.velocities; }
   // Joules.
   double kineticEnergy() const;
-  double elasticEnergy() const { return system_.energyAt(positions_); }
+  double elasticEnergy() const { return system_.energyAt(now_.positions); }
   double potentialEnergy() const;
-  // Numbers of linear solves and of factorisations so far.
-  uint32_t solveCount() const { return solveCount_; }
-  uint32_t factorisationCount() const { return factorisationCount_; }
+  // Numbers of linear solves and of factorisations so far, and of the steps that were made of shorter ones.
+  uint32_t solveCount() const { return minimiser_.solveCount(); }
+  uint32_t factorisationCount() const { return minimiser_.factorisationCount(); }
+  uint32_t dividedStepCount() const { return dividedStepCount_; }
 
  private:
-  using State = std::vector<Vec3>;
-  // 1/2 inertia |x - aim|_M^2 + E(x), minimised by a step.
-  struct Objective {
-    double inertia;  // 1/s2
-    State aim;
+  struct Instant {
+    std::vector<Vec3> positions, velocities;
+  };
+  // A step from `now`, and the instant as long before it; null for backward Euler.
+  struct Step {
+    const Instant& now;
+    const Instant* former;
+    double seconds;
   };
 
-  struct Point {
-    State x;
-    double value;  // of the objective
-  };
-
-  Objective objective() const;
-  State predicted() const;
-  double valueAt(const Objective& objective, const State& x) const;
-  Eigen::VectorXd inertiaForce(const Objective& objective, const State& x) const;
-  bool minimise(const Objective& objective, Point& point, Job& job);
-  double moveAlong(const Objective& objective, const Eigen::VectorXd& direction, double growth,
-                   Point& point) const;
-  Eigen::VectorXd linearise(const Objective& objective, const State& x, Job& job);
-  void advanceTo(State x);
+  StepObjective objectiveOf(const Step& step) const;
+  std::vector<Vec3> predicted(const Step& step) const;
+  std::optional<Instant> advanced(const Step& step, Job& job);
+  std::optional<Instant> advancedInParts(int count, Job& job);
+  void movePinsTo(double fraction);
 
   ImplicitOptions options_;
   ImplicitSystem system_;
-  Factorisation factorisation_;
+  StepMinimiser minimiser_;
   std::vector<uint32_t> pinned_;
-  bool isStarted_ = false;
-  State positions_, velocities_, formerPositions_, formerVelocities_, pinTargets_;
-  uint32_t solveCount_ = 0, factorisationCount_ = 0;
+  Instant now_;
+  std::optional<Instant> former_;
+  // Of pinned vertices, then of pinned points: before the step, after it, and within it.
+  std::vector<Vec3> pinStarts_, pinTargets_, pinPositions_;
+  uint32_t dividedStepCount_ = 0;
 };
 
 }  // namespace limber

@@ -11,22 +11,21 @@ namespace {
 
 constexpr size_t kGrain = 256;  // constraints that a thread takes at once
 
-void addTo(Eigen::VectorXd& unknowns, uint32_t index, const Eigen::Vector3d& value) {
-  unknowns.segment<3>(3 * static_cast<Eigen::Index>(index)) += value;
+auto coordinatesOf(Eigen::VectorXd& unknowns, uint32_t index) {
+  return unknowns.segment<3>(3 * static_cast<Eigen::Index>(index));
+}
+
+std::span<const uint32_t> verticesOf(const SolverConstraint& constraint) {
+  return {constraint.vertices.data(), constraint.vertexCount};
 }
 
 }  // namespace
 
-// A constraint with its factor taken into the strain.
-struct ImplicitSystem::Linearisation {
-  ConstraintStrain strain;
-  Eigen::Matrix4d stress = Eigen::Matrix4d::Zero();
-};
-
 ImplicitSystem::ImplicitSystem(const ConstrainedBody& body, double inertia, const Job& job)
     : constraints_(body.constraints),
       masses_(body.masses.begin(), body.masses.end()),
-      factors_(body.factors.begin(), body.factors.end()) {
+      factors_(body.factors.begin(), body.factors.end()),
+      guard_(body.mesh.triangles, body.constraints.rest(), body.guard) {
   numberVertices(body.pins);
   addPointSprings(body, inertia);
   buildPattern();
@@ -78,9 +77,9 @@ void ImplicitSystem::buildPattern() {
       for (const uint32_t w : vertices)
         if (indexOf_[v] != kNone && indexOf_[w] != kNone) neighbours[indexOf_[v]].push_back(indexOf_[w]);
   };
-  for (uint32_t c = 0; c < constraints_.count(); ++c)
-    couple(std::span(constraints_[c].vertices).first(constraints_[c].vertexCount));
+  for (uint32_t c = 0; c < constraints_.count(); ++c) couple(verticesOf(constraints_[c]));
   for (const PointSpring& spring : points_) couple(spring.vertices);
+  for (size_t i = 0; i < guard_.count(); ++i) couple(guard_.vertices(i));
   for (uint32_t i = 0; i < free_.size(); ++i) {
     neighbours[i].push_back(i);
     std::ranges::sort(neighbours[i]);
@@ -88,6 +87,9 @@ void ImplicitSystem::buildPattern() {
     neighbours[i].erase(repeated.begin(), repeated.end());
   }
   reserveEntries(neighbours);
+  for (uint32_t c = 0; c < constraints_.count(); ++c)
+    starts_.push_back(blockStarts(verticesOf(constraints_[c])));
+  parts_.resize(constraints_.count());
 }
 
 void ImplicitSystem::reserveEntries(const std::vector<std::vector<uint32_t>>& neighbours) {
@@ -134,7 +136,7 @@ double ImplicitSystem::energyAt(std::span<const Vec3> positions) const {
       energies[c] = factorOf(index) * constraints_.energyAt(index, positions);
     }
   });
-  double sum = std::accumulate(energies.begin(), energies.end(), 0.0);
+  double sum = std::accumulate(energies.begin(), energies.end(), guard_.energyAt(positions));
   for (const PointSpring& spring : points_)
     sum += 0.5 * spring.stiffness * squaredLength(gapOf(spring, positions));
   return sum;
@@ -145,81 +147,93 @@ void ImplicitSystem::addPointSpringsTo(std::span<const Vec3> positions, Eigen::V
     const Eigen::Vector3d force = spring.stiffness * eigen(gapOf(spring, positions));
     for (int c = 0; c < 3; ++c)
       if (const uint32_t i = indexOf_[spring.vertices[c]]; i != kNone)
-        addTo(gradient, i, spring.weights[c] * force);
+        coordinatesOf(gradient, i) += spring.weights[c] * force;
   }
 }
 
-Eigen::VectorXd ImplicitSystem::gradientAt(std::span<const Vec3> positions) const {
-  std::vector<Eigen::Matrix<double, 12, 1>> parts(constraints_.count());
-  parallelFor(parts.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t c = begin; c < end; ++c) {
-      const ConstraintStrain at = constraints_.strainAt(static_cast<uint32_t>(c), positions);
-      parts[c] = factorOf(static_cast<uint32_t>(c)) * (at.jacobian.transpose() * at.strain);
-    }
-  });
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(unknownCount());
-  for (uint32_t c = 0; c < parts.size(); ++c)
-    for (int k = 0; k < constraints_[c].vertexCount; ++k)
-      if (const uint32_t i = indexOf_[constraints_[c].vertices[k]]; i != kNone)
-        addTo(gradient, i, parts[c].segment<3>(3 * k));
-  addPointSpringsTo(positions, gradient);
-  return gradient;
+void ImplicitSystem::addForces(std::span<const uint32_t> vertices, const ConstraintStrain& at, double factor,
+                               Eigen::VectorXd& gradient) const {
+  const Eigen::Matrix<double, 12, 1> force = factor * (at.jacobian.transpose() * at.strain);
+  for (size_t k = 0; k < vertices.size(); ++k)
+    if (const uint32_t i = indexOf_[vertices[k]]; i != kNone)
+      coordinatesOf(gradient, i) += force.segment<3>(3 * static_cast<Eigen::Index>(k));
+}
+
+void ImplicitSystem::addGuard(std::span<const Vec3> positions, Eigen::VectorXd& gradient) {
+  for (size_t i = 0; i < guard_.count(); ++i) {
+    if (!guard_.isActive(i, positions)) continue;
+    const Linearisation at{guard_.strainAt(i, positions)};
+    addForces(guard_.vertices(i), at.strain, 1, gradient);
+    addBlocks(guard_.vertices(i), blockStarts(guard_.vertices(i)), at, 1);
+  }
 }
 
 Eigen::VectorXd ImplicitSystem::linearise(std::span<const Vec3> positions, StressKind kind) {
-  std::vector<Linearisation> parts(constraints_.count());
-  parallelFor(parts.size(), kGrain, [&](size_t begin, size_t end) {
+  parallelFor(parts_.size(), kGrain, [&](size_t begin, size_t end) {
     for (size_t c = begin; c < end; ++c) {
       const auto index = static_cast<uint32_t>(c);
-      parts[c].strain = constraints_.strainAt(index, positions);
-      parts[c].stress = constraints_.stressStiffnessAt(index, positions, kind);
+      parts_[c].strain = constraints_.strainAt(index, positions);
+      parts_[c].stress = constraints_.stressStiffnessAt(index, positions, kind);
     }
   });
   std::fill_n(pencil_.k.valuePtr(), pencil_.k.nonZeros(), 0.0);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(unknownCount());
-  for (uint32_t c = 0; c < parts.size(); ++c) {
-    const Eigen::Matrix<double, 12, 1> force =
-        factorOf(c) * (parts[c].strain.jacobian.transpose() * parts[c].strain.strain);
-    for (int k = 0; k < constraints_[c].vertexCount; ++k)
-      if (const uint32_t i = indexOf_[constraints_[c].vertices[k]]; i != kNone)
-        addTo(gradient, i, force.segment<3>(3 * k));
-    addBlocks(c, parts[c]);
+  for (uint32_t c = 0; c < parts_.size(); ++c) {
+    const std::span<const uint32_t> vertices = verticesOf(constraints_[c]);
+    addForces(vertices, parts_[c].strain, factorOf(c), gradient);
+    addBlocks(vertices, starts_[c], parts_[c], factorOf(c));
   }
+  addGuard(positions, gradient);
   addPointSpringsTo(positions, gradient);
   addPointBlocks();
   return gradient;
 }
 
-// The first entry of block (i, j), whose columns are 3 times the number of neighbours of j apart.
-double* ImplicitSystem::blockOf(uint32_t i, uint32_t j) {
+// Of block (i, j): its columns are 3 times the number of neighbours of j apart.
+uint32_t ImplicitSystem::blockStart(uint32_t i, uint32_t j) const {
   const auto first = neighbours_.begin() + neighbourStart_[j],
              last = neighbours_.begin() + neighbourStart_[j + 1];
-  return pencil_.k.valuePtr() + 9 * static_cast<size_t>(neighbourStart_[j]) +
-         3 * static_cast<size_t>(std::lower_bound(first, last, i) - first);
+  return 9 * neighbourStart_[j] + 3 * static_cast<uint32_t>(std::lower_bound(first, last, i) - first);
 }
 
-void ImplicitSystem::addBlocks(uint32_t c, const Linearisation& at) {
-  const SolverConstraint& constraint = constraints_[c];
-  const double factor = factorOf(c);
-  for (int k = 0; k < constraint.vertexCount; ++k) {
-    const uint32_t i = indexOf_[constraint.vertices[k]];
-    if (i == kNone) continue;
-    for (int l = 0; l <= k; ++l) {
-      const uint32_t j = indexOf_[constraint.vertices[l]];
-      if (j == kNone) continue;
-      Eigen::Matrix3d block =
-          factor * (at.strain.jacobian.topRows(constraint.rows).middleCols<3>(3 * k).transpose() *
-                    at.strain.jacobian.topRows(constraint.rows).middleCols<3>(3 * l));
-      block.diagonal().array() += factor * at.stress(k, l);
-      const auto add = [this](uint32_t row, uint32_t column, const Eigen::Matrix3d& values) {
-        const uint32_t height = 3 * (neighbourStart_[column + 1] - neighbourStart_[column]);
-        Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<>>(blockOf(row, column),
-                                                             Eigen::OuterStride<>(height)) += values;
-      };
-      add(i, j, block);
-      if (k != l) add(j, i, block.transpose());
+ImplicitSystem::BlockStarts ImplicitSystem::blockStarts(std::span<const uint32_t> vertices) const {
+  BlockStarts starts;
+  starts.fill(kNone);
+  for (size_t k = 0; k < vertices.size(); ++k)
+    for (size_t l = 0; l < vertices.size(); ++l)
+      if (indexOf_[vertices[k]] != kNone && indexOf_[vertices[l]] != kNone)
+        starts[4 * k + l] = blockStart(indexOf_[vertices[k]], indexOf_[vertices[l]]);
+  return starts;
+}
+
+void ImplicitSystem::addTo(uint32_t start, uint32_t column, const Eigen::Matrix3d& block) {
+  const uint32_t height = 3 * (neighbourStart_[column + 1] - neighbourStart_[column]);
+  double* value = pencil_.k.valuePtr() + start;
+  for (int c = 0; c < 3; ++c, value += height)
+    for (int r = 0; r < 3; ++r) value[r] += block(r, c);
+}
+
+void ImplicitSystem::addBlocks(std::span<const uint32_t> vertices, const BlockStarts& starts,
+                               const Linearisation& at, double factor) {
+  const auto& jacobian = at.strain.jacobian;
+  const bool hasOneRow = vertices.size() != 3 || jacobian.bottomRows<2>().isZero(0);
+  for (size_t k = 0; k < vertices.size(); ++k)
+    for (size_t l = 0; l <= k; ++l) {
+      if (starts[4 * k + l] == kNone) continue;
+      const auto row = static_cast<Eigen::Index>(k), column = static_cast<Eigen::Index>(l);
+      Eigen::Matrix3d block;
+      if (hasOneRow)
+        block.noalias() = (factor * jacobian.block<1, 3>(0, 3 * row))
+                              .transpose()
+                              .lazyProduct(jacobian.block<1, 3>(0, 3 * column));
+      else
+        block.noalias() = (factor * jacobian.block<3, 3>(0, 3 * row))
+                              .transpose()
+                              .lazyProduct(jacobian.block<3, 3>(0, 3 * column));
+      block.diagonal().array() += factor * at.stress(row, column);
+      addTo(starts[4 * k + l], indexOf_[vertices[l]], block);
+      if (k != l) addTo(starts[4 * l + k], indexOf_[vertices[k]], block.transpose());
     }
-  }
 }
 
 void ImplicitSystem::addPointBlocks() {
@@ -229,7 +243,7 @@ void ImplicitSystem::addPointBlocks() {
         const uint32_t i = indexOf_[spring.vertices[k]], j = indexOf_[spring.vertices[l]];
         if (i == kNone || j == kNone) continue;
         const uint32_t height = 3 * (neighbourStart_[j + 1] - neighbourStart_[j]);
-        double* block = blockOf(i, j);
+        double* block = pencil_.k.valuePtr() + blockStart(i, j);
         for (uint32_t axis = 0; axis < 3; ++axis)
           block[axis * (height + 1)] += spring.stiffness * spring.weights[k] * spring.weights[l];
       }

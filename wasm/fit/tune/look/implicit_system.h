@@ -8,6 +8,7 @@
 
 #include "base/job.h"
 #include "elastic/solvers/solver_constraints.h"
+#include "fit/tune/look/collapse_guard.h"
 #include "linear/factor_structure.h"
 #include "linear/sparse_pencil.h"
 #include "simulate/simulation_options.h"
@@ -21,6 +22,7 @@ struct ConstrainedBody {
   std::span<const double> masses;   // kg per vertex, each > 0
   std::span<const double> factors;  // on the stiffness of each constraint, >= 0; empty: 1
   Pins pins = {};
+  double guard = 0;  // N/m, >= 0: stiffness of the CollapseGuard
 };
 
 // The elastic energy of a body with its derivatives, as a sparse pencil over the unknowns of its free
@@ -45,13 +47,12 @@ class ImplicitSystem {
   // The targets of pinned points, in metres.
   void setPointTargets(std::span<const Vec3> targets);
 
-  // Joules, with the springs of pinned points. The same to the last bit for any number of threads.
+  // Joules, with the springs of pinned points and the guard. The same to the last bit for any number of
+  // threads.
   double energyAt(std::span<const Vec3> positions) const;
   // Its derivative by the unknowns, N. Also sets K of the pencil to an approximation of its second
   // derivative: J^T J and what stress adds, positive semidefinite for tension alone.
   Eigen::VectorXd linearise(std::span<const Vec3> positions, StressKind kind);
-  // The derivative alone.
-  Eigen::VectorXd gradientAt(std::span<const Vec3> positions) const;
 
   // K as last linearised and M: the masses of the free vertices.
   const SparsePencil& pencil() const { return pencil_; }
@@ -64,7 +65,14 @@ class ImplicitSystem {
     double stiffness;
     Vec3 target;
   };
-  struct Linearisation;
+  // A constraint at the current positions.
+  struct Linearisation {
+    ConstraintStrain strain;
+    Eigen::Matrix4d stress = Eigen::Matrix4d::Zero();
+  };
+  // Where block (k-th, l-th vertex) of a constraint begins among the values of K: entry 4 k + l; kNone where
+  // a vertex is pinned.
+  using BlockStarts = std::array<uint32_t, 16>;
 
   void numberVertices(const Pins& pins);
   void addPointSprings(const ConstrainedBody& body, double inertia);
@@ -72,8 +80,14 @@ class ImplicitSystem {
   void reserveEntries(const std::vector<std::vector<uint32_t>>& neighbours);
   std::vector<double> restStiffness() const;
   double factorOf(uint32_t c) const { return factors_.empty() ? 1 : factors_[c]; }
-  double* blockOf(uint32_t i, uint32_t j);
-  void addBlocks(uint32_t c, const Linearisation& at);
+  uint32_t blockStart(uint32_t i, uint32_t j) const;
+  BlockStarts blockStarts(std::span<const uint32_t> vertices) const;
+  void addTo(uint32_t start, uint32_t column, const Eigen::Matrix3d& block);
+  void addForces(std::span<const uint32_t> vertices, const ConstraintStrain& at, double factor,
+                 Eigen::VectorXd& gradient) const;
+  void addBlocks(std::span<const uint32_t> vertices, const BlockStarts& starts, const Linearisation& at,
+                 double factor);
+  void addGuard(std::span<const Vec3> positions, Eigen::VectorXd& gradient);
   void addPointSpringsTo(std::span<const Vec3> positions, Eigen::VectorXd& gradient) const;
   void addPointBlocks();
   Vec3 gapOf(const PointSpring& spring, std::span<const Vec3> positions) const;
@@ -81,9 +95,12 @@ class ImplicitSystem {
   const SolverConstraints& constraints_;
   std::vector<double> masses_, factors_;
   std::vector<uint32_t> free_, indexOf_;  // free vertices, and per vertex its index among them or kNone
+  CollapseGuard guard_;
   std::vector<PointSpring> points_;
   // Vertex index i has the couplings neighbours_[neighbourStart_[i] .. neighbourStart_[i + 1]), ascending.
   std::vector<uint32_t> neighbourStart_, neighbours_;
+  std::vector<BlockStarts> starts_;   // per constraint
+  std::vector<Linearisation> parts_;  // per constraint, of the last linearisation
   SparsePencil pencil_;
   std::shared_ptr<const FactorStructure> structure_;
 };

@@ -17,8 +17,10 @@ LookDisplacements moveConstraints(const LookRun& run, const SolverModel& model, 
   const auto& [scene, body, pins, samples, stride, recordEvery, report] = run;
   const SolverConstraints constraints(body.mesh, body.topology, model, body.constants);
   const std::vector<double> masses = massesOf(body, model);
-  ImplicitMotion motion({constraints, body.mesh, masses, body.factors, pins},
-                        {stride * scene.step, scene.motionSize, scene.gravity}, job);
+  const bool hasHinges = model.bend != BendElement::CrossSprings;
+  ImplicitMotion motion(
+      {constraints, body.mesh, masses, body.factors, pins, hasHinges ? body.constants.stretch : 0},
+      {stride * scene.step, scene.motionSize, scene.gravity}, job);
   motion.setVelocities(run.startVelocities());
   std::vector<Vec3> rest, displacements;
   for (const SurfacePoint& sample : samples) rest.push_back(pointOf(constraints.rest(), body.mesh, sample));

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "fit/tune/modes/mode_matching.h"
 #include "transfer/shape_transfer.h"
 
 namespace limber {
@@ -61,6 +60,7 @@ void PartModesPair::solveOriginal(Job& job) {
   const Eigen::Index count =
       std::min({basis.modeCount(), static_cast<Eigen::Index>(count_), modes_.modeCount()});
   wanted_ = basis.lambda.head(count);
+  wantedClusters_ = modeClusters(wanted_);
   Eigen::MatrixXd weighted =
       basis.phi.topLeftCorner(3 * static_cast<Eigen::Index>(pair_->original.mesh.vertexCount()), count);
   for (uint32_t v = 0; v < pair_->original.mesh.vertexCount(); ++v)
@@ -84,7 +84,12 @@ void PartModesPair::match() {
     return;
   }
   const Eigen::Index rows = expected_.rows();
-  partner_ = matchModes(modes_.phi.topRows(rows).transpose() * expected_);
+  partner_ = matchModes(modes_.phi.topRows(rows).transpose() * expected_, wantedClusters_);
+  clusters_ = modeClusters(modes_.lambda);
+}
+
+const ModeRange& PartModesPair::clusterOf(size_t i) const {
+  return *std::ranges::upper_bound(clusters_, partner_[i], {}, &ModeRange::last);
 }
 
 ClampedModes::ClampedModes(const std::deque<PartPair>& pairs, const Clamping& clamping,

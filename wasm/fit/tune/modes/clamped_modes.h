@@ -5,6 +5,7 @@
 
 #include "base/job.h"
 #include "fit/tune/modes/clampings.h"
+#include "fit/tune/modes/mode_matching.h"
 #include "fit/tune/modes/tune_parts.h"
 
 namespace limber {
@@ -34,9 +35,11 @@ class PartModesPair {
 
   // Of the original, ascending; at most `count`.
   const Eigen::VectorXd& wanted() const { return wanted_; }
-  // Of the result: the eigenvalue that stands for mode i of the original, and the shape.
+  // Of the result: the eigenvalue that stands for mode i of the original.
   double eigenvalue(size_t i) const { return modes_.lambda[partner_[i]]; }
-  auto shape(size_t i) const { return modes_.phi.col(partner_[i]); }
+  // The modes of the result that are nearly equal to that one, itself among them, and all modes.
+  const ModeRange& clusterOf(size_t i) const;
+  const ModeBasis& modes() const { return modes_; }
   double firstEigenvalue() const { return modes_.lambda[0]; }
   size_t pairIndex() const { return pairIndex_; }
   const PartPair& pair() const { return *pair_; }
@@ -54,6 +57,7 @@ class PartModesPair {
   Eigen::VectorXd wanted_;
   Eigen::MatrixXd expected_;  // T^T M phi of the original: its inner products with shapes of the result
   std::vector<Eigen::Index> partner_;
+  std::vector<ModeRange> wantedClusters_, clusters_;  // of the original and of the result
 };
 
 // All parts in one clamping, their modes sorted together.

@@ -28,26 +28,40 @@ size_t fittedModes(const ClampedModes& clamping) {
   return clamping.kind() == ClampKind::Free ? std::min<size_t>(count, 20) : count;
 }
 
+// The derivatives of the logarithms of the eigenvalues of a part's result by the logarithms of its factors:
+// constraints x modes 0 .. count - 1.
+Eigen::MatrixXd shares(const PartModesPair& part, const Eigen::VectorXd& factors, Eigen::Index count) {
+  const ModeBasis& modes = part.modes();
+  Eigen::MatrixXd shares = part.pair().result.stiffness->energies(modes.phi.leftCols(count));
+  shares.array().colwise() *= factors.array();
+  shares.array().rowwise() /= modes.lambda.head(count).transpose().array();
+  return shares;
+}
+
 // Adds rows to the Jacobian for the fitted modes of a clamping, from row `first` on.
 void fillRows(const ClampedModes& clamping, const std::vector<double>& factors, Eigen::Index first,
               Eigen::MatrixXd& jacobian) {
   for (size_t p = 0; p < clamping.parts().size(); ++p) {
     const PartModesPair& part = clamping.parts()[p];
     std::vector<size_t> rows;
-    for (size_t i = 0; i < fittedModes(clamping); ++i)
-      if (clamping.wanted()[i].part == p) rows.push_back(i);
+    Eigen::Index count = 0;  // of modes that the rows need
+    for (size_t i = 0; i < fittedModes(clamping); ++i) {
+      if (clamping.wanted()[i].part != p) continue;
+      rows.push_back(i);
+      count = std::max(count, part.clusterOf(clamping.wanted()[i].mode).last);
+    }
     if (rows.empty()) continue;
-    const SolverPart& solver = part.pair().result;
-    Eigen::MatrixXd shapes(solver.stiffness->unknownCount(), static_cast<Eigen::Index>(rows.size()));
-    for (size_t k = 0; k < rows.size(); ++k)
-      shapes.col(static_cast<Eigen::Index>(k)) = part.shape(clamping.wanted()[rows[k]].mode);
-    const Eigen::MatrixXd energies = solver.stiffness->energies(shapes);
-    for (size_t k = 0; k < rows.size(); ++k) {
-      const double lambda = part.eigenvalue(clamping.wanted()[rows[k]].mode);
-      for (size_t c = 0; c < solver.constraints.size(); ++c)
-        jacobian(first + static_cast<Eigen::Index>(rows[k]), solver.constraints[c]) =
-            factors[solver.constraints[c]] *
-            energies(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(k)) / lambda;
+    const std::vector<uint32_t>& constraints = part.pair().result.constraints;
+    const std::vector<double> ofPart = part.pair().result.constraintValues(factors);
+    const Eigen::MatrixXd all = shares(
+        part, Eigen::Map<const Eigen::VectorXd>(ofPart.data(), static_cast<Eigen::Index>(ofPart.size())),
+        count);
+    for (const size_t row : rows) {
+      const ModeRange& cluster = part.clusterOf(clamping.wanted()[row].mode);
+      const Eigen::VectorXd mean =
+          all.middleCols(cluster.first, cluster.last - cluster.first).rowwise().mean();
+      for (size_t c = 0; c < constraints.size(); ++c)
+        jacobian(first + static_cast<Eigen::Index>(row), constraints[c]) = mean[static_cast<Eigen::Index>(c)];
     }
   }
 }
