@@ -26,7 +26,7 @@ def number(values):
 
 
 def cells_of(results):
-    """{(engine, kind): {(mesh, scene): {method: {state: [deviation of each start]}}}}"""
+    """{(engine, kind, size of the motions): {(mesh, scene): {method: {state: [deviation of each start]}}}}"""
     kinds = {entry["name"]: entry["kind"] for entry in scenes.definition["meshes"]}
     found = {}
     for key, value in results.items():
@@ -35,7 +35,8 @@ def cells_of(results):
             continue
         engine, mesh, scene, _, method = parts[:5]
         state = parts[5] if len(parts) > 5 else "floor"
-        cell = found.setdefault((engine, kinds[mesh]), {}).setdefault((mesh, scene), {})
+        size = "small motions" if scene.startswith("small") else ""
+        cell = found.setdefault((engine, kinds[mesh], size), {}).setdefault((mesh, scene), {})
         cell.setdefault(method, {}).setdefault(state, []).append(value)
     return found
 
@@ -47,11 +48,11 @@ def median(values):
 def tables(results, only_complete=False):
     """Everything that has been simulated; `only_complete`: the scenes in which every mesh has been."""
     parts = []
-    for (engine, kind), cells in sorted(cells_of(results).items()):
+    for (engine, kind, size), cells in sorted(cells_of(results).items()):
         if only_complete:
             cells = complete_cells(cells)
         if cells:
-            title = f"{TITLES[engine]}, {'bodies' if kind == 'body' else 'sheets'}"
+            title = ", ".join(filter(None, [TITLES[engine], "bodies" if kind == "body" else "sheets", size]))
             parts.append(f"### {title}\n\n{motion_table(cells)}")
     frequencies = {key: value for key, value in results.items() if key.endswith("|tuning")}
     if frequencies:
@@ -114,11 +115,11 @@ def frequency_table(frequencies):
     for key, value in frequencies.items():
         engine, mesh, method, _ = key.split("|")
         found.setdefault((engine, mesh), {})[method] = value
-    rows = []
+    rows, methods = [], [method for method in METHODS if any(method in of for of in found.values())]
     for (engine, mesh), of in found.items():
         row = [engine, mesh]
-        for method in METHODS:
+        for method in methods:
             value = of.get(method)
             row.append(f"{value['untouched']:.1f} -> {value['tuned']:.1f}" if value else "")
         rows.append(row)
-    return table(["engine", "mesh", *METHODS], rows)
+    return table(["engine", "mesh", *methods], rows)
