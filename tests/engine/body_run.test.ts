@@ -315,6 +315,8 @@ describe('the page and the command line', () => {
       const flags = [
         '--faces',
         '300',
+        '--max-deviation',
+        '0',
         '--lods',
         '.5,.2',
         '--calibrate',

@@ -398,11 +398,13 @@ describe('limber simulate', () => {
   it('moves closed bodies as solids, and calibrated ones as shells', () => {
     writeFileSync(path('bar.obj'), toObj(box(4, 4, 12)));
     const madeOf = (words: string): string[] =>
-      limber(...`simulate ${words} --scenario sway --seconds 0.05`.split(' ')).stdout.split(/, +/).slice(0, 3);
+      limber(...`simulate ${words} --scenario sway --seconds 0.05`.split(' '))
+        .stdout.split(/, +/)
+        .slice(0, 3);
     expect(madeOf('bar.obj')).toEqual(['scenario             sway', '0.05 s', 'solid where closed']);
     const constraintsOf = (words: string): number =>
-      report(limber(...`simulate bar.obj --seconds 0.05 --json ${words}`.trim().split(' ')).stdout).simulation!.original
-        .constraints;
+      report(limber(...`simulate bar.obj --seconds 0.05 --json ${words}`.trim().split(' ')).stdout)
+        .simulation!.original.constraints;
     expect(constraintsOf('')).toBe(constraintsOf('--material=solid'));
     expect(constraintsOf('')).not.toBe(constraintsOf('--material=shell'));
     expect(madeOf('bar.obj bar.obj --calibrate')[2]).toBe('shell');

@@ -79,13 +79,13 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
       {
         name: 'faces',
         value: 'N',
-        help: 'Keep at most N faces, shared out over the bodies.',
+        help: 'Keep at most N faces of the whole scene, where they hurt most to lose.',
         group: 'target',
       },
       {
         name: 'ratio',
         value: 'R',
-        help: 'Keep this share of the faces of each body, above 0 to 1 (default: 0.5, where there is no other target). Of several targets the first one reached stops.',
+        help: 'Keep this share of the faces of the whole scene, above 0 to 1 (default: 0.5, where no other target is asked for). Of several targets the first one reached stops.',
         group: 'target',
       },
       {
