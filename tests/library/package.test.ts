@@ -90,7 +90,7 @@ describe('the tarball', () => {
   it('names the licence of every package that it contains', () => {
     const notices = readFileSync(join(packed, 'THIRD-PARTY-NOTICES.md'), 'utf8');
     for (const name of ['Eigen', 'Spectra', '@gltf-transform/core', 'draco3dgltf', 'meshoptimizer', 'earcut'])
-      expect(notices).toMatch(new RegExp(`^## ${name} `, 'm'));
+      expect(notices).toMatch(new RegExp(`^## .*${name} `, 'm'));
   });
 });
 
