@@ -90,7 +90,7 @@ describe('the tarball', () => {
   it('names the licence of every package that it contains', () => {
     const notices = readFileSync(join(packed, 'THIRD-PARTY-NOTICES.md'), 'utf8');
     for (const name of ['Eigen', 'Spectra', '@gltf-transform/core', 'draco3dgltf', 'meshoptimizer', 'earcut'])
-      expect(notices).toMatch(new RegExp(`^## ${name} `, 'm'));
+      expect(notices).toMatch(new RegExp(`^## .*${name} `, 'm'));
   });
 });
 
@@ -286,7 +286,7 @@ describe('in browsers', () => {
     BUNDLE.esbuild('page', 'strict', false);
     cpSync(join(packed, 'assets'), join(bundling, 'strict', 'limber'), { recursive: true });
     const policy =
-      "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src data:";
+      "default-src 'none'; script-src 'self' 'unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src data:";
     const headers = { ...ISOLATION, 'Content-Security-Policy': policy };
     const refused = await visit('strict', headers);
     expect(refused.error).toMatch(/^LimberError: /);

@@ -48,7 +48,7 @@ const COMMANDS: Record<string, string[]> = {
   'optimize without a guide': ['optimize', 'sheet.obj', 'c.glb', '--method', 'qem', '--p', 'inf'],
   'optimize for a solver': ['optimize', 'sheet.obj', 'd.glb', '--solver', 'jolt', '--settings', 'jolt.json'],
   tune: [
-    ...['tune', 'sheet.obj', 'c.glb', '--solver', 'springs'],
+    ...['tune', 'ring.obj', 'ring.glb', '--solver', 'springs'],
     ...['--tune', 'constraint', '--settings', 'springs.json'],
   ],
   'tune a map': [

@@ -48,6 +48,11 @@ export class Server {
     }
   }
 
+  /** Ends the request with an error that arrives outside of it. */
+  fail(error: unknown): void {
+    this.send({ failure: failureOf(error) });
+  }
+
   private async run({ command, models, options, core: address }: WorkRequest) {
     const settings = settingsFrom(command, options);
     if (command === 'optimize') checkTargets(options as Commands['optimize']['options']);
