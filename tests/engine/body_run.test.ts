@@ -17,7 +17,7 @@ import { defaultSettings, OPTIONS } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
 import { BodyRun } from '../../web/engine/stages/body_run';
 import { FileRun } from '../../web/engine/stages/file_run';
-import { requestFile } from '../../web/engine/stages/file_targets';
+import { requestFile } from '../../web/engine/stages/budget/file_targets';
 import { fitSettings } from '../../web/engine/stages/fit';
 import { declareStage, keyOf } from '../../web/engine/stages/stage';
 import type { AnyStage, RunSettings, RunSettingName } from '../../web/engine/stages/stage';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { History } from '../../web/engine/core/core';
-import { facesWithin } from '../../web/engine/stages/deviation_limit';
+import { facesWithin } from '../../web/engine/stages/budget/deviation_limit';
 
 /** A history of `count` collapses that take two faces each from 1,000. */
 function historyOf(count: number): History {

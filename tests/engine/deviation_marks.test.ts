@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { markDeviations } from '../../web/engine/stages/deviation_marks';
+import { markDeviations } from '../../web/engine/stages/budget/deviation_marks';
 
 const falling = (faces: number): number => 50 / faces;
 

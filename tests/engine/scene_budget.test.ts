@@ -2,14 +2,14 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import type { Document } from '@gltf-transform/core';
 import type { Core } from '../../web/engine/core/core';
 import { openModel } from '../../web/engine/document/open';
-import { placedScale } from '../../web/engine/document/placements';
+import { instanceScale } from '../../web/engine/document/placements';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
-import type { ErrorCurve } from '../../web/engine/stages/error_curve';
+import type { ErrorCurve } from '../../web/engine/stages/budget/error_curve';
 import { FileOutput } from '../../web/engine/stages/file_output';
 import { FileRun } from '../../web/engine/stages/file_run';
-import { requestFile } from '../../web/engine/stages/file_targets';
-import { SceneQueue } from '../../web/engine/stages/scene_budget';
+import { requestFile } from '../../web/engine/stages/budget/file_targets';
+import { SceneQueue } from '../../web/engine/stages/budget/scene_budget';
 import { loadTestCore } from './support/core';
 import { addMesh, glbFile, primitiveOf, readGlb, startDocument } from './support/gltf';
 import { ball, boxScene, palmScene, partsScene, roomScene, tableScene, twoSidedLeaf } from './support/scenes';
@@ -58,10 +58,10 @@ describe('the scale of a mesh in its scene', () => {
   it('is the root of the sum of the squares over all instances', () => {
     const document = boxScene();
     const [ground, crate] = document.getRoot().listMeshes();
-    expect(placedScale(document, ground)).toBeCloseTo(1, 12);
+    expect(instanceScale(document, ground)).toBeCloseTo(1, 12);
     const scales = [0.5, 0.7, 0.9, 1.1, 1.3];
-    expect(placedScale(document, crate)).toBeCloseTo(Math.hypot(...scales), 6);
-    expect(placedScale(document, document.createMesh('nowhere'))).toBe(1);
+    expect(instanceScale(document, crate)).toBeCloseTo(Math.hypot(...scales), 6);
+    expect(instanceScale(document, document.createMesh('nowhere'))).toBe(1);
   });
 });
 

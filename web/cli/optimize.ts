@@ -9,7 +9,7 @@ import { describeLargeFit } from '../engine/report/fit_words';
 import { settingsAsUsed } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
 import { FileOutput } from '../engine/stages/file_output';
-import { requestFile } from '../engine/stages/file_targets';
+import { requestFile } from '../engine/stages/budget/file_targets';
 import type { FileRun } from '../engine/stages/file_run';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';

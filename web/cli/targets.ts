@@ -6,7 +6,7 @@ import { worstSurface } from '../engine/report/result_report';
 import { describeRefused, isBlockedBySeams, stopReport } from '../engine/report/stop_report';
 import type { StoppedBody } from '../engine/report/stop_report';
 import type { Settings } from '../engine/settings/options';
-import type { FaceTarget } from '../engine/stages/face_shares';
+import type { FaceTarget } from '../engine/stages/budget/face_shares';
 import type { FileOutput } from '../engine/stages/file_output';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';

@@ -22,12 +22,12 @@ import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
 import type { Report } from '../../engine/report/report';
 import type { Settings } from '../../engine/settings/options';
-import type { DeviationMark } from '../../engine/stages/deviation_marks';
-import { errorCurveStage } from '../../engine/stages/error_curve';
+import type { DeviationMark } from '../../engine/stages/budget/deviation_marks';
+import { errorCurveStage } from '../../engine/stages/budget/error_curve';
 import { keyOfFile } from '../../engine/stages/file_request';
 import { keyOf } from '../../engine/stages/stage';
 import type { TunedBody } from '../../engine/solvers/tuned_body';
-import type { SharedFaces } from '../../engine/stages/file_targets';
+import type { SharedFaces } from '../../engine/stages/budget/file_targets';
 
 export interface Started {
   threads: number;

@@ -10,7 +10,7 @@ const INSTANCING = 'EXT_mesh_gpu_instancing';
  * The scale of a mesh in the scene with all of its instances: the root of the sum of their squared scales, since the harm of an
  * error is its square, and is seen in each of them. A scale is the root mean square of the three axes. 1 where no node shows the mesh.
  */
-export function placedScale(document: Document, mesh: Mesh): number {
+export function instanceScale(document: Document, mesh: Mesh): number {
   const nodes = document
     .getRoot()
     .listNodes()

@@ -4,13 +4,13 @@ import type { FittedResult, FrequencyFinding, GuardFinding } from '../body/body_
 import { faceCount } from '../core/mesh';
 import { constraintsStage } from './constraints';
 import type { Settings } from '../settings/options';
-import { deviationsStage } from './deviations';
-import { errorCurveStage } from './error_curve';
+import { deviationsStage } from './budget/deviations';
+import { errorCurveStage } from './budget/error_curve';
 import { FIT_SETTINGS, fitSettings } from './fit';
 import { findFrequencyLevel } from './frequency_level';
 import type { FrequencyTarget } from './frequency_level';
-import { fitGuarded } from './guarded_fit';
-import { guardedLevelStage } from './guarded_level';
+import { fitGuarded } from './budget/guarded_fit';
+import { guardedLevelStage } from './budget/guarded_level';
 import { keptHistoryStage } from './kept_history';
 import { preparedStage } from './prepared';
 import { declareStage } from './stage';

@@ -1,7 +1,7 @@
 /** Every stage of a run over a body, in the order in which they can be needed. */
 
 import { constraintsStage, pinnedStage } from './constraints';
-import { deviationMarksStage } from './deviation_marks';
+import { deviationMarksStage } from './budget/deviation_marks';
 import { explanationStage } from './explanation';
 import { fittedStage } from './fitted';
 import { furtherLevelsStage } from './further_levels';

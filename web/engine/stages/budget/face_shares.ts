@@ -1,6 +1,6 @@
 /** How many faces each body of a file may keep. */
 
-import { sum } from '../core/mesh';
+import { sum } from '../../core/mesh';
 
 /** Integer shares of `total` in proportion to `weights`; the remainder goes to the largest fractions, of equal ones the first. */
 export function shareInProportion(total: number, weights: number[]): number[] {

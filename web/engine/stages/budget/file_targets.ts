@@ -1,13 +1,13 @@
 /** How many faces each body of a file may keep, of what is asked of the file as a whole. */
 
-import { placedScale } from '../document/placements';
-import type { Settings } from '../settings/options';
+import { instanceScale } from '../../document/placements';
+import type { Settings } from '../../settings/options';
 import { errorCurveStage } from './error_curve';
 import type { ErrorCurve } from './error_curve';
 import { facesByRatio, targetsOf } from './face_shares';
 import type { FaceTarget } from './face_shares';
-import type { FileRequest } from './file_request';
-import type { FileRun } from './file_run';
+import type { FileRequest } from '../file_request';
+import type { FileRun } from '../file_run';
 import { SceneQueue } from './scene_budget';
 
 /** What is asked of a file. */
@@ -81,7 +81,7 @@ function sceneQueue(file: FileRun, shared: Usable, settings: Settings): SceneQue
   return new SceneQueue(
     shared.map(({ run }, n) => ({
       curve: curves[n],
-      scale: placedScale(document, meshes[run.context.body.mesh]),
+      scale: instanceScale(document, meshes[run.context.body.mesh]),
       limit: settings.maxDeviation,
     })),
   );

@@ -1,13 +1,13 @@
 /** Stage: the measured deviation of any level of a history. */
 
-import type { Core, MeshAt } from '../core/core';
-import type { PreparedBody } from '../body/prepared_body';
-import { keptHistoryStage } from './kept_history';
-import type { KeptHistory } from './kept_history';
-import { levelAt } from './level';
-import { measureDistance } from './measure';
-import { preparedStage } from './prepared';
-import { declareStage } from './stage';
+import type { Core, MeshAt } from '../../core/core';
+import type { PreparedBody } from '../../body/prepared_body';
+import { keptHistoryStage } from '../kept_history';
+import type { KeptHistory } from '../kept_history';
+import { levelAt } from '../level';
+import { measureDistance } from '../measure';
+import { preparedStage } from '../prepared';
+import { declareStage } from '../stage';
 
 /** Measures levels and remembers what it has found, so that a cancelled search goes on from there. */
 export class Deviations {

@@ -1,13 +1,13 @@
 /** Fits a level and sees to it that the surface stays near enough. */
 
-import type { FittedResult, GuardFinding } from '../body/body_result';
-import type { PreparedBody } from '../body/prepared_body';
-import type { Core, MeshAt } from '../core/core';
-import { fitResult } from './fit';
-import type { FitRequest } from './fit';
+import type { FittedResult, GuardFinding } from '../../body/body_result';
+import type { PreparedBody } from '../../body/prepared_body';
+import type { Core, MeshAt } from '../../core/core';
+import { fitResult } from '../fit';
+import type { FitRequest } from '../fit';
 import { guardLevel } from './guarded_level';
 import type { GuardedLevel, GuardInputs } from './guarded_level';
-import { measureDistance } from './measure';
+import { measureDistance } from '../measure';
 
 export interface GuardedFit extends GuardInputs {
   prepared: PreparedBody;

@@ -1,7 +1,7 @@
 /** Finds the level at which a body stops for its largest deviation, by measuring levels. */
 
-import type { History } from '../core/core';
-import { nextEnd } from './collapse_pairs';
+import type { History } from '../../core/core';
+import { nextEnd } from '../collapse_pairs';
 
 /** The first step back from a level that is too far off, as a share of all collapses. */
 const FIRST_STEP = 1 / 256;

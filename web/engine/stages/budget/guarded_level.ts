@@ -1,17 +1,17 @@
 /** Stage: the level of the wanted faces, or one of more faces where the surface would be too far from the original. */
 
-import type { GuardFinding } from '../body/body_result';
-import type { Core, MeshAt } from '../core/core';
-import { faceCount } from '../core/mesh';
+import type { GuardFinding } from '../../body/body_result';
+import type { Core, MeshAt } from '../../core/core';
+import { faceCount } from '../../core/mesh';
 import { facesWithin } from './deviation_limit';
 import { deviationsStage } from './deviations';
 import type { Deviations } from './deviations';
 import { collapsesWithin, errorCurveStage } from './error_curve';
 import type { ErrorCurve } from './error_curve';
-import { keptHistoryStage } from './kept_history';
-import type { KeptHistory } from './kept_history';
-import { levelAt, levelStage } from './level';
-import { declareStage } from './stage';
+import { keptHistoryStage } from '../kept_history';
+import type { KeptHistory } from '../kept_history';
+import { levelAt, levelStage } from '../level';
+import { declareStage } from '../stage';
 
 export interface GuardedLevel {
   result: MeshAt;

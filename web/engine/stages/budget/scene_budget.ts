@@ -5,7 +5,7 @@ import type { ErrorCurve } from './error_curve';
 /** One body of a scene. */
 export interface SceneBody {
   curve: ErrorCurve;
-  /** units of the scene per unit of the body, with all instances: see placedScale */
+  /** units of the scene per unit of the body, with all instances: see instanceScale */
   scale: number;
   /** % of the body's diagonal beyond which other bodies go first; 0: none */
   limit: number;

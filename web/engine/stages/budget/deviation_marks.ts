@@ -1,8 +1,8 @@
 /** Stage: the face counts of a history at which the surface has moved by given deviations; the page marks them on its slider. */
 
 import { deviationsStage } from './deviations';
-import { keptHistoryStage } from './kept_history';
-import { declareStage } from './stage';
+import { keptHistoryStage } from '../kept_history';
+import { declareStage } from '../stage';
 
 /** Per cent of the diagonal. */
 export const MARKED_DEVIATIONS = [0.1, 0.5, 1];

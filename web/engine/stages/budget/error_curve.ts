@@ -1,11 +1,11 @@
 /** Stage: how far a body is from its original, by the number of its faces, as the collapses themselves have estimated it. */
 
-import type { History } from '../core/core';
+import type { History } from '../../core/core';
 import { wholeEnds } from './deviation_limit';
-import { historyStage } from './history';
-import { writtenFaces } from '../body/layers';
-import { preparedStage } from './prepared';
-import { declareStage } from './stage';
+import { historyStage } from '../history';
+import { writtenFaces } from '../../body/layers';
+import { preparedStage } from '../prepared';
+import { declareStage } from '../stage';
 
 /**
  * The largest estimate of all collapses so far (see History.errors), so that it never falls. Entry k is that after `ends[k]` collapses;
