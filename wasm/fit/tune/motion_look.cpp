@@ -12,7 +12,7 @@
 namespace limber {
 namespace {
 
-// Faces of an original from which on a look takes more than about half a minute.
+// Faces of an original from which on a look takes more than about a minute.
 constexpr uint32_t kMostFaces = 20000;
 // The same for cross springs: nets of them buckle everywhere, so that a step takes five times as many solves.
 constexpr uint32_t kMostFacesOfSprings = 10000;

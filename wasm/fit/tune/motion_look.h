@@ -21,7 +21,7 @@ namespace limber {
 // Springs, hinges and membranes move by the implicit steps of ImplicitMotion, and the shell with Morley's
 // element by the XPBD of simulate/simulation.h, whose substeps are of first order. With hinges a
 // CollapseGuard keeps triangles from losing their area. An original of more than 20,000 faces is not looked
-// at, of cross springs not above 10,000, because that takes more than half a minute.
+// at, of cross springs not above 10,000, because that takes more than about a minute.
 //
 // A scene lasts for one and a half periods of the motion itself: of the lowest frequency that carries a
 // noticeable share of the energy of the swing, and for `hang` of that joined with a pendulum's.

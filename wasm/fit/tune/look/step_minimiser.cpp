@@ -22,6 +22,8 @@ constexpr double kLooseTolerance = 1e-4;
 // Newton's equations are solved until the preconditioned residual has shrunk by this factor, which is what
 // Newton's steps then contract by.
 constexpr double kForcing = 0.01;
+// Newton's steps with a factorisation of an earlier step that contract by less than this renew it.
+constexpr double kSlow = 0.1;
 constexpr int kMostIterations = 60;
 // Sufficient decrease of a line search (Nocedal and Wright 2006, ch. 3), the fraction by which it shortens a
 // step, and its most shortenings.
@@ -167,8 +169,8 @@ double StepMinimiser::moveAlong(const StepObjective& objective, const Eigen::Vec
 bool StepMinimiser::minimise(const StepObjective& objective, State& x, Job& job) {
   const double tolerance = kTolerance * motionSize_;
   Point point{x, valueAt(objective, x)};
-  double former = 0;  // length of the last full step, 0 if there was none
-  bool isNear = false;
+  double former = 0;                   // length of the last full step, 0 if there was none
+  bool isNear = false, isOwn = false;  // isOwn: the factorisation was made in this step
   for (int i = 0; i < kMostIterations; ++i) {
     job.check();
     const Eigen::VectorXd gradient = linearise(objective, point.x, job);
@@ -179,8 +181,9 @@ bool StepMinimiser::minimise(const StepObjective& objective, State& x, Job& job)
     const bool isSmall = -growth <= kTolerance * kTolerance * point.value;
     const double fraction = moveAlong(objective, direction, growth, point);
     x = point.x;
-    // An old factorisation may leave what is soft to the second step, where something stiff has turned: the
-    // first one tells nothing then.
+    // An old factorisation leaves what is soft to later iterations, where something stiff has turned: the
+    // first one tells nothing then, and slow ones may end in a creep that looks like convergence.
+    isOwn = isOwn || isFresh_;
     const bool isTold = i > 0 || isFresh_;
     const double contraction = former > 0 ? size / former : 0.5;
     const bool isLast =
@@ -188,7 +191,7 @@ bool StepMinimiser::minimise(const StepObjective& objective, State& x, Job& job)
     if (isTold && (isSmall || isLast)) return true;
     isNear = -growth <= kLooseTolerance * kLooseTolerance * point.value;
     if (fraction == 0 && isFresh_) return isNear || size <= tolerance;
-    renews_ = renews_ || fraction == 0;
+    renews_ = renews_ || fraction == 0 || (!isOwn && i > 0 && contraction > kSlow);
     former = fraction == 1 ? size : 0;
   }
   return isNear;

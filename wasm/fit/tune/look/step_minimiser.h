@@ -22,7 +22,8 @@ struct StepObjective {
 // The preconditioner is a factorisation at an earlier state of the body, of the part of its second derivative
 // that is positive semidefinite whatever the stress, with its inertia. It is renewed when the iterations that
 // it has cost since amount to a factorisation: so the work is at most about twice that of the best choice
-// (the rule of ski rental). An elimination order serves all of them.
+// (the rule of ski rental); and once in a step whose iterations contract slowly. An elimination order serves
+// all of them.
 class StepMinimiser {
  public:
   using State = std::vector<Vec3>;
