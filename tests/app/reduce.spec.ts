@@ -191,7 +191,9 @@ test('a limit that stops the slider is named, and so is a missing symmetry', asy
   await deviation.press('Enter');
   await page.getByLabel('Kept faces, exact').fill('2');
   await page.keyboard.press('Enter');
-  await expect(page.getByText(/Stopped at [\d,]+ faces: with fewer the surface would go too far/)).toBeVisible();
+  await expect(
+    page.getByText(/Stopped at [\d,]+ faces: with fewer the surface would go too far/),
+  ).toBeVisible();
   await page.locator('.right summary').first().click();
   await page.getByLabel('Keep the mirror symmetry').check();
   await expect(page.getByText(/has no mirror symmetry to keep/)).toBeVisible();
