@@ -124,7 +124,14 @@ const OTHER: RunSettings = {
 const everything = (method: Settings['method']): RunSettings => ({
   ...defaultSettings(method),
   ...{ modeCount: 4, modes: [1, 2], lods: [0.5], calibrate: true, maxFrequencyError: 90 },
-  ...{ fit: 'modal', curvatureWeight: 1, targetFaces: 14, fields: true, solver: 'dihedral' },
+  ...{
+    fit: 'modal',
+    curvatureWeight: 1,
+    targetFaces: 14,
+    levelFaces: [12],
+    fields: true,
+    solver: 'dihedral',
+  },
 });
 
 let core: Core;
@@ -178,7 +185,12 @@ function isReadBy(method: Settings['method'], setting: RunSettingName, reader: S
 describe('a run over a body', () => {
   it('has a reader for every setting, or says that no stage reads it', () => {
     const read = new Set(NAMES.flatMap((name) => STAGES[name].reads as readonly RunSettingName[]));
-    const all = [...(Object.keys(OPTIONS) as RunSettingName[]), 'targetFaces', 'fields'] as RunSettingName[];
+    const all = [
+      ...(Object.keys(OPTIONS) as RunSettingName[]),
+      'targetFaces',
+      'levelFaces',
+      'fields',
+    ] as RunSettingName[];
     expect(Object.keys(READERS).sort()).toEqual([...all].sort());
     for (const setting of all)
       expect([setting, read.has(setting)]).toEqual([setting, READERS[setting].length > 0]);

@@ -8,7 +8,10 @@ import { BodyRun } from './body_run';
 import { STAGES } from './stages';
 
 export interface FileRunOptions {
-  /** Results are asked for, and modes for their guidance alone: a part that cannot be solved is not guided, and parts of a file with many are solved more coarsely. */
+  /**
+   * Whether modes are needed for the guidance of results alone, which is the default: a part that cannot be solved is not guided, and
+   * parts of a file with many are solved more coarsely. false: modes for their own sake.
+   */
   guides?: boolean;
   /** numbers of the bodies that take part; absent: all of them */
   chosen?: number[];
@@ -32,7 +35,7 @@ export class FileRun {
     this.all = bodies.map((body, i) => {
       if (chosen && !chosen.has(i)) return null;
       const onTry = (faces: number) => options.onActivity?.(body.name, faces);
-      const guidedBodies = options.guides ? bodies.length : undefined;
+      const guidedBodies = options.guides === false ? undefined : bodies.length;
       return new BodyRun({ core, body, document, onTry, guidedBodies }, options.onStage);
     });
   }
