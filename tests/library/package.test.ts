@@ -82,7 +82,7 @@ describe('the tarball', () => {
     const repository = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
     const { name, version, license, sideEffects, dependencies } = manifest();
     expect([name, version, license, sideEffects]).toEqual(['limber', repository.version, 'MIT', false]);
-    expect(Object.keys(dependencies)).toEqual(['@gltf-transform/core', 'draco3dgltf']);
+    expect(Object.keys(dependencies)).toEqual(['@gltf-transform/core', 'draco3dgltf', 'gltf-validator']);
     const installed = listFiles(join(folder, 'node_modules')).map((path) => path.split('/')[0]);
     for (const name of ['three', 'preact', 'sharp', 'comlink']) expect(installed).not.toContain(name);
   });

@@ -39,7 +39,7 @@ const COMMANDS: Record<string, string[]> = {
   inspect: ['inspect', 'ring.obj'],
   modes: ['modes', 'box.obj'],
   'modes of the laplacian': ['modes', 'ring.obj', '--model', 'laplacian'],
-  optimize: ['optimize', 'ring.obj', 'ring.glb', '--lods', '0.3,0.2'],
+  optimize: ['optimize', 'ring.obj', 'ring.glb', '--lods', '0.3,0.2', '--soft'],
   'optimize with all targets': [
     ...['optimize', 'sheet.obj', 'a.glb', '--max-frequency-error', '5', '--max-deviation', '2'],
     ...['--min-angle', '10', '--fit', 'modal', '--calibrate'],

@@ -39,16 +39,15 @@ export function missedTargets(args: Arguments, output: FileOutput, levels: Writt
   const { asked, settings } = args;
   const describe = (bodies: StoppedBody[], where = '') =>
     describeMiss(bodies, output.prepared(), { where, settings });
+  const describeLevel = (bodies: StoppedBody[], where: string) => [
+    describe(bodies, where),
+    ...(asksForDeviation(args) ? [] : [describeGuard(bodies, where)]),
+  ];
   const ofFile = describe(output.stopped());
   const isAsked = args.faces !== null || args.ratio !== null;
   const { faces, ratio } = targetOf(args);
   const hasCount = faces !== null || ratio !== null;
-  const guards = asksForDeviation(args)
-    ? []
-    : [
-        describeGuard(output.stopped()),
-        ...levels.map(({ bodies, report: { file } }) => describeGuard(bodies, `${file}: `)),
-      ];
+  const guard = asksForDeviation(args) ? '' : describeGuard(output.stopped());
   const found = {
     deviation: worstSurface(output.values(STAGES.measured).map(({ distance }) => distance)).hausdorff,
     frequencyError: stopReport(output.stopped()).frequency?.error ?? 0,
@@ -57,11 +56,11 @@ export function missedTargets(args: Arguments, output: FileOutput, levels: Writt
   return {
     asked: [
       ...(isAsked ? [ofFile] : []),
-      ...levels.map(({ bodies, report: { file } }) => describe(bodies, `${file}: `)),
+      ...levels.flatMap(({ bodies, report: { file } }) => describeLevel(bodies, `${file}: `)),
       ...brokenLimits(settings, asked, found),
-      ...(isAsked ? guards : []),
+      ...(isAsked ? [guard] : []),
     ].filter(isPresent),
-    unasked: (isAsked ? [] : [...(hasCount ? [ofFile] : []), ...guards]).filter(isPresent),
+    unasked: (isAsked ? [] : [...(hasCount ? [ofFile] : []), guard]).filter(isPresent),
   };
 }
 

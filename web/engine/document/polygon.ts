@@ -1,7 +1,7 @@
 /** Triangulates one polygon of a file. */
 
 import earcut from 'earcut';
-import { length3 } from '../core/exact_math';
+import { arcCosine, length3 } from '../core/exact_math';
 
 /** A corner closer than this to the line through its neighbours is moved inwards by as much; relative to the size. */
 const DENT = 1e-6;
@@ -114,7 +114,8 @@ function isNearlyConvex(points: number[]): boolean {
   for (let i = 1; i + 1 < points.length / 2; ++i) {
     const area = doubledArea(points, 0, i, i + 1);
     if (!(area > -ROUNDING * longestSide(points, 0, i, i + 1))) return false;
-    turned += Math.atan2(area, dotAt(points, i, i + 1));
+    const sides = distance(points, 0, i) * distance(points, 0, i + 1);
+    turned += Math.sign(area) * (sides > 0 ? arcCosine(dotAt(points, i, i + 1) / sides) : 0);
   }
   return turned < 2 * Math.PI;
 }
