@@ -119,7 +119,8 @@ describe('a file that is there', () => {
 describe.skipIf(!existsSync('/dev/full'))('a disk that is full', () => {
   it('fails a level, and leaves and names what was written before it', () => {
     symlinkSync('/dev/full', path('full_lod2.glb'));
-    const words = 'optimize torus.obj full.glb --method qem --lods 0.4,0.2,0.1 --max-deviation 0 --report full.json';
+    const words =
+      'optimize torus.obj full.glb --method qem --lods 0.4,0.2,0.1 --max-deviation 0 --report full.json';
     const { code, stdout, stderr } = limber(words);
     expect(code).toBe(1);
     expect(stderr).toBe(
