@@ -92,7 +92,7 @@ def motion_table(cells):
     means = [f"geometric mean of {len(complete)}"]
     for method in methods:
         means.append(" -> ".join(f"{geometric(gathered[method, state]):.3g}" for state in ("untouched", "tuned")))
-    return table(head, [*rows, [*means, ""]]) + best_peer_note(gathered, methods)
+    return table(head, [*rows, [*means, ""]]) + best_peer_note(gathered, methods) + exceptions(complete, gathered, methods)
 
 
 def best_peer_note(gathered, methods):
@@ -108,6 +108,25 @@ def best_peer_note(gathered, methods):
         lines.append(f"`{ours}` tuned over the best peer untouched ({best}): {against:.2f}; over the best peer tuned "
                      f"alike ({least}): {alike:.2f}.")
     return "\n\n" + " ".join(lines)
+
+
+# A motion of ours counts as worse than another's from so many times its deviation on, noise apart.
+WORSE = 1.25
+
+
+def exceptions(cells, gathered, methods):
+    """The motions in which ours is worse than the tool that is best untouched, beyond noise."""
+    peers = [method for method in methods if method not in OURS]
+    if not peers:
+        return ""
+    best = min(peers, key=lambda method: geometric(gathered[method, "untouched"]))
+    names = []
+    for (mesh, scene), cell in cells.items():
+        noise = max((median(cell[floor]["floor"]) or 0 for floor in FLOORS if floor in cell), default=0)
+        ours, other = median(cell[OURS[0]]["tuned"]), median(cell[best]["untouched"])
+        if ours > WORSE * other + noise:
+            names.append(f"{mesh}, {scene}")
+    return f" Worse than {best} untouched by more than {WORSE} times and the noise: {'; '.join(names) or 'none'}."
 
 
 def frequency_table(frequencies):
