@@ -108,7 +108,10 @@ function isFanUpright(points: number[], start: number): boolean {
   return !windsTwice(points, start);
 }
 
-/** Whether the fan from the first corner turns no triangle over, but for rounding, and goes around less than once. */
+/**
+ * Whether the fan from the first corner turns no triangle over, but for rounding, and goes around once. It then turns by the angle of
+ * the corner, less than pi; where a polygon winds twice, by 2 pi or more.
+ */
 function isNearlyConvex(points: number[]): boolean {
   let turned = 0;
   for (let i = 1; i + 1 < points.length / 2; ++i) {
@@ -117,7 +120,7 @@ function isNearlyConvex(points: number[]): boolean {
     const sides = distance(points, 0, i) * distance(points, 0, i + 1);
     turned += Math.sign(area) * (sides > 0 ? arcCosine(dotAt(points, i, i + 1) / sides) : 0);
   }
-  return turned < 2 * Math.PI;
+  return turned < 1.5 * Math.PI;
 }
 
 /** The dot product of the sides from corner 0 to two others. */
