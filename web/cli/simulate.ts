@@ -8,27 +8,18 @@ import { recordingGlb } from '../engine/document/recording';
 import type { RecordedBody } from '../engine/document/recording';
 import type { PreparedBody } from '../engine/body/prepared_body';
 import { startStopwatch } from '../engine/core/stopwatch';
-import { materialOf } from '../engine/body/material';
+import { askedMotion, solversOf } from '../engine/motion/asked_motion';
 import { describeConvergence } from '../engine/motion/convergence';
-import {
-  bindingBetween,
-  calibrationOf,
-  simulationOptions,
-  solversAsTheyAre,
-  STEP_SECONDS,
-  simulatedMaterial,
-} from '../engine/motion/simulation';
+import { bindingBetween, calibrationOf, simulationOptions, STEP_SECONDS } from '../engine/motion/simulation';
 import { meshReport } from '../engine/report/mesh_report';
 import { calibrationReport, simulationReport, worstMotion } from '../engine/report/motion_report';
 import type { RunReport, SimulationReport } from '../engine/report/motion_report';
 import type { SettingsFile } from '../engine/report/settings_file';
 import { readSettingsFile } from '../engine/report/settings_reader';
-import { settledSolvers } from '../engine/report/settled_solver';
 import { startReport } from '../engine/report/report';
 import type { Report } from '../engine/report/report';
 import type { FileRun } from '../engine/stages/file_run';
 import { profileOf } from '../engine/solvers/profiles';
-import type { SolverPair } from '../engine/solvers/solver_pair';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
 import { checkPairs } from './compare';
@@ -72,7 +63,7 @@ export async function runSimulate(args: Arguments): Promise<number> {
     save(session, args.record, await recordingGlb(recorded(motions, originals, others), STEP_SECONDS));
   const report = startReport(session.core, 'simulate', settingsAsUsed('simulate', args.settings), originals);
   if (others) report.output = meshReport(others);
-  report.simulation = simulationReport(motions, askedOf(args, settled, others !== null));
+  report.simulation = simulationReport(motions, askedMotion(args.settings, settled, others !== null));
   if (factors) report.calibration = calibrationReport(originals, factors);
   report.timings = {
     load,
@@ -116,26 +107,6 @@ function readSettled({ settingsFile, settings }: Arguments): SettingsFile | null
   return file;
 }
 
-function askedOf({ settings }: Arguments, settled: SettingsFile | null, isPair: boolean) {
-  const { scenario, solver: named } = settings;
-  const material = simulatedMaterial(settings);
-  const solver = settled?.solver ?? (named === 'none' ? undefined : named);
-  return { material, scenario, solver, tuned: solver && isPair ? settled !== null : undefined };
-}
-
-/** What both are simulated with in a solver; null without one. */
-function solversOf(
-  { settings }: Arguments,
-  original: PreparedBody,
-  other: PreparedBody | null,
-  settled: SettingsFile | null,
-): SolverPair | null {
-  if (settled && other)
-    return settledSolvers(settled, original.mesh, other, materialOf(original, settings).unit);
-  const meshes = { original: original.mesh, result: (other ?? original).mesh };
-  return solversAsTheyAre(original, meshes, settings);
-}
-
 /** Per body the factor on the stiffness of B; null where none is asked for. */
 function calibrationFactors({ core, args }: Session, { originals, others }: Sides): number[] | null {
   if (!others || !args.settings.calibrate) return null;
@@ -159,7 +130,7 @@ function compareMotions(
     file.announce(run);
     const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
     const binding = others && bindings ? bindingBetween(original, others[i], bindings) : null;
-    const solvers = solversOf(session.args, original, others?.[i] ?? null, settled);
+    const solvers = solversOf(session.args.settings, original, others?.[i] ?? null, settled);
     return session.core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
       ...simulationOptions(original, settings, pinned),
       records: record !== null,

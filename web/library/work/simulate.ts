@@ -1,16 +1,15 @@
 /** Moves a model, and an optimized one beside it. */
 
 import type { BodyBinding } from '../../engine/body/body_binding';
-import { materialOf } from '../../engine/body/material';
 import type { PreparedBody } from '../../engine/body/prepared_body';
 import type { MotionComparison } from '../../engine/core/core';
 import { recordingGlb } from '../../engine/document/recording';
 import type { RecordedBody } from '../../engine/document/recording';
+import { askedMotion, solversOf } from '../../engine/motion/asked_motion';
 import {
   bindingBetween,
   calibrationOf,
   simulationOptions,
-  solversAsTheyAre,
   STEP_SECONDS,
 } from '../../engine/motion/simulation';
 import { readBinding } from '../../engine/report/binding_file';
@@ -18,10 +17,8 @@ import { meshReport } from '../../engine/report/mesh_report';
 import { calibrationReport, simulationReport } from '../../engine/report/motion_report';
 import { startReport } from '../../engine/report/report';
 import type { Report } from '../../engine/report/report';
-import { settledSolvers } from '../../engine/report/settled_solver';
 import type { SettingsFile } from '../../engine/report/settings_file';
 import { readSettingsFile } from '../../engine/report/settings_reader';
-import type { SolverPair } from '../../engine/solvers/solver_pair';
 import type { FileRun } from '../../engine/stages/file_run';
 import { STAGES } from '../../engine/stages/stages';
 import type { SimulateOptions, SimulateResult } from '../options';
@@ -72,7 +69,7 @@ export async function simulateModels(
   const report: Report = {
     ...startReport(core, 'simulate', used, originals),
     ...(others ? { output: meshReport(others) } : {}),
-    simulation: simulationReport(motions, askedOf(session, settled, others !== null)),
+    simulation: simulationReport(motions, askedMotion(settings, settled, others !== null)),
     ...(factors ? { calibration: calibrationReport(originals, factors) } : {}),
     timings: { load, weld, ...(factors ? { calibration } : {}), simulate, export: session.lap() },
   };
@@ -112,24 +109,6 @@ function readCarried(
   };
 }
 
-function askedOf({ settings }: WorkSession, settled: SettingsFile | null, isPair: boolean) {
-  const { material, scenario, solver: named } = settings;
-  const solver = settled?.solver ?? (named === 'none' ? undefined : named);
-  return { material, scenario, solver, tuned: solver && isPair ? settled !== null : undefined };
-}
-
-/** What both are simulated with in a solver; null without one. */
-function solversOf(
-  { settings }: WorkSession,
-  original: PreparedBody,
-  other: PreparedBody | null,
-  settled: SettingsFile | null,
-): SolverPair | null {
-  if (settled && other)
-    return settledSolvers(settled, original.mesh, other, materialOf(original, settings).unit);
-  return solversAsTheyAre(original, { original: original.mesh, result: (other ?? original).mesh }, settings);
-}
-
 function moveBodies(
   session: WorkSession,
   { file, originals, others }: Sides,
@@ -140,7 +119,7 @@ function moveBodies(
     const original = originals[i];
     file.announce(run);
     const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
-    const solvers = solversOf(session, original, others?.[i] ?? null, settled);
+    const solvers = solversOf(session.settings, original, others?.[i] ?? null, settled);
     return core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
       ...simulationOptions(original, settings, pinned),
       records,
