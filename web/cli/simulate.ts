@@ -8,7 +8,7 @@ import { recordingGlb } from '../engine/document/recording';
 import type { RecordedBody } from '../engine/document/recording';
 import type { PreparedBody } from '../engine/body/prepared_body';
 import { startStopwatch } from '../engine/core/stopwatch';
-import { askedMotion, solversOf } from '../engine/motion/asked_motion';
+import { askedMotion, solversOf } from '../engine/stages/asked_motion';
 import { describeConvergence } from '../engine/motion/convergence';
 import { bindingBetween, calibrationOf, simulationOptions, STEP_SECONDS } from '../engine/motion/simulation';
 import { meshReport } from '../engine/report/mesh_report';

@@ -5,7 +5,7 @@ import type { PreparedBody } from '../../engine/body/prepared_body';
 import type { MotionComparison } from '../../engine/core/core';
 import { recordingGlb } from '../../engine/document/recording';
 import type { RecordedBody } from '../../engine/document/recording';
-import { askedMotion, solversOf } from '../../engine/motion/asked_motion';
+import { askedMotion, solversOf } from '../../engine/stages/asked_motion';
 import {
   bindingBetween,
   calibrationOf,

@@ -6,7 +6,7 @@ import type { SettingsFile } from '../report/settings_file';
 import { settledSolvers } from '../report/settled_solver';
 import type { Settings } from '../settings/options';
 import type { SolverPair } from '../solvers/solver_pair';
-import { simulatedMaterial, solversAsTheyAre } from './simulation';
+import { simulatedMaterial, solversAsTheyAre } from '../motion/simulation';
 
 /** What is simulated, for the report. `settled`: what the other body was tuned with, or null. */
 export function askedMotion(settings: Settings, settled: SettingsFile | null, isPair: boolean) {
