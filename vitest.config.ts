@@ -3,7 +3,7 @@ import { defineConfig } from 'vitest/config';
 // The engine, the command line and the npm package, against the real wasm.
 export default defineConfig({
   test: {
-    include: ['tests/engine/**/*.test.ts', 'tests/library/**/*.test.ts'],
+    include: ['tests/engine/**/*.test.ts', 'tests/library/**/*.test.ts', 'tests/fuzz/**/*.test.ts'],
     environment: 'node',
     testTimeout: 120_000,
     hookTimeout: 120_000,

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { findGoogleTest, folders, root, run } from './environment.mjs';
 
 /** Configures a preset once and builds `targets`. `quiet` shows the compiler's output only if it fails. */
-export function buildPreset(preset, targets, { emscripten, headers, quiet = true }) {
+export function buildPreset(preset, targets, { emscripten, headers, compiler, quiet = true }) {
   const folder = join(folders.build, preset);
   if (!existsSync(join(folder, 'build.ninja'))) {
     const args = ['--preset', preset, `-DLIMBER_HEADERS=${headers}`];
@@ -13,6 +13,7 @@ export function buildPreset(preset, targets, { emscripten, headers, quiet = true
       args.push(
         `-DCMAKE_TOOLCHAIN_FILE=${join(emscripten, 'cmake', 'Modules', 'Platform', 'Emscripten.cmake')}`,
       );
+    if (compiler) args.push(`-DCMAKE_CXX_COMPILER=${compiler}`);
     const tests = findGoogleTest();
     args.push(tests ? `-DGOOGLETEST_SOURCE=${tests}` : '-DLIMBER_TESTS=OFF');
     run('cmake', args, { quiet });

@@ -112,3 +112,13 @@ export function findClangFormat() {
     return version === '19';
   });
 }
+
+/** A Clang with libFuzzer's runtime, or null. */
+export function findFuzzingCompiler() {
+  const isUsable = (name) => {
+    const folder = isOnPath(name) ? outputOf(name, '--print-runtime-dir') : null;
+    const old = outputOf(name, '--print-file-name=libclang_rt.fuzzer-x86_64.a');
+    return (folder && existsSync(join(folder, 'libclang_rt.fuzzer.a'))) || (old && existsSync(old));
+  };
+  return ['clang++-19', 'clang++'].find((name) => isUsable(name)) ?? null;
+}

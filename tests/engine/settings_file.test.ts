@@ -108,7 +108,7 @@ describe('a damaged settings file', () => {
   it.each([
     ['{', 'is not JSON'],
     ['{"schema": "limber-binding/1"}', 'is not a limber-settings/1'],
-    [damaged((_, file) => (file.solver = 'havok' as SolverName)), 'is for havok, which is none of shell, '],
+    [damaged((_, file) => (file.solver = 'havok' as SolverName)), 'is for "havok", which is none of shell, '],
     [
       damaged((body) => (body.mesh.triangles[2] = 9)),
       'has triangles that name vertices it does not have for "sheet"',

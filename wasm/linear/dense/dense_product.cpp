@@ -1,6 +1,7 @@
 #include "linear/dense/dense_product.h"
 
 #include <algorithm>
+#include <cstring>
 #include <vector>
 
 #include "base/real_pair.h"
@@ -10,7 +11,6 @@ namespace limber {
 namespace {
 
 using Eigen::Index;
-using UnalignedPair = double __attribute__((vector_size(16), aligned(8), may_alias));
 
 constexpr Index kTile = 4;     // rows and columns of c that are summed in registers
 constexpr Index kDepth = 256;  // columns of a that are packed at once: two such panels fit the nearest cache
@@ -18,11 +18,14 @@ constexpr Index kRows = 64,
                 kCols = 96;  // the block of c that is computed from one packed block of a and of b
 
 RealPair load(const double* at) {
-  return *reinterpret_cast<const UnalignedPair*>(at);
+  RealPair pair;
+  std::memcpy(&pair, at, sizeof pair);  // one load, wherever `at` points
+  return pair;
 }
 
 void subtract(double* from, RealPair what) {
-  *reinterpret_cast<UnalignedPair*>(from) = load(from) - what;
+  const RealPair difference = load(from) - what;
+  std::memcpy(from, &difference, sizeof difference);
 }
 
 // Copies `a` into panels of four rows, panel after panel, each column by column. The last panel is padded

@@ -60,10 +60,17 @@ export function readSettingsFile(name: string, text: string): SettingsFile {
   if (file.schema !== SETTINGS_SCHEMA || !Array.isArray(file.bodies) || file.bodies.length === 0)
     return fail(`is not a ${SETTINGS_SCHEMA}`);
   if (!(SOLVER_NAMES as readonly unknown[]).includes(file.solver))
-    return fail(`is for ${String(file.solver)}, which is none of ${SOLVER_NAMES.join(', ')}`);
+    return fail(
+      typeof file.solver === 'string'
+        ? `is for "${file.solver}", which is none of ${SOLVER_NAMES.join(', ')}`
+        : `names none of the solvers ${SOLVER_NAMES.join(', ')}`,
+    );
   for (const body of file.bodies as BodySettings[]) {
     const problem = problemOf(body);
-    if (problem) fail(`has ${problem} for "${String(body?.name)}"`);
+    if (problem)
+      fail(
+        `has ${problem} for ${typeof body?.name === 'string' ? `"${body.name}"` : 'a body without a name'}`,
+      );
   }
   return file as unknown as SettingsFile;
 }

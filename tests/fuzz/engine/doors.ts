@@ -1,0 +1,61 @@
+/** What a fuzzer enters, and what it finds there. */
+
+import fc from 'fast-check';
+import { Choices, numbers } from './choices';
+import { problemOfRefusal } from './refusal';
+
+export interface Door {
+  name: string;
+  /** Calls the product with what `choices` makes of a valid input; may throw what a user may read. */
+  enter(choices: Choices): void | Promise<void>;
+}
+
+export interface Visit {
+  door: string;
+  inputs: number;
+  seconds: number;
+  /** '' where every promise was kept; otherwise what was broken, and how to see it again */
+  finding: string;
+}
+
+export interface VisitOptions {
+  seed: number;
+  seconds: number;
+  /** at most so many inputs */
+  inputs?: number;
+}
+
+/** A single input may take this long before it counts as a hang, in milliseconds. */
+const MOST_MILLISECONDS = 10_000;
+
+/** Enters a door again and again with new choices until the time or the number of inputs is used up. */
+export async function visit(door: Door, { seed, seconds, inputs = 1e9 }: VisitOptions): Promise<Visit> {
+  const start = performance.now();
+  const property = fc.asyncProperty(numbers, async (drawn) => {
+    const began = performance.now();
+    try {
+      await door.enter(new Choices(drawn));
+    } catch (error) {
+      const problem = problemOfRefusal(error);
+      if (problem !== null) throw new Error(problem);
+    }
+    const took = performance.now() - began;
+    if (took > MOST_MILLISECONDS) throw new Error(`took ${(took / 1000).toFixed(1)} s`);
+  });
+  const found = await fc.check(property, {
+    seed,
+    numRuns: inputs,
+    interruptAfterTimeLimit: seconds * 1000,
+    markInterruptAsFailure: false,
+  });
+  return {
+    door: door.name,
+    inputs: found.numRuns,
+    seconds: (performance.now() - start) / 1000,
+    finding: found.failed ? describeFinding(found.errorInstance, found.counterexample) : '',
+  };
+}
+
+/** What is wrong, and the choices that show it. */
+const describeFinding = (error: unknown, example: unknown): string =>
+  `${error instanceof Error ? error.message : String(error)} (choices ${JSON.stringify(example)})`;

@@ -1,0 +1,92 @@
+/** Doors of the readers: files that were valid once, changed in up to eight places. */
+
+import { Document } from '@gltf-transform/core';
+import { openAnyModel } from '../../../web/engine/document/open';
+import { addMesh, addRichMesh, glbFile, primitiveOf, startDocument } from '../../engine/support/gltf';
+import { cube, grid, toObj } from '../../engine/support/shapes';
+import type { Choices } from './choices';
+import type { Door } from './doors';
+import { mutateFile, mutateGlbJson } from './mutate';
+
+const encode = (text: string) => new TextEncoder().encode(text);
+
+const OBJ = `mtllib a.mtl\no one\n${toObj(grid(2, 2))}vn 0 0 1\nvt 0 1\ng two\nusemtl red\ns 1\nf 1/1/1 2/1/1 5/1/1 4/1/1\nf -1 -2 -3\nl 1 2\np 1\n`;
+
+const PLY = [
+  'ply',
+  'format ascii 1.0',
+  'comment a square',
+  'element vertex 4',
+  ...['x', 'y', 'z'].map((name) => `property float ${name}`),
+  'property uchar red',
+  'element face 2',
+  'property list uchar int vertex_indices',
+  'end_header',
+  '0 0 0 255\n1 0 0 255\n1 1 0 0\n0 1 0 0\n3 0 1 2\n3 0 2 3\n',
+].join('\n');
+
+const STL = `solid a\n${'facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n'.repeat(2)}endsolid a\n`;
+
+/** The PLY of `PLY` in binary. */
+function binaryPly(): Uint8Array {
+  const header = encode(PLY.slice(0, PLY.indexOf('0 0 0 255')).replace('ascii', 'binary_little_endian'));
+  const bytes = new Uint8Array(header.length + 4 * 13 + 2 * 13);
+  bytes.set(header);
+  const view = new DataView(bytes.buffer, header.length);
+  for (let v = 0; v < 4; ++v) {
+    view.setFloat32(13 * v, v === 1 || v === 2 ? 1 : 0, true);
+    view.setFloat32(13 * v + 4, v > 1 ? 1 : 0, true);
+  }
+  [0, 1, 2, 0, 2, 3].forEach((corner, i) => {
+    const start = 52 + 13 * Math.floor(i / 3);
+    view.setUint8(start, 3);
+    view.setUint32(start + 1 + 4 * (i % 3), corner, true);
+  });
+  return bytes;
+}
+
+function binaryStl(): Uint8Array {
+  const bytes = new Uint8Array(84 + 50 * 2);
+  const view = new DataView(bytes.buffer);
+  view.setUint32(80, 2, true);
+  for (let t = 0; t < 2; ++t) {
+    view.setFloat32(84 + 50 * t + 24, 1, true);
+    view.setFloat32(84 + 50 * t + 40, 1, true);
+  }
+  return bytes;
+}
+
+async function glbs(): Promise<Uint8Array[]> {
+  const documents: Document[] = [startDocument(), startDocument()];
+  addMesh(documents[0], 'plain', [primitiveOf(documents[0], cube())]);
+  addRichMesh(documents[1], 'rich', cube());
+  return Promise.all(documents.map(async (document) => (await glbFile(document)).bytes));
+}
+
+type Change = (bytes: Uint8Array, choices: Choices) => Uint8Array;
+
+function reader(name: string, ending: string, seeds: Uint8Array[], change: Change): Door {
+  return {
+    name,
+    enter: async (choices) => {
+      const bytes = change(choices.pick(seeds), choices);
+      await openAnyModel([{ name: `a.${ending}`, bytes }]);
+    },
+  };
+}
+
+const asText: Change = (bytes, choices) => mutateFile(bytes, choices, true);
+const asBytes: Change = (bytes, choices) => mutateFile(bytes, choices, false);
+
+export async function readers(): Promise<Door[]> {
+  const seeds = await glbs();
+  return [
+    reader('obj', 'obj', [encode(OBJ)], asText),
+    reader('ply', 'ply', [encode(PLY)], asText),
+    reader('binary ply', 'ply', [binaryPly()], asBytes),
+    reader('stl', 'stl', [encode(STL)], asText),
+    reader('binary stl', 'stl', [binaryStl()], asBytes),
+    reader('glb bytes', 'glb', seeds, asBytes),
+    reader('glb json', 'glb', seeds, mutateGlbJson),
+  ];
+}

@@ -1,0 +1,114 @@
+/** Doors of settings: options as text, command lines, settings files, patterns. */
+
+import { parseArguments } from '../../../web/cli/arguments';
+import { readSettingsFile } from '../../../web/engine/report/settings_reader';
+import { SETTINGS_SCHEMA } from '../../../web/engine/report/settings_file';
+import { COMMANDS, OPTIONS, SETTING_NAMES, checkSettings } from '../../../web/engine/settings/options';
+import { matchesPattern } from '../../../web/engine/settings/name_pattern';
+import { parsePaint } from '../../../web/engine/settings/paint_text';
+import { defaultSettings } from '../../../web/engine/settings/methods';
+import { readSetting } from '../../../web/engine/settings/setting_text';
+import { SOLVER_NAMES } from '../../../web/engine/solvers/profiles';
+import type { Choices } from './choices';
+import type { Door } from './doors';
+import { mutateJson, mutateText } from './mutate';
+
+/** Texts that some option takes. */
+const TEXTS = [
+  '0.5',
+  '12',
+  '1,2,3',
+  '1-4,7',
+  'limber',
+  'shell',
+  'none',
+  'auto',
+  'low',
+  'box:0,0,0:1,1,1',
+  'ids:1,2,3',
+  '0:ball:0,0,0:1',
+  'ball:0,0,0:1;ground:-1',
+  'stretch=1,bend=2',
+  'wheel|door*',
+  '0:A1B2C3',
+  'x',
+  '',
+];
+
+const anyText = (choices: Choices): string => {
+  let text = choices.pick(TEXTS);
+  for (let left = choices.below(4); left > 0; --left) text = mutateText(text, choices);
+  return text;
+};
+
+const optionTexts: Door = {
+  name: 'options',
+  enter: (choices) => {
+    const settings = defaultSettings();
+    for (let left = 1 + choices.below(3); left > 0; --left) {
+      const name = choices.pick(SETTING_NAMES);
+      Object.assign(settings, { [name]: readSetting(OPTIONS[name], anyText(choices)) });
+    }
+    checkSettings(settings);
+  },
+};
+
+const commandLines: Door = {
+  name: 'command lines',
+  enter: (choices) => {
+    const words: string[] = [choices.chance(0.9) ? choices.pick(COMMANDS) : anyText(choices)];
+    for (let left = choices.below(5); left > 0; --left) {
+      const flag = `--${OPTIONS[choices.pick(SETTING_NAMES)].flag}`;
+      words.push(choices.chance(0.9) ? flag : mutateText(flag, choices));
+      if (choices.chance(0.8)) words.push(anyText(choices));
+    }
+    for (let left = choices.below(3); left > 0; --left)
+      words.push(choices.pick(['in.glb', 'out.glb', '-', '']));
+    parseArguments(words);
+  },
+};
+
+/** A settings file that is read. */
+export const SETTINGS_FILE = {
+  schema: SETTINGS_SCHEMA,
+  solver: SOLVER_NAMES[0],
+  bodies: [
+    {
+      name: 'a',
+      level: 0,
+      mesh: { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0], triangles: [0, 1, 2, 2, 1, 3] },
+      renderVertices: [0, 1, 2, 3, -1],
+      mass: { rule: 'area', perVertex: [1, 1, 1, 1] },
+      vertex: { stretch: [1, 1, 1, 1], bend: [1, 1, 1, 1] },
+      stretch: { constant: 1, pairs: [0, 1, 1, 2, 2, 0, 1, 3, 2, 3], factors: [1, 1, 1, 1, 1] },
+      bend: { constant: 1, hinges: [1, 2, 0, 3], factors: [1] },
+      pins: [0],
+    },
+  ],
+};
+
+const settingsFiles: Door = {
+  name: 'settings files',
+  enter: (choices) => {
+    let json: unknown = SETTINGS_FILE;
+    for (let left = 1 + choices.below(4); left > 0; --left) json = mutateJson(json, choices);
+    const text = JSON.stringify(json);
+    readSettingsFile('a.json', choices.chance(0.3) ? mutateText(text, choices) : text);
+  },
+};
+
+const patterns: Door = {
+  name: 'patterns',
+  enter: (choices) => {
+    const letters = ['a', 'b', '*', '?', '|', '\\', '[', ']', '(', '😀', '\n', '\0'];
+    const word = (length: number) => Array.from({ length }, () => choices.pick(letters)).join('');
+    matchesPattern(word(choices.below(24)), word(choices.below(24)));
+  },
+};
+
+const paint: Door = {
+  name: 'paint',
+  enter: (choices) => void parsePaint(anyText(choices)),
+};
+
+export const settingsDoors: Door[] = [optionTexts, commandLines, settingsFiles, patterns, paint];
