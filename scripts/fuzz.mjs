@@ -31,7 +31,13 @@ function visitCore(door, seconds) {
   const findings = join(folders.build, 'fuzz', 'findings', door);
   for (const folder of [corpus, findings]) mkdirSync(folder, { recursive: true });
   const known = join(root, 'tests', 'fuzz', 'findings', door);
-  const limits = ['-max_len=600', '-timeout=20', '-rss_limit_mb=3000', '-print_final_stats=1', '-len_control=0'];
+  const limits = [
+    '-max_len=600',
+    '-timeout=20',
+    '-rss_limit_mb=3000',
+    '-print_final_stats=1',
+    '-len_control=0',
+  ];
   const options = [`-max_total_time=${seconds}`, `-seed=${seed}`, `-artifact_prefix=${findings}/`, ...limits];
   const inputs = [corpus, ...(existsSync(known) ? [known] : [])];
   const start = Date.now();
