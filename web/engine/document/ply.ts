@@ -90,7 +90,7 @@ function checkCount(source: ValueSource, { name, count, properties }: PlyElement
 function unreadOf({ elements }: PlyHeader): string[] {
   const faces = elements.filter((element) => element.name === 'face');
   const names = faces.flatMap((element) => element.properties.map((property) => property.name));
-  return names.filter((name) => name in UNREAD).map((name) => UNREAD[name]);
+  return names.filter((name) => Object.hasOwn(UNREAD, name)).map((name) => UNREAD[name]);
 }
 
 /** Zeroed arrays for the kinds of attributes whose components all occur among the vertex properties. */

@@ -73,10 +73,8 @@ export function readPlyHeader(file: SourceFile): PlyHeader {
 
 function readEncoding(scan: TextScanner): PlyHeader['encoding'] {
   const word = scan.word();
-  return (
-    ENCODINGS[word] ??
-    scan.fail(`the format "${excerpt(word)}" is none of ${Object.keys(ENCODINGS).join(', ')}`)
-  );
+  if (Object.hasOwn(ENCODINGS, word)) return ENCODINGS[word];
+  return scan.fail(`the format "${excerpt(word)}" is none of ${Object.keys(ENCODINGS).join(', ')}`);
 }
 
 function readElement(scan: TextScanner): PlyElement {
@@ -98,5 +96,5 @@ function readProperty(scan: TextScanner, elements: PlyElement[]): void {
 }
 
 function typeNamed(scan: TextScanner, word: string): PlyType {
-  return TYPES[word] ?? scan.fail(`"${excerpt(word)}" is not a PLY type`);
+  return Object.hasOwn(TYPES, word) ? TYPES[word] : scan.fail(`"${excerpt(word)}" is not a PLY type`);
 }

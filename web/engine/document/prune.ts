@@ -137,7 +137,9 @@ function isNeeded(document: Document, extension: Extension, kept: Primitive[]): 
   const name = extension.extensionName;
   // Output is never compressed.
   if (COMPRESSIONS.includes(name)) return false;
-  return name in NEEDED_BY ? NEEDED_BY[name](document, kept) : extension.listProperties().length > 0;
+  return Object.hasOwn(NEEDED_BY, name)
+    ? NEEDED_BY[name](document, kept)
+    : extension.listProperties().length > 0;
 }
 
 /** Whether positions, normals, tangents or UVs are integers, which core glTF allows for normalized UVs only. */

@@ -9,17 +9,17 @@ const FORM = 'name=value,name=value';
 
 /** The values by name; none for ''. Throws SettingError where the text has not this form. */
 export function parseEngine(text: string): NativeValues {
-  const values: Record<string, number> = {};
+  const values = new Map<string, number>();
   for (const term of text.split(',').filter((part) => part.trim() !== '')) {
     const [, name, number] = /^\s*([\w-]+)\s*=\s*(\S+)\s*$/.exec(term) ?? [];
     if (name === undefined) throw new SettingError('engine', `has “${term.trim()}”: give ${FORM}.`);
     const value = Number(number);
     if (!Number.isFinite(value))
       throw new SettingError('engine', `has ${number} for ${name}: give a number.`);
-    if (name in values) throw new SettingError('engine', `names ${name} twice: give it once.`);
-    values[name] = value;
+    if (values.has(name)) throw new SettingError('engine', `names ${name} twice: give it once.`);
+    values.set(name, value);
   }
-  return values;
+  return Object.fromEntries(values);
 }
 
 /**

@@ -13,7 +13,9 @@ export const readSetting = (option: OptionSpec, text: string): unknown =>
 
 /** The choice that a word of an earlier version stands for now; null for every other text. */
 const presentWord = (option: OptionSpec, text: string): string | null =>
-  (option.kind === 'choice' && option.formerly?.[text]) || null;
+  option.kind === 'choice' && option.formerly && Object.hasOwn(option.formerly, text)
+    ? option.formerly[text]
+    : null;
 
 /** What is to be said of texts that are words of an earlier version: a sentence each. */
 export function describeFormerWords(
