@@ -33,7 +33,7 @@ function visitCore(door, seconds) {
   const known = join(root, 'tests', 'fuzz', 'findings', door);
   const limits = [
     '-max_len=600',
-    '-timeout=20',
+    '-timeout=120',
     '-rss_limit_mb=3000',
     '-print_final_stats=1',
     '-len_control=0',

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "linear/dense/dense_eigensolver.h"
 #include "linear/dense/dense_product.h"
@@ -91,9 +92,17 @@ Search lanczos(const ShiftedPencil& pencil, const Eigen::MatrixXd& known, int co
   Spectra::SymEigsSolver<InverseOperator> solver(inverse, wanted, basis);
   Eigen::VectorXd start = startVector(size);
   if (known.cols() > 0) start -= known * (known.transpose() * start);
-  solver.init(start.data());
-  solver.compute(Spectra::SortRule::LargestAlge, kLanczosRestarts,
-                 isRough ? kRoughTolerance : kLanczosTolerance);
+  try {
+    solver.init(start.data());
+    solver.compute(Spectra::SortRule::LargestAlge, kLanczosRestarts,
+                   isRough ? kRoughTolerance : kLanczosTolerance);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::runtime_error&) {  // Spectra's words are about its own insides
+    throw std::runtime_error(
+        "The modes could not be computed: look for coordinates, thicknesses or material constants of wildly "
+        "different size.");
+  }
   return {
       {solver.eigenvalues().cwiseInverse().array() + pencil.shift(), pencil.expand(solver.eigenvectors())}};
 }

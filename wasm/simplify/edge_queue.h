@@ -86,7 +86,7 @@ class EdgeQueue {
   };
 
   static uint64_t keyOf(uint32_t edge, double cost) {
-    return uint64_t{std::bit_cast<uint32_t>(static_cast<float>(cost))} << 32 | edge;
+    return uint64_t{std::bit_cast<uint32_t>(static_cast<float>(cost) + 0.0f)} << 32 | edge;  // -0 as 0
   }
   static uint32_t edgeOf(uint64_t key) { return static_cast<uint32_t>(key); }
   static uint32_t costOf(uint64_t key) { return static_cast<uint32_t>(key >> 32); }

@@ -68,8 +68,13 @@ class Simplification {
 
   History run() {
     queueAll();
-    do collapseAll();
-    while (!isDone() && (queueLegalEdges() || queueWaitingEdges()));
+    for (bool goesOn = true; goesOn;) {
+      const uint32_t before = history_.collapseCount();
+      collapseAll();
+      // A round without a collapse would be followed by equal ones.
+      const bool hasCollapsed = history_.collapseCount() > before;
+      goesOn = !isDone() && ((queueLegalEdges() && hasCollapsed) || queueWaitingEdges());
+    }
     if (isDone()) history_.refused = {};
     history_.stop = stopReason();
     return std::move(history_);

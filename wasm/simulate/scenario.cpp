@@ -166,7 +166,7 @@ std::vector<uint32_t> defaultPins(const TriangleMesh& mesh, const Scenario& scen
 }
 
 std::optional<Pose> startPose(const ScenarioKind* kind, const TriangleMesh& original) {
-  return kind->laysFlat ? std::optional(layFlat(original)) : std::nullopt;
+  return kind->laysFlat && original.vertexCount() > 0 ? std::optional(layFlat(original)) : std::nullopt;
 }
 
 bool touchesItself(const Scenario& scenario, const TriangleMesh& mesh) {
