@@ -40,6 +40,8 @@ function drawObj(choices: Choices): string {
 /** Settings of which some are at an end of their range. */
 function drawSettings(choices: Choices): Settings {
   const settings = defaultSettings(choices.pick(['limber', 'limber', 'paper', 'qem'] as const));
+  // A lattice costs a thousand times what a shell of so few faces costs.
+  if (choices.chance(0.9)) settings.model = 'shell';
   for (let left = choices.below(4); left > 0; --left) {
     const name = choices.pick(SETTING_NAMES);
     const option = OPTIONS[name];

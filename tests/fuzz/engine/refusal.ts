@@ -1,7 +1,7 @@
 /** What an error may say: a sentence for the user, and nothing of the program itself. */
 
 const CODE =
-  /undefined|is not a function|is not iterable|Cannot |TypeError|RangeError|Invalid (typed )?array|out of bounds|\[object|=>|Unexpected token|\bat position\b|offset is out|Maximum call stack|internal error/;
+  /undefined|is not a function|is not iterable|Cannot |TypeError|RangeError|Invalid typed array|Invalid array length(?! \d)|out of bounds|\[object|=>|Unexpected token|\bat position\b|offset is out|Maximum call stack|internal error/;
 const MOST_LETTERS = 700;
 
 /** What is wrong with an error as the answer to bad input; null if it is a good one. */

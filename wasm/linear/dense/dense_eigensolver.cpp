@@ -8,6 +8,7 @@ namespace limber {
 ModeBasis solveDensely(const SparsePencil& pencil) {
   std::vector<Eigen::Index> heavy, massless;
   for (Eigen::Index i = 0; i < pencil.m.size(); ++i) (pencil.m[i] > 0 ? heavy : massless).push_back(i);
+  if (heavy.empty()) return {Eigen::VectorXd(0), Eigen::MatrixXd(pencil.m.size(), 0)};
   const Eigen::MatrixXd k = pencil.k;
   Eigen::MatrixXd condensed = k(heavy, heavy), follow;
   if (!massless.empty()) {
