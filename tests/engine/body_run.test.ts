@@ -130,7 +130,7 @@ const OTHER: RunSettings = {
     targetFaces: 12,
     fields: false,
   },
-  ...{ perBody: true, levelFaces: [20], format: 'ply', compress: 'none', lodStyle: 'files' },
+  ...{ perBody: true, levelFaces: [20], format: 'ply', compress: 'none', lodStyle: 'msft' },
 };
 
 /** Settings that request everything that a method can do. */

@@ -25,8 +25,11 @@ export async function openGltf(
 ): Promise<OpenModel> {
   const jsonDocument = jsonDocumentOf(file, format);
   const stored = storedIn(jsonDocument.json);
+  const foreign = foreignOf(jsonDocument.json);
   const json = withKnownNames(jsonDocument.json);
-  jsonDocument.json = json;
+  // The reader refuses to read what it does not know, even where nothing has to be known of it.
+  const required = json.extensionsRequired?.filter((extension) => SUPPORTED_EXTENSIONS.has(extension));
+  jsonDocument.json = required ? { ...json, extensionsRequired: required } : json;
   checkNodes(file.name, json.nodes);
   const missing = addCompanions(file, jsonDocument, files);
   const size = sizeOf(file.bytes.length, jsonDocument);
@@ -40,7 +43,7 @@ export async function openGltf(
     notes: [...notes, ...restPoseNotes(document), ...describeMissing(missing)],
     unread: [],
     stored,
-    foreign: foreignOf(json),
+    foreign,
   };
 }
 

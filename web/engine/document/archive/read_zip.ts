@@ -19,11 +19,11 @@ export const isZip = ({ bytes }: SourceFile): boolean =>
 export function readZip({ name, bytes }: SourceFile): SourceFile[] {
   let [unpacked, packed] = [0, 0];
   const entries = readEntries(name, bytes, (entry) => {
-    if (IGNORED.test(entry.name)) return false;
     if (ESCAPING.test(entry.name))
       throw new Error(
         `${name} has a file that leads out of its folder (${excerptOf(entry.name)}): pack it again without.`,
       );
+    if (IGNORED.test(entry.name)) return false;
     packed += entry.size;
     unpacked += entry.originalSize;
     if (packed > bytes.length || entry.originalSize > MOST_PER_BYTE * entry.size + 1024)
