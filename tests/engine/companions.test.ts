@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { companionNames } from '../../web/engine/document/gltf';
 import { companionPath } from '../../web/engine/document/checks/companions';
 import { exportGlb } from '../../web/engine/document/export';
-import { passThrough } from '../../web/engine/document/pass_through';
+import { passThrough } from '../../web/engine/document/write/pass_through';
 import { glbParts } from '../../web/engine/document/glb';
 import { openAnyModel, openModel } from '../../web/engine/document/open';
 import type { SourceFile } from '../../web/engine/document/open';

@@ -45,7 +45,7 @@ function write(
   return exportFiles(model, bodies, {
     name,
     form,
-    wishes: { compression, style, keepsOrder: false },
+    manner: { compression, style, keepsOrder: false },
     fields: false,
   });
 }

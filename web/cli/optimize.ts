@@ -3,7 +3,7 @@
 import { chosenBodies } from '../engine/body/selection';
 import { describeFailedModes, describeSolve } from '../engine/body/health';
 import { startStopwatch } from '../engine/core/stopwatch';
-import { passThrough } from '../engine/document/pass_through';
+import { passThrough } from '../engine/document/write/pass_through';
 import { describeEmpty } from '../engine/document/open';
 import type { OpenModel } from '../engine/document/open';
 import { describeLargeFit } from '../engine/report/fit_words';

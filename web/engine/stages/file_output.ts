@@ -10,7 +10,7 @@ import type { SourceFile } from '../document/model';
 import { exportFiles } from '../document/write/export_files';
 import type { ExportedLevels } from '../document/write/export_files';
 import { outputForm } from '../document/write/output_form';
-import type { OutputForm, OutputWishes } from '../document/write/output_form';
+import type { OutputForm, OutputManner } from '../document/write/output_form';
 import { writeBinding } from '../report/binding_file';
 import { meshReport } from '../report/mesh_report';
 import { calibrationReport } from '../report/motion_report';
@@ -251,12 +251,12 @@ export class FileOutput {
   ): Promise<SourceFile[]> {
     const { model, runs } = this.file;
     const { settings, fields, binding = false } = this.request;
-    const wishes: OutputWishes = {
+    const manner: OutputManner = {
       compression: settings.compress,
       style: settings.lodStyle,
       keepsOrder: binding || settings.solver !== 'none',
     };
     const bodies = runs.map((run, i) => run && exported(run, i));
-    return exportFiles(model, bodies, { name, form, wishes, fields });
+    return exportFiles(model, bodies, { name, form, manner, fields });
   }
 }

@@ -26,8 +26,8 @@ export function carryForeign(json: GLTF.IGLTF, foreign: Foreign, replaced: Reado
       holder.extensions = { ...(holder.extensions as object), [extension.name]: value };
   }
   // A name without any JSON is a statement about the whole file.
-  const places = new Set(foreign.extensions.map(({ name }) => name));
-  const isListed = (name: string) => written.has(name) || !places.has(name);
+  const found = new Set(foreign.extensions.map(({ name }) => name));
+  const isListed = (name: string) => written.has(name) || !found.has(name);
   addNames(json, 'extensionsUsed', foreign.listed.used.filter(isListed));
   addNames(json, 'extensionsRequired', foreign.listed.required.filter(isListed));
 }

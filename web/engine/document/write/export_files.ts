@@ -9,11 +9,11 @@ import { compress } from './compression';
 import type { Stored } from './compression';
 import type { Compression } from '../../core/output_words';
 import { gltfCompanions, writeGlb, writeGltf } from './gltf_files';
-import { placeLevels } from './level_nodes';
+import { insertLevels } from './level_nodes';
 import type { MeshLevels } from './level_nodes';
 import { objCompanions, writeObj } from './obj_files';
 import { mainName } from './output_form';
-import type { OutputForm, OutputWishes } from './output_form';
+import type { OutputForm, OutputManner } from './output_form';
 import { writePly } from './ply_file';
 import type { Companion } from './shared_images';
 
@@ -28,7 +28,7 @@ export interface FilesRequest {
   /** of the first file, without a folder */
   name: string;
   form: OutputForm;
-  wishes: OutputWishes;
+  manner: OutputManner;
   fields: boolean;
 }
 
@@ -39,9 +39,9 @@ export interface FilesRequest {
 export async function exportFiles(
   model: OpenModel,
   bodies: (ExportedLevels | null)[],
-  { name, form, wishes, fields }: FilesRequest,
+  { name, form, manner, fields }: FilesRequest,
 ): Promise<SourceFile[]> {
-  const files = await filesOf(model, bodies, { name: mainName(name, form), form, wishes, fields });
+  const files = await filesOf(model, bodies, { name: mainName(name, form), form, manner, fields });
   return form.isZipped ? [{ name, bytes: writeZip(files, GENERATOR) }] : files;
 }
 
@@ -55,27 +55,31 @@ export function companionsOf(model: OpenModel, name: string, form: OutputForm): 
 async function filesOf(
   model: OpenModel,
   bodies: (ExportedLevels | null)[],
-  { name, form: { format }, wishes, fields }: FilesRequest,
+  { name, form: { format }, manner, fields }: FilesRequest,
 ): Promise<SourceFile[]> {
   const destination = await copyForExport(model);
   const { document } = destination;
   const isGltf = format === 'glb' || format === 'gltf';
-  const stored = storedAs(wishes.compression, isGltf ? model.stored : undefined);
+  const stored = storedAs(manner.compression, isGltf ? model.stored : undefined);
   const { further, levels } = copiesOf(document, bodies);
   const firsts = bodies.map((one) => one && one.first);
   const replaced = replaceBodies(destination, firsts, {
     fields,
     smoothed: isSmoothed(model),
-    keepsStored: isGltf && wishes.compression === 'like-input',
+    keepsStored: isGltf && manner.compression === 'like-input',
     keepsNumbers: !!model.foreign,
     further,
   });
   if (format === 'ply') return [writePly(document, name, GENERATOR)];
   if (format === 'obj')
     return writeObj(document, name, { libraries: model.libraries ?? [], mark: GENERATOR });
-  const placed = wishes.style === 'files' ? [] : placeLevels(document, levels, wishes.style);
-  await compressFor(model, document, { stored, wishes, replaced });
-  const additions = { ...additionsOf(model, firsts), levels: placed, isRatified: stored.isRatified ?? false };
+  const inserted = manner.style === 'files' ? [] : insertLevels(document, levels, manner.style);
+  await compressFor(model, document, { stored, manner, replaced });
+  const additions = {
+    ...additionsOf(model, firsts),
+    levels: inserted,
+    isRatified: stored.isRatified ?? false,
+  };
   if (format === 'gltf') return writeGltf(document, name, additions);
   return [{ name, bytes: await writeGlb(document, additions) }];
 }
@@ -86,7 +90,7 @@ const storedAs = (compression: Compression, input: Stored = { kind: 'none' }): S
 function compressFor(
   model: OpenModel,
   document: Document,
-  { stored, wishes, replaced }: { stored: Stored; wishes: OutputWishes; replaced: ReadonlySet<Primitive> },
+  { stored, manner, replaced }: { stored: Stored; manner: OutputManner; replaced: ReadonlySet<Primitive> },
 ): Promise<void> {
   const hasAllBinds = document
     .getRoot()
@@ -95,8 +99,8 @@ function compressFor(
   return compress(document, {
     kind: stored.kind,
     // What was stored in integers still is.
-    quantizes: wishes.compression !== 'like-input',
-    keepsOrder: wishes.keepsOrder,
+    quantizes: manner.compression !== 'like-input',
+    keepsOrder: manner.keepsOrder,
     replaced,
     keepsNodes: !!model.foreign || !hasAllBinds,
   });

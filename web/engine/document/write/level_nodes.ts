@@ -29,13 +29,13 @@ export interface MeshLevels {
  * level, NAME_LOD0 and so on, as Unity and Unreal look for them. `msft`: further levels stand in no scene; the node of the first
  * one names them.
  */
-export function placeLevels(
+export function insertLevels(
   document: Document,
   meshes: MeshLevels[],
   style: Exclude<LevelStyle, 'files'>,
 ): LevelNodes[] {
   const root = document.getRoot();
-  const placed: LevelNodes[] = [];
+  const inserted: LevelNodes[] = [];
   for (const { mesh, further, deviations } of meshes)
     for (const node of root.listNodes().filter((one) => one.getMesh() === mesh)) {
       const first = style === 'nodes' || isMore(document, node) ? moveToChild(document, node) : node;
@@ -44,9 +44,9 @@ export function placeLevels(
       const others = further.map((own, i) => copyNode(document, first, own, `${name}_LOD${i + 1}`));
       if (style === 'nodes') for (const other of others) node.addChild(other);
       const nodes = [first, ...others].map((one) => root.listNodes().indexOf(one));
-      if (style === 'msft') placed.push({ nodes, coverage: coverageOf(deviations) });
+      if (style === 'msft') inserted.push({ nodes, coverage: coverageOf(deviations) });
     }
-  return placed;
+  return inserted;
 }
 
 /** Whether the node does more than to show its mesh, which the nodes of further levels could not do as well. */

@@ -22,7 +22,7 @@ export function writeObj(
   { libraries, mark }: { libraries: string[]; mark: string },
 ): SourceFile[] {
   const stem = name.replace(/\.obj$/i, '');
-  const lines = new Lines();
+  const lines = new TextPieces();
   const meshes = flatMeshes(document);
   const materials = new MaterialLibrary(imageNames(document, stem));
   const hasOwn =
@@ -45,7 +45,7 @@ export function objCompanions(document: Document, name: string, libraries: strin
   return [{ name: `${stem}.mtl`, image: null }, ...imageFiles(document, stem)];
 }
 
-class Lines {
+class TextPieces {
   private readonly pieces: Uint8Array[] = [];
   private lines: string[] = [];
 
@@ -80,14 +80,18 @@ function freeName(name: string, taken: Set<string>): string {
   return free;
 }
 
-interface Place {
+interface ObjContext {
   counts: { positions: number; uvs: number; normals: number };
   materials: MaterialLibrary;
   name: string;
 }
 
 /** Vertices of all primitives of a mesh that have one position and colour are one vertex, as they are in the scene. */
-function writeMesh(lines: Lines, { primitives }: FlatMesh, { counts, materials, name }: Place): void {
+function writeMesh(
+  lines: TextPieces,
+  { primitives }: FlatMesh,
+  { counts, materials, name }: ObjContext,
+): void {
   lines.add(`o ${name}`);
   const hasColours = primitives.every(({ colours }) => colours !== null);
   const vertices = primitives.map((primitive) => vertexLines(primitive, hasColours));

@@ -10,7 +10,7 @@ export interface OutputForm {
 }
 
 /** What is asked of the files besides their format. */
-export interface OutputWishes {
+export interface OutputManner {
   compression: Compression;
   style: LevelStyle;
   /** whether another file counts vertices or triangles of the result */
@@ -57,7 +57,7 @@ export const withSuffix = (name: string, suffix: string): string =>
 /** Throws an Error with one sentence where the format cannot have what is asked for. `levels`: further levels of detail. */
 export function checkForm(
   { format }: OutputForm,
-  { compression, style, levels }: Pick<OutputWishes, 'compression' | 'style'> & { levels: number },
+  { compression, style, levels }: Pick<OutputManner, 'compression' | 'style'> & { levels: number },
 ): void {
   if (format === 'glb' || format === 'gltf') return;
   const name = format.toUpperCase();

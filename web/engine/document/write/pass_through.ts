@@ -1,11 +1,11 @@
 /** A model in which nothing is replaced. */
 
 import type { GLTF } from '@gltf-transform/core';
-import { GENERATOR } from './export';
-import { glbParts, withJson } from './glb';
-import type { OpenModel, SourceFile } from './model';
-import { exportFiles } from './write/export_files';
-import type { OutputForm } from './write/output_form';
+import { GENERATOR } from '../export';
+import { glbParts, withJson } from '../glb';
+import type { OpenModel, SourceFile } from '../model';
+import { exportFiles } from './export_files';
+import type { OutputForm } from './output_form';
 
 /**
  * The files of a model in which nothing is replaced. A GLB of a GLB that needs no other file has its bytes but for the name of the
@@ -21,8 +21,8 @@ export async function passThrough(
     .listBuffers()
     .some((buffer) => buffer.getURI() !== '');
   if (model.format !== 'glb' || needsOthers || form.format !== 'glb' || form.isZipped) {
-    const wishes = { compression: 'like-input', style: 'files', keepsOrder: true } as const;
-    return exportFiles(model, [], { name, form, wishes, fields: false });
+    const manner = { compression: 'like-input', style: 'files', keepsOrder: true } as const;
+    return exportFiles(model, [], { name, form, manner, fields: false });
   }
   const json = JSON.parse(new TextDecoder().decode(glbParts({ name: model.name, bytes }).json)) as GLTF.IGLTF;
   json.asset.generator = GENERATOR;
