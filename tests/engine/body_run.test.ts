@@ -88,6 +88,11 @@ const READERS: Record<RunSettingName, StageName[]> = {
   mesh: [],
   materialName: [],
   exclude: [],
+  // The writer of the file reads these.
+  format: [],
+  compress: [],
+  lodStyle: [],
+  dropExtensions: [],
   threads: [],
 };
 
@@ -116,8 +121,16 @@ const OTHER: RunSettings = {
   ...{ solver: 'hinge-shell', tune: 'vertex', engine: 'stretch=200', bendRatio: 0.1, massRule: 'vertex' },
   ...{ scenario: 'wind', material: 'springs', seconds: 1, substeps: 9, converge: true, damping: 1 },
   ...{ selfCollision: true, colliders: 'ground:0', friction: 0.1, calibrate: false, weld: 4 },
-  ...{ mesh: 'a*', materialName: '?', exclude: 'b', threads: 1, targetFaces: 12, fields: false },
-  ...{ perBody: true, levelFaces: [20] },
+  ...{
+    mesh: 'a*',
+    materialName: '?',
+    exclude: 'b',
+    dropExtensions: 'c',
+    threads: 1,
+    targetFaces: 12,
+    fields: false,
+  },
+  ...{ perBody: true, levelFaces: [20], format: 'ply', compress: 'none', lodStyle: 'msft' },
 };
 
 /** Settings that request everything that a method can do. */

@@ -480,12 +480,12 @@ describe('a wrong command line', () => {
   it.each([
     ['', 'There is no command "": use optimize, tune, modes, compare, simulate, inspect (limber --help).'],
     ['optimise', 'There is no command "optimise": did you mean "optimize"?'],
-    ['optimize', 'IN is missing: limber optimize IN OUT.glb.'],
-    ['optimize torus.obj', 'OUT.glb is missing: limber optimize IN OUT.glb.'],
-    ['optimize torus.obj a.glb b.glb', '"b.glb" is one file too many: limber optimize IN OUT.glb.'],
+    ['optimize', 'IN is missing: limber optimize IN OUT.'],
+    ['optimize torus.obj', 'OUT is missing: limber optimize IN OUT.'],
+    ['optimize torus.obj a.glb b.glb', '"b.glb" is one file too many: limber optimize IN OUT.'],
     [
-      'optimize torus.obj a.obj',
-      'a.obj is not a .glb: GLB is what can be written, so let the name end in .glb.',
+      'optimize torus.obj a.stl',
+      'a.stl is not a .glb: GLB, glTF, OBJ, PLY and ZIP can be written, so let the name end in .glb, .gltf, .obj, .ply or .zip.',
     ],
     ['optimize torus.obj none/a.glb', 'The folder none does not exist: make it first.'],
     ['optimize none.obj a.glb', 'none.obj cannot be read: there is no such file.'],

@@ -1,7 +1,9 @@
+import type { OpenModel } from '../../web/engine/document/open';
 import { describe, expect, it } from 'vitest';
 import { companionNames } from '../../web/engine/document/gltf';
 import { companionPath } from '../../web/engine/document/checks/companions';
-import { exportGlb, passThrough } from '../../web/engine/document/export';
+import { exportGlb } from '../../web/engine/document/export';
+import { passThrough } from '../../web/engine/document/write/pass_through';
 import { glbParts } from '../../web/engine/document/glb';
 import { openAnyModel, openModel } from '../../web/engine/document/open';
 import type { SourceFile } from '../../web/engine/document/open';
@@ -38,6 +40,11 @@ function triangleAt(buffer: string, image: string): SourceFile[] {
   };
   const positions = new Uint8Array(Float32Array.from([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer);
   return [textFile('test.gltf', JSON.stringify(json)), { name: 'data.bin', bytes: positions }];
+}
+
+async function passOn(model: OpenModel, bytes: Uint8Array): Promise<Uint8Array> {
+  const form = { format: 'glb', isZipped: false } as const;
+  return (await passThrough(model, bytes, { name: 'out.glb', form }))[0].bytes;
 }
 
 describe('the address of a companion', () => {
@@ -132,7 +139,7 @@ describe('a glTF without triangles', () => {
 
   it('passes through with nothing changed but the name of the program', async () => {
     const file = await points();
-    const bytes = await passThrough(await openAnyModel([file]), file.bytes);
+    const bytes = await passOn(await openAnyModel([file]), file.bytes);
     const [before, after] = [file.bytes, bytes].map((glb) => glbParts({ name: 'a.glb', bytes: glb }));
     expect(after.binary).toEqual(before.binary);
     const [old, now] = [jsonOf(file.bytes), jsonOf(bytes)];
@@ -145,7 +152,7 @@ describe('a glTF without triangles', () => {
     const files = triangleAt('data.bin', 'skin.png');
     const text = new TextDecoder().decode(files[0].bytes).replace('"material":0', '"material":0,"mode":0');
     const model = await openAnyModel([textFile('test.gltf', text), files[1]]);
-    const bytes = await passThrough(model, files[0].bytes);
+    const bytes = await passOn(model, files[0].bytes);
     expect(await validateGlb(bytes)).toMatchObject({ errors: 0 });
     expect(glbParts({ name: 'a.glb', bytes }).binary!.length).toBeGreaterThanOrEqual(36);
     expect(jsonOf(bytes).images).toMatchObject([{ uri: 'skin.png' }]);

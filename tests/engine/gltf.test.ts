@@ -267,10 +267,10 @@ describe('a damaged GLB', () => {
 describe('a set of files', () => {
   it('is refused if it contains no model, several models or no file', async () => {
     expect(await failureOf(() => openModel([]))).toBe(
-      'There is no file: choose a GLB, glTF, OBJ, STL or PLY file.',
+      'There is no file: choose a GLB, glTF, OBJ, STL, PLY or OFF file.',
     );
     expect(await failureOf(() => openModel([textFile('notes.txt', 'hello')]))).toBe(
-      'notes.txt is not a mesh that can be read: open a GLB, glTF, OBJ, STL or PLY file.',
+      'notes.txt is not a mesh that can be read: open a GLB, glTF, OBJ, STL, PLY or OFF file.',
     );
     expect(
       await failureOf(() => openModel([textFile('a.obj', SQUARE_OBJ), textFile('b.obj', SQUARE_OBJ)])),

@@ -328,9 +328,16 @@ describe('a level that fails', () => {
     const level = (i: number) =>
       i === 1
         ? Promise.reject(new Error('There is no room.'))
-        : Promise.resolve({ bytes: new Uint8Array([i]), bodies: [], report: {}, faces: 0 });
+        : Promise.resolve({
+            files: [{ name: 'a', bytes: new Uint8Array([i]) }],
+            bodies: [],
+            report: {},
+            faces: 0,
+          });
     const output = { level } as unknown as Parameters<typeof writeLevels>[1];
-    const { written, failure } = await writeLevels(args, output, writeWhole);
+    const { written, failure } = await writeLevels(args, output, (path, [{ bytes }]) =>
+      writeWhole(path, bytes),
+    );
     const [first, second] = levelFiles(args);
     expect(written.map(({ report }) => report.file)).toEqual([first]);
     expect(failure).toEqual({

@@ -43,6 +43,8 @@ export interface Arguments {
   dryRun: boolean;
   /** a target that is not reached is no failure */
   soft: boolean;
+  /** whether the result is checked by the glTF validator */
+  validates: boolean;
   /** the file of --engine; null: its parameters were given in words, or not */
   engineFile: string | null;
 }
@@ -82,6 +84,7 @@ export function parseArguments(words: string[]): Arguments | Question {
     force: values.has('force'),
     dryRun: values.has('dry-run'),
     soft: values.has('soft'),
+    validates: !values.has('no-validate'),
     engineFile: fileOfEngine(engine),
   };
 }
@@ -151,12 +154,20 @@ function settingsFrom(command: Command, values: Map<string, string>): Settings {
     values.delete('substeps');
     values.set('converge', '');
   }
+  if (values.has('like-input')) readLikeInput(values);
   const engine = values.get('engine');
   if (engine !== undefined) values.set('engine', engineFromFile(engine));
   const settings = readSettings(settingsOf(command), (flag) => values.get(flag), base);
   checkSettings(settings);
   checkSolverFlags(command, settings, values);
   return settings;
+}
+
+/** --like-input is the default, said aloud. */
+function readLikeInput(values: Map<string, string>): void {
+  const other = values.get('compress') ?? 'like-input';
+  if (other !== 'like-input')
+    throw new UsageError(`--like-input and --compress ${other} contradict each other: give one of them.`);
 }
 
 /** What is asked of a solver needs one; a command that tunes needs a file for what it finds. */

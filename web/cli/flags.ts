@@ -73,7 +73,7 @@ const COMMON: Flag[] = [
 
 export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   optimize: {
-    operands: ['IN', 'OUT.glb'],
+    operands: ['IN', 'OUT'],
     summary: 'Remove triangles where they matter least for how the body bends.',
     flags: [
       {
@@ -102,6 +102,16 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
         name: 'bind',
         value: 'FILE',
         help: 'Write where each original vertex lies on the optimized mesh (docs/formats.md).',
+        group: 'output',
+      },
+      {
+        name: 'like-input',
+        help: 'Store vertices as IN does: the same as --compress like-input, which is the default.',
+        group: 'output',
+      },
+      {
+        name: 'no-validate',
+        help: 'Do not check OUT by the glTF validator; without it errors that IN has not are warned of (files of more than 64 MB are not checked).',
         group: 'output',
       },
       SETTINGS,

@@ -12,6 +12,8 @@ export interface CheckedFiles {
   /** by operand: the model with its companions */
   files: Map<string, SourceFile[]>;
   outputs: Output[];
+  /** paths of all files that are read or belong to them */
+  inputs: string[];
   /** whether stdout has the model, so that words go to stderr */
   takesStdout: boolean;
 }
@@ -23,7 +25,7 @@ export async function checkFiles(args: Arguments): Promise<CheckedFiles> {
   const models = outputs.filter(({ isGlb }) => isGlb).map(({ path }) => path);
   const inputs = command === 'optimize' ? operands.slice(0, 1) : operands;
   checkStandard({ inputs, models, reports, levels: settings.lods.length });
-  checkEndings(outputs);
+  checkEndings(outputs, settings.format !== 'auto');
   const files = new Map<string, SourceFile[]>();
   const paths: string[] = otherInputs(args);
   for (const input of inputs) {
@@ -32,7 +34,7 @@ export async function checkFiles(args: Arguments): Promise<CheckedFiles> {
     paths.push(...model.paths);
   }
   checkOutputs(outputs, paths, force);
-  return { files, outputs, takesStdout: models.includes(STANDARD) };
+  return { files, outputs, inputs: paths, takesStdout: models.includes(STANDARD) };
 }
 
 /** Files that are read besides models. */

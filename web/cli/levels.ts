@@ -1,5 +1,8 @@
 /** Further levels of detail of limber optimize: one file each. */
 
+import { basename } from 'node:path';
+import type { SourceFile } from '../engine/document/open';
+import { withSuffix } from '../engine/document/write/output_form';
 import type { LevelReport } from '../engine/report/result_report';
 import type { StoppedBody } from '../engine/report/stop_report';
 import type { FileOutput } from '../engine/stages/file_output';
@@ -20,20 +23,26 @@ export interface WrittenLevels {
 }
 
 /** The files of the levels beside OUT.glb: OUT_lod1.glb and so on. */
-export const levelFiles = ({ operands, settings }: Pick<Arguments, 'operands' | 'settings'>): string[] =>
-  settings.lods.map((_, i) => operands[1].replace(/\.glb$/i, `_lod${i + 1}$&`));
+export const levelFiles = (args: Pick<Arguments, 'operands' | 'settings'>): string[] =>
+  args.settings.lodStyle === 'files' ? levelNames(args) : [];
+
+/** What the levels are called: by files of their own, or by that of the first. */
+const levelNames = ({ operands, settings }: Pick<Arguments, 'operands' | 'settings'>): string[] =>
+  settings.lods.map((_, i) =>
+    settings.lodStyle === 'files' ? withSuffix(operands[1], `_lod${i + 1}`) : operands[1],
+  );
 
 /** Writes the levels of --lods by `save`, up to the first that fails; what is written stays. */
 export async function writeLevels(
   args: Pick<Arguments, 'operands' | 'settings'>,
   output: Pick<FileOutput, 'level'>,
-  save: (path: string, bytes: Uint8Array) => void,
+  save: (path: string, files: SourceFile[]) => void,
 ): Promise<WrittenLevels> {
   const written: WrittenLevel[] = [];
-  for (const [i, file] of levelFiles(args).entries()) {
+  for (const [i, file] of levelNames(args).entries()) {
     try {
-      const { bytes, bodies, report } = await output.level(i);
-      save(file, bytes);
+      const { files, bodies, report } = await output.level(i, basename(file));
+      if (files.length > 0) save(file, files);
       written.push({ report: { file, ...report }, bodies });
     } catch (error) {
       const { code, line } = describeFailure(error);

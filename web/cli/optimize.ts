@@ -1,8 +1,9 @@
 /** limber optimize IN OUT */
 
+import { chosenBodies } from '../engine/body/selection';
 import { describeFailedModes, describeSolve } from '../engine/body/health';
 import { startStopwatch } from '../engine/core/stopwatch';
-import { droppedByExport, passThrough } from '../engine/document/export';
+import { passThrough } from '../engine/document/write/pass_through';
 import { describeEmpty } from '../engine/document/open';
 import type { OpenModel } from '../engine/document/open';
 import { describeLargeFit } from '../engine/report/fit_words';
@@ -14,14 +15,15 @@ import type { FileRun } from '../engine/stages/file_run';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
 import { EXIT, inFlags, UsageError } from './failure';
-import { writeWhole } from './files';
 import { writeLevels } from './levels';
 import type { WrittenLevels } from './levels';
 import { levelLine, summaryLine, tuningLines } from './optimize_words';
+import { checkModelOutputs, fileName, saveFiles } from './model_outputs';
 import { finish, openAnyFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';
 import { missedTargets, targetOf } from './targets';
+import { warnOfErrors } from './validation';
 import { clearProgress } from './terminal';
 import { ofBody } from './warnings';
 import { plain } from './words';
@@ -34,20 +36,22 @@ export async function runOptimize(args: Arguments): Promise<number> {
   const model = await openAnyFile(session, input);
   if (model.bodies.length === 0) return passOn(session, model);
   const load = stopwatch();
+  const written = checkModelOutputs(session, model, chosenBodies(model, args.settings));
   const file = prepareFile(session, model);
   const weld = stopwatch();
   const output = optimizeFile(session, file);
   stopwatch();
-  save(session, path, await output.glb());
+  const files = await output.files(fileName(path));
+  saveFiles(session, path, files);
   if (args.bind !== null) save(session, args.bind, output.binding());
   if (args.settingsFile !== null) save(session, args.settingsFile, output.settings());
-  const dropped = droppedByExport(model);
-  if (dropped.length > 0) session.warnings.push(`${shownOutput(path)} leaves out ${dropped.join(', ')}`);
+  if (written.lost.length > 0)
+    session.warnings.push(`${shownOutput(path)} leaves out ${written.lost.join(', ')}`);
   const exportTime = stopwatch();
-  const levels = await writeLevels(args, output, (name, bytes) => {
-    writeWhole(name, bytes);
-    session.written.push(name);
+  const levels = await writeLevels(args, output, (name, all) => {
+    saveFiles(session, name, all);
   });
+  if (args.validates) await warnOfErrors(session, files);
   const levelsTime = stopwatch();
   const report = output.report(
     optionsAsUsed(args),
@@ -70,7 +74,8 @@ async function passOn(session: Session, model: OpenModel): Promise<number> {
       `${model.name} ${describeEmpty(model)}, of which nothing can be reported: leave out --report, --lods and --bind.`,
     );
   const [main] = session.checked.files.get(input)!;
-  save(session, path, await passThrough(model, main.bytes));
+  const { form } = checkModelOutputs(session, model, []);
+  saveFiles(session, path, await passThrough(model, main.bytes, { name: fileName(path), form }));
   session.warnings.length = 0;
   clearProgress();
   const line = `${shownName(input)} ${describeEmpty(model)} and is passed on as it is -> ${shownOutput(path)}\n`;
@@ -103,7 +108,9 @@ function finishOptimize(session: Session, { output, report, levels }: Optimized)
 /** Takes every body through its stages; warns where a result is not as asked. */
 function optimizeFile({ args, warnings }: Session, file: FileRun): FileOutput {
   const { settings, fields } = args;
-  const output = new FileOutput(file, requestFile(file, { settings, fields, ...targetOf(args) }));
+  const binding = args.bind !== null;
+  const request = requestFile(file, { settings, fields, binding, ...targetOf(args) });
+  const output = new FileOutput(file, request);
   output.compute((run, own) => {
     const { note } = run.get(STAGES.constraints, own);
     if (note !== '') warnings.push(note);

@@ -4,6 +4,7 @@ import { accessSync, constants, existsSync, statfsSync, statSync } from 'node:fs
 import { dirname } from 'node:path';
 import { sum } from '../engine/core/mesh';
 import type { OpenModel } from '../engine/document/open';
+import { formOfName } from '../engine/document/write/output_form';
 import { isOwnFile } from './own_files';
 import type { Arguments } from './arguments';
 import { UsageError } from './failure';
@@ -16,8 +17,9 @@ export interface Output {
   path: string;
   /** the operand or flag that names it */
   flag: string;
-  /** whether it has to be a GLB */
+  /** whether it is a model: a GLB, or of any format that can be written */
   isGlb: boolean;
+  isAnyFormat?: true;
   /** what it can hold: how often all numbers and pictures of the model, and how often the positions of its bodies */
   capacity: { model: number; positions: number };
 }
@@ -49,8 +51,9 @@ export function outputsOf(args: Arguments): Output[] {
     isGlb: false,
     capacity: { model: 0, positions },
   });
-  const models = command === 'optimize' ? [glb(operands[1], 'OUT')] : [];
-  const levels = levelFiles(args).map((path) => glb(path, 'a level of --lods'));
+  const anyModel = (path: string, flag: string): Output => ({ ...glb(path, flag), isAnyFormat: true });
+  const models = command === 'optimize' ? [anyModel(operands[1], 'OUT')] : [];
+  const levels = levelFiles(args).map((path) => anyModel(path, 'a level of --lods'));
   const optional: [string | null, (path: string) => Output][] = [
     [args.shapes, (path) => glb(path, '--shapes', 1, settings.modeCount)],
     [args.record, (path) => glb(path, '--record', 0, RECORDED)],
@@ -94,11 +97,17 @@ function describeInput({ path, flag }: Output, input: string): string {
     : `${what} leads to ${input}, which belongs to the input: choose another name${where}.`;
 }
 
-/** Throws UsageError where a model is to have the name of another format. */
-export function checkEndings(outputs: Output[]): void {
-  for (const { path, isGlb } of outputs)
-    if (isGlb && path !== STANDARD && !path.toLowerCase().endsWith('.glb'))
-      throw new UsageError(`${path} is not a .glb: GLB is what can be written, so let the name end in .glb.`);
+/** Throws UsageError where a model is to have a name that says no format that can be written. */
+export function checkEndings(outputs: Output[], isFormatAsked: boolean): void {
+  for (const { path, isGlb, isAnyFormat } of outputs) {
+    if (path === STANDARD || !isGlb) continue;
+    if (!isAnyFormat && !path.toLowerCase().endsWith('.glb'))
+      throw new UsageError(`${path} is not a .glb: let the name end in .glb.`);
+    if (isAnyFormat && !isFormatAsked && formOfName(path, 'glb') === null)
+      throw new UsageError(
+        `${path} is not a .glb: GLB, glTF, OBJ, PLY and ZIP can be written, so let the name end in .glb, .gltf, .obj, .ply or .zip.`,
+      );
+  }
 }
 
 /** Whether the folder is there and lets files be made, and an old file be changed. */

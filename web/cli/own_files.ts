@@ -1,6 +1,6 @@
 /**
  * Which files limber has written itself, and may replace without --force. Each format carries its mark: GLB and glTF
- * `asset.generator`, OBJ and PLY a comment of the first lines, JSON its schema as the first key.
+ * `asset.generator`, OBJ and PLY a comment of the first lines, ZIP a field of its first entry, JSON its schema as the first key.
  */
 
 import { closeSync, openSync, readSync } from 'node:fs';
@@ -33,6 +33,7 @@ export function isOwnContent(bytes: Uint8Array): boolean {
   const text = new TextDecoder().decode(bytes);
   if (text.startsWith('glTF')) return isOwnJson(new TextDecoder().decode(bytes.subarray(HEADER_BYTES)));
   if (/^\s*\{/.test(text)) return /^\s*\{\s*"schema":\s*"limber-[a-z]+\/\d/.test(text) || isOwnJson(text);
+  if (text.startsWith('PK')) return /Limber \d/.test(text.slice(0, 400));
   return /^# Limber \d/.test(text) || /^ply\r?\nformat .*\r?\ncomment Limber \d/.test(text);
 }
 

@@ -44,8 +44,8 @@ export async function optimize(
   run: RunOptions = {},
 ): Promise<OptimizedDocument | OptimizedGlb> {
   const wantsBodies = isDocument(model);
-  const { glb, bodies, ...others } = await work('optimize', [model], { ...options, wantsBodies }, run);
-  if (!wantsBodies) return { glb: glb!, ...others };
+  const { files, bodies, ...others } = await work('optimize', [model], { ...options, wantsBodies }, run);
+  if (!wantsBodies) return { glb: files[0].bytes, files, ...others };
   applyBodies(model, bodies, options.fields ?? false);
   return { document: model, ...others };
 }

@@ -13,8 +13,8 @@ export interface ModelFile {
 }
 
 /**
- * A mesh to work on: a document of glTF-Transform, the bytes of a GLB, or a GLB, glTF, OBJ, STL or PLY file with the files
- * that it names.
+ * A mesh to work on: a document of glTF-Transform, the bytes of a GLB, or a GLB, glTF, OBJ, STL, PLY or OFF file with the
+ * files that it names, or a ZIP of these.
  */
 export type Model = Document | Uint8Array | ArrayBuffer | readonly ModelFile[];
 
@@ -74,7 +74,10 @@ export interface RunOptions {
 }
 
 export interface Level {
-  glb: Uint8Array;
+  /** the bytes of its first file; null where the level is in the file of the first (`lodStyle`) */
+  glb: Uint8Array | null;
+  /** all of its files, the first one first */
+  files: ModelFile[];
   report: LevelReport;
 }
 
@@ -96,8 +99,10 @@ export interface OptimizedDocument extends Optimized {
 }
 
 export interface OptimizedGlb extends Optimized {
-  /** the bytes that the command line writes under the same settings */
+  /** the bytes that the command line writes under the same settings: the first file, of another format where `format` says so */
   glb: Uint8Array;
+  /** all files that are written, that one first; a glTF has a buffer and images, an OBJ its materials */
+  files: ModelFile[];
 }
 
 export interface Reported {

@@ -26,7 +26,6 @@ export interface OptimizeRequest extends OptimizeOptions {
 }
 
 export interface OptimizeReply extends Omit<OptimizedGlb, 'glb'> {
-  glb: Uint8Array | null;
   /** per body of the file; null: it stays as it is */
   bodies: (ExportedBody | null)[];
 }

@@ -2,13 +2,17 @@
 
 import { startStopwatch } from '../../engine/core/stopwatch';
 import { faceCount, sum } from '../../engine/core/mesh';
-import { validateGlb } from '../../engine/document/validate';
+import { validateFiles } from '../../engine/document/validate';
+import { withSuffix } from '../../engine/document/write/output_form';
 import { settingsAsUsed } from '../../engine/report/report';
 import type { LevelReport } from '../../engine/report/result_report';
 import { FileOutput } from '../../engine/stages/file_output';
 import type { FileRequest } from '../../engine/stages/file_request';
 import type { FileRun } from '../../engine/stages/file_run';
 import type { ExportedLevel, ExportRequest, ExportResult } from './protocol';
+
+/** Of formats that the validator does not know. */
+const NOT_CHECKED = { errors: 0, warnings: 0, messages: [] };
 
 /** The same bytes as those of the command line from the same request. */
 export async function exportAll(
@@ -19,10 +23,11 @@ export async function exportAll(
   const { settings, targets } = request;
   const asked = request.faces ?? sum(targets);
   const stopwatch = startStopwatch();
-  const output = new FileOutput(file, request);
+  const output = new FileOutput(file, { ...request, binding });
   const results = output.results();
-  const bytes = await output.glb();
-  const validation = await validateGlb(bytes);
+  const files = await output.files(name);
+  const { bytes } = files[0];
+  const validation = (await validateFiles(files)) ?? NOT_CHECKED;
   const exportTime = stopwatch();
   const { levels, reports } = await exportLevels(output, name);
   const levelsTime = stopwatch();
@@ -35,7 +40,7 @@ export async function exportAll(
   const faces = sum(results.map(({ mesh }) => faceCount(mesh)));
   const text = binding ? output.binding() : null;
   const tuned = settings.solver === 'none' ? null : output.settings();
-  const shown = { bytes, validation, report, faces, targetFaces: asked };
+  const shown = { bytes, files, validation, report, faces, targetFaces: asked };
   return { ...shown, levels, binding: text, settings: tuned };
 }
 
@@ -47,9 +52,12 @@ async function exportLevels(
   const levels: ExportedLevel[] = [];
   const reports: LevelReport[] = [];
   for (let i = 0; i < output.levelCount; ++i) {
-    const { bytes, faces, report } = await output.level(i);
-    const own = name.replace(/\.glb$/, `_lod${i + 1}$&`);
-    levels.push({ name: own, faces, bytes, validation: await validateGlb(bytes) });
+    const own = output.hasLevelFiles ? withSuffix(name, `_lod${i + 1}`) : name;
+    const { files, faces, report } = await output.level(i, own);
+    if (files.length > 0) {
+      const validation = (await validateFiles(files)) ?? NOT_CHECKED;
+      levels.push({ name: own, faces, bytes: files[0].bytes, files, validation });
+    }
     reports.push({ file: own, ...report });
   }
   return { levels, reports };

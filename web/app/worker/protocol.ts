@@ -146,11 +146,15 @@ export interface ExportedLevel {
   name: string;
   faces: number;
   bytes: Uint8Array;
+  /** all files of it, that one first */
+  files: SourceFile[];
   validation: Validation;
 }
 
 export interface ExportResult {
   bytes: Uint8Array;
+  /** all files of the result, that one first */
+  files: SourceFile[];
   validation: Validation;
   report: Report;
   faces: number;

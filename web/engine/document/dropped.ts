@@ -3,7 +3,7 @@
 import type { Mesh, Primitive } from '@gltf-transform/core';
 import { counted } from '../core/words';
 import type { OpenModel } from './model';
-import { uncarriedExtensions } from './prune';
+import { refusedExtensions } from './extensions/refused';
 
 /**
  * The content of the model that `exportGlb` drops where it replaces bodies, in plain words: "extension EXT_mesh_features",
@@ -13,6 +13,10 @@ export function droppedByExport(model: OpenModel, replacesTargets = false): stri
   const meshes = meshesOf(model);
   const primitives = optimizedPrimitives(model);
   const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length));
+  const refused = refusedExtensions(
+    model,
+    model.bodies.map((_, i) => i),
+  );
   const isMorphed = (mesh: Mesh | null | undefined) => mesh && meshes.includes(mesh);
   const channels = model.document
     .getRoot()
@@ -26,7 +30,7 @@ export function droppedByExport(model: OpenModel, replacesTargets = false): stri
     ...(replacesTargets
       ? countedWhereAny(channels.length, 'animation of morph targets', 'animations of morph targets')
       : []),
-    ...[...new Set(primitives.flatMap(uncarriedExtensions))].map((name) => `extension ${name}`),
+    ...[...new Set(refused.map(({ name }) => name))].map((name) => `extension ${name}`),
     ...model.unread,
   ];
 }

@@ -1,18 +1,19 @@
 /** A document with some meshes replaced by their optimized geometry, as GLB bytes. */
 
 import { Mesh } from '@gltf-transform/core';
-import type { Buffer, Document, GLTF, Primitive } from '@gltf-transform/core';
+import type { Buffer, Document, Primitive } from '@gltf-transform/core';
 import type { CornerSources, TriangleMesh } from '../core/core';
 import { VERSION } from '../core/version';
 import { carryAttributes, carryTargets } from './carry';
 import type { Destination } from './carry';
-import { glbParts, withJson } from './glb';
-import { createGltfIo } from './gltf_io';
 import type { Body, OpenModel } from './model';
 import { resultNormals } from './normals';
 import type { ResultNormals } from './normals';
 import { disposeUnused, dropMorphing, dropUncarried, normaliseWeights } from './prune';
 import { addSwings } from './shapes';
+import { NO_ADDITIONS, writeGlb } from './write/gltf_files';
+import type { Additions } from './write/gltf_files';
+import { likeStored } from './write/stored_values';
 import type { MorphTarget } from './shapes';
 import { CARRIED, geometryOf, isUntouched } from './vertices';
 import type { PrimitiveGeometry, SourcedMesh } from './vertices';
@@ -70,57 +71,65 @@ export async function exportGlb(
   bodies: (ExportedBody | null)[],
   options: ExportOptions,
 ): Promise<Uint8Array> {
+  const destination = await copyForExport(model);
+  replaceBodies(destination, bodies, {
+    ...options,
+    smoothed: isSmoothed(model),
+    keepsNumbers: !!model.foreign,
+  });
+  return writeGlb(destination.document, additionsOf(model, bodies));
+}
+
+/** A copy of the model's document with one buffer. */
+export async function copyForExport(model: OpenModel): Promise<Destination> {
   const { cloneDocument } = await import('@gltf-transform/functions');
   const document = cloneDocument(model.document);
-  const destination = { document, buffer: mergeBuffers(document) };
-  replaceBodies(destination, bodies, { ...options, smoothed: isSmoothed(model) });
-  return withReferences(document, await (await createGltfIo()).writeBinary(document));
+  return { document, buffer: mergeBuffers(document) };
 }
 
-/** Replaces meshes of the document itself, as `exportGlb` does in its copy; null keeps a body as it is. */
-export function replaceBodies(
-  destination: Destination,
-  bodies: (ExportedBody | null)[],
-  { fields, smoothed }: ExportOptions & { smoothed: boolean },
-): void {
-  const { document, buffer } = destination;
-  const replaced = new Set<Primitive>();
-  bodies.forEach((exported) => {
-    if (!exported) return;
-    const shown = fields ? exported : { ...exported, fields: undefined };
-    for (const primitive of replaceMesh(destination, shown, smoothed)) replaced.add(primitive);
-  });
-  normaliseWeights(document);
-  if (bodies.some((exported) => exported?.targets?.length))
-    addSwings(document, buffer, meshesWithTargets(replaced));
-  disposeUnused(document, replaced);
-  document.getRoot().getAsset().generator = GENERATOR;
-}
+/** What the JSON of a result has besides its document. */
+export const additionsOf = (model: OpenModel, bodies: (ExportedBody | null)[]): Additions => ({
+  ...NO_ADDITIONS,
+  foreign: model.foreign ?? null,
+  replaced: new Set(bodies.flatMap((exported) => (exported ? [exported.body.mesh] : []))),
+});
 
-/** The GLB with the addresses of images whose bytes are not there, which the writer leaves out. */
-function withReferences(document: Document, bytes: Uint8Array): Uint8Array {
-  const textures = document.getRoot().listTextures();
-  if (textures.every((texture) => texture.getImage())) return bytes;
-  const json = JSON.parse(new TextDecoder().decode(glbParts({ name: '', bytes }).json)) as GLTF.IGLTF;
-  textures.forEach((texture, i) => {
-    if (!texture.getImage()) json.images![i].uri = texture.getURI();
-  });
-  return withJson(bytes, json);
+export interface ReplaceOptions extends ExportOptions {
+  /** whether primitives without normals get smooth ones */
+  smoothed: boolean;
+  /** whether positions and normals of integers stay integers; otherwise they become floats */
+  keepsStored?: boolean;
+  /** whether nothing that could be referred to by number is disposed of */
+  keepsNumbers?: boolean;
+  /** meshes of the document that are no body themselves: copies that become further levels */
+  further?: { mesh: Mesh; exported: ExportedBody }[];
 }
 
 /**
- * The GLB of a model in which nothing is replaced. Of a GLB that needs no other file these are its bytes but for the name of the
- * program that wrote it; other files are packed into one.
+ * Replaces meshes of the document itself, as `exportGlb` does in its copy; null keeps a body as it is. Returns the primitives that
+ * are written anew.
  */
-export async function passThrough(model: OpenModel, bytes: Uint8Array): Promise<Uint8Array> {
-  const needsOthers = model.document
-    .getRoot()
-    .listBuffers()
-    .some((buffer) => buffer.getURI() !== '');
-  if (model.format !== 'glb' || needsOthers) return exportGlb(model, [], { fields: false });
-  const json = JSON.parse(new TextDecoder().decode(glbParts({ name: model.name, bytes }).json)) as GLTF.IGLTF;
-  json.asset.generator = GENERATOR;
-  return withJson(bytes, json);
+export function replaceBodies(
+  destination: Destination,
+  bodies: (ExportedBody | null)[],
+  options: ReplaceOptions,
+): Set<Primitive> {
+  const { document, buffer } = destination;
+  const meshes = document.getRoot().listMeshes();
+  const replaced = new Set<Primitive>();
+  const own = bodies.flatMap((exported) =>
+    exported ? [{ mesh: meshes[exported.body.mesh], exported }] : [],
+  );
+  for (const { mesh, exported } of [...(options.further ?? []), ...own]) {
+    const shown = options.fields ? exported : { ...exported, fields: undefined };
+    for (const primitive of replaceMesh(destination, mesh, shown, options)) replaced.add(primitive);
+  }
+  normaliseWeights(document);
+  if (bodies.some((exported) => exported?.targets?.length))
+    addSwings(document, buffer, meshesWithTargets(replaced));
+  disposeUnused(document, replaced, options.keepsNumbers ?? false);
+  document.getRoot().getAsset().generator = GENERATOR;
+  return replaced;
 }
 
 /** Per vertex of each primitive that `exportGlb` writes for a body, in order: its vertex of `exported.mesh`. */
@@ -138,7 +147,7 @@ export function renderVertices(model: OpenModel, exported: ExportedBody): number
 }
 
 /** glTF prescribes flat shading for meshes without normals; the other formats prescribe nothing. */
-function isSmoothed({ format }: OpenModel): boolean {
+export function isSmoothed({ format }: OpenModel): boolean {
   return format !== 'glb' && format !== 'gltf';
 }
 
@@ -152,13 +161,14 @@ function mergeBuffers(document: Document): Buffer {
   return kept;
 }
 
-/**
- * Gives the body's mesh its new geometry and returns the primitives written. With `smoothed`, primitives without normals
- * get smooth ones.
- */
-function replaceMesh(destination: Destination, exported: ExportedBody, smoothed: boolean): Primitive[] {
+/** Gives a mesh with the primitives of the body its new geometry and returns the primitives written. */
+function replaceMesh(
+  destination: Destination,
+  mesh: Mesh,
+  exported: ExportedBody,
+  { smoothed, keepsStored = false }: ReplaceOptions,
+): Primitive[] {
   const { body } = exported;
-  const mesh = destination.document.getRoot().listMeshes()[body.mesh];
   const primitives = mesh.listPrimitives();
   if (exported.targets) dropMorphing(destination.document, mesh);
   const sourced: SourcedMesh = { mesh: exported.mesh, body, sources: exported.sources };
@@ -173,7 +183,7 @@ function replaceMesh(destination: Destination, exported: ExportedBody, smoothed:
     }
     const keyOf = normalKeys(primitive, exported, normals, smoothed);
     const geometry = geometryOf(sourced, span, primitive, trianglesOfSpan[i], keyOf);
-    writePrimitive(destination, primitive.setMode(TRIANGLES), exported, { geometry, normals });
+    writePrimitive(destination, primitive.setMode(TRIANGLES), exported, { geometry, normals, keepsStored });
     written.push(primitive);
   });
   if (exported.calibration !== undefined)
@@ -218,15 +228,23 @@ function writePrimitive(
   destination: Destination,
   primitive: Primitive,
   exported: ExportedBody,
-  { geometry, normals }: { geometry: PrimitiveGeometry; normals: ResultNormals },
+  {
+    geometry,
+    normals,
+    keepsStored,
+  }: { geometry: PrimitiveGeometry; normals: ResultNormals; keepsStored: boolean },
 ): void {
   const { vertexOfMesh, firstCorner, sources } = geometry;
   dropUncarried(primitive);
   carryAttributes(destination, primitive, sources, (i) => normals.at(normals.smoothKey(firstCorner[i])));
   carryTargets(destination, primitive, sources);
   const add = (semantic: string, values: Float32Array<ArrayBuffer>, type: 'VEC3' | 'SCALAR') => {
-    const accessor = destination.document.createAccessor('', destination.buffer).setType(type);
-    primitive.setAttribute(semantic, accessor.setArray(values));
+    const accessor = destination.document
+      .createAccessor('', destination.buffer)
+      .setType(type)
+      .setArray(values);
+    const old = primitive.getAttribute(semantic);
+    primitive.setAttribute(semantic, keepsStored && old ? likeStored(accessor, old) : accessor);
   };
   add('POSITION', gatherTriples(exported.mesh.positions, vertexOfMesh), 'VEC3');
   if (geometry.normalKey.some((key) => key !== CARRIED))

@@ -5,12 +5,14 @@ import { bodiesOfDocument } from './bodies';
 import { addCompanions, companionPaths, describeMissing } from './checks/companions';
 import { glbParts, describeFirstVersion, isGlb } from './glb';
 import { checkBounds, findWrongList, GLB_BUFFER, mostCorners, sizeOf } from './checks/gltf_bounds';
+import { canBeCarried, foreignOf } from './extensions/foreign';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
 import { counted } from '../core/words';
 import type { OpenModel, SourceFile } from './model';
 import { describeFailure } from './checks/reading_failure';
 import { checkEncoding } from './checks/text_encoding';
 import { firstProblem } from './validate';
+import { storedIn, withKnownNames } from './write/compression';
 
 /**
  * Opens `file` with its companions among `files`; it may have no body. Images that are not there stay references. Throws an
@@ -22,20 +24,26 @@ export async function openGltf(
   files: SourceFile[],
 ): Promise<OpenModel> {
   const jsonDocument = jsonDocumentOf(file, format);
-  const { json } = jsonDocument;
+  const stored = storedIn(jsonDocument.json);
+  const foreign = foreignOf(jsonDocument.json);
+  const json = withKnownNames(jsonDocument.json);
+  // The reader refuses to read what it does not know, even where nothing has to be known of it.
+  const required = json.extensionsRequired?.filter((extension) => SUPPORTED_EXTENSIONS.has(extension));
+  jsonDocument.json = required ? { ...json, extensionsRequired: required } : json;
   checkNodes(file.name, json.nodes);
   const missing = addCompanions(file, jsonDocument, files);
   const size = sizeOf(file.bytes.length, jsonDocument);
   const document = await readDocument(file, jsonDocument, size);
   const { bodies, notes } = bodiesOfDocument(file.name, document, mostCorners(size));
-  const unknown = (json.extensionsUsed ?? []).filter((extension) => !SUPPORTED_EXTENSIONS.has(extension));
   return {
     name: file.name,
     format,
     document,
     bodies,
     notes: [...notes, ...restPoseNotes(document), ...describeMissing(missing)],
-    unread: unknown.map((extension) => `extension ${extension}`),
+    unread: [],
+    stored,
+    foreign,
   };
 }
 
@@ -66,7 +74,9 @@ function checkJson(name: string, json: GLTF.IGLTF): void {
   if (version.split('.')[0] !== '2') throw new Error(`${name} is glTF ${version}: convert it to glTF 2.0.`);
   const wrong = findWrongList(json);
   if (wrong !== null) throw new Error(`${name} is not a valid glTF file (${wrong}): export it again.`);
-  const unknown = (json.extensionsRequired ?? []).filter((extension) => !SUPPORTED_EXTENSIONS.has(extension));
+  const unknown = (json.extensionsRequired ?? []).filter(
+    (extension) => !SUPPORTED_EXTENSIONS.has(extension) && !canBeCarried(extension),
+  );
   if (unknown.length > 0)
     throw new Error(`${name} requires ${unknown.join(', ')}, which cannot be read: export it without.`);
 }

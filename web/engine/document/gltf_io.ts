@@ -1,31 +1,63 @@
-/** The only glTF reader and writer, with its decoders. */
+/** The only glTF reader and writer, with its decoders and encoders. */
 
 import { Logger, WebIO } from '@gltf-transform/core';
+import type { Document } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 
-const MESHOPT = 'EXT_meshopt_compression';
-const DRACO = 'KHR_draco_mesh_compression';
+export const MESHOPT = 'EXT_meshopt_compression';
+/** The ratified name of the same format; files of this name are read and written under the other one. */
+export const RATIFIED_MESHOPT = 'KHR_meshopt_compression';
+export const DRACO = 'KHR_draco_mesh_compression';
 
-export const SUPPORTED_EXTENSIONS = new Set<string>(
-  ALL_EXTENSIONS.map(({ EXTENSION_NAME }) => EXTENSION_NAME),
-);
+export const SUPPORTED_EXTENSIONS = new Set<string>([
+  ...ALL_EXTENSIONS.map(({ EXTENSION_NAME }) => EXTENSION_NAME),
+  RATIFIED_MESHOPT,
+]);
+
+const plainIo = (): WebIO =>
+  new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
 
 /** Reads and writes in memory only. Loads the decoders of `extensions`, the extensions that a file uses. */
 export async function createGltfIo(extensions: readonly string[] = []): Promise<WebIO> {
-  const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
+  const io = plainIo();
   if (extensions.includes(MESHOPT)) {
     const { MeshoptDecoder } = await import('meshoptimizer/decoder');
     await MeshoptDecoder.ready;
     io.registerDependencies({ 'meshopt.decoder': MeshoptDecoder });
   }
-  if (extensions.includes(DRACO)) io.registerDependencies({ 'draco3d.decoder': await loadDraco() });
+  if (extensions.includes(DRACO)) io.registerDependencies({ 'draco3d.decoder': await loadDracoDecoder() });
   return io;
 }
 
+/** A writer with the encoders of the extensions that the document uses. */
+export async function createGltfWriter(document: Document): Promise<WebIO> {
+  const io = plainIo();
+  const names = document
+    .getRoot()
+    .listExtensionsUsed()
+    .map(({ extensionName }) => extensionName);
+  if (names.includes(MESHOPT)) io.registerDependencies({ 'meshopt.encoder': await loadMeshoptEncoder() });
+  if (names.includes(DRACO)) io.registerDependencies({ 'draco3d.encoder': await loadDracoEncoder() });
+  return io;
+}
+
+export async function loadMeshoptEncoder() {
+  const { MeshoptEncoder } = await import('meshoptimizer/encoder');
+  await MeshoptEncoder.ready;
+  return MeshoptEncoder;
+}
+
 /** In Node the decoder finds its wasm file in its own folder; a bundle ships that file and passes its address. */
-async function loadDraco(): Promise<unknown> {
+async function loadDracoDecoder(): Promise<unknown> {
   const { default: createDecoder } = await import('draco3dgltf/draco_decoder_gltf_nodejs.js');
   if (import.meta.env.SSR) return createDecoder();
   const { default: address } = await import('draco3dgltf/draco_decoder_gltf.wasm?url');
   return createDecoder({ locateFile: () => address });
+}
+
+async function loadDracoEncoder(): Promise<unknown> {
+  const { default: createEncoder } = await import('draco3dgltf/draco_encoder_gltf_nodejs.js');
+  if (import.meta.env.SSR) return createEncoder();
+  const { default: address } = await import('draco3dgltf/draco_encoder.wasm?url');
+  return createEncoder({ locateFile: () => address });
 }

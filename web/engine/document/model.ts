@@ -1,6 +1,8 @@
 /** An opened file: its glTF document, which exports start from, and its bodies. */
 
 import type { Document } from '@gltf-transform/core';
+import type { Foreign } from './extensions/foreign';
+import type { Stored } from './write/compression';
 
 export interface SourceFile {
   /** may include a path relative to the other files */
@@ -8,7 +10,7 @@ export interface SourceFile {
   bytes: Uint8Array;
 }
 
-export type Format = 'glb' | 'gltf' | 'obj' | 'stl' | 'ply';
+export type Format = 'glb' | 'gltf' | 'obj' | 'stl' | 'ply' | 'off';
 
 /** Triangles [first, next span's first) of a body come from primitive number `primitive` of its mesh. */
 export interface PrimitiveSpan {
@@ -46,4 +48,10 @@ export interface OpenModel {
   notes: string[];
   /** content that the reader could not take into the document, in plain words: "UV coordinates" */
   unread: string[];
+  /** how its vertices were stored; absent: plainly */
+  stored?: Stored;
+  /** extensions that its document does not have; null or absent: none */
+  foreign?: Foreign | null;
+  /** names of the material libraries of an OBJ, which a written OBJ names again */
+  libraries?: string[];
 }

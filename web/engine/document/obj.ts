@@ -45,7 +45,7 @@ interface Reading {
   objects: Map<string, ObjectFaces>;
   object: ObjectFaces;
   material: string;
-  hasLibrary: boolean;
+  libraries: string[];
   linesAndPoints: number;
   /** the highest vertex number that a face named before its vertex line, and the line of that face */
   ahead: { vertex: number; line: number } | null;
@@ -64,8 +64,8 @@ export function readObj(file: SourceFile): SurfaceFile {
   const objects = [...reading.objects.values()].filter(hasFaces);
   checkReading(file.name, reading, objects.length);
   const surfaces = objects.map((object) => surfaceOf(object, reading, objects.length > 1));
-  const unread = reading.hasLibrary ? ['colours and textures of materials'] : [];
-  return { surfaces, notes: notesOf(reading), unread };
+  const unread = reading.libraries.length > 0 ? ['colours and textures of materials'] : [];
+  return { surfaces, notes: notesOf(reading), unread, libraries: [...new Set(reading.libraries)] };
 }
 
 function readLine(reading: Reading, word: string): void {
@@ -76,7 +76,7 @@ function readLine(reading: Reading, word: string): void {
   else if (word === 'f') readFace(reading);
   else if (word === 'o') reading.object = objectNamed(reading.objects, scan.rest());
   else if (word === 'usemtl') reading.material = scan.rest();
-  else if (word === 'mtllib') reading.hasLibrary = true;
+  else if (word === 'mtllib') reading.libraries.push(scan.rest());
   else if (word !== '') readOther(reading, word);
 }
 
@@ -95,7 +95,7 @@ function startReading(file: SourceFile): Reading {
     objects,
     object: objectNamed(objects, stem),
     material: '',
-    hasLibrary: false,
+    libraries: [],
     linesAndPoints: 0,
     ahead: null,
     stranger: null,

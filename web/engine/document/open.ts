@@ -1,9 +1,11 @@
-/** Opens the bytes of a GLB, glTF with its files, OBJ, STL or PLY as a document with its bodies. */
+/** Opens the bytes of a GLB, glTF with its files, OBJ, STL, PLY or OFF, or of a ZIP of these, as a document with its bodies. */
 
+import { isZip, unpacked } from './archive/read_zip';
 import { isGlb } from './glb';
 import { openGltf } from './gltf';
 import type { Format, OpenModel, SourceFile } from './model';
 import { readObj } from './obj';
+import { isOff, readOff } from './off';
 import { readPly } from './ply';
 import { modelOfSurfaces } from './surface';
 import { readSafely } from './checks/reading_failure';
@@ -11,9 +13,9 @@ import { isBinaryStl, readStl } from './stl';
 
 export type { Body, Format, OpenModel, PrimitiveSpan, SourceFile } from './model';
 
-const FORMATS: readonly Format[] = ['glb', 'gltf', 'obj', 'stl', 'ply'];
-const SURFACE_READERS = { obj: readObj, stl: readStl, ply: readPly };
-const READABLE = 'a GLB, glTF, OBJ, STL or PLY file';
+const FORMATS: readonly Format[] = ['glb', 'gltf', 'obj', 'stl', 'ply', 'off'];
+const SURFACE_READERS = { obj: readObj, stl: readStl, ply: readPly, off: readOff };
+const READABLE = 'a GLB, glTF, OBJ, STL, PLY or OFF file';
 
 /**
  * Opens the only model among `files`; the others are its companions (buffers and textures of a .gltf).
@@ -28,9 +30,11 @@ export async function openModel(files: SourceFile[]): Promise<OpenModel> {
 
 /** As `openModel`, but a glTF without triangles opens as a model without bodies. */
 export async function openAnyModel(files: SourceFile[]): Promise<OpenModel> {
-  const { file, format } = chooseModel(files);
+  const archive = files.find(isZip);
+  const all = archive ? await readSafely(archive.name, () => unpacked(files)) : files;
+  const { file, format } = chooseModel(all);
   return readSafely(file.name, async () => {
-    if (format === 'glb' || format === 'gltf') return openGltf(file, format, files);
+    if (format === 'glb' || format === 'gltf') return openGltf(file, format, all);
     return modelOfSurfaces(file.name, format, SURFACE_READERS[format](file));
   });
 }
@@ -79,5 +83,6 @@ function guessFormat(bytes: Uint8Array): Format | null {
   const start = new TextDecoder().decode(bytes.subarray(0, LOOKED_AT));
   if (/^\s*\{/.test(start)) return 'gltf';
   if (/^\s*solid\b/i.test(start)) return 'stl';
+  if (isOff(start)) return 'off';
   return /^v[ \t]+[-+.\d]/m.test(start) ? 'obj' : null;
 }

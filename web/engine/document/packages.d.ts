@@ -12,13 +12,24 @@ declare module 'gltf-validator' {
   }
   export function validateBytes(
     data: Uint8Array,
-    options?: { format?: string; maxIssues?: number; writeTimestamp?: boolean; ignoredIssues?: string[] },
+    options?: {
+      format?: string;
+      maxIssues?: number;
+      writeTimestamp?: boolean;
+      ignoredIssues?: string[];
+      externalResourceFunction?: (uri: string) => Promise<Uint8Array>;
+    },
   ): Promise<Report>;
 }
 
 declare module 'draco3dgltf/draco_decoder_gltf_nodejs.js' {
   const createDecoder: (options?: { locateFile?: (name: string) => string }) => Promise<unknown>;
   export default createDecoder;
+}
+
+declare module 'draco3dgltf/draco_encoder_gltf_nodejs.js' {
+  const createEncoder: (options?: { locateFile?: (name: string) => string }) => Promise<unknown>;
+  export default createEncoder;
 }
 
 /** Vite: the address of a file that is shipped beside the bundle. */

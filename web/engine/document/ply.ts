@@ -8,7 +8,7 @@ import { counted } from '../core/words';
 import type { SourceFile } from './model';
 import { readPlyHeader } from './ply_header';
 import type { PlyElement, PlyHeader, PlyProperty, PlyType } from './ply_header';
-import { describeTooLarge, triangulatePolygon } from './polygon';
+import { describeTooLarge, trianglesOfPolygon } from './polygon';
 import type { SurfaceFile } from './surface';
 import { excerpt, TextScanner } from './text_scanner';
 import { attributesOfRaw } from './vertex_values';
@@ -194,21 +194,11 @@ function triangulate(file: string, { positions, cornerCounts, corners }: PlyCont
           `${file}, face ${face}: it names vertex ${vertex | 0}, but vertices go from 0 to ${vertexCount - 1}: export it again.`,
         );
     if (polygon.length > 3) polygons += 1;
-    const triangles = trianglesOf(polygon, positions);
+    const triangles = trianglesOfPolygon(polygon, positions);
     if (triangles === null) throw new Error(`${file}, face ${face}: ${describeTooLarge(polygon.length)}.`);
     for (const vertex of triangles) indices.push(vertex);
   }
   return { indices: indices.finish(), polygons };
-}
-
-/** A polygon with fewer than three distinct corners becomes one degenerate triangle, which welding counts. */
-function trianglesOf(polygon: number[], positions: Float32Array): number[] | null {
-  const corners = polygon.filter(
-    (vertex, i) => vertex !== polygon[(i + polygon.length - 1) % polygon.length],
-  );
-  if (corners.length === 0) return polygon.length > 0 ? [polygon[0], polygon[0], polygon[0]] : [];
-  while (corners.length < 3) corners.push(corners[corners.length - 1]);
-  return triangulatePolygon(corners, positions);
 }
 
 function textSource(file: SourceFile, header: PlyHeader): ValueSource {

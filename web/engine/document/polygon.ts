@@ -36,6 +36,19 @@ export function triangulatePolygon(corners: number[], positions: Float32Array): 
   return fan(corners, 0);
 }
 
+/**
+ * As `triangulatePolygon`, of corners that may repeat: a polygon with fewer than three distinct ones becomes one degenerate triangle,
+ * which welding counts; one without corners becomes none.
+ */
+export function trianglesOfPolygon(polygon: number[], positions: Float32Array): number[] | null {
+  const corners = polygon.filter(
+    (vertex, i) => vertex !== polygon[(i + polygon.length - 1) % polygon.length],
+  );
+  if (corners.length === 0) return polygon.length > 0 ? [polygon[0], polygon[0], polygon[0]] : [];
+  while (corners.length < 3) corners.push(corners[corners.length - 1]);
+  return triangulatePolygon(corners, positions);
+}
+
 /** Why a polygon could not be triangulated, as a clause. */
 export const describeTooLarge = (corners: number): string =>
   `a face has ${corners.toLocaleString('en-US')} corners and is not convex, of such at most ${MOST_CORNERS.toLocaleString('en-US')} can be cut into triangles: triangulate it before the export`;

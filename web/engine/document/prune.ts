@@ -107,13 +107,18 @@ function makeSumsOne(arrays: Float32Array[]): void {
   }
 }
 
-/** Disposes of data, textures, skins and extensions that nothing refers to; nodes, materials and cameras stay. */
-export function disposeUnused(document: Document, replaced: Set<Primitive>): void {
+/**
+ * Disposes of data, textures, skins and extensions that nothing refers to; nodes, materials and cameras stay. With `keepsNumbers`, so do
+ * skins, textures and what extensions list, which others may refer to by number.
+ */
+export function disposeUnused(document: Document, replaced: Set<Primitive>, keepsNumbers: boolean): void {
   const root = document.getRoot();
   const isUnused = (property: Property) => property.listParents().every((parent) => parent === root);
-  for (const extension of root.listExtensionsUsed()) disposeOrphans(extension);
-  for (const skin of root.listSkins()) if (isUnused(skin)) skin.dispose();
-  for (const texture of root.listTextures()) if (isUnused(texture)) texture.dispose();
+  if (!keepsNumbers) {
+    for (const extension of root.listExtensionsUsed()) disposeOrphans(extension);
+    for (const skin of root.listSkins()) if (isUnused(skin)) skin.dispose();
+    for (const texture of root.listTextures()) if (isUnused(texture)) texture.dispose();
+  }
   for (const accessor of root.listAccessors()) if (isUnused(accessor)) accessor.dispose();
   const kept = primitivesOf(document).filter((primitive) => !replaced.has(primitive));
   for (const extension of root.listExtensionsUsed())
@@ -135,7 +140,7 @@ function disposeOrphans(extension: Extension): void {
 
 function isNeeded(document: Document, extension: Extension, kept: Primitive[]): boolean {
   const name = extension.extensionName;
-  // Output is never compressed.
+  // What is written decides anew whether it is compressed.
   if (COMPRESSIONS.includes(name)) return false;
   return Object.hasOwn(NEEDED_BY, name)
     ? NEEDED_BY[name](document, kept)

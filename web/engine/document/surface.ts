@@ -29,6 +29,8 @@ export interface SurfaceFile {
   notes: string[];
   /** content of the file that is dropped, in plain words */
   unread: string[];
+  /** names of the material libraries of an OBJ */
+  libraries?: string[];
 }
 
 export function modelOfSurfaces(name: string, format: Format, file: SurfaceFile): OpenModel {
@@ -46,7 +48,8 @@ export function modelOfSurfaces(name: string, format: Format, file: SurfaceFile)
     const spans = parts.map(({ first }, primitive) => ({ primitive, first, firstVertex: 0 }));
     return { name: surface.name, positions, indices, notes, mesh: index, spans, scale: 1 };
   });
-  return { name, format, document, bodies, notes: file.notes, unread: file.unread };
+  const { notes, unread, libraries = [] } = file;
+  return { name, format, document, bodies, notes, unread, libraries };
 }
 
 /** One primitive per part; all share the vertices. */

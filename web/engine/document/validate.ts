@@ -1,5 +1,10 @@
 /** The Khronos validator, loaded when it is first needed. */
 
+import { unpacked } from './archive/read_zip';
+import { companionPath } from './checks/companions';
+import { isGlb } from './glb';
+import type { SourceFile } from './model';
+
 export interface Validation {
   errors: number;
   warnings: number;
@@ -17,14 +22,38 @@ interface ValidatorMessage {
 const ERROR = 0;
 const WARNING = 1;
 
-export async function validateGlb(bytes: Uint8Array): Promise<Validation> {
+export const validateGlb = (bytes: Uint8Array): Promise<Validation> => validate(bytes, 'glb', []);
+
+/** The first of the files, which is a GLB, a glTF with the others beside it, or a ZIP of these; null for other formats. */
+export async function validateFiles(files: SourceFile[]): Promise<Validation | null> {
+  const all = unpacked(files);
+  const main = all.find(({ name }) => /\.gl(b|tf)$/i.test(name));
+  if (!main) return null;
+  return validate(main.bytes, isGlb(main.bytes) ? 'glb' : 'gltf', all);
+}
+
+/** The errors of `result`, each with its code, of which `input` has fewer; all of them where there is no input to compare with. */
+export function addedErrors(result: Validation, input: Validation | null): string[] {
+  const codeOf = (message: string) => message.replace(/ at .*/s, '');
+  const counts = new Map<string, number>();
+  for (const message of input?.messages.slice(0, input.errors) ?? [])
+    counts.set(codeOf(message), (counts.get(codeOf(message)) ?? 0) + 1);
+  return result.messages.slice(0, result.errors).filter((message) => {
+    const left = counts.get(codeOf(message)) ?? 0;
+    counts.set(codeOf(message), left - 1);
+    return left <= 0;
+  });
+}
+
+async function validate(bytes: Uint8Array, format: 'glb' | 'gltf', files: SourceFile[]): Promise<Validation> {
   const { validateBytes } = await import('gltf-validator');
   const report = await validateBytes(bytes, {
-    format: 'glb',
+    format,
     maxIssues: 1000,
     writeTimestamp: false,
     // Images that were not there stay references, which are not followed.
     ignoredIssues: ['IO_ERROR'],
+    externalResourceFunction: (uri) => readCompanion(files, uri),
   });
   const { numErrors, numWarnings, messages } = report.issues;
   const described = (severity: number) =>
@@ -36,6 +65,12 @@ export async function validateGlb(bytes: Uint8Array): Promise<Validation> {
     warnings: numWarnings,
     messages: [...described(ERROR), ...described(WARNING)],
   };
+}
+
+function readCompanion(files: SourceFile[], uri: string): Promise<Uint8Array> {
+  const path = companionPath('', uri);
+  const file = files.find(({ name }) => name === path || name.endsWith(`/${path}`));
+  return file ? Promise.resolve(file.bytes) : Promise.reject(new Error('It is not there.'));
 }
 
 /** At most as many characters of the validator's words stand in a sentence. */

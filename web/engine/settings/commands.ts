@@ -6,7 +6,7 @@ import type { Command, OptionGroup } from './types';
 
 /** Groups of which a command takes every setting; a row can name further commands. */
 export const COMMAND_GROUPS: Record<Command, readonly OptionGroup[]> = {
-  optimize: ['target', 'method', 'motion', 'material', 'solver', 'common'],
+  optimize: ['target', 'method', 'motion', 'material', 'solver', 'output', 'common'],
   tune: ['solver', 'material', 'common'],
   modes: ['motion', 'material', 'common'],
   compare: ['material', 'common'],

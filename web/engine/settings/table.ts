@@ -5,6 +5,7 @@
  */
 
 import { describeMethods, METHOD_NAMES } from '../core/methods';
+import { COMPRESSIONS, FORMAT_CHOICES, LEVEL_STYLES } from '../core/output_words';
 import { describeScenarios, SCENARIO_NAMES } from '../core/scenarios';
 import { describeSolvers, SOLVER_NAMES } from '../solvers/profiles';
 import type { OptionOf, OptionSpec, SettingValue } from './types';
@@ -581,6 +582,45 @@ const ROWS = {
     group: 'simulation',
     commands: ['optimize'],
     page: 'simulation',
+  },
+  /** of the result; see write/output_form.ts */
+  format: {
+    kind: 'choice',
+    flag: 'format',
+    label: 'Format',
+    default: 'auto',
+    help: 'The format of OUT; auto goes by its ending: .glb, .gltf (with .bin and images beside it), .obj (with .mtl and images), .ply, or one of these with .zip after it; .zip alone holds the format of IN.',
+    group: 'output',
+    choices: FORMAT_CHOICES,
+  },
+  /** how the result stores its vertices; see write/compression.ts */
+  compress: {
+    kind: 'choice',
+    flag: 'compress',
+    label: 'Compression',
+    default: 'like-input',
+    help: 'How GLB and glTF store vertices: like-input (as IN does), none, quantized (KHR_mesh_quantization), meshopt (EXT_meshopt_compression) or draco (KHR_draco_mesh_compression). The last three round what the input has as floats.',
+    group: 'output',
+    choices: COMPRESSIONS,
+  },
+  lodStyle: {
+    kind: 'choice',
+    flag: 'lod-style',
+    label: 'Levels go into',
+    default: 'files',
+    help: 'Where the levels of --lods go: files (OUT_lod1 and so on), msft (into OUT by MSFT_lod), nodes (into OUT as nodes NAME_LOD0, NAME_LOD1 and so on, all of them shown where a viewer does not know the names).',
+    group: 'output',
+    choices: LEVEL_STYLES,
+  },
+  /** names of extensions that are left out where they cannot be carried; see document/extensions */
+  dropExtensions: {
+    kind: 'pattern',
+    flag: 'drop-extensions',
+    label: 'Leave out extensions',
+    default: '',
+    help: 'Extensions of glTF that may be left out where they refer to what changes; without it such a file is refused. In names * stands for any letters, ? for one, | for or.',
+    group: 'output',
+    isOfFile: true,
   },
   /** the bodies to work on, by name, see name_pattern.ts; '' for all */
   mesh: {

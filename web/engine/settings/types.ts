@@ -5,7 +5,8 @@ export const COMMANDS = ['optimize', 'tune', 'modes', 'compare', 'simulate', 'in
 export type Command = (typeof COMMANDS)[number];
 
 /** A section of the help; it also decides which commands take the flag, see commands.ts. */
-export type OptionGroup = 'target' | 'method' | 'motion' | 'material' | 'solver' | 'simulation' | 'common';
+export type OptionGroup =
+  'target' | 'method' | 'motion' | 'material' | 'solver' | 'simulation' | 'output' | 'common';
 
 /** A section of the page's panels that shows every number and switch of its own, in the order of the table. */
 export type PageSection = 'method' | 'limits' | 'reduction' | 'modes' | 'material' | 'simulation';

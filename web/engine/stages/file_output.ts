@@ -5,8 +5,12 @@ import { layeredFaces } from '../body/layers';
 import type { PreparedBody } from '../body/prepared_body';
 import type { MeshAt } from '../core/core';
 import { faceCount, sum } from '../core/mesh';
-import { exportGlb, renderVertices } from '../document/export';
-import type { ExportedBody } from '../document/export';
+import { renderVertices } from '../document/export';
+import type { SourceFile } from '../document/model';
+import { exportFiles } from '../document/write/export_files';
+import type { ExportedLevels } from '../document/write/export_files';
+import { outputForm } from '../document/write/output_form';
+import type { OutputForm, OutputManner } from '../document/write/output_form';
 import { writeBinding } from '../report/binding_file';
 import { meshReport } from '../report/mesh_report';
 import { calibrationReport } from '../report/motion_report';
@@ -30,7 +34,8 @@ import { tunedResultStage } from './tuned';
 
 /** A further level of detail, not yet written anywhere. */
 export interface LevelOutput {
-  bytes: Uint8Array;
+  /** none where the level is in the file of the first */
+  files: SourceFile[];
   faces: number;
   bodies: StoppedBody[];
   report: Omit<LevelReport, 'file'>;
@@ -58,20 +63,36 @@ export class FileOutput {
     return this.file.usable.map(({ run, i }) => run.get(stage, this.settingsFor<S>(i)));
   }
 
-  /** One GLB with the result of every body; bodies that do not take part stay as they are. */
-  glb(): Promise<Uint8Array> {
-    return this.write((run, i) => run.get(STAGES.written, runSettings(this.request, i)));
+  /** As `files`, of a GLB whatever the settings ask for. */
+  async glb(): Promise<Uint8Array> {
+    const [{ bytes }] = await this.write('model.glb', { format: 'glb', isZipped: false }, this.firstLevels());
+    return bytes;
+  }
+
+  /**
+   * The file `name`, in the format of its ending or of the settings, and those beside it, with the result of every body; bodies that do
+   * not take part stay as they are. Throws an Error with one sentence where name and format contradict each other.
+   */
+  files(name: string): Promise<SourceFile[]> {
+    return this.write(name, this.formOf(name), this.firstLevels());
+  }
+
+  /** Whether further levels are files of their own. */
+  get hasLevelFiles(): boolean {
+    return this.request.settings.lodStyle === 'files';
   }
 
   get levelCount(): number {
     return this.request.settings.lods.length;
   }
 
-  /** The further level `number`, from 0, of all bodies. */
-  async level(number: number): Promise<LevelOutput> {
-    const bytes = await this.write(
-      (run, i) => run.get(STAGES.writtenLevels, runSettings(this.request, i))[number],
-    );
+  /** The further level `number`, from 0, of all bodies; `name`: of its file, where it has one of its own. */
+  async level(number: number, name: string): Promise<LevelOutput> {
+    const one = (run: BodyRun, i: number): ExportedLevels => ({
+      first: run.get(STAGES.writtenLevels, runSettings(this.request, i))[number],
+      further: [],
+    });
+    const files = this.hasLevelFiles ? await this.write(name, this.formOf(name), one) : [];
     const levels = this.values(STAGES.furtherLevels).map((all) => all[number]);
     const histories = this.values(STAGES.history);
     const bodies = levels.map(({ result, targetFaces, guard }, i): StoppedBody => ({
@@ -87,7 +108,7 @@ export class FileOutput {
       surface: worstSurface(levels.map(({ measured }) => measured.distance)),
       stop: stopReport(bodies),
     };
-    return { bytes, faces: sum(bodies.map(({ faces }) => faces)), bodies, report };
+    return { files, faces: sum(bodies.map(({ faces }) => faces)), bodies, report };
   }
 
   /** The text of the binding file. */
@@ -205,9 +226,37 @@ export class FileOutput {
     return runSettings(this.request, i) as SettingsOf<S>;
   }
 
-  private write(exported: (run: BodyRun, i: number) => ExportedBody): Promise<Uint8Array> {
+  private formOf(name: string): OutputForm {
+    return outputForm(name, this.request.settings.format, this.file.model.format);
+  }
+
+  /** The result of a body, with the further levels that go into its file. */
+  private firstLevels(): (run: BodyRun, i: number) => ExportedLevels {
+    return (run, i) => {
+      const settings = runSettings(this.request, i);
+      const first = run.get(STAGES.written, settings);
+      if (this.hasLevelFiles || this.levelCount === 0) return { first, further: [] };
+      const measured = run
+        .get(STAGES.furtherLevels, settings)
+        .map((level) => level.measured.distance.hausdorff);
+      const written = run.get(STAGES.writtenLevels, settings);
+      return { first, further: written.map((exported, n) => ({ exported, deviation: measured[n] })) };
+    };
+  }
+
+  private write(
+    name: string,
+    form: OutputForm,
+    exported: (run: BodyRun, i: number) => ExportedLevels,
+  ): Promise<SourceFile[]> {
     const { model, runs } = this.file;
+    const { settings, fields, binding = false } = this.request;
+    const manner: OutputManner = {
+      compression: settings.compress,
+      style: settings.lodStyle,
+      keepsOrder: binding || settings.solver !== 'none',
+    };
     const bodies = runs.map((run, i) => run && exported(run, i));
-    return exportGlb(model, bodies, { fields: this.request.fields });
+    return exportFiles(model, bodies, { name, form, manner, fields });
   }
 }

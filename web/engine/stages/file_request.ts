@@ -15,6 +15,8 @@ export interface FileRequest {
   levelTargets?: number[][];
   /** whether strain and curvature are written as attributes */
   fields: boolean;
+  /** whether a binding file is written, which counts vertices of the result */
+  binding?: boolean;
 }
 
 /** The settings of the run over body `i`. */
@@ -29,8 +31,18 @@ export const runSettings = (
 });
 
 /** Text that is equal for two requests where the same file, with the same further levels, comes of both. */
-export function keyOfFile({ settings, targets, levelTargets = [], fields }: FileRequest): string {
+export function keyOfFile({
+  settings,
+  targets,
+  levelTargets = [],
+  fields,
+  binding = false,
+}: FileRequest): string {
   const shared = { ...settings, fields, targetFaces: 0 };
   const keys = [STAGES.written, STAGES.writtenLevels].map((stage) => keyOf(stage, shared));
-  return [...keys, String(settings.perBody), targets.join(' '), ...levelTargets.map(String)].join('\n');
+  const { format, compress, lodStyle } = settings;
+  const written = [format, compress, lodStyle, String(binding)].join(' ');
+  return [...keys, written, String(settings.perBody), targets.join(' '), ...levelTargets.map(String)].join(
+    '\n',
+  );
 }

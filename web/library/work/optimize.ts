@@ -1,7 +1,6 @@
 /** Optimizes a model. */
 
 import { describeSolve } from '../../engine/body/health';
-import { droppedByExport } from '../../engine/document/export';
 import { describeLargeFit } from '../../engine/report/fit_words';
 import { settingsAsUsed } from '../../engine/report/report';
 import type { Report } from '../../engine/report/report';
@@ -12,6 +11,7 @@ import type { FileRequest } from '../../engine/stages/file_request';
 import { requestFile } from '../../engine/stages/budget/file_targets';
 import type { FileRun } from '../../engine/stages/file_run';
 import { STAGES } from '../../engine/stages/stages';
+import { checkWritten } from '../../engine/stages/written_form';
 import type { Level } from '../options';
 import type { ModelFiles, OptimizeReply, OptimizeRequest } from '../protocol';
 import { inNames } from './session';
@@ -19,6 +19,8 @@ import type { WorkSession } from './session';
 import { checkTarget } from './settings';
 
 const DEFAULT_RATIO = 0.5;
+/** The format follows from the settings. */
+const NAME = 'model';
 
 /** Throws an Error where `faces` or `ratio` is no target. */
 export function checkTargets({ faces, ratio }: OptimizeRequest): void {
@@ -29,25 +31,26 @@ export function checkTargets({ faces, ratio }: OptimizeRequest): void {
 
 export async function optimizeModel(
   session: WorkSession,
-  [files]: ModelFiles[],
+  [source]: ModelFiles[],
   options: OptimizeRequest,
 ): Promise<OptimizeReply> {
   const { settings, notes } = session;
-  const model = await session.open(files);
+  const model = await session.open(source);
   const load = session.lap();
+  const { lost } = checkWritten(model, session.chosen(model), { name: NAME, settings });
   const file = session.prepare(model, { guides: true });
   const weld = session.lap();
   const target = targetOf(session, options);
-  const request = requestFile(file, { settings, fields: options.fields ?? false, ...target });
+  const { fields = false, bind: binding = false } = options;
+  const request = requestFile(file, { settings, fields, binding, ...target });
   const output = new FileOutput(file, request);
   computeOutput(session, output);
   session.lap();
-  const glb = options.wantsBodies ? null : await output.glb();
+  const files = options.wantsBodies ? [] : await output.files(NAME);
   const bodies = options.wantsBodies ? writtenBodies(file, request) : [];
-  const binding = options.bind ? output.binding() : null;
+  const bindingFile = binding ? output.binding() : null;
   const settingsFile = settings.solver === 'none' ? null : output.settings();
-  const dropped = droppedByExport(model);
-  if (dropped.length > 0) notes.push(`the result leaves out ${dropped.join(', ')}`);
+  if (lost.length > 0) notes.push(`the result leaves out ${lost.join(', ')}`);
   const exportTime = session.lap();
   const levels = await furtherLevels(output);
   const levelsTime = session.lap();
@@ -61,7 +64,11 @@ export async function optimizeModel(
     ...(levels.length > 0 ? { levels: levelsTime } : {}),
     total: session.total(),
   };
-  return { glb, bodies, binding, settingsFile, levels, notes, report: finished(session, report) };
+  return {
+    ...{ files, bodies, settingsFile, levels, notes },
+    binding: bindingFile,
+    report: finished(session, report),
+  };
 }
 
 /** The report with the memory as it is at the end. */
@@ -95,8 +102,8 @@ const writtenBodies = (file: FileRun, request: FileRequest): OptimizeReply['bodi
 async function furtherLevels(output: FileOutput): Promise<Level[]> {
   const levels: Level[] = [];
   for (let i = 0; i < output.levelCount; ++i) {
-    const { bytes, report } = await output.level(i);
-    levels.push({ glb: bytes, report: { file: `lod${i + 1}`, ...report } });
+    const { files, report } = await output.level(i, NAME);
+    levels.push({ glb: files[0]?.bytes ?? null, files, report: { file: `lod${i + 1}`, ...report } });
   }
   return levels;
 }

@@ -2,6 +2,7 @@
 
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import type { Validation } from '../../../engine/document/validate';
+import type { Compression } from '../../../engine/core/output_words';
 import { OPTIONS, checkSetting } from '../../../engine/settings/options';
 import { reportAsCsv, reportAsMarkdown } from '../../../engine/report/report_text';
 import { readSetting } from '../../../engine/settings/setting_text';
@@ -12,7 +13,7 @@ import type { Refusal } from '../../state/refusal';
 import { client, exportedKey, exportRequest } from '../../state/runner';
 import { changeSettings, results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
-import { Section, Toggle } from '../../controls/controls';
+import { Section, Select, Toggle } from '../../controls/controls';
 import { count } from '../../controls/numbers';
 import { RefusedText } from '../../controls/refused_text';
 import { SolverSection } from './solver_section';
@@ -77,6 +78,14 @@ function LeftOut({ dropped }: { dropped: string[] }) {
   );
 }
 
+const COMPRESSION_NAMES: Record<string, string> = {
+  'like-input': 'as in the file',
+  none: 'none',
+  quantized: 'quantized',
+  meshopt: 'meshopt',
+  draco: 'Draco',
+};
+
 function Extras() {
   return (
     <>
@@ -89,6 +98,15 @@ function Extras() {
         label="Binding of the original's vertices"
         checked={wants.exportBinding.value}
         onChange={(checked) => (wants.exportBinding.value = checked)}
+      />
+      <Select
+        label={OPTIONS.compress.label}
+        options={OPTIONS.compress.choices.map((value) => ({
+          value,
+          text: COMPRESSION_NAMES[value] ?? value,
+        }))}
+        value={wants.settings.value.compress}
+        onChange={(compress) => changeSettings({ compress: compress as Compression })}
       />
       <Levels />
     </>

@@ -15,6 +15,8 @@ export interface FileAsked extends FaceTarget {
   settings: Settings;
   /** whether strain and curvature are written as attributes */
   fields: boolean;
+  /** whether a binding file is written, which counts vertices of the result */
+  binding?: boolean;
   /** faces of bodies that have a number of their own, by their numbers in the file; the target of the whole is that of the others */
   own?: ReadonlyMap<number, number>;
 }
@@ -23,7 +25,10 @@ export interface FileAsked extends FaceTarget {
  * The request for all bodies of a file: by one queue of errors over the scene, or with `perBody` the same share of each. Needs the
  * history of every body. The page, the command line and the library all ask for files through this.
  */
-export function requestFile(file: FileRun, { settings, fields, own, ...target }: FileAsked): FileRequest {
+export function requestFile(
+  file: FileRun,
+  { settings, fields, binding, own, ...target }: FileAsked,
+): FileRequest {
   const shared = file.usable.filter(({ i }) => !own?.has(i));
   const share = settings.perBody ? shareEach(file, shared, settings) : shareScene(file, shared, settings);
   const targetsFor = (asked: FaceTarget): number[] => {
@@ -34,6 +39,7 @@ export function requestFile(file: FileRun, { settings, fields, own, ...target }:
   return {
     settings,
     fields,
+    binding,
     faces: target.faces ?? undefined,
     targets: targetsFor(target),
     levelTargets: settings.lods.map((ratio) => targetsFor({ faces: null, ratio })),

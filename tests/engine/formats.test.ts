@@ -1,0 +1,294 @@
+import { NodeIO } from '@gltf-transform/core';
+import type { Document, Mesh } from '@gltf-transform/core';
+import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
+import { strFromU8, unzipSync, zipSync } from 'fflate';
+import { MeshoptDecoder } from 'meshoptimizer/decoder';
+import { MeshoptEncoder } from 'meshoptimizer/encoder';
+import { describe, expect, it } from 'vitest';
+import type { Compression, LevelStyle } from '../../web/engine/core/output_words';
+import { ownSources } from '../../web/engine/body/attributes';
+import type { ExportedBody } from '../../web/engine/document/export';
+import { openModel } from '../../web/engine/document/open';
+import type { Body, OpenModel, SourceFile } from '../../web/engine/document/open';
+import { glbParts, withJson } from '../../web/engine/document/glb';
+import { validateFiles } from '../../web/engine/document/validate';
+import { exportFiles } from '../../web/engine/document/write/export_files';
+import { formOfName, outputForm, withSuffix } from '../../web/engine/document/write/output_form';
+import { isOwnContent } from '../../web/cli/own_files';
+import { failureOf, textFile } from './support/files';
+import { addRichMesh, glbFile, startDocument } from './support/gltf';
+import { torus } from './support/shapes';
+
+function asResult(body: Body): ExportedBody {
+  const { positions, indices } = body;
+  const mesh = { positions, triangles: indices };
+  const inputOfTriangle = Uint32Array.from({ length: indices.length / 3 }, (_, t) => t);
+  return { body, mesh, inputOfTriangle, sources: ownSources(mesh), isFaceted: false };
+}
+
+interface Wanted {
+  compression?: Compression;
+  style?: LevelStyle;
+  levels?: number;
+}
+
+function write(
+  model: OpenModel,
+  name: string,
+  { compression = 'like-input', style = 'files', levels = 0 }: Wanted = {},
+) {
+  const form = formOfName(name, model.format)!;
+  const bodies = model.bodies.map((body) => ({
+    first: asResult(body),
+    further: Array.from({ length: levels }, (_, i) => ({ exported: asResult(body), deviation: i + 1 })),
+  }));
+  return exportFiles(model, bodies, {
+    name,
+    form,
+    manner: { compression, style, keepsOrder: false },
+    fields: false,
+  });
+}
+
+async function richModel(): Promise<OpenModel> {
+  const document = startDocument();
+  addRichMesh(document, 'rich', torus());
+  return openModel([await glbFile(document)]);
+}
+
+/** Per triangle the sorted texts of its corners: what two meshes have in common whatever the numbers of their vertices. */
+function trianglesOf({ bodies }: OpenModel, digits: number): string[] {
+  return bodies
+    .flatMap(({ positions, indices }) =>
+      Array.from({ length: indices.length / 3 }, (_, t) =>
+        [0, 1, 2]
+          .map((c) =>
+            [...positions.slice(3 * indices[3 * t + c], 3 * indices[3 * t + c] + 3)]
+              .map((value) => (Math.round(value * 10 ** digits) / 10 ** digits + 0).toFixed(digits))
+              .join(' '),
+          )
+          .sort()
+          .join(' | '),
+      ),
+    )
+    .sort();
+}
+
+const jsonOf = (glb: Uint8Array) =>
+  JSON.parse(new TextDecoder().decode(glbParts({ name: '', bytes: glb }).json)) as Record<string, never[]>;
+
+describe('a written file', () => {
+  it.each(['a.glb', 'a.gltf', 'a.obj', 'a.ply', 'a.zip', 'a.gltf.zip', 'a.obj.zip', 'a.ply.zip'])(
+    '%s has the triangles of the model when it is read again',
+    async (name) => {
+      const model = await richModel();
+      const files = await write(model, name);
+      const again = await openModel(files.filter((file) => !/\.(mtl)$/.test(file.name)));
+      expect(trianglesOf(again, 6)).toEqual(trianglesOf(model, 6));
+      expect((await validateFiles(files))?.errors ?? 0).toBe(0);
+      expect(name === 'a.glb' || isOwnContent(files[0].bytes)).toBe(true);
+      expect(await write(model, name)).toEqual(files);
+    },
+  );
+
+  it('of every compression keeps skin, morph target and animation, and the validator finds no error', async () => {
+    const model = await richModel();
+    for (const compression of ['quantized', 'meshopt', 'draco'] as const) {
+      const files = await write(model, 'a.glb', { compression });
+      const again = await openModel(files);
+      expect(again.stored?.kind).toBe(compression);
+      const root = again.document.getRoot();
+      expect([root.listSkins().length, root.listAnimations().length]).toEqual([1, 1]);
+      expect(root.listMeshes()[0].listPrimitives()[0].listTargets()).toHaveLength(1);
+      expect((await validateFiles(files))!.errors).toBe(0);
+      expect(again.bodies[0].indices).toHaveLength(model.bodies[0].indices.length);
+    }
+  });
+
+  it('is stored like its input, in steps of its input’s own grid', async () => {
+    for (const compression of ['quantized', 'meshopt', 'draco'] as const) {
+      const input = await write(await richModel(), 'a.glb', { compression });
+      const model = await openModel(input);
+      const output = await write(model, 'b.glb');
+      const again = await openModel(output);
+      expect(again.stored).toEqual(model.stored);
+      expect(trianglesOf(again, 3)).toEqual(trianglesOf(model, 3));
+      expect(output[0].bytes.length).toBeLessThan(1.1 * input[0].bytes.length);
+      const plain = await write(await richModel(), 'b.glb');
+      expect(output[0].bytes.length).toBeLessThan(0.8 * plain[0].bytes.length);
+    }
+  });
+
+  it('under the ratified name of meshopt is read and written under it', async () => {
+    const [{ bytes }] = await write(await richModel(), 'a.glb', { compression: 'meshopt' });
+    const text = JSON.stringify(jsonOf(bytes)).replaceAll('EXT_meshopt', 'KHR_meshopt');
+    const model = await openModel([{ name: 'k.glb', bytes: withJson(bytes, JSON.parse(text) as object) }]);
+    expect(model.stored).toEqual({ kind: 'meshopt', isRatified: true });
+    const [again] = await write(model, 'b.glb');
+    expect(jsonOf(again.bytes).extensionsRequired).toContain('KHR_meshopt_compression');
+    expect(JSON.stringify(jsonOf(again.bytes))).not.toContain('EXT_meshopt');
+    expect(trianglesOf(await openModel([again]), 5)).toEqual(trianglesOf(model, 5));
+  });
+
+  it('of meshopt is read by glTF-Transform itself', async () => {
+    const [{ bytes }] = await write(await richModel(), 'a.glb', { compression: 'meshopt' });
+    await Promise.all([MeshoptDecoder.ready, MeshoptEncoder.ready]);
+    const io = new NodeIO()
+      .registerExtensions(ALL_EXTENSIONS)
+      .registerDependencies({ 'meshopt.decoder': MeshoptDecoder });
+    const [mesh] = (await io.readBinary(bytes)).getRoot().listMeshes();
+    expect(mesh.listPrimitives()[0].getIndices()!.getCount()).toBe(torus().triangles.length);
+  });
+
+  it('has equal images once', async () => {
+    const document = startDocument();
+    const meshes = [addRichMesh(document, 'a', torus()), addRichMesh(document, 'b', torus())];
+    const [one, two] = meshes.map((mesh) => mesh.listPrimitives()[0].getMaterial()!.getBaseColorTexture()!);
+    expect(one.getImage()).toEqual(two.getImage());
+    const model = await openModel([await glbFile(document)]);
+    const images = jsonOf((await write(model, 'a.glb'))[0].bytes).images as { bufferView: number }[];
+    expect(images).toHaveLength(2);
+    expect(images[0].bufferView).toBe(images[1].bufferView);
+    const files = await write(model, 'a.gltf');
+    expect(files.map(({ name }) => name).sort()).toEqual(['a.bin', 'a.gltf', 'a_picture.png']);
+  });
+});
+
+describe('levels in one file', () => {
+  const nodesOf = (document: Document) => document.getRoot().listNodes();
+
+  it('are nodes by name below the node, all with the skin', async () => {
+    const files = await write(await richModel(), 'a.glb', { style: 'nodes', levels: 2 });
+    const { document } = await openModel(files);
+    const names = nodesOf(document).map((node) => node.getName());
+    const parent = nodesOf(document).find((node) => node.getName() === 'rich node')!;
+    expect(names).toEqual(expect.arrayContaining(['rich node_LOD0', 'rich node_LOD1', 'rich node_LOD2']));
+    const levels = parent.listChildren().filter((node) => node.getMesh());
+    expect(levels).toHaveLength(3);
+    expect(new Set(levels.map((node) => node.getSkin())).size).toBe(1);
+    expect(parent.getMesh()).toBeNull();
+    expect((await validateFiles(files))!.errors).toBe(0);
+  });
+
+  it('are named by MSFT_lod, coarser ones later, with falling coverage', async () => {
+    const files = await write(await richModel(), 'a.glb', { style: 'msft', levels: 2 });
+    const json = jsonOf(files[0].bytes) as unknown as {
+      nodes: {
+        mesh?: number;
+        extensions?: { MSFT_lod?: { ids: number[] } };
+        extras?: { MSFT_screencoverage: number[] };
+      }[];
+      extensionsUsed: string[];
+    };
+    const first = json.nodes.find((node) => node.extensions?.MSFT_lod)!;
+    const meshes = first.extensions!.MSFT_lod!.ids.map((id) => json.nodes[id].mesh);
+    expect(new Set([first.mesh, ...meshes]).size).toBe(3);
+    expect(json.extensionsUsed).toContain('MSFT_lod');
+    // 1 % and 2 % of the height are one line of 1080 at 100 / 1080 and half of it.
+    const [a, b, c] = first.extras!.MSFT_screencoverage;
+    expect(a).toBeCloseTo(100 / 1080, 9);
+    expect([b, c]).toEqual([a / 2, 0]);
+    expect((await validateFiles(files))!.errors).toBe(0);
+  });
+});
+
+describe('the name of a file', () => {
+  it('says the format', () => {
+    expect(formOfName('a.obj.zip', 'glb')).toEqual({ format: 'obj', isZipped: true });
+    expect(formOfName('a.zip', 'ply')).toEqual({ format: 'ply', isZipped: true });
+    expect(formOfName('a.zip', 'stl')).toEqual({ format: 'glb', isZipped: true });
+    expect(formOfName('a.txt', 'glb')).toBeNull();
+    expect(outputForm('a.zip', 'obj.zip', 'glb')).toEqual({ format: 'obj', isZipped: true });
+    expect(() => outputForm('a.glb', 'obj', 'glb')).toThrow(
+      'a.glb ends otherwise than .obj: give one of the two.',
+    );
+    expect(withSuffix('a.b.gltf.zip', '_lod1')).toBe('a.b_lod1.gltf.zip');
+  });
+});
+
+describe('a ZIP', () => {
+  const text = (words: string) => new TextEncoder().encode(words);
+  const SQUARE = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n';
+
+  it('is opened with what it holds, whatever systems add to it', async () => {
+    const bytes = zipSync({
+      'a/square.obj': text(SQUARE),
+      '__MACOSX/a/._square.obj': text('x'),
+      'a/.DS_Store': text('x'),
+    });
+    expect((await openModel([{ name: 'a.zip', bytes }])).bodies[0].indices).toHaveLength(6);
+  });
+
+  it('is refused where a file leads out of it or it announces more than it can hold', async () => {
+    const open = (name: string, bytes: Uint8Array): Promise<string> =>
+      failureOf(() => openModel([{ name, bytes }]));
+    for (const name of ['../x.obj', 'a/../../x.obj', '/etc/x.obj', 'C:x.obj', 'a\\..\\x.obj'])
+      expect(await open('slip.zip', zipSync({ [name]: text(SQUARE) }))).toMatch(
+        /^slip\.zip has a file that leads out/,
+      );
+    const bomb = zipSync({ 'x.obj': text(SQUARE) });
+    const view = new DataView(bomb.buffer);
+    for (let at = 0; at < bomb.length - 4; ++at)
+      if (view.getUint32(at, true) === 0x02014b50) view.setUint32(at + 24, 0x7fffffff, true);
+    expect(await open('bomb.zip', bomb)).toMatch(/^bomb\.zip announces more than it can hold/);
+    expect(await open('cut.zip', bomb.slice(0, 40))).toMatch(/^cut\.zip is damaged/);
+    expect(await open('empty.zip', zipSync({ 'a/': text('') }))).toMatch(/no file in it|damaged/);
+  });
+
+  it('holds the files that are written without it', async () => {
+    const model = await richModel();
+    const plain = await write(model, 'a.obj');
+    const held = unzipSync((await write(model, 'a.obj.zip'))[0].bytes);
+    expect(Object.keys(held)).toEqual(plain.map(({ name }) => name));
+    expect(strFromU8(held['a.obj'])).toBe(strFromU8(plain[0].bytes));
+  });
+});
+
+describe('OFF', () => {
+  const open = (words: string): Promise<OpenModel> => openModel([textFile('a.off', words)]);
+
+  it('is read with polygons, comments and colours', async () => {
+    const model = await open(
+      'COFF # a square\n# two lines\n4 1 0\n0 0 0 255 0 0 255\n1 0 0 255 0 0 255\n\n1 1 0 0 255 0 255 # c\n0 1 0 0 0 255 255\n4 0 1 2 3\n',
+    );
+    expect([...model.bodies[0].indices]).toEqual([0, 1, 2, 0, 2, 3]);
+    const [primitive] = (model.document.getRoot().listMeshes()[0] as Mesh).listPrimitives();
+    expect(primitive.getAttribute('COLOR_0')!.getElement(0, [])).toEqual([1, 0, 0]);
+    expect(model.bodies[0].notes[0]).toMatch(/^1 polygon/);
+  });
+
+  it('is read with normals and UVs, and without its keyword', async () => {
+    const model = await open(
+      'STNOFF\n3 1 3\n0 0 0 0 0 2 0 0\n1 0 0 0 0 2 1 0\n0 1 0 0 0 2 0 1\n3 0 1 2 1 0 0\n',
+    );
+    const [primitive] = model.document.getRoot().listMeshes()[0].listPrimitives();
+    expect(primitive.getAttribute('NORMAL')!.getElement(1, [])).toEqual([0, 0, 1]);
+    expect(primitive.getAttribute('TEXCOORD_0')!.getElement(2, [])).toEqual([0, 0]);
+    expect(model.unread).toEqual(['colours of faces']);
+    expect((await open('3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n')).bodies[0].indices).toHaveLength(3);
+  });
+
+  it.each([
+    ['OFF\n4000000000 1 0\n0 0 0\n', /a\.off, line \d+: the file ends too early/],
+    [
+      'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n',
+      /line 6: face 0 names vertex 3, but vertices go from 0 to 2/,
+    ],
+    ['OFF\n3 1 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n', /line 3: z is nan, not a finite number/],
+    ['OFF BINARY\n', /is binary OFF/],
+    ['4OFF\n3 1 0\n', /more than three dimensions/],
+    ['OFF\n-3 1 0\n', /-3 is not a number of vertices/],
+    ['OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n', /has no faces/],
+  ])('%j is refused', async (words, sentence) => {
+    expect(await failureOf(() => open(words))).toMatch(sentence);
+  });
+});
+
+describe('an OBJ', () => {
+  it('places instances and names materials and pictures', async () => {
+    const files: SourceFile[] = await write(await richModel(), 'a.obj');
+    expect(files.map(({ name }) => name)).toEqual(['a.obj', 'a.mtl', 'a_picture.png']);
+    expect(strFromU8(files[1].bytes)).toMatch(/newmtl rich material\nKd 1 1 1\n.*map_Kd a_picture\.png/s);
+    expect(strFromU8(files[0].bytes)).toMatch(/^# Limber .*\nmtllib a\.mtl\n/);
+  });
+});

@@ -1,0 +1,88 @@
+/** A written model with the files beside it: what they may be written over, and their writing. */
+
+import { existsSync, mkdirSync, readFileSync, statSync } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
+import type { OpenModel, SourceFile } from '../engine/document/open';
+import { companionsOf } from '../engine/document/write/export_files';
+import type { Companion } from '../engine/document/write/shared_images';
+import { checkWritten } from '../engine/stages/written_form';
+import { UsageError } from './failure';
+import { followLinks, identityOf } from './identity';
+import { levelFiles } from './levels';
+import { isOwnFile } from './own_files';
+import { save } from './session';
+import type { Session } from './session';
+import { STANDARD } from './standard';
+
+/** The name by which the engine knows an output. */
+export const fileName = (path: string): string => (path === STANDARD ? 'model' : basename(path));
+
+/**
+ * The form of OUT, and what it leaves out; all before the work. `chosen`: numbers of the bodies that change. Throws UsageError or
+ * another Error with one sentence where OUT, a level or a file beside one of them is not to be written.
+ */
+export function checkModelOutputs(
+  session: Session,
+  model: OpenModel,
+  chosen: number[],
+): ReturnType<typeof checkWritten> {
+  const { args, checked } = session;
+  const path = args.operands[1];
+  const written = checkWritten(model, chosen, { name: fileName(path), settings: args.settings });
+  const companions = (file: string) => companionsOf(model, fileName(file), written.form);
+  if (path === STANDARD && companions(path).length > 0)
+    throw new UsageError(
+      `stdout takes one file, and a .${written.form.format} has others beside it: name a file, or give --format ${written.form.format}.zip.`,
+    );
+  const taken = new Set(
+    checked.outputs.filter((one) => one.path !== STANDARD).map((one) => identityOf(one.path)),
+  );
+  for (const file of [path, ...levelFiles(args)])
+    for (const companion of companions(file)) checkCompanion(session, file, companion, taken);
+  return written;
+}
+
+function checkCompanion(
+  { args, checked }: Session,
+  model: string,
+  companion: Companion,
+  taken: Set<string>,
+): void {
+  const path = join(dirname(model), companion.name);
+  if (!existsSync(dirname(path))) return;
+  if (statSync(path, { throwIfNoEntry: false })?.isDirectory())
+    throw new UsageError(`${path}, which belongs to ${model}, is a folder: choose another name for OUT.`);
+  const identity = identityOf(path);
+  if (taken.has(identity))
+    throw new UsageError(
+      `${path}, which belongs to ${model}, is another output: choose another name for one of them.`,
+    );
+  // A picture that is there already need not be written.
+  if (companion.image && hasBytes(path, companion.image)) return;
+  if (checked.inputs.some((input) => identityOf(input) === identity))
+    throw new UsageError(
+      `${path}, which belongs to ${model}, belongs to the input: choose another name for OUT.`,
+    );
+  const isOwn = existsSync(model) && isOwnFile(followLinks(model));
+  if (existsSync(path) && !args.force && !isOwn)
+    throw new UsageError(
+      `${path}, which belongs to ${model}, exists: choose another name for OUT, or replace it with --force.`,
+    );
+}
+
+function hasBytes(path: string, bytes: Uint8Array): boolean {
+  if (statSync(path, { throwIfNoEntry: false })?.size !== bytes.length) return false;
+  return readFileSync(path).equals(bytes);
+}
+
+/** Writes what belongs to the model first, so that the model that names it is whole as soon as it is there. */
+export function saveFiles(session: Session, path: string, files: SourceFile[]): void {
+  const [main, ...others] = files;
+  for (const { name, bytes } of others) {
+    const own = join(dirname(path), name);
+    if (hasBytes(own, bytes)) continue;
+    mkdirSync(dirname(own), { recursive: true });
+    save(session, own, bytes);
+  }
+  save(session, path, main.bytes);
+}

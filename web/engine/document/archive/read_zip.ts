@@ -1,0 +1,68 @@
+/** Reads the files of a ZIP: a model with its companions. What is announced is compared with what is there before it is unpacked. */
+
+import { unzipSync } from 'fflate';
+import type { SourceFile } from '../model';
+
+/** Deflate makes at most so many bytes of one. */
+const MOST_PER_BYTE = 1032;
+/** What one archive may unpack to. */
+const MOST_BYTES = 2 ** 31;
+/** What systems add to archives: folders, hidden files, and what macOS keeps of its own. */
+const IGNORED = /(^|\/)(\.[^/]*|__MACOSX|Thumbs\.db|desktop\.ini)(\/|$)|\/$/i;
+/** Names that lead out of the folder, or that no folder has. */
+const ESCAPING = /(^|[/\\])\.\.([/\\]|$)|^[/\\]|^[a-z]:|\0|\\/i;
+
+export const isZip = ({ bytes }: SourceFile): boolean =>
+  bytes[0] === 0x50 && bytes[1] === 0x4b && bytes[2] === 0x03 && bytes[3] === 0x04;
+
+/** Throws an Error with one sentence where an entry leads out of the folder or asks for more than it can hold. */
+export function readZip({ name, bytes }: SourceFile): SourceFile[] {
+  let [unpacked, packed] = [0, 0];
+  const entries = readEntries(name, bytes, (entry) => {
+    if (ESCAPING.test(entry.name))
+      throw new Error(
+        `${name} has a file that leads out of its folder (${excerptOf(entry.name)}): pack it again without.`,
+      );
+    if (IGNORED.test(entry.name)) return false;
+    packed += entry.size;
+    unpacked += entry.originalSize;
+    if (packed > bytes.length || entry.originalSize > MOST_PER_BYTE * entry.size + 1024)
+      throw new Error(`${name} announces more than it can hold (${excerptOf(entry.name)}): pack it again.`);
+    if (unpacked > MOST_BYTES)
+      throw new Error(`${name} unpacks to more than 2 GB: split it into several files.`);
+    return true;
+  });
+  const files = Object.entries(entries).map(([own, content]) => ({ name: own, bytes: content }));
+  if (files.length === 0) throw new Error(`${name} has no file in it: pack the model with its files.`);
+  return files;
+}
+
+/** The archive and what is beside it, unpacked; other files as they are. */
+export const unpacked = (files: SourceFile[]): SourceFile[] =>
+  files.flatMap((file) => (isZip(file) ? readZip(file) : [file]));
+
+interface Entry {
+  name: string;
+  /** bytes as packed */
+  size: number;
+  originalSize: number;
+}
+
+function readEntries(
+  name: string,
+  bytes: Uint8Array,
+  isWanted: (entry: Entry) => boolean,
+): Record<string, Uint8Array> {
+  try {
+    return unzipSync(bytes, { filter: isWanted });
+  } catch (error) {
+    // Errors of the library have a code.
+    if (error instanceof Error && !('code' in error) && error.constructor === Error) throw error;
+    throw new Error(`${name} is damaged or encrypted, or packed in another way than deflate: pack it again.`);
+  }
+}
+
+const excerptOf = (text: string): string => {
+  const plain = text.replaceAll(/[^\x20-\x7e]/g, '?');
+  return plain.length > 60 ? `${plain.slice(0, 57)}...` : plain;
+};

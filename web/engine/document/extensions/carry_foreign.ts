@@ -1,0 +1,88 @@
+/** Writes the JSON of extensions that are not understood into the JSON of a result. */
+
+import type { GLTF } from '@gltf-transform/core';
+import { meshOfForeign } from './foreign';
+import type { Foreign, ForeignExtension } from './foreign';
+
+/** Collections whose entries keep their numbers, and new ones come after them. */
+const STABLE = 'scenes nodes meshes cameras skins animations materials images'.split(' ');
+
+type Json = Record<string, unknown>;
+
+/**
+ * Adds to `json`, which it changes, what can be carried. `source`: how many entries each list of the file had. `replaced`:
+ * numbers of the meshes whose primitives have new vertices.
+ */
+export function carryForeign(json: GLTF.IGLTF, foreign: Foreign, replaced: ReadonlySet<number>): void {
+  const written = new Set<string>();
+  const textureOf = textureNumbers(json, foreign);
+  for (const extension of foreign.extensions) {
+    if (extension.obstacle !== null || replaced.has(meshOfForeign(extension) ?? -1)) continue;
+    const holders = holdersOf(json, foreign, extension);
+    if (holders.length === 0) continue;
+    written.add(extension.name);
+    const value = withTextures(extension.value, '', textureOf);
+    for (const holder of holders)
+      holder.extensions = { ...(holder.extensions as object), [extension.name]: value };
+  }
+  // A name without any JSON is a statement about the whole file.
+  const found = new Set(foreign.extensions.map(({ name }) => name));
+  const isListed = (name: string) => written.has(name) || !found.has(name);
+  addNames(json, 'extensionsUsed', foreign.listed.used.filter(isListed));
+  addNames(json, 'extensionsRequired', foreign.listed.required.filter(isListed));
+}
+
+function addNames(json: GLTF.IGLTF, list: 'extensionsUsed' | 'extensionsRequired', names: string[]): void {
+  if (names.length > 0) json[list] = [...new Set([...(json[list] ?? []), ...names])];
+}
+
+/** The objects of the result at the place of the extension. */
+function holdersOf(json: GLTF.IGLTF, { textures }: Foreign, { path }: ForeignExtension): Json[] {
+  if (path[0] === 'textures' && path.length === 2) {
+    const old = textures[Number(path[1])];
+    return (json.textures ?? []).filter((texture) => texture.source === old.source) as unknown as Json[];
+  }
+  if (path.length > 0 && path[0] !== 'extensions' && !STABLE.includes(String(path[0]))) return [];
+  let holder: unknown = json;
+  for (const step of path) {
+    if (typeof holder !== 'object' || holder === null) return [];
+    holder = (holder as Json)[step];
+  }
+  return typeof holder === 'object' && holder !== null ? [holder as Json] : [];
+}
+
+/** The number in the result of a texture of the file, which is added when it is first asked for. */
+function textureNumbers(json: GLTF.IGLTF, { textures, samplers }: Foreign): (old: number) => number {
+  const known = new Map<number, number>();
+  return (old) => {
+    const number = known.get(old);
+    if (number !== undefined || !textures[old]) return number ?? old;
+    const { sampler, ...texture } = textures[old];
+    json.textures ??= [];
+    if (sampler !== undefined && samplers[sampler]) {
+      json.samplers ??= [];
+      json.samplers.push(samplers[sampler]);
+      json.textures.push({ ...texture, sampler: json.samplers.length - 1 });
+    } else json.textures.push(texture);
+    known.set(old, json.textures.length - 1);
+    return json.textures.length - 1;
+  };
+}
+
+/**
+ * A copy of the value with the numbers of textures as in the result: those of objects such as glTF's own infos on textures
+ * ("shadeMultiplyTexture": { "index": 3 }), and those that VRM 0 has under "texture" and in "textureProperties".
+ */
+function withTextures(value: unknown, key: string, textureOf: (old: number) => number): unknown {
+  if (Number.isInteger(value) && key === 'texture') return textureOf(value as number);
+  if (typeof value !== 'object' || value === null) return value;
+  if (Array.isArray(value)) return value.map((entry) => withTextures(entry, '', textureOf));
+  const isInfo = /texture$/i.test(key);
+  return Object.fromEntries(
+    Object.entries(value).map(([name, child]) => {
+      const isNumber =
+        Number.isInteger(child) && ((isInfo && name === 'index') || key === 'textureProperties');
+      return [name, isNumber ? textureOf(child as number) : withTextures(child, name, textureOf)];
+    }),
+  );
+}

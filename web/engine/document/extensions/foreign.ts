@@ -1,0 +1,102 @@
+/**
+ * Extensions that the reader does not understand. Their JSON is carried over as it is, since scenes, nodes, meshes, cameras,
+ * skins, animations, materials and images keep their numbers; what could refer to anything else is refused by name.
+ */
+
+import type { GLTF } from '@gltf-transform/core';
+import { SUPPORTED_EXTENSIONS } from '../gltf_io';
+
+/** The JSON of one extension at one place of a file. */
+export interface ForeignExtension {
+  name: string;
+  /** keys from the root of the JSON to the object that has the extension */
+  path: (string | number)[];
+  value: unknown;
+  /** why it cannot be carried, as a clause; null: it can be unless the mesh that it is on changes */
+  obstacle: string | null;
+}
+
+/** What a file has that its document has not. */
+export interface Foreign {
+  extensions: ForeignExtension[];
+  /** names that are listed as used, understood or not */
+  listed: { used: string[]; required: string[] };
+  /** the textures and samplers of the file, which extensions can refer to */
+  textures: GLTF.ITexture[];
+  samplers: GLTF.ISampler[];
+}
+
+/** Extensions that say nothing of how vertices are stored, so that a file may require them. */
+const HARMLESS = /^(KHR_animation_pointer|KHR_interactivity|VRM.*|MSFT_lod)$/;
+
+/** Whether a file that requires the extension can be read all the same. */
+export const canBeCarried = (name: string): boolean => HARMLESS.test(name);
+
+/** Collections whose entries get other numbers when a document is written. */
+const RENUMBERED = new Set(['accessors', 'bufferViews', 'buffers', 'samplers']);
+/** Keys under which extensions name entries of these by number. */
+const NAMES_DATA = /^(accessors?|bufferViews?|buffers?|samplers?|indices|attributes)$/i;
+
+type Json = Record<string, unknown>;
+
+export function foreignOf(json: GLTF.IGLTF): Foreign | null {
+  const extensions: ForeignExtension[] = [];
+  collect(json as unknown as Json, [], extensions);
+  const used = (json.extensionsUsed ?? []).filter(isForeign);
+  if (extensions.length === 0 && used.length === 0) return null;
+  const required = (json.extensionsRequired ?? []).filter(isForeign);
+  const { textures = [], samplers = [] } = json;
+  return { extensions, listed: { used, required }, textures, samplers };
+}
+
+const isForeign = (name: string): boolean => !SUPPORTED_EXTENSIONS.has(name);
+const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null;
+
+function collect(value: Json, path: (string | number)[], found: ForeignExtension[]): void {
+  for (const [key, child] of Object.entries(value)) {
+    if (key === 'extras' || !isObject(child)) continue;
+    const step = Array.isArray(value) ? Number(key) : key;
+    if (key !== 'extensions' || Array.isArray(value)) collect(child, [...path, step], found);
+    else
+      for (const [name, own] of Object.entries(child)) {
+        if (isForeign(name)) found.push({ name, path, value: own, obstacle: obstacleTo(path, own) });
+        else if (isObject(own)) collect(own, [...path, 'extensions', name], found);
+      }
+  }
+}
+
+function obstacleTo(path: (string | number)[], value: unknown): string | null {
+  if (RENUMBERED.has(String(path[0]))) return 'which is written anew';
+  const key = dataKeyIn(value);
+  return key === null ? null : `and its "${key}" refers to data that is written anew`;
+}
+
+/** The first key that names accessors and the like by number; null without one. */
+function dataKeyIn(value: unknown): string | null {
+  if (!isObject(value)) return null;
+  for (const [key, child] of Object.entries(value)) {
+    if (!Array.isArray(value) && NAMES_DATA.test(key) && hasIndices(child)) return key;
+    const inside = dataKeyIn(child);
+    if (inside !== null) return inside;
+  }
+  return null;
+}
+
+const hasIndices = (value: unknown): boolean =>
+  Number.isInteger(value) || (isObject(value) && Object.values(value).some((one) => Number.isInteger(one)));
+
+/** "mesh 3, primitive 0" */
+export function describePath(path: (string | number)[]): string {
+  const words = path
+    .slice(0, 4)
+    .flatMap((step, i) =>
+      typeof path[i + 1] === 'number' ? [`${singular(String(step))} ${path[i + 1]}`] : [],
+    );
+  return words.length > 0 ? words.join(', ') : 'the file';
+}
+
+const singular = (list: string): string => (list === 'meshes' ? 'mesh' : list.replace(/s$/, ''));
+
+/** The number of the mesh whose vertices the extension is about; null where it is about none. */
+export const meshOfForeign = ({ path }: ForeignExtension): number | null =>
+  path[0] === 'meshes' && path[2] === 'primitives' ? Number(path[1]) : null;

@@ -1,0 +1,183 @@
+/** How vertices are stored in a file, and how a document is made to be written so. */
+
+import type { Accessor, Document, GLTF, Primitive } from '@gltf-transform/core';
+import { EXTMeshoptCompression, KHRDracoMeshCompression } from '@gltf-transform/extensions';
+import type { Compression } from '../../core/output_words';
+import { DRACO, loadMeshoptEncoder, MESHOPT, RATIFIED_MESHOPT } from '../gltf_io';
+
+/** How the vertices of a file are stored. */
+export interface Stored {
+  kind: Exclude<Compression, 'like-input'>;
+  /** whether it calls meshopt by its ratified name */
+  isRatified?: true;
+}
+
+/** glTF's primitive mode. */
+const TRIANGLES = 4;
+/** With this many vertices or more, indices need 32 bits. */
+const MANY_VERTICES = 65535;
+const UNUSED = 0xffffffff;
+/** Bits of positions: all 16 cost nothing where nothing is packed after them. */
+const POSITION_BITS = { quantized: 16, meshopt: 14 } as const;
+
+/** How the file of this JSON stores its vertices, by what it has, not by what it announces. */
+export function storedIn(json: GLTF.IGLTF): Stored {
+  const primitives = (json.meshes ?? []).flatMap((mesh) => mesh.primitives ?? []);
+  const views = json.bufferViews ?? [];
+  const has = (holder: { extensions?: object }, name: string) => Object.hasOwn(holder.extensions ?? {}, name);
+  if (primitives.some((primitive) => has(primitive, DRACO))) return { kind: 'draco' };
+  if (views.some((view) => has(view, RATIFIED_MESHOPT))) return { kind: 'meshopt', isRatified: true };
+  if (views.some((view) => has(view, MESHOPT))) return { kind: 'meshopt' };
+  const isQuantized = (json.extensionsUsed ?? []).includes('KHR_mesh_quantization');
+  return { kind: isQuantized ? 'quantized' : 'none' };
+}
+
+/** The JSON with the ratified name of meshopt's extension replaced by the one that the reader knows; the format is the same. */
+export function withKnownNames(json: GLTF.IGLTF): GLTF.IGLTF {
+  return renameExtension(json, RATIFIED_MESHOPT, MESHOPT);
+}
+
+/** The JSON with one extension of its buffers and their views under another name; the JSON itself where it has none. */
+export function renameExtension(json: GLTF.IGLTF, from: string, to: string): GLTF.IGLTF {
+  if (!json.extensionsUsed?.includes(from)) return json;
+  const renamed = (names?: string[]) =>
+    names && [...new Set(names.map((name) => (name === from ? to : name)))];
+  const inside = <T extends { extensions?: Record<string, unknown> }>(holder: T): T => {
+    if (!holder.extensions || !Object.hasOwn(holder.extensions, from)) return holder;
+    const { [from]: value, ...others } = holder.extensions;
+    return { ...holder, extensions: { ...others, [to]: value } };
+  };
+  return {
+    ...json,
+    extensionsUsed: renamed(json.extensionsUsed),
+    ...(json.extensionsRequired ? { extensionsRequired: renamed(json.extensionsRequired) } : {}),
+    ...(json.buffers ? { buffers: json.buffers.map(inside) } : {}),
+    ...(json.bufferViews ? { bufferViews: json.bufferViews.map(inside) } : {}),
+  } as GLTF.IGLTF;
+}
+
+export interface CompressionRequest {
+  kind: Stored['kind'];
+  /** whether attributes are made smaller first; false: they are stored as they are */
+  quantizes: boolean;
+  /** whether vertices and triangles keep their order, because another file counts them */
+  keepsOrder: boolean;
+  /** the primitives that are written anew; others keep their order */
+  replaced: ReadonlySet<Primitive>;
+  /** whether positions may move into other nodes, which quantized ones do */
+  keepsNodes: boolean;
+}
+
+/** Prepares the document for being written compressed: its writer packs the data. */
+export async function compress(document: Document, request: CompressionRequest): Promise<void> {
+  const { kind, quantizes, keepsOrder, replaced } = request;
+  if (kind === 'none') return;
+  if (kind === 'draco') {
+    unshare(document);
+    const { EDGEBREAKER, SEQUENTIAL } = KHRDracoMeshCompression.EncoderMethod;
+    const method = keepsOrder ? SEQUENTIAL : EDGEBREAKER;
+    document.createExtension(KHRDracoMeshCompression).setRequired(true).setEncoderOptions({ method });
+    return;
+  }
+  if (kind === 'meshopt' && !keepsOrder) {
+    const encoder = await loadMeshoptEncoder();
+    for (const primitive of replaced) reorder(primitive, encoder.reorderMesh);
+  }
+  if (quantizes) await quantizeAll(document, request);
+  if (kind === 'meshopt') document.createExtension(EXTMeshoptCompression).setRequired(true);
+}
+
+/** Attributes of the document as integers; positions of a mesh in a box of its own. */
+async function quantizeAll(document: Document, { kind, keepsNodes }: CompressionRequest): Promise<void> {
+  const { quantize } = await import('@gltf-transform/functions');
+  const bits = POSITION_BITS[kind as keyof typeof POSITION_BITS];
+  // What stands beside positions of 16 bits has to be turned into floats, or all would have to move together.
+  for (const mesh of document.getRoot().listMeshes()) makePositionsAlike(mesh.listPrimitives());
+  if (!keepsNodes) giveOwnNodes(document);
+  const pattern = keepsNodes ? /^(?!POSITION)/ : /.*/;
+  await document.transform(
+    quantize({ pattern, patternTargets: pattern, quantizePosition: bits, cleanup: false }),
+  );
+  for (const list of [document.getRoot().listSkins(), document.getRoot().listAccessors()])
+    for (const property of list)
+      if (property.listParents().every((parent) => parent === document.getRoot())) property.dispose();
+}
+
+/** Positions of one mesh are all integers, or all floats. */
+function makePositionsAlike(primitives: Primitive[]): void {
+  const holders = primitives.flatMap((primitive) => [primitive, ...primitive.listTargets()]);
+  const accessors = new Set(
+    holders.map((holder) => holder.getAttribute('POSITION')).filter((one) => one !== null),
+  );
+  const isFloat = (accessor: Accessor) => accessor.getArray() instanceof Float32Array;
+  if ([...accessors].every((accessor) => !isFloat(accessor))) return;
+  for (const accessor of accessors) if (!isFloat(accessor)) makeFloat(accessor);
+}
+
+function makeFloat(accessor: Accessor): void {
+  const [size, element] = [accessor.getElementSize(), [] as number[]];
+  const floats = new Float32Array(size * accessor.getCount());
+  for (let v = 0; v < accessor.getCount(); ++v) floats.set(accessor.getElement(v, element), size * v);
+  accessor.setArray(floats).setNormalized(false);
+}
+
+/** A node that is more than the place of its mesh gets a child for it, since quantized positions scale and move their node. */
+function giveOwnNodes(document: Document): void {
+  const root = document.getRoot();
+  const joints = new Set(root.listSkins().flatMap((skin) => skin.listJoints()));
+  for (const node of root.listNodes()) {
+    const mesh = node.getMesh();
+    const isMore = joints.has(node) || node.getCamera() !== null || hasOthers(node.listExtensions());
+    if (!mesh || node.getSkin() || !isMore) continue;
+    const child = document.createNode(node.getName()).setMesh(mesh).setWeights(node.getWeights());
+    node.setMesh(null).setWeights([]).addChild(child);
+    for (const channel of root.listAnimations().flatMap((animation) => animation.listChannels()))
+      if (channel.getTargetNode() === node && channel.getTargetPath() === 'weights')
+        channel.setTargetNode(child);
+  }
+}
+
+/** Instances are moved with their mesh, so that it stays at its node. */
+const hasOthers = (extensions: { extensionName: string }[]): boolean =>
+  extensions.length > 0 &&
+  extensions.every(({ extensionName }) => extensionName !== 'EXT_mesh_gpu_instancing');
+
+type ReorderMesh = Awaited<ReturnType<typeof loadMeshoptEncoder>>['reorderMesh'];
+
+/** Gives triangles and vertices the order in which they pack best. The primitive has its accessors for itself. */
+function reorder(primitive: Primitive, reorderMesh: ReorderMesh): void {
+  const indices = primitive.getIndices()!;
+  const triangles = Uint32Array.from(indices.getArray()!);
+  if (triangles.length === 0) return;
+  const [newVertexOf, count] = reorderMesh(triangles, true, true);
+  indices.setArray(count < MANY_VERTICES ? Uint16Array.from(triangles) : triangles);
+  const accessors = [primitive, ...primitive.listTargets()].flatMap((holder) => holder.listAttributes());
+  for (const accessor of new Set(accessors)) {
+    const [array, size] = [accessor.getArray()!, accessor.getElementSize()];
+    const moved = array.slice(0, size * count);
+    newVertexOf.forEach((to, from) => {
+      if (to === UNUSED) return;
+      for (let c = 0; c < size; ++c) moved[size * to + c] = array[size * from + c];
+    });
+    accessor.setArray(moved);
+  }
+}
+
+/** Draco packs every primitive by itself, so what it packs is not to be shared with what it does not. */
+function unshare(document: Document): void {
+  const primitives = document
+    .getRoot()
+    .listMeshes()
+    .flatMap((mesh) => mesh.listPrimitives());
+  const isPacked = (primitive: Primitive) =>
+    primitive.getIndices() !== null && (primitive.getMode() as number) === TRIANGLES;
+  const packed = new Set(primitives.filter(isPacked).flatMap(accessorsOf));
+  for (const primitive of primitives) {
+    if (isPacked(primitive)) continue;
+    for (const accessor of accessorsOf(primitive))
+      if (packed.has(accessor)) primitive.swap(accessor, accessor.clone());
+  }
+}
+
+const accessorsOf = (primitive: Primitive): Accessor[] =>
+  [primitive.getIndices(), ...primitive.listAttributes()].filter((accessor) => accessor !== null);

@@ -1,0 +1,166 @@
+/** The triangles of a document's scenes in one space, for formats without a scene. */
+
+import type { Accessor, Document, Material, Node, Primitive } from '@gltf-transform/core';
+import { length3 } from '../../core/exact_math';
+
+/** The triangles of one primitive at one place. Vertices are numbered as in the primitive. */
+export interface FlatPrimitive {
+  /** positions[3 * v + c] */
+  positions: Float32Array;
+  /** normals[3 * v + c], of length 1; null: it has none */
+  normals: Float32Array | null;
+  /** uvs[2 * v + c] from the upper left corner of the picture; null: it has none */
+  uvs: Float32Array | null;
+  /** colours[3 * v + c], linear in [0, 1]; null: it has none */
+  colours: Float32Array | null;
+  /** triangles[3 * t + corner], wound so that fronts stay fronts */
+  triangles: Uint32Array;
+  material: Material | null;
+}
+
+/** All primitives of triangles that one node shows. */
+export interface FlatMesh {
+  name: string;
+  primitives: FlatPrimitive[];
+}
+
+/** glTF's primitive modes. */
+const TRIANGLES = 4;
+const TRIANGLE_STRIP = 5;
+
+type Matrix = ArrayLike<number>;
+
+/** What the nodes of the default scene show, or of all nodes where no scene is the default; skins in their pose at rest. */
+export function flatMeshes(document: Document): FlatMesh[] {
+  const root = document.getRoot();
+  const scene = root.getDefaultScene() ?? root.listScenes()[0];
+  const nodes: Node[] = [];
+  if (scene) scene.traverse((node) => nodes.push(node));
+  return (scene ? nodes : root.listNodes()).flatMap((node) => {
+    const mesh = node.getMesh();
+    const shown = mesh?.listPrimitives().filter(hasTriangles) ?? [];
+    if (!mesh || shown.length === 0) return [];
+    const primitives = shown.map((primitive) => flatten(primitive, node));
+    return [{ name: mesh.getName() || node.getName() || 'mesh', primitives }];
+  });
+}
+
+const hasTriangles = (primitive: Primitive): boolean =>
+  (primitive.getMode() as number) >= TRIANGLES && (primitive.getAttribute('POSITION')?.getCount() ?? 0) > 0;
+
+function flatten(primitive: Primitive, node: Node): FlatPrimitive {
+  const position = primitive.getAttribute('POSITION')!;
+  const matrixAt = matricesOf(primitive, node);
+  const positions = transformed(position, (v) => matrixAt(v), 1);
+  const normal = primitive.getAttribute('NORMAL');
+  const normals = normal && transformed(normal, (v) => cofactors(matrixAt(v)), 0);
+  if (normals) makeUnit(normals);
+  const uvs = primitive.getAttribute('TEXCOORD_0');
+  const colours = primitive.getAttribute('COLOR_0');
+  const isMirrored = determinant(matrixAt(0)) < 0;
+  return {
+    positions,
+    normals,
+    uvs: uvs && valuesOf(uvs, 2),
+    colours: colours && valuesOf(colours, 3),
+    triangles: trianglesOf(primitive, position.getCount(), isMirrored),
+    material: primitive.getMaterial(),
+  };
+}
+
+/** Per vertex the matrix that places it: of its joints where it has some, otherwise of the node. */
+function matricesOf(primitive: Primitive, node: Node): (v: number) => Matrix {
+  const skin = node.getSkin();
+  const [joints, weights] = [primitive.getAttribute('JOINTS_0'), primitive.getAttribute('WEIGHTS_0')];
+  const world = node.getWorldMatrix();
+  if (!skin || !joints || !weights) return () => world;
+  const bind = skin.getInverseBindMatrices();
+  const matrices = skin
+    .listJoints()
+    .map((joint, j) =>
+      bind ? product(joint.getWorldMatrix(), bind.getElement(j, [])) : joint.getWorldMatrix(),
+    );
+  const [which, shares] = [[] as number[], [] as number[]];
+  return (v) => {
+    joints.getElement(v, which);
+    weights.getElement(v, shares);
+    const sum = shares.reduce((all, share) => all + share, 0);
+    if (!(sum > 0)) return matrices[0] ?? world;
+    const mixed = new Array<number>(16).fill(0);
+    shares.forEach((share, k) => {
+      const matrix = matrices[which[k]];
+      if (matrix && share > 0) for (let i = 0; i < 16; ++i) mixed[i] += (share / sum) * matrix[i];
+    });
+    return mixed;
+  };
+}
+
+function product(a: Matrix, b: Matrix): number[] {
+  const result = new Array<number>(16).fill(0);
+  for (let column = 0; column < 4; ++column)
+    for (let row = 0; row < 4; ++row)
+      for (let k = 0; k < 4; ++k) result[4 * column + row] += a[4 * k + row] * b[4 * column + k];
+  return result;
+}
+
+/** `w`: 1 for points, 0 for directions. */
+function transformed(accessor: Accessor, matrixAt: (v: number) => Matrix, w: number): Float32Array {
+  const [result, element] = [new Float32Array(3 * accessor.getCount()), [] as number[]];
+  for (let v = 0; v < accessor.getCount(); ++v) {
+    const [x, y, z] = accessor.getElement(v, element);
+    const m = matrixAt(v);
+    for (let c = 0; c < 3; ++c) result[3 * v + c] = m[c] * x + m[4 + c] * y + m[8 + c] * z + w * m[12 + c];
+  }
+  return result;
+}
+
+/** The matrix that takes normals to normals, of any length: cofactors turn where the matrix mirrors. */
+function cofactors(m: Matrix): number[] {
+  const result = new Array<number>(16).fill(0);
+  const sign = determinant(m) < 0 ? -1 : 1;
+  for (let column = 0; column < 3; ++column)
+    for (let row = 0; row < 3; ++row) {
+      const [c1, c2] = [(column + 1) % 3, (column + 2) % 3];
+      const [r1, r2] = [(row + 1) % 3, (row + 2) % 3];
+      result[4 * column + row] = sign * (m[4 * c1 + r1] * m[4 * c2 + r2] - m[4 * c1 + r2] * m[4 * c2 + r1]);
+    }
+  return result;
+}
+
+const determinant = (m: Matrix): number =>
+  m[0] * (m[5] * m[10] - m[6] * m[9]) -
+  m[4] * (m[1] * m[10] - m[2] * m[9]) +
+  m[8] * (m[1] * m[6] - m[2] * m[5]);
+
+function makeUnit(vectors: Float32Array): void {
+  for (let at = 0; at < vectors.length; at += 3) {
+    const length = length3(vectors[at], vectors[at + 1], vectors[at + 2]);
+    if (length > 0) for (let c = 0; c < 3; ++c) vectors[at + c] /= length;
+  }
+}
+
+function valuesOf(accessor: Accessor, size: number): Float32Array {
+  const [values, element] = [new Float32Array(size * accessor.getCount()), [] as number[]];
+  for (let v = 0; v < accessor.getCount(); ++v) {
+    accessor.getElement(v, element);
+    for (let c = 0; c < size; ++c) values[size * v + c] = element[c];
+  }
+  return values;
+}
+
+/** Three vertices for each triangle of a list, strip or fan; the last two change places where the space is mirrored. */
+function trianglesOf(primitive: Primitive, count: number, isMirrored: boolean): Uint32Array {
+  const indices = primitive.getIndices()?.getArray() ?? Uint32Array.from({ length: count }, (_, i) => i);
+  const mode = primitive.getMode() as number;
+  const length = mode === TRIANGLES ? Math.floor(indices.length / 3) : Math.max(0, indices.length - 2);
+  const triangles = new Uint32Array(3 * length);
+  for (let t = 0; t < length; ++t) {
+    const isOdd = mode === TRIANGLE_STRIP && t % 2 === 1;
+    const first = mode === TRIANGLES ? 3 * t : t;
+    const at =
+      mode === TRIANGLES || mode === TRIANGLE_STRIP ? [first, first + 1, first + 2] : [0, t + 1, t + 2];
+    const [a, b, c] = at.map((i) => indices[i]);
+    triangles.set(isOdd !== isMirrored ? [a, c, b] : [a, b, c], 3 * t);
+  }
+  return triangles;
+}

@@ -1,0 +1,82 @@
+/** Writes a document as GLB, or as glTF with a buffer and images beside it. */
+
+import type { Document, GLTF } from '@gltf-transform/core';
+import { Format } from '@gltf-transform/core';
+import { carryForeign } from '../extensions/carry_foreign';
+import type { Foreign } from '../extensions/foreign';
+import { glbParts, withJson } from '../glb';
+import { createGltfWriter, MESHOPT, RATIFIED_MESHOPT } from '../gltf_io';
+import type { SourceFile } from '../model';
+import { renameExtension } from './compression';
+import type { LevelNodes } from './level_nodes';
+import { addLevels } from './level_nodes';
+import { addressOf, firstWithBytes, imageFiles, imageNames } from './shared_images';
+import type { Companion } from './shared_images';
+
+/** What goes into the JSON besides what the document has. */
+export interface Additions {
+  foreign: Foreign | null;
+  /** numbers of the meshes whose primitives have new vertices */
+  replaced: ReadonlySet<number>;
+  /** meshopt under its ratified name */
+  isRatified: boolean;
+  levels: LevelNodes[];
+}
+
+export const NO_ADDITIONS: Additions = { foreign: null, replaced: new Set(), isRatified: false, levels: [] };
+
+/** The document as a GLB; equal images are written once. */
+export async function writeGlb(document: Document, additions: Additions): Promise<Uint8Array> {
+  const firsts = firstWithBytes(document);
+  const textures = document.getRoot().listTextures();
+  const copies = textures.filter((texture) => firsts.has(texture) && firsts.get(texture) !== texture);
+  // What has no bytes gets no view of its own.
+  for (const texture of copies) texture.setImage(null as unknown as Uint8Array<ArrayBuffer>);
+  const bytes = await (await createGltfWriter(document)).writeBinary(document);
+  const json = JSON.parse(new TextDecoder().decode(glbParts({ name: '', bytes }).json)) as GLTF.IGLTF;
+  textures.forEach((texture, i) => {
+    if (copies.includes(texture))
+      json.images![i].bufferView = json.images![textures.indexOf(firsts.get(texture)!)].bufferView;
+    else if (!texture.getImage()) json.images![i].uri = texture.getURI();
+  });
+  const isChanged = textures.some((texture) => !texture.getImage()) || hasAdditions(additions);
+  return isChanged ? withJson(bytes, withAdditions(json, additions)) : bytes;
+}
+
+/** `name`.gltf, its buffer `stem`.bin and its images, those with addresses of their own under these. */
+export async function writeGltf(
+  document: Document,
+  name: string,
+  additions: Additions,
+): Promise<SourceFile[]> {
+  const stem = name.replace(/\.gltf$/i, '');
+  const textures = document.getRoot().listTextures();
+  const names = imageNames(document, stem);
+  for (const [texture, own] of names) texture.setURI(own);
+  const io = await createGltfWriter(document);
+  const written = await io.writeJSON(document, { format: Format.GLTF, basename: stem });
+  const buffers = written.json.buffers ?? [];
+  for (const buffer of buffers) if (buffer.uri !== undefined) buffer.uri = addressOf(buffer.uri);
+  textures.forEach((texture, i) => {
+    written.json.images![i].uri = texture.getImage() ? addressOf(texture.getURI()) : texture.getURI();
+  });
+  const json = withAdditions(written.json, additions);
+  const text = new TextEncoder().encode(JSON.stringify(json));
+  const companions = Object.entries(written.resources).map(([own, bytes]) => ({ name: own, bytes }));
+  return [{ name, bytes: text }, ...companions];
+}
+
+/** The files that `writeGltf` writes beside the main one, all known before the work. */
+export function gltfCompanions(document: Document, name: string): Companion[] {
+  const stem = name.replace(/\.gltf$/i, '');
+  return [{ name: `${stem}.bin`, image: null }, ...imageFiles(document, stem)];
+}
+
+const hasAdditions = ({ foreign, isRatified, levels }: Additions): boolean =>
+  foreign !== null || isRatified || levels.length > 0;
+
+function withAdditions(json: GLTF.IGLTF, { foreign, replaced, isRatified, levels }: Additions): GLTF.IGLTF {
+  if (foreign) carryForeign(json, foreign, replaced);
+  addLevels(json, levels);
+  return isRatified ? renameExtension(json, MESHOPT, RATIFIED_MESHOPT) : json;
+}

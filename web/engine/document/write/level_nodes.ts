@@ -1,0 +1,129 @@
+/** Levels of detail inside one glTF: nodes by name, or the extension MSFT_lod. */
+
+import type { Animation, AnimationChannel, Document, GLTF, Mesh, Node } from '@gltf-transform/core';
+import type { LevelStyle } from '../../core/output_words';
+
+const MSFT_LOD = 'MSFT_lod';
+/** Lines of a picture in which a level is to differ from the first by one line at most. */
+const LINES = 1080;
+
+/** The nodes of one place in the scene, first level first. */
+export interface LevelNodes {
+  /** their numbers in the file */
+  nodes: number[];
+  /** the share of the picture's height from which on each is shown */
+  coverage: number[];
+}
+
+/** The further levels of one mesh of the document. */
+export interface MeshLevels {
+  mesh: Mesh;
+  /** from the second level on */
+  further: Mesh[];
+  /** largest distance of each further level from the original, % of the diagonal */
+  deviations: number[];
+}
+
+/**
+ * Puts further levels beside every node that shows one of the meshes. `nodes`: the node keeps its place and gets a child for each
+ * level, NAME_LOD0 and so on, as Unity and Unreal look for them. `msft`: further levels stand in no scene; the node of the first
+ * one names them.
+ */
+export function insertLevels(
+  document: Document,
+  meshes: MeshLevels[],
+  style: Exclude<LevelStyle, 'files'>,
+): LevelNodes[] {
+  const root = document.getRoot();
+  const inserted: LevelNodes[] = [];
+  for (const { mesh, further, deviations } of meshes)
+    for (const node of root.listNodes().filter((one) => one.getMesh() === mesh)) {
+      const first = style === 'nodes' || isMore(document, node) ? moveToChild(document, node) : node;
+      const name = node.getName() || mesh.getName();
+      if (first !== node || style === 'nodes') first.setName(`${name}_LOD0`);
+      const others = further.map((own, i) => copyNode(document, first, own, `${name}_LOD${i + 1}`));
+      if (style === 'nodes') for (const other of others) node.addChild(other);
+      const nodes = [first, ...others].map((one) => root.listNodes().indexOf(one));
+      if (style === 'msft') inserted.push({ nodes, coverage: coverageOf(deviations) });
+    }
+  return inserted;
+}
+
+/** Whether the node does more than to show its mesh, which the nodes of further levels could not do as well. */
+function isMore(document: Document, node: Node): boolean {
+  const root = document.getRoot();
+  return (
+    node.listChildren().length > 0 ||
+    node.getCamera() !== null ||
+    node.listExtensions().length > 0 ||
+    root.listSkins().some((skin) => skin.listJoints().includes(node)) ||
+    channelsOf(document, node).length > 0
+  );
+}
+
+const channelsOf = (document: Document, node: Node): { animation: Animation; channel: AnimationChannel }[] =>
+  document
+    .getRoot()
+    .listAnimations()
+    .flatMap((animation) => animation.listChannels().map((channel) => ({ animation, channel })))
+    .filter(({ channel }) => channel.getTargetNode() === node);
+
+/** Gives the mesh of a node, its skin and its weights to a child at the same place. */
+function moveToChild(document: Document, node: Node): Node {
+  const child = document
+    .createNode()
+    .setMesh(node.getMesh())
+    .setSkin(node.getSkin())
+    .setWeights(node.getWeights());
+  const instances = node.getExtension('EXT_mesh_gpu_instancing');
+  if (instances) {
+    child.setExtension('EXT_mesh_gpu_instancing', instances);
+    node.setExtension('EXT_mesh_gpu_instancing', null);
+  }
+  node.setMesh(null).setSkin(null).setWeights([]).addChild(child);
+  for (const { channel } of channelsOf(document, node))
+    if (channel.getTargetPath() === 'weights') channel.setTargetNode(child);
+  return child;
+}
+
+/** A node at the same place with another mesh; animations of weights move it as well. */
+function copyNode(document: Document, first: Node, mesh: Mesh, name: string): Node {
+  const copy = document
+    .createNode(name)
+    .setMesh(mesh)
+    .setSkin(first.getSkin())
+    .setWeights(first.getWeights())
+    .setTranslation(first.getTranslation())
+    .setRotation(first.getRotation())
+    .setScale(first.getScale());
+  const instances = first.getExtension('EXT_mesh_gpu_instancing');
+  if (instances) copy.setExtension('EXT_mesh_gpu_instancing', instances);
+  for (const { animation, channel } of channelsOf(document, first))
+    if (channel.getTargetPath() === 'weights') animation.addChannel(channel.clone().setTargetNode(copy));
+  return copy;
+}
+
+/**
+ * A level takes over where its distance from the original is one line of the picture. The diagonal of a mesh counts as its height;
+ * the last level is shown down to nothing.
+ */
+function coverageOf(deviations: number[]): number[] {
+  let least = 1;
+  const ends = deviations.map((deviation) => {
+    least = Math.min(least, deviation > 0 ? 100 / (deviation * LINES) : 1);
+    return least;
+  });
+  return [...ends, 0];
+}
+
+/** Writes the levels of MSFT_lod into the JSON, which it changes. */
+export function addLevels(json: GLTF.IGLTF, levels: LevelNodes[]): void {
+  if (levels.length === 0) return;
+  for (const { nodes, coverage } of levels) {
+    const [first, ...others] = nodes;
+    const node = json.nodes![first];
+    node.extensions = { ...node.extensions, [MSFT_LOD]: { ids: others } };
+    node.extras = { ...(node.extras as object), MSFT_screencoverage: coverage };
+  }
+  json.extensionsUsed = [...new Set([...(json.extensionsUsed ?? []), MSFT_LOD])];
+}

@@ -1,0 +1,143 @@
+/** Writes a document as OBJ with a material library and pictures. Every node with a mesh is an object, in the scene's space. */
+
+import type { Document } from '@gltf-transform/core';
+import type { SourceFile } from '../model';
+import { flatMeshes } from './flat_meshes';
+import type { FlatMesh, FlatPrimitive } from './flat_meshes';
+import { MaterialLibrary } from './obj_materials';
+import { imageFiles, imageNames } from './shared_images';
+import type { Companion } from './shared_images';
+import { sameValues, shortest, toSrgb } from './text_values';
+
+/** Lines are joined in pieces, since one text of a large mesh could be longer than texts may be. */
+const LINES_A_PIECE = 1 << 14;
+
+/**
+ * `name`.obj, and `stem`.mtl with pictures where there are materials. `libraries`: names that are written instead of a library, where
+ * the input's own say what its materials look like. `mark`: the first line, without its #.
+ */
+export function writeObj(
+  document: Document,
+  name: string,
+  { libraries, mark }: { libraries: string[]; mark: string },
+): SourceFile[] {
+  const stem = name.replace(/\.obj$/i, '');
+  const lines = new TextPieces();
+  const meshes = flatMeshes(document);
+  const materials = new MaterialLibrary(imageNames(document, stem));
+  const hasOwn =
+    libraries.length === 0 && meshes.some(({ primitives }) => primitives.some((p) => p.material));
+  const named = hasOwn ? [`${stem}.mtl`] : libraries;
+  lines.add(`# ${mark}`, ...named.map((library) => `mtllib ${library}`));
+  const counts = { positions: 0, uvs: 0, normals: 0 };
+  const names = new Set<string>();
+  for (const mesh of meshes) writeMesh(lines, mesh, { counts, materials, name: freeName(mesh.name, names) });
+  const main = { name, bytes: lines.bytes() };
+  if (!hasOwn) return [main];
+  const library = { name: `${stem}.mtl`, bytes: new TextEncoder().encode(materials.text(mark)) };
+  return [main, library, ...materials.pictures()];
+}
+
+/** The files that `writeObj` may write beside the main one. */
+export function objCompanions(document: Document, name: string, libraries: string[]): Companion[] {
+  if (libraries.length > 0 || document.getRoot().listMaterials().length === 0) return [];
+  const stem = name.replace(/\.obj$/i, '');
+  return [{ name: `${stem}.mtl`, image: null }, ...imageFiles(document, stem)];
+}
+
+class TextPieces {
+  private readonly pieces: Uint8Array[] = [];
+  private lines: string[] = [];
+
+  add(...lines: string[]): void {
+    this.lines.push(...lines);
+    if (this.lines.length >= LINES_A_PIECE) this.flush();
+  }
+
+  bytes(): Uint8Array {
+    this.flush();
+    const bytes = new Uint8Array(this.pieces.reduce((sum, piece) => sum + piece.length, 0));
+    let at = 0;
+    for (const piece of this.pieces) {
+      bytes.set(piece, at);
+      at += piece.length;
+    }
+    return bytes;
+  }
+
+  private flush(): void {
+    if (this.lines.length > 0) this.pieces.push(new TextEncoder().encode(`${this.lines.join('\n')}\n`));
+    this.lines = [];
+  }
+}
+
+/** Objects of one name are one object for readers, so that a second one gets a number. */
+function freeName(name: string, taken: Set<string>): string {
+  const plain = name.replaceAll(/[\r\n]+/g, ' ').trim() || 'mesh';
+  let free = plain;
+  for (let number = 2; taken.has(free); ++number) free = `${plain} ${number}`;
+  taken.add(free);
+  return free;
+}
+
+interface ObjContext {
+  counts: { positions: number; uvs: number; normals: number };
+  materials: MaterialLibrary;
+  name: string;
+}
+
+/** Vertices of all primitives of a mesh that have one position and colour are one vertex, as they are in the scene. */
+function writeMesh(
+  lines: TextPieces,
+  { primitives }: FlatMesh,
+  { counts, materials, name }: ObjContext,
+): void {
+  lines.add(`o ${name}`);
+  const hasColours = primitives.every(({ colours }) => colours !== null);
+  const vertices = primitives.map((primitive) => vertexLines(primitive, hasColours));
+  const shared = sameValues(vertices.flat());
+  lines.add(...shared.values);
+  let first = 0;
+  primitives.forEach((primitive, i) => {
+    const { material, triangles } = primitive;
+    const uvs = sameValues(uvLines(primitive));
+    const normals = sameValues(normalLines(primitive));
+    lines.add(...uvs.values, ...normals.values);
+    if (material || primitives.length > 1) lines.add(`usemtl ${materials.nameOf(material)}`);
+    const corner = (v: number) => {
+      const position = counts.positions + shared.indices[first + v] + 1;
+      const uv = uvs.indices.length > 0 ? String(counts.uvs + uvs.indices[v] + 1) : '';
+      if (normals.indices.length > 0) return `${position}/${uv}/${counts.normals + normals.indices[v] + 1}`;
+      return uv === '' ? String(position) : `${position}/${uv}`;
+    };
+    for (let t = 0; t < triangles.length; t += 3)
+      lines.add(`f ${corner(triangles[t])} ${corner(triangles[t + 1])} ${corner(triangles[t + 2])}`);
+    first += vertices[i].length;
+    counts.uvs += uvs.values.length;
+    counts.normals += normals.values.length;
+  });
+  counts.positions += shared.values.length;
+}
+
+function vertexLines({ positions, colours }: FlatPrimitive, hasColours: boolean): string[] {
+  return Array.from({ length: positions.length / 3 }, (_, v) => {
+    const colour = hasColours
+      ? [0, 1, 2].map((c) => ` ${shortest(toSrgb(colours![3 * v + c]))}`).join('')
+      : '';
+    return `v ${tuple(positions, v, 3)}${colour}`;
+  });
+}
+
+const uvLines = ({ uvs }: FlatPrimitive): string[] =>
+  uvs
+    ? Array.from(
+        { length: uvs.length / 2 },
+        (_, v) => `vt ${shortest(uvs[2 * v])} ${shortest(1 - uvs[2 * v + 1])}`,
+      )
+    : [];
+
+const normalLines = ({ normals }: FlatPrimitive): string[] =>
+  normals ? Array.from({ length: normals.length / 3 }, (_, v) => `vn ${tuple(normals, v, 3)}`) : [];
+
+const tuple = (values: Float32Array, v: number, size: number): string =>
+  Array.from({ length: size }, (_, c) => shortest(values[size * v + c])).join(' ');
