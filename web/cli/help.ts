@@ -12,6 +12,7 @@ const GROUPS: Record<string, string> = {
   solver: 'Solver',
   simulation: 'Simulation',
   material: 'Material',
+  batch: 'Batch',
   output: 'Output',
   common: 'Common',
 };
@@ -35,7 +36,8 @@ function overview(): string {
     ...usages,
     '',
     'IN, A and B are GLB, glTF (its files beside it), OBJ, STL or PLY.',
-    'limber COMMAND --help shows all options of a command.',
+    'limber COMMAND --help shows all options of a command; limber completion bash|zsh|fish writes a',
+    'script that completes them.',
     '',
     'IN and OUT may be -: stdin and stdout.',
     '',
