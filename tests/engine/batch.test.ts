@@ -156,6 +156,9 @@ describe('limber batch', () => {
       stderr: expect.stringMatching(/^limber: ring\.obj: .*ring\.glb exists/),
     });
     expect(bytes('out/ring.glb').toString()).toBe('mine');
+    expect(batch('--report', 'src/ring.obj', '--force').stderr).toMatch(
+      /src\/ring\.obj, .*is also the input/,
+    );
     expect(limber('batch', 'src', 'src')).toMatchObject({
       code: 1,
       stderr: expect.stringContaining('is also SRC'),

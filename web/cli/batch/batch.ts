@@ -8,6 +8,7 @@ import { startStopwatch } from '../../engine/core/stopwatch';
 import type { Arguments } from '../arguments';
 import { EXIT, UsageError } from '../failure';
 import { readText } from '../files';
+import { checkOutputs } from '../outputs';
 import { isOwnFile } from '../own_files';
 import { STANDARD } from '../standard';
 import { count, plain, plural } from '../words';
@@ -29,6 +30,7 @@ export async function runBatch(args: Arguments): Promise<number> {
   const out = args.operands[args.operands.length - 1];
   const requests = readRequests(args, out);
   checkOut(args, out);
+  checkReports(args, requests);
   const own = join(out, OWN_FOLDER);
   const journal = new Journal(own);
   if (args.dryRun) return runDryBatch(out, requests, journal);
@@ -78,6 +80,15 @@ function checkOut({ operands, force }: Arguments, out: string): void {
     throw new UsageError(
       `${foreign} exists and was not written by limber: choose another folder, or replace it with --force.`,
     );
+}
+
+/** The summary is written over no asset, and over no file of the user's own without --force. */
+function checkReports({ reports, force, batch }: Arguments, requests: AssetRequest[]): void {
+  const capacity = { model: 0, positions: 0 };
+  const outputs = reports.map((path) => ({ path, flag: '--report', isGlb: false, capacity }));
+  const sources = requests.map(({ asset }) => asset.path);
+  if (reports.length > 0)
+    checkOutputs(outputs, batch.config === null ? sources : [...sources, batch.config], force);
 }
 
 /** How many work, with what. */
