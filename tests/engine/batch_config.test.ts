@@ -157,11 +157,12 @@ describe('what is up to date', () => {
 
   it('keeps two assets apart that would have one result', () => {
     const sources = ['a.obj', 'a.ply', 'b/a.obj', 'c.d.obj'].map((name) => ({ name, path: name, bytes: 1 }));
-    const results = (platform: NodeJS.Platform) => assetsOf(sources, platform).map(({ result }) => result);
+    const results = (platform: NodeJS.Platform) =>
+      assetsOf(sources, undefined, platform).map(({ result }) => result);
     expect(results('linux')).toEqual(['a.obj.glb', 'a.ply.glb', 'b/a.glb', 'c.d.glb']);
     const cased = ['A.obj', 'a.ply'].map((name) => ({ name, path: name, bytes: 1 }));
-    expect(assetsOf(cased, 'linux')[0].result).toBe('A.glb');
-    expect(assetsOf(cased, 'win32')[0].result).toBe('A.obj.glb');
+    expect(assetsOf(cased, undefined, 'linux')[0].result).toBe('A.glb');
+    expect(assetsOf(cased, () => 'ply', 'win32')[0].result).toBe('A.obj.ply');
   });
 });
 

@@ -20,7 +20,7 @@ import { optionsOfFlags, requestsOf } from './orders';
 import type { AssetRequest } from './orders';
 import { OWN_FOLDER } from './results';
 import { BatchRun } from './run';
-import { assetsOf, findSources } from './sources';
+import { findSources } from './sources';
 import { describeTotals, summaryOf } from './summary';
 import type { Summary } from './summary';
 import { SUMMARY_FILES, writeSummary } from './write_summary';
@@ -61,7 +61,7 @@ function readRequests(args: Arguments, out: string): AssetRequest[] {
   const config = path === null ? EMPTY_CONFIG : readBatchConfig(readText(path), path);
   const sources = findSources(words, out).filter(({ name }) => !isExcluded(config, name));
   if (sources.length === 0) throw new UsageError(`${path} excludes all models: give fewer patterns.`);
-  return requestsOf(config, optionsOfFlags(args), assetsOf(sources));
+  return requestsOf(config, optionsOfFlags(args), sources);
 }
 
 function checkOut({ operands, force }: Arguments, out: string): void {

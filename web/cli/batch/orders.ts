@@ -6,7 +6,8 @@ import { OPTIONS, checkSettings, settingsOf } from '../../engine/settings/option
 import { optionsFor, settingsFor } from '../../engine/settings/batch_config';
 import type { AssetOptions, BatchConfig } from '../../engine/settings/batch_config';
 import type { Arguments } from '../arguments';
-import type { Asset } from './sources';
+import { assetsOf } from './sources';
+import type { Asset, Source } from './sources';
 
 /** The options that the flags of the command line are. */
 export function optionsOfFlags(args: Arguments): AssetOptions {
@@ -36,16 +37,23 @@ export interface AssetRequest {
   options: AssetOptions;
 }
 
-/** The request of every asset. Throws SettingError where settings that are allowed each do not go together. */
-export function requestsOf(config: BatchConfig, flags: AssetOptions, assets: Asset[]): AssetRequest[] {
+/** The request of every source. Throws SettingError where settings that are allowed each do not go together. */
+export function requestsOf(config: BatchConfig, flags: AssetOptions, sources: Source[]): AssetRequest[] {
+  const optionsOf = new Map(sources.map(({ name }) => [name, optionsFor(config, name, flags)]));
   const checked = new Set<string>();
-  return assets.map((asset) => {
-    const options = optionsFor(config, asset.name, flags);
+  for (const options of optionsOf.values()) {
     const text = JSON.stringify(options);
     if (!checked.has(text)) checkSettings(settingsFor(options));
     checked.add(text);
-    return { asset, options };
-  });
+  }
+  const assets = assetsOf(sources, (name) => endingOf(optionsOf.get(name)!));
+  return assets.map((asset) => ({ asset, options: optionsOf.get(asset.name)! }));
+}
+
+/** The ending of a result: GLB, unless another format is asked for. */
+function endingOf(options: AssetOptions): string {
+  const { format = 'auto' } = options as { format?: string };
+  return format === 'auto' ? 'glb' : format;
 }
 
 /** An asset as limber optimize is asked for it. `out`: the folder of the results. */

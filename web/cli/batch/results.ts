@@ -22,23 +22,23 @@ export function hashOfResult(out: string, { name }: WrittenFile): string | null 
 export const picturePath = (out: string, asset: string): string =>
   join(out, OWN_FOLDER, 'pictures', `${hashOf(asset).slice(0, 32)}.png`);
 
-/** Takes results out of the folders of the jobs; two assets never write one file. */
+/** Takes results out of the folders of the jobs; two assets never write one file, unless both write the same into it, as a shared picture. */
 export class Results {
-  private readonly owners = new Map<string, string>();
+  private readonly owners = new Map<string, { asset: string; sha256: string }>();
 
   constructor(private readonly out: string) {}
 
   /** Remembers that these results are an asset's. */
   claim({ asset, written }: AssetRecord): void {
-    for (const { name } of written) this.owners.set(name, asset);
+    for (const { name, sha256 } of written) this.owners.set(name, { asset, sha256 });
   }
 
   /** Puts the files of a finished asset where they belong; returns what is to be remembered of it. */
   take({ record, files, picture }: WorkDone): AssetRecord {
-    const taken = files.find(({ name }) => (this.owners.get(name) ?? record.asset) !== record.asset);
-    if (taken) {
-      const other = this.owners.get(taken.name)!;
-      return failedRecord(record.asset, `${taken.name} is also a result of ${other}: rename one of them`);
+    for (const { name, sha256 } of files) {
+      const owner = this.owners.get(name);
+      if (owner && owner.asset !== record.asset && owner.sha256 !== sha256)
+        return failedRecord(record.asset, `${name} is also a result of ${owner.asset}: rename one of them`);
     }
     for (const file of files) move(file);
     this.claim(record);
@@ -54,6 +54,7 @@ export class Results {
 /** A link stays, and the file that it leads to is replaced, with its permissions; it can be on another disk. */
 function move({ staged, path }: StagedFile): void {
   const end = followLinks(path);
+  mkdirSync(dirname(end), { recursive: true });
   try {
     if (isSpecial(end)) return copyFileSync(staged, end);
     const old = statSync(end, { throwIfNoEntry: false });

@@ -82,16 +82,23 @@ export interface Asset extends Source {
   result: string;
 }
 
-/** Results are GLB; where two would have one name, each keeps the ending of its source: chair.obj.glb. */
-export function assetsOf(sources: Source[], platform: NodeJS.Platform = process.platform): Asset[] {
+/**
+ * Results have the ending of `endingOf`, without its dot; where two would have one name, each keeps that of its source, too:
+ * chair.obj.glb.
+ */
+export function assetsOf(
+  sources: Source[],
+  endingOf: (name: string) => string = () => 'glb',
+  platform: NodeJS.Platform = process.platform,
+): Asset[] {
   const short = (name: string) => name.replace(/\.[^./]*$/, '');
-  const counts = new Map<string, number>();
+  const shared = new Map<string, number>();
   for (const { name } of sources) {
     const key = nameKey(short(name), platform);
-    counts.set(key, (counts.get(key) ?? 0) + 1);
+    shared.set(key, (shared.get(key) ?? 0) + 1);
   }
   return sources.map((source) => {
-    const isAlone = counts.get(nameKey(short(source.name), platform)) === 1;
-    return { ...source, result: `${isAlone ? short(source.name) : source.name}.glb` };
+    const isAlone = shared.get(nameKey(short(source.name), platform)) === 1;
+    return { ...source, result: `${isAlone ? short(source.name) : source.name}.${endingOf(source.name)}` };
   });
 }

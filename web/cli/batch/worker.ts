@@ -4,10 +4,11 @@
  */
 
 import { readFileSync, writeFileSync } from 'node:fs';
-import { join, relative, sep } from 'node:path';
+import { dirname, join, relative, sep } from 'node:path';
 import { materialOf } from '../../engine/body/material';
 import type { Core } from '../../engine/core/core';
 import { startStopwatch } from '../../engine/core/stopwatch';
+import { isModelName } from '../../engine/document/open';
 import { worstFidelity } from '../../engine/report/result_report';
 import { describeFailure } from '../failure';
 import { finishOptimize, optimizeModel } from '../optimize';
@@ -82,7 +83,7 @@ async function optimizeAsset(session: Session, order: WorkOrder, files: StagedFi
   const sources = [...session.checked.files.values()][0];
   const bytesBefore = sources.reduce((sum, { bytes }) => sum + bytes.length, 0);
   if (!('report' in done)) {
-    const numbers = { ...NO_NUMBERS, bytesBefore, bytesAfter: files[0].bytes };
+    const numbers = { ...NO_NUMBERS, bytesBefore, bytesAfter: mainOf(order, files).bytes };
     return { state: 'done', sentences: [done.passedOn], numbers, picture: null };
   }
   try {
@@ -94,7 +95,7 @@ async function optimizeAsset(session: Session, order: WorkOrder, files: StagedFi
     return {
       state: missed.length > 0 ? 'missed' : 'done',
       sentences: [...missed, ...warningLines(session.warnings, session.args.verbose)],
-      numbers: { ...numbersOf(session, done, order), bytesBefore, bytesAfter: files[0].bytes },
+      numbers: { ...numbersOf(session, done, order), bytesBefore, bytesAfter: mainOf(order, files).bytes },
       picture: await pictureOf(done, order, files),
     };
   } finally {
@@ -127,16 +128,21 @@ function frequencyErrorOf({ core, args }: Session, output: Optimized['output']):
   }
 }
 
+/** The result itself among what was written. */
+const mainOf = ({ args }: WorkOrder, files: StagedFile[]): StagedFile =>
+  files.find(({ path }) => path === args.operands[1])!;
+
 /** A model that cannot be drawn is no failure. */
-async function pictureOf(
-  { file }: Optimized,
-  { folder }: WorkOrder,
-  files: StagedFile[],
-): Promise<string | null> {
+async function pictureOf({ file }: Optimized, order: WorkOrder, files: StagedFile[]): Promise<string | null> {
   try {
-    const written = { name: files[0].path, bytes: new Uint8Array(readFileSync(files[0].staged)) };
-    const path = join(folder, 'picture.png');
-    writeFileSync(path, await drawAsset(file.model, [written]));
+    const main = mainOf(order, files);
+    const needed = files.filter((one) => one === main || !isModelName(one.path));
+    const written = needed.map(({ path, staged }) => ({
+      name: relative(dirname(main.path), path).split(sep).join('/'),
+      bytes: new Uint8Array(readFileSync(staged)),
+    }));
+    const path = join(order.folder, 'picture.png');
+    writeFileSync(path, await drawAsset(file.model, written));
     return path;
   } catch {
     return null;
