@@ -31,17 +31,28 @@ def results_of(folder):
     }
 
 
-def processes(words):
-    """Ids of processes of this user whose command line has all the words."""
+def is_below(process, ancestor):
+    """Whether a process was started by another one, or by one that it started, and so on."""
+    while process > 1:
+        if process == ancestor:
+            return True
+        status = (pathlib.Path("/proc") / str(process) / "status").read_text()
+        process = int(next(line for line in status.splitlines() if line.startswith("PPid:")).split()[1])
+    return False
+
+
+def processes(words, ancestor):
+    """Ids of processes below `ancestor` whose command line has all the words."""
     found = []
     for entry in pathlib.Path("/proc").iterdir():
         if not entry.name.isdigit() or int(entry.name) == os.getpid():
             continue
         try:
             command = (entry / "cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
+            is_own = all(word in command for word in words) and is_below(int(entry.name), ancestor)
         except OSError:
             continue
-        if all(word in command for word in words):
+        if is_own:
             found.append(int(entry.name))
     return found
 
@@ -51,7 +62,7 @@ def kill_one(words, run, done, seconds=60):
     end = time.time() + seconds
     while time.time() < end and run.poll() is None:
         if done() > 0:
-            for process in processes(words):
+            for process in processes(words, run.pid):
                 os.kill(process, signal.SIGKILL)
                 return True
         time.sleep(0.01)
