@@ -39,6 +39,7 @@ export function manifestOf(repository, folder) {
     type: 'module',
     engines,
     bin: { limber: 'cli/limber.mjs' },
+    man: ['./limber.1'],
     main: './node/index.mjs',
     browser: './browser/index.mjs',
     types: './types/library/index.d.ts',

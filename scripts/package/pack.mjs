@@ -34,8 +34,9 @@ export async function writePackage(folder) {
   writeFileSync(join(folder, 'THIRD-PARTY-NOTICES.md'), notices(modules));
   writeFileSync(join(folder, 'README.md'), readme());
   copyFileSync(join(root, 'LICENSE'), join(folder, 'LICENSE'));
+  copyFileSync(join(root, 'docs', 'limber.1'), join(folder, 'limber.1'));
   mkdirSync(join(folder, 'schemas'));
-  for (const name of ['report.schema.json', 'settings.schema.json'])
+  for (const name of ['report.schema.json', 'settings.schema.json', 'batch.schema.json'])
     copyFileSync(join(root, 'docs', name), join(folder, 'schemas', name));
   chmodSync(join(folder, 'cli', 'limber.mjs'), 0o755);
 }

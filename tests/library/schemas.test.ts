@@ -3,6 +3,8 @@
 import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { readBatchConfig, writeBatchConfig } from '../../web/engine/settings/batch_config';
+import { defaultSettings } from '../../web/engine/settings/options';
 import { cube, grid, toObj, torus } from '../engine/support/shapes';
 import { install, makeFolder, node, root } from './support';
 
@@ -30,7 +32,7 @@ function closed(schema: unknown): unknown {
 
 let folder: string;
 type Validate = ((value: unknown) => boolean) & { errors?: unknown };
-let validate: Record<'report' | 'settings', Validate>;
+let validate: Record<'report' | 'settings' | 'batch', Validate>;
 
 const limber = (...args: string[]) => node(folder, program, ...args, '--quiet');
 
@@ -75,14 +77,14 @@ beforeAll(async () => {
   const { Ajv2020 } = await import(join(folder, 'node_modules', 'ajv', 'dist', '2020.js'));
   const ajv = new Ajv2020({ allErrors: true, allowUnionTypes: true });
   const compile = (name: string) => ajv.compile(closed({ ...schemaOf(name), $id: undefined })) as Validate;
-  validate = { report: compile('report'), settings: compile('settings') };
+  validate = { report: compile('report'), settings: compile('settings'), batch: compile('batch') };
   for (const [name, mesh] of Object.entries({ ring: torus(), box: cube(), sheet: grid(12, 12) }))
     writeFileSync(join(folder, `${name}.obj`), toObj(mesh));
 }, 120_000);
 
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
-function expectValid(kind: 'report' | 'settings', value: unknown): void {
+function expectValid(kind: keyof typeof validate, value: unknown): void {
   expect([validate[kind](value), validate[kind].errors]).toEqual([true, null]);
 }
 
@@ -118,5 +120,29 @@ describe('the schema of settings files', () => {
       { ...settings, units: { length: -1 } },
     ])
       expect(validate.settings(wrong)).toBe(false);
+  });
+});
+
+describe('the schema of batch configurations', () => {
+  const example = () =>
+    JSON.parse(/```json\n([^]*?)```/.exec(readFileSync(join(root, 'docs', 'batch.md'), 'utf8'))![1]);
+
+  it('takes the example, which limber takes too, and what is written of settings', () => {
+    expectValid('batch', example());
+    expect(readBatchConfig(JSON.stringify(example()), 'example').overrides).toHaveLength(2);
+    const settings = { ...defaultSettings('paper'), p: Infinity, lods: [0.5] };
+    expectValid('batch', JSON.parse(writeBatchConfig(settings, { ratio: 0.5 })));
+  });
+
+  it('refuses what limber refuses', () => {
+    for (const wrong of [
+      { ...example(), schema: 'limber-batch/2' },
+      { ...example(), option: {} },
+      { ...example(), options: { ratio: 2 } },
+      { ...example(), overrides: [{ files: [], options: {} }] },
+    ]) {
+      expect(validate.batch(wrong)).toBe(false);
+      expect(() => readBatchConfig(JSON.stringify(wrong), 'wrong')).toThrow(/^wrong/);
+    }
   });
 });

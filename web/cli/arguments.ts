@@ -9,7 +9,9 @@ import { describeFormerWords, readSettings } from '../engine/settings/setting_te
 import { SOLVER_NAMES } from '../engine/solvers/profiles';
 import { engineFromFile, fileOfEngine } from './engine_file';
 import { UsageError } from './failure';
-import { COMMAND_SPECS, COMMANDS, flagsOf } from './flags';
+import { readBatchFlags } from './batch/flags';
+import type { BatchFlags } from './batch/flags';
+import { COMMAND_SPECS, COMMANDS, engineCommand, flagsOf, INPUT_FORMATS } from './flags';
 import type { Command, Flag } from './flags';
 import { nearest } from './nearest';
 
@@ -47,6 +49,10 @@ export interface Arguments {
   validates: boolean;
   /** the file of --engine; null: its parameters were given in words, or not */
   engineFile: string | null;
+  /** the format of stdin, of --from; null: by its bytes */
+  from: string | null;
+  /** what batch is asked for besides; of other commands the defaults */
+  batch: BatchFlags;
 }
 
 /** A question that is answered instead of running the command. */
@@ -69,7 +75,7 @@ export function parseArguments(words: string[]): Arguments | Question {
     command,
     operands,
     settings,
-    formerWords: describeFormerWords(settingsOf(command), (flag) => values.get(flag)),
+    formerWords: describeFormerWords(settingsOf(engineCommand(command)), (flag) => values.get(flag)),
     faces: readTarget(values, 'faces', 'a whole number of at least 1', (n) => n >= 1 && Number.isInteger(n)),
     ratio: readTarget(values, 'ratio', 'a number above 0 and up to 1', (n) => n > 0 && n <= 1),
     fields: values.has('fields'),
@@ -86,6 +92,8 @@ export function parseArguments(words: string[]): Arguments | Question {
     soft: values.has('soft'),
     validates: !values.has('no-validate'),
     engineFile: fileOfEngine(engine),
+    from: readFormat(values.get('from')),
+    batch: readBatchFlags(values),
   };
 }
 
@@ -143,7 +151,8 @@ function checkOperands(command: Command, operands: string[]): void {
   const usage = `limber ${command} ${wanted.join(' ')}`;
   if (operands.length < wanted.filter((name) => !name.startsWith('[')).length)
     throw new UsageError(`${wanted[operands.length]} is missing: ${usage}.`);
-  if (operands.length > wanted.length)
+  const isOpen = wanted.some((name) => name.endsWith('...'));
+  if (operands.length > wanted.length && !isOpen)
     throw new UsageError(`"${operands[wanted.length]}" is one file too many: ${usage}.`);
 }
 
@@ -157,7 +166,7 @@ function settingsFrom(command: Command, values: Map<string, string>): Settings {
   if (values.has('like-input')) readLikeInput(values);
   const engine = values.get('engine');
   if (engine !== undefined) values.set('engine', engineFromFile(engine));
-  const settings = readSettings(settingsOf(command), (flag) => values.get(flag), base);
+  const settings = readSettings(settingsOf(engineCommand(command)), (flag) => values.get(flag), base);
   checkSettings(settings);
   checkSolverFlags(command, settings, values);
   return settings;
@@ -190,6 +199,14 @@ function readPreset(values: Map<string, string>): Partial<Settings> {
   const known = MATERIAL_NAMES.find((candidate) => candidate === name);
   if (!known) throw new UsageError(`--material-preset is ${name}: give one of ${MATERIAL_NAMES.join(', ')}.`);
   return MATERIALS[known];
+}
+
+/** The format of --from. */
+function readFormat(text: string | undefined): string | null {
+  if (text === undefined) return null;
+  const known = INPUT_FORMATS.find((format) => format === text.toLowerCase());
+  if (!known) throw new UsageError(`--from is ${text}: give one of ${INPUT_FORMATS.join(', ')}.`);
+  return known;
 }
 
 function readTarget(

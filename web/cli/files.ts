@@ -24,11 +24,17 @@ export interface ModelFiles {
   paths: string[];
 }
 
-/** The model file; for a glTF also the files that it names, as far as they exist in its folder. Throws UsageError. */
-export async function readModelFiles(path: string): Promise<ModelFiles> {
+/**
+ * The model file; for a glTF also the files that it names, as far as they exist in its folder. `from`: the format of stdin, null
+ * where its bytes tell. Throws UsageError.
+ */
+export async function readModelFiles(path: string, from: string | null = null): Promise<ModelFiles> {
   // A model from a pipe has no folder.
   if (path === STANDARD)
-    return { files: [{ name: 'stdin', bytes: await readStandard(process.stdin) }], paths: [] };
+    return {
+      files: [{ name: from === null ? 'stdin' : `stdin.${from}`, bytes: await readStandard(process.stdin) }],
+      paths: [],
+    };
   const main = { name: basename(path), bytes: readBytes(path) };
   // A link may stand beside links to the companions, or lead to where the companions are.
   const folders = [dirname(path), dirname(realpathSync(path))];

@@ -2,24 +2,23 @@
 
 import { COMMAND_DEFAULTS, COMMAND_GROUPS } from '../engine/settings/commands';
 import { rulesOf } from '../engine/settings/kinds';
+import { BATCH_FLAGS } from './batch/flags';
+import type { Flag } from './flag';
+export type { Flag };
 import { MATERIAL_NAMES } from '../engine/settings/materials';
-import { COMMANDS, OPTIONS, settingsOf } from '../engine/settings/options';
-import type { Command, OptionSpec, SettingName, Settings } from '../engine/settings/options';
+import { COMMANDS as ENGINE_COMMANDS, OPTIONS, settingsOf } from '../engine/settings/options';
+import type { Command as EngineCommand, OptionSpec, SettingName, Settings } from '../engine/settings/options';
 
-export { COMMANDS };
-export type { Command };
+export const COMMANDS = ['optimize', 'batch', 'tune', 'modes', 'compare', 'simulate', 'inspect'] as const;
+export type Command = (typeof COMMANDS)[number];
 
-export interface Flag {
-  name: string;
-  /** what stands for its value in the help; left out: the flag is a switch */
-  value?: string;
-  help: string;
-  group: string;
-}
+/** A batch optimizes every asset. */
+export const engineCommand = (command: Command): EngineCommand =>
+  ENGINE_COMMANDS.find((name) => name === command) ?? 'optimize';
 
 /** A command: its operands, and the flags that are no settings. commands.ts has those that are. */
 export interface CommandSpec {
-  /** in brackets where it may be left out; such ones come last */
+  /** in brackets where it may be left out; such ones come last. With dots where there may be several. */
   operands: string[];
   summary: string;
   flags: Flag[];
@@ -48,9 +47,18 @@ const MATERIAL_PRESET: Flag = {
   help: 'A whole material by name; other flags change parts of it. Default: rubber.',
   group: 'material',
 };
+/** What --from can say of stdin. */
+export const INPUT_FORMATS = ['glb', 'gltf', 'obj', 'stl', 'ply'] as const;
+
 const COMMON: Flag[] = [
   REPORT,
   { name: 'json', help: 'The same as --report -.', group: 'output' },
+  {
+    name: 'from',
+    value: INPUT_FORMATS.join('|'),
+    help: 'The format of a model from stdin, where its bytes leave it open.',
+    group: 'common',
+  },
   {
     name: 'force',
     help: 'Replace files that limber has not written itself; without it they are refused.',
@@ -71,33 +79,38 @@ const COMMON: Flag[] = [
   { name: 'version', help: 'Show the version.', group: 'common' },
 ];
 
+/** What optimize and batch are asked for. */
+const TARGETS: Flag[] = [
+  {
+    name: 'faces',
+    value: 'N',
+    help: 'Keep at most N faces of the whole scene, where they hurt most to lose.',
+    group: 'target',
+  },
+  {
+    name: 'ratio',
+    value: 'R',
+    help: 'Keep this share of the faces of the whole scene, above 0 to 1 (default: 0.5, where no other target is asked for). Of several targets the first one reached stops.',
+    group: 'target',
+  },
+  {
+    name: 'soft',
+    help: 'End with exit code 0 where a target or limit that was asked for is not reached; the reason is told.',
+    group: 'target',
+  },
+  {
+    name: 'fields',
+    help: 'Write strain and curvature as attributes _STRAIN and _CURVATURE.',
+    group: 'output',
+  },
+];
+
 export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   optimize: {
     operands: ['IN', 'OUT'],
     summary: 'Remove triangles where they matter least for how the body bends.',
     flags: [
-      {
-        name: 'faces',
-        value: 'N',
-        help: 'Keep at most N faces of the whole scene, where they hurt most to lose.',
-        group: 'target',
-      },
-      {
-        name: 'ratio',
-        value: 'R',
-        help: 'Keep this share of the faces of the whole scene, above 0 to 1 (default: 0.5, where no other target is asked for). Of several targets the first one reached stops.',
-        group: 'target',
-      },
-      {
-        name: 'soft',
-        help: 'End with exit code 0 where a target or limit that was asked for is not reached; the reason is told.',
-        group: 'target',
-      },
-      {
-        name: 'fields',
-        help: 'Write strain and curvature as attributes _STRAIN and _CURVATURE.',
-        group: 'output',
-      },
+      ...TARGETS,
       {
         name: 'bind',
         value: 'FILE',
@@ -118,6 +131,15 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
       ...COMMON,
     ],
     defaults: {},
+  },
+  batch: {
+    operands: ['SRC...', 'OUT'],
+    summary: 'Optimize all models of folders, and later those that have changed.',
+    flags: [...BATCH_FLAGS, ...TARGETS, ...COMMON.filter(({ name }) => name !== 'from')],
+    defaults: {},
+    words: {
+      threads: { help: 'Threads of each job; 0: the cores are shared out.', group: 'common' },
+    },
   },
   tune: {
     operands: ['A', 'B'],
@@ -182,8 +204,8 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
 
 /** All flags of a command, in the order of its help. */
 export function flagsOf(command: Command): Flag[] {
-  const settings = settingsOf(command).map((setting) => flagOf(command, setting));
-  const preset = COMMAND_GROUPS[command].includes('material') ? [MATERIAL_PRESET] : [];
+  const settings = settingsOf(engineCommand(command)).map((setting) => flagOf(command, setting));
+  const preset = COMMAND_GROUPS[engineCommand(command)].includes('material') ? [MATERIAL_PRESET] : [];
   return [...COMMAND_SPECS[command].flags, ...settings, ...preset];
 }
 
@@ -205,6 +227,6 @@ function describeDefault(command: Command, setting: SettingName): string {
 
 /** The settings that a command takes, for its report; texts that are empty are left out. */
 export function settingsAsUsed(command: Command, settings: Settings): Partial<Settings> {
-  const used = settingsOf(command).filter((setting) => settings[setting] !== '');
+  const used = settingsOf(engineCommand(command)).filter((setting) => settings[setting] !== '');
   return Object.fromEntries(used.map((setting) => [setting, settings[setting]]));
 }

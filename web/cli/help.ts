@@ -12,6 +12,7 @@ const GROUPS: Record<string, string> = {
   solver: 'Solver',
   simulation: 'Simulation',
   material: 'Material',
+  batch: 'Batch',
   output: 'Output',
   common: 'Common',
 };
@@ -36,7 +37,8 @@ function overview(): string {
     '',
     'IN, A and B are GLB, glTF (its files beside it), OBJ, STL, PLY or OFF, or a ZIP of one with its',
     'files. OUT is GLB, glTF, OBJ or PLY, or a ZIP of one, by its ending.',
-    'limber COMMAND --help shows all options of a command.',
+    'limber COMMAND --help shows all options of a command; limber completion bash|zsh|fish writes a',
+    'script that completes them.',
     '',
     'IN and OUT may be -: stdin and stdout.',
     '',

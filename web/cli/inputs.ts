@@ -3,6 +3,7 @@
 import { existsSync } from 'node:fs';
 import type { SourceFile } from '../engine/document/open';
 import type { Arguments } from './arguments';
+import { UsageError } from './failure';
 import { readModelFiles } from './files';
 import { checkEndings, checkOutputs, outputsOf } from './outputs';
 import type { Output } from './outputs';
@@ -24,12 +25,14 @@ export async function checkFiles(args: Arguments): Promise<CheckedFiles> {
   const outputs = outputsOf(args);
   const models = outputs.filter(({ isGlb }) => isGlb).map(({ path }) => path);
   const inputs = command === 'optimize' ? operands.slice(0, 1) : operands;
+  if (args.from !== null && !inputs.includes(STANDARD))
+    throw new UsageError('--from is about a model from stdin: give - for it, or leave --from out.');
   checkStandard({ inputs, models, reports, levels: settings.lods.length });
   checkEndings(outputs, settings.format !== 'auto');
   const files = new Map<string, SourceFile[]>();
   const paths: string[] = otherInputs(args);
   for (const input of inputs) {
-    const model = await readModelFiles(input);
+    const model = await readModelFiles(input, args.from);
     files.set(input, model.files);
     paths.push(...model.paths);
   }

@@ -3,9 +3,14 @@
 
 import { VERSION } from '../engine/core/version';
 
+/** The word that a batch starts its processes with; process_pool.ts says it. */
+const ASSET_WORKER = '--asset-worker';
+
 const words = process.argv.slice(2);
 if (words.length === 1 && ['--version', '-v', 'version'].includes(words[0])) {
   process.stdout.write(`${VERSION}\n`);
+} else if (words[0] === ASSET_WORKER) {
+  await import('./batch/worker');
 } else {
   const { startProgram } = await import('./program');
   await startProgram(words);

@@ -29,30 +29,49 @@ import { ofBody } from './warnings';
 import { plain } from './words';
 
 export async function runOptimize(args: Arguments): Promise<number> {
-  const [input, path] = args.operands;
-  const total = startStopwatch();
-  const stopwatch = startStopwatch();
+  const watches = { total: startStopwatch(), lap: startStopwatch() };
   const session = await startSession(args);
+  const done = await optimizeModel(session, watches);
+  if ('report' in done) return finishOptimize(session, done);
+  clearProgress();
+  const line = `${shownName(args.operands[0])} ${done.passedOn} -> ${shownOutput(args.operands[1])}\n`;
+  if (!args.quiet) (session.checked.takesStdout ? process.stderr : process.stdout).write(plain(line));
+  return EXIT.done;
+}
+
+/** Stopwatches that were started before the session: they count what it took to read the files. */
+interface Watches {
+  total: () => number;
+  lap: () => number;
+}
+
+/** Optimizes the model of a session and writes all but the report. A model without triangles is passed on as it is. */
+export async function optimizeModel(
+  session: Session,
+  { total, lap }: Watches,
+): Promise<Optimized | PassedOn> {
+  const { args } = session;
+  const [input, path] = args.operands;
   const model = await openAnyFile(session, input);
   if (model.bodies.length === 0) return passOn(session, model);
-  const load = stopwatch();
+  const load = lap();
   const written = checkModelOutputs(session, model, chosenBodies(model, args.settings));
   const file = prepareFile(session, model);
-  const weld = stopwatch();
+  const weld = lap();
   const output = optimizeFile(session, file);
-  stopwatch();
+  lap();
   const files = await output.files(fileName(path));
   saveFiles(session, path, files);
   if (args.bind !== null) save(session, args.bind, output.binding());
   if (args.settingsFile !== null) save(session, args.settingsFile, output.settings());
   if (written.lost.length > 0)
     session.warnings.push(`${shownOutput(path)} leaves out ${written.lost.join(', ')}`);
-  const exportTime = stopwatch();
+  const exportTime = lap();
   const levels = await writeLevels(args, output, (name, all) => {
     saveFiles(session, name, all);
   });
   if (args.validates) await warnOfErrors(session, files);
-  const levelsTime = stopwatch();
+  const levelsTime = lap();
   const report = output.report(
     optionsAsUsed(args),
     levels.written.map((level) => level.report),
@@ -63,13 +82,19 @@ export async function runOptimize(args: Arguments): Promise<number> {
     ...(levels.written.length > 0 ? { levels: levelsTime } : {}),
     total: total(),
   };
-  return finishOptimize(session, { output, report, levels });
+  return { file, output, report, levels };
+}
+
+/** What became of a model without triangles, in words that follow its name. */
+export interface PassedOn {
+  passedOn: string;
 }
 
 /** Writes a model without triangles as it is. */
-async function passOn(session: Session, model: OpenModel): Promise<number> {
+async function passOn(session: Session, model: OpenModel): Promise<PassedOn> {
   const [input, path] = session.args.operands;
-  if (session.args.reports.length + session.args.settings.lods.length > 0 || session.args.bind !== null)
+  const { reports, settings, bind } = session.args;
+  if (!session.isHosted && (reports.length + settings.lods.length > 0 || bind !== null))
     throw new UsageError(
       `${model.name} ${describeEmpty(model)}, of which nothing can be reported: leave out --report, --lods and --bind.`,
     );
@@ -77,20 +102,18 @@ async function passOn(session: Session, model: OpenModel): Promise<number> {
   const { form } = checkModelOutputs(session, model, []);
   saveFiles(session, path, await passThrough(model, main.bytes, { name: fileName(path), form }));
   session.warnings.length = 0;
-  clearProgress();
-  const line = `${shownName(input)} ${describeEmpty(model)} and is passed on as it is -> ${shownOutput(path)}\n`;
-  if (!session.args.quiet) (session.checked.takesStdout ? process.stderr : process.stdout).write(plain(line));
-  return EXIT.done;
+  return { passedOn: `${describeEmpty(model)} and is passed on as it is` };
 }
 
-interface Optimized {
+export interface Optimized {
+  file: FileRun;
   output: FileOutput;
   report: Report;
   levels: WrittenLevels;
 }
 
-/** Says what has come of it; returns the exit code. */
-function finishOptimize(session: Session, { output, report, levels }: Optimized): number {
+/** Writes the report and says what has come of it; returns the exit code. */
+export function finishOptimize(session: Session, { output, report, levels }: Optimized): number {
   const { args } = session;
   const missed = missedTargets(args, output, levels.written);
   const text = [

@@ -10,6 +10,7 @@ import { clearProgress } from './terminal';
 /** Each command loads what it needs when it is run. */
 const RUN: Record<Command, (args: Arguments) => Promise<number>> = {
   optimize: async (args) => (await import('./optimize')).runOptimize(args),
+  batch: async (args) => (await import('./batch/batch')).runBatch(args),
   tune: async (args) => (await import('./tune')).runTune(args),
   modes: async (args) => (await import('./modes')).runModes(args),
   compare: async (args) => (await import('./compare')).runCompare(args),
@@ -17,7 +18,8 @@ const RUN: Record<Command, (args: Arguments) => Promise<number>> = {
   inspect: async (args) => (await import('./inspect')).runInspect(args),
 };
 
-const dryRun = async (args: Arguments): Promise<number> => (await import('./dry_run')).runDry(args);
+const dryRun = async (args: Arguments): Promise<number> =>
+  args.command === 'batch' ? RUN.batch(args) : (await import('./dry_run')).runDry(args);
 
 /** Returns when the command has ended; the program ends once its output is written. */
 export async function startProgram(words: string[]): Promise<void> {
@@ -29,6 +31,7 @@ export async function startProgram(words: string[]): Promise<void> {
 }
 
 async function runWords(words: string[]): Promise<number> {
+  if (words[0] === 'completion') return (await import('./shell/completion')).runCompletion(words.slice(1));
   const parsed = parseArguments(words);
   if (!('show' in parsed)) return parsed.dryRun ? dryRun(parsed) : RUN[parsed.command](parsed);
   const text = parsed.show === 'version' ? VERSION : (await import('./help')).helpText(parsed.command);

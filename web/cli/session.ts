@@ -29,24 +29,36 @@ export interface Session {
   checked: CheckedFiles;
   /** what has been written so far, as the user calls it */
   written: string[];
+  /** writes a whole file, which it is for whoever runs the session to put where its path says */
+  write: (path: string, content: Uint8Array | string) => void;
+  /** whether a batch runs the session, for which a model without triangles is as good as any */
+  isHosted: boolean;
   /** written at the end, so that a failure is one line */
   warnings: Warning[];
   /** the beginning of the progress line, before the phase */
   activity: string;
 }
 
+/** Who runs a session, where that is not the command line alone: it has a core already, and takes what is written. */
+export type SessionHost = Pick<Session, 'core' | 'write'>;
+
 /** Reads the files of the command and checks those that it writes, then loads the core. */
-export async function startSession(args: Arguments): Promise<Session> {
+export async function startSession(args: Arguments, host?: SessionHost): Promise<Session> {
   const checked = await checkFiles(args);
   const warnings: Warning[] = args.formerWords.map(inFlags);
-  const session = { args, checked, warnings, written: [], activity: '' };
+  const session = { args, checked, warnings, written: [], activity: '', write: writeWhole, isHosted: false };
+  if (host) return { ...session, ...host, isHosted: true };
   const showsProgress = !args.quiet && canRedraw(process.stderr);
   const onProgress = showsProgress
     ? (progress: Progress) => showProgress(session.activity, progress)
     : undefined;
-  const core = await loadCore({ threads: args.settings.threads, wasmFolder: findWasm(), onProgress });
+  const core = await loadSessionCore(args.settings.threads, onProgress);
   return Object.assign(session, { core });
 }
+
+/** The core, from where the command line has it. */
+export const loadSessionCore = (threads: number, onProgress?: (progress: Progress) => void): Promise<Core> =>
+  loadCore({ threads, wasmFolder: findWasm(), onProgress });
 
 /** The core is among the assets of the npm package, beside the built page, or in public/ in a working copy. */
 function findWasm(): string {
@@ -78,7 +90,7 @@ function noted({ warnings, checked }: Session, model: OpenModel): OpenModel {
 export function save(session: Session, path: string, content: Uint8Array | string): void {
   try {
     if (path === STANDARD) process.stdout.write(content);
-    else writeWhole(path, content);
+    else session.write(path, content);
   } catch (error) {
     throw new UsageError(`${describeFailure(error).line.replace(/\.$/, '')}${describeWritten(session)}.`);
   }

@@ -63,6 +63,9 @@ function chooseModel(files: SourceFile[]): { file: SourceFile; format: Format } 
   return { file, format };
 }
 
+/** Whether a file has the name of a model that can be read. */
+export const isModelName = (name: string): boolean => formatOfName(name) !== null;
+
 function formatOfName(name: string): Format | null {
   const ending = name.toLowerCase().split('.').pop()!;
   return FORMATS.find((format) => format === ending) ?? null;

@@ -1,0 +1,71 @@
+// Measures how much faster a batch is with two jobs than with one, each on one thread. Needs `npm run build`.
+//
+//   node tests/bench/batch.mjs [--assets 200] [--faces 1000] [--jobs 2] [--keep FOLDER]
+//
+// Also measures limber optimize once for each of the first ten assets, which pays the start of the program for each.
+
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { parseArgs } from 'node:util';
+import { writeAssets } from './batch_assets.mjs';
+
+const option = (value) => ({ type: 'string', default: value });
+const { values } = parseArgs({
+  options: { assets: option('200'), faces: option('1000'), jobs: option('2') },
+});
+const limber = resolve(import.meta.dirname, '..', '..', 'dist', 'cli', 'limber.mjs');
+const folder = mkdtempSync(join(tmpdir(), 'limber-batch-bench-'));
+const source = join(folder, 'source');
+const count = Number(values.assets);
+writeAssets(source, { count, faces: Number(values.faces), seed: 7 });
+
+/** Seconds of a run; throws where it fails. */
+function seconds(...words) {
+  const begun = performance.now();
+  const { status, stderr } = spawnSync(process.execPath, [limber, ...words], { encoding: 'utf8' });
+  if (status !== 0) throw new Error(`limber ${words.join(' ')} ended with ${status}: ${stderr}`);
+  return (performance.now() - begun) / 1000;
+}
+
+const batch = (jobs) =>
+  seconds(
+    'batch',
+    source,
+    join(folder, `out-${jobs}`),
+    '--jobs',
+    jobs,
+    '--threads',
+    '1',
+    '--soft',
+    '--quiet',
+  );
+
+const one = batch('1');
+const several = batch(values.jobs);
+const nothing = batch(values.jobs);
+const names = readdirSync(source, { recursive: true })
+  .map(String)
+  .filter((name) => name.endsWith('.obj'))
+  .sort()
+  .slice(0, 10);
+mkdirSync(join(folder, 'single'));
+const single = names.map((name, i) =>
+  seconds(
+    'optimize',
+    join(source, name),
+    join(folder, 'single', `${i}.glb`),
+    '--threads',
+    '1',
+    '--quiet',
+    '--soft',
+  ),
+);
+rmSync(folder, { recursive: true, force: true });
+const mean = single.reduce((sum, value) => sum + value, 0) / single.length;
+console.log(`assets ${count} of ${values.faces} to ${2 * Number(values.faces)} faces, --threads 1`);
+console.log(`--jobs 1  ${one.toFixed(1)} s (${(one / count).toFixed(3)} s each)`);
+console.log(`--jobs ${values.jobs}  ${several.toFixed(1)} s, ${(one / several).toFixed(2)} times as fast`);
+console.log(`again, all up to date  ${nothing.toFixed(1)} s`);
+console.log(`limber optimize for each  ${mean.toFixed(3)} s each (the first ${single.length})`);

@@ -1,0 +1,90 @@
+"""Runs docs/recipes/blender.py: weights, UVs, cloth settings and place come back; FBX, USD and Alembic go through.
+
+    python tests/bench/recipes_blender.py        in a Python with the bpy package; needs `npm run build`
+"""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import bpy
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+os.environ.setdefault("LIMBER", f"node {ROOT / 'dist' / 'cli' / 'limber.mjs'}")
+sys.path.insert(0, str(ROOT / "docs" / "recipes"))
+import blender  # noqa: E402
+
+
+def cloth_sheet(cells=24):
+    """A sheet of 2 by 2 with UVs, whose group "pins" falls off linearly along x, turned and moved."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.mesh.primitive_grid_add(x_subdivisions=cells, y_subdivisions=cells, size=2)
+    sheet = bpy.context.active_object
+    group = sheet.vertex_groups.new(name="pins")
+    for vertex in sheet.data.vertices:
+        group.add([vertex.index], (vertex.co.x + 1) / 2, "REPLACE")
+    sheet.location, sheet.rotation_euler = (1, 2, 3), (0.3, 0.2, 0.1)
+    cloth = sheet.modifiers.new("Cloth", "CLOTH")
+    cloth.settings.tension_stiffness, cloth.settings.mass = 20, 0.02
+    cloth.settings.vertex_group_mass = "pins"
+    bpy.context.view_layer.update()
+    return sheet
+
+
+def check(condition, words):
+    print(("ok      " if condition else "FAILED  ") + words)
+    return bool(condition)
+
+
+def check_object():
+    sheet = cloth_sheet()
+    found = []
+    bring = blender._bring_cloth
+    blender._bring_cloth = lambda cloth, thing, settings: found.append(settings) or bring(cloth, thing, settings)
+    result = blender.optimize(sheet, "--ratio 0.4")
+    mesh, group = result.data, result.vertex_groups["pins"]
+    weights = {v.index: next((g.weight for g in v.groups if g.group == group.index), 0.0) for v in mesh.vertices}
+    weight_error = max(abs(weights[v.index] - (v.co.x + 1) / 2) for v in mesh.vertices)
+    uvs = mesh.uv_layers[0].data
+    uv_error = max(abs(uvs[loop.index].uv.x - (mesh.vertices[loop.vertex_index].co.x + 1) / 2) for loop in mesh.loops)
+    cloth = result.modifiers["Cloth"].settings
+    bpy.context.view_layer.update()
+    offset = max(abs(a - b) for p, q in zip(result.matrix_world, sheet.matrix_world) for a, b in zip(p, q))
+    faces = len(mesh.polygons)
+    engine = found[0]["bodies"][0]["engine"]
+    values = [(engine[name], getattr(cloth, to)) for name, to in blender.CLOTH.items() if name in engine and name != "quality"]
+    engine_error = max(abs(a - b) / max(1e-9, abs(a)) for a, b in values)
+    return [
+        check(0 < faces <= 0.4 * 2 * 24 * 24, f"{faces} faces of {2 * 24 * 24}"),
+        check(weight_error < 0.02, f"weights are within {weight_error:.4f} of the linear field"),
+        check(uv_error < 0.02, f"UVs are within {uv_error:.4f} of the linear field"),
+        check(offset < 1e-6, "the result is where the original is"),
+        check(cloth.vertex_group_mass == "pins", "pins are the group"),
+        check(cloth.mass > 0.02, f"the mass of a vertex grew from 0.02 to {cloth.mass:.4f}, as there are fewer"),
+        check(engine_error < 1e-5, "tension, bending, mass and dampings are those of the settings file"),
+    ]
+
+
+def check_files():
+    passed = []
+    for ending in (".fbx", ".usdc", ".abc"):
+        with tempfile.TemporaryDirectory() as folder:
+            source, target = (os.path.join(folder, f"{name}{ending}") for name in ("in", "out"))
+            sheet = cloth_sheet()
+            sheet.modifiers.clear()
+            blender.FILES[ending][1](source)
+            script = ROOT / "docs" / "recipes" / "blender.py"
+            run = subprocess.run([sys.executable, script, source, target, "--ratio", "0.4"], capture_output=True, text=True, check=False)
+            bpy.ops.wm.read_factory_settings(use_empty=True)
+            if run.returncode == 0:
+                blender.FILES[ending][0](target)
+            meshes = [one for one in bpy.data.objects if one.type == "MESH"]
+            faces = sum(len(one.data.polygons) for one in meshes)
+            passed.append(check(len(meshes) == 1 and 0 < faces <= 0.4 * 1152, f"{ending}: {faces} faces {run.stderr[-300:]}"))
+    return passed
+
+
+if __name__ == "__main__":
+    sys.exit(0 if all(check_object() + check_files()) else 1)

@@ -1,0 +1,261 @@
+/** limber batch as a program. */
+
+import { spawn, spawnSync } from 'node:child_process';
+import {
+  appendFileSync,
+  cpSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  utimesSync,
+  writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, beforeEach, describe, expect, it } from 'vitest';
+import type { Summary } from '../../web/cli/batch/summary';
+import { validateGlb } from '../../web/engine/document/validate';
+import { glbFile } from './support/gltf';
+import { tableScene } from './support/scenes';
+import { grid, toObj, torus } from './support/shapes';
+
+const program = new URL('../../dist/cli/limber.mjs', import.meta.url).pathname;
+const kills = new URL('../bench/batch_kills.mjs', import.meta.url).pathname;
+const top = mkdtempSync(join(tmpdir(), 'limber-batch-'));
+let folder: string;
+let runs = 0;
+const path = (name: string) => join(folder, name);
+
+function limber(...words: string[]) {
+  const { status, stdout, stderr } = spawnSync(process.execPath, [program, ...words], {
+    cwd: folder,
+    encoding: 'utf8',
+  });
+  return { code: status, stdout, stderr };
+}
+
+const batch = (...words: string[]) => limber('batch', 'src', 'out', '--jobs', '2', ...words);
+const summary = () => JSON.parse(readFileSync(path('out/summary.json'), 'utf8')) as Summary;
+const totals = () => summary().totals;
+const rowOf = (asset: string) => summary().assets.find((row) => row.asset === asset)!;
+const bytes = (name: string) => readFileSync(path(name));
+const write = (name: string, text: string) => {
+  mkdirSync(join(path(name), '..'), { recursive: true });
+  writeFileSync(path(name), text);
+};
+
+beforeEach(() => {
+  folder = join(top, String(++runs));
+  write('src/ring.obj', toObj(torus()));
+  write('src/sheets/sheet.obj', toObj(grid(8, 8)));
+});
+afterAll(() => rmSync(top, { recursive: true, force: true }));
+
+describe('limber batch', () => {
+  it('writes what limber optimize writes, in the same tree, with a summary', async () => {
+    writeFileSync(path('src/table.glb'), (await glbFile(tableScene())).bytes);
+    const { code, stdout, stderr } = batch('--ratio', '0.4', '--frequencies', '--soft');
+    expect([code, stderr.split('\n').length]).toEqual([0, 5]);
+    expect(stdout).toMatch(
+      /^3 assets: 3 optimized, 0 up to date; [\d,]+ -> [\d,]+ faces \(-\d+\.\d %\); \d+\.\d s -> out/,
+    );
+    for (const name of ['ring', 'sheets/sheet']) {
+      limber('optimize', `src/${name}.obj`, 'alone.glb', '--ratio', '0.4', '--soft');
+      expect(bytes(`out/${name}.glb`).equals(bytes('alone.glb'))).toBe(true);
+    }
+    expect(await validateGlb(bytes('out/table.glb'))).toMatchObject({ errors: 0 });
+    const { facesBefore, facesAfter, frequencyError, deviation } = rowOf('ring.obj');
+    expect(facesBefore).toBe(576);
+    expect(facesAfter).toBeGreaterThanOrEqual(230);
+    expect(facesAfter).toBeLessThan(576);
+    expect(frequencyError).toBeGreaterThan(0);
+    expect(deviation).toBeGreaterThan(0);
+    const html = bytes('out/summary.html').toString();
+    expect(html.match(/<img src="data:image\/png;base64,iVBOR/g)).toHaveLength(3);
+    expect(html).not.toMatch(/src="(?!data:)|href=/);
+    expect(bytes('out/summary.csv').toString().split('\r\n')).toHaveLength(5);
+    expect(readdirSync(path('out/.limber-batch')).sort()).toEqual(['manifest.json', 'pictures']);
+  });
+
+  it('does again what has changed by content, and nothing else', () => {
+    batch();
+    const written = statSync(path('out/ring.glb')).mtimeMs;
+    utimesSync(path('src/ring.obj'), new Date(), new Date());
+    expect([batch().code, totals().unchanged]).toEqual([0, 2]);
+    expect(statSync(path('out/ring.glb')).mtimeMs).toBe(written);
+    appendFileSync(path('src/ring.obj'), '# changed\n');
+    rmSync(path('out/sheets/sheet.glb'));
+    write('src/new.obj', toObj(grid(4, 4)));
+    const dry = batch('--dry-run');
+    expect(dry.stdout).toMatch(
+      /new\.obj \(new\) -> out\/new\.glb\nsrc\/ring\.obj \(changed\).*\nsrc\/sheets\/sheet\.obj \(result missing\)/,
+    );
+    expect(existsSync(path('out/new.glb'))).toBe(false);
+    batch();
+    expect(totals()).toMatchObject({ assets: 3, done: 3, unchanged: 0 });
+    expect([batch('--ratio', '0.3', '--soft').code, totals().unchanged]).toEqual([0, 0]);
+    expect([batch('--ratio', '0.3', '--soft', '--threads', '2').code, totals().unchanged]).toEqual([0, 3]);
+    expect([batch('--ratio', '0.3', '--soft', '--again').code, totals().unchanged]).toEqual([0, 0]);
+  });
+
+  it('fails a bad asset alone, and names it with its sentence', () => {
+    write('src/bad.obj', 'v 0 0 nan\nf 1 1 1\n');
+    write('src/=1+1.obj', 'nothing');
+    const { code, stderr } = batch('--quiet');
+    expect(code).toBe(1);
+    expect(stderr.trim().split('\n')).toEqual([
+      expect.stringMatching(/^limber: =1\+1\.obj: /),
+      'limber: bad.obj: bad.obj, line 1: z is nan, not a finite number.',
+    ]);
+    expect(totals()).toMatchObject({ assets: 4, done: 2, failed: 2 });
+    expect(bytes('out/summary.csv').toString()).toContain(`'=1+1.obj,failed`);
+    write('src/bad.obj', toObj(grid(3, 3)));
+    rmSync(path('src/=1+1.obj'));
+    expect([batch().code, totals().unchanged, totals().failed]).toEqual([0, 2, 0]);
+  });
+
+  it('takes a configuration with overrides, and tells what misses a target', () => {
+    write(
+      'batch.json',
+      JSON.stringify({
+        schema: 'limber-batch/1',
+        options: { ratio: 0.5, reports: true, bindings: true },
+        overrides: [
+          { files: '*.obj', options: { soft: false } },
+          { files: 'ring.*', options: { faces: 1, maxDeviation: 0, reports: false } },
+        ],
+        exclude: ['skip/**'],
+      }),
+    );
+    write('src/skip/x.obj', 'nothing');
+    const { code, stderr } = batch('--config', 'batch.json', '--quiet');
+    expect([code, stderr]).toEqual([
+      2,
+      expect.stringMatching(/^limber: ring\.obj: Stopped at \d+ faces, not 1: /),
+    ]);
+    expect([rowOf('sheets/sheet.obj').state, rowOf('ring.obj').state]).toEqual(['done', 'missed']);
+    expect(readdirSync(path('out')).filter((name) => name.startsWith('ring'))).toEqual([
+      'ring.bind.json',
+      'ring.glb',
+    ]);
+    expect(readdirSync(path('out/sheets'))).toEqual(['sheet.bind.json', 'sheet.glb', 'sheet.report.json']);
+    expect(JSON.parse(bytes('out/sheets/sheet.report.json').toString())).toMatchObject({
+      schema: 'limber-report/1',
+    });
+    expect(batch('--config', 'batch.json').code).toBe(2);
+    expect(totals().unchanged).toBe(2);
+  });
+
+  it('writes over nothing that is not its own', () => {
+    write('out/ring.glb', 'mine');
+    write('out/summary.csv', 'mine');
+    expect(batch()).toMatchObject({
+      code: 1,
+      stderr: expect.stringMatching(/summary\.csv exists and was not written/),
+    });
+    rmSync(path('out/summary.csv'));
+    expect(batch('--quiet')).toMatchObject({
+      code: 1,
+      stderr: expect.stringMatching(/^limber: ring\.obj: .*ring\.glb exists/),
+    });
+    expect(bytes('out/ring.glb').toString()).toBe('mine');
+    expect(batch('--report', 'src/ring.obj', '--force').stderr).toMatch(
+      /src\/ring\.obj, .*is also the input/,
+    );
+    expect(limber('batch', 'src', 'src')).toMatchObject({
+      code: 1,
+      stderr: expect.stringContaining('is also SRC'),
+    });
+    expect(batch('--force').code).toBe(0);
+  });
+
+  it('takes files, patterns and unusual names', () => {
+    write('src/Ünï cødé 🦊/it’s; $(touch x) & "q".obj', toObj(grid(4, 4)));
+    write('src/-rf.obj', toObj(grid(4, 4)));
+    write('src/two\nlines.obj', toObj(grid(4, 4)));
+    write('src/.hidden/a.obj', 'nothing');
+    write('src/a*.txt', 'nothing');
+    const all = limber('batch', 'src/**/*.obj', 'out', '--quiet');
+    expect([all.code, all.stderr]).toEqual([0, '']);
+    expect(totals().assets).toBe(5);
+    expect(existsSync(path('out/Ünï cødé 🦊/it’s; $(touch x) & "q".glb'))).toBe(true);
+    expect(existsSync(path('x'))).toBe(false);
+    expect(limber('batch', 'src/*.obj', 'src/sheets/sheet.obj', 'flat', '--quiet').code).toBe(0);
+    expect(readdirSync(path('flat')).sort()).toEqual([
+      ...[
+        '-rf.glb',
+        '.limber-batch',
+        'ring.glb',
+        'sheet.glb',
+        'summary.csv',
+        'summary.html',
+        'summary.json',
+        'two\nlines.glb',
+      ],
+    ]);
+    expect(limber('batch', 'src', 'src/ring.obj', 'out2').stderr).toMatch(/are both ring\.obj below SRC/);
+    expect(limber('batch', 'nothing', 'out3').stderr).toMatch(/nothing does not exist/);
+  });
+
+  it('does everything again where its memory is damaged', () => {
+    batch();
+    const before = bytes('out/ring.glb');
+    writeFileSync(path('out/.limber-batch/manifest.json'), '{"schema":"limber-batchmanifest/1","assets":[');
+    const { code, stderr } = batch();
+    expect([code, totals().unchanged]).toEqual([0, 0]);
+    expect(stderr).toContain('manifest.json is damaged or of another version: all assets are done again');
+    expect(bytes('out/ring.glb').equals(before)).toBe(true);
+    expect([batch().code, totals().unchanged]).toEqual([0, 2]);
+  });
+
+  it.runIf(process.platform === 'linux')('fails alone what takes more memory than a job may', () => {
+    const { code, stderr } = batch('--memory', '64', '--quiet');
+    expect(code).toBe(1);
+    expect(stderr).toContain('limber: ring.obj: takes more than the 64 MB of a job: give more with --memory');
+  });
+
+  it('lets one batch at a time work on a folder, and takes over what a killed one left', async () => {
+    cpSync(path('src'), path('src/copy'), { recursive: true });
+    const first = spawn(process.execPath, [program, 'batch', 'src', 'out', '--quiet'], { cwd: folder });
+    while (!existsSync(path('out/.limber-batch/lock.json'))) await new Promise((done) => setTimeout(done, 5));
+    const second = batch();
+    expect(second).toMatchObject({
+      code: 1,
+      stderr: expect.stringContaining('Another batch is at work on out'),
+    });
+    first.kill('SIGKILL');
+    await new Promise((done) => first.on('exit', done));
+    expect(batch().code).toBe(0);
+    expect(existsSync(path('out/.limber-batch/lock.json'))).toBe(false);
+  });
+
+  it('has the results of an undisturbed run after kills at random moments', () => {
+    const { status, stdout } = spawnSync(
+      process.execPath,
+      [kills, '--kills', '6', '--seed', '11', '--assets', '6', '--faces', '200'],
+      { encoding: 'utf8' },
+    );
+    expect([status, stdout]).toEqual([0, expect.stringContaining('6 of 6 equal')]);
+  });
+});
+
+describe('--from', () => {
+  it('says what stdin is', () => {
+    const points = toObj(grid(4, 4));
+    const run = (...words: string[]) =>
+      spawnSync(process.execPath, [program, 'optimize', '-', '-', ...words], {
+        cwd: folder,
+        input: `# no clue\n${points}`,
+      });
+    expect(run('--from', 'obj').stdout.subarray(0, 4).toString()).toBe('glTF');
+    expect(run('--from', 'ply')).toMatchObject({ status: 1 });
+    expect(run('--from', 'fbx').stderr.toString()).toMatch(/--from is fbx: give one of glb, gltf/);
+    expect(limber('inspect', 'src/ring.obj', '--from', 'obj').stderr).toMatch(
+      /--from is about a model from stdin/,
+    );
+  });
+});

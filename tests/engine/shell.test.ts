@@ -1,0 +1,64 @@
+/** The manual page and the completion of shells. */
+
+import { spawnSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import { COMMANDS, flagsOf } from '../../web/cli/flags';
+import { completionScript, wordsOf } from '../../web/cli/shell/completion';
+import type { Shell } from '../../web/cli/shell/completion';
+import { manPage } from '../../web/cli/shell/man_page';
+
+const hasProgram = (name: string) => spawnSync(name, ['--version']).status === 0;
+
+it('the manual page is current', () => {
+  // node scripts/docs/man-page.mjs writes it.
+  expect(readFileSync(join(import.meta.dirname, '../../docs/limber.1'), 'utf8')).toBe(manPage());
+});
+
+it('the manual page has every flag of every command, in lines that are no requests by accident', () => {
+  const page = manPage();
+  for (const command of COMMANDS)
+    for (const { name } of flagsOf(command)) expect(page).toContain(`\\-\\-${name.replaceAll('-', '\\-')}`);
+  expect(page.split('\n').filter((line) => /^[.'](?!TH|SH|SS|TP|B |BR |br)/.test(line))).toEqual([]);
+});
+
+describe('completion', () => {
+  /** What bash offers for the last of the words. */
+  function offered(...words: string[]): string[] {
+    const script = `${completionScript('bash')}
+COMP_WORDS=(${words.map((word) => `'${word}'`).join(' ')}); COMP_CWORD=${words.length - 1}
+_limber; printf '%s\\n' "\${COMPREPLY[@]}"`;
+    return spawnSync('bash', ['-c', script], { encoding: 'utf8' }).stdout.trim().split('\n');
+  }
+
+  it('offers commands, flags and the words that flags take', () => {
+    expect(offered('limber', 'o')).toEqual(['optimize']);
+    expect(offered('limber', 'batch', '--jo')).toEqual(['--jobs']);
+    expect(offered('limber', 'optimize', 'a.glb', '--method', '')).toEqual(['limber', 'paper', 'qem']);
+    expect(offered('limber', 'completion', 'f')).toEqual(['fish']);
+    expect(offered('limber', 'inspect', '--jo')).toEqual(['']);
+  });
+
+  it('knows the words of flags that take words', () => {
+    const flag = (value?: string) => wordsOf({ name: 'x', value, help: '', group: '' });
+    expect([flag('a|b-c'), flag('FILE|-'), flag('N'), flag()]).toEqual([['a', 'b-c'], [], [], []]);
+  });
+
+  for (const shell of ['zsh', 'fish'] as Shell[]) {
+    it(`has every flag in the script of ${shell}`, () => {
+      const script = completionScript(shell);
+      const flags = COMMANDS.flatMap(flagsOf);
+      const missing = flags.filter(({ name }) => !new RegExp(`(--|-l )${name}\\b`).test(script));
+      expect(missing).toEqual([]);
+    });
+
+    it.skipIf(!hasProgram(shell))(`is a script that ${shell} reads`, () => {
+      const { status, stderr } = spawnSync(shell, ['-n'], {
+        input: completionScript(shell),
+        encoding: 'utf8',
+      });
+      expect([status, stderr]).toEqual([0, '']);
+    });
+  }
+});

@@ -1,0 +1,149 @@
+/** limber batch SRC... OUT */
+
+import { existsSync, mkdirSync, realpathSync, statSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import { join } from 'node:path';
+import { EMPTY_CONFIG, isExcluded, readBatchConfig } from '../../engine/settings/batch_config';
+import { startStopwatch } from '../../engine/core/stopwatch';
+import type { Arguments } from '../arguments';
+import { EXIT, UsageError } from '../failure';
+import { readText } from '../files';
+import { checkOutputs } from '../outputs';
+import { isOwnFile } from '../own_files';
+import { STANDARD } from '../standard';
+import { count, plain, plural } from '../words';
+import { runDryBatch } from './dry';
+import { Journal } from './journal';
+import { takeLock } from './lock';
+import { memoryLimit } from './memory';
+import { optionsOfFlags, requestsOf } from './orders';
+import type { AssetRequest } from './orders';
+import { OWN_FOLDER } from './results';
+import { BatchRun } from './run';
+import { findSources } from './sources';
+import { describeTotals, summaryOf } from './summary';
+import type { Summary } from './summary';
+import { SUMMARY_FILES, writeSummary } from './write_summary';
+
+export async function runBatch(args: Arguments): Promise<number> {
+  const seconds = startStopwatch();
+  const out = args.operands[args.operands.length - 1];
+  const requests = readRequests(args, out);
+  checkOut(args, out);
+  checkReports(args, requests);
+  const own = join(out, OWN_FOLDER);
+  const journal = new Journal(own);
+  if (args.dryRun) return runDryBatch(out, requests, journal);
+  mkdirSync(own, { recursive: true });
+  const unlock = takeLock(own, out);
+  try {
+    const crew = crewOf(args, requests.length);
+    sayStart(args, requests, { crew, notes: journal.notes });
+    journal.gather();
+    const run = new BatchRun({ args, out, journal, ...crew }, requests);
+    stopOnSignal(run, unlock);
+    const rows = await run.all();
+    journal.gather();
+    const summary = summaryOf(rows, seconds());
+    writeSummary(args, out, summary);
+    return finish(args, out, summary);
+  } finally {
+    unlock();
+  }
+}
+
+/** Throws where the configuration, a source or a setting is not usable: nothing is begun then. */
+function readRequests(args: Arguments, out: string): AssetRequest[] {
+  const words = args.operands.slice(0, -1);
+  if (args.operands.includes(STANDARD))
+    throw new UsageError('A batch reads and writes folders: use limber optimize for stdin and stdout.');
+  const { config: path } = args.batch;
+  const config = path === null ? EMPTY_CONFIG : readBatchConfig(readText(path), path);
+  const sources = findSources(words, out).filter(({ name }) => !isExcluded(config, name));
+  if (sources.length === 0) throw new UsageError(`${path} excludes all models: give fewer patterns.`);
+  return requestsOf(config, optionsOfFlags(args), sources);
+}
+
+function checkOut({ operands, force }: Arguments, out: string): void {
+  const found = statSync(out, { throwIfNoEntry: false });
+  if (!found) return;
+  if (!found.isDirectory()) throw new UsageError(`${out} is a file: name a folder for the results.`);
+  const same = operands
+    .slice(0, -1)
+    .find((word) => existsSync(word) && realpathSync(word) === realpathSync(out));
+  if (same !== undefined) throw new UsageError(`${out} is also SRC: choose another folder for the results.`);
+  if (force || existsSync(join(out, OWN_FOLDER))) return;
+  const foreign = SUMMARY_FILES.map((name) => join(out, name)).find(
+    (path) => existsSync(path) && !isOwnFile(path),
+  );
+  if (foreign !== undefined)
+    throw new UsageError(
+      `${foreign} exists and was not written by limber: choose another folder, or replace it with --force.`,
+    );
+}
+
+/** The summary is written over no asset, and over no file of the user's own without --force. */
+function checkReports({ reports, force, batch }: Arguments, requests: AssetRequest[]): void {
+  const capacity = { model: 0, positions: 0 };
+  const outputs = reports.map((path) => ({ path, flag: '--report', isGlb: false, capacity }));
+  const sources = requests.map(({ asset }) => asset.path);
+  if (reports.length > 0)
+    checkOutputs(outputs, batch.config === null ? sources : [...sources, batch.config], force);
+}
+
+/** How many work, with what. */
+export interface Crew {
+  jobs: number;
+  /** of each job */
+  threads: number;
+  /** bytes of each job */
+  memory: number;
+}
+
+/** Threads of one job beyond which more do not help. */
+const MOST_THREADS = 8;
+
+export function crewOf({ batch, settings }: Arguments, assets: number, cores = availableParallelism()): Crew {
+  const jobs = Math.max(1, Math.min(batch.jobs || cores, assets));
+  const share = Math.max(1, Math.min(MOST_THREADS, Math.floor(cores / jobs)));
+  return { jobs, threads: settings.threads || share, memory: memoryLimit(batch.memory, jobs) };
+}
+
+function sayStart(
+  { quiet }: Arguments,
+  requests: AssetRequest[],
+  { crew, notes }: { crew: Crew; notes: string[] },
+): void {
+  if (quiet) return;
+  for (const note of notes) process.stderr.write(`limber: ${plain(note)}.\n`);
+  const { jobs, threads, memory } = crew;
+  const megabytes = count(Math.floor(memory / 2 ** 20));
+  process.stderr.write(
+    `${plural(requests.length, 'asset', 'assets')}, ${plural(jobs, 'job', 'jobs')} of ${plural(threads, 'thread', 'threads')} and at most ${megabytes} MB each\n`,
+  );
+}
+
+/** What is finished stays; the same command goes on with the rest. */
+function stopOnSignal(run: BatchRun, unlock: () => void): void {
+  const codes = { SIGINT: 130, SIGTERM: 143 } as const;
+  for (const signal of ['SIGINT', 'SIGTERM'] as const)
+    process.once(signal, () => {
+      run.stop();
+      unlock();
+      process.stderr.write('limber: stopped; the same command goes on with what is left.\n');
+      process.exit(codes[signal]);
+    });
+}
+
+function finish(args: Arguments, out: string, summary: Summary): number {
+  const { totals, assets } = summary;
+  if (!args.quiet && !args.reports.includes(STANDARD))
+    process.stdout.write(`${plain(`${describeTotals(totals)} -> ${join(out, 'summary.html')}`)}\n`);
+  for (const { asset, state, sentences } of assets) {
+    const told = state === 'done' ? (args.verbose ? sentences : []) : sentences.slice(0, 1);
+    for (const sentence of told)
+      process.stderr.write(`limber: ${plain(`${asset}: ${sentence.replace(/\.$/, '')}`)}.\n`);
+  }
+  if (totals.failed > 0) return EXIT.badInput;
+  return totals.missed > 0 ? EXIT.missedTarget : EXIT.done;
+}

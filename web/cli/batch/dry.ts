@@ -1,0 +1,26 @@
+/** What a batch would do. */
+
+import { join } from 'node:path';
+import { EXIT } from '../failure';
+import { plain, plural } from '../words';
+import type { Journal } from './journal';
+import type { AssetRequest } from './orders';
+import { reasonOf } from './run';
+
+/** Names every asset that would be done, and why; does no work, and makes no folder. */
+export async function runDryBatch(out: string, requests: AssetRequest[], journal: Journal): Promise<number> {
+  let unchanged = 0;
+  for (const request of requests) {
+    const reason = await reasonOf(request, out, journal).catch(() => 'not readable' as const);
+    if (reason === null) ++unchanged;
+    else {
+      const { asset, options } = request;
+      const asked = JSON.stringify(options);
+      const line = `${asset.path} (${reason}) -> ${join(out, asset.result)}${asked === '{}' ? '' : ` ${asked}`}`;
+      process.stdout.write(`${plain(line)}\n`);
+    }
+  }
+  const todo = plural(requests.length - unchanged, 'asset', 'assets');
+  process.stdout.write(`would optimize ${todo}; ${unchanged} up to date\n`);
+  return EXIT.done;
+}

@@ -1,0 +1,78 @@
+/** The flags of limber batch that no other command has. */
+
+import { UsageError } from '../failure';
+import type { Flag } from '../flag';
+
+export interface BatchFlags {
+  /** processes that work at a time; 0: as many as there are cores */
+  jobs: number;
+  /** megabytes that each of them may take; 0: its share of the memory */
+  memory: number;
+  /** null: there is none */
+  config: string | null;
+  /** whether assets are done that are up to date, too */
+  again: boolean;
+  reports: boolean;
+  bindings: boolean;
+  settingsFiles: boolean;
+  frequencies: boolean;
+}
+
+export const BATCH_FLAGS: Flag[] = [
+  {
+    name: 'jobs',
+    value: 'N',
+    help: 'Assets that are worked on at a time, each in a process of its own; 0 takes one for each core. Default: 0.',
+    group: 'batch',
+  },
+  {
+    name: 'config',
+    value: 'FILE',
+    help: 'JSON with options for all assets and for some of them (docs/batch.md); flags count over its options, and its overrides over flags.',
+    group: 'batch',
+  },
+  {
+    name: 'memory',
+    value: 'MB',
+    help: 'Memory that each job may take: an asset that needs more fails alone. 0: four fifths of the memory, shared by the jobs. Default: 0.',
+    group: 'batch',
+  },
+  { name: 'again', help: 'Work on assets that are up to date, too.', group: 'batch' },
+  { name: 'frequencies', help: 'Measure how far the frequencies of each asset are off.', group: 'batch' },
+  { name: 'reports', help: 'Write a report beside each result (NAME.report.json).', group: 'output' },
+  {
+    name: 'bindings',
+    help: 'Write where original vertices lie beside each result (NAME.bind.json).',
+    group: 'output',
+  },
+  {
+    name: 'settings-files',
+    help: 'Write what the solver needs beside each result (NAME.settings.json).',
+    group: 'output',
+  },
+];
+
+/** More processes than this have no cores to run on. */
+const MOST_JOBS = 256;
+
+/** Throws UsageError. */
+export function readBatchFlags(values: Map<string, string>): BatchFlags {
+  return {
+    jobs: readWhole(values, 'jobs', MOST_JOBS),
+    memory: readWhole(values, 'memory', Number.MAX_SAFE_INTEGER),
+    config: values.get('config') ?? null,
+    again: values.has('again'),
+    reports: values.has('reports'),
+    bindings: values.has('bindings'),
+    settingsFiles: values.has('settings-files'),
+    frequencies: values.has('frequencies'),
+  };
+}
+
+function readWhole(values: Map<string, string>, name: string, most: number): number {
+  const text = values.get(name) ?? '0';
+  const value = /^\d+$/.test(text) ? Number(text) : NaN;
+  if (value <= most) return value;
+  const range = most < Number.MAX_SAFE_INTEGER ? `from 0 to ${most}` : 'of at least 0';
+  throw new UsageError(`--${name} is ${text}: give a whole number ${range}.`);
+}

@@ -1,0 +1,105 @@
+/** One of the processes that work on assets; it is started when it is needed, and again after it has ended. */
+
+import { fork } from 'node:child_process';
+import type { ChildProcess } from 'node:child_process';
+import { mkdirSync, rmSync } from 'node:fs';
+import { memoryOf } from './memory';
+import type { WorkDone, WorkOrder } from './messages';
+import { failedRecord } from './record';
+
+export interface JobOptions {
+  /** the file of the command line, and what it is started with */
+  program: string;
+  words: string[];
+  /** bytes */
+  memory: number;
+  /** the job's own folder */
+  folder: string;
+}
+
+const MEGABYTE = 2 ** 20;
+/** Milliseconds between looks at the memory. */
+const LOOKS = 100;
+/** What a process keeps of earlier assets, as part of what it may take, before another one takes over. */
+const KEPT_SHARE = 0.5;
+/** Of what a process says before it ends. */
+const MOST_LETTERS = 2000;
+
+export class Job {
+  private worker: ChildProcess | null = null;
+  private said = '';
+
+  constructor(private readonly options: JobOptions) {}
+
+  get folder(): string {
+    return this.options.folder;
+  }
+
+  /** Works on an asset. A process that ends on the way fails its asset alone; this never throws. */
+  async work(order: WorkOrder): Promise<WorkDone> {
+    const { folder, memory } = this.options;
+    rmSync(folder, { recursive: true, force: true });
+    mkdirSync(folder, { recursive: true });
+    const started = performance.now();
+    this.worker ??= this.start();
+    const outcome = await this.outcome(this.worker, order);
+    if (typeof outcome !== 'string') {
+      if (outcome.memory > KEPT_SHARE * memory) this.end();
+      return outcome;
+    }
+    this.end();
+    const record = failedRecord(order.asset, outcome, (performance.now() - started) / 1000);
+    return { record, files: [], picture: null, memory: 0 };
+  }
+
+  end(): void {
+    this.worker?.kill('SIGKILL');
+    this.worker = null;
+  }
+
+  private start(): ChildProcess {
+    const { program, words, memory } = this.options;
+    const worker = fork(program, words, {
+      serialization: 'advanced',
+      stdio: ['ignore', 'ignore', 'pipe', 'ipc'],
+      execArgv: [`--max-old-space-size=${Math.max(64, Math.floor(memory / MEGABYTE))}`],
+    });
+    this.said = '';
+    worker.stderr!.on('data', (text: Buffer) => {
+      this.said = (this.said + text.toString()).slice(-MOST_LETTERS);
+    });
+    return worker;
+  }
+
+  /** What the process answers, or a sentence on why it does not. */
+  private outcome(worker: ChildProcess, order: WorkOrder): Promise<WorkDone | string> {
+    return new Promise((resolve) => {
+      let isTooLarge = false;
+      const look = setInterval(() => {
+        isTooLarge = (memoryOf(worker.pid ?? 0) ?? 0) > this.options.memory;
+        if (isTooLarge) worker.kill('SIGKILL');
+      }, LOOKS);
+      const settle = (value: WorkDone | string) => {
+        clearInterval(look);
+        worker.removeAllListeners();
+        // Errors of a process that is being ended are of no interest.
+        worker.on('error', () => {});
+        resolve(value);
+      };
+      worker.on('message', (done: WorkDone) => settle(done));
+      worker.on('error', (error) => settle(`its process could not work: ${error.message}`));
+      worker.on('exit', (code, signal) => settle(isTooLarge ? this.tooLarge() : this.ended(code, signal)));
+      worker.send(order, (error) => error && settle(`its process could not be asked: ${error.message}`));
+    });
+  }
+
+  private tooLarge(): string {
+    const megabytes = Math.floor(this.options.memory / MEGABYTE).toLocaleString('en-US');
+    return `takes more than the ${megabytes} MB of a job: give more with --memory, or fewer --jobs`;
+  }
+
+  private ended(code: number | null, signal: NodeJS.Signals | null): string {
+    if (/heap out of memory|Array buffer allocation failed/i.test(this.said)) return this.tooLarge();
+    return `ended its process by ${signal ?? `exit code ${code}`}, as lack of memory or an error inside does: try it alone with limber optimize`;
+  }
+}

@@ -1,0 +1,59 @@
+/** One batch at a time works on a folder. */
+
+import { readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { hostname } from 'node:os';
+import { join } from 'node:path';
+import { UsageError } from '../failure';
+
+interface Owner {
+  host: string;
+  process: number;
+}
+
+/** Takes the lock of `folder`; a lock whose process has ended is taken over. Throws UsageError where another batch is at work. */
+export function takeLock(folder: string, out: string): () => void {
+  const path = join(folder, 'lock.json');
+  const own: Owner = { host: hostname(), process: process.pid };
+  for (let tries = 0; !created(path, own); ++tries) {
+    const owner = ownerOf(path);
+    if (tries > 2 || (owner && isAtWork(owner)))
+      throw new UsageError(
+        `Another batch is at work on ${out}${owner ? ` (process ${owner.process} on ${owner.host})` : ''}: wait for it, or remove ${path} if it has ended.`,
+      );
+    rmSync(path, { force: true });
+  }
+  return () => {
+    if (ownerOf(path)?.process === process.pid) rmSync(path, { force: true });
+  };
+}
+
+function created(path: string, owner: Owner): boolean {
+  try {
+    writeFileSync(path, JSON.stringify(owner), { flag: 'wx' });
+    return true;
+  } catch (error) {
+    if ((error as NodeJS.ErrnoException).code === 'EEXIST') return false;
+    throw error;
+  }
+}
+
+/** Null where the file is damaged, as a kill can leave it. */
+function ownerOf(path: string): Owner | null {
+  try {
+    return JSON.parse(readFileSync(path, 'utf8')) as Owner;
+  } catch {
+    return null;
+  }
+}
+
+/** Processes of other machines cannot be asked. */
+function isAtWork({ host, process: id }: Owner): boolean {
+  if (host !== hostname()) return true;
+  if (id === process.pid) return false;
+  try {
+    process.kill(id, 0);
+    return true;
+  } catch (error) {
+    return (error as NodeJS.ErrnoException).code === 'EPERM';
+  }
+}

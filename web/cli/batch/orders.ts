@@ -1,0 +1,85 @@
+/** What is asked of each asset: the configuration and the flags, made into what limber optimize is asked for. */
+
+import { join } from 'node:path';
+import { MATERIALS } from '../../engine/settings/materials';
+import { OPTIONS, checkSettings, settingsOf } from '../../engine/settings/options';
+import { optionsFor, settingsFor } from '../../engine/settings/batch_config';
+import type { AssetOptions, BatchConfig } from '../../engine/settings/batch_config';
+import type { Arguments } from '../arguments';
+import { assetsOf } from './sources';
+import type { Asset, Source } from './sources';
+
+/** The options that the flags of the command line are. */
+export function optionsOfFlags(args: Arguments): AssetOptions {
+  const { asked, settings, faces, ratio, batch } = args;
+  const preset = asked.has('material-preset') ? Object.keys(MATERIALS.rubber) : [];
+  const names = settingsOf('optimize').filter(
+    (name) => !OPTIONS[name].isOfMachine && (asked.has(OPTIONS[name].flag) || preset.includes(name)),
+  );
+  const switches = {
+    soft: args.soft,
+    fields: args.fields,
+    reports: batch.reports,
+    bindings: batch.bindings,
+    settingsFiles: batch.settingsFiles,
+    frequencies: batch.frequencies,
+  };
+  return {
+    ...Object.fromEntries(names.map((name) => [name, settings[name]])),
+    ...(faces !== null ? { faces } : {}),
+    ...(ratio !== null ? { ratio } : {}),
+    ...Object.fromEntries(Object.entries(switches).filter(([, isOn]) => isOn)),
+  };
+}
+
+export interface AssetRequest {
+  asset: Asset;
+  options: AssetOptions;
+}
+
+/** The request of every source. Throws SettingError where settings that are allowed each do not go together. */
+export function requestsOf(config: BatchConfig, flags: AssetOptions, sources: Source[]): AssetRequest[] {
+  const optionsOf = new Map(sources.map(({ name }) => [name, optionsFor(config, name, flags)]));
+  const checked = new Set<string>();
+  for (const options of optionsOf.values()) {
+    const text = JSON.stringify(options);
+    if (!checked.has(text)) checkSettings(settingsFor(options));
+    checked.add(text);
+  }
+  const assets = assetsOf(sources, (name) => endingOf(optionsOf.get(name)!));
+  return assets.map((asset) => ({ asset, options: optionsOf.get(asset.name)! }));
+}
+
+/** The ending of a result: GLB, unless another format is asked for. */
+function endingOf(options: AssetOptions): string {
+  const { format = 'auto' } = options as { format?: string };
+  return format === 'auto' ? 'glb' : format;
+}
+
+/** An asset as limber optimize is asked for it. `out`: the folder of the results. */
+export function argumentsFor(
+  args: Arguments,
+  { asset, options }: AssetRequest,
+  { out, threads }: { out: string; threads: number },
+): Arguments {
+  const result = join(out, asset.result);
+  const beside = (ending: string) => result.replace(/\.[^./\\]*$/, `.${ending}.json`);
+  const settings = { ...settingsFor(options), threads };
+  const given = settingsOf('optimize').filter((name) => options[name] !== undefined);
+  return {
+    ...args,
+    command: 'optimize',
+    operands: [asset.path, result],
+    settings,
+    formerWords: [],
+    faces: options.faces ?? null,
+    ratio: options.ratio ?? null,
+    fields: options.fields ?? false,
+    soft: options.soft ?? false,
+    bind: options.bindings ? beside('bind') : null,
+    settingsFile: options.settingsFiles && settings.solver !== 'none' ? beside('settings') : null,
+    reports: options.reports ? [beside('report')] : [],
+    asked: new Set(given.map((name) => OPTIONS[name].flag)),
+    quiet: true,
+  };
+}

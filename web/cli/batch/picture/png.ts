@@ -1,0 +1,36 @@
+/** Grey pictures as PNG (ISO/IEC 15948): the signature, the header, the pixels without filters, the end. */
+
+import { zlibSync } from 'fflate';
+import type { Picture } from './raster';
+
+const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
+const GREY_OF_8_BITS = [8, 0, 0, 0, 0];
+
+export function encodePng({ width, height, pixels }: Picture): Uint8Array {
+  const rows = new Uint8Array((width + 1) * height);
+  // Every row starts with its filter, which is none.
+  for (let y = 0; y < height; ++y) rows.set(pixels.subarray(y * width, (y + 1) * width), y * (width + 1) + 1);
+  return new Uint8Array([
+    ...SIGNATURE,
+    ...chunk('IHDR', new Uint8Array([...bytesOf(width), ...bytesOf(height), ...GREY_OF_8_BITS])),
+    ...chunk('IDAT', zlibSync(rows, { level: 9 })),
+    ...chunk('IEND', new Uint8Array(0)),
+  ]);
+}
+
+function chunk(type: string, data: Uint8Array): Uint8Array {
+  const named = new Uint8Array([...new TextEncoder().encode(type), ...data]);
+  return new Uint8Array([...bytesOf(data.length), ...named, ...bytesOf(checksum(named))]);
+}
+
+const bytesOf = (value: number): number[] => [24, 16, 8, 0].map((shift) => (value >>> shift) & 255);
+
+/** CRC-32 of Annex D. */
+function checksum(bytes: Uint8Array): number {
+  let crc = 0xffffffff;
+  for (const byte of bytes) {
+    crc ^= byte;
+    for (let bit = 0; bit < 8; ++bit) crc = (crc >>> 1) ^ (crc & 1 ? 0xedb88320 : 0);
+  }
+  return ~crc >>> 0;
+}

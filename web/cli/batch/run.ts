@@ -1,0 +1,135 @@
+/** A batch at work: jobs take one asset after the other, and what is up to date is left as it is. */
+
+import { mkdirSync, rmSync } from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
+import type { Arguments } from '../arguments';
+import { describeFailure } from '../failure';
+import { readModelFiles } from '../files';
+import { Job } from './job';
+import type { Journal } from './journal';
+import { keyOf } from './key';
+import type { WorkOrder } from './messages';
+import { argumentsFor } from './orders';
+import type { AssetRequest } from './orders';
+import { BatchProgress } from './progress';
+import { failedRecord } from './record';
+import type { AssetRecord } from './record';
+import { hashOfResult, OWN_FOLDER, Results } from './results';
+import { reasonToDo } from './stale';
+import type { Reason } from './stale';
+import type { SummaryRow } from './summary';
+
+export interface BatchOptions {
+  args: Arguments;
+  out: string;
+  journal: Journal;
+  jobs: number;
+  threads: number;
+  /** bytes of each job */
+  memory: number;
+}
+
+/** Why an asset has to be done; null: it is up to date. */
+export function reasonOf({ asset, options }: AssetRequest, out: string, journal: Journal): Promise<Reason> {
+  const key = async () => keyOf((await readModelFiles(asset.path)).files, options, asset.result);
+  return reasonToDo(journal.get(asset.name), key, (file) => hashOfResult(out, file));
+}
+
+export class BatchRun {
+  private readonly rows: SummaryRow[] = [];
+  private readonly progress: BatchProgress;
+  private readonly results: Results;
+  private readonly jobs: Job[];
+  private next = 0;
+
+  constructor(
+    private readonly options: BatchOptions,
+    /** the largest files first, so that no job is left alone with one in the end */
+    private readonly requests: AssetRequest[],
+  ) {
+    const { args, out, jobs, memory } = options;
+    this.requests = [...requests].sort((a, b) => b.asset.bytes - a.asset.bytes);
+    this.progress = new BatchProgress(requests.length, args);
+    this.results = new Results(out);
+    const work = join(resolve(out), OWN_FOLDER, 'work');
+    // What jobs of a killed run have left; those that still live find their folder gone, and end.
+    rmSync(work, { recursive: true, force: true });
+    this.jobs = Array.from({ length: jobs }, (_, i) => {
+      const folder = join(work, `${process.pid}-${i}`);
+      return new Job({ program: process.argv[1], words: ['--asset-worker'], memory, folder });
+    });
+    this.claimResults();
+  }
+
+  /** Works on all assets; returns a row for each. */
+  async all(): Promise<SummaryRow[]> {
+    try {
+      await Promise.all(this.jobs.map((job) => this.workThrough(job)));
+    } finally {
+      this.stop();
+      rmSync(join(this.options.out, OWN_FOLDER, 'work'), { recursive: true, force: true });
+    }
+    return this.rows;
+  }
+
+  stop(): void {
+    this.progress.clear();
+    for (const job of this.jobs) job.end();
+  }
+
+  /** Results of assets of this batch are theirs; those of assets that are gone are nobody's. */
+  private claimResults(): void {
+    for (const { asset } of this.requests) {
+      const record = this.options.journal.get(asset.name);
+      if (record) this.results.claim(record);
+    }
+  }
+
+  private async workThrough(job: Job): Promise<void> {
+    while (this.next < this.requests.length) {
+      const request = this.requests[this.next++];
+      const { asset } = request;
+      this.progress.begin(asset.name);
+      const known = await this.upToDate(request);
+      const record = known ?? (await this.done(job, request));
+      if (!known) this.options.journal.add(record);
+      this.progress.end(record, known !== null);
+      this.rows.push({ ...record, isUnchanged: known !== null });
+    }
+  }
+
+  private async upToDate(request: AssetRequest): Promise<AssetRecord | null> {
+    const { args, out, journal } = this.options;
+    if (args.batch.again) return null;
+    try {
+      const reason = await reasonOf(request, out, journal);
+      return reason === null ? journal.get(request.asset.name)! : null;
+    } catch {
+      // The job says what is wrong with the input.
+      return null;
+    }
+  }
+
+  private async done(job: Job, request: AssetRequest): Promise<AssetRecord> {
+    try {
+      const order = this.orderFor(request);
+      mkdirSync(dirname(order.args.operands[1]), { recursive: true });
+      const done = await job.work({ ...order, folder: job.folder });
+      return { ...this.results.take(done), bytesBefore: done.record.bytesBefore || request.asset.bytes };
+    } catch (error) {
+      return failedRecord(request.asset.name, describeFailure(error).line);
+    }
+  }
+
+  private orderFor(request: AssetRequest): Omit<WorkOrder, 'folder'> {
+    const { args, threads, out } = this.options;
+    const { asset, options } = request;
+    return {
+      asset: asset.name,
+      args: argumentsFor(args, request, { out, threads }),
+      options,
+      result: asset.result,
+      out,
+    };
+  }
+}

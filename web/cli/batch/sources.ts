@@ -1,0 +1,104 @@
+/** Which models a batch is about, and what they are called below SRC. */
+
+import { existsSync, readdirSync, realpathSync, statSync } from 'node:fs';
+import { basename, dirname, join, relative, sep } from 'node:path';
+import { isModelName } from '../../engine/document/open';
+import { isPathPattern, matchesPath } from '../../engine/settings/path_pattern';
+import { UsageError } from '../failure';
+import { nameKey } from '../identity';
+
+export interface Source {
+  /** its path below SRC, parted by slashes: what patterns of a configuration and the summary call it */
+  name: string;
+  path: string;
+  bytes: number;
+}
+
+/**
+ * The models of all words: folders, patterns and files. Hidden files and folders, and all below `out`, are left out. In the order
+ * of their names. Throws UsageError where a word has none, or two would have one name.
+ */
+export function findSources(words: string[], out: string): Source[] {
+  const all = words.flatMap((word) => {
+    const found = sourcesOf(word, out);
+    if (found.length === 0)
+      throw new UsageError(`${word} has no model: name a folder, pattern or file of models.`);
+    return found;
+  });
+  const sorted = all.sort((a, b) => (a.name < b.name ? -1 : Number(a.name > b.name)));
+  const twice = sorted.findIndex((source, i) => i > 0 && source.name === sorted[i - 1].name);
+  if (twice < 0) return sorted;
+  const [a, b] = [sorted[twice - 1], sorted[twice]];
+  throw new UsageError(`${a.path} and ${b.path} are both ${a.name} below SRC: work on them in two batches.`);
+}
+
+function sourcesOf(word: string, out: string): Source[] {
+  // A file can be called like a pattern.
+  const found = statSync(word, { throwIfNoEntry: false });
+  if (found?.isDirectory()) return walk(word, out).map((path) => sourceOf(word, path));
+  if (found) return [sourceOf(dirname(word), word)];
+  if (!isPathPattern(word)) throw new UsageError(`${word} does not exist: name a folder, pattern or file.`);
+  const base = baseOf(word);
+  if (!existsSync(base)) throw new UsageError(`${word} has no model: the folder ${base} does not exist.`);
+  const pattern = base === '.' ? word : word.slice(base.replace(/\/$/, '').length + 1);
+  // A pattern of one part is about its own folder, not about all below.
+  const isFlat = !pattern.includes('/');
+  return walk(base, out)
+    .map((path) => sourceOf(base, path))
+    .filter(({ name }) => matchesPath(pattern, name) && !(isFlat && name.includes('/')));
+}
+
+/** The folders of a pattern before its first wildcard. */
+function baseOf(pattern: string): string {
+  const parts = pattern.split('/');
+  const first = parts.findIndex(isPathPattern);
+  return parts.slice(0, first).join('/') || (pattern.startsWith('/') ? '/' : '.');
+}
+
+const sourceOf = (folder: string, path: string): Source => ({
+  name: relative(folder, path).split(sep).join('/') || basename(path),
+  path,
+  bytes: statSync(path).size,
+});
+
+/** Paths of all models in a folder; links are followed, and each folder is entered once. */
+function walk(folder: string, out: string, entered = new Set<string>()): string[] {
+  const real = realpathSync(folder);
+  if (entered.has(real) || (existsSync(out) && real === realpathSync(out))) return [];
+  entered.add(real);
+  return readdirSync(folder)
+    .filter((name) => !name.startsWith('.'))
+    .sort()
+    .flatMap((name) => {
+      const path = join(folder, name);
+      const found = statSync(path, { throwIfNoEntry: false });
+      if (found?.isDirectory()) return walk(path, out, entered);
+      return found?.isFile() && isModelName(name) ? [path] : [];
+    });
+}
+
+/** An asset: a source and what its result is called below OUT. */
+export interface Asset extends Source {
+  result: string;
+}
+
+/**
+ * Results have the ending of `endingOf`, without its dot; where two would have one name, each keeps that of its source, too:
+ * chair.obj.glb.
+ */
+export function assetsOf(
+  sources: Source[],
+  endingOf: (name: string) => string = () => 'glb',
+  platform: NodeJS.Platform = process.platform,
+): Asset[] {
+  const short = (name: string) => name.replace(/\.[^./]*$/, '');
+  const shared = new Map<string, number>();
+  for (const { name } of sources) {
+    const key = nameKey(short(name), platform);
+    shared.set(key, (shared.get(key) ?? 0) + 1);
+  }
+  return sources.map((source) => {
+    const isAlone = shared.get(nameKey(short(source.name), platform)) === 1;
+    return { ...source, result: `${isAlone ? short(source.name) : source.name}.${endingOf(source.name)}` };
+  });
+}

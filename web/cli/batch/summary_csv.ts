@@ -1,0 +1,34 @@
+/** The summary as CSV (RFC 4180). */
+
+import type { Summary, SummaryRow } from './summary';
+
+const COLUMNS = [
+  ['asset', (row) => row.asset],
+  ['state', (row) => row.state],
+  ['up to date', (row) => (row.isUnchanged ? 'yes' : 'no')],
+  ['result', (row) => row.written[0]?.name ?? ''],
+  ['faces before', (row) => row.facesBefore],
+  ['faces after', (row) => row.facesAfter],
+  ['deviation in %', (row) => row.deviation],
+  ['frequency error in %', (row) => row.frequencyError],
+  ['bytes before', (row) => row.bytesBefore],
+  ['bytes after', (row) => row.bytesAfter],
+  ['seconds', (row) => row.seconds],
+  ['sentences', (row) => row.sentences.join('; ')],
+] as const satisfies [string, (row: SummaryRow) => string | number | null][];
+
+export function summaryCsv({ assets }: Summary): string {
+  const rows = [
+    COLUMNS.map(([title]) => title),
+    ...assets.map((row) => COLUMNS.map(([, read]) => read(row))),
+  ];
+  return rows.map((row) => `${row.map(cell).join(',')}\r\n`).join('');
+}
+
+/** Spreadsheets take texts that start like formulas for formulas, and run them: an apostrophe in front keeps them texts. */
+export function cell(value: string | number | null): string {
+  if (value === null) return '';
+  if (typeof value === 'number') return String(value);
+  const harmless = /^[=+\-@\t\r]/.test(value) ? `'${value}` : value;
+  return /[",\r\n]/.test(harmless) ? `"${harmless.replaceAll('"', '""')}"` : harmless;
+}

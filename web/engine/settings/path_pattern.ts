@@ -1,0 +1,52 @@
+/** Patterns of paths, as batches take them: `props/**` + `/*.obj`, `*.{obj,ply}`. Paths are parted by slashes on every system. */
+
+import { matchesPattern } from './name_pattern';
+
+/**
+ * Whether the whole `path` is as the pattern says. `**` stands for any number of folders, `*` for any letters of a name or none, `?`
+ * for one letter, `{a,b}` for either. A pattern without a slash is about the name of the file, in whichever folder it is.
+ */
+export function matchesPath(pattern: string, path: string): boolean {
+  const names = path.split('/');
+  return expandBraces(pattern).some((plain) => {
+    const parts = plain.replace(/^\.\//, '').split('/');
+    return parts.length === 1 ? matchesPattern(parts[0], names[names.length - 1]) : agree(parts, names);
+  });
+}
+
+/** Whether a word of the command line is a pattern and not a name. */
+export const isPathPattern = (text: string): boolean => /[*?{]/.test(text);
+
+/** Row by row over the names: which parts can have been used up; as many steps as the product of the lengths. */
+function agree(parts: string[], names: string[]): boolean {
+  let open = afterFolders(parts, new Set([0]));
+  for (const name of names) {
+    const next = new Set<number>();
+    for (const at of open) {
+      if (parts[at] === '**') next.add(at);
+      else if (at < parts.length && matchesPattern(parts[at], name)) next.add(at + 1);
+    }
+    open = afterFolders(parts, next);
+  }
+  return open.has(parts.length);
+}
+
+/** With all that is open because `**` may stand for no folder. */
+function afterFolders(parts: string[], open: Set<number>): Set<number> {
+  for (const at of open) if (parts[at] === '**') open.add(at + 1);
+  return open;
+}
+
+/** The patterns without braces; braces inside braces are not taken apart, and more than this many are refused. */
+const MOST_PATTERNS = 1000;
+
+function expandBraces(pattern: string): string[] {
+  const found = /\{([^{}]*)\}/.exec(pattern);
+  if (!found) return [pattern];
+  const [before, after] = [pattern.slice(0, found.index), pattern.slice(found.index + found[0].length)];
+  const ends = expandBraces(after);
+  const all = found[1].split(',').flatMap((word) => ends.map((end) => `${before}${word}${end}`));
+  if (all.length > MOST_PATTERNS)
+    throw new Error(`The pattern ${pattern} has more than ${MOST_PATTERNS} forms: give several patterns.`);
+  return all;
+}
