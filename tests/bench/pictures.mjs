@@ -90,7 +90,7 @@ async function picturesOf(path, views) {
   const shown = shownTriangles(engine, model, textures);
   const own = views ?? viewsOf(shown);
   const rest = own.map((view) => drawn(shown, view));
-  return { model, views: own, rest, textures, faces: shown.reduce((sum, { positions }) => sum + positions.length / 9, 0) };
+  return { model, views: own, rest, textures, faces: model.bodies.reduce((sum, { indices }) => sum + indices.length / 3, 0) };
 }
 
 /** dB in motion: over poses a third and two thirds through the animations of the file; null where no skin moves. */
