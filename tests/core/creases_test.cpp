@@ -13,6 +13,8 @@
 namespace limber {
 namespace {
 
+using namespace shapes;
+
 std::vector<uint8_t> creasesOf(const TriangleMesh& mesh) {
   return findCreases(mesh, buildIncidence(mesh));
 }
