@@ -62,7 +62,10 @@ function run(command, ...given) {
     execFileSync(process.execPath, [command, ...given], { stdio: 'pipe', timeout: 110_000 });
     return '';
   } catch (error) {
-    return String(error.stderr ?? error.message).trim().split('\n').pop();
+    return String(error.stderr ?? error.message)
+      .trim()
+      .split('\n')
+      .pop();
   }
 }
 
@@ -70,7 +73,8 @@ function run(command, ...given) {
 function peerResults(path, name) {
   const made = [];
   const pack = join(scratch, `${name}-${ratio}-gltfpack.glb`);
-  if (existsSync(gltfpack) && !isNewer(pack, path)) run(gltfpack, '-i', path, '-o', pack, '-si', String(ratio), '-noq', '-kn', '-km');
+  if (existsSync(gltfpack) && !isNewer(pack, path))
+    run(gltfpack, '-i', path, '-o', pack, '-si', String(ratio), '-noq', '-kn', '-km');
   if (existsSync(pack)) made.push(['gltfpack', pack]);
   const welded = join(scratch, `${name}-welded.glb`);
   const transformed = join(scratch, `${name}-${ratio}-transform.glb`);
@@ -90,7 +94,13 @@ async function picturesOf(path, views) {
   const shown = shownTriangles(engine, model, textures);
   const own = views ?? viewsOf(shown);
   const rest = own.map((view) => drawn(shown, view));
-  return { model, views: own, rest, textures, faces: model.bodies.reduce((sum, { indices }) => sum + indices.length / 3, 0) };
+  return {
+    model,
+    views: own,
+    rest,
+    textures,
+    faces: model.bodies.reduce((sum, { indices }) => sum + indices.length / 3, 0),
+  };
 }
 
 /** dB in motion: over poses a third and two thirds through the animations of the file; null where no skin moves. */
@@ -120,7 +130,20 @@ async function measured(path, name) {
   for (const [tool, result] of peerResults(path, name)) {
     const theirs = await picturesOf(result, before.views);
     const out = join(scratch, `${name}-${ratio}-${tool}-limber.glb`);
-    const error = run(limber, 'optimize', path, out, '--faces', String(theirs.faces), '--max-deviation', '0', '--quiet', '--force', '--threads', '1');
+    const error = run(
+      limber,
+      'optimize',
+      path,
+      out,
+      '--faces',
+      String(theirs.faces),
+      '--max-deviation',
+      '0',
+      '--quiet',
+      '--force',
+      '--threads',
+      '1',
+    );
     if (!existsSync(out)) {
       console.log(`${name}: ${error}`);
       continue;
@@ -132,8 +155,18 @@ async function measured(path, name) {
       name,
       tool,
       input: before.faces,
-      theirs: { faces: theirs.faces, psnr: psnr(before.rest, theirs.rest), motion: inMotion(before, theirs), ...(await silhouetteOf(result)) },
-      ours: { faces: ours.faces, psnr: psnr(before.rest, ours.rest), motion: inMotion(before, ours), ...(await silhouetteOf(out)) },
+      theirs: {
+        faces: theirs.faces,
+        psnr: psnr(before.rest, theirs.rest),
+        motion: inMotion(before, theirs),
+        ...(await silhouetteOf(result)),
+      },
+      ours: {
+        faces: ours.faces,
+        psnr: psnr(before.rest, ours.rest),
+        motion: inMotion(before, ours),
+        ...(await silhouetteOf(out)),
+      },
     });
   }
   await writeSheet(join(scratch, `${name}-${ratio}.png`), sheet);
@@ -149,7 +182,9 @@ const line = ({ name, tool, input, theirs, ours }) =>
     `${theirs.faces} / ${ours.faces}`,
     `${number(theirs.psnr, 2)} / ${number(ours.psnr, 2)}`,
     number(ours.psnr - theirs.psnr, 2),
-    theirs.motion === null || ours.motion === null ? '' : `${number(theirs.motion, 2)} / ${number(ours.motion, 2)}`,
+    theirs.motion === null || ours.motion === null
+      ? ''
+      : `${number(theirs.motion, 2)} / ${number(ours.motion, 2)}`,
     `${number(theirs.worst, 3)} / ${number(ours.worst, 3)}`,
     `${theirs.holes} / ${ours.holes}`,
   ].join(' | ');
@@ -169,14 +204,18 @@ for (const path of await listFiles()) {
 for (const tool of ['gltfpack', 'glTF-Transform']) {
   const own = rows.filter((row) => row.tool === tool);
   const gains = own.map(({ theirs, ours }) => ours.psnr - theirs.psnr);
-  console.log(`${tool}: ${own.length} files, mean gain ${number(gains.reduce((a, b) => a + b, 0) / gains.length, 2)} dB`);
+  console.log(
+    `${tool}: ${own.length} files, mean gain ${number(gains.reduce((a, b) => a + b, 0) / gains.length, 2)} dB`,
+  );
 }
 if (words.includes('--write')) writeTable();
 
 /** Replaces what stands between the marks in docs/pictures.md. */
 function writeTable() {
   const path = join(root, 'docs', 'pictures.md');
-  const [before, after] = ['<!-- table -->', '<!-- end -->'].map((mark) => readFileSync(path, 'utf8').split(mark));
+  const [before, after] = ['<!-- table -->', '<!-- end -->'].map((mark) =>
+    readFileSync(path, 'utf8').split(mark),
+  );
   const head = '| file | faces | peer | faces left | dB | gain | dB in motion | silhouettes | seen through |';
   const table = [head, head.replace(/[^|]+/g, ' - '), ...rows.map((row) => `| ${line(row)} |`)].join('\n');
   writeFileSync(path, `${before[0]}<!-- table -->\n\n${table}\n\n<!-- end -->${after[1]}`);

@@ -19,7 +19,10 @@ export function viewsOf(shown) {
     const w = unit(direction);
     const u = unit(cross([0, 1, 0], w));
     const v = cross(w, u);
-    const [low, high] = [[Infinity, Infinity], [-Infinity, -Infinity]];
+    const [low, high] = [
+      [Infinity, Infinity],
+      [-Infinity, -Infinity],
+    ];
     for (const { positions } of shown)
       for (let i = 0; i < positions.length; i += 3)
         [u, v].forEach((axis, c) => {
@@ -28,7 +31,14 @@ export function viewsOf(shown) {
           high[c] = Math.max(high[c], at);
         });
     const span = 1.08 * Math.max(high[0] - low[0], high[1] - low[1], 1e-30);
-    return { u, v, w, x: (low[0] + high[0] - span) / 2, y: (low[1] + high[1] - span) / 2, scale: SIZE / span };
+    return {
+      u,
+      v,
+      w,
+      x: (low[0] + high[0] - span) / 2,
+      y: (low[1] + high[1] - span) / 2,
+      scale: SIZE / span,
+    };
   });
 }
 
@@ -77,7 +87,9 @@ function colourAt(list, first, shares, view, isTurned) {
   const light = 0.25 + 0.6 * Math.max(0, dot(LIGHT, normal, 0)) + 0.15 * Math.max(0, dot(view.w, normal, 0));
   const colour = list.colours ? mix(list.colours, 3) : [1, 1, 1];
   const texel = list.uv ? texelAt(list.texture, mix(list.uv, 2)) : [255, 255, 255];
-  return [0, 1, 2].map((c) => Math.round(texel[c] * Math.min(1, light * Math.sqrt(colour[c] * list.factor[c]))));
+  return [0, 1, 2].map((c) =>
+    Math.round(texel[c] * Math.min(1, light * Math.sqrt(colour[c] * list.factor[c]))),
+  );
 }
 
 /** Between the four nearest texels; the texture repeats. */
@@ -88,7 +100,9 @@ function texelAt({ data, width, height }, [u, v]) {
   const at = (i, j, c) => data[3 * (wrapped(top + j, height) * width + wrapped(left + i, width)) + c];
   const [fx, fy] = [x - left, y - top];
   return [0, 1, 2].map(
-    (c) => (1 - fy) * ((1 - fx) * at(0, 0, c) + fx * at(1, 0, c)) + fy * ((1 - fx) * at(0, 1, c) + fx * at(1, 1, c)),
+    (c) =>
+      (1 - fy) * ((1 - fx) * at(0, 0, c) + fx * at(1, 0, c)) +
+      fy * ((1 - fx) * at(0, 1, c) + fx * at(1, 1, c)),
   );
 }
 
@@ -106,9 +120,18 @@ export function psnr(before, after) {
 
 /** The views side by side as a PNG file; each row of `rows` is one list of pictures. */
 export async function writeSheet(path, rows) {
-  const input = (picture) => ({ input: Buffer.from(picture), raw: { width: SIZE, height: SIZE, channels: 3 } });
-  await sharp({ create: { width: SIZE * rows[0].length, height: SIZE * rows.length, channels: 3, background: 'black' } })
-    .composite(rows.flatMap((row, y) => row.map((picture, x) => ({ ...input(picture), left: x * SIZE, top: y * SIZE }))))
+  const input = (picture) => ({
+    input: Buffer.from(picture),
+    raw: { width: SIZE, height: SIZE, channels: 3 },
+  });
+  await sharp({
+    create: { width: SIZE * rows[0].length, height: SIZE * rows.length, channels: 3, background: 'black' },
+  })
+    .composite(
+      rows.flatMap((row, y) =>
+        row.map((picture, x) => ({ ...input(picture), left: x * SIZE, top: y * SIZE })),
+      ),
+    )
     .png()
     .toFile(path);
 }

@@ -13,7 +13,9 @@ export function openFile(engine, path) {
         .filter((name) => /\.(bin|png|jpe?g)$/i.test(name))
     : [];
   const files = [basename(path), ...companions].filter((name) => existsSync(join(folder, name)));
-  return engine.openModel(files.map((name) => ({ name, bytes: new Uint8Array(readFileSync(join(folder, name))) })));
+  return engine.openModel(
+    files.map((name) => ({ name, bytes: new Uint8Array(readFileSync(join(folder, name))) })),
+  );
 }
 
 /** The textures of base colours as pixels: { width, height, data } with three bytes each. */
@@ -22,7 +24,11 @@ export async function texturesOf({ document }) {
   for (const material of document.getRoot().listMaterials()) {
     const texture = material.getBaseColorTexture();
     if (!texture?.getImage() || textures.has(texture)) continue;
-    const { data, info } = await sharp(texture.getImage()).removeAlpha().toColourspace('srgb').raw().toBuffer({ resolveWithObject: true });
+    const { data, info } = await sharp(texture.getImage())
+      .removeAlpha()
+      .toColourspace('srgb')
+      .raw()
+      .toBuffer({ resolveWithObject: true });
     textures.set(texture, { data, width: info.width, height: info.height });
   }
   return textures;
