@@ -12,4 +12,4 @@ export {
   tableScene,
   twoSidedLeaf,
 } from '../engine/support/scenes';
-export { posesInAnimations } from '../../web/engine/document/skinning';
+export { posesInAnimations } from '../../web/engine/body/skinning';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Document } from '@gltf-transform/core';
-import { posesInAnimations } from '../../web/engine/document/skinning';
+import { posesInAnimations } from '../../web/engine/body/skinning';
 import { posesOf } from '../../web/engine/body/poses';
 import type { WeldResult } from '../../web/engine/core/core';
 import { openModel } from '../../web/engine/document/open';

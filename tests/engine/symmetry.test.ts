@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core, TriangleMesh } from '../../web/engine/core/core';
 import { exportGlb } from '../../web/engine/document/export';
-import { ALL_HARD } from '../../web/engine/document/normals';
+import { ALL_HARD } from '../../web/engine/document/shading/normals';
 import { openModel } from '../../web/engine/document/open';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';

@@ -80,12 +80,12 @@ function attributesOfLayer(entries: Entries, { mesh }: WeldResult): BodyAttribut
 function withoutHardEdges(entries: Entries, mesh: TriangleMesh, all: Classes) {
   const none = { ...all, hardCosine: null };
   const normals = classifyNormals(entries, mesh);
-  const places = classify(
+  const positions = classify(
     entries,
     mesh,
     entries.primitives.map(() => []),
   );
-  if (!normals || normals.count === places.count) return none;
+  if (!normals || normals.count === positions.count) return none;
   const edges = innerEdgesOf(mesh);
   const cosines = cosinesOf(mesh, edges);
   const ends = (edge: number) => endsOf(mesh, edges, edge);

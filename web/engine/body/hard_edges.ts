@@ -7,7 +7,7 @@ import { NONE } from '../core/core';
 import type { TriangleMesh } from '../core/core';
 import { length3 } from '../core/exact_math';
 import { vertexCount } from '../core/mesh';
-import { ALL_HARD, unitFaceNormals } from '../document/normals';
+import { ALL_HARD, unitFaceNormals } from '../document/shading/normals';
 
 /** Edges between exactly two triangles, as half-edges: number 3 t + k runs from corner k of triangle t to its next corner. */
 export interface InnerEdges {

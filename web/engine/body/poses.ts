@@ -11,7 +11,7 @@ import type { Document } from '@gltf-transform/core';
 import type { WeldResult } from '../core/core';
 import { vertexCount } from '../core/mesh';
 import type { Body } from '../document/model';
-import { posesInAnimations } from '../document/skinning';
+import { posesInAnimations } from './skinning';
 
 /** values[size * v + d]: displacements of welded vertices, in units of the mesh; size is 3 for each field. */
 export interface Poses {

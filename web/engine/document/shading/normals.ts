@@ -1,8 +1,8 @@
 /** Vertex normals for display: either smooth and split along sharp edges, or face normals. */
 
-import { vertexCount } from '../core/mesh';
-import type { TriangleMesh } from '../core/core';
-import { arcCosine, length3 } from '../core/exact_math';
+import { vertexCount } from '../../core/mesh';
+import type { TriangleMesh } from '../../core/core';
+import { arcCosine, length3 } from '../../core/exact_math';
 
 /** Cosine of 60 degrees: normals are split at edges whose faces meet at a larger angle. */
 const CREASE_COSINE = 0.5;

@@ -1,7 +1,7 @@
 /** Where animations of a file take the vertices of its skinned meshes. */
 
 import type { Animation, AnimationSampler, Document, Node, Primitive, Skin } from '@gltf-transform/core';
-import type { Body } from './model';
+import type { Body } from '../document/model';
 
 type Matrix = number[];
 /** Positions of a body's vertices, positions[3 v + c], in the space of the scene. */
@@ -88,7 +88,7 @@ function sampledAt(sampler: AnimationSampler, time: number, size: number): numbe
   return length > 0 ? mixed.map((value) => value / length) : a;
 }
 
-interface Placement {
+interface NodeTransform {
   translation: number[];
   rotation: number[];
   scale: number[];
@@ -99,7 +99,7 @@ function compose({
   translation: [tx, ty, tz],
   rotation: [x, y, z, w],
   scale: [sx, sy, sz],
-}: Placement): Matrix {
+}: NodeTransform): Matrix {
   return [
     ...[1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0].map((value) => value * sx),
     ...[2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0].map((value) => value * sy),
@@ -125,9 +125,11 @@ function skinned(primitives: Primitive[], body: Body, matrices: Matrix[]): Posed
       const weights = primitive.getAttribute(`WEIGHTS_${set}`);
       for (let v = 0; weights && v < count; ++v) {
         const [which, shares] = [joints.getElement(v, []), weights.getElement(v, [])];
+        const to = 3 * (firstVertex + v);
+        const point = body.positions.subarray(to, to + 3);
         which.forEach((joint, c) => {
           if (shares[c] > 0 && joint < matrices.length)
-            addMoved(posed, body.positions, firstVertex + v, matrices[joint], shares[c]);
+            addMoved(posed, to, matrices[joint], { point, share: shares[c] });
         });
       }
     }
@@ -135,8 +137,17 @@ function skinned(primitives: Primitive[], body: Body, matrices: Matrix[]): Posed
   return posed;
 }
 
-function addMoved(posed: Float64Array, positions: Float32Array, v: number, m: Matrix, share: number): void {
-  const [x, y, z] = positions.subarray(3 * v, 3 * v + 3);
-  for (let c = 0; c < 3; ++c)
-    posed[3 * v + c] += share * (m[c] * x + m[4 + c] * y + m[8 + c] * z + m[12 + c]);
+/** Adds a share of a point's image under a matrix to posed[to, to + 3). */
+function addMoved(
+  posed: Float64Array,
+  to: number,
+  m: Matrix,
+  { point: [x, y, z], share }: WeightedPoint,
+): void {
+  for (let c = 0; c < 3; ++c) posed[to + c] += share * (m[c] * x + m[4 + c] * y + m[8 + c] * z + m[12 + c]);
+}
+
+interface WeightedPoint {
+  point: Float32Array;
+  share: number;
 }

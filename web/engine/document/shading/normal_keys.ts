@@ -1,12 +1,12 @@
 /** Which corners of a result keep the normal that their sources have, and which get that of their faces. */
 
 import type { Accessor, Primitive } from '@gltf-transform/core';
-import type { CornerSources, TriangleMesh } from '../core/core';
-import type { Body, PrimitiveSpan } from './model';
+import type { CornerSources, TriangleMesh } from '../../core/core';
+import type { Body, PrimitiveSpan } from '../model';
 import { ALL_HARD } from './normals';
 import type { ResultNormals } from './normals';
-import { CARRIED, isUntouched } from './vertices';
-import type { PrimitiveGeometry } from './vertices';
+import { CARRIED, isUntouched } from '../vertices';
+import type { PrimitiveGeometry } from '../vertices';
 
 /** What of an ExportedBody normals follow from. */
 interface Shaded {
