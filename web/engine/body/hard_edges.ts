@@ -5,7 +5,7 @@
 
 import { NONE } from '../core/core';
 import type { TriangleMesh } from '../core/core';
-import { length3 } from '../core/exact_math';
+import { arcCosine, length3 } from '../core/exact_math';
 import { vertexCount } from '../core/mesh';
 import { ALL_HARD, unitFaceNormals } from '../document/shading/normals';
 
@@ -15,36 +15,45 @@ export interface InnerEdges {
   second: number[];
 }
 
-/** Faces that meet at a cosine above this are in one plane: an angle of a thousandth. */
-const FLAT_COSINE = 1 - 0.5e-6;
+/** Angles are counted in this many steps up to 180 degrees. */
+const STEPS = 18_000;
+/** Faces that meet at fewer steps than this, a thousandth of a radian, are in one plane. */
+const FLAT_STEPS = 6;
 
 export function innerEdgesOf(mesh: TriangleMesh): InnerEdges {
   const { triangles } = mesh;
-  const lastAt = new Uint32Array(vertexCount(mesh)).fill(NONE);
-  const previous = new Uint32Array(triangles.length);
+  const other = oppositeHalves(mesh);
   const edges: InnerEdges = { first: [], second: [] };
-  const ends = (half: number) => [triangles[half], triangles[nextCorner(half)]];
-  triangles.forEach((_, half) => {
-    const low = Math.min(...ends(half));
-    previous[half] = lastAt[low];
-    lastAt[low] = half;
-  });
-  lastAt.forEach((last, low) => {
-    const halvesOf = new Map<number, number[]>();
-    for (let half = last; half !== NONE; half = previous[half]) {
-      const [a, b] = ends(half);
-      const high = a === low ? b : a;
-      const known = halvesOf.get(high);
-      if (known) known.push(half);
-      else halvesOf.set(high, [half]);
-    }
-    for (const halves of halvesOf.values()) {
-      if (halves.length !== 2) continue;
-      edges.first.push(halves[0]);
-      edges.second.push(halves[1]);
-    }
-  });
+  for (let half = 0; half < triangles.length; ++half) {
+    if (other[half] === NONE || other[half] === half) continue;
+    edges.first.push(half);
+    edges.second.push(other[half]);
+  }
   return edges;
+}
+
+/** Of the first half-edge of each edge: the second one, itself where there are more than two; NONE for all others. */
+function oppositeHalves(mesh: TriangleMesh): Uint32Array {
+  const { triangles } = mesh;
+  const nextAt = new Uint32Array(vertexCount(mesh)).fill(NONE);
+  const next = new Uint32Array(triangles.length);
+  for (let half = triangles.length - 1; half >= 0; --half) {
+    const low = Math.min(triangles[half], triangles[nextCorner(half)]);
+    next[half] = nextAt[low];
+    nextAt[low] = half;
+  }
+  const other = new Uint32Array(triangles.length).fill(NONE);
+  const firstTo = new Map<number, number>();
+  for (const start of nextAt) {
+    firstTo.clear();
+    for (let half = start; half !== NONE; half = next[half]) {
+      const high = Math.max(triangles[half], triangles[nextCorner(half)]);
+      const first = firstTo.get(high);
+      if (first === undefined) firstTo.set(high, half);
+      else other[first] = other[first] === NONE ? half : first;
+    }
+  }
+  return other;
 }
 
 /** Per edge: the cosine of the angle between its two faces. */
@@ -58,8 +67,9 @@ export function cosinesOf(mesh: TriangleMesh, { first, second }: InnerEdges): nu
 
 /**
  * The cosine below which the angle between two faces makes their edge hard: of all angles the one that tells hard edges from soft
- * ones with the least length of edges on the wrong side, the middle between the two edges next to it. ALL_HARD where only edges
- * within planes are soft; null where no edge is hard, or hard edges do not bend more than soft ones.
+ * ones with the least length of edges on the wrong side, the middle between the
+ * cosines of the edges next to it. ALL_HARD where only edges within
+ * planes are soft; null where no edge is hard, or hard edges do not bend more than soft ones.
  */
 export function hardCosineOf(
   mesh: TriangleMesh,
@@ -67,19 +77,39 @@ export function hardCosineOf(
   cosines: readonly number[],
   isHard: (edge: number) => boolean,
 ): number | null {
-  const order = Array.from(cosines, (_, edge) => edge).sort((a, b) => cosines[b] - cosines[a] || a - b);
-  // From the angle 0 on, where every soft edge is wrong. Each edge that the angle passes changes the sum.
-  let [wrong, least, softer] = [0, 0, 0];
-  order.forEach((edge, i) => {
-    wrong += lengthOf(mesh, edges.first[edge]) * (isHard(edge) ? 1 : -1);
-    if (wrong >= least || cosines[order[i + 1]] === cosines[edge]) return;
-    least = wrong;
-    softer = i + 1;
+  // Per step: the lengths of its hard edges less those of its soft ones.
+  const balance = new Float64Array(STEPS + 1);
+  cosines.forEach((cosine, edge) => {
+    balance[stepOf(cosine)] += lengthOf(mesh, edges.first[edge]) * (isHard(edge) ? 1 : -1);
   });
-  if (!order.slice(softer).some(isHard)) return null;
-  const below = softer === 0 ? 1 : cosines[order[softer - 1]];
-  return below > FLAT_COSINE ? ALL_HARD : (below + cosines[order[softer]]) / 2;
+  const last = lastSoftStep(balance);
+  let [bent, straight] = [-1, 1];
+  let makesHard = false;
+  cosines.forEach((cosine, edge) => {
+    if (stepOf(cosine) <= last) straight = Math.min(straight, cosine);
+    else {
+      bent = Math.max(bent, cosine);
+      makesHard ||= isHard(edge);
+    }
+  });
+  if (!makesHard) return null;
+  return last < FLAT_STEPS ? ALL_HARD : (straight + bent) / 2;
 }
+
+/** The step up to which edges are best taken for soft; -1: none is. */
+function lastSoftStep(balance: Float64Array): number {
+  // Before the first step every soft edge is wrong; each step changes the sum by its balance.
+  let [wrong, least, last] = [0, 0, -1];
+  balance.forEach((value, step) => {
+    wrong += value;
+    if (wrong >= least) return;
+    least = wrong;
+    last = step;
+  });
+  return last;
+}
+
+const stepOf = (cosine: number): number => Math.round((arcCosine(cosine) / Math.PI) * STEPS);
 
 /** The corners of both faces at the first end of the edge, and those at its second end. */
 export function endsOf(
