@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simplify/creases.h"
 #include "simplify/sectors.h"
 
 namespace limber {
@@ -15,8 +14,7 @@ constexpr double kFeatureWeight = 10;
 
 }  // namespace
 
-CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const SimplifyConstraints& constraints,
-                           bool weighsCreases)
+CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const SimplifyConstraints& constraints)
     : livingTriangles_(mesh.triangleCount()) {
   const Topology topology = buildIncidence(mesh);
   const Bounds box = bounds(mesh);
@@ -42,10 +40,7 @@ CollapseMesh::CollapseMesh(const TriangleMesh& mesh, const SimplifyConstraints& 
                       .heir = kNone,
                       .triangles = static_cast<uint8_t>(std::min(edge.useCount, 3u)),
                       .isFeature = features.isFeature[edges_.size()]});
-  if (weighsCreases && constraints.creaseAngle == 0)
-    collectQuadrics(findCreases(mesh, topology));
-  else
-    collectQuadrics({});
+  collectQuadrics();
 }
 
 void CollapseMesh::collectVertices(const TriangleMesh& mesh, const Topology& topology,
@@ -63,7 +58,7 @@ void CollapseMesh::collectVertices(const TriangleMesh& mesh, const Topology& top
   }
 }
 
-void CollapseMesh::collectQuadrics(std::span<const uint8_t> isCrease) {
+void CollapseMesh::collectQuadrics() {
   for (const auto& [corners, edges] : faces_) {
     const Vec3 &p = position(corners[0]), &q = position(corners[1]), &r = position(corners[2]);
     const Vec3 areaNormal = cross(q - p, r - p);
@@ -73,7 +68,7 @@ void CollapseMesh::collectQuadrics(std::span<const uint8_t> isCrease) {
     plane.area = 0.5 * twiceArea;
     for (const uint32_t v : corners) vertices_[v].quadric = vertices_[v].quadric + plane;
     for (int c = 0; c < 3; ++c) {
-      if (!isFeature(edges[c]) && (isCrease.empty() || !isCrease[edges[c]])) continue;
+      if (!isFeature(edges[c])) continue;
       const uint32_t from = corners[nextIndex(c)], to = corners[previousIndex(c)];
       const Vec3 along = position(to) - position(from);
       const Quadric across = planeQuadric(normalized(cross(along, areaNormal)), position(from),

@@ -36,10 +36,7 @@ class CollapseMesh {
     Triangle edges;  // edges[c] is opposite to vertices[c]
   };
 
-  // `weighsCreases`: creases that the mesh shows by itself (see findCreases) have planes like feature edges,
-  // though vertices may leave them; not with a crease angle among the constraints.
-  explicit CollapseMesh(const TriangleMesh& mesh, const SimplifyConstraints& constraints = {},
-                        bool weighsCreases = false);
+  explicit CollapseMesh(const TriangleMesh& mesh, const SimplifyConstraints& constraints = {});
 
   uint32_t edgeCount() const { return static_cast<uint32_t>(edges_.size()); }
   uint32_t vertexCount() const { return static_cast<uint32_t>(vertices_.size()); }
@@ -151,8 +148,7 @@ class CollapseMesh {
   };
 
   void collectVertices(const TriangleMesh& mesh, const Topology& topology, const FeatureEdges& features);
-  // `isCrease`: per edge, or empty.
-  void collectQuadrics(std::span<const uint8_t> isCrease);
+  void collectQuadrics();
   bool isOn(const Face& face, uint32_t edge) const;
   void mergeEdges(uint32_t dying, uint32_t heir);
   void removeFromStar(uint32_t v, uint32_t triangle);

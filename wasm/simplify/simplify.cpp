@@ -48,7 +48,7 @@ class Simplification {
  public:
   Simplification(const TriangleMesh& input, const Guidance& guidance, const SimplifyOptions& options,
                  Job& job)
-      : mesh_(input, options.constraints, options.method == Method::Limber),
+      : mesh_(input, options.constraints),
         costs_(input, mesh_, guidance, options),
         rules_(input, mesh_, options, job),
         queue_(mesh_.edgeCount()),
