@@ -12,3 +12,4 @@ export {
   tableScene,
   twoSidedLeaf,
 } from '../engine/support/scenes';
+export { posesInAnimations } from '../../web/engine/body/skinning';

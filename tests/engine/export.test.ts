@@ -18,7 +18,7 @@ function asResult(body: Body, count = body.indices.length / 3): ExportedBody {
   const { positions, indices } = body;
   const mesh: TriangleMesh = { positions, triangles: indices.slice(0, 3 * count) };
   const inputOfTriangle = Uint32Array.from({ length: count }, (_, t) => t);
-  return { body, mesh, inputOfTriangle, sources: ownSources(mesh), isFaceted: false };
+  return { body, mesh, inputOfTriangle, sources: ownSources(mesh), hardCosine: null };
 }
 
 async function roundTrip(
@@ -155,7 +155,7 @@ describe('an exported GLB', () => {
       const mesh = { positions: body.positions, triangles: Uint32Array.from(triangles) };
       const sources = ownSources(mesh);
       sources.triangle = sources.triangle.map((t) => kept[t]);
-      return { body, mesh, inputOfTriangle: Uint32Array.from(kept), sources, isFaceted: false };
+      return { body, mesh, inputOfTriangle: Uint32Array.from(kept), sources, hardCosine: null };
     };
     const { document, validation } = await roundTrip(source, onlyGreenAndBlue);
     const primitives = document.getRoot().listMeshes()[0].listPrimitives();

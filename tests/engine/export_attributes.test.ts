@@ -2,7 +2,8 @@ import { KHRMeshQuantization } from '@gltf-transform/extensions';
 import type { Accessor, Document, Primitive } from '@gltf-transform/core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core, MeshAt, TriangleMesh } from '../../web/engine/core/core';
-import { attributesOf, costAttributesOf } from '../../web/engine/body/attributes';
+import { attributesOf } from '../../web/engine/body/attributes';
+import { costAttributesOf } from '../../web/engine/body/cost_attributes';
 import { exportGlb } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
 import { validateGlb } from '../../web/engine/document/validate';
@@ -414,7 +415,7 @@ describe('the wedges of a body', () => {
     expect(attributes).toEqual({
       charts: { wedges: new Uint32Array(), groups: new Uint32Array() },
       wedgeCount: 0,
-      isFaceted: false,
+      hardCosine: null,
     });
   });
 });

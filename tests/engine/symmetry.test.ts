@@ -1,6 +1,7 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core, TriangleMesh } from '../../web/engine/core/core';
 import { exportGlb } from '../../web/engine/document/export';
+import { ALL_HARD } from '../../web/engine/document/shading/normals';
 import { openModel } from '../../web/engine/document/open';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
@@ -124,7 +125,7 @@ describe('quads that are cut along the same diagonal on both sides', () => {
       { symmetry: 'x' },
       { isFaceted: true },
     );
-    expect(opened.prepared.attributes.isFaceted).toBe(true);
+    expect(opened.prepared.attributes.hardCosine).toBe(ALL_HARD);
     const primitive = await written(opened);
     const corners = [...primitive.getIndices()!.getArray()!];
     const [positions, normals] = ['POSITION', 'NORMAL'].map((name) => primitive.getAttribute(name)!);

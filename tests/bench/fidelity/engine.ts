@@ -9,7 +9,7 @@ import { BodyRun } from '../../../web/engine/stages/body_run';
 import { STAGES } from '../../../web/engine/stages/stages';
 
 export { samples } from '../../../scripts/samples/samples';
-export { costAttributesOf } from '../../../web/engine/body/attributes';
+export { costAttributesOf } from '../../../web/engine/body/cost_attributes';
 export { materialOf } from '../../../web/engine/body/material';
 export { findPins } from '../../../web/engine/body/pins';
 export { loadCore } from '../../../web/engine/core/load_core';

@@ -4,7 +4,7 @@ import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
 import { LOCKED, STRONGEST } from '../../engine/settings/paint_text';
 import type { Levels } from '../../engine/settings/paint_text';
-import { cornerNormals } from '../../engine/document/normals';
+import { cornerNormals } from '../../engine/document/shading/normals';
 import { isLarge } from './twin_surface';
 
 /** A scalar to colour by, in [0, 1]. */

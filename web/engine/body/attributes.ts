@@ -4,38 +4,31 @@ import type { Accessor, Document, Primitive } from '@gltf-transform/core';
 import { NONE } from '../core/core';
 import type { Charts, CornerSources, TriangleMesh, WeldResult } from '../core/core';
 import type { Body } from '../document/model';
-import { length3 } from '../core/exact_math';
+import { cosinesOf, endsOf, innerEdgesOf, hardCosineOf } from './hard_edges';
+import { JoinedClasses } from './joined_classes';
+import type { Classes } from './joined_classes';
 import { findLayers, spanOf } from './layers';
 import type { Layers } from './layers';
-import { sum, vertexCount } from '../core/mesh';
+import { vertexCount } from '../core/mesh';
 
 export interface BodyAttributes {
   /** of the welded mesh; a group is a primitive; empty wedges where there are no attributes */
   charts: Charts;
   /** charts.wedges are below it */
   wedgeCount: number;
-  /** every face has its own normals: they follow from the faces and separate no charts */
-  isFaceted: boolean;
+  /**
+   * the cosine below which the angle between two faces makes their edge hard, so that normals there follow from the faces and
+   * separate no charts (see hardCosineOf); null: every normal is a value like any other
+   */
+  hardCosine: number | null;
 }
 
 /** The attributes of a body of which only the faces are known. */
 export const NO_ATTRIBUTES: BodyAttributes = {
   charts: { wedges: new Uint32Array(), groups: new Uint32Array() },
   wedgeCount: 0,
-  isFaceted: false,
+  hardCosine: null,
 };
-
-/** What attributes cost in a collapse, as lengths divided by the bounding diagonal. */
-export interface CostAttributes {
-  /** values[dimension * wedge + d] */
-  values: Float32Array;
-  dimension: number;
-}
-
-/** A body with more distinct normals per triangle than this is faceted: a smooth one has half a normal, facets have up to three. */
-const FACETED = 1.5;
-/** The length that a step from black to white counts as, over the diagonal. */
-const COLOUR_LENGTH = 0.05;
 
 /** Components [from, to) of an attribute; they are equal at all corners of a wedge. */
 interface Compared {
@@ -46,7 +39,7 @@ interface Compared {
 }
 
 /** One entry per vertex of each primitive: primitives may share positions and still differ in their other attributes. */
-interface Entries {
+export interface Entries {
   primitives: Primitive[];
   /** per primitive its first entry, followed by the number of all entries */
   first: number[];
@@ -71,18 +64,46 @@ export function attributesOf(
   const all = [first];
   for (let number = 1; number < layers.most; ++number)
     all.push(attributesOfLayer(entriesOfLayer(document, body, layers, number), weld));
-  return { ...joinedCharts(all, layers), isFaceted: first.isFaceted };
+  return { ...joinedCharts(all, layers), hardCosine: first.hardCosine };
 }
 
-function attributesOfLayer(entries: Entries, weld: WeldResult): BodyAttributes {
-  const isFaceted = countNormals(entries, weld.mesh) > (FACETED * weld.mesh.triangles.length) / 3;
-  const lists = entries.primitives.map((primitive) => comparedOf(primitive, !isFaceted));
+function attributesOfLayer(entries: Entries, { mesh }: WeldResult): BodyAttributes {
+  const lists = entries.primitives.map((primitive) => comparedOf(primitive, true));
   const hasAny = lists.some((list) => list.length > 0);
-  const { wedges, count } = hasAny
-    ? classify(entries, weld.mesh, lists)
-    : { wedges: new Uint32Array(), count: 0 };
+  const all = hasAny ? classify(entries, mesh, lists) : { wedges: new Uint32Array(), count: 0 };
+  const { wedges, count, hardCosine } = withoutHardEdges(entries, mesh, all);
   const groups = entries.primitives.length > 1 ? entries.spanOfTriangle : new Uint32Array();
-  return { charts: { wedges, groups }, wedgeCount: count, isFaceted };
+  return { charts: { wedges, groups }, wedgeCount: count, hardCosine };
+}
+
+/** Joins classes of corners across hard edges that the angle between faces makes again, where nothing but normals differs. */
+function withoutHardEdges(entries: Entries, mesh: TriangleMesh, all: Classes) {
+  const none = { ...all, hardCosine: null };
+  const normals = classifyNormals(entries, mesh);
+  const positions = classify(
+    entries,
+    mesh,
+    entries.primitives.map(() => []),
+  );
+  if (!normals || normals.count === positions.count) return none;
+  const edges = innerEdgesOf(mesh);
+  const cosines = cosinesOf(mesh, edges);
+  const ends = (edge: number) => endsOf(mesh, edges, edge);
+  const isHard = (edge: number) => ends(edge).some(([a, b]) => normals.wedges[a] !== normals.wedges[b]);
+  const hardCosine = hardCosineOf(mesh, edges, cosines, isHard);
+  if (hardCosine === null) return none;
+  const others = classify(
+    entries,
+    mesh,
+    entries.primitives.map((primitive) => comparedOf(primitive, false)),
+  );
+  const joined = new JoinedClasses(all.count);
+  cosines.forEach((cosine, edge) => {
+    if (cosine >= hardCosine) return;
+    for (const [a, b] of ends(edge))
+      if (others.wedges[a] === others.wedges[b]) joined.join(all.wedges[a], all.wedges[b]);
+  });
+  return { ...joined.classesOf(all.wedges), hardCosine };
 }
 
 /** Corners agree where they agree in every layer; triangles are of one group where all their layers are. */
@@ -107,35 +128,6 @@ function joinedCharts(all: BodyAttributes[], { of }: Layers): Pick<BodyAttribute
   );
   const wedges = numbered(keys);
   return { charts: { wedges: wedges.ids, groups }, wedgeCount: wedges.count };
-}
-
-/** UV coordinates and colours of every wedge; null where there are none. UVs count by their length on the surface. */
-export function costAttributesOf(
-  document: Document,
-  body: Body,
-  weld: WeldResult,
-  { charts: { wedges }, wedgeCount }: BodyAttributes,
-  diagonal: number,
-): CostAttributes | null {
-  if (wedges.length === 0) return null;
-  const entries = entriesOf(document, body, weld);
-  const texture = gather(entries, wedges, wedgeCount, 'TEXCOORD_0');
-  const colour = gather(entries, wedges, wedgeCount, 'COLOR_0');
-  const parts = [
-    ...(texture ? [{ ...texture, scale: textureScale(weld.mesh, wedges, texture.values) / diagonal }] : []),
-    ...(colour ? [{ ...colour, scale: COLOUR_LENGTH }] : []),
-  ];
-  if (parts.length === 0) return null;
-  const dimension = sum(parts.map(({ size }) => size));
-  const values = new Float32Array(dimension * wedgeCount);
-  let first = 0;
-  for (const part of parts) {
-    for (let wedge = 0; wedge < wedgeCount; ++wedge)
-      for (let d = 0; d < part.size; ++d)
-        values[dimension * wedge + first + d] = part.scale * part.values[part.size * wedge + d];
-    first += part.size;
-  }
-  return { values, dimension };
 }
 
 /** Translates sources on a welded mesh to sources on the body that it was welded from, whose faces may be wound the other way. */
@@ -178,7 +170,7 @@ function turnedTriangles(body: Body, { mesh, vertexOfSource, sourceOfTriangle }:
   );
 }
 
-function entriesOf(document: Document, body: Body, weld: WeldResult): Entries {
+export function entriesOf(document: Document, body: Body, weld: WeldResult): Entries {
   return entriesAt(document, body, weld.sourceOfTriangle, cornerInBody(body, weld));
 }
 
@@ -234,17 +226,18 @@ function comparedOf(primitive: Primitive, withNormals: boolean): Compared[] {
   return [...attributes, ...targets];
 }
 
-function countNormals(entries: Entries, mesh: TriangleMesh): number {
+/** By normals alone; null where a primitive has none. */
+function classifyNormals(entries: Entries, mesh: TriangleMesh): Classes | null {
   const normals = entries.primitives.map((primitive) => primitive.getAttribute('NORMAL'));
-  if (normals.some((accessor) => accessor === null)) return 0;
+  if (normals.some((accessor) => accessor === null)) return null;
   const lists = normals.map((accessor): Compared[] => [
     { array: accessor!.getArray()!, size: 3, from: 0, to: 3 },
   ]);
-  return classify(entries, mesh, lists).count;
+  return classify(entries, mesh, lists);
 }
 
 /** Wedge ids per corner: equal where corners at one vertex and in one primitive agree in everything compared. */
-function classify(entries: Entries, mesh: TriangleMesh, lists: Compared[][]) {
+function classify(entries: Entries, mesh: TriangleMesh, lists: Compared[][]): Classes {
   const { first, ofCorner, spanOfTriangle } = entries;
   const classOfEntry = new Uint32Array(first[first.length - 1]).fill(NONE);
   const firstClass = new Uint32Array(vertexCount(mesh)).fill(NONE);
@@ -277,39 +270,4 @@ function agree(list: Compared[], a: number, b: number): boolean {
   for (const { array, size, from, to } of list)
     for (let c = from; c < to; ++c) if (array[size * a + c] !== array[size * b + c]) return false;
   return true;
-}
-
-/** An attribute's values per wedge, 0 where a primitive lacks it; null where all primitives lack it. */
-function gather(
-  { primitives, first, ofCorner, spanOfTriangle }: Entries,
-  wedges: Uint32Array,
-  wedgeCount: number,
-  semantic: string,
-) {
-  const accessors = primitives.map((primitive) => primitive.getAttribute(semantic));
-  const size = Math.max(0, ...accessors.map((accessor) => accessor?.getElementSize() ?? 0));
-  if (size === 0) return null;
-  const values = new Float32Array(size * wedgeCount);
-  const element: number[] = [];
-  wedges.forEach((wedge, corner) => {
-    const span = spanOfTriangle[Math.floor(corner / 3)];
-    accessors[span]?.getElement(ofCorner[corner] - first[span], element).forEach((value, d) => {
-      if (d < size) values[size * wedge + d] = value;
-    });
-  });
-  return { values, size };
-}
-
-/** The length on the surface of one unit of UV, as a mean over the area; 0 where the UVs enclose no area. */
-function textureScale({ positions, triangles }: TriangleMesh, wedges: Uint32Array, uv: Float32Array): number {
-  let [surface, texture] = [0, 0];
-  for (let t = 0; t < triangles.length; t += 3) {
-    const edge = (k: number, axis: number) =>
-      positions[3 * triangles[t + k] + axis] - positions[3 * triangles[t] + axis];
-    const part = (u: number, v: number) => edge(1, u) * edge(2, v) - edge(1, v) * edge(2, u);
-    surface += length3(part(1, 2), part(2, 0), part(0, 1));
-    const across = (k: number, axis: number) => uv[2 * wedges[t + k] + axis] - uv[2 * wedges[t] + axis];
-    texture += Math.abs(across(1, 0) * across(2, 1) - across(1, 1) * across(2, 0));
-  }
-  return texture > 0 ? Math.sqrt(surface / texture) : 0;
 }

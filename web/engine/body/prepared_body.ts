@@ -2,7 +2,8 @@
 
 import type { Inspection, MirrorImages, Quality, TriangleMesh, WeldResult } from '../core/core';
 import type { Body } from '../document/model';
-import type { BodyAttributes, CostAttributes } from './attributes';
+import type { BodyAttributes } from './attributes';
+import type { CostAttributes } from './cost_attributes';
 import type { Layers } from './layers';
 
 /** A welded body, usable or not. */

@@ -7,15 +7,16 @@ import { VERSION } from '../core/version';
 import { carryAttributes, carryTargets } from './carry';
 import type { Destination } from './carry';
 import type { Body, OpenModel } from './model';
-import { resultNormals } from './normals';
-import type { ResultNormals } from './normals';
+import { normalKeys, normalsOf } from './shading/normal_keys';
+import { resultNormals } from './shading/normals';
+import type { ResultNormals } from './shading/normals';
 import { disposeUnused, dropMorphing, dropUncarried, normaliseWeights } from './prune';
 import { addSwings } from './shapes';
 import { NO_ADDITIONS, writeGlb } from './write/gltf_files';
 import type { Additions } from './write/gltf_files';
 import { likeStored } from './write/stored_values';
 import type { MorphTarget } from './shapes';
-import { CARRIED, geometryOf, isUntouched } from './vertices';
+import { CARRIED, geometryOf } from './vertices';
 import type { PrimitiveGeometry, SourcedMesh } from './vertices';
 
 export { droppedByExport } from './dropped';
@@ -28,8 +29,8 @@ export interface ExportedBody {
   inputOfTriangle: Uint32Array;
   /** per corner of `mesh`: the point of `body` that its attributes come from */
   sources: CornerSources;
-  /** the normals of `body` are those of its faces; changed faces get new ones */
-  isFaceted: boolean;
+  /** edges whose faces meet at a smaller cosine are hard, and changed faces get normals by that; null: normals are carried */
+  hardCosine: number | null;
   /** per vertex of `mesh` */
   fields?: { strain: Float32Array; curvature: Float32Array };
   /** shapes written as morph targets, each with an animation; they replace the body's own */
@@ -137,11 +138,11 @@ export function renderVertices(model: OpenModel, exported: ExportedBody): number
   const { body } = exported;
   const primitives = model.document.getRoot().listMeshes()[body.mesh].listPrimitives();
   const sourced: SourcedMesh = { mesh: exported.mesh, body, sources: exported.sources };
-  const normals = resultNormals(exported.mesh);
+  const normals = resultNormals(exported.mesh, exported.hardCosine ?? undefined);
   const trianglesOfSpan = shareOut(body, exported.inputOfTriangle);
   return body.spans.flatMap((span, i) => {
     const primitive = primitives[span.primitive];
-    const keyOf = normalKeys(primitive, exported, normals, isSmoothed(model));
+    const keyOf = normalKeys(primitive, span, exported, { normals, smoothed: isSmoothed(model) });
     return geometryOf(sourced, span, primitive, trianglesOfSpan[i], keyOf).vertexOfMesh;
   });
 }
@@ -172,7 +173,7 @@ function replaceMesh(
   const primitives = mesh.listPrimitives();
   if (exported.targets) dropMorphing(destination.document, mesh);
   const sourced: SourcedMesh = { mesh: exported.mesh, body, sources: exported.sources };
-  const normals = resultNormals(exported.mesh);
+  const normals = resultNormals(exported.mesh, exported.hardCosine ?? undefined);
   const trianglesOfSpan = shareOut(body, exported.inputOfTriangle);
   const written: Primitive[] = [];
   body.spans.forEach((span, i) => {
@@ -181,7 +182,7 @@ function replaceMesh(
       primitive.dispose();
       return;
     }
-    const keyOf = normalKeys(primitive, exported, normals, smoothed);
+    const keyOf = normalKeys(primitive, span, exported, { normals, smoothed });
     const geometry = geometryOf(sourced, span, primitive, trianglesOfSpan[i], keyOf);
     writePrimitive(destination, primitive.setMode(TRIANGLES), exported, { geometry, normals, keepsStored });
     written.push(primitive);
@@ -191,25 +192,6 @@ function replaceMesh(
   if (exported.settings) mesh.setExtras({ ...mesh.getExtras(), limberSettings: exported.settings.extras });
   if (exported.targets) mesh.setWeights(exported.targets.map(() => 0));
   return written;
-}
-
-/** Per corner: CARRIED if its normal comes from its source or it has none, otherwise the key of a computed normal. */
-function normalKeys(
-  primitive: Primitive,
-  { body, inputOfTriangle, sources, isFaceted }: ExportedBody,
-  normals: ResultNormals,
-  smoothed: boolean,
-): (corner: number) => number {
-  const hasNormals = primitive.getAttribute('NORMAL') !== null;
-  if (!hasNormals && smoothed) return (corner) => normals.smoothKey(corner);
-  if (!hasNormals || !isFaceted) return () => CARRIED;
-  return (corner) => {
-    const t = Math.floor(corner / 3);
-    const source = inputOfTriangle[t];
-    // The corners of a quad that is cut along its other diagonal have normals of two faces.
-    const isAsItWas = isUntouched(sources, t, source) && !body.recut?.[source];
-    return isAsItWas ? CARRIED : normals.faceKey(corner);
-  };
 }
 
 /** Per span of the body: the triangles of the new mesh that come from it, ascending. */
@@ -248,7 +230,7 @@ function writePrimitive(
   };
   add('POSITION', gatherTriples(exported.mesh.positions, vertexOfMesh), 'VEC3');
   if (geometry.normalKey.some((key) => key !== CARRIED))
-    add('NORMAL', normalsOf(primitive, geometry, normals), 'VEC3');
+    add('NORMAL', normalsOf(primitive.getAttribute('NORMAL'), geometry, normals), 'VEC3');
   if (exported.fields) {
     const { strain, curvature } = exported.fields;
     add(
@@ -270,21 +252,6 @@ function writePrimitive(
     );
   writeIndices(destination, primitive, geometry);
   writeTargets(destination, primitive, exported.targets ?? [], geometry);
-}
-
-/** Normals as floats: computed where `normalKey` names one, otherwise carried. */
-function normalsOf(
-  primitive: Primitive,
-  { normalKey }: PrimitiveGeometry,
-  normals: ResultNormals,
-): Float32Array<ArrayBuffer> {
-  const carried = primitive.getAttribute('NORMAL');
-  const written = new Float32Array(3 * normalKey.length);
-  const element: number[] = [];
-  normalKey.forEach((key, i) =>
-    written.set(key === CARRIED ? carried!.getElement(i, element) : normals.at(key), 3 * i),
-  );
-  return written;
 }
 
 function writeIndices(

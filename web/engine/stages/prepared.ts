@@ -1,8 +1,9 @@
 /** Stage: a body welded, inspected and, where a symmetry is asked for, recut. */
 
 import type { Document } from '@gltf-transform/core';
-import { attributesOf, costAttributesOf, NO_ATTRIBUTES } from '../body/attributes';
-import type { CostAttributes } from '../body/attributes';
+import { attributesOf, NO_ATTRIBUTES } from '../body/attributes';
+import { costAttributesOf, MOST_COST_DIMENSIONS } from '../body/cost_attributes';
+import type { CostAttributes } from '../body/cost_attributes';
 import { findLayers } from '../body/layers';
 import type { InspectedBody, PreparedBody } from '../body/prepared_body';
 import { withMirror } from '../body/symmetry';
@@ -12,8 +13,7 @@ import type { Body } from '../document/model';
 import type { Settings } from '../settings/options';
 import { declareStage } from './stage';
 
-/** The most numbers per wedge that the core takes; attributes with more cost nothing. */
-const MOST_COST_DIMENSIONS = 8;
+/** Attributes of more numbers than the core takes cost nothing. */
 const NO_COSTS: CostAttributes = { values: new Float32Array(), dimension: 0 };
 
 export const preparedStage = declareStage({

@@ -58,8 +58,8 @@ export function exportedBody(
 ): ExportedBody {
   const { body, attributes, layers } = prepared;
   const sources = core.sourceOfCorners(prepared.mesh, attributes.charts, result);
-  const { isFaceted } = attributes;
-  const exported = { body, ...inBody(prepared, result, sources, layers), isFaceted };
+  const { hardCosine } = attributes;
+  const exported = { body, ...inBody(prepared, result, sources, layers), hardCosine };
   if (!fields) return exported;
   const strain = meanOverTriangles(prepared.mesh, fields.guidance?.rank);
   const ofResult = (field: Float32Array) =>
@@ -88,7 +88,7 @@ function inBody(
 /** The body as it is, welded. */
 export function exportedMesh({ body, mesh, weld, attributes }: PreparedBody): ExportedBody {
   const sources = sourcesInBody(body, weld, ownSources(mesh));
-  return { body, mesh, inputOfTriangle: weld.sourceOfTriangle, sources, isFaceted: attributes.isFaceted };
+  return { body, mesh, inputOfTriangle: weld.sourceOfTriangle, sources, hardCosine: attributes.hardCosine };
 }
 
 /** Per vertex the mean of the field over the triangles around it; 0 without a field. */

@@ -1,11 +1,13 @@
 /** Vertex normals for display: either smooth and split along sharp edges, or face normals. */
 
-import { vertexCount } from '../core/mesh';
-import type { TriangleMesh } from '../core/core';
-import { arcCosine, length3 } from '../core/exact_math';
+import { vertexCount } from '../../core/mesh';
+import type { TriangleMesh } from '../../core/core';
+import { arcCosine, length3 } from '../../core/exact_math';
 
 /** Cosine of 60 degrees: normals are split at edges whose faces meet at a larger angle. */
 const CREASE_COSINE = 0.5;
+/** As a cosine below which edges are hard: every edge is. */
+export const ALL_HARD = 2;
 
 export interface CornerNormals {
   /** per corner 3 * t + k: the lowest corner of the same vertex that shares its normal */
@@ -16,7 +18,9 @@ export interface CornerNormals {
 
 /** Normals of a mesh, computed at the first query. A key identifies one normal. */
 export interface ResultNormals {
-  /** equal for corners at one vertex that are connected through edges below 60 degrees */
+  /** edges whose faces meet at a smaller cosine are hard */
+  hardCosine: number;
+  /** equal for corners at one vertex that are connected through edges that are not hard */
   smoothKey(corner: number): number;
   /** equal for the three corners of a triangle */
   faceKey(corner: number): number;
@@ -24,7 +28,8 @@ export interface ResultNormals {
   at(key: number): ArrayLike<number>;
 }
 
-export function resultNormals(mesh: TriangleMesh): ResultNormals {
+/** `hardCosine`: edges whose faces meet at a smaller cosine are hard; by default those beyond 60 degrees. */
+export function resultNormals(mesh: TriangleMesh, hardCosine = CREASE_COSINE): ResultNormals {
   const cornerCount = mesh.triangles.length;
   let smooth: CornerNormals | null = null;
   let flat: Float64Array | null = null;
@@ -34,20 +39,21 @@ export function resultNormals(mesh: TriangleMesh): ResultNormals {
     return normal.some((value) => value !== 0) ? normal : [0, 0, 1];
   };
   return {
-    smoothKey: (corner) => (smooth ??= cornerNormals(mesh)).group[corner],
+    hardCosine,
+    smoothKey: (corner) => (smooth ??= cornerNormals(mesh, hardCosine)).group[corner],
     faceKey: (corner) => cornerCount + corner - (corner % 3),
     at: (key) => {
       if (key >= cornerCount) return ofFace(key - cornerCount);
-      return (smooth ??= cornerNormals(mesh)).normals.subarray(3 * key, 3 * key + 3);
+      return (smooth ??= cornerNormals(mesh, hardCosine)).normals.subarray(3 * key, 3 * key + 3);
     },
   };
 }
 
-/** Angle-weighted normals over the corners of a vertex that are connected through edges below 60 degrees. */
-export function cornerNormals(mesh: TriangleMesh): CornerNormals {
+/** Angle-weighted normals over the corners of a vertex that are connected through edges that are not hard. */
+export function cornerNormals(mesh: TriangleMesh, hardCosine = CREASE_COSINE): CornerNormals {
   const { triangles } = mesh;
   const faceNormals = unitFaceNormals(mesh);
-  const group = smoothGroups(triangles, vertexCount(mesh), faceNormals);
+  const group = smoothGroups(mesh, faceNormals, hardCosine);
   const sums = new Float64Array(3 * triangles.length);
   for (let corner = 0; corner < triangles.length; ++corner) {
     const t = Math.floor(corner / 3);
@@ -58,7 +64,7 @@ export function cornerNormals(mesh: TriangleMesh): CornerNormals {
 }
 
 /** Unit normals normals[3 * t + c]; 0 for a triangle without area. */
-function unitFaceNormals({ positions, triangles }: TriangleMesh): Float64Array {
+export function unitFaceNormals({ positions, triangles }: TriangleMesh): Float64Array {
   const normals = new Float64Array(triangles.length);
   for (let t = 0; t < triangles.length; t += 3) {
     const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
@@ -87,15 +93,16 @@ function angleAt({ positions, triangles }: TriangleMesh, corner: number): number
 }
 
 /** Per corner: the lowest corner of its group. */
-function smoothGroups(triangles: Uint32Array, vertexCount: number, faceNormals: Float64Array): Uint32Array {
+function smoothGroups(mesh: TriangleMesh, faceNormals: Float64Array, hardCosine: number): Uint32Array {
+  const { triangles } = mesh;
   const parent = Uint32Array.from(triangles, (_, corner) => corner);
   const find = (corner: number): number => {
     while (parent[corner] !== corner) corner = parent[corner] = parent[parent[corner]];
     return corner;
   };
-  const { first, corners } = cornersOfVertices(triangles, vertexCount);
+  const { first, corners } = cornersOfVertices(triangles, vertexCount(mesh));
   const cornerAcross = new Map<number, number>();
-  for (let v = 0; v < vertexCount; ++v) {
+  for (let v = 0; v + 1 < first.length; ++v) {
     cornerAcross.clear();
     for (let at = first[v]; at < first[v + 1]; ++at) {
       const corner = corners[at];
@@ -103,7 +110,7 @@ function smoothGroups(triangles: Uint32Array, vertexCount: number, faceNormals: 
         const neighbour = triangles[corner - (corner % 3) + ((corner + step) % 3)];
         const other = cornerAcross.get(neighbour);
         if (other === undefined) cornerAcross.set(neighbour, corner);
-        else if (isSmooth(faceNormals, corner, other)) {
+        else if (cosineBetween(faceNormals, corner, other) >= hardCosine) {
           const [a, b] = [find(corner), find(other)];
           parent[Math.max(a, b)] = Math.min(a, b);
         }
@@ -113,13 +120,14 @@ function smoothGroups(triangles: Uint32Array, vertexCount: number, faceNormals: 
   return Uint32Array.from(triangles, (_, corner) => find(corner));
 }
 
-function isSmooth(faceNormals: Float64Array, corner: number, other: number): boolean {
+/** Between the faces of two corners. */
+function cosineBetween(faceNormals: Float64Array, corner: number, other: number): number {
   const [a, b] = [corner - (corner % 3), other - (other % 3)];
-  const cosine =
+  return (
     faceNormals[a] * faceNormals[b] +
     faceNormals[a + 1] * faceNormals[b + 1] +
-    faceNormals[a + 2] * faceNormals[b + 2];
-  return cosine >= CREASE_COSINE;
+    faceNormals[a + 2] * faceNormals[b + 2]
+  );
 }
 
 /** The corners of vertex v are corners[first[v]] up to corners[first[v + 1]], ascending. */
