@@ -88,6 +88,7 @@ function fitWithin(
     mirror: constraints.mirror,
     maxDeviation: ((share * settings.maxDeviation) / 100) * prepared.diagonal,
     minAngle: settings.minAngle,
+    samples: prepared.samples,
   };
   if (settings.shell === null) return { ...NO_ERRORS, ...core.fitShape(mesh, result, options) };
   const { poisson } = settings.shell;

@@ -28,6 +28,8 @@ export interface RunContext {
   document: Document | null;
   /** how many bodies the file has whose results are asked for, where modes are needed for guidance alone; absent: for their own sake */
   guidedBodies?: number;
+  /** whether the body is so small in its scene that its modes do not matter, see `scene_share`; absent: it is not */
+  isTooSmallToMove?: boolean;
   /** called before each number of faces that is tried to keep the frequencies */
   onTry?: (faces: number) => void;
 }
