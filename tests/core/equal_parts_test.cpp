@@ -61,7 +61,7 @@ TEST(EqualParts, HaveTheModesOfTheFirst) {
   ModesOptions options;
   options.model = ElasticModel::Auto;
   options.modeCount = 3;
-  options.material.thickness = 0.1;
+  options.material = {.young = 1e6, .poisson = 0.3, .density = 1000, .thickness = 0.1};
   const ModeSet all = findModes(body, options, true, job), alone = findModes(bar, options, true, job);
   ASSERT_EQ(all.components.size(), 3u);
   std::vector<double> first, last;

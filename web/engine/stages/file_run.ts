@@ -6,6 +6,7 @@ import type { Body } from '../document/model';
 import type { OpenModel } from '../document/open';
 import type { Settings } from '../settings/options';
 import { BodyRun } from './body_run';
+import { EqualWork } from './equal_work';
 import { tooSmallToMove } from './scene_share';
 import { STAGES } from './stages';
 
@@ -42,12 +43,14 @@ export class FileRun {
           bodies.filter((_, i) => isChosen(i)),
         )
       : new Set<Body>();
+    const equalWork = bodies.length > 1 ? new EqualWork(2 * bodies.length) : undefined;
     this.all = bodies.map((body, i) => {
       if (!isChosen(i)) return null;
       const onTry = (faces: number) => options.onActivity?.(body.name, faces);
       const guidedBodies = guides ? bodies.length : undefined;
       const isTooSmallToMove = tooSmall.has(body);
-      return new BodyRun({ core, body, document, onTry, guidedBodies, isTooSmallToMove }, options.onStage);
+      const context = { core, body, document, onTry, guidedBodies, isTooSmallToMove, equalWork };
+      return new BodyRun(context, options.onStage);
     });
   }
 

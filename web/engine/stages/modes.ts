@@ -10,6 +10,7 @@ import { resolveModel } from '../settings/options';
 import type { Settings } from '../settings/options';
 import { pinnedStage } from './constraints';
 import { preparedStage } from './prepared';
+import { onceIn } from './equal_work';
 import { declareStage } from './stage';
 
 export interface ModesRequest extends MaterialSettings, Pick<Settings, 'modeCount' | 'direction' | 'exact'> {
@@ -27,10 +28,12 @@ export const modesStage = declareStage({
     ...settings,
     model: resolveModel({ method, model: settings.model }),
   }),
-  run: ({ core, guidedBodies, isTooSmallToMove }, { prepared, pinned }, request) =>
+  run: ({ core, guidedBodies, isTooSmallToMove, equalWork }, { prepared, pinned }, request) =>
     isTooSmallToMove
       ? withoutModes(prepared, request)
-      : findModes(core, prepared, pinned, { ...request, guidedBodies }),
+      : onceIn(equalWork, 'modes', [prepared.mesh, pinned, request, materialOf(prepared, request)], () =>
+          findModes(core, prepared, pinned, { ...request, guidedBodies }),
+        ),
 });
 
 /** The modes of a body that is not analysed: none, of one part. */
