@@ -1,6 +1,6 @@
 /** limber optimize IN OUT */
 
-import { describeFailedModes, describeSolve } from '../engine/body/health';
+import { describeFailedModes, describeResiduals } from '../engine/body/health';
 import { startStopwatch } from '../engine/core/stopwatch';
 import { droppedByExport, passThrough } from '../engine/document/export';
 import { describeEmpty } from '../engine/document/open';
@@ -13,7 +13,7 @@ import { requestFile } from '../engine/stages/budget/file_targets';
 import type { FileRun } from '../engine/stages/file_run';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
-import { EXIT, inFlags, UsageError } from './failure';
+import { EXIT, UsageError } from './failure';
 import { writeWhole } from './files';
 import { writeLevels } from './levels';
 import type { WrittenLevels } from './levels';
@@ -53,7 +53,7 @@ export async function runOptimize(args: Arguments): Promise<number> {
     optionsAsUsed(args),
     levels.written.map((level) => level.report),
   );
-  session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0).map(inFlags));
+  session.warnings.push(...describeResiduals(report.modes ?? []));
   report.timings = {
     ...{ load, weld, ...report.timings, export: exportTime },
     ...(levels.written.length > 0 ? { levels: levelsTime } : {}),
