@@ -13,7 +13,7 @@ import { sharesOfScene, tooSmallToMove } from '../../web/engine/stages/scene_sha
 import { STAGES } from '../../web/engine/stages/stages';
 import { loadTestCore } from './support/core';
 import { addMesh, glbFile, primitiveOf, readGlb, startDocument } from './support/gltf';
-import { ball, partsScene } from './support/scenes';
+import { ball, moved, partsScene } from './support/scenes';
 
 let core: Core;
 beforeAll(async () => {
@@ -87,11 +87,14 @@ describe('equal bodies', () => {
   });
 });
 
+/** A ball of so large a radius. */
+const sized = (radius: number) => moved(ball(12), (x, y, z) => [radius * x, radius * y, radius * z]);
+
 /** A large ball at the origin, and one of `radius` at x = 10. */
 function twoBalls(radius: number): Document {
   const document = startDocument();
-  addMesh(document, 'large', [primitiveOf(document, ball(1))]);
-  addMesh(document, 'small', [primitiveOf(document, ball(radius))]);
+  addMesh(document, 'large', [primitiveOf(document, sized(1))]);
+  addMesh(document, 'small', [primitiveOf(document, sized(radius))]);
   const nodes = document.getRoot().listNodes();
   nodes[nodes.length - 1].setTranslation([10, 0, 0]);
   return document;
@@ -100,7 +103,7 @@ function twoBalls(radius: number): Document {
 describe('the share of a body in its scene', () => {
   it('is that of its diagonal where it stands', async () => {
     const document = startDocument();
-    addMesh(document, 'body', [primitiveOf(document, ball(1))]);
+    addMesh(document, 'body', [primitiveOf(document, sized(1))]);
     const [node] = document.getRoot().listNodes();
     node.setScale([2, 2, 2]);
     const [mesh] = document.getRoot().listMeshes();

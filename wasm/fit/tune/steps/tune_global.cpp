@@ -33,14 +33,11 @@ GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constrai
   GlobalFactors best;
   Eigen::Vector2d x = Eigen::Vector2d::Zero();
   int worseRounds = 0;
-  const Eigen::VectorXd weights = problem.weights().cwiseSqrt();
-  const auto weighted = [&] { return Eigen::VectorXd(weights.cwiseProduct(problem.residuals())); };
-  double bestSquares = weighted().squaredNorm();
+  double bestSquares = problem.residuals().squaredNorm();
   for (int round = 0; round < kRounds; ++round) {
     Eigen::MatrixXd jacobian = sumsByKind(problem.jacobian(), constraints.stretchCount);
     if (!constraints.tunesStretch) jacobian.col(0).setZero();
-    jacobian.array().colwise() *= weights.array();
-    const Eigen::VectorXd residual = weighted();
+    const Eigen::VectorXd residual = problem.residuals();
     const double scatter = residual.squaredNorm() / static_cast<double>(residual.size());
     const double drawn = std::max(scatter, kLeastScatter) / (kPriorDeviation * kPriorDeviation);
     const Eigen::Matrix2d normal = jacobian.transpose() * jacobian + drawn * Eigen::Matrix2d::Identity();
@@ -52,7 +49,7 @@ GlobalFactors tuneGlobally(TuneProblem& problem, const TuneConstraints& constrai
     const GlobalFactors factors{std::exp(x[0]), std::exp(x[1])};
     problem.moveTo(factorsOf(factors, constraints), job);
     if (!problem.isDefinite()) break;
-    const double squares = weighted().squaredNorm();
+    const double squares = problem.residuals().squaredNorm();
     if (squares < bestSquares) {
       bestSquares = squares;
       best = factors;

@@ -99,21 +99,6 @@ Eigen::VectorXd TuneProblem::residuals() const {
   return Eigen::Map<Eigen::VectorXd>(residuals.data(), static_cast<Eigen::Index>(residuals.size()));
 }
 
-Eigen::VectorXd TuneProblem::weights() const {
-  std::vector<double> weights;
-  for (const ClampedModes& clamping : clampings_) {
-    const size_t first = weights.size(), count = fittedModes(clamping);
-    double sum = 0;
-    for (size_t i = 0; i < count; ++i) {
-      weights.push_back(1 / clamping.wanted()[i].lambda);
-      sum += weights.back();
-    }
-    for (size_t i = first; i < weights.size(); ++i) weights[i] /= sum;
-  }
-  const Eigen::Map<Eigen::VectorXd> all(weights.data(), static_cast<Eigen::Index>(weights.size()));
-  return all / all.mean();
-}
-
 Eigen::MatrixXd TuneProblem::jacobian() const {
   size_t count = 0;
   for (const ClampedModes& clamping : clampings_) count += fittedModes(clamping);

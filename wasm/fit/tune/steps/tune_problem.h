@@ -39,10 +39,6 @@ class TuneProblem {
   // of the result with nearly equal eigenvalues have the mean of theirs, which does not depend on the mixture
   // that a solver finds.
   Eigen::MatrixXd jacobian() const;
-  // What each of these residuals counts, mean 1. A motion in which all modes have the same energy moves the
-  // body along mode k by 1 / omega_k, so that an error of its frequency shows by as much: its square counts
-  // 1 / lambda_k of the original. Every clamping counts alike, however many of its modes are fitted.
-  Eigen::VectorXd weights() const;
   // Mean relative error of the fitted frequencies in %.
   double fittedError() const;
 
