@@ -33,10 +33,10 @@ export function sharesOfScene(document: Document, bodies: readonly Body[]): numb
   const largest = bodies.map((body) => {
     const local = boxOf(body.positions);
     const own = nodesOf.get(meshes[body.mesh]) ?? [];
-    const placed = own.map((node) => boxInScene(local, node));
-    placed.forEach((box) => corners(box).forEach((corner) => include(all, corner)));
-    const isPlaced = own.length > 0 && own.every((node) => node.getSkin() === null);
-    return isPlaced ? placed.reduce((most, box) => Math.max(most, diagonal(box)), 0) : Infinity;
+    const inScene = own.map((node) => boxInScene(local, node));
+    inScene.forEach((box) => corners(box).forEach((corner) => include(all, corner)));
+    const isShown = own.length > 0 && own.every((node) => node.getSkin() === null);
+    return isShown ? inScene.reduce((most, box) => Math.max(most, diagonal(box)), 0) : Infinity;
   });
   const scene = diagonal(all);
   return largest.map((own) => (own < scene ? own / scene : 1));
