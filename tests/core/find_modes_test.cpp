@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 #include "elastic/displacement.h"
 #include "elastic/part_modes.h"
+#include "fields/guidance.h"
 #include "mesh/eigen_vec3.h"
 #include "mesh/topology.h"
 #include "modes/coarse_part.h"
@@ -98,6 +99,57 @@ TEST(SmallParts, areSolvedSideBySideWithTheSameResultAndRisingProgress) {
   for (size_t k = 0; k < one.modes.size(); ++k) EXPECT_EQ(one.modes[k].omega, four.modes[k].omega);
   EXPECT_TRUE(std::is_sorted(alone.end() - 5, alone.end()));
   EXPECT_EQ(alone.back(), 1);
+}
+
+// Of the first four modes of each component.
+std::vector<float> strainRank(const TriangleMesh& mesh, const ModeSet& set) {
+  Job job;
+  std::vector<double> omega(set.components.size() * set.modesPerComponent);
+  for (const Mode& mode : set.modes)
+    omega[mode.component * set.modesPerComponent + mode.ordinal] = mode.omega;
+  return strainGuidance(mesh, set.shapes, omega, {.ordinals = {0, 1, 2, 3}}, job).rank;
+}
+
+double correlation(const std::vector<float>& a, const std::vector<float>& b) {
+  const auto centred = [](const std::vector<float>& values) {
+    const Eigen::VectorXd all =
+        Eigen::Map<const Eigen::VectorXf>(values.data(), static_cast<Eigen::Index>(values.size()))
+            .cast<double>();
+    return Eigen::VectorXd(all.array() - all.mean());
+  };
+  const Eigen::VectorXd x = centred(a), y = centred(b);
+  return x.dot(y) / (x.norm() * y.norm());
+}
+
+TEST(ModesThatGuide, comeFromACopyThatRanksStrainAlike) {
+  Job job;
+  TriangleMesh sheet = shapes::grid(60, 40, 1.5, 1);
+  for (Vec3& p : sheet.positions) p.z = 0.1 * std::sin(4 * p.x) * std::cos(3 * p.y);
+  ModesOptions options = shellOptions(sheet, 4);
+  const ModeSet own = findModes(sheet, options, false, job);
+  options.guidedParts = 1;
+  const ModeSet guiding = findModes(sheet, options, false, job);
+  EXPECT_EQ(own.components[0].coarseVertices, 0u);
+  EXPECT_NEAR(guiding.components[0].coarseVertices, 1000, 50);
+  EXPECT_EQ(guiding.components[0].zeroModesFound, 6u);
+  for (size_t k = 0; k < 4; ++k) EXPECT_NEAR(guiding.modes[k].omega / own.modes[k].omega, 1, 0.02);
+  EXPECT_GT(correlation(strainRank(sheet, own), strainRank(sheet, guiding)), 0.9);
+  EXPECT_EQ(findModes(sheet, options, true, job).components[0].coarseVertices, 0u);
+}
+
+TEST(ModesThatGuide, comeFromALatticeNoFinerThanTheTriangles) {
+  const auto cells = [](int boxCells, uint32_t guidedParts) {
+    Part part;
+    part.mesh = shapes::box(boxCells, boxCells, boxCells, 1.0 / boxCells);  // 12 boxCells^2 triangles
+    ModesOptions options;
+    options.guidedParts = guidedParts;
+    return latticeCells(part, options);
+  };
+  for (const int size : {2, 6, 30}) EXPECT_EQ(cells(size, 0), cells(2, 0)) << "modes for their own sake";
+  EXPECT_EQ(cells(2, 1), 64u);
+  EXPECT_NEAR(cells(6, 1), std::pow(2 * 36, 1.5), 1);
+  EXPECT_EQ(cells(30, 1), 1200u);
+  EXPECT_EQ(cells(6, 50), cells(6, 1));
 }
 
 TEST(ExactSolve, refusesBeforeItTakesMoreMemoryThanThereIs) {

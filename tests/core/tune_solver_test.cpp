@@ -182,6 +182,24 @@ TEST(TuneSolver, FitsNothingToAFlatSheetOfSprings) {
   EXPECT_NEAR(sum(tuned.masses), total, 1e-12 * total);
 }
 
+// Hundreds of motions without resistance: no search for modes converges among them.
+TEST(TuneSolver, FitsNothingToALargeFlatSheetOfSprings) {
+  Job job;
+  const TriangleMesh sheet = surfaces::inFloats(shapes::grid(40, 40));
+  const TriangleMesh coarse = surfaces::inFloats(shapes::grid(20, 20));
+  for (const bool isPinned : {false, true}) {
+    TuneOptions options = optionsFor(kModels[4].second, sheet, TuneKind::Global);
+    if (isPinned) {
+      options.pinnedOriginal = {0, 40};
+      options.pinnedResult = {0, 20};
+    }
+    const Tuned tuned = tuneSolver(sheet, coarse, options, job);
+    EXPECT_TRUE(std::isnan(tuned.frequencies.errorTuned));
+    EXPECT_EQ(tuned.bendFactor, 1);
+    EXPECT_EQ(tuned.stretchFactor, 1);
+  }
+}
+
 TEST(TuneSolver, SolvesEveryPartOnItsOwn) {
   Job job;
   TriangleMesh other = coarseBody();

@@ -23,7 +23,7 @@ function asResult(body: Body): ExportedBody {
   const { positions, indices } = body;
   const mesh = { positions, triangles: indices };
   const inputOfTriangle = Uint32Array.from({ length: indices.length / 3 }, (_, t) => t);
-  return { body, mesh, inputOfTriangle, sources: ownSources(mesh), isFaceted: false };
+  return { body, mesh, inputOfTriangle, sources: ownSources(mesh), hardCosine: null };
 }
 
 interface Wanted {

@@ -52,7 +52,8 @@ template <>
 struct Fields<ShapeFitOptions> {
   static constexpr auto list = std::tuple(field("keepsSeams", &ShapeFitOptions::keepsSeams),
                                           field("maxDeviation", &ShapeFitOptions::maxDeviation),
-                                          field("minAngle", &ShapeFitOptions::minAngle));
+                                          field("minAngle", &ShapeFitOptions::minAngle),
+                                          optionalField("samples", &ShapeFitOptions::samples));
 };
 
 namespace {

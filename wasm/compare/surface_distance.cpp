@@ -14,12 +14,18 @@ namespace {
 constexpr size_t kGrain = 512;  // points of a range for one thread
 constexpr uint64_t kSamplesPerTriangle = 10, kFewestSamples = 10'000, kMostSamples = 500'000;
 
-// The distance of each point to a surface.
+// The distance of each point to a surface. Points that follow one another should lie close together: the
+// triangle closest to one is where the search for the next begins.
 std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPointTree& tree, Job& job) {
   std::vector<double> out(points.size());
   parallelFor(points.size(), kGrain, [&](size_t begin, size_t end) {
     job.check();
-    for (size_t i = begin; i < end; ++i) out[i] = tree.closest(points[i]).distance;
+    uint32_t near = kNone;
+    for (size_t i = begin; i < end; ++i) {
+      const ClosestPoint found = tree.closest(points[i], near);
+      out[i] = found.distance;
+      near = found.triangle;
+    }
   });
   return out;
 }

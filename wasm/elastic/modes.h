@@ -22,9 +22,8 @@ struct ModesOptions {
   int direction = -1;  // laplacian: 0 x, 1 y, 2 z; -1: each mode along all principal axes in turn
   std::vector<uint32_t> pinned = {};  // ids of the pinned vertices, in any order
   // Where modes are needed for guidance alone: the number of bodies in the file for findModes, which counts
-  // the parts of this one itself, and that of all parts otherwise. Parts of a file with many are then solved
-  // on coarser lattices, see latticeCells. 0: modes for their own sake, with the lattice that frequencies
-  // need.
+  // the parts of this one itself, and that of all parts otherwise. Solid parts are then solved on coarser
+  // lattices, see latticeCells. 0: modes for their own sake, with the lattice that frequencies need.
   uint32_t guidedParts = 0;
 };
 

@@ -175,11 +175,10 @@ PartModes solveLaplacian(const Part& part, const ModesOptions& options, Job& job
 
 uint32_t latticeCells(const Part& part, const ModesOptions& options) {
   constexpr double kFewestCells = 64;  // four in each direction, for bending needs some
-  const double whole = SolidOptions{}.targetCells;
-  if (options.guidedParts <= 1) return static_cast<uint32_t>(whole);
+  constexpr double kGuidingCells = 1200;
+  if (options.guidedParts == 0) return SolidOptions{}.targetCells;
   const double resolving = std::pow(part.mesh.triangleCount() / 6.0, 1.5);
-  return static_cast<uint32_t>(
-      std::min(whole, std::max({kFewestCells, resolving, whole / options.guidedParts})));
+  return static_cast<uint32_t>(std::clamp(resolving, kFewestCells, kGuidingCells));
 }
 
 PartModes refineShell(const Part& part, const PartModes& start, const ModesOptions& options, Job& job) {

@@ -25,8 +25,8 @@ struct PartModes {
 
 // About how many cells the lattice of a solid part has. For guidance alone, a lattice need not be finer than
 // what it guides: strain is one number per triangle, and a cube of n cells has 6 n^(2/3) faces of cells on
-// its surface, so that (faces / 6)^(3/2) cells resolve it. The parts of a file share the cells of one beyond
-// that.
+// its surface, so that (faces / 6)^(3/2) cells resolve it, up to the kGuidingCells whose ranks hardly differ
+// from those of finer lattices (docs/modes.md).
 uint32_t latticeCells(const Part& part, const ModesOptions& options);
 
 // Solves one part with its own model. A part all of whose vertices are pinned has no modes. Throws as

@@ -10,7 +10,8 @@ PartLimits::PartLimits(const FitPart& part, const Asked& asked) {
   steps.partners = part.partners();
   if (asked.minAngle > 0) steps.minAngle = std::min(asked.minAngle, measureQuality(part.result).minAngle);
   if (asked.maxDeviation > 0)
-    steps.deviation = &deviation.emplace(part.original, asked.maxDeviation / part.frame.diagonal);
+    steps.deviation =
+        &deviation.emplace(part.original, asked.maxDeviation / part.frame.diagonal, asked.samples);
 }
 
 }  // namespace limber

@@ -14,8 +14,9 @@ struct PartLimits {
   StepLimits steps;  // refers to `deviation`
 
   struct Asked {
-    double maxDeviation = 0;  // in units of the file; 0: no limit
-    double minAngle = 0;      // degrees; 0: no limit
+    double maxDeviation = 0;           // in units of the file; 0: no limit
+    double minAngle = 0;               // degrees; 0: no limit
+    uint32_t samples = kGuardSamples;  // of each surface, at which the deviation is judged
   };
   // Keeps references to `part`. A limit on angles that the part violates becomes its smallest angle.
   PartLimits(const FitPart& part, const Asked& asked);

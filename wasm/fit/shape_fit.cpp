@@ -1,6 +1,7 @@
 #include "fit/shape_fit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -35,13 +36,21 @@ void lockCorners(FitPart& part, const Topology& topology) {
       if (isCorner[v]) part.locked[part.mirror->partners[v]] = 1;
 }
 
-// What is the same for all parts of a call.
+// What a part is fitted with.
 struct ShapeContext {
   const ShapeFitOptions& options;
   StartResult start;
+  uint32_t samples;                    // at which the deviation of the present part is judged
   std::function<void(double)> report;  // takes the fraction of the present part that is done
   Job& job;
 };
+
+// A part's share of the samples of the whole body, by its triangles.
+uint32_t samplesOf(const FitPart& part, const TriangleMesh& original, uint32_t wanted) {
+  const double all = wanted > 0 ? wanted : kGuardSamples;
+  const double share = static_cast<double>(part.original.triangleCount()) / original.triangleCount();
+  return static_cast<uint32_t>(std::ceil(share * all));
+}
 
 // What flips keep, besides the edges that are fixed: no flip lifts the surface by more than what is far from
 // it.
@@ -59,7 +68,7 @@ void fitPart(FitPart& part, const ShapeContext& context, ShapeFitResult& fitted)
       sampleForFit(part.original, tuning::surface::kSamplesPerTriangle * part.result.triangleCount(),
                    part.originalFeatureEdges);
   const DistanceBounds bounds(part.original, part.result, topology);
-  const PartLimits limits(part, {maxDeviation, context.options.minAngle});
+  const PartLimits limits(part, {maxDeviation, context.options.minAngle, context.samples});
   StepLimits steps = limits.steps;
   steps.distanceBounds = &bounds;
   ShapeRounds rounds(part, samples, steps, context.job);
@@ -92,7 +101,8 @@ ShapeFitResult fitShape(const TriangleMesh& original, const MeshAt& result, cons
     const auto report = [&](double fraction) {
       phase.report((static_cast<double>(i) + fraction) / static_cast<double>(found.parts.size()));
     };
-    fitPart(found.parts[i], {options, start, report, job}, fitted);
+    const uint32_t samples = samplesOf(found.parts[i], original, options.samples);
+    fitPart(found.parts[i], {options, start, samples, report, job}, fitted);
   }
   return fitted;
 }

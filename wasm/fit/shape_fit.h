@@ -23,6 +23,7 @@ struct ShapeFitOptions {
   // Limits that the result keeps where it respects them before the fit; where it does not, it gets no worse.
   double maxDeviation = 0;  // from the original, in units of the mesh; 0: no limit
   double minAngle = 0;      // degrees; 0: no limit
+  uint32_t samples = 0;     // of each surface, at which the deviation is judged; 0: as many as a body needs
 };
 
 struct ShapeFitResult {

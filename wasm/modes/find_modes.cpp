@@ -17,9 +17,15 @@ namespace limber {
 
 namespace {
 
+// Whether modes only guide, so that a rank of strain for each triangle is all that comes of them.
+bool guidesAlone(const ModesOptions& options) {
+  return options.guidedParts > 0;
+}
+
 PartModes solveCoarsely(const Part& part, const ModesOptions& options, Job& job) {
-  const bool isRefined = part.mesh.vertexCount() <= kRefinedVertices;
-  const CoarsePart coarse = coarsen(part, isRefined ? kCoarseVertices : kUnrefinedCopyVertices, job);
+  const bool isRefined = part.mesh.vertexCount() <= kRefinedVertices && !guidesAlone(options);
+  const uint32_t unrefined = guidesAlone(options) ? kGuidingCopyVertices : kUnrefinedCopyVertices;
+  const CoarsePart coarse = coarsen(part, isRefined ? kCoarseVertices : unrefined, job);
   ModesOptions coarseOptions = options;
   if (isRefined) coarseOptions.modeCount += kSpareModes;
   PartModes modes = solvePart(coarse.part, coarseOptions, job);
@@ -30,13 +36,14 @@ PartModes solveCoarsely(const Part& part, const ModesOptions& options, Job& job)
 }
 
 PartModes solveOne(const Part& part, const ModesOptions& options, bool exact, Job& job) {
-  const bool isLarge = part.model == ElasticModel::Shell && part.mesh.vertexCount() > kExactVertices;
+  const uint32_t most = guidesAlone(options) ? kGuidingCopyVertices : kExactVertices;
+  const bool isLarge = part.model == ElasticModel::Shell && part.mesh.vertexCount() > most;
   return isLarge && !exact ? solveCoarsely(part, options, job) : solvePart(part, options, job);
 }
 
 // As `solveOne`, but for guidance alone a part that cannot be solved has no modes, and says why.
 PartModes solveOrSkip(const Part& part, const ModesOptions& options, bool exact, Job& job) {
-  if (options.guidedParts == 0) return solveOne(part, options, exact, job);
+  if (!guidesAlone(options)) return solveOne(part, options, exact, job);
   try {
     return solveOne(part, options, exact, job);
   } catch (const Cancelled&) {
@@ -55,12 +62,12 @@ struct PartTask {
 };
 
 // Solves small parts side by side. Progress is the share of finished parts.
-void solveSideBySide(const std::vector<PartTask>& small, const ModesOptions& options, Job& job) {
+void solveSideBySide(const std::vector<PartTask>& small, const ModesOptions& options, bool exact, Job& job) {
   WholePhase phase(job, Phase::Solve);
   std::atomic<size_t> done = 0;
   const auto caller = std::this_thread::get_id();
   parallelFor(small.size(), 1, [&](size_t at, size_t) {
-    small[at].modes = solveOrSkip(small[at].part, options, true, job);
+    small[at].modes = solveOrSkip(small[at].part, options, exact, job);
     const double fraction = static_cast<double>(++done) / static_cast<double>(small.size());
     if (std::this_thread::get_id() == caller) phase.report(fraction);
   });
@@ -83,7 +90,7 @@ ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& asked, bool exac
       small.push_back({parts[i], modes[i]});
     else
       modes[i] = solveOrSkip(parts[i], options, exact, job);
-  if (!small.empty()) solveSideBySide(small, options, job);
+  if (!small.empty()) solveSideBySide(small, options, exact, job);
   for (size_t i = 0; i < parts.size(); ++i)
     if (first[i] != i) modes[i] = modes[first[i]];
   return collectModes(mesh, parts, modes, options);

@@ -11,8 +11,9 @@ namespace limber {
 // A shell part with more than kExactVertices vertices is solved on an evenly decimated copy, whose shapes are
 // carried back. With up to kRefinedVertices vertices the copy has kCoarseVertices, and the modes are refined
 // on the part itself to 1e-4 in frequency; larger parts get a copy of kUnrefinedCopyVertices and are not
-// refined. ComponentModes::coarseVertices tells. `exact` solves all parts as they are. Small parts are solved
-// side by side. Throws as computeModes.
+// refined. Where modes only guide (ModesOptions::guidedParts), shells of more than kGuidingCopyVertices get a
+// copy of that size, without refinement. ComponentModes::coarseVertices tells. `exact` solves all parts as
+// they are. Small parts are solved side by side. Throws as computeModes.
 ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& options, bool exact, Job& job);
 
 }  // namespace limber

@@ -1,7 +1,7 @@
 /** limber optimize IN OUT */
 
 import { chosenBodies } from '../engine/body/selection';
-import { describeFailedModes, describeSolve } from '../engine/body/health';
+import { describeFailedModes, describeResiduals } from '../engine/body/health';
 import { startStopwatch } from '../engine/core/stopwatch';
 import { passThrough } from '../engine/document/write/pass_through';
 import { describeEmpty } from '../engine/document/open';
@@ -14,7 +14,7 @@ import { requestFile } from '../engine/stages/budget/file_targets';
 import type { FileRun } from '../engine/stages/file_run';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
-import { EXIT, inFlags, UsageError } from './failure';
+import { EXIT, UsageError } from './failure';
 import { writeLevels } from './levels';
 import type { WrittenLevels } from './levels';
 import { levelLine, summaryLine, tuningLines } from './optimize_words';
@@ -76,7 +76,7 @@ export async function optimizeModel(
     optionsAsUsed(args),
     levels.written.map((level) => level.report),
   );
-  session.warnings.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0).map(inFlags));
+  session.warnings.push(...describeResiduals(report.modes ?? []));
   report.timings = {
     ...{ load, weld, ...report.timings, export: exportTime },
     ...(levels.written.length > 0 ? { levels: levelsTime } : {}),

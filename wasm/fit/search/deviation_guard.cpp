@@ -12,12 +12,12 @@ namespace {
 constexpr double kMargin =
     0.9;  // fraction of the limit that samples may use: points between them are farther
 constexpr size_t kSamplesPerRange = 256;
-// Each triangle is cut into n^2 congruent ones, so that there are about kParts in all; n is at least
-// kFewestCuts for the moving mesh (1 for the original) and at most kMostCuts.
-constexpr double kParts = 20000, kFewestCuts = 3, kMostCuts = 24;
+// Each triangle is cut into n^2 congruent ones, so that there are about as many in all as samples are wanted;
+// n is at least kFewestCuts for the moving mesh (1 for the original) and at most kMostCuts.
+constexpr double kFewestCuts = 3, kMostCuts = 24;
 
-int cutsOf(const TriangleMesh& mesh, double fewest) {
-  const double cuts = std::ceil(std::sqrt(kParts / std::max(1u, mesh.triangleCount())));
+int cutsOf(const TriangleMesh& mesh, double parts, double fewest) {
+  const double cuts = std::ceil(std::sqrt(parts / std::max(1u, mesh.triangleCount())));
   return static_cast<int>(std::clamp(cuts, fewest, kMostCuts));
 }
 
@@ -44,9 +44,9 @@ Vec3 pointOn(const TriangleMesh& mesh, uint32_t t, const std::array<double, 3>& 
 
 }  // namespace
 
-DeviationGuard::DeviationGuard(const TriangleMesh& original, double limit)
-    : allowed_(kMargin * limit), tree_(original), originalPoints_(original.positions) {
-  const Weights weights = middles(cutsOf(original, 1));
+DeviationGuard::DeviationGuard(const TriangleMesh& original, double limit, uint32_t samples)
+    : allowed_(kMargin * limit), parts_(samples), tree_(original), originalPoints_(original.positions) {
+  const Weights weights = middles(cutsOf(original, parts_, 1));
   for (uint32_t t = 0; t < original.triangleCount(); ++t)
     for (const auto& weight : weights) originalPoints_.push_back(pointOn(original, t, weight));
 }
@@ -57,15 +57,24 @@ Vec3 DeviationGuard::meshPoint(const TriangleMesh& mesh, size_t i) const {
 
 std::vector<uint8_t> DeviationGuard::begin(const TriangleMesh& mesh) {
   const ClosestPointTree tree(mesh);
-  weights_ = lattice(cutsOf(mesh, kFewestCuts));
+  weights_ = lattice(cutsOf(mesh, parts_, kFewestCuts));
   originalSamples_.resize(originalPoints_.size());
   meshSamples_.resize(weights_.size() * mesh.triangleCount());
-  parallelFor(originalSamples_.size() + meshSamples_.size(), kSamplesPerRange, [&](size_t from, size_t to) {
+  // Samples follow one another over a triangle, so that the closest triangle of one is a good guess for the
+  // next.
+  parallelFor(originalSamples_.size(), kSamplesPerRange, [&](size_t from, size_t to) {
+    uint32_t near = kNone;
     for (size_t i = from; i < to; ++i) {
-      const bool isOfMesh = i >= originalSamples_.size();
-      const Vec3 point = isOfMesh ? meshPoint(mesh, i - originalSamples_.size()) : originalPoints_[i];
-      const ClosestPoint closest = (isOfMesh ? tree_ : tree).closest(point);
-      (isOfMesh ? meshSamples_[i - originalSamples_.size()] : originalSamples_[i]) = {point, closest};
+      originalSamples_[i] = {originalPoints_[i], tree.closest(originalPoints_[i], near)};
+      near = originalSamples_[i].closest.triangle;
+    }
+  });
+  parallelFor(meshSamples_.size(), kSamplesPerRange, [&](size_t from, size_t to) {
+    uint32_t near = kNone;
+    for (size_t i = from; i < to; ++i) {
+      const Vec3 point = meshPoint(mesh, i);
+      meshSamples_[i] = {point, tree_.closest(point, near)};
+      near = meshSamples_[i].closest.triangle;
     }
   });
   std::vector<uint8_t> isFar(mesh.triangleCount(), 0);
@@ -98,7 +107,7 @@ void DeviationGuard::checkOriginal(const TriangleMesh& moved, std::vector<uint8_
   std::vector<uint32_t> found(unclear.size(), kNone);
   parallelFor(unclear.size(), kSamplesPerRange, [&](size_t from, size_t to) {
     for (size_t i = from; i < to; ++i) {
-      const ClosestPoint closest = tree.closest(unclear[i]->point);
+      const ClosestPoint closest = tree.closest(unclear[i]->point, unclear[i]->closest.triangle);
       if (closest.distance > allowed_) found[i] = closest.triangle;
     }
   });
@@ -114,7 +123,7 @@ void DeviationGuard::checkMoved(const TriangleMesh& moved, std::vector<uint8_t>&
         const Vec3 point = meshPoint(moved, i);
         isFar[t] = sample.closest.distance <= allowed_ &&
                    length(point - sample.closest.position) > allowed_ &&
-                   tree_.closest(point).distance > allowed_;
+                   tree_.closest(point, sample.closest.triangle).distance > allowed_;
       }
   });
 }

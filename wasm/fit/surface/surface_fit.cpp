@@ -27,7 +27,8 @@ struct Contact : SurfacePoint {
   double distance = 0;  // along the sample's normal, from the mesh to the sample
 };
 
-// `closestTriangles`: where the searches start; afterwards what they have found.
+// `closestTriangles`: where the searches start, kNone for where the sample before was found; afterwards what
+// they have found.
 std::vector<Contact> findContacts(const TriangleMesh& mesh, const FitSamples& samples,
                                   std::vector<uint32_t>& closestTriangles) {
   const ClosestPointTree tree(mesh);
@@ -36,7 +37,9 @@ std::vector<Contact> findContacts(const TriangleMesh& mesh, const FitSamples& sa
   parallelFor(contacts.size(), kSamplesPerRange, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const auto& [point, normal, area] = samples.surface[i];
-      const ClosestPoint closest = tree.closest(point, closestTriangles[i]);
+      const bool isKnown = closestTriangles[i] != kNone;
+      const uint32_t near = isKnown || i == begin ? closestTriangles[i] : closestTriangles[i - 1];
+      const ClosestPoint closest = tree.closest(point, near);
       closestTriangles[i] = closest.triangle;
       if (dot(normalized(areaNormal(mesh, closest.triangle)), normal) < constants::kLeastCosine) continue;
       contacts[i] = {closest, dot(point - closest.position, normal)};

@@ -2,9 +2,12 @@
 
 import type { PreparedBody } from '../body/prepared_body';
 import type { Core } from '../core/core';
+import type { Body } from '../document/model';
 import type { OpenModel } from '../document/open';
 import type { Settings } from '../settings/options';
 import { BodyRun } from './body_run';
+import { EqualWork } from './equal_work';
+import { tooSmallToMove } from './scene_share';
 import { STAGES } from './stages';
 
 export interface FileRunOptions {
@@ -32,11 +35,22 @@ export class FileRun {
   ) {
     const chosen = options.chosen && new Set(options.chosen);
     const { document, bodies } = model;
+    const guides = options.guides !== false;
+    const isChosen = (i: number) => !chosen || chosen.has(i);
+    const tooSmall = guides
+      ? tooSmallToMove(
+          document,
+          bodies.filter((_, i) => isChosen(i)),
+        )
+      : new Set<Body>();
+    const equalWork = bodies.length > 1 ? new EqualWork(2 * bodies.length) : undefined;
     this.all = bodies.map((body, i) => {
-      if (chosen && !chosen.has(i)) return null;
+      if (!isChosen(i)) return null;
       const onTry = (faces: number) => options.onActivity?.(body.name, faces);
-      const guidedBodies = options.guides === false ? undefined : bodies.length;
-      return new BodyRun({ core, body, document, onTry, guidedBodies }, options.onStage);
+      const guidedBodies = guides ? bodies.length : undefined;
+      const isTooSmallToMove = tooSmall.has(body);
+      const context = { core, body, document, onTry, guidedBodies, isTooSmallToMove, equalWork };
+      return new BodyRun(context, options.onStage);
     });
   }
 

@@ -9,6 +9,8 @@ import type { Core, Fitted, MeshAt, TriangleMesh } from '../core/core';
 import { describeUnfitted } from '../report/fit_words';
 import { fitOf } from '../settings/options';
 import type { Settings } from '../settings/options';
+import { onceIn } from './equal_work';
+import type { EqualWork } from './equal_work';
 import type { KeptHistory } from './kept_history';
 import { levelAt } from './level';
 import { measureDistance } from './measure';
@@ -47,6 +49,8 @@ export interface FitRequest {
   constraints: BodyConstraints;
   /** null: not at all */
   settings: FitSettings | null;
+  /** see RunContext */
+  equalWork?: EqualWork;
 }
 
 /** The share of the largest deviation that a fit may use: it looks at samples, and where these miss too much, a second fit stays away farther. */
@@ -60,12 +64,12 @@ export function fitResult(
   core: Core,
   prepared: PreparedBody,
   result: MeshAt,
-  { constraints, settings }: FitRequest,
+  { constraints, settings, equalWork }: FitRequest,
 ): FittedResult {
   if (settings === null) return unfitted(result, '');
   const kind = settings.shell === null ? 'surface' : 'modal';
   for (const share of settings.maxDeviation > 0 ? DEVIATION_SHARES : [1]) {
-    const fitted = fitWithin(core, prepared, result, { constraints, settings, share });
+    const fitted = fitWithin(core, prepared, result, { constraints, settings, share, equalWork });
     if (keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
       return { ...fitted, kind, unfitted: describeUnfitted(fitted) };
   }
@@ -77,7 +81,7 @@ function fitWithin(
   core: Core,
   prepared: PreparedBody,
   result: MeshAt,
-  { constraints, settings, share }: { constraints: BodyConstraints; settings: FitSettings; share: number },
+  { constraints, settings, share, equalWork }: FitRequest & { settings: FitSettings; share: number },
 ): Fitted {
   const { mesh } = prepared;
   const options = {
@@ -88,8 +92,13 @@ function fitWithin(
     mirror: constraints.mirror,
     maxDeviation: ((share * settings.maxDeviation) / 100) * prepared.diagonal,
     minAngle: settings.minAngle,
+    samples: prepared.samples,
   };
-  if (settings.shell === null) return { ...NO_ERRORS, ...core.fitShape(mesh, result, options) };
+  if (settings.shell === null)
+    return onceIn(equalWork, 'fit', [mesh, result, options], () => ({
+      ...NO_ERRORS,
+      ...core.fitShape(mesh, result, options),
+    }));
   const { poisson } = settings.shell;
   return core.fitModes(mesh, result, {
     ...options,

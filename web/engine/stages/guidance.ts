@@ -8,6 +8,7 @@ import { SettingError, methodOf, resolveModes } from '../settings/options';
 import type { Settings } from '../settings/options';
 import { modesStage } from './modes';
 import { preparedStage } from './prepared';
+import { onceIn } from './equal_work';
 import { declareStage, where } from './stage';
 
 export interface GuidanceRequest extends Pick<Settings, 'modeWeights' | 'p' | 'strainThreshold'> {
@@ -25,7 +26,10 @@ export const guidanceStage = declareStage({
     p,
     strainThreshold,
   }),
-  run: ({ core }, { prepared, modes }, request) => findGuidance(core, prepared, modes, request),
+  run: ({ core, equalWork }, { prepared, modes }, request) =>
+    onceIn(equalWork, 'guidance', [prepared.mesh, modes, request], () =>
+      findGuidance(core, prepared, modes, request),
+    ),
 });
 
 export const curvatureStage = declareStage({

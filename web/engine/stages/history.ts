@@ -3,6 +3,7 @@
 import type { PreparedBody } from '../body/prepared_body';
 import type { Core, History } from '../core/core';
 import { constraintsStage } from './constraints';
+import { onceIn } from './equal_work';
 import { guidingCurvature, guidingStrain } from './guidance';
 import { preparedStage } from './prepared';
 import { SIMPLIFICATION_SETTINGS, simplificationOf, simplificationSettings } from './simplification';
@@ -19,8 +20,12 @@ export const historyStage = declareStage({
     curvature: guidingCurvature,
   },
   derive: simplificationSettings,
-  run: ({ core }, { prepared, constraints: { constraints }, guidance, curvature }, settings) =>
-    buildHistory(core, prepared, { constraints, guidance, curvature }, settings),
+  run: ({ core, equalWork }, { prepared, constraints: { constraints }, guidance, curvature }, settings) => {
+    const guides = { constraints, guidance, curvature };
+    const { mesh, diagonal, attributes, costAttributes } = prepared;
+    const inputs = [mesh, diagonal, attributes.charts, costAttributes, guides, settings];
+    return onceIn(equalWork, 'history', inputs, () => buildHistory(core, prepared, guides, settings));
+  },
 });
 
 /** The whole history, with the mirror images that it keeps. */

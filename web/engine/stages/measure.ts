@@ -28,14 +28,18 @@ export function measureResult(core: Core, prepared: PreparedBody, result: Measur
 type MeasuredResult = Pick<MeshAt, 'mesh'> & Partial<Pick<MeshAt, 'inputOfTriangle'>>;
 
 /** What has been measured, so that guard, fit and report measure the same mesh once. */
-const measured = new WeakMap<TriangleMesh, { prepared: PreparedBody; distance: SurfaceDistance }>();
+const measured = new WeakMap<
+  TriangleMesh,
+  { mesh: TriangleMesh; samples: number; distance: SurfaceDistance }
+>();
 
 /** Between the prepared mesh and `other`, in % of the prepared mesh's diagonal. Neither may have changed since the last call. */
 export function measureDistance(core: Core, prepared: PreparedBody, other: TriangleMesh): SurfaceDistance {
+  const { mesh, samples } = prepared;
   const known = measured.get(other);
-  if (known?.prepared === prepared) return known.distance;
+  if (known?.mesh === mesh && known.samples === samples) return known.distance;
   const distance = distanceInPercent(core, prepared, other);
-  measured.set(other, { prepared, distance });
+  measured.set(other, { mesh, samples, distance });
   return distance;
 }
 

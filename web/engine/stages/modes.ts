@@ -5,10 +5,12 @@ import type { MaterialSettings } from '../body/material';
 import type { PinnedVertices } from '../body/pins';
 import type { PreparedBody } from '../body/prepared_body';
 import type { Core, Model, ModeSet } from '../core/core';
+import { faceCount, vertexCount } from '../core/mesh';
 import { resolveModel } from '../settings/options';
 import type { Settings } from '../settings/options';
 import { pinnedStage } from './constraints';
 import { preparedStage } from './prepared';
+import { onceIn } from './equal_work';
 import { declareStage } from './stage';
 
 export interface ModesRequest extends MaterialSettings, Pick<Settings, 'modeCount' | 'direction' | 'exact'> {
@@ -26,9 +28,35 @@ export const modesStage = declareStage({
     ...settings,
     model: resolveModel({ method, model: settings.model }),
   }),
-  run: ({ core, guidedBodies }, { prepared, pinned }, request) =>
-    findModes(core, prepared, pinned, { ...request, guidedBodies }),
+  run: ({ core, guidedBodies, isTooSmallToMove, equalWork }, { prepared, pinned }, request) =>
+    isTooSmallToMove
+      ? withoutModes(prepared, request)
+      : onceIn(equalWork, 'modes', [prepared.mesh, pinned, request, materialOf(prepared, request)], () =>
+          findModes(core, prepared, pinned, { ...request, guidedBodies }),
+        ),
 });
+
+/** The modes of a body that is not analysed: none, of one part. */
+function withoutModes({ mesh, inspection }: PreparedBody, { model }: ModesRequest): ModeSet {
+  const part = {
+    faces: faceCount(mesh),
+    model:
+      model !== 'auto' ? model : inspection.boundaryLoops === 0 ? ('solid' as const) : ('shell' as const),
+    host: 0,
+    coarseVertices: 0,
+    zeroModesExpected: 0,
+    zeroModesFound: 0,
+    modeCount: 0,
+  };
+  return {
+    modes: [],
+    components: [part],
+    modesPerComponent: 0,
+    shapes: new Float32Array(),
+    componentOfVertex: new Uint32Array(vertexCount(mesh)),
+    factorNonzeros: 0,
+  };
+}
 
 /** The material is that of the body in the scale of its first node. */
 export function findModes(

@@ -11,6 +11,7 @@ import type { Core, TriangleMesh } from '../core/core';
 import { diagonalOf, faceCount } from '../core/mesh';
 import type { Body } from '../document/model';
 import type { Settings } from '../settings/options';
+import { onceIn } from './equal_work';
 import { declareStage } from './stage';
 
 /** Attributes of more numbers than the core takes cost nothing. */
@@ -20,8 +21,15 @@ export const preparedStage = declareStage({
   name: 'prepared',
   reads: ['weld', 'symmetry'],
   needs: {},
-  run: ({ core, body, document, guidedBodies = 1 }, _inputs, settings): PreparedBody => {
-    const prepared = prepareBody(core, body, settings, document ?? undefined);
+  run: ({ core, body, document, guidedBodies = 1, equalWork }, _inputs, settings): PreparedBody => {
+    const inspected = onceIn(equalWork, 'inspected', [body.positions, body.indices, settings.weld], () =>
+      inspectBody(core, body, settings),
+    );
+    const prepared = prepareInspected(
+      core,
+      { ...inspected, body, document: document ?? undefined },
+      settings,
+    );
     return guidedBodies === 1
       ? prepared
       : { ...prepared, samples: samplesAmong(guidedBodies, prepared.mesh) };
@@ -58,7 +66,19 @@ export function prepareBody(
   settings: Pick<Settings, 'weld' | 'symmetry'>,
   document?: Document,
 ): PreparedBody {
-  const { weld, inspection, quality } = inspectBody(core, body, settings);
+  return prepareInspected(core, { ...inspectBody(core, body, settings), body, document }, settings);
+}
+
+interface InspectedSource extends InspectedBody {
+  body: Body;
+  document?: Document;
+}
+
+function prepareInspected(
+  core: Core,
+  { weld, inspection, quality, body, document }: InspectedSource,
+  settings: Pick<Settings, 'weld' | 'symmetry'>,
+): PreparedBody {
   const { mesh } = weld;
   if (quality === null)
     throw new Error(

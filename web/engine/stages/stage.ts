@@ -7,6 +7,7 @@ import type { Document } from '@gltf-transform/core';
 import type { Core } from '../core/core';
 import type { Body } from '../document/model';
 import type { Settings } from '../settings/options';
+import type { EqualWork } from './equal_work';
 
 /** Everything that can change between two runs over the same body. */
 export interface RunSettings extends Settings {
@@ -28,6 +29,10 @@ export interface RunContext {
   document: Document | null;
   /** how many bodies the file has whose results are asked for, where modes are needed for guidance alone; absent: for their own sake */
   guidedBodies?: number;
+  /** what the bodies of a file share; absent: a body alone */
+  equalWork?: EqualWork;
+  /** whether the body is so small in its scene that its modes do not matter, see `scene_share`; absent: it is not */
+  isTooSmallToMove?: boolean;
   /** called before each number of faces that is tried to keep the frequencies */
   onTry?: (faces: number) => void;
 }

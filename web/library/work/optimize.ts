@@ -1,6 +1,6 @@
 /** Optimizes a model. */
 
-import { describeSolve } from '../../engine/body/health';
+import { describeResiduals } from '../../engine/body/health';
 import { describeLargeFit } from '../../engine/report/fit_words';
 import { settingsAsUsed } from '../../engine/report/report';
 import type { Report } from '../../engine/report/report';
@@ -14,7 +14,6 @@ import { STAGES } from '../../engine/stages/stages';
 import { checkWritten } from '../../engine/stages/written_form';
 import type { Level } from '../options';
 import type { ModelFiles, OptimizeReply, OptimizeRequest } from '../protocol';
-import { inNames } from './session';
 import type { WorkSession } from './session';
 import { checkTarget } from './settings';
 
@@ -58,7 +57,7 @@ export async function optimizeModel(
     optionsAsUsed(session, options, target),
     levels.map((level) => level.report),
   );
-  notes.push(...describeSolve(report.modes ?? [], report.solve?.coarseVertices ?? 0).map(inNames));
+  notes.push(...describeResiduals(report.modes ?? []));
   report.timings = {
     ...{ load, weld, ...report.timings, export: exportTime },
     ...(levels.length > 0 ? { levels: levelsTime } : {}),

@@ -35,10 +35,13 @@ PartModesPair::PartModesPair(const PartPair& pair, const PartPins& pins, const T
 
 void PartModesPair::solveResult(double scale, Job& job) {
   const std::vector<double> factors = ones(pair_->result);
+  // Asked first, because no search converges to one of hundreds of motions without resistance.
+  isDefinite_ = result_.countNoise(factors, job) == 0;
+  if (!isDefinite_) return;
   const double rough = scale > 0 ? scale : result_.roughFirstEigenvalue();
   const EigenSolution solution = result_.solve(factors, count_ + kMargin, rough, job);
-  isDefinite_ = static_cast<int>(solution.nullity) == result_.rigidMotionCount() &&
-                solution.basis.modeCount() > 0 && result_.countNoise(factors, job) == 0;
+  isDefinite_ =
+      static_cast<int>(solution.nullity) == result_.rigidMotionCount() && solution.basis.modeCount() > 0;
   modes_ = solution.basis;
 }
 

@@ -142,7 +142,7 @@ function SolveNotes() {
       </p>
       {coarseVertices > 0 && (
         <p class="hint">
-          Modes from a copy with {count(coarseVertices)} vertices, refined on the mesh itself.
+          Modes from a copy with {count(coarseVertices)} vertices, enough to guide collapses.
         </p>
       )}
     </>

@@ -17,6 +17,8 @@ export interface ShapeFitOptions {
   /** limits that stay satisfied if the result satisfies them: distance from `mesh` in its units, degrees; 0: none */
   maxDeviation: number;
   minAngle: number;
+  /** points of each surface at which a fit to the surface judges the deviation; 0 or absent: as many as a body needs */
+  samples?: number;
 }
 
 /** What a fit to the modes needs to know besides; they are those of the body pinned at `pinned`. */

@@ -7,16 +7,17 @@ import type { KeptHistory } from '../kept_history';
 import { levelAt } from '../level';
 import { measureDistance } from '../measure';
 import { preparedStage } from '../prepared';
+import { onceIn } from '../equal_work';
 import { declareStage } from '../stage';
 
 /** Measures levels and remembers what it has found, so that a cancelled search goes on from there. */
 export class Deviations {
-  private readonly known = new Map<number, number>();
-
+  /** `known`: by faces, of a body with the same mesh and history. */
   constructor(
     private readonly core: Core,
     private readonly prepared: PreparedBody,
     private readonly kept: KeptHistory,
+    private readonly known = new Map<number, number>(),
   ) {}
 
   /** Of the level of at most `faces` faces, in % of the diagonal. `level`: that level, where it is at hand. */
@@ -34,5 +35,9 @@ export const deviationsStage = declareStage({
   name: 'deviations',
   reads: [],
   needs: { prepared: preparedStage, kept: keptHistoryStage },
-  run: ({ core }, { prepared, kept }) => new Deviations(core, prepared, kept),
+  run: ({ core, equalWork }, { prepared, kept }) => {
+    const inputs = [prepared.mesh, prepared.samples, kept.history];
+    const known = onceIn(equalWork, 'deviations', inputs, () => new Map<number, number>());
+    return new Deviations(core, prepared, kept, known);
+  },
 });

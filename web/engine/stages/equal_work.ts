@@ -1,0 +1,83 @@
+/** Work on equal inputs is done once: scenes have many bodies of one shape. */
+
+type Numbers = Float32Array | Float64Array | Uint32Array | Int32Array | Uint8Array;
+
+const isNumbers = (value: unknown): value is Numbers => ArrayBuffer.isView(value);
+
+interface Entry {
+  inputs: unknown[];
+  value: unknown;
+}
+
+/** Remembers what pure functions have made of their inputs. Values are shared, so that nobody may change them. */
+export class EqualWork {
+  private readonly known = new Map<string, Map<number, Entry[]>>();
+
+  /** `capacity`: inputs that are remembered for each function; the oldest are forgotten first. */
+  constructor(private readonly capacity: number) {}
+
+  /**
+   * What `compute` made of inputs equal to these, bit by bit, or what it makes now. Inputs are plain data and typed arrays, and all that
+   * the value depends on. `name` tells functions apart.
+   */
+  once<Value>(name: string, inputs: unknown[], compute: () => Value): Value {
+    const known = this.known.get(name) ?? new Map<number, Entry[]>();
+    const hash = hashOf(inputs, 0);
+    const alike = known.get(hash) ?? [];
+    const found = alike.find((entry) => areEqual(entry.inputs, inputs));
+    if (found) return found.value as Value;
+    const value = compute();
+    this.known.set(name, known.set(hash, [...alike, { inputs, value }]));
+    if (known.size > this.capacity) known.delete(known.keys().next().value!);
+    return value;
+  }
+}
+
+/** `compute` by way of `work`, where there is any. */
+export const onceIn = <Value>(
+  work: EqualWork | undefined,
+  name: string,
+  inputs: unknown[],
+  compute: () => Value,
+): Value => (work ? work.once(name, inputs, compute) : compute());
+
+/** Of the bits of typed arrays and the text of all else. */
+function hashOf(value: unknown, start: number): number {
+  if (isNumbers(value)) return hashOfBytes(value, start);
+  if (typeof value !== 'object' || value === null) return hashOfText(String(value), start);
+  return Object.entries(value).reduce((hash, [name, own]) => hashOf(own, hashOfText(name, hash)), start);
+}
+
+const mixed = (hash: number, word: number): number => {
+  const product = Math.imul(hash ^ word, 0x85ebca6b);
+  return product ^ (product >>> 15);
+};
+
+function hashOfBytes({ buffer, byteOffset, byteLength }: Numbers, start: number): number {
+  let hash = mixed(start, byteLength);
+  if (byteOffset % 4 === 0 && byteLength % 4 === 0)
+    for (const word of new Uint32Array(buffer, byteOffset, byteLength / 4)) hash = mixed(hash, word);
+  else for (const byte of new Uint8Array(buffer, byteOffset, byteLength)) hash = mixed(hash, byte);
+  return hash;
+}
+
+function hashOfText(text: string, start: number): number {
+  let hash = mixed(start, text.length);
+  for (let i = 0; i < text.length; ++i) hash = mixed(hash, text.charCodeAt(i));
+  return hash;
+}
+
+function areEqual(a: unknown, b: unknown): boolean {
+  if (Object.is(a, b)) return true;
+  if (typeof a !== 'object' || typeof b !== 'object' || a === null || b === null) return false;
+  if (isNumbers(a) || isNumbers(b)) return isNumbers(a) && isNumbers(b) && areEqualNumbers(a, b);
+  const [left, right] = [Object.entries(a), Object.entries(b)];
+  return (
+    left.length === right.length &&
+    left.every(([name, value], i) => right[i][0] === name && areEqual(value, right[i][1]))
+  );
+}
+
+/** Numbers of one kind; 0 and -0 differ. */
+const areEqualNumbers = (a: Numbers, b: Numbers): boolean =>
+  a.constructor === b.constructor && a.length === b.length && a.every((value, i) => Object.is(value, b[i]));
