@@ -372,13 +372,14 @@ function complain(error: unknown): void {
 /** Shows what is going on while `make` runs, unless it is quick. */
 async function whileBusy<T>(what: string, make: () => Promise<T>): Promise<T> {
   let frame = 0;
-  const begin = performance.now();
+  let begin = performance.now();
+  let phase = '';
   const show = () => {
-    status.busy.value = {
-      what,
-      progress: client.progress(),
-      seconds: (performance.now() - begin) / 1000,
-    };
+    const progress = client.progress();
+    const now = performance.now();
+    const own = progress?.part ? 'bodies' : (progress?.phase ?? '');
+    if (own !== phase) [phase, begin] = [own, now];
+    status.busy.value = { what, progress, seconds: (now - begin) / 1000 };
     frame = requestAnimationFrame(show);
   };
   const timer = setTimeout(show, SLOW_MILLISECONDS);
