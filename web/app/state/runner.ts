@@ -262,7 +262,7 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
         status.refusedPins.value = null;
         view.picking.value = false;
         view.brush.value = { ...view.brush.value, tool: null };
-        status.notice.value = file.notes.length > 0 ? { kind: 'info', text: file.notes.join('; ') } : null;
+        status.notice.value = null;
       });
       forgetUndo();
       void saveFiles(files);

@@ -14,7 +14,7 @@ export const SHADOW_SIZE = 96;
 const PASSES = 3;
 /** Cells to both sides. */
 const RADIUS = 3;
-const DARKEST = 0.42;
+const DARKEST = 0.3;
 
 /**
  * How dark the floor is, 0..1, `shadow[row * SHADOW_SIZE + column]`, with columns along x and rows along z. `points[3 i + c]` are
@@ -35,7 +35,7 @@ function scatter(points: Float32Array, { centre, side, reach }: ShadowArea): Flo
     const row = Math.floor(((points[i + 2] - centre[2]) / side + 0.5) * SHADOW_SIZE);
     if (column < 0 || row < 0 || column >= SHADOW_SIZE || row >= SHADOW_SIZE) continue;
     const height = Math.max(0, (points[i + 1] - centre[1]) / reach);
-    const weight = Math.max(0.12, 1 - height);
+    const weight = Math.max(0.06, (1 - height) ** 2 * Number(height < 1));
     const at = row * SHADOW_SIZE + column;
     cells[at] = Math.max(cells[at], weight);
   }

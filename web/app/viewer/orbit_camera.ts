@@ -84,6 +84,6 @@ export class OrbitCamera {
   horizontalSpread(points: THREE.Vector3[]): number {
     this.controls.update(0);
     this.camera.updateMatrixWorld();
-    return points.reduce((most, point) => Math.max(most, Math.abs(point.project(this.camera).x)), 0);
+    return points.reduce((most, point) => Math.max(most, Math.abs(point.clone().project(this.camera).x)), 0);
   }
 }

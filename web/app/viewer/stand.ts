@@ -16,7 +16,7 @@ export class Stand {
   readonly group = new THREE.Group();
   model: SceneModel | null = null;
   private readonly floor: THREE.Mesh<THREE.PlaneGeometry, THREE.MeshBasicMaterial>;
-  private readonly light = new THREE.DirectionalLight('#ffffff', 1.6);
+  private readonly light = new THREE.DirectionalLight('#ffffff', 1.1);
 
   constructor() {
     this.group.matrixAutoUpdate = false;
@@ -55,7 +55,7 @@ export class Stand {
     const size = box.getSize(new THREE.Vector3());
     const centre = box.getCenter(new THREE.Vector3());
     const side = AROUND * Math.max(size.x, size.z, 0.25 * size.y);
-    const area = { centre: [centre.x, box.min.y, centre.z] as const, side, reach: 0.6 * size.length() };
+    const area = { centre: [centre.x, box.min.y, centre.z] as const, side, reach: 0.35 * size.length() };
     this.floor.material.map?.dispose();
     this.floor.material.map = shadowTexture(floorShadow(inScene, area));
     this.floor.material.needsUpdate = true;
@@ -116,3 +116,9 @@ export function standingMatrix(placement: readonly number[]): THREE.Matrix4 {
   const quaternion = new THREE.Quaternion().setFromRotationMatrix(rotation);
   return new THREE.Matrix4().compose(position, quaternion, new THREE.Vector3(scale, scale, scale)).invert();
 }
+
+/** From the space of the scene to that of a body with this placement. */
+export const standingTurn = (placement: readonly number[]): THREE.Quaternion =>
+  new THREE.Quaternion().setFromRotationMatrix(
+    new THREE.Matrix4().extractRotation(standingMatrix(placement)),
+  );

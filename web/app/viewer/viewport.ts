@@ -18,12 +18,12 @@ import { Pane } from './pane';
 import type { Look } from './pane';
 import { PaneLayout } from './pane_layout';
 import type { PaneName, PaneRegion } from './pane_layout';
-import { roomLight } from './room_light';
+import { ROOM_LIGHT, roomLight } from './room_light';
 import { SceneModel } from './scene_model';
 import type { SceneLook } from './scene_model';
 import { nearestSeen, seenAt } from './seen_vertices';
 import type { ScreenPoint } from './seen_vertices';
-import { standingMatrix } from './stand';
+import { standingMatrix, standingTurn } from './stand';
 
 /** Swings per second at speed 1. */
 const SWING_FREQUENCY = 0.5;
@@ -90,6 +90,7 @@ export class Viewport {
     if (this.asked[name] !== bytes) return model?.dispose();
     const pane = this.panes[name];
     pane.scene.environment ??= roomLight(this.renderer);
+    pane.scene.environmentIntensity = ROOM_LIGHT;
     pane.stand.show(model);
     this.lookAtFile(name, this.fileLook[name]);
     if (model && name === 'original') this.fit(false);
@@ -122,7 +123,7 @@ export class Viewport {
   /** Says where the shown body stands in its scene, column by column. */
   place(placement: readonly number[]): void {
     const matrix = standingMatrix(placement);
-    const turn = new THREE.Quaternion().setFromRotationMatrix(new THREE.Matrix4().extractRotation(matrix));
+    const turn = standingTurn(placement);
     this.orbit.setTurn(turn);
     for (const { stand, collisionScene } of Object.values(this.panes)) {
       stand.place(matrix);

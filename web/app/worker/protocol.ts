@@ -99,6 +99,8 @@ export interface PinsResult {
 export interface StrainOverview {
   /** strips[ordinal * STRIP + i]: mean strain rank of that mode along the body's longest axis */
   strips: Float32Array;
+  /** ranks[ordinal * faces + t]: the strain rank of triangle t in that mode, 255 the highest */
+  ranks: Uint8Array;
   /** shared[a * modesPerComponent + b]: the part of the hot faces of ordinal a that are hot in ordinal b too, see report/hot_spots.ts */
   shared: Float32Array;
 }

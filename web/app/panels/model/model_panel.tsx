@@ -18,6 +18,7 @@ export function ModelFacts() {
           {file.name}
         </p>
         <Contents />
+        <FileNotes />
       </Section>
       {file.bodies.length > 1 && (
         <Section title={`${count(file.bodies.length)} meshes`}>
@@ -35,6 +36,19 @@ export function ModelFacts() {
         </>
       )}
     </>
+  );
+}
+
+/** What the reader says of the file as a whole. */
+function FileNotes() {
+  const { notes } = results.file.value!;
+  if (notes.length === 0) return null;
+  return (
+    <ul class="note-list hint">
+      {notes.map((note) => (
+        <li key={note}>{note}</li>
+      ))}
+    </ul>
   );
 }
 

@@ -78,9 +78,19 @@ export function showFiles(viewport: Viewport | null): void {
   viewport.lookAtFile('original', isDrawn ? look : null);
   viewport.lookAtFile('optimized', isDrawn && result ? look : null);
   viewport.playFile(isPlaying);
+  lookAgain(viewport, isDrawn && view.isWhole.value && results.file.value!.bodies.length > 1);
   // A file that the loader cannot read is drawn as a plain body.
   void viewport.showFile('original', original).catch(() => null);
   void viewport.showFile('optimized', result?.bytes ?? null).catch(() => null);
+}
+
+let wasWhole = false;
+
+/** Turns the camera to what is shown where the whole scene takes the place of one body of it, or the other way round. */
+function lookAgain(viewport: Viewport, isWhole: boolean): void {
+  if (isWhole === wasWhole) return;
+  wasWhole = isWhole;
+  viewport.fit();
 }
 
 export function showOptimized(viewport: Viewport | null): void {
