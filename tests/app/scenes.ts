@@ -59,13 +59,19 @@ export async function standingTubes(): Promise<Uint8Array> {
     scene.addChild(node);
     return node;
   });
-  const input = document.createAccessor('', buffer).setType('SCALAR').setArray(new Float32Array([0, 1]));
+  const input = document
+    .createAccessor('', buffer)
+    .setType('SCALAR')
+    .setArray(new Float32Array([0, 1]));
   const output = document
     .createAccessor('', buffer)
     .setType('VEC3')
     .setArray(new Float32Array([0, 0, 0, -3, 0, 0]));
   const sampler = document.createAnimationSampler().setInput(input).setOutput(output);
   const channel = document.createAnimationChannel().setTargetNode(nodes[0]).setTargetPath('translation');
-  document.createAnimation('slide').addSampler(sampler.setInterpolation('LINEAR')).addChannel(channel.setSampler(sampler));
+  document
+    .createAnimation('slide')
+    .addSampler(sampler.setInterpolation('LINEAR'))
+    .addChannel(channel.setSampler(sampler));
   return new WebIO().writeBinary(document);
 }

@@ -46,5 +46,7 @@ const LEAST_SECONDS = 3;
 function describeLeft(share: number | null, seconds: number): string {
   if (share === null || share < LEAST_DONE) return '';
   const left = (seconds * (1 - share)) / share;
-  return left < LEAST_SECONDS ? '' : `, ${left < 90 ? `${Math.round(left)} s` : `${Math.round(left / 60)} min`} left`;
+  return left < LEAST_SECONDS
+    ? ''
+    : `, ${left < 90 ? `${Math.round(left)} s` : `${Math.round(left / 60)} min`} left`;
 }

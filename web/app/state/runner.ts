@@ -187,9 +187,7 @@ const isResultFileWanted = (): boolean =>
 const MOST_FACES_UNSTOPPABLE = 20_000;
 
 const isMarkingWanted = (): boolean =>
-  view.step.value === 'reduce' &&
-  results.metrics.value !== null &&
-  isStoppable();
+  view.step.value === 'reduce' && results.metrics.value !== null && isStoppable();
 
 const isStoppable = (): boolean =>
   client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE;

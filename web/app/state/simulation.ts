@@ -101,8 +101,7 @@ function clearFrames(): void {
 }
 
 /** How the scene turns the shown body. */
-export const shownTurn = (): Turn | null =>
-  turnOf(results.file.value!.bodies[wants.body.value].placement);
+export const shownTurn = (): Turn | null => turnOf(results.file.value!.bodies[wants.body.value].placement);
 
 /** The pinned vertices of the original; null: those of the scenario. */
 function pinnedVertices(): Uint32Array | null {

@@ -58,7 +58,10 @@ export class OrbitCamera {
     this.controls.maxDistance = radius * FARTHEST;
     this.camera.updateProjectionMatrix();
     const back = new THREE.Vector3(...DIRECTION).normalize().applyQuaternion(this.turn);
-    const eye = back.clone().multiplyScalar(this.distanceFor(points, center, back)).add(center);
+    const eye = back
+      .clone()
+      .multiplyScalar(this.distanceFor(points, center, back))
+      .add(center);
     void this.controls.setLookAt(...eye.toArray(), ...center.toArray(), isAnimated);
   }
 
@@ -81,7 +84,7 @@ export class OrbitCamera {
   }
 
   /** How far the points go sideways from the middle of the picture, over half of its width. */
-  horizontalSpread(points: THREE.Vector3[]): number {
+  horizontalSpread(points: readonly THREE.Vector3[]): number {
     this.controls.update(0);
     this.camera.updateMatrixWorld();
     return points.reduce((most, point) => Math.max(most, Math.abs(point.clone().project(this.camera).x)), 0);

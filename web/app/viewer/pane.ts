@@ -200,17 +200,4 @@ export class Pane {
     const { mesh, amplitude } = this;
     return mesh && { positions: mesh.positions, shape: this.fittingShape(), amplitude };
   }
-
-  /** The eight corners of the bounding box at rest; none without a mesh. */
-  boxCorners(): THREE.Vector3[] {
-    const box = this.mesh && this.body.geometry.boundingBox;
-    if (!box) return [];
-    const [x, y, z] = (['x', 'y', 'z'] as const).map((axis) => [box.min[axis], box.max[axis]]);
-    return x.flatMap((a) => y.flatMap((b) => z.map((c) => new THREE.Vector3(a, b, c))));
-  }
-
-  /** The bounding sphere at rest. */
-  sphere(): THREE.Sphere | null {
-    return this.mesh ? this.body.geometry.boundingSphere : null;
-  }
 }

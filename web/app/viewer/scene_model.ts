@@ -139,7 +139,8 @@ export class SceneModel {
 function plainMaterial(name: SceneLookName, clay: string): THREE.Material {
   const side = THREE.DoubleSide;
   if (name === 'matcap') return new THREE.MeshMatcapMaterial({ matcap: matcapTexture(), side });
-  if (name === 'checker') return new THREE.MeshStandardMaterial({ map: checkerTexture(), roughness: 0.8, side });
+  if (name === 'checker')
+    return new THREE.MeshStandardMaterial({ map: checkerTexture(), roughness: 0.8, side });
   return new THREE.MeshStandardMaterial({ color: clay, roughness: 0.75, side });
 }
 

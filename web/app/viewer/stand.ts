@@ -48,7 +48,7 @@ export class Stand {
 
   /** Puts the floor below the file as it is shown, or below a mesh in the space of the shown body; returns the box of it in the scene. */
   layFloor(mesh: TriangleMesh | null): THREE.Box3 {
-    const inScene = mesh ? this.toScene(mesh) : (this.model?.points() ?? new Float32Array());
+    const inScene = mesh ? this.toScene(mesh) : this.pointsOfFile();
     const box = boxOf(inScene);
     this.floor.visible = !box.isEmpty();
     if (box.isEmpty()) return box;
@@ -62,6 +62,18 @@ export class Stand {
     this.floor.position.set(centre.x, box.min.y - 0.001 * size.length(), centre.z);
     this.floor.scale.setScalar(side);
     return box;
+  }
+
+  /** Lays the same floor as another stand. */
+  shareFloor({ floor }: Stand): void {
+    this.floor.material.map = floor.material.map;
+    this.floor.material.needsUpdate = true;
+    this.floor.position.copy(floor.position);
+    this.floor.scale.copy(floor.scale);
+  }
+
+  private pointsOfFile(): Float32Array {
+    return this.model?.root.visible ? this.model.points() : new Float32Array();
   }
 
   set isFloorShown(isShown: boolean) {

@@ -69,14 +69,20 @@ export class Thumbnails {
     this.amplitude = AMPLITUDE * sphere.radius;
     this.pictures = modes.map(({ shape, strain }, i) => {
       setDisplacement(geometry, mesh, shape);
-      setField(geometry, mesh, { on: 'triangles', values: Float32Array.from(strain, (value) => value / 255) });
+      setField(geometry, mesh, {
+        on: 'triangles',
+        values: Float32Array.from(strain, (value) => value / 255),
+      });
       return {
         canvas: canvases[i],
         displacement: geometry.getAttribute('displacement'),
         value: geometry.getAttribute('value'),
       };
     });
-    const eye = new THREE.Vector3(0.75, 0.42, 1).normalize().multiplyScalar(DISTANCE * sphere.radius).applyQuaternion(turn);
+    const eye = new THREE.Vector3(0.75, 0.42, 1)
+      .normalize()
+      .multiplyScalar(DISTANCE * sphere.radius)
+      .applyQuaternion(turn);
     this.camera.position.copy(sphere.center).add(eye);
     this.camera.near = sphere.radius / 50;
     this.camera.far = sphere.radius * 50;

@@ -58,7 +58,11 @@ function Eye({ body, i }: { body: OpenedBody; i: number }) {
     >
       <svg width="16" height="16" viewBox="0 0 16 16" aria-hidden="true">
         <path
-          d={isHidden ? 'M2 9c3 3 9 3 12 0M4 11l-1 2M8 11.5v2M12 11l1 2' : 'M1.5 8c3-5 10-5 13 0-3 5-10 5-13 0z'}
+          d={
+            isHidden
+              ? 'M2 9c3 3 9 3 12 0M4 11l-1 2M8 11.5v2M12 11l1 2'
+              : 'M1.5 8c3-5 10-5 13 0-3 5-10 5-13 0z'
+          }
           fill="none"
           stroke="currentColor"
           stroke-width="1.3"
@@ -84,7 +88,11 @@ function Lock({ body, i }: { body: OpenedBody; i: number }) {
     >
       <svg width="16" height="16" viewBox="0 0 16 16" aria-hidden="true">
         <path
-          d={isLocked ? 'M3.5 7h9v6.5h-9zM5.5 7V5a2.5 2.5 0 0 1 5 0v2' : 'M3.5 7h9v6.5h-9zM5.5 7V4.5a2.5 2.5 0 0 1 4.800-1'}
+          d={
+            isLocked
+              ? 'M3.5 7h9v6.5h-9zM5.5 7V5a2.5 2.5 0 0 1 5 0v2'
+              : 'M3.5 7h9v6.5h-9zM5.5 7V4.5a2.5 2.5 0 0 1 4.800-1'
+          }
           fill={isLocked ? 'currentColor' : 'none'}
           stroke="currentColor"
           stroke-width="1.3"

@@ -46,7 +46,10 @@ let fittedScene = '';
 export function showCollisionScene(viewport: Viewport | null): void {
   const body = results.body.value;
   const collisionScene = isSimulating() ? twin.collisionScene.value : null;
-  const shown = body && collisionScene && sceneAround(turned(body.mesh.positions, shownTurn()), body.diagonal, collisionScene);
+  const shown =
+    body &&
+    collisionScene &&
+    sceneAround(turned(body.mesh.positions, shownTurn()), body.diagonal, collisionScene);
   viewport?.setCollisionScene(shown, viewportColours.value.collisionScene);
   const hasPoints = shown && (shown.ground !== null || shown.lowest !== null || shown.colliders.length > 0);
   const key = hasPoints ? JSON.stringify(shown) : '';
