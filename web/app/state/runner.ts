@@ -1,11 +1,11 @@
 /** Runs tasks in the worker, in their order, whenever the key of one differs from the key that its result was made from. */
 
-import { batch, computed, effect, signal, untracked } from '@preact/signals';
+import { batch, effect, signal, untracked } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { faceCount } from '../../engine/core/mesh';
 import { fileDefaults } from '../../engine/settings/options';
 import { STAGES } from '../../engine/stages/stages';
-import { CANCELLED, exportKey, resultFileKey, sharesKey } from '../worker/protocol';
+import { CANCELLED, exportKey, sharesKey } from '../worker/protocol';
 import type { ExportRequest, PinsResult } from '../worker/protocol';
 import { Client } from './client';
 import { takeAwaited } from './link';
@@ -27,10 +27,13 @@ import {
   whyKey,
   wants,
 } from './store';
+import { complain, whileBusy } from './busy';
+import { canDrawFile, resultFileNow } from './drawn_file';
 import { forgetUndo, startUndo, withoutUndo } from './undo';
 
 const REST_MILLISECONDS = 180;
-const SLOW_MILLISECONDS = 200;
+const settings = () => wants.settings.value;
+const body = () => wants.body.value;
 
 /** The wanted faces as they were when the slider last rested. */
 const restedFaces = signal(0);
@@ -49,9 +52,6 @@ const atRest = (stage: LevelStage) => (): string | null =>
   isReducing() && restedFaces.value === wantedFaces.value && results.mesh.value
     ? afterHistory(ofFaces(stage, () => restedFaces.value))()
     : null;
-
-const settings = () => wants.settings.value;
-const body = () => wants.body.value;
 
 const tasks: Task[] = [
   {
@@ -161,20 +161,6 @@ const tasks: Task[] = [
   },
 ];
 
-/** Larger files are drawn body by body, without their materials. */
-const MOST_FACES_DRAWN = 600_000;
-
-const canDrawFile = (): boolean =>
-  results.file.value!.bodies.reduce((sum, { faces }) => sum + faces, 0) <= MOST_FACES_DRAWN;
-
-const resultFileNow = (): string => resultFileKey(settings(), keptFaces.value);
-
-/** The file of the shown result; null while it is still to be made. */
-export const shownResultFile = computed(() => {
-  const { value: made } = results.resultFile;
-  return made?.key === resultFileNow() ? made : null;
-});
-
 const isResultFileWanted = (): boolean =>
   view.step.value === 'reduce' &&
   isFileDrawn.value &&
@@ -240,7 +226,7 @@ let opening: Promise<void> = Promise.resolve();
 export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
   if (running) client.cancel();
   opening = opening.then(async () => {
-    await whileBusy('Opening', async () => {
+    await whileBusy(client, 'Opening', async () => {
       await call.catch(() => null);
       const file = await client.open(files);
       const wanted = asked ?? takeAwaited(file.name);
@@ -343,7 +329,7 @@ async function loop(): Promise<void> {
     runningKey = task.key();
     const key = runningKey!;
     try {
-      const value = await (call = whileBusy(task.what, () => task.run()));
+      const value = await (call = whileBusy(client, task.what, () => task.run()));
       done.set(task, key);
       status.paused.value = null;
       task.result.value = value;
@@ -361,31 +347,4 @@ async function loop(): Promise<void> {
   }
   looping = false;
   status.working.value = false;
-}
-
-function complain(error: unknown): void {
-  status.notice.value = { kind: 'error', text: error instanceof Error ? error.message : String(error) };
-}
-
-/** Shows what is going on while `make` runs, unless it is quick. */
-async function whileBusy<T>(what: string, make: () => Promise<T>): Promise<T> {
-  let frame = 0;
-  let begin = performance.now();
-  let phase = '';
-  const show = () => {
-    const progress = client.progress();
-    const now = performance.now();
-    const own = progress?.part ? 'bodies' : (progress?.phase ?? '');
-    if (own !== phase) [phase, begin] = [own, now];
-    status.busy.value = { what, progress, seconds: (now - begin) / 1000 };
-    frame = requestAnimationFrame(show);
-  };
-  const timer = setTimeout(show, SLOW_MILLISECONDS);
-  try {
-    return await make();
-  } finally {
-    clearTimeout(timer);
-    cancelAnimationFrame(frame);
-    status.busy.value = null;
-  }
 }

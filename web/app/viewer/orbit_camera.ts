@@ -18,7 +18,7 @@ export class OrbitCamera {
   /** how much farther away the eye is than the user has put it */
   private dollyFactor = 1;
   /** from the space of the scene to that of what is shown */
-  readonly turn = new THREE.Quaternion();
+  readonly rotation = new THREE.Quaternion();
 
   constructor(canvas: HTMLCanvasElement) {
     this.controls = new CameraControls(this.camera, canvas);
@@ -42,10 +42,10 @@ export class OrbitCamera {
   }
 
   /** Turns what is up, left and in front; the next `fit` looks from there. */
-  setTurn(turn: THREE.Quaternion): void {
-    if (this.turn.equals(turn)) return;
-    this.turn.copy(turn);
-    this.camera.up.set(0, 1, 0).applyQuaternion(turn);
+  setRotation(rotation: THREE.Quaternion): void {
+    if (this.rotation.equals(rotation)) return;
+    this.rotation.copy(rotation);
+    this.camera.up.set(0, 1, 0).applyQuaternion(rotation);
     this.controls.updateCameraUp();
   }
 
@@ -57,7 +57,7 @@ export class OrbitCamera {
     this.camera.far = radius * 100;
     this.controls.maxDistance = radius * FARTHEST;
     this.camera.updateProjectionMatrix();
-    const back = new THREE.Vector3(...DIRECTION).normalize().applyQuaternion(this.turn);
+    const back = new THREE.Vector3(...DIRECTION).normalize().applyQuaternion(this.rotation);
     const eye = back
       .clone()
       .multiplyScalar(this.distanceFor(points, center, back))

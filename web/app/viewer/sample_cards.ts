@@ -8,7 +8,7 @@ const FRAME_MILLISECONDS = 40;
 const WIDTH = 440;
 const HEIGHT = 300;
 /** Seconds of a whole turn. */
-const TURN_SECONDS = 18;
+const ROUND_SECONDS = 18;
 
 interface Card {
   canvas: HTMLCanvasElement;
@@ -97,7 +97,7 @@ export class SampleCards {
     const centre = box.getCenter(new THREE.Vector3());
     const { radius } = box.getBoundingSphere(new THREE.Sphere());
     model.root.position.copy(centre).negate();
-    const angle = (2 * Math.PI * seconds) / TURN_SECONDS;
+    const angle = (2 * Math.PI * seconds) / ROUND_SECONDS;
     this.turned.rotation.set(0, 0.6 + angle, 0.06 * Math.sin(1.7 * seconds + i));
     this.camera.position.set(0, 1.3 * radius, 4.2 * radius);
     this.camera.near = radius / 20;

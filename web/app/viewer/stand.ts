@@ -2,7 +2,7 @@
 
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
-import { turnOf } from '../../engine/motion/turned';
+import { rotationOf } from '../../engine/motion/scene_rotation';
 import { floorShadow, SHADOW_SIZE } from './floor_shadow';
 import type { SceneLook, SceneModel } from './scene_model';
 import { spreadPoints } from './spread_points';
@@ -29,7 +29,7 @@ export class Stand {
   }
 
   /** `toMesh`: from the space of the scene to that of the shown body. */
-  place(toMesh: THREE.Matrix4): void {
+  standAt(toMesh: THREE.Matrix4): void {
     this.group.matrix.copy(toMesh);
     this.group.matrixWorldNeedsUpdate = true;
   }
@@ -55,7 +55,7 @@ export class Stand {
     const size = box.getSize(new THREE.Vector3());
     const centre = box.getCenter(new THREE.Vector3());
     const side = AROUND * Math.max(size.x, size.z, 0.25 * size.y);
-    const area = { centre: [centre.x, box.min.y, centre.z] as const, side, reach: 0.35 * size.length() };
+    const area = { centre: [centre.x, box.min.y, centre.z] as const, side, top: 0.35 * size.length() };
     this.floor.material.map?.dispose();
     this.floor.material.map = shadowTexture(floorShadow(inScene, area));
     this.floor.material.needsUpdate = true;
@@ -118,19 +118,19 @@ function shadowTexture(shadow: Float32Array): THREE.DataTexture {
 }
 
 /** From the space of the scene to that of a body with this placement, without what would stretch or mirror it. */
-export function standingMatrix(placement: readonly number[]): THREE.Matrix4 {
-  const matrix = new THREE.Matrix4().fromArray([...placement]);
+export function standingMatrix(nodeMatrix: readonly number[]): THREE.Matrix4 {
+  const matrix = new THREE.Matrix4().fromArray([...nodeMatrix]);
   const scale = Math.cbrt(Math.abs(matrix.determinant())) || 1;
   const position = new THREE.Vector3().setFromMatrixPosition(matrix);
   if (!Number.isFinite(scale + position.length())) return new THREE.Matrix4();
-  const turn = turnOf(placement) ?? [1, 0, 0, 0, 1, 0, 0, 0, 1];
-  const rotation = new THREE.Matrix4().setFromMatrix3(new THREE.Matrix3().fromArray([...turn]).transpose());
+  const rows = rotationOf(nodeMatrix) ?? [1, 0, 0, 0, 1, 0, 0, 0, 1];
+  const rotation = new THREE.Matrix4().setFromMatrix3(new THREE.Matrix3().fromArray([...rows]).transpose());
   const quaternion = new THREE.Quaternion().setFromRotationMatrix(rotation);
   return new THREE.Matrix4().compose(position, quaternion, new THREE.Vector3(scale, scale, scale)).invert();
 }
 
 /** From the space of the scene to that of a body with this placement. */
-export const standingTurn = (placement: readonly number[]): THREE.Quaternion =>
+export const standingRotation = (nodeMatrix: readonly number[]): THREE.Quaternion =>
   new THREE.Quaternion().setFromRotationMatrix(
-    new THREE.Matrix4().extractRotation(standingMatrix(placement)),
+    new THREE.Matrix4().extractRotation(standingMatrix(nodeMatrix)),
   );

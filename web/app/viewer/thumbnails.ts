@@ -57,7 +57,7 @@ export class Thumbnails {
   /** Shows one mode per canvas; `turn`: from the space of the scene to that of the mesh. */
   show(
     { mesh, modes, canvases }: { mesh: TriangleMesh; modes: ShownMode[]; canvases: HTMLCanvasElement[] },
-    turn: THREE.Quaternion,
+    rotation: THREE.Quaternion,
   ): void {
     this.body.geometry.dispose();
     const { geometry } = bodyGeometry(mesh);
@@ -82,11 +82,11 @@ export class Thumbnails {
     const eye = new THREE.Vector3(0.75, 0.42, 1)
       .normalize()
       .multiplyScalar(DISTANCE * sphere.radius)
-      .applyQuaternion(turn);
+      .applyQuaternion(rotation);
     this.camera.position.copy(sphere.center).add(eye);
     this.camera.near = sphere.radius / 50;
     this.camera.far = sphere.radius * 50;
-    this.camera.up.set(0, 1, 0).applyQuaternion(turn);
+    this.camera.up.set(0, 1, 0).applyQuaternion(rotation);
     this.camera.lookAt(sphere.center);
     this.camera.updateProjectionMatrix();
     this.draw(0);

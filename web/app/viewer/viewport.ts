@@ -22,7 +22,7 @@ import type { SceneLook } from './scene_model';
 import { nearestSeen, seenAt } from './seen_vertices';
 import type { ScreenPoint } from './seen_vertices';
 import { ShownFiles } from './shown_files';
-import { standingMatrix, standingTurn } from './stand';
+import { standingMatrix, standingRotation } from './stand';
 
 /** Swings per second at speed 1. */
 const SWING_FREQUENCY = 0.5;
@@ -94,13 +94,13 @@ export class Viewport {
   }
 
   /** Says where the shown body stands in its scene, column by column. */
-  place(placement: readonly number[]): void {
-    const matrix = standingMatrix(placement);
-    const turn = standingTurn(placement);
-    this.orbit.setTurn(turn);
+  standAt(nodeMatrix: readonly number[]): void {
+    const matrix = standingMatrix(nodeMatrix);
+    const rotation = standingRotation(nodeMatrix);
+    this.orbit.setRotation(rotation);
     for (const { stand, collisionScene } of Object.values(this.panes)) {
-      stand.place(matrix);
-      collisionScene.group.quaternion.copy(turn);
+      stand.standAt(matrix);
+      collisionScene.group.quaternion.copy(rotation);
     }
     this.files.moved();
     this.isStale = true;
@@ -251,7 +251,7 @@ export class Viewport {
   /** Turns the camera to the whole body and to what it can touch. */
   fit(isAnimated = true): void {
     const corners = this.files.corners();
-    const turned = this.scenePoints.map((point) => point.clone().applyQuaternion(this.orbit.turn));
+    const turned = this.scenePoints.map((point) => point.clone().applyQuaternion(this.orbit.rotation));
     const points = [...corners, ...turned];
     if (points.length === 0) return;
     this.orbit.fit(points, isAnimated);
@@ -290,7 +290,7 @@ export class Viewport {
     this.renderer.clear();
     this.renderer.setScissorTest(true);
     this.layout.regions().forEach((region, i) => this.drawPane(region, this.layout.isOverlaid && i > 0));
-    if (this.panes.original.mesh) this.axes.draw(this.renderer, this.orbit.camera, this.orbit.turn);
+    if (this.panes.original.mesh) this.axes.draw(this.renderer, this.orbit.camera, this.orbit.rotation);
   }
 
   private drawPane({ name, picture, visible }: PaneRegion, isOverlay: boolean): void {

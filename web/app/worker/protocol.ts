@@ -18,7 +18,7 @@ import type {
   GuardFinding,
 } from '../../engine/body/body_result';
 import type { HealthNote } from '../../engine/body/health';
-import type { FileContents } from '../../engine/document/contents';
+import type { FileContents } from '../../engine/document/facts/contents';
 import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
 import type { Report } from '../../engine/report/report';
@@ -42,7 +42,7 @@ export interface OpenedBody {
   /** its number among the meshes of the file */
   mesh: number;
   /** from the space of the mesh to that of the scene, column by column */
-  placement: number[];
+  nodeMatrix: number[];
   /** null: it cannot be used, and stays as it is in every export */
   health: HealthNote[] | null;
 }

@@ -1,7 +1,7 @@
 /** What the files will contain, what they leave out, what the validator finds, and the buttons that save them. */
 
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
-import { knownMessages } from '../../../engine/document/known_messages';
+import { knownMessages } from '../../../engine/document/facts/known_messages';
 import type { Validation } from '../../../engine/document/validate';
 import { OPTIONS, checkSetting } from '../../../engine/settings/options';
 import { reportAsCsv, reportAsMarkdown } from '../../../engine/report/report_text';

@@ -1,7 +1,7 @@
 /** Step 1: what the file contains and what state it is in. */
 
 import { results } from '../../state/store';
-import { shownResultFile } from '../../state/runner';
+import { shownResultFile } from '../../state/drawn_file';
 import { Section, SettingRange } from '../../controls/controls';
 import { count, fileSize, fixed } from '../../controls/numbers';
 import { SceneTree } from './scene_tree';

@@ -7,7 +7,7 @@ import { areModesStale, results, status, view, wants } from '../../state/store';
 import { STRIP } from '../../worker/protocol';
 import type { ModesResult } from '../../worker/protocol';
 import { colourAt } from '../../viewer/colours';
-import { standingTurn } from '../../viewer/stand';
+import { standingRotation } from '../../viewer/stand';
 import { THUMBNAIL, Thumbnails } from '../../viewer/thumbnails';
 import type { ShownMode } from '../../viewer/thumbnails';
 import { count } from '../../controls/numbers';
@@ -26,9 +26,9 @@ export function Gallery() {
     if (!modes || !body || !list.current) return;
     thumbnails.current ??= makeThumbnails();
     const canvases = [...list.current.querySelectorAll('canvas')];
-    const placement = results.file.value!.bodies[wants.body.value].placement;
+    const nodeMatrix = results.file.value!.bodies[wants.body.value].nodeMatrix;
     const shown = { mesh: body.mesh, modes: ordinalModes(modes), canvases };
-    thumbnails.current?.show(shown, standingTurn(placement));
+    thumbnails.current?.show(shown, standingRotation(nodeMatrix));
   }, [modes, body]);
   useEffect(() => {
     thumbnails.current?.move(view.playing.value);

@@ -4,7 +4,7 @@ import { computed } from '@preact/signals';
 import type { MeshAt } from '../../../engine/core/core';
 import { viewportColours } from '../../state/scheme';
 import { twin } from '../../state/twin';
-import { shownResultFile } from '../../state/runner';
+import { shownResultFile } from '../../state/drawn_file';
 import {
   isBrushing,
   isFileDrawn,
@@ -43,8 +43,8 @@ export function shownPanes(): PaneName[] {
 
 export function showOriginal(viewport: Viewport | null): void {
   const mesh = results.body.value?.mesh ?? null;
-  const placement = results.file.value?.bodies[wants.body.value]?.placement;
-  if (placement) viewport?.place(placement);
+  const nodeMatrix = results.file.value?.bodies[wants.body.value]?.nodeMatrix;
+  if (nodeMatrix) viewport?.standAt(nodeMatrix);
   viewport?.show('original', mesh);
   if (mesh) viewport?.fit(false);
 }
