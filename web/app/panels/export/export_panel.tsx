@@ -204,13 +204,13 @@ function Actions({ exported }: { exported: ExportResult | null }) {
         </button>
       )}
       <SaveReport exported={exported} output={output} />
-      {exported && <CommandLine faces={exported.targetFaces} />}
+      {exported && <CommandLine exported={exported} />}
     </div>
   );
 }
 
 /** The command that writes the same file. */
-function CommandLine({ faces }: { faces: number }) {
+function CommandLine({ exported: { faces: written, targetFaces: faces } }: { exported: ExportResult }) {
   const { output, binding, fields } = exportRequest();
   const [isCopied, setCopied] = useState(false);
   const line = commandLine(wants.settings.value, results.file.value!.name, output, {
@@ -218,6 +218,7 @@ function CommandLine({ faces }: { faces: number }) {
     fields,
     binding: binding ? bindingName(output) : null,
     settings: wants.settings.value.solver === 'none' ? null : settingsName(output),
+    isMissed: written > faces,
   });
   const copy = () => navigator.clipboard.writeText(line).then(() => setCopied(true));
   return (
@@ -226,6 +227,11 @@ function CommandLine({ faces }: { faces: number }) {
         {isCopied ? 'Copied' : 'Copy command line'}
       </button>
       <code class="command">{line}</code>
+      {wants.own.value.size > 0 && (
+        <p class="hint">
+          The command shares the faces out over all meshes: it has no numbers of faces for single ones.
+        </p>
+      )}
     </>
   );
 }
