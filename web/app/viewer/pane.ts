@@ -88,7 +88,7 @@ export class Pane {
 
   showBody(): void {
     this.body.visible = this.mesh !== null && !this.showsFile;
-    if (this.stand.model) this.stand.model.root.visible = this.showsFile;
+    this.stand.drawFile(this.showsFile);
   }
 
   /** Mesh, field and shape arrive in any order: a field or shape that does not fit the mesh waits for its own mesh. */

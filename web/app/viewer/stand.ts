@@ -42,6 +42,12 @@ export class Stand {
     if (model) this.group.add(model.root);
   }
 
+  /** Whether the file and its light are drawn. */
+  drawFile(isDrawn: boolean): void {
+    this.light.visible = isDrawn;
+    if (this.model) this.model.root.visible = isDrawn;
+  }
+
   look(look: SceneLook): void {
     this.model?.look(look);
   }

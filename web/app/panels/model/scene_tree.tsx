@@ -21,7 +21,7 @@ export function SceneTree() {
             disabled={body.health === null}
             onClick={() => showBody(i)}
           >
-            <span class="filename" title={body.name}>
+            <span class="body-title" title={body.name}>
               {body.name}
             </span>
             <span class="muted">{describeFaces(body, i)}</span>
