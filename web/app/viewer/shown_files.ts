@@ -23,7 +23,7 @@ export class ShownFiles {
   ) {}
 
   /**
-   * Draws a whole file, a GLB, in a pane once it has been read; null removes it. Resolves to whether it has come to be drawn. Rejects
+   * Draws a whole file, a GLB, in a pane once it has been read; null removes it. Resolves to whether more has come to be drawn than the shown body. Rejects
    * with what the loader says of a file that it cannot read.
    */
   async show(name: PaneName, bytes: Uint8Array | null): Promise<boolean> {
@@ -39,7 +39,7 @@ export class ShownFiles {
     pane.scene.environmentIntensity = ROOM_LIGHT;
     pane.stand.show(model);
     this.look(name, this.looks[name]);
-    return pane.showsFile;
+    return pane.showsFile && model !== null && model.meshCount > 1;
   }
 
   /** How a pane's file is drawn; null: the body alone is drawn in its place. */

@@ -25,6 +25,7 @@ export class Stand {
     this.floor.visible = false;
     this.floor.rotation.x = -Math.PI / 2;
     this.light.position.set(-0.6, 1.4, 1);
+    this.light.visible = false;
     this.group.add(this.floor, this.light, this.light.target);
   }
 

@@ -76,9 +76,9 @@ export class Viewport {
 
   /** See `ShownFiles.show`. */
   async showFile(name: PaneName, bytes: Uint8Array | null): Promise<void> {
-    const isNew = await this.files.show(name, bytes);
+    const isMore = await this.files.show(name, bytes);
     this.isStale = true;
-    if (isNew && name === 'original') this.fit(false);
+    if (isMore && name === 'original') this.fit(false);
   }
 
   /** How a pane's file is drawn; null: the body alone is drawn in its place. */
