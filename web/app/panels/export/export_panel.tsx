@@ -1,6 +1,7 @@
 /** What the files will contain, what they leave out, what the validator finds, and the buttons that save them. */
 
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
+import { counted } from '../../../engine/core/words';
 import { knownMessages } from '../../../engine/document/facts/known_messages';
 import type { Validation } from '../../../engine/document/validate';
 import { OPTIONS, checkSetting } from '../../../engine/settings/options';
@@ -14,7 +15,7 @@ import { client, exportedKey, exportRequest } from '../../state/runner';
 import { changeSettings, results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
 import { Section, Toggle } from '../../controls/controls';
-import { count } from '../../controls/numbers';
+import { count, fileSize } from '../../controls/numbers';
 import { RefusedText } from '../../controls/refused_text';
 import { SolverSection } from './solver_section';
 import './export_panel.css';
@@ -58,8 +59,24 @@ export function ExportPanel() {
 
 const describeFile = (exported: ExportResult | null): string =>
   exported
-    ? `${count(exported.faces)} faces with positions and normals, ${size(exported.bytes.length)}.`
+    ? `${count(exported.faces)} faces with ${carriedWords()}, ${fileSize(exported.bytes.length)}.`
     : 'Writing and checking ...';
+
+/** What the file carries besides its faces: "positions, normals, 1 UV set and 2 skins". */
+function carriedWords(): string {
+  const { contents } = results.file.value!;
+  const words = [
+    'positions',
+    'normals',
+    counted(contents.uvSets, 'UV set'),
+    contents.vertexColours ? 'colours' : '',
+    counted(contents.textures, 'texture'),
+    counted(contents.skins, 'skin'),
+    counted(contents.morphTargets, 'morph target'),
+    counted(contents.animations, 'animation'),
+  ].filter((word) => word !== '' && !word.startsWith('0 '));
+  return `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`;
+}
 
 function LeftOut({ dropped }: { dropped: string[] }) {
   return (
@@ -148,7 +165,7 @@ function Verdict({ exported }: { exported: ExportResult }) {
             <li key={name}>
               <span class="filename">{name}</span>
               <span class="muted">
-                {count(faces)} faces, {size(bytes.length)}.{' '}
+                {count(faces)} faces, {fileSize(bytes.length)}.{' '}
                 <span class={validation.errors > 0 ? 'verdict bad' : 'verdict good'}>
                   {describeVerdict(validation)}
                 </span>
@@ -282,6 +299,3 @@ async function saveAll(exported: ExportResult, output: string): Promise<void> {
   const archive = await client.aside<Uint8Array>((worker) => worker.pack(files));
   download(output.replace(/glb$/, 'zip'), archive, 'application/zip');
 }
-
-const size = (bytes: number): string =>
-  bytes < 1e6 ? `${Math.round(bytes / 1000)} kB` : `${(bytes / 1e6).toFixed(1)} MB`;
