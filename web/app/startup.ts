@@ -1,4 +1,4 @@
-/** What the page opens by itself: the last session of this tab, what a link asks for, or the first sample. */
+/** What the page opens by itself: the last session of this tab or what a link asks for; otherwise it starts empty. */
 
 import { openSample, samples } from './files/samples';
 import { awaited, describeFormerLink, describeLinkError, readLink } from './state/link';
@@ -7,8 +7,6 @@ import { openFiles } from './state/runner';
 import { savedSession } from './state/saved_session';
 import { results, status, wants } from './state/store';
 import type { Notice } from './state/store';
-
-const FIRST_SAMPLE = 'tower';
 
 /** Call this after `loadSamples`. */
 export async function openAtStart(): Promise<void> {
@@ -22,8 +20,8 @@ export async function openAtStart(): Promise<void> {
   const named = new URLSearchParams(location.search).get('sample');
   const asked = samples.value.find(({ id, file }) => id === named || file === wanted?.file);
   if (!asked && wanted?.file) return waitForFile(wanted);
-  const first = asked ?? samples.value.find(({ id }) => id === FIRST_SAMPLE);
-  if (first) await openSample(first, wanted ?? undefined);
+  if (asked) return openSample(asked, wanted ?? undefined);
+  if (wanted) awaited.value = wanted;
 }
 
 /** What the link asks for; null without a link. A link with an error is reported, and the page starts without it. */
@@ -43,8 +41,9 @@ function readHash(): Wanted | null {
   }
 }
 
-/** Shows the notice after the first file is open, as opening it removes earlier ones. */
+/** Shows the notice now, and again after the first file is open, as opening it removes earlier ones. */
 function showAfterOpening(notice: Notice): void {
+  status.notice.value = notice;
   const stop = results.opened.subscribe((opened) => {
     if (opened === 0) return;
     queueMicrotask(() => {

@@ -3,11 +3,10 @@
 import { proxy, wrap } from 'comlink';
 import type { Remote } from 'comlink';
 import { PHASES } from '../../engine/core/core';
-import type { Progress } from '../../engine/core/core';
 import type { SourceFile } from '../../engine/document/open';
 import { carrySettingErrors } from '../worker/errors';
 import { CANCELLED } from '../worker/protocol';
-import type { OpenedFile, Started, WorkerApi } from '../worker/protocol';
+import type { CallProgress, OpenedFile, Started, WorkerApi } from '../worker/protocol';
 
 carrySettingErrors();
 
@@ -16,7 +15,7 @@ export class Client {
   private remote!: Remote<WorkerApi>;
   private started: Promise<Started>;
   private job: Int32Array | null = null;
-  private lastProgress: Progress | null = null;
+  private lastProgress: CallProgress | null = null;
   private files: SourceFile[] | null = null;
   private abandon: ((error: Error) => void) | null = null;
   threads = 1;
@@ -29,7 +28,7 @@ export class Client {
   private startWorker(): Promise<Started> {
     this.worker = new Worker(new URL('../worker/worker.ts', import.meta.url), { type: 'module' });
     this.remote = wrap<WorkerApi>(this.worker);
-    const onProgress = proxy((progress: Progress) => (this.lastProgress = progress));
+    const onProgress = proxy((progress: CallProgress) => (this.lastProgress = progress));
     return this.remote.start(new URL('wasm/', this.base).href, 0, onProgress).then((started) => {
       this.threads = started.threads;
       this.job = started.job;
@@ -64,10 +63,10 @@ export class Client {
   }
 
   /** Progress of the running call, read from shared memory or from the last message of the worker. */
-  progress(): Progress | null {
+  progress(): CallProgress | null {
     if (!this.job) return this.lastProgress;
     const [phase, fraction] = [Atomics.load(this.job, 1), Atomics.load(this.job, 2) / 10000];
-    return { phase: PHASES[phase], fraction };
+    return { phase: PHASES[phase], fraction, part: this.lastProgress?.part };
   }
 
   /** Whether a running call can be stopped without losing what the worker has computed. */

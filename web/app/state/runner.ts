@@ -12,11 +12,12 @@ import { takeAwaited } from './link';
 import type { Wanted } from './link';
 import { besideControl } from './refusal';
 import { saveFiles, startSaving } from './saved_session';
-import { afterBody, afterHistory, keyed, of, ofFaces } from './task';
+import { afterBody, afterHistory, keyed, keyedByFile, of, ofFaces } from './task';
 import type { LevelStage, Task } from './task';
 import { isTuningWanted } from './twin';
 import {
   changeSettings,
+  isFileDrawn,
   keptFaces,
   results,
   shownMesh,
@@ -26,10 +27,13 @@ import {
   whyKey,
   wants,
 } from './store';
+import { complain, whileBusy } from './busy';
+import { canDrawFile, resultFileNow } from './drawn_file';
 import { forgetUndo, startUndo, withoutUndo } from './undo';
 
 const REST_MILLISECONDS = 180;
-const SLOW_MILLISECONDS = 200;
+const settings = () => wants.settings.value;
+const body = () => wants.body.value;
 
 /** The wanted faces as they were when the slider last rested. */
 const restedFaces = signal(0);
@@ -49,15 +53,19 @@ const atRest = (stage: LevelStage) => (): string | null =>
     ? afterHistory(ofFaces(stage, () => restedFaces.value))()
     : null;
 
-const settings = () => wants.settings.value;
-const body = () => wants.body.value;
-
 const tasks: Task[] = [
   {
     what: 'Reading the mesh',
     key: keyed(of(STAGES.prepared)),
     run: () => client.call((worker) => worker.prepare(body(), settings())),
     result: results.body,
+  },
+  {
+    what: 'Reading the materials',
+    key: () => (results.body.value && canDrawFile() ? keyedByFile(() => 'original')() : null),
+    run: () => client.call((worker) => worker.original()),
+    result: results.originalFile,
+    isOfFile: true,
   },
   {
     what: 'Finding pins',
@@ -127,6 +135,14 @@ const tasks: Task[] = [
     result: results.exported,
   },
   {
+    what: 'Dressing the result in its materials',
+    key: () => (isResultFileWanted() ? keyedByFile(resultFileNow)() : null),
+    run: () => client.call((worker) => worker.resultFile(settings(), keptFaces.value)),
+    result: results.resultFile,
+    isOfFile: true,
+    isPatient: true,
+  },
+  {
     what: 'Asking why vertices stay',
     key: () =>
       view.step.value === 'reduce' && view.hover.value !== null && results.metrics.value !== null
@@ -145,13 +161,22 @@ const tasks: Task[] = [
   },
 ];
 
+const isResultFileWanted = (): boolean =>
+  view.step.value === 'reduce' &&
+  isFileDrawn.value &&
+  results.metrics.value !== null &&
+  restedFaces.value === wantedFaces.value &&
+  canDrawFile() &&
+  isStoppable();
+
 /** Without shared memory a patient task can only be stopped by a fresh worker, which has everything to do again. */
 const MOST_FACES_UNSTOPPABLE = 20_000;
 
 const isMarkingWanted = (): boolean =>
-  view.step.value === 'reduce' &&
-  results.metrics.value !== null &&
-  (client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE);
+  view.step.value === 'reduce' && results.metrics.value !== null && isStoppable();
+
+const isStoppable = (): boolean =>
+  client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE;
 
 /** Pins that the body does not have are refused with a sentence, and the earlier ones stay; a new file begins with none. */
 async function findPins(): Promise<unknown> {
@@ -201,7 +226,7 @@ let opening: Promise<void> = Promise.resolve();
 export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
   if (running) client.cancel();
   opening = opening.then(async () => {
-    await whileBusy('Opening', async () => {
+    await whileBusy(client, 'Opening', async () => {
       await call.catch(() => null);
       const file = await client.open(files);
       const wanted = asked ?? takeAwaited(file.name);
@@ -210,16 +235,18 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
         for (const task of tasks) task.result.value = null;
         results.file.value = file;
         results.opened.value += 1;
-        wants.body.value = wanted && wanted.body < file.bodies.length ? wanted.body : 0;
+        wants.body.value = wanted && wanted.body < file.bodies.length ? wanted.body : file.first;
         wants.faces.value = wanted?.faces ?? null;
         wants.own.value = new Map();
         wants.exportOpen.value = false;
+        view.hidden.value = new Set();
+        view.animated.value = false;
         if (wanted) wants.settings.value = wanted.settings;
         else changeSettings(fileDefaults());
         status.refusedPins.value = null;
         view.picking.value = false;
         view.brush.value = { ...view.brush.value, tool: null };
-        status.notice.value = file.notes.length > 0 ? { kind: 'info', text: file.notes.join('; ') } : null;
+        status.notice.value = null;
       });
       forgetUndo();
       void saveFiles(files);
@@ -232,9 +259,10 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
 export function showBody(index: number): void {
   if (index === wants.body.value) return;
   if (running) client.cancel();
-  done.clear();
+  const ofBody = tasks.filter((task) => !task.isOfFile);
+  for (const task of ofBody) done.delete(task);
   batch(() => {
-    for (const task of tasks) task.result.value = null;
+    for (const task of ofBody) task.result.value = null;
     wants.body.value = index;
   });
   forgetUndo();
@@ -301,7 +329,7 @@ async function loop(): Promise<void> {
     runningKey = task.key();
     const key = runningKey!;
     try {
-      const value = await (call = whileBusy(task.what, () => task.run()));
+      const value = await (call = whileBusy(client, task.what, () => task.run()));
       done.set(task, key);
       status.paused.value = null;
       task.result.value = value;
@@ -319,25 +347,4 @@ async function loop(): Promise<void> {
   }
   looping = false;
   status.working.value = false;
-}
-
-function complain(error: unknown): void {
-  status.notice.value = { kind: 'error', text: error instanceof Error ? error.message : String(error) };
-}
-
-/** Shows what is going on while `make` runs, unless it is quick. */
-async function whileBusy<T>(what: string, make: () => Promise<T>): Promise<T> {
-  let frame = 0;
-  const show = () => {
-    status.busy.value = { what, progress: client.progress() };
-    frame = requestAnimationFrame(show);
-  };
-  const timer = setTimeout(show, SLOW_MILLISECONDS);
-  try {
-    return await make();
-  } finally {
-    clearTimeout(timer);
-    cancelAnimationFrame(frame);
-    status.busy.value = null;
-  }
 }

@@ -4,7 +4,7 @@ import { effect } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { readLink, writeLink } from './link';
 import type { Wanted } from './link';
-import { results, view, wants } from './store';
+import { chooseField, results, shownField, view, wants } from './store';
 import type { FieldName, Layout, Step } from './store';
 
 interface Saved {
@@ -40,7 +40,7 @@ export function startSaving(): void {
       link: writeLink({ settings, faces, body, file }),
       step: view.step.value,
       layout: view.layout.value,
-      field: view.field.value,
+      field: shownField.value,
     };
     if (file === null) return;
     const save = () => write(SETTINGS_KEY, JSON.stringify(saved));
@@ -99,7 +99,7 @@ export async function savedSession(): Promise<{ files: SourceFile[]; wanted: Wan
     const show = () => {
       view.step.value = step;
       view.layout.value = layout;
-      view.field.value = field;
+      chooseField(field);
     };
     return { files, wanted, show };
   } catch {

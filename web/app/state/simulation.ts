@@ -7,6 +7,8 @@ import type { MeshAt, SurfacePoint } from '../../engine/core/core';
 import { OPTIONS } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { topCorners } from '../../engine/motion/top_corners';
+import { rotated, rotationOf } from '../../engine/motion/scene_rotation';
+import type { SceneRotation } from '../../engine/motion/scene_rotation';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
 import type { SimulationApi, TwinFrame, TwinRequest, TwinSetup } from '../worker/simulation_protocol';
 import { keyOf } from '../../engine/stages/stage';
@@ -98,11 +100,16 @@ function clearFrames(): void {
   twin.worst.value = 0;
 }
 
+/** How the scene turns the shown body. */
+export const shownRotation = (): SceneRotation | null =>
+  rotationOf(results.file.value!.bodies[wants.body.value].nodeMatrix);
+
 /** The pinned vertices of the original; null: those of the scenario. */
 function pinnedVertices(): Uint32Array | null {
   const { value: body } = results.body;
   if (!body || pinSource.value === 'scenario') return null;
-  return pinSource.value === 'corners' ? topCorners(body.mesh) : (results.pins.value?.vertices ?? null);
+  if (pinSource.value !== 'corners') return results.pins.value?.vertices ?? null;
+  return topCorners({ ...body.mesh, positions: rotated(body.mesh.positions, shownRotation()) });
 }
 
 /** What both bodies are started with, now. */
@@ -114,6 +121,7 @@ export function twinSetup(result: MeshAt): TwinSetup {
     result,
     meshKey: meshKey(),
     size: { body: { scale }, diagonal },
+    rotation: shownRotation(),
     settings: wants.settings.value,
     pinned: pinnedVertices(),
     tuned: usedTuning.value,
@@ -199,7 +207,9 @@ export function startSimulations(): void {
   effect(() => {
     const { value: wanted } = simulationKey;
     if (view.step.value !== 'test') return untracked(closeWorker);
-    if (wanted === null) return;
+    // Frames of a body that is shown no more would be taken for those of the next one.
+    if (!results.body.value) return untracked(clearFrames);
+    if (wanted === null) return untracked(invalidate);
     untracked(invalidate);
     const timer = setTimeout(() => void start(shownMesh.value!), REST_MILLISECONDS);
     return () => clearTimeout(timer);

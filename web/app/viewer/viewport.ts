@@ -10,6 +10,7 @@ import { pointsToShow } from './collision_scene_view';
 import type { CollisionSceneLook, ShownCollisionScene } from './collision_scene_view';
 import { mapTexture } from './colours';
 import type { MapName } from './colours';
+import { AxesMark } from './axes_mark';
 import { Dots } from './dots';
 import type { DotLook } from './dots';
 import { OrbitCamera } from './orbit_camera';
@@ -17,8 +18,11 @@ import { Pane } from './pane';
 import type { Look } from './pane';
 import { PaneLayout } from './pane_layout';
 import type { PaneName, PaneRegion } from './pane_layout';
+import type { SceneLook } from './scene_model';
 import { nearestSeen, seenAt } from './seen_vertices';
 import type { ScreenPoint } from './seen_vertices';
+import { ShownFiles } from './shown_files';
+import { standingMatrix, standingRotation } from './stand';
 
 /** Swings per second at speed 1. */
 const SWING_FREQUENCY = 0.5;
@@ -34,6 +38,8 @@ export class Viewport {
   private readonly ring = new BrushRing();
   private lastColumns = 1;
   private scenePoints: THREE.Vector3[] = [];
+  private readonly axes = new AxesMark();
+  private readonly files: ShownFiles;
   private isStale = true;
   private swing = { isPlaying: false, amplitude: 0, speed: 1, phase: 0 };
 
@@ -43,17 +49,23 @@ export class Viewport {
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     // All panes are cleared at once.
     this.renderer.autoClear = false;
+    this.renderer.toneMapping = THREE.NeutralToneMapping;
     this.maps = { viridis: mapTexture('viridis'), cividis: mapTexture('cividis') };
     const ratio = this.renderer.getPixelRatio();
     const pane = (): Pane => new Pane(this.maps.viridis, ratio);
     this.panes = { original: pane(), optimized: pane() };
+    this.files = new ShownFiles(this.renderer, this.panes);
     this.pickPreview = new Dots(ratio);
     this.panes.original.scene.add(this.pickPreview.points, this.ring.line);
     this.orbit = new OrbitCamera(canvas);
     this.layout = new PaneLayout(canvas);
     for (const name of ['wheel', 'pointerdown'] as const)
       canvas.addEventListener(name, ({ clientX }) => this.aimZoom(clientX), { capture: true, passive: true });
-    new ResizeObserver(() => this.resize()).observe(canvas);
+    // A canvas is cleared as its size changes, so that it has to be drawn before the browser shows it.
+    new ResizeObserver(() => {
+      this.resize();
+      this.draw();
+    }).observe(canvas);
     canvas.addEventListener('webglcontextrestored', () => (this.isStale = true));
     this.resize();
     this.renderer.setAnimationLoop((time) => this.frame(time));
@@ -62,6 +74,45 @@ export class Viewport {
   /** Shows a mesh at rest in a pane; null empties the pane. */
   show(name: PaneName, mesh: TriangleMesh | null): void {
     this.panes[name].show(mesh);
+    if (name === 'original') this.files.moved();
+    this.isStale = true;
+  }
+
+  /** See `ShownFiles.show`. */
+  async showFile(name: PaneName, bytes: Uint8Array | null): Promise<void> {
+    const isMore = await this.files.show(name, bytes);
+    this.isStale = true;
+    if (isMore && name === 'original') this.fit(false);
+  }
+
+  /** How a pane's file is drawn; null: the body alone is drawn in its place. */
+  lookAtFile(name: PaneName, look: SceneLook | null): void {
+    this.files.look(name, look);
+    this.isStale = true;
+  }
+
+  /** Plays the animation of the files, from its start; false: the rest pose. */
+  playFile(isPlaying: boolean): void {
+    this.files.play(isPlaying);
+    this.isStale = true;
+  }
+
+  /** Says where the shown body stands in its scene, column by column. */
+  standAt(nodeMatrix: readonly number[]): void {
+    const matrix = standingMatrix(nodeMatrix);
+    const rotation = standingRotation(nodeMatrix);
+    this.orbit.setRotation(rotation);
+    for (const { stand, collisionScene } of Object.values(this.panes)) {
+      stand.standAt(matrix);
+      collisionScene.group.quaternion.copy(rotation);
+    }
+    this.files.moved();
+    this.isStale = true;
+  }
+
+  /** Whether what is shown stands on a floor. */
+  setFloor(isShown: boolean): void {
+    this.files.setFloor(isShown);
     this.isStale = true;
   }
 
@@ -159,7 +210,7 @@ export class Viewport {
 
   /** Moves the eye back where panes become narrower, so that they still show what they did, and forth again. */
   private keepBodyInView(): void {
-    const spread = () => this.orbit.horizontalSpread(this.panes.original.boxCorners());
+    const spread = () => this.orbit.horizontalSpread(this.files.corners());
     const before = Math.max(1, spread());
     this.resize();
     const { columns } = this.layout;
@@ -203,10 +254,11 @@ export class Viewport {
 
   /** Turns the camera to the whole body and to what it can touch. */
   fit(isAnimated = true): void {
-    const sphere = this.panes.original.sphere()?.clone();
-    for (const point of this.scenePoints) sphere?.expandByPoint(point);
-    if (!sphere || !(sphere.radius > 0)) return;
-    this.orbit.fit(sphere, isAnimated);
+    const corners = this.files.corners();
+    const turned = this.scenePoints.map((point) => point.clone().applyQuaternion(this.orbit.rotation));
+    const points = [...corners, ...turned];
+    if (points.length === 0) return;
+    this.orbit.fit(points, isAnimated);
     this.isStale = true;
   }
 
@@ -230,16 +282,19 @@ export class Viewport {
     const seconds = this.timer.getDelta();
     const hasMoved = this.orbit.update(seconds);
     if (swing.isPlaying) swing.phase += 2 * Math.PI * SWING_FREQUENCY * swing.speed * seconds;
-    if (!hasMoved && !this.isStale && !swing.isPlaying) return;
+    const isPlaying = this.files.advance(seconds);
+    if (!hasMoved && !this.isStale && !swing.isPlaying && !isPlaying) return;
     this.isStale = false;
     this.draw();
   }
 
   private draw(): void {
+    this.files.layFloors();
     this.renderer.setScissorTest(false);
     this.renderer.clear();
     this.renderer.setScissorTest(true);
     this.layout.regions().forEach((region, i) => this.drawPane(region, this.layout.isOverlaid && i > 0));
+    if (this.panes.original.mesh) this.axes.draw(this.renderer, this.orbit.camera, this.orbit.rotation);
   }
 
   private drawPane({ name, picture, visible }: PaneRegion, isOverlay: boolean): void {

@@ -18,6 +18,7 @@ import type {
   GuardFinding,
 } from '../../engine/body/body_result';
 import type { HealthNote } from '../../engine/body/health';
+import type { FileContents } from '../../engine/document/facts/contents';
 import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
 import type { Report } from '../../engine/report/report';
@@ -35,11 +36,38 @@ export interface Started {
   job: Int32Array | null;
 }
 
+export interface OpenedBody {
+  name: string;
+  faces: number;
+  /** its number among the meshes of the file */
+  mesh: number;
+  /** from the space of the mesh to that of the scene, column by column */
+  nodeMatrix: number[];
+  /** null: it cannot be used, and stays as it is in every export */
+  health: HealthNote[] | null;
+}
+
+/** Which body of how many a call works on. */
+export interface Part {
+  number: number;
+  of: number;
+}
+
+/** What the worker tells while a call runs. */
+export interface CallProgress extends Progress {
+  /** absent: the file has one body, or work has begun on none */
+  part?: Part;
+}
+
 export interface OpenedFile {
   name: string;
   format: string;
-  /** `mesh`: its number among the meshes of the file */
-  bodies: { name: string; faces: number; mesh: number }[];
+  bodies: OpenedBody[];
+  /** the first body that can be used */
+  first: number;
+  contents: FileContents;
+  /** bytes of all its files */
+  size: number;
   notes: string[];
   /** what an export leaves out, in plain words */
   dropped: string[];
@@ -71,6 +99,8 @@ export interface PinsResult {
 export interface StrainOverview {
   /** strips[ordinal * STRIP + i]: mean strain rank of that mode along the body's longest axis */
   strips: Float32Array;
+  /** ranks[ordinal * faces + t]: the strain rank of triangle t in that mode, 255 the highest */
+  ranks: Uint8Array;
   /** shared[a * modesPerComponent + b]: the part of the hot faces of ordinal a that are hot in ordinal b too, see report/hot_spots.ts */
   shared: Float32Array;
 }
@@ -156,6 +186,8 @@ export interface ExportResult {
   /** all files of the result, that one first */
   files: SourceFile[];
   validation: Validation;
+  /** of the file as it was opened; null where the validator does not know its format */
+  inputValidation: Validation | null;
   report: Report;
   faces: number;
   /** the most faces that all bodies together may have: `--faces` of the command line */
@@ -183,6 +215,20 @@ export interface SharesResult extends SharedFaces {
   key: string;
 }
 
+/** The result in its file, as it is drawn with its materials. */
+export interface ResultFile {
+  /** a GLB; not checked by the validator */
+  bytes: Uint8Array;
+  /** per body of the file: how many faces it has; 0 where it stays out */
+  faces: number[];
+  /** see resultFileKey */
+  key: string;
+}
+
+/** Text that is equal where two results are the same file. */
+export const resultFileKey = (settings: Settings, kept: KeptFaces): string =>
+  exportKey(settings, kept, { fields: false, binding: false, output: '' });
+
 /** Text that is equal where faces are shared out in the same way. */
 export const sharesKey = (settings: Settings, kept: KeptFaces): string =>
   [keyOf(errorCurveStage, settings), settings.maxDeviation, settings.perBody, JSON.stringify(kept)].join(
@@ -198,8 +244,12 @@ export function exportKey(settings: Settings, kept: KeptFaces, request: ExportRe
 
 /** Every call throws an Error with one sentence; a cancelled one an Error whose message is CANCELLED. */
 export interface WorkerApi {
-  start(wasmFolder: string, threads: number, onProgress: (progress: Progress) => void): Promise<Started>;
+  start(wasmFolder: string, threads: number, onProgress: (progress: CallProgress) => void): Promise<Started>;
   open(files: SourceFile[]): Promise<OpenedFile>;
+  /** The open file as a GLB, with what belongs to it packed in. */
+  original(): Promise<Uint8Array>;
+  /** The file with the result of every body, without the validator's verdict. */
+  resultFile(settings: Settings, kept: KeptFaces): Promise<ResultFile>;
   prepare(body: number, settings: Settings): Promise<BodySummary>;
   /** Throws where the text of the pins names what the body does not have. */
   pins(body: number, settings: Settings): Promise<PinsResult>;
