@@ -1,29 +1,54 @@
-/** What the page opens by itself: the last session of this tab, what a link asks for, or the first sample. */
+/** What the page opens by itself: the last session of this tab or what a link asks for; otherwise it starts empty. */
 
 import { openSample, samples } from './files/samples';
 import { awaited, describeFormerLink, describeLinkError, readLink } from './state/link';
 import type { Wanted } from './state/link';
 import { openFiles } from './state/runner';
-import { savedSession } from './state/saved_session';
+import { lastSession, savedSession } from './state/saved_session';
+import type { Session } from './state/saved_session';
 import { results, status, wants } from './state/store';
 import type { Notice } from './state/store';
-
-const FIRST_SAMPLE = 'tower';
 
 /** Call this after `loadSamples`. */
 export async function openAtStart(): Promise<void> {
   const wanted = readHash();
   const saved = wanted ? null : await savedSession();
-  if (saved) {
-    const opening = openFiles(saved.files, saved.wanted);
-    saved.show();
-    return opening;
-  }
+  if (saved) return bringBack(saved);
   const named = new URLSearchParams(location.search).get('sample');
   const asked = samples.value.find(({ id, file }) => id === named || file === wanted?.file);
   if (!asked && wanted?.file) return waitForFile(wanted);
-  const first = asked ?? samples.value.find(({ id }) => id === FIRST_SAMPLE);
-  if (first) await openSample(first, wanted ?? undefined);
+  if (asked) return openSample(asked, wanted ?? undefined);
+  if (wanted) awaited.value = wanted;
+  else await offerLastSession();
+}
+
+function bringBack(session: Session): Promise<void> {
+  afterOpening(() => session.show());
+  return openFiles(session.files, session.wanted);
+}
+
+/** Offers the work of the last tab that was closed, as long as nothing is open. */
+async function offerLastSession(): Promise<void> {
+  const session = await lastSession();
+  if (!session || results.file.value || status.busy.value || status.notice.value) return;
+  const run = (): void => void bringBack(session);
+  status.notice.value = {
+    kind: 'info',
+    text: `Your last work, ${session.name}, is kept on this computer.`,
+    action: { label: 'Open it', run },
+  };
+}
+
+/** Runs `show` once files are open. */
+function afterOpening(show: () => void): void {
+  const before = results.opened.value;
+  const stop = results.opened.subscribe((opened) => {
+    if (opened === before) return;
+    queueMicrotask(() => {
+      stop();
+      show();
+    });
+  });
 }
 
 /** What the link asks for; null without a link. A link with an error is reported, and the page starts without it. */
@@ -43,15 +68,10 @@ function readHash(): Wanted | null {
   }
 }
 
-/** Shows the notice after the first file is open, as opening it removes earlier ones. */
+/** Shows the notice now, and again after the first file is open, as opening it removes earlier ones. */
 function showAfterOpening(notice: Notice): void {
-  const stop = results.opened.subscribe((opened) => {
-    if (opened === 0) return;
-    queueMicrotask(() => {
-      stop();
-      status.notice.value = notice;
-    });
-  });
+  status.notice.value = notice;
+  afterOpening(() => (status.notice.value = notice));
 }
 
 /** Keeps what a link asks of a file until the user opens that file, as a link cannot carry it. */

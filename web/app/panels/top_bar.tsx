@@ -1,6 +1,7 @@
 /** The bar at the top: brand, files, steps, and the tools of the whole page. */
 
 import { pickFiles } from '../files/files';
+import { isReloadFaster, reloadPage } from '../state/offline';
 import { results, status, view, wants } from '../state/store';
 import type { Step, Theme } from '../state/store';
 import { Samples } from './model/samples';
@@ -67,6 +68,17 @@ function Steps() {
 
 function ThreadNote() {
   if (status.threads.value !== 1) return null;
+  if (isReloadFaster.value)
+    return (
+      <button
+        type="button"
+        class="chip"
+        title="A reload gives this page several threads; your work comes back."
+        onClick={reloadPage}
+      >
+        1 thread, reload for more
+      </button>
+    );
   return (
     <span
       class="chip"

@@ -7,10 +7,11 @@ import { fileDefaults } from '../../engine/settings/options';
 import { STAGES } from '../../engine/stages/stages';
 import { CANCELLED, exportKey, sharesKey } from '../worker/protocol';
 import type { ExportRequest, PinsResult } from '../worker/protocol';
-import { Client } from './client';
+import { WorkerLost } from './client';
 import { takeAwaited } from './link';
 import type { Wanted } from './link';
 import { besideControl } from './refusal';
+import { client, complain, whileBusy } from './running';
 import { saveFiles, startSaving } from './saved_session';
 import { afterBody, afterHistory, keyed, of, ofFaces } from './task';
 import type { LevelStage, Task } from './task';
@@ -29,12 +30,9 @@ import {
 import { forgetUndo, startUndo, withoutUndo } from './undo';
 
 const REST_MILLISECONDS = 180;
-const SLOW_MILLISECONDS = 200;
 
 /** The wanted faces as they were when the slider last rested. */
 const restedFaces = signal(0);
-
-export const client = new Client(new URL('.', document.baseURI).href);
 
 /** Whether results are looked at. */
 const isReducing = (): boolean =>
@@ -257,7 +255,7 @@ export function resume(): void {
 /** Runs tasks from now on whenever the state asks for them. */
 export function startRunner(): void {
   startUndo();
-  startSaving();
+  void startSaving();
   void client
     .ready()
     .then(() => (status.threads.value = client.threads))
@@ -307,6 +305,8 @@ async function loop(): Promise<void> {
       task.result.value = value;
     } catch (error) {
       const isStopped = error instanceof Error && error.message === CANCELLED;
+      // It may end again for the same reason, so the user decides whether it runs again.
+      if (error instanceof WorkerLost) status.paused.value = task.what;
       if (!isStopped) complain(error);
       // The task is not tried again before its inputs change.
       if (!isStopped || status.paused.value !== null) {
@@ -319,25 +319,4 @@ async function loop(): Promise<void> {
   }
   looping = false;
   status.working.value = false;
-}
-
-function complain(error: unknown): void {
-  status.notice.value = { kind: 'error', text: error instanceof Error ? error.message : String(error) };
-}
-
-/** Shows what is going on while `make` runs, unless it is quick. */
-async function whileBusy<T>(what: string, make: () => Promise<T>): Promise<T> {
-  let frame = 0;
-  const show = () => {
-    status.busy.value = { what, progress: client.progress() };
-    frame = requestAnimationFrame(show);
-  };
-  const timer = setTimeout(show, SLOW_MILLISECONDS);
-  try {
-    return await make();
-  } finally {
-    clearTimeout(timer);
-    cancelAnimationFrame(frame);
-    status.busy.value = null;
-  }
 }

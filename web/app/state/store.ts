@@ -33,6 +33,8 @@ export type Theme = 'system' | 'light' | 'dark';
 export interface Notice {
   kind: 'error' | 'info';
   text: string;
+  /** a button beside the text */
+  action?: { label: string; run(): void };
 }
 
 /** What the user wants. */

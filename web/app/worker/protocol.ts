@@ -194,7 +194,13 @@ export function exportKey(settings: Settings, kept: KeptFaces, request: ExportRe
 
 /** Every call throws an Error with one sentence; a cancelled one an Error whose message is CANCELLED. */
 export interface WorkerApi {
-  start(wasmFolder: string, threads: number, onProgress: (progress: Progress) => void): Promise<Started>;
+  /** `lifeLock`: see keepAlive. */
+  start(
+    wasmFolder: string,
+    threads: number,
+    onProgress: (progress: Progress) => void,
+    lifeLock: string,
+  ): Promise<Started>;
   open(files: SourceFile[]): Promise<OpenedFile>;
   prepare(body: number, settings: Settings): Promise<BodySummary>;
   /** Throws where the text of the pins names what the body does not have. */
@@ -220,3 +226,6 @@ export interface WorkerApi {
 }
 
 export const CANCELLED = 'cancelled';
+
+/** How the message of an Error begins after which the core cannot be used any more; the reason follows. */
+export const CORE_BROKEN = 'core broken: ';

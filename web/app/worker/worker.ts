@@ -19,7 +19,8 @@ import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { carrySettingErrors } from './errors';
 import { exportAll } from './exporting';
-import { CANCELLED, exportKey, sharesKey } from './protocol';
+import { keepAlive } from './life';
+import { CANCELLED, CORE_BROKEN, exportKey, sharesKey } from './protocol';
 import type { KeptFaces, WorkerApi } from './protocol';
 import { strainOverview } from './strain_overview';
 
@@ -42,6 +43,7 @@ async function translateErrors<T>(make: () => T | Promise<T>): Promise<T> {
   try {
     return await make();
   } catch (error) {
+    if (error instanceof WebAssembly.RuntimeError) throw new Error(CORE_BROKEN + error.message);
     throw error instanceof Error && error.name === 'Cancelled' ? new Error(CANCELLED) : error;
   }
 }
@@ -62,7 +64,8 @@ const HALF = 0.5;
 const ZIP_TIME = new Date(1980, 0, 1);
 
 const api: WorkerApi = {
-  start: async (wasmFolder, threads, onProgress) => {
+  start: async (wasmFolder, threads, onProgress, lifeLock) => {
+    await keepAlive(lifeLock);
     core = await loadCore({ wasmFolder, threads, onProgress: (progress) => onProgress(progress) });
     return { threads: core.threads, job: core.job };
   },
