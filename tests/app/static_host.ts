@@ -8,7 +8,6 @@ import { tmpdir } from 'node:os';
 import { extname, join, normalize } from 'node:path';
 
 const types: Record<string, string> = {
-  '': 'text/html',
   '.html': 'text/html',
   '.js': 'text/javascript',
   '.mjs': 'text/javascript',
@@ -38,7 +37,10 @@ export async function startHost(): Promise<StaticHost> {
     const path = normalize(new URL(request.url!, 'http://localhost').pathname);
     const name = path.startsWith(PREFIX) ? path.slice(PREFIX.length) || 'index.html' : 'none';
     readFile(join(folder, name)).then(
-      (bytes) => response.writeHead(200, { 'content-type': types[extname(name)] }).end(bytes),
+      (bytes) =>
+        response
+          .writeHead(200, { 'content-type': types[extname(name)] ?? 'application/octet-stream' })
+          .end(bytes),
       () => response.writeHead(404).end(),
     );
   });

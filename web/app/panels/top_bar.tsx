@@ -68,24 +68,25 @@ function Steps() {
 
 function ThreadNote() {
   if (status.threads.value !== 1) return null;
-  if (isReloadFaster.value)
-    return (
-      <button
-        type="button"
-        class="chip"
-        title="A reload gives this page several threads; your work comes back."
-        onClick={reloadPage}
-      >
-        1 thread, reload for more
-      </button>
-    );
   return (
-    <span
-      class="chip"
-      title="This page has no shared memory (COOP and COEP headers), so the core runs on one thread. Everything works."
-    >
-      1 thread
-    </span>
+    <>
+      <span
+        class="chip"
+        title="This page has no shared memory (COOP and COEP headers), so the core runs on one thread. Everything works."
+      >
+        1 thread
+      </span>
+      {isReloadFaster.value && (
+        <button
+          type="button"
+          class="quiet"
+          title="A reload gives this page several threads; your work comes back."
+          onClick={reloadPage}
+        >
+          Reload for more
+        </button>
+      )}
+    </>
   );
 }
 
