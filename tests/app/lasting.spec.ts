@@ -6,11 +6,22 @@ import { drop, goTo, keepFaces, keptFaces, openPage, readout, writeScratch } fro
 const sheet = writeScratch('lasting.obj', sheetObj(16));
 const larger = writeScratch('larger.obj', sheetObj(90));
 
-/** Ends the worker of the page as a browser does that runs out of memory: without an event. */
-async function killWorker(page: Page): Promise<void> {
-  const own = page.workers().find((worker) => /\/worker-[^/]*\.js$/.test(worker.url()));
-  await own!.evaluate(() => close());
-}
+/** Lets the test end workers of the page. */
+const followWorkers = (page: Page) =>
+  page.addInitScript(() => {
+    const workers: Worker[] = [];
+    Object.assign(window, { workers });
+    window.Worker = class extends Worker {
+      constructor(address: string | URL, options?: WorkerOptions) {
+        super(address, options);
+        if (/worker-[^/]*\.js$/.test(String(address))) workers.push(this);
+      }
+    };
+  });
+
+/** Ends the worker of the page as a browser does that runs out of memory: without an event, and amid its work. */
+const killWorker = (page: Page) =>
+  page.evaluate(() => (window as unknown as { workers: Worker[] }).workers.at(-1)!.terminate());
 
 async function openSheet(page: Page, path = sheet): Promise<void> {
   await drop(page, path);
@@ -18,6 +29,7 @@ async function openSheet(page: Page, path = sheet): Promise<void> {
 }
 
 test('a worker that has ended is noticed and started again, and the work goes on', async ({ page }) => {
+  await followWorkers(page);
   await openPage(page);
   await openSheet(page);
   await goTo(page, 'Reduce');
@@ -32,19 +44,13 @@ test('a worker that has ended is noticed and started again, and the work goes on
 });
 
 test('a worker that ends while it computes is noticed, and the work is offered again', async ({ page }) => {
+  await followWorkers(page);
   await openPage(page);
   await openSheet(page, larger);
   await goTo(page, 'Reduce');
   await expect(page.locator('.notice.busy')).toBeVisible();
-  const { length } = page.workers();
-  // A computing worker runs no code of a test, so the browser ends it.
-  const browser = await page.context().newCDPSession(page);
-  const { targetInfos } = await browser.send('Target.getTargets');
-  const target = targetInfos.find(({ type, url }) => type === 'worker' && /\/worker-[^/]*\.js$/.test(url));
-  if (target) await browser.send('Target.closeTarget', { targetId: target.targetId });
-  else await killWorker(page);
+  await killWorker(page);
   await expect(page.getByRole('alert')).toContainText('The computation has stopped unexpectedly');
-  expect(length).toBeGreaterThan(0);
   await page.getByRole('button', { name: 'Run again' }).click();
   await expect(keptFaces(page)).toBeEnabled();
 });
@@ -115,24 +121,18 @@ test('a lost context comes back with its picture', async ({ page }) => {
   await openSheet(page);
   const canvas = page.locator('.viewport canvas');
   const before = await canvas.screenshot();
-  const wait = (name: string) =>
-    canvas.evaluate(
-      (element, event) => new Promise((r) => element.addEventListener(event, r, { once: true })),
-      name,
-    );
-  await page.evaluate(() => {
-    const gl = document.querySelector<HTMLCanvasElement>('.viewport canvas')!.getContext('webgl2')!;
-    Object.assign(window, { lost: gl.getExtension('WEBGL_lose_context') });
+  await canvas.evaluate(async (element: HTMLCanvasElement) => {
+    const wait = (name: string) =>
+      new Promise((resolve) => element.addEventListener(name, resolve, { once: true }));
+    const loss = element.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
+    const lost = wait('webglcontextlost');
+    loss.loseContext();
+    await lost;
+    const restored = wait('webglcontextrestored');
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    loss.restoreContext();
+    await restored;
   });
-  const end = (name: 'loseContext' | 'restoreContext') =>
-    page.evaluate((call) => (window as unknown as { lost: WEBGL_lose_context }).lost[call](), name);
-  const lost = wait('webglcontextlost');
-  await end('loseContext');
-  await lost;
-  const restored = wait('webglcontextrestored');
-  await page.waitForTimeout(100);
-  await end('restoreContext');
-  await restored;
   await expect(async () => {
     expect((await canvas.screenshot()).equals(before)).toBe(true);
   }).toPass();
