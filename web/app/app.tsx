@@ -2,13 +2,14 @@
 
 import { signal } from '@preact/signals';
 import { openDropped } from './files/files';
-import { DropZone } from './panels/model/drop_zone';
 import { ExportPanel } from './panels/export/export_panel';
 import { Gallery } from './panels/motion/gallery';
 import { Help } from './panels/help';
 import { ModelFacts, ReadingPanel } from './panels/model/model_panel';
 import { MotionPanel } from './panels/motion/motion_panel';
 import { Notices } from './panels/notices';
+import { FirstHint } from './panels/start/first_hint';
+import { StartScreen } from './panels/start/start_screen';
 import { Readouts } from './panels/readouts';
 import { ReducePanel } from './panels/reduce/reduce_panel';
 import { Scrubber } from './panels/reduce/scrubber';
@@ -23,7 +24,7 @@ const isDraggedOver = signal(false);
 export function App() {
   return (
     <div
-      class={`page step-${view.step.value}`}
+      class={`page step-${view.step.value}${results.file.value ? '' : ' empty-page'}`}
       onDragOver={(event) => {
         event.preventDefault();
         isDraggedOver.value = true;
@@ -38,15 +39,17 @@ export function App() {
       }}
     >
       <TopBar />
-      <aside class="panel left" aria-label="Model">
-        <ModelFacts />
-      </aside>
+      {results.file.value && (
+        <aside class="panel left" aria-label="Model">
+          <ModelFacts />
+        </aside>
+      )}
       <main>
         <ViewportView />
-        {!results.file.value && <DropZone />}
+        {!results.file.value && <StartScreen />}
         <Notices />
       </main>
-      <StepPanel />
+      {results.file.value && <StepPanel />}
       <footer>
         {results.file.value && <StepFooter />}
         <Readouts />
@@ -61,6 +64,7 @@ function StepPanel() {
   if (wants.exportOpen.value) return <ExportPanel />;
   return (
     <aside class="panel right" aria-label="Settings of this step">
+      <FirstHint />
       {view.step.value === 'model' && <ReadingPanel />}
       {view.step.value === 'motion' && <MotionPanel />}
       {view.step.value === 'reduce' && <ReducePanel />}

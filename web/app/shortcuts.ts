@@ -1,22 +1,33 @@
 /** What keys do outside of text fields. */
 
 import { pickFiles } from './files/files';
+import { isWireShown } from './panels/viewport/show_bodies';
 import { viewportHandle } from './panels/viewport/viewport_view';
 import { cancelRunning } from './state/runner';
 import { reset, stepOnce } from './state/simulation';
 import { twin } from './state/twin';
 import { redo, undo } from './state/undo';
-import { isBrushing, isPicking, isSharing, keepFaces, results, slider, view, wants } from './state/store';
+import {
+  chooseField,
+  isBrushing,
+  isPicking,
+  isSharing,
+  keepFaces,
+  results,
+  slider,
+  view,
+  wants,
+} from './state/store';
 import { blink, LAYOUT_NAMES } from './panels/reduce/compare';
 import { BRUSH_RADIUS } from './panels/reduce/brush_section';
 
 const PLAIN: Record<string, () => void> = {
-  ' ': () => (view.playing.value = !view.playing.value),
+  ' ': playOrPause,
   f: () => viewportHandle.current?.fit(),
-  w: () => (view.wire.value = !view.wire.value),
-  '1': () => (view.field.value = 'none'),
-  '2': () => (view.field.value = 'strain'),
-  '3': () => (view.field.value = 'curvature'),
+  w: () => (view.wire.value = !isWireShown()),
+  '1': () => chooseField('none'),
+  '2': () => chooseField('strain'),
+  '3': () => chooseField('curvature'),
   b: blink,
   v: () =>
     (view.layout.value = LAYOUT_NAMES[(LAYOUT_NAMES.indexOf(view.layout.value) + 1) % LAYOUT_NAMES.length]),
@@ -32,6 +43,13 @@ const PLAIN: Record<string, () => void> = {
   ']': () => sizeBrush(1.25),
   '?': () => (view.helpOpen.value = !view.helpOpen.value),
 };
+
+/** Meshes rest on the Reduce step unless they are asked to swing. */
+function playOrPause(): void {
+  const { playing, swings, step } = view;
+  if (step.value === 'reduce') swings.value = !swings.value;
+  else playing.value = !playing.value;
+}
 
 /** The keys that differ on the Test step. */
 const SIMULATE: Record<string, () => void> = {

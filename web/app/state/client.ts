@@ -3,12 +3,11 @@
 import { proxy, wrap } from 'comlink';
 import type { Remote } from 'comlink';
 import { PHASES } from '../../engine/core/core';
-import type { Progress } from '../../engine/core/core';
 import type { SourceFile } from '../../engine/document/open';
 import { carrySettingErrors } from '../worker/errors';
 import { watchLife } from '../worker/life';
 import { CANCELLED, CORE_BROKEN } from '../worker/protocol';
-import type { OpenedFile, Started, WorkerApi } from '../worker/protocol';
+import type { CallProgress, OpenedFile, Started, WorkerApi } from '../worker/protocol';
 
 carrySettingErrors();
 
@@ -30,7 +29,7 @@ export class Client {
   private current!: Running;
   private started: Promise<Started>;
   private job: Int32Array | null = null;
-  private lastProgress: Progress | null = null;
+  private lastProgress: CallProgress | null = null;
   private files: SourceFile[] | null = null;
   private abandon: ((error: Error) => void) | null = null;
   threads = 1;
@@ -49,7 +48,7 @@ export class Client {
     let isStarted = false;
     const onError = (why: string) => (isStarted ? this.lose(current, why) : current.end(new WorkerLost(why)));
     const current = (this.current = openWorker(onError));
-    const onProgress = proxy((progress: Progress) => (this.lastProgress = progress));
+    const onProgress = proxy((progress: CallProgress) => (this.lastProgress = progress));
     const lock = `limber-worker-${crypto.randomUUID()}`;
     const starting = current.remote.start(new URL('wasm/', this.base).href, 0, onProgress, lock);
     const started = await Promise.race([starting, current.ended]);
@@ -121,10 +120,10 @@ export class Client {
   }
 
   /** Progress of the running call, read from shared memory or from the last message of the worker. */
-  progress(): Progress | null {
+  progress(): CallProgress | null {
     if (!this.job) return this.lastProgress;
     const [phase, fraction] = [Atomics.load(this.job, 1), Atomics.load(this.job, 2) / 10000];
-    return { phase: PHASES[phase], fraction };
+    return { phase: PHASES[phase], fraction, part: this.lastProgress?.part };
   }
 
   /** Whether a running call can be stopped without losing what the worker has computed. */

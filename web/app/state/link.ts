@@ -27,7 +27,7 @@ export const awaited = signal<Wanted | null>(null);
 /** Takes the awaited request if it is for the file of this name. */
 export function takeAwaited(name: string): Wanted | undefined {
   const wanted = awaited.value;
-  if (!wanted?.file || lastPart(wanted.file) !== lastPart(name)) return undefined;
+  if (!wanted || (wanted.file !== null && lastPart(wanted.file) !== lastPart(name))) return undefined;
   awaited.value = null;
   return wanted;
 }

@@ -1,11 +1,11 @@
 /** Runs tasks in the worker, in their order, whenever the key of one differs from the key that its result was made from. */
 
-import { batch, effect, signal, untracked } from '@preact/signals';
+import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { faceCount } from '../../engine/core/mesh';
 import { fileDefaults } from '../../engine/settings/options';
 import { STAGES } from '../../engine/stages/stages';
-import { CANCELLED, exportKey, sharesKey } from '../worker/protocol';
+import { CANCELLED, exportKey, resultFileKey, sharesKey } from '../worker/protocol';
 import type { ExportRequest, PinsResult } from '../worker/protocol';
 import { WorkerLost } from './client';
 import { takeAwaited } from './link';
@@ -13,11 +13,12 @@ import type { Wanted } from './link';
 import { besideControl } from './refusal';
 import { client, complain, whileBusy } from './running';
 import { saveFiles, startSaving } from './saved_session';
-import { afterBody, afterHistory, keyed, of, ofFaces } from './task';
+import { afterBody, afterHistory, keyed, keyedByFile, of, ofFaces } from './task';
 import type { LevelStage, Task } from './task';
 import { isTuningWanted } from './twin';
 import {
   changeSettings,
+  isFileDrawn,
   keptFaces,
   results,
   shownMesh,
@@ -56,6 +57,13 @@ const tasks: Task[] = [
     key: keyed(of(STAGES.prepared)),
     run: () => client.call((worker) => worker.prepare(body(), settings())),
     result: results.body,
+  },
+  {
+    what: 'Reading the materials',
+    key: () => (results.body.value && canDrawFile() ? keyedByFile(() => 'original')() : null),
+    run: () => client.call((worker) => worker.original()),
+    result: results.originalFile,
+    isOfFile: true,
   },
   {
     what: 'Finding pins',
@@ -125,6 +133,14 @@ const tasks: Task[] = [
     result: results.exported,
   },
   {
+    what: 'Dressing the result in its materials',
+    key: () => (isResultFileWanted() ? keyedByFile(resultFileNow)() : null),
+    run: () => client.call((worker) => worker.resultFile(settings(), keptFaces.value)),
+    result: results.resultFile,
+    isOfFile: true,
+    isPatient: true,
+  },
+  {
     what: 'Asking why vertices stay',
     key: () =>
       view.step.value === 'reduce' && view.hover.value !== null && results.metrics.value !== null
@@ -143,13 +159,36 @@ const tasks: Task[] = [
   },
 ];
 
+/** Larger files are drawn body by body, without their materials. */
+const MOST_FACES_DRAWN = 600_000;
+
+const canDrawFile = (): boolean =>
+  results.file.value!.bodies.reduce((sum, { faces }) => sum + faces, 0) <= MOST_FACES_DRAWN;
+
+const resultFileNow = (): string => resultFileKey(settings(), keptFaces.value);
+
+/** The file of the shown result; null while it is still to be made. */
+export const shownResultFile = computed(() => {
+  const { value: made } = results.resultFile;
+  return made?.key === resultFileNow() ? made : null;
+});
+
+const isResultFileWanted = (): boolean =>
+  view.step.value === 'reduce' &&
+  isFileDrawn.value &&
+  results.metrics.value !== null &&
+  restedFaces.value === wantedFaces.value &&
+  canDrawFile() &&
+  isStoppable();
+
 /** Without shared memory a patient task can only be stopped by a fresh worker, which has everything to do again. */
 const MOST_FACES_UNSTOPPABLE = 20_000;
 
 const isMarkingWanted = (): boolean =>
-  view.step.value === 'reduce' &&
-  results.metrics.value !== null &&
-  (client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE);
+  view.step.value === 'reduce' && results.metrics.value !== null && isStoppable();
+
+const isStoppable = (): boolean =>
+  client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE;
 
 /** Pins that the body does not have are refused with a sentence, and the earlier ones stay; a new file begins with none. */
 async function findPins(): Promise<unknown> {
@@ -208,10 +247,12 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
         for (const task of tasks) task.result.value = null;
         results.file.value = file;
         results.opened.value += 1;
-        wants.body.value = wanted && wanted.body < file.bodies.length ? wanted.body : 0;
+        wants.body.value = wanted && wanted.body < file.bodies.length ? wanted.body : file.first;
         wants.faces.value = wanted?.faces ?? null;
         wants.own.value = new Map();
         wants.exportOpen.value = false;
+        view.hidden.value = new Set();
+        view.animated.value = false;
         if (wanted) wants.settings.value = wanted.settings;
         else changeSettings(fileDefaults());
         status.refusedPins.value = null;
@@ -230,9 +271,10 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
 export function showBody(index: number): void {
   if (index === wants.body.value) return;
   if (running) client.cancel();
-  done.clear();
+  const ofBody = tasks.filter((task) => !task.isOfFile);
+  for (const task of ofBody) done.delete(task);
   batch(() => {
-    for (const task of tasks) task.result.value = null;
+    for (const task of ofBody) task.result.value = null;
     wants.body.value = index;
   });
   forgetUndo();

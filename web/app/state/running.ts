@@ -1,8 +1,8 @@
 /** The one client of the page, what is said while it computes, and what is said when that fails. */
 
-import type { Progress } from '../../engine/core/core';
 import { Client, WorkerLost } from './client';
 import { isMissingFile, reloadPage } from './offline';
+import type { CallProgress } from '../worker/protocol';
 import { status } from './store';
 import type { Notice } from './store';
 
@@ -39,10 +39,11 @@ function noticeOf(error: unknown): Notice {
 /** Shows what is going on while `make` runs, unless it is quick. */
 export async function whileBusy<T>(what: string, make: () => Promise<T>): Promise<T> {
   let frame = 0;
+  const begin = performance.now();
   const isStuck = stuckness();
   const show = () => {
     const progress = client.progress();
-    status.busy.value = { what, progress };
+    status.busy.value = { what, progress, seconds: (performance.now() - begin) / 1000 };
     if (isStuck(progress)) offerRestart(what);
     frame = requestAnimationFrame(show);
   };
@@ -57,7 +58,7 @@ export async function whileBusy<T>(what: string, make: () => Promise<T>): Promis
 }
 
 /** Tells once when the progress has stayed the same for too long. */
-function stuckness(): (progress: Progress | null) => boolean {
+function stuckness(): (progress: CallProgress | null) => boolean {
   let [last, since, isTold] = ['', performance.now(), false];
   return (progress) => {
     const [text, now] = [JSON.stringify(progress), performance.now()];

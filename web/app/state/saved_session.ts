@@ -4,7 +4,7 @@ import { effect } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { readLink, writeLink } from './link';
 import type { Wanted } from './link';
-import { results, view, wants } from './store';
+import { chooseField, results, shownField, view, wants } from './store';
 import type { FieldName, Layout, Step } from './store';
 import { liveTabs, ownTab } from './tabs';
 import { readUndo, restoreUndo } from './undo';
@@ -53,7 +53,7 @@ export async function startSaving(): Promise<void> {
       link: writeLink({ settings, faces, body, file }),
       step: view.step.value,
       layout: view.layout.value,
-      field: view.field.value,
+      field: shownField.value,
       undo: readUndo(),
     };
     if (file === null) return;
@@ -133,7 +133,7 @@ async function sessionOf(id: string): Promise<Session | null> {
     const show = () => {
       view.step.value = step;
       view.layout.value = layout;
-      view.field.value = field;
+      chooseField(field);
       restoreUndo(undo);
     };
     return { name: wanted.file ?? files[0].name, files, wanted, show };

@@ -11,6 +11,9 @@ export const isDark = computed(() =>
   view.theme.value === 'system' ? systemIsDark.value : view.theme.value === 'dark',
 );
 
+/** Whether the system asks for less motion, now. */
+export const isMotionReduced = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;
+
 /** What the viewport draws with; the colours of the page itself are in styles/tokens.css. */
 const LIGHT = {
   clay: '#b9c8d4',

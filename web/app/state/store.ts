@@ -2,7 +2,7 @@
 
 import { faceCount } from '../../engine/core/mesh';
 import { computed, signal } from '@preact/signals';
-import type { Curvature, MeshAt, Progress, StrainGuidance } from '../../engine/core/core';
+import type { Curvature, MeshAt, StrainGuidance } from '../../engine/core/core';
 import { defaultSettings } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { keyOf } from '../../engine/stages/stage';
@@ -18,7 +18,9 @@ import type {
   ModesResult,
   OpenedFile,
   PinsResult,
+  CallProgress,
   KeptFaces,
+  ResultFile,
   ResultMetrics,
   SharesResult,
   WhyResult,
@@ -27,6 +29,7 @@ import type {
 export type Step = 'model' | 'motion' | 'reduce' | 'test';
 export type Layout = 'both' | 'slider' | 'original' | 'optimized';
 export type FieldName = 'none' | 'strain' | 'curvature';
+export type LookName = 'textured' | 'matcap' | 'clay' | 'checker';
 export type BrushTool = 'keep' | 'lock' | 'erase';
 export type Theme = 'system' | 'light' | 'dark';
 
@@ -69,6 +72,9 @@ export const results = {
   metrics: signal<ResultMetrics | null>(null),
   why: signal<WhyResult | null>(null),
   exported: signal<ExportResult | null>(null),
+  /** the file as a GLB, to be drawn with its materials */
+  originalFile: signal<Uint8Array | null>(null),
+  resultFile: signal<ResultFile | null>(null),
 };
 
 /** How bodies are shown. */
@@ -77,8 +83,21 @@ export const view = {
   layout: signal<Layout>('both'),
   /** the share of the viewport that shows the original in the slider layout */
   split: signal(0.5),
-  field: signal<FieldName>('strain'),
-  wire: signal(true),
+  /** what the mesh is coloured by on each step */
+  fields: signal<Record<Step, FieldName>>({ model: 'none', motion: 'strain', reduce: 'none', test: 'none' }),
+  /** how a mesh without a field looks */
+  look: signal<LookName>('textured'),
+  isFlat: signal(false),
+  /** whether the stage shows the whole scene, and not the chosen body alone */
+  isWhole: signal(true),
+  /** numbers of bodies that are not shown */
+  hidden: signal<ReadonlySet<number>>(new Set()),
+  /** whether the file's own animation plays */
+  animated: signal(false),
+  /** whether the meshes swing on the Reduce step */
+  swings: signal(false),
+  /** null: where triangles are large enough to be told apart */
+  wire: signal<boolean | null>(null),
   playing: signal(!matchMedia('(prefers-reduced-motion: reduce)').matches),
   amplitude: signal(8),
   speed: signal(1),
@@ -100,7 +119,7 @@ export const view = {
 export const status = {
   /** whether stages are running or about to run */
   working: signal(false),
-  busy: signal<{ what: string; progress: Progress | null } | null>(null),
+  busy: signal<{ what: string; progress: CallProgress | null; seconds: number } | null>(null),
   /** the stage that the user has cancelled, and that waits to be run again */
   paused: signal<string | null>(null),
   notice: signal<Notice | null>(null),
@@ -108,6 +127,13 @@ export const status = {
   refusedPins: signal<Refusal | null>(null),
   threads: signal(0),
 };
+
+/** What the mesh is coloured by on this step. */
+export const shownField = computed(() => view.fields.value[view.step.value]);
+
+export function chooseField(field: FieldName): void {
+  view.fields.value = { ...view.fields.value, [view.step.value]: field };
+}
 
 export function changeSettings(change: Partial<Settings>): void {
   wants.settings.value = { ...wants.settings.value, ...change };
@@ -132,6 +158,13 @@ export const shownFit = computed(() => {
 export const shownWhy = computed(() => {
   const { value: why } = results.why;
   return why?.key === whyKey() ? why : null;
+});
+
+/** Whether the stage draws files with their materials, where it has them. */
+export const isFileDrawn = computed(() => {
+  const { value: step } = view.step;
+  if (shownField.value !== 'none' || isBrushing.value) return false;
+  return step === 'model' || (step === 'reduce' && !view.swings.value);
 });
 
 /** The key of the reasons for the shown result. */

@@ -16,6 +16,8 @@ export interface Task {
   result: Signal<unknown>;
   /** any other task goes before it, and stops it where it runs */
   isPatient?: boolean;
+  /** its result is the same for every body of the file */
+  isOfFile?: boolean;
 }
 
 /** null: the task is not needed now */
@@ -36,6 +38,12 @@ export const keyed =
   (make: () => string): Key =>
   () =>
     results.file.value ? `${results.opened.value} ${wants.body.value} ${make()}` : null;
+
+/** The same for the file as a whole, whichever body is shown. */
+export const keyedByFile =
+  (make: () => string): Key =>
+  () =>
+    results.file.value ? `${results.opened.value} ${make()}` : null;
 
 /** The same once the body is prepared. */
 export const afterBody =

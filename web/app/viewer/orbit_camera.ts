@@ -7,8 +7,8 @@ CameraControls.install({ THREE });
 
 /** From the body towards the eye, before it is normalised. */
 const DIRECTION: [number, number, number] = [0.75, 0.42, 1];
-/** The distance of the eye over that at which the bounding sphere just fits. */
-const MARGIN = 1.22;
+/** The share of the picture's height and width that a body fills, at most. */
+const FILL = 0.8;
 /** Farther away than this many radii a body would be a dot, and then nothing. */
 const FARTHEST = 40;
 
@@ -17,6 +17,8 @@ export class OrbitCamera {
   private readonly controls: CameraControls;
   /** how much farther away the eye is than the user has put it */
   private dollyFactor = 1;
+  /** from the space of the scene to that of what is shown */
+  readonly turn = new THREE.Quaternion();
 
   constructor(canvas: HTMLCanvasElement) {
     this.controls = new CameraControls(this.camera, canvas);
@@ -39,16 +41,40 @@ export class OrbitCamera {
     this.controls.setViewport(left, 0, width, height);
   }
 
-  /** Looks at a whole sphere. */
-  fit({ center, radius }: THREE.Sphere, isAnimated: boolean): void {
+  /** Turns what is up, left and in front; the next `fit` looks from there. */
+  setTurn(turn: THREE.Quaternion): void {
+    if (this.turn.equals(turn)) return;
+    this.turn.copy(turn);
+    this.camera.up.set(0, 1, 0).applyQuaternion(turn);
+    this.controls.updateCameraUp();
+  }
+
+  /** Looks at all of these points from the front, so near that they fill the picture. */
+  fit(points: THREE.Vector3[], isAnimated: boolean): void {
+    const { center, radius } = new THREE.Box3().setFromPoints(points).getBoundingSphere(new THREE.Sphere());
     this.dollyFactor = 1;
     this.camera.near = radius / 100;
     this.camera.far = radius * 100;
     this.controls.maxDistance = radius * FARTHEST;
     this.camera.updateProjectionMatrix();
-    const distance = (MARGIN * radius) / Math.sin(this.narrowHalfAngle());
-    const eye = new THREE.Vector3(...DIRECTION).normalize().multiplyScalar(distance).add(center);
+    const back = new THREE.Vector3(...DIRECTION).normalize().applyQuaternion(this.turn);
+    const eye = back
+      .clone()
+      .multiplyScalar(this.distanceFor(points, center, back))
+      .add(center);
     void this.controls.setLookAt(...eye.toArray(), ...center.toArray(), isAnimated);
+  }
+
+  /** How far from `center` the eye has to be, towards `back`, for all points to lie in the picture. */
+  private distanceFor(points: THREE.Vector3[], center: THREE.Vector3, back: THREE.Vector3): number {
+    const right = this.camera.up.clone().cross(back).normalize();
+    const above = back.clone().cross(right);
+    const tangent = FILL * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
+    return points.reduce((most, point) => {
+      const from = point.clone().sub(center);
+      const aside = Math.abs(from.dot(right)) / (tangent * this.camera.aspect);
+      return Math.max(most, from.dot(back) + Math.max(aside, Math.abs(from.dot(above)) / tangent));
+    }, 0);
   }
 
   /** Puts the eye at `factor` times the distance that the user has chosen. */
@@ -62,11 +88,5 @@ export class OrbitCamera {
     this.controls.update(0);
     this.camera.updateMatrixWorld();
     return points.reduce((most, point) => Math.max(most, Math.abs(point.project(this.camera).x)), 0);
-  }
-
-  /** Half the angle of view along the shorter side of the picture. */
-  private narrowHalfAngle(): number {
-    const half = THREE.MathUtils.degToRad(this.camera.fov / 2);
-    return Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
   }
 }

@@ -10,6 +10,7 @@ import { CollisionSceneView } from './collision_scene_view';
 import type { MapName } from './colours';
 import { Dots } from './dots';
 import type { SeenBody } from './seen_vertices';
+import { Stand } from './stand';
 import { surfaceMaterial } from './surface_material';
 import { isLarge, writePositions, writeValues } from './twin_surface';
 
@@ -20,6 +21,8 @@ export interface Look {
   clay: string;
   wire: string;
   wireStrength: number;
+  /** whether every triangle is shaded as flat as it is */
+  isFlat?: boolean;
   map: MapName;
 }
 
@@ -30,6 +33,7 @@ export class Pane {
   /** at the vertex under the pointer */
   readonly hoverDot: Dots;
   readonly collisionScene = new CollisionSceneView();
+  readonly stand = new Stand();
   mesh: TriangleMesh | null = null;
   private readonly body: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
   private groups: Uint32Array = new Uint32Array();
@@ -41,6 +45,8 @@ export class Pane {
   private amplitude = 0;
   private levels: Levels | null = null;
   private isPaintStale = false;
+  private isFileShown = false;
+  private isFlat = false;
 
   constructor(map: THREE.DataTexture, pixelRatio: number) {
     this.dots = new Dots(pixelRatio);
@@ -50,22 +56,39 @@ export class Pane {
     this.body.frustumCulled = false; // a swinging body leaves the bounds of its rest pose
     this.body.visible = false;
     this.scene.add(this.body, this.dots.points, this.hoverDot.points, this.collisionScene.group);
+    this.scene.add(this.stand.group);
   }
 
   show(mesh: TriangleMesh | null): void {
     this.body.geometry.dispose();
     this.mesh = mesh;
-    this.body.visible = mesh !== null;
+    this.showBody();
     const { geometry, groups } = mesh
       ? bodyGeometry(mesh)
       : { geometry: new THREE.BufferGeometry(), groups: new Uint32Array() };
     this.body.geometry = geometry;
     this.groups = groups;
     this.isMoved = false;
-    this.body.material.uniforms.isFlat.value = isLarge(mesh);
+    this.body.material.uniforms.isFlat.value = this.isFlat || isLarge(mesh);
     this.applyField();
     this.applyShape();
     this.isPaintStale = true;
+  }
+
+  /** Whether the whole file is drawn in place of the body alone, once it is there. */
+  showFile(isShown: boolean): void {
+    this.isFileShown = isShown;
+    this.showBody();
+  }
+
+  /** Whether the file is drawn now. */
+  get showsFile(): boolean {
+    return this.isFileShown && this.stand.model !== null;
+  }
+
+  showBody(): void {
+    this.body.visible = this.mesh !== null && !this.showsFile;
+    if (this.stand.model) this.stand.model.root.visible = this.showsFile;
   }
 
   /** Mesh, field and shape arrive in any order: a field or shape that does not fit the mesh waits for its own mesh. */
@@ -136,10 +159,11 @@ export class Pane {
   /** Draws the depth of the body alone, so that an overlay shows one surface where several lie behind each other. */
   drawDepth(draw: () => void): void {
     const { material } = this.body;
-    this.collisionScene.group.visible = this.dots.points.visible = false;
+    this.collisionScene.group.visible = this.dots.points.visible = this.stand.group.visible = false;
     material.colorWrite = false;
     draw();
     material.colorWrite = true;
+    this.stand.group.visible = true;
   }
 
   /** Wires of a body below an overlay would make those of the overlay illegible. */
@@ -147,10 +171,12 @@ export class Pane {
     this.areWiresHidden = areHidden;
   }
 
-  look({ clay, wire, wireStrength }: Look): void {
+  look({ clay, wire, wireStrength, isFlat = false }: Look): void {
+    this.isFlat = isFlat;
     const { uniforms } = this.body.material;
     uniforms.clay.value.set(this.overlayColour ?? clay);
     uniforms.wire.value.set(wire);
+    uniforms.isFlat.value = isFlat || isLarge(this.mesh);
     uniforms.wireStrength.value = this.areWiresHidden ? 0 : wireStrength;
   }
 

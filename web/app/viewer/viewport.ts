@@ -10,6 +10,7 @@ import { pointsToShow } from './collision_scene_view';
 import type { CollisionSceneLook, ShownCollisionScene } from './collision_scene_view';
 import { mapTexture } from './colours';
 import type { MapName } from './colours';
+import { AxesMark } from './axes_mark';
 import { Dots } from './dots';
 import type { DotLook } from './dots';
 import { OrbitCamera } from './orbit_camera';
@@ -17,8 +18,12 @@ import { Pane } from './pane';
 import type { Look } from './pane';
 import { PaneLayout } from './pane_layout';
 import type { PaneName, PaneRegion } from './pane_layout';
+import { roomLight } from './room_light';
+import { SceneModel } from './scene_model';
+import type { SceneLook } from './scene_model';
 import { nearestSeen, seenAt } from './seen_vertices';
 import type { ScreenPoint } from './seen_vertices';
+import { standingMatrix } from './stand';
 
 /** Swings per second at speed 1. */
 const SWING_FREQUENCY = 0.5;
@@ -34,6 +39,14 @@ export class Viewport {
   private readonly ring = new BrushRing();
   private lastColumns = 1;
   private scenePoints: THREE.Vector3[] = [];
+  private readonly axes = new AxesMark();
+  private hasFloor = false;
+  private isFloorStale = true;
+  /** corners of what stands in the scene, in the space of the shown body */
+  private corners: THREE.Vector3[] = [];
+  private animation = { isPlaying: false, seconds: 0 };
+  /** per pane: the latest file asked for */
+  private readonly asked: Record<PaneName, Uint8Array | null> = { original: null, optimized: null };
   private isStale = true;
   private swing = { isPlaying: false, amplitude: 0, speed: 1, phase: 0 };
 
@@ -43,6 +56,7 @@ export class Viewport {
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     // All panes are cleared at once.
     this.renderer.autoClear = false;
+    this.renderer.toneMapping = THREE.NeutralToneMapping;
     this.maps = { viridis: mapTexture('viridis'), cividis: mapTexture('cividis') };
     const ratio = this.renderer.getPixelRatio();
     const pane = (): Pane => new Pane(this.maps.viridis, ratio);
@@ -62,7 +76,77 @@ export class Viewport {
   /** Shows a mesh at rest in a pane; null empties the pane. */
   show(name: PaneName, mesh: TriangleMesh | null): void {
     this.panes[name].show(mesh);
+    this.isFloorStale = this.isStale = true;
+  }
+
+  /**
+   * Draws a whole file, a GLB, in a pane once it has been read; null removes it. Rejects with what the loader says of a file that
+   * it cannot read.
+   */
+  async showFile(name: PaneName, bytes: Uint8Array | null): Promise<void> {
+    if (this.asked[name] === bytes) return;
+    this.asked[name] = bytes;
+    const model = bytes && (await SceneModel.load(bytes));
+    if (this.asked[name] !== bytes) return model?.dispose();
+    const pane = this.panes[name];
+    pane.scene.environment ??= roomLight(this.renderer);
+    pane.stand.show(model);
+    this.lookAtFile(name, this.fileLook[name]);
+    if (model && name === 'original') this.fit(false);
+  }
+
+  private readonly fileLook: Record<PaneName, SceneLook | null> = { original: null, optimized: null };
+
+  /** How a pane's file is drawn; null: the body alone is drawn in its place. */
+  lookAtFile(name: PaneName, look: SceneLook | null): void {
+    const pane = this.panes[name];
+    this.fileLook[name] = look;
+    if (look) pane.stand.look(look);
+    pane.showFile(look !== null);
+    this.isFloorStale = this.isStale = true;
+  }
+
+  /** Whether the file of a pane is drawn. */
+  drawsFile(name: PaneName): boolean {
+    return this.panes[name].showsFile;
+  }
+
+  /** Plays the animation of the files, from its start; false: the rest pose. */
+  playFile(isPlaying: boolean): void {
+    if (isPlaying === this.animation.isPlaying) return;
+    this.animation = { isPlaying, seconds: 0 };
+    for (const { stand } of Object.values(this.panes)) stand.model?.pose(isPlaying ? 0 : null);
     this.isStale = true;
+  }
+
+  /** Says where the shown body stands in its scene, column by column. */
+  place(placement: readonly number[]): void {
+    const matrix = standingMatrix(placement);
+    const turn = new THREE.Quaternion().setFromRotationMatrix(new THREE.Matrix4().extractRotation(matrix));
+    this.orbit.setTurn(turn);
+    for (const { stand, collisionScene } of Object.values(this.panes)) {
+      stand.place(matrix);
+      collisionScene.group.quaternion.copy(turn);
+    }
+    this.isFloorStale = this.isStale = true;
+  }
+
+  /** Whether what is shown stands on a floor. */
+  setFloor(isShown: boolean): void {
+    this.hasFloor = isShown;
+    this.isFloorStale = this.isStale = true;
+  }
+
+  private layFloors(): void {
+    if (!this.isFloorStale) return;
+    this.isFloorStale = false;
+    for (const [name, pane] of Object.entries(this.panes)) {
+      const box = pane.stand.layFloor(pane.showsFile ? null : pane.mesh);
+      pane.stand.isFloorShown = this.hasFloor;
+      if (name !== 'original') continue;
+      const corners = box.isEmpty() ? [] : cornersOf(box);
+      this.corners = corners.map((point) => point.applyMatrix4(pane.stand.group.matrix));
+    }
   }
 
   /** Colours a body by a field; null leaves it plain. */
@@ -159,7 +243,7 @@ export class Viewport {
 
   /** Moves the eye back where panes become narrower, so that they still show what they did, and forth again. */
   private keepBodyInView(): void {
-    const spread = () => this.orbit.horizontalSpread(this.panes.original.boxCorners());
+    const spread = () => this.orbit.horizontalSpread(this.corners);
     const before = Math.max(1, spread());
     this.resize();
     const { columns } = this.layout;
@@ -203,10 +287,12 @@ export class Viewport {
 
   /** Turns the camera to the whole body and to what it can touch. */
   fit(isAnimated = true): void {
-    const sphere = this.panes.original.sphere()?.clone();
-    for (const point of this.scenePoints) sphere?.expandByPoint(point);
-    if (!sphere || !(sphere.radius > 0)) return;
-    this.orbit.fit(sphere, isAnimated);
+    this.layFloors();
+    const turned = this.scenePoints.map((point) => point.clone().applyQuaternion(this.orbit.turn));
+    const corners = this.corners.length > 0 ? this.corners : this.panes.original.boxCorners();
+    const points = [...corners, ...turned];
+    if (points.length === 0) return;
+    this.orbit.fit(points, isAnimated);
     this.isStale = true;
   }
 
@@ -230,16 +316,23 @@ export class Viewport {
     const seconds = this.timer.getDelta();
     const hasMoved = this.orbit.update(seconds);
     if (swing.isPlaying) swing.phase += 2 * Math.PI * SWING_FREQUENCY * swing.speed * seconds;
-    if (!hasMoved && !this.isStale && !swing.isPlaying) return;
+    const { animation } = this;
+    if (animation.isPlaying) {
+      animation.seconds += seconds;
+      for (const { stand } of Object.values(this.panes)) stand.model?.pose(animation.seconds);
+    }
+    if (!hasMoved && !this.isStale && !swing.isPlaying && !animation.isPlaying) return;
     this.isStale = false;
     this.draw();
   }
 
   private draw(): void {
+    this.layFloors();
     this.renderer.setScissorTest(false);
     this.renderer.clear();
     this.renderer.setScissorTest(true);
     this.layout.regions().forEach((region, i) => this.drawPane(region, this.layout.isOverlaid && i > 0));
+    if (this.panes.original.mesh) this.axes.draw(this.renderer, this.orbit.camera, this.orbit.turn);
   }
 
   private drawPane({ name, picture, visible }: PaneRegion, isOverlay: boolean): void {
@@ -254,4 +347,9 @@ export class Viewport {
     }
     this.renderer.render(pane.scene, this.orbit.camera);
   }
+}
+
+function cornersOf({ min, max }: THREE.Box3): THREE.Vector3[] {
+  const [x, y, z] = (['x', 'y', 'z'] as const).map((axis) => [min[axis], max[axis]]);
+  return x.flatMap((a) => y.flatMap((b) => z.map((c) => new THREE.Vector3(a, b, c))));
 }

@@ -18,6 +18,7 @@ import type {
   GuardFinding,
 } from '../../engine/body/body_result';
 import type { HealthNote } from '../../engine/body/health';
+import type { FileContents } from '../../engine/document/contents';
 import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
 import type { Report } from '../../engine/report/report';
@@ -35,11 +36,38 @@ export interface Started {
   job: Int32Array | null;
 }
 
+export interface OpenedBody {
+  name: string;
+  faces: number;
+  /** its number among the meshes of the file */
+  mesh: number;
+  /** from the space of the mesh to that of the scene, column by column */
+  placement: number[];
+  /** null: it cannot be used, and stays as it is in every export */
+  health: HealthNote[] | null;
+}
+
+/** Which body of how many a call works on. */
+export interface Part {
+  number: number;
+  of: number;
+}
+
+/** What the worker tells while a call runs. */
+export interface CallProgress extends Progress {
+  /** absent: the file has one body, or work has begun on none */
+  part?: Part;
+}
+
 export interface OpenedFile {
   name: string;
   format: string;
-  /** `mesh`: its number among the meshes of the file */
-  bodies: { name: string; faces: number; mesh: number }[];
+  bodies: OpenedBody[];
+  /** the first body that can be used */
+  first: number;
+  contents: FileContents;
+  /** bytes of all its files */
+  size: number;
   notes: string[];
   /** what an export leaves out, in plain words */
   dropped: string[];
@@ -179,6 +207,20 @@ export interface SharesResult extends SharedFaces {
   key: string;
 }
 
+/** The result in its file, as it is drawn with its materials. */
+export interface ResultFile {
+  /** a GLB; not checked by the validator */
+  bytes: Uint8Array;
+  /** per body of the file: how many faces it has; 0 where it stays out */
+  faces: number[];
+  /** see resultFileKey */
+  key: string;
+}
+
+/** Text that is equal where two results are the same file. */
+export const resultFileKey = (settings: Settings, kept: KeptFaces): string =>
+  exportKey(settings, kept, { fields: false, binding: false, output: '' });
+
 /** Text that is equal where faces are shared out in the same way. */
 export const sharesKey = (settings: Settings, kept: KeptFaces): string =>
   [keyOf(errorCurveStage, settings), settings.maxDeviation, settings.perBody, JSON.stringify(kept)].join(
@@ -198,10 +240,14 @@ export interface WorkerApi {
   start(
     wasmFolder: string,
     threads: number,
-    onProgress: (progress: Progress) => void,
+    onProgress: (progress: CallProgress) => void,
     lifeLock: string,
   ): Promise<Started>;
   open(files: SourceFile[]): Promise<OpenedFile>;
+  /** The open file as a GLB, with what belongs to it packed in. */
+  original(): Promise<Uint8Array>;
+  /** The file with the result of every body, without the validator's verdict. */
+  resultFile(settings: Settings, kept: KeptFaces): Promise<ResultFile>;
   prepare(body: number, settings: Settings): Promise<BodySummary>;
   /** Throws where the text of the pins names what the body does not have. */
   pins(body: number, settings: Settings): Promise<PinsResult>;

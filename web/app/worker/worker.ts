@@ -3,29 +3,47 @@
 import { expose, transfer } from 'comlink';
 import { zipSync } from 'fflate';
 import { describeHealth } from '../../engine/body/health';
+import type { HealthNote } from '../../engine/body/health';
+import type { PreparedBody } from '../../engine/body/prepared_body';
 import { pinAttributes } from '../../engine/body/pin_attributes';
 import type { Core } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
-import { droppedByExport } from '../../engine/document/export';
+import { contentsOf } from '../../engine/document/contents';
+import { droppedByExport, exportGlb } from '../../engine/document/export';
 import { openModel } from '../../engine/document/open';
+import type { OpenModel } from '../../engine/document/open';
+import { placementOf } from '../../engine/document/placements';
 import { isBlockedBySeams } from '../../engine/report/stop_report';
-import { checkSettings } from '../../engine/settings/options';
+import { checkSettings, defaultSettings } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import type { BodyRun } from '../../engine/stages/body_run';
 import { FileRun } from '../../engine/stages/file_run';
 import { requestFile, shareFaces } from '../../engine/stages/budget/file_targets';
 import type { FileAsked } from '../../engine/stages/budget/file_targets';
+import { FileOutput } from '../../engine/stages/file_output';
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { carrySettingErrors } from './errors';
 import { exportAll } from './exporting';
 import { keepAlive } from './life';
-import { CANCELLED, CORE_BROKEN, exportKey, sharesKey } from './protocol';
-import type { KeptFaces, WorkerApi } from './protocol';
+import { CANCELLED, CORE_BROKEN, exportKey, resultFileKey, sharesKey } from './protocol';
+import type { CallProgress, KeptFaces, OpenedBody, Part, WorkerApi } from './protocol';
 import { strainOverview } from './strain_overview';
 
 let core: Core;
 let file: FileRun | null = null;
+let tell: (progress: CallProgress) => void = () => undefined;
+let part: Part | undefined;
+/** the bodies of the running call that work has begun on */
+const begun = new Set<string>();
+
+/** Tells the page which body of how many the running call works on. */
+function countBody(name: string): void {
+  const of = file?.usable.length ?? 0;
+  begun.add(name);
+  if (of > 1) part = { number: Math.min(of, begun.size), of };
+  tell({ phase: 'idle', fraction: 0, part });
+}
 
 function openedFile(): FileRun {
   if (!file) throw new Error('No file is open: open one first.');
@@ -40,6 +58,8 @@ function runOf(body: number): BodyRun {
 
 /** Errors lose their name on the way to the page: a cancelled call is known by its message. */
 async function translateErrors<T>(make: () => T | Promise<T>): Promise<T> {
+  begun.clear();
+  part = undefined;
   try {
     return await make();
   } catch (error) {
@@ -57,6 +77,32 @@ const askedOf = (settings: Settings, { faces, own }: KeptFaces, fields: boolean)
   own: new Map(own),
 });
 
+/** Prepares all bodies, so that an unusable file never takes the place of the open one; `notes`: on bodies that are left out. */
+function startRun(opened: OpenModel): { fresh: FileRun; notes: string[] } {
+  const fresh = new FileRun(core, opened, { guides: true, onActivity: countBody });
+  try {
+    return { fresh, notes: fresh.leaveOutUnusable(defaultSettings()) };
+  } catch (error) {
+    fresh.dispose();
+    throw error;
+  }
+}
+
+/** What the page is told of each body. */
+function describeBodies({ runs, model }: FileRun): OpenedBody[] {
+  const meshes = model.document.getRoot().listMeshes();
+  return model.bodies.map((body, i) => ({
+    name: body.name,
+    faces: body.indices.length / 3,
+    mesh: body.mesh,
+    placement: placementOf(model.document, meshes[body.mesh]),
+    health: runs[i] ? healthOf(runs[i].get(STAGES.prepared, defaultSettings())) : null,
+  }));
+}
+
+const healthOf = ({ body, weld, inspection }: PreparedBody): HealthNote[] =>
+  describeHealth(body, weld, inspection);
+
 /** The share of the faces that is kept where no number is asked for. */
 const HALF = 0.5;
 
@@ -66,7 +112,8 @@ const ZIP_TIME = new Date(1980, 0, 1);
 const api: WorkerApi = {
   start: async (wasmFolder, threads, onProgress, lifeLock) => {
     await keepAlive(lifeLock);
-    core = await loadCore({ wasmFolder, threads, onProgress: (progress) => onProgress(progress) });
+    tell = onProgress;
+    core = await loadCore({ wasmFolder, threads, onProgress: (progress) => tell({ ...progress, part }) });
     return { threads: core.threads, job: core.job };
   },
   open: (files) =>
@@ -74,15 +121,41 @@ const api: WorkerApi = {
       const opened = await openModel(files);
       if (opened.bodies.length === 0)
         throw new Error(`${opened.name} holds no triangles: export a mesh with faces.`);
+      const { fresh, notes } = startRun(opened);
       file?.dispose();
-      file = new FileRun(core, opened, { guides: true });
+      file = fresh;
       return {
         name: opened.name,
         format: opened.format,
-        bodies: opened.bodies.map(({ name, indices, mesh }) => ({ name, faces: indices.length / 3, mesh })),
-        notes: opened.notes,
+        bodies: describeBodies(fresh),
+        first: fresh.usable[0].i,
+        contents: contentsOf(opened),
+        size: files.reduce((all, { bytes }) => all + bytes.length, 0),
+        notes: [...opened.notes, ...notes],
         dropped: droppedByExport(opened),
       };
+    }),
+  original: () =>
+    translateErrors(async () => {
+      const { model } = openedFile();
+      const bytes = await exportGlb(
+        model,
+        model.bodies.map(() => null),
+        { fields: false },
+      );
+      return transfer(bytes, [bytes.buffer]);
+    }),
+  resultFile: (settings, kept) =>
+    translateErrors(async () => {
+      checkSettings(settings);
+      const output = new FileOutput(openedFile(), requestFile(openedFile(), askedOf(settings, kept, false)));
+      begun.clear();
+      output.compute();
+      const bytes = await output.glb();
+      const faces = openedFile().runs.map(() => 0);
+      const { usable } = openedFile();
+      output.results().forEach(({ mesh }, n) => (faces[usable[n].i] = mesh.triangles.length / 3));
+      return transfer({ bytes, faces, key: resultFileKey(settings, kept) }, [bytes.buffer]);
     }),
   prepare: (body, settings) =>
     translateErrors(() => {
@@ -98,7 +171,7 @@ const api: WorkerApi = {
         inspection,
         minAngle,
         meanMinAngle,
-        health: describeHealth(source, weld, inspection),
+        health: healthOf(prepared),
         vertexOfSource: weld.vertexOfSource,
         pinAttributes: pinAttributes(document, bodies[body]),
       };

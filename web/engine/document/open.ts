@@ -1,5 +1,6 @@
 /** Opens the bytes of a GLB, glTF with its files, OBJ, STL or PLY as a document with its bodies. */
 
+import { wayOfOtherFormat } from './checks/other_formats';
 import { isGlb } from './glb';
 import { openGltf } from './gltf';
 import type { Format, OpenModel, SourceFile } from './model';
@@ -53,6 +54,10 @@ function chooseModel(files: SourceFile[]): { file: SourceFile; format: Format } 
     throw new Error(`${file.name} is empty: export it again.`);
   const format = formatOfBytes(file.bytes) ?? formatOfName(file.name) ?? guessFormat(file.bytes);
   if (format === null || (models.length === 0 && files.length > 1)) {
+    for (const { name } of files) {
+      const way = wayOfOtherFormat(name);
+      if (way !== null) throw new Error(way);
+    }
     const what = files.length === 1 ? `${file.name} is not` : `None of the ${files.length} files is`;
     throw new Error(`${what} a mesh that can be read: open ${READABLE}.`);
   }

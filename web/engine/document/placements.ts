@@ -51,3 +51,28 @@ function instances(node: Node): number {
   }
   return sum;
 }
+
+/**
+ * The matrix of the first node that shows a mesh, column by column: from the space of the mesh to that of the scene. A skinned mesh
+ * stands where its first joint puts it. The identity where no node shows the mesh.
+ */
+export function placementOf(document: Document, mesh: Mesh): number[] {
+  const nodes = document.getRoot().listNodes();
+  const node = nodes.find((one) => one.getMesh() === mesh);
+  if (!node) return [...IDENTITY];
+  const skin = node.getSkin();
+  const [joint] = skin?.listJoints() ?? [];
+  if (!skin || !joint) return [...node.getWorldMatrix()];
+  const bind = skin.getInverseBindMatrices()?.getElement(0, [] as number[]) ?? IDENTITY;
+  return product(joint.getWorldMatrix(), bind);
+}
+
+const IDENTITY: readonly number[] = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+/** a b of two matrices of four columns. */
+function product(a: ArrayLike<number>, b: ArrayLike<number>): number[] {
+  return Array.from({ length: 16 }, (_, i) => {
+    const [row, column] = [i % 4, 4 * Math.floor(i / 4)];
+    return [0, 1, 2, 3].reduce((sum, k) => sum + a[4 * k + row] * b[column + k], 0);
+  });
+}

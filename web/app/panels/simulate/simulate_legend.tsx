@@ -1,5 +1,6 @@
 /** What the colours of the moving bodies mean. */
 
+import { isWireShown } from '../viewport/show_bodies';
 import { twin } from '../../state/twin';
 import { view } from '../../state/store';
 import { Choice, Toggle } from '../../controls/controls';
@@ -28,7 +29,7 @@ export function SimulateLegend() {
       {isHeat && (
         <ColourBar map="viridis" title="Deviation, % of diagonal" low="0" high={String(heatScale.value)} />
       )}
-      <Toggle label="Wireframe" checked={view.wire.value} onChange={(wire) => (view.wire.value = wire)} />
+      <Toggle label="Wireframe" checked={isWireShown()} onChange={(wire) => (view.wire.value = wire)} />
     </div>
   );
 }

@@ -1,13 +1,14 @@
-/** What the colours mean. */
+/** How the mesh is drawn, and what its colours mean. */
 
 import { spellModes } from '../../../engine/core/mode_set';
-import { results, view } from '../../state/store';
-import type { FieldName } from '../../state/store';
+import { chooseField, isFileDrawn, results, shownField, view } from '../../state/store';
+import type { FieldName, LookName } from '../../state/store';
 import { ColourBar } from '../../controls/colour_bar';
-import { Choice, Toggle } from '../../controls/controls';
+import { Choice, Select, Toggle } from '../../controls/controls';
 import { curvatureScale } from './curvature_scale';
 import { guidingModes } from '../motion/mode_choice';
 import { SimulateLegend } from '../simulate/simulate_legend';
+import { isWireShown } from './show_bodies';
 import './legend.css';
 
 const FIELDS: { value: FieldName; text: string; title: string }[] = [
@@ -16,29 +17,79 @@ const FIELDS: { value: FieldName; text: string; title: string }[] = [
   { value: 'curvature', text: 'Curvature', title: 'Mean curvature (3)' },
 ];
 
+const LOOKS: { value: LookName; text: string }[] = [
+  { value: 'textured', text: 'Materials' },
+  { value: 'matcap', text: 'Matcap' },
+  { value: 'clay', text: 'Clay' },
+  { value: 'checker', text: 'UV checker' },
+];
+
 export function Legend() {
   if (!results.body.value) return null;
   if (view.step.value === 'test') return <SimulateLegend />;
   return (
     <div class="legend">
-      <Choice
-        label="Colour by"
-        options={FIELDS}
-        value={view.field.value}
-        onChange={(field) => (view.field.value = field)}
-      />
+      <Choice label="Colour by" options={FIELDS} value={shownField.value} onChange={chooseField} />
       <Scale />
-      <Toggle label="Wireframe" checked={view.wire.value} onChange={(wire) => (view.wire.value = wire)} />
+      {isFileDrawn.value && <LookSelect />}
+      <Toggles />
     </div>
+  );
+}
+
+function Toggles() {
+  const { contents, bodies } = results.file.value!;
+  const isFile = isFileDrawn.value && results.originalFile.value !== null;
+  return (
+    <>
+      <Toggle label="Flat" checked={view.isFlat.value} onChange={(flat) => (view.isFlat.value = flat)} />
+      <Toggle label="Wireframe" checked={isWireShown()} onChange={(wire) => (view.wire.value = wire)} />
+      {view.step.value === 'reduce' && (
+        <Toggle
+          label="Swing"
+          title="Swings both meshes in the chosen modes (Space)"
+          checked={view.swings.value}
+          onChange={(swings) => (view.swings.value = swings)}
+        />
+      )}
+      {isFile && bodies.length > 1 && (
+        <Toggle
+          label="Whole scene"
+          checked={view.isWhole.value}
+          onChange={(whole) => (view.isWhole.value = whole)}
+        />
+      )}
+      {isFile && contents.animations > 0 && (
+        <Toggle
+          label="Animation"
+          title="Plays the first animation of the file on both meshes"
+          checked={view.animated.value}
+          onChange={(animated) => (view.animated.value = animated)}
+        />
+      )}
+    </>
+  );
+}
+
+/** The looks that the file has something for. */
+function LookSelect() {
+  const { contents } = results.file.value!;
+  return (
+    <Select
+      label="Look"
+      options={LOOKS.filter(({ value }) => value !== 'checker' || contents.uvSets > 0)}
+      value={view.look.value}
+      onChange={(look) => (view.look.value = look as LookName)}
+    />
   );
 }
 
 function Scale() {
   const curvature = results.curvature.value?.vertex;
   const { diagonal } = results.body.value!;
-  if (view.field.value === 'strain')
+  if (shownField.value === 'strain')
     return <ColourBar map="viridis" title={strainTitle()} low="least" high="most" />;
-  if (view.field.value === 'curvature' && curvature) {
+  if (shownField.value === 'curvature' && curvature) {
     const high = (curvatureScale(curvature) * diagonal).toPrecision(2);
     return <ColourBar map="cividis" title="Mean curvature x diagonal" low="0" high={high} />;
   }

@@ -4,9 +4,20 @@ import { computed } from '@preact/signals';
 import type { MeshAt } from '../../../engine/core/core';
 import { viewportColours } from '../../state/scheme';
 import { twin } from '../../state/twin';
-import { isBrushing, isPicking, results, shownMesh, view } from '../../state/store';
+import { shownResultFile } from '../../state/runner';
+import {
+  isBrushing,
+  isFileDrawn,
+  isPicking,
+  results,
+  shownField,
+  shownMesh,
+  view,
+  wants,
+} from '../../state/store';
 import type { Field } from '../../viewer/body_geometry';
 import type { MapName } from '../../viewer/colours';
+import type { SceneLook } from '../../viewer/scene_model';
 import type { PaneName } from '../../viewer/pane_layout';
 import type { Viewport } from '../../viewer/viewport';
 import { guidingModes } from '../motion/mode_choice';
@@ -15,7 +26,14 @@ import { isDriven, isOverlaid } from '../simulate/simulate_view';
 import { curvatureScale } from './curvature_scale';
 
 /** How strongly edges are drawn over a plain surface, and over the colours of a field. */
-const WIRE_STRENGTH = { plain: 0.55, field: 0.42 };
+const WIRE_STRENGTH = { plain: 0.55, field: 0.42, file: 0.35 };
+/** Edges of a mesh with more faces cannot be told apart in the picture of a whole mesh. */
+const MOST_FACES_WITH_EDGES = 12_000;
+
+/** Whether edges are drawn: as the user says, otherwise where they can be read and no material is shown. */
+export const isWireShown = (): boolean =>
+  view.wire.value ??
+  (!isFileDrawn.value && (results.body.value?.inspection.faces ?? 0) <= MOST_FACES_WITH_EDGES);
 
 export function shownPanes(): PaneName[] {
   if (view.step.value === 'test' && shownMesh.value) return ['original', 'optimized'];
@@ -25,8 +43,44 @@ export function shownPanes(): PaneName[] {
 
 export function showOriginal(viewport: Viewport | null): void {
   const mesh = results.body.value?.mesh ?? null;
+  const placement = results.file.value?.bodies[wants.body.value]?.placement;
+  if (placement) viewport?.place(placement);
   viewport?.show('original', mesh);
-  viewport?.fit(false);
+  if (mesh) viewport?.fit(false);
+}
+
+/** The numbers of the file's meshes that are drawn; null: all of them. */
+const drawnMeshes = computed((): ReadonlySet<number> | null => {
+  const bodies = results.file.value?.bodies ?? [];
+  const isShown = (i: number) =>
+    view.isWhole.value && bodies.length > 1 ? !view.hidden.value.has(i) : i === wants.body.value;
+  const shown = bodies.filter((_, i) => isShown(i));
+  return shown.length === bodies.length ? null : new Set(shown.map(({ mesh }) => mesh));
+});
+
+/** Draws the original and the result with the materials of their files, where nothing else is asked for. */
+export function showFiles(viewport: Viewport | null): void {
+  const [original, result] = [results.originalFile.value, shownResultFile.value];
+  const { clay, wire } = viewportColours.value;
+  const look: SceneLook = {
+    name: view.look.value,
+    isFlat: view.isFlat.value,
+    clay,
+    wire,
+    wireStrength: view.wire.value ? WIRE_STRENGTH.file : 0,
+    shown: drawnMeshes.value,
+  };
+  const isDrawn = isFileDrawn.value && original !== null;
+  const isPlaying = isDrawn && view.animated.value;
+  const hasFloor = isFileDrawn.value;
+  if (!viewport) return;
+  viewport.setFloor(hasFloor);
+  viewport.lookAtFile('original', isDrawn ? look : null);
+  viewport.lookAtFile('optimized', isDrawn && result ? look : null);
+  viewport.playFile(isPlaying);
+  // A file that the loader cannot read is drawn as a plain body.
+  void viewport.showFile('original', original).catch(() => null);
+  void viewport.showFile('optimized', result?.bytes ?? null).catch(() => null);
 }
 
 export function showOptimized(viewport: Viewport | null): void {
@@ -59,12 +113,12 @@ function shownFields(mesh: MeshAt | null): BodyFields {
   const curvature = scaledCurvature.value;
   // Moving bodies have colours of their own.
   if (view.step.value === 'test') return { original: null, optimized: null };
-  if (view.field.value === 'strain' && rank)
+  if (shownField.value === 'strain' && rank)
     return {
       original: { on: 'triangles', values: rank },
       optimized: mesh && { on: 'triangles', values: Float32Array.from(mesh.inputOfTriangle, (t) => rank[t]) },
     };
-  if (view.field.value === 'curvature' && curvature)
+  if (shownField.value === 'curvature' && curvature)
     return {
       original: { on: 'vertices', values: curvature },
       optimized: mesh && {
@@ -76,7 +130,7 @@ function shownFields(mesh: MeshAt | null): BodyFields {
 }
 
 const shownMap = (): MapName =>
-  view.field.value === 'curvature' && view.step.value !== 'test' ? 'cividis' : 'viridis';
+  shownField.value === 'curvature' && view.step.value !== 'test' ? 'cividis' : 'viridis';
 
 export function showFields(viewport: Viewport | null): void {
   if (!results.body.value) return;
@@ -99,9 +153,12 @@ const blendedShape = computed((): Float32Array | null => {
   return chosen.length > 0 ? shape : null;
 });
 
+/** Whether the step shows the chosen modes in motion. */
+const isSwinging = (): boolean =>
+  view.step.value === 'motion' || (view.step.value === 'reduce' && view.swings.value);
+
 export function showShapes(viewport: Viewport | null): void {
-  const isSwinging = view.step.value === 'motion' || view.step.value === 'reduce';
-  const shape = isSwinging ? blendedShape.value : null;
+  const shape = isSwinging() ? blendedShape.value : null;
   const mesh = shownMesh.value;
   viewport?.displace('original', shape);
   if (!mesh) return;
@@ -114,20 +171,20 @@ export function showShapes(viewport: Viewport | null): void {
 }
 
 export function showLook(viewport: Viewport | null): void {
-  const isPlain = view.step.value === 'test' ? !twin.heat.value : view.field.value === 'none';
-  const wireStrength = view.wire.value ? WIRE_STRENGTH[isPlain ? 'plain' : 'field'] : 0;
+  const isPlain = view.step.value === 'test' ? !twin.heat.value : shownField.value === 'none';
+  const wireStrength = isWireShown() ? WIRE_STRENGTH[isPlain ? 'plain' : 'field'] : 0;
   const { clay, wire } = viewportColours.value;
   // The look of a pane depends on how the panes are arranged.
   showArrangement(viewport);
-  viewport?.look({ clay, wire, wireStrength, map: shownMap() });
+  viewport?.look({ clay, wire, wireStrength, map: shownMap(), isFlat: view.isFlat.value });
 }
 
 export function showSwing(viewport: Viewport | null): void {
   const body = results.body.value;
   // Vertices are picked and painted on the shape at rest.
   const isStill = isPicking.value || isBrushing.value;
-  const isMoving = ['motion', 'reduce'].includes(view.step.value) && !isStill;
-  const isPlaying = isMoving && view.playing.value;
+  const isMoving = isSwinging() && !isStill;
+  const isPlaying = isMoving && (view.playing.value || view.step.value === 'reduce');
   const amplitude = body && isMoving ? (view.amplitude.value / 100) * body.diagonal : 0;
   viewport?.animate(isPlaying, amplitude, view.speed.value);
 }

@@ -16,6 +16,7 @@ import { PaneLabels } from './pane_labels';
 import {
   showArrangement,
   showFields,
+  showFiles,
   showLook,
   showOptimized,
   showOriginal,
@@ -36,6 +37,7 @@ const SHOWS = [
   showFields,
   showShapes,
   showLook,
+  showFiles,
   showSwing,
   showPins,
   showPaint,

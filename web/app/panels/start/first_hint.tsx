@@ -1,0 +1,62 @@
+/** One hint for each step on a first visit; what has been dismissed does not come back. */
+
+import { signal } from '@preact/signals';
+import { results, view } from '../../state/store';
+import type { Step } from '../../state/store';
+import './first_hint.css';
+
+const HINTS: Record<Step, string> = {
+  model:
+    'Turn the model with the mouse. The left side says what is in the file and what was repaired. Motion comes next.',
+  motion:
+    'These are the ways in which it bends most easily. Click the one that looks like the motion you expect.',
+  reduce:
+    'Drag the big slider below: faces leave first where motion does not show. Compare with V, blink with B.',
+  test: 'Both meshes move under the same forces. Pull at one with the mouse. Export is at the upper right.',
+};
+const STEPS = Object.keys(HINTS) as Step[];
+const STORE = 'limber-hints';
+
+/** The steps whose hints have been dismissed. */
+const dismissed = signal<ReadonlySet<string>>(read());
+
+/** A browser may refuse its store; then every visit is a first one. */
+function read(): Set<string> {
+  try {
+    return new Set((localStorage.getItem(STORE) ?? '').split(' '));
+  } catch {
+    return new Set();
+  }
+}
+
+function dismiss(...steps: Step[]): void {
+  dismissed.value = new Set([...dismissed.value, ...steps]);
+  try {
+    localStorage.setItem(STORE, [...dismissed.value].join(' ').trim());
+  } catch {
+    // see `read`
+  }
+}
+
+export function FirstHint() {
+  const step = view.step.value;
+  if (!results.file.value || dismissed.value.has(step)) return null;
+  return (
+    <section class="first-hint" aria-label="Hint">
+      <p>
+        <strong>
+          {STEPS.indexOf(step) + 1} of {STEPS.length}.
+        </strong>{' '}
+        {HINTS[step]}
+      </p>
+      <div class="buttons">
+        <button type="button" onClick={() => dismiss(step)}>
+          Got it
+        </button>
+        <button type="button" class="quiet" onClick={() => dismiss(...STEPS)}>
+          No hints
+        </button>
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,54 @@
+/** The axes of the scene in a corner of the viewport: x to the right, y up, z towards the viewer, as in glTF. */
+
+import * as THREE from 'three';
+
+const SIZE = 64;
+const AXES = [
+  { letter: 'X', colour: '#d64545', way: new THREE.Vector3(1, 0, 0) },
+  { letter: 'Y', colour: '#3d9a50', way: new THREE.Vector3(0, 1, 0) },
+  { letter: 'Z', colour: '#3f74d1', way: new THREE.Vector3(0, 0, 1) },
+];
+
+export class AxesMark {
+  private readonly scene = new THREE.Scene();
+  private readonly camera = new THREE.OrthographicCamera(-1.5, 1.5, 1.5, -1.5, 0.1, 10);
+
+  constructor() {
+    for (const { letter, colour, way } of AXES) {
+      const material = new THREE.LineBasicMaterial({ color: colour, toneMapped: false });
+      const geometry = new THREE.BufferGeometry().setFromPoints([new THREE.Vector3(), way]);
+      const label = new THREE.Sprite(
+        new THREE.SpriteMaterial({ map: letterTexture(letter, colour), toneMapped: false }),
+      );
+      label.position.copy(way).multiplyScalar(1.22);
+      label.scale.setScalar(0.55);
+      this.scene.add(new THREE.Line(geometry, material), label);
+    }
+  }
+
+  /** Draws at the lower left of the canvas, as the viewer sees it; `toMesh`: how the scene is turned for the camera. */
+  draw(renderer: THREE.WebGLRenderer, camera: THREE.Camera, toMesh: THREE.Quaternion): void {
+    this.camera.quaternion.copy(toMesh.clone().invert().multiply(camera.quaternion));
+    this.camera.position.set(0, 0, 5).applyQuaternion(this.camera.quaternion);
+    renderer.setViewport(6, 4, SIZE, SIZE);
+    renderer.setScissor(6, 4, SIZE, SIZE);
+    renderer.clearDepth();
+    renderer.render(this.scene, this.camera);
+  }
+}
+
+function letterTexture(letter: string, colour: string): THREE.CanvasTexture {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 64;
+  const context = canvas.getContext('2d');
+  if (context) {
+    context.font = '600 44px sans-serif';
+    context.textAlign = 'center';
+    context.textBaseline = 'middle';
+    context.fillStyle = colour;
+    context.fillText(letter, 32, 34);
+  }
+  const texture = new THREE.CanvasTexture(canvas);
+  texture.colorSpace = THREE.SRGBColorSpace;
+  return texture;
+}

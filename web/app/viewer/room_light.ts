@@ -1,0 +1,19 @@
+/** The light of a plain room, for materials that mirror what is around them. */
+
+import * as THREE from 'three';
+import { RoomEnvironment } from 'three/examples/jsm/environments/RoomEnvironment.js';
+
+const rooms = new WeakMap<THREE.WebGLRenderer, THREE.Texture>();
+/** Radians. */
+const BLUR = 0.04;
+
+/** Made once for each renderer. */
+export function roomLight(renderer: THREE.WebGLRenderer): THREE.Texture {
+  const known = rooms.get(renderer);
+  if (known) return known;
+  const generator = new THREE.PMREMGenerator(renderer);
+  const { texture } = generator.fromScene(new RoomEnvironment(), BLUR);
+  generator.dispose();
+  rooms.set(renderer, texture);
+  return texture;
+}

@@ -1,0 +1,173 @@
+/** A whole file as it is drawn with its own materials: its nodes, skins, animations and colours. */
+
+import * as THREE from 'three';
+import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
+import type { GLTFReference } from 'three/examples/jsm/loaders/GLTFLoader.js';
+import { spreadPoints } from './spread_points';
+import { checkerTexture, matcapTexture } from './look_textures';
+
+export type SceneLookName = 'textured' | 'matcap' | 'clay' | 'checker';
+
+export interface SceneLook {
+  name: SceneLookName;
+  isFlat: boolean;
+  clay: string;
+  wire: string;
+  /** 0: no edges are drawn */
+  wireStrength: number;
+  /** numbers of the file's meshes that are shown; null: all */
+  shown: ReadonlySet<number> | null;
+}
+
+/** What is drawn of one primitive. */
+interface Drawn {
+  object: THREE.Mesh;
+  /** its number among the file's meshes */
+  mesh: number;
+  own: THREE.Material | THREE.Material[];
+  /** draws its edges; null until they are asked for */
+  edges: THREE.Mesh | null;
+}
+
+export class SceneModel {
+  readonly root: THREE.Object3D;
+  private readonly drawn: Drawn[] = [];
+  private readonly mixer: THREE.AnimationMixer;
+  private readonly clip: THREE.AnimationClip | null;
+  private readonly made = new Map<string, THREE.Material>();
+
+  /** Reads a GLB. Throws an Error where the loader cannot read it. */
+  static async load(bytes: Uint8Array): Promise<SceneModel> {
+    const buffer = bytes.slice().buffer;
+    const { scene, animations, parser } = await new GLTFLoader().parseAsync(buffer, '');
+    return new SceneModel(scene, animations, parser.associations);
+  }
+
+  private constructor(
+    root: THREE.Object3D,
+    clips: THREE.AnimationClip[],
+    associations: Map<THREE.Object3D | THREE.Material | THREE.Texture, GLTFReference>,
+  ) {
+    this.root = root;
+    root.traverse((object) => {
+      if (!(object instanceof THREE.Mesh)) return;
+      object.frustumCulled = false;
+      const own = object.material as THREE.Material | THREE.Material[];
+      this.drawn.push({ object, mesh: associations.get(object)?.meshes ?? -1, own, edges: null });
+    });
+    this.mixer = new THREE.AnimationMixer(root);
+    this.clip = clips[0] ?? null;
+  }
+
+  /** Puts its first animation at a time, in seconds; null: the rest pose. */
+  pose(seconds: number | null): void {
+    if (!this.clip) return;
+    const action = this.mixer.clipAction(this.clip);
+    if (seconds === null) action.stop();
+    else {
+      action.play();
+      this.mixer.setTime(seconds);
+    }
+  }
+
+  look(look: SceneLook): void {
+    for (const drawn of this.drawn) {
+      const { object, mesh, own } = drawn;
+      object.visible = look.shown === null || look.shown.has(mesh);
+      object.material = Array.isArray(own)
+        ? own.map((one) => this.material(look, one, object))
+        : this.material(look, own, object);
+      this.showEdges(drawn, look);
+    }
+  }
+
+  private material(look: SceneLook, own: THREE.Material, object: THREE.Mesh): THREE.Material {
+    const hasUv = object.geometry.hasAttribute('uv');
+    const name = look.name === 'checker' && !hasUv ? 'clay' : look.name;
+    const isTextured = name === 'textured';
+    if (isTextured && !look.isFlat) return own;
+    const key = [name, look.isFlat, look.clay, isTextured ? own.uuid : ''].join(' ');
+    const known = this.made.get(key);
+    if (known) return known;
+    const made = isTextured ? own.clone() : plainMaterial(name, look.clay);
+    (made as THREE.MeshStandardMaterial).flatShading = look.isFlat || !object.geometry.hasAttribute('normal');
+    this.made.set(key, made);
+    return made;
+  }
+
+  private showEdges(drawn: Drawn, { wire, wireStrength }: SceneLook): void {
+    if (wireStrength > 0) drawn.edges ??= addEdges(drawn.object);
+    if (!drawn.edges) return;
+    drawn.edges.visible = wireStrength > 0;
+    const material = drawn.edges.material as THREE.MeshBasicMaterial;
+    material.color.set(wire);
+    material.opacity = wireStrength;
+  }
+
+  /** Points on what is shown, in the space of the scene, `points[3 i + c]`. */
+  points(): Float32Array {
+    this.root.updateMatrixWorld(true);
+    const toScene = (this.root.parent?.matrixWorld ?? new THREE.Matrix4()).clone().invert();
+    const shown = this.drawn.filter(({ object }) => object.visible);
+    const parts = shown.map(({ object }) => {
+      const matrix = toScene.clone().multiply(object.matrixWorld);
+      const position = object.geometry.getAttribute('position');
+      const positions = new Float32Array(3 * position.count);
+      const point = new THREE.Vector3();
+      for (let v = 0; v < position.count; v++)
+        positions.set(object.getVertexPosition(v, point).applyMatrix4(matrix).toArray(), 3 * v);
+      return spreadPoints(positions, object.geometry.index?.array ?? null);
+    });
+    const all = new Float32Array(parts.reduce((sum, { length }) => sum + length, 0));
+    let at = 0;
+    for (const part of parts) {
+      all.set(part, at);
+      at += part.length;
+    }
+    return all;
+  }
+
+  dispose(): void {
+    for (const { object, own } of this.drawn) {
+      object.geometry.dispose();
+      for (const material of [own].flat()) disposeMaterial(material);
+    }
+    for (const material of this.made.values()) material.dispose();
+  }
+}
+
+function plainMaterial(name: SceneLookName, clay: string): THREE.Material {
+  const side = THREE.DoubleSide;
+  if (name === 'matcap') return new THREE.MeshMatcapMaterial({ matcap: matcapTexture(), side });
+  if (name === 'checker')
+    return new THREE.MeshStandardMaterial({ map: checkerTexture(), roughness: 0.8, side });
+  return new THREE.MeshStandardMaterial({ color: clay, roughness: 0.75, side });
+}
+
+/** A child that draws the edges of a mesh, and moves with it. */
+function addEdges(object: THREE.Mesh): THREE.Mesh {
+  const material = new THREE.MeshBasicMaterial({
+    wireframe: true,
+    transparent: true,
+    depthWrite: false,
+    polygonOffset: true,
+    polygonOffsetFactor: -1,
+    toneMapped: false,
+  });
+  const edges =
+    object instanceof THREE.SkinnedMesh
+      ? new THREE.SkinnedMesh(object.geometry, material)
+      : new THREE.Mesh(object.geometry, material);
+  if (object instanceof THREE.SkinnedMesh && edges instanceof THREE.SkinnedMesh)
+    edges.bind(object.skeleton, object.bindMatrix);
+  edges.morphTargetInfluences = object.morphTargetInfluences;
+  edges.morphTargetDictionary = object.morphTargetDictionary;
+  edges.frustumCulled = false;
+  object.add(edges);
+  return edges;
+}
+
+function disposeMaterial(material: THREE.Material): void {
+  for (const value of Object.values(material)) if (value instanceof THREE.Texture) value.dispose();
+  material.dispose();
+}

@@ -1,0 +1,115 @@
+/** Where a body stands in the scene: the turn, place and mean scale of its node, a floor below it, and light. */
+
+import * as THREE from 'three';
+import type { TriangleMesh } from '../../engine/core/core';
+import { floorShadow, SHADOW_SIZE } from './floor_shadow';
+import type { SceneLook, SceneModel } from './scene_model';
+import { spreadPoints } from './spread_points';
+
+/** The floor's shadow reaches beyond the body by this share of its size. */
+const AROUND = 1.9;
+
+/** Everything in the space of the scene, placed in the space of the shown body. */
+export class Stand {
+  /** holds the scene; its matrix leads from the space of the scene to that of the shown body */
+  readonly group = new THREE.Group();
+  model: SceneModel | null = null;
+  private readonly floor: THREE.Mesh<THREE.PlaneGeometry, THREE.MeshBasicMaterial>;
+  private readonly light = new THREE.DirectionalLight('#ffffff', 1.6);
+
+  constructor() {
+    this.group.matrixAutoUpdate = false;
+    const material = new THREE.MeshBasicMaterial({ transparent: true, depthWrite: false, toneMapped: false });
+    this.floor = new THREE.Mesh(new THREE.PlaneGeometry(1, 1), material);
+    this.floor.visible = false;
+    this.floor.rotation.x = -Math.PI / 2;
+    this.light.position.set(-0.6, 1.4, 1);
+    this.group.add(this.floor, this.light, this.light.target);
+  }
+
+  /** `toMesh`: from the space of the scene to that of the shown body. */
+  place(toMesh: THREE.Matrix4): void {
+    this.group.matrix.copy(toMesh);
+    this.group.matrixWorldNeedsUpdate = true;
+  }
+
+  /** Shows a file in place of another; null removes it. */
+  show(model: SceneModel | null): void {
+    if (this.model) this.group.remove(this.model.root);
+    this.model?.dispose();
+    this.model = model;
+    if (model) this.group.add(model.root);
+  }
+
+  look(look: SceneLook): void {
+    this.model?.look(look);
+  }
+
+  /** Puts the floor below the file as it is shown, or below a mesh in the space of the shown body; returns the box of it in the scene. */
+  layFloor(mesh: TriangleMesh | null): THREE.Box3 {
+    const inScene = mesh ? this.toScene(mesh) : (this.model?.points() ?? new Float32Array());
+    const box = boxOf(inScene);
+    this.floor.visible = !box.isEmpty();
+    if (box.isEmpty()) return box;
+    const size = box.getSize(new THREE.Vector3());
+    const centre = box.getCenter(new THREE.Vector3());
+    const side = AROUND * Math.max(size.x, size.z, 0.25 * size.y);
+    const area = { centre: [centre.x, box.min.y, centre.z] as const, side, reach: 0.6 * size.length() };
+    this.floor.material.map?.dispose();
+    this.floor.material.map = shadowTexture(floorShadow(inScene, area));
+    this.floor.material.needsUpdate = true;
+    this.floor.position.set(centre.x, box.min.y - 0.001 * size.length(), centre.z);
+    this.floor.scale.setScalar(side);
+    return box;
+  }
+
+  set isFloorShown(isShown: boolean) {
+    this.floor.visible = isShown && this.floor.material.map !== null;
+  }
+
+  private toScene({ positions, triangles }: TriangleMesh): Float32Array {
+    const matrix = this.group.matrix.clone().invert();
+    const points = spreadPoints(positions, triangles);
+    const point = new THREE.Vector3();
+    for (let i = 0; i < points.length; i += 3)
+      points.set(point.fromArray(points, i).applyMatrix4(matrix).toArray(), i);
+    return points;
+  }
+
+  dispose(): void {
+    this.show(null);
+    this.floor.material.map?.dispose();
+  }
+}
+
+function boxOf(points: Float32Array): THREE.Box3 {
+  const box = new THREE.Box3();
+  const point = new THREE.Vector3();
+  for (let i = 0; i < points.length; i += 3) box.expandByPoint(point.fromArray(points, i));
+  return box;
+}
+
+function shadowTexture(shadow: Float32Array): THREE.DataTexture {
+  const data = new Uint8Array(4 * shadow.length);
+  // The picture's rows go up; those of the shadow go along z, towards the lower edge of a plane that lies down.
+  shadow.forEach((value, i) => {
+    const [row, column] = [Math.floor(i / SHADOW_SIZE), i % SHADOW_SIZE];
+    const to = (SHADOW_SIZE - 1 - row) * SHADOW_SIZE + column;
+    data.set([12, 20, 30, Math.round(255 * value)], 4 * to);
+  });
+  const texture = new THREE.DataTexture(data, SHADOW_SIZE, SHADOW_SIZE);
+  texture.colorSpace = THREE.SRGBColorSpace;
+  texture.magFilter = texture.minFilter = THREE.LinearFilter;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/** From the space of the scene to that of a body with this placement, without what would stretch it unevenly. */
+export function standingMatrix(placement: readonly number[]): THREE.Matrix4 {
+  const [position, turn, scale] = [new THREE.Vector3(), new THREE.Quaternion(), new THREE.Vector3()];
+  new THREE.Matrix4().fromArray([...placement]).decompose(position, turn, scale);
+  const mean = Math.cbrt(Math.abs(scale.x * scale.y * scale.z)) || 1;
+  const isSound = Number.isFinite(mean) && Number.isFinite(position.length());
+  if (!isSound) return new THREE.Matrix4();
+  return new THREE.Matrix4().compose(position, turn, new THREE.Vector3(mean, mean, mean)).invert();
+}
