@@ -2,6 +2,7 @@
 
 import './styles/tokens.css';
 import './styles/base.css';
+import './styles/layout.css';
 import './controls/controls.css';
 import '@fontsource-variable/inter';
 import { effect } from '@preact/signals';

@@ -24,7 +24,7 @@ export function TopBar() {
     <header class="top">
       <h1 class="brand">
         <img src="./icon.svg" alt="" width="24" height="24" />
-        Limber
+        <span class="brand-name">Limber</span>
       </h1>
       <div class="files">
         <button type="button" onClick={() => void pickFiles()} title="Open a file (Ctrl+O)">

@@ -38,6 +38,10 @@ export class Viewport {
   private readonly pickPreview: Dots;
   private readonly ring = new BrushRing();
   private lastColumns = 1;
+  /** vertices of the original */
+  private pinned: Iterable<number> = [];
+  /** whether the camera waits for a large mesh */
+  private fitsLater = false;
   private scenePoints: THREE.Vector3[] = [];
   private readonly axes = new AxesMark();
   private hasFloor = false;
@@ -75,8 +79,17 @@ export class Viewport {
 
   /** Shows a mesh at rest in a pane; null empties the pane. */
   show(name: PaneName, mesh: TriangleMesh | null): void {
-    this.panes[name].show(mesh);
+    const isShown = this.panes[name].show(mesh);
     this.isFloorStale = this.isStale = true;
+    void isShown?.then(() => this.follow(name));
+  }
+
+  /** A large mesh has come into its pane. */
+  private follow(name: PaneName): void {
+    this.isFloorStale = this.isStale = true;
+    if (name !== 'original') return;
+    this.pin(this.pinned);
+    if (this.fitsLater) this.fit(false);
   }
 
   /**
@@ -199,6 +212,7 @@ export class Viewport {
 
   /** Shows dots at these vertices of the original at rest. */
   pin(vertices: Iterable<number>): void {
+    this.pinned = vertices;
     this.showDots(this.panes.original.dots, vertices);
     this.panes.optimized.dots.setPoints(new Float32Array());
   }
@@ -287,6 +301,8 @@ export class Viewport {
 
   /** Turns the camera to the whole body and to what it can touch. */
   fit(isAnimated = true): void {
+    this.fitsLater = this.panes.original.isLate;
+    if (this.fitsLater) return;
     this.layFloors();
     const turned = this.scenePoints.map((point) => point.clone().applyQuaternion(this.orbit.turn));
     const corners = this.corners.length > 0 ? this.corners : this.panes.original.boxCorners();
