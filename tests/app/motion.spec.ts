@@ -50,14 +50,14 @@ test('another material has other frequencies, and other numbers make a custom ma
 test('a pinned end leaves no rigid motion, and the command line pins it too', async ({ page }) => {
   await openSolidBar(page);
   const free = await frequency(page);
-  await button(page, 'Low end').click();
+  await button(page, 'Bottom').click();
   await expect(page.getByText('0 rigid motions found, 0 expected.')).toBeVisible();
   expect(await frequency(page)).not.toBe(free);
   await expect(page.getByText('113 of 898 vertices.')).toBeVisible();
   await button(page, 'Export').click();
   await expect(page.locator('code.command')).toContainText('--model solid --pins low:6');
   await button(page, 'Close the export panel').click();
-  await button(page, 'Low end').click();
+  await button(page, 'Bottom').click();
   await expect(page.getByText('6 rigid motions found, 6 expected.')).toBeVisible();
 });
 
@@ -89,7 +89,7 @@ test('a click pins the vertex under the cursor or unpins it, a drag pins many, a
 
 test('a text with an error gets a sentence beside it, and the pins before it stay', async ({ page }) => {
   await openSolidBar(page);
-  await button(page, 'Low end').click();
+  await button(page, 'Bottom').click();
   await expect(page.getByText('0 rigid motions found, 0 expected.')).toBeVisible();
   const text = await pinsText(page);
   await text.fill('left:3');
@@ -99,7 +99,7 @@ test('a text with an error gets a sentence beside it, and the pins before it sta
   await text.press('Enter');
   await expect(page.getByRole('alert')).toContainText('This names the attribute _NOPE, but');
   await expect(text).toHaveAttribute('aria-invalid', 'true');
-  await expect(button(page, 'Low end')).toHaveAttribute('aria-pressed', 'true');
+  await expect(button(page, 'Bottom')).toHaveAttribute('aria-pressed', 'true');
   await text.fill('low:6 + high:6');
   await text.press('Enter');
   await expect(page.getByRole('alert')).toHaveCount(0);
@@ -184,7 +184,7 @@ test('the step works with the keyboard alone', async ({ page }) => {
   await material.focus();
   await page.keyboard.press('ArrowDown');
   await expect(material).toHaveValue('foam');
-  await button(page, 'High end').focus();
+  await button(page, 'Top').focus();
   await page.keyboard.press('Space');
   await expect(page.getByText('113 of 898 vertices.')).toBeVisible();
   await button(page, 'Pick').focus();
@@ -208,7 +208,7 @@ for (const colorScheme of ['light', 'dark'] as const)
     const context = await browser.newContext({ baseURL, colorScheme, reducedMotion: 'reduce' });
     const page = await context.newPage();
     await openSolidBar(page);
-    await button(page, 'Low end').click();
+    await button(page, 'Bottom').click();
     const text = await pinsText(page);
     await text.fill('left:3');
     await text.press('Enter');

@@ -147,7 +147,7 @@ test('marks on the slider show where the deviation is crossed, and a click on on
   page,
 }) => {
   await openSheet(page);
-  const mark = page.getByRole('button', { name: /^Deviation of at most 1 % before the fit/ });
+  const mark = page.getByRole('button', { name: /^Deviation of at most 1 %:/ });
   await expect(mark).toBeVisible();
   await mark.click();
   const faces = Number(

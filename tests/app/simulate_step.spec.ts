@@ -185,7 +185,7 @@ test('pins of the Motion step stay where they are on both bodies, and the rest m
   await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
   await openPage(page);
   await goTo(page, 'Motion');
-  await button(page, 'Low end').click();
+  await button(page, 'Bottom').click();
   await expect(page.getByText(/\d+ of 898 vertices\./)).toBeVisible();
   await goTo(page, 'Test');
   await expect(readout(page, 'Time')).toContainText('0.00 s');

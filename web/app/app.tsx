@@ -8,6 +8,7 @@ import { Help } from './panels/help';
 import { ModelFacts, ReadingPanel } from './panels/model/model_panel';
 import { MotionPanel } from './panels/motion/motion_panel';
 import { Notices } from './panels/notices';
+import { Busy } from './panels/busy';
 import { FirstHint } from './panels/start/first_hint';
 import { StartScreen } from './panels/start/start_screen';
 import { Readouts } from './panels/readouts';
@@ -53,7 +54,10 @@ export function App() {
       {results.file.value && <StepPanel />}
       <footer>
         {results.file.value && <StepFooter />}
-        <Readouts />
+        <div class="foot-line">
+          <Readouts />
+          {results.body.value && <Busy />}
+        </div>
       </footer>
       <Help />
       {isDraggedOver.value && <div class="drag-over">Drop to open</div>}

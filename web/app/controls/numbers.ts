@@ -9,3 +9,7 @@ export const percent = (value: number): string => {
   if (value > 0 && value < 0.001) return '< 0.001 %';
   return value === 0 || value >= 0.1 ? `${value.toFixed(2)} %` : `${Number(value.toPrecision(2))} %`;
 };
+
+/** Bytes in kB or MB. */
+export const fileSize = (bytes: number): string =>
+  bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1000))} kB` : `${(bytes / 1e6).toFixed(1)} MB`;

@@ -1,7 +1,8 @@
-/** What is running and what has gone wrong, over the upper edge of the viewport. */
+/** What has gone wrong or is to be known, over the upper edge of the viewport. */
 
-import { cancelRunning, resume } from '../state/runner';
-import { status } from '../state/store';
+import { resume } from '../state/runner';
+import { results, status } from '../state/store';
+import { Busy } from './busy';
 import './notices.css';
 
 export function Notices() {
@@ -26,7 +27,7 @@ export function Notices() {
           </button>
         </div>
       )}
-      <Busy />
+      {!results.body.value && <Busy />}
       {status.paused.value && !status.busy.value && (
         <div class="notice info" role="status">
           <span>{status.paused.value}: stopped.</span>
@@ -35,27 +36,6 @@ export function Notices() {
           </button>
         </div>
       )}
-    </div>
-  );
-}
-
-function Busy() {
-  const busy = status.busy.value;
-  if (!busy) return null;
-  const { what, progress } = busy;
-  const detail =
-    progress && progress.phase !== 'idle'
-      ? `${progress.phase} ${Math.round(100 * progress.fraction)}\u00a0%`
-      : '';
-  return (
-    <div class="notice busy" role="status">
-      <span>
-        {what} <span class="muted detail">{detail}</span>
-      </span>
-      <progress max={1} value={progress?.fraction} aria-label={what} />
-      <button type="button" class="quiet" onClick={cancelRunning} title="Esc">
-        Cancel
-      </button>
     </div>
   );
 }

@@ -7,6 +7,7 @@ import { results, shownFit, shownMesh, view, wants } from '../state/store';
 import type { BodySummary } from '../worker/protocol';
 import { count, fixed } from '../controls/numbers';
 import { Readout } from '../controls/readout';
+import { describePart, worstPart } from './reduce/frequency_hint';
 import { SimulateReadouts } from './simulate/simulate_readouts';
 
 export function Readouts() {
@@ -67,12 +68,14 @@ function FrequencyReadout() {
   if (fitted?.errorAfter.length === 0)
     return <Readout name="Frequency error" value="not fitted" note={fitted.unfitted} />;
   const at = fitted && fitted.large > 0 ? ', at half and twice the thickness' : '';
-  const worst = (errors: Float64Array) => errors.reduce((most, error) => Math.max(most, error), 0);
+  const worst = fitted ? worstPart(fitted.errorAfter) : null;
+  const where = fitted && worst ? describePart(worst.part, fitted.errorAfter.length) : '';
+  const before = fitted ? Math.max(0, ...fitted.errorBefore) : 0;
   return (
     <Readout
       name="Frequency error"
-      value={fitted ? `${fixed(worst(fitted.errorAfter), 2)} %` : '...'}
-      note={fitted ? `${fixed(worst(fitted.errorBefore), 1)} % before the fit${at}` : 'fitting'}
+      value={worst ? `${fixed(worst.error, 2)} %` : '...'}
+      note={fitted ? `${where && `${where}, `}${fixed(before, 1)} % before the fit${at}` : 'fitting'}
     />
   );
 }

@@ -39,11 +39,15 @@ function noticeOf(error: unknown): Notice {
 /** Shows what is going on while `make` runs, unless it is quick. */
 export async function whileBusy<T>(what: string, make: () => Promise<T>): Promise<T> {
   let frame = 0;
-  const begin = performance.now();
+  let begin = performance.now();
+  let phase = '';
   const isStuck = stuckness();
   const show = () => {
     const progress = client.progress();
-    status.busy.value = { what, progress, seconds: (performance.now() - begin) / 1000 };
+    const now = performance.now();
+    const own = progress?.part ? 'bodies' : (progress?.phase ?? '');
+    if (own !== phase) [phase, begin] = [own, now];
+    status.busy.value = { what, progress, seconds: (now - begin) / 1000 };
     if (isStuck(progress)) offerRestart(what);
     frame = requestAnimationFrame(show);
   };

@@ -7,6 +7,8 @@ import type { MeshAt, SurfacePoint } from '../../engine/core/core';
 import { OPTIONS } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { topCorners } from '../../engine/motion/top_corners';
+import { turned, turnOf } from '../../engine/motion/turned';
+import type { Turn } from '../../engine/motion/turned';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
 import { watchLife } from '../worker/life';
 import type { SimulationApi, TwinFrame, TwinRequest, TwinSetup } from '../worker/simulation_protocol';
@@ -109,11 +111,15 @@ function clearFrames(): void {
   twin.worst.value = 0;
 }
 
+/** How the scene turns the shown body. */
+export const shownTurn = (): Turn | null => turnOf(results.file.value!.bodies[wants.body.value].placement);
+
 /** The pinned vertices of the original; null: those of the scenario. */
 function pinnedVertices(): Uint32Array | null {
   const { value: body } = results.body;
   if (!body || pinSource.value === 'scenario') return null;
-  return pinSource.value === 'corners' ? topCorners(body.mesh) : (results.pins.value?.vertices ?? null);
+  if (pinSource.value !== 'corners') return results.pins.value?.vertices ?? null;
+  return topCorners({ ...body.mesh, positions: turned(body.mesh.positions, shownTurn()) });
 }
 
 /** What both bodies are started with, now. */
@@ -125,6 +131,7 @@ export function twinSetup(result: MeshAt): TwinSetup {
     result,
     meshKey: meshKey(),
     size: { body: { scale }, diagonal },
+    turn: shownTurn(),
     settings: wants.settings.value,
     pinned: pinnedVertices(),
     tuned: usedTuning.value,
@@ -210,7 +217,9 @@ export function startSimulations(): void {
   effect(() => {
     const { value: wanted } = simulationKey;
     if (view.step.value !== 'test') return untracked(closeWorker);
-    if (wanted === null) return;
+    // Frames of a body that is shown no more would be taken for those of the next one.
+    if (!results.body.value) return untracked(clearFrames);
+    if (wanted === null) return untracked(invalidate);
     untracked(invalidate);
     const timer = setTimeout(() => void start(shownMesh.value!), REST_MILLISECONDS);
     return () => clearTimeout(timer);

@@ -121,6 +121,7 @@ export const view = {
 export const status = {
   /** whether stages are running or about to run */
   working: signal(false),
+  /** `seconds`: since the phase that the progress counts has begun, or the first body */
   busy: signal<{ what: string; progress: CallProgress | null; seconds: number } | null>(null),
   /** the stage that the user has cancelled, and that waits to be run again */
   paused: signal<string | null>(null),
@@ -232,9 +233,12 @@ export function keepFaces(faces: number): void {
 }
 
 /** Gives the shown body a number of faces of its own; null: it shares with the others again. */
-export function setOwnFaces(faces: number | null): void {
+export const setOwnFaces = (faces: number | null): void => setFacesOf(wants.body.value, faces);
+
+/** Gives any body a number of faces of its own; null: it shares with the others again. */
+export function setFacesOf(body: number, faces: number | null): void {
   const own = new Map(wants.own.value);
-  if (faces === null) own.delete(wants.body.value);
-  else own.set(wants.body.value, faces);
+  if (faces === null) own.delete(body);
+  else own.set(body, faces);
   wants.own.value = own;
 }

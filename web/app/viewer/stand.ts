@@ -2,6 +2,7 @@
 
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
+import { turnOf } from '../../engine/motion/turned';
 import { floorShadow, SHADOW_SIZE } from './floor_shadow';
 import type { SceneLook, SceneModel } from './scene_model';
 import { spreadPoints } from './spread_points';
@@ -104,12 +105,14 @@ function shadowTexture(shadow: Float32Array): THREE.DataTexture {
   return texture;
 }
 
-/** From the space of the scene to that of a body with this placement, without what would stretch it unevenly. */
+/** From the space of the scene to that of a body with this placement, without what would stretch or mirror it. */
 export function standingMatrix(placement: readonly number[]): THREE.Matrix4 {
-  const [position, turn, scale] = [new THREE.Vector3(), new THREE.Quaternion(), new THREE.Vector3()];
-  new THREE.Matrix4().fromArray([...placement]).decompose(position, turn, scale);
-  const mean = Math.cbrt(Math.abs(scale.x * scale.y * scale.z)) || 1;
-  const isSound = Number.isFinite(mean) && Number.isFinite(position.length());
-  if (!isSound) return new THREE.Matrix4();
-  return new THREE.Matrix4().compose(position, turn, new THREE.Vector3(mean, mean, mean)).invert();
+  const matrix = new THREE.Matrix4().fromArray([...placement]);
+  const scale = Math.cbrt(Math.abs(matrix.determinant())) || 1;
+  const position = new THREE.Vector3().setFromMatrixPosition(matrix);
+  if (!Number.isFinite(scale + position.length())) return new THREE.Matrix4();
+  const turn = turnOf(placement) ?? [1, 0, 0, 0, 1, 0, 0, 0, 1];
+  const rotation = new THREE.Matrix4().setFromMatrix3(new THREE.Matrix3().fromArray([...turn]).transpose());
+  const quaternion = new THREE.Quaternion().setFromRotationMatrix(rotation);
+  return new THREE.Matrix4().compose(position, quaternion, new THREE.Vector3(scale, scale, scale)).invert();
 }

@@ -4,6 +4,7 @@ import { expose } from 'comlink';
 import { loadCore } from '../../engine/core/load_core';
 import type { Convergence } from '../../engine/motion/convergence';
 import type { TwinSetup } from './simulation_protocol';
+import { standingSetup } from './standing_setup';
 import { twinOptions } from './twin_options';
 
 export interface ConvergenceApi {
@@ -12,7 +13,8 @@ export interface ConvergenceApi {
 }
 
 const api: ConvergenceApi = {
-  measure: async (wasmFolder, setup) => {
+  measure: async (wasmFolder, asked) => {
+    const setup = standingSetup(asked);
     const core = await loadCore({ wasmFolder, threads: 1 });
     const { original, result } = setup;
     const options = { ...twinOptions(setup), records: false, binding: core.bindToResult(original, result) };

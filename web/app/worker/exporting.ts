@@ -15,7 +15,7 @@ export async function exportAll(
   file: FileRun,
   request: FileRequest,
   { output: name, binding }: ExportRequest,
-): Promise<Omit<ExportResult, 'key'>> {
+): Promise<Omit<ExportResult, 'key' | 'inputValidation'>> {
   const { settings, targets } = request;
   const asked = request.faces ?? sum(targets);
   const stopwatch = startStopwatch();

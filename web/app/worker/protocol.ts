@@ -180,6 +180,8 @@ export interface ExportedLevel {
 export interface ExportResult {
   bytes: Uint8Array;
   validation: Validation;
+  /** of the file as it was opened; null where the validator does not know its format */
+  inputValidation: Validation | null;
   report: Report;
   faces: number;
   /** the most faces that all bodies together may have: `--faces` of the command line */

@@ -5,7 +5,8 @@
 
 import { STEP_SECONDS } from '../../engine/motion/simulation';
 import type { Twin, TwinName, TwinSample } from '../../engine/motion/twin';
-import type { BodyState, ShowFrame, TwinFrame, TwinRequest } from './simulation_protocol';
+import { turned } from '../../engine/motion/turned';
+import type { BodyState, ShowFrame, TwinFrame, TwinRequest, TwinSetup } from './simulation_protocol';
 
 const STEP_MILLISECONDS = 1000 * STEP_SECONDS;
 
@@ -38,7 +39,7 @@ export class TwinPlayer {
 
   constructor(
     private readonly twin: Twin,
-    private readonly number: number,
+    private readonly setup: Pick<TwinSetup, 'number' | 'turn'>,
     private readonly showFrame: ShowFrame,
     { request, spareSeconds }: { request: TwinRequest; spareSeconds: number },
   ) {
@@ -71,7 +72,8 @@ export class TwinPlayer {
   }
 
   drag(target: [number, number, number]): void {
-    this.moveDragged?.(target);
+    const [x, y, z] = turned(Float32Array.from(target), this.setup.turn);
+    this.moveDragged?.([x, y, z]);
   }
 
   release(): void {
@@ -145,13 +147,13 @@ export class TwinPlayer {
   }
 
   private frame(): TwinFrame {
-    const { twin, number, request, samples, diverged, failure } = this;
+    const { twin, setup, request, samples, diverged, failure } = this;
     this.samples = [];
     return {
-      number,
+      number: setup.number,
       time: twin.time,
       bodies: { original: this.stateOf('original'), optimized: this.stateOf('optimized') },
-      driven: request.driven ? twin.driven() : null,
+      driven: request.driven ? this.inMesh(twin.driven()) : null,
       vertexDistances: request.vertexDistances ? twin.vertexDistances() : null,
       samples,
       playing: this.isPlaying,
@@ -164,11 +166,16 @@ export class TwinPlayer {
   private stateOf(name: TwinName): BodyState {
     const { twin } = this;
     return {
-      positions: twin.positions(name),
-      pins: twin.pins(name),
+      positions: this.inMesh(twin.positions(name)),
+      pins: this.inMesh(twin.pins(name)),
       stepSeconds: twin.stepSeconds(name),
       stretch: twin.stretchOf(name),
     };
+  }
+
+  /** Points of the scene in the space of the meshes. */
+  private inMesh(points: Float32Array): Float32Array {
+    return turned(points, this.setup.turn, true);
   }
 
   private pace(): number {

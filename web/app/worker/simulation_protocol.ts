@@ -3,6 +3,7 @@
 import type { MeshAt, SurfacePoint, CollisionScene, TriangleMesh } from '../../engine/core/core';
 import type { Settings } from '../../engine/settings/options';
 import type { BodySize } from '../../engine/body/prepared_body';
+import type { Turn } from '../../engine/motion/turned';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
 import type { TunedBody } from '../../engine/solvers/tuned_body';
 
@@ -14,6 +15,8 @@ export interface TwinSetup {
   /** equal for equal meshes */
   meshKey: string;
   size: BodySize;
+  /** from the space of the meshes to the scene's, in which gravity pulls and colliders lie; null: the same */
+  turn: Turn | null;
   settings: Settings;
   /** vertices of the original; null: what the scenario pins by itself */
   pinned: Uint32Array | null;

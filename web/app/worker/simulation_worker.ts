@@ -8,6 +8,7 @@ import { Twin } from '../../engine/motion/twin';
 import { keepAlive } from './life';
 import { TwinPlayer } from './simulation_player';
 import type { ShowFrame, SimulationApi, TwinFrame, TwinSetup } from './simulation_protocol';
+import { standingSetup } from './standing_setup';
 import { twinOptions } from './twin_options';
 
 let core: Core;
@@ -58,14 +59,15 @@ const api: SimulationApi = {
     show = (frame) => showFrame(moved(frame));
     core = await loadCore({ wasmFolder, threads: Math.min(MOST_THREADS, navigator.hardwareConcurrency) });
   },
-  start: async (setup, request) => {
+  start: async (asked, request) => {
+    const setup = standingSetup(asked);
     player?.end();
     player = null;
     // With a thread for each body the reordered run costs nothing.
     const keepsNoise = setup.noise === 'always' || core.threads >= MOST_THREADS;
     const spareSeconds = keepsNoise ? Infinity : SPARE_SHARE * core.threads * STEP_SECONDS;
     const twin = makeTwin(setup);
-    player = new TwinPlayer(twin, setup.number, show, { request, spareSeconds });
+    player = new TwinPlayer(twin, setup, show, { request, spareSeconds });
     return twin.collisionScene;
   },
   setRequest: async (request) => player?.setRequest(request),

@@ -10,9 +10,12 @@ import type { Core } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
 import { contentsOf } from '../../engine/document/contents';
 import { droppedByExport, exportGlb } from '../../engine/document/export';
+import { isGlb } from '../../engine/document/glb';
 import { openModel } from '../../engine/document/open';
 import type { OpenModel } from '../../engine/document/open';
 import { placementOf } from '../../engine/document/placements';
+import { validateGlb } from '../../engine/document/validate';
+import type { Validation } from '../../engine/document/validate';
 import { isBlockedBySeams } from '../../engine/report/stop_report';
 import { checkSettings, defaultSettings } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
@@ -88,6 +91,16 @@ function startRun(opened: OpenModel): { fresh: FileRun; notes: string[] } {
   }
 }
 
+/** The bytes of the open file where it is a GLB. */
+let openedGlb: Uint8Array | null = null;
+let inputVerdict: Promise<Validation> | null = null;
+
+/** The validator reads the input once, when a result is first compared with it. */
+async function verdictOnInput(): Promise<Validation | null> {
+  if (!openedGlb) return null;
+  return (inputVerdict ??= validateGlb(openedGlb));
+}
+
 /** What the page is told of each body. */
 function describeBodies({ runs, model }: FileRun): OpenedBody[] {
   const meshes = model.document.getRoot().listMeshes();
@@ -124,6 +137,8 @@ const api: WorkerApi = {
       const { fresh, notes } = startRun(opened);
       file?.dispose();
       file = fresh;
+      openedGlb = files.find(({ name, bytes }) => name === opened.name && isGlb(bytes))?.bytes ?? null;
+      inputVerdict = null;
       return {
         name: opened.name,
         format: opened.format,
@@ -244,7 +259,10 @@ const api: WorkerApi = {
   export: (settings, kept, request) =>
     translateErrors(async () => {
       const fileRequest = requestFile(openedFile(), askedOf(settings, kept, request.fields));
-      const done = await exportAll(openedFile(), fileRequest, request);
+      const done = {
+        ...(await exportAll(openedFile(), fileRequest, request)),
+        inputValidation: await verdictOnInput(),
+      };
       const buffers = [done, ...done.levels].map(({ bytes }) => bytes.buffer);
       return transfer({ ...done, key: exportKey(settings, kept, request) }, buffers);
     }),

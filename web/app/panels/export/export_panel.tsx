@@ -1,6 +1,7 @@
 /** What the files will contain, what they leave out, what the validator finds, and the buttons that save them. */
 
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
+import { knownMessages } from '../../../engine/document/known_messages';
 import type { Validation } from '../../../engine/document/validate';
 import { OPTIONS, checkSetting } from '../../../engine/settings/options';
 import { reportAsCsv, reportAsMarkdown } from '../../../engine/report/report_text';
@@ -134,6 +135,7 @@ function Verdict({ exported }: { exported: ExportResult }) {
   return (
     <Section title="Khronos validator">
       <p class={errors > 0 ? 'verdict bad' : 'verdict good'}>{describeVerdict(exported.validation)}</p>
+      <KnownMessages exported={exported} />
       {messages.length > 0 && (
         <ul class="hint">
           {messages.slice(0, 5).map((message) => (
@@ -158,6 +160,15 @@ function Verdict({ exported }: { exported: ExportResult }) {
       )}
     </Section>
   );
+}
+
+/** How much of what the validator says it said of the input, too. */
+function KnownMessages({ exported: { validation, inputValidation } }: { exported: ExportResult }) {
+  const { length: all } = validation.messages;
+  if (all === 0 || !inputValidation) return null;
+  const known = knownMessages(validation, inputValidation);
+  const text = known === all ? 'All of them were' : `${count(known)} of ${count(all)} were`;
+  return <p class="hint">{text} in your file.</p>;
 }
 
 function Actions({ exported }: { exported: ExportResult | null }) {

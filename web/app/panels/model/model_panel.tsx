@@ -1,9 +1,10 @@
 /** Step 1: what the file contains and what state it is in. */
 
-import { results, wants } from '../../state/store';
-import { showBody } from '../../state/runner';
+import { results } from '../../state/store';
+import { shownResultFile } from '../../state/runner';
 import { Section, SettingRange } from '../../controls/controls';
-import { count, fixed } from '../../controls/numbers';
+import { count, fileSize, fixed } from '../../controls/numbers';
+import { SceneTree } from './scene_tree';
 import './model_panel.css';
 
 export function ModelFacts() {
@@ -16,8 +17,13 @@ export function ModelFacts() {
         <p class="filename" title={file.name}>
           {file.name}
         </p>
-        {file.bodies.length > 1 && <Bodies />}
+        <Contents />
       </Section>
+      {file.bodies.length > 1 && (
+        <Section title={`${count(file.bodies.length)} meshes`}>
+          <SceneTree />
+        </Section>
+      )}
       {body && (
         <>
           <Section title="Mesh">
@@ -32,19 +38,21 @@ export function ModelFacts() {
   );
 }
 
-function Bodies() {
-  return (
-    <ul class="bodies">
-      {results.file.value!.bodies.map((body, i) => (
-        <li key={i}>
-          <button type="button" aria-pressed={wants.body.value === i} onClick={() => showBody(i)}>
-            <span>{body.name}</span>
-            <span class="muted">{count(body.faces)}</span>
-          </button>
-        </li>
-      ))}
-    </ul>
-  );
+/** What an artist looks for in a file. */
+function Contents() {
+  const { contents, size } = results.file.value!;
+  const after = shownResultFile.value?.bytes.length ?? null;
+  const rows: [string, string][] = [
+    ['Size', after === null ? fileSize(size) : `${fileSize(size)} → ${fileSize(after)}`],
+    ['UV sets', count(contents.uvSets)],
+    ['Materials', count(contents.materials)],
+    ['Textures', count(contents.textures)],
+    ['Vertex colours', contents.vertexColours ? 'yes' : 'no'],
+    ['Skins', count(contents.skins)],
+    ['Animations', count(contents.animations)],
+    ['Morph targets', count(contents.morphTargets)],
+  ];
+  return <FactList rows={rows} />;
 }
 
 function Facts() {
@@ -59,6 +67,10 @@ function Facts() {
     ['Smallest angle', `${fixed(minAngle, 1)}°`],
     ['Mean of smallest', `${fixed(meanMinAngle, 1)}°`],
   ];
+  return <FactList rows={rows} />;
+}
+
+function FactList({ rows }: { rows: [string, string][] }) {
   return (
     <dl class="facts">
       {rows.map(([name, value]) => (

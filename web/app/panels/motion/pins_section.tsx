@@ -3,21 +3,34 @@
 import { useId } from 'preact/hooks';
 import { OPTIONS } from '../../../engine/settings/options';
 import { hasPins, pinValue, withPins } from '../../../engine/settings/pin_edits';
+import { boundsOf } from '../../../engine/core/mesh';
+import { endNames } from '../../../engine/motion/turned';
 import { setPins } from '../../state/pins';
 import { isPicking, results, status, view, wants } from '../../state/store';
 import { Section, Select } from '../../controls/controls';
 import { RefusedText } from '../../controls/refused_text';
 import { count } from '../../controls/numbers';
 
+/** What the ends of the longest side are called as the scene shows them. */
+function shownEnds(): { low: string; high: string } {
+  const { file, body } = results;
+  const placement = file.value?.bodies[wants.body.value]?.placement;
+  if (!placement || !body.value) return { low: 'Low end', high: 'High end' };
+  const { low, high } = boundsOf(body.value.mesh.positions);
+  const sizes = high.map((value, axis) => value - low[axis]);
+  return endNames(placement, sizes.indexOf(Math.max(...sizes)));
+}
+
 /** How much of the body is an end, in % of its length. */
 const END = '6';
 
 export function PinsSection() {
+  const ends = shownEnds();
   return (
     <Section title="Held in place">
       <div class="buttons">
-        <EndButton kind="low" text="Low end" />
-        <EndButton kind="high" text="High end" />
+        <EndButton kind="low" text={ends.low} />
+        <EndButton kind="high" text={ends.high} />
         <button
           type="button"
           aria-pressed={isPicking.value}
@@ -63,7 +76,7 @@ function EndButton({ kind, text }: { kind: 'low' | 'high'; text: string }) {
     <button
       type="button"
       aria-pressed={isPinned}
-      title={`Pins the ${kind === 'low' ? 'lowest' : 'highest'} ${END} % along the longest side`}
+      title={`Pins ${END} % of the longest side at this end (${kind} in the file's own space)`}
       onClick={() => setPins(withPins(pins, kind, isPinned ? '' : END))}
     >
       {text}

@@ -5,6 +5,7 @@ import { methodChange, methodOf, OPTIONS, readsSetting } from '../../../engine/s
 import type { Settings } from '../../../engine/settings/options';
 import { changeSettings, wants } from '../../state/store';
 import { BrushSection, NamedLocks } from './brush_section';
+import { FrequencyHint } from './frequency_hint';
 import { Choice, Section, Select, SettingRange, Toggle } from '../../controls/controls';
 import { SettingControls } from '../../controls/setting_controls';
 import { ACROSS_SEAMS, StopReason } from './stop_reason';
@@ -35,6 +36,7 @@ export function ReducePanel() {
         <SettingControls section="limits" />
         {!methodOf(settings).needsGuidance && <SettingRange name="minAngle" />}
         <StopReason />
+        <FrequencyHint />
       </Section>
       <BrushSection />
       <details class="more">

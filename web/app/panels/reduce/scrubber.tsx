@@ -75,7 +75,7 @@ function Marks() {
     <>
       {marks.map(({ deviation, faces }, i) => {
         const isLabelled = i === 0 || positionOf(marks[i - 1].faces) - positionOf(faces) > LABEL_WIDTH;
-        const meaning = `Deviation of at most ${deviation} % before the fit: ${count(faces)} faces`;
+        const meaning = `Deviation of at most ${deviation} %: ${count(faces)} faces`;
         return (
           <button
             key={deviation}

@@ -2,9 +2,9 @@
 
 import { count, fixed } from '../../controls/numbers';
 import { describeRefused } from '../../../engine/report/stop_report';
-import { OPTIONS } from '../../../engine/settings/options';
+import type { Settings } from '../../../engine/settings/options';
 import type { FrequencyFinding, Tried } from '../../../engine/body/body_result';
-import { results, shownFit, shownMesh, wantedFaces } from '../../state/store';
+import { changeSettings, results, shownFit, shownMesh, wantedFaces } from '../../state/store';
 
 export const ACROSS_SEAMS = 'Collapse across texture seams';
 
@@ -21,19 +21,34 @@ export function StopReason() {
       {wantedFaces.value < history.floorFaces && (
         <p class="hint warning">
           Stopped at {count(history.floorFaces)} faces: {describeRefused(history.refused)}.
-          {history.blockedBySeams && ` Turn on “${ACROSS_SEAMS}” under More to go on.`}
+          {history.blockedBySeams && ` Texture seams are in the way.`}
         </p>
+      )}
+      {wantedFaces.value < history.floorFaces && history.blockedBySeams && (
+        <Cure text={ACROSS_SEAMS} change={{ seams: 'cross' }} />
       )}
       {guard && (
         <p class="hint warning">
           Stopped at {count(shown)} faces: with fewer the surface would go too far, more than{' '}
-          {fixed(guard.limit, 2)} % of the diagonal. Set {OPTIONS.maxDeviation.label} to 0 to go on.
+          {fixed(guard.limit, 2)} % of the diagonal.
         </p>
       )}
+      {guard && <Cure text="Let it go farther" change={{ maxDeviation: 0 }} />}
       {frequency && (
         <p class={frequency.isBinding ? 'hint warning' : 'hint'}>{describeFrequency(frequency, shown)}</p>
       )}
     </>
+  );
+}
+
+/** Does what a sentence names. */
+function Cure({ text, change }: { text: string; change: Partial<Settings> }) {
+  return (
+    <div class="buttons">
+      <button type="button" onClick={() => changeSettings(change)}>
+        {text}
+      </button>
+    </div>
   );
 }
 

@@ -4,6 +4,8 @@ import { computed } from '@preact/signals';
 import type { CollisionScene } from '../../../engine/core/core';
 import { scenarioWords } from '../../../engine/core/scenarios';
 import { boundsOf } from '../../../engine/core/mesh';
+import { turned } from '../../../engine/motion/turned';
+import { shownTurn } from '../../state/simulation';
 import { viewportColours } from '../../state/scheme';
 import { twin } from '../../state/twin';
 import { results, shownMesh, view, wants } from '../../state/store';
@@ -44,7 +46,10 @@ let fittedScene = '';
 export function showCollisionScene(viewport: Viewport | null): void {
   const body = results.body.value;
   const collisionScene = isSimulating() ? twin.collisionScene.value : null;
-  const shown = body && collisionScene && sceneAround(body.mesh.positions, body.diagonal, collisionScene);
+  const shown =
+    body &&
+    collisionScene &&
+    sceneAround(turned(body.mesh.positions, shownTurn()), body.diagonal, collisionScene);
   viewport?.setCollisionScene(shown, viewportColours.value.collisionScene);
   const hasPoints = shown && (shown.ground !== null || shown.lowest !== null || shown.colliders.length > 0);
   const key = hasPoints ? JSON.stringify(shown) : '';

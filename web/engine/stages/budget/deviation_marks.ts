@@ -1,6 +1,6 @@
-/** Stage: the face counts of a history at which the surface has moved by given deviations; the page marks them on its slider. */
+/** Stage: the face counts of a history at which the exported surface has moved by given deviations; the page marks them on its slider. */
 
-import { deviationsStage } from './deviations';
+import { fittedDeviationsStage } from './fitted_deviations';
 import { keptHistoryStage } from '../kept_history';
 import { declareStage } from '../stage';
 
@@ -20,9 +20,8 @@ const CLOSE = 1.02;
 export const deviationMarksStage = declareStage({
   name: 'deviation marks',
   reads: [],
-  needs: { kept: keptHistoryStage, deviations: deviationsStage },
-  run: (_context, { kept, deviations }): DeviationMark[] => {
-    const deviationAt = (faces: number): number => deviations.at(faces);
+  needs: { kept: keptHistoryStage, deviationAt: fittedDeviationsStage },
+  run: (_context, { kept, deviationAt }): DeviationMark[] => {
     const { triangleCount: total, trianglesAfter } = kept.history;
     return markDeviations(deviationAt, { floor: trianglesAfter.at(-1) ?? total, total });
   },
