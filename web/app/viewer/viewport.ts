@@ -30,7 +30,7 @@ const SWING_FREQUENCY = 0.5;
 
 export class Viewport {
   private readonly renderer: THREE.WebGLRenderer;
-  private readonly orbit: OrbitCamera;
+  readonly orbit: OrbitCamera;
   private readonly layout: PaneLayout;
   private readonly timer = new THREE.Timer();
   private readonly maps: Record<MapName, THREE.DataTexture>;
