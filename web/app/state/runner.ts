@@ -6,11 +6,11 @@ import { faceCount } from '../../engine/core/mesh';
 import { fileDefaults } from '../../engine/settings/options';
 import { STAGES } from '../../engine/stages/stages';
 import { CANCELLED, exportKey, resultFileKey, sharesKey } from '../worker/protocol';
-import type { ExportRequest, PinsResult } from '../worker/protocol';
+import type { ExportRequest } from '../worker/protocol';
 import { WorkerLost } from './client';
+import { findPins } from './find_pins';
 import { takeAwaited } from './link';
 import type { Wanted } from './link';
-import { besideControl } from './refusal';
 import { client, complain, whileBusy } from './running';
 import { saveFiles, startSaving } from './saved_session';
 import { afterBody, afterHistory, keyed, keyedByFile, of, ofFaces } from './task';
@@ -28,7 +28,7 @@ import {
   whyKey,
   wants,
 } from './store';
-import { forgetUndo, startUndo, withoutUndo } from './undo';
+import { forgetUndo, startUndo } from './undo';
 
 const REST_MILLISECONDS = 180;
 
@@ -68,7 +68,7 @@ const tasks: Task[] = [
   {
     what: 'Finding pins',
     key: afterBody(of(STAGES.pinned)),
-    run: findPins,
+    run: () => findPins(client, body()),
     result: results.pins,
   },
   {
@@ -189,24 +189,6 @@ const isMarkingWanted = (): boolean =>
 
 const isStoppable = (): boolean =>
   client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE;
-
-/** Pins that the body does not have are refused with a sentence, and the earlier ones stay; a new file begins with none. */
-async function findPins(): Promise<unknown> {
-  const text = settings().pins;
-  try {
-    const pins = await client.call<PinsResult>((worker) => worker.pins(body(), settings()));
-    if (status.refusedPins.value?.text === text) status.refusedPins.value = null;
-    return pins;
-  } catch (error) {
-    if (!(error instanceof Error) || error.message === CANCELLED || text === '') throw error;
-    const last = results.pins.value;
-    batch(() => {
-      status.refusedPins.value = { text, why: besideControl(error) };
-      withoutUndo(() => changeSettings({ pins: last && last.text !== text ? last.text : '' }));
-    });
-    return last;
-  }
-}
 
 const baseName = (name: string): string =>
   name
