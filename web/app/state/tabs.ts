@@ -45,7 +45,7 @@ function lock(id: string): Promise<boolean> {
 
 /** The tabs that are open now, this one among them. */
 export async function liveTabs(): Promise<Set<string>> {
-  const locks = (await navigator.locks?.query())?.held ?? [];
+  const locks = (await navigator.locks?.query())?.['held'] ?? [];
   const names = locks.map(({ name }) => name ?? '').filter((name) => name.startsWith(PREFIX));
   return new Set([...names.map((name) => name.slice(PREFIX.length)), (await ownTab).id]);
 }

@@ -5,7 +5,7 @@ import type { PickTool } from '../../viewer/pick_tool';
 import type { Viewport } from '../../viewer/viewport';
 
 /** Radians per press. */
-const TURN = Math.PI / 24;
+const ROTATION = Math.PI / 24;
 /** The share of the distance to the body per press. */
 const STEP = 0.1;
 const ZOOM = 1.15;
@@ -14,10 +14,10 @@ const ZOOM = 1.15;
 export function connectViewportKeys(canvas: HTMLCanvasElement, viewport: Viewport, tool: PickTool): void {
   const { orbit } = viewport;
   const moves: Record<string, () => void> = {
-    ArrowLeft: () => orbit.rotate(-TURN, 0),
-    ArrowRight: () => orbit.rotate(TURN, 0),
-    ArrowUp: () => orbit.rotate(0, -TURN),
-    ArrowDown: () => orbit.rotate(0, TURN),
+    ArrowLeft: () => orbit.rotate(-ROTATION, 0),
+    ArrowRight: () => orbit.rotate(ROTATION, 0),
+    ArrowUp: () => orbit.rotate(0, -ROTATION),
+    ArrowDown: () => orbit.rotate(0, ROTATION),
     'Shift ArrowLeft': () => orbit.slide(-STEP, 0),
     'Shift ArrowRight': () => orbit.slide(STEP, 0),
     'Shift ArrowUp': () => orbit.slide(0, -STEP),
