@@ -3,7 +3,7 @@ import { Document, WebIO } from '@gltf-transform/core';
 import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
 import { combObj, sheetObj } from './meshes';
-import { drop, goTo, openPage, readout, writeScratch } from './page';
+import { drop, expectSolved, goTo, openPage, readout, writeScratch } from './page';
 
 const firstMode = (page: Page) => page.getByRole('button', { name: /^Mode 1 / });
 const model = (page: Page, name: string) =>
@@ -19,7 +19,7 @@ async function openSolidBar(page: Page): Promise<void> {
   await openPage(page);
   await goTo(page, 'Motion');
   await model(page, 'Solid').click();
-  await expect(page.getByText('6 rigid motions found, 6 expected.')).toBeVisible();
+  await expectSolved(page, '6 rigid motions found, 6 expected.');
 }
 
 async function pinsText(page: Page) {
@@ -51,14 +51,14 @@ test('a pinned end leaves no rigid motion, and the command line pins it too', as
   await openSolidBar(page);
   const free = await frequency(page);
   await button(page, 'Bottom').click();
-  await expect(page.getByText('0 rigid motions found, 0 expected.')).toBeVisible();
+  await expectSolved(page, '0 rigid motions found, 0 expected.');
   expect(await frequency(page)).not.toBe(free);
   await expect(page.getByText('113 of 898 vertices.')).toBeVisible();
   await button(page, 'Export').click();
   await expect(page.locator('code.command')).toContainText('--model solid --pins low:6');
   await button(page, 'Close the export panel').click();
   await button(page, 'Bottom').click();
-  await expect(page.getByText('6 rigid motions found, 6 expected.')).toBeVisible();
+  await expectSolved(page, '6 rigid motions found, 6 expected.');
 });
 
 test('a click pins the vertex under the cursor or unpins it, a drag pins many, and Shift unpins them', async ({
@@ -90,7 +90,7 @@ test('a click pins the vertex under the cursor or unpins it, a drag pins many, a
 test('a text with an error gets a sentence beside it, and the pins before it stay', async ({ page }) => {
   await openSolidBar(page);
   await button(page, 'Bottom').click();
-  await expect(page.getByText('0 rigid motions found, 0 expected.')).toBeVisible();
+  await expectSolved(page, '0 rigid motions found, 0 expected.');
   const text = await pinsText(page);
   await text.fill('left:3');
   await text.press('Enter');
@@ -134,7 +134,7 @@ test('a local mode is named and left out on request', async ({ page }) => {
   await expect(page.locator('.filename')).toHaveText('comb.obj');
   await goTo(page, 'Motion');
   await model(page, 'Shell').click();
-  await expect(page.getByText('6 rigid motions found, 6 expected.')).toBeVisible();
+  await expectSolved(page, '6 rigid motions found, 6 expected.');
   const local = page.getByRole('button', { name: /^Mode \d+ local/ }).first();
   await local.click();
   await expect(page.locator('.mode-notes')).toContainText(/Mode \d+ is local: little of the body moves/);

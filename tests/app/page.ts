@@ -16,7 +16,7 @@ export function writeScratch(name: string, content: string | Uint8Array): string
   return path;
 }
 
-/** Opens the page and waits until its first sample is shown. */
+/** Opens the page with the bar, or with what an address names, and waits until the bar is shown. */
 export async function openPage(page: Page, address = '/?sample=bar'): Promise<void> {
   await page.goto(address);
   await expect(readout(page, 'Faces')).toContainText('1,792');
@@ -69,4 +69,14 @@ export function commandLineBytes(input: string, options: string[]): Uint8Array {
     stdio: 'pipe',
   });
   return new Uint8Array(readFileSync(output));
+}
+
+/** Waits until the Motion step says this of how the modes were solved. */
+export async function expectSolved(page: Page, text: string | RegExp): Promise<void> {
+  const details = page.locator('details').filter({ hasText: 'How it was solved' });
+  await expect(async () => {
+    const isOpen = (await details.getAttribute('open', { timeout: 1000 })) !== null;
+    if (!isOpen) await details.locator('summary').click({ timeout: 1000 });
+    await expect(details.getByText(text)).toBeVisible({ timeout: 1000 });
+  }).toPass({ timeout: 100_000 });
 }

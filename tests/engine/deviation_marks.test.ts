@@ -1,5 +1,10 @@
 import { describe, expect, it } from 'vitest';
+import { defaultSettings } from '../../web/engine/settings/options';
 import { markDeviations } from '../../web/engine/stages/budget/deviation_marks';
+import { STAGES } from '../../web/engine/stages/stages';
+import { loadTestCore } from './support/core';
+import { runOfMesh } from './support/runs';
+import { torus } from './support/shapes';
 
 const falling = (faces: number): number => 50 / faces;
 
@@ -35,5 +40,22 @@ describe('marks of deviation', () => {
     const uneven = (faces: number) => (faces > 300 && faces < 330 ? 0.9 : falling(faces));
     for (const { deviation, faces } of markDeviations(uneven, { floor: 4, total: 10_000 }))
       expect(uneven(faces)).toBeLessThanOrEqual(deviation);
+  });
+
+  it('are those of the result that is exported, its fit included', async () => {
+    const run = runOfMesh(await loadTestCore(1), torus(48, 24));
+    // Without a guard, so that every mark can be reached.
+    const settings = { ...defaultSettings(), maxDeviation: 0 };
+    const deviationOf = (fit: 'surface' | 'off', targetFaces: number) =>
+      run.get(STAGES.measured, { ...settings, fit, targetFaces, fields: false }).distance.hausdorff;
+    const marks = run.get(STAGES.deviationMarks, settings);
+    expect(marks.length).toBeGreaterThan(1);
+    for (const { deviation, faces } of marks) {
+      expect(deviationOf('surface', faces)).toBeLessThanOrEqual(deviation);
+      // 5 % fewer faces are beyond the mark, which is found to 2 %.
+      expect(deviationOf('surface', Math.floor(0.95 * faces))).toBeGreaterThan(0.9 * deviation);
+    }
+    const { faces } = marks[marks.length - 1];
+    expect(deviationOf('off', faces)).not.toBe(deviationOf('surface', faces));
   });
 });

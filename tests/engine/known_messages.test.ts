@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { knownMessages } from '../../web/engine/document/known_messages';
+import { knownMessages } from '../../web/engine/document/facts/known_messages';
 
 const verdict = (...messages: string[]) => ({ errors: 0, warnings: messages.length, messages });
 

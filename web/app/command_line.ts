@@ -13,22 +13,28 @@ interface CommandFiles {
   /** names of further files; null: not asked for */
   binding: string | null;
   settings: string | null;
+  /** whether the result has more faces than asked for, which would be a failure otherwise */
+  isMissed: boolean;
 }
+
+/** A name that is not taken for a flag. */
+const operand = (name: string): string => (name.startsWith('-') ? `./${name}` : name);
 
 export function commandLine(
   settings: Settings,
   input: string,
   output: string,
-  { faces, fields, binding, settings: file }: CommandFiles,
+  { faces, fields, binding, settings: file, isMissed }: CommandFiles,
 ): string {
   const flags = changedSettings(settings)
     .filter(({ key }) => settingsOf('optimize').includes(key))
     .flatMap(({ flag, text }) => [`--${flag}`, ...(text === null ? [] : [text])]);
-  const words = ['limber', 'optimize', input, output, '--faces', String(faces), ...flags];
+  const words = ['limber', 'optimize', operand(input), operand(output), '--faces', String(faces), ...flags];
   const extras = [
     ...(fields ? ['--fields'] : []),
     ...(binding === null ? [] : ['--bind', binding]),
     ...(file === null ? [] : ['--settings', file]),
+    ...(isMissed ? ['--soft'] : []),
   ];
   return [...words, ...extras].map(quoted).join(' ');
 }

@@ -1,10 +1,11 @@
-/** The list of keys. */
+/** The list of keys, and what words mean. */
 
 import { view } from '../state/store';
+import { Words } from './words';
 import './help.css';
 
 const KEYS: [string, string][] = [
-  ['Space', 'play or pause'],
+  ['Space', 'play or pause; in Reduce: swing or rest'],
   ['F', 'fit the view'],
   ['W', 'wireframe'],
   ['1 2 3', 'plain, strain, curvature; in Test: plain, deviation'],
@@ -48,6 +49,8 @@ export function Help() {
           </div>
         ))}
       </dl>
+      <h2>Words</h2>
+      <Words />
     </aside>
   );
 }

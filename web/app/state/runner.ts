@@ -1,13 +1,14 @@
 /** Runs tasks in the worker, in their order, whenever the key of one differs from the key that its result was made from. */
 
-import { batch, computed, effect, signal, untracked } from '@preact/signals';
+import { batch, effect, signal, untracked } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { faceCount } from '../../engine/core/mesh';
 import { fileDefaults } from '../../engine/settings/options';
 import { STAGES } from '../../engine/stages/stages';
-import { CANCELLED, exportKey, resultFileKey, sharesKey } from '../worker/protocol';
+import { CANCELLED, exportKey, sharesKey } from '../worker/protocol';
 import type { ExportRequest } from '../worker/protocol';
 import { WorkerLost } from './client';
+import { canDrawFile, resultFileNow } from './drawn_file';
 import { findPins } from './find_pins';
 import { takeAwaited } from './link';
 import type { Wanted } from './link';
@@ -31,6 +32,8 @@ import {
 import { forgetUndo, startUndo } from './undo';
 
 const REST_MILLISECONDS = 180;
+const settings = () => wants.settings.value;
+const body = () => wants.body.value;
 
 /** The wanted faces as they were when the slider last rested. */
 const restedFaces = signal(0);
@@ -47,9 +50,6 @@ const atRest = (stage: LevelStage) => (): string | null =>
   isReducing() && restedFaces.value === wantedFaces.value && results.mesh.value
     ? afterHistory(ofFaces(stage, () => restedFaces.value))()
     : null;
-
-const settings = () => wants.settings.value;
-const body = () => wants.body.value;
 
 const tasks: Task[] = [
   {
@@ -159,20 +159,6 @@ const tasks: Task[] = [
   },
 ];
 
-/** Larger files are drawn body by body, without their materials. */
-const MOST_FACES_DRAWN = 600_000;
-
-const canDrawFile = (): boolean =>
-  results.file.value!.bodies.reduce((sum, { faces }) => sum + faces, 0) <= MOST_FACES_DRAWN;
-
-const resultFileNow = (): string => resultFileKey(settings(), keptFaces.value);
-
-/** The file of the shown result; null while it is still to be made. */
-export const shownResultFile = computed(() => {
-  const { value: made } = results.resultFile;
-  return made?.key === resultFileNow() ? made : null;
-});
-
 const isResultFileWanted = (): boolean =>
   view.step.value === 'reduce' &&
   isFileDrawn.value &&
@@ -240,7 +226,7 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
         status.refusedPins.value = null;
         view.picking.value = false;
         view.brush.value = { ...view.brush.value, tool: null };
-        status.notice.value = file.notes.length > 0 ? { kind: 'info', text: file.notes.join('; ') } : null;
+        status.notice.value = null;
       });
       forgetUndo();
       void saveFiles(files);

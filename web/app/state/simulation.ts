@@ -7,8 +7,8 @@ import type { MeshAt, SurfacePoint } from '../../engine/core/core';
 import { OPTIONS } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { topCorners } from '../../engine/motion/top_corners';
-import { turned, turnOf } from '../../engine/motion/turned';
-import type { Turn } from '../../engine/motion/turned';
+import { rotated, rotationOf } from '../../engine/motion/scene_rotation';
+import type { SceneRotation } from '../../engine/motion/scene_rotation';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
 import { watchLife } from '../worker/life';
 import type { SimulationApi, TwinFrame, TwinRequest, TwinSetup } from '../worker/simulation_protocol';
@@ -112,14 +112,15 @@ function clearFrames(): void {
 }
 
 /** How the scene turns the shown body. */
-export const shownTurn = (): Turn | null => turnOf(results.file.value!.bodies[wants.body.value].placement);
+export const shownRotation = (): SceneRotation | null =>
+  rotationOf(results.file.value!.bodies[wants.body.value].nodeMatrix);
 
 /** The pinned vertices of the original; null: those of the scenario. */
 function pinnedVertices(): Uint32Array | null {
   const { value: body } = results.body;
   if (!body || pinSource.value === 'scenario') return null;
   if (pinSource.value !== 'corners') return results.pins.value?.vertices ?? null;
-  return topCorners({ ...body.mesh, positions: turned(body.mesh.positions, shownTurn()) });
+  return topCorners({ ...body.mesh, positions: rotated(body.mesh.positions, shownRotation()) });
 }
 
 /** What both bodies are started with, now. */
@@ -131,7 +132,7 @@ export function twinSetup(result: MeshAt): TwinSetup {
     result,
     meshKey: meshKey(),
     size: { body: { scale }, diagonal },
-    turn: shownTurn(),
+    rotation: shownRotation(),
     settings: wants.settings.value,
     pinned: pinnedVertices(),
     tuned: usedTuning.value,

@@ -6,7 +6,7 @@ export interface ShadowArea {
   /** length of a side of the square that the picture covers */
   side: number;
   /** height above the floor at which nothing darkens it any more */
-  reach: number;
+  top: number;
 }
 
 export const SHADOW_SIZE = 96;
@@ -14,7 +14,7 @@ export const SHADOW_SIZE = 96;
 const PASSES = 3;
 /** Cells to both sides. */
 const RADIUS = 3;
-const DARKEST = 0.42;
+const DARKEST = 0.3;
 
 /**
  * How dark the floor is, 0..1, `shadow[row * SHADOW_SIZE + column]`, with columns along x and rows along z. `points[3 i + c]` are
@@ -28,14 +28,14 @@ export function floorShadow(points: Float32Array, area: ShadowArea): Float32Arra
 }
 
 /** The largest weight of any point above each cell. */
-function scatter(points: Float32Array, { centre, side, reach }: ShadowArea): Float32Array {
+function scatter(points: Float32Array, { centre, side, top }: ShadowArea): Float32Array {
   const cells = new Float32Array(SHADOW_SIZE * SHADOW_SIZE);
   for (let i = 0; i < points.length; i += 3) {
     const column = Math.floor(((points[i] - centre[0]) / side + 0.5) * SHADOW_SIZE);
     const row = Math.floor(((points[i + 2] - centre[2]) / side + 0.5) * SHADOW_SIZE);
     if (column < 0 || row < 0 || column >= SHADOW_SIZE || row >= SHADOW_SIZE) continue;
-    const height = Math.max(0, (points[i + 1] - centre[1]) / reach);
-    const weight = Math.max(0.12, 1 - height);
+    const height = Math.max(0, (points[i + 1] - centre[1]) / top);
+    const weight = Math.max(0.06, (1 - height) ** 2 * Number(height < 1));
     const at = row * SHADOW_SIZE + column;
     cells[at] = Math.max(cells[at], weight);
   }

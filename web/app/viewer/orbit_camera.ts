@@ -18,7 +18,7 @@ export class OrbitCamera {
   /** how much farther away the eye is than the user has put it */
   private dollyFactor = 1;
   /** from the space of the scene to that of what is shown */
-  readonly turn = new THREE.Quaternion();
+  readonly rotation = new THREE.Quaternion();
 
   constructor(canvas: HTMLCanvasElement) {
     this.controls = new CameraControls(this.camera, canvas);
@@ -58,10 +58,10 @@ export class OrbitCamera {
   }
 
   /** Turns what is up, left and in front; the next `fit` looks from there. */
-  setTurn(turn: THREE.Quaternion): void {
-    if (this.turn.equals(turn)) return;
-    this.turn.copy(turn);
-    this.camera.up.set(0, 1, 0).applyQuaternion(turn);
+  setRotation(rotation: THREE.Quaternion): void {
+    if (this.rotation.equals(rotation)) return;
+    this.rotation.copy(rotation);
+    this.camera.up.set(0, 1, 0).applyQuaternion(rotation);
     this.controls.updateCameraUp();
   }
 
@@ -73,7 +73,7 @@ export class OrbitCamera {
     this.camera.far = radius * 100;
     this.controls.maxDistance = radius * FARTHEST;
     this.camera.updateProjectionMatrix();
-    const back = new THREE.Vector3(...DIRECTION).normalize().applyQuaternion(this.turn);
+    const back = new THREE.Vector3(...DIRECTION).normalize().applyQuaternion(this.rotation);
     const eye = back
       .clone()
       .multiplyScalar(this.distanceFor(points, center, back))
@@ -100,9 +100,9 @@ export class OrbitCamera {
   }
 
   /** How far the points go sideways from the middle of the picture, over half of its width. */
-  horizontalSpread(points: THREE.Vector3[]): number {
+  horizontalSpread(points: readonly THREE.Vector3[]): number {
     this.controls.update(0);
     this.camera.updateMatrixWorld();
-    return points.reduce((most, point) => Math.max(most, Math.abs(point.project(this.camera).x)), 0);
+    return points.reduce((most, point) => Math.max(most, Math.abs(point.clone().project(this.camera).x)), 0);
   }
 }

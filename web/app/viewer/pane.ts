@@ -133,7 +133,7 @@ export class Pane {
 
   showBody(): void {
     this.body.visible = this.mesh !== null && !this.showsFile;
-    if (this.stand.model) this.stand.model.root.visible = this.showsFile;
+    this.stand.drawFile(this.showsFile);
   }
 
   /** Mesh, field and shape arrive in any order: a field or shape that does not fit the mesh waits for its own mesh. */
@@ -248,18 +248,5 @@ export class Pane {
   seen(): SeenBody | null {
     const { mesh, amplitude } = this;
     return mesh && { positions: mesh.positions, shape: this.fittingShape(), amplitude };
-  }
-
-  /** The eight corners of the bounding box at rest; none without a mesh. */
-  boxCorners(): THREE.Vector3[] {
-    const box = this.mesh && this.body.geometry.boundingBox;
-    if (!box) return [];
-    const [x, y, z] = (['x', 'y', 'z'] as const).map((axis) => [box.min[axis], box.max[axis]]);
-    return x.flatMap((a) => y.flatMap((b) => z.map((c) => new THREE.Vector3(a, b, c))));
-  }
-
-  /** The bounding sphere at rest. */
-  sphere(): THREE.Sphere | null {
-    return this.mesh ? this.body.geometry.boundingSphere : null;
   }
 }

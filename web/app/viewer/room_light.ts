@@ -4,6 +4,9 @@ import * as THREE from 'three';
 import { RoomEnvironment } from 'three/examples/jsm/environments/RoomEnvironment.js';
 
 const rooms = new WeakMap<THREE.WebGLRenderer, THREE.Texture>();
+/** The share of the room's light that is used beside a lamp. */
+export const ROOM_LIGHT = 0.55;
+
 /** Radians. */
 const BLUR = 0.04;
 

@@ -1,14 +1,14 @@
 /** Moving pictures of files: one shared renderer draws them in turn and copies each to its own small canvas. */
 
 import * as THREE from 'three';
-import { roomLight } from './room_light';
+import { ROOM_LIGHT, roomLight } from './room_light';
 import { SceneModel } from './scene_model';
 
 const FRAME_MILLISECONDS = 40;
 const WIDTH = 440;
 const HEIGHT = 300;
 /** Seconds of a whole turn. */
-const TURN_SECONDS = 18;
+const ROUND_SECONDS = 18;
 
 interface Card {
   canvas: HTMLCanvasElement;
@@ -19,7 +19,7 @@ interface Card {
 export class SampleCards {
   private readonly scene = new THREE.Scene();
   private readonly turned = new THREE.Group();
-  private readonly camera = new THREE.PerspectiveCamera(28, WIDTH / HEIGHT, 0.01, 1000);
+  private readonly camera = new THREE.PerspectiveCamera(30, WIDTH / HEIGHT, 0.01, 1000);
   private readonly cards: Card[] = [];
   private lastDrawn = -1e9;
   private isDisposed = false;
@@ -47,7 +47,8 @@ export class SampleCards {
     renderer.setSize(WIDTH, HEIGHT, false);
     renderer.toneMapping = THREE.NeutralToneMapping;
     this.scene.environment = roomLight(renderer);
-    const key = new THREE.DirectionalLight('#ffffff', 1.8);
+    this.scene.environmentIntensity = ROOM_LIGHT;
+    const key = new THREE.DirectionalLight('#ffffff', 1.3);
     key.position.set(-1, 2, 1.5);
     this.scene.add(this.turned, key);
     if (!isStill) renderer.setAnimationLoop((time) => this.frame(time));
@@ -96,9 +97,9 @@ export class SampleCards {
     const centre = box.getCenter(new THREE.Vector3());
     const { radius } = box.getBoundingSphere(new THREE.Sphere());
     model.root.position.copy(centre).negate();
-    const angle = (2 * Math.PI * seconds) / TURN_SECONDS;
+    const angle = (2 * Math.PI * seconds) / ROUND_SECONDS;
     this.turned.rotation.set(0, 0.6 + angle, 0.06 * Math.sin(1.7 * seconds + i));
-    this.camera.position.set(0, 0.35 * radius, 4 * radius);
+    this.camera.position.set(0, 1.3 * radius, 4.2 * radius);
     this.camera.near = radius / 20;
     this.camera.far = radius * 20;
     this.camera.updateProjectionMatrix();

@@ -2,7 +2,7 @@
 
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
-import { turnOf } from '../../engine/motion/turned';
+import { rotationOf } from '../../engine/motion/scene_rotation';
 import { floorShadow, SHADOW_SIZE } from './floor_shadow';
 import type { SceneLook, SceneModel } from './scene_model';
 import { spreadPoints } from './spread_points';
@@ -16,7 +16,7 @@ export class Stand {
   readonly group = new THREE.Group();
   model: SceneModel | null = null;
   private readonly floor: THREE.Mesh<THREE.PlaneGeometry, THREE.MeshBasicMaterial>;
-  private readonly light = new THREE.DirectionalLight('#ffffff', 1.6);
+  private readonly light = new THREE.DirectionalLight('#ffffff', 1.1);
 
   constructor() {
     this.group.matrixAutoUpdate = false;
@@ -25,11 +25,12 @@ export class Stand {
     this.floor.visible = false;
     this.floor.rotation.x = -Math.PI / 2;
     this.light.position.set(-0.6, 1.4, 1);
+    this.light.visible = false;
     this.group.add(this.floor, this.light, this.light.target);
   }
 
   /** `toMesh`: from the space of the scene to that of the shown body. */
-  place(toMesh: THREE.Matrix4): void {
+  standAt(toMesh: THREE.Matrix4): void {
     this.group.matrix.copy(toMesh);
     this.group.matrixWorldNeedsUpdate = true;
   }
@@ -42,26 +43,44 @@ export class Stand {
     if (model) this.group.add(model.root);
   }
 
+  /** Whether the file and its light are drawn. */
+  drawFile(isDrawn: boolean): void {
+    this.light.visible = isDrawn;
+    if (this.model) this.model.root.visible = isDrawn;
+  }
+
   look(look: SceneLook): void {
     this.model?.look(look);
   }
 
   /** Puts the floor below the file as it is shown, or below a mesh in the space of the shown body; returns the box of it in the scene. */
   layFloor(mesh: TriangleMesh | null): THREE.Box3 {
-    const inScene = mesh ? this.toScene(mesh) : (this.model?.points() ?? new Float32Array());
+    const inScene = mesh ? this.toScene(mesh) : this.pointsOfFile();
     const box = boxOf(inScene);
     this.floor.visible = !box.isEmpty();
     if (box.isEmpty()) return box;
     const size = box.getSize(new THREE.Vector3());
     const centre = box.getCenter(new THREE.Vector3());
     const side = AROUND * Math.max(size.x, size.z, 0.25 * size.y);
-    const area = { centre: [centre.x, box.min.y, centre.z] as const, side, reach: 0.6 * size.length() };
+    const area = { centre: [centre.x, box.min.y, centre.z] as const, side, top: 0.35 * size.length() };
     this.floor.material.map?.dispose();
     this.floor.material.map = shadowTexture(floorShadow(inScene, area));
     this.floor.material.needsUpdate = true;
     this.floor.position.set(centre.x, box.min.y - 0.001 * size.length(), centre.z);
     this.floor.scale.setScalar(side);
     return box;
+  }
+
+  /** Lays the same floor as another stand. */
+  shareFloor({ floor }: Stand): void {
+    this.floor.material.map = floor.material.map;
+    this.floor.material.needsUpdate = true;
+    this.floor.position.copy(floor.position);
+    this.floor.scale.copy(floor.scale);
+  }
+
+  private pointsOfFile(): Float32Array {
+    return this.model?.root.visible ? this.model.points() : new Float32Array();
   }
 
   set isFloorShown(isShown: boolean) {
@@ -106,13 +125,19 @@ function shadowTexture(shadow: Float32Array): THREE.DataTexture {
 }
 
 /** From the space of the scene to that of a body with this placement, without what would stretch or mirror it. */
-export function standingMatrix(placement: readonly number[]): THREE.Matrix4 {
-  const matrix = new THREE.Matrix4().fromArray([...placement]);
+export function standingMatrix(nodeMatrix: readonly number[]): THREE.Matrix4 {
+  const matrix = new THREE.Matrix4().fromArray([...nodeMatrix]);
   const scale = Math.cbrt(Math.abs(matrix.determinant())) || 1;
   const position = new THREE.Vector3().setFromMatrixPosition(matrix);
   if (!Number.isFinite(scale + position.length())) return new THREE.Matrix4();
-  const turn = turnOf(placement) ?? [1, 0, 0, 0, 1, 0, 0, 0, 1];
-  const rotation = new THREE.Matrix4().setFromMatrix3(new THREE.Matrix3().fromArray([...turn]).transpose());
+  const rows = rotationOf(nodeMatrix) ?? [1, 0, 0, 0, 1, 0, 0, 0, 1];
+  const rotation = new THREE.Matrix4().setFromMatrix3(new THREE.Matrix3().fromArray([...rows]).transpose());
   const quaternion = new THREE.Quaternion().setFromRotationMatrix(rotation);
   return new THREE.Matrix4().compose(position, quaternion, new THREE.Vector3(scale, scale, scale)).invert();
 }
+
+/** From the space of the scene to that of a body with this placement. */
+export const standingRotation = (nodeMatrix: readonly number[]): THREE.Quaternion =>
+  new THREE.Quaternion().setFromRotationMatrix(
+    new THREE.Matrix4().extractRotation(standingMatrix(nodeMatrix)),
+  );

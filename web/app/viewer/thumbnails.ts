@@ -12,10 +12,24 @@ export const THUMBNAIL = { width: 148, height: 104 };
 /** Larger meshes stand still, so that the gallery never slows down the page. */
 const MOST_MOVING_FACES = 40000;
 const FRAME_MILLISECONDS = 50;
+/** Of the radius: large enough that modes can be told apart at this size. */
+const AMPLITUDE = 0.32;
+/** Of the eye, in radii. */
+const DISTANCE = 3.7;
+
+type Attribute = THREE.BufferAttribute | THREE.InterleavedBufferAttribute;
+
+/** One mode: `shape[3 v + c]`, the largest displacement 1, and how much each triangle is strained, 0..255. */
+export interface ShownMode {
+  shape: Float32Array;
+  strain: Uint8Array;
+}
 
 interface Picture {
   canvas: HTMLCanvasElement;
-  displacement: THREE.BufferAttribute | THREE.InterleavedBufferAttribute;
+  displacement: Attribute;
+  /** what it is coloured by */
+  value: Attribute;
 }
 
 export class Thumbnails {
@@ -40,24 +54,39 @@ export class Thumbnails {
     this.renderer.setAnimationLoop((time) => this.frame(time));
   }
 
-  /** Shows one shape per canvas: `shapes[k][3 v + c]`, the largest displacement 1. */
-  show(mesh: TriangleMesh, shapes: Float32Array[], canvases: HTMLCanvasElement[]): void {
+  /** Shows one mode per canvas; `turn`: from the space of the scene to that of the mesh. */
+  show(
+    { mesh, modes, canvases }: { mesh: TriangleMesh; modes: ShownMode[]; canvases: HTMLCanvasElement[] },
+    rotation: THREE.Quaternion,
+  ): void {
     this.body.geometry.dispose();
     const { geometry } = bodyGeometry(mesh);
     this.body.geometry = geometry;
     this.body.material.uniforms.isFlat.value = isLarge(mesh);
     this.faces = faceCount(mesh);
-    setField(geometry, mesh, null);
+    this.body.material.uniforms.hasField.value = true;
     const sphere = geometry.boundingSphere!;
-    this.amplitude = 0.18 * sphere.radius;
-    this.pictures = shapes.map((shape, i) => {
+    this.amplitude = AMPLITUDE * sphere.radius;
+    this.pictures = modes.map(({ shape, strain }, i) => {
       setDisplacement(geometry, mesh, shape);
-      return { canvas: canvases[i], displacement: geometry.getAttribute('displacement') };
+      setField(geometry, mesh, {
+        on: 'triangles',
+        values: Float32Array.from(strain, (value) => value / 255),
+      });
+      return {
+        canvas: canvases[i],
+        displacement: geometry.getAttribute('displacement'),
+        value: geometry.getAttribute('value'),
+      };
     });
-    const eye = new THREE.Vector3(0.75, 0.42, 1).normalize().multiplyScalar(3.9 * sphere.radius);
+    const eye = new THREE.Vector3(0.75, 0.42, 1)
+      .normalize()
+      .multiplyScalar(DISTANCE * sphere.radius)
+      .applyQuaternion(rotation);
     this.camera.position.copy(sphere.center).add(eye);
     this.camera.near = sphere.radius / 50;
     this.camera.far = sphere.radius * 50;
+    this.camera.up.set(0, 1, 0).applyQuaternion(rotation);
     this.camera.lookAt(sphere.center);
     this.camera.updateProjectionMatrix();
     this.draw(0);
@@ -85,8 +114,9 @@ export class Thumbnails {
     this.lastDrawn = time;
     const swing = this.isMoving ? Math.sin(time / 450) : 1;
     this.body.material.uniforms.amplitude.value = this.amplitude * swing;
-    for (const { canvas, displacement } of this.pictures) {
+    for (const { canvas, displacement, value } of this.pictures) {
       this.body.geometry.setAttribute('displacement', displacement);
+      this.body.geometry.setAttribute('value', value);
       this.renderer.render(this.scene, this.camera);
       const context = canvas.getContext('2d');
       if (!context) continue;

@@ -18,12 +18,11 @@ import { Pane } from './pane';
 import type { Look } from './pane';
 import { PaneLayout } from './pane_layout';
 import type { PaneName, PaneRegion } from './pane_layout';
-import { roomLight } from './room_light';
-import { SceneModel } from './scene_model';
 import type { SceneLook } from './scene_model';
 import { nearestSeen, seenAt } from './seen_vertices';
 import type { ScreenPoint } from './seen_vertices';
-import { standingMatrix } from './stand';
+import { ShownFiles } from './shown_files';
+import { standingMatrix, standingRotation } from './stand';
 
 /** Swings per second at speed 1. */
 const SWING_FREQUENCY = 0.5;
@@ -44,13 +43,7 @@ export class Viewport {
   private fitsLater = false;
   private scenePoints: THREE.Vector3[] = [];
   private readonly axes = new AxesMark();
-  private hasFloor = false;
-  private isFloorStale = true;
-  /** corners of what stands in the scene, in the space of the shown body */
-  private corners: THREE.Vector3[] = [];
-  private animation = { isPlaying: false, seconds: 0 };
-  /** per pane: the latest file asked for */
-  private readonly asked: Record<PaneName, Uint8Array | null> = { original: null, optimized: null };
+  private readonly files: ShownFiles;
   private isStale = true;
   private swing = { isPlaying: false, amplitude: 0, speed: 1, phase: 0 };
 
@@ -65,6 +58,7 @@ export class Viewport {
     const ratio = this.renderer.getPixelRatio();
     const pane = (): Pane => new Pane(this.maps.viridis, ratio);
     this.panes = { original: pane(), optimized: pane() };
+    this.files = new ShownFiles(this.renderer, this.panes);
     this.pickPreview = new Dots(ratio);
     this.panes.original.scene.add(this.pickPreview.points, this.ring.line);
     this.orbit = new OrbitCamera(canvas);
@@ -80,86 +74,56 @@ export class Viewport {
   /** Shows a mesh at rest in a pane; null empties the pane. */
   show(name: PaneName, mesh: TriangleMesh | null): void {
     const isShown = this.panes[name].show(mesh);
-    this.isFloorStale = this.isStale = true;
-    void isShown?.then(() => this.follow(name));
+    this.follow(name);
+    void isShown?.then(() => {
+      this.follow(name);
+      if (name === 'original') this.pin(this.pinned);
+      if (name === 'original' && this.fitsLater) this.fit(false);
+    });
   }
 
-  /** A large mesh has come into its pane. */
+  /** What a pane draws has changed. */
   private follow(name: PaneName): void {
-    this.isFloorStale = this.isStale = true;
-    if (name !== 'original') return;
-    this.pin(this.pinned);
-    if (this.fitsLater) this.fit(false);
+    if (name === 'original') this.files.moved();
+    this.isStale = true;
   }
 
-  /**
-   * Draws a whole file, a GLB, in a pane once it has been read; null removes it. Rejects with what the loader says of a file that
-   * it cannot read.
-   */
+  /** See `ShownFiles.show`. */
   async showFile(name: PaneName, bytes: Uint8Array | null): Promise<void> {
-    if (this.asked[name] === bytes) return;
-    this.asked[name] = bytes;
-    const model = bytes && (await SceneModel.load(bytes));
-    if (this.asked[name] !== bytes) return model?.dispose();
-    const pane = this.panes[name];
-    pane.scene.environment ??= roomLight(this.renderer);
-    pane.stand.show(model);
-    this.lookAtFile(name, this.fileLook[name]);
-    if (model && name === 'original') this.fit(false);
+    const isMore = await this.files.show(name, bytes);
+    this.isStale = true;
+    if (isMore && name === 'original') this.fit(false);
   }
-
-  private readonly fileLook: Record<PaneName, SceneLook | null> = { original: null, optimized: null };
 
   /** How a pane's file is drawn; null: the body alone is drawn in its place. */
   lookAtFile(name: PaneName, look: SceneLook | null): void {
-    const pane = this.panes[name];
-    this.fileLook[name] = look;
-    if (look) pane.stand.look(look);
-    pane.showFile(look !== null);
-    this.isFloorStale = this.isStale = true;
-  }
-
-  /** Whether the file of a pane is drawn. */
-  drawsFile(name: PaneName): boolean {
-    return this.panes[name].showsFile;
+    this.files.look(name, look);
+    this.isStale = true;
   }
 
   /** Plays the animation of the files, from its start; false: the rest pose. */
   playFile(isPlaying: boolean): void {
-    if (isPlaying === this.animation.isPlaying) return;
-    this.animation = { isPlaying, seconds: 0 };
-    for (const { stand } of Object.values(this.panes)) stand.model?.pose(isPlaying ? 0 : null);
+    this.files.play(isPlaying);
     this.isStale = true;
   }
 
   /** Says where the shown body stands in its scene, column by column. */
-  place(placement: readonly number[]): void {
-    const matrix = standingMatrix(placement);
-    const turn = new THREE.Quaternion().setFromRotationMatrix(new THREE.Matrix4().extractRotation(matrix));
-    this.orbit.setTurn(turn);
+  standAt(nodeMatrix: readonly number[]): void {
+    const matrix = standingMatrix(nodeMatrix);
+    const rotation = standingRotation(nodeMatrix);
+    this.orbit.setRotation(rotation);
     for (const { stand, collisionScene } of Object.values(this.panes)) {
-      stand.place(matrix);
-      collisionScene.group.quaternion.copy(turn);
+      stand.standAt(matrix);
+      collisionScene.group.quaternion.copy(rotation);
     }
-    this.isFloorStale = this.isStale = true;
+    this.files.moved();
+    this.isStale = true;
   }
 
   /** Whether what is shown stands on a floor. */
   setFloor(isShown: boolean): void {
-    this.hasFloor = isShown;
-    this.isFloorStale = this.isStale = true;
-  }
-
-  private layFloors(): void {
-    if (!this.isFloorStale) return;
-    this.isFloorStale = false;
-    for (const [name, pane] of Object.entries(this.panes)) {
-      const box = pane.stand.layFloor(pane.showsFile ? null : pane.mesh);
-      pane.stand.isFloorShown = this.hasFloor;
-      if (name !== 'original') continue;
-      const corners = box.isEmpty() ? [] : cornersOf(box);
-      this.corners = corners.map((point) => point.applyMatrix4(pane.stand.group.matrix));
-    }
+    this.files.setFloor(isShown);
+    this.isStale = true;
   }
 
   /** Colours a body by a field; null leaves it plain. */
@@ -257,7 +221,7 @@ export class Viewport {
 
   /** Moves the eye back where panes become narrower, so that they still show what they did, and forth again. */
   private keepBodyInView(): void {
-    const spread = () => this.orbit.horizontalSpread(this.corners);
+    const spread = () => this.orbit.horizontalSpread(this.files.corners());
     const before = Math.max(1, spread());
     this.resize();
     const { columns } = this.layout;
@@ -303,9 +267,8 @@ export class Viewport {
   fit(isAnimated = true): void {
     this.fitsLater = this.panes.original.isLate;
     if (this.fitsLater) return;
-    this.layFloors();
-    const turned = this.scenePoints.map((point) => point.clone().applyQuaternion(this.orbit.turn));
-    const corners = this.corners.length > 0 ? this.corners : this.panes.original.boxCorners();
+    const corners = this.files.corners();
+    const turned = this.scenePoints.map((point) => point.clone().applyQuaternion(this.orbit.rotation));
     const points = [...corners, ...turned];
     if (points.length === 0) return;
     this.orbit.fit(points, isAnimated);
@@ -332,23 +295,19 @@ export class Viewport {
     const seconds = this.timer.getDelta();
     const hasMoved = this.orbit.update(seconds);
     if (swing.isPlaying) swing.phase += 2 * Math.PI * SWING_FREQUENCY * swing.speed * seconds;
-    const { animation } = this;
-    if (animation.isPlaying) {
-      animation.seconds += seconds;
-      for (const { stand } of Object.values(this.panes)) stand.model?.pose(animation.seconds);
-    }
-    if (!hasMoved && !this.isStale && !swing.isPlaying && !animation.isPlaying) return;
+    const isPlaying = this.files.advance(seconds);
+    if (!hasMoved && !this.isStale && !swing.isPlaying && !isPlaying) return;
     this.isStale = false;
     this.draw();
   }
 
   private draw(): void {
-    this.layFloors();
+    this.files.layFloors();
     this.renderer.setScissorTest(false);
     this.renderer.clear();
     this.renderer.setScissorTest(true);
     this.layout.regions().forEach((region, i) => this.drawPane(region, this.layout.isOverlaid && i > 0));
-    if (this.panes.original.mesh) this.axes.draw(this.renderer, this.orbit.camera, this.orbit.turn);
+    if (this.panes.original.mesh) this.axes.draw(this.renderer, this.orbit.camera, this.orbit.rotation);
   }
 
   private drawPane({ name, picture, visible }: PaneRegion, isOverlay: boolean): void {
@@ -363,9 +322,4 @@ export class Viewport {
     }
     this.renderer.render(pane.scene, this.orbit.camera);
   }
-}
-
-function cornersOf({ min, max }: THREE.Box3): THREE.Vector3[] {
-  const [x, y, z] = (['x', 'y', 'z'] as const).map((axis) => [min[axis], max[axis]]);
-  return x.flatMap((a) => y.flatMap((b) => z.map((c) => new THREE.Vector3(a, b, c))));
 }

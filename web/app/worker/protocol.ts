@@ -18,7 +18,7 @@ import type {
   GuardFinding,
 } from '../../engine/body/body_result';
 import type { HealthNote } from '../../engine/body/health';
-import type { FileContents } from '../../engine/document/contents';
+import type { FileContents } from '../../engine/document/facts/contents';
 import type { SourceFile } from '../../engine/document/open';
 import type { Validation } from '../../engine/document/validate';
 import type { Report } from '../../engine/report/report';
@@ -42,7 +42,7 @@ export interface OpenedBody {
   /** its number among the meshes of the file */
   mesh: number;
   /** from the space of the mesh to that of the scene, column by column */
-  placement: number[];
+  nodeMatrix: number[];
   /** null: it cannot be used, and stays as it is in every export */
   health: HealthNote[] | null;
 }
@@ -99,6 +99,8 @@ export interface PinsResult {
 export interface StrainOverview {
   /** strips[ordinal * STRIP + i]: mean strain rank of that mode along the body's longest axis */
   strips: Float32Array;
+  /** ranks[ordinal * faces + t]: the strain rank of triangle t in that mode, 255 the highest */
+  ranks: Uint8Array;
   /** shared[a * modesPerComponent + b]: the part of the hot faces of ordinal a that are hot in ordinal b too, see report/hot_spots.ts */
   shared: Float32Array;
 }

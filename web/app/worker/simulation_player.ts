@@ -5,7 +5,7 @@
 
 import { STEP_SECONDS } from '../../engine/motion/simulation';
 import type { Twin, TwinName, TwinSample } from '../../engine/motion/twin';
-import { turned } from '../../engine/motion/turned';
+import { rotated } from '../../engine/motion/scene_rotation';
 import type { BodyState, ShowFrame, TwinFrame, TwinRequest, TwinSetup } from './simulation_protocol';
 
 const STEP_MILLISECONDS = 1000 * STEP_SECONDS;
@@ -39,7 +39,7 @@ export class TwinPlayer {
 
   constructor(
     private readonly twin: Twin,
-    private readonly setup: Pick<TwinSetup, 'number' | 'turn'>,
+    private readonly setup: Pick<TwinSetup, 'number' | 'rotation'>,
     private readonly showFrame: ShowFrame,
     { request, spareSeconds }: { request: TwinRequest; spareSeconds: number },
   ) {
@@ -72,7 +72,7 @@ export class TwinPlayer {
   }
 
   drag(target: [number, number, number]): void {
-    const [x, y, z] = turned(Float32Array.from(target), this.setup.turn);
+    const [x, y, z] = rotated(Float32Array.from(target), this.setup.rotation);
     this.moveDragged?.([x, y, z]);
   }
 
@@ -175,7 +175,7 @@ export class TwinPlayer {
 
   /** Points of the scene in the space of the meshes. */
   private inMesh(points: Float32Array): Float32Array {
-    return turned(points, this.setup.turn, true);
+    return rotated(points, this.setup.rotation, true);
   }
 
   private pace(): number {

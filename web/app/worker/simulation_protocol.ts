@@ -3,7 +3,7 @@
 import type { MeshAt, SurfacePoint, CollisionScene, TriangleMesh } from '../../engine/core/core';
 import type { Settings } from '../../engine/settings/options';
 import type { BodySize } from '../../engine/body/prepared_body';
-import type { Turn } from '../../engine/motion/turned';
+import type { SceneRotation } from '../../engine/motion/scene_rotation';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
 import type { TunedBody } from '../../engine/solvers/tuned_body';
 
@@ -16,7 +16,7 @@ export interface TwinSetup {
   meshKey: string;
   size: BodySize;
   /** from the space of the meshes to the scene's, in which gravity pulls and colliders lie; null: the same */
-  turn: Turn | null;
+  rotation: SceneRotation | null;
   settings: Settings;
   /** vertices of the original; null: what the scenario pins by itself */
   pinned: Uint32Array | null;

@@ -10,6 +10,7 @@ import type { StrainOverview } from './protocol';
 export function strainOverview(core: Core, mesh: TriangleMesh, modes: ModeSet): StrainOverview {
   const slab = slabOfTriangle(mesh);
   const strips = new Float32Array(modes.modesPerComponent * STRIP);
+  const ranks = new Uint8Array(modes.modesPerComponent * faceCount(mesh));
   const hot = Array.from({ length: modes.modesPerComponent }, (_, ordinal) => {
     const { rank } = core.strainGuidance(mesh, modes, {
       ordinals: [ordinal],
@@ -18,9 +19,10 @@ export function strainOverview(core: Core, mesh: TriangleMesh, modes: ModeSet): 
       threshold: 0,
     });
     strips.set(meanOverSlabs(rank, slab), ordinal * STRIP);
+    rank.forEach((value, t) => (ranks[ordinal * rank.length + t] = Math.round(255 * value)));
     return hotFaces(rank);
   });
-  return { strips, shared: sharedHotSpots(hot) };
+  return { strips, ranks, shared: sharedHotSpots(hot) };
 }
 
 /** The mean rank per slab; 0 in a slab without faces. */

@@ -8,12 +8,12 @@ import type { PreparedBody } from '../../engine/body/prepared_body';
 import { pinAttributes } from '../../engine/body/pin_attributes';
 import type { Core } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
-import { contentsOf } from '../../engine/document/contents';
+import { contentsOf } from '../../engine/document/facts/contents';
 import { droppedByExport, exportGlb } from '../../engine/document/export';
 import { isGlb } from '../../engine/document/glb';
 import { openModel } from '../../engine/document/open';
 import type { OpenModel } from '../../engine/document/open';
-import { placementOf } from '../../engine/document/placements';
+import { nodeMatrixOf } from '../../engine/document/placements';
 import { validateGlb } from '../../engine/document/validate';
 import type { Validation } from '../../engine/document/validate';
 import { isBlockedBySeams } from '../../engine/report/stop_report';
@@ -108,7 +108,7 @@ function describeBodies({ runs, model }: FileRun): OpenedBody[] {
     name: body.name,
     faces: body.indices.length / 3,
     mesh: body.mesh,
-    placement: placementOf(model.document, meshes[body.mesh]),
+    nodeMatrix: nodeMatrixOf(model.document, meshes[body.mesh]),
     health: runs[i] ? healthOf(runs[i].get(STAGES.prepared, defaultSettings())) : null,
   }));
 }

@@ -56,7 +56,7 @@ function instances(node: Node): number {
  * The matrix of the first node that shows a mesh, column by column: from the space of the mesh to that of the scene. A skinned mesh
  * stands where its first joint puts it. The identity where no node shows the mesh.
  */
-export function placementOf(document: Document, mesh: Mesh): number[] {
+export function nodeMatrixOf(document: Document, mesh: Mesh): number[] {
   const nodes = document.getRoot().listNodes();
   const node = nodes.find((one) => one.getMesh() === mesh);
   if (!node) return [...IDENTITY];

@@ -1,7 +1,8 @@
 /** What the files will contain, what they leave out, what the validator finds, and the buttons that save them. */
 
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
-import { knownMessages } from '../../../engine/document/known_messages';
+import { counted } from '../../../engine/core/words';
+import { knownMessages } from '../../../engine/document/facts/known_messages';
 import type { Validation } from '../../../engine/document/validate';
 import { OPTIONS, checkSetting } from '../../../engine/settings/options';
 import { reportAsCsv, reportAsMarkdown } from '../../../engine/report/report_text';
@@ -15,7 +16,7 @@ import { client } from '../../state/running';
 import { changeSettings, results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
 import { Section, Toggle } from '../../controls/controls';
-import { count } from '../../controls/numbers';
+import { count, fileSize } from '../../controls/numbers';
 import { RefusedText } from '../../controls/refused_text';
 import { SolverSection } from './solver_section';
 import './export_panel.css';
@@ -59,8 +60,24 @@ export function ExportPanel() {
 
 const describeFile = (exported: ExportResult | null): string =>
   exported
-    ? `${count(exported.faces)} faces with positions and normals, ${size(exported.bytes.length)}.`
+    ? `${count(exported.faces)} faces with ${carriedWords()}, ${fileSize(exported.bytes.length)}.`
     : 'Writing and checking ...';
+
+/** What the file carries besides its faces: "positions, normals, 1 UV set and 2 skins". */
+function carriedWords(): string {
+  const { contents } = results.file.value!;
+  const words = [
+    'positions',
+    'normals',
+    counted(contents.uvSets, 'UV set'),
+    contents.vertexColours ? 'colours' : '',
+    counted(contents.textures, 'texture'),
+    counted(contents.skins, 'skin'),
+    counted(contents.morphTargets, 'morph target'),
+    counted(contents.animations, 'animation'),
+  ].filter((word) => word !== '' && !word.startsWith('0 '));
+  return `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`;
+}
 
 function LeftOut({ dropped }: { dropped: string[] }) {
   return (
@@ -149,7 +166,7 @@ function Verdict({ exported }: { exported: ExportResult }) {
             <li key={name}>
               <span class="filename">{name}</span>
               <span class="muted">
-                {count(faces)} faces, {size(bytes.length)}.{' '}
+                {count(faces)} faces, {fileSize(bytes.length)}.{' '}
                 <span class={validation.errors > 0 ? 'verdict bad' : 'verdict good'}>
                   {describeVerdict(validation)}
                 </span>
@@ -205,13 +222,13 @@ function Actions({ exported }: { exported: ExportResult | null }) {
         </button>
       )}
       <SaveReport exported={exported} output={output} />
-      {exported && <CommandLine faces={exported.targetFaces} />}
+      {exported && <CommandLine exported={exported} />}
     </div>
   );
 }
 
 /** The command that writes the same file. */
-function CommandLine({ faces }: { faces: number }) {
+function CommandLine({ exported: { faces: written, targetFaces: faces } }: { exported: ExportResult }) {
   const { output, binding, fields } = exportRequest();
   const [isCopied, setCopied] = useState(false);
   const line = commandLine(wants.settings.value, results.file.value!.name, output, {
@@ -219,6 +236,7 @@ function CommandLine({ faces }: { faces: number }) {
     fields,
     binding: binding ? bindingName(output) : null,
     settings: wants.settings.value.solver === 'none' ? null : settingsName(output),
+    isMissed: written > faces,
   });
   const copy = () => navigator.clipboard.writeText(line).then(() => setCopied(true));
   return (
@@ -227,6 +245,11 @@ function CommandLine({ faces }: { faces: number }) {
         {isCopied ? 'Copied' : 'Copy command line'}
       </button>
       <code class="command">{line}</code>
+      {wants.own.value.size > 0 && (
+        <p class="hint">
+          The command shares the faces out over all meshes: it has no numbers of faces for single ones.
+        </p>
+      )}
     </>
   );
 }
@@ -277,6 +300,3 @@ async function saveAll(exported: ExportResult, output: string): Promise<void> {
   const archive = await client.aside<Uint8Array>((worker) => worker.pack(files));
   download(output.replace(/glb$/, 'zip'), archive, 'application/zip');
 }
-
-const size = (bytes: number): string =>
-  bytes < 1e6 ? `${Math.round(bytes / 1000)} kB` : `${(bytes / 1e6).toFixed(1)} MB`;

@@ -1,7 +1,7 @@
 /** Step 1: what the file contains and what state it is in. */
 
 import { results } from '../../state/store';
-import { shownResultFile } from '../../state/runner';
+import { shownResultFile } from '../../state/drawn_file';
 import { Section, SettingRange } from '../../controls/controls';
 import { count, fileSize, fixed } from '../../controls/numbers';
 import { SceneTree } from './scene_tree';
@@ -18,6 +18,7 @@ export function ModelFacts() {
           {file.name}
         </p>
         <Contents />
+        <FileNotes />
       </Section>
       {file.bodies.length > 1 && (
         <Section title={`${count(file.bodies.length)} meshes`}>
@@ -35,6 +36,19 @@ export function ModelFacts() {
         </>
       )}
     </>
+  );
+}
+
+/** What the reader says of the file as a whole. */
+function FileNotes() {
+  const { notes } = results.file.value!;
+  if (notes.length === 0) return null;
+  return (
+    <ul class="note-list hint">
+      {notes.map((note) => (
+        <li key={note}>{note}</li>
+      ))}
+    </ul>
   );
 }
 

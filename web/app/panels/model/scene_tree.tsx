@@ -1,7 +1,8 @@
 /** The meshes of the file: how many faces they have and keep, what is wrong with them, and whether they are shown and left alone. */
 
 import { describeProblems } from './problems';
-import { shownResultFile, showBody } from '../../state/runner';
+import { shownResultFile } from '../../state/drawn_file';
+import { showBody } from '../../state/runner';
 import { results, setFacesOf, view, wants } from '../../state/store';
 import type { OpenedBody } from '../../worker/protocol';
 import { count } from '../../controls/numbers';
@@ -20,7 +21,7 @@ export function SceneTree() {
             disabled={body.health === null}
             onClick={() => showBody(i)}
           >
-            <span class="filename" title={body.name}>
+            <span class="body-title" title={body.name}>
               {body.name}
             </span>
             <span class="muted">{describeFaces(body, i)}</span>

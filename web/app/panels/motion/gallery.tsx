@@ -3,11 +3,13 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type { Mode } from '../../../engine/core/core';
 import { leadingMode } from '../../../engine/core/mode_set';
-import { areModesStale, results, status, view } from '../../state/store';
+import { areModesStale, results, status, view, wants } from '../../state/store';
 import { STRIP } from '../../worker/protocol';
 import type { ModesResult } from '../../worker/protocol';
 import { colourAt } from '../../viewer/colours';
+import { standingRotation } from '../../viewer/stand';
 import { THUMBNAIL, Thumbnails } from '../../viewer/thumbnails';
+import type { ShownMode } from '../../viewer/thumbnails';
 import { count } from '../../controls/numbers';
 import { chooseMode, guidingModes } from './mode_choice';
 import { ModeNotes } from './mode_notes';
@@ -24,7 +26,9 @@ export function Gallery() {
     if (!modes || !body || !list.current) return;
     thumbnails.current ??= makeThumbnails();
     const canvases = [...list.current.querySelectorAll('canvas')];
-    thumbnails.current?.show(body.mesh, ordinalShapes(modes), canvases);
+    const nodeMatrix = results.file.value!.bodies[wants.body.value].nodeMatrix;
+    const shown = { mesh: body.mesh, modes: ordinalModes(modes), canvases };
+    thumbnails.current?.show(shown, standingRotation(nodeMatrix));
   }, [modes, body]);
   useEffect(() => {
     thumbnails.current?.move(view.playing.value);
@@ -52,11 +56,13 @@ function makeThumbnails(): Thumbnails | null {
   }
 }
 
-function ordinalShapes(modes: ModesResult): Float32Array[] {
-  const size = modes.shapes.length / modes.modesPerComponent;
-  return Array.from({ length: modes.modesPerComponent }, (_, k) =>
-    modes.shapes.subarray(k * size, (k + 1) * size),
-  );
+function ordinalModes(modes: ModesResult): ShownMode[] {
+  const count = modes.modesPerComponent;
+  const [size, faces] = [modes.shapes.length / count, modes.ranks.length / count];
+  return Array.from({ length: count }, (_, k) => ({
+    shape: modes.shapes.subarray(k * size, (k + 1) * size),
+    strain: modes.ranks.subarray(k * faces, (k + 1) * faces),
+  }));
 }
 
 function ModeCard({ ordinal, modes }: { ordinal: number; modes: ModesResult }) {

@@ -134,12 +134,22 @@ function SolveNotes() {
   const residuals = coarseVertices > 0 ? [] : describeResiduals(modes.modes);
   const rigid = `${counted(found, 'rigid motion')} found, ${expected} expected`;
   const models = wants.settings.value.model === 'auto' ? `${describeModels(modes.components)}. ` : '';
+  const isSound = expected === found && residuals.length === 0;
+  const sentence = `${[rigid, ...residuals].join('; ')}.`;
   return (
     <>
-      <p class={expected === found && residuals.length === 0 ? 'hint' : 'hint warning'}>
-        {models}
-        {[rigid, ...residuals].join('; ')}.
-      </p>
+      {isSound && models !== '' && <p class="hint">{models}</p>}
+      {isSound ? (
+        <details class="more">
+          <summary>How it was solved</summary>
+          <p class="hint">{sentence}</p>
+        </details>
+      ) : (
+        <p class="hint warning">
+          {models}
+          {sentence}
+        </p>
+      )}
       {coarseVertices > 0 && (
         <p class="hint">
           Modes from a copy with {count(coarseVertices)} vertices, refined on the mesh itself.

@@ -4,7 +4,7 @@ import { useId } from 'preact/hooks';
 import { OPTIONS } from '../../../engine/settings/options';
 import { hasPins, pinValue, withPins } from '../../../engine/settings/pin_edits';
 import { boundsOf } from '../../../engine/core/mesh';
-import { endNames } from '../../../engine/motion/turned';
+import { endNames } from '../../../engine/motion/scene_rotation';
 import { setPins } from '../../state/pins';
 import { isPicking, results, status, view, wants } from '../../state/store';
 import { Section, Select } from '../../controls/controls';
@@ -14,11 +14,11 @@ import { count } from '../../controls/numbers';
 /** What the ends of the longest side are called as the scene shows them. */
 function shownEnds(): { low: string; high: string } {
   const { file, body } = results;
-  const placement = file.value?.bodies[wants.body.value]?.placement;
-  if (!placement || !body.value) return { low: 'Low end', high: 'High end' };
+  const nodeMatrix = file.value?.bodies[wants.body.value]?.nodeMatrix;
+  if (!nodeMatrix || !body.value) return { low: 'Low end', high: 'High end' };
   const { low, high } = boundsOf(body.value.mesh.positions);
   const sizes = high.map((value, axis) => value - low[axis]);
-  return endNames(placement, sizes.indexOf(Math.max(...sizes)));
+  return endNames(nodeMatrix, sizes.indexOf(Math.max(...sizes)));
 }
 
 /** How much of the body is an end, in % of its length. */

@@ -21,11 +21,11 @@ export function StopReason() {
       {wantedFaces.value < history.floorFaces && (
         <p class="hint warning">
           Stopped at {count(history.floorFaces)} faces: {describeRefused(history.refused)}.
-          {history.blockedBySeams && ` Texture seams are in the way.`}
+          {history.blockedBySeams && ` Turn on “${ACROSS_SEAMS}” under More to go on.`}
         </p>
       )}
       {wantedFaces.value < history.floorFaces && history.blockedBySeams && (
-        <Cure text={ACROSS_SEAMS} change={{ seams: 'cross' }} />
+        <Cure text="Turn it on" change={{ seams: 'cross' }} />
       )}
       {guard && (
         <p class="hint warning">

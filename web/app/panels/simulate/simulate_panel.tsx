@@ -33,6 +33,9 @@ export function SimulatePanel() {
   const { scenario } = wants.settings.value;
   return (
     <>
+      <Section title="Where will it move?">
+        <SolverSelect />
+      </Section>
       <Section title="Scenario" hint={describeScenario(scenario)}>
         <Select
           label="Scenario"
@@ -42,7 +45,6 @@ export function SimulatePanel() {
           onChange={(value) => changeSettings({ scenario: value as Settings['scenario'] })}
         />
         <PinSourceSelect />
-        <SolverSelect />
         <SettingRange name="substeps" />
         <ConvergenceCheck />
       </Section>

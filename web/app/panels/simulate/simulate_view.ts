@@ -4,8 +4,8 @@ import { computed } from '@preact/signals';
 import type { CollisionScene } from '../../../engine/core/core';
 import { scenarioWords } from '../../../engine/core/scenarios';
 import { boundsOf } from '../../../engine/core/mesh';
-import { turned } from '../../../engine/motion/turned';
-import { shownTurn } from '../../state/simulation';
+import { rotated } from '../../../engine/motion/scene_rotation';
+import { shownRotation } from '../../state/simulation';
 import { viewportColours } from '../../state/scheme';
 import { twin } from '../../state/twin';
 import { results, shownMesh, view, wants } from '../../state/store';
@@ -49,7 +49,7 @@ export function showCollisionScene(viewport: Viewport | null): void {
   const shown =
     body &&
     collisionScene &&
-    sceneAround(turned(body.mesh.positions, shownTurn()), body.diagonal, collisionScene);
+    sceneAround(rotated(body.mesh.positions, shownRotation()), body.diagonal, collisionScene);
   viewport?.setCollisionScene(shown, viewportColours.value.collisionScene);
   const hasPoints = shown && (shown.ground !== null || shown.lowest !== null || shown.colliders.length > 0);
   const key = hasPoints ? JSON.stringify(shown) : '';

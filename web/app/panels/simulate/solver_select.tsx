@@ -60,6 +60,22 @@ function titleOf(solver: SolverName): string {
   return `Both bodies are ${words}, solved here by XPBD.${known}`;
 }
 
+/** What the engine needs, and the way to it. */
+function TakeAlong() {
+  const { solver } = wants.settings.value;
+  if (solver === 'none') return null;
+  return (
+    <>
+      <p class="hint">
+        For {profileOf(solver).label} take the model and its settings file, which has the numbers to type in.
+      </p>
+      <button type="button" onClick={() => (wants.exportOpen.value = true)}>
+        Export both
+      </button>
+    </>
+  );
+}
+
 const TUNINGS = [
   { value: 'as it is', text: 'As it is', title: 'The same numbers for both' },
   { value: 'tuned', text: 'Tuned', title: 'The masses and factors with which it moves like the original' },
@@ -82,6 +98,7 @@ function Tuning() {
       {isWanted && !usedTuning.value && (
         <p class="hint">{status.working.value ? 'Tuning ...' : 'It could not be tuned: shown as it is.'}</p>
       )}
+      <TakeAlong />
     </>
   );
 }

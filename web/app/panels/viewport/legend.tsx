@@ -32,7 +32,12 @@ export function Legend() {
       <Choice label="Colour by" options={FIELDS} value={shownField.value} onChange={chooseField} />
       <Scale />
       {isFileDrawn.value && <LookSelect />}
-      <Toggles />
+      <details class="view-menu">
+        <summary>View</summary>
+        <div class="view-choices">
+          <Toggles />
+        </div>
+      </details>
     </div>
   );
 }

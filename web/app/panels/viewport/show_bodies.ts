@@ -4,7 +4,7 @@ import { computed } from '@preact/signals';
 import type { MeshAt } from '../../../engine/core/core';
 import { viewportColours } from '../../state/scheme';
 import { twin } from '../../state/twin';
-import { shownResultFile } from '../../state/runner';
+import { shownResultFile } from '../../state/drawn_file';
 import {
   isBrushing,
   isFileDrawn,
@@ -43,8 +43,8 @@ export function shownPanes(): PaneName[] {
 
 export function showOriginal(viewport: Viewport | null): void {
   const mesh = results.body.value?.mesh ?? null;
-  const placement = results.file.value?.bodies[wants.body.value]?.placement;
-  if (placement) viewport?.place(placement);
+  const nodeMatrix = results.file.value?.bodies[wants.body.value]?.nodeMatrix;
+  if (nodeMatrix) viewport?.standAt(nodeMatrix);
   viewport?.show('original', mesh);
   if (mesh) viewport?.fit(false);
 }
@@ -78,9 +78,19 @@ export function showFiles(viewport: Viewport | null): void {
   viewport.lookAtFile('original', isDrawn ? look : null);
   viewport.lookAtFile('optimized', isDrawn && result ? look : null);
   viewport.playFile(isPlaying);
+  lookAgain(viewport, isDrawn && view.isWhole.value && results.file.value!.bodies.length > 1);
   // A file that the loader cannot read is drawn as a plain body.
   void viewport.showFile('original', original).catch(() => null);
   void viewport.showFile('optimized', result?.bytes ?? null).catch(() => null);
+}
+
+let wasWhole = false;
+
+/** Turns the camera to what is shown where the whole scene takes the place of one body of it, or the other way round. */
+function lookAgain(viewport: Viewport, isWhole: boolean): void {
+  if (isWhole === wasWhole) return;
+  wasWhole = isWhole;
+  viewport.fit();
 }
 
 export function showOptimized(viewport: Viewport | null): void {

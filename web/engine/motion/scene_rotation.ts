@@ -1,7 +1,7 @@
 /** How a node turns a mesh, so that what is up in the scene is up where gravity pulls. */
 
 /** A rotation, row by row: from the space of a mesh to one that stands as the scene does, with the mesh's own size and place. */
-export type Turn = readonly number[];
+export type SceneRotation = readonly number[];
 
 type Vector = [number, number, number];
 
@@ -12,8 +12,8 @@ const NONE = 1e-6;
  * The turn of a node's matrix, column by column; null: none. Exact for what is up; of a mirrored node the turn without the mirror,
  * of a sheared one the nearest whose y axis is that of the node.
  */
-export function turnOf(placement: readonly number[]): Turn | null {
-  const column = (c: number): Vector => [placement[4 * c], placement[4 * c + 1], placement[4 * c + 2]];
+export function rotationOf(nodeMatrix: readonly number[]): SceneRotation | null {
+  const column = (c: number): Vector => [nodeMatrix[4 * c], nodeMatrix[4 * c + 1], nodeMatrix[4 * c + 2]];
   const sign = dot(cross(column(0), column(1)), column(2)) < 0 ? -1 : 1;
   const y = unit(column(1));
   const [own] = [column(0).map((value) => sign * value) as Vector];
@@ -21,16 +21,16 @@ export function turnOf(placement: readonly number[]): Turn | null {
   const x = y && unit(own.map((value, c) => value - along * y[c]) as Vector);
   if (!x || !y) return null;
   const z = cross(x, y);
-  const turn = [0, 1, 2].flatMap((row) => [x[row], y[row], z[row]]);
-  const isNone = turn.every((value, i) => Math.abs(value - (i % 4 === 0 ? 1 : 0)) < NONE);
-  return isNone ? null : turn;
+  const rotation = [0, 1, 2].flatMap((row) => [x[row], y[row], z[row]]);
+  const isNone = rotation.every((value, i) => Math.abs(value - (i % 4 === 0 ? 1 : 0)) < NONE);
+  return isNone ? null : rotation;
 }
 
 /** Points, `points[3 i + c]`, turned; with `isBack` from the scene to the mesh. Without a turn the points themselves. */
-export function turned(points: Float32Array, turn: Turn | null, isBack = false): Float32Array {
-  if (!turn) return points;
+export function rotated(points: Float32Array, rotation: SceneRotation | null, isBack = false): Float32Array {
+  if (!rotation) return points;
   const out = new Float32Array(points.length);
-  const entry = (row: number, column: number) => turn[isBack ? 3 * column + row : 3 * row + column];
+  const entry = (row: number, column: number) => rotation[isBack ? 3 * column + row : 3 * row + column];
   for (let i = 0; i < points.length; i += 3)
     for (let row = 0; row < 3; row++)
       out[i + row] =
@@ -58,8 +58,8 @@ const ENDS: readonly (readonly [string, string])[] = [
 ];
 
 /** What the low and the high end along an axis of the mesh (0 x, 1 y, 2 z) are in the scene, seen from the front. */
-export function endNames(placement: readonly number[], axis: number): { low: string; high: string } {
-  const way = [0, 1, 2].map((c) => placement[4 * axis + c]);
+export function endNames(nodeMatrix: readonly number[], axis: number): { low: string; high: string } {
+  const way = [0, 1, 2].map((c) => nodeMatrix[4 * axis + c]);
   const most = way.reduce((best, value, c) => (Math.abs(value) > Math.abs(way[best]) ? c : best), 0);
   const [first, last] = ENDS[most];
   return way[most] < 0 ? { low: last, high: first } : { low: first, high: last };

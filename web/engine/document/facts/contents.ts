@@ -1,6 +1,6 @@
 /** What a file has besides its triangles, as counts. */
 
-import type { OpenModel } from './model';
+import type { OpenModel } from '../model';
 
 export interface FileContents {
   /** of the mesh with the most */

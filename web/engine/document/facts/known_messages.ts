@@ -1,6 +1,6 @@
 /** Which messages on a result are no news, as its file had them already. */
 
-import type { Validation } from './validate';
+import type { Validation } from '../validate';
 
 /** How many messages of `result` the input had too: of each code at most as many as there were. */
 export function knownMessages(result: Validation, input: Validation): number {

@@ -1,0 +1,105 @@
+import { expect, test } from '@playwright/test';
+import type { Page } from '@playwright/test';
+import { stillCapture } from './pictures';
+import { drop, goTo, openPage, saveGlb, writeScratch } from './page';
+import { standingTubes } from './scenes';
+
+test.beforeEach(async ({ page }) => {
+  await openPage(page);
+  await drop(page, writeScratch('tubes.glb', await standingTubes()));
+  await expect(page.locator('.left .filename').first()).toHaveText('tubes.glb');
+});
+
+interface Colours {
+  red: number;
+  blue: number;
+  /** extent of the red pixels */
+  width: number;
+  height: number;
+  left: number;
+}
+
+/** Strongly red and blue pixels of a picture. */
+async function coloursOf(page: Page, png: Buffer): Promise<Colours> {
+  return page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+    context.drawImage(bitmap, 0, 0);
+    const { data, width } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    const found = { red: 0, blue: 0, low: [1e9, 1e9], high: [-1, -1] };
+    for (let i = 0; i < data.length; i += 4) {
+      const [r, g, b] = [data[i], data[i + 1], data[i + 2]];
+      if (b > 90 && b > 2 * r && b > 2 * g) found.blue += 1;
+      if (!(r > 90 && r > 2 * g && r > 2 * b)) continue;
+      found.red += 1;
+      const at = [(i / 4) % width, Math.floor(i / 4 / width)];
+      found.low = found.low.map((value, c) => Math.min(value, at[c]));
+      found.high = found.high.map((value, c) => Math.max(value, at[c]));
+    }
+    const [w, h] = found.high.map((value, c) => value - found.low[c]);
+    return { red: found.red, blue: found.blue, width: w, height: h, left: found.low[0] };
+  }, png.toString('base64'));
+}
+
+/** Without waiting for it to stand still. */
+const now = async (page: Page): Promise<Colours> =>
+  coloursOf(page, await page.locator('.viewport canvas').screenshot());
+
+const shown = async (page: Page): Promise<Colours> => coloursOf(page, await stillCapture(page));
+
+test('the stage shows the file in its materials, standing as its scene stands it', async ({ page }) => {
+  await expect.poll(async () => (await shown(page)).blue).toBeGreaterThan(1000);
+  const { red, width, height } = await shown(page);
+  expect(red).toBeGreaterThan(1000);
+  // The mesh lies along z; its node turns it upright.
+  expect(height).toBeGreaterThan(1.8 * width);
+  await goTo(page, 'Motion');
+  await expect(page.getByRole('button', { name: 'Bottom', exact: true })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Top', exact: true })).toBeVisible();
+});
+
+test('eyes hide meshes, and the stage shows the chosen one alone on request', async ({ page }) => {
+  await expect.poll(async () => (await shown(page)).blue).toBeGreaterThan(1000);
+  await page.getByRole('button', { name: 'Show blue' }).click();
+  await expect.poll(async () => (await shown(page)).blue).toBe(0);
+  expect((await shown(page)).red).toBeGreaterThan(1000);
+  await page.getByRole('button', { name: 'Show blue' }).click();
+  await page.getByText('View', { exact: true }).click();
+  await page.getByLabel('Whole scene').uncheck();
+  await page.getByRole('button', { name: /^blue/ }).click();
+  await expect.poll(async () => (await shown(page)).red).toBe(0);
+  expect((await shown(page)).blue).toBeGreaterThan(1000);
+});
+
+test('looks change the picture, and the animation of the file moves it', async ({ page }) => {
+  await expect.poll(async () => (await shown(page)).red).toBeGreaterThan(1000);
+  await page.getByLabel('Look').selectOption({ label: 'Clay' });
+  await expect.poll(async () => (await shown(page)).red).toBe(0);
+  await page.getByLabel('Look').selectOption({ label: 'UV checker' });
+  await page.getByLabel('Look').selectOption({ label: 'Materials' });
+  await page.getByText('View', { exact: true }).click();
+  const { left } = await shown(page);
+  await page.getByLabel('Animation').check();
+  await expect.poll(async () => Math.abs((await now(page)).left - left)).toBeGreaterThan(20);
+  await page.getByLabel('Animation').uncheck();
+  await expect.poll(async () => (await shown(page)).left).toBe(left);
+});
+
+test('a locked mesh keeps its faces, and the tree says what each keeps', async ({ page }) => {
+  const row = (name: string) => page.locator('.body').filter({ hasText: name });
+  await expect(row('red')).toContainText('1,280');
+  await page.getByRole('button', { name: 'Keep all faces of blue' }).click();
+  await goTo(page, 'Reduce');
+  await expect(row('blue')).toContainText('640 → 640');
+  await expect(row('red')).toContainText(/1,280 → 6[34]\d/);
+  // Both meshes rest in their materials, the result too.
+  await expect.poll(async () => (await shown(page)).blue).toBeGreaterThan(500);
+  await page.getByText('View', { exact: true }).click();
+  await page.getByLabel('Swing').check();
+  await expect.poll(async () => (await now(page)).blue).toBe(0);
+  await page.getByLabel('Swing').uncheck();
+  await expect.poll(async () => (await shown(page)).blue).toBeGreaterThan(500);
+  const bytes = await saveGlb(page);
+  expect(new TextDecoder().decode(bytes.subarray(0, 4))).toBe('glTF');
+});

@@ -1,0 +1,70 @@
+/** The words of the page: each in a sentence for an artist, and one for an engineer. */
+
+const WORDS: [word: string, plain: string, exact: string][] = [
+  [
+    'Mode',
+    'A way in which the model likes to bend or twist.',
+    'A solution of K phi = omega² M phi, without the rigid motions.',
+  ],
+  ['Frequency', 'How fast it swings in that way.', 'omega / 2 pi in Hz, for the unit and material given.'],
+  [
+    'Strain',
+    'Where the surface is stretched when it moves.',
+    'Norm of the Green-Lagrange strain of the mode shape, ranked 0 to 1.',
+  ],
+  [
+    'Deviation',
+    'How far the new surface is from the old one, at its worst place.',
+    'Hausdorff distance both ways, in % of the diagonal.',
+  ],
+  [
+    'Smallest angle',
+    'How thin the thinnest triangle is.',
+    'Of all corners, in degrees; thin triangles make simulations stiff.',
+  ],
+  [
+    'Topology',
+    'Parts, holes and open borders: they stay as they were.',
+    'Components, genus and boundary loops, certified after every run.',
+  ],
+  [
+    'Seam',
+    'Where the texture is cut; both sides stay together.',
+    'An edge at which the attributes of its two triangles differ.',
+  ],
+  ['Pinned', 'Held in place.', 'Vertices without degrees of freedom, in modes and simulations.'],
+  [
+    'Fit',
+    'After removing faces, vertices are moved a little so that the shape comes back.',
+    'Least squares distance to the original under limits, or residuals of frequencies.',
+  ],
+  [
+    'Tuned',
+    'The numbers for your engine with which the new mesh moves as the old one.',
+    'Factors on stretching and bending and masses per vertex.',
+  ],
+  [
+    'Noise floor',
+    'How much the original differs from itself: smaller differences mean nothing.',
+    'The original simulated with its constraints in another order.',
+  ],
+];
+
+export function Words() {
+  return (
+    <dl class="words">
+      {WORDS.map(([word, plain, exact]) => (
+        <div key={word}>
+          <dt>{word}</dt>
+          <dd>
+            {plain}
+            <details>
+              <summary>exactly</summary>
+              {exact}
+            </details>
+          </dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

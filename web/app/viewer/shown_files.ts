@@ -1,0 +1,104 @@
+/** The whole files that panes draw in place of single bodies, their animation, and the floors below what is shown. */
+
+import * as THREE from 'three';
+import type { Pane } from './pane';
+import type { PaneName } from './pane_layout';
+import { ROOM_LIGHT, roomLight } from './room_light';
+import { SceneModel } from './scene_model';
+import type { SceneLook } from './scene_model';
+
+export class ShownFiles {
+  private hasFloor = false;
+  private isStale = true;
+  /** corners of what stands in the scene, in the space of the shown body */
+  private box: THREE.Vector3[] = [];
+  private animation = { isPlaying: false, seconds: 0 };
+  /** per pane: the latest file asked for */
+  private readonly asked: Record<PaneName, Uint8Array | null> = { original: null, optimized: null };
+  private readonly looks: Record<PaneName, SceneLook | null> = { original: null, optimized: null };
+
+  constructor(
+    private readonly renderer: THREE.WebGLRenderer,
+    private readonly panes: Record<PaneName, Pane>,
+  ) {}
+
+  /**
+   * Draws a whole file, a GLB, in a pane once it has been read; null removes it. Resolves to whether more has come to be drawn than the shown body. Rejects
+   * with what the loader says of a file that it cannot read.
+   */
+  async show(name: PaneName, bytes: Uint8Array | null): Promise<boolean> {
+    if (this.asked[name] === bytes) return false;
+    this.asked[name] = bytes;
+    const model = bytes && (await SceneModel.load(bytes));
+    if (this.asked[name] !== bytes) {
+      model?.dispose();
+      return false;
+    }
+    const pane = this.panes[name];
+    pane.scene.environment ??= roomLight(this.renderer);
+    pane.scene.environmentIntensity = ROOM_LIGHT;
+    pane.stand.show(model);
+    this.look(name, this.looks[name]);
+    return pane.showsFile && model !== null && model.meshCount > 1;
+  }
+
+  /** How a pane's file is drawn; null: the body alone is drawn in its place. */
+  look(name: PaneName, look: SceneLook | null): void {
+    const pane = this.panes[name];
+    this.looks[name] = look;
+    if (look) pane.stand.look(look);
+    pane.showFile(look !== null);
+    if (name === 'original') this.moved();
+  }
+
+  /** Plays the animation of the files, from its start; false: the rest pose. */
+  play(isPlaying: boolean): void {
+    if (isPlaying === this.animation.isPlaying) return;
+    this.animation = { isPlaying, seconds: 0 };
+    for (const { stand } of Object.values(this.panes)) stand.model?.pose(isPlaying ? 0 : null);
+  }
+
+  /** Moves the animation on; returns whether it plays. */
+  advance(seconds: number): boolean {
+    const { animation } = this;
+    if (!animation.isPlaying) return false;
+    animation.seconds += seconds;
+    for (const { stand } of Object.values(this.panes)) stand.model?.pose(animation.seconds);
+    return true;
+  }
+
+  /** Whether what is shown stands on a floor. */
+  setFloor(isShown: boolean): void {
+    this.hasFloor = isShown;
+    for (const { stand } of Object.values(this.panes)) stand.isFloorShown = isShown;
+  }
+
+  /** What is shown has changed, or where it stands. */
+  moved(): void {
+    this.isStale = true;
+  }
+
+  /** The corners of a box around what the original's pane shows at rest, in the space of the shown body. */
+  corners(): readonly THREE.Vector3[] {
+    this.layFloors();
+    return this.box;
+  }
+
+  /** Puts the floors where they belong, if anything has changed since the last time. */
+  layFloors(): void {
+    if (!this.isStale) return;
+    this.isStale = false;
+    const { original, optimized } = this.panes;
+    const box = original.stand.layFloor(original.showsFile ? null : original.mesh);
+    this.box = box.isEmpty() ? [] : cornersOf(box);
+    for (const corner of this.box) corner.applyMatrix4(original.stand.group.matrix);
+    // The result is so near to the original that its shadow would be the same.
+    optimized.stand.shareFloor(original.stand);
+    for (const { stand } of [original, optimized]) stand.isFloorShown = this.hasFloor;
+  }
+}
+
+function cornersOf({ min, max }: THREE.Box3): THREE.Vector3[] {
+  const [x, y, z] = (['x', 'y', 'z'] as const).map((axis) => [min[axis], max[axis]]);
+  return x.flatMap((a) => y.flatMap((b) => z.map((c) => new THREE.Vector3(a, b, c))));
+}
