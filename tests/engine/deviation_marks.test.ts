@@ -47,7 +47,7 @@ describe('marks of deviation', () => {
     // Without a guard, so that every mark can be reached.
     const settings = { ...defaultSettings(), maxDeviation: 0 };
     const deviationOf = (fit: 'surface' | 'off', targetFaces: number) =>
-      run.get(STAGES.measured, { ...settings, fit, targetFaces, fields: false }).distance.hausdorff;
+      run.get(STAGES.measured, { ...settings, fit, targetFaces }).distance.hausdorff;
     const marks = run.get(STAGES.deviationMarks, settings);
     expect(marks.length).toBeGreaterThan(1);
     for (const { deviation, faces } of marks) {
