@@ -4,19 +4,13 @@ import { Box3, BufferAttribute, BufferGeometry, DynamicDrawUsage, Sphere, Vector
 import type { TriangleMesh } from '../../engine/core/core';
 import { LOCKED, STRONGEST } from '../../engine/settings/paint_text';
 import type { Levels } from '../../engine/settings/paint_text';
-import { drawnArrays, perCorner } from './drawn_arrays';
+import { perCorner } from './drawn_arrays';
 import type { DrawnArrays } from './drawn_arrays';
 
 /** A scalar to colour by, in [0, 1]. */
 export interface Field {
   on: 'vertices' | 'triangles';
   values: Float32Array;
-}
-
-/** `groups`: the corners that share a normal, see CornerNormals. A large mesh has neither groups nor normals. */
-export function bodyGeometry(mesh: TriangleMesh): { geometry: BufferGeometry; groups: Uint32Array } {
-  const drawn = drawnArrays(mesh);
-  return { geometry: geometryFrom(drawn, mesh), groups: drawn.groups };
 }
 
 /** The geometry of a mesh whose arrays have been prepared. */
