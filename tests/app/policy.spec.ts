@@ -1,3 +1,5 @@
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
 import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
 import { drop, goTo, openPage, readout, saveGlb, writeScratch } from './page';
@@ -62,3 +64,18 @@ test('no step breaks the policy, and the policy forbids what it should', async (
   await expect.poll(() => found.length).toBeGreaterThan(0);
   expect(await page.evaluate(() => 'broken' in window)).toBe(false);
 });
+
+const root = join(import.meta.dirname, '..', '..');
+const shared = join(process.env.LIMBER_SHARED ?? join(root, '..', 'shared'), 'meshes', 'gltf');
+
+for (const name of ['Box_Draco.glb', 'BoxTextured_meshopt.glb'])
+  test(`${name} is decoded without breaking the policy`, async ({ page }) => {
+    test.skip(!existsSync(join(shared, name)), `${name} of ../shared/meshes is not here`);
+    const found = await watch(page);
+    await openPage(page);
+    await drop(page, join(shared, name));
+    await expect(page.locator('.filename')).toHaveText(name);
+    await expect(readout(page, 'Faces')).toContainText('12');
+    await saveGlb(page);
+    expect(found).toEqual([]);
+  });
