@@ -18,7 +18,7 @@ const FRAME_MILLISECONDS = 50;
 /** Of the radius: large enough that modes can be told apart at this size. */
 const AMPLITUDE = 0.32;
 /** Of the eye, in radii. */
-const DISTANCE = 3.7;
+const DISTANCE = 4.2;
 
 type Attribute = THREE.BufferAttribute | THREE.InterleavedBufferAttribute;
 

@@ -65,7 +65,11 @@ export class Viewport {
     this.layout = new PaneLayout(canvas);
     for (const name of ['wheel', 'pointerdown'] as const)
       canvas.addEventListener(name, ({ clientX }) => this.aimZoom(clientX), { capture: true, passive: true });
-    new ResizeObserver(() => this.resize()).observe(canvas);
+    // A canvas is cleared as its size changes, so that it has to be drawn before the browser shows it.
+    new ResizeObserver(() => {
+      this.resize();
+      this.draw();
+    }).observe(canvas);
     canvas.addEventListener('webglcontextrestored', () => (this.isStale = true));
     this.resize();
     this.renderer.setAnimationLoop((time) => this.frame(time));

@@ -24,6 +24,7 @@ import { FileRun } from '../../engine/stages/file_run';
 import { requestFile, shareFaces } from '../../engine/stages/budget/file_targets';
 import type { FileAsked } from '../../engine/stages/budget/file_targets';
 import { FileOutput } from '../../engine/stages/file_output';
+import { runSettings } from '../../engine/stages/file_request';
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { carrySettingErrors } from './errors';
@@ -41,8 +42,7 @@ let part: Part | undefined;
 const begun = new Set<string>();
 
 /** Tells the page which body of how many the running call works on. */
-function countBody(name: string): void {
-  const of = file?.usable.length ?? 0;
+function countBody(name: string, of: number): void {
   begun.add(name);
   if (of > 1) part = { number: Math.min(of, begun.size), of };
   tell({ phase: 'idle', fraction: 0, part });
@@ -82,7 +82,8 @@ const askedOf = (settings: Settings, { faces, own }: KeptFaces, fields: boolean)
 
 /** Prepares all bodies, so that an unusable file never takes the place of the open one; `notes`: on bodies that are left out. */
 function startRun(opened: OpenModel): { fresh: FileRun; notes: string[] } {
-  const fresh = new FileRun(core, opened, { guides: true, onActivity: countBody });
+  const onActivity = (name: string) => countBody(name, opened.bodies.length);
+  const fresh = new FileRun(core, opened, { guides: true, onActivity });
   try {
     return { fresh, notes: fresh.leaveOutUnusable(defaultSettings()) };
   } catch (error) {
@@ -163,9 +164,13 @@ const api: WorkerApi = {
   resultFile: (settings, kept) =>
     translateErrors(async () => {
       checkSettings(settings);
-      const output = new FileOutput(openedFile(), requestFile(openedFile(), askedOf(settings, kept, false)));
+      const request = requestFile(openedFile(), askedOf(settings, kept, false));
       begun.clear();
-      output.compute();
+      for (const { run, i } of openedFile().usable) {
+        openedFile().announce(run);
+        run.get(STAGES.fitted, runSettings(request, i));
+      }
+      const output = new FileOutput(openedFile(), request);
       const bytes = await output.glb();
       const faces = openedFile().runs.map(() => 0);
       const { usable } = openedFile();
