@@ -1,10 +1,6 @@
 import { defineConfig } from 'vite';
-
-// Shared memory needs a cross-origin isolated page; without these headers the app runs on one thread.
-const isolation = {
-  'Cross-Origin-Opener-Policy': 'same-origin',
-  'Cross-Origin-Embedder-Policy': 'require-corp',
-};
+import { developmentHeaders, headers } from './scripts/page/headers.mjs';
+import { offline } from './scripts/page/offline.mjs';
 
 export default defineConfig({
   root: 'web/app',
@@ -12,7 +8,8 @@ export default defineConfig({
   publicDir: '../../public',
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   worker: { format: 'es' },
-  server: { headers: isolation },
-  preview: { headers: isolation },
+  plugins: [offline()],
+  server: { headers: developmentHeaders },
+  preview: { headers },
   build: { outDir: '../../dist/app', emptyOutDir: true, target: 'es2022' },
 });

@@ -26,10 +26,15 @@ export function build({ tests = false, coreOnly = false } = {}) {
     console.log('Building the command line ...');
     bundle('--config', 'vite.cli.config.ts');
   });
-  whenChanged('app', [...shared, 'web/app', 'public', 'vite.config.ts'], 'dist/app/index.html', () => {
-    console.log('Building the page ...');
-    bundle();
-  });
+  whenChanged(
+    'app',
+    [...shared, 'web/app', 'web/service_worker', 'scripts/page', 'public', 'vite.config.ts'],
+    'dist/app/index.html',
+    () => {
+      console.log('Building the page ...');
+      bundle();
+    },
+  );
   return setup;
 }
 

@@ -74,4 +74,5 @@ export const rooms = {
   ...Object.fromEntries(libraryRooms),
   'web/library': [...engineRooms, 'web/library/options.ts', 'web/library/protocol.ts'],
   'web/cli': engineRooms,
+  'web/service_worker': [],
 };

@@ -1,6 +1,6 @@
 /** The page: which panel is where. */
 
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import { openDropped } from './files/files';
 import { ExportPanel } from './panels/export/export_panel';
 import { Gallery } from './panels/motion/gallery';
@@ -25,7 +25,7 @@ const isDraggedOver = signal(false);
 export function App() {
   return (
     <div
-      class={`page step-${view.step.value}${results.file.value ? '' : ' empty-page'}`}
+      class={`page step-${view.step.value}${results.file.value ? '' : ' empty-page'} sheet-${shownSheet.value}`}
       onDragOver={(event) => {
         event.preventDefault();
         isDraggedOver.value = true;
@@ -50,6 +50,7 @@ export function App() {
         {!results.file.value && <StartScreen />}
         <Notices />
       </main>
+      {results.file.value && <SheetHandle />}
       {results.file.value && <StepPanel />}
       <footer>
         {results.file.value && <StepFooter />}
@@ -60,6 +61,26 @@ export function App() {
       </footer>
       <Help />
       {isDraggedOver.value && <div class="drag-over">Drop to open</div>}
+    </div>
+  );
+}
+
+/** On narrow windows both panels share one place; Export always comes to the front. */
+const shownSheet = computed(() => (wants.exportOpen.value ? 'settings' : view.sheet.value));
+
+function SheetHandle() {
+  const choose = (sheet: 'settings' | 'facts') => {
+    view.sheet.value = shownSheet.value === sheet ? 'closed' : sheet;
+    if (sheet === 'facts') wants.exportOpen.value = false;
+  };
+  return (
+    <div class="sheet-handle" role="group" aria-label="Panels">
+      <button type="button" aria-pressed={shownSheet.value === 'settings'} onClick={() => choose('settings')}>
+        Settings
+      </button>
+      <button type="button" aria-pressed={shownSheet.value === 'facts'} onClick={() => choose('facts')}>
+        Model
+      </button>
     </div>
   );
 }

@@ -2,6 +2,7 @@
 
 import './styles/tokens.css';
 import './styles/base.css';
+import './styles/layout.css';
 import './controls/controls.css';
 import '@fontsource-variable/inter';
 import { effect } from '@preact/signals';
@@ -10,7 +11,9 @@ import { App } from './app';
 import { loadSamples } from './files/samples';
 import { listenToKeys } from './shortcuts';
 import { openAtStart } from './startup';
+import { keepOffline } from './state/offline';
 import { startRunner } from './state/runner';
+import { client } from './state/running';
 import { isDark } from './state/scheme';
 import { startSimulations } from './state/simulation';
 
@@ -22,4 +25,9 @@ listenToKeys();
 startRunner();
 startSimulations();
 await loadSamples();
+// Keeping the page competes with its start for the network.
+void client
+  .ready()
+  .catch(() => null)
+  .then(keepOffline);
 await openAtStart();

@@ -4,7 +4,8 @@ import { openSample, samples } from './files/samples';
 import { awaited, describeFormerLink, describeLinkError, readLink } from './state/link';
 import type { Wanted } from './state/link';
 import { openFiles } from './state/runner';
-import { savedSession } from './state/saved_session';
+import { lastSession, savedSession } from './state/saved_session';
+import type { Session } from './state/saved_session';
 import { results, status, wants } from './state/store';
 import type { Notice } from './state/store';
 
@@ -12,16 +13,42 @@ import type { Notice } from './state/store';
 export async function openAtStart(): Promise<void> {
   const wanted = readHash();
   const saved = wanted ? null : await savedSession();
-  if (saved) {
-    const opening = openFiles(saved.files, saved.wanted);
-    saved.show();
-    return opening;
-  }
+  if (saved) return bringBack(saved);
   const named = new URLSearchParams(location.search).get('sample');
   const asked = samples.value.find(({ id, file }) => id === named || file === wanted?.file);
   if (!asked && wanted?.file) return waitForFile(wanted);
   if (asked) return openSample(asked, wanted ?? undefined);
   if (wanted) awaited.value = wanted;
+  else await offerLastSession();
+}
+
+function bringBack(session: Session): Promise<void> {
+  afterOpening(() => session.show());
+  return openFiles(session.files, session.wanted);
+}
+
+/** Offers the work of the last tab that was closed, as long as nothing is open. */
+async function offerLastSession(): Promise<void> {
+  const session = await lastSession();
+  if (!session || results.file.value || status.busy.value || status.notice.value) return;
+  const run = (): void => void bringBack(session);
+  status.notice.value = {
+    kind: 'info',
+    text: `Your last work, ${session.name}, is kept on this computer.`,
+    action: { label: 'Open it', run },
+  };
+}
+
+/** Runs `show` once files are open. */
+function afterOpening(show: () => void): void {
+  const before = results.opened.value;
+  const stop = results.opened.subscribe((opened) => {
+    if (opened === before) return;
+    queueMicrotask(() => {
+      stop();
+      show();
+    });
+  });
 }
 
 /** What the link asks for; null without a link. A link with an error is reported, and the page starts without it. */
@@ -44,13 +71,7 @@ function readHash(): Wanted | null {
 /** Shows the notice now, and again after the first file is open, as opening it removes earlier ones. */
 function showAfterOpening(notice: Notice): void {
   status.notice.value = notice;
-  const stop = results.opened.subscribe((opened) => {
-    if (opened === 0) return;
-    queueMicrotask(() => {
-      stop();
-      status.notice.value = notice;
-    });
-  });
+  afterOpening(() => (status.notice.value = notice));
 }
 
 /** Keeps what a link asks of a file until the user opens that file, as a link cannot carry it. */

@@ -1,5 +1,6 @@
 /** What is running, how far it is and how long it will take. */
 
+import { Spoken } from '../controls/spoken';
 import { cancelRunning } from '../state/runner';
 import { status } from '../state/store';
 import type { CallProgress } from '../worker/protocol';
@@ -10,7 +11,8 @@ export function Busy() {
   if (!busy) return null;
   const { what, progress, seconds } = busy;
   return (
-    <div class="notice busy" role="status">
+    <div class="notice busy">
+      <Spoken text={what} />
       <span>
         {what} <span class="muted detail">{describeProgress(progress, seconds)}</span>
       </span>

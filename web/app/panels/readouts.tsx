@@ -7,6 +7,7 @@ import { results, shownFit, shownMesh, view, wants } from '../state/store';
 import type { BodySummary } from '../worker/protocol';
 import { count, fixed } from '../controls/numbers';
 import { Readout } from '../controls/readout';
+import { Spoken } from '../controls/spoken';
 import { describePart, worstPart } from './reduce/frequency_hint';
 import { SimulateReadouts } from './simulate/simulate_readouts';
 
@@ -24,27 +25,38 @@ function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
   const metrics = results.metrics.value;
   const change = total > 0 ? (100 * (faces - total)) / total : 0;
   return (
-    <dl class="readouts" aria-live="polite">
-      <Readout name="Faces" value={`${count(total)} → ${count(faces)}`} note={`${fixed(change, 1)} %`} />
-      <Readout
-        name="Smallest angle"
-        value={metrics ? `${fixed(metrics.minAngle, 1)}°` : '...'}
-        note={`was ${fixed(body.minAngle, 1)}°`}
-      />
-      <Readout
-        name="Mean of smallest"
-        value={metrics ? `${fixed(metrics.meanMinAngle, 1)}°` : '...'}
-        note={`was ${fixed(body.meanMinAngle, 1)}°`}
-      />
-      <Readout
-        name="Deviation"
-        value={metrics ? `${fixed(metrics.hausdorff, 2)} %` : '...'}
-        note={metrics ? `mean ${fixed(metrics.mean, 3)} %` : 'of the diagonal'}
-      />
-      <FrequencyReadout />
-      <TopologyReadout />
-    </dl>
+    <>
+      <Spoken text={spokenResult(body, faces)} />
+      <dl class="readouts">
+        <Readout name="Faces" value={`${count(total)} → ${count(faces)}`} note={`${fixed(change, 1)} %`} />
+        <Readout
+          name="Smallest angle"
+          value={metrics ? `${fixed(metrics.minAngle, 1)}°` : '...'}
+          note={`was ${fixed(body.minAngle, 1)}°`}
+        />
+        <Readout
+          name="Mean of smallest"
+          value={metrics ? `${fixed(metrics.meanMinAngle, 1)}°` : '...'}
+          note={`was ${fixed(body.meanMinAngle, 1)}°`}
+        />
+        <Readout
+          name="Deviation"
+          value={metrics ? `${fixed(metrics.hausdorff, 2)} %` : '...'}
+          note={metrics ? `mean ${fixed(metrics.mean, 3)} %` : 'of the diagonal'}
+        />
+        <FrequencyReadout />
+        <TopologyReadout />
+      </dl>
+    </>
   );
+}
+
+/** What is spoken once the result is measured; '' before that. */
+function spokenResult(body: BodySummary, faces: number): string {
+  const metrics = results.metrics.value;
+  if (!metrics) return '';
+  const shape = metrics.certificate.kept ? 'Topology kept.' : 'Topology changed.';
+  return `${count(faces)} of ${count(faceCount(body.mesh))} faces, deviation ${fixed(metrics.hausdorff, 2)} %, smallest angle ${fixed(metrics.minAngle, 1)} degrees. ${shape}`;
 }
 
 function TopologyReadout() {

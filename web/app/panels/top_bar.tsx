@@ -1,6 +1,7 @@
 /** The bar at the top: brand, files, steps, and the tools of the whole page. */
 
 import { pickFiles } from '../files/files';
+import { isReloadFaster, reloadPage } from '../state/offline';
 import { results, status, view, wants } from '../state/store';
 import type { Step, Theme } from '../state/store';
 import { Samples } from './model/samples';
@@ -23,7 +24,7 @@ export function TopBar() {
     <header class="top">
       <h1 class="brand">
         <img src="./icon.svg" alt="" width="24" height="24" />
-        Limber
+        <span class="brand-name">Limber</span>
       </h1>
       <div class="files">
         <button type="button" onClick={() => void pickFiles()} title="Open a file (Ctrl+O)">
@@ -68,12 +69,24 @@ function Steps() {
 function ThreadNote() {
   if (status.threads.value !== 1) return null;
   return (
-    <span
-      class="chip"
-      title="This page has no shared memory (COOP and COEP headers), so the core runs on one thread. Everything works."
-    >
-      1 thread
-    </span>
+    <>
+      <span
+        class="chip"
+        title="This page has no shared memory (COOP and COEP headers), so the core runs on one thread. Everything works."
+      >
+        1 thread
+      </span>
+      {isReloadFaster.value && (
+        <button
+          type="button"
+          class="quiet"
+          title="A reload gives this page several threads; your work comes back."
+          onClick={reloadPage}
+        >
+          Reload for more
+        </button>
+      )}
+    </>
   );
 }
 

@@ -1,18 +1,32 @@
-/** The page's side of the worker: calls, progress and cancel. */
+/** The page's side of the worker: calls, progress and cancel, and a fresh worker where one has ended by itself. */
 
 import { proxy, wrap } from 'comlink';
 import type { Remote } from 'comlink';
 import { PHASES } from '../../engine/core/core';
 import type { SourceFile } from '../../engine/document/open';
 import { carrySettingErrors } from '../worker/errors';
-import { CANCELLED } from '../worker/protocol';
+import { watchLife } from '../worker/life';
+import { CANCELLED, CORE_BROKEN } from '../worker/protocol';
 import type { CallProgress, OpenedFile, Started, WorkerApi } from '../worker/protocol';
 
 carrySettingErrors();
 
+/** ms after which a worker that does not answer a cancel is ended. */
+const PATIENCE = 10_000;
+
+/** A call ended because its worker did. */
+export class WorkerLost extends Error {}
+
+/** One worker, and the promise that rejects when it ends by itself. */
+interface Running {
+  worker: Worker;
+  remote: Remote<WorkerApi>;
+  ended: Promise<never>;
+  end(error: Error): void;
+}
+
 export class Client {
-  private worker!: Worker;
-  private remote!: Remote<WorkerApi>;
+  private current!: Running;
   private started: Promise<Started>;
   private job: Int32Array | null = null;
   private lastProgress: CallProgress | null = null;
@@ -20,20 +34,48 @@ export class Client {
   private abandon: ((error: Error) => void) | null = null;
   threads = 1;
 
-  /** `base`: the address of the folder above wasm/, with a final slash. */
-  constructor(private readonly base: string) {
+  /** `base`: the address of the folder above wasm/, with a final slash. `onLost`: a worker has ended while nothing ran. */
+  constructor(
+    private readonly base: string,
+    private readonly onLost: () => void,
+  ) {
     this.started = this.startWorker();
+    this.started.catch(() => {});
   }
 
-  private startWorker(): Promise<Started> {
-    this.worker = new Worker(new URL('../worker/worker.ts', import.meta.url), { type: 'module' });
-    this.remote = wrap<WorkerApi>(this.worker);
+  /** Starts a worker, which opens the files that were open before. What ends it before that is not tried again. */
+  private async startWorker(): Promise<Started> {
+    let isStarted = false;
+    const onError = (why: string) => (isStarted ? this.lose(current, why) : current.end(new WorkerLost(why)));
+    const current = (this.current = openWorker(onError));
     const onProgress = proxy((progress: CallProgress) => (this.lastProgress = progress));
-    return this.remote.start(new URL('wasm/', this.base).href, 0, onProgress).then((started) => {
-      this.threads = started.threads;
-      this.job = started.job;
-      return started;
-    });
+    const lock = `limber-worker-${crypto.randomUUID()}`;
+    const starting = current.remote.start(new URL('wasm/', this.base).href, 0, onProgress, lock);
+    const started = await Promise.race([starting, current.ended]);
+    watchLife(lock, () => onError('the browser has ended it, perhaps for want of memory'));
+    if (this.files) await Promise.race([current.remote.open(this.files), current.ended]);
+    isStarted = true;
+    this.threads = started.threads;
+    this.job = started.job;
+    return started;
+  }
+
+  /** The worker has ended by itself: a fresh one opens the same files, and the running call fails. */
+  private lose(lost: Running, why: string): void {
+    if (lost !== this.current) return;
+    const wasIdle = this.abandon === null;
+    this.restart(lost, new WorkerLost(why));
+    if (wasIdle) this.onLost();
+  }
+
+  /** Ends the worker. Its calls fail with `error`. */
+  private restart(ended: Running, error: Error): void {
+    ended.worker.terminate();
+    this.job = null;
+    this.started = this.startWorker();
+    // A failed start is told to whoever calls next.
+    this.started.catch(() => {});
+    ended.end(error);
   }
 
   ready(): Promise<Started> {
@@ -53,13 +95,28 @@ export class Client {
     return new Promise<T>((resolve, reject) => {
       // From here on it can be cancelled, also while a fresh worker is still starting.
       this.abandon = reject;
-      this.started.then(() => make(this.remote)).then((value) => resolve(value as T), reject);
+      this.aside<T>(make).then(resolve, reject);
     }).finally(() => (this.abandon = null));
   }
 
   /** A short call that waits until the running one has ended, without stopping it. */
-  aside<T>(make: (remote: Remote<WorkerApi>) => Promise<unknown>): Promise<T> {
-    return this.started.then(() => make(this.remote)).then((value) => value as T);
+  async aside<T>(make: (remote: Remote<WorkerApi>) => Promise<unknown>): Promise<T> {
+    await this.started.catch(() => this.retry());
+    const { current } = this;
+    try {
+      return (await Promise.race([make(current.remote), current.ended])) as T;
+    } catch (error) {
+      if (!(error instanceof Error) || !error.message.startsWith(CORE_BROKEN)) throw error;
+      const why = error.message.slice(CORE_BROKEN.length);
+      if (current === this.current) this.restart(current, new WorkerLost(why));
+      throw new WorkerLost(why);
+    }
+  }
+
+  /** Another try to start, where the last one has failed. */
+  private retry(): Promise<Started> {
+    this.current.worker.terminate();
+    return (this.started = this.startWorker());
   }
 
   /** Progress of the running call, read from shared memory or from the last message of the worker. */
@@ -78,22 +135,38 @@ export class Client {
   cancel(): void {
     if (!this.abandon) return;
     if (this.job) return this.requestCancel(this.job);
-    this.worker.terminate();
-    this.abandon(new Error(CANCELLED));
-    this.started = this.startWorker().then(async (started) => {
-      if (this.files) await this.remote.open(this.files);
-      return started;
-    });
+    this.forceCancel();
+  }
+
+  /** Stops the running call, which may not answer, by a fresh worker that opens the same files again. */
+  forceCancel(): void {
+    const { abandon } = this;
+    if (!abandon) return;
+    abandon(new Error(CANCELLED));
+    this.restart(this.current, new Error(CANCELLED));
   }
 
   /** A call clears the flag as it starts, so the flag is set again and again until this call has ended. */
   private requestCancel(job: Int32Array): void {
     const call = this.abandon;
+    const latest = performance.now() + PATIENCE;
     const repeat = () => {
-      if (this.abandon !== call) return clearInterval(timer);
+      if (this.abandon !== call || this.job !== job) return clearInterval(timer);
       Atomics.store(job, 0, 1);
+      if (performance.now() > latest) this.forceCancel();
     };
     const timer = setInterval(repeat, 15);
     repeat();
   }
+}
+
+function openWorker(onError: (why: string) => void): Running {
+  const worker = new Worker(new URL('../worker/worker.ts', import.meta.url), { type: 'module' });
+  let end: (error: Error) => void = () => {};
+  const ended = new Promise<never>((_, reject) => (end = reject));
+  // Most workers are ended while no call waits.
+  ended.catch(() => {});
+  // A script that cannot be loaded gives an event without a message.
+  worker.addEventListener('error', ({ message }) => onError(message ?? 'Failed to fetch its script'));
+  return { worker, remote: wrap<WorkerApi>(worker), ended, end };
 }

@@ -6,11 +6,13 @@ import { faceCount } from '../../engine/core/mesh';
 import { fileDefaults } from '../../engine/settings/options';
 import { STAGES } from '../../engine/stages/stages';
 import { CANCELLED, exportKey, sharesKey } from '../worker/protocol';
-import type { ExportRequest, PinsResult } from '../worker/protocol';
-import { Client } from './client';
+import type { ExportRequest } from '../worker/protocol';
+import { WorkerLost } from './client';
+import { canDrawFile, resultFileNow } from './drawn_file';
+import { findPins } from './find_pins';
 import { takeAwaited } from './link';
 import type { Wanted } from './link';
-import { besideControl } from './refusal';
+import { client, complain, whileBusy } from './running';
 import { saveFiles, startSaving } from './saved_session';
 import { afterBody, afterHistory, keyed, keyedByFile, of, ofFaces } from './task';
 import type { LevelStage, Task } from './task';
@@ -27,9 +29,7 @@ import {
   whyKey,
   wants,
 } from './store';
-import { complain, whileBusy } from './busy';
-import { canDrawFile, resultFileNow } from './drawn_file';
-import { forgetUndo, startUndo, withoutUndo } from './undo';
+import { forgetUndo, startUndo } from './undo';
 
 const REST_MILLISECONDS = 180;
 const settings = () => wants.settings.value;
@@ -37,8 +37,6 @@ const body = () => wants.body.value;
 
 /** The wanted faces as they were when the slider last rested. */
 const restedFaces = signal(0);
-
-export const client = new Client(new URL('.', document.baseURI).href);
 
 /** Whether results are looked at. */
 const isReducing = (): boolean =>
@@ -70,7 +68,7 @@ const tasks: Task[] = [
   {
     what: 'Finding pins',
     key: afterBody(of(STAGES.pinned)),
-    run: findPins,
+    run: () => findPins(client, body()),
     result: results.pins,
   },
   {
@@ -178,24 +176,6 @@ const isMarkingWanted = (): boolean =>
 const isStoppable = (): boolean =>
   client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE;
 
-/** Pins that the body does not have are refused with a sentence, and the earlier ones stay; a new file begins with none. */
-async function findPins(): Promise<unknown> {
-  const text = settings().pins;
-  try {
-    const pins = await client.call<PinsResult>((worker) => worker.pins(body(), settings()));
-    if (status.refusedPins.value?.text === text) status.refusedPins.value = null;
-    return pins;
-  } catch (error) {
-    if (!(error instanceof Error) || error.message === CANCELLED || text === '') throw error;
-    const last = results.pins.value;
-    batch(() => {
-      status.refusedPins.value = { text, why: besideControl(error) };
-      withoutUndo(() => changeSettings({ pins: last && last.text !== text ? last.text : '' }));
-    });
-    return last;
-  }
-}
-
 const baseName = (name: string): string =>
   name
     .split('/')
@@ -226,7 +206,7 @@ let opening: Promise<void> = Promise.resolve();
 export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
   if (running) client.cancel();
   opening = opening.then(async () => {
-    await whileBusy(client, 'Opening', async () => {
+    await whileBusy('Opening', async () => {
       await call.catch(() => null);
       const file = await client.open(files);
       const wanted = asked ?? takeAwaited(file.name);
@@ -285,7 +265,7 @@ export function resume(): void {
 /** Runs tasks from now on whenever the state asks for them. */
 export function startRunner(): void {
   startUndo();
-  startSaving();
+  void startSaving();
   void client
     .ready()
     .then(() => (status.threads.value = client.threads))
@@ -329,12 +309,14 @@ async function loop(): Promise<void> {
     runningKey = task.key();
     const key = runningKey!;
     try {
-      const value = await (call = whileBusy(client, task.what, () => task.run()));
+      const value = await (call = whileBusy(task.what, () => task.run()));
       done.set(task, key);
       status.paused.value = null;
       task.result.value = value;
     } catch (error) {
       const isStopped = error instanceof Error && error.message === CANCELLED;
+      // It may end again for the same reason, so the user decides whether it runs again.
+      if (error instanceof WorkerLost) status.paused.value = task.what;
       if (!isStopped) complain(error);
       // The task is not tried again before its inputs change.
       if (!isStopped || status.paused.value !== null) {

@@ -1,4 +1,4 @@
-/** Keeps the file, the settings and the view over a reload of the tab. */
+/** Keeps the files, the settings, what can be undone and the view of each tab, for a reload or a later visit. */
 
 import { effect } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
@@ -6,12 +6,16 @@ import { readLink, writeLink } from './link';
 import type { Wanted } from './link';
 import { chooseField, results, shownField, view, wants } from './store';
 import type { FieldName, Layout, Step } from './store';
+import { liveTabs, ownTab } from './tabs';
+import { readUndo, restoreUndo } from './undo';
+import type { UndoText } from './undo';
 
 interface Saved {
   link: string;
   step: Step;
   layout: Layout;
   field: FieldName;
+  undo: UndoText;
 }
 
 interface SavedFiles {
@@ -22,17 +26,26 @@ interface SavedFiles {
   files: SourceFile[];
 }
 
-const SETTINGS_KEY = 'limber-session';
-const TAB_KEY = 'limber-tab';
+/** What a tab had open. */
+export interface Session {
+  name: string;
+  files: SourceFile[];
+  wanted: Wanted;
+  /** Call this once the files are open. */
+  show(): void;
+}
+
+const SETTINGS_PREFIX = 'limber-session-';
 const STORE = 'files';
-/** The files of at most so many tabs are kept. */
-const MOST_TABS = 3;
+/** So many tabs that are closed are kept. */
+const MOST_CLOSED_TABS = 2;
 /** In bytes; larger files are not kept. */
 const LARGEST = 400e6;
 const REST_MILLISECONDS = 400;
 
 /** Starts to save the settings and the view whenever they change. */
-export function startSaving(): void {
+export async function startSaving(): Promise<void> {
+  const { id } = await ownTab;
   effect(() => {
     const file = results.file.value?.name ?? null;
     const [settings, faces, body] = [wants.settings.value, wants.faces.value, wants.body.value];
@@ -41,9 +54,10 @@ export function startSaving(): void {
       step: view.step.value,
       layout: view.layout.value,
       field: shownField.value,
+      undo: readUndo(),
     };
     if (file === null) return;
-    const save = () => write(SETTINGS_KEY, JSON.stringify(saved));
+    const save = () => write(SETTINGS_PREFIX + id, JSON.stringify(saved));
     const timer = setTimeout(save, REST_MILLISECONDS);
     // The page may close before the timer ends.
     addEventListener('pagehide', save);
@@ -57,39 +71,59 @@ export function startSaving(): void {
 /** Saves a text; where the store is full, the earlier text is removed. */
 function write(key: string, text: string): void {
   try {
-    sessionStorage.setItem(key, text);
+    localStorage.setItem(key, text);
   } catch {
-    sessionStorage.removeItem(key);
+    localStorage.removeItem(key);
   }
 }
 
-/** Saves the files of this tab, and deletes those of the oldest tabs. */
+/** Saves the files of this tab, and deletes those of tabs that were closed long ago. */
 export async function saveFiles(files: SourceFile[]): Promise<void> {
-  if (files.reduce((sum, { bytes }) => sum + bytes.length, 0) > LARGEST) return forgetSession();
-  const id = sessionStorage.getItem(TAB_KEY) ?? crypto.randomUUID();
-  write(TAB_KEY, id);
+  const { id } = await ownTab;
+  if (files.reduce((sum, { bytes }) => sum + bytes.length, 0) > LARGEST) return forget(id);
+  const live = await liveTabs();
   await withStore('readwrite', (store) => {
     const all = allKeys(store);
     all.onsuccess = () => {
-      const others = all.result.filter((key) => key[1] !== id).sort(([a], [b]) => b - a);
-      for (const key of [...all.result.filter((one) => one[1] === id), ...others.slice(MOST_TABS - 1)])
+      const closed = all.result.filter((key) => !live.has(key[1])).sort(([a], [b]) => b - a);
+      const own = all.result.filter((key) => key[1] === id);
+      for (const key of [...own, ...closed.slice(MOST_CLOSED_TABS)]) {
         store.delete(key);
+        if (key[1] !== id) forget(key[1]);
+      }
       store.put({ id, at: Date.now(), files } satisfies SavedFiles);
     };
     return all;
-  }).catch(() => forgetSession());
+  }).catch(() => forget(id));
 }
 
-function forgetSession(): void {
-  sessionStorage.removeItem(SETTINGS_KEY);
+function forget(id: string): void {
+  localStorage.removeItem(SETTINGS_PREFIX + id);
 }
 
-/** What this tab had open before it was reloaded; null where nothing is saved. */
-export async function savedSession(): Promise<{ files: SourceFile[]; wanted: Wanted; show(): void } | null> {
-  const [text, id] = [sessionStorage.getItem(SETTINGS_KEY), sessionStorage.getItem(TAB_KEY)];
-  if (text === null || id === null) return null;
+/** What this tab had open before it was reloaded, or the tab that it is a copy of; null where nothing is saved. */
+export async function savedSession(): Promise<Session | null> {
+  const { source } = await ownTab;
+  return source === null ? null : sessionOf(source);
+}
+
+/** The newest work of the tabs that are closed; null where there is none. */
+export async function lastSession(): Promise<Session | null> {
   try {
-    const { link, step, layout, field } = JSON.parse(text) as Saved;
+    const live = await liveTabs();
+    const keys = await withStore('readonly', allKeys);
+    const closed = keys.filter((key) => !live.has(key[1])).sort(([a], [b]) => b - a);
+    return closed.length > 0 ? await sessionOf(closed[0][1]) : null;
+  } catch {
+    return null;
+  }
+}
+
+async function sessionOf(id: string): Promise<Session | null> {
+  const text = localStorage.getItem(SETTINGS_PREFIX + id);
+  if (text === null) return null;
+  try {
+    const { link, step, layout, field, undo } = JSON.parse(text) as Saved;
     const wanted = readLink(link);
     const keys = await withStore('readonly', allKeys);
     const key = keys.find((one) => one[1] === id);
@@ -100,8 +134,9 @@ export async function savedSession(): Promise<{ files: SourceFile[]; wanted: Wan
       view.step.value = step;
       view.layout.value = layout;
       chooseField(field);
+      restoreUndo(undo);
     };
-    return { files, wanted, show };
+    return { name: wanted.file ?? files[0].name, files, wanted, show };
   } catch {
     return null;
   }

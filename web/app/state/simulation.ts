@@ -10,6 +10,7 @@ import { topCorners } from '../../engine/motion/top_corners';
 import { rotated, rotationOf } from '../../engine/motion/scene_rotation';
 import type { SceneRotation } from '../../engine/motion/scene_rotation';
 import type { TwinName, TwinSample } from '../../engine/motion/twin';
+import { watchLife } from '../worker/life';
 import type { SimulationApi, TwinFrame, TwinRequest, TwinSetup } from '../worker/simulation_protocol';
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
@@ -70,12 +71,22 @@ const frameRequest = (): TwinRequest => ({
 
 function openWorker(): Remote<SimulationApi> {
   worker = new Worker(new URL('../worker/simulation_worker.ts', import.meta.url), { type: 'module' });
-  worker.addEventListener('error', ({ message }) => {
+  const own = worker;
+  const onEnd = (why: string): void => {
+    if (worker !== own) return;
     closeWorker();
-    twin.failure.value = `The simulation has stopped: ${message}.`;
-  });
+    twin.failure.value = `The simulation has stopped: ${why}. Press Reset to start it again.`;
+  };
+  worker.addEventListener('error', ({ message }) =>
+    onEnd(message ?? 'its program could not be loaded; reload the page, your work comes back'),
+  );
   const api = (remote = wrap<SimulationApi>(worker));
-  loaded = api.load(new URL('wasm/', document.baseURI).href, proxy(showFrame));
+  const lock = `limber-simulation-${crypto.randomUUID()}`;
+  loaded = api.load(new URL('wasm/', document.baseURI).href, proxy(showFrame), lock);
+  loaded.then(
+    () => watchLife(lock, () => onEnd('the browser has ended it')),
+    () => {},
+  );
   return api;
 }
 

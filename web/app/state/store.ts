@@ -36,6 +36,8 @@ export type Theme = 'system' | 'light' | 'dark';
 export interface Notice {
   kind: 'error' | 'info';
   text: string;
+  /** a button beside the text */
+  action?: { label: string; run(): void };
 }
 
 /** What the user wants. */
@@ -101,6 +103,8 @@ export const view = {
   speed: signal(1),
   theme: signal<Theme>('system'),
   helpOpen: signal(false),
+  /** the panel that a narrow window shows, which has room for one */
+  sheet: signal<'settings' | 'facts' | 'closed'>('settings'),
   /** the vertex of the optimized mesh whose card is shown, and whether the card stays when the pointer leaves it */
   hover: signal<{ vertex: number; stays: boolean } | null>(null),
   /** whether the left button pins vertices instead of turning the view */

@@ -1,7 +1,9 @@
 /** Undo and Redo of what the user wants: the settings, with pins and paint among them, and the kept faces. */
 
 import { batch, effect, signal, untracked } from '@preact/signals';
+import { defaultSettings } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
+import { readLink, writeLink } from './link';
 import { wants } from './store';
 
 interface Wanted {
@@ -20,6 +22,40 @@ const future = signal<Wanted[]>([]);
 let present: Wanted = currentWants();
 let last = { what: '', at: 0 };
 let isIgnoring = false;
+
+/** What can be undone and redone as texts of links, the newest last. */
+export interface UndoText {
+  past: string[];
+  future: string[];
+}
+
+/** Only so many steps survive a reload. */
+const MOST_SAVED = 40;
+
+/** Follows the signals of what can be undone. */
+export function readUndo(): UndoText {
+  const texts = (steps: Wanted[]): string[] => steps.slice(-MOST_SAVED).map(textOf);
+  return { past: texts(past.value), future: texts(future.value) };
+}
+
+/** The texts are kept with the steps, as paint makes them long and every change saves them all. */
+const textOfStep = new WeakMap<Wanted, string>();
+
+function textOf(step: Wanted): string {
+  const text = textOfStep.get(step) ?? writeLink({ ...step, body: 0, file: null });
+  textOfStep.set(step, text);
+  return text;
+}
+
+/** Call this once the files that the steps are for are open. */
+export function restoreUndo(saved: UndoText): void {
+  const steps = (texts: string[]): Wanted[] =>
+    texts.map((text) => readLink(text) ?? { settings: defaultSettings(), faces: null });
+  batch(() => {
+    past.value = steps(saved.past);
+    future.value = steps(saved.future);
+  });
+}
 
 export const canUndo = () => past.value.length > 0;
 export const canRedo = () => future.value.length > 0;

@@ -1,11 +1,11 @@
 /** A mesh as the viewport draws it: triangles share no corners, so that each can have its own colour and sharp edges. */
 
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
+import { Box3, BufferAttribute, BufferGeometry, DynamicDrawUsage, Sphere, Vector3 } from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
 import { LOCKED, STRONGEST } from '../../engine/settings/paint_text';
 import type { Levels } from '../../engine/settings/paint_text';
-import { cornerNormals } from '../../engine/document/shading/normals';
-import { isLarge } from './twin_surface';
+import { perCorner } from './drawn_arrays';
+import type { DrawnArrays } from './drawn_arrays';
 
 /** A scalar to colour by, in [0, 1]. */
 export interface Field {
@@ -13,35 +13,19 @@ export interface Field {
   values: Float32Array;
 }
 
-/** Spreads `values[size v + c]` of vertices to their corners, `[size corner + c]`. */
-function perCorner({ triangles }: TriangleMesh, values: Float32Array, size: number): Float32Array {
-  const out = new Float32Array(triangles.length * size);
-  for (let corner = 0; corner < triangles.length; corner++)
-    for (let c = 0; c < size; c++) out[size * corner + c] = values[size * triangles[corner] + c];
-  return out;
-}
-
-/** `groups`: the corners that share a normal, see CornerNormals. A large mesh has neither groups nor normals. */
-export function bodyGeometry(mesh: TriangleMesh): { geometry: BufferGeometry; groups: Uint32Array } {
+/** The geometry of a mesh whose arrays have been prepared. */
+export function geometryFrom(
+  { positions, normals, low, high }: DrawnArrays,
+  mesh: TriangleMesh,
+): BufferGeometry {
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(perCorner(mesh, mesh.positions, 3), 3));
-  const groups = isLarge(mesh) ? new Uint32Array() : setNormals(geometry, mesh);
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  if (normals) geometry.setAttribute('normal', new BufferAttribute(normals, 3));
   setDisplacement(geometry, mesh, null);
   setField(geometry, mesh, null);
-  geometry.computeBoundingSphere();
-  geometry.computeBoundingBox();
-  return { geometry, groups };
-}
-
-/** Returns the groups of corners that share a normal. */
-function setNormals(geometry: BufferGeometry, mesh: TriangleMesh): Uint32Array {
-  const { group, normals } = cornerNormals(mesh);
-  const spread = new Float32Array(3 * group.length);
-  group.forEach((corner, i) => {
-    for (let c = 0; c < 3; c++) spread[3 * i + c] = normals[3 * corner + c];
-  });
-  geometry.setAttribute('normal', new BufferAttribute(spread, 3));
-  return group;
+  geometry.boundingBox = new Box3(new Vector3(...low), new Vector3(...high));
+  geometry.boundingSphere = geometry.boundingBox.getBoundingSphere(new Sphere());
+  return geometry;
 }
 
 /** `shape[3 v + c]`, in units of the mesh; null removes the displacement. */
@@ -59,7 +43,8 @@ export function setField(geometry: BufferGeometry, mesh: TriangleMesh, field: Fi
   const values = new Float32Array(mesh.triangles.length);
   if (field?.on === 'vertices') values.set(perCorner(mesh, field.values, 1));
   if (field?.on === 'triangles')
-    values.forEach((_, corner) => (values[corner] = field.values[Math.floor(corner / 3)]));
+    for (let t = 0; t < field.values.length; t++)
+      values[3 * t] = values[3 * t + 1] = values[3 * t + 2] = field.values[t];
   geometry.setAttribute('value', new BufferAttribute(values, 1));
 }
 

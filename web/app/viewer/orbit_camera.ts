@@ -36,6 +36,22 @@ export class OrbitCamera {
     this.camera.updateProjectionMatrix();
   }
 
+  /** Turns the eye around the body, in radians. */
+  rotate(azimuth: number, polar: number): void {
+    void this.controls.rotate(azimuth, polar, true);
+  }
+
+  /** Moves what is looked at, in shares of its distance. */
+  slide(right: number, down: number): void {
+    const { distance } = this.controls;
+    void this.controls.truck(right * distance, down * distance, true);
+  }
+
+  /** Comes nearer by a factor; below 1 it goes away. */
+  zoom(factor: number): void {
+    void this.controls.dollyTo(this.controls.distance / factor, true);
+  }
+
   /** Tells the controls which part of the canvas the pointer works in, so that zooming goes to the cursor. */
   setPointerRegion(left: number, width: number, height: number): void {
     this.controls.setViewport(left, 0, width, height);

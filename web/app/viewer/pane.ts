@@ -4,11 +4,14 @@ import { vertexCount } from '../../engine/core/mesh';
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
 import type { Levels } from '../../engine/settings/paint_text';
-import { bodyGeometry, setDisplacement, setField, setPaint } from './body_geometry';
+import { geometryFrom, setDisplacement, setField, setPaint } from './body_geometry';
 import type { Field } from './body_geometry';
 import { CollisionSceneView } from './collision_scene_view';
 import type { MapName } from './colours';
 import { Dots } from './dots';
+import { drawnArrays } from './drawn_arrays';
+import type { DrawnArrays } from './drawn_arrays';
+import { isPreparedAtOnce, prepareArrays } from './prepared_arrays';
 import type { SeenBody } from './seen_vertices';
 import { Stand } from './stand';
 import { surfaceMaterial } from './surface_material';
@@ -26,6 +29,12 @@ export interface Look {
   map: MapName;
 }
 
+/** What a mesh is shown with. */
+interface Dress {
+  field: Field | null;
+  shape: Float32Array | null;
+}
+
 export class Pane {
   readonly scene = new THREE.Scene();
   /** at the pinned vertices */
@@ -34,7 +43,11 @@ export class Pane {
   readonly hoverDot: Dots;
   readonly collisionScene = new CollisionSceneView();
   readonly stand = new Stand();
+  /** the mesh that is drawn */
   mesh: TriangleMesh | null = null;
+  private readonly dress = new WeakMap<TriangleMesh, Dress>();
+  private asked: TriangleMesh | null = null;
+  private preparing: Promise<void> | null = null;
   private readonly body: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
   private groups: Uint32Array = new Uint32Array();
   private isMoved = false;
@@ -59,15 +72,47 @@ export class Pane {
     this.scene.add(this.stand.group);
   }
 
-  show(mesh: TriangleMesh | null): void {
+  /** Shows a mesh; a large one later, when the returned promise resolves, unless another one is asked for meanwhile. */
+  show(mesh: TriangleMesh | null): Promise<void> | null {
+    this.asked = mesh;
+    this.remember();
+    if (!mesh || isPreparedAtOnce(mesh)) {
+      this.put(mesh, mesh && drawnArrays(mesh));
+      return null;
+    }
+    return (this.preparing ??= this.prepare().finally(() => (this.preparing = null)));
+  }
+
+  /** Field and shape belong to the mesh that was asked for when they came, and wait for it. */
+  private remember(): void {
+    if (this.asked) this.dress.set(this.asked, { field: this.field, shape: this.shape });
+  }
+
+  private dressed(): Dress | null {
+    return (this.mesh && this.dress.get(this.mesh)) ?? null;
+  }
+
+  /** Whether a mesh that was asked for is not shown yet. */
+  get isLate(): boolean {
+    return this.asked !== this.mesh;
+  }
+
+  /** Prepares one mesh at a time, and then the latest one that was asked for. */
+  private async prepare(): Promise<void> {
+    while (this.asked && this.isLate) {
+      const mesh = this.asked;
+      const drawn = await prepareArrays(mesh).catch(() => drawnArrays(mesh));
+      // While the slider moves, a mesh on the way is better than none.
+      if (this.asked !== null) this.put(mesh, drawn);
+    }
+  }
+
+  private put(mesh: TriangleMesh | null, drawn: DrawnArrays | null): void {
     this.body.geometry.dispose();
     this.mesh = mesh;
     this.showBody();
-    const { geometry, groups } = mesh
-      ? bodyGeometry(mesh)
-      : { geometry: new THREE.BufferGeometry(), groups: new Uint32Array() };
-    this.body.geometry = geometry;
-    this.groups = groups;
+    this.body.geometry = mesh && drawn ? geometryFrom(drawn, mesh) : new THREE.BufferGeometry();
+    this.groups = drawn?.groups ?? new Uint32Array();
     this.isMoved = false;
     this.body.material.uniforms.isFlat.value = this.isFlat || isLarge(mesh);
     this.applyField();
@@ -93,7 +138,8 @@ export class Pane {
 
   /** Mesh, field and shape arrive in any order: a field or shape that does not fit the mesh waits for its own mesh. */
   private applyField(): void {
-    const { mesh, field } = this;
+    const { mesh } = this;
+    const field = this.dressed()?.field ?? null;
     const size = field?.on === 'vertices' ? mesh?.positions.length : mesh?.triangles.length;
     const fits = field !== null && size === 3 * field.values.length;
     if (mesh) setField(this.body.geometry, mesh, fits ? field : null);
@@ -105,12 +151,14 @@ export class Pane {
   }
 
   private fittingShape(): Float32Array | null {
-    return this.shape?.length === this.mesh?.positions.length ? this.shape : null;
+    const shape = this.dressed()?.shape ?? null;
+    return shape?.length === this.mesh?.positions.length ? shape : null;
   }
 
   colour(field: Field | null, map: THREE.DataTexture): void {
     const isSame = field?.values === this.field?.values && field?.on === this.field?.on;
     this.field = field;
+    this.remember();
     if (!isSame) this.applyField();
     this.body.material.uniforms.map.value = map;
   }
@@ -118,6 +166,7 @@ export class Pane {
   displace(shape: Float32Array | null): void {
     if (shape === this.shape) return;
     this.shape = shape;
+    this.remember();
     this.applyShape();
   }
 

@@ -68,23 +68,37 @@ export class PickTool {
     this.tree();
   }
 
+  /** Shows what a click at a point of the page would pick. */
+  aim(point: PagePoint): void {
+    this.hover(this.pickedAt(point));
+  }
+
+  /** A click at a point of the page, as the keyboard makes it. */
+  click(point: PagePoint, isErasing: boolean): void {
+    const picked = this.pickedAt(point);
+    if (!picked) return;
+    const stroke = this.begin(picked, point, isErasing, -1);
+    if (this.host.isBroad()) this.touch(stroke, point);
+    this.host.finish(stroke);
+  }
+
+  private begin(
+    picked: PickedVertex,
+    { clientX, clientY }: PagePoint,
+    isErasing: boolean,
+    pointer: number,
+  ): RunningStroke {
+    const at = { startX: clientX, startY: clientY, lastX: clientX, lastY: clientY };
+    return { pointer, ...at, isErasing, isClick: true, vertices: new Map([[picked.vertex, 0]]) };
+  }
+
   private onPress(event: PointerEvent, canvas: HTMLCanvasElement): void {
     if (event.button !== 0 || this.stroke) return;
     const picked = this.pickedAt(event);
     if (!picked) return;
     event.stopImmediatePropagation();
     canvas.setPointerCapture(event.pointerId);
-    const { clientX, clientY } = event;
-    this.stroke = {
-      pointer: event.pointerId,
-      startX: clientX,
-      startY: clientY,
-      lastX: clientX,
-      lastY: clientY,
-      isErasing: event.shiftKey,
-      isClick: true,
-      vertices: new Map([[picked.vertex, 0]]),
-    };
+    this.stroke = this.begin(picked, event, event.shiftKey, event.pointerId);
     if (!this.host.isBroad()) return;
     this.touch(this.stroke, event);
     this.host.paint(this.stroke);

@@ -3,8 +3,11 @@
 import { faceCount } from '../../engine/core/mesh';
 import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
-import { bodyGeometry, setDisplacement, setField } from './body_geometry';
+import { geometryFrom, setDisplacement, setField } from './body_geometry';
 import { mapTexture } from './colours';
+import { drawnArrays } from './drawn_arrays';
+import type { DrawnArrays } from './drawn_arrays';
+import { isPreparedAtOnce, prepareArrays } from './prepared_arrays';
 import { surfaceMaterial } from './surface_material';
 import { isLarge } from './twin_surface';
 
@@ -32,6 +35,13 @@ interface Picture {
   value: Attribute;
 }
 
+interface ShownGallery {
+  mesh: TriangleMesh;
+  modes: ShownMode[];
+  /** one per mode */
+  canvases: HTMLCanvasElement[];
+}
+
 export class Thumbnails {
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
@@ -39,6 +49,8 @@ export class Thumbnails {
   private readonly body: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
   private pictures: Picture[] = [];
   private lastDrawn = 0;
+  /** counts calls of `show`: only the latest is shown */
+  private requests = 0;
   private amplitude = 0;
   private faces = 0;
   private isMoving = true;
@@ -54,14 +66,21 @@ export class Thumbnails {
     this.renderer.setAnimationLoop((time) => this.frame(time));
   }
 
-  /** Shows one mode per canvas; `turn`: from the space of the scene to that of the mesh. */
-  show(
-    { mesh, modes, canvases }: { mesh: TriangleMesh; modes: ShownMode[]; canvases: HTMLCanvasElement[] },
-    rotation: THREE.Quaternion,
-  ): void {
+  /** Shows one mode per canvas, of a large mesh later; `turn`: from the space of the scene to that of the mesh. */
+  show(gallery: ShownGallery, rotation: THREE.Quaternion): void {
+    const request = ++this.requests;
+    const { mesh } = gallery;
+    if (isPreparedAtOnce(mesh)) return this.put(gallery, drawnArrays(mesh), rotation);
+    void prepareArrays(mesh)
+      .catch(() => drawnArrays(mesh))
+      .then((drawn) => {
+        if (request === this.requests) this.put(gallery, drawn, rotation);
+      });
+  }
+
+  private put({ mesh, modes, canvases }: ShownGallery, drawn: DrawnArrays, rotation: THREE.Quaternion): void {
     this.body.geometry.dispose();
-    const { geometry } = bodyGeometry(mesh);
-    this.body.geometry = geometry;
+    const geometry = (this.body.geometry = geometryFrom(drawn, mesh));
     this.body.material.uniforms.isFlat.value = isLarge(mesh);
     this.faces = faceCount(mesh);
     this.body.material.uniforms.hasField.value = true;
@@ -99,6 +118,7 @@ export class Thumbnails {
   }
 
   dispose(): void {
+    this.requests++;
     this.renderer.setAnimationLoop(null);
     this.renderer.dispose();
     this.body.geometry.dispose();

@@ -29,7 +29,7 @@ const SWING_FREQUENCY = 0.5;
 
 export class Viewport {
   private readonly renderer: THREE.WebGLRenderer;
-  private readonly orbit: OrbitCamera;
+  readonly orbit: OrbitCamera;
   private readonly layout: PaneLayout;
   private readonly timer = new THREE.Timer();
   private readonly maps: Record<MapName, THREE.DataTexture>;
@@ -37,6 +37,10 @@ export class Viewport {
   private readonly pickPreview: Dots;
   private readonly ring = new BrushRing();
   private lastColumns = 1;
+  /** vertices of the original */
+  private pinned: Iterable<number> = [];
+  /** whether the camera waits for a large mesh */
+  private fitsLater = false;
   private scenePoints: THREE.Vector3[] = [];
   private readonly axes = new AxesMark();
   private readonly files: ShownFiles;
@@ -73,7 +77,17 @@ export class Viewport {
 
   /** Shows a mesh at rest in a pane; null empties the pane. */
   show(name: PaneName, mesh: TriangleMesh | null): void {
-    this.panes[name].show(mesh);
+    const isShown = this.panes[name].show(mesh);
+    this.follow(name);
+    void isShown?.then(() => {
+      this.follow(name);
+      if (name === 'original') this.pin(this.pinned);
+      if (name === 'original' && this.fitsLater) this.fit(false);
+    });
+  }
+
+  /** What a pane draws has changed. */
+  private follow(name: PaneName): void {
     if (name === 'original') this.files.moved();
     this.isStale = true;
   }
@@ -166,6 +180,7 @@ export class Viewport {
 
   /** Shows dots at these vertices of the original at rest. */
   pin(vertices: Iterable<number>): void {
+    this.pinned = vertices;
     this.showDots(this.panes.original.dots, vertices);
     this.panes.optimized.dots.setPoints(new Float32Array());
   }
@@ -254,6 +269,8 @@ export class Viewport {
 
   /** Turns the camera to the whole body and to what it can touch. */
   fit(isAnimated = true): void {
+    this.fitsLater = this.panes.original.isLate;
+    if (this.fitsLater) return;
     const corners = this.files.corners();
     const turned = this.scenePoints.map((point) => point.clone().applyQuaternion(this.orbit.rotation));
     const points = [...corners, ...turned];

@@ -244,7 +244,13 @@ export function exportKey(settings: Settings, kept: KeptFaces, request: ExportRe
 
 /** Every call throws an Error with one sentence; a cancelled one an Error whose message is CANCELLED. */
 export interface WorkerApi {
-  start(wasmFolder: string, threads: number, onProgress: (progress: CallProgress) => void): Promise<Started>;
+  /** `lifeLock`: see keepAlive. */
+  start(
+    wasmFolder: string,
+    threads: number,
+    onProgress: (progress: CallProgress) => void,
+    lifeLock: string,
+  ): Promise<Started>;
   open(files: SourceFile[]): Promise<OpenedFile>;
   /** The open file as a GLB, with what belongs to it packed in. */
   original(): Promise<Uint8Array>;
@@ -274,3 +280,6 @@ export interface WorkerApi {
 }
 
 export const CANCELLED = 'cancelled';
+
+/** How the message of an Error begins after which the core cannot be used any more; the reason follows. */
+export const CORE_BROKEN = 'core broken: ';

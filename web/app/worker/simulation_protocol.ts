@@ -67,7 +67,8 @@ export interface TwinFrame {
 }
 
 export interface SimulationApi {
-  load(wasmFolder: string, show: ShowFrame): Promise<void>;
+  /** `lifeLock`: see keepAlive. */
+  load(wasmFolder: string, show: ShowFrame, lifeLock: string): Promise<void>;
   /**
    * Replaces the last twin by a new one, at rest and paused; returns what its bodies can touch. Throws an Error with one
    * sentence where it cannot be simulated.

@@ -5,6 +5,7 @@ import type { Core } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
 import { calibrationOf, STEP_SECONDS } from '../../engine/motion/simulation';
 import { Twin } from '../../engine/motion/twin';
+import { keepAlive } from './life';
 import { TwinPlayer } from './simulation_player';
 import type { ShowFrame, SimulationApi, TwinFrame, TwinSetup } from './simulation_protocol';
 import { standingSetup } from './standing_setup';
@@ -53,7 +54,8 @@ const MOST_THREADS = 3;
 const SPARE_SHARE = 0.5;
 
 const api: SimulationApi = {
-  load: async (wasmFolder, showFrame) => {
+  load: async (wasmFolder, showFrame, lifeLock) => {
+    await keepAlive(lifeLock);
     show = (frame) => showFrame(moved(frame));
     core = await loadCore({ wasmFolder, threads: Math.min(MOST_THREADS, navigator.hardwareConcurrency) });
   },

@@ -29,7 +29,8 @@ import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { carrySettingErrors } from './errors';
 import { exportAll } from './exporting';
-import { CANCELLED, exportKey, resultFileKey, sharesKey } from './protocol';
+import { keepAlive } from './life';
+import { CANCELLED, CORE_BROKEN, exportKey, resultFileKey, sharesKey } from './protocol';
 import type { CallProgress, KeptFaces, OpenedBody, Part, WorkerApi } from './protocol';
 import { strainOverview } from './strain_overview';
 
@@ -65,6 +66,7 @@ async function translateErrors<T>(make: () => T | Promise<T>): Promise<T> {
   try {
     return await make();
   } catch (error) {
+    if (error instanceof WebAssembly.RuntimeError) throw new Error(CORE_BROKEN + error.message);
     throw error instanceof Error && error.name === 'Cancelled' ? new Error(CANCELLED) : error;
   }
 }
@@ -122,7 +124,8 @@ const HALF = 0.5;
 const ZIP_TIME = new Date(1980, 0, 1);
 
 const api: WorkerApi = {
-  start: async (wasmFolder, threads, onProgress) => {
+  start: async (wasmFolder, threads, onProgress, lifeLock) => {
+    await keepAlive(lifeLock);
     tell = onProgress;
     core = await loadCore({ wasmFolder, threads, onProgress: (progress) => tell({ ...progress, part }) });
     return { threads: core.threads, job: core.job };

@@ -109,12 +109,21 @@ const scaledCurvature = computed(() => {
   const curvature = results.curvature.value?.vertex;
   if (!curvature) return null;
   const scale = curvatureScale(curvature);
-  return curvature.map((value) => value / scale);
+  const scaled = new Float32Array(curvature.length);
+  for (let i = 0; i < scaled.length; i++) scaled[i] = curvature[i] / scale;
+  return scaled;
 });
 
 interface BodyFields {
   original: Field | null;
   optimized: Field | null;
+}
+
+/** values[numbers[i]]; a loop, as a call for each of a million takes longer than a frame. */
+function gather(values: Float32Array, numbers: Uint32Array): Float32Array {
+  const out = new Float32Array(numbers.length);
+  for (let i = 0; i < numbers.length; i++) out[i] = values[numbers[i]];
+  return out;
 }
 
 /** The chosen field of the original, and the same field on the triangles and vertices that are left of it. */
@@ -126,14 +135,14 @@ function shownFields(mesh: MeshAt | null): BodyFields {
   if (shownField.value === 'strain' && rank)
     return {
       original: { on: 'triangles', values: rank },
-      optimized: mesh && { on: 'triangles', values: Float32Array.from(mesh.inputOfTriangle, (t) => rank[t]) },
+      optimized: mesh && { on: 'triangles', values: gather(rank, mesh.inputOfTriangle) },
     };
   if (shownField.value === 'curvature' && curvature)
     return {
       original: { on: 'vertices', values: curvature },
       optimized: mesh && {
         on: 'vertices',
-        values: Float32Array.from(mesh.inputOfVertex, (v) => curvature[v]),
+        values: gather(curvature, mesh.inputOfVertex),
       },
     };
   return { original: null, optimized: null };
@@ -174,9 +183,8 @@ export function showShapes(viewport: Viewport | null): void {
   if (!mesh) return;
   const carried = new Float32Array(3 * mesh.inputOfVertex.length);
   if (shape)
-    mesh.inputOfVertex.forEach((v, i) => {
-      for (let c = 0; c < 3; c++) carried[3 * i + c] = shape[3 * v + c];
-    });
+    for (let i = 0; i < mesh.inputOfVertex.length; i++)
+      for (let c = 0; c < 3; c++) carried[3 * i + c] = shape[3 * mesh.inputOfVertex[i] + c];
   viewport?.displace('optimized', shape && carried);
 }
 

@@ -23,6 +23,7 @@ import {
   showShapes,
   showSwing,
 } from './show_bodies';
+import { connectViewportKeys } from './viewport_keys';
 import './viewport.css';
 
 export const viewportHandle: { current: Viewport | null } = { current: null };
@@ -49,6 +50,7 @@ const SHOWS = [
 function openViewport(canvas: HTMLCanvasElement): void {
   const viewport = (viewportHandle.current = new Viewport(canvas));
   const picking = connectPicking(canvas, viewport);
+  connectViewportKeys(canvas, viewport, picking);
   connectDragging(canvas, viewport);
   connectHover(canvas, getViewport);
   effect(() => {
@@ -70,7 +72,7 @@ export function ViewportView() {
   for (const show of SHOWS) useSignalEffect(() => show(viewportHandle.current));
   return (
     <div class={isPicking.value || isBrushing.value ? 'viewport picking' : 'viewport'}>
-      <canvas ref={canvas} aria-label={describeViewport()} role="img" />
+      <canvas ref={canvas} aria-label={describeViewport()} role="application" tabIndex={0} />
       {hasFailed && (
         <p class="empty">
           This browser has no WebGL2, so there is no picture; files, numbers and export work.

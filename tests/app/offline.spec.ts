@@ -1,0 +1,101 @@
+import { readFileSync, readdirSync, renameSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { expect, test } from '@playwright/test';
+import type { Page } from '@playwright/test';
+import { buildServiceWorker } from '../../scripts/page/offline.mjs';
+import { sheetObj } from './meshes';
+import { drop, goTo, keepFaces, keptFaces, readout, saveGlb, writeScratch } from './page';
+import { startHost } from './static_host';
+import type { StaticHost } from './static_host';
+
+const sheet = writeScratch('offline.obj', sheetObj(16));
+let host: StaticHost;
+test.beforeEach(async () => {
+  host = await startHost();
+});
+test.afterEach(() => host.close());
+
+const isIsolated = (page: Page) => page.evaluate(() => crossOriginIsolated).catch(() => false);
+
+/** Visits the page once: the service worker keeps everything, and the page reloads itself for shared memory. */
+async function visit(page: Page): Promise<void> {
+  await page.goto(host.address);
+  await expect.poll(() => isIsolated(page)).toBe(true);
+  await expect(page.getByRole('button', { name: 'Open', exact: true })).toBeVisible();
+}
+
+/** Opens the sheet and reduces it to 200 faces. */
+async function reduceSheet(page: Page): Promise<void> {
+  await drop(page, sheet);
+  await expect(page.locator('.filename')).toHaveText('offline.obj');
+  await goTo(page, 'Reduce');
+  await expect(keptFaces(page)).toBeEnabled();
+  await keepFaces(page, 200);
+}
+
+test('after one visit everything works offline, from a folder of a host without headers', async ({
+  page,
+  context,
+}) => {
+  await visit(page);
+  await host.close();
+  await context.setOffline(true);
+  await page.reload();
+  expect(await isIsolated(page)).toBe(true);
+  await reduceSheet(page);
+  const bytes = await saveGlb(page);
+  expect(new TextDecoder().decode(bytes.slice(0, 4))).toBe('glTF');
+  await expect(page.getByText('No errors')).toBeVisible();
+  await page.keyboard.press('Control+e');
+  await goTo(page, 'Test');
+  await expect(readout(page, 'Speed-up')).toContainText(/^x\d/);
+  // The codecs and the samples are kept too.
+  const kept = await page.evaluate(async () => {
+    const names = await caches.keys();
+    const requests = await Promise.all(names.map(async (name) => (await caches.open(name)).keys()));
+    return requests.flat().map(({ url }) => url);
+  });
+  for (const part of ['draco_decoder', 'meshopt_decoder', 'limber-threads.wasm', 'samples/bar.glb'])
+    expect(kept.some((address) => address.includes(part))).toBe(true);
+});
+
+test('a part that is gone from the host is said, and a reload brings the work back', async ({ browser }) => {
+  const context = await browser.newContext({ serviceWorkers: 'block' });
+  const page = await context.newPage();
+  await page.goto(host.address);
+  await expect(page.getByText('1 thread', { exact: true })).toBeVisible();
+  await reduceSheet(page);
+  const assets = join(host.folder, 'assets');
+  // The parts that only an export loads.
+  const late = readdirSync(assets).filter((name) => /^(module|dist)-.*\.js$/.test(name));
+  expect(late.length).toBeGreaterThan(0);
+  for (const name of late) renameSync(join(assets, name), join(assets, `gone-${name}`));
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  await expect(page.getByRole('alert')).toContainText('Reload; your work comes back.');
+  for (const name of late) renameSync(join(assets, `gone-${name}`), join(assets, name));
+  await page.getByRole('alert').getByRole('button', { name: 'Reload' }).click();
+  await expect(page.locator('.filename')).toHaveText('offline.obj');
+  await expect(page.getByLabel('Kept faces, exact')).toHaveValue('200');
+  expect((await saveGlb(page)).length).toBeGreaterThan(1000);
+  await context.close();
+});
+
+test('a new version waits until the user reloads, and the open page goes on with its own files', async ({
+  page,
+}) => {
+  await visit(page);
+  await reduceSheet(page);
+  const [index, assets] = [join(host.folder, 'index.html'), join(host.folder, 'assets')];
+  const late = readdirSync(assets).filter((name) => /^(module|dist)-.*\.js$/.test(name));
+  for (const name of late) renameSync(join(assets, name), join(assets, `newer-${name}`));
+  writeFileSync(index, readFileSync(index, 'utf8').replace('<title>Limber', '<title>Newer Limber'));
+  await buildServiceWorker(host.folder);
+  await page.evaluate(async () => (await navigator.serviceWorker.ready).update());
+  const notice = page.getByRole('status').filter({ hasText: 'A new version is ready.' });
+  await expect(notice).toBeVisible();
+  expect((await saveGlb(page)).length).toBeGreaterThan(1000);
+  await notice.getByRole('button', { name: 'Reload' }).click();
+  await expect(page).toHaveTitle('Newer Limber');
+  await expect(page.locator('.filename')).toHaveText('offline.obj');
+  await expect(page.getByLabel('Kept faces, exact')).toHaveValue('200');
+});

@@ -1,0 +1,124 @@
+import AxeBuilder from '@axe-core/playwright';
+import { expect, test } from '@playwright/test';
+import type { Page } from '@playwright/test';
+import { goTo, openPage, readout } from './page';
+
+const WINDOWS = [
+  { width: 1440, height: 900, colorScheme: 'light' },
+  { width: 1024, height: 700, colorScheme: 'dark' },
+  { width: 820, height: 1180, colorScheme: 'light' },
+  { width: 390, height: 844, colorScheme: 'dark' },
+  // 1024 x 700 at 150 %
+  { width: 683, height: 467, colorScheme: 'light' },
+] as const;
+
+async function expectInside(page: Page): Promise<void> {
+  const { width, height } = page.viewportSize()!;
+  const box = (await page.getByRole('button', { name: 'Export', exact: true }).boundingBox())!;
+  expect(box.x).toBeGreaterThanOrEqual(0);
+  expect(box.y).toBeGreaterThanOrEqual(0);
+  expect(box.x + box.width).toBeLessThanOrEqual(width);
+  expect(box.y + box.height).toBeLessThanOrEqual(height);
+  const canvas = (await page.locator('.viewport canvas').boundingBox())!;
+  expect(canvas.height).toBeGreaterThan(60);
+  const size = await page.evaluate(() => {
+    const { scrollWidth, scrollHeight } = document.documentElement;
+    return { scrollWidth, scrollHeight };
+  });
+  expect(size.scrollWidth).toBeLessThanOrEqual(width);
+  expect(size.scrollHeight).toBeLessThanOrEqual(height);
+}
+
+for (const { width, height, colorScheme } of WINDOWS)
+  test(`at ${width} x ${height} everything stays within reach in the ${colorScheme} scheme`, async ({
+    browser,
+    baseURL,
+  }) => {
+    const context = await browser.newContext({
+      baseURL,
+      colorScheme,
+      viewport: { width, height },
+      reducedMotion: 'reduce',
+    });
+    const page = await context.newPage();
+    await openPage(page);
+    for (const step of ['Model', 'Motion', 'Reduce', 'Test'] as const) {
+      await goTo(page, step);
+      await expectInside(page);
+      const { violations } = await new AxeBuilder({ page }).analyze();
+      expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(' ')}`)).toEqual(
+        [],
+      );
+    }
+    await page.getByRole('button', { name: 'Export', exact: true }).click();
+    await expect(page.getByRole('button', { name: 'Save .glb' })).toBeEnabled();
+    await expectInside(page);
+    await context.close();
+  });
+
+test('a finger turns the picture, and two zoom', async ({ browser, baseURL }) => {
+  const context = await browser.newContext({
+    baseURL,
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+    reducedMotion: 'reduce',
+  });
+  const page = await context.newPage();
+  await openPage(page);
+  const canvas = page.locator('.viewport canvas');
+  await page.waitForTimeout(500);
+  const box = (await canvas.boundingBox())!;
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const client = await context.newCDPSession(page);
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: [number, number][]) =>
+    client.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: points.map(([px, py], id) => ({ x: px, y: py, id })),
+    });
+  const picture = async () => {
+    await page.waitForTimeout(700);
+    return (await canvas.screenshot()).toString('base64');
+  };
+  const before = await picture();
+  await touch('touchStart', [[x - 60, y]]);
+  for (const dx of [-30, 0, 30, 60]) await touch('touchMove', [[x + dx, y]]);
+  await touch('touchEnd', []);
+  const turned = await picture();
+  expect(turned).not.toBe(before);
+  const pair = (spread: number): [number, number][] => [
+    [x - spread, y],
+    [x + spread, y],
+  ];
+  await touch('touchStart', pair(20));
+  for (const spread of [35, 50, 70]) await touch('touchMove', pair(spread));
+  await touch('touchEnd', []);
+  expect(await picture()).not.toBe(turned);
+  await context.close();
+});
+
+test('the picture turns and pins by keyboard alone', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openPage(page);
+  await goTo(page, 'Motion');
+  const canvas = page.locator('.viewport canvas');
+  await canvas.focus();
+  await page.waitForTimeout(700);
+  const before = await canvas.screenshot();
+  for (let i = 0; i < 4; i++) await page.keyboard.press('ArrowRight');
+  await page.waitForTimeout(700);
+  expect((await canvas.screenshot()).equals(before)).toBe(false);
+  await page.getByRole('button', { name: /pick/i }).first().click();
+  await canvas.focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByText(/^[1-9]\d* of [\d,]+ vertices\.$/)).toBeVisible();
+});
+
+test('a result is spoken once it has settled', async ({ page }) => {
+  await openPage(page);
+  await goTo(page, 'Reduce');
+  await expect(readout(page, 'Deviation')).not.toContainText('...');
+  await expect(page.locator('p.spoken').filter({ hasText: 'Topology' })).toHaveText(
+    /^[\d,]+ of 1,792 faces, deviation [\d.]+ %, smallest angle [\d.]+ degrees\. Topology kept\.$/,
+  );
+});

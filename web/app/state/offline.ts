@@ -1,0 +1,68 @@
+/** The service worker's side of the page: works offline, shared memory on hosts that send no headers, new versions. */
+
+import { signal } from '@preact/signals';
+import { awaited } from './link';
+import { results, status } from './store';
+
+const RELOADED_KEY = 'limber-reloaded';
+
+/** Whether everything is kept, so that the page works without a network. */
+export const isOfflineReady = signal(false);
+/** Whether a reload gives the page the shared memory that it lacks now. */
+export const isReloadFaster = signal(false);
+
+/** Reloads the page; the session is saved and comes back. */
+export const reloadPage = (): void => location.reload();
+
+/** Starts to keep the page. In development, and where the browser has no service workers, nothing happens. */
+export async function keepOffline(): Promise<void> {
+  if (!import.meta.env.PROD || !navigator.serviceWorker) return;
+  try {
+    const registration = await navigator.serviceWorker.register('./service_worker.js');
+    followUpdates(registration);
+    await navigator.serviceWorker.ready;
+    isOfflineReady.value = true;
+    if (!crossOriginIsolated) seekIsolation();
+  } catch {
+    // The page goes on without: a host or a private window may refuse service workers.
+  }
+}
+
+/** The service worker adds the missing headers at the next load: at once where nothing is open, and only once. */
+function seekIsolation(): void {
+  if (sessionStorage.getItem(RELOADED_KEY)) return;
+  sessionStorage.setItem(RELOADED_KEY, '1');
+  const isIdle = !results.file.value && !status.busy.value && !awaited.value && location.search === '';
+  if (isIdle) reloadPage();
+  else isReloadFaster.value = true;
+}
+
+function followUpdates(registration: ServiceWorkerRegistration): void {
+  const offer = (waiting: ServiceWorker): void => {
+    if (!navigator.serviceWorker.controller) return;
+    status.notice.value = {
+      kind: 'info',
+      text: 'A new version is ready. Your work comes back after a reload.',
+      action: { label: 'Reload', run: () => takeOver(waiting) },
+    };
+  };
+  if (registration.waiting) offer(registration.waiting);
+  registration.addEventListener('updatefound', () => {
+    const { installing } = registration;
+    installing?.addEventListener('statechange', () => {
+      if (installing.state === 'installed') offer(installing);
+    });
+  });
+}
+
+function takeOver(waiting: ServiceWorker): void {
+  navigator.serviceWorker.addEventListener('controllerchange', reloadPage, { once: true });
+  waiting.postMessage('take over');
+}
+
+const MISSING =
+  /dynamically imported module|importing a module script|Failed to fetch|NetworkError|Load failed/i;
+
+/** Whether an error says that a file of the page could not be loaded: the network is lost, or the host has a new version. */
+export const isMissingFile = (error: unknown): boolean =>
+  error instanceof Error && MISSING.test(error.message);

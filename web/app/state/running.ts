@@ -1,0 +1,85 @@
+/** The one client of the page, what is said while it computes, and what is said when that fails. */
+
+import { Client, WorkerLost } from './client';
+import { isMissingFile, reloadPage } from './offline';
+import type { CallProgress } from '../worker/protocol';
+import { status } from './store';
+import type { Notice } from './store';
+
+const SLOW_MILLISECONDS = 200;
+/** Without progress for so long a call may be stuck. */
+const STUCK_MILLISECONDS = 60_000;
+
+const WORKER_LOST = 'The computation has stopped unexpectedly';
+
+export const client = new Client(new URL('.', document.baseURI).href, () => {
+  status.notice.value = {
+    kind: 'info',
+    text: `${WORKER_LOST}. It has started again, and your work is as it was.`,
+  };
+});
+
+export function complain(error: unknown): void {
+  status.notice.value = noticeOf(error);
+}
+
+function noticeOf(error: unknown): Notice {
+  const text = error instanceof Error ? error.message : String(error);
+  if (isMissingFile(error))
+    return {
+      kind: 'error',
+      text: 'A part of the page could not be loaded: the network is lost, or there is a new version. Reload; your work comes back.',
+      action: { label: 'Reload', run: reloadPage },
+    };
+  if (error instanceof WorkerLost)
+    return { kind: 'error', text: `${WORKER_LOST}: ${text}. Your file and your settings are kept.` };
+  return { kind: 'error', text };
+}
+
+/** Shows what is going on while `make` runs, unless it is quick. */
+export async function whileBusy<T>(what: string, make: () => Promise<T>): Promise<T> {
+  let frame = 0;
+  let begin = performance.now();
+  let phase = '';
+  const isStuck = stuckness();
+  const show = () => {
+    const progress = client.progress();
+    const now = performance.now();
+    const own = progress?.part ? 'bodies' : (progress?.phase ?? '');
+    if (own !== phase) [phase, begin] = [own, now];
+    status.busy.value = { what, progress, seconds: (now - begin) / 1000 };
+    if (isStuck(progress)) offerRestart(what);
+    frame = requestAnimationFrame(show);
+  };
+  const timer = setTimeout(show, SLOW_MILLISECONDS);
+  try {
+    return await make();
+  } finally {
+    clearTimeout(timer);
+    cancelAnimationFrame(frame);
+    status.busy.value = null;
+  }
+}
+
+/** Tells once when the progress has stayed the same for too long. */
+function stuckness(): (progress: CallProgress | null) => boolean {
+  let [last, since, isTold] = ['', performance.now(), false];
+  return (progress) => {
+    const [text, now] = [JSON.stringify(progress), performance.now()];
+    if (text !== last) [last, since] = [text, now];
+    if (isTold || now - since < STUCK_MILLISECONDS) return false;
+    return (isTold = true);
+  };
+}
+
+function offerRestart(what: string): void {
+  const run = (): void => {
+    status.notice.value = null;
+    client.forceCancel();
+  };
+  status.notice.value = {
+    kind: 'info',
+    text: `${what}: no progress for a minute. It may need more time, or it may be stuck.`,
+    action: { label: 'Start again', run },
+  };
+}

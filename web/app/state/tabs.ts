@@ -1,0 +1,51 @@
+/** Which tabs are open. Each has a lock of the browser for as long as it lives, so that two never save to one name. */
+
+const TAB_KEY = 'limber-tab';
+const PREFIX = 'limber-tab-';
+/** A page that is being reloaded may still have its lock for a moment. */
+const TRIES = 5;
+const TRY_MILLISECONDS = 60;
+
+export interface Tab {
+  id: string;
+  /** the tab whose work this one begins with: itself before a reload, or the tab that it is a copy of */
+  source: string | null;
+}
+
+/** This tab. */
+export const ownTab: Promise<Tab> = findTab();
+
+async function findTab(): Promise<Tab> {
+  const source = sessionStorage.getItem(TAB_KEY);
+  if (source !== null && (await isFree(source))) return { id: source, source };
+  const id = crypto.randomUUID();
+  await lock(id);
+  sessionStorage.setItem(TAB_KEY, id);
+  return { id, source };
+}
+
+async function isFree(id: string): Promise<boolean> {
+  for (let i = 0; i < TRIES; i++) {
+    if (await lock(id)) return true;
+    await new Promise((resolve) => setTimeout(resolve, TRY_MILLISECONDS));
+  }
+  return false;
+}
+
+/** Takes the lock of a tab for the life of this page; returns whether it was free. Without locks every tab is. */
+function lock(id: string): Promise<boolean> {
+  if (!navigator.locks) return Promise.resolve(true);
+  return new Promise((resolve) => {
+    void navigator.locks.request(PREFIX + id, { ifAvailable: true }, (taken) => {
+      resolve(taken !== null);
+      return taken ? new Promise(() => {}) : undefined;
+    });
+  });
+}
+
+/** The tabs that are open now, this one among them. */
+export async function liveTabs(): Promise<Set<string>> {
+  const locks = (await navigator.locks?.query())?.['held'] ?? [];
+  const names = locks.map(({ name }) => name ?? '').filter((name) => name.startsWith(PREFIX));
+  return new Set([...names.map((name) => name.slice(PREFIX.length)), (await ownTab).id]);
+}
