@@ -3,7 +3,6 @@
 import { spawn, spawnSync } from 'node:child_process';
 import {
   appendFileSync,
-  cpSync,
   existsSync,
   mkdirSync,
   mkdtempSync,
@@ -123,7 +122,7 @@ describe('limber batch', () => {
       'batch.json',
       JSON.stringify({
         schema: 'limber-batch/1',
-        options: { ratio: 0.5, reports: true, bindings: true },
+        options: { reports: true, bindings: true },
         overrides: [
           { files: '*.obj', options: { soft: false } },
           { files: 'ring.*', options: { faces: 1, maxDeviation: 0, reports: false } },
@@ -219,7 +218,7 @@ describe('limber batch', () => {
   });
 
   it('lets one batch at a time work on a folder, and takes over what a killed one left', async () => {
-    cpSync(path('src'), path('src/copy'), { recursive: true });
+    for (const name of ['a', 'b', 'c', 'd']) write(`src/${name}.obj`, toObj(torus()));
     const first = spawn(process.execPath, [program, 'batch', 'src', 'out', '--quiet'], { cwd: folder });
     while (!existsSync(path('out/.limber-batch/lock.json'))) await new Promise((done) => setTimeout(done, 5));
     const second = batch();

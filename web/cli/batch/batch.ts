@@ -28,8 +28,8 @@ import { SUMMARY_FILES, writeSummary } from './write_summary';
 export async function runBatch(args: Arguments): Promise<number> {
   const seconds = startStopwatch();
   const out = args.operands[args.operands.length - 1];
-  const requests = readRequests(args, out);
   checkOut(args, out);
+  const requests = readRequests(args, out);
   checkReports(args, requests);
   const own = join(out, OWN_FOLDER);
   const journal = new Journal(own);
