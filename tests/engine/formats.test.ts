@@ -14,7 +14,7 @@ import { glbParts, withJson } from '../../web/engine/document/glb';
 import { validateFiles } from '../../web/engine/document/validate';
 import { exportFiles } from '../../web/engine/document/write/export_files';
 import { formOfName, outputForm, withSuffix } from '../../web/engine/document/write/output_form';
-import { isOwnContent } from '../../web/cli/own_files';
+import { isOwnContent } from '../../web/cli/output_files/own_files';
 import { failureOf, textFile } from './support/files';
 import { addRichMesh, glbFile, startDocument } from './support/gltf';
 import { torus } from './support/shapes';

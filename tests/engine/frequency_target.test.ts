@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core } from '../../web/engine/core/core';
-import { searchFaces } from '../../web/engine/stages/frequency_target';
+import { searchFaces } from '../../web/engine/stages/budget/frequency_target';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
 import { materialOf } from '../../web/engine/body/material';

@@ -7,10 +7,10 @@ import type { OpenModel } from '../engine/document/open';
 import { chosenBodies } from '../engine/body/selection';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
-import { followLinks, isSpecial } from './identity';
+import { followLinks, isSpecial } from './output_files/identity';
 import { checkFiles } from './inputs';
-import { checkRoom, sizeOfModel } from './outputs';
-import type { Output } from './outputs';
+import { checkRoom, sizeOfModel } from './output_files/outputs';
+import type { Output } from './output_files/outputs';
 import { shownName, shownOutput, STANDARD } from './standard';
 import { count, plain, plural } from './words';
 

@@ -14,7 +14,7 @@ import { basename, dirname, join } from 'node:path';
 import { companionNames } from '../engine/document/gltf';
 import type { SourceFile } from '../engine/document/open';
 import { UsageError } from './failure';
-import { followLinks, isSpecial, isWithin } from './identity';
+import { followLinks, isSpecial, isWithin } from './output_files/identity';
 import { readStandard, STANDARD } from './standard';
 
 /** A model and what belongs to it. */

@@ -5,8 +5,8 @@ import type { SourceFile } from '../engine/document/open';
 import type { Arguments } from './arguments';
 import { UsageError } from './failure';
 import { readModelFiles } from './files';
-import { checkEndings, checkOutputs, outputsOf } from './outputs';
-import type { Output } from './outputs';
+import { checkEndings, checkOutputs, outputsOf } from './output_files/outputs';
+import type { Output } from './output_files/outputs';
 import { checkStandard, STANDARD } from './standard';
 
 export interface CheckedFiles {

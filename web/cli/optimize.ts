@@ -18,7 +18,7 @@ import { EXIT, UsageError } from './failure';
 import { writeLevels } from './levels';
 import type { WrittenLevels } from './levels';
 import { levelLine, summaryLine, tuningLines } from './optimize_words';
-import { checkModelOutputs, fileName, saveFiles } from './model_outputs';
+import { checkModelOutputs, fileName, saveFiles } from './output_files/model_outputs';
 import { finish, openAnyFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';

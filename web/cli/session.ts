@@ -15,7 +15,7 @@ import { describeFailure, inFlags, UsageError } from './failure';
 import { writeWhole } from './files';
 import { checkFiles } from './inputs';
 import type { CheckedFiles } from './inputs';
-import { checkRoom, sizeOfModel } from './outputs';
+import { checkRoom, sizeOfModel } from './output_files/outputs';
 import { shownOutput, STANDARD } from './standard';
 import { canRedraw, clearProgress, showProgress } from './terminal';
 import { ofBody, ofSentence, warningLines } from './warnings';

@@ -3,7 +3,7 @@
 import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, renameSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { writeWhole } from '../files';
-import { followLinks, isSpecial } from '../identity';
+import { followLinks, isSpecial } from '../output_files/identity';
 import { hashOf } from './key';
 import type { StagedFile, WorkDone } from './messages';
 import type { AssetRecord, WrittenFile } from './record';

@@ -5,7 +5,7 @@ import { basename, dirname, join, relative, sep } from 'node:path';
 import { isModelName } from '../../engine/document/open';
 import { isPathPattern, matchesPath } from '../../engine/settings/path_pattern';
 import { UsageError } from '../failure';
-import { nameKey } from '../identity';
+import { nameKey } from '../output_files/identity';
 
 export interface Source {
   /** its path below SRC, parted by slashes: what patterns of a configuration and the summary call it */

@@ -2,17 +2,17 @@
 
 import { existsSync, mkdirSync, readFileSync, statSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
-import type { OpenModel, SourceFile } from '../engine/document/open';
-import { companionsOf } from '../engine/document/write/export_files';
-import type { Companion } from '../engine/document/write/shared_images';
-import { checkWritten } from '../engine/stages/written_form';
-import { UsageError } from './failure';
+import type { OpenModel, SourceFile } from '../../engine/document/open';
+import { companionsOf } from '../../engine/document/write/export_files';
+import type { Companion } from '../../engine/document/write/shared_images';
+import { checkWritten } from '../../engine/stages/written_form';
+import { UsageError } from '../failure';
 import { followLinks, identityOf } from './identity';
-import { levelFiles } from './levels';
+import { levelFiles } from '../levels';
 import { isOwnFile } from './own_files';
-import { save } from './session';
-import type { Session } from './session';
-import { STANDARD } from './standard';
+import { save } from '../session';
+import type { Session } from '../session';
+import { STANDARD } from '../standard';
 
 /** The name by which the engine knows an output. */
 export const fileName = (path: string): string => (path === STANDARD ? 'model' : basename(path));

@@ -1,6 +1,6 @@
 /** Finds the fewest faces whose frequencies stay within a limit, by evaluating levels of a history. */
 
-import type { FrequencyFinding, Tried } from '../body/body_result';
+import type { FrequencyFinding, Tried } from '../../body/body_result';
 
 /** The search ends where face counts that fail and that succeed are within this ratio. */
 const CLOSE = 1.02;

@@ -2,15 +2,15 @@
 
 import { accessSync, constants, existsSync, statfsSync, statSync } from 'node:fs';
 import { dirname } from 'node:path';
-import { sum } from '../engine/core/mesh';
-import type { OpenModel } from '../engine/document/open';
-import { formOfName } from '../engine/document/write/output_form';
+import { sum } from '../../engine/core/mesh';
+import type { OpenModel } from '../../engine/document/open';
+import { formOfName } from '../../engine/document/write/output_form';
 import { isOwnFile } from './own_files';
-import type { Arguments } from './arguments';
-import { UsageError } from './failure';
+import type { Arguments } from '../arguments';
+import { UsageError } from '../failure';
 import { followLinks, identityOf, isSpecial } from './identity';
-import { levelFiles } from './levels';
-import { STANDARD } from './standard';
+import { levelFiles } from '../levels';
+import { STANDARD } from '../standard';
 
 export interface Output {
   /** as the user wrote it */

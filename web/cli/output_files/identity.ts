@@ -3,7 +3,7 @@
 import { lstatSync, readlinkSync, realpathSync, statSync } from 'node:fs';
 import type { BigIntStats } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
-import { UsageError } from './failure';
+import { UsageError } from '../failure';
 
 /** As many links in a row as Linux follows. */
 const MOST_LINKS = 40;

@@ -1,18 +1,18 @@
 /** Finds the level that keeps the frequencies: every level that is tried is fitted and solved. */
 
-import type { FittedResult, FrequencyFinding } from '../body/body_result';
-import { materialOf } from '../body/material';
-import type { MaterialSettings } from '../body/material';
-import type { PreparedBody } from '../body/prepared_body';
-import type { Core, MeshAt } from '../core/core';
-import { faceCount } from '../core/mesh';
-import { fittedLevelAt } from './fit';
-import type { FitRequest } from './fit';
+import type { FittedResult, FrequencyFinding } from '../../body/body_result';
+import { materialOf } from '../../body/material';
+import type { MaterialSettings } from '../../body/material';
+import type { PreparedBody } from '../../body/prepared_body';
+import type { Core, MeshAt } from '../../core/core';
+import { faceCount } from '../../core/mesh';
+import { fittedLevelAt } from '../fit';
+import type { FitRequest } from '../fit';
 import { searchFaces } from './frequency_target';
-import type { KeptHistory } from './kept_history';
-import type { RunContext } from './stage';
-import { tunedErrorOf } from './tune';
-import type { TuneSettings } from './tune';
+import type { KeptHistory } from '../kept_history';
+import type { RunContext } from '../stage';
+import { tunedErrorOf } from '../tune';
+import type { TuneSettings } from '../tune';
 
 /** The modes that --max-frequency-error looks at. */
 const TARGET_MODES = 6;
