@@ -1,3 +1,4 @@
+import { resolve } from 'node:path';
 import { defineConfig } from 'vite';
 import { developmentHeaders, headers } from './scripts/page/headers.mjs';
 import { offline } from './scripts/page/offline.mjs';
@@ -8,6 +9,9 @@ export default defineConfig({
   publicDir: '../../public',
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   worker: { format: 'es' },
+  resolve: {
+    alias: { 'ndarray-pixels': resolve(import.meta.dirname, 'web/engine/document/write/no_pixels.ts') },
+  },
   plugins: [offline()],
   server: { headers: developmentHeaders },
   preview: { headers },

@@ -9,7 +9,13 @@ import { rooms } from '../structure/rooms.mjs';
 
 const box = { width: 104, height: 30, gap: 22, row: 64 };
 const column = { width: 520, gap: 40, margin: 20, top: 70 };
-const colours = { wasm: '#e8eef7', 'web/engine': '#e9f5ec', 'web/app': '#fbf1e2', 'web/cli': '#fbf1e2' };
+const colours = {
+  wasm: '#e8eef7',
+  'web/engine': '#e9f5ec',
+  'web/app': '#fbf1e2',
+  'web/cli': '#fbf1e2',
+  'web/service_worker': '#fbf1e2',
+};
 
 /**
  * The offset of a room from the middle of its row, in boxes, chosen so that no arrow runs behind another room. A row with a

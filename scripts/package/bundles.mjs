@@ -23,6 +23,7 @@ const bundle = (folder, input, output, others = {}) => ({
   root,
   logLevel: 'error',
   publicDir: false,
+  resolve: { alias: { 'ndarray-pixels': source('engine', 'document', 'write', 'no_pixels.ts') } },
   ...others,
   build: {
     outDir: folder,

@@ -44,27 +44,45 @@ const READERS: Record<RunSettingName, StageName[]> = {
   direction: ['modes'],
   exact: ['modes'],
   young: ['modes', 'fitted', 'calibration', 'writtenLevels', 'tuned', 'tunedLevels'],
-  poisson: ['modes', 'fitted', 'furtherLevels', 'calibration', 'writtenLevels', 'tuned', 'tunedLevels'],
+  poisson: [
+    'modes',
+    'fitted',
+    'furtherLevels',
+    'deviationMarks',
+    'calibration',
+    'writtenLevels',
+    'tuned',
+    'tunedLevels',
+  ],
   density: ['modes', 'fitted', 'calibration', 'writtenLevels', 'tuned', 'tunedLevels'],
-  thickness: ['modes', 'fitted', 'furtherLevels', 'calibration', 'writtenLevels', 'tuned', 'tunedLevels'],
+  thickness: [
+    'modes',
+    'fitted',
+    'furtherLevels',
+    'deviationMarks',
+    'calibration',
+    'writtenLevels',
+    'tuned',
+    'tunedLevels',
+  ],
   unit: ['modes', 'fitted', 'calibration', 'writtenLevels', 'tuned', 'tunedLevels'],
   modes: ['guidance'],
   modeWeights: ['guidance'],
   p: ['guidance'],
   strainThreshold: ['guidance'],
-  method: ['history', 'fitted', 'furtherLevels', 'explanation'],
+  method: ['history', 'fitted', 'furtherLevels', 'deviationMarks', 'explanation'],
   strainWeight: ['history', 'explanation'],
   curvatureWeight: ['history', 'explanation'],
   qualityWeight: ['history', 'explanation'],
   sizeWeight: ['history', 'explanation'],
-  maxDeviation: ['history', 'explanation', 'fitted', 'furtherLevels'],
+  maxDeviation: ['history', 'explanation', 'fitted', 'furtherLevels', 'deviationMarks'],
   perBody: [],
   levelFaces: ['furtherLevels'],
-  minAngle: ['history', 'explanation', 'fitted', 'furtherLevels'],
+  minAngle: ['history', 'explanation', 'fitted', 'furtherLevels', 'deviationMarks'],
   borders: ['history', 'explanation'],
-  seams: ['history', 'explanation', 'fitted', 'furtherLevels'],
+  seams: ['history', 'explanation', 'fitted', 'furtherLevels', 'deviationMarks'],
   creases: ['history', 'explanation'],
-  fit: ['fitted', 'furtherLevels'],
+  fit: ['fitted', 'furtherLevels', 'deviationMarks'],
   maxFrequencyError: ['fitted'],
   targetFaces: ['level', 'fitted', 'explanation'],
   lods: ['furtherLevels'],
@@ -191,7 +209,7 @@ function expectedToRun(setting: RunSettingName, method: Settings['method'], chan
 function isReadBy(method: Settings['method'], setting: RunSettingName, reader: StageName): boolean {
   if (setting === 'seams') return method === 'qem' && ['history', 'explanation'].includes(reader);
   const isOfFit = ['poisson', 'thickness', 'maxDeviation', 'minAngle', 'fit'].includes(setting);
-  if (reader === 'furtherLevels' && isOfFit) return false;
+  if (['furtherLevels', 'deviationMarks'].includes(reader) && isOfFit) return false;
   return !(reader === 'fitted' && setting === 'fit');
 }
 

@@ -478,7 +478,10 @@ describe('limber simulate', () => {
 
 describe('a wrong command line', () => {
   it.each([
-    ['', 'There is no command "": use optimize, tune, modes, compare, simulate, inspect (limber --help).'],
+    [
+      '',
+      'There is no command "": use optimize, batch, tune, modes, compare, simulate, inspect (limber --help).',
+    ],
     ['optimise', 'There is no command "optimise": did you mean "optimize"?'],
     ['optimize', 'IN is missing: limber optimize IN OUT.'],
     ['optimize torus.obj', 'OUT is missing: limber optimize IN OUT.'],

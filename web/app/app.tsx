@@ -41,7 +41,7 @@ export function App() {
     >
       <TopBar />
       {results.file.value && (
-        <aside class="panel left" aria-label="Model">
+        <aside class="panel left" aria-label="Model" tabIndex={0}>
           <ModelFacts />
         </aside>
       )}
@@ -88,7 +88,7 @@ function SheetHandle() {
 function StepPanel() {
   if (wants.exportOpen.value) return <ExportPanel />;
   return (
-    <aside class="panel right" aria-label="Settings of this step">
+    <aside class="panel right" aria-label="Settings of this step" tabIndex={0}>
       <FirstHint />
       {view.step.value === 'model' && <ReadingPanel />}
       {view.step.value === 'motion' && <MotionPanel />}

@@ -19,7 +19,7 @@ import { writeLevels } from './levels';
 import type { WrittenLevels } from './levels';
 import { levelLine, summaryLine, tuningLines } from './optimize_words';
 import { checkModelOutputs, fileName, saveFiles } from './output_files/model_outputs';
-import { finish, openAnyFile, prepareFile, save, startSession } from './session';
+import { finish, openAnyFile, prepareFile, save, writeOutput, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';
 import { missedTargets, targetOf } from './targets';
@@ -68,7 +68,7 @@ export async function optimizeModel(
     session.warnings.push(`${shownOutput(path)} leaves out ${written.lost.join(', ')}`);
   const exportTime = lap();
   const levels = await writeLevels(args, output, (name, all) => {
-    saveFiles(session, name, all);
+    saveFiles(session, name, all, writeOutput);
   });
   if (args.validates) await warnOfErrors(session, files);
   const levelsTime = lap();

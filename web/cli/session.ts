@@ -86,15 +86,20 @@ function noted({ warnings, checked }: Session, model: OpenModel): OpenModel {
   return model;
 }
 
+/** Writes an output. */
+export function writeOutput(session: Session, path: string, content: Uint8Array | string): void {
+  if (path === STANDARD) process.stdout.write(content);
+  else session.write(path, content);
+  session.written.push(shownOutput(path));
+}
+
 /** Writes an output; where that fails, the sentence has what was written before. */
 export function save(session: Session, path: string, content: Uint8Array | string): void {
   try {
-    if (path === STANDARD) process.stdout.write(content);
-    else session.write(path, content);
+    writeOutput(session, path, content);
   } catch (error) {
     throw new UsageError(`${describeFailure(error).line.replace(/\.$/, '')}${describeWritten(session)}.`);
   }
-  session.written.push(shownOutput(path));
 }
 
 /** A clause on what has been written, to follow a failure; '' where nothing has. */

@@ -76,13 +76,13 @@ function hasBytes(path: string, bytes: Uint8Array): boolean {
 }
 
 /** Writes what belongs to the model first, so that the model that names it is whole as soon as it is there. */
-export function saveFiles(session: Session, path: string, files: SourceFile[]): void {
+export function saveFiles(session: Session, path: string, files: SourceFile[], write = save): void {
   const [main, ...others] = files;
   for (const { name, bytes } of others) {
     const own = join(dirname(path), name);
     if (hasBytes(own, bytes)) continue;
     mkdirSync(dirname(own), { recursive: true });
-    save(session, own, bytes);
+    write(session, own, bytes);
   }
-  save(session, path, main.bytes);
+  write(session, path, main.bytes);
 }
