@@ -14,7 +14,7 @@ const followWorkers = (page: Page) =>
     window.Worker = class extends Worker {
       constructor(address: string | URL, options?: WorkerOptions) {
         super(address, options);
-        if (/worker-[^/]*\.js$/.test(String(address))) workers.push(this);
+        if (/\/worker-[^/]*\.js$/.test(String(address))) workers.push(this);
       }
     };
   });
@@ -22,6 +22,15 @@ const followWorkers = (page: Page) =>
 /** Ends the worker of the page as a browser does that runs out of memory: without an event, and amid its work. */
 const killWorker = (page: Page) =>
   page.evaluate(() => (window as unknown as { workers: Worker[] }).workers.at(-1)!.terminate());
+
+/** Waits until the worker has had nothing to do for a second. */
+const settle = (page: Page) =>
+  expect(async () => {
+    for (let look = 0; look < 5; ++look) {
+      expect(await page.locator('.notice.busy').count()).toBe(0);
+      await page.waitForTimeout(200);
+    }
+  }).toPass();
 
 async function openSheet(page: Page, path = sheet): Promise<void> {
   await drop(page, path);
@@ -35,8 +44,8 @@ test('a worker that has ended is noticed and started again, and the work goes on
   await goTo(page, 'Reduce');
   await expect(keptFaces(page)).toBeEnabled();
   await keepFaces(page, 200);
-  await expect(page.locator('.notice.busy')).toHaveCount(0);
   await expect(readout(page, 'Deviation')).toContainText('%');
+  await settle(page);
   await killWorker(page);
   await expect(page.getByText('It has started again, and your work is as it was.')).toBeVisible();
   await keepFaces(page, 150);
@@ -120,6 +129,7 @@ test('a lost context comes back with its picture', async ({ page }) => {
   await openPage(page);
   await openSheet(page);
   const canvas = page.locator('.viewport canvas');
+  await settle(page);
   const before = await canvas.screenshot();
   await canvas.evaluate(async (element: HTMLCanvasElement) => {
     const wait = (name: string) =>

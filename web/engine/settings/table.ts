@@ -335,7 +335,7 @@ const ROWS = {
     flag: 'exact',
     label: 'Solve the mesh itself',
     default: false,
-    help: 'Solve shells of more than 8,000 vertices as they are, not by way of a decimated copy.',
+    help: 'Solve large shells as they are, not by way of a decimated copy (above 1,000 vertices for guidance, 8,000 elsewhere).',
     group: 'motion',
   },
   /** Pa */
