@@ -29,13 +29,15 @@ async function coloursOf(page: Page, png: Buffer): Promise<Colours> {
     const { data, width } = context.getImageData(0, 0, bitmap.width, bitmap.height);
     const found = { red: 0, blue: 0, low: [1e9, 1e9], high: [-1, -1] };
     for (let i = 0; i < data.length; i += 4) {
+      const [x, y] = [(i / 4) % width, Math.floor(i / 4 / width)];
+      // The axes of the scene have colours of their own.
+      if (x < 80 && y > bitmap.height - 80) continue;
       const [r, g, b] = [data[i], data[i + 1], data[i + 2]];
       if (b > 90 && b > 2 * r && b > 2 * g) found.blue += 1;
       if (!(r > 90 && r > 2 * g && r > 2 * b)) continue;
       found.red += 1;
-      const at = [(i / 4) % width, Math.floor(i / 4 / width)];
-      found.low = found.low.map((value, c) => Math.min(value, at[c]));
-      found.high = found.high.map((value, c) => Math.max(value, at[c]));
+      found.low = found.low.map((value, c) => Math.min(value, [x, y][c]));
+      found.high = found.high.map((value, c) => Math.max(value, [x, y][c]));
     }
     const [w, h] = found.high.map((value, c) => value - found.low[c]);
     return { red: found.red, blue: found.blue, width: w, height: h, left: found.low[0] };

@@ -70,10 +70,6 @@ export class SceneModel {
     }
   }
 
-  get meshCount(): number {
-    return new Set(this.drawn.map(({ mesh }) => mesh)).size;
-  }
-
   look(look: SceneLook): void {
     for (const drawn of this.drawn) {
       const { object, mesh, own } = drawn;

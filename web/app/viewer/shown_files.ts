@@ -23,8 +23,8 @@ export class ShownFiles {
   ) {}
 
   /**
-   * Draws a whole file, a GLB, in a pane once it has been read; null removes it. Resolves to whether more has come to be drawn than the shown body. Rejects
-   * with what the loader says of a file that it cannot read.
+   * Draws a whole file, a GLB, in a pane once it has been read; null removes it. Resolves to whether what the
+   * original's pane shows lies elsewhere than before. Rejects with what the loader says of a file that it cannot read.
    */
   async show(name: PaneName, bytes: Uint8Array | null): Promise<boolean> {
     if (this.asked[name] === bytes) return false;
@@ -34,12 +34,14 @@ export class ShownFiles {
       model?.dispose();
       return false;
     }
+    const before = this.corners();
     const pane = this.panes[name];
     pane.scene.environment ??= roomLight(this.renderer);
     pane.scene.environmentIntensity = ROOM_LIGHT;
     pane.stand.show(model);
     this.look(name, this.looks[name]);
-    return pane.showsFile && model !== null && model.meshCount > 1;
+    this.moved();
+    return name === 'original' && model !== null && !isSameBox(before, this.corners());
   }
 
   /** How a pane's file is drawn; null: the body alone is drawn in its place. */
@@ -96,6 +98,13 @@ export class ShownFiles {
     optimized.stand.shareFloor(original.stand);
     for (const { stand } of [original, optimized]) stand.isFloorShown = this.hasFloor;
   }
+}
+
+/** Whether two boxes are equal up to the rounding of positions. */
+function isSameBox(a: readonly THREE.Vector3[], b: readonly THREE.Vector3[]): boolean {
+  if (a.length === 0 || b.length === 0) return a.length === b.length;
+  const size = a[0].distanceTo(a[7]);
+  return a.every((corner, i) => corner.distanceTo(b[i]) <= 1e-3 * size);
 }
 
 function cornersOf({ min, max }: THREE.Box3): THREE.Vector3[] {

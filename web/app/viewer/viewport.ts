@@ -94,9 +94,9 @@ export class Viewport {
 
   /** See `ShownFiles.show`. */
   async showFile(name: PaneName, bytes: Uint8Array | null): Promise<void> {
-    const isMore = await this.files.show(name, bytes);
+    const isElsewhere = await this.files.show(name, bytes);
     this.isStale = true;
-    if (isMore && name === 'original') this.fit(false);
+    if (isElsewhere) this.fit(false);
   }
 
   /** How a pane's file is drawn; null: the body alone is drawn in its place. */
