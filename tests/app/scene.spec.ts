@@ -97,10 +97,15 @@ test('a locked mesh keeps its faces, and the tree says what each keeps', async (
   await expect(row('red')).toContainText(/1,280 → 6[34]\d/);
   // Both meshes rest in their materials, the result too.
   await expect.poll(async () => (await shown(page)).blue).toBeGreaterThan(500);
-  await page.getByText('View', { exact: true }).click();
+  // Closed again, for a checked box is blue, too.
+  const views = page.getByText('View', { exact: true });
+  await views.click();
   await page.getByLabel('Swing').check();
+  await views.click();
   await expect.poll(async () => (await now(page)).blue).toBe(0);
+  await views.click();
   await page.getByLabel('Swing').uncheck();
+  await views.click();
   await expect.poll(async () => (await shown(page)).blue).toBeGreaterThan(500);
   const bytes = await saveGlb(page);
   expect(new TextDecoder().decode(bytes.subarray(0, 4))).toBe('glTF');

@@ -20,3 +20,8 @@ export function roomLight(renderer: THREE.WebGLRenderer): THREE.Texture {
   rooms.set(renderer, texture);
   return texture;
 }
+
+/** To be called when a lost context has come back: pictures that were drawn on the graphics card have to be drawn again. */
+export function forgetRoomLight(renderer: THREE.WebGLRenderer): void {
+  rooms.delete(renderer);
+}

@@ -3,7 +3,7 @@
 import * as THREE from 'three';
 import type { Pane } from './pane';
 import type { PaneName } from './pane_layout';
-import { ROOM_LIGHT, roomLight } from './room_light';
+import { forgetRoomLight, ROOM_LIGHT, roomLight } from './room_light';
 import { SceneModel } from './scene_model';
 import type { SceneLook } from './scene_model';
 
@@ -73,6 +73,13 @@ export class ShownFiles {
   setFloor(isShown: boolean): void {
     this.hasFloor = isShown;
     for (const { stand } of Object.values(this.panes)) stand.isFloorShown = isShown;
+  }
+
+  /** Makes again what a lost context has taken along. */
+  restore(): void {
+    forgetRoomLight(this.renderer);
+    for (const { scene } of Object.values(this.panes))
+      if (scene.environment) scene.environment = roomLight(this.renderer);
   }
 
   /** What is shown has changed, or where it stands. */

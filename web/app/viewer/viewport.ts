@@ -70,7 +70,10 @@ export class Viewport {
       this.resize();
       this.draw();
     }).observe(canvas);
-    canvas.addEventListener('webglcontextrestored', () => (this.isStale = true));
+    canvas.addEventListener('webglcontextrestored', () => {
+      this.files.restore();
+      this.isStale = true;
+    });
     this.resize();
     this.renderer.setAnimationLoop((time) => this.frame(time));
   }
