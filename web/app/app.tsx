@@ -74,7 +74,7 @@ function SheetHandle() {
     if (sheet === 'facts') wants.exportOpen.value = false;
   };
   return (
-    <div class="sheet-handle" role="group" aria-label="Panels">
+    <div class="sheet-handle" role="navigation" aria-label="Panels">
       <button type="button" aria-pressed={shownSheet.value === 'settings'} onClick={() => choose('settings')}>
         Settings
       </button>

@@ -27,7 +27,7 @@ function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
   return (
     <>
       <Spoken text={spokenResult(body, faces)} />
-      <dl class="readouts">
+      <dl class="readouts" tabIndex={0}>
         <Readout name="Faces" value={`${count(total)} → ${count(faces)}`} note={`${fixed(change, 1)} %`} />
         <Readout
           name="Smallest angle"
@@ -99,7 +99,7 @@ function describeTopology({ components, boundaryLoops, genus }: Inspection): str
 function OriginalReadouts() {
   const { inspection, minAngle, meanMinAngle } = results.body.value!;
   return (
-    <dl class="readouts">
+    <dl class="readouts" tabIndex={0}>
       <Readout name="Faces" value={count(inspection.faces)} note={`${count(inspection.vertices)} vertices`} />
       <Readout name="Smallest angle" value={`${fixed(minAngle, 1)}°`} note="" />
       <Readout name="Mean of smallest" value={`${fixed(meanMinAngle, 1)}°`} note="" />

@@ -22,7 +22,7 @@ const THEME_NAMES: Record<Theme, string> = { system: 'Auto', light: 'Light', dar
 export function TopBar() {
   return (
     <header class="top">
-      <h1 class="brand">
+      <h1 class="brand" aria-label="Limber">
         <img src="./icon.svg" alt="" width="24" height="24" />
         <span class="brand-name">Limber</span>
       </h1>

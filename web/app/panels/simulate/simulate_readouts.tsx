@@ -14,7 +14,7 @@ export function SimulateReadouts() {
   const last = twin.samples.value.at(-1);
   const noise = last?.noise ?? null;
   return (
-    <dl class="readouts">
+    <dl class="readouts" tabIndex={0}>
       <Readout name="Time" value={frame ? `${fixed(frame.time, 2)} s` : '...'} note={describePace(frame)} />
       <Cost name="Original" seconds={frame?.bodies.original.stepSeconds ?? 0} />
       <Cost name="Optimized" seconds={frame?.bodies.optimized.stepSeconds ?? 0} />
