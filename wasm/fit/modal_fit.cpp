@@ -39,7 +39,7 @@ struct SearchErrors {
   double before, after;
 };
 
-// Moves the vertices of part.result. Nothing where the original has no elastic modes.
+// Moves the vertices of part.result. Nothing where a body has no elastic modes.
 std::optional<SearchErrors> searchModes(FitPart& part, const FitSamples& samples, const SearchLimits& limits,
                                         const FitContext& context) {
   const ElasticMaterial material =

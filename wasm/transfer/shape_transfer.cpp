@@ -21,6 +21,7 @@ std::vector<ClosestPoint> closestPoints(const TriangleMesh& original, const Tria
 Eigen::MatrixXd transfer(const Eigen::MatrixXd& shapes, const TriangleMesh& result,
                          const std::vector<ClosestPoint>& points) {
   Eigen::MatrixXd carried(3 * static_cast<Eigen::Index>(points.size()), shapes.cols());
+  if (shapes.cols() == 0) return carried;  // Its rows have no address.
   for (size_t v = 0; v < points.size(); ++v)
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       auto row = carried.row(3 * static_cast<Eigen::Index>(v) + axis);

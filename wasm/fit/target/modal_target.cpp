@@ -85,6 +85,12 @@ std::vector<size_t> ModalTarget::thicknesses() const {
   return {kMiddle, 0, 2};
 }
 
+bool ModalTarget::empty() const {
+  return std::ranges::any_of(thicknesses(), [&](size_t k) {
+    return reference_[k].lambda.size() == 0 || last_[k].lambda.size() == 0;
+  });
+}
+
 int ModalTarget::modesAt(size_t thickness) const {
   if (options_.isLarge) return std::min(options_.modeCount, constants::kLargeModes);
   return thickness == kMiddle ? options_.modeCount : std::min(options_.modeCount, constants::kFirst);

@@ -57,8 +57,9 @@ class ModalTarget {
   const Modes& lastModes() const { return last_; }
   void startFrom(const Modes& modes) { last_ = modes; }
 
-  // Whether the original has no elastic modes, so that there is nothing to aim at.
-  bool empty() const { return reference_[thicknesses()[0]].lambda.size() == 0; }
+  // Whether the original or the result has no elastic modes at some thickness, so that there is nothing to
+  // aim at.
+  bool empty() const;
 
  private:
   // The number of modes that are fitted at a thickness.
