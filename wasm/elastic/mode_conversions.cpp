@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "elastic/mode_character.h"
 
@@ -57,6 +58,10 @@ ModeSet collectModes(const TriangleMesh& body, const std::vector<Part>& parts,
         std::sqrt(material.young / material.density) / (parts[i].diagonal * material.unit);
     addPart(set, parts[i], modes[i], toRadians);
   }
+  for (const Mode& mode : set.modes)
+    if (!std::isfinite(mode.omega))
+      throw std::invalid_argument(
+          "Young's modulus, density and unit give infinite frequencies: choose those of a real material.");
   std::stable_sort(set.modes.begin(), set.modes.end(),
                    [](const Mode& a, const Mode& b) { return a.omega < b.omega; });
   return set;
