@@ -2,7 +2,7 @@
 
 import { drawnLevelsKey, exportKey } from '../worker/protocol';
 import type { ExportRequest } from '../worker/protocol';
-import { exportFormatOf, exportSettings } from './export_form';
+import { exportFormatOf, exportSettings } from '../worker/export_form';
 import { keptFaces, results, wants } from './store';
 
 /** The name of a file without its folders and its ending. */

@@ -8,7 +8,7 @@ import { STAGES } from '../../engine/stages/stages';
 import { CANCELLED, sharesKey } from '../worker/protocol';
 import { WorkerLost } from './client';
 import { canDrawFile, resultFileNow } from './drawn_file';
-import { exportSettings } from './export_form';
+import { exportSettings } from '../worker/export_form';
 import { exportedKey, exportRequest, levelsKey } from './export_request';
 import { findPins } from './find_pins';
 import { takeAwaited } from './link';

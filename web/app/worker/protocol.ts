@@ -24,7 +24,7 @@ import type { Validation } from '../../engine/document/validate';
 import type { Report } from '../../engine/report/report';
 import type { Settings } from '../../engine/settings/options';
 import type { DeviationMark } from '../../engine/stages/budget/deviation_marks';
-import { drawnSettings } from '../state/export_form';
+import { drawnSettings } from './export_form';
 import { errorCurveStage } from '../../engine/stages/budget/error_curve';
 import { keyOfFile } from '../../engine/stages/file_request';
 import { keyOf } from '../../engine/stages/stage';
@@ -303,6 +303,8 @@ export interface WorkerApi {
   /** How many faces each body keeps; collapses the edges of all bodies first. */
   shares(settings: Settings, kept: KeptFaces): Promise<SharesResult>;
   export(settings: Settings, kept: KeptFaces, request: ExportRequest): Promise<ExportResult>;
+  /** The files of archives, and the others as they are. Throws where an archive cannot be unpacked. */
+  unpack(files: SourceFile[]): Promise<SourceFile[]>;
   /** A ZIP archive of files by name. */
   pack(files: Record<string, Uint8Array>): Promise<Uint8Array>;
 }

@@ -8,6 +8,7 @@ import type { PreparedBody } from '../../engine/body/prepared_body';
 import { pinAttributes } from '../../engine/body/pin_attributes';
 import type { Core } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
+import { unpacked } from '../../engine/document/archive/read_zip';
 import { contentsOf } from '../../engine/document/facts/contents';
 import { droppedByExport, exportGlb } from '../../engine/document/export';
 import { isGlb } from '../../engine/document/glb';
@@ -28,7 +29,7 @@ import { runSettings } from '../../engine/stages/file_request';
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { carrySettingErrors } from './errors';
-import { drawnSettings } from '../state/export_form';
+import { drawnSettings } from './export_form';
 import { drawLevels, exportAll } from './exporting';
 import { keepAlive } from './life';
 import { CANCELLED, CORE_BROKEN, drawnLevelsKey, exportKey, resultFileKey, sharesKey } from './protocol';
@@ -279,6 +280,14 @@ const api: WorkerApi = {
       };
       const buffers = [done, ...done.levels].map(({ bytes }) => bytes.buffer);
       return transfer({ ...done, key: exportKey(settings, kept, request) }, buffers);
+    }),
+  unpack: (files) =>
+    translateErrors(() => {
+      const all = unpacked(files);
+      return transfer(
+        all,
+        all.map(({ bytes }) => bytes.buffer),
+      );
     }),
   pack: (files) => {
     const bytes = zipSync(files, { level: 6, mtime: ZIP_TIME });

@@ -5,7 +5,7 @@ import type { Settings } from '../../../engine/settings/options';
 import { reportAsCsv, reportAsMarkdown } from '../../../engine/report/report_text';
 import { commandLine } from '../../command_line';
 import { download } from '../../files/files';
-import { exportFormatOf, exportSettings } from '../../state/export_form';
+import { exportFormatOf, exportSettings } from '../../worker/export_form';
 import { exportRequest } from '../../state/export_request';
 import { client } from '../../state/running';
 import { results, wants } from '../../state/store';

@@ -1,6 +1,6 @@
 /** The result as something to take with the mouse: dropped on a folder or another program, it is a file there. */
 
-import { exportFormatOf } from '../../state/export_form';
+import { exportFormatOf } from '../../worker/export_form';
 import { exportRequest } from '../../state/export_request';
 import { wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';

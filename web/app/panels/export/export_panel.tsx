@@ -3,11 +3,12 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { counted } from '../../../engine/core/words';
 import { exportedKey, exportRequest } from '../../state/export_request';
-import { exportFormatOf } from '../../state/export_form';
+import { exportFormatOf } from '../../worker/export_form';
 import { results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
 import { Section } from '../../controls/controls';
 import { count, fileSize } from '../../controls/numbers';
+import { QueueSection } from '../queue/queue_section';
 import { Actions } from './actions';
 import { DragOut } from './drag_out';
 import { FormSection } from './form_section';
@@ -41,6 +42,7 @@ export function ExportPanel() {
           Close
         </button>
       </div>
+      <QueueSection />
       <Section title={exportRequest().output}>
         <p>{describeFile(exported)}</p>
         <DragOut exported={exported} />
@@ -98,4 +100,3 @@ function LeftOut({ dropped }: { dropped: string[] }) {
     </Section>
   );
 }
-

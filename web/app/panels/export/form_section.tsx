@@ -2,7 +2,7 @@
 
 import type { Compression } from '../../../engine/core/output_words';
 import { OPTIONS } from '../../../engine/settings/options';
-import { EXPORT_FORMATS, exportFormatOf } from '../../state/export_form';
+import { EXPORT_FORMATS, exportFormatOf } from '../../worker/export_form';
 import { changeSettings, wants } from '../../state/store';
 import { Select, Toggle } from '../../controls/controls';
 

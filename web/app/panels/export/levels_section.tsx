@@ -3,7 +3,7 @@
 import { useId, useState } from 'preact/hooks';
 import type { LevelStyle } from '../../../engine/core/output_words';
 import { OPTIONS, checkSetting } from '../../../engine/settings/options';
-import { exportFormatOf } from '../../state/export_form';
+import { exportFormatOf } from '../../worker/export_form';
 import { refusalOf } from '../../state/refusal';
 import type { Refusal } from '../../state/refusal';
 import { changeSettings, results, slider, wants } from '../../state/store';
