@@ -16,8 +16,7 @@ const SMALLEST = 8;
 const STEPS = 200;
 
 /** The same steps of the slider are the same factors of the height. */
-const heightOf = (step: number): number =>
-  Math.round(TALLEST * (SMALLEST / TALLEST) ** (step / STEPS));
+const heightOf = (step: number): number => Math.round(TALLEST * (SMALLEST / TALLEST) ** (step / STEPS));
 
 export function LevelPreview() {
   const { value: drawn } = results.drawnLevels;
@@ -74,8 +73,7 @@ function Preview({ drawn: { levels } }: { drawn: DrawnLevels }) {
 /** The first step at which a level is shown; of a level that never is, the step of the next one. */
 function stepFor(heights: readonly number[], level: number): number {
   if (level === 0) return 0;
-  for (let step = 0; step <= STEPS; ++step)
-    if (levelAtHeight(heights, heightOf(step)) >= level) return step;
+  for (let step = 0; step <= STEPS; ++step) if (levelAtHeight(heights, heightOf(step)) >= level) return step;
   return STEPS;
 }
 

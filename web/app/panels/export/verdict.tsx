@@ -42,4 +42,3 @@ function KnownMessages({ result, input }: { result: Validation; input: Validatio
   const text = known === all ? 'All of them were' : `${count(known)} of ${count(all)} were`;
   return <p class="hint">{text} in your file.</p>;
 }
-
