@@ -34,7 +34,7 @@ async function writtenByCommand(page: Page, name: string): Promise<Buffer> {
   const command = await page.locator('code.command').innerText();
   const words = command.replaceAll("'", '').split(' ').slice(1);
   const program = join(import.meta.dirname, '..', '..', 'dist', 'cli', 'limber.mjs');
-  execFileSync(process.execPath, [program, ...words, '--quiet', '--force'], { cwd: scratch });
+  execFileSync(process.execPath, [program, ...words, '--quiet', '--force'], { cwd: scratch, stdio: 'pipe' });
   return readFileSync(join(scratch, name));
 }
 

@@ -83,5 +83,5 @@ test('the table of a queue quotes what would break its cells', () => {
     sentence: 'It says "no".',
     finished: null,
   } as const;
-  expect(summaryCsv([failed]).split('\r\n')[1]).toBe('"a,b.obj",failed,,,,,,"It says ""no""."');
+  expect(summaryCsv([failed]).split('\r\n')[1]).toBe('"a,b.obj",failed,,,,,,,"It says ""no""."');
 });

@@ -47,7 +47,7 @@ function Preview({ drawn: { levels } }: { drawn: DrawnLevels }) {
         max={STEPS}
         step={1}
         value={step}
-        shown={`${count(height)} px on the screen, LOD${number}`}
+        shown={`${count(height)} px across`}
         onInput={setStep}
       />
       <Toggle
@@ -78,9 +78,9 @@ function stepFor(heights: readonly number[], level: number): number {
 }
 
 function describeSwitch(heights: readonly number[], level: number): string {
-  if (level === 0) return 'near';
+  if (level === 0) return 'nearest';
   if (heights[level] !== undefined && heights[level] >= heights[level - 1])
-    return 'never: the next one is as close to the original';
+    return 'never: the next is as close';
   return `below ${count(Math.round(heights[level - 1]))} px`;
 }
 
@@ -98,8 +98,12 @@ function useLevelView(levels: DrawnLevels['levels'], number: number, height: num
       return; // names and numbers are still of use
     }
     const own = view.current;
+    const isPlain = results.file.value?.contents.materials === 0;
     own
-      .load(levels.map(({ bytes }) => bytes))
+      .load(
+        levels.map(({ bytes }) => bytes),
+        isPlain,
+      )
       .then(() => !isGone && own.draw(latest.current.number, latest.current.height))
       .catch((error: unknown) => complain(error));
     return () => {

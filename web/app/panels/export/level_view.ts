@@ -3,10 +3,20 @@
 import * as THREE from 'three';
 import { ROOM_LIGHT, roomLight } from '../../viewer/room_light';
 import { SceneModel } from '../../viewer/scene_model';
+import type { SceneLook } from '../../viewer/scene_model';
 
 const FIELD_OF_VIEW = 30;
 /** The share of the picture that a level fills where it is drawn large. */
 const FILLED = 0.94;
+
+const CLAY: SceneLook = {
+  name: 'clay',
+  isFlat: false,
+  clay: '#c3b8ab',
+  wire: '#000000',
+  wireStrength: 0,
+  shown: null,
+};
 
 export class LevelView {
   private readonly renderer: THREE.WebGLRenderer;
@@ -23,15 +33,16 @@ export class LevelView {
     this.renderer.toneMapping = THREE.NeutralToneMapping;
     this.scene.environment = roomLight(this.renderer);
     this.scene.environmentIntensity = ROOM_LIGHT;
-    const key = new THREE.DirectionalLight('#ffffff', 1.3);
+    const key = new THREE.DirectionalLight('#ffffff', 1.1);
     key.position.set(-1, 2, 1.5);
-    this.turned.rotation.y = 0.6;
+    this.turned.rotation.y = -0.6;
     this.scene.add(this.turned, key);
   }
 
-  /** `files`: a GLB for each level, the first one first. */
-  async load(files: readonly Uint8Array[]): Promise<void> {
+  /** `files`: a GLB for each level, the first one first. `isPlain`: they have no materials, and look like clay. */
+  async load(files: readonly Uint8Array[], isPlain: boolean): Promise<void> {
     const models = await Promise.all(files.map((bytes) => SceneModel.load(bytes)));
+    if (isPlain) for (const model of models) model.look(CLAY);
     for (const model of this.models) model.dispose();
     this.models = models;
     const box = new THREE.Box3().setFromObject(models[0].root);

@@ -80,6 +80,14 @@ const STATE_WORDS: Record<QueueItem['state'], string> = {
   failed: 'failed',
 };
 
+/** Why a model has more faces than asked for. */
+const STOP_WORDS: Record<string, string> = {
+  deviation: 'stopped by the deviation limit',
+  angle: 'stopped by the smallest angle',
+  frequency: 'stopped by the frequency limit',
+  exhausted: 'no edge left to collapse',
+};
+
 function Item({ item: { name, files, state, sentence, finished } }: { item: QueueItem }) {
   return (
     <li class={state}>
@@ -88,8 +96,9 @@ function Item({ item: { name, files, state, sentence, finished } }: { item: Queu
       </button>
       {finished ? (
         <span class="muted">
-          {count(finished.faces.before)} → {count(finished.faces.after)} faces, {percent(finished.deviation)},{' '}
-          {fileSize(finished.bytes)}
+          {count(finished.faces.before)} → {count(finished.faces.after)} faces
+          {finished.stop === null ? '' : ` (${STOP_WORDS[finished.stop] ?? finished.stop})`}, deviation{' '}
+          {percent(finished.deviation)}, {fileSize(finished.bytes)}
         </span>
       ) : (
         <span class={state === 'failed' ? 'verdict bad' : 'muted'}>{sentence ?? STATE_WORDS[state]}</span>

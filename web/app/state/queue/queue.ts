@@ -145,6 +145,7 @@ function finishedOf(output: string, exported: ExportResult): Finished {
     output,
     faces: { before: report.input!.faces, after: faces },
     deviation: report.surface?.hausdorff ?? 0,
+    stop: !report.stop || report.stop.reason === 'target' ? null : report.stop.reason,
     bytes: exported.bytes.length,
     files: [
       ...models.map(({ name, bytes }) => ({ name: folder + name, bytes })),

@@ -9,6 +9,8 @@ export interface Finished {
   faces: { before: number; after: number };
   /** largest distance from the original, % of the diagonal */
   deviation: number;
+  /** why it has no fewer faces: a word of the report's `stop`; null where it has as few as asked for */
+  stop: string | null;
   /** of its file */
   bytes: number;
   /** all that is saved of it */
@@ -70,6 +72,7 @@ export function summaryCsv(items: readonly Row[]): string {
     finished?.faces.after ?? '',
     finished ? Number(finished.deviation.toPrecision(4)) : '',
     finished?.bytes ?? '',
+    finished?.stop ?? '',
     sentence ?? '',
   ]);
   const head = [
@@ -80,6 +83,7 @@ export function summaryCsv(items: readonly Row[]): string {
     'faces of the result',
     'deviation %',
     'bytes',
+    'stopped by',
     'problem',
   ];
   return `${[head, ...lines].map((line) => line.map(cell).join(',')).join('\r\n')}\r\n`;
