@@ -48,7 +48,8 @@ export function useSettingWords(name: SettingName): SettingWords {
       <button
         type="button"
         class="quiet about"
-        aria-label={`About ${OPTIONS[name].label}`}
+        aria-label="What it does"
+        title={OPTIONS[name].label}
         aria-expanded={isOpen}
         aria-controls={isOpen ? id : undefined}
         onClick={() => setOpen(!isOpen)}

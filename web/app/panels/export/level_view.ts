@@ -60,12 +60,12 @@ export class LevelView {
     this.turned.clear();
     this.turned.add(model.root);
     model.root.position.copy(this.centre).negate();
-    this.placeCamera(height ?? FILLED * clientHeight, clientWidth, clientHeight);
+    this.aimCamera(height ?? FILLED * clientHeight, clientWidth, clientHeight);
     this.renderer.render(this.scene, this.camera);
   }
 
   /** A diagonal of `pixels` in the middle of the picture, seen from so far that nothing is distorted. */
-  private placeCamera(pixels: number, width: number, height: number): void {
+  private aimCamera(pixels: number, width: number, height: number): void {
     const { camera, radius } = this;
     // Zoom, not nearness, makes it large: a camera that is near would look at one end from inside the body.
     const distance = 5 * radius;
