@@ -8,7 +8,7 @@ import type { SourceFile } from '../../engine/document/open';
 import { engineText, engineValues } from '../../engine/settings/engine_text';
 import { profileOf } from '../../engine/solvers/profiles';
 import { complain } from '../state/running';
-import { changeSettings, keepFaces, results, status, view } from '../state/store';
+import { changeSettings, keepFaces, results, status, view, wants } from '../state/store';
 import { twin } from '../state/twin';
 
 /** Whether a file is meant to be a settings file: a JSON document that is no report and no part of a model. */
@@ -57,6 +57,7 @@ function show(name: string, file: SettingsFile, { engine, faces, originalFaces }
     changeSettings({ solver, tune, engine, massRule: 'auto', unit: units.length });
     if (isSame) keepFaces(faces);
     twin.wantsTuned.value = true;
+    wants.exportOpen.value = false;
     view.step.value = 'test';
   });
   const taken = `${name}: ${labelOf(file)} with its parameters`;
