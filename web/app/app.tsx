@@ -9,6 +9,7 @@ import { ModelFacts, ReadingPanel } from './panels/model/model_panel';
 import { MotionPanel } from './panels/motion/motion_panel';
 import { Notices } from './panels/notices';
 import { Busy } from './panels/busy';
+import { QueueSection } from './panels/queue/queue_section';
 import { FirstHint } from './panels/start/first_hint';
 import { StartScreen } from './panels/start/start_screen';
 import { Readouts } from './panels/readouts';
@@ -28,7 +29,8 @@ export function App() {
       class={`page step-${view.step.value}${results.file.value ? '' : ' empty-page'} sheet-${shownSheet.value}`}
       onDragOver={(event) => {
         event.preventDefault();
-        isDraggedOver.value = true;
+        // The page's own files can be dragged out, and are not opened again.
+        isDraggedOver.value = event.dataTransfer?.types.includes('Files') ?? false;
       }}
       onDragLeave={(event) => {
         if (event.relatedTarget === null) isDraggedOver.value = false;
@@ -36,7 +38,7 @@ export function App() {
       onDrop={(event) => {
         event.preventDefault();
         isDraggedOver.value = false;
-        if (event.dataTransfer) void openDropped(event.dataTransfer.items);
+        if (event.dataTransfer?.types.includes('Files')) void openDropped(event.dataTransfer.items);
       }}
     >
       <TopBar />
@@ -89,6 +91,7 @@ function StepPanel() {
   if (wants.exportOpen.value) return <ExportPanel />;
   return (
     <aside class="panel right" aria-label="Settings of this step" tabIndex={0}>
+      <QueueSection />
       <FirstHint />
       {view.step.value === 'model' && <ReadingPanel />}
       {view.step.value === 'motion' && <MotionPanel />}

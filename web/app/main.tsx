@@ -11,6 +11,7 @@ import { App } from './app';
 import { loadSamples } from './files/samples';
 import { listenToKeys } from './shortcuts';
 import { openAtStart } from './startup';
+import { followModes } from './state/follow_modes';
 import { keepOffline } from './state/offline';
 import { startRunner } from './state/runner';
 import { client } from './state/running';
@@ -23,6 +24,7 @@ effect(() => {
 render(<App />, document.getElementById('app')!);
 listenToKeys();
 startRunner();
+followModes();
 startSimulations();
 await loadSamples();
 // Keeping the page competes with its start for the network.

@@ -4,6 +4,8 @@ import { parseArgs } from 'node:util';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/settings/materials';
 import { checkSettings, settingsOf } from '../engine/settings/options';
 import type { Note, Settings } from '../engine/settings/options';
+import { PRESET_NAMES, settingsOfPreset } from '../engine/settings/presets';
+import type { PresetName } from '../engine/settings/presets';
 import { readNumber } from '../engine/settings/kinds';
 import { describeFormerWords, readSettings } from '../engine/settings/setting_text';
 import { SOLVER_NAMES } from '../engine/solvers/profiles';
@@ -51,6 +53,8 @@ export interface Arguments {
   engineFile: string | null;
   /** the format of stdin, of --from; null: by its bytes */
   from: string | null;
+  /** of --preset; null: none was named */
+  preset: PresetName | null;
   /** what batch is asked for besides; of other commands the defaults */
   batch: BatchFlags;
 }
@@ -93,6 +97,7 @@ export function parseArguments(words: string[]): Arguments | Question {
     validates: !values.has('no-validate'),
     engineFile: fileOfEngine(engine),
     from: readFormat(values.get('from')),
+    preset: presetNamed(values.get('preset')),
     batch: readBatchFlags(values),
   };
 }
@@ -158,7 +163,7 @@ function checkOperands(command: Command, operands: string[]): void {
 
 /** Throws SettingError. */
 function settingsFrom(command: Command, values: Map<string, string>): Settings {
-  const base = { ...COMMAND_SPECS[command].defaults, ...readPreset(values) };
+  const base = { ...COMMAND_SPECS[command].defaults, ...readPreset(values), ...readMaterial(values) };
   if (values.get('substeps') === 'auto') {
     values.delete('substeps');
     values.set('converge', '');
@@ -192,8 +197,21 @@ function checkSolverFlags(command: Command, { solver }: Settings, values: Map<st
     throw new UsageError('limber tune needs a file for what it finds: --settings FILE.');
 }
 
-/** The four numbers of --material-preset; none without it. */
+/** The settings of --preset; none without it. */
 function readPreset(values: Map<string, string>): Partial<Settings> {
+  const name = presetNamed(values.get('preset'));
+  return name === null ? {} : settingsOfPreset(name);
+}
+
+function presetNamed(name: string | undefined): PresetName | null {
+  if (name === undefined) return null;
+  const known = PRESET_NAMES.find((candidate) => candidate === name);
+  if (!known) throw new UsageError(`--preset is ${name}: give one of ${PRESET_NAMES.join(', ')}.`);
+  return known;
+}
+
+/** The four numbers of --material-preset; none without it. */
+function readMaterial(values: Map<string, string>): Partial<Settings> {
   const name = values.get('material-preset');
   if (name === undefined) return {};
   const known = MATERIAL_NAMES.find((candidate) => candidate === name);

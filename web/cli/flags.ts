@@ -6,6 +6,7 @@ import { BATCH_FLAGS } from './batch/flags';
 import type { Flag } from './flag';
 export type { Flag };
 import { MATERIAL_NAMES } from '../engine/settings/materials';
+import { PRESET_NAMES } from '../engine/settings/presets';
 import { COMMANDS as ENGINE_COMMANDS, OPTIONS, settingsOf } from '../engine/settings/options';
 import type { Command as EngineCommand, OptionSpec, SettingName, Settings } from '../engine/settings/options';
 
@@ -46,6 +47,13 @@ const MATERIAL_PRESET: Flag = {
   value: MATERIAL_NAMES.join('|'),
   help: 'A whole material by name; other flags change parts of it. Default: rubber.',
   group: 'material',
+};
+/** Settings for what a result is made for; flags of their own override them. */
+const PRESET: Flag = {
+  name: 'preset',
+  value: PRESET_NAMES.join('|'),
+  help: 'Settings that go well together for what the result is made for; other flags change parts of them.',
+  group: 'common',
 };
 /** What --from can say of stdin. */
 export const INPUT_FORMATS = ['glb', 'gltf', 'obj', 'stl', 'ply'] as const;
@@ -206,7 +214,8 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
 export function flagsOf(command: Command): Flag[] {
   const settings = settingsOf(engineCommand(command)).map((setting) => flagOf(command, setting));
   const preset = COMMAND_GROUPS[engineCommand(command)].includes('material') ? [MATERIAL_PRESET] : [];
-  return [...COMMAND_SPECS[command].flags, ...settings, ...preset];
+  const whole = engineCommand(command) === 'optimize' ? [PRESET] : [];
+  return [...COMMAND_SPECS[command].flags, ...settings, ...preset, ...whole];
 }
 
 function flagOf(command: Command, setting: SettingName): Flag {

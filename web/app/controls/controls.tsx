@@ -5,6 +5,7 @@ import { useId } from 'preact/hooks';
 import { OPTIONS } from '../../engine/settings/options';
 import type { OptionOf, Settings } from '../../engine/settings/options';
 import { changeSettings, wants } from '../state/store';
+import { useSettingWords } from './setting_words';
 
 /** A setting whose value is a number. */
 export type NumberSetting = { [K in keyof Settings]: Settings[K] extends number ? K : never }[keyof Settings];
@@ -73,9 +74,13 @@ export function SettingRange({ name }: { name: NumberSetting }) {
     if (Number.isFinite(next)) changeSettings({ [name]: Math.min(max, Math.max(min, whole)) });
   };
   const scale = scaleOf(OPTIONS[name]);
+  const words = useSettingWords(name);
   return (
     <div class="control" title={help}>
-      <label for={id}>{label}</label>
+      <span class="name">
+        <label for={id}>{label}</label>
+        {words.button}
+      </span>
       <span class="number">
         <input
           type="number"
@@ -98,6 +103,7 @@ export function SettingRange({ name }: { name: NumberSetting }) {
         aria-valuetext={`${value}${unit ? ` ${unit}` : ''}`}
         onInput={(event) => set(scale.fromSlider(event.currentTarget.valueAsNumber))}
       />
+      {words.sentences}
     </div>
   );
 }

@@ -4,6 +4,7 @@ import { OPTIONS, SETTING_NAMES, readsSetting } from '../../engine/settings/opti
 import type { PageSection, SettingName, Settings } from '../../engine/settings/options';
 import { changeSettings, wants } from '../state/store';
 import { SettingRange, Toggle } from './controls';
+import { useSettingWords } from './setting_words';
 import type { NumberSetting } from './controls';
 
 type SwitchSetting = { [Name in SettingName]: Settings[Name] extends boolean ? Name : never }[SettingName];
@@ -24,14 +25,24 @@ export function SettingControls({ section }: { section: PageSection }) {
         <SettingRange key={name} name={name} />
       ))}
       {shown.filter(isSwitch).map((name) => (
-        <Toggle
-          key={name}
-          label={OPTIONS[name].label}
-          title={OPTIONS[name].help}
-          checked={settings[name]}
-          onChange={(isOn) => changeSettings({ [name]: isOn })}
-        />
+        <SettingSwitch key={name} name={name} />
       ))}
     </>
+  );
+}
+
+function SettingSwitch({ name }: { name: SwitchSetting }) {
+  const words = useSettingWords(name);
+  return (
+    <div class="toggle-row">
+      <Toggle
+        label={OPTIONS[name].label}
+        title={OPTIONS[name].help}
+        checked={wants.settings.value[name]}
+        onChange={(isOn) => changeSettings({ [name]: isOn })}
+      />
+      {words.button}
+      {words.sentences}
+    </div>
   );
 }

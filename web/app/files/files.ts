@@ -3,9 +3,10 @@
 import type { SourceFile } from '../../engine/document/open';
 import type { Wanted } from '../state/link';
 import { openFiles } from '../state/runner';
+import { openAll } from './open_all';
 import { status } from '../state/store';
 
-const READABLE = '.glb,.gltf,.obj,.stl,.ply';
+const READABLE = '.glb,.gltf,.obj,.stl,.ply,.off,.zip';
 
 async function readAll(files: Iterable<{ name: string; file: File }>): Promise<SourceFile[]> {
   const reads = Array.from(files, async ({ name, file }) => ({
@@ -22,10 +23,10 @@ export function pickFiles(): Promise<void> {
     input.type = 'file';
     input.multiple = true;
     // Companion files of a .gltf may have any name; these are the usual kinds.
-    input.accept = `${READABLE},.bin,.png,.jpg,.jpeg,.webp,.ktx2,.mtl`;
+    input.accept = `${READABLE},.bin,.png,.jpg,.jpeg,.webp,.ktx2,.mtl,.json`;
     input.onchange = async () => {
       const files = Array.from(input.files ?? [], (file) => ({ name: file.name, file }));
-      if (files.length > 0) await openFiles(await readAll(files));
+      if (files.length > 0) await openAll(await readAll(files));
       resolve();
     };
     input.oncancel = () => resolve();
@@ -41,7 +42,7 @@ export async function openDropped(items: DataTransferItemList): Promise<void> {
   );
   const found = (await Promise.all(entries.map((entry) => filesBelow(entry, '')))).flat();
   const loose = plain.filter((file) => file !== null).map((file) => ({ name: file.name, file }));
-  await openFiles(await readAll([...found, ...loose]));
+  await openAll(await readAll([...found, ...loose]));
 }
 
 async function filesBelow(entry: FileSystemEntry, path: string): Promise<{ name: string; file: File }[]> {

@@ -146,6 +146,13 @@ export class Client {
     this.restart(this.current, new Error(CANCELLED));
   }
 
+  /** Ends the worker for good: its calls fail as cancelled, and there must be no further ones. */
+  end(): void {
+    this.current.worker.terminate();
+    this.current.end(new Error(CANCELLED));
+    this.job = null;
+  }
+
   /** A call clears the flag as it starts, so the flag is set again and again until this call has ended. */
   private requestCancel(job: Int32Array): void {
     const call = this.abandon;

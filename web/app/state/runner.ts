@@ -5,10 +5,11 @@ import type { SourceFile } from '../../engine/document/open';
 import { faceCount } from '../../engine/core/mesh';
 import { fileDefaults } from '../../engine/settings/options';
 import { STAGES } from '../../engine/stages/stages';
-import { CANCELLED, exportKey, sharesKey } from '../worker/protocol';
-import type { ExportRequest } from '../worker/protocol';
+import { CANCELLED, sharesKey } from '../worker/protocol';
 import { WorkerLost } from './client';
 import { canDrawFile, resultFileNow } from './drawn_file';
+import { exportSettings } from '../worker/export_form';
+import { exportedKey, exportRequest, levelsKey } from './export_request';
 import { findPins } from './find_pins';
 import { takeAwaited } from './link';
 import type { Wanted } from './link';
@@ -129,8 +130,19 @@ const tasks: Task[] = [
     what: 'Writing and checking the file',
     key: () =>
       wants.exportOpen.value && restedFaces.value === wantedFaces.value ? afterHistory(exportedKey)() : null,
-    run: () => client.call((worker) => worker.export(settings(), keptFaces.value, exportRequest())),
+    run: () =>
+      client.call((worker) => worker.export(exportSettings(settings()), keptFaces.value, exportRequest())),
     result: results.exported,
+  },
+  {
+    what: 'Drawing the levels',
+    key: () =>
+      wants.exportOpen.value && wants.levelsShown.value && settings().lods.length > 0
+        ? afterHistory(levelsKey)()
+        : null,
+    run: () => client.call((worker) => worker.drawnLevels(settings(), keptFaces.value)),
+    result: results.drawnLevels,
+    isPatient: true,
   },
   {
     what: 'Dressing the result in its materials',
@@ -175,21 +187,6 @@ const isMarkingWanted = (): boolean =>
 
 const isStoppable = (): boolean =>
   client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE;
-
-const baseName = (name: string): string =>
-  name
-    .split('/')
-    .pop()!
-    .replace(/\.[^.]+$/, '');
-
-/** What is asked of the export. */
-export const exportRequest = (): ExportRequest => ({
-  fields: wants.exportFields.value,
-  binding: wants.exportBinding.value,
-  output: `${baseName(results.file.value?.name ?? '')}-limber.glb`,
-});
-
-export const exportedKey = (): string => exportKey(settings(), keptFaces.value, exportRequest());
 
 /** The key that the result of each task was made from. */
 const done = new Map<Task, string>();

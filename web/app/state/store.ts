@@ -11,6 +11,7 @@ import type { Refusal } from './refusal';
 import type {
   BodySummary,
   DeviationMarks,
+  DrawnLevels,
   ExportResult,
   FitResult,
   TunedResult,
@@ -51,6 +52,8 @@ export const wants = {
   exportOpen: signal(false),
   exportFields: signal(false),
   exportBinding: signal(false),
+  /** whether levels of detail are looked at */
+  levelsShown: signal(false),
 };
 
 /** What has been computed; null until then. `opened` counts files, so that results of an earlier file are never shown. */
@@ -75,6 +78,7 @@ export const results = {
   /** the file as a GLB, to be drawn with its materials */
   originalFile: signal<Uint8Array | null>(null),
   resultFile: signal<ResultFile | null>(null),
+  drawnLevels: signal<DrawnLevels | null>(null),
 };
 
 /** How bodies are shown. */

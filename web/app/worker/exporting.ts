@@ -3,16 +3,17 @@
 import { startStopwatch } from '../../engine/core/stopwatch';
 import { faceCount, sum } from '../../engine/core/mesh';
 import { validateFiles } from '../../engine/document/validate';
-import { withSuffix } from '../../engine/document/write/output_form';
+import { droppedByExport } from '../../engine/document/dropped';
+import { lostIn } from '../../engine/document/write/lost';
+import { outputForm, withSuffix } from '../../engine/document/write/output_form';
 import { settingsAsUsed } from '../../engine/report/report';
+import { worstSurface } from '../../engine/report/result_report';
 import type { LevelReport } from '../../engine/report/result_report';
 import { FileOutput } from '../../engine/stages/file_output';
 import type { FileRequest } from '../../engine/stages/file_request';
 import type { FileRun } from '../../engine/stages/file_run';
-import type { ExportedLevel, ExportRequest, ExportResult } from './protocol';
-
-/** Of formats that the validator does not know. */
-const NOT_CHECKED = { errors: 0, warnings: 0, messages: [] };
+import { STAGES } from '../../engine/stages/stages';
+import type { DrawnLevel, ExportedLevel, ExportRequest, ExportResult } from './protocol';
 
 /** The same bytes as those of the command line from the same request. */
 export async function exportAll(
@@ -27,7 +28,7 @@ export async function exportAll(
   const results = output.results();
   const files = await output.files(name);
   const { bytes } = files[0];
-  const validation = (await validateFiles(files)) ?? NOT_CHECKED;
+  const validation = await validateFiles(files);
   const exportTime = stopwatch();
   const { levels, reports } = await exportLevels(output, name);
   const levelsTime = stopwatch();
@@ -41,7 +42,28 @@ export async function exportAll(
   const text = binding ? output.binding() : null;
   const tuned = settings.solver === 'none' ? null : output.settings();
   const shown = { bytes, files, validation, report, faces, targetFaces: asked };
-  return { ...shown, levels, binding: text, settings: tuned };
+  return { ...shown, levels, binding: text, settings: tuned, lost: lostOf(file, request, name) };
+}
+
+/** What the file `name` leaves out. */
+function lostOf({ model }: FileRun, { settings }: FileRequest, name: string): string[] {
+  const { format } = outputForm(name, settings.format, model.format);
+  if (format === 'glb' || format === 'gltf') return droppedByExport(model);
+  return [...lostIn(format, model.document), ...model.unread];
+}
+
+/** Every level of detail as a GLB. `request`: for files of their own, not compressed, see drawnSettings. */
+export async function drawLevels(file: FileRun, request: FileRequest): Promise<DrawnLevel[]> {
+  const output = new FileOutput(file, request);
+  const bytes = await output.glb();
+  const { hausdorff } = worstSurface(output.values(STAGES.measured).map(({ distance }) => distance));
+  const faces = sum(output.results().map(({ mesh }) => faceCount(mesh)));
+  const levels: DrawnLevel[] = [{ bytes, faces, deviation: hausdorff }];
+  for (let i = 0; i < output.levelCount; ++i) {
+    const { files, faces: own, report } = await output.level(i, 'level.glb');
+    levels.push({ bytes: files[0].bytes, faces: own, deviation: report.surface.hausdorff });
+  }
+  return levels;
 }
 
 /** `name`: of the file of the first level. */
@@ -55,7 +77,7 @@ async function exportLevels(
     const own = output.hasLevelFiles ? withSuffix(name, `_lod${i + 1}`) : name;
     const { files, faces, report } = await output.level(i, own);
     if (files.length > 0) {
-      const validation = (await validateFiles(files)) ?? NOT_CHECKED;
+      const validation = await validateFiles(files);
       levels.push({ name: own, faces, bytes: files[0].bytes, files, validation });
     }
     reports.push({ file: own, ...report });

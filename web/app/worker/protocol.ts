@@ -24,6 +24,7 @@ import type { Validation } from '../../engine/document/validate';
 import type { Report } from '../../engine/report/report';
 import type { Settings } from '../../engine/settings/options';
 import type { DeviationMark } from '../../engine/stages/budget/deviation_marks';
+import { drawnSettings } from './export_form';
 import { errorCurveStage } from '../../engine/stages/budget/error_curve';
 import { keyOfFile } from '../../engine/stages/file_request';
 import { keyOf } from '../../engine/stages/stage';
@@ -178,14 +179,32 @@ export interface ExportedLevel {
   bytes: Uint8Array;
   /** all files of it, that one first */
   files: SourceFile[];
-  validation: Validation;
+  /** null where the validator does not know the format */
+  validation: Validation | null;
+}
+
+/** A level of detail as it is drawn, whatever format it is saved in. */
+export interface DrawnLevel {
+  /** a GLB; not checked by the validator */
+  bytes: Uint8Array;
+  faces: number;
+  /** largest distance from the original, % of the diagonal */
+  deviation: number;
+}
+
+/** All levels, the first one first. */
+export interface DrawnLevels {
+  levels: DrawnLevel[];
+  /** see drawnLevelsKey */
+  key: string;
 }
 
 export interface ExportResult {
   bytes: Uint8Array;
   /** all files of the result, that one first */
   files: SourceFile[];
-  validation: Validation;
+  /** null where the validator does not know the format */
+  validation: Validation | null;
   /** of the file as it was opened; null where the validator does not know its format */
   inputValidation: Validation | null;
   report: Report;
@@ -197,14 +216,18 @@ export interface ExportResult {
   binding: string | null;
   /** text of the settings file of the solver; null: there is none */
   settings: string | null;
+  /** what the format leaves out of the file, in plain words */
+  lost: string[];
   /** see exportKey */
   key: string;
 }
 
 /** How many faces are kept. */
 export interface KeptFaces {
-  /** of all bodies without a number of their own together; null: half of theirs */
+  /** of all bodies without a number of their own together; null: `ratio` of theirs */
   faces: number | null;
+  /** in (0, 1]; absent: half */
+  ratio?: number;
   /** numbers of bodies, and their own numbers of faces */
   own: [number, number][];
 }
@@ -227,7 +250,10 @@ export interface ResultFile {
 
 /** Text that is equal where two results are the same file. */
 export const resultFileKey = (settings: Settings, kept: KeptFaces): string =>
-  exportKey(settings, kept, { fields: false, binding: false, output: '' });
+  exportKey(drawnSettings(settings), kept, { fields: false, binding: false, output: '' });
+
+/** Text that is equal where all levels are the same. */
+export const drawnLevelsKey = resultFileKey;
 
 /** Text that is equal where faces are shared out in the same way. */
 export const sharesKey = (settings: Settings, kept: KeptFaces): string =>
@@ -256,6 +282,8 @@ export interface WorkerApi {
   original(): Promise<Uint8Array>;
   /** The file with the result of every body, without the validator's verdict. */
   resultFile(settings: Settings, kept: KeptFaces): Promise<ResultFile>;
+  /** The file with each level of detail, to be looked at. */
+  drawnLevels(settings: Settings, kept: KeptFaces): Promise<DrawnLevels>;
   prepare(body: number, settings: Settings): Promise<BodySummary>;
   /** Throws where the text of the pins names what the body does not have. */
   pins(body: number, settings: Settings): Promise<PinsResult>;
@@ -275,6 +303,8 @@ export interface WorkerApi {
   /** How many faces each body keeps; collapses the edges of all bodies first. */
   shares(settings: Settings, kept: KeptFaces): Promise<SharesResult>;
   export(settings: Settings, kept: KeptFaces, request: ExportRequest): Promise<ExportResult>;
+  /** The files of archives, and the others as they are. Throws where an archive cannot be unpacked. */
+  unpack(files: SourceFile[]): Promise<SourceFile[]>;
   /** A ZIP archive of files by name. */
   pack(files: Record<string, Uint8Array>): Promise<Uint8Array>;
 }

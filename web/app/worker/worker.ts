@@ -8,6 +8,7 @@ import type { PreparedBody } from '../../engine/body/prepared_body';
 import { pinAttributes } from '../../engine/body/pin_attributes';
 import type { Core } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
+import { unpacked } from '../../engine/document/archive/read_zip';
 import { contentsOf } from '../../engine/document/facts/contents';
 import { droppedByExport, exportGlb } from '../../engine/document/export';
 import { isGlb } from '../../engine/document/glb';
@@ -28,9 +29,10 @@ import { runSettings } from '../../engine/stages/file_request';
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { carrySettingErrors } from './errors';
-import { exportAll } from './exporting';
+import { drawnSettings } from './export_form';
+import { drawLevels, exportAll } from './exporting';
 import { keepAlive } from './life';
-import { CANCELLED, CORE_BROKEN, exportKey, resultFileKey, sharesKey } from './protocol';
+import { CANCELLED, CORE_BROKEN, drawnLevelsKey, exportKey, resultFileKey, sharesKey } from './protocol';
 import type { CallProgress, KeptFaces, OpenedBody, Part, WorkerApi } from './protocol';
 import { strainOverview } from './strain_overview';
 
@@ -72,11 +74,11 @@ async function translateErrors<T>(make: () => T | Promise<T>): Promise<T> {
 }
 
 /** What the page asks of the file: as the command line does. */
-const askedOf = (settings: Settings, { faces, own }: KeptFaces, fields: boolean): FileAsked => ({
+const askedOf = (settings: Settings, { faces, own, ratio }: KeptFaces, fields: boolean): FileAsked => ({
   settings,
   fields,
   faces,
-  ratio: faces === null ? HALF : null,
+  ratio: faces === null ? (ratio ?? HALF) : null,
   own: new Map(own),
 });
 
@@ -164,7 +166,7 @@ const api: WorkerApi = {
   resultFile: (settings, kept) =>
     translateErrors(async () => {
       checkSettings(settings);
-      const request = requestFile(openedFile(), askedOf(settings, kept, false));
+      const request = requestFile(openedFile(), askedOf(drawnSettings(settings), kept, false));
       begun.clear();
       for (const { run, i } of openedFile().usable) {
         openedFile().announce(run);
@@ -176,6 +178,14 @@ const api: WorkerApi = {
       const { usable } = openedFile();
       output.results().forEach(({ mesh }, n) => (faces[usable[n].i] = mesh.triangles.length / 3));
       return transfer({ bytes, faces, key: resultFileKey(settings, kept) }, [bytes.buffer]);
+    }),
+  drawnLevels: (settings, kept) =>
+    translateErrors(async () => {
+      checkSettings(settings);
+      const request = requestFile(openedFile(), askedOf(drawnSettings(settings), kept, false));
+      const levels = await drawLevels(openedFile(), request);
+      const buffers = levels.map(({ bytes }) => bytes.buffer);
+      return transfer({ levels, key: drawnLevelsKey(settings, kept) }, buffers);
     }),
   prepare: (body, settings) =>
     translateErrors(() => {
@@ -270,6 +280,14 @@ const api: WorkerApi = {
       };
       const buffers = [done, ...done.levels].map(({ bytes }) => bytes.buffer);
       return transfer({ ...done, key: exportKey(settings, kept, request) }, buffers);
+    }),
+  unpack: (files) =>
+    translateErrors(() => {
+      const all = unpacked(files);
+      return transfer(
+        all,
+        all.map(({ bytes }) => bytes.buffer),
+      );
     }),
   pack: (files) => {
     const bytes = zipSync(files, { level: 6, mtime: ZIP_TIME });

@@ -2,6 +2,7 @@
 
 import { join } from 'node:path';
 import { MATERIALS } from '../../engine/settings/materials';
+import { settingsOfPreset } from '../../engine/settings/presets';
 import { OPTIONS, checkSettings, settingsOf } from '../../engine/settings/options';
 import { optionsFor, settingsFor } from '../../engine/settings/batch_config';
 import type { AssetOptions, BatchConfig } from '../../engine/settings/batch_config';
@@ -12,7 +13,10 @@ import type { Asset, Source } from './sources';
 /** The options that the flags of the command line are. */
 export function optionsOfFlags(args: Arguments): AssetOptions {
   const { asked, settings, faces, ratio, batch } = args;
-  const preset = asked.has('material-preset') ? Object.keys(MATERIALS.rubber) : [];
+  const preset = [
+    ...(asked.has('material-preset') ? Object.keys(MATERIALS.rubber) : []),
+    ...(args.preset ? Object.keys(settingsOfPreset(args.preset)) : []),
+  ];
   const names = settingsOf('optimize').filter(
     (name) => !OPTIONS[name].isOfMachine && (asked.has(OPTIONS[name].flag) || preset.includes(name)),
   );

@@ -1,25 +1,21 @@
 /** What the files will contain, what they leave out, what the validator finds, and the buttons that save them. */
 
-import { useEffect, useId, useRef, useState } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import { counted } from '../../../engine/core/words';
-import { knownMessages } from '../../../engine/document/facts/known_messages';
-import type { Validation } from '../../../engine/document/validate';
-import type { Compression } from '../../../engine/core/output_words';
-import { OPTIONS, checkSetting } from '../../../engine/settings/options';
-import { reportAsCsv, reportAsMarkdown } from '../../../engine/report/report_text';
-import { readSetting } from '../../../engine/settings/setting_text';
-import { commandLine } from '../../command_line';
-import { download } from '../../files/files';
-import { refusalOf } from '../../state/refusal';
-import type { Refusal } from '../../state/refusal';
-import { exportedKey, exportRequest } from '../../state/runner';
-import { client } from '../../state/running';
-import { changeSettings, results, wants } from '../../state/store';
+import { exportedKey, exportRequest } from '../../state/export_request';
+import { exportFormatOf } from '../../worker/export_form';
+import { results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
-import { Section, Select, Toggle } from '../../controls/controls';
+import { Section } from '../../controls/controls';
 import { count, fileSize } from '../../controls/numbers';
-import { RefusedText } from '../../controls/refused_text';
+import { QueueSection } from '../queue/queue_section';
+import { Actions } from './actions';
+import { DragOut } from './drag_out';
+import { FormSection } from './form_section';
+import { LevelsSection } from './levels_section';
+import { PresetSection } from './preset_section';
 import { SolverSection } from './solver_section';
+import { Verdict } from './verdict';
 import './export_panel.css';
 
 /** The files that are shown and saved; null while they are those of earlier settings. */
@@ -33,7 +29,6 @@ export function ExportPanel() {
   // On a small screen the panel opens below the part of the page that is in view.
   useEffect(() => panel.current?.scrollIntoView({ block: 'start' }), []);
   if (!file) return null;
-  const { output } = exportRequest();
   return (
     <aside class="panel right export" aria-label="Export" ref={panel}>
       <div class="panel-head">
@@ -47,12 +42,16 @@ export function ExportPanel() {
           Close
         </button>
       </div>
-      <Section title={output}>
+      <QueueSection />
+      <Section title={exportRequest().output}>
         <p>{describeFile(exported)}</p>
-        <Extras />
+        <DragOut exported={exported} />
+        <FormSection />
       </Section>
+      <PresetSection />
+      <LevelsSection exported={exported} />
       <SolverSection report={exported?.report ?? null} />
-      <LeftOut dropped={file.dropped} />
+      <LeftOut dropped={exported?.lost ?? file.dropped} />
       {exported && <Verdict exported={exported} />}
       <Actions exported={exported} />
     </aside>
@@ -67,15 +66,20 @@ const describeFile = (exported: ExportResult | null): string =>
 /** What the file carries besides its faces: "positions, normals, 1 UV set and 2 skins". */
 function carriedWords(): string {
   const { contents } = results.file.value!;
+  const { isGltf } = exportFormatOf(wants.settings.value);
   const words = [
     'positions',
     'normals',
     counted(contents.uvSets, 'UV set'),
     contents.vertexColours ? 'colours' : '',
     counted(contents.textures, 'texture'),
-    counted(contents.skins, 'skin'),
-    counted(contents.morphTargets, 'morph target'),
-    counted(contents.animations, 'animation'),
+    ...(isGltf
+      ? [
+          counted(contents.skins, 'skin'),
+          counted(contents.morphTargets, 'morph target'),
+          counted(contents.animations, 'animation'),
+        ]
+      : []),
   ].filter((word) => word !== '' && !word.startsWith('0 '));
   return `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`;
 }
@@ -95,226 +99,4 @@ function LeftOut({ dropped }: { dropped: string[] }) {
       )}
     </Section>
   );
-}
-
-const COMPRESSION_NAMES: Record<string, string> = {
-  'like-input': 'as in the file',
-  none: 'none',
-  quantized: 'quantized',
-  meshopt: 'meshopt',
-  draco: 'Draco',
-};
-
-function Extras() {
-  return (
-    <>
-      <Toggle
-        label="Strain and curvature as attributes"
-        checked={wants.exportFields.value}
-        onChange={(checked) => (wants.exportFields.value = checked)}
-      />
-      <Toggle
-        label="Binding of the original's vertices"
-        checked={wants.exportBinding.value}
-        onChange={(checked) => (wants.exportBinding.value = checked)}
-      />
-      <Select
-        label={OPTIONS.compress.label}
-        options={OPTIONS.compress.choices.map((value) => ({
-          value,
-          text: COMPRESSION_NAMES[value] ?? value,
-        }))}
-        value={wants.settings.value.compress}
-        onChange={(compress) => changeSettings({ compress: compress as Compression })}
-      />
-      <Levels />
-    </>
-  );
-}
-
-/** The text field for the shares of faces of further levels, separated by commas. */
-function Levels() {
-  const id = useId();
-  const [refused, setRefused] = useState<Refusal | null>(null);
-  const change = (typed: string) => {
-    const text = typed.replaceAll(/\s/g, '');
-    const lods = text === '' ? [] : (readSetting(OPTIONS.lods, text) as number[]);
-    const refusal = refusalOf(typed, () => checkSetting('lods', lods));
-    setRefused(refusal);
-    if (!refusal) changeSettings({ lods });
-  };
-  return (
-    <div class="control stacked">
-      <label for={id}>{OPTIONS.lods.label}</label>
-      <input
-        id={id}
-        type="text"
-        autocomplete="off"
-        placeholder="0.25, 0.1"
-        title="Shares of the faces, separated by commas: one more file for each"
-        aria-invalid={refused !== null}
-        aria-describedby={refused ? `${id}-refused` : undefined}
-        value={refused ? refused.text : wants.settings.value.lods.join(', ')}
-        onChange={(event) => change(event.currentTarget.value)}
-      />
-      <RefusedText id={`${id}-refused`} refused={refused} />
-    </div>
-  );
-}
-
-const describeVerdict = ({ errors, warnings }: Validation): string =>
-  errors === 0 && warnings === 0 ? 'No errors, no warnings.' : `${errors} errors, ${warnings} warnings.`;
-
-function Verdict({ exported }: { exported: ExportResult }) {
-  const { errors, messages } = exported.validation;
-  return (
-    <Section title="Khronos validator">
-      <p class={errors > 0 ? 'verdict bad' : 'verdict good'}>{describeVerdict(exported.validation)}</p>
-      <KnownMessages exported={exported} />
-      {messages.length > 0 && (
-        <ul class="hint">
-          {messages.slice(0, 5).map((message) => (
-            <li key={message}>{message}</li>
-          ))}
-        </ul>
-      )}
-      {exported.levels.length > 0 && (
-        <ul class="levels">
-          {exported.levels.map(({ name, faces, bytes, validation }) => (
-            <li key={name}>
-              <span class="filename">{name}</span>
-              <span class="muted">
-                {count(faces)} faces, {fileSize(bytes.length)}.{' '}
-                <span class={validation.errors > 0 ? 'verdict bad' : 'verdict good'}>
-                  {describeVerdict(validation)}
-                </span>
-              </span>
-            </li>
-          ))}
-        </ul>
-      )}
-    </Section>
-  );
-}
-
-/** How much of what the validator says it said of the input, too. */
-function KnownMessages({ exported: { validation, inputValidation } }: { exported: ExportResult }) {
-  const { length: all } = validation.messages;
-  if (all === 0 || !inputValidation) return null;
-  const known = knownMessages(validation, inputValidation);
-  const text = known === all ? 'All of them were' : `${count(known)} of ${count(all)} were`;
-  return <p class="hint">{text} in your file.</p>;
-}
-
-function Actions({ exported }: { exported: ExportResult | null }) {
-  const { output, binding } = exportRequest();
-  const { lods, solver } = wants.settings.value;
-  const hasMore = binding || solver !== 'none' || lods.length > 0;
-  return (
-    <div class="actions">
-      <button
-        type="button"
-        class={hasMore ? undefined : 'primary'}
-        disabled={!exported}
-        onClick={() => download(output, exported!.bytes, 'model/gltf-binary')}
-      >
-        Save .glb
-      </button>
-      {hasMore && (
-        <button
-          type="button"
-          class="primary"
-          disabled={!exported}
-          onClick={() => void saveAll(exported!, output)}
-        >
-          Save all as .zip
-        </button>
-      )}
-      {solver !== 'none' && (
-        <button
-          type="button"
-          disabled={!exported}
-          onClick={() => download(settingsName(output), exported!.settings!, 'application/json')}
-        >
-          Save settings
-        </button>
-      )}
-      <SaveReport exported={exported} output={output} />
-      {exported && <CommandLine exported={exported} />}
-    </div>
-  );
-}
-
-/** The command that writes the same file. */
-function CommandLine({ exported: { faces: written, targetFaces: faces } }: { exported: ExportResult }) {
-  const { output, binding, fields } = exportRequest();
-  const [isCopied, setCopied] = useState(false);
-  const line = commandLine(wants.settings.value, results.file.value!.name, output, {
-    faces,
-    fields,
-    binding: binding ? bindingName(output) : null,
-    settings: wants.settings.value.solver === 'none' ? null : settingsName(output),
-    isMissed: written > faces,
-  });
-  const copy = () => navigator.clipboard.writeText(line).then(() => setCopied(true));
-  return (
-    <>
-      <button type="button" onClick={() => void copy()}>
-        {isCopied ? 'Copied' : 'Copy command line'}
-      </button>
-      <code class="command">{line}</code>
-      {wants.own.value.size > 0 && (
-        <p class="hint">
-          The command shares the faces out over all meshes: it has no numbers of faces for single ones.
-        </p>
-      )}
-    </>
-  );
-}
-
-const REPORTS = [
-  {
-    text: 'JSON',
-    ending: 'json',
-    type: 'application/json',
-    write: (report: object) => JSON.stringify(report, null, 2),
-  },
-  { text: 'CSV', ending: 'csv', type: 'text/csv', write: reportAsCsv },
-  { text: 'Markdown', ending: 'md', type: 'text/markdown', write: reportAsMarkdown },
-] as const;
-
-function SaveReport({ exported, output }: { exported: ExportResult | null; output: string }) {
-  return (
-    <div class="reports" role="group" aria-label="Save report">
-      <span>Report</span>
-      {REPORTS.map(({ text, ending, type, write }) => (
-        <button
-          key={ending}
-          type="button"
-          disabled={!exported}
-          aria-label={`Save report as ${text}`}
-          onClick={() => download(output.replace(/glb$/, ending), write(exported!.report), type)}
-        >
-          {text}
-        </button>
-      ))}
-    </div>
-  );
-}
-
-const settingsName = (output: string): string => output.replace(/glb$/, 'settings.json');
-const bindingName = (output: string): string => output.replace(/glb$/, 'bind.json');
-
-/** Saves the file, its levels, the binding, the settings and the report in one archive. */
-async function saveAll(exported: ExportResult, output: string): Promise<void> {
-  const text = (content: string) => new TextEncoder().encode(content);
-  const files: Record<string, Uint8Array> = {
-    [output]: exported.bytes,
-    ...Object.fromEntries(exported.levels.map(({ name, bytes }) => [name, bytes])),
-    ...(exported.binding === null ? {} : { [bindingName(output)]: text(exported.binding) }),
-    ...(exported.settings === null ? {} : { [settingsName(output)]: text(exported.settings) }),
-    [output.replace(/glb$/, 'json')]: text(JSON.stringify(exported.report, null, 2)),
-  };
-  const archive = await client.aside<Uint8Array>((worker) => worker.pack(files));
-  download(output.replace(/glb$/, 'zip'), archive, 'application/zip');
 }

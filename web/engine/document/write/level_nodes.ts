@@ -5,7 +5,7 @@ import type { LevelStyle } from '../../core/output_words';
 
 const MSFT_LOD = 'MSFT_lod';
 /** Lines of a picture in which a level is to differ from the first by one line at most. */
-const LINES = 1080;
+export const LINES = 1080;
 
 /** The nodes of one place in the scene, first level first. */
 export interface LevelNodes {
@@ -104,10 +104,11 @@ function copyNode(document: Document, first: Node, mesh: Mesh, name: string): No
 }
 
 /**
+ * Per level the share of the picture's height from which on it is shown. `deviations`: of the further levels, % of the diagonal.
  * A level takes over where its distance from the original is one line of the picture. The diagonal of a mesh counts as its height;
  * the last level is shown down to nothing.
  */
-function coverageOf(deviations: number[]): number[] {
+export function coverageOf(deviations: number[]): number[] {
   let least = 1;
   const ends = deviations.map((deviation) => {
     least = Math.min(least, deviation > 0 ? 100 / (deviation * LINES) : 1);

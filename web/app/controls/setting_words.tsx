@@ -1,0 +1,67 @@
+/** What a setting is for: a sentence for whoever looks at the model, and one that is exact, behind a button. */
+
+import type { ComponentChildren } from 'preact';
+import { useId, useState } from 'preact/hooks';
+import { OPTIONS } from '../../engine/settings/options';
+import type { SettingName } from '../../engine/settings/options';
+import './setting_words.css';
+
+/** Without the words of mechanics; the exact sentence is the help of the table of settings. */
+const PLAIN: Partial<Record<SettingName, string>> = {
+  strainWeight: 'More keeps faces where the surface stretches and folds when it moves.',
+  curvatureWeight: 'More keeps faces where the shape is round or sharp.',
+  qualityWeight: 'More avoids long thin triangles.',
+  sizeWeight: 'More makes triangles of about one size.',
+  maxDeviation: 'The new surface never leaves the old one by more than this.',
+  minAngle: 'No triangle becomes thinner than this.',
+  maxFrequencyError: 'It swings as fast as before, but for this much.',
+  creases: 'Edges sharper than this stay where they are.',
+  fit: 'A last touch: vertices move a little so that the shape comes back.',
+  modeCount: 'How many ways of bending and twisting are looked for.',
+  p: 'High: each place counts by its worst motion. Low: by all of them together.',
+  strainThreshold: 'Places that hardly stretch are taken for places that do not.',
+  young: 'How hard it is to stretch: rubber is soft, paper is stiff.',
+  poisson: 'How much it gets thinner when it is pulled longer.',
+  density: 'How heavy it is: heavier things swing slower.',
+  thickness: 'How thick the sheet is: thicker ones bend less.',
+  seconds: 'How long the motion is.',
+  damping: 'How soon it comes to rest.',
+  selfCollision: 'It cannot pass through itself.',
+  friction: 'How well it grips what it touches.',
+  calibrate: 'One number makes the new mesh swing as fast as the old one.',
+};
+
+/** What `useSettingWords` draws: a button to stand beside the label, and the sentences, which are null while they are closed. */
+export interface SettingWords {
+  button: ComponentChildren;
+  sentences: ComponentChildren;
+}
+
+/** Of a setting without a plain sentence both are null. */
+export function useSettingWords(name: SettingName): SettingWords {
+  const [isOpen, setOpen] = useState(false);
+  const id = useId();
+  const plain = PLAIN[name];
+  if (!plain) return { button: null, sentences: null };
+  return {
+    button: (
+      <button
+        type="button"
+        class="quiet about"
+        aria-label="What it does"
+        title={OPTIONS[name].label}
+        aria-expanded={isOpen}
+        aria-controls={isOpen ? id : undefined}
+        onClick={() => setOpen(!isOpen)}
+      >
+        i
+      </button>
+    ),
+    sentences: isOpen && (
+      <div class="about-words" id={id}>
+        <p>{plain}</p>
+        <p class="muted">Exactly: {OPTIONS[name].help}</p>
+      </div>
+    ),
+  };
+}

@@ -1,0 +1,70 @@
+/** Settings files brought back: the solver, its parameters and the number of faces that they were written for. */
+
+import { batch } from '@preact/signals';
+import { readSettingsFile } from '../../engine/report/settings_reader';
+import type { SettingsFile } from '../../engine/report/settings_file';
+import { counted } from '../../engine/core/words';
+import type { SourceFile } from '../../engine/document/open';
+import { engineText, engineValues } from '../../engine/settings/engine_text';
+import { profileOf } from '../../engine/solvers/profiles';
+import { complain } from '../state/running';
+import { changeSettings, keepFaces, results, status, view, wants } from '../state/store';
+import { twin } from '../state/twin';
+
+/** Whether a file is meant to be a settings file: a JSON document that is no report and no part of a model. */
+export const isSettingsName = ({ name }: SourceFile): boolean => /\.json$/i.test(name);
+
+/** What a settings file asks of the page. */
+export interface AskedBySettings {
+  /** a text as of the setting `engine` */
+  engine: string;
+  /** faces of the first level, of all bodies */
+  faces: number;
+  /** faces of the original's first body */
+  originalFaces: number;
+}
+
+/** Throws SettingError where the parameters are out of their range. */
+export function askedBy({ solver, original, bodies }: SettingsFile): AskedBySettings {
+  const names = profileOf(solver).parameters.map(({ name }) => name);
+  const given = Object.entries(original).filter(([name]) => names.includes(name));
+  const engine = engineText(Object.fromEntries(given));
+  engineValues(solver, engine);
+  const first = bodies.filter(({ level }) => level === bodies[0].level);
+  const faces = first.reduce((sum, { mesh }) => sum + mesh.triangles.length / 3, 0);
+  return { engine, faces, originalFaces: original.faces };
+}
+
+/** Takes over what a settings file says, for the model that is open, and shows it moving. */
+export function applySettings({ name, bytes }: SourceFile): void {
+  try {
+    const file = readSettingsFile(name, new TextDecoder().decode(bytes));
+    if (!results.body.value)
+      throw new Error(`${name} says how a model moves in ${labelOf(file)}: open that model first.`);
+    show(name, file, askedBy(file));
+  } catch (error) {
+    complain(error);
+  }
+}
+
+const labelOf = ({ solver }: SettingsFile): string => profileOf(solver).label;
+
+function show(name: string, file: SettingsFile, { engine, faces, originalFaces }: AskedBySettings): void {
+  const { solver, tune, units } = file;
+  const own = results.body.value!.inspection.faces;
+  const isSame = own === originalFaces;
+  batch(() => {
+    changeSettings({ solver, tune, engine, massRule: 'auto', unit: units.length });
+    if (isSame) keepFaces(faces);
+    twin.wantsTuned.value = true;
+    wants.exportOpen.value = false;
+    view.step.value = 'test';
+  });
+  const taken = `${name}: ${labelOf(file)} with its parameters`;
+  status.notice.value = {
+    kind: 'info',
+    text: isSame
+      ? `${taken}, ${counted(faces, 'face')}.`
+      : `${taken}. It was written for a model of ${counted(originalFaces, 'face')} and this one has ${own}, so it is tuned anew.`,
+  };
+}

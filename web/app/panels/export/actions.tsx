@@ -1,0 +1,138 @@
+/** The buttons that save the result and what belongs to it, and the command that writes the same. */
+
+import { useState } from 'preact/hooks';
+import type { Settings } from '../../../engine/settings/options';
+import { reportAsCsv, reportAsMarkdown } from '../../../engine/report/report_text';
+import { commandLine } from '../../command_line';
+import { download } from '../../files/files';
+import { exportFormatOf, exportSettings } from '../../worker/export_form';
+import { exportRequest } from '../../state/export_request';
+import { client } from '../../state/running';
+import { results, wants } from '../../state/store';
+import type { ExportResult } from '../../worker/protocol';
+
+export function Actions({ exported }: { exported: ExportResult | null }) {
+  const { output, binding } = exportRequest();
+  const { lods, solver } = wants.settings.value;
+  const { ending, type } = exportFormatOf(wants.settings.value);
+  const hasFiles = lods.length > 0 && exportSettings(wants.settings.value).lodStyle === 'files';
+  const hasMore = binding || solver !== 'none' || hasFiles;
+  return (
+    <div class="actions">
+      <button
+        type="button"
+        class={hasMore ? undefined : 'primary'}
+        disabled={!exported}
+        onClick={() => download(output, exported!.bytes, type)}
+      >
+        Save {ending}
+      </button>
+      {hasMore && (
+        <button
+          type="button"
+          class="primary"
+          disabled={!exported}
+          onClick={() => void saveAll(exported!, output)}
+        >
+          Save all as .zip
+        </button>
+      )}
+      {solver !== 'none' && (
+        <button
+          type="button"
+          disabled={!exported}
+          onClick={() => download(settingsName(output), exported!.settings!, 'application/json')}
+        >
+          Save settings
+        </button>
+      )}
+      <SaveReport exported={exported} output={output} />
+      {exported && <CommandLine exported={exported} />}
+    </div>
+  );
+}
+
+/** The settings as the command needs them: the name says the format, and what is left out has to be named. */
+function asTyped(): Settings {
+  const settings = exportSettings(wants.settings.value);
+  const refused = results.file.value!.dropped.filter((text) => text.startsWith(EXTENSION));
+  const names = refused.map((text) => text.slice(EXTENSION.length)).join('|');
+  return { ...settings, format: 'auto', dropExtensions: settings.dropExtensions || names };
+}
+
+const EXTENSION = 'extension ';
+
+/** The command that writes the same file. */
+function CommandLine({ exported: { faces: written, targetFaces: faces } }: { exported: ExportResult }) {
+  const { output, binding, fields } = exportRequest();
+  const [isCopied, setCopied] = useState(false);
+  const line = commandLine(asTyped(), results.file.value!.name, output, {
+    faces,
+    fields,
+    binding: binding ? bindingName(output) : null,
+    settings: wants.settings.value.solver === 'none' ? null : settingsName(output),
+    isMissed: written > faces,
+  });
+  const copy = () => navigator.clipboard.writeText(line).then(() => setCopied(true));
+  return (
+    <>
+      <button type="button" onClick={() => void copy()}>
+        {isCopied ? 'Copied' : 'Copy command line'}
+      </button>
+      <code class="command">{line}</code>
+      {wants.own.value.size > 0 && (
+        <p class="hint">
+          The command shares the faces out over all meshes: it has no numbers of faces for single ones.
+        </p>
+      )}
+    </>
+  );
+}
+
+const REPORTS = [
+  {
+    text: 'JSON',
+    ending: 'json',
+    type: 'application/json',
+    write: (report: object) => JSON.stringify(report, null, 2),
+  },
+  { text: 'CSV', ending: 'csv', type: 'text/csv', write: reportAsCsv },
+  { text: 'Markdown', ending: 'md', type: 'text/markdown', write: reportAsMarkdown },
+] as const;
+
+function SaveReport({ exported, output }: { exported: ExportResult | null; output: string }) {
+  return (
+    <div class="reports" role="group" aria-label="Save report">
+      <span>Report</span>
+      {REPORTS.map(({ text, ending, type, write }) => (
+        <button
+          key={ending}
+          type="button"
+          disabled={!exported}
+          aria-label={`Save report as ${text}`}
+          onClick={() => download(`${stem(output)}.${ending}`, write(exported!.report), type)}
+        >
+          {text}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+const stem = (output: string): string => output.replace(/(\.(glb|gltf|obj|ply))?(\.zip)?$/, '');
+const settingsName = (output: string): string => `${stem(output)}.settings.json`;
+const bindingName = (output: string): string => `${stem(output)}.bind.json`;
+
+/** Saves the file, its levels, the binding, the settings and the report in one archive. */
+async function saveAll(exported: ExportResult, output: string): Promise<void> {
+  const text = (content: string) => new TextEncoder().encode(content);
+  const files: Record<string, Uint8Array> = {
+    [output]: exported.bytes,
+    ...Object.fromEntries(exported.levels.map(({ name, bytes }) => [name, bytes])),
+    ...(exported.binding === null ? {} : { [bindingName(output)]: text(exported.binding) }),
+    ...(exported.settings === null ? {} : { [settingsName(output)]: text(exported.settings) }),
+    [`${stem(output)}.json`]: text(JSON.stringify(exported.report, null, 2)),
+  };
+  const archive = await client.aside<Uint8Array>((worker) => worker.pack(files));
+  download(`${stem(output)}.zip`, archive, 'application/zip');
+}

@@ -1,0 +1,116 @@
+/** The levels at the sizes on the screen at which they change: a slider moves the model away. */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { levelsKey } from '../../state/export_request';
+import { complain } from '../../state/running';
+import { results } from '../../state/store';
+import type { DrawnLevels } from '../../worker/protocol';
+import { Range, Toggle } from '../../controls/controls';
+import { count } from '../../controls/numbers';
+import { levelAtHeight, switchHeights } from './level_chain';
+import { LevelView } from './level_view';
+
+/** Heights on the screen, pixels: from all of a common screen to what can just be seen. */
+const TALLEST = 1080;
+const SMALLEST = 8;
+const STEPS = 200;
+
+/** The same steps of the slider are the same factors of the height. */
+const heightOf = (step: number): number => Math.round(TALLEST * (SMALLEST / TALLEST) ** (step / STEPS));
+
+export function LevelPreview() {
+  const { value: drawn } = results.drawnLevels;
+  if (drawn?.key !== levelsKey()) return <p class="hint">Writing the levels ...</p>;
+  return <Preview drawn={drawn} key={drawn.key} />;
+}
+
+function Preview({ drawn: { levels } }: { drawn: DrawnLevels }) {
+  const [step, setStep] = useState(60);
+  const [isLarge, setLarge] = useState(false);
+  const height = heightOf(step);
+  const heights = switchHeights(levels.slice(1).map(({ deviation }) => deviation));
+  const number = levelAtHeight(heights, height);
+  const canvas = useLevelView(levels, number, isLarge ? null : height);
+  const name = `LOD${number}, ${count(levels[number].faces)} faces`;
+  return (
+    <>
+      <figure class="level-preview">
+        <canvas ref={canvas} role="img" aria-label={`${name}, ${height} pixels high`} />
+        <figcaption>
+          <strong>LOD{number}</strong> {count(levels[number].faces)} faces
+        </figcaption>
+      </figure>
+      <Range
+        label="Distance"
+        title="Moves the model away; the level changes where its error is one pixel"
+        min={0}
+        max={STEPS}
+        step={1}
+        value={step}
+        shown={`${count(height)} px across`}
+        onInput={setStep}
+      />
+      <Toggle
+        label="Draw it large"
+        title="Shows the level of this distance as large as the picture"
+        checked={isLarge}
+        onChange={setLarge}
+      />
+      <ol class="levels" aria-label="Where levels change" start={0}>
+        {levels.map((level, i) => (
+          <li key={i} class={i === number ? 'is-shown' : undefined}>
+            <button type="button" onClick={() => setStep(stepFor(heights, i))}>
+              <strong>LOD{i}</strong> {count(level.faces)} faces
+            </button>
+            <span class="muted">{describeSwitch(heights, i)}</span>
+          </li>
+        ))}
+      </ol>
+    </>
+  );
+}
+
+/** The first step at which a level is shown; of a level that never is, the step of the next one. */
+function stepFor(heights: readonly number[], level: number): number {
+  if (level === 0) return 0;
+  for (let step = 0; step <= STEPS; ++step) if (levelAtHeight(heights, heightOf(step)) >= level) return step;
+  return STEPS;
+}
+
+function describeSwitch(heights: readonly number[], level: number): string {
+  if (level === 0) return 'nearest';
+  if (heights[level] !== undefined && heights[level] >= heights[level - 1])
+    return 'never: the next is as close';
+  return `below ${count(Math.round(heights[level - 1]))} px`;
+}
+
+/** Draws what is asked for as soon as the levels are loaded. */
+function useLevelView(levels: DrawnLevels['levels'], number: number, height: number | null) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const view = useRef<LevelView | null>(null);
+  const latest = useRef({ number, height });
+  latest.current = { number, height };
+  useEffect(() => {
+    let isGone = false;
+    try {
+      view.current = new LevelView(canvas.current!);
+    } catch {
+      return; // names and numbers are still of use
+    }
+    const own = view.current;
+    const isPlain = results.file.value?.contents.materials === 0;
+    own
+      .load(
+        levels.map(({ bytes }) => bytes),
+        isPlain,
+      )
+      .then(() => !isGone && own.draw(latest.current.number, latest.current.height))
+      .catch((error: unknown) => complain(error));
+    return () => {
+      isGone = true;
+      own.dispose();
+    };
+  }, [levels]);
+  useEffect(() => view.current?.draw(number, height), [number, height]);
+  return canvas;
+}

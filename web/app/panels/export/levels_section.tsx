@@ -1,0 +1,135 @@
+/** Further levels of detail: which shares of the faces they have, where they go, and a look at them. */
+
+import { useId, useState } from 'preact/hooks';
+import type { LevelStyle } from '../../../engine/core/output_words';
+import { OPTIONS, checkSetting } from '../../../engine/settings/options';
+import { exportFormatOf } from '../../worker/export_form';
+import { refusalOf } from '../../state/refusal';
+import type { Refusal } from '../../state/refusal';
+import { changeSettings, results, slider, wants } from '../../state/store';
+import type { ExportResult } from '../../worker/protocol';
+import { Section, Select, Toggle } from '../../controls/controls';
+import { count, fileSize } from '../../controls/numbers';
+import { RefusedText } from '../../controls/refused_text';
+import { nextLevel, readLevels } from './level_chain';
+import { LevelPreview } from './level_preview';
+import { describeVerdict } from './verdict';
+
+const STYLES: Record<LevelStyle, string> = {
+  files: 'files of their own',
+  nodes: 'nodes NAME_LOD0, _LOD1 ...',
+  msft: 'MSFT_lod',
+};
+
+/** Who reads each style. */
+const STYLE_WORDS: Record<LevelStyle, string> = {
+  files: 'One more file for each level, NAME_lod1 and so on.',
+  nodes: 'Unity and Unreal make a group of levels of such names; other viewers show them all at once.',
+  msft: 'Babylon.js changes levels by the size on the screen; viewers without it show the first level.',
+};
+
+export function LevelsSection({ exported }: { exported: ExportResult | null }) {
+  const { lods, lodStyle } = wants.settings.value;
+  const { isGltf } = exportFormatOf(wants.settings.value);
+  return (
+    <Section title="Levels of detail">
+      <LevelsField />
+      <LevelButtons />
+      {lods.length > 0 && isGltf && (
+        <>
+          <Select
+            label={OPTIONS.lodStyle.label}
+            title={OPTIONS.lodStyle.help}
+            options={OPTIONS.lodStyle.choices.map((value) => ({ value, text: STYLES[value as LevelStyle] }))}
+            value={lodStyle}
+            onChange={(value) => changeSettings({ lodStyle: value as LevelStyle })}
+          />
+          <p class="hint">{STYLE_WORDS[lodStyle]}</p>
+        </>
+      )}
+      {exported && <LevelFiles exported={exported} />}
+      {lods.length > 0 && (
+        <Toggle
+          label="See where they change"
+          title="Shows each level at the size on the screen at which it takes over"
+          checked={wants.levelsShown.value}
+          onChange={(isShown) => (wants.levelsShown.value = isShown)}
+        />
+      )}
+      {lods.length > 0 && wants.levelsShown.value && <LevelPreview />}
+    </Section>
+  );
+}
+
+/** The text field for the shares of faces of further levels, separated by commas. */
+function LevelsField() {
+  const id = useId();
+  const [refused, setRefused] = useState<Refusal | null>(null);
+  const change = (typed: string) => {
+    const lods = readLevels(typed, slider.value.faces) as number[];
+    const refusal = refusalOf(typed, () => checkSetting('lods', lods));
+    setRefused(refusal);
+    if (!refusal) changeSettings({ lods });
+  };
+  return (
+    <div class="control stacked">
+      <label for={id}>{OPTIONS.lods.label}</label>
+      <input
+        id={id}
+        type="text"
+        autocomplete="off"
+        placeholder="0.25, 10 %, 500"
+        title="With commas between: shares of the faces, or numbers of faces"
+        aria-invalid={refused !== null}
+        aria-describedby={refused ? `${id}-refused` : undefined}
+        value={refused ? refused.text : wants.settings.value.lods.join(', ')}
+        onChange={(event) => change(event.currentTarget.value)}
+      />
+      <RefusedText id={`${id}-refused`} refused={refused} />
+    </div>
+  );
+}
+
+function LevelButtons() {
+  const { lods } = wants.settings.value;
+  const { wanted, faces } = slider.value;
+  const next = nextLevel(lods, faces > 0 ? wanted / faces : 1);
+  return (
+    <div class="buttons">
+      <button
+        type="button"
+        disabled={next < OPTIONS.lods.min || results.history.value === null}
+        onClick={() => changeSettings({ lods: [...lods, next] })}
+      >
+        Add a level
+      </button>
+      {lods.length > 0 && (
+        <button type="button" onClick={() => changeSettings({ lods: lods.slice(0, -1) })}>
+          Remove the last
+        </button>
+      )}
+    </div>
+  );
+}
+
+/** The files of levels that have one of their own. */
+function LevelFiles({ exported }: { exported: ExportResult }) {
+  if (exported.levels.length === 0) return null;
+  return (
+    <ul class="levels level-files">
+      {exported.levels.map(({ name, faces, bytes, validation }) => (
+        <li key={name}>
+          <span class="filename">{name}</span>
+          <span class="muted">
+            {count(faces)} faces, {fileSize(bytes.length)}.{' '}
+            {validation && (
+              <span class={validation.errors > 0 ? 'verdict bad' : 'verdict good'}>
+                {describeVerdict(validation)}
+              </span>
+            )}
+          </span>
+        </li>
+      ))}
+    </ul>
+  );
+}

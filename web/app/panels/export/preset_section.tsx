@@ -1,0 +1,51 @@
+/** Settings for what the result is made for: what they change is said before they are taken. */
+
+import { useState } from 'preact/hooks';
+import { PRESET_NAMES, presetChanges, PRESETS, settingsOfPreset } from '../../../engine/settings/presets';
+import type { PresetName } from '../../../engine/settings/presets';
+import { changeSettings, wants } from '../../state/store';
+import { Section, Select } from '../../controls/controls';
+
+const CHOICES = [
+  { value: '', text: 'choose' },
+  ...PRESET_NAMES.map((name) => ({ value: name as string, text: PRESETS[name].label })),
+];
+
+export function PresetSection() {
+  const [preset, setPreset] = useState<PresetName | null>(null);
+  return (
+    <Section title="Made for">
+      <Select
+        label="Preset"
+        options={CHOICES}
+        value={preset ?? ''}
+        onChange={(value) => setPreset(PRESET_NAMES.find((name) => name === value) ?? null)}
+      />
+      {preset && <Changes preset={preset} />}
+    </Section>
+  );
+}
+
+function Changes({ preset }: { preset: PresetName }) {
+  const changes = presetChanges(preset, wants.settings.value);
+  return (
+    <>
+      <p class="hint">{PRESETS[preset].why}</p>
+      {changes.length === 0 && <p class="verdict good">All of it is set.</p>}
+      {changes.length > 0 && (
+        <>
+          <ul class="changes">
+            {changes.map(({ name, label, from, to }) => (
+              <li key={name}>
+                {label}: <span class="muted">{from} →</span> <strong>{to}</strong>
+              </li>
+            ))}
+          </ul>
+          <button type="button" onClick={() => changeSettings(settingsOfPreset(preset))}>
+            Use these settings
+          </button>
+        </>
+      )}
+    </>
+  );
+}

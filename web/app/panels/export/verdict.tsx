@@ -1,0 +1,44 @@
+/** What the Khronos validator finds in the result, and how much of it was in the file already. */
+
+import { knownMessages } from '../../../engine/document/facts/known_messages';
+import type { Validation } from '../../../engine/document/validate';
+import type { ExportResult } from '../../worker/protocol';
+import { Section } from '../../controls/controls';
+import { count } from '../../controls/numbers';
+
+/** "No errors, no warnings." */
+export const describeVerdict = ({ errors, warnings }: Validation): string =>
+  errors === 0 && warnings === 0 ? 'No errors, no warnings.' : `${errors} errors, ${warnings} warnings.`;
+
+export function Verdict({ exported }: { exported: ExportResult }) {
+  const { validation } = exported;
+  if (!validation)
+    return (
+      <Section title="Khronos validator">
+        <p class="hint">Not asked: it reads GLB and glTF alone.</p>
+      </Section>
+    );
+  const { errors, messages } = validation;
+  return (
+    <Section title="Khronos validator">
+      <p class={errors > 0 ? 'verdict bad' : 'verdict good'}>{describeVerdict(validation)}</p>
+      <KnownMessages result={validation} input={exported.inputValidation} />
+      {messages.length > 0 && (
+        <ul class="hint">
+          {messages.slice(0, 5).map((message) => (
+            <li key={message}>{message}</li>
+          ))}
+        </ul>
+      )}
+    </Section>
+  );
+}
+
+/** How much of what the validator says it said of the input, too. */
+function KnownMessages({ result, input }: { result: Validation; input: Validation | null }) {
+  const { length: all } = result.messages;
+  if (all === 0 || !input) return null;
+  const known = knownMessages(result, input);
+  const text = known === all ? 'All of them were' : `${count(known)} of ${count(all)} were`;
+  return <p class="hint">{text} in your file.</p>;
+}

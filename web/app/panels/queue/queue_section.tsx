@@ -1,0 +1,121 @@
+/** The queue of models: what happens to all of them, how far it is, and what has become of each. */
+
+import { Spoken } from '../../controls/spoken';
+import { count, fileSize, percent } from '../../controls/numbers';
+import { Section } from '../../controls/controls';
+import { download } from '../../files/files';
+import { baseName } from '../../state/export_request';
+import { exportFormatOf } from '../../worker/export_form';
+import { openFiles } from '../../state/runner';
+import { client, complain } from '../../state/running';
+import { results, slider, wants } from '../../state/store';
+import { cancelQueue, closeQueue, queue, runQueue } from '../../state/queue/queue';
+import type { Queue, QueueItem } from '../../state/queue/queue';
+import { describeOutcome, describeProgress, summaryCsv } from '../../state/queue/summary';
+import './queue.css';
+
+export function QueueSection() {
+  if (!queue.value) return null;
+  const { items, isRunning } = queue.value;
+  return (
+    <div class="queue">
+      <Section title={`${items.length} models`}>
+        <p class="hint">{describeAsked()}</p>
+        <Progress queue={queue.value} />
+        <div class="buttons">
+          {!isRunning && (
+            <button type="button" disabled={!results.mesh.value} onClick={() => void runQueue()}>
+              {items.some(({ state }) => state === 'done') ? 'Run all again' : `Optimize all ${items.length}`}
+            </button>
+          )}
+          {isRunning && (
+            <button type="button" onClick={cancelQueue}>
+              Cancel the queue
+            </button>
+          )}
+          {items.some(({ finished }) => finished) && (
+            <button type="button" class="primary" disabled={isRunning} onClick={() => void saveQueue(items)}>
+              Save the queue as .zip
+            </button>
+          )}
+          <button type="button" class="quiet" onClick={closeQueue}>
+            Close the queue
+          </button>
+        </div>
+        <ul class="queue-items">
+          {items.map((item) => (
+            <Item key={item.name} item={item} />
+          ))}
+        </ul>
+      </Section>
+    </div>
+  );
+}
+
+/** "All with the settings of this page: 50 % of the faces, as GLB." */
+function describeAsked(): string {
+  const { wanted, faces } = slider.value;
+  const share = faces > 0 ? Math.round((100 * wanted) / faces) : 50;
+  const { text } = exportFormatOf(wants.settings.value);
+  return `All with the settings of this page: at most ${share} % of the faces, as ${text}.`;
+}
+
+function Progress({ queue: { items, isRunning, seconds } }: { queue: Queue }) {
+  const ended = items.filter(({ state }) => state === 'done' || state === 'failed').length;
+  if (!isRunning && ended === 0) return null;
+  const text = isRunning ? describeProgress(items, seconds) : describeOutcome(items);
+  return (
+    <div class="queue-progress">
+      <Spoken text={isRunning ? `${ended} of ${items.length} done` : text} />
+      <span>{text}</span>
+      {isRunning && <progress max={items.length} value={ended} aria-label="Progress of the queue" />}
+    </div>
+  );
+}
+
+const STATE_WORDS: Record<QueueItem['state'], string> = {
+  waiting: 'waiting',
+  running: 'running ...',
+  done: 'done',
+  failed: 'failed',
+};
+
+/** Why a model has more faces than asked for. */
+const STOP_WORDS: Record<string, string> = {
+  deviation: 'stopped by the deviation limit',
+  angle: 'stopped by the smallest angle',
+  frequency: 'stopped by the frequency limit',
+  exhausted: 'no edge left to collapse',
+};
+
+function Item({ item: { name, files, state, sentence, finished } }: { item: QueueItem }) {
+  return (
+    <li class={state}>
+      <button type="button" class="quiet" title={`Show ${name}`} onClick={() => void openFiles(files)}>
+        {name}
+      </button>
+      {finished ? (
+        <span class="muted">
+          {count(finished.faces.before)} → {count(finished.faces.after)} faces
+          {finished.stop === null ? '' : ` (${STOP_WORDS[finished.stop] ?? finished.stop})`}, deviation{' '}
+          {percent(finished.deviation)}, {fileSize(finished.bytes)}
+        </span>
+      ) : (
+        <span class={state === 'failed' ? 'verdict bad' : 'muted'}>{sentence ?? STATE_WORDS[state]}</span>
+      )}
+    </li>
+  );
+}
+
+/** Saves all that is done, with a table of what has become of each model. */
+async function saveQueue(items: readonly QueueItem[]): Promise<void> {
+  const files = items.flatMap(({ finished }) => finished?.files ?? []);
+  const content = Object.fromEntries(files.map(({ name, bytes }) => [name, bytes]));
+  content['summary.csv'] = new TextEncoder().encode(summaryCsv(items));
+  try {
+    const archive = await client.aside<Uint8Array>((worker) => worker.pack(content));
+    download(`${baseName(items[0].name)}-and-${items.length - 1}-more.zip`, archive, 'application/zip');
+  } catch (error) {
+    complain(error);
+  }
+}

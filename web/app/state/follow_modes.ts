@@ -1,0 +1,62 @@
+/** Chosen modes stay the motions that they were when pins change, as their numbers then stand for others. */
+
+import { effect, untracked } from '@preact/signals';
+import { leadingMode } from '../../engine/core/mode_set';
+import { likeModes } from '../../engine/core/like_modes';
+import type { ModesResult } from '../worker/protocol';
+import { areModesStale, changeSettings, results, status, wants } from './store';
+import { withoutUndo } from './undo';
+
+/** The modes that the chosen numbers are of, and how they were pinned; null: those that come next. */
+let basis: { modes: ModesResult; pins: string } | null = null;
+let chosen: unknown = null;
+
+/** Starts following the state. */
+export function followModes(): void {
+  effect(() => {
+    const { modes } = wants.settings.value;
+    if (modes === chosen) return;
+    chosen = modes;
+    // Numbers that come together with other pins, by undo or a link, are of the modes that these pins lead to.
+    const known = untracked(() => (areModesStale.value ? null : results.modes.value));
+    basis = known && { modes: known, pins: wants.settings.peek().pins };
+  });
+  effect(() => {
+    const { value: found } = results.modes;
+    untracked(() => found && !areModesStale.value && take(found));
+  });
+}
+
+function take(found: ModesResult): void {
+  const { pins, modes } = wants.settings.value;
+  const before = basis;
+  basis = { modes: found, pins };
+  const isOfOneMesh = before?.modes.shapes.length === found.shapes.length;
+  if (!before || before.pins === pins || !isOfOneMesh || !Array.isArray(modes)) return;
+  follow(before.modes, found, modes);
+}
+
+function follow(before: ModesResult, found: ModesResult, modes: readonly number[]): void {
+  const alike = likeModes(before, found, modes);
+  const kept = alike.filter((number) => number !== null).sort((a, b) => a - b);
+  if (kept.length === modes.length && kept.every((number, i) => number === modes[i])) return;
+  const next = kept.length > 0 ? kept : ('auto' as const);
+  chosen = next;
+  withoutUndo(() => changeSettings({ modes: next, modeWeights: [] }));
+  status.notice.value = { kind: 'info', text: describeChange(before, modes, alike) };
+}
+
+/** "With these pins mode 2 (twist) is now mode 3." */
+function describeChange(
+  before: ModesResult,
+  modes: readonly number[],
+  alike: readonly (number | null)[],
+): string {
+  const parts = modes.flatMap((mode, i) => {
+    const name = leadingMode(before, mode - 1)?.name;
+    const words = `mode ${mode}${name ? ` (${name})` : ''}`;
+    if (alike[i] === mode) return [];
+    return [alike[i] === null ? `nothing moves like ${words} any more` : `${words} is now mode ${alike[i]}`];
+  });
+  return `With these pins ${parts.join(', ')}.`;
+}

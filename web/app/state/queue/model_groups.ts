@@ -1,0 +1,37 @@
+/** Which of the files that were opened together are one model with its companions, and which are models of their own. */
+
+import { isModelName } from '../../../engine/document/open';
+import type { SourceFile } from '../../../engine/document/open';
+
+/** A model and the files that may belong to it. */
+export interface ModelGroup {
+  /** of the model's file, with its folders */
+  name: string;
+  files: SourceFile[];
+}
+
+/** Formats that name no other files. */
+const ALONE = /\.(stl|ply|off)$/i;
+
+const folderOf = (name: string): string => name.slice(0, name.lastIndexOf('/') + 1);
+
+/** One group for each model, in the order of their names; each has the other files in its folder and below. */
+export function modelGroups(files: readonly SourceFile[]): ModelGroup[] {
+  const models = files.filter(({ name }) => isModelName(name));
+  const others = files.filter(({ name }) => !isModelName(name));
+  const sorted = [...models].sort((a, b) => (a.name < b.name ? -1 : 1));
+  return sorted.map((model) => {
+    const folder = folderOf(model.name);
+    const own = ALONE.test(model.name) ? [] : others.filter(({ name }) => name.startsWith(folder));
+    return { name: model.name, files: [model, ...own] };
+  });
+}
+
+/** `name` with another ending, as no earlier one of `taken`: "a-limber.glb", "a-limber-2.glb". It is added to `taken`. */
+export function freeName(name: string, ending: string, taken: Set<string>): string {
+  const stem = `${name.replace(/\.[^./]+$/, '')}-limber`;
+  let free = stem;
+  for (let n = 2; taken.has(free); ++n) free = `${stem}-${n}`;
+  taken.add(free);
+  return `${free}${ending}`;
+}

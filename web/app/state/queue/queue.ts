@@ -1,0 +1,156 @@
+/** Several models, one after the other with one setting, in a worker of their own: the page stays free for the one that is shown. */
+
+import { signal } from '@preact/signals';
+import { fileDefaults } from '../../../engine/settings/options';
+import type { Settings } from '../../../engine/settings/options';
+import type { SourceFile } from '../../../engine/document/open';
+import { freeName } from './model_groups';
+import type { ModelGroup } from './model_groups';
+import { Client } from '../client';
+import { exportFormatOf, exportSettings } from '../../worker/export_form';
+import { slider, wants } from '../store';
+import { CANCELLED } from '../../worker/protocol';
+import type { ExportResult, ExportRequest, KeptFaces } from '../../worker/protocol';
+import type { Finished } from './summary';
+
+export interface QueueItem extends ModelGroup {
+  state: 'waiting' | 'running' | 'done' | 'failed';
+  /** why it has failed, in one sentence */
+  sentence: string | null;
+  finished: Finished | null;
+}
+
+export interface Queue {
+  items: readonly QueueItem[];
+  isRunning: boolean;
+  /** seconds that the run has taken so far */
+  seconds: number;
+}
+
+/** null where no several models were opened. */
+export const queue = signal<Queue | null>(null);
+
+/** ms between two looks at the clock. */
+const TICK_MILLISECONDS = 500;
+
+/** What every model is asked for. */
+interface Asked {
+  settings: Settings;
+  kept: KeptFaces;
+  extras: Pick<ExportRequest, 'fields' | 'binding'>;
+}
+
+let client: Client | null = null;
+
+/** Lines models up; a queue that was there before ends. */
+export function fillQueue(groups: readonly ModelGroup[]): void {
+  cancelQueue();
+  const items = groups.map((group): QueueItem => ({
+    ...group,
+    state: 'waiting',
+    sentence: null,
+    finished: null,
+  }));
+  queue.value = { items, isRunning: false, seconds: 0 };
+}
+
+export function closeQueue(): void {
+  cancelQueue();
+  queue.value = null;
+}
+
+/** What is finished stays finished. */
+export function cancelQueue(): void {
+  const own = client;
+  client = null;
+  own?.end();
+  if (!queue.value) return;
+  const items = queue.value.items.map((item): QueueItem =>
+    item.state === 'running' ? { ...item, state: 'waiting' } : item,
+  );
+  queue.value = { ...queue.value, items, isRunning: false };
+}
+
+/** What the settings say now; those that name parts of one file are left out. */
+function askedNow(): Asked {
+  const { wanted, faces } = slider.value;
+  const ratio = faces > 0 ? Math.min(1, wanted / faces) : undefined;
+  return {
+    settings: exportSettings({ ...wants.settings.value, ...fileDefaults() }),
+    kept: { faces: null, ratio, own: [] },
+    extras: { fields: wants.exportFields.value, binding: wants.exportBinding.value },
+  };
+}
+
+/** Works on every model anew. A model that cannot be used fails alone. */
+export async function runQueue(): Promise<void> {
+  if (!queue.value || queue.value.isRunning) return;
+  const asked = askedNow();
+  const items = queue.value.items.map((item): QueueItem => ({
+    ...item,
+    state: 'waiting',
+    sentence: null,
+    finished: null,
+  }));
+  queue.value = { items, isRunning: true, seconds: 0 };
+  const own = (client = new Client(new URL('.', document.baseURI).href, () => {}));
+  const begin = performance.now();
+  const tick = () => own === client && update({ seconds: (performance.now() - begin) / 1000 });
+  const timer = setInterval(tick, TICK_MILLISECONDS);
+  const taken = new Set<string>();
+  for (let i = 0; i < items.length && own === client; ++i) await runItem(own, i, asked, taken);
+  clearInterval(timer);
+  if (own !== client) return;
+  tick();
+  update({ isRunning: false });
+  client = null;
+  own.end();
+}
+
+const update = (change: Partial<Queue>): void => {
+  if (queue.value) queue.value = { ...queue.value, ...change };
+};
+
+function updateItem(i: number, change: Partial<QueueItem>): void {
+  update({ items: queue.value!.items.map((item, n) => (n === i ? { ...item, ...change } : item)) });
+}
+
+async function runItem(own: Client, i: number, asked: Asked, taken: Set<string>): Promise<void> {
+  const { name, files } = queue.value!.items[i];
+  updateItem(i, { state: 'running' });
+  try {
+    const output = freeName(name, exportFormatOf(asked.settings).ending, taken);
+    await own.open(files);
+    const exported = await exportNow(own, asked, { ...asked.extras, output: output.split('/').pop()! });
+    if (own === client) updateItem(i, { state: 'done', finished: finishedOf(output, exported) });
+  } catch (error) {
+    const text = error instanceof Error ? error.message : String(error);
+    if (own !== client || text === CANCELLED) return;
+    updateItem(i, { state: 'failed', sentence: text });
+  }
+}
+
+const exportNow = (own: Client, { settings, kept }: Asked, request: ExportRequest): Promise<ExportResult> =>
+  own.call<ExportResult>((worker) => worker.export(settings, kept, request));
+
+/** `output`: with its folders, which the files beside it share. */
+function finishedOf(output: string, exported: ExportResult): Finished {
+  const { files, levels, binding, settings, report, faces } = exported;
+  const folder = output.slice(0, output.lastIndexOf('/') + 1);
+  const stem = output.replace(/(\.(glb|gltf|obj|ply))?(\.zip)?$/, '');
+  const text = (name: string, content: string | null): SourceFile[] =>
+    content === null ? [] : [{ name, bytes: new TextEncoder().encode(content) }];
+  const models = [...files, ...levels.flatMap((level) => level.files)];
+  return {
+    output,
+    faces: { before: report.input!.faces, after: faces },
+    deviation: report.surface?.hausdorff ?? 0,
+    stop: !report.stop || report.stop.reason === 'target' ? null : report.stop.reason,
+    bytes: exported.bytes.length,
+    files: [
+      ...models.map(({ name, bytes }) => ({ name: folder + name, bytes })),
+      ...text(`${stem}.bind.json`, binding),
+      ...text(`${stem}.settings.json`, settings),
+    ],
+  };
+}

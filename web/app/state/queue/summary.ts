@@ -1,0 +1,90 @@
+/** What has become of the models of a queue: in words, and as a table for the archive. */
+
+import type { SourceFile } from '../../../engine/document/open';
+
+/** A model that is done. */
+export interface Finished {
+  /** name of its file in the archive */
+  output: string;
+  faces: { before: number; after: number };
+  /** largest distance from the original, % of the diagonal */
+  deviation: number;
+  /** why it has no fewer faces: a word of the report's `stop`; null where it has as few as asked for */
+  stop: string | null;
+  /** of its file */
+  bytes: number;
+  /** all that is saved of it */
+  files: SourceFile[];
+}
+
+interface Counted {
+  state: 'waiting' | 'running' | 'done' | 'failed';
+  files: readonly SourceFile[];
+}
+
+const bytesOf = ({ files }: Counted): number => files.reduce((sum, { bytes }) => sum + bytes.length, 0);
+
+/** A time that is shorter is not worth telling. */
+const LEAST_SECONDS = 3;
+
+/** "3 of 12, 40 s left": the time by the bytes that are done. */
+export function describeProgress(items: readonly Counted[], seconds: number): string {
+  const finished = items.filter(({ state }) => state === 'done' || state === 'failed');
+  const number = Math.min(items.length, finished.length + 1);
+  const done = finished.reduce((sum, item) => sum + bytesOf(item), 0);
+  const all = items.reduce((sum, item) => sum + bytesOf(item), 0);
+  const left = done > 0 ? (seconds * (all - done)) / done : 0;
+  const text = `${number} of ${items.length}`;
+  if (left < LEAST_SECONDS) return text;
+  return `${text}, ${left < 90 ? `${Math.round(left)} s` : `${Math.round(left / 60)} min`} left`;
+}
+
+/** "11 done, 1 failed." */
+export function describeOutcome(items: readonly Counted[]): string {
+  const count = (wanted: Counted['state']) => items.filter(({ state }) => state === wanted).length;
+  const parts = [
+    [count('done'), 'done'],
+    [count('failed'), 'failed'],
+    [count('waiting'), 'not begun'],
+  ] as const;
+  return `${parts
+    .filter(([number]) => number > 0)
+    .map(([number, word]) => `${number} ${word}`)
+    .join(', ')}.`;
+}
+
+interface Row extends Counted {
+  name: string;
+  sentence: string | null;
+  finished: Finished | null;
+}
+
+const cell = (value: string | number): string =>
+  /[",\r\n]/.test(String(value)) ? `"${String(value).replaceAll('"', '""')}"` : String(value);
+
+/** A line for each model, as CSV (RFC 4180). */
+export function summaryCsv(items: readonly Row[]): string {
+  const lines = items.map(({ name, state, sentence, finished }) => [
+    name,
+    state,
+    finished?.output ?? '',
+    finished?.faces.before ?? '',
+    finished?.faces.after ?? '',
+    finished ? Number(finished.deviation.toPrecision(4)) : '',
+    finished?.bytes ?? '',
+    finished?.stop ?? '',
+    sentence ?? '',
+  ]);
+  const head = [
+    'model',
+    'state',
+    'output',
+    'faces',
+    'faces of the result',
+    'deviation %',
+    'bytes',
+    'stopped by',
+    'problem',
+  ];
+  return `${[head, ...lines].map((line) => line.map(cell).join(',')).join('\r\n')}\r\n`;
+}

@@ -1,0 +1,62 @@
+/** The form in which the page exports: its formats, and the settings as each of them can take them. */
+
+import type { Settings } from '../../engine/settings/options';
+
+export interface ExportFormat {
+  /** the setting `format` */
+  value: Settings['format'];
+  /** after the name of the file, with the dot */
+  ending: string;
+  /** MIME type */
+  type: string;
+  text: string;
+  /** whether it stores compressed vertices and several levels */
+  isGltf: boolean;
+}
+
+const GLB: ExportFormat = {
+  value: 'auto',
+  ending: '.glb',
+  type: 'model/gltf-binary',
+  text: 'GLB',
+  isGltf: true,
+};
+
+/** Formats of several files are packed, as a page saves one file at a time. */
+export const EXPORT_FORMATS: readonly ExportFormat[] = [
+  GLB,
+  {
+    value: 'gltf.zip',
+    ending: '.gltf.zip',
+    type: 'application/zip',
+    text: 'glTF and its files, zipped',
+    isGltf: true,
+  },
+  {
+    value: 'obj.zip',
+    ending: '.obj.zip',
+    type: 'application/zip',
+    text: 'OBJ and materials, zipped',
+    isGltf: false,
+  },
+  { value: 'ply', ending: '.ply', type: 'application/octet-stream', text: 'PLY', isGltf: false },
+];
+
+/** The format that the page writes for these settings, which a link may have from the command line. */
+export const exportFormatOf = ({ format }: Pick<Settings, 'format'>): ExportFormat =>
+  EXPORT_FORMATS.find(({ value }) => value === format || value === `${format}.zip`) ?? GLB;
+
+/** The settings with which the file is written: what its format cannot have is left out. */
+export function exportSettings(settings: Settings): Settings {
+  const { value: format, isGltf } = exportFormatOf(settings);
+  if (isGltf) return { ...settings, format };
+  return { ...settings, format, compress: 'like-input', lodStyle: 'files' };
+}
+
+/** The settings of files that the page draws itself: whatever is exported, they are plain GLB. */
+export const drawnSettings = (settings: Settings): Settings => ({
+  ...settings,
+  format: 'auto',
+  compress: 'none',
+  lodStyle: 'files',
+});

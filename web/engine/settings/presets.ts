@@ -1,0 +1,74 @@
+/** Settings that go well together for what a result is made for. They say nothing about how many faces are kept. */
+
+import { OPTIONS } from './table';
+import type { SettingName, Settings } from './table';
+
+export interface Preset {
+  /** as the page writes it */
+  label: string;
+  /** why these settings, in one sentence */
+  why: string;
+  settings: Partial<Settings>;
+}
+
+export const PRESETS = {
+  web: {
+    label: 'Web',
+    why: 'A small download: meshopt packs vertices, and three.js, Babylon.js and model-viewer unpack them quickly.',
+    settings: { compress: 'meshopt' },
+  },
+  mobile: {
+    label: 'Mobile',
+    why: 'Vertices take half the memory and need no unpacking, and two further levels stand in where the model is small on the screen.',
+    settings: { compress: 'quantized', lods: [0.25, 0.1] },
+  },
+  cloth: {
+    label: 'Cloth',
+    why: 'A sheet without an inside: its hems stay where they are, and after the collapses vertices are moved until it folds at the frequencies of the original.',
+    settings: { model: 'shell', material: 'shell', borders: 'fixed', fit: 'modal' },
+  },
+  'soft-body': {
+    label: 'Soft body',
+    why: 'A closed body with an inside: faces stay where its volume bends, and collapses stop before an angle below 10 degrees, as thin triangles make soft bodies stiff and unstable.',
+    settings: { model: 'solid', material: 'solid', minAngle: 10 },
+  },
+  print: {
+    label: '3D print',
+    why: 'The surface stays within 0.1 % of its size (0.1 mm of 10 cm), edges above 30 degrees stay sharp, and seams of textures, which no printer sees, hold nothing up.',
+    settings: { maxDeviation: 0.1, creases: 30, seams: 'cross', compress: 'none' },
+  },
+} as const satisfies Record<string, Preset>;
+
+export type PresetName = keyof typeof PRESETS;
+
+export const PRESET_NAMES = Object.keys(PRESETS) as PresetName[];
+
+/** A setting that a preset changes. */
+export interface PresetChange {
+  name: SettingName;
+  label: string;
+  from: string;
+  to: string;
+}
+
+/** What a preset changes of these settings; empty where they are what it asks for. */
+export function presetChanges(preset: PresetName, settings: Settings): PresetChange[] {
+  const asked: Partial<Settings> = settingsOfPreset(preset);
+  return (Object.keys(asked) as SettingName[])
+    .filter((name) => String(asked[name]) !== String(settings[name]))
+    .map((name) => ({
+      name,
+      label: OPTIONS[name].label,
+      from: wordsOf(settings[name]),
+      to: wordsOf(asked[name]!),
+    }));
+}
+
+/** A fresh copy of the settings of a preset. */
+export const settingsOfPreset = (preset: PresetName): Partial<Settings> =>
+  structuredClone(PRESETS[preset].settings) as unknown as Partial<Settings>;
+
+const wordsOf = (value: Settings[SettingName]): string => {
+  const text = Array.isArray(value) ? value.join(', ') : String(value);
+  return text === '' ? 'none' : text;
+};
