@@ -6,6 +6,7 @@ import { ExportPanel } from './panels/export/export_panel';
 import { Gallery } from './panels/motion/gallery';
 import { Help } from './panels/help';
 import { ModelFacts, ReadingPanel } from './panels/model/model_panel';
+import { MethodsPanel } from './panels/methods/methods_panel';
 import { MotionPanel } from './panels/motion/motion_panel';
 import { Notices } from './panels/notices';
 import { Busy } from './panels/busy';
@@ -47,6 +48,7 @@ export function App() {
       )}
       <main>
         <ViewportView />
+        <MethodsPanel />
         {!results.file.value && <StartScreen />}
         <Notices />
       </main>
