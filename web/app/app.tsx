@@ -12,6 +12,7 @@ import { Notices } from './panels/notices';
 import { Busy } from './panels/busy';
 import { FirstHint } from './panels/start/first_hint';
 import { StartScreen } from './panels/start/start_screen';
+import { PicturesPanel } from './panels/pictures/pictures_panel';
 import { Readouts } from './panels/readouts';
 import { ReducePanel } from './panels/reduce/reduce_panel';
 import { Scrubber } from './panels/reduce/scrubber';
@@ -61,6 +62,7 @@ export function App() {
           {results.body.value && <Busy />}
         </div>
       </footer>
+      <PicturesPanel />
       <Help />
       {isDraggedOver.value && <div class="drag-over">Drop to open</div>}
     </div>

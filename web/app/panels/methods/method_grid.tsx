@@ -17,7 +17,7 @@ const PER_PIXEL = 0.01;
 const PER_PRESS = Math.PI / 24;
 /** A pointer that has moved farther, in pixels, has turned the view and does not click. */
 const CLICK_PIXELS = 4;
-const WIRE_STRENGTH = 0.55;
+const WIRE_STRENGTH = 0.45;
 
 interface GridProps {
   original: TriangleMesh;

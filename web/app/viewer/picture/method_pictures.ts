@@ -11,7 +11,7 @@ import { isLarge } from '../twin_surface';
 
 export const METHOD_PICTURE = { width: 320, height: 240 };
 /** Of the eye, in radii. */
-const DISTANCE = 3.6;
+const DISTANCE = 4.1;
 const MOST_POLAR = 1.5;
 
 export interface PictureLook {
