@@ -67,15 +67,9 @@ export class Viewport {
     this.panes.original.scene.add(this.pickPreview.points, this.ring.line);
     this.orbit = new OrbitCamera(canvas);
     this.layout = new PaneLayout(canvas);
+    const aim = (event: MouseEvent): void => this.orbit.setPointerRegion(...this.layout.columnRegion(event));
     for (const name of ['wheel', 'pointerdown'] as const)
-      canvas.addEventListener(
-        name,
-        (event) => this.orbit.setPointerRegion(...this.layout.columnRegion(event)),
-        {
-          capture: true,
-          passive: true,
-        },
-      );
+      canvas.addEventListener(name, aim, { capture: true, passive: true });
     // A canvas is cleared as its size changes, so that it has to be drawn before the browser shows it.
     new ResizeObserver(() => {
       this.resize();

@@ -63,6 +63,7 @@ function drawCaption(
   const { width, height } = SCALE;
   const left = middle - width / 2;
   drawGradient(context, { left, top: top + 92, width, height, map: 'viridis' });
+  context.fillStyle = COLOURS.muted;
   context.textAlign = 'right';
   context.fillText('least', left - 10, top + 106);
   context.textAlign = 'left';
