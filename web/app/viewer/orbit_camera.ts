@@ -98,9 +98,9 @@ export class OrbitCamera {
     const { camera } = this;
     const [position, quaternion] = [camera.position.clone(), camera.quaternion.clone()];
     const target = this.controls.getTarget(new THREE.Vector3());
-    const turn = new THREE.Quaternion().setFromAxisAngle(camera.up, angle);
-    camera.position.sub(target).applyQuaternion(turn).add(target);
-    camera.quaternion.premultiply(turn);
+    const rotation = new THREE.Quaternion().setFromAxisAngle(camera.up, angle);
+    camera.position.sub(target).applyQuaternion(rotation).add(target);
+    camera.quaternion.premultiply(rotation);
     draw();
     camera.position.copy(position);
     camera.quaternion.copy(quaternion);

@@ -40,7 +40,7 @@ export function MethodGrid({ original, results, onChoose }: GridProps) {
       class="method-grid"
       ref={list}
       aria-label="Pictures of the methods"
-      onKeyDown={(event) => turnByKey(event, rotate)}
+      onKeyDown={(event) => rotateByKey(event, rotate)}
       {...drag.handlers}
     >
       <li class="method-card">
@@ -98,19 +98,19 @@ function usePictures() {
 
 type Rotate = (azimuth: number, polar: number) => void;
 
-function turnByKey(event: KeyboardEvent, rotate: Rotate): void {
-  const turns: Record<string, [number, number]> = {
+function rotateByKey(event: KeyboardEvent, rotate: Rotate): void {
+  const rotations: Record<string, [number, number]> = {
     ArrowLeft: [-PER_PRESS, 0],
     ArrowRight: [PER_PRESS, 0],
     ArrowUp: [0, PER_PRESS],
     ArrowDown: [0, -PER_PRESS],
   };
-  const turn = turns[event.key];
-  if (!turn) return;
+  const rotation = rotations[event.key];
+  if (!rotation) return;
   // Elsewhere the arrows step through the collapses.
   event.preventDefault();
   event.stopPropagation();
-  rotate(...turn);
+  rotate(...rotation);
 }
 
 /** Turns the view while a button of the pointer is down. */

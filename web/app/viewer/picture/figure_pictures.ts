@@ -84,9 +84,9 @@ function cameraFor(bodies: readonly FigureBody[], { orientation }: FigureEye): T
     const { x, y, z } = point.clone().sub(centre);
     return Math.max(most, z + Math.max(Math.abs(x) / (tangent * aspect), Math.abs(y) / tangent));
   }, 0);
-  const reach = size.length();
-  const near = Math.max(distance - reach, distance / 100);
-  const camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, aspect, near, distance + reach);
+  const depth = size.length();
+  const near = Math.max(distance - depth, distance / 100);
+  const camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, aspect, near, distance + depth);
   camera.position.copy(centre.setZ(centre.z + distance)).applyQuaternion(orientation);
   camera.quaternion.copy(orientation);
   camera.updateMatrixWorld();
