@@ -26,6 +26,9 @@ interface Stage {
   panes: Record<PaneName, Pane>;
 }
 
+/** Pixels; the renderer drops fractions of pixels, also those by which a product of rounded numbers is too small. */
+const ROUNDING = 0.01;
+
 /**
  * Calls `draw(false)` at the size of the picture, and then `draw(true)` at that of the stage. What is seen sideways stays
  * in the picture where it is narrower. Throws where the graphics card cannot draw so large a picture.
@@ -40,7 +43,7 @@ export function drawAtSize(stage: Stage, shot: StageShot, draw: (isLast: boolean
   };
   const { scale, width, height } = shot;
   try {
-    layout.pictureSize = { width: width / scale, height: height / scale };
+    layout.pictureSize = { width: (width + ROUNDING) / scale, height: (height + ROUNDING) / scale };
     orbit.camera.zoom = Math.min(1, width / height / (own.width / own.height));
     setRatio(scale);
     orbit.turned(shot.angle ?? 0, () => draw(false));
