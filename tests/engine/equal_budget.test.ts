@@ -1,12 +1,22 @@
-import { describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { Core } from '../../web/engine/core/core';
 import { tableAsCsv, tableAsLatex, tableAsMarkdown } from '../../web/engine/report/tables/method_table';
 import type { Table } from '../../web/engine/report/tables/method_table';
 import { budgetTable } from '../../web/engine/stages/equal_budget/budget_table';
-import { COMPARED_METHODS, budgetSettings } from '../../web/engine/stages/equal_budget/equal_budget';
+import {
+  COMPARED_METHODS,
+  resultAtBudget,
+  settingsOf,
+  withoutLimits,
+} from '../../web/engine/stages/equal_budget/equal_budget';
 import type { MethodResult } from '../../web/engine/stages/equal_budget/equal_budget';
 import { meshoptimizerCall } from '../../web/engine/stages/equal_budget/meshoptimizer';
 import { sizesOf } from '../../web/engine/stages/equal_budget/sizes';
+import { STAGES } from '../../web/engine/stages/stages';
 import { defaultSettings } from '../../web/engine/settings/options';
+import { loadTestCore } from './support/core';
+import { runOfMesh } from './support/runs';
+import { torus } from './support/shapes';
 
 const table: Table = {
   caption: '50% of "a_b" & c|d\nnext',
@@ -126,7 +136,8 @@ describe('methods at an equal budget', () => {
       expect(Math.max(...mesh.triangles)).toBe(7);
       const kept = verticesOf(mesh).filter((vertex) => verticesOf(original).includes(vertex));
       // Only the second call moves vertices; its regularisation rounds the corners of so few faces.
-      if (call === 'simplify') expect([kept.length, sizesOf(mesh).volume]).toEqual([8, 8]);
+      if (call === 'simplify')
+        expect([kept.length, Math.round(1e9 * sizesOf(mesh).volume)]).toEqual([8, 8e9]);
       else expect(kept.length).toBeLessThan(8);
       expect(original.triangles).toEqual(before);
     }
@@ -134,9 +145,48 @@ describe('methods at an equal budget', () => {
 
   it('lifts what would stop a method, and keeps the weights of the chosen one', () => {
     const settings = { ...defaultSettings(), strainWeight: 7, maxDeviation: 2, minAngle: 5 };
-    const own = budgetSettings(settings, 'limber');
+    const own = withoutLimits(settingsOf(settings, 'limber'));
     expect(own).toMatchObject({ strainWeight: 7, maxDeviation: 0, minAngle: 0, maxFrequencyError: 0 });
-    expect(budgetSettings(settings, 'paper')).toMatchObject({ method: 'paper', strainWeight: 0.05 });
+    expect(settingsOf(settings, 'limber')).toBe(settings);
+    expect(settingsOf(settings, 'paper')).toMatchObject({ method: 'paper', strainWeight: 0.05 });
     expect(COMPARED_METHODS).toHaveLength(5);
+  });
+});
+
+describe('a method at a budget', () => {
+  let core: Core;
+  beforeAll(async () => {
+    core = await loadTestCore(1);
+  });
+
+  it('is measured as the page measures its result, and leaves what the page has as it is', async () => {
+    const run = runOfMesh(core, torus(24, 16));
+    const settings = { ...defaultSettings(), maxDeviation: 0 };
+    const faces = 300;
+    const shown = { ...settings, targetFaces: faces };
+    const fitted = run.get(STAGES.fitted, shown);
+    const { distance, quality } = run.get(STAGES.measured, shown);
+    const limber = await resultAtBudget(run, settings, { name: 'limber', faces });
+    expect(limber.mesh).toEqual(fitted.result.mesh);
+    expect([limber.hausdorff, limber.mean, limber.minAngle]).toEqual([
+      distance.hausdorff,
+      distance.mean,
+      quality.minAngle,
+    ]);
+    const peer = await resultAtBudget(run, settings, { name: 'meshoptimizer simplify', faces });
+    expect(peer.faces).toBeLessThanOrEqual(faces);
+    expect(peer.frequencyErrorMean).toBeGreaterThan(limber.frequencyErrorMean!);
+    expect(run.get(STAGES.fitted, shown)).toBe(fitted);
+  });
+
+  it('reaches the budget where a limit would stop it before', async () => {
+    const run = runOfMesh(core, torus(24, 16));
+    const settings = { ...defaultSettings(), maxDeviation: 0.05 };
+    expect(
+      run.get(STAGES.fitted, { ...settings, targetFaces: 100 }).result.mesh.triangles.length,
+    ).toBeGreaterThan(300);
+    expect((await resultAtBudget(run, settings, { name: 'limber', faces: 100 })).faces).toBeLessThanOrEqual(
+      100,
+    );
   });
 });

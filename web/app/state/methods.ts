@@ -21,7 +21,7 @@ export const comparison = {
   compared: signal<ComparedMethods | null>(null),
 };
 
-/** Settings that lead to another comparison; limits are lifted, and what is exported plays no part. */
+/** Settings that lead to another comparison; what is exported or simulated plays no part. */
 const READ = [
   ...(['method', 'strainWeight', 'curvatureWeight', 'qualityWeight', 'sizeWeight'] as const),
   ...([
@@ -36,6 +36,8 @@ const READ = [
     'exact',
   ] as const),
   ...(['pins', 'young', 'poisson', 'density', 'thickness', 'unit'] as const),
+  ...(['maxDeviation', 'maxFrequencyError', 'minAngle', 'solver', 'tune', 'engine'] as const),
+  ...(['bendRatio', 'massRule'] as const),
   ...(['borders', 'seams', 'symmetry', 'creases', 'keep', 'lock', 'paint', 'weld'] as const),
 ] satisfies (keyof Settings)[];
 

@@ -59,8 +59,8 @@ export function MethodTable({ table, failures }: { table: Table; failures: reado
       ))}
       <p class="hint">
         Distances in % of the diagonal; frequencies of modes 1 to 10 as shells, as in the report; area and
-        volume against the original. Time runs from the welded mesh to the result, modes and fit included.
-        Limits that would stop a method at another number of faces are lifted here; your weights count for the
+        volume against the original. Time runs from the welded mesh to the result, modes and fit included. A
+        limit that stops one of Limber's methods above the budget is lifted here; your weights count for the
         chosen method, and pins, locks and paint are known to Limber's methods alone.
       </p>
     </>

@@ -54,11 +54,15 @@ export interface MethodResult {
   failure: string;
 }
 
-/** The settings of a method at an equal budget: limits that would stop it at another number of faces are lifted. */
-export function budgetSettings(settings: Settings, method: Method): Settings {
-  const change = settings.method === method ? {} : methodChange(method);
-  return { ...settings, ...change, maxDeviation: 0, maxFrequencyError: 0, minAngle: 0 };
-}
+/** The settings of a method as the page would use them once it is chosen. */
+export const settingsOf = (settings: Settings, method: Method): Settings =>
+  settings.method === method ? settings : { ...settings, ...methodChange(method) };
+
+/** The same without the limits that can stop a method at another number of faces. */
+export const withoutLimits = (settings: Settings): Settings => ({
+  ...settings,
+  ...{ maxDeviation: 0, maxFrequencyError: 0, minAngle: 0 },
+});
 
 /** Runs one method on the body of `run`, whose own values stay as they are. `faces`: the most that the result may have. */
 export async function resultAtBudget(
@@ -69,7 +73,7 @@ export async function resultAtBudget(
   const { core } = run.context;
   const prepared = run.get(STAGES.prepared, settings);
   const { mesh, seconds } = isOwnMethod(name)
-    ? ownResult(run, budgetSettings(settings, name), faces)
+    ? resultWithin(run, settingsOf(settings, name), faces)
     : await meshoptimizerResult(name, prepared.mesh, faces);
   return { name, mesh, seconds, ...measuredAlike(core, prepared, settings, mesh) };
 }
@@ -77,6 +81,12 @@ export async function resultAtBudget(
 interface TimedMesh {
   mesh: TriangleMesh;
   seconds: number;
+}
+
+/** The result that the page shows; where its limits stop it above the budget, the one without them. */
+function resultWithin(run: BodyRun, settings: Settings, faces: number): TimedMesh {
+  const limited = ownResult(run, settings, faces);
+  return faceCount(limited.mesh) <= faces ? limited : ownResult(run, withoutLimits(settings), faces);
 }
 
 /** In a run of its own: another method's history would take the place of the one that the page shows. */
