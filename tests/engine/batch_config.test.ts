@@ -28,7 +28,8 @@ import type { AssetRecord } from '../../web/cli/batch/record';
 import { assetsOf } from '../../web/cli/batch/sources';
 import { reasonToDo } from '../../web/cli/batch/stale';
 import { summaryOf } from '../../web/cli/batch/summary';
-import { cell, summaryCsv } from '../../web/cli/batch/summary_csv';
+import { summaryCsv } from '../../web/cli/batch/summary_csv';
+import { cell } from '../../web/engine/report/tables/csv_cell';
 import { summaryHtml } from '../../web/cli/batch/summary_html';
 import { textFile } from './support/files';
 

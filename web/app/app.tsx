@@ -6,12 +6,14 @@ import { ExportPanel } from './panels/export/export_panel';
 import { Gallery } from './panels/motion/gallery';
 import { Help } from './panels/help';
 import { ModelFacts, ReadingPanel } from './panels/model/model_panel';
+import { MethodsPanel } from './panels/methods/methods_panel';
 import { MotionPanel } from './panels/motion/motion_panel';
 import { Notices } from './panels/notices';
 import { Busy } from './panels/busy';
 import { QueueSection } from './panels/queue/queue_section';
 import { FirstHint } from './panels/start/first_hint';
 import { StartScreen } from './panels/start/start_screen';
+import { PicturesPanel } from './panels/pictures/pictures_panel';
 import { Readouts } from './panels/readouts';
 import { ReducePanel } from './panels/reduce/reduce_panel';
 import { Scrubber } from './panels/reduce/scrubber';
@@ -49,6 +51,7 @@ export function App() {
       )}
       <main>
         <ViewportView />
+        <MethodsPanel />
         {!results.file.value && <StartScreen />}
         <Notices />
       </main>
@@ -61,6 +64,7 @@ export function App() {
           {results.body.value && <Busy />}
         </div>
       </footer>
+      <PicturesPanel />
       <Help />
       {isDraggedOver.value && <div class="drag-over">Drop to open</div>}
     </div>

@@ -12,6 +12,7 @@ import { exportSettings } from '../worker/export_form';
 import { exportedKey, exportRequest, levelsKey } from './export_request';
 import { findPins } from './find_pins';
 import { takeAwaited } from './link';
+import { compareMethods, comparison, comparisonTaskKey } from './methods';
 import type { Wanted } from './link';
 import { client, complain, whileBusy } from './running';
 import { saveFiles, startSaving } from './saved_session';
@@ -150,6 +151,13 @@ const tasks: Task[] = [
     run: () => client.call((worker) => worker.resultFile(settings(), keptFaces.value)),
     result: results.resultFile,
     isOfFile: true,
+    isPatient: true,
+  },
+  {
+    what: 'Comparing methods',
+    key: comparisonTaskKey,
+    run: () => compareMethods(client),
+    result: comparison.compared,
     isPatient: true,
   },
   {

@@ -15,7 +15,7 @@ export const isDark = computed(() =>
 export const isMotionReduced = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 /** What the viewport draws with; the colours of the page itself are in styles/tokens.css. */
-const LIGHT = {
+export const LIGHT = {
   clay: '#b9c8d4',
   wire: '#1c2a36',
   pin: { fill: '#e8590c', rim: '#ffffff' },

@@ -36,7 +36,7 @@ export interface DotLook {
 export class Dots {
   readonly points: Points<BufferGeometry, ShaderMaterial>;
 
-  constructor(private readonly pixelRatio: number) {
+  constructor(private pixelRatio: number) {
     const uniforms = {
       size: { value: 1 },
       amplitude: { value: 0 },
@@ -62,10 +62,16 @@ export class Dots {
     this.points.geometry.setAttribute('position', new BufferAttribute(positions, 3));
     if (displacement) this.points.geometry.setAttribute('displacement', new BufferAttribute(displacement, 3));
     this.points.visible = positions.length > 0;
-    const { uniforms } = this.points.material;
-    const [size, rimWidth] = inPixels(positions.length / 3);
-    uniforms.size.value = this.pixelRatio * size;
-    uniforms.rimWidth.value = this.pixelRatio * rimWidth;
+    this.setPixelRatio(this.pixelRatio);
+  }
+
+  /** Pixels of the canvas per CSS pixel. */
+  setPixelRatio(pixelRatio: number): void {
+    this.pixelRatio = pixelRatio;
+    const { geometry, material } = this.points;
+    const [size, rimWidth] = inPixels(geometry.getAttribute('position')?.count ?? 0);
+    material.uniforms.size.value = pixelRatio * size;
+    material.uniforms.rimWidth.value = pixelRatio * rimWidth;
   }
 
   swing(amplitude: number): void {

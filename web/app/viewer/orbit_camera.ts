@@ -93,6 +93,19 @@ export class OrbitCamera {
     }, 0);
   }
 
+  /** Calls `draw` with the eye turned about the upright axis through what it looks at, in radians. */
+  turned(angle: number, draw: () => void): void {
+    const { camera } = this;
+    const [position, quaternion] = [camera.position.clone(), camera.quaternion.clone()];
+    const target = this.controls.getTarget(new THREE.Vector3());
+    const rotation = new THREE.Quaternion().setFromAxisAngle(camera.up, angle);
+    camera.position.sub(target).applyQuaternion(rotation).add(target);
+    camera.quaternion.premultiply(rotation);
+    draw();
+    camera.position.copy(position);
+    camera.quaternion.copy(quaternion);
+  }
+
   /** Puts the eye at `factor` times the distance that the user has chosen. */
   stepBack(factor: number): void {
     void this.controls.dollyTo((this.controls.distance * factor) / this.dollyFactor, false);

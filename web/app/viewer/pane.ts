@@ -14,7 +14,7 @@ import type { DrawnArrays } from './drawn_arrays';
 import { isPreparedAtOnce, prepareArrays } from './prepared_arrays';
 import type { SeenBody } from './seen_vertices';
 import { Stand } from './stand';
-import { surfaceMaterial } from './surface_material';
+import { HATCH_PIXELS, surfaceMaterial } from './surface_material';
 import { isLarge, writePositions, writeValues } from './twin_surface';
 
 /** Of a body that lies over another one. */
@@ -173,6 +173,13 @@ export class Pane {
   paint(levels: Levels | null): void {
     this.levels = levels;
     this.isPaintStale = true;
+  }
+
+  /** Pixels of the canvas per CSS pixel, for what has a size on the screen. */
+  setPixelRatio(ratio: number): void {
+    this.dots.setPixelRatio(ratio);
+    this.hoverDot.setPixelRatio(ratio);
+    this.body.material.uniforms.hatchPixels.value = HATCH_PIXELS * ratio;
   }
 
   /** Runs once a frame, as strokes may come more often. */

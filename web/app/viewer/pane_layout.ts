@@ -21,6 +21,8 @@ export class PaneLayout {
   private split: number | null = null;
   /** whether the second pane lies over the first */
   isOverlaid = false;
+  /** of the canvas while a picture of another size is taken, in CSS pixels */
+  pictureSize: PaneSize | null = null;
 
   constructor(private readonly canvas: HTMLCanvasElement) {}
 
@@ -36,14 +38,27 @@ export class PaneLayout {
     return this.isOverlaid || this.split !== null ? 1 : this.panes.length;
   }
 
+  /** Of the canvas, in CSS pixels. */
+  get canvasSize(): PaneSize {
+    return this.pictureSize ?? { width: this.canvas.clientWidth, height: this.canvas.clientHeight };
+  }
+
   get paneSize(): PaneSize {
-    return { width: this.canvas.clientWidth / this.columns, height: this.canvas.clientHeight };
+    const { width, height } = this.canvasSize;
+    return { width: width / this.columns, height };
   }
 
   columnAt(clientX: number): number {
     const { left, width } = this.canvas.getBoundingClientRect();
     const column = Math.floor(((clientX - left) / width) * this.columns);
     return Math.min(this.columns - 1, Math.max(0, column));
+  }
+
+  /** The column at a point of the page: left edge, width and height. */
+  columnRegion({ clientX }: { clientX: number }): [number, number, number] {
+    const { width, height } = this.canvas.getBoundingClientRect();
+    const share = width / this.columns;
+    return [this.columnAt(clientX) * share, share, height];
   }
 
   paneAt(clientX: number): PaneName {

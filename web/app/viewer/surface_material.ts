@@ -75,6 +75,9 @@ const fragmentShader = /* glsl */ `
   }
 `;
 
+/** Of the hatches of locks, in CSS pixels. */
+export const HATCH_PIXELS = 8;
+
 /** Colours of painted vertices, the same in both colour schemes. */
 export const PAINT = { keep: '#e0218a', lock: '#0b3d91' };
 
@@ -94,7 +97,7 @@ export function surfaceMaterial(map: DataTexture, look: SurfaceLook): ShaderMate
       wireStrength: { value: look.wireStrength },
       keep: { value: new Color(PAINT.keep) },
       lock: { value: new Color(PAINT.lock) },
-      hatchPixels: { value: 8 * Math.min(2, devicePixelRatio) },
+      hatchPixels: { value: HATCH_PIXELS * Math.min(2, devicePixelRatio) },
     },
   });
 }

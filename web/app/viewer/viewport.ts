@@ -21,6 +21,8 @@ import type { PaneName, PaneRegion } from './pane_layout';
 import type { SceneLook } from './scene_model';
 import { nearestSeen, seenAt } from './seen_vertices';
 import type { ScreenPoint } from './seen_vertices';
+import { drawAtSize } from './picture/stage_shot';
+import type { StageShot } from './picture/stage_shot';
 import { ShownFiles } from './shown_files';
 import { standingMatrix, standingRotation } from './stand';
 
@@ -45,6 +47,8 @@ export class Viewport {
   private readonly axes = new AxesMark();
   private readonly files: ShownFiles;
   private isStale = true;
+  /** whether time stands still between pictures of a recording */
+  isRecording = false;
   private swing = { isPlaying: false, amplitude: 0, speed: 1, phase: 0 };
 
   /** Throws where WebGL2 is missing. */
@@ -63,8 +67,9 @@ export class Viewport {
     this.panes.original.scene.add(this.pickPreview.points, this.ring.line);
     this.orbit = new OrbitCamera(canvas);
     this.layout = new PaneLayout(canvas);
+    const aim = (event: MouseEvent): void => this.orbit.setPointerRegion(...this.layout.columnRegion(event));
     for (const name of ['wheel', 'pointerdown'] as const)
-      canvas.addEventListener(name, ({ clientX }) => this.aimZoom(clientX), { capture: true, passive: true });
+      canvas.addEventListener(name, aim, { capture: true, passive: true });
     // A canvas is cleared as its size changes, so that it has to be drawn before the browser shows it.
     new ResizeObserver(() => {
       this.resize();
@@ -282,39 +287,51 @@ export class Viewport {
     this.isStale = true;
   }
 
-  private aimZoom(clientX: number): void {
-    const { width, height } = this.canvas.getBoundingClientRect();
-    const share = width / this.layout.columns;
-    this.orbit.setPointerRegion(this.layout.columnAt(clientX) * share, share, height);
+  /** Draws the stage as it is now, at any size, and hands the canvas over before anything else is drawn on it. */
+  capture(shot: StageShot, use: (canvas: HTMLCanvasElement) => void): void {
+    const { renderer, layout, orbit, panes } = this;
+    this.advance(shot.seconds ?? 0);
+    drawAtSize({ renderer, layout, orbit, panes }, shot, (isLast) => {
+      this.resize();
+      this.draw(shot.hasAxes || isLast);
+      if (!isLast) use(this.canvas);
+    });
+  }
+
+  /** Lets time pass for what plays by itself; returns whether the files' animation does. */
+  private advance(seconds: number): boolean {
+    const { swing } = this;
+    if (swing.isPlaying) swing.phase += 2 * Math.PI * SWING_FREQUENCY * swing.speed * seconds;
+    return this.files.advance(seconds);
   }
 
   private resize(): void {
-    const { clientWidth, clientHeight } = this.canvas;
-    if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setSize(clientWidth, clientHeight, false);
-    this.orbit.setAspect(clientWidth / this.layout.columns / clientHeight);
+    const { width, height } = this.layout.canvasSize;
+    if (width === 0 || height === 0) return;
+    this.renderer.setSize(width, height, false);
+    this.orbit.setAspect(width / this.layout.columns / height);
     this.isStale = true;
   }
 
   private frame(time: number): void {
-    const { swing } = this;
     this.timer.update(time);
     const seconds = this.timer.getDelta();
     const hasMoved = this.orbit.update(seconds);
-    if (swing.isPlaying) swing.phase += 2 * Math.PI * SWING_FREQUENCY * swing.speed * seconds;
-    const isPlaying = this.files.advance(seconds);
-    if (!hasMoved && !this.isStale && !swing.isPlaying && !isPlaying) return;
+    if (this.isRecording) return;
+    const isPlaying = this.advance(seconds);
+    if (!hasMoved && !this.isStale && !this.swing.isPlaying && !isPlaying) return;
     this.isStale = false;
     this.draw();
   }
 
-  private draw(): void {
+  private draw(hasAxes = true): void {
     this.files.layFloors();
     this.renderer.setScissorTest(false);
     this.renderer.clear();
     this.renderer.setScissorTest(true);
     this.layout.regions().forEach((region, i) => this.drawPane(region, this.layout.isOverlaid && i > 0));
-    if (this.panes.original.mesh) this.axes.draw(this.renderer, this.orbit.camera, this.orbit.rotation);
+    if (hasAxes && this.panes.original.mesh)
+      this.axes.draw(this.renderer, this.orbit.camera, this.orbit.rotation);
   }
 
   private drawPane({ name, picture, visible }: PaneRegion, isOverlay: boolean): void {

@@ -30,6 +30,7 @@ import { keyOfFile } from '../../engine/stages/file_request';
 import { keyOf } from '../../engine/stages/stage';
 import type { TunedBody } from '../../engine/solvers/tuned_body';
 import type { SharedFaces } from '../../engine/stages/budget/file_targets';
+import type { ComparedMethod, MethodResult } from '../../engine/stages/equal_budget/equal_budget';
 
 export interface Started {
   threads: number;
@@ -300,6 +301,12 @@ export interface WorkerApi {
   /** `faces`: of the result that is explained. */
   why(body: number, settings: Settings, faces: number): Promise<WhyResult>;
   measure(body: number, settings: Settings, faces: number): Promise<ResultMetrics>;
+  /** What one method makes of the body at a number of faces; see resultAtBudget. */
+  methodAtBudget(
+    body: number,
+    settings: Settings,
+    budget: { name: ComparedMethod; faces: number },
+  ): Promise<MethodResult>;
   /** How many faces each body keeps; collapses the edges of all bodies first. */
   shares(settings: Settings, kept: KeptFaces): Promise<SharesResult>;
   export(settings: Settings, kept: KeptFaces, request: ExportRequest): Promise<ExportResult>;

@@ -24,6 +24,7 @@ import type { BodyRun } from '../../engine/stages/body_run';
 import { FileRun } from '../../engine/stages/file_run';
 import { requestFile, shareFaces } from '../../engine/stages/budget/file_targets';
 import type { FileAsked } from '../../engine/stages/budget/file_targets';
+import { resultAtBudget } from '../../engine/stages/equal_budget/equal_budget';
 import { FileOutput } from '../../engine/stages/file_output';
 import { runSettings } from '../../engine/stages/file_request';
 import { keyOf } from '../../engine/stages/stage';
@@ -264,6 +265,11 @@ const api: WorkerApi = {
       const { minAngle, meanMinAngle } = quality;
       const { hausdorff, mean } = distance;
       return { minAngle, meanMinAngle, hausdorff, mean, certificate, inspection };
+    }),
+  methodAtBudget: (body, settings, budget) =>
+    translateErrors(() => {
+      checkSettings(settings);
+      return resultAtBudget(runOf(body), settings, budget);
     }),
   shares: (settings, kept) =>
     translateErrors(() => {

@@ -1,5 +1,6 @@
 /** The summary as CSV (RFC 4180). */
 
+import { cell } from '../../engine/report/tables/csv_cell';
 import type { Summary, SummaryRow } from './summary';
 
 const COLUMNS = [
@@ -23,12 +24,4 @@ export function summaryCsv({ assets }: Summary): string {
     ...assets.map((row) => COLUMNS.map(([, read]) => read(row))),
   ];
   return rows.map((row) => `${row.map(cell).join(',')}\r\n`).join('');
-}
-
-/** Spreadsheets take texts that start like formulas for formulas, and run them: an apostrophe in front keeps them texts. */
-export function cell(value: string | number | null): string {
-  if (value === null) return '';
-  if (typeof value === 'number') return String(value);
-  const harmless = /^[=+\-@\t\r]/.test(value) ? `'${value}` : value;
-  return /[",\r\n]/.test(harmless) ? `"${harmless.replaceAll('"', '""')}"` : harmless;
 }

@@ -4,6 +4,7 @@ import { METHODS } from '../../../engine/core/methods';
 import { methodChange, methodOf, OPTIONS, readsSetting } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
 import { changeSettings, wants } from '../../state/store';
+import { MethodsButton } from '../methods/methods_button';
 import { BrushSection, NamedLocks } from './brush_section';
 import { FrequencyHint } from './frequency_hint';
 import { Choice, Section, Select, SettingRange, Toggle } from '../../controls/controls';
@@ -31,6 +32,7 @@ export function ReducePanel() {
           onChange={(value) => changeSettings(methodChange(value))}
         />
         <SettingControls section="method" />
+        <MethodsButton />
       </Section>
       <Section title="Stop before">
         <SettingControls section="limits" />

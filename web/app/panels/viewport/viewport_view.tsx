@@ -6,6 +6,7 @@ import { isBrushing, isPicking, results, view } from '../../state/store';
 import { Viewport } from '../../viewer/viewport';
 import { connectPicking, showPins } from '../motion/picking';
 import { showPaint } from '../reduce/brushing';
+import { PicturesButton } from '../pictures/pictures_button';
 import { Compare } from '../reduce/compare';
 import { connectHover, WhyCard } from '../reduce/why_card';
 import { connectDragging } from '../simulate/simulate_drag';
@@ -83,6 +84,7 @@ export function ViewportView() {
       <WhyCard getViewport={getViewport} />
       <TwinAlert />
       <Legend />
+      {results.body.value && !hasFailed && <PicturesButton />}
     </div>
   );
 }

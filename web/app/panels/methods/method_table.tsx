@@ -1,0 +1,92 @@
+/** The numbers of the methods, and buttons that copy them. */
+
+import { useState } from 'preact/hooks';
+import {
+  shownValue,
+  tableAsCsv,
+  tableAsLatex,
+  tableAsMarkdown,
+} from '../../../engine/report/tables/method_table';
+import type { Table } from '../../../engine/report/tables/method_table';
+import { METHOD_TITLES } from '../../../engine/stages/equal_budget/budget_table';
+import type { MethodResult } from '../../../engine/stages/equal_budget/equal_budget';
+
+const FORMS = [
+  { text: 'CSV', write: tableAsCsv },
+  { text: 'Markdown', write: tableAsMarkdown },
+  { text: 'LaTeX', write: tableAsLatex },
+] as const;
+
+const COPIED_MILLISECONDS = 2000;
+
+export function MethodTable({ table, failures }: { table: Table; failures: readonly MethodResult[] }) {
+  return (
+    <>
+      <div class="method-table" role="region" aria-label="Numbers of the methods" tabIndex={0}>
+        <table>
+          <thead>
+            <tr>
+              {table.columns.map(({ title }) => (
+                <th key={title} scope="col">
+                  {title}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {table.rows.map((row) => (
+              <tr key={row[0]}>
+                {row.map((value, c) => {
+                  const text = shownValue(value, table.columns[c]);
+                  return c === 0 ? (
+                    <th key={c} scope="row">
+                      {text}
+                    </th>
+                  ) : (
+                    <td key={c}>{text}</td>
+                  );
+                })}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <CopyButtons table={table} />
+      {failures.map(({ name, failure }) => (
+        <p key={name} class="hint">
+          {METHOD_TITLES[name]}: {failure}
+        </p>
+      ))}
+      <p class="hint">
+        Distances in % of the diagonal; frequencies of modes 1 to 10 as shells, as in the report; area and
+        volume against the original. Time runs from the welded mesh to the result, modes and fit included. A
+        limit that stops one of Limber's methods above the budget is lifted here; your weights count for the
+        chosen method, and pins, locks and paint are known to Limber's methods alone.
+      </p>
+    </>
+  );
+}
+
+function CopyButtons({ table }: { table: Table }) {
+  const [copied, setCopied] = useState('');
+  const copy = async (text: string, write: (table: Table) => string) => {
+    await navigator.clipboard.writeText(write(table));
+    setCopied(text);
+    setTimeout(() => setCopied(''), COPIED_MILLISECONDS);
+  };
+  return (
+    <div class="reports" role="group" aria-label="Copy the table">
+      <span>Copy as</span>
+      {FORMS.map(({ text, write }) => (
+        <button
+          key={text}
+          type="button"
+          aria-label={`Copy as ${text}`}
+          onClick={() => void copy(text, write)}
+        >
+          {copied === text ? 'Copied' : text}
+        </button>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,21 @@
+/** The button of the Reduce step that opens the comparison of methods. */
+
+import { comparison } from '../../state/methods';
+import { results, wants } from '../../state/store';
+
+export function MethodsButton() {
+  return (
+    <button
+      type="button"
+      disabled={!results.metrics.value}
+      aria-expanded={comparison.isOpen.value}
+      title="Limber, the paper, quadrics and meshoptimizer at the same number of faces: pictures and numbers"
+      onClick={() => {
+        wants.exportOpen.value = false;
+        comparison.isOpen.value = !comparison.isOpen.value;
+      }}
+    >
+      Compare methods
+    </button>
+  );
+}

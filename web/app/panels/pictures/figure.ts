@@ -1,0 +1,119 @@
+/** A figure as in the paper: original, chosen modes, strain, result, and both moved by the scenario of the Test step. */
+
+import { spellModes } from '../../../engine/core/mode_set';
+import type { MeshAt, TriangleMesh } from '../../../engine/core/core';
+import { scenarioWords } from '../../../engine/core/scenarios';
+import { count } from '../../controls/numbers';
+import { endPose } from '../../state/end_pose';
+import { LIGHT } from '../../state/scheme';
+import { results, shownMesh, wants } from '../../state/store';
+import { drawFigure } from '../../viewer/picture/figure_pictures';
+import type { FigureBody } from '../../viewer/picture/figure_pictures';
+import type { Viewport } from '../../viewer/viewport';
+import type { ModesResult } from '../../worker/protocol';
+import { guidingModes } from '../motion/mode_choice';
+import { composeFigure } from './figure_page';
+import type { FigurePicture } from './figure_page';
+import type { PictureJob } from './pictures_state';
+import { pictures } from './pictures_state';
+import { pngOf } from './stage_picture';
+
+/** Modes that are drawn, at most. */
+const MOST_MODES = 3;
+/** Of the diagonal: large enough to be seen in print. */
+const AMPLITUDE = 0.12;
+/** Of each picture, in pixels. */
+const HEIGHT = 720;
+/** Edges of a mesh with more faces cannot be told apart in a picture. */
+const MOST_FACES_WITH_EDGES = 12_000;
+
+/** A body of the figure with the words below it. */
+interface CaptionedBody extends FigureBody {
+  title: string;
+  detail: string;
+  /** whether the scale of the strain stands below */
+  hasScale: boolean;
+}
+
+/** Whether everything that the figure shows has been computed. */
+export const canDrawFigure = (): boolean =>
+  results.modes.value !== null &&
+  results.guidance.value !== null &&
+  results.metrics.value !== null &&
+  shownMesh.value !== null;
+
+/** PNG; null where it was cancelled. */
+export async function figurePng(viewport: Viewport, job: PictureJob): Promise<Uint8Array | null> {
+  const original = results.body.value!.mesh;
+  const result = shownMesh.value!;
+  const pose = await endPose(job);
+  if (!pose) return null;
+  const moved = (mesh: TriangleMesh, positions: Float32Array): TriangleMesh => ({ ...mesh, positions });
+  const motion = scenarioWords(wants.settings.value.scenario).label;
+  const bodies = [
+    plain('Original', original),
+    ...modeBodies(original, results.modes.value!),
+    strainBody(original),
+    plain('Optimized', result.mesh),
+    plain(`${motion}, original`, moved(original, pose.bodies.original.positions)),
+    plain(`${motion}, optimized`, movedResult(result, pose.bodies.optimized.positions)),
+  ];
+  return pngOf(composeFigure(drawBodies(bodies, viewport), { isTransparent: pictures.isTransparent.value }));
+}
+
+const movedResult = ({ mesh }: MeshAt, positions: Float32Array): TriangleMesh => ({ ...mesh, positions });
+
+const faces = ({ triangles }: TriangleMesh): number => triangles.length / 3;
+const hasWires = (mesh: TriangleMesh): boolean => faces(mesh) <= MOST_FACES_WITH_EDGES;
+
+const plain = (title: string, mesh: TriangleMesh): CaptionedBody => ({
+  ...{ mesh, field: null, hasWires: hasWires(mesh) },
+  ...{ title, detail: `${count(faces(mesh))} faces`, hasScale: false },
+});
+
+/** The first chosen modes, swung, coloured by the strain of each. */
+function modeBodies(mesh: TriangleMesh, modes: ModesResult): CaptionedBody[] {
+  const { diagonal } = results.body.value!;
+  const size = mesh.positions.length;
+  const chosen = guidingModes().filter((number) => number <= modes.modesPerComponent);
+  return chosen.slice(0, MOST_MODES).map((number) => {
+    const shape = modes.shapes.subarray((number - 1) * size, number * size);
+    const ranks = modes.ranks.subarray((number - 1) * faces(mesh), number * faces(mesh));
+    const leading = modes.modes.find(({ ordinal }) => ordinal === number - 1);
+    return {
+      mesh: { ...mesh, positions: mesh.positions.map((value, i) => value + AMPLITUDE * diagonal * shape[i]) },
+      field: { on: 'triangles', values: Float32Array.from(ranks, (rank) => rank / 255) },
+      hasWires: false,
+      title: `Mode ${number}`,
+      detail: leading ? `${(leading.omega / (2 * Math.PI)).toPrecision(3)} Hz` : '',
+      hasScale: false,
+    };
+  });
+}
+
+function strainBody(mesh: TriangleMesh): CaptionedBody {
+  const chosen = guidingModes();
+  return {
+    mesh,
+    field: { on: 'triangles', values: results.guidance.value!.rank },
+    hasWires: false,
+    title: 'Strain',
+    detail: `mode${chosen.length === 1 ? '' : 's'} ${spellModes(chosen)}`,
+    hasScale: true,
+  };
+}
+
+/** From the direction in which the stage is seen now. */
+function drawBodies(bodies: readonly CaptionedBody[], { orbit }: Viewport): FigurePicture[] {
+  const { clay, wire } = LIGHT;
+  const drawn: FigurePicture[] = [];
+  const eye = { orientation: orbit.camera.quaternion.clone(), height: HEIGHT, clay, wire };
+  drawFigure(bodies, eye, (canvas, index) => {
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    copy.getContext('2d')?.drawImage(canvas, 0, 0);
+    const { title, detail, hasScale } = bodies[index];
+    drawn.push({ canvas: copy, title, detail, hasScale });
+  });
+  return drawn;
+}

@@ -1,0 +1,244 @@
+/** Saves what the stage shows: as a picture of any size, a video, a chart or a figure. */
+
+import { useEffect, useRef } from 'preact/hooks';
+import { scenarioWords } from '../../../engine/core/scenarios';
+import { Section, Select, Toggle } from '../../controls/controls';
+import { count } from '../../controls/numbers';
+import { Spoken } from '../../controls/spoken';
+import { results, view, wants } from '../../state/store';
+import { twin } from '../../state/twin';
+import { viewportHandle } from '../viewport/viewport_view';
+import { deviationSvg } from './deviation_svg';
+import { canDrawFigure, figurePng } from './figure';
+import { SIZES, cancelPicture, makePicture, pictures } from './pictures_state';
+import type { PictureJob, SizeName } from './pictures_state';
+import { recordTest, recordTurntable } from './recordings';
+import { PIXELS, drawStage, pngOf, sizeOf } from './stage_picture';
+import type { Viewport } from '../../viewer/viewport';
+import './pictures.css';
+
+const SIZE_NAMES: Record<SizeName, string> = {
+  '1x': 'As on the screen',
+  '2x': 'Twice as large',
+  '4k': '4K wide',
+  custom: 'Custom',
+};
+
+export function PicturesPanel() {
+  if (!pictures.isOpen.value || !results.body.value) return null;
+  return <OpenPanel />;
+}
+
+const close = (): void => {
+  pictures.isOpen.value = false;
+  document.querySelector<HTMLElement>('.pictures-button')?.focus();
+};
+
+function OpenPanel() {
+  const heading = useRef<HTMLHeadingElement>(null);
+  useEffect(() => heading.current?.focus(), []);
+  return (
+    <aside
+      class="panel pictures"
+      aria-labelledby="pictures-title"
+      onKeyDown={(event) => {
+        if (event.key === 'Escape') close();
+      }}
+    >
+      <div class="panel-head">
+        <h2 id="pictures-title" ref={heading} tabIndex={-1}>
+          Pictures
+        </h2>
+        <button type="button" class="quiet" aria-label="Close the pictures" onClick={close}>
+          Close
+        </button>
+      </div>
+      <Working />
+      <StageSection />
+      <VideoSection />
+      <FigureSection />
+    </aside>
+  );
+}
+
+function Working() {
+  const { value: work } = pictures.work;
+  if (!work) return <Spoken text="" />;
+  return (
+    <div class="picture-work">
+      <Spoken text={work.what} />
+      <span>
+        {work.what} <span class="muted">{Math.round(100 * work.share)}&nbsp;%</span>
+      </span>
+      <button type="button" class="quiet" onClick={cancelPicture}>
+        Cancel
+      </button>
+      <progress max={1} value={work.share} aria-label={work.what} />
+    </div>
+  );
+}
+
+type Making = Parameters<typeof makePicture>[0];
+
+/** A button that makes one file at a time; nothing happens without a picture on the page. */
+function MakeButton({ text, isPrimary = false, disabled = false, title, file, make }: MakeButtonProps) {
+  const isWorking = pictures.work.value !== null;
+  return (
+    <button
+      type="button"
+      class={isPrimary ? 'primary' : undefined}
+      title={title}
+      disabled={disabled || isWorking}
+      onClick={() => {
+        const { current } = viewportHandle;
+        if (current) void makePicture(file, (job) => make(current, job));
+      }}
+    >
+      {text}
+    </button>
+  );
+}
+
+interface MakeButtonProps {
+  text: string;
+  isPrimary?: boolean;
+  disabled?: boolean;
+  title?: string;
+  file: Making;
+  make(viewport: Viewport, job: PictureJob): Promise<Uint8Array | string | null>;
+}
+
+function StageSection() {
+  const { size, hasLegend, isTransparent } = pictures;
+  return (
+    <Section title="The stage">
+      <Select
+        label="Size"
+        options={SIZES.map((value) => ({ value, text: SIZE_NAMES[value] }))}
+        value={size.value}
+        onChange={(value) => (size.value = value as SizeName)}
+      />
+      {size.value === 'custom' && <CustomSize />}
+      <Toggle label="Legend" checked={hasLegend.value} onChange={(on) => (hasLegend.value = on)} />
+      <Toggle
+        label="Transparent background"
+        checked={isTransparent.value}
+        onChange={(on) => (isTransparent.value = on)}
+      />
+      <MakeButton
+        text="Save PNG"
+        isPrimary
+        file={{ what: 'Drawing the picture', ending: 'picture.png', type: 'image/png' }}
+        make={(viewport) =>
+          pngOf(
+            drawStage(viewport, sizeOf(size.value), {
+              isTransparent: isTransparent.value,
+              hasLegend: hasLegend.value,
+            }),
+          )
+        }
+      />
+    </Section>
+  );
+}
+
+function CustomSize() {
+  const { value: custom } = pictures.custom;
+  const field = (name: 'width' | 'height', label: string) => (
+    <input
+      type="number"
+      aria-label={label}
+      min={PIXELS.least}
+      max={PIXELS.most}
+      value={custom[name]}
+      onChange={({ currentTarget }) => {
+        const pixels = Math.round(currentTarget.valueAsNumber);
+        if (Number.isFinite(pixels))
+          pictures.custom.value = {
+            ...custom,
+            [name]: Math.min(PIXELS.most, Math.max(PIXELS.least, pixels)),
+          };
+        // What is out of range becomes the nearest size that is not.
+        currentTarget.value = String(pictures.custom.value[name]);
+      }}
+    />
+  );
+  return (
+    <div class="custom-size">
+      {field('width', 'Width in pixels')} × {field('height', 'Height in pixels')}
+      <span class="muted">pixels</span>
+    </div>
+  );
+}
+
+const LONGEST_VIDEO = 60;
+
+function VideoSection() {
+  const { seconds } = pictures;
+  const isTest = view.step.value === 'test';
+  return (
+    <Section title="Video" hint="WebM with 30 pictures a second; none is lost, however long one takes.">
+      <label class="control">
+        <span>Seconds</span>
+        <input
+          type="number"
+          min={0.1}
+          max={LONGEST_VIDEO}
+          step="any"
+          value={seconds.value}
+          onChange={({ currentTarget: { valueAsNumber } }) => {
+            if (Number.isFinite(valueAsNumber))
+              seconds.value = Math.min(LONGEST_VIDEO, Math.max(0.1, valueAsNumber));
+          }}
+        />
+      </label>
+      <div class="buttons">
+        <MakeButton
+          text="Save turntable"
+          title="Once around what the stage shows"
+          file={{ what: 'Recording the turntable', ending: 'turntable.webm', type: 'video/webm' }}
+          make={recordTurntable}
+        />
+        {isTest && (
+          <MakeButton
+            text="Save motion"
+            title="The motion of this step from its start, at its own pace"
+            disabled={twin.frame.value === null}
+            file={{ what: 'Recording the motion', ending: 'motion.webm', type: 'video/webm' }}
+            make={recordTest}
+          />
+        )}
+      </div>
+      {isTest && (
+        <MakeButton
+          text="Save chart as SVG"
+          title="The deviation over time"
+          disabled={twin.samples.value.length < 2}
+          file={{ what: 'Drawing the chart', ending: 'deviation.svg', type: 'image/svg+xml' }}
+          make={() => Promise.resolve(deviationSvg(twin.samples.value, chartTitle()))}
+        />
+      )}
+    </Section>
+  );
+}
+
+const chartTitle = (): string =>
+  `${results.file.value!.name}, ${scenarioWords(wants.settings.value.scenario).label.toLowerCase()}: ${count(results.metrics.value?.inspection.faces ?? 0)} of ${count(results.body.value!.inspection.faces)} faces`;
+
+function FigureSection() {
+  return (
+    <Section
+      title="Figure"
+      hint="Original, chosen modes, strain, result, and both moved by the scenario of the Test step, on one page."
+    >
+      <MakeButton
+        text="Save figure"
+        disabled={!canDrawFigure()}
+        title={canDrawFigure() ? undefined : 'Go to Reduce first: the figure shows the result'}
+        file={{ what: 'Moving both for the figure', ending: 'figure.png', type: 'image/png' }}
+        make={figurePng}
+      />
+      {!canDrawFigure() && <p class="hint">Go to Reduce first: the figure shows the result.</p>}
+    </Section>
+  );
+}

@@ -1,0 +1,57 @@
+/** The panel of pictures: what is asked for, and what is being drawn. */
+
+import { signal } from '@preact/signals';
+import { exportRequest } from '../../state/runner';
+import { complain } from '../../state/running';
+import { download } from '../../files/files';
+
+/** Sizes of a picture: the stage's own times a factor, a width in pixels, or a width and a height. */
+export const SIZES = ['1x', '2x', '4k', 'custom'] as const;
+export type SizeName = (typeof SIZES)[number];
+
+export const pictures = {
+  isOpen: signal(false),
+  size: signal<SizeName>('2x'),
+  /** pixels, of a size of one's own */
+  custom: signal({ width: 1920, height: 1080 }),
+  hasLegend: signal(true),
+  isTransparent: signal(false),
+  /** s, of a video */
+  seconds: signal(4),
+  /** what is being drawn, and how far it is, 0..1 */
+  work: signal<{ what: string; share: number } | null>(null),
+};
+
+let running: AbortController | null = null;
+
+export const cancelPicture = (): void => running?.abort();
+
+export interface PictureJob {
+  signal: AbortSignal;
+  onProgress(share: number): void;
+}
+
+/** Makes a picture or a video and saves it, one at a time; null: it was cancelled. */
+export async function makePicture(
+  { what, ending, type }: { what: string; ending: string; type: string },
+  make: (job: PictureJob) => Promise<Uint8Array | string | null>,
+): Promise<void> {
+  if (running) return;
+  const own = (running = new AbortController());
+  const onProgress = (share: number): void => void (pictures.work.value = { what, share });
+  onProgress(0);
+  try {
+    // What is going on is shown before the work begins.
+    await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+    const content = await make({ signal: own.signal, onProgress });
+    if (content !== null && !own.signal.aborted) download(pictureName(ending), content, type);
+  } catch (error) {
+    complain(error);
+  } finally {
+    running = null;
+    pictures.work.value = null;
+  }
+}
+
+/** "bar-figure.png" for bar.glb: as the export names its files. */
+const pictureName = (ending: string): string => exportRequest().output.replace(/-limber\.glb$/, `-${ending}`);

@@ -1,0 +1,98 @@
+/** Videos of the stage: once around it, and the motion of the Test step, step by step. */
+
+import { STEP_SECONDS } from '../../../engine/motion/simulation';
+import { reset, stepOnce } from '../../state/simulation';
+import { twin } from '../../state/twin';
+import { Recorder } from '../../viewer/picture/recorder';
+import type { Viewport } from '../../viewer/viewport';
+import type { PictureJob } from './pictures_state';
+import { pictures } from './pictures_state';
+import { drawStage, sizeOf } from './stage_picture';
+import type { PictureSize, StageMoment } from './stage_picture';
+
+/** Frames per second; two steps of a simulation last as long as one. */
+const RATE = 30;
+const STEPS_PER_FRAME = Math.round(1 / (RATE * STEP_SECONDS));
+/** A longer side would take encoders too long. */
+const MOST_PIXELS = 1920;
+
+/** As the chosen size, with even sides, which video needs. */
+function videoSize(): PictureSize {
+  const { width, height, scale } = sizeOf(pictures.size.value);
+  const factor = Math.min(1, MOST_PIXELS / Math.max(width, height));
+  const even = (value: number): number => 2 * Math.max(8, Math.round((factor * value) / 2));
+  return { width: even(width), height: even(height), scale: factor * scale };
+}
+
+/** Draws `frames` pictures, each after what `prepare` waits for; null where it was cancelled. */
+async function record(
+  viewport: Viewport,
+  { signal, onProgress }: PictureJob,
+  { frames, prepare }: { frames: number; prepare: (frame: number) => Promise<StageMoment | null> },
+): Promise<Uint8Array | null> {
+  const size = videoSize();
+  const recorder = await Recorder.open({ ...size, rate: RATE });
+  const hasLegend = pictures.hasLegend.value;
+  viewport.isRecording = true;
+  try {
+    for (let frame = 0; frame < frames && !signal.aborted; frame++) {
+      const moment = await prepare(frame);
+      if (!moment) break;
+      await recorder.add(drawStage(viewport, size, { isTransparent: false, hasLegend, ...moment }));
+      onProgress((frame + 1) / frames);
+    }
+    return signal.aborted ? null : await recorder.finish();
+  } finally {
+    recorder.cancel();
+    viewport.isRecording = false;
+  }
+}
+
+const frameCount = (): number => Math.max(1, Math.round(RATE * pictures.seconds.value));
+
+/** One turn around the stage, during which what plays goes on. */
+export function recordTurntable(viewport: Viewport, job: PictureJob): Promise<Uint8Array | null> {
+  const frames = frameCount();
+  const prepare = (frame: number): Promise<StageMoment> =>
+    Promise.resolve({ angle: (2 * Math.PI * frame) / frames, seconds: frame === 0 ? 0 : 1 / RATE });
+  return record(viewport, job, { frames, prepare });
+}
+
+/** The motion of the Test step from its start, at its own pace however long a step takes. */
+export async function recordTest(viewport: Viewport, job: PictureJob): Promise<Uint8Array | null> {
+  twin.playing.value = false;
+  reset();
+  await frameAfter(-1, job.signal);
+  const prepare = async (frame: number): Promise<StageMoment | null> => {
+    for (let step = 0; step < STEPS_PER_FRAME && frame > 0; step++) {
+      const { time } = twin.frame.value!;
+      stepOnce();
+      if (!(await frameAfter(time, job.signal))) return null;
+    }
+    return {};
+  };
+  return record(viewport, job, { frames: frameCount(), prepare });
+}
+
+/** Waits for a frame that is later than `time`; whether one has come and more can follow. Throws where the motion has failed. */
+function frameAfter(time: number, signal: AbortSignal): Promise<boolean> {
+  return new Promise((resolve, reject) => {
+    const settle = (isThere: boolean): void => {
+      unsubscribe();
+      unsubscribeFailure();
+      resolve(isThere);
+    };
+    let unsubscribe = (): void => {};
+    const unsubscribeFailure = twin.failure.subscribe((failure) => {
+      if (!failure) return;
+      unsubscribe();
+      reject(new Error(failure));
+    });
+    unsubscribe = twin.frame.subscribe((frame) => {
+      if (!frame || frame.time <= time) return;
+      // The effects that move the bodies on the stage follow the same signal.
+      setTimeout(() => settle(frame.diverged.length === 0));
+    });
+    signal.addEventListener('abort', () => settle(false), { once: true });
+  });
+}

@@ -1,0 +1,77 @@
+/** Methods at an equal budget: what is asked for, and the results that are there. */
+
+import { computed, signal } from '@preact/signals';
+import type { Settings } from '../../engine/settings/options';
+import { COMPARED_METHODS } from '../../engine/stages/equal_budget/equal_budget';
+import type { MethodResult } from '../../engine/stages/equal_budget/equal_budget';
+import type { Client } from './client';
+import { results, view, wantedFaces, wants } from './store';
+
+export interface ComparedMethods {
+  /** see comparisonKey */
+  key: string;
+  /** the most faces that each result may have */
+  faces: number;
+  /** in the order of COMPARED_METHODS; fewer while methods still run */
+  results: readonly MethodResult[];
+}
+
+export const comparison = {
+  isOpen: signal(false),
+  compared: signal<ComparedMethods | null>(null),
+};
+
+/** Settings that lead to another comparison; what is exported or simulated plays no part. */
+const READ = [
+  ...(['method', 'strainWeight', 'curvatureWeight', 'qualityWeight', 'sizeWeight'] as const),
+  ...([
+    'fit',
+    'model',
+    'modeCount',
+    'modes',
+    'modeWeights',
+    'p',
+    'strainThreshold',
+    'direction',
+    'exact',
+  ] as const),
+  ...(['pins', 'young', 'poisson', 'density', 'thickness', 'unit'] as const),
+  ...(['maxDeviation', 'maxFrequencyError', 'minAngle', 'solver', 'tune', 'engine'] as const),
+  ...(['bendRatio', 'massRule'] as const),
+  ...(['borders', 'seams', 'symmetry', 'creases', 'keep', 'lock', 'paint', 'weld'] as const),
+] satisfies (keyof Settings)[];
+
+/** Text that is equal for equal comparisons of the shown body. */
+export const comparisonKey = (): string =>
+  JSON.stringify([
+    results.opened.value,
+    wants.body.value,
+    wantedFaces.value,
+    READ.map((name) => wants.settings.value[name]),
+  ]);
+
+/** Null while the panel is closed or there is nothing to compare. */
+export const comparisonTaskKey = (): string | null =>
+  comparison.isOpen.value && view.step.value === 'reduce' && results.history.value && results.metrics.value
+    ? comparisonKey()
+    : null;
+
+/** What belongs to the settings as they are now. */
+export const shownComparison = computed(() =>
+  comparison.compared.value?.key === comparisonKey() ? comparison.compared.value : null,
+);
+
+/** Runs the methods that are still missing, one after the other, and shows each as soon as it is there. */
+export async function compareMethods(client: Client): Promise<ComparedMethods> {
+  const key = comparisonKey();
+  const [body, settings, faces] = [wants.body.value, wants.settings.value, wantedFaces.value];
+  let compared: ComparedMethods = shownComparison.value ?? { key, faces, results: [] };
+  for (const name of COMPARED_METHODS.slice(compared.results.length)) {
+    const result = await client.call<MethodResult>((worker) =>
+      worker.methodAtBudget(body, settings, { name, faces }),
+    );
+    compared = { ...compared, results: [...compared.results, result] };
+    comparison.compared.value = compared;
+  }
+  return compared;
+}
