@@ -3,6 +3,7 @@
 import { Client, WorkerLost } from './client';
 import { isMissingFile, reloadPage } from './offline';
 import type { CallProgress } from '../worker/protocol';
+import { Replayer } from './replayer';
 import { status } from './store';
 import type { Notice } from './store';
 
@@ -12,12 +13,18 @@ const STUCK_MILLISECONDS = 60_000;
 
 const WORKER_LOST = 'The computation has stopped unexpectedly';
 
-export const client = new Client(new URL('.', document.baseURI).href, () => {
+const base = new URL('.', document.baseURI).href;
+
+export const replayer = new Replayer(base);
+
+export const client = new Client(base, tellRestarted, (port) => replayer.listen(port));
+
+function tellRestarted(): void {
   status.notice.value = {
     kind: 'info',
     text: `${WORKER_LOST}. It has started again, and your work is as it was.`,
   };
-});
+}
 
 export function complain(error: unknown): void {
   status.notice.value = noticeOf(error);

@@ -117,10 +117,17 @@ export const view = {
   }),
 };
 
+const isComputing = signal(false);
+const isReplaying = signal(false);
+
 /** What is going on. */
 export const status = {
+  /** whether the runner has tasks to run */
+  isComputing,
+  /** whether the history is being replayed */
+  isReplaying,
   /** whether stages are running or about to run */
-  working: signal(false),
+  working: computed(() => isComputing.value || isReplaying.value),
   /** `seconds`: since the phase that the progress counts has begun, or the first body */
   busy: signal<{ what: string; progress: CallProgress | null; seconds: number } | null>(null),
   /** the stage that the user has cancelled, and that waits to be run again */

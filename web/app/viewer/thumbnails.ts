@@ -7,7 +7,7 @@ import { geometryFrom, setDisplacement, setField } from './body_geometry';
 import { mapTexture } from './colours';
 import { drawnArrays } from './drawn_arrays';
 import type { DrawnArrays } from './drawn_arrays';
-import { isPreparedAtOnce, prepareArrays } from './prepared_arrays';
+import { isPreparedAtOnce, prepareExactly } from './prepared_arrays';
 import { surfaceMaterial } from './surface_material';
 import { isLarge } from './twin_surface';
 
@@ -71,7 +71,7 @@ export class Thumbnails {
     const request = ++this.requests;
     const { mesh } = gallery;
     if (isPreparedAtOnce(mesh)) return this.put(gallery, drawnArrays(mesh), rotation);
-    void prepareArrays(mesh)
+    void prepareExactly(mesh)
       .catch(() => drawnArrays(mesh))
       .then((drawn) => {
         if (request === this.requests) this.put(gallery, drawn, rotation);

@@ -56,7 +56,7 @@ export class Viewport {
     this.renderer.toneMapping = THREE.NeutralToneMapping;
     this.maps = { viridis: mapTexture('viridis'), cividis: mapTexture('cividis') };
     const ratio = this.renderer.getPixelRatio();
-    const pane = (): Pane => new Pane(this.maps.viridis, ratio);
+    const pane = (): Pane => new Pane(this.maps.viridis, ratio, () => (this.isStale = true));
     this.panes = { original: pane(), optimized: pane() };
     this.files = new ShownFiles(this.renderer, this.panes);
     this.pickPreview = new Dots(ratio);
@@ -291,7 +291,10 @@ export class Viewport {
   private resize(): void {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setSize(clientWidth, clientHeight, false);
+    const size = this.renderer.getSize(new THREE.Vector2());
+    // A canvas that is given a size, even its own, waits for all that it still has to draw.
+    if (size.x !== clientWidth || size.y !== clientHeight)
+      this.renderer.setSize(clientWidth, clientHeight, false);
     this.orbit.setAspect(clientWidth / this.layout.columns / clientHeight);
     this.isStale = true;
   }
