@@ -53,15 +53,17 @@ export class Viewport {
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     // All panes are cleared at once.
     this.renderer.autoClear = false;
+    // To ask for errors is to wait for the graphics card.
+    this.renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.renderer.toneMapping = THREE.NeutralToneMapping;
     this.maps = { viridis: mapTexture('viridis'), cividis: mapTexture('cividis') };
     const ratio = this.renderer.getPixelRatio();
     const pane = (): Pane => new Pane(this.maps.viridis, ratio, () => (this.isStale = true));
     this.panes = { original: pane(), optimized: pane() };
-    this.files = new ShownFiles(this.renderer, this.panes);
     this.pickPreview = new Dots(ratio);
     this.panes.original.scene.add(this.pickPreview.points, this.ring.line);
     this.orbit = new OrbitCamera(canvas);
+    this.files = new ShownFiles(this.renderer, this.orbit.camera, this.panes);
     this.layout = new PaneLayout(canvas);
     for (const name of ['wheel', 'pointerdown'] as const)
       canvas.addEventListener(name, ({ clientX }) => this.aimZoom(clientX), { capture: true, passive: true });
