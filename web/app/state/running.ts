@@ -3,6 +3,7 @@
 import { Client, WorkerLost } from './client';
 import { isMissingFile, reloadPage } from './offline';
 import type { CallProgress } from '../worker/protocol';
+import { remainingTime, shareDone } from './remaining';
 import { Replayer } from './replayer';
 import { status } from './store';
 import type { Notice } from './store';
@@ -49,12 +50,14 @@ export async function whileBusy<T>(what: string, make: () => Promise<T>): Promis
   let begin = performance.now();
   let phase = '';
   const isStuck = stuckness();
+  const remaining = remainingTime();
   const show = () => {
     const progress = client.progress();
     const now = performance.now();
     const own = progress?.part ? 'bodies' : (progress?.phase ?? '');
     if (own !== phase) [phase, begin] = [own, now];
-    status.busy.value = { what, progress, seconds: (now - begin) / 1000 };
+    const left = remaining((now - begin) / 1000, shareDone(progress));
+    status.busy.value = { what, progress, left };
     if (isStuck(progress)) offerRestart(what);
     frame = requestAnimationFrame(show);
   };

@@ -128,8 +128,8 @@ export const status = {
   isReplaying,
   /** whether stages are running or about to run */
   working: computed(() => isComputing.value || isReplaying.value),
-  /** `seconds`: since the phase that the progress counts has begun, or the first body */
-  busy: signal<{ what: string; progress: CallProgress | null; seconds: number } | null>(null),
+  /** `left`: remaining seconds of the phase that the progress counts, or of all bodies, see remaining.ts */
+  busy: signal<{ what: string; progress: CallProgress | null; left: number | null } | null>(null),
   /** the stage that the user has cancelled, and that waits to be run again */
   paused: signal<string | null>(null),
   notice: signal<Notice | null>(null),
