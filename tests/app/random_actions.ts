@@ -32,12 +32,18 @@ const files = () => [
 ];
 
 async function slide(page: Page, random: Random): Promise<boolean> {
+  await goTo(page, 'Reduce');
   const slider = keptFaces(page).or(page.getByRole('slider', { name: 'Kept faces of the scene' }));
-  if (!(await slider.isVisible()) || (await slider.isDisabled())) return false;
+  await slider.and(page.locator(':enabled')).waitFor({ timeout: 2000 });
   const [low, high] = [await slider.getAttribute('min'), await slider.getAttribute('max')].map(Number);
   for (let move = 0; move < 5; move++)
     await slider.fill(String(Math.round(low + random() * (high - low))), { timeout: 1000 });
   return true;
+}
+
+async function chooseMode(page: Page, random: Random): Promise<boolean> {
+  await goTo(page, 'Motion');
+  return clickOne(page, '.mode-card button.mode', random);
 }
 
 /** Clicks one of the elements that are shown; false where there is none. */
@@ -49,6 +55,7 @@ async function clickOne(page: Page, selector: string, random: Random): Promise<b
 }
 
 async function pinText(page: Page, random: Random): Promise<boolean> {
+  await goTo(page, 'Motion');
   const field = page.getByRole('textbox', { name: 'Held in place, as text' });
   if (!(await field.isVisible())) return false;
   await field.fill(pick(random, ['low:6', 'high:3', '', 'low:2 + high:2']), { timeout: 1000 });
@@ -94,7 +101,7 @@ const press =
 export const ACTIONS: Record<string, { weight: number; act: Action }> = {
   step: { weight: 5, act: (page, random) => goTo(page, pick(random, STEPS)).then(() => true) },
   slider: { weight: 8, act: slide },
-  mode: { weight: 4, act: (page, random) => clickOne(page, '.mode-card button.mode', random) },
+  mode: { weight: 4, act: chooseMode },
   look: { weight: 4, act: (page, random) => clickOne(page, '.legend .choice button', random) },
   option: { weight: 3, act: (page, random) => clickOne(page, '.panel.right .choice button', random) },
   pins: { weight: 2, act: pinText },

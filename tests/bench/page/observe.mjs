@@ -1,19 +1,12 @@
-// What a page is watched with while it is measured: long tasks, calls of WebGL and of the page's own frames.
+// What a page is watched with while it is measured: calls of WebGL and the page's own frames.
 
 /** Runs in the page before its own scripts; what it sees is in `globalThis.measured`, times in ms. */
 export function observe() {
-  const measured = { tasks: [], gl: [], frames: [], uploads: [], usable: null };
+  const measured = { gl: [], frames: [], uploads: [], usable: null };
   globalThis.measured = measured;
-  watchTasks();
   watchWebgl();
   watchFrames();
   watchStart();
-
-  function watchTasks() {
-    new PerformanceObserver((list) => {
-      for (const { startTime, duration } of list.getEntries()) measured.tasks.push({ startTime, duration });
-    }).observe({ type: 'longtask', buffered: true });
-  }
 
   function watchWebgl() {
     const uploads = new Set(['bufferData', 'bufferSubData', 'texImage2D', 'texSubImage2D', 'texStorage2D']);
@@ -87,21 +80,7 @@ export function observe() {
 /** Forgets what has been measured so far. */
 export const forget = (page) =>
   page.evaluate(() => {
-    for (const list of ['tasks', 'gl', 'frames', 'uploads']) globalThis.measured[list].length = 0;
-  });
-
-/** The longest task since `forget` without its calls of WebGL, these calls, and how many tasks were over 50 ms without them. */
-export const longestTask = (page) =>
-  page.evaluate(() => {
-    const { tasks, gl } = globalThis.measured;
-    const parts = tasks.map(({ startTime, duration }) => {
-      const inside = gl.filter(({ start }) => start >= startTime - 1 && start < startTime + duration);
-      const calls = inside.reduce((sum, call) => sum + call.duration, 0);
-      return { own: duration - calls, calls, at: startTime };
-    });
-    const most = parts.reduce((a, b) => (b.own > a.own ? b : a), { own: 0, calls: 0, at: 0 });
-    const calls = Math.max(0, ...parts.map((part) => part.calls));
-    return { own: most.own, calls, over: parts.filter(({ own }) => own > 50).length, at: most.at };
+    for (const list of ['gl', 'frames', 'uploads']) globalThis.measured[list].length = 0;
   });
 
 /**

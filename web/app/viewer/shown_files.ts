@@ -46,10 +46,11 @@ export class ShownFiles {
     return name === 'original' && model !== null && !isSameBox(before, this.corners());
   }
 
-  /** Waits until the graphics card can draw a model, which otherwise would keep the page waiting. */
+  /** Waits until the graphics card can draw a model, where it can say so; otherwise the first drawing keeps the page waiting. */
   private async compile(model: SceneModel, name: PaneName): Promise<void> {
     const look = this.looks[name];
     if (look) model.look(look);
+    if (!this.renderer.extensions.has('KHR_parallel_shader_compile')) return;
     await this.renderer.compileAsync(model.root, this.camera, this.panes[name].scene);
   }
 
