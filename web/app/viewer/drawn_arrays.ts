@@ -58,11 +58,15 @@ export function quickArrays(mesh: TriangleMesh): DrawnArrays {
 function boundsOf({ positions, triangles }: TriangleMesh): Pick<DrawnArrays, 'low' | 'high'> {
   const low: [number, number, number] = [Infinity, Infinity, Infinity];
   const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
-  for (let corner = 0; corner < triangles.length; corner++)
+  const isUsed = new Uint8Array(positions.length / 3);
+  for (let corner = 0; corner < triangles.length; corner++) isUsed[triangles[corner]] = 1;
+  for (let v = 0; v < isUsed.length; v++) {
+    if (isUsed[v] === 0) continue;
     for (let c = 0; c < 3; c++) {
-      const value = positions[3 * triangles[corner] + c];
+      const value = positions[3 * v + c];
       if (value < low[c]) low[c] = value;
       if (value > high[c]) high[c] = value;
     }
+  }
   return { low, high };
 }

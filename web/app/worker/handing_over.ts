@@ -10,8 +10,20 @@ const isNumbers = (value: unknown): value is Numbers =>
 const isPlain = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && Object.getPrototypeOf(value) === Object.prototype;
 
-/** A copy of plain data, with the buffers of its typed arrays, which `value` keeps for itself. */
-export function copyOf<T>(value: T): { copy: T; buffers: ArrayBuffer[] } {
+/** The buffers of the typed arrays in plain data, each once. */
+export function buffersOf(value: unknown): ArrayBuffer[] {
+  const found = new Set<ArrayBuffer>();
+  const look = (part: unknown): void => {
+    if (isNumbers(part)) found.add(part.buffer as ArrayBuffer);
+    else if (Array.isArray(part)) part.forEach(look);
+    else if (isPlain(part)) Object.values(part).forEach(look);
+  };
+  look(value);
+  return [...found];
+}
+
+/** A copy of plain data with typed arrays of its own. */
+export function copyOf<T>(value: T): T {
   const copies = new Map<unknown, Numbers>();
   const copied = (part: unknown): unknown => {
     if (isNumbers(part)) {
@@ -23,12 +35,11 @@ export function copyOf<T>(value: T): { copy: T; buffers: ArrayBuffer[] } {
     if (!isPlain(part)) return part;
     return Object.fromEntries(Object.entries(part).map(([name, inner]) => [name, copied(inner)]));
   };
-  const copy = copied(value) as T;
-  return { copy, buffers: [...copies.values()].map(({ buffer }) => buffer as ArrayBuffer) };
+  return copied(value) as T;
 }
 
+/** What a call of a worker returns in place of `value`, whose arrays are lost to the worker. */
+export const giveAway = <T extends object>(value: T): T => transfer(value, buffersOf(value));
+
 /** What a call of the worker returns in place of `value`, which stays as it is. */
-export function handOver<T extends object>(value: T): T {
-  const { copy, buffers } = copyOf(value);
-  return transfer(copy, buffers);
-}
+export const handOver = <T extends object>(value: T): T => giveAway(copyOf(value));

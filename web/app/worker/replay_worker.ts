@@ -2,7 +2,7 @@
 
 import { expose } from 'comlink';
 import { loadCore } from '../../engine/core/load_core';
-import { handOver } from './handing_over';
+import { giveAway } from './handing_over';
 import { keepAlive } from './life';
 import { Replay } from './replay';
 import type { HandedHistory, ReplayApi } from './replay';
@@ -22,7 +22,7 @@ const api: ReplayApi = {
   },
   meshAt: async (id, faces) => {
     const mesh = await (await replay).meshAt(id, faces);
-    return mesh && handOver(mesh);
+    return mesh && giveAway(mesh);
   },
 };
 
