@@ -1,6 +1,7 @@
 /** What is running, how far it is and how long it will take. */
 
 import { Spoken } from '../controls/spoken';
+import { shareDone } from '../state/remaining';
 import { cancelRunning } from '../state/runner';
 import { status } from '../state/store';
 import type { CallProgress } from '../worker/protocol';
@@ -9,12 +10,12 @@ import './busy.css';
 export function Busy() {
   const busy = status.busy.value;
   if (!busy) return null;
-  const { what, progress, seconds } = busy;
+  const { what, progress, left } = busy;
   return (
     <div class="notice busy">
       <Spoken text={what} />
       <span>
-        {what} <span class="muted detail">{describeProgress(progress, seconds)}</span>
+        {what} <span class="muted detail">{describeProgress(progress, left)}</span>
       </span>
       <progress max={1} value={shareDone(progress) ?? undefined} aria-label={what} />
       <button type="button" class="quiet" onClick={cancelRunning} title="Esc">
@@ -25,30 +26,12 @@ export function Busy() {
 }
 
 /** "7 of 29, 40 s left" for a file of several bodies, otherwise the phase and how far it is. */
-function describeProgress(progress: CallProgress | null, seconds: number): string {
-  const left = describeLeft(shareDone(progress), seconds);
+function describeProgress(progress: CallProgress | null, seconds: number | null): string {
+  const left = describeLeft(seconds);
   if (progress?.part) return `${progress.part.number} of ${progress.part.of}${left}`;
   if (!progress || progress.phase === 'idle') return '';
   return `${progress.phase} ${Math.round(100 * progress.fraction)}\u00a0%${left}`;
 }
 
-/** 0..1 of the bodies, or of the phase of a single one; null where nothing is known. */
-function shareDone(progress: CallProgress | null): number | null {
-  if (!progress) return null;
-  const { part, fraction, phase } = progress;
-  if (part) return (part.number - 1) / part.of;
-  return phase === 'idle' ? null : fraction;
-}
-
-/** No time is told before so much is done, as it would be a guess, nor a time that is not worth reading. */
-const LEAST_DONE = 0.08;
-const LEAST_SECONDS = 3;
-
-/** `seconds`: since the body or phase that `share` counts has begun. */
-function describeLeft(share: number | null, seconds: number): string {
-  if (share === null || share < LEAST_DONE) return '';
-  const left = (seconds * (1 - share)) / share;
-  return left < LEAST_SECONDS
-    ? ''
-    : `, ${left < 90 ? `${Math.round(left)} s` : `${Math.round(left / 60)} min`} left`;
-}
+const describeLeft = (left: number | null): string =>
+  left === null ? '' : `, ${left < 90 ? `${Math.round(left)} s` : `${Math.round(left / 60)} min`} left`;

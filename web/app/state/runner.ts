@@ -14,7 +14,8 @@ import { findPins } from './find_pins';
 import { takeAwaited } from './link';
 import { compareMethods, comparison, comparisonTaskKey } from './methods';
 import type { Wanted } from './link';
-import { client, complain, whileBusy } from './running';
+import { isReplayed, startReplay } from './replay';
+import { client, complain, replayer, whileBusy } from './running';
 import { saveFiles, startSaving } from './saved_session';
 import { afterBody, afterHistory, keyed, keyedByFile, of, ofFaces } from './task';
 import type { LevelStage, Task } from './task';
@@ -47,9 +48,9 @@ const isReducing = (): boolean =>
 const areSeveral = (): boolean => (results.file.value?.bodies.length ?? 0) > 1;
 const sharesNow = (): string => sharesKey(settings(), keptFaces.value);
 
-/** The key of a stage that waits until the slider rests on a mesh that is shown. */
+/** The key of a stage that waits until the slider rests on a mesh that is shown; see replay.ts. */
 const atRest = (stage: LevelStage) => (): string | null =>
-  isReducing() && restedFaces.value === wantedFaces.value && results.mesh.value
+  isReducing() && restedFaces.value === wantedFaces.value && isReplayed.value
     ? afterHistory(ofFaces(stage, () => restedFaces.value))()
     : null;
 
@@ -102,12 +103,6 @@ const tasks: Task[] = [
     key: () => (isReducing() && areSeveral() ? afterHistory(sharesNow)() : null),
     run: () => client.call((worker) => worker.shares(settings(), keptFaces.value)),
     result: results.shares,
-  },
-  {
-    what: 'Replaying collapses',
-    key: afterHistory(ofFaces(STAGES.level, () => wantedFaces.value)),
-    run: () => client.call((worker) => worker.meshAt(body(), settings(), wantedFaces.value)),
-    result: results.mesh,
   },
   {
     what: 'Fitting the result',
@@ -210,6 +205,7 @@ let opening: Promise<void> = Promise.resolve();
  */
 export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
   if (running) client.cancel();
+  replayer.open();
   opening = opening.then(async () => {
     await whileBusy('Opening', async () => {
       await call.catch(() => null);
@@ -218,6 +214,7 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
       done.clear();
       batch(() => {
         for (const task of tasks) task.result.value = null;
+        results.mesh.value = null;
         results.file.value = file;
         results.opened.value += 1;
         wants.body.value = wanted && wanted.body < file.bodies.length ? wanted.body : file.first;
@@ -248,6 +245,7 @@ export function showBody(index: number): void {
   for (const task of ofBody) done.delete(task);
   batch(() => {
     for (const task of ofBody) task.result.value = null;
+    results.mesh.value = null;
     wants.body.value = index;
   });
   forgetUndo();
@@ -270,6 +268,7 @@ export function resume(): void {
 /** Runs tasks from now on whenever the state asks for them. */
 export function startRunner(): void {
   startUndo();
+  startReplay();
   void startSaving();
   void client
     .ready()
@@ -304,7 +303,7 @@ const nextTask = () =>
 async function loop(): Promise<void> {
   if (looping) return;
   looping = true;
-  status.working.value = true;
+  status.isComputing.value = true;
   for (;;) {
     // A file that is being opened replaces what the next task works on.
     await opening;
@@ -333,5 +332,5 @@ async function loop(): Promise<void> {
     }
   }
   looping = false;
-  status.working.value = false;
+  status.isComputing.value = false;
 }

@@ -3,6 +3,8 @@
 import { Client, WorkerLost } from './client';
 import { isMissingFile, reloadPage } from './offline';
 import type { CallProgress } from '../worker/protocol';
+import { remainingTime, shareDone } from './remaining';
+import { Replayer } from './replayer';
 import { status } from './store';
 import type { Notice } from './store';
 
@@ -12,12 +14,18 @@ const STUCK_MILLISECONDS = 60_000;
 
 const WORKER_LOST = 'The computation has stopped unexpectedly';
 
-export const client = new Client(new URL('.', document.baseURI).href, () => {
+const base = new URL('.', document.baseURI).href;
+
+export const replayer = new Replayer(base);
+
+export const client = new Client(base, tellRestarted, (port) => replayer.listen(port));
+
+function tellRestarted(): void {
   status.notice.value = {
     kind: 'info',
     text: `${WORKER_LOST}. It has started again, and your work is as it was.`,
   };
-});
+}
 
 export function complain(error: unknown): void {
   status.notice.value = noticeOf(error);
@@ -42,12 +50,14 @@ export async function whileBusy<T>(what: string, make: () => Promise<T>): Promis
   let begin = performance.now();
   let phase = '';
   const isStuck = stuckness();
+  const remaining = remainingTime();
   const show = () => {
     const progress = client.progress();
     const now = performance.now();
     const own = progress?.part ? 'bodies' : (progress?.phase ?? '');
     if (own !== phase) [phase, begin] = [own, now];
-    status.busy.value = { what, progress, seconds: (now - begin) / 1000 };
+    const left = remaining((now - begin) / 1000, shareDone(progress));
+    status.busy.value = { what, progress, left };
     if (isStuck(progress)) offerRestart(what);
     frame = requestAnimationFrame(show);
   };

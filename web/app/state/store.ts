@@ -121,12 +121,19 @@ export const view = {
   }),
 };
 
+const isComputing = signal(false);
+const isReplaying = signal(false);
+
 /** What is going on. */
 export const status = {
+  /** whether the runner has tasks to run */
+  isComputing,
+  /** whether the history is being replayed */
+  isReplaying,
   /** whether stages are running or about to run */
-  working: signal(false),
-  /** `seconds`: since the phase that the progress counts has begun, or the first body */
-  busy: signal<{ what: string; progress: CallProgress | null; seconds: number } | null>(null),
+  working: computed(() => isComputing.value || isReplaying.value),
+  /** `left`: remaining seconds of the phase that the progress counts, or of all bodies, see remaining.ts */
+  busy: signal<{ what: string; progress: CallProgress | null; left: number | null } | null>(null),
   /** the stage that the user has cancelled, and that waits to be run again */
   paused: signal<string | null>(null),
   notice: signal<Notice | null>(null),

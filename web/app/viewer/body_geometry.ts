@@ -22,7 +22,6 @@ export function geometryFrom(
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   if (normals) geometry.setAttribute('normal', new BufferAttribute(normals, 3));
   setDisplacement(geometry, mesh, null);
-  setField(geometry, mesh, null);
   geometry.boundingBox = new Box3(new Vector3(...low), new Vector3(...high));
   geometry.boundingSphere = geometry.boundingBox.getBoundingSphere(new Sphere());
   return geometry;
@@ -38,11 +37,12 @@ export function setDisplacement(
   else geometry.deleteAttribute('displacement');
 }
 
-/** Colours by a field; null: values of 0. */
+/** Colours by a field; null removes the colours. */
 export function setField(geometry: BufferGeometry, mesh: TriangleMesh, field: Field | null): void {
+  if (!field) return void geometry.deleteAttribute('value');
   const values = new Float32Array(mesh.triangles.length);
-  if (field?.on === 'vertices') values.set(perCorner(mesh, field.values, 1));
-  if (field?.on === 'triangles')
+  if (field.on === 'vertices') values.set(perCorner(mesh, field.values, 1));
+  if (field.on === 'triangles')
     for (let t = 0; t < field.values.length; t++)
       values[3 * t] = values[3 * t + 1] = values[3 * t + 2] = field.values[t];
   geometry.setAttribute('value', new BufferAttribute(values, 1));

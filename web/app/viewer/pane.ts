@@ -11,7 +11,7 @@ import type { MapName } from './colours';
 import { Dots } from './dots';
 import { drawnArrays } from './drawn_arrays';
 import type { DrawnArrays } from './drawn_arrays';
-import { isPreparedAtOnce, prepareArrays } from './prepared_arrays';
+import { isPreparedAtOnce, prepareExactly, prepareQuickly } from './prepared_arrays';
 import type { SeenBody } from './seen_vertices';
 import { Stand } from './stand';
 import { HATCH_PIXELS, surfaceMaterial } from './surface_material';
@@ -28,6 +28,9 @@ export interface Look {
   isFlat?: boolean;
   map: MapName;
 }
+
+/** ms for which a mesh stays before its normals are found exactly. */
+const REST_MILLISECONDS = 250;
 
 /** What a mesh is shown with. */
 interface Dress {
@@ -51,6 +54,8 @@ export class Pane {
   private readonly body: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
   private groups: Uint32Array = new Uint32Array();
   private isMoved = false;
+  private isQuick = false;
+  private restTimer: ReturnType<typeof setTimeout> | undefined;
   private areWiresHidden = false;
   private overlayColour: string | null = null;
   private field: Field | null = null;
@@ -61,7 +66,12 @@ export class Pane {
   private isFileShown = false;
   private isFlat = false;
 
-  constructor(map: THREE.DataTexture, pixelRatio: number) {
+  /** `onRefine`: what is drawn has changed though nobody has asked for it */
+  constructor(
+    map: THREE.DataTexture,
+    pixelRatio: number,
+    private readonly onRefine: () => void,
+  ) {
     this.dots = new Dots(pixelRatio);
     this.hoverDot = new Dots(pixelRatio);
     const look = { clay: new THREE.Color(), wire: new THREE.Color(), wireStrength: 0 };
@@ -101,10 +111,28 @@ export class Pane {
   private async prepare(): Promise<void> {
     while (this.asked && this.isLate) {
       const mesh = this.asked;
-      const drawn = await prepareArrays(mesh).catch(() => drawnArrays(mesh));
+      const drawn = await prepareQuickly(mesh).catch(() => drawnArrays(mesh));
       // While the slider moves, a mesh on the way is better than none.
       if (this.asked !== null) this.put(mesh, drawn);
     }
+  }
+
+  /** Finds exact normals once the mesh has stayed for a while. */
+  private refineLater(mesh: TriangleMesh): void {
+    this.restTimer = setTimeout(() => {
+      void prepareExactly(mesh)
+        .catch(() => drawnArrays(mesh))
+        .then(({ normals, groups }) => this.refine(mesh, normals, groups));
+    }, REST_MILLISECONDS);
+  }
+
+  private refine(mesh: TriangleMesh, normals: Float32Array | null, groups: Uint32Array): void {
+    if (mesh !== this.mesh || !this.isQuick || !normals) return;
+    this.isQuick = false;
+    this.groups = groups;
+    (this.body.geometry.getAttribute('normal') as THREE.BufferAttribute).copyArray(normals).needsUpdate =
+      true;
+    this.onRefine();
   }
 
   private put(mesh: TriangleMesh | null, drawn: DrawnArrays | null): void {
@@ -114,6 +142,9 @@ export class Pane {
     this.body.geometry = mesh && drawn ? geometryFrom(drawn, mesh) : new THREE.BufferGeometry();
     this.groups = drawn?.groups ?? new Uint32Array();
     this.isMoved = false;
+    this.isQuick = drawn?.isQuick ?? false;
+    clearTimeout(this.restTimer);
+    if (mesh && this.isQuick) this.refineLater(mesh);
     this.body.material.uniforms.isFlat.value = this.isFlat || isLarge(mesh);
     this.applyField();
     this.applyShape();
@@ -194,6 +225,8 @@ export class Pane {
   setPositions(positions: Float32Array | null, values: Float32Array | null): void {
     const { mesh, groups } = this;
     if (!mesh || (positions ? positions.length !== mesh.positions.length : !this.isMoved)) return;
+    // Normals are moved in groups, which come with the exact ones.
+    if (this.isQuick) return;
     this.isMoved = positions !== null;
     const { hasField } = this.body.material.uniforms;
     writePositions(this.body.geometry, mesh, positions ?? mesh.positions, groups);

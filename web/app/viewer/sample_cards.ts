@@ -69,8 +69,8 @@ export class SampleCards {
     this.isDisposed = true;
     this.renderer.setAnimationLoop(null);
     for (const { model } of this.cards) model.dispose();
+    // A context that is lost by force would wait for all that it still has to draw.
     this.renderer.dispose();
-    this.renderer.forceContextLoss();
   }
 
   private frame(time: number): void {

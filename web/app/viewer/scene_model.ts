@@ -3,7 +3,7 @@
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import type { GLTFReference } from 'three/examples/jsm/loaders/GLTFLoader.js';
-import { spreadPoints } from './spread_points';
+import { spreadPoints, spreadStep } from './spread_points';
 import { checkerTexture, matcapTexture } from './look_textures';
 
 export type SceneLookName = 'textured' | 'matcap' | 'clay' | 'checker';
@@ -109,15 +109,7 @@ export class SceneModel {
     this.root.updateMatrixWorld(true);
     const toScene = (this.root.parent?.matrixWorld ?? new THREE.Matrix4()).clone().invert();
     const shown = this.drawn.filter(({ object }) => object.visible);
-    const parts = shown.map(({ object }) => {
-      const matrix = toScene.clone().multiply(object.matrixWorld);
-      const position = object.geometry.getAttribute('position');
-      const positions = new Float32Array(3 * position.count);
-      const point = new THREE.Vector3();
-      for (let v = 0; v < position.count; v++)
-        positions.set(object.getVertexPosition(v, point).applyMatrix4(matrix).toArray(), 3 * v);
-      return spreadPoints(positions, object.geometry.index?.array ?? null);
-    });
+    const parts = shown.map(({ object }) => pointsOn(object, toScene.clone().multiply(object.matrixWorld)));
     const all = new Float32Array(parts.reduce((sum, { length }) => sum + length, 0));
     let at = 0;
     for (const part of parts) {
@@ -134,6 +126,28 @@ export class SceneModel {
     }
     for (const material of this.made.values()) material.dispose();
   }
+}
+
+/** Points on a primitive in its pose, after a transformation; vertices that no point needs are left out. */
+function pointsOn(object: THREE.Mesh, matrix: THREE.Matrix4): Float32Array {
+  const index = object.geometry.index?.array ?? null;
+  const { count } = object.geometry.getAttribute('position');
+  const positions = new Float32Array(3 * count);
+  const isKnown = new Uint8Array(count);
+  const point = new THREE.Vector3();
+  const corners = index?.length ?? count;
+  const step = 3 * spreadStep(Math.floor(corners / 3));
+  for (let first = 0; first + 2 < corners; first += step)
+    for (let corner = first; corner < first + 3; corner++) {
+      const v = index ? index[corner] : corner;
+      if (isKnown[v] === 1) continue;
+      isKnown[v] = 1;
+      object
+        .getVertexPosition(v, point)
+        .applyMatrix4(matrix)
+        .toArray(positions, 3 * v);
+    }
+  return spreadPoints(positions, index);
 }
 
 function plainMaterial(name: SceneLookName, clay: string): THREE.Material {

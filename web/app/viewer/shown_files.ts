@@ -19,6 +19,7 @@ export class ShownFiles {
 
   constructor(
     private readonly renderer: THREE.WebGLRenderer,
+    private readonly camera: THREE.Camera,
     private readonly panes: Record<PaneName, Pane>,
   ) {}
 
@@ -30,18 +31,27 @@ export class ShownFiles {
     if (this.asked[name] === bytes) return false;
     this.asked[name] = bytes;
     const model = bytes && (await SceneModel.load(bytes));
+    const pane = this.panes[name];
+    pane.scene.environment ??= roomLight(this.renderer);
+    pane.scene.environmentIntensity = ROOM_LIGHT;
+    if (model) await this.compile(model, name);
     if (this.asked[name] !== bytes) {
       model?.dispose();
       return false;
     }
     const before = this.corners();
-    const pane = this.panes[name];
-    pane.scene.environment ??= roomLight(this.renderer);
-    pane.scene.environmentIntensity = ROOM_LIGHT;
     pane.stand.show(model);
     this.look(name, this.looks[name]);
     this.moved();
     return name === 'original' && model !== null && !isSameBox(before, this.corners());
+  }
+
+  /** Waits until the graphics card can draw a model, where it can say so; otherwise the first drawing keeps the page waiting. */
+  private async compile(model: SceneModel, name: PaneName): Promise<void> {
+    const look = this.looks[name];
+    if (look) model.look(look);
+    if (!this.renderer.extensions.has('KHR_parallel_shader_compile')) return;
+    await this.renderer.compileAsync(model.root, this.camera, this.panes[name].scene);
   }
 
   /** How a pane's file is drawn; null: the body alone is drawn in its place. */

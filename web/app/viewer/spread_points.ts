@@ -3,25 +3,30 @@
 const WANTED = 60_000;
 const MOST_PER_SIDE = 12;
 
+/** Every how many triangles there are points on one, of so many. */
+export const spreadStep = (triangles: number): number => Math.max(1, Math.floor(triangles / WANTED));
+
 /**
- * Points on all triangles, `points[3 i + c]`, their corners among them; few triangles get more points each. `positions[3 v + c]`;
- * `index`: three vertices per triangle, null where they follow each other.
+ * Points on all triangles, `points[3 i + c]`, their corners among them; few triangles get more points each, and of many only some
+ * get any, see `spreadStep`. `positions[3 v + c]`; `index`: three vertices per triangle, null where they follow each other.
  */
 export function spreadPoints(positions: ArrayLike<number>, index: ArrayLike<number> | null): Float32Array {
   const corners = index?.length ?? positions.length / 3;
   const count = Math.floor(corners / 3);
   const side = Math.min(MOST_PER_SIDE, Math.max(1, Math.floor(Math.sqrt(WANTED / Math.max(1, count)))));
-  const step = Math.max(1, Math.floor(count / WANTED));
-  const points: number[] = [];
+  const step = spreadStep(count);
+  const points = new Float32Array(3 * Math.ceil(count / step) * (((side + 1) * (side + 2)) / 2));
   const vertex = (corner: number): number => 3 * (index ? index[corner] : corner);
+  let to = 0;
   for (let t = 0; t < count; t += step) {
-    const [a, b, c] = [vertex(3 * t), vertex(3 * t + 1), vertex(3 * t + 2)];
+    const a = vertex(3 * t);
+    const b = vertex(3 * t + 1);
+    const c = vertex(3 * t + 2);
     for (let i = 0; i <= side; i++)
-      for (let j = 0; i + j <= side; j++) {
-        const [u, v] = [i / side, j / side];
+      for (let j = 0; i + j <= side; j++)
         for (let k = 0; k < 3; k++)
-          points.push(positions[a + k] * (1 - u - v) + positions[b + k] * u + positions[c + k] * v);
-      }
+          points[to++] =
+            (positions[a + k] * (side - i - j) + positions[b + k] * i + positions[c + k] * j) / side;
   }
-  return Float32Array.from(points);
+  return points;
 }

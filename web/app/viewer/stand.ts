@@ -25,7 +25,6 @@ export class Stand {
     this.floor.visible = false;
     this.floor.rotation.x = -Math.PI / 2;
     this.light.position.set(-0.6, 1.4, 1);
-    this.light.visible = false;
     this.group.add(this.floor, this.light, this.light.target);
   }
 
@@ -43,9 +42,8 @@ export class Stand {
     if (model) this.group.add(model.root);
   }
 
-  /** Whether the file and its light are drawn. */
+  /** Whether the file is drawn. Its light always shines, as materials are made for a number of lights. */
   drawFile(isDrawn: boolean): void {
-    this.light.visible = isDrawn;
     if (this.model) this.model.root.visible = isDrawn;
   }
 
@@ -92,7 +90,7 @@ export class Stand {
     const points = spreadPoints(positions, triangles);
     const point = new THREE.Vector3();
     for (let i = 0; i < points.length; i += 3)
-      points.set(point.fromArray(points, i).applyMatrix4(matrix).toArray(), i);
+      point.fromArray(points, i).applyMatrix4(matrix).toArray(points, i);
     return points;
   }
 

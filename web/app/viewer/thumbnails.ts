@@ -7,7 +7,7 @@ import { geometryFrom, setDisplacement, setField } from './body_geometry';
 import { mapTexture } from './colours';
 import { drawnArrays } from './drawn_arrays';
 import type { DrawnArrays } from './drawn_arrays';
-import { isPreparedAtOnce, prepareArrays } from './prepared_arrays';
+import { isPreparedAtOnce, prepareExactly } from './prepared_arrays';
 import { surfaceMaterial } from './surface_material';
 import { isLarge } from './twin_surface';
 
@@ -71,7 +71,7 @@ export class Thumbnails {
     const request = ++this.requests;
     const { mesh } = gallery;
     if (isPreparedAtOnce(mesh)) return this.put(gallery, drawnArrays(mesh), rotation);
-    void prepareArrays(mesh)
+    void prepareExactly(mesh)
       .catch(() => drawnArrays(mesh))
       .then((drawn) => {
         if (request === this.requests) this.put(gallery, drawn, rotation);
@@ -79,25 +79,13 @@ export class Thumbnails {
   }
 
   private put({ mesh, modes, canvases }: ShownGallery, drawn: DrawnArrays, rotation: THREE.Quaternion): void {
-    this.body.geometry.dispose();
+    this.forgetPictures();
     const geometry = (this.body.geometry = geometryFrom(drawn, mesh));
     this.body.material.uniforms.isFlat.value = isLarge(mesh);
     this.faces = faceCount(mesh);
     this.body.material.uniforms.hasField.value = true;
     const sphere = geometry.boundingSphere!;
     this.amplitude = AMPLITUDE * sphere.radius;
-    this.pictures = modes.map(({ shape, strain }, i) => {
-      setDisplacement(geometry, mesh, shape);
-      setField(geometry, mesh, {
-        on: 'triangles',
-        values: Float32Array.from(strain, (value) => value / 255),
-      });
-      return {
-        canvas: canvases[i],
-        displacement: geometry.getAttribute('displacement'),
-        value: geometry.getAttribute('value'),
-      };
-    });
     const eye = new THREE.Vector3(0.75, 0.42, 1)
       .normalize()
       .multiplyScalar(DISTANCE * sphere.radius)
@@ -108,7 +96,39 @@ export class Thumbnails {
     this.camera.up.set(0, 1, 0).applyQuaternion(rotation);
     this.camera.lookAt(sphere.center);
     this.camera.updateProjectionMatrix();
+    if (this.faces > MOST_MOVING_FACES) return void this.drawOnce(mesh, modes, canvases);
+    this.pictures = modes.map((mode, i) => ({ canvas: canvases[i], ...this.dress(mesh, mode) }));
     this.draw(0);
+  }
+
+  /** Gives the body the shape and the colours of a mode. */
+  private dress(mesh: TriangleMesh, { shape, strain }: ShownMode): Omit<Picture, 'canvas'> {
+    const { geometry } = this.body;
+    setDisplacement(geometry, mesh, shape);
+    const values = new Float32Array(strain.length);
+    for (let t = 0; t < strain.length; t++) values[t] = strain[t] / 255;
+    setField(geometry, mesh, { on: 'triangles', values });
+    return { displacement: geometry.getAttribute('displacement'), value: geometry.getAttribute('value') };
+  }
+
+  /** Draws a large mesh at full swing, one mode between two frames, and keeps nothing of it. */
+  private async drawOnce(
+    mesh: TriangleMesh,
+    modes: readonly ShownMode[],
+    canvases: readonly HTMLCanvasElement[],
+  ): Promise<void> {
+    const request = this.requests;
+    this.pictures = [];
+    for (const [i, mode] of modes.entries()) {
+      await new Promise((resolve) => setTimeout(resolve));
+      if (request !== this.requests) return;
+      const { displacement, value } = this.dress(mesh, mode);
+      this.body.material.uniforms.amplitude.value = this.amplitude;
+      this.drawOn({ canvas: canvases[i], displacement, value });
+      // Frees what the graphics card has of it.
+      this.body.geometry.dispose();
+    }
+    this.body.geometry = new THREE.BufferGeometry();
   }
 
   /** Lets the pictures swing, or stand still at full swing. */
@@ -120,8 +140,19 @@ export class Thumbnails {
   dispose(): void {
     this.requests++;
     this.renderer.setAnimationLoop(null);
+    this.forgetPictures();
     this.renderer.dispose();
+  }
+
+  /** Frees what the graphics card has of the pictures: a geometry only knows the attributes that it was drawn with last. */
+  private forgetPictures(): void {
+    for (const { displacement, value } of this.pictures) {
+      this.body.geometry.setAttribute('displacement', displacement);
+      this.body.geometry.setAttribute('value', value);
+      this.body.geometry.dispose();
+    }
     this.body.geometry.dispose();
+    this.pictures = [];
   }
 
   private frame(time: number): void {
@@ -134,14 +165,16 @@ export class Thumbnails {
     this.lastDrawn = time;
     const swing = this.isMoving ? Math.sin(time / 450) : 1;
     this.body.material.uniforms.amplitude.value = this.amplitude * swing;
-    for (const { canvas, displacement, value } of this.pictures) {
-      this.body.geometry.setAttribute('displacement', displacement);
-      this.body.geometry.setAttribute('value', value);
-      this.renderer.render(this.scene, this.camera);
-      const context = canvas.getContext('2d');
-      if (!context) continue;
-      context.clearRect(0, 0, canvas.width, canvas.height);
-      context.drawImage(this.renderer.domElement, 0, 0, canvas.width, canvas.height);
-    }
+    for (const picture of this.pictures) this.drawOn(picture);
+  }
+
+  private drawOn({ canvas, displacement, value }: Picture): void {
+    this.body.geometry.setAttribute('displacement', displacement);
+    this.body.geometry.setAttribute('value', value);
+    this.renderer.render(this.scene, this.camera);
+    const context = canvas.getContext('2d');
+    if (!context) return;
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    context.drawImage(this.renderer.domElement, 0, 0, canvas.width, canvas.height);
   }
 }

@@ -1,6 +1,7 @@
 /** A body whose vertices move: writes positions, normals and values into its geometry for each frame. */
 
-import type { BufferAttribute, BufferGeometry } from 'three';
+import { BufferAttribute } from 'three';
+import type { BufferGeometry } from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
 
 /** Bodies with more triangles than this are shaded flat; the shader finds their normals by itself. */
@@ -67,8 +68,10 @@ export function writeValues(
   { triangles }: TriangleMesh,
   values: Float32Array,
 ): void {
-  const attribute = geometry.getAttribute('value') as BufferAttribute;
+  const attribute = (geometry.getAttribute('value') ??
+    new BufferAttribute(new Float32Array(triangles.length), 1)) as BufferAttribute;
   const corners = attribute.array as Float32Array;
   for (let corner = 0; corner < triangles.length; corner++) corners[corner] = values[triangles[corner]];
   attribute.needsUpdate = true;
+  geometry.setAttribute('value', attribute);
 }

@@ -13,11 +13,12 @@ import type { MapName } from './colours';
 import { AxesMark } from './axes_mark';
 import { Dots } from './dots';
 import type { DotLook } from './dots';
+import { drawPane } from './draw_pane';
 import { OrbitCamera } from './orbit_camera';
 import { Pane } from './pane';
 import type { Look } from './pane';
 import { PaneLayout } from './pane_layout';
-import type { PaneName, PaneRegion } from './pane_layout';
+import type { PaneName } from './pane_layout';
 import type { SceneLook } from './scene_model';
 import { nearestSeen, seenAt } from './seen_vertices';
 import type { ScreenPoint } from './seen_vertices';
@@ -57,15 +58,17 @@ export class Viewport {
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     // All panes are cleared at once.
     this.renderer.autoClear = false;
+    // To ask for errors is to wait for the graphics card.
+    this.renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.renderer.toneMapping = THREE.NeutralToneMapping;
     this.maps = { viridis: mapTexture('viridis'), cividis: mapTexture('cividis') };
     const ratio = this.renderer.getPixelRatio();
-    const pane = (): Pane => new Pane(this.maps.viridis, ratio);
+    const pane = (): Pane => new Pane(this.maps.viridis, ratio, () => (this.isStale = true));
     this.panes = { original: pane(), optimized: pane() };
-    this.files = new ShownFiles(this.renderer, this.panes);
     this.pickPreview = new Dots(ratio);
     this.panes.original.scene.add(this.pickPreview.points, this.ring.line);
     this.orbit = new OrbitCamera(canvas);
+    this.files = new ShownFiles(this.renderer, this.orbit.camera, this.panes);
     this.layout = new PaneLayout(canvas);
     const aim = (event: MouseEvent): void => this.orbit.setPointerRegion(...this.layout.columnRegion(event));
     for (const name of ['wheel', 'pointerdown'] as const)
@@ -308,7 +311,9 @@ export class Viewport {
   private resize(): void {
     const { width, height } = this.layout.canvasSize;
     if (width === 0 || height === 0) return;
-    this.renderer.setSize(width, height, false);
+    const size = this.renderer.getSize(new THREE.Vector2());
+    // A canvas that is given a size, even its own, waits for all that it still has to draw.
+    if (size.x !== width || size.y !== height) this.renderer.setSize(width, height, false);
     this.orbit.setAspect(width / this.layout.columns / height);
     this.isStale = true;
   }
@@ -329,21 +334,13 @@ export class Viewport {
     this.renderer.setScissorTest(false);
     this.renderer.clear();
     this.renderer.setScissorTest(true);
-    this.layout.regions().forEach((region, i) => this.drawPane(region, this.layout.isOverlaid && i > 0));
+    const displacement = Math.sin(this.swing.phase) * this.swing.amplitude;
+    this.layout.regions().forEach((region, i) => {
+      this.panes[region.name].swing(displacement);
+      const isOverlay = this.layout.isOverlaid && i > 0;
+      drawPane(this.renderer, this.orbit.camera, this.panes[region.name], { ...region, isOverlay });
+    });
     if (hasAxes && this.panes.original.mesh)
       this.axes.draw(this.renderer, this.orbit.camera, this.orbit.rotation);
-  }
-
-  private drawPane({ name, picture, visible }: PaneRegion, isOverlay: boolean): void {
-    const pane = this.panes[name];
-    pane.swing(Math.sin(this.swing.phase) * this.swing.amplitude);
-    this.renderer.setViewport(...picture);
-    this.renderer.setScissor(...visible);
-    // The body below does not hide an overlay.
-    if (isOverlay) {
-      this.renderer.clearDepth();
-      pane.drawDepth(() => this.renderer.render(pane.scene, this.orbit.camera));
-    }
-    this.renderer.render(pane.scene, this.orbit.camera);
   }
 }

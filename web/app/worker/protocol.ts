@@ -123,6 +123,8 @@ export interface HistorySummary {
   /** a sentence where a symmetry is asked for that the body does not have; otherwise empty */
   note: string;
   seconds: number;
+  /** names the history to the worker that replays it, see replay.ts */
+  replayId: string;
 }
 
 export interface WhyResult extends WhyKept {
@@ -278,6 +280,8 @@ export interface WorkerApi {
     onProgress: (progress: CallProgress) => void,
     lifeLock: string,
   ): Promise<Started>;
+  /** Each history is handed to this port as well as it is made, see replay.ts. */
+  connect(port: MessagePort): void;
   open(files: SourceFile[]): Promise<OpenedFile>;
   /** The open file as a GLB, with what belongs to it packed in. */
   original(): Promise<Uint8Array>;

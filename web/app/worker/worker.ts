@@ -6,7 +6,7 @@ import { describeHealth } from '../../engine/body/health';
 import type { HealthNote } from '../../engine/body/health';
 import type { PreparedBody } from '../../engine/body/prepared_body';
 import { pinAttributes } from '../../engine/body/pin_attributes';
-import type { Core } from '../../engine/core/core';
+import type { Core, History, TriangleMesh } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
 import { unpacked } from '../../engine/document/archive/read_zip';
 import { contentsOf } from '../../engine/document/facts/contents';
@@ -32,9 +32,11 @@ import { STAGES } from '../../engine/stages/stages';
 import { carrySettingErrors } from './errors';
 import { drawnSettings } from './export_form';
 import { drawLevels, exportAll } from './exporting';
+import { handOver } from './handing_over';
 import { keepAlive } from './life';
 import { CANCELLED, CORE_BROKEN, drawnLevelsKey, exportKey, resultFileKey, sharesKey } from './protocol';
 import type { CallProgress, KeptFaces, OpenedBody, Part, WorkerApi } from './protocol';
+import type { HandedHistory } from './replay';
 import { strainOverview } from './strain_overview';
 
 let core: Core;
@@ -60,6 +62,17 @@ function runOf(body: number): BodyRun {
   const run = openedFile().runs[body];
   if (!run) throw new Error('No file is open: open one first.');
   return run;
+}
+
+let historyPort: MessagePort | null = null;
+let handed: { history: History; id: string } | null = null;
+
+/** Hands a history over to the worker that replays it, unless it has that one; returns its id there. */
+function handHistory(mesh: TriangleMesh, history: History): string {
+  if (handed?.history === history) return handed.id;
+  handed = { history, id: crypto.randomUUID() };
+  historyPort?.postMessage({ id: handed.id, mesh, history } satisfies HandedHistory);
+  return handed.id;
 }
 
 /** Errors lose their name on the way to the page: a cancelled call is known by its message. */
@@ -133,6 +146,9 @@ const api: WorkerApi = {
     core = await loadCore({ wasmFolder, threads, onProgress: (progress) => tell({ ...progress, part }) });
     return { threads: core.threads, job: core.job };
   },
+  connect: (port) => {
+    [historyPort, handed] = [port, null];
+  },
   open: (files) =>
     translateErrors(async () => {
       const opened = await openModel(files);
@@ -195,7 +211,7 @@ const api: WorkerApi = {
       const { mesh, diagonal, inspection, quality, weld, body: source } = prepared;
       const { minAngle, meanMinAngle } = quality;
       const { document, bodies } = openedFile().model;
-      return {
+      return handOver({
         mesh,
         diagonal,
         scale: source.scale,
@@ -205,34 +221,39 @@ const api: WorkerApi = {
         health: healthOf(prepared),
         vertexOfSource: weld.vertexOfSource,
         pinAttributes: pinAttributes(document, bodies[body]),
-      };
+      });
     }),
   pins: (body, settings) =>
-    translateErrors(() => ({ text: settings.pins, vertices: runOf(body).get(STAGES.pinned, settings) })),
+    translateErrors(() =>
+      handOver({ text: settings.pins, vertices: runOf(body).get(STAGES.pinned, settings) }),
+    ),
   modes: (body, settings) =>
     translateErrors(() => {
       checkSettings(settings);
       const run = runOf(body);
       const modes = run.get(STAGES.modes, settings);
       const overview = strainOverview(core, run.get(STAGES.prepared, settings).mesh, modes);
-      return { ...modes, ...overview, key: keyOf(STAGES.modes, settings) };
+      return handOver({ ...modes, ...overview, key: keyOf(STAGES.modes, settings) });
     }),
   guidance: (body, settings) =>
     translateErrors(() => {
       checkSettings(settings);
-      return runOf(body).get(STAGES.guidance, settings);
+      return handOver(runOf(body).get(STAGES.guidance, settings));
     }),
-  curvature: (body, settings) => translateErrors(() => runOf(body).get(STAGES.curvature, settings)),
+  curvature: (body, settings) => translateErrors(() => handOver(runOf(body).get(STAGES.curvature, settings))),
   history: (body, settings) =>
     translateErrors(() => {
       checkSettings(settings);
       const run = runOf(body);
-      const { triangleCount, trianglesAfter, refused } = run.get(STAGES.history, settings);
+      const history = run.get(STAGES.history, settings);
+      const { triangleCount, trianglesAfter, refused } = history;
       const { note } = run.get(STAGES.constraints, settings);
-      const blockedBySeams = isBlockedBySeams(run.get(STAGES.prepared, settings), refused, settings);
+      const prepared = run.get(STAGES.prepared, settings);
+      const blockedBySeams = isBlockedBySeams(prepared, refused, settings);
       const floorFaces = trianglesAfter.at(-1) ?? triangleCount;
       const seconds = run.secondsOf(STAGES.history, settings);
-      return { faces: triangleCount, floorFaces, refused, blockedBySeams, note, seconds };
+      const replayId = handHistory(prepared.mesh, history);
+      return { faces: triangleCount, floorFaces, refused, blockedBySeams, note, seconds, replayId };
     }),
   marks: (body, settings) =>
     translateErrors(() => ({
@@ -240,13 +261,13 @@ const api: WorkerApi = {
       key: keyOf(STAGES.deviationMarks, settings),
     })),
   meshAt: (body, settings, targetFaces) =>
-    translateErrors(() => runOf(body).get(STAGES.level, { ...settings, targetFaces })),
+    translateErrors(() => handOver(runOf(body).get(STAGES.level, { ...settings, targetFaces }))),
   fit: (body, settings, targetFaces) =>
     translateErrors(() => {
       const [run, own] = [runOf(body), { ...settings, targetFaces }];
       const fitted = run.get(STAGES.fitted, own);
       const isSame = fitted.result === run.get(STAGES.level, own);
-      return { ...fitted, result: isSame ? null : fitted.result, key: keyOf(STAGES.fitted, own) };
+      return handOver({ ...fitted, result: isSame ? null : fitted.result, key: keyOf(STAGES.fitted, own) });
     }),
   tune: (body, settings, targetFaces) =>
     translateErrors(() => {
@@ -256,7 +277,7 @@ const api: WorkerApi = {
   why: (body, settings, targetFaces) =>
     translateErrors(() => {
       const own = { ...settings, targetFaces };
-      return { ...runOf(body).get(STAGES.explanation, own), key: keyOf(STAGES.explanation, own) };
+      return handOver({ ...runOf(body).get(STAGES.explanation, own), key: keyOf(STAGES.explanation, own) });
     }),
   measure: (body, settings, targetFaces) =>
     translateErrors(() => {

@@ -6,8 +6,33 @@ const scales = new WeakMap<Float32Array, number>();
 export function curvatureScale(curvature: Float32Array): number {
   const known = scales.get(curvature);
   if (known !== undefined) return known;
-  const sorted = Float32Array.from(curvature).sort();
-  const scale = sorted[Math.floor(0.98 * (sorted.length - 1))] || sorted[sorted.length - 1] || 1;
+  const { length } = curvature;
+  const scale = ranked(curvature, Math.floor(0.98 * (length - 1))) || ranked(curvature, length - 1) || 1;
   scales.set(curvature, scale);
   return scale;
+}
+
+/**
+ * The value at a place of the ascending order, found by partitions (Hoare 1961), as sorting a million values would block the page;
+ * 0 without values.
+ */
+export function ranked(values: Float32Array, place: number): number {
+  const parts = values.slice();
+  let [low, high] = [0, parts.length - 1];
+  while (low < high) {
+    const pivot = parts[(low + high) >> 1];
+    let [i, j] = [low, high];
+    while (i <= j) {
+      while (parts[i] < pivot) i++;
+      while (parts[j] > pivot) j--;
+      if (i > j) break;
+      const swapped = parts[i];
+      parts[i++] = parts[j];
+      parts[j--] = swapped;
+    }
+    if (place <= j) high = j;
+    else if (place >= i) low = i;
+    else break;
+  }
+  return parts[place] ?? 0;
 }

@@ -129,7 +129,7 @@ function gather(values: Float32Array, numbers: Uint32Array): Float32Array {
 /** The chosen field of the original, and the same field on the triangles and vertices that are left of it. */
 function shownFields(mesh: MeshAt | null): BodyFields {
   const rank = results.guidance.value?.rank;
-  const curvature = scaledCurvature.value;
+  const curvature = shownField.value === 'curvature' ? scaledCurvature.value : null;
   // Moving bodies have colours of their own.
   if (view.step.value === 'test') return { original: null, optimized: null };
   if (shownField.value === 'strain' && rank)
@@ -137,7 +137,7 @@ function shownFields(mesh: MeshAt | null): BodyFields {
       original: { on: 'triangles', values: rank },
       optimized: mesh && { on: 'triangles', values: gather(rank, mesh.inputOfTriangle) },
     };
-  if (shownField.value === 'curvature' && curvature)
+  if (curvature)
     return {
       original: { on: 'vertices', values: curvature },
       optimized: mesh && {
@@ -180,12 +180,11 @@ export function showShapes(viewport: Viewport | null): void {
   const shape = isSwinging() ? blendedShape.value : null;
   const mesh = shownMesh.value;
   viewport?.displace('original', shape);
-  if (!mesh) return;
+  if (!mesh || !shape) return viewport?.displace('optimized', null);
   const carried = new Float32Array(3 * mesh.inputOfVertex.length);
-  if (shape)
-    for (let i = 0; i < mesh.inputOfVertex.length; i++)
-      for (let c = 0; c < 3; c++) carried[3 * i + c] = shape[3 * mesh.inputOfVertex[i] + c];
-  viewport?.displace('optimized', shape && carried);
+  for (let i = 0; i < mesh.inputOfVertex.length; i++)
+    for (let c = 0; c < 3; c++) carried[3 * i + c] = shape[3 * mesh.inputOfVertex[i] + c];
+  viewport?.displace('optimized', carried);
 }
 
 export function showLook(viewport: Viewport | null): void {

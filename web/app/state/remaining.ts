@@ -1,0 +1,43 @@
+/** How long what is running will still take, as far as its progress allows to tell. */
+
+import type { CallProgress } from '../worker/protocol';
+
+/** No time is told before so much is done, as it would be a guess. */
+const LEAST_DONE = 0.08;
+/** s; less is not worth reading */
+const LEAST_SECONDS = 3;
+/** Progress is looked at this often, in s. */
+const EVERY = 0.5;
+/** The times that the last looks lead to differ by at most this factor, otherwise none is told. */
+const MOST_SPREAD = 1.5;
+const LOOKS = 3;
+
+/** 0..1 of the bodies, or of the phase of a single one; null where nothing is known. */
+export function shareDone(progress: CallProgress | null): number | null {
+  if (!progress) return null;
+  const { part, fraction, phase } = progress;
+  if (part) return (part.number - 1) / part.of;
+  return phase === 'idle' ? null : fraction;
+}
+
+/**
+ * Remaining seconds of one phase, extrapolated from the share that is done. Call it often with the seconds since the phase has begun
+ * and the share, 0..1; null: unknown, not stable yet, or too short to be told.
+ */
+export function remainingTime(): (seconds: number, share: number | null) => number | null {
+  /** the end of the phase, in s after its beginning, as the last looks had it */
+  let ends: number[] = [];
+  let lookedAt = -Infinity;
+  return (seconds, share) => {
+    // A phase has begun anew.
+    if (seconds < lookedAt) [ends, lookedAt] = [[], -Infinity];
+    if (share === null || share < LEAST_DONE) return null;
+    if (seconds - lookedAt >= EVERY) {
+      ends = [...ends, seconds / share].slice(-LOOKS);
+      lookedAt = seconds;
+    }
+    const isStable = ends.length === LOOKS && Math.max(...ends) <= MOST_SPREAD * Math.min(...ends);
+    const left = ends.reduce((sum, end) => sum + end, 0) / ends.length - seconds;
+    return isStable && left >= LEAST_SECONDS ? left : null;
+  };
+}

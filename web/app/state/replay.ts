@@ -1,0 +1,66 @@
+/** Shows the mesh of the wanted faces at once: the history is replayed beside whatever the tasks of the runner compute. */
+
+import { computed, effect, signal, untracked } from '@preact/signals';
+import type { MeshAt } from '../../engine/core/core';
+import { client, complain, replayer } from './running';
+import { results, status, wantedFaces, wants } from './store';
+
+interface Asked {
+  /** of the history, see HistorySummary */
+  id: string;
+  faces: number;
+}
+
+const asked = computed((): Asked | null => {
+  const { value: history } = results.history;
+  return history && results.body.value ? { id: history.replayId, faces: wantedFaces.value } : null;
+});
+
+const shown = signal<Asked | null>(null);
+
+const isSame = (a: Asked | null, b: Asked | null): boolean => a?.id === b?.id && a?.faces === b?.faces;
+
+/** Whether the history's mesh of the wanted faces is there. */
+export const isReplayed = computed(
+  () => results.mesh.value !== null && asked.value !== null && isSame(shown.value, asked.value),
+);
+
+/** Replays from now on whenever the slider moves, or there is another history. */
+export function startReplay(): void {
+  effect(() => {
+    if (asked.value && !isReplayed.value) untracked(() => void replay());
+  });
+}
+
+let isRunning = false;
+
+/** Replays for one place of the slider at a time, and then for the place where it is by then. */
+async function replay(): Promise<void> {
+  if (isRunning) return;
+  isRunning = status.isReplaying.value = true;
+  try {
+    for (let next = asked.peek(); next && !isReplayed.peek(); next = asked.peek()) {
+      const mesh = await meshAt(next);
+      // While the slider moves, a mesh on the way is better than none.
+      if (mesh && results.history.peek()?.replayId === next.id) show(mesh, next);
+      else if (isSame(next, asked.peek())) break;
+    }
+  } catch (error) {
+    complain(error);
+  } finally {
+    isRunning = status.isReplaying.value = false;
+  }
+}
+
+function show(mesh: MeshAt, of: Asked): void {
+  shown.value = of;
+  results.mesh.value = mesh;
+}
+
+/** The worker of the tasks takes over where the one that replays cannot be started, or has ended. */
+async function meshAt({ id, faces }: Asked): Promise<MeshAt | null> {
+  const [body, settings] = [wants.body.peek(), wants.settings.peek()];
+  return replayer
+    .meshAt(id, faces)
+    .catch(() => client.aside<MeshAt>((worker) => worker.meshAt(body, settings, faces)));
+}

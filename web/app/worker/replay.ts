@@ -1,0 +1,65 @@
+/** The history of one body, replayed apart from the worker that made it, so that the slider never waits for other work. */
+
+import type { Core, History, HistoryHandle, MeshAt, MeshHandle, TriangleMesh } from '../../engine/core/core';
+import { levelAt } from '../../engine/stages/level';
+
+/** A history as the worker that has made it hands it over. */
+export interface HandedHistory {
+  /** differs for every history of every worker */
+  id: string;
+  mesh: TriangleMesh;
+  history: History;
+}
+
+/** The calls of the worker that replays. */
+export interface ReplayApi {
+  /** Loads the core from this folder. For as long as the worker lives it has the lock, see `watchLife`. */
+  start(wasmFolder: string, lock: string): Promise<void>;
+  /** A port at which histories arrive, each in place of the one before. */
+  listen(port: MessagePort): void;
+  /** The largest mesh with at most so many faces, as soon as the history is there; null: another one has taken its place. */
+  meshAt(id: string, faces: number): Promise<MeshAt | null>;
+}
+
+interface Kept {
+  id: string;
+  history: History;
+  historyHandle: HistoryHandle;
+  meshHandle: MeshHandle;
+}
+
+export class Replay {
+  private kept: Kept | null = null;
+  private readonly former = new Set<string>();
+  private arrived: () => void = () => undefined;
+  private arrival = this.nextArrival();
+
+  constructor(private readonly core: Core) {}
+
+  private nextArrival(): Promise<void> {
+    return new Promise((resolve) => (this.arrived = resolve));
+  }
+
+  /** Takes a history in place of the one before. */
+  keep({ id, mesh, history }: HandedHistory): void {
+    this.release();
+    const [meshHandle, historyHandle] = [this.core.keepMesh(mesh), this.core.keepHistory(history)];
+    this.kept = { id, history, historyHandle, meshHandle };
+    this.arrived();
+    this.arrival = this.nextArrival();
+  }
+
+  private release(): void {
+    if (!this.kept) return;
+    this.former.add(this.kept.id);
+    this.core.releaseHistory(this.kept.historyHandle);
+    this.core.releaseMesh(this.kept.meshHandle);
+    this.kept = null;
+  }
+
+  /** See ReplayApi. */
+  async meshAt(id: string, faces: number): Promise<MeshAt | null> {
+    while (this.kept?.id !== id && !this.former.has(id)) await this.arrival;
+    return this.kept?.id === id ? levelAt(this.core, this.kept, faces) : null;
+  }
+}
