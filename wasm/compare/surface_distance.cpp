@@ -1,6 +1,7 @@
 #include "compare/surface_distance.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "base/parallel.h"
@@ -28,6 +29,24 @@ std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPoin
     }
   });
   return out;
+}
+
+// The largest distance of the points to a surface, or `atLeast` where that is larger.
+double largestDistance(const std::vector<Vec3>& points, const ClosestPointTree& tree, double atLeast,
+                       Job& job) {
+  std::vector<double> largest((points.size() + kGrain - 1) / kGrain, atLeast);
+  parallelFor(points.size(), kGrain, [&](size_t begin, size_t end) {
+    job.check();
+    double& found = largest[begin / kGrain];
+    uint32_t near = kNone;
+    for (size_t i = begin; i < end; ++i) {
+      const ClosestPoint closest = tree.nearEnough(points[i], found, near);
+      found = std::max(found, closest.distance);
+      near = closest.triangle;
+    }
+  });
+  return std::accumulate(largest.begin(), largest.end(), atLeast,
+                         [](double a, double b) { return std::max(a, b); });
 }
 
 double largest(const std::vector<double>& values) {
@@ -61,8 +80,7 @@ struct OneSided {
 
 OneSided measureFrom(const TriangleMesh& from, const ClosestPointTree& to, uint32_t samples, Job& job) {
   const auto sampled = distances(sampleSurface(from, samples).positions, to, job);
-  const auto vertices = distances(from.positions, to, job);
-  return {std::max(largest(sampled), largest(vertices)), mean(sampled)};
+  return {largestDistance(from.positions, to, largest(sampled), job), mean(sampled)};
 }
 
 }  // namespace
@@ -83,10 +101,28 @@ SurfaceDistance measureSurfaceDistance(const TriangleMesh& a, const TriangleMesh
   SurfaceDistance distance;
   distance.hausdorff = std::max(fromA.hausdorff, fromB.hausdorff);
   distance.mean = (fromA.mean + fromB.mean) / 2;
-  distance.vertexHausdorff = std::max(largest(distances(a.positions, pointTreeB, job)),
-                                      largest(distances(b.positions, pointTreeA, job)));
+  distance.vertexHausdorff = largestDistance(a.positions, pointTreeB, 0, job);
+  distance.vertexHausdorff = largestDistance(b.positions, pointTreeA, distance.vertexHausdorff, job);
   job.report(1);
   return distance;
+}
+
+double measureHausdorff(const TriangleMesh& a, const TriangleMesh& b, const SurfaceDistanceOptions& options,
+                        Job& job) {
+  job.begin(Phase::Measure);
+  if (a.triangles.empty() || b.triangles.empty()) return 0;
+  const uint32_t samples = sampleCount(a, b, options.samples);
+  double largest = 0;
+  const auto measure = [&](const TriangleMesh& from, const TriangleMesh& to) {
+    const ClosestPointTree tree(to);
+    largest = largestDistance(from.positions, tree, largest, job);
+    largest = largestDistance(sampleSurface(from, samples).positions, tree, largest, job);
+  };
+  measure(a, b);
+  job.report(0.5);
+  measure(b, a);
+  job.report(1);
+  return largest;
 }
 
 }  // namespace limber

@@ -40,6 +40,8 @@ export interface ShellModes {
 export interface CompareFunctions {
   /** `samples` of each surface, besides its vertices; 0: ten for each triangle, and at least 10,000 */
   measureSurfaceDistance(a: MeshInput, b: MeshInput, samples: number): SurfaceDistance;
+  /** only hausdorff of measureSurfaceDistance, in a fraction of its time */
+  measureHausdorff(a: MeshInput, b: MeshInput, samples: number): number;
   compareFidelity(original: MeshInput, other: MeshInput, options: FidelityOptions): Fidelity;
   /** the 2 * options.modeCount modes of the original that frequencyErrors needs */
   shellModes(original: MeshInput, options: FidelityOptions): ShellModes;

@@ -5,7 +5,7 @@ import type { PreparedBody } from '../../body/prepared_body';
 import { keptHistoryStage } from '../kept_history';
 import type { KeptHistory } from '../kept_history';
 import { levelAt } from '../level';
-import { measureDistance } from '../measure';
+import { measureDeviation } from '../measure';
 import { preparedStage } from '../prepared';
 import { onceIn } from '../equal_work';
 import { declareStage } from '../stage';
@@ -25,7 +25,7 @@ export class Deviations {
     const known = this.known.get(faces);
     if (known !== undefined) return known;
     const { mesh } = level ?? levelAt(this.core, this.kept, faces);
-    const deviation = measureDistance(this.core, this.prepared, mesh).hausdorff;
+    const deviation = measureDeviation(this.core, this.prepared, mesh);
     this.known.set(faces, deviation);
     return deviation;
   }
