@@ -172,6 +172,8 @@ TEST(SurfaceDistance, ofTheLargestAloneIsThatOfAll) {
     for (const uint32_t samples : {0u, 300u}) {
       const double all = measureSurfaceDistance(a, b, {.samples = samples}, job).hausdorff;
       EXPECT_NEAR(measureHausdorff(a, b, {.samples = samples}, job), all, 1e-15 * (1 + all));
+      EXPECT_TRUE(isWithinHausdorff(a, b, all * (1 + 1e-9), {.samples = samples}, job));
+      if (all > 0) EXPECT_FALSE(isWithinHausdorff(a, b, all * (1 - 1e-9), {.samples = samples}, job));
     }
   EXPECT_EQ(measureHausdorff(ball, {}, {}, job), 0);
 }

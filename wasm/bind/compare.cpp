@@ -76,6 +76,10 @@ val jsMeasureHausdorff(const val& a, const val& b, uint32_t samples) {
   return val(measureHausdorff(*meshOf(a), *meshOf(b), {.samples = samples}, theJob));
 }
 
+val jsIsWithinHausdorff(const val& a, const val& b, double limit, uint32_t samples) {
+  return val(isWithinHausdorff(*meshOf(a), *meshOf(b), limit, {.samples = samples}, theJob));
+}
+
 val jsShellModes(const val& mesh, const val& in) {
   return toJs(shellModes(*meshOf(mesh), fidelityOptionsOf(in), theJob));
 }
@@ -100,6 +104,7 @@ EMSCRIPTEN_BINDINGS(limber_compare) {
   using namespace limber;
   offer<&jsMeasureSurfaceDistance>("measureSurfaceDistance");
   offer<&jsMeasureHausdorff>("measureHausdorff");
+  offer<&jsIsWithinHausdorff>("isWithinHausdorff");
   offer<&jsShellModes>("shellModes");
   offer<&jsFrequencyErrors>("frequencyErrors");
   offer<&jsCalibrationFactor>("calibrationFactor");

@@ -63,6 +63,19 @@ export function measureDeviation(core: Core, prepared: PreparedBody, other: Tria
   return hausdorff;
 }
 
+/** Whether `measureDeviation` is at most `limit`, in %, in a fraction of its time. */
+export function isWithinDeviation(
+  core: Core,
+  prepared: PreparedBody,
+  other: TriangleMesh,
+  limit: number,
+): boolean {
+  const known = knownOf(prepared, other);
+  if (known) return known.hausdorff <= limit;
+  const { mesh, samples, diagonal } = prepared;
+  return core.isWithinHausdorff(mesh, other, (limit / 100) * diagonal, samples);
+}
+
 function distanceInPercent(core: Core, prepared: PreparedBody, other: TriangleMesh): SurfaceDistance {
   const distance = core.measureSurfaceDistance(prepared.mesh, other, prepared.samples);
   const percent = 100 / prepared.diagonal;
