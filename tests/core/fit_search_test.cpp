@@ -2,14 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/SparseCholesky>
 #include <cmath>
 #include <random>
 
+#include "base/parallel.h"
 #include "fit/search/budgeted_step.h"
 #include "fit/search/damping.h"
 #include "fit/search/fit_solver.h"
 #include "fit/search/stop_rule.h"
 #include "fit/tuning.h"
+#include "linear/conjugate_gradients.h"
 
 namespace limber {
 namespace {
@@ -71,21 +74,60 @@ TEST(BudgetedStep, spendsTheBudgetUnlessTheRangeOfWeightsEndsBefore) {
   EXPECT_NEAR(step.weightWithinBudget(step.growth(1e-4), 1e-3, 1e3), 1e-3, 1e-9);
 }
 
+// By a factor, and by conjugate gradients, which end at 1e-4 in another norm.
 TEST(FitSolver, solvesTheDampedSystemOfTheVerticesThatAreNotLocked) {
   Job job;
   const Problem problem(5);
   const Eigen::SparseMatrix<double> hessian = problem.hessian.sparseView();
   const Eigen::VectorXd diagonal = randomMatrix(kCoordinates, 1, 6).cwiseAbs();
   const double damping = 0.3;
-  FitSolver solver({0, 0, 1, 0}, job);
-  const Eigen::VectorXd found = solver.solve({hessian, diagonal, damping}, problem.gradient);
-  EXPECT_EQ(found.segment<3>(6), Eigen::Vector3d::Zero());
   const std::vector<int> free = {0, 1, 2, 3, 4, 5, 9, 10, 11};
   Eigen::MatrixXd damped = problem.hessian;
   damped.diagonal() += damping * diagonal;
   const Eigen::VectorXd expected =
       Eigen::MatrixXd(damped(free, free)).ldlt().solve(Eigen::VectorXd(problem.gradient(free)));
-  EXPECT_LT((Eigen::VectorXd(found(free)) - expected).norm(), 1e-10 * expected.norm());
+  for (const auto& [mostFactorised, tolerance] : {std::pair{UINT32_MAX, 1e-10}, {3u, 2e-3}}) {
+    FitSolver solver({0, 0, 1, 0}, job, mostFactorised);
+    const Eigen::VectorXd found = solver.solve({hessian, diagonal, damping}, problem.gradient);
+    EXPECT_EQ(found.segment<3>(6), Eigen::Vector3d::Zero());
+    EXPECT_LT((Eigen::VectorXd(found(free)) - expected).norm(), tolerance * expected.norm());
+  }
+}
+
+// A chain of nodes, of which some couple far more strongly than others.
+Eigen::SparseMatrix<double> chainOf(Eigen::Index nodes) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index i = 0; i < nodes; ++i) {
+    const Eigen::Matrix3d root = randomMatrix(3, 3, static_cast<unsigned>(i + 1));
+    const Eigen::Matrix3d block = (i % 50 == 0 ? 1e4 : 1) * root * root.transpose();
+    for (Eigen::Index r = 0; r < 3; ++r)
+      for (Eigen::Index c = 0; c < 3; ++c)
+        for (Eigen::Index a = 0; a < 2 && i + a < nodes; ++a)
+          for (Eigen::Index b = 0; b < 2 && i + b < nodes; ++b)
+            entries.emplace_back(3 * (i + a) + r, 3 * (i + b) + c, (a == b ? 1 : -1) * block(r, c));
+  }
+  Eigen::SparseMatrix<double> matrix(3 * nodes, 3 * nodes);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+TEST(ConjugateGradients, solveAlikeWithAnyNumberOfThreads) {
+  Job job;
+  constexpr Eigen::Index nodes = 5000;
+  const Eigen::SparseMatrix<double> chain = chainOf(nodes);
+  const Eigen::VectorXd diagonal = Eigen::VectorXd::Constant(3 * nodes, 2.0);
+  const Eigen::VectorXd b = randomMatrix(3 * nodes, 1, 7);
+  const ShiftedMatrix matrix{chain, diagonal, 0.1, {}};
+  const Eigen::VectorXd found = conjugateGradients(matrix, b, job);
+  const Eigen::VectorXd residual = chain * found + 0.1 * diagonal.cwiseProduct(found) - b;
+  EXPECT_LT(residual.norm(), 1e-2 * b.norm());
+  Eigen::SparseMatrix<double> whole = chain;
+  for (Eigen::Index i = 0; i < 3 * nodes; ++i) whole.coeffRef(i, i) += 0.1 * diagonal[i];
+  const Eigen::VectorXd exact = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(whole).solve(b);
+  EXPECT_LT((found - exact).norm(), 1e-2 * exact.norm());
+  setThreadCount(3);
+  EXPECT_EQ(conjugateGradients(matrix, b, job), found);
+  setThreadCount(1);
 }
 
 TEST(Damping, risesAfterPoorStepsAndFallsAfterGoodOnes) {

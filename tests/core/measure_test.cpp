@@ -163,5 +163,44 @@ TEST(SurfaceSamples, areSpreadByArea) {
   EXPECT_NEAR(far, 2000, 2);
 }
 
+TEST(SurfaceDistance, ofTheLargestAloneIsThatOfAll) {
+  Job job;
+  const TriangleMesh ball = shapes::sphere(3, 1), bumpy = shapes::jittered(ball, 0.2, 3);
+  const TriangleMesh box = shapes::box(3, 3, 3, 0.4);
+  for (const auto& [a, b] : {std::pair(ball, bumpy), std::pair(ball, box),
+                             std::pair(box, moved(box, {1, 2, 3})), std::pair(bumpy, bumpy)})
+    for (const uint32_t samples : {0u, 300u}) {
+      const double all = measureSurfaceDistance(a, b, {.samples = samples}, job).hausdorff;
+      EXPECT_NEAR(measureHausdorff(a, b, {.samples = samples}, job), all, 1e-15 * (1 + all));
+      EXPECT_TRUE(isWithinHausdorff(a, b, all * (1 + 1e-9), {.samples = samples}, job));
+      if (all > 0) EXPECT_FALSE(isWithinHausdorff(a, b, all * (1 - 1e-9), {.samples = samples}, job));
+    }
+  EXPECT_EQ(measureHausdorff(ball, {}, {}, job), 0);
+}
+
+TEST(ClosestPoint, isAnyNearEnoughOneOrTheClosest) {
+  const TriangleMesh mesh = shapes::jittered(shapes::box(4, 4, 4, 0.5), 0.3, 5);
+  const ClosestPointTree tree(mesh);
+  std::mt19937 random(4);
+  int early = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    const auto coordinate = [&] { return 4.0 * random() / 4294967295.0 - 1; };
+    const Vec3 p{coordinate(), coordinate(), coordinate()};
+    const ClosestPoint closest = tree.closest(p);
+    const uint32_t near = trial % 3 == 0 ? kNone : static_cast<uint32_t>(random() % mesh.triangleCount());
+    const double enough = closest.distance * (trial % 2 == 0 ? 0.999 : 1.5);
+    const ClosestPoint found = tree.nearEnough(p, enough, near);
+    if (trial % 2 == 0) {
+      EXPECT_EQ(found.triangle, closest.triangle);
+      EXPECT_EQ(found.distance, closest.distance);
+      continue;
+    }
+    EXPECT_LE(found.distance, enough * (1 + 1e-15));
+    EXPECT_NEAR(length(found.position - p), found.distance, 1e-14);
+    early += found.triangle != closest.triangle;
+  }
+  EXPECT_GT(early, 0);
+}
+
 }  // namespace
 }  // namespace limber

@@ -72,6 +72,14 @@ val jsMeasureSurfaceDistance(const val& a, const val& b, uint32_t samples) {
   return toJs(measureSurfaceDistance(*meshOf(a), *meshOf(b), {.samples = samples}, theJob));
 }
 
+val jsMeasureHausdorff(const val& a, const val& b, uint32_t samples) {
+  return val(measureHausdorff(*meshOf(a), *meshOf(b), {.samples = samples}, theJob));
+}
+
+val jsIsWithinHausdorff(const val& a, const val& b, double limit, uint32_t samples) {
+  return val(isWithinHausdorff(*meshOf(a), *meshOf(b), limit, {.samples = samples}, theJob));
+}
+
 val jsShellModes(const val& mesh, const val& in) {
   return toJs(shellModes(*meshOf(mesh), fidelityOptionsOf(in), theJob));
 }
@@ -95,6 +103,8 @@ val jsCompareFidelity(const val& original, const val& result, const val& in) {
 EMSCRIPTEN_BINDINGS(limber_compare) {
   using namespace limber;
   offer<&jsMeasureSurfaceDistance>("measureSurfaceDistance");
+  offer<&jsMeasureHausdorff>("measureHausdorff");
+  offer<&jsIsWithinHausdorff>("isWithinHausdorff");
   offer<&jsShellModes>("shellModes");
   offer<&jsFrequencyErrors>("frequencyErrors");
   offer<&jsCalibrationFactor>("calibrationFactor");

@@ -1,6 +1,9 @@
 #include "compare/surface_distance.h"
 
 #include <algorithm>
+#include <atomic>
+#include <numeric>
+#include <optional>
 #include <vector>
 
 #include "base/parallel.h"
@@ -30,9 +33,53 @@ std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPoin
   return out;
 }
 
+// The largest distance of the points to a surface, or `atLeast` where that is larger.
+double largestDistance(const std::vector<Vec3>& points, const ClosestPointTree& tree, double atLeast,
+                       Job& job) {
+  std::vector<double> largest((points.size() + kGrain - 1) / kGrain, atLeast);
+  parallelFor(points.size(), kGrain, [&](size_t begin, size_t end) {
+    job.check();
+    double& found = largest[begin / kGrain];
+    uint32_t near = kNone;
+    for (size_t i = begin; i < end; ++i) {
+      const ClosestPoint closest = tree.nearEnough(points[i], found, near);
+      found = std::max(found, closest.distance);
+      near = closest.triangle;
+    }
+  });
+  return std::accumulate(largest.begin(), largest.end(), atLeast,
+                         [](double a, double b) { return std::max(a, b); });
+}
+
 double largest(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
+
+// Whether no point is farther away from a surface than `limit`.
+bool areWithin(const std::vector<Vec3>& points, const ClosestPointTree& tree, double limit, Job& job) {
+  std::atomic<bool> isWithin = true;
+  parallelFor(points.size(), kGrain, [&](size_t begin, size_t end) {
+    job.check();
+    uint32_t near = kNone;
+    for (size_t i = begin; i < end && isWithin; ++i) {
+      const ClosestPoint found = tree.nearEnough(points[i], limit, near);
+      if (found.distance > limit) isWithin = false;
+      near = found.triangle;
+    }
+  });
+  return isWithin;
+}
+
+// Built side by side.
+struct TwoTrees {
+  TwoTrees(const TriangleMesh& a, const TriangleMesh& b) {
+    parallelFor(2, 1, [&](size_t i, size_t) { trees[i].emplace(i == 0 ? a : b); });
+  }
+  const ClosestPointTree& ofA() const { return *trees[0]; }
+  const ClosestPointTree& ofB() const { return *trees[1]; }
+
+  std::optional<ClosestPointTree> trees[2];
+};
 
 double mean(const std::vector<double>& values) {
   double sum = 0;
@@ -61,8 +108,7 @@ struct OneSided {
 
 OneSided measureFrom(const TriangleMesh& from, const ClosestPointTree& to, uint32_t samples, Job& job) {
   const auto sampled = distances(sampleSurface(from, samples).positions, to, job);
-  const auto vertices = distances(from.positions, to, job);
-  return {std::max(largest(sampled), largest(vertices)), mean(sampled)};
+  return {largestDistance(from.positions, to, largest(sampled), job), mean(sampled)};
 }
 
 }  // namespace
@@ -72,21 +118,54 @@ SurfaceDistance measureSurfaceDistance(const TriangleMesh& a, const TriangleMesh
   job.begin(Phase::Measure);
   if (a.triangles.empty() || b.triangles.empty()) return {};
   const uint32_t samples = sampleCount(a, b, options.samples);
-  const ClosestPointTree treeA(a), treeB(b);
+  const TwoTrees trees(a, b);
   job.report(0.1);
-  const OneSided fromA = measureFrom(a, treeB, samples, job);
+  const OneSided fromA = measureFrom(a, trees.ofB(), samples, job);
   job.report(0.4);
-  const OneSided fromB = measureFrom(b, treeA, samples, job);
+  const OneSided fromB = measureFrom(b, trees.ofA(), samples, job);
   job.report(0.7);
   const TriangleMesh pointsA = asPoints(a), pointsB = asPoints(b);
-  const ClosestPointTree pointTreeA(pointsA), pointTreeB(pointsB);
+  const TwoTrees pointTrees(pointsA, pointsB);
   SurfaceDistance distance;
   distance.hausdorff = std::max(fromA.hausdorff, fromB.hausdorff);
   distance.mean = (fromA.mean + fromB.mean) / 2;
-  distance.vertexHausdorff = std::max(largest(distances(a.positions, pointTreeB, job)),
-                                      largest(distances(b.positions, pointTreeA, job)));
+  distance.vertexHausdorff = largestDistance(a.positions, pointTrees.ofB(), 0, job);
+  distance.vertexHausdorff = largestDistance(b.positions, pointTrees.ofA(), distance.vertexHausdorff, job);
   job.report(1);
   return distance;
+}
+
+double measureHausdorff(const TriangleMesh& a, const TriangleMesh& b, const SurfaceDistanceOptions& options,
+                        Job& job) {
+  job.begin(Phase::Measure);
+  if (a.triangles.empty() || b.triangles.empty()) return 0;
+  const uint32_t samples = sampleCount(a, b, options.samples);
+  const TwoTrees trees(a, b);
+  double largest = 0;
+  const auto measure = [&](const TriangleMesh& from, const ClosestPointTree& to) {
+    largest = largestDistance(from.positions, to, largest, job);
+    largest = largestDistance(sampleSurface(from, samples).positions, to, largest, job);
+  };
+  measure(a, trees.ofB());
+  job.report(0.5);
+  measure(b, trees.ofA());
+  job.report(1);
+  return largest;
+}
+
+bool isWithinHausdorff(const TriangleMesh& a, const TriangleMesh& b, double limit,
+                       const SurfaceDistanceOptions& options, Job& job) {
+  job.begin(Phase::Measure);
+  if (a.triangles.empty() || b.triangles.empty()) return 0 <= limit;
+  const uint32_t samples = sampleCount(a, b, options.samples);
+  const TwoTrees trees(a, b);
+  const auto isWithin = [&](const TriangleMesh& from, const ClosestPointTree& to) {
+    return areWithin(from.positions, to, limit, job) &&
+           areWithin(sampleSurface(from, samples).positions, to, limit, job);
+  };
+  const bool areBoth = isWithin(a, trees.ofB()) && isWithin(b, trees.ofA());
+  job.report(1);
+  return areBoth;
 }
 
 }  // namespace limber

@@ -13,6 +13,7 @@
 #include "fit/shape_rounds.h"
 #include "fit/surface/border_corners.h"
 #include "fit/tuning.h"
+#include "modes/vertex_limits.h"
 
 namespace limber {
 
@@ -25,7 +26,7 @@ constexpr double kRounding =
 
 // All components take part, whatever their size.
 FitConstraints constraintsOf(const ShapeFitOptions& options) {
-  return {options.charts, options.keepsSeams, options.locked, options.pinned, ~0u, ~0u};
+  return {options.charts, options.keepsSeams, options.locked, options.pinned, kLargeResultVertices, ~0u};
 }
 
 void lockCorners(FitPart& part, const Topology& topology) {
@@ -64,9 +65,10 @@ void fitPart(FitPart& part, const ShapeContext& context, ShapeFitResult& fitted)
   const double maxDeviation = context.options.maxDeviation;
   const Topology topology = buildTopology(part.result);
   lockCorners(part, topology);
+  const uint32_t perTriangle =
+      part.isLarge ? tuning::surface::kLargeSamplesPerTriangle : tuning::surface::kSamplesPerTriangle;
   const FitSamples samples =
-      sampleForFit(part.original, tuning::surface::kSamplesPerTriangle * part.result.triangleCount(),
-                   part.originalFeatureEdges);
+      sampleForFit(part.original, perTriangle * part.result.triangleCount(), part.originalFeatureEdges);
   const DistanceBounds bounds(part.original, part.result, topology);
   const PartLimits limits(part, {maxDeviation, context.options.minAngle, context.samples});
   StepLimits steps = limits.steps;

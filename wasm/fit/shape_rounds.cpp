@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fit/tuning.h"
+#include "modes/vertex_limits.h"
 
 namespace limber {
 
@@ -45,7 +46,7 @@ Eigen::VectorXd ShapeRounds::stepOf(const SurfaceFit& fit, const SheetSizes& now
   if (part_.mirror) part_.mirror->symmetrise(columns);
   const Eigen::MatrixXd conditions = columns.rightCols<2>();
   Eigen::MatrixXd solved =
-      FitSolver(part_.locked, job_)
+      FitSolver(part_.locked, job_, kLargeResultVertices)
           .solve({fit.hessian, fit.dampingDiagonal, tuning::surface_rounds::kDamping}, std::move(columns));
   part_.flatRegions.flatten(solved);
   const Eigen::VectorXd free = solved.col(0);

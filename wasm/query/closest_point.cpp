@@ -88,9 +88,10 @@ Vec3 closestPosition(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
 ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh) : mesh_(mesh), tree_(treeOver(mesh)) {}
 
 template <class Counts>
-ClosestPoint ClosestPointTree::search(const Vec3& point, const ClosestPoint& start,
-                                      const Counts& counts) const {
+ClosestPoint ClosestPointTree::search(const Vec3& point, const ClosestPoint& start, const Counts& counts,
+                                      double enough) const {
   ClosestPoint best = start;
+  const double squaredEnough = enough >= 0 ? enough * enough : -1;
   double bestSquared =
       start.triangle == kNone ? start.distance * start.distance : squaredLength(point - start.position);
   tree_.forEachWithin(point, bestSquared, [&](uint32_t t) {
@@ -106,7 +107,7 @@ ClosestPoint ClosestPointTree::search(const Vec3& point, const ClosestPoint& sta
     best.triangle = t;
     best.position = position;
     std::copy(barycentric, barycentric + 3, best.barycentric);
-    return bestSquared;
+    return bestSquared <= squaredEnough ? -1 : bestSquared;
   });
   best.distance = std::sqrt(bestSquared);
   return best;
@@ -116,6 +117,13 @@ ClosestPoint ClosestPointTree::closest(const Vec3& point, uint32_t near) const {
   const ClosestPoint start =
       near == kNone ? ClosestPoint::within(HUGE_VAL) : closestOnTriangle(mesh_, near, point);
   return search(point, start, [](uint32_t) { return true; });
+}
+
+ClosestPoint ClosestPointTree::nearEnough(const Vec3& point, double enough, uint32_t near) const {
+  const ClosestPoint start =
+      near == kNone ? ClosestPoint::within(HUGE_VAL) : closestOnTriangle(mesh_, near, point);
+  if (start.distance <= enough) return start;
+  return search(point, start, [](uint32_t) { return true; }, enough);
 }
 
 ClosestPoint ClosestPointTree::closestFacing(const Vec3& point, const Vec3& normal, uint32_t near) const {

@@ -38,6 +38,9 @@ class ClosestPointTree {
   // The closest point of the surface; ties go to the lowest triangle index. The mesh must have a triangle.
   // `near` is a triangle that is likely to contain the point; a good guess saves time.
   ClosestPoint closest(const Vec3& point, uint32_t near = kNone) const;
+  // The closest point where the surface is farther away than `enough`; else any point of it that is not,
+  // which is found in a fraction of the time. `near` as above.
+  ClosestPoint nearEnough(const Vec3& point, double enough, uint32_t near = kNone) const;
   // The closest point on a triangle whose normal is within 75 degrees of `normal`, if that point is at most 1
   // % of the diagonal of the triangles farther away than the closest point of the whole surface; else the
   // latter. Tells apart sheets that lie close together or on one another. A zero normal admits every
@@ -46,9 +49,10 @@ class ClosestPointTree {
 
  private:
   // The closest point among the triangles that `counts` admits, or `start` where none is closer than that.
-  // `start` may be a distance without a triangle.
+  // `start` may be a distance without a triangle. The search ends at the first point within `enough`.
   template <class Counts>
-  ClosestPoint search(const Vec3& point, const ClosestPoint& start, const Counts& counts) const;
+  ClosestPoint search(const Vec3& point, const ClosestPoint& start, const Counts& counts,
+                      double enough = -1) const;
 
   const TriangleMesh& mesh_;
   BoundingTree tree_;

@@ -231,7 +231,7 @@ class Simplification {
   bool queueLegalEdges() {
     history_.refused = {};
     edges_.clear();
-    leastWaiting_ = 0;
+    waiting_.clear();
     for (uint32_t edge = 0; edge < mesh_.edgeCount(); ++edge) {
       if (mesh_.trianglesOnEdge(edge) == 0) continue;
       if (edge % kEdgesPerRange == 0) job_.check();
@@ -239,9 +239,9 @@ class Simplification {
       if (verdict == Verdict::Legal) {
         const Collapse step = rules_.collapseOf(edge, costs_.optimum(edge).position);
         verdict = rules_.judge(step);
-        if (verdict == Verdict::Legal && mustWait(step)) {
-          const double estimate = estimate_->of(step);
-          leastWaiting_ = leastWaiting_ > 0 ? std::min(leastWaiting_, estimate) : estimate;
+        const double estimate = verdict == Verdict::Legal && waitBeyond_ > 0 ? estimate_->of(step) : 0;
+        if (estimate > waitBeyond_) {
+          waiting_.push_back({edge, estimate});
           continue;
         }
       }
@@ -257,13 +257,24 @@ class Simplification {
     return !edges_.empty();
   }
 
-  // Lets the collapses that `queueLegalEdges` has found waiting go on, up to at least twice the distance so
-  // far. Returns whether there are any.
+  // Lets the collapses that `queueLegalEdges` has just found waiting go on, up to at least twice the distance
+  // so far. Returns whether there are any.
   bool queueWaitingEdges() {
-    if (leastWaiting_ == 0) return false;
-    waitBeyond_ = std::max(2 * waitBeyond_, leastWaiting_);
-    return queueLegalEdges();
+    if (waiting_.empty()) return false;
+    const auto least = std::ranges::min_element(waiting_, {}, &Waiting::estimate);
+    waitBeyond_ = std::max(2 * waitBeyond_, least->estimate);
+    edges_.clear();
+    for (const auto& [edge, estimate] : waiting_)
+      if (estimate <= waitBeyond_) edges_.push_back(edge);
+    costs_.setBounds(edges_);
+    queueByBounds(edges_);
+    return true;
   }
+
+  struct Waiting {
+    uint32_t edge;
+    double estimate;
+  };
 
   CollapseMesh mesh_;
   Policy costs_;
@@ -272,8 +283,8 @@ class Simplification {
   std::vector<QueuedBy> queuedBy_;  // per edge
   std::optional<DeviationEstimate> estimate_;
   uint32_t stopFaces_;
-  double waitBeyond_;        // doubles, see SimplifyOptions::waitBeyond
-  double leastWaiting_ = 0;  // of the legal collapses that wait, the least estimate; 0: none waits
+  double waitBeyond_;             // doubles, see SimplifyOptions::waitBeyond
+  std::vector<Waiting> waiting_;  // the legal collapses that wait, ascending, of the last `queueLegalEdges`
   bool recordsErrors_ = false;
   std::vector<uint32_t> edges_, neighbours_;  // scratch memory
   Job& job_;

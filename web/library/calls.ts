@@ -46,7 +46,7 @@ export async function optimize(
   const wantsBodies = isDocument(model);
   const { files, bodies, ...others } = await work('optimize', [model], { ...options, wantsBodies }, run);
   if (!wantsBodies) return { glb: files[0].bytes, files, ...others };
-  applyBodies(model, bodies, options.fields ?? false);
+  await applyBodies(model, bodies, options.fields ?? false);
   return { document: model, ...others };
 }
 

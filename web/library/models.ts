@@ -3,6 +3,7 @@
 import { Accessor, Format, Logger, PropertyType, WebIO } from '@gltf-transform/core';
 import type { Document, Extension } from '@gltf-transform/core';
 import { replaceBodies } from '../engine/document/export';
+import { tangentGenerator } from '../engine/document/shading/tangents';
 import { LimberError } from './options';
 import type { Model } from './options';
 import type { ModelFiles, OptimizeReply } from './protocol';
@@ -50,8 +51,16 @@ function recogniseAccessors(document: Document): void {
 }
 
 /** Gives the meshes of the document the geometry of the bodies; null leaves one as it is. */
-export function applyBodies(document: Document, bodies: OptimizeReply['bodies'], fields: boolean): void {
+export async function applyBodies(
+  document: Document,
+  bodies: OptimizeReply['bodies'],
+  fields: boolean,
+): Promise<void> {
   const buffer = document.getRoot().listBuffers()[0] ?? document.createBuffer();
   // Meshes without normals stay without, as in every glTF.
-  replaceBodies({ document, buffer }, bodies, { fields, smoothed: false });
+  replaceBodies({ document, buffer }, bodies, {
+    fields,
+    smoothed: false,
+    tangents: await tangentGenerator(document),
+  });
 }

@@ -34,7 +34,10 @@ export function floats(
 
 export function indices(document: Document, values: ArrayLike<number>): Accessor {
   const buffer = document.getRoot().listBuffers()[0];
-  return document.createAccessor('', buffer).setType('SCALAR').setArray(Uint16Array.from(values));
+  let largest = 0;
+  for (let i = 0; i < values.length; ++i) largest = Math.max(largest, values[i]);
+  const array = largest < 65535 ? Uint16Array.from(values) : Uint32Array.from(values);
+  return document.createAccessor('', buffer).setType('SCALAR').setArray(array);
 }
 
 export function primitiveOf(document: Document, { positions, triangles }: TriangleMesh): Primitive {

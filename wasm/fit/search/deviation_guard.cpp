@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMargin =
     0.9;  // fraction of the limit that samples may use: points between them are farther
-constexpr size_t kSamplesPerRange = 256;
+constexpr size_t kSamplesPerRange = 256, kTrianglesPerRange = 64;
 // Each triangle is cut into n^2 congruent ones, so that there are about as many in all as samples are wanted;
 // n is at least kFewestCuts for the moving mesh (1 for the original) and at most kMostCuts.
 constexpr double kFewestCuts = 3, kMostCuts = 24;
@@ -55,33 +55,44 @@ Vec3 DeviationGuard::meshPoint(const TriangleMesh& mesh, size_t i) const {
   return pointOn(mesh, static_cast<uint32_t>(i / weights_.size()), weights_[i % weights_.size()]);
 }
 
+// A point this near to a sample serves as its anchor: what is left of the limit is for the mesh to move in.
+// The closest point is searched only where none is found.
+double DeviationGuard::nearEnough() const {
+  return allowed_ / 2;
+}
+
 std::vector<uint8_t> DeviationGuard::begin(const TriangleMesh& mesh) {
   const ClosestPointTree tree(mesh);
   weights_ = lattice(cutsOf(mesh, parts_, kFewestCuts));
-  originalSamples_.resize(originalPoints_.size());
-  meshSamples_.resize(weights_.size() * mesh.triangleCount());
-  // Samples follow one another over a triangle, so that the closest triangle of one is a good guess for the
-  // next.
-  parallelFor(originalSamples_.size(), kSamplesPerRange, [&](size_t from, size_t to) {
-    uint32_t near = kNone;
-    for (size_t i = from; i < to; ++i) {
-      originalSamples_[i] = {originalPoints_[i], tree.closest(originalPoints_[i], near)};
-      near = originalSamples_[i].closest.triangle;
-    }
-  });
-  parallelFor(meshSamples_.size(), kSamplesPerRange, [&](size_t from, size_t to) {
-    uint32_t near = kNone;
-    for (size_t i = from; i < to; ++i) {
-      const Vec3 point = meshPoint(mesh, i);
-      meshSamples_[i] = {point, tree_.closest(point, near)};
-      near = meshSamples_[i].closest.triangle;
-    }
-  });
+  anchors_.assign(originalPoints_.size(), {});
+  originalAnchors_.assign(weights_.size() * mesh.triangleCount(), {});
   std::vector<uint8_t> isFar(mesh.triangleCount(), 0);
-  for (const Sample& sample : originalSamples_)
-    if (sample.closest.distance > allowed_) isFar[sample.closest.triangle] = 1;
-  for (size_t i = 0; i < meshSamples_.size(); ++i)
-    if (meshSamples_[i].closest.distance > allowed_) isFar[i / weights_.size()] = 1;
+  std::vector<uint32_t> farOf(originalPoints_.size(), kNone);
+  // Samples follow one another over a triangle, so that the anchor of one is a good guess for the next.
+  parallelFor(anchors_.size(), kSamplesPerRange, [&](size_t from, size_t to) {
+    uint32_t near = kNone;
+    for (size_t i = from; i < to; ++i) {
+      const ClosestPoint found = tree.nearEnough(originalPoints_[i], nearEnough(), near);
+      near = found.triangle;
+      if (found.distance <= allowed_)
+        anchors_[i] = found;
+      else
+        farOf[i] = near;
+    }
+  });
+  for (const uint32_t t : farOf)
+    if (t != kNone) isFar[t] = 1;
+  parallelFor(mesh.triangleCount(), kTrianglesPerRange, [&](size_t from, size_t to) {
+    uint32_t near = kNone;
+    for (size_t i = weights_.size() * from; i < weights_.size() * to; ++i) {
+      const ClosestPoint found = tree_.nearEnough(meshPoint(mesh, i), nearEnough(), near);
+      near = found.triangle;
+      if (found.distance <= allowed_)
+        originalAnchors_[i] = {found.position, near};
+      else
+        isFar[i / weights_.size()] = 1;
+    }
+  });
   return isFar;
 }
 
@@ -92,38 +103,38 @@ std::vector<uint8_t> DeviationGuard::tooFar(const TriangleMesh& moved) const {
   return isFar;
 }
 
-// Where the closest point has moved too far from a sample, another point may be close enough.
+// Where the anchor has moved too far from its sample, another point may be close enough.
 void DeviationGuard::checkOriginal(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const {
-  std::vector<const Sample*> unclear;
-  for (const Sample& sample : originalSamples_) {
-    const ClosestPoint& closest = sample.closest;
-    const double* const b = closest.barycentric;
-    if (closest.distance <= allowed_ &&
-        length(pointOn(moved, closest.triangle, {b[0], b[1], b[2]}) - sample.point) > allowed_)
-      unclear.push_back(&sample);
+  std::vector<size_t> unclear;
+  for (size_t i = 0; i < anchors_.size(); ++i) {
+    const auto& [triangle, b] = anchors_[i];
+    if (triangle != kNone &&
+        length(pointOn(moved, triangle, {b[0], b[1], b[2]}) - originalPoints_[i]) > allowed_)
+      unclear.push_back(i);
   }
   if (unclear.empty()) return;
   const ClosestPointTree tree(moved);
   std::vector<uint32_t> found(unclear.size(), kNone);
   parallelFor(unclear.size(), kSamplesPerRange, [&](size_t from, size_t to) {
     for (size_t i = from; i < to; ++i) {
-      const ClosestPoint closest = tree.closest(unclear[i]->point, unclear[i]->closest.triangle);
-      if (closest.distance > allowed_) found[i] = closest.triangle;
+      const ClosestPoint near =
+          tree.nearEnough(originalPoints_[unclear[i]], allowed_, anchors_[unclear[i]].triangle);
+      if (near.distance > allowed_) found[i] = near.triangle;
     }
   });
   for (size_t i = 0; i < found.size(); ++i)
-    if (found[i] != kNone) isFar[found[i]] = isFar[unclear[i]->closest.triangle] = 1;
+    if (found[i] != kNone) isFar[found[i]] = isFar[anchors_[unclear[i]].triangle] = 1;
 }
 
 void DeviationGuard::checkMoved(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const {
-  parallelFor(moved.triangleCount(), kSamplesPerRange, [&](size_t from, size_t to) {
+  parallelFor(moved.triangleCount(), kTrianglesPerRange, [&](size_t from, size_t to) {
     for (size_t t = from; t < to; ++t)
       for (size_t i = weights_.size() * t; i < weights_.size() * (t + 1) && !isFar[t]; ++i) {
-        const Sample& sample = meshSamples_[i];
+        const auto& [anchor, triangle] = originalAnchors_[i];
+        if (triangle == kNone) continue;
         const Vec3 point = meshPoint(moved, i);
-        isFar[t] = sample.closest.distance <= allowed_ &&
-                   length(point - sample.closest.position) > allowed_ &&
-                   tree_.closest(point, sample.closest.triangle).distance > allowed_;
+        isFar[t] = length(point - anchor) > allowed_ &&
+                   tree_.nearEnough(point, allowed_, triangle).distance > allowed_;
       }
   });
 }

@@ -30,11 +30,14 @@ class DeviationGuard {
   std::vector<uint8_t> tooFar(const TriangleMesh& moved) const;
 
  private:
-  struct Sample {
-    Vec3 point;
-    ClosestPoint closest;  // on the other surface, at the start
+  // A point of the original that a sample of the moving mesh is near; triangle kNone where none is at the
+  // start.
+  struct OriginalAnchor {
+    Vec3 position;
+    uint32_t triangle = kNone;
   };
   Vec3 meshPoint(const TriangleMesh& mesh, size_t i) const;
+  double nearEnough() const;
   void checkOriginal(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const;
   void checkMoved(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const;
 
@@ -43,8 +46,8 @@ class DeviationGuard {
   std::vector<std::array<double, 3>> weights_;  // barycentric coordinates of the samples of every triangle
   ClosestPointTree tree_;                       // of the original
   std::vector<Vec3> originalPoints_;            // samples of the original
-  std::vector<Sample> originalSamples_;         // the same with their closest points on the mesh
-  std::vector<Sample> meshSamples_;             // of the mesh, triangle by triangle
+  std::vector<SurfacePoint> anchors_;  // per sample of the original a point of the mesh near it, as below
+  std::vector<OriginalAnchor> originalAnchors_;  // per sample of the mesh, triangle by triangle
 };
 
 }  // namespace limber

@@ -29,18 +29,21 @@ DistanceBounds::DistanceBounds(const TriangleMesh& surface, const TriangleMesh& 
     : tree_(surface), bounds_(start.vertexCount()) {
   const std::vector<double> edges = meanEdges(start, topology);
   parallelFor(bounds_.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
+    uint32_t near = kNone;
     for (size_t v = begin; v < end; ++v) {
-      const double distance = tree_.closest(start.positions[v]).distance;
-      bounds_[v] = {start.positions[v], distance, std::max(distance, kEdgeFraction * edges[v])};
+      const ClosestPoint closest = tree_.closest(start.positions[v], near);
+      near = closest.triangle;
+      bounds_[v] = {start.positions[v], closest.distance,
+                    std::max(closest.distance, kEdgeFraction * edges[v]), near};
     }
   });
 }
 
 Vec3 DistanceBounds::limited(uint32_t v, const Vec3& target) const {
-  const auto& [start, startDistance, most] = bounds_[v];
+  const auto& [start, startDistance, most, near] = bounds_[v];
   // By the triangle inequality; saves the search for most vertices.
   if (startDistance + length(target - start) <= most) return target;
-  const ClosestPoint nearest = tree_.closest(target);
+  const ClosestPoint nearest = tree_.nearEnough(target, most, near);
   if (nearest.distance <= most) return target;
   return nearest.position + (target - nearest.position) * (most / nearest.distance);
 }

@@ -27,6 +27,7 @@ class DistanceBounds {
     Vec3 start;
     double startDistance;  // of `start` from the surface
     double most;           // the bound
+    uint32_t near;         // triangle of the surface that is closest to `start`
   };
   ClosestPointTree tree_;
   std::vector<Bound> bounds_;  // per vertex

@@ -1,7 +1,7 @@
 /** A document with some meshes replaced by their optimized geometry, as GLB bytes. */
 
 import { Mesh } from '@gltf-transform/core';
-import type { Buffer, Document, Primitive } from '@gltf-transform/core';
+import type { Accessor, Buffer, Document, Primitive } from '@gltf-transform/core';
 import type { CornerSources, TriangleMesh } from '../core/core';
 import { VERSION } from '../core/version';
 import { carryAttributes, carryTargets } from './carry';
@@ -9,6 +9,8 @@ import type { Destination } from './carry';
 import type { Body, OpenModel } from './model';
 import { normalKeys, normalsOf } from './shading/normal_keys';
 import { resultNormals } from './shading/normals';
+import { followMikkTSpace, remakeTangents, tangentGenerator } from './shading/tangents';
+import type { GenerateTangents } from './shading/tangents';
 import type { ResultNormals } from './shading/normals';
 import { disposeUnused, dropMorphing, dropUncarried, normaliseWeights } from './prune';
 import { addSwings } from './shapes';
@@ -16,7 +18,7 @@ import { NO_ADDITIONS, writeGlb } from './write/gltf_files';
 import type { Additions } from './write/gltf_files';
 import { likeStored } from './write/stored_values';
 import type { MorphTarget } from './shapes';
-import { CARRIED, geometryOf } from './vertices';
+import { CARRIED, geometryOf, isUntouched } from './vertices';
 import type { PrimitiveGeometry, SourcedMesh } from './vertices';
 
 export { droppedByExport } from './dropped';
@@ -77,6 +79,7 @@ export async function exportGlb(
     ...options,
     smoothed: isSmoothed(model),
     keepsNumbers: !!model.foreign,
+    tangents: await tangentGenerator(model.document),
   });
   return writeGlb(destination.document, additionsOf(model, bodies));
 }
@@ -100,6 +103,8 @@ export interface ReplaceOptions extends ExportOptions {
   smoothed: boolean;
   /** whether positions and normals of integers stay integers; otherwise they become floats */
   keepsStored?: boolean;
+  /** makes tangents of changed faces again, see `tangentGenerator`; null: they are carried */
+  tangents: GenerateTangents | null;
   /** whether nothing that could be referred to by number is disposed of */
   keepsNumbers?: boolean;
   /** meshes of the document that are no body themselves: copies that become further levels */
@@ -167,7 +172,7 @@ function replaceMesh(
   destination: Destination,
   mesh: Mesh,
   exported: ExportedBody,
-  { smoothed, keepsStored = false }: ReplaceOptions,
+  { smoothed, tangents, keepsStored = false }: ReplaceOptions,
 ): Primitive[] {
   const { body } = exported;
   const primitives = mesh.listPrimitives();
@@ -184,7 +189,14 @@ function replaceMesh(
     }
     const keyOf = normalKeys(primitive, span, exported, { normals, smoothed });
     const geometry = geometryOf(sourced, span, primitive, trianglesOfSpan[i], keyOf);
+    const old = tangents && mikkTSpaceOf(primitive, indicesOfSpan(body, i), tangents);
     writePrimitive(destination, primitive.setMode(TRIANGLES), exported, { geometry, normals, keepsStored });
+    if (old) {
+      const isUnchanged = trianglesOfSpan[i].map((t) =>
+        isUntouched(exported.sources, t, exported.inputOfTriangle[t]),
+      );
+      remakeTangents(primitive, isUnchanged, old, tangents);
+    }
     written.push(primitive);
   });
   if (exported.calibration !== undefined)
@@ -192,6 +204,22 @@ function replaceMesh(
   if (exported.settings) mesh.setExtras({ ...mesh.getExtras(), limberSettings: exported.settings.extras });
   if (exported.targets) mesh.setWeights(exported.targets.map(() => 0));
   return written;
+}
+
+/** The tangents of a primitive, if they are MikkTSpace's; `indices`: of its triangles. */
+const mikkTSpaceOf = (
+  primitive: Primitive,
+  indices: Uint32Array,
+  tangents: GenerateTangents,
+): Accessor | null =>
+  followMikkTSpace(primitive, indices, tangents) ? primitive.getAttribute('TANGENT') : null;
+
+/** The vertices of a span's triangles as its primitive counts them. */
+function indicesOfSpan({ spans, indices }: Body, i: number): Uint32Array {
+  const { first, firstVertex } = spans[i];
+  return indices
+    .subarray(3 * first, 3 * (spans[i + 1]?.first ?? indices.length / 3))
+    .map((v) => v - firstVertex);
 }
 
 /** Per span of the body: the triangles of the new mesh that come from it, ascending. */

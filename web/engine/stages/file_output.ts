@@ -43,6 +43,9 @@ export interface LevelOutput {
 
 /** Everything is computed when it is first asked for; the runs keep it. */
 export class FileOutput {
+  /** by body of the file; frozen, so that keys of them are made once */
+  private readonly ofBody = new Map<number, Readonly<RunSettings>>();
+
   constructor(
     private readonly file: FileRun,
     private readonly request: FileRequest,
@@ -52,7 +55,7 @@ export class FileOutput {
   compute(onDone?: (run: BodyRun, settings: RunSettings) => void): void {
     for (const { run, i } of this.file.usable) {
       this.file.announce(run);
-      const settings = runSettings(this.request, i);
+      const settings = this.runSettings(i);
       run.get(STAGES.measured, settings);
       onDone?.(run, settings);
     }
@@ -89,14 +92,15 @@ export class FileOutput {
   /** The further level `number`, from 0, of all bodies; `name`: of its file, where it has one of its own. */
   async level(number: number, name: string): Promise<LevelOutput> {
     const one = (run: BodyRun, i: number): ExportedLevels => ({
-      first: run.get(STAGES.writtenLevels, runSettings(this.request, i))[number],
+      first: run.get(STAGES.writtenLevels, this.runSettings(i))[number],
       further: [],
     });
     const files = this.hasLevelFiles ? await this.write(name, this.formOf(name), one) : [];
     const levels = this.values(STAGES.furtherLevels).map((all) => all[number]);
     const histories = this.values(STAGES.history);
+    const { usable } = this.file;
     const bodies = levels.map(({ result, targetFaces, guard }, i): StoppedBody => ({
-      name: this.file.usable[i].run.context.body.name,
+      name: usable[i].run.context.body.name,
       guard,
       faces: faceCount(result.mesh),
       targetFaces,
@@ -131,7 +135,7 @@ export class FileOutput {
   settings(): string {
     const { model } = this.file;
     const levels = this.file.usable.map(({ run, i }) => {
-      const settings = runSettings(this.request, i);
+      const settings = this.runSettings(i);
       const first = { exported: run.get(STAGES.written, settings), tuned: run.get(STAGES.tuned, settings)! };
       const others = run.get(STAGES.writtenLevels, settings);
       const tuned = run.get(STAGES.tunedLevels, settings)!;
@@ -169,11 +173,11 @@ export class FileOutput {
   /** Why each body has as many faces as it has. */
   stopped(): StoppedBody[] {
     const histories = this.values(STAGES.history);
-    const targets = this.file.usable.map(({ i }) => this.request.targets[i]);
+    const { usable } = this.file;
     return this.values(STAGES.fitted).map(({ result, frequency, guard }, i) => ({
-      name: this.file.usable[i].run.context.body.name,
+      name: usable[i].run.context.body.name,
       faces: faceCount(result.mesh),
-      targetFaces: targets[i],
+      targetFaces: this.request.targets[usable[i].i],
       history: histories[i],
       frequency,
       guard,
@@ -206,7 +210,7 @@ export class FileOutput {
   /** Seconds of all bodies by kind of work. */
   private timings(): Record<string, number> {
     const secondsOf = (stage: AnyStage): number =>
-      sum(this.file.usable.map(({ run, i }) => run.secondsOf(stage, runSettings(this.request, i))));
+      sum(this.file.usable.map(({ run, i }) => run.secondsOf(stage, this.runSettings(i))));
     const isGuided = methodOf(this.request.settings).needsGuidance;
     const isSearched = this.request.settings.maxFrequencyError > 0;
     const fitted = secondsOf(STAGES.fitted);
@@ -223,7 +227,13 @@ export class FileOutput {
   }
 
   private settingsFor<S extends AnyStage>(i: number): SettingsOf<S> {
-    return runSettings(this.request, i) as SettingsOf<S>;
+    return this.runSettings(i) as SettingsOf<S>;
+  }
+
+  private runSettings(i: number): RunSettings {
+    const own = this.ofBody.get(i) ?? Object.freeze(runSettings(this.request, i));
+    this.ofBody.set(i, own);
+    return own;
   }
 
   private formOf(name: string): OutputForm {
@@ -233,7 +243,7 @@ export class FileOutput {
   /** The result of a body, with the further levels that go into its file. */
   private firstLevels(): (run: BodyRun, i: number) => ExportedLevels {
     return (run, i) => {
-      const settings = runSettings(this.request, i);
+      const settings = this.runSettings(i);
       const first = run.get(STAGES.written, settings);
       if (this.hasLevelFiles || this.levelCount === 0) return { first, further: [] };
       const measured = run

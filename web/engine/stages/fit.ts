@@ -13,7 +13,7 @@ import { onceIn } from './equal_work';
 import type { EqualWork } from './equal_work';
 import type { KeptHistory } from './kept_history';
 import { levelAt } from './level';
-import { measureDistance } from './measure';
+import { isWithinDeviation, measureDeviation } from './measure';
 
 export const FIT_SETTINGS = [
   'method',
@@ -141,9 +141,8 @@ function keepsTargets(
   { maxDeviation, minAngle }: FitSettings,
 ): boolean {
   const angleOf = (mesh: TriangleMesh) => core.measureQuality(mesh).minAngle;
-  const deviationOf = (mesh: TriangleMesh) => measureDistance(core, prepared, mesh).hausdorff;
   if (minAngle > 0 && angleOf(after) < Math.min(minAngle, angleOf(before))) return false;
-  if (maxDeviation === 0) return true;
-  const deviation = deviationOf(after);
-  return deviation <= maxDeviation || deviation <= deviationOf(before);
+  if (maxDeviation === 0 || isWithinDeviation(core, prepared, after, maxDeviation)) return true;
+  if (isWithinDeviation(core, prepared, before, maxDeviation)) return false;
+  return measureDeviation(core, prepared, after) <= measureDeviation(core, prepared, before);
 }

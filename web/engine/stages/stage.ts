@@ -147,12 +147,25 @@ export function keyOf<S extends AnyStage>(stage: S, settings: SettingsOf<S>): st
     if (seen.has(one)) return;
     seen.add(one);
     const all = settings as RunSettings;
-    const isWanted = one.isWanted(all);
-    parts.push(isWanted ? `${one.name} ${JSON.stringify(one.derive(all), spellNumber)}` : `no ${one.name}`);
-    if (isWanted) Object.values(one.needs).forEach(add);
+    parts.push(partOf(one, all));
+    if (one.isWanted(all)) Object.values(one.needs).forEach(add);
   };
   add(stage);
   return parts.join('\n');
+}
+
+const knownParts = new WeakMap<RunSettings, Map<AnyStage, string>>();
+
+/** What a stage itself derives, as text; of frozen settings it is remembered. */
+function partOf(stage: AnyStage, settings: RunSettings): string {
+  const known = knownParts.get(settings) ?? new Map<AnyStage, string>();
+  const found = known.get(stage);
+  if (found !== undefined) return found;
+  const part = stage.isWanted(settings)
+    ? `${stage.name} ${JSON.stringify(stage.derive(settings), spellNumber)}`
+    : `no ${stage.name}`;
+  if (Object.isFrozen(settings)) knownParts.set(settings, known.set(stage, part));
+  return part;
 }
 
 /** JSON has no infinity. */

@@ -4,6 +4,7 @@ import type { Document, Mesh, Primitive } from '@gltf-transform/core';
 import { additionsOf, copyForExport, GENERATOR, isSmoothed, replaceBodies } from '../export';
 import type { ExportedBody } from '../export';
 import type { OpenModel, SourceFile } from '../model';
+import { tangentGenerator } from '../shading/tangents';
 import { writeZip } from '../archive/write_zip';
 import { compress } from './compression';
 import type { Stored } from './compression';
@@ -68,6 +69,7 @@ async function filesOf(
     smoothed: isSmoothed(model),
     keepsStored: isGltf && manner.compression === 'like-input',
     keepsNumbers: !!model.foreign,
+    tangents: isGltf ? await tangentGenerator(model.document) : null,
     further,
   });
   if (format === 'ply') return [writePly(document, name, GENERATOR)];

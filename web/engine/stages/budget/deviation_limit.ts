@@ -8,11 +8,10 @@ const FIRST_STEP = 1 / 256;
 /** The search ends where a level that is within the limit has at most this many times the faces of one that is not. */
 const CLOSE = 1.01;
 
-/** A limit of the deviation, and how levels are measured; in the same unit. */
+/** A limit of the deviation, as levels are measured against it. */
 export interface DeviationLimit {
-  limit: number;
-  /** of the level of at most so many faces */
-  deviationAt: (faces: number) => number;
+  /** whether the level of at most so many faces is within it */
+  isWithin: (faces: number) => boolean;
   /** an estimate of the number of collapses that stay within the limit, which saves measuring */
   guess?: number;
 }
@@ -24,12 +23,12 @@ export interface DeviationLimit {
 export function facesWithin(
   history: History,
   faces: number,
-  { limit, deviationAt, guess }: DeviationLimit,
+  { isWithin: isLevelWithin, guess }: DeviationLimit,
 ): number {
   const ends = wholeEnds(history);
   const facesAt = (i: number): number =>
     ends[i] === 0 ? history.triangleCount : history.trianglesAfter[ends[i] - 1];
-  const isWithin = (i: number): boolean => ends[i] === 0 || deviationAt(facesAt(i)) <= limit;
+  const isWithin = (i: number): boolean => ends[i] === 0 || isLevelWithin(facesAt(i));
   let bad = ends.findIndex((_, i) => facesAt(i) <= faces);
   if (bad < 0) bad = ends.length - 1;
   if (isWithin(bad)) return facesAt(bad);

@@ -3,7 +3,7 @@
 import { constraintsStage } from '../constraints';
 import { FIT_SETTINGS, fitSettings, fittedLevelAt } from '../fit';
 import { keptHistoryStage } from '../kept_history';
-import { measureDistance } from '../measure';
+import { measureDeviation } from '../measure';
 import { preparedStage } from '../prepared';
 import { declareStage } from '../stage';
 import { deviationsStage } from './deviations';
@@ -28,7 +28,7 @@ export const fittedDeviationsStage = declareStage({
     return (faces) => {
       if (!known.has(faces)) {
         const { mesh } = fittedLevelAt(core, { prepared, kept }, faces, request).result;
-        known.set(faces, measureDistance(core, prepared, mesh).hausdorff);
+        known.set(faces, measureDeviation(core, prepared, mesh));
       }
       return known.get(faces)!;
     };

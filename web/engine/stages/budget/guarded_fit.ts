@@ -7,7 +7,7 @@ import { fitResult } from '../fit';
 import type { FitRequest } from '../fit';
 import { guardLevel } from './guarded_level';
 import type { GuardedLevel, GuardInputs } from './guarded_level';
-import { measureDistance } from '../measure';
+import { isWithinDeviation } from '../measure';
 
 export interface GuardedFit extends GuardInputs {
   prepared: PreparedBody;
@@ -29,7 +29,7 @@ export function fitGuarded(
   request: FitRequest,
 ): FittedResult & { guard: GuardFinding | null } {
   const fitted = fitResult(core, prepared, level.result, request);
-  const isTooFar = () => measureDistance(core, prepared, fitted.result.mesh).hausdorff > limit;
+  const isTooFar = () => !isWithinDeviation(core, prepared, fitted.result.mesh, limit);
   if (limit === 0 || level.guard || !isTooFar()) return { ...fitted, guard: level.guard };
   const { result, guard } = guardLevel(core, inputs, level.result, limit);
   return { ...fitResult(core, prepared, result, request), guard };

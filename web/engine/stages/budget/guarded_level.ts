@@ -53,10 +53,11 @@ export function guardLevel(
   level: MeshAt,
   limit: number,
 ): GuardedLevel {
-  const deviationAt = (faces: number): number => deviations.at(faces);
+  const isWithin = (faces: number): boolean => deviations.isWithin(faces, limit);
   const wanted = faceCount(level.mesh);
-  if (deviations.at(wanted, level) <= limit) return { result: level, guard: null };
+  if (deviations.isWithin(wanted, limit, level)) return { result: level, guard: null };
   const guess = collapsesWithin(curve, (limit / 100) * curve.diagonal);
-  const faces = facesWithin(kept.history, wanted, { limit, deviationAt, guess });
-  return { result: levelAt(core, kept, faces), guard: { limit, deviation: deviationAt(faces) } };
+  const faces = facesWithin(kept.history, wanted, { isWithin, guess });
+  const result = levelAt(core, kept, faces);
+  return { result, guard: { limit, deviation: deviations.at(faces, result) } };
 }
