@@ -5,6 +5,7 @@ import { useId } from 'preact/hooks';
 import { OPTIONS } from '../../engine/settings/options';
 import type { OptionOf, Settings } from '../../engine/settings/options';
 import { changeSettings, wants } from '../state/store';
+import { say } from '../language/say';
 
 /** A setting whose value is a number. */
 export type NumberSetting = { [K in keyof Settings]: Settings[K] extends number ? K : never }[keyof Settings];
@@ -12,8 +13,8 @@ export type NumberSetting = { [K in keyof Settings]: Settings[K] extends number 
 export function Section(props: { title: string; hint?: string; children: ComponentChildren }) {
   return (
     <section class="section">
-      <h2>{props.title}</h2>
-      {props.hint && <p class="hint">{props.hint}</p>}
+      <h2>{say(props.title)}</h2>
+      {props.hint && <p class="hint">{say(props.hint)}</p>}
       {props.children}
     </section>
   );
@@ -33,8 +34,8 @@ interface RangeProps {
 export function Range({ label, min, max, step, value, shown, title, onInput }: RangeProps) {
   const id = useId();
   return (
-    <div class="control" title={title}>
-      <label for={id}>{label}</label>
+    <div class="control" title={title && say(title)}>
+      <label for={id}>{say(label)}</label>
       <output for={id}>{shown ?? value}</output>
       <input
         id={id}
@@ -74,19 +75,19 @@ export function SettingRange({ name }: { name: NumberSetting }) {
   };
   const scale = scaleOf(OPTIONS[name]);
   return (
-    <div class="control" title={help}>
-      <label for={id}>{label}</label>
+    <div class="control" title={say(help)}>
+      <label for={id}>{say(label)}</label>
       <span class="number">
         <input
           type="number"
-          aria-label={`${label}, exact`}
+          aria-label={say('{label}, exact', { label: say(label) })}
           min={min}
           max={max}
           step="any"
           value={value}
           onChange={(event) => set(event.currentTarget.valueAsNumber)}
         />
-        {unit && <span class="unit">{unit.startsWith('%') ? '%' : unit}</span>}
+        {unit && <span class="unit">{unit.startsWith('%') ? '%' : say(unit)}</span>}
       </span>
       <input
         id={id}
@@ -95,7 +96,7 @@ export function SettingRange({ name }: { name: NumberSetting }) {
         max={scale.max}
         step={scale.step}
         value={scale.toSlider(value)}
-        aria-valuetext={`${value}${unit ? ` ${unit}` : ''}`}
+        aria-valuetext={`${value}${unit ? ` ${say(unit)}` : ''}`}
         onInput={(event) => set(scale.fromSlider(event.currentTarget.valueAsNumber))}
       />
     </div>
@@ -114,12 +115,12 @@ interface SelectProps {
 export function Select({ label, options, value, title, onChange }: SelectProps) {
   const id = useId();
   return (
-    <div class="control" title={title}>
-      <label for={id}>{label}</label>
+    <div class="control" title={title && say(title)}>
+      <label for={id}>{say(label)}</label>
       <select id={id} value={value} onChange={(event) => onChange(event.currentTarget.value)}>
         {options.map((option) => (
           <option key={option.value} value={option.value}>
-            {option.text}
+            {say(option.text)}
           </option>
         ))}
       </select>
@@ -137,16 +138,16 @@ interface ChoiceProps<T extends string> {
 /** A few choices side by side, one of them pressed. */
 export function Choice<T extends string>({ label, options, value, onChange }: ChoiceProps<T>) {
   return (
-    <div class="choice" role="group" aria-label={label}>
+    <div class="choice" role="group" aria-label={say(label)}>
       {options.map((option) => (
         <button
           key={option.value}
           type="button"
           aria-pressed={option.value === value}
-          title={option.title}
+          title={option.title && say(option.title)}
           onClick={() => onChange(option.value)}
         >
-          {option.text}
+          {say(option.text)}
         </button>
       ))}
     </div>
@@ -160,13 +161,13 @@ export function Toggle(props: {
   onChange(checked: boolean): void;
 }) {
   return (
-    <label class="toggle" title={props.title}>
+    <label class="toggle" title={props.title && say(props.title)}>
       <input
         type="checkbox"
         checked={props.checked}
         onChange={(event) => props.onChange(event.currentTarget.checked)}
       />
-      <span>{props.label}</span>
+      <span>{say(props.label)}</span>
     </label>
   );
 }

@@ -5,6 +5,7 @@ import { cancelRunning } from '../state/runner';
 import { status } from '../state/store';
 import type { CallProgress } from '../worker/protocol';
 import './busy.css';
+import { say } from '../language/say';
 
 export function Busy() {
   const busy = status.busy.value;
@@ -12,13 +13,13 @@ export function Busy() {
   const { what, progress, seconds } = busy;
   return (
     <div class="notice busy">
-      <Spoken text={what} />
+      <Spoken text={say(what)} />
       <span>
-        {what} <span class="muted detail">{describeProgress(progress, seconds)}</span>
+        {say(what)} <span class="muted detail">{describeProgress(progress, seconds)}</span>
       </span>
-      <progress max={1} value={shareDone(progress) ?? undefined} aria-label={what} />
-      <button type="button" class="quiet" onClick={cancelRunning} title="Esc">
-        Cancel
+      <progress max={1} value={shareDone(progress) ?? undefined} aria-label={say(what)} />
+      <button type="button" class="quiet" onClick={cancelRunning} title={say('Esc')}>
+        {say('Cancel')}
       </button>
     </div>
   );
@@ -27,9 +28,10 @@ export function Busy() {
 /** "7 of 29, 40 s left" for a file of several bodies, otherwise the phase and how far it is. */
 function describeProgress(progress: CallProgress | null, seconds: number): string {
   const left = describeLeft(shareDone(progress), seconds);
-  if (progress?.part) return `${progress.part.number} of ${progress.part.of}${left}`;
+  if (progress?.part)
+    return `${say('{number} of {all}', { number: progress.part.number, all: progress.part.of })}${left}`;
   if (!progress || progress.phase === 'idle') return '';
-  return `${progress.phase} ${Math.round(100 * progress.fraction)}\u00a0%${left}`;
+  return `${say(progress.phase)} ${Math.round(100 * progress.fraction)}\u00a0%${left}`;
 }
 
 /** 0..1 of the bodies, or of the phase of a single one; null where nothing is known. */
@@ -48,7 +50,8 @@ const LEAST_SECONDS = 3;
 function describeLeft(share: number | null, seconds: number): string {
   if (share === null || share < LEAST_DONE) return '';
   const left = (seconds * (1 - share)) / share;
-  return left < LEAST_SECONDS
-    ? ''
-    : `, ${left < 90 ? `${Math.round(left)} s` : `${Math.round(left / 60)} min`} left`;
+  if (left < LEAST_SECONDS) return '';
+  return left < 90
+    ? say(', {seconds} s left', { seconds: Math.round(left) })
+    : say(', {minutes} min left', { minutes: Math.round(left / 60) });
 }

@@ -1,7 +1,6 @@
 /** What the files will contain, what they leave out, what the validator finds, and the buttons that save them. */
 
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
-import { counted } from '../../../engine/core/words';
 import { knownMessages } from '../../../engine/document/facts/known_messages';
 import type { Validation } from '../../../engine/document/validate';
 import type { Compression } from '../../../engine/core/output_words';
@@ -21,6 +20,7 @@ import { count, fileSize } from '../../controls/numbers';
 import { RefusedText } from '../../controls/refused_text';
 import { SolverSection } from './solver_section';
 import './export_panel.css';
+import { listed, say, sayCounted, sentence } from '../../language/say';
 
 /** The files that are shown and saved; null while they are those of earlier settings. */
 const currentExport = (): ExportResult | null =>
@@ -35,16 +35,16 @@ export function ExportPanel() {
   if (!file) return null;
   const { output } = exportRequest();
   return (
-    <aside class="panel right export" aria-label="Export" ref={panel}>
+    <aside class="panel right export" aria-label={say('Export')} ref={panel}>
       <div class="panel-head">
-        <h2>Export</h2>
+        <h2>{say('Export')}</h2>
         <button
           type="button"
           class="quiet"
-          aria-label="Close the export panel"
+          aria-label={say('Close the export panel')}
           onClick={() => (wants.exportOpen.value = false)}
         >
-          Close
+          {say('Close')}
         </button>
       </div>
       <Section title={output}>
@@ -61,34 +61,42 @@ export function ExportPanel() {
 
 const describeFile = (exported: ExportResult | null): string =>
   exported
-    ? `${count(exported.faces)} faces with ${carriedWords()}, ${fileSize(exported.bytes.length)}.`
-    : 'Writing and checking ...';
+    ? say('{faces} faces with {content}, {size}.', {
+        faces: count(exported.faces),
+        content: carriedWords(),
+        size: fileSize(exported.bytes.length),
+      })
+    : say('Writing and checking ...');
 
 /** What the file carries besides its faces: "positions, normals, 1 UV set and 2 skins". */
 function carriedWords(): string {
   const { contents } = results.file.value!;
   const words = [
-    'positions',
-    'normals',
-    counted(contents.uvSets, 'UV set'),
-    contents.vertexColours ? 'colours' : '',
-    counted(contents.textures, 'texture'),
-    counted(contents.skins, 'skin'),
-    counted(contents.morphTargets, 'morph target'),
-    counted(contents.animations, 'animation'),
-  ].filter((word) => word !== '' && !word.startsWith('0 '));
-  return `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`;
+    say('positions'),
+    say('normals'),
+    several(contents.uvSets, '{count} UV set', '{count} UV sets'),
+    contents.vertexColours ? say('colours') : '',
+    several(contents.textures, '{count} texture', '{count} textures'),
+    several(contents.skins, '{count} skin', '{count} skins'),
+    several(contents.morphTargets, '{count} morph target', '{count} morph targets'),
+    several(contents.animations, '{count} animation', '{count} animations'),
+  ];
+  return listed(words.filter((word) => word !== ''));
 }
+
+/** The number of things; '' for none. */
+const several = (number: number, one: string, other: string): string =>
+  number > 0 ? sayCounted(number, one, other) : '';
 
 function LeftOut({ dropped }: { dropped: string[] }) {
   return (
     <Section title="Left out">
-      {dropped.length === 0 && <p class="hint">Nothing in the file is lost.</p>}
+      {dropped.length === 0 && <p class="hint">{say('Nothing in the file is lost.')}</p>}
       {dropped.length > 0 && (
         <ul class="note-list">
           {dropped.map((text) => (
             <li key={text} class="limit">
-              {text}
+              {sentence(text)}
             </li>
           ))}
         </ul>
@@ -145,13 +153,13 @@ function Levels() {
   };
   return (
     <div class="control stacked">
-      <label for={id}>{OPTIONS.lods.label}</label>
+      <label for={id}>{say(OPTIONS.lods.label)}</label>
       <input
         id={id}
         type="text"
         autocomplete="off"
         placeholder="0.25, 0.1"
-        title="Shares of the faces, separated by commas: one more file for each"
+        title={say('Shares of the faces, separated by commas: one more file for each')}
         aria-invalid={refused !== null}
         aria-describedby={refused ? `${id}-refused` : undefined}
         value={refused ? refused.text : wants.settings.value.lods.join(', ')}
@@ -163,7 +171,9 @@ function Levels() {
 }
 
 const describeVerdict = ({ errors, warnings }: Validation): string =>
-  errors === 0 && warnings === 0 ? 'No errors, no warnings.' : `${errors} errors, ${warnings} warnings.`;
+  errors === 0 && warnings === 0
+    ? say('No errors, no warnings.')
+    : say('{errors} errors, {warnings} warnings.', { errors, warnings });
 
 function Verdict({ exported }: { exported: ExportResult }) {
   const { errors, messages } = exported.validation;
@@ -184,7 +194,7 @@ function Verdict({ exported }: { exported: ExportResult }) {
             <li key={name}>
               <span class="filename">{name}</span>
               <span class="muted">
-                {count(faces)} faces, {fileSize(bytes.length)}.{' '}
+                {say('{faces} faces, {size}.', { faces: count(faces), size: fileSize(bytes.length) })}{' '}
                 <span class={validation.errors > 0 ? 'verdict bad' : 'verdict good'}>
                   {describeVerdict(validation)}
                 </span>
@@ -202,8 +212,13 @@ function KnownMessages({ exported: { validation, inputValidation } }: { exported
   const { length: all } = validation.messages;
   if (all === 0 || !inputValidation) return null;
   const known = knownMessages(validation, inputValidation);
-  const text = known === all ? 'All of them were' : `${count(known)} of ${count(all)} were`;
-  return <p class="hint">{text} in your file.</p>;
+  return (
+    <p class="hint">
+      {known === all
+        ? say('All of them were in your file.')
+        : say('{known} of {all} were in your file.', { known: count(known), all: count(all) })}
+    </p>
+  );
 }
 
 function Actions({ exported }: { exported: ExportResult | null }) {
@@ -218,7 +233,7 @@ function Actions({ exported }: { exported: ExportResult | null }) {
         disabled={!exported}
         onClick={() => download(output, exported!.bytes, 'model/gltf-binary')}
       >
-        Save .glb
+        {say('Save .glb')}
       </button>
       {hasMore && (
         <button
@@ -227,7 +242,7 @@ function Actions({ exported }: { exported: ExportResult | null }) {
           disabled={!exported}
           onClick={() => void saveAll(exported!, output)}
         >
-          Save all as .zip
+          {say('Save all as .zip')}
         </button>
       )}
       {solver !== 'none' && (
@@ -236,7 +251,7 @@ function Actions({ exported }: { exported: ExportResult | null }) {
           disabled={!exported}
           onClick={() => download(settingsName(output), exported!.settings!, 'application/json')}
         >
-          Save settings
+          {say('Save settings')}
         </button>
       )}
       <SaveReport exported={exported} output={output} />
@@ -260,12 +275,14 @@ function CommandLine({ exported: { faces: written, targetFaces: faces } }: { exp
   return (
     <>
       <button type="button" onClick={() => void copy()}>
-        {isCopied ? 'Copied' : 'Copy command line'}
+        {isCopied ? say('Copied') : say('Copy command line')}
       </button>
       <code class="command">{line}</code>
       {wants.own.value.size > 0 && (
         <p class="hint">
-          The command shares the faces out over all meshes: it has no numbers of faces for single ones.
+          {say(
+            'The command shares the faces out over all meshes: it has no numbers of faces for single ones.',
+          )}
         </p>
       )}
     </>
@@ -285,14 +302,14 @@ const REPORTS = [
 
 function SaveReport({ exported, output }: { exported: ExportResult | null; output: string }) {
   return (
-    <div class="reports" role="group" aria-label="Save report">
-      <span>Report</span>
+    <div class="reports" role="group" aria-label={say('Save report')}>
+      <span>{say('Report')}</span>
       {REPORTS.map(({ text, ending, type, write }) => (
         <button
           key={ending}
           type="button"
           disabled={!exported}
-          aria-label={`Save report as ${text}`}
+          aria-label={say('Save report as {format}', { format: text })}
           onClick={() => download(output.replace(/glb$/, ending), write(exported!.report), type)}
         >
           {text}

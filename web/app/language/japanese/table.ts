@@ -1,0 +1,5 @@
+/** The Japanese of the page. */
+
+import type { MessageTable } from '../language';
+
+export const JAPANESE: MessageTable = {};
