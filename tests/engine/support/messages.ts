@@ -26,7 +26,9 @@ const hasWords = (literal: string): boolean => /[A-Za-z]{2}/.test(literal);
 export function collectMessages(): Messages {
   const found: Messages = { keys: new Map(), numbers: [], bare: [] };
   const app = join(root, 'web', 'app');
-  const names = readdirSync(app, { recursive: true, encoding: 'utf8' }).filter((name) => /\.tsx?$/.test(name));
+  const names = readdirSync(app, { recursive: true, encoding: 'utf8' }).filter((name) =>
+    /\.tsx?$/.test(name),
+  );
   for (const name of names.sort()) {
     if (name.startsWith('language')) continue;
     const path = join('web', 'app', name);
@@ -115,7 +117,10 @@ class Collector {
     if (ts.isCallExpression(node) || ts.isBinaryExpression(node) || ts.isJsxElement(node)) return;
     if (ts.isStringLiteralLike(node)) return this.reject(node, node.text);
     if (ts.isTemplateExpression(node))
-      this.reject(node, [node.head, ...node.templateSpans.map(({ literal }) => literal)].map(({ text }) => text).join(' '));
+      this.reject(
+        node,
+        [node.head, ...node.templateSpans.map(({ literal }) => literal)].map(({ text }) => text).join(' '),
+      );
     if (ts.isConditionalExpression(node)) {
       this.rejectLiterals(node.whenTrue);
       return this.rejectLiterals(node.whenFalse);
