@@ -19,9 +19,9 @@ export interface Messages {
 const WORD_NAMES = new Set(['text', 'title', 'label', 'hint', 'name', 'what', 'low', 'high']);
 const SHOWN_ATTRIBUTES = new Set(['title', 'aria-label', 'aria-valuetext', 'placeholder', 'alt']);
 /** Members of tables that are no words. */
-const NO_WORDS = new Set(['value', 'picture', 'id', 'kind', 'ending', 'type', 'language']);
+const NO_WORDS = new Set(['value', 'picture', 'id', 'kind', 'ending', 'type']);
 
-const hasWords = (literal: string): boolean => /[A-Za-z]{2}/.test(literal);
+const hasWords = (literal: string): boolean => /[A-Za-z].*[A-Za-z]/.test(literal);
 
 export function collectMessages(): Messages {
   const found: Messages = { keys: new Map(), numbers: [], bare: [] };
@@ -92,6 +92,7 @@ class Collector {
   /** Constants in capitals are tables of words. */
   private collectTable(node: ts.Node): void {
     if (!ts.isVariableDeclaration(node) || !this.file.fileName.includes('panels')) return;
+    if (node.name.getText() === 'rows') return this.collectRows(node);
     if (!/^[A-Z_]+$/.test(node.name.getText()) || !node.initializer) return;
     const walk = (part: ts.Node): void => {
       if (ts.isPropertyAssignment(part) && NO_WORDS.has(part.name.getText())) return;
@@ -100,6 +101,12 @@ class Collector {
       ts.forEachChild(part, walk);
     };
     walk(node.initializer);
+  }
+
+  /** Rows of facts have a name each. */
+  private collectRows({ initializer }: ts.VariableDeclaration): void {
+    if (!initializer || !ts.isArrayLiteralExpression(initializer)) return;
+    for (const row of initializer.elements) if (ts.isArrayLiteralExpression(row)) this.add(row.elements[0]);
   }
 
   private collectBare(node: ts.Node): void {

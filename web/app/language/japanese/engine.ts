@@ -46,8 +46,6 @@ export const ENGINE: MessageTable = {
   'of the remaining edges {share} would change the topology': '残りの辺のうち {share} はトポロジーが変わる',
   '{share} flip a face': '{share} は面が裏返る',
   '{share} break a seam, a border or a lock': '{share} はシーム・境界・ロックを壊す',
-  '{share} break a seam': '{share} はシームを壊す',
-  'a border or a lock': 'または境界・ロックを壊す',
   '{share} make an angle too small': '{share} は角が小さくなりすぎる',
   '{share} go too far from the surface': '{share} は表面から離れすぎる',
   // web/engine/report/explanation.ts

@@ -32,7 +32,6 @@ export const SETTINGS: MessageTable = {
   'Largest frequency error': '周波数誤差の上限',
   'Keep as few faces as leave each of the first six frequencies within this of the original, in %; 0 sets no limit.':
     '最初の 6 つの周波数の誤差がこの値 (%) 以内に収まる、最少の面数を残します。0 は制限なし。',
-  'The same share of each body': '各物体から同じ割合',
   'Further levels': '追加の LOD',
   Creases: '折り目',
   'Edges that bend by more than this stay edges, in degrees; 0 keeps none.':

@@ -23,7 +23,10 @@ export function StopReason() {
         <p class="hint warning">
           {say('Stopped at {faces} faces: {reason}.', {
             faces: count(history.floorFaces),
-            reason: describeRefused(history.refused).split(', ').map(sentence).join(', '),
+            reason: describeRefused(history.refused)
+              .split(/, (?=\d)/)
+              .map(sentence)
+              .join(', '),
           })}
           {history.blockedBySeams &&
             say(' Turn on “{control}” under More to go on.', { control: say(ACROSS_SEAMS) })}
