@@ -1,11 +1,9 @@
 /** The language of the page: that of the browser unless the user has chosen one. English needs no table, as its sentences are the keys. */
 
 import { effect, signal } from '@preact/signals';
+import type { MessageTable } from './message_table';
 
 export type Language = 'en' | 'ja';
-
-/** English sentence -> translated sentence, with the same placeholders. */
-export type MessageTable = Readonly<Record<string, string>>;
 
 const STORE = 'limber-language';
 const NO_TABLE: MessageTable = {};

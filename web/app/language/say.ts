@@ -4,7 +4,7 @@
  */
 
 import { shown } from './language';
-import type { MessageTable } from './language';
+import type { MessageTable } from './message_table';
 
 /** What takes the place of `{name}`. */
 export type Values = Readonly<Record<string, string | number>>;

@@ -3,7 +3,7 @@
  * has no entry here is shown in English.
  */
 
-import type { MessageTable } from '../language';
+import type { MessageTable } from '../message_table';
 
 export const ENGINE: MessageTable = {
   // web/engine/body/health.ts

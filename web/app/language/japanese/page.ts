@@ -1,6 +1,6 @@
 /** The frame of the page: the bar at the top, the start screen, help, words, notices and progress. */
 
-import type { MessageTable } from '../language';
+import type { MessageTable } from '../message_table';
 
 export const PAGE: MessageTable = {
   Model: 'モデル',
@@ -43,7 +43,7 @@ export const PAGE: MessageTable = {
   'Drop a mesh here: Limber finds how it bends and swings, and removes faces where that does not show.':
     'ここにメッシュをドロップしてください。曲がり方や揺れ方を調べ、動きに影響しない所から面を減らします。',
   'GLB, glTF with its files, OBJ, STL or PLY.': 'GLB、glTF (付属ファイルを含む)、OBJ、STL、PLY。',
-  'Your file stays on this computer.': 'ファイルがこのコンピューターの外に送られることはありません。',
+  'Your file stays on this computer.': 'ファイルは外部に送信されません。',
   'Or try a sample': 'サンプルで試す',
   Samples: 'サンプル',
   bar: '棒',

@@ -1,6 +1,6 @@
 /** What is being computed: tasks of the page and phases of the core. */
 
-import type { MessageTable } from '../language';
+import type { MessageTable } from '../message_table';
 
 export const PROGRESS: MessageTable = {
   Opening: 'ファイルを開いています',

@@ -1,6 +1,6 @@
 /** The settings of the page: their labels, help and units. */
 
-import type { MessageTable } from '../language';
+import type { MessageTable } from '../message_table';
 
 export const SETTINGS: MessageTable = {
   'Shape, triangle sizes and strain guide the collapses; then the result is fitted to the surface':

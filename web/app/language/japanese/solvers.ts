@@ -1,6 +1,6 @@
 /** The solvers and their parameters; names of engines and of their parameters stay as they are. */
 
-import type { MessageTable } from '../language';
+import type { MessageTable } from '../message_table';
 
 export const SOLVERS: MessageTable = {
   'Discrete Shells': 'Discrete Shells',

@@ -1,6 +1,6 @@
 /** The steps Model, Motion and Reduce, and the viewport. */
 
-import type { MessageTable } from '../language';
+import type { MessageTable } from '../message_table';
 
 export const STEPS: MessageTable = {
   '{label}, exact': '{label} (数値)',
@@ -138,7 +138,7 @@ export const STEPS: MessageTable = {
   '{error} % before the fit': 'フィット前 {error} %',
   'non-manifold': '非多様体',
   manifold: '多様体',
-  Turn: '回転',
+  ['Turn']: '回転',
   'The left button turns the view (Esc)': '左ボタンで視点を回します (Esc)',
   Keep: '残す',
   'Paint where triangles are kept': '三角形を残す場所をペイント',

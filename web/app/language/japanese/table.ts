@@ -1,6 +1,6 @@
 /** The Japanese of the page, of which each file has a part. */
 
-import type { MessageTable } from '../language';
+import type { MessageTable } from '../message_table';
 import { ENGINE } from './engine';
 import { PAGE } from './page';
 import { PROGRESS } from './progress';

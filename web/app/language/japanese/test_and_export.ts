@@ -1,6 +1,6 @@
 /** The step Test and the export. */
 
-import type { MessageTable } from '../language';
+import type { MessageTable } from '../message_table';
 
 export const TEST_AND_EXPORT: MessageTable = {
   'Where will it move?': '使用するソルバー',

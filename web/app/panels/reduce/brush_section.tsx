@@ -74,17 +74,21 @@ function Painted() {
   if (!levels) return null;
   const locked = levels.filter((level) => level === LOCKED).length;
   const kept = levels.filter((level) => level > 0).length - locked;
+  const words = [
+    kept > 0 ? say('{count} kept', { count: count(kept) }) : '',
+    locked > 0 ? say('{count} locked', { count: count(locked) }) : '',
+  ];
   return (
     <div class="status-row">
       <p class="hint" role="status">
         {kept > 0 && (
           <span class="paint-key" style={{ '--paint': PAINT.keep }}>
-            {say('{count} kept', { count: count(kept) })}
+            {words[0]}
           </span>
         )}
         {locked > 0 && (
           <span class="paint-key" style={{ '--paint': PAINT.lock }}>
-            {say('{count} locked', { count: count(locked) })}
+            {words[1]}
           </span>
         )}
       </p>

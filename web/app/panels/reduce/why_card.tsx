@@ -8,6 +8,7 @@ import { comparedPanes } from './compare';
 import { count, fixed } from '../../controls/numbers';
 import { explain } from '../../../engine/report/explanation';
 import './why_card.css';
+import { Spoken } from '../../controls/spoken';
 import { say, sentence } from '../../language/say';
 
 /** The largest distance between the pointer and the vertex that it hovers over. */
@@ -62,7 +63,8 @@ export function WhyCard({ getViewport }: { getViewport: () => Viewport | null })
   const vertex = hovered();
   const point = vertex === null ? null : (getViewport()?.screenPointOf('optimized', vertex) ?? null);
   return (
-    <div class="why-area" aria-live="polite">
+    <div class="why-area">
+      <Spoken text={spokenReason(vertex)} />
       {vertex !== null && (
         <div class="why" style={point ? cardStyle(point) : undefined}>
           <Reasons vertex={vertex} />
@@ -70,6 +72,14 @@ export function WhyCard({ getViewport }: { getViewport: () => Viewport | null })
       )}
     </div>
   );
+}
+
+/** What is spoken once the pointer rests on a vertex; '' before its reasons are known. */
+function spokenReason(vertex: number | null): string {
+  const why = shownWhy.value;
+  if (vertex === null || !why || vertex >= why.verdict.length) return '';
+  const { sentence: verdict } = explain(why, vertex);
+  return `${say('Vertex {number}', { number: count(vertex) })}. ${sentence(verdict)}`;
 }
 
 /** Puts the card beside the vertex, on the right side where it fits there. */
