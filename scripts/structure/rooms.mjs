@@ -30,13 +30,14 @@ export const engine = {
 
 /** Folders of web/app; the files next to them, which assemble the page, may use all of them. */
 export const app = {
+  language: [],
   'stroke.ts': [],
   worker: [],
   viewer: ['stroke.ts'],
-  state: ['worker', 'stroke.ts'],
-  controls: ['viewer', 'state'],
-  files: ['state'],
-  panels: ['worker', 'viewer', 'state', 'controls', 'files', 'stroke.ts'],
+  state: ['language', 'worker', 'stroke.ts'],
+  controls: ['language', 'viewer', 'state'],
+  files: ['language', 'state'],
+  panels: ['language', 'worker', 'viewer', 'state', 'controls', 'files', 'stroke.ts'],
 };
 
 /** Folders of web/library; the files next to `work`, which the caller loads, know its messages only. */

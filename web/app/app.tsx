@@ -22,6 +22,7 @@ import { SimulateTransport } from './panels/simulate/simulate_transport';
 import { SimulatePanel } from './panels/simulate/simulate_panel';
 import { TopBar } from './panels/top_bar';
 import { results, view, wants } from './state/store';
+import { say } from './language/say';
 
 const isDraggedOver = signal(false);
 
@@ -45,7 +46,7 @@ export function App() {
     >
       <TopBar />
       {results.file.value && (
-        <aside class="panel left" aria-label="Model" tabIndex={0}>
+        <aside class="panel left" aria-label={say('Model')} tabIndex={0}>
           <ModelFacts />
         </aside>
       )}
@@ -66,7 +67,7 @@ export function App() {
       </footer>
       <PicturesPanel />
       <Help />
-      {isDraggedOver.value && <div class="drag-over">Drop to open</div>}
+      {isDraggedOver.value && <div class="drag-over">{say('Drop to open')}</div>}
     </div>
   );
 }
@@ -80,12 +81,12 @@ function SheetHandle() {
     if (sheet === 'facts') wants.exportOpen.value = false;
   };
   return (
-    <div class="sheet-handle" role="navigation" aria-label="Panels">
+    <div class="sheet-handle" role="navigation" aria-label={say('Panels')}>
       <button type="button" aria-pressed={shownSheet.value === 'settings'} onClick={() => choose('settings')}>
-        Settings
+        {say('Settings')}
       </button>
       <button type="button" aria-pressed={shownSheet.value === 'facts'} onClick={() => choose('facts')}>
-        Model
+        {say('Model')}
       </button>
     </div>
   );
@@ -94,7 +95,7 @@ function SheetHandle() {
 function StepPanel() {
   if (wants.exportOpen.value) return <ExportPanel />;
   return (
-    <aside class="panel right" aria-label="Settings of this step" tabIndex={0}>
+    <aside class="panel right" aria-label={say('Settings of this step')} tabIndex={0}>
       <QueueSection />
       <FirstHint />
       {view.step.value === 'model' && <ReadingPanel />}

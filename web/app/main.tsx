@@ -9,6 +9,7 @@ import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { App } from './app';
 import { loadSamples } from './files/samples';
+import { startLanguage } from './language/language';
 import { listenToKeys } from './shortcuts';
 import { openAtStart } from './startup';
 import { followModes } from './state/follow_modes';
@@ -21,6 +22,8 @@ import { startSimulations } from './state/simulation';
 effect(() => {
   document.documentElement.dataset.theme = isDark.value ? 'dark' : 'light';
 });
+// The first picture is in the right language.
+await startLanguage();
 render(<App />, document.getElementById('app')!);
 listenToKeys();
 startRunner();

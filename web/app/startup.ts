@@ -8,6 +8,7 @@ import { lastSession, savedSession } from './state/saved_session';
 import type { Session } from './state/saved_session';
 import { results, status, wants } from './state/store';
 import type { Notice } from './state/store';
+import { say, sentence } from './language/say';
 
 /** Call this after `loadSamples`. */
 export async function openAtStart(): Promise<void> {
@@ -34,7 +35,7 @@ async function offerLastSession(): Promise<void> {
   const run = (): void => void bringBack(session);
   status.notice.value = {
     kind: 'info',
-    text: `Your last work, ${session.name}, is kept on this computer.`,
+    text: say('Your last work, {name}, is kept on this computer.', { name: session.name }),
     action: { label: 'Open it', run },
   };
 }
@@ -63,7 +64,10 @@ function readHash(): Wanted | null {
     if (former !== '') showAfterOpening({ kind: 'info', text: `${former}.` });
     return wanted;
   } catch (error) {
-    showAfterOpening({ kind: 'error', text: `The link has an error. ${describeLinkError(error)}` });
+    showAfterOpening({
+      kind: 'error',
+      text: `${say('The link has an error.')} ${sentence(describeLinkError(error))}`,
+    });
     return null;
   }
 }
@@ -78,5 +82,8 @@ function showAfterOpening(notice: Notice): void {
 function waitForFile(wanted: Wanted): void {
   awaited.value = wanted;
   wants.settings.value = wanted.settings;
-  status.notice.value = { kind: 'info', text: `This link is for ${wanted.file}: open that file.` };
+  status.notice.value = {
+    kind: 'info',
+    text: say('This link is for {file}: open that file.', { file: wanted.file ?? '' }),
+  };
 }

@@ -3,6 +3,7 @@
 import { gradient } from '../viewer/colours';
 import type { MapName } from '../viewer/colours';
 import './colour_bar.css';
+import { say } from '../language/say';
 
 interface ColourBarProps {
   map: MapName;
@@ -15,9 +16,9 @@ export function ColourBar({ map, title, low, high }: ColourBarProps) {
   return (
     <div class="bar">
       <span class="ends">
-        <span class="muted">{low}</span>
-        <span class="bar-title">{title}</span>
-        <span class="muted">{high}</span>
+        <span class="muted">{say(low)}</span>
+        <span class="bar-title">{say(title)}</span>
+        <span class="muted">{say(high)}</span>
       </span>
       <span class="colours" style={{ background: gradient(map) }} />
     </div>

@@ -6,6 +6,7 @@ import { OPTIONS } from '../../engine/settings/options';
 import type { OptionOf, Settings } from '../../engine/settings/options';
 import { changeSettings, wants } from '../state/store';
 import { useSettingWords } from './setting_words';
+import { say } from '../language/say';
 
 /** A setting whose value is a number. */
 export type NumberSetting = { [K in keyof Settings]: Settings[K] extends number ? K : never }[keyof Settings];
@@ -13,8 +14,8 @@ export type NumberSetting = { [K in keyof Settings]: Settings[K] extends number 
 export function Section(props: { title: string; hint?: string; children: ComponentChildren }) {
   return (
     <section class="section">
-      <h2>{props.title}</h2>
-      {props.hint && <p class="hint">{props.hint}</p>}
+      <h2>{say(props.title)}</h2>
+      {props.hint && <p class="hint">{say(props.hint)}</p>}
       {props.children}
     </section>
   );
@@ -34,8 +35,8 @@ interface RangeProps {
 export function Range({ label, min, max, step, value, shown, title, onInput }: RangeProps) {
   const id = useId();
   return (
-    <div class="control" title={title}>
-      <label for={id}>{label}</label>
+    <div class="control" title={title && say(title)}>
+      <label for={id}>{say(label)}</label>
       <output for={id}>{shown ?? value}</output>
       <input
         id={id}
@@ -76,22 +77,22 @@ export function SettingRange({ name }: { name: NumberSetting }) {
   const scale = scaleOf(OPTIONS[name]);
   const words = useSettingWords(name);
   return (
-    <div class="control" title={help}>
+    <div class="control" title={say(help)}>
       <span class="name">
-        <label for={id}>{label}</label>
+        <label for={id}>{say(label)}</label>
         {words.button}
       </span>
       <span class="number">
         <input
           type="number"
-          aria-label={`${label}, exact`}
+          aria-label={say('{label}, exact', { label: say(label) })}
           min={min}
           max={max}
           step="any"
           value={value}
           onChange={(event) => set(event.currentTarget.valueAsNumber)}
         />
-        {unit && <span class="unit">{unit.startsWith('%') ? '%' : unit}</span>}
+        {unit && <span class="unit">{unit.startsWith('%') ? '%' : say(unit)}</span>}
       </span>
       <input
         id={id}
@@ -100,7 +101,7 @@ export function SettingRange({ name }: { name: NumberSetting }) {
         max={scale.max}
         step={scale.step}
         value={scale.toSlider(value)}
-        aria-valuetext={`${value}${unit ? ` ${unit}` : ''}`}
+        aria-valuetext={`${value}${unit ? ` ${say(unit)}` : ''}`}
         onInput={(event) => set(scale.fromSlider(event.currentTarget.valueAsNumber))}
       />
       {words.sentences}
@@ -120,12 +121,12 @@ interface SelectProps {
 export function Select({ label, options, value, title, onChange }: SelectProps) {
   const id = useId();
   return (
-    <div class="control" title={title}>
-      <label for={id}>{label}</label>
+    <div class="control" title={title && say(title)}>
+      <label for={id}>{say(label)}</label>
       <select id={id} value={value} onChange={(event) => onChange(event.currentTarget.value)}>
         {options.map((option) => (
           <option key={option.value} value={option.value}>
-            {option.text}
+            {say(option.text)}
           </option>
         ))}
       </select>
@@ -143,16 +144,16 @@ interface ChoiceProps<T extends string> {
 /** A few choices side by side, one of them pressed. */
 export function Choice<T extends string>({ label, options, value, onChange }: ChoiceProps<T>) {
   return (
-    <div class="choice" role="group" aria-label={label}>
+    <div class="choice" role="group" aria-label={say(label)}>
       {options.map((option) => (
         <button
           key={option.value}
           type="button"
           aria-pressed={option.value === value}
-          title={option.title}
+          title={option.title && say(option.title)}
           onClick={() => onChange(option.value)}
         >
-          {option.text}
+          {say(option.text)}
         </button>
       ))}
     </div>
@@ -166,13 +167,13 @@ export function Toggle(props: {
   onChange(checked: boolean): void;
 }) {
   return (
-    <label class="toggle" title={props.title}>
+    <label class="toggle" title={props.title && say(props.title)}>
       <input
         type="checkbox"
         checked={props.checked}
         onChange={(event) => props.onChange(event.currentTarget.checked)}
       />
-      <span>{props.label}</span>
+      <span>{say(props.label)}</span>
     </label>
   );
 }

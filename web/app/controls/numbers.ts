@@ -1,6 +1,8 @@
 /** Numbers as the page writes them. */
 
-export const count = (value: number): string => value.toLocaleString('en-US');
+import { shown } from '../language/language';
+
+export const count = (value: number): string => value.toLocaleString(shown.value.language);
 
 export const fixed = (value: number, digits: number): string => value.toFixed(digits);
 

@@ -1,6 +1,7 @@
 /** A number with its name above and a note beside it. */
 
 import './readout.css';
+import { say } from '../language/say';
 
 interface ReadoutProps {
   name: string;
@@ -12,7 +13,7 @@ interface ReadoutProps {
 export function Readout({ name, value, note, isBad }: ReadoutProps) {
   return (
     <div class={isBad ? 'bad' : undefined}>
-      <dt>{name}</dt>
+      <dt>{say(name)}</dt>
       <dd>
         <strong>{value}</strong>
         <span class="muted">{note}</span>

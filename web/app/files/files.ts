@@ -5,6 +5,7 @@ import type { Wanted } from '../state/link';
 import { openFiles } from '../state/runner';
 import { openAll } from './open_all';
 import { status } from '../state/store';
+import { say } from '../language/say';
 
 const READABLE = '.glb,.gltf,.obj,.stl,.ply,.off,.zip';
 
@@ -71,7 +72,7 @@ export async function openAddress(address: string, name: string, wanted?: Wanted
   if (!response.ok) {
     status.notice.value = {
       kind: 'error',
-      text: `${name} could not be loaded: build the samples with npm run build.`,
+      text: say('{name} could not be loaded: build the samples with npm run build.', { name }),
     };
     return;
   }

@@ -6,6 +6,7 @@ import { cancelRunning } from '../state/runner';
 import { status } from '../state/store';
 import type { CallProgress } from '../worker/protocol';
 import './busy.css';
+import { say } from '../language/say';
 
 export function Busy() {
   const busy = status.busy.value;
@@ -13,13 +14,13 @@ export function Busy() {
   const { what, progress, left } = busy;
   return (
     <div class="notice busy">
-      <Spoken text={what} />
+      <Spoken text={say(what)} />
       <span>
-        {what} <span class="muted detail">{describeProgress(progress, left)}</span>
+        {say(what)} <span class="muted detail">{describeProgress(progress, left)}</span>
       </span>
-      <progress max={1} value={shareDone(progress) ?? undefined} aria-label={what} />
-      <button type="button" class="quiet" onClick={cancelRunning} title="Esc">
-        Cancel
+      <progress max={1} value={shareDone(progress) ?? undefined} aria-label={say(what)} />
+      <button type="button" class="quiet" onClick={cancelRunning} title={say('Esc')}>
+        {say('Cancel')}
       </button>
     </div>
   );
@@ -28,10 +29,15 @@ export function Busy() {
 /** "7 of 29, 40 s left" for a file of several bodies, otherwise the phase and how far it is. */
 function describeProgress(progress: CallProgress | null, seconds: number | null): string {
   const left = describeLeft(seconds);
-  if (progress?.part) return `${progress.part.number} of ${progress.part.of}${left}`;
+  if (progress?.part)
+    return `${say('{number} of {all}', { number: progress.part.number, all: progress.part.of })}${left}`;
   if (!progress || progress.phase === 'idle') return '';
-  return `${progress.phase} ${Math.round(100 * progress.fraction)}\u00a0%${left}`;
+  return `${say(progress.phase)} ${Math.round(100 * progress.fraction)}\u00a0%${left}`;
 }
 
-const describeLeft = (left: number | null): string =>
-  left === null ? '' : `, ${left < 90 ? `${Math.round(left)} s` : `${Math.round(left / 60)} min`} left`;
+function describeLeft(left: number | null): string {
+  if (left === null) return '';
+  return left < 90
+    ? say(', {seconds} s left', { seconds: Math.round(left) })
+    : say(', {minutes} min left', { minutes: Math.round(left / 60) });
+}

@@ -1,8 +1,10 @@
 /** The list of keys, and what words mean. */
 
+import { LanguageChoice } from '../controls/language_choice';
 import { view } from '../state/store';
 import { Words } from './words';
 import './help.css';
+import { say } from '../language/say';
 
 const KEYS: [string, string][] = [
   ['Space', 'play or pause; in Reduce: swing or rest'],
@@ -27,29 +29,30 @@ const KEYS: [string, string][] = [
 export function Help() {
   if (!view.helpOpen.value) return null;
   return (
-    <aside class="panel help" aria-label="Help">
+    <aside class="panel help" aria-label={say('Help')}>
       <div class="panel-head">
-        <h2>Keys</h2>
+        <h2>{say('Keys')}</h2>
         <button
           type="button"
           class="quiet"
-          aria-label="Close the help"
+          aria-label={say('Close the help')}
           onClick={() => (view.helpOpen.value = false)}
         >
-          Close
+          {say('Close')}
         </button>
       </div>
+      <LanguageChoice />
       <dl class="keys">
         {KEYS.map(([key, meaning]) => (
           <div key={key}>
             <dt>
-              <kbd>{key}</kbd>
+              <kbd>{say(key)}</kbd>
             </dt>
-            <dd>{meaning}</dd>
+            <dd>{say(meaning)}</dd>
           </div>
         ))}
       </dl>
-      <h2>Words</h2>
+      <h2>{say('Words')}</h2>
       <Words />
     </aside>
   );

@@ -4,6 +4,7 @@ import { resume } from '../state/runner';
 import { results, status } from '../state/store';
 import { Busy } from './busy';
 import './notices.css';
+import { say, sentence } from '../language/say';
 
 export function Notices() {
   const notice = status.notice.value;
@@ -11,28 +12,28 @@ export function Notices() {
     <div class="notices">
       {notice && (
         <div class={`notice ${notice.kind}`} role={notice.kind === 'error' ? 'alert' : 'status'}>
-          <span>{notice.text}</span>
+          <span>{sentence(notice.text)}</span>
           {notice.action && (
             <button type="button" onClick={notice.action.run}>
-              {notice.action.label}
+              {say(notice.action.label)}
             </button>
           )}
           <button
             type="button"
             class="quiet"
-            aria-label="Dismiss"
+            aria-label={say('Dismiss')}
             onClick={() => (status.notice.value = null)}
           >
-            Close
+            {say('Close')}
           </button>
         </div>
       )}
       {!results.body.value && <Busy />}
       {status.paused.value && !status.busy.value && (
         <div class="notice info" role="status">
-          <span>{status.paused.value}: stopped.</span>
+          <span>{say('{task}: stopped.', { task: say(status.paused.value) })}</span>
           <button type="button" onClick={resume}>
-            Run again
+            {say('Run again')}
           </button>
         </div>
       )}

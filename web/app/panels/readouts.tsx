@@ -10,6 +10,7 @@ import { Readout } from '../controls/readout';
 import { Spoken } from '../controls/spoken';
 import { describePart, worstPart } from './reduce/frequency_hint';
 import { SimulateReadouts } from './simulate/simulate_readouts';
+import { say, sayCounted, sentence } from '../language/say';
 
 export function Readouts() {
   const body = results.body.value;
@@ -32,17 +33,17 @@ function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
         <Readout
           name="Smallest angle"
           value={metrics ? `${fixed(metrics.minAngle, 1)}°` : '...'}
-          note={`was ${fixed(body.minAngle, 1)}°`}
+          note={say('was {angle}°', { angle: fixed(body.minAngle, 1) })}
         />
         <Readout
           name="Mean of smallest"
           value={metrics ? `${fixed(metrics.meanMinAngle, 1)}°` : '...'}
-          note={`was ${fixed(body.meanMinAngle, 1)}°`}
+          note={say('was {angle}°', { angle: fixed(body.meanMinAngle, 1) })}
         />
         <Readout
           name="Deviation"
           value={metrics ? `${fixed(metrics.hausdorff, 2)} %` : '...'}
-          note={metrics ? `mean ${fixed(metrics.mean, 3)} %` : 'of the diagonal'}
+          note={metrics ? say('mean {mean} %', { mean: fixed(metrics.mean, 3) }) : say('of the diagonal')}
         />
         <FrequencyReadout />
         <TopologyReadout />
@@ -55,8 +56,14 @@ function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
 function spokenResult(body: BodySummary, faces: number): string {
   const metrics = results.metrics.value;
   if (!metrics) return '';
-  const shape = metrics.certificate.kept ? 'Topology kept.' : 'Topology changed.';
-  return `${count(faces)} of ${count(faceCount(body.mesh))} faces, deviation ${fixed(metrics.hausdorff, 2)} %, smallest angle ${fixed(metrics.minAngle, 1)} degrees. ${shape}`;
+  const shape = metrics.certificate.kept ? say('Topology kept.') : say('Topology changed.');
+  return say('{faces} of {all} faces, deviation {deviation} %, smallest angle {angle} degrees. {topology}', {
+    faces: count(faces),
+    all: count(faceCount(body.mesh)),
+    deviation: fixed(metrics.hausdorff, 2),
+    angle: fixed(metrics.minAngle, 1),
+    topology: shape,
+  });
 }
 
 function TopologyReadout() {
@@ -66,7 +73,7 @@ function TopologyReadout() {
   return (
     <Readout
       name="Topology"
-      value={certificate.kept ? 'kept' : 'CHANGED'}
+      value={certificate.kept ? say('kept') : say('CHANGED')}
       note={describeTopology(inspection)}
       isBad={!certificate.kept}
     />
@@ -78,8 +85,8 @@ function FrequencyReadout() {
   if (fitOf(wants.settings.value) !== 'modal') return null;
   const fitted = shownFit.value;
   if (fitted?.errorAfter.length === 0)
-    return <Readout name="Frequency error" value="not fitted" note={fitted.unfitted} />;
-  const at = fitted && fitted.large > 0 ? ', at half and twice the thickness' : '';
+    return <Readout name="Frequency error" value={say('not fitted')} note={sentence(fitted.unfitted)} />;
+  const at = fitted && fitted.large > 0 ? say(', at half and twice the thickness') : '';
   const worst = fitted ? worstPart(fitted.errorAfter) : null;
   const where = fitted && worst ? describePart(worst.part, fitted.errorAfter.length) : '';
   const before = fitted ? Math.max(0, ...fitted.errorBefore) : 0;
@@ -87,25 +94,37 @@ function FrequencyReadout() {
     <Readout
       name="Frequency error"
       value={worst ? `${fixed(worst.error, 2)} %` : '...'}
-      note={fitted ? `${where && `${where}, `}${fixed(before, 1)} % before the fit${at}` : 'fitting'}
+      note={
+        fitted
+          ? `${where && `${where}, `}${say('{error} % before the fit', { error: fixed(before, 1) })}${at}`
+          : say('fitting')
+      }
     />
   );
 }
 
 function describeTopology({ components, boundaryLoops, genus }: Inspection): string {
-  return `${count(components)} part${components === 1 ? '' : 's'}, ${boundaryLoops} border${boundaryLoops === 1 ? '' : 's'}, genus ${genus ?? 'n/a'}`;
+  return [
+    sayCounted(components, '{count} part', '{count} parts'),
+    sayCounted(boundaryLoops, '{count} border', '{count} borders'),
+    say('genus {genus}', { genus: genus ?? say('n/a') }),
+  ].join(', ');
 }
 
 function OriginalReadouts() {
   const { inspection, minAngle, meanMinAngle } = results.body.value!;
   return (
     <dl class="readouts" tabIndex={0}>
-      <Readout name="Faces" value={count(inspection.faces)} note={`${count(inspection.vertices)} vertices`} />
+      <Readout
+        name="Faces"
+        value={count(inspection.faces)}
+        note={sayCounted(inspection.vertices, '{count} vertex', '{count} vertices')}
+      />
       <Readout name="Smallest angle" value={`${fixed(minAngle, 1)}°`} note="" />
       <Readout name="Mean of smallest" value={`${fixed(meanMinAngle, 1)}°`} note="" />
       <Readout
         name="Topology"
-        value={inspection.nonManifoldEdges > 0 ? 'non-manifold' : 'manifold'}
+        value={inspection.nonManifoldEdges > 0 ? say('non-manifold') : say('manifold')}
         note={describeTopology(inspection)}
       />
     </dl>

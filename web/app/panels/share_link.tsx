@@ -5,6 +5,7 @@ import { count } from '../controls/numbers';
 import { samples } from '../files/samples';
 import { writeLink } from '../state/link';
 import { results, status, wants } from '../state/store';
+import { say } from '../language/say';
 
 const COPIED_MILLISECONDS = 2000;
 /** Some programs cut links that are longer than this. */
@@ -20,7 +21,10 @@ export function ShareLink() {
     if (link.length > LONG_LINK)
       status.notice.value = {
         kind: 'info',
-        text: `The link has ${count(link.length)} characters, as it contains what was painted or pinned: some programs cut it.`,
+        text: say(
+          'The link has {count} characters, as it contains what was painted or pinned: some programs cut it.',
+          { count: count(link.length) },
+        ),
       };
   };
   return (
@@ -28,10 +32,10 @@ export function ShareLink() {
       type="button"
       class="quiet"
       disabled={!results.file.value}
-      title="Copy a link with all settings; the file itself stays here"
+      title={say('Copy a link with all settings; the file itself stays here')}
       onClick={() => void copy()}
     >
-      {isCopied ? 'Copied' : 'Share link'}
+      {isCopied ? say('Copied') : say('Share link')}
     </button>
   );
 }

@@ -1,5 +1,6 @@
 /** The bar at the top: brand, files, steps, and the tools of the whole page. */
 
+import { LanguageChoice } from '../controls/language_choice';
 import { pickFiles } from '../files/files';
 import { isReloadFaster, reloadPage } from '../state/offline';
 import { results, status, view, wants } from '../state/store';
@@ -8,6 +9,7 @@ import { Samples } from './model/samples';
 import { ShareLink } from './share_link';
 import { UndoRedo } from './undo_redo';
 import './top_bar.css';
+import { say } from '../language/say';
 
 const STEPS: { id: Step; text: string }[] = [
   { id: 'model', text: 'Model' },
@@ -22,13 +24,13 @@ const THEME_NAMES: Record<Theme, string> = { system: 'Auto', light: 'Light', dar
 export function TopBar() {
   return (
     <header class="top">
-      <h1 class="brand" aria-label="Limber">
+      <h1 class="brand" aria-label={say('Limber')}>
         <img src="./icon.svg" alt="" width="24" height="24" />
-        <span class="brand-name">Limber</span>
+        <span class="brand-name">{say('Limber')}</span>
       </h1>
       <div class="files">
-        <button type="button" onClick={() => void pickFiles()} title="Open a file (Ctrl+O)">
-          Open
+        <button type="button" onClick={() => void pickFiles()} title={say('Open a file (Ctrl+O)')}>
+          {say('Open')}
         </button>
         <Samples />
       </div>
@@ -38,6 +40,7 @@ export function TopBar() {
         <ShareLink />
         <ThreadNote />
         <ThemeButton />
+        <LanguageChoice />
         <HelpButton />
         <ExportButton />
       </div>
@@ -47,7 +50,7 @@ export function TopBar() {
 
 function Steps() {
   return (
-    <nav class="steps" aria-label="Steps">
+    <nav class="steps" aria-label={say('Steps')}>
       {STEPS.map(({ id, text }, i) => (
         <button
           key={id}
@@ -59,7 +62,7 @@ function Steps() {
           }}
         >
           <span class="ordinal">{i + 1}</span>
-          {text}
+          {say(text)}
         </button>
       ))}
     </nav>
@@ -72,18 +75,20 @@ function ThreadNote() {
     <>
       <span
         class="chip"
-        title="This page has no shared memory (COOP and COEP headers), so the core runs on one thread. Everything works."
+        title={say(
+          'This page has no shared memory (COOP and COEP headers), so the core runs on one thread. Everything works.',
+        )}
       >
-        1 thread
+        {say('1 thread')}
       </span>
       {isReloadFaster.value && (
         <button
           type="button"
           class="quiet"
-          title="A reload gives this page several threads; your work comes back."
+          title={say('A reload gives this page several threads; your work comes back.')}
           onClick={reloadPage}
         >
-          Reload for more
+          {say('Reload for more')}
         </button>
       )}
     </>
@@ -96,11 +101,11 @@ function ThemeButton() {
     <button
       type="button"
       class="quiet"
-      aria-label={`Colour scheme: ${theme}`}
-      title="Colour scheme: system, light, dark"
+      aria-label={say('Colour scheme: {scheme}', { scheme: say(THEME_NAMES[theme]) })}
+      title={say('Colour scheme: system, light, dark')}
       onClick={() => (view.theme.value = NEXT_THEME[theme])}
     >
-      {THEME_NAMES[theme]}
+      {say(THEME_NAMES[theme])}
     </button>
   );
 }
@@ -110,7 +115,7 @@ function HelpButton() {
     <button
       type="button"
       class="quiet"
-      aria-label="Help"
+      aria-label={say('Help')}
       aria-expanded={view.helpOpen.value}
       onClick={() => (view.helpOpen.value = !view.helpOpen.value)}
     >
@@ -126,10 +131,10 @@ function ExportButton() {
       class="primary"
       disabled={!results.mesh.value}
       aria-expanded={wants.exportOpen.value}
-      title="Export (Ctrl+E)"
+      title={say('Export (Ctrl+E)')}
       onClick={() => (wants.exportOpen.value = !wants.exportOpen.value)}
     >
-      Export
+      {say('Export')}
     </button>
   );
 }

@@ -1,6 +1,7 @@
 /** The buttons for Undo and Redo. */
 
 import { canRedo, canUndo, redo, undo } from '../state/undo';
+import { say } from '../language/say';
 
 export function UndoRedo() {
   return (
@@ -9,8 +10,8 @@ export function UndoRedo() {
         type="button"
         class="quiet"
         disabled={!canUndo()}
-        title="Undo (Ctrl+Z)"
-        aria-label="Undo"
+        title={say('Undo (Ctrl+Z)')}
+        aria-label={say('Undo')}
         onClick={undo}
       >
         <Arrow />
@@ -19,8 +20,8 @@ export function UndoRedo() {
         type="button"
         class="quiet"
         disabled={!canRedo()}
-        title="Redo (Ctrl+Shift+Z)"
-        aria-label="Redo"
+        title={say('Redo (Ctrl+Shift+Z)')}
+        aria-label={say('Redo')}
         onClick={redo}
       >
         <Arrow isMirrored />

@@ -1,5 +1,7 @@
 /** The words of the page: each in a sentence for an artist, and one for an engineer. */
 
+import { say } from '../language/say';
+
 const WORDS: [word: string, plain: string, exact: string][] = [
   [
     'Mode',
@@ -55,11 +57,11 @@ export function Words() {
     <dl class="words">
       {WORDS.map(([word, plain, exact]) => (
         <div key={word}>
-          <dt>{word}</dt>
+          <dt>{say(word)}</dt>
           <dd>
-            {plain}
+            {say(plain)}
             <details>
-              <summary>exactly</summary>
+              <summary>{say('exactly')}</summary>
               {exact}
             </details>
           </dd>

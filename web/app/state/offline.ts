@@ -3,6 +3,7 @@
 import { signal } from '@preact/signals';
 import { awaited } from './link';
 import { results, status } from './store';
+import { say } from '../language/say';
 
 const RELOADED_KEY = 'limber-reloaded';
 
@@ -42,7 +43,7 @@ function followUpdates(registration: ServiceWorkerRegistration): void {
     if (!navigator.serviceWorker.controller) return;
     status.notice.value = {
       kind: 'info',
-      text: 'A new version is ready. Your work comes back after a reload.',
+      text: say('A new version is ready. Your work comes back after a reload.'),
       action: { label: 'Reload', run: () => takeOver(waiting) },
     };
   };

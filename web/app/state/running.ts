@@ -7,12 +7,11 @@ import { remainingTime, shareDone } from './remaining';
 import { Replayer } from './replayer';
 import { status } from './store';
 import type { Notice } from './store';
+import { say, sentence } from '../language/say';
 
 const SLOW_MILLISECONDS = 200;
 /** Without progress for so long a call may be stuck. */
 const STUCK_MILLISECONDS = 60_000;
-
-const WORKER_LOST = 'The computation has stopped unexpectedly';
 
 const base = new URL('.', document.baseURI).href;
 
@@ -23,7 +22,7 @@ export const client = new Client(base, tellRestarted, (port) => replayer.listen(
 function tellRestarted(): void {
   status.notice.value = {
     kind: 'info',
-    text: `${WORKER_LOST}. It has started again, and your work is as it was.`,
+    text: say('The computation has stopped unexpectedly. It has started again, and your work is as it was.'),
   };
 }
 
@@ -36,11 +35,18 @@ function noticeOf(error: unknown): Notice {
   if (isMissingFile(error))
     return {
       kind: 'error',
-      text: 'A part of the page could not be loaded: the network is lost, or there is a new version. Reload; your work comes back.',
+      text: say(
+        'A part of the page could not be loaded: the network is lost, or there is a new version. Reload; your work comes back.',
+      ),
       action: { label: 'Reload', run: reloadPage },
     };
   if (error instanceof WorkerLost)
-    return { kind: 'error', text: `${WORKER_LOST}: ${text}. Your file and your settings are kept.` };
+    return {
+      kind: 'error',
+      text: say('The computation has stopped unexpectedly: {why}. Your file and your settings are kept.', {
+        why: sentence(text),
+      }),
+    };
   return { kind: 'error', text };
 }
 
@@ -89,7 +95,9 @@ function offerRestart(what: string): void {
   };
   status.notice.value = {
     kind: 'info',
-    text: `${what}: no progress for a minute. It may need more time, or it may be stuck.`,
+    text: say('{task}: no progress for a minute. It may need more time, or it may be stuck.', {
+      task: say(what),
+    }),
     action: { label: 'Start again', run },
   };
 }

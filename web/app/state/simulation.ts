@@ -16,6 +16,7 @@ import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { results, shownMesh, status, view, wantedFaces, wants } from './store';
 import { isTuningWanted, pinSource, twin, usedTuning } from './twin';
+import { say } from '../language/say';
 
 /** ms; numbers that change faster than this cannot be read. */
 const NUMBERS_EVERY = 250;
@@ -75,16 +76,16 @@ function openWorker(): Remote<SimulationApi> {
   const onEnd = (why: string): void => {
     if (worker !== own) return;
     closeWorker();
-    twin.failure.value = `The simulation has stopped: ${why}. Press Reset to start it again.`;
+    twin.failure.value = say('The simulation has stopped: {why}. Press Reset to start it again.', { why });
   };
   worker.addEventListener('error', ({ message }) =>
-    onEnd(message ?? 'its program could not be loaded; reload the page, your work comes back'),
+    onEnd(message ?? say('its program could not be loaded; reload the page, your work comes back')),
   );
   const api = (remote = wrap<SimulationApi>(worker));
   const lock = `limber-simulation-${crypto.randomUUID()}`;
   loaded = api.load(new URL('wasm/', document.baseURI).href, proxy(showFrame), lock);
   loaded.then(
-    () => watchLife(lock, () => onEnd('the browser has ended it')),
+    () => watchLife(lock, () => onEnd(say('the browser has ended it'))),
     () => {},
   );
   return api;

@@ -1,7 +1,6 @@
 /** What the files will contain, what they leave out, what the validator finds, and the buttons that save them. */
 
 import { useEffect, useRef } from 'preact/hooks';
-import { counted } from '../../../engine/core/words';
 import { exportedKey, exportRequest } from '../../state/export_request';
 import { exportFormatOf } from '../../worker/export_form';
 import { results, wants } from '../../state/store';
@@ -17,6 +16,7 @@ import { PresetSection } from './preset_section';
 import { SolverSection } from './solver_section';
 import { Verdict } from './verdict';
 import './export_panel.css';
+import { listed, say, sayCounted, sentence } from '../../language/say';
 
 /** The files that are shown and saved; null while they are those of earlier settings. */
 const currentExport = (): ExportResult | null =>
@@ -30,16 +30,16 @@ export function ExportPanel() {
   useEffect(() => panel.current?.scrollIntoView({ block: 'start' }), []);
   if (!file) return null;
   return (
-    <aside class="panel right export" aria-label="Export" ref={panel}>
+    <aside class="panel right export" aria-label={say('Export')} ref={panel}>
       <div class="panel-head">
-        <h2>Export</h2>
+        <h2>{say('Export')}</h2>
         <button
           type="button"
           class="quiet"
-          aria-label="Close the export panel"
+          aria-label={say('Close the export panel')}
           onClick={() => (wants.exportOpen.value = false)}
         >
-          Close
+          {say('Close')}
         </button>
       </div>
       <QueueSection />
@@ -60,39 +60,47 @@ export function ExportPanel() {
 
 const describeFile = (exported: ExportResult | null): string =>
   exported
-    ? `${count(exported.faces)} faces with ${carriedWords()}, ${fileSize(exported.bytes.length)}.`
-    : 'Writing and checking ...';
+    ? say('{faces} faces with {content}, {size}.', {
+        faces: count(exported.faces),
+        content: carriedWords(),
+        size: fileSize(exported.bytes.length),
+      })
+    : say('Writing and checking ...');
 
 /** What the file carries besides its faces: "positions, normals, 1 UV set and 2 skins". */
 function carriedWords(): string {
   const { contents } = results.file.value!;
   const { isGltf } = exportFormatOf(wants.settings.value);
   const words = [
-    'positions',
-    'normals',
-    counted(contents.uvSets, 'UV set'),
-    contents.vertexColours ? 'colours' : '',
-    counted(contents.textures, 'texture'),
+    say('positions'),
+    say('normals'),
+    several(contents.uvSets, '{count} UV set', '{count} UV sets'),
+    contents.vertexColours ? say('colours') : '',
+    several(contents.textures, '{count} texture', '{count} textures'),
     ...(isGltf
       ? [
-          counted(contents.skins, 'skin'),
-          counted(contents.morphTargets, 'morph target'),
-          counted(contents.animations, 'animation'),
+          several(contents.skins, '{count} skin', '{count} skins'),
+          several(contents.morphTargets, '{count} morph target', '{count} morph targets'),
+          several(contents.animations, '{count} animation', '{count} animations'),
         ]
       : []),
-  ].filter((word) => word !== '' && !word.startsWith('0 '));
-  return `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`;
+  ];
+  return listed(words.filter((word) => word !== ''));
 }
+
+/** The number of things; '' for none. */
+const several = (number: number, one: string, other: string): string =>
+  number > 0 ? sayCounted(number, one, other) : '';
 
 function LeftOut({ dropped }: { dropped: string[] }) {
   return (
     <Section title="Left out">
-      {dropped.length === 0 && <p class="hint">Nothing in the file is lost.</p>}
+      {dropped.length === 0 && <p class="hint">{say('Nothing in the file is lost.')}</p>}
       {dropped.length > 0 && (
         <ul class="note-list">
           {dropped.map((text) => (
             <li key={text} class="limit">
-              {text}
+              {sentence(text)}
             </li>
           ))}
         </ul>

@@ -14,6 +14,7 @@ import { RefusedText } from '../../controls/refused_text';
 import { refusalOf } from '../../state/refusal';
 import type { Refusal } from '../../state/refusal';
 import { changeSettings, wants } from '../../state/store';
+import { say, sentence } from '../../language/say';
 
 const SOLVERS = [
   { value: 'none', text: 'Not said' },
@@ -62,20 +63,22 @@ function Tuning({ solver, report }: { solver: SolverName; report: Report | null 
         onChange={(tune) => changeSettings({ tune })}
       />
       <details class="more">
-        <summary>{OPTIONS.engine.label}</summary>
-        <p class="hint">As typed in for the original; what is empty follows from the material.</p>
+        <summary>{say(OPTIONS.engine.label)}</summary>
+        <p class="hint">{say('As typed in for the original; what is empty follows from the material.')}</p>
         {parameters.map((parameter) => (
           <Parameter key={`${solver} ${parameter.name}`} solver={solver} parameter={parameter} />
         ))}
       </details>
       {found ? (
         <ul class="hint tuning">
-          {describeTuning(solver, found).map((sentence) => (
-            <li key={sentence}>{`${sentence[0].toUpperCase()}${sentence.slice(1)}.`}</li>
+          {describeTuning(solver, found).map((clause) => (
+            <li key={clause}>{sentence(`${clause[0].toUpperCase()}${clause.slice(1)}.`)}</li>
           ))}
         </ul>
       ) : (
-        <p class="hint">Solving both bodies in {profileOf(solver).label} ...</p>
+        <p class="hint">
+          {say('Solving both bodies in {solver} ...', { solver: say(profileOf(solver).label) })}
+        </p>
       )}
     </>
   );
@@ -97,7 +100,7 @@ function Parameter({ solver, parameter }: { solver: SolverName; parameter: Nativ
     if (!refusal) changeSettings({ engine: text });
   };
   return (
-    <div class="control" title={words}>
+    <div class="control" title={say(words)}>
       <label for={id}>{name}</label>
       <span class="number">
         <input

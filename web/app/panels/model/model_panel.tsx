@@ -6,6 +6,7 @@ import { Section, SettingRange } from '../../controls/controls';
 import { count, fileSize, fixed } from '../../controls/numbers';
 import { SceneTree } from './scene_tree';
 import './model_panel.css';
+import { say, sayCounted, sentence } from '../../language/say';
 
 export function ModelFacts() {
   const file = results.file.value;
@@ -21,7 +22,7 @@ export function ModelFacts() {
         <FileNotes />
       </Section>
       {file.bodies.length > 1 && (
-        <Section title={`${count(file.bodies.length)} meshes`}>
+        <Section title={sayCounted(file.bodies.length, '{count} mesh', '{count} meshes')}>
           <SceneTree />
         </Section>
       )}
@@ -46,7 +47,7 @@ function FileNotes() {
   return (
     <ul class="note-list hint">
       {notes.map((note) => (
-        <li key={note}>{note}</li>
+        <li key={note}>{sentence(note)}</li>
       ))}
     </ul>
   );
@@ -61,7 +62,7 @@ function Contents() {
     ['UV sets', count(contents.uvSets)],
     ['Materials', count(contents.materials)],
     ['Textures', count(contents.textures)],
-    ['Vertex colours', contents.vertexColours ? 'yes' : 'no'],
+    ['Vertex colours', contents.vertexColours ? say('yes') : say('no')],
     ['Skins', count(contents.skins)],
     ['Animations', count(contents.animations)],
     ['Morph targets', count(contents.morphTargets)],
@@ -76,8 +77,8 @@ function Facts() {
     ['Vertices', count(inspection.vertices)],
     ['Parts', count(inspection.components)],
     ['Open borders', count(inspection.boundaryLoops)],
-    ['Handles', inspection.genus === null ? 'n/a' : count(inspection.genus)],
-    ['Size', `${Number(diagonal.toPrecision(4))} units`],
+    ['Handles', inspection.genus === null ? say('n/a') : count(inspection.genus)],
+    ['Size', say('{size} units', { size: Number(diagonal.toPrecision(4)) })],
     ['Smallest angle', `${fixed(minAngle, 1)}°`],
     ['Mean of smallest', `${fixed(meanMinAngle, 1)}°`],
   ];
@@ -89,7 +90,7 @@ function FactList({ rows }: { rows: [string, string][] }) {
     <dl class="facts">
       {rows.map(([name, value]) => (
         <div key={name}>
-          <dt>{name}</dt>
+          <dt>{say(name)}</dt>
           <dd>{value}</dd>
         </div>
       ))}
@@ -99,12 +100,12 @@ function FactList({ rows }: { rows: [string, string][] }) {
 
 function Health() {
   const { health } = results.body.value!;
-  if (health.length === 0) return <p class="hint">Nothing to repair.</p>;
+  if (health.length === 0) return <p class="hint">{say('Nothing to repair.')}</p>;
   return (
     <ul class="note-list">
       {health.map(({ kind, text }) => (
         <li key={text} class={kind}>
-          {text}
+          {sentence(text)}
         </li>
       ))}
     </ul>

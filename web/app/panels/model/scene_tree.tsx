@@ -6,11 +6,12 @@ import { showBody } from '../../state/runner';
 import { results, setFacesOf, view, wants } from '../../state/store';
 import type { OpenedBody } from '../../worker/protocol';
 import { count } from '../../controls/numbers';
+import { say } from '../../language/say';
 
 export function SceneTree() {
   const { bodies } = results.file.value!;
   return (
-    <ul class="bodies" aria-label="Meshes">
+    <ul class="bodies" aria-label={say('Meshes')}>
       {bodies.map((body, i) => (
         <li key={i} class={wants.body.value === i ? 'body chosen' : 'body'}>
           <Eye body={body} i={i} />
@@ -52,9 +53,9 @@ function Eye({ body, i }: { body: OpenedBody; i: number }) {
     <button
       type="button"
       class="quiet icon"
-      aria-label={`Show ${body.name}`}
+      aria-label={say('Show {name}', { name: body.name })}
       aria-pressed={!isHidden}
-      title={isHidden ? 'Show it in the whole scene' : 'Hide it in the whole scene'}
+      title={isHidden ? say('Show it in the whole scene') : say('Hide it in the whole scene')}
       onClick={toggle}
     >
       <svg width="16" height="16" viewBox="0 0 16 16" aria-hidden="true">
@@ -81,9 +82,13 @@ function Lock({ body, i }: { body: OpenedBody; i: number }) {
     <button
       type="button"
       class="quiet icon"
-      aria-label={`Keep all faces of ${body.name}`}
+      aria-label={say('Keep all faces of {name}', { name: body.name })}
       aria-pressed={isLocked}
-      title={isLocked ? 'It keeps all of its faces: let it lose some again' : 'Let it keep all of its faces'}
+      title={
+        isLocked
+          ? say('It keeps all of its faces: let it lose some again')
+          : say('Let it keep all of its faces')
+      }
       disabled={body.health === null}
       onClick={() => setFacesOf(i, isLocked ? null : body.faces)}
     >

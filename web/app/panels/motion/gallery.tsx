@@ -10,10 +10,10 @@ import { colourAt } from '../../viewer/colours';
 import { standingRotation } from '../../viewer/stand';
 import { THUMBNAIL, Thumbnails } from '../../viewer/thumbnails';
 import type { ShownMode } from '../../viewer/thumbnails';
-import { count } from '../../controls/numbers';
 import { chooseMode, guidingModes } from './mode_choice';
 import { ModeNotes } from './mode_notes';
 import './gallery.css';
+import { say, sayCounted } from '../../language/say';
 
 const AXES = ['across, thin', 'across, wide', 'along'];
 
@@ -34,11 +34,12 @@ export function Gallery() {
     thumbnails.current?.move(view.playing.value);
   }, [view.playing.value, modes]);
   useEffect(() => () => thumbnails.current?.dispose(), []);
-  if (!modes) return <p class="empty">{status.paused.value ? 'Stopped.' : 'Finding modes ...'}</p>;
-  if (modes.modesPerComponent === 0) return <p class="empty">No part can move: unpin some vertices.</p>;
+  if (!modes) return <p class="empty">{status.paused.value ? say('Stopped.') : say('Finding modes ...')}</p>;
+  if (modes.modesPerComponent === 0)
+    return <p class="empty">{say('No part can move: unpin some vertices.')}</p>;
   return (
     <>
-      <ul class={areModesStale.value ? 'gallery stale' : 'gallery'} ref={list} aria-label="Modes">
+      <ul class={areModesStale.value ? 'gallery stale' : 'gallery'} ref={list} aria-label={say('Modes')}>
         {Array.from({ length: modes.modesPerComponent }, (_, ordinal) => (
           <ModeCard key={ordinal} ordinal={ordinal} modes={modes} />
         ))}
@@ -81,8 +82,8 @@ function ModeCard({ ordinal, modes }: { ordinal: number; modes: ModesResult }) {
         <span class="strip" aria-hidden="true" style={{ background: stripGradient(modes.strips, ordinal) }} />
         <span class="caption">
           <span>
-            <span class="spoken">Mode </span>
-            {ordinal + 1} {mode?.name ?? ''}
+            <span class="spoken">{say('Mode')} </span>
+            {ordinal + 1} {say(mode?.name ?? '')}
           </span>
           {mode && <Frequency modes={modes} mode={mode} />}
         </span>
@@ -97,7 +98,12 @@ function ModeCard({ ordinal, modes }: { ordinal: number; modes: ModesResult }) {
 function describeMode(modes: ModesResult, ordinal: number): string {
   const axis = leadingMode(modes, ordinal)?.axis ?? -1;
   const parts = modes.modes.filter((one) => one.ordinal === ordinal).length;
-  return [axis >= 0 ? AXES[axis] : '', parts > 1 ? `${count(parts)} parts` : ''].filter(Boolean).join(', ');
+  return [
+    axis >= 0 ? say(AXES[axis]) : '',
+    parts > 1 ? sayCounted(parts, '{count} part', '{count} parts') : '',
+  ]
+    .filter(Boolean)
+    .join(', ');
 }
 
 function GuidesToggle({ number, isChosen }: { number: number; isChosen: boolean }) {
@@ -105,8 +111,8 @@ function GuidesToggle({ number, isChosen }: { number: number; isChosen: boolean 
     <input
       type="checkbox"
       class="guides"
-      aria-label={`Mode ${number} guides`}
-      title="Blends this mode with the others that are ticked"
+      aria-label={say('Mode {number} guides', { number })}
+      title={say('Blends this mode with the others that are ticked')}
       checked={isChosen}
       onChange={(event) => {
         chooseMode(number, true);
@@ -122,9 +128,11 @@ function Frequency({ modes, mode }: { modes: ModesResult; mode: Mode }) {
   return (
     <span
       class="muted"
-      title={isNominal ? 'A Laplacian has no physical frequency; this one is in proportion only' : undefined}
+      title={
+        isNominal ? say('A Laplacian has no physical frequency; this one is in proportion only') : undefined
+      }
     >
-      {(mode.omega / (2 * Math.PI)).toPrecision(3)} {isNominal ? 'nom.' : 'Hz'}
+      {(mode.omega / (2 * Math.PI)).toPrecision(3)} {isNominal ? say('nom.') : 'Hz'}
     </span>
   );
 }

@@ -5,6 +5,7 @@ import type { MaterialName } from '../../../engine/settings/materials';
 import { resolveModel } from '../../../engine/settings/options';
 import { changeSettings, wants } from '../../state/store';
 import { Select } from '../../controls/controls';
+import { say } from '../../language/say';
 
 const capital = (word: string): string => word[0].toUpperCase() + word.slice(1);
 
@@ -25,7 +26,9 @@ export function MaterialSelect() {
           if (chosen !== CUSTOM) changeSettings({ ...MATERIALS[chosen as MaterialName] });
         }}
       />
-      {resolveModel(settings) === 'laplacian' && <p class="hint">The Laplacian ignores the material.</p>}
+      {resolveModel(settings) === 'laplacian' && (
+        <p class="hint">{say('The Laplacian ignores the material.')}</p>
+      )}
     </>
   );
 }

@@ -7,6 +7,7 @@ import { changeSettings, wants } from '../../state/store';
 import type { ModesResult } from '../../worker/protocol';
 import { guidingModes } from './mode_choice';
 import './mode_notes.css';
+import { say, sentence } from '../../language/say';
 
 export function ModeNotes({ modes }: { modes: ModesResult }) {
   const chosen = guidingModes();
@@ -15,9 +16,11 @@ export function ModeNotes({ modes }: { modes: ModesResult }) {
   return (
     <div class="mode-notes" role="status">
       {local.length > 0 && <LocalNote modes={modes} local={local} />}
-      {hotSpots && <p>{hotSpots}</p>}
+      {hotSpots && <p>{sentence(hotSpots)}</p>}
       {local.length === 0 && !hotSpots && (
-        <p class="muted">Click the mode that looks like the motion you expect; tick more to blend several.</p>
+        <p class="muted">
+          {say('Click the mode that looks like the motion you expect; tick more to blend several.')}
+        </p>
       )}
     </div>
   );
@@ -32,7 +35,7 @@ function LocalNote({ modes, local }: { modes: ModesResult; local: number[] }) {
       {describeLocal(local)}
       {better.length > 0 && (
         <button type="button" onClick={() => changeSettings({ modes: better, modeWeights: [] })}>
-          Leave local modes out
+          {say('Leave local modes out')}
         </button>
       )}
     </p>
@@ -40,6 +43,7 @@ function LocalNote({ modes, local }: { modes: ModesResult; local: number[] }) {
 }
 
 function describeLocal(local: number[]): string {
-  const subject = local.length === 1 ? `Mode ${local[0]} is` : `Modes ${spellModes(local)} are`;
-  return `${subject} local: little of the body moves.`;
+  return local.length === 1
+    ? say('Mode {mode} is local: little of the body moves.', { mode: local[0] })
+    : say('Modes {modes} are local: little of the body moves.', { modes: sentence(spellModes(local)) });
 }

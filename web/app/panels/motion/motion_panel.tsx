@@ -1,6 +1,5 @@
 /** Step 2: the elastic model, the material, the pins, and how the modes swing. */
 
-import { counted } from '../../../engine/core/words';
 import { describeResiduals } from '../../../engine/body/health';
 import { coarseVerticesOf, describeModels } from '../../../engine/core/mode_set';
 import { OPTIONS, resolveModel } from '../../../engine/settings/options';
@@ -11,6 +10,7 @@ import { count } from '../../controls/numbers';
 import { SettingControls } from '../../controls/setting_controls';
 import { MaterialSelect } from './material_section';
 import { PinsSection } from './pins_section';
+import { say, sayCounted, sentence } from '../../language/say';
 
 const MODELS: { value: Settings['model']; text: string; title: string }[] = [
   {
@@ -41,7 +41,7 @@ export function MotionPanel() {
       <PinsSection />
       <PlaySection />
       <details class="more">
-        <summary>More</summary>
+        <summary>{say('More')}</summary>
         <Range
           label="Speed"
           min={0.2}
@@ -71,7 +71,7 @@ function ModelSection() {
       />
       {resolveModel(settings) === 'laplacian' && (
         <div class="control">
-          <span title={OPTIONS.direction.help}>Direction</span>
+          <span title={say(OPTIONS.direction.help)}>{say('Direction')}</span>
           <Choice
             label="Direction"
             options={DIRECTIONS}
@@ -126,33 +126,43 @@ function ExactToggle() {
 function SolveNotes() {
   const modes = results.modes.value;
   if (!modes) return null;
-  if (areModesStale.value) return <p class="hint">The modes shown are those of earlier settings.</p>;
+  if (areModesStale.value) return <p class="hint">{say('The modes shown are those of earlier settings.')}</p>;
   const total = (key: 'zeroModesExpected' | 'zeroModesFound') =>
     modes.components.reduce((sum, component) => sum + component[key], 0);
   const [expected, found] = [total('zeroModesExpected'), total('zeroModesFound')];
   const coarseVertices = coarseVerticesOf(modes);
   const residuals = coarseVertices > 0 ? [] : describeResiduals(modes.modes);
-  const rigid = `${counted(found, 'rigid motion')} found, ${expected} expected`;
-  const models = wants.settings.value.model === 'auto' ? `${describeModels(modes.components)}. ` : '';
+  const rigid = sayCounted(
+    found,
+    '{count} rigid motion found, {expected} expected',
+    '{count} rigid motions found, {expected} expected',
+    { expected },
+  );
+  const models =
+    wants.settings.value.model === 'auto'
+      ? `${describeModels(modes.components).split(', ').map(sentence).join(', ')}. `
+      : '';
   const isSound = expected === found && residuals.length === 0;
-  const sentence = `${[rigid, ...residuals].join('; ')}.`;
+  const told = `${[rigid, ...residuals.map(sentence)].join('; ')}.`;
   return (
     <>
       {isSound && models !== '' && <p class="hint">{models}</p>}
       {isSound ? (
         <details class="more">
-          <summary>How it was solved</summary>
-          <p class="hint">{sentence}</p>
+          <summary>{say('How it was solved')}</summary>
+          <p class="hint">{told}</p>
         </details>
       ) : (
         <p class="hint warning">
           {models}
-          {sentence}
+          {told}
         </p>
       )}
       {coarseVertices > 0 && (
         <p class="hint">
-          Modes from a copy with {count(coarseVertices)} vertices, enough to guide collapses.
+          {say('Modes from a copy with {count} vertices, enough to guide collapses.', {
+            count: count(coarseVertices),
+          })}
         </p>
       )}
     </>

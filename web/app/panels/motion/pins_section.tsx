@@ -10,6 +10,7 @@ import { isPicking, results, status, view, wants } from '../../state/store';
 import { Section, Select } from '../../controls/controls';
 import { RefusedText } from '../../controls/refused_text';
 import { count } from '../../controls/numbers';
+import { say } from '../../language/say';
 
 /** What the ends of the longest side are called as the scene shows them. */
 function shownEnds(): { low: string; high: string } {
@@ -34,14 +35,14 @@ export function PinsSection() {
         <button
           type="button"
           aria-pressed={isPicking.value}
-          title="Click vertices or paint over the surface; Shift unpins, Escape ends"
+          title={say('Click vertices or paint over the surface; Shift unpins, Escape ends')}
           onClick={() => (view.picking.value = !view.picking.value)}
         >
-          Pick
+          {say('Pick')}
         </button>
       </div>
       {isPicking.value && (
-        <p class="hint">Click a vertex or paint over the surface. Shift unpins, Esc ends.</p>
+        <p class="hint">{say('Click a vertex or paint over the surface. Shift unpins, Esc ends.')}</p>
       )}
       <AttributeSelect />
       <PinsStatus />
@@ -60,10 +61,10 @@ function PinsStatus() {
         type="button"
         class="quiet"
         disabled={wants.settings.value.pins === ''}
-        aria-label="Clear the pins"
+        aria-label={say('Clear the pins')}
         onClick={() => setPins('')}
       >
-        Clear
+        {say('Clear')}
       </button>
     </div>
   );
@@ -76,10 +77,13 @@ function EndButton({ kind, text }: { kind: 'low' | 'high'; text: string }) {
     <button
       type="button"
       aria-pressed={isPinned}
-      title={`Pins ${END} % of the longest side at this end (${kind} in the file's own space)`}
+      title={say("Pins {share} % of the longest side at this end ({kind} in the file's own space)", {
+        share: END,
+        kind: say(kind),
+      })}
       onClick={() => setPins(withPins(pins, kind, isPinned ? '' : END))}
     >
-      {text}
+      {say(text)}
     </button>
   );
 }
@@ -102,8 +106,8 @@ function AttributeSelect() {
 function describePins(): string {
   const pinned = results.pins.value?.vertices.length ?? 0;
   const total = results.body.value?.inspection.vertices ?? 0;
-  if (wants.settings.value.pins === '') return 'Nothing: the body floats freely.';
-  return `${count(pinned)} of ${count(total)} vertices.`;
+  if (wants.settings.value.pins === '') return say('Nothing: the body floats freely.');
+  return say('{pinned} of {all} vertices.', { pinned: count(pinned), all: count(total) });
 }
 
 function PinsText() {
@@ -112,12 +116,12 @@ function PinsText() {
   return (
     <>
       <details class="more as-text">
-        <summary>As text</summary>
+        <summary>{say('As text')}</summary>
         <p id={`${id}-help`} class="hint">
-          {OPTIONS.pins.help}
+          {say(OPTIONS.pins.help)}
         </p>
         <input
-          aria-label="Held in place, as text"
+          aria-label={say('Held in place, as text')}
           type="text"
           spellcheck={false}
           autocomplete="off"

@@ -12,6 +12,7 @@ import { Choice, Range, Section, Select } from '../../controls/controls';
 import { RefusedText } from '../../controls/refused_text';
 import { count, fixed } from '../../controls/numbers';
 import './brush_section.css';
+import { say } from '../../language/say';
 
 /** % of the diagonal */
 export const BRUSH_RADIUS = { min: 0.5, max: 25 };
@@ -63,7 +64,7 @@ function BrushShape() {
           onInput={(softness) => (view.brush.value = { ...view.brush.value, softness })}
         />
       )}
-      <p class="hint">Drag over the original. Shift erases, Esc ends.</p>
+      <p class="hint">{say('Drag over the original. Shift erases, Esc ends.')}</p>
     </>
   );
 }
@@ -73,22 +74,26 @@ function Painted() {
   if (!levels) return null;
   const locked = levels.filter((level) => level === LOCKED).length;
   const kept = levels.filter((level) => level > 0).length - locked;
+  const words = [
+    kept > 0 ? say('{count} kept', { count: count(kept) }) : '',
+    locked > 0 ? say('{count} locked', { count: count(locked) }) : '',
+  ];
   return (
     <div class="status-row">
       <p class="hint" role="status">
         {kept > 0 && (
           <span class="paint-key" style={{ '--paint': PAINT.keep }}>
-            {count(kept)} kept
+            {words[0]}
           </span>
         )}
         {locked > 0 && (
           <span class="paint-key" style={{ '--paint': PAINT.lock }}>
-            {count(locked)} locked
+            {words[1]}
           </span>
         )}
       </p>
-      <button type="button" class="quiet" aria-label="Clear the paint" onClick={clearPaint}>
-        Clear
+      <button type="button" class="quiet" aria-label={say('Clear the paint')} onClick={clearPaint}>
+        {say('Clear')}
       </button>
     </div>
   );
@@ -114,13 +119,13 @@ export function NamedLocks() {
         <button
           type="button"
           disabled={pins === ''}
-          title="Locks the pinned vertices of the Motion step"
+          title={say('Locks the pinned vertices of the Motion step')}
           onClick={() => setLock(lock === '' ? pins : `${lock}+${pins}`)}
         >
-          Lock pinned vertices
+          {say('Lock pinned vertices')}
         </button>
         <button type="button" disabled={lock === ''} onClick={() => setLock('')}>
-          Unlock
+          {say('Unlock')}
         </button>
       </div>
     </>
@@ -132,14 +137,14 @@ function LockText() {
   const refused = refusedLock.value;
   return (
     <div class="control stacked">
-      <label for={id}>{OPTIONS.lock.label}</label>
+      <label for={id}>{say(OPTIONS.lock.label)}</label>
       <input
         id={id}
         type="text"
         spellcheck={false}
         autocomplete="off"
-        placeholder="low:6 + box:0,0,0,1,1,1"
-        title={OPTIONS.pins.help}
+        placeholder={say('low:6 + box:0,0,0,1,1,1')}
+        title={say(OPTIONS.pins.help)}
         aria-invalid={refused !== null}
         aria-describedby={refused ? `${id}-refused` : undefined}
         value={refused ? refused.text : wants.settings.value.lock}

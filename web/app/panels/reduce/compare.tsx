@@ -4,6 +4,7 @@ import { isBrushing, results, shownMesh, view } from '../../state/store';
 import type { Layout } from '../../state/store';
 import type { PaneName } from '../../viewer/pane_layout';
 import './compare.css';
+import { say } from '../../language/say';
 
 const LAYOUTS: { value: Layout; text: string; picture: string }[] = [
   { value: 'both', text: 'Side by side', picture: 'M2 3h5v10H2zM9 3h5v10H9z' },
@@ -42,14 +43,14 @@ export function Compare() {
     <>
       {isSplit() && <Divider />}
       <div class="compare">
-        <div class="choice" role="group" aria-label="Compare">
+        <div class="choice" role="group" aria-label={say('Compare')}>
           {LAYOUTS.map(({ value, text, picture }) => (
             <button
               key={value}
               type="button"
               aria-pressed={view.layout.value === value}
-              aria-label={text}
-              title={`${text} (V)`}
+              aria-label={say(text)}
+              title={`${say(text)} (V)`}
               onClick={() => (view.layout.value = value)}
             >
               <svg width="16" height="16" viewBox="0 0 16 16" aria-hidden="true">
@@ -61,10 +62,10 @@ export function Compare() {
         <button
           type="button"
           class="blink"
-          title="From one mesh to the other in the same place (B)"
+          title={say('From one mesh to the other in the same place (B)')}
           onClick={blink}
         >
-          Blink
+          {say('Blink')}
         </button>
       </div>
     </>
@@ -80,12 +81,12 @@ function Divider() {
       <input
         type="range"
         class="divider"
-        aria-label="Divider between original and optimized"
+        aria-label={say('Divider between original and optimized')}
         min={0}
         max={1}
         step={0.01}
         value={share}
-        aria-valuetext={`${Math.round(100 * share)} % original`}
+        aria-valuetext={say('{share} % original', { share: Math.round(100 * share) })}
         onInput={(event) => (view.split.value = event.currentTarget.valueAsNumber)}
       />
     </>

@@ -2,6 +2,8 @@
 
 import { count, fixed } from '../../controls/numbers';
 import { changeSettings, keepFaces, results, shownFit, slider } from '../../state/store';
+import { say } from '../../language/say';
+import { Spoken } from '../../controls/spoken';
 
 /** Errors below this, in %, are not worth a remark. */
 const LARGE = 5;
@@ -20,7 +22,10 @@ export function worstPart(errors: Float64Array): { part: number; error: number }
 export function describePart(part: number, parts: number): string {
   if (parts < 2) return '';
   const faces = results.modes.value?.components[part]?.faces;
-  return `part ${part + 1} of ${parts}${faces === undefined ? '' : ` (${count(faces)} faces)`}`;
+  const values = { number: part + 1, all: parts };
+  return faces === undefined
+    ? say('part {number} of {all}', values)
+    : say('part {number} of {all} ({faces} faces)', { ...values, faces: count(faces) });
 }
 
 export function FrequencyHint() {
@@ -29,21 +34,23 @@ export function FrequencyHint() {
   if (!fitted || !worst || worst.error < LARGE) return null;
   const where = describePart(worst.part, fitted.errorAfter.length);
   const { faces, wanted } = slider.value;
+  const told = say(
+    'The frequencies of {where} are off by {error} %: it has too few faces for how it bends.',
+    { where: where || say('the result'), error: fixed(worst.error, 0) },
+  );
   const more = Math.min(faces, Math.round(MORE_FACES * wanted));
   return (
-    <div class="way-out" role="status">
-      <p class="hint warning">
-        The frequencies of {where || 'the result'} are off by {fixed(worst.error, 0)} %: it has too few faces
-        for how it bends.
-      </p>
+    <div class="way-out">
+      <Spoken text={told} />
+      <p class="hint warning">{told}</p>
       <div class="buttons">
         {more > wanted && (
           <button type="button" onClick={() => keepFaces(more)}>
-            Keep {count(more)} faces
+            {say('Keep {count} faces', { count: count(more) })}
           </button>
         )}
         <button type="button" onClick={() => changeSettings({ maxFrequencyError: LARGE })}>
-          Stop at {LARGE} %
+          {say('Stop at {error} %', { error: LARGE })}
         </button>
       </div>
     </div>

@@ -11,6 +11,7 @@ import { Choice, Section, Select, SettingRange, Toggle } from '../../controls/co
 import { SettingControls } from '../../controls/setting_controls';
 import { ACROSS_SEAMS, StopReason } from './stop_reason';
 import { AskVertex } from './why_card';
+import { say } from '../../language/say';
 
 const METHOD_CHOICES = METHODS.map(({ name, label, title }) => ({ value: name, text: label, title }));
 
@@ -42,7 +43,7 @@ export function ReducePanel() {
       </Section>
       <BrushSection />
       <details class="more">
-        <summary>More</summary>
+        <summary>{say('More')}</summary>
         <MoreSettings />
       </details>
     </>

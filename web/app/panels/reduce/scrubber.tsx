@@ -6,6 +6,7 @@ import { STAGES } from '../../../engine/stages/stages';
 import { Toggle } from '../../controls/controls';
 import { isSharing, keepFaces, results, setOwnFaces, slider, wantedFaces, wants } from '../../state/store';
 import './scrubber.css';
+import { say } from '../../language/say';
 
 export function Scrubber() {
   const { isReady, fewest, faces: total, wanted } = slider.value;
@@ -15,7 +16,7 @@ export function Scrubber() {
   };
   return (
     <div class="scrubber">
-      <label for="faces">{isSharing.value ? 'Kept faces of the scene' : 'Kept faces'}</label>
+      <label for="faces">{isSharing.value ? say('Kept faces of the scene') : say('Kept faces')}</label>
       <div class="track">
         <input
           id="faces"
@@ -25,7 +26,7 @@ export function Scrubber() {
           step={1}
           value={value}
           disabled={!isReady}
-          aria-valuetext={`${count(value)} of ${count(total)} faces`}
+          aria-valuetext={say('{kept} of {all} faces', { kept: count(value), all: count(total) })}
           onInput={(event) => set(event.currentTarget.valueAsNumber)}
         />
         {!isSharing.value && <Marks />}
@@ -52,7 +53,7 @@ function ExactFaces({ value, total, set }: { value: number; total: number; set(f
   return (
     <input
       type="number"
-      aria-label="Kept faces, exact"
+      aria-label={say('Kept faces, exact')}
       min={1}
       max={total}
       value={value}
@@ -75,7 +76,10 @@ function Marks() {
     <>
       {marks.map(({ deviation, faces }, i) => {
         const isLabelled = i === 0 || positionOf(marks[i - 1].faces) - positionOf(faces) > LABEL_WIDTH;
-        const meaning = `Deviation of at most ${deviation} %: ${count(faces)} faces`;
+        const meaning = say('Deviation of at most {deviation} %: {faces} faces', {
+          deviation,
+          faces: count(faces),
+        });
         return (
           <button
             key={deviation}
@@ -86,7 +90,7 @@ function Marks() {
             aria-label={meaning}
             onClick={() => keepFaces(faces)}
           >
-            {isLabelled ? `${i === 0 ? 'deviation ' : ''}${deviation} %` : ''}
+            {isLabelled ? (i === 0 ? say('deviation {deviation} %', { deviation }) : `${deviation} %`) : ''}
           </button>
         );
       })}

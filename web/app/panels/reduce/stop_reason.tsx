@@ -5,6 +5,7 @@ import { describeRefused } from '../../../engine/report/stop_report';
 import type { Settings } from '../../../engine/settings/options';
 import type { FrequencyFinding, Tried } from '../../../engine/body/body_result';
 import { changeSettings, results, shownFit, shownMesh, wantedFaces } from '../../state/store';
+import { say, sentence } from '../../language/say';
 
 export const ACROSS_SEAMS = 'Collapse across texture seams';
 
@@ -17,11 +18,18 @@ export function StopReason() {
   const shown = (shownMesh.value?.mesh.triangles.length ?? 0) / 3;
   return (
     <>
-      {history.note !== '' && <p class="hint warning">{history.note}.</p>}
+      {history.note !== '' && <p class="hint warning">{sentence(`${history.note}.`)}</p>}
       {wantedFaces.value < history.floorFaces && (
         <p class="hint warning">
-          Stopped at {count(history.floorFaces)} faces: {describeRefused(history.refused)}.
-          {history.blockedBySeams && ` Turn on “${ACROSS_SEAMS}” under More to go on.`}
+          {say('Stopped at {faces} faces: {reason}.', {
+            faces: count(history.floorFaces),
+            reason: describeRefused(history.refused)
+              .split(/, (?=\d)/)
+              .map(sentence)
+              .join(', '),
+          })}
+          {history.blockedBySeams &&
+            say(' Turn on “{control}” under More to go on.', { control: say(ACROSS_SEAMS) })}
         </p>
       )}
       {wantedFaces.value < history.floorFaces && history.blockedBySeams && (
@@ -29,8 +37,10 @@ export function StopReason() {
       )}
       {guard && (
         <p class="hint warning">
-          Stopped at {count(shown)} faces: with fewer the surface would go too far, more than{' '}
-          {fixed(guard.limit, 2)} % of the diagonal.
+          {say(
+            'Stopped at {faces} faces: with fewer the surface would go too far, more than {limit} % of the diagonal.',
+            { faces: count(shown), limit: fixed(guard.limit, 2) },
+          )}
         </p>
       )}
       {guard && <Cure text="Let it go farther" change={{ maxDeviation: 0 }} />}
@@ -46,22 +56,25 @@ function Cure({ text, change }: { text: string; change: Partial<Settings> }) {
   return (
     <div class="buttons">
       <button type="button" onClick={() => changeSettings(change)}>
-        {text}
+        {say(text)}
       </button>
     </div>
   );
 }
 
 function describeFrequency({ isBinding, error, limit, tried }: FrequencyFinding, faces: number): string {
-  const off = `the first six frequencies are off by at most ${fixed(error, 2)} %`;
-  if (!isBinding) return `With ${count(faces)} faces ${off}.`;
+  const off = say('the first six frequencies are off by at most {error} %', { error: fixed(error, 2) });
+  if (!isBinding) return say('With {faces} faces {off}.', { faces: count(faces), off });
   const failures = tried.filter((one) => one.error > limit && one.faces < faces);
   const nearest = failures.reduce<Tried | null>(
     (most, one) => (most && most.faces > one.faces ? most : one),
     null,
   );
   const fewer = nearest
-    ? ` With ${count(nearest.faces)} faces it would be ${fixed(nearest.error, 2)} %.`
+    ? say(' With {faces} faces it would be {error} %.', {
+        faces: count(nearest.faces),
+        error: fixed(nearest.error, 2),
+      })
     : '';
-  return `Stopped at ${count(faces)} faces, where ${off}.${fewer}`;
+  return say('Stopped at {faces} faces, where {off}.', { faces: count(faces), off }) + fewer;
 }

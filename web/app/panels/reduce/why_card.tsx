@@ -8,6 +8,8 @@ import { comparedPanes } from './compare';
 import { count, fixed } from '../../controls/numbers';
 import { explain } from '../../../engine/report/explanation';
 import './why_card.css';
+import { Spoken } from '../../controls/spoken';
+import { say, sentence } from '../../language/say';
 
 /** The largest distance between the pointer and the vertex that it hovers over. */
 const HOVER_PIXELS = 14;
@@ -61,7 +63,8 @@ export function WhyCard({ getViewport }: { getViewport: () => Viewport | null })
   const vertex = hovered();
   const point = vertex === null ? null : (getViewport()?.screenPointOf('optimized', vertex) ?? null);
   return (
-    <div class="why-area" aria-live="polite">
+    <div class="why-area">
+      <Spoken text={spokenReason(vertex)} />
       {vertex !== null && (
         <div class="why" style={point ? cardStyle(point) : undefined}>
           <Reasons vertex={vertex} />
@@ -69,6 +72,14 @@ export function WhyCard({ getViewport }: { getViewport: () => Viewport | null })
       )}
     </div>
   );
+}
+
+/** What is spoken once the pointer rests on a vertex; '' before its reasons are known. */
+function spokenReason(vertex: number | null): string {
+  const why = shownWhy.value;
+  if (vertex === null || !why || vertex >= why.verdict.length) return '';
+  const { sentence: verdict } = explain(why, vertex);
+  return `${say('Vertex {number}', { number: count(vertex) })}. ${sentence(verdict)}`;
 }
 
 /** Puts the card beside the vertex, on the right side where it fits there. */
@@ -83,35 +94,38 @@ function cardStyle({ x, y }: { x: number; y: number }) {
 function Reasons({ vertex }: { vertex: number }) {
   const why = shownWhy.value;
   const { stays } = view.hover.value!;
-  if (!why || vertex >= why.verdict.length) return <p class="muted">Vertex {count(vertex)} ...</p>;
-  const { sentence, reasons, keep } = explain(why, vertex);
+  if (!why || vertex >= why.verdict.length)
+    return <p class="muted">{say('Vertex {number} ...', { number: count(vertex) })}</p>;
+  const { sentence: verdict, reasons, keep } = explain(why, vertex);
   return (
     <>
       <div class="why-head">
-        <strong>Vertex {count(vertex)}</strong>
+        <strong>{say('Vertex {number}', { number: count(vertex) })}</strong>
         {stays && (
           <button
             type="button"
             class="quiet"
-            aria-label="Close the card of the vertex"
+            aria-label={say('Close the card of the vertex')}
             onClick={() => (view.hover.value = null)}
           >
-            Close
+            {say('Close')}
           </button>
         )}
       </div>
-      <p>{sentence}</p>
+      <p>{sentence(verdict)}</p>
       <ul>
         {reasons.map(({ text, share }) => (
           <li key={text}>
-            <span>{text}</span>
+            <span>{say(text)}</span>
             <span class="muted">{Math.round(100 * share)} %</span>
             <span class="share" style={{ width: `${100 * share}%` }} />
           </li>
         ))}
       </ul>
       {keep > 1 && (
-        <p class="muted">Painted or named to be kept: all of this counts {fixed(keep, 0)} times.</p>
+        <p class="muted">
+          {say('Painted or named to be kept: all of this counts {times} times.', { times: fixed(keep, 0) })}
+        </p>
       )}
     </>
   );
@@ -127,8 +141,11 @@ export function AskVertex() {
       view.hover.value = { vertex: Math.min(last, Math.max(0, Math.round(vertex))), stays: true };
   };
   return (
-    <div class="control" title={`Of the optimized mesh, 0 to ${count(last)}; or hover over it in the view`}>
-      <label for={id}>Why is vertex ... kept</label>
+    <div
+      class="control"
+      title={say('Of the optimized mesh, 0 to {last}; or hover over it in the view', { last: count(last) })}
+    >
+      <label for={id}>{say('Why is vertex ... kept')}</label>
       <input
         id={id}
         type="number"

@@ -11,6 +11,7 @@ import {
 import { changeSettings, shownMesh } from '../../state/store';
 import { count, percent } from '../../controls/numbers';
 import './convergence_check.css';
+import { say, sentence } from '../../language/say';
 
 const TITLE = 'Runs the scenario again in the background, and the original once more with twice the substeps';
 
@@ -20,20 +21,20 @@ export function ConvergenceCheck() {
     <div class="convergence">
       {isCheckingConvergence.value ? (
         <button type="button" onClick={endConvergenceCheck}>
-          Cancel the check
+          {say('Cancel the check')}
         </button>
       ) : (
         <button
           type="button"
-          title={TITLE}
+          title={say(TITLE)}
           disabled={!shownMesh.value}
           onClick={() => void checkConvergence()}
         >
-          Check substeps
+          {say('Check substeps')}
         </button>
       )}
       <p class="hint" role="status">
-        {isCheckingConvergence.value ? 'Checking ...' : (check?.failure ?? '')}
+        {isCheckingConvergence.value ? say('Checking ...') : sentence(check?.failure ?? '')}
       </p>
       {check?.convergence && <Finding {...check.convergence} />}
     </div>
@@ -41,20 +42,26 @@ export function ConvergenceCheck() {
 }
 
 function Finding(found: Convergence) {
-  const sentence = describeConvergence(found, (substeps) => `take ${count(substeps)}`);
-  if (!sentence)
+  const finding = describeConvergence(found, (substeps) => say('take {count}', { count: count(substeps) }));
+  if (!finding)
     return (
       <p class="hint">
-        Enough: {count(found.substeps)} more would move the original by {percent(found.substepDeviation)},
-        beside the {percent(found.deviationMean)} that are judged.
+        {say(
+          'Enough: {count} more would move the original by {moved}, beside the {judged} that are judged.',
+          {
+            count: count(found.substeps),
+            moved: percent(found.substepDeviation),
+            judged: percent(found.deviationMean),
+          },
+        )}
       </p>
     );
   const wanted = substepsToTake(found);
   return (
     <>
-      <p class="hint">{sentence}</p>
+      <p class="hint">{sentence(finding)}</p>
       <button type="button" onClick={() => changeSettings({ substeps: wanted })}>
-        Take {count(wanted)}
+        {say('Take {count}', { count: count(wanted) })}
       </button>
     </>
   );

@@ -5,6 +5,7 @@ import { twin } from '../../state/twin';
 import { fixed, percent } from '../../controls/numbers';
 import { roundUp } from './simulate_scale';
 import './simulate_chart.css';
+import { say } from '../../language/say';
 
 /** The view box of the chart. */
 const [WIDTH, HEIGHT] = [1000, 100];
@@ -55,14 +56,14 @@ function Caption({ hasNoise }: { hasNoise: boolean }) {
   return (
     <figcaption>
       <span>
-        <span class="key deviation" /> Deviation, mean over the surface
+        <span class="key deviation" /> {say('Deviation, mean over the surface')}
       </span>
       {hasNoise && (
-        <span title="The original against itself with its constraints in another order">
-          <span class="key noise" /> Noise floor
+        <span title={say('The original against itself with its constraints in another order')}>
+          <span class="key noise" /> {say('Noise floor')}
         </span>
       )}
-      <span class="muted">% of the diagonal</span>
+      <span class="muted">{say('% of the diagonal')}</span>
     </figcaption>
   );
 }
@@ -95,12 +96,19 @@ function pointsOf(
 /** Describes the curve in words. */
 function describe(samples: TwinSample[]): string {
   const last = samples.at(-1);
-  if (!last) return 'Deviation over time: nothing has moved yet.';
+  if (!last) return say('Deviation over time: nothing has moved yet.');
   const peak = samples.reduce((most, sample) => (sample.mean > most.mean ? sample : most));
   const mean = samples.reduce((sum, sample) => sum + sample.mean, 0) / samples.length;
-  const floor = last.noise === null ? '' : `; noise floor ${percent(last.noise)}`;
-  return (
-    `Deviation after ${fixed(last.time, 1)} s: now ${percent(last.mean)} of the diagonal, ` +
-    `${percent(mean)} on average, at most ${percent(peak.mean)} at ${fixed(peak.time, 1)} s${floor}.`
+  const floor = last.noise === null ? '' : say('; noise floor {noise}', { noise: percent(last.noise) });
+  return say(
+    'Deviation after {time} s: now {now} of the diagonal, {mean} on average, at most {most} at {at} s{floor}.',
+    {
+      time: fixed(last.time, 1),
+      now: percent(last.mean),
+      mean: percent(mean),
+      most: percent(peak.mean),
+      at: fixed(peak.time, 1),
+      floor,
+    },
   );
 }

@@ -15,13 +15,17 @@ import { RefusedText } from '../../controls/refused_text';
 import { SettingControls } from '../../controls/setting_controls';
 import { ConvergenceCheck } from './convergence_check';
 import { SolverSelect } from './solver_select';
+import { say } from '../../language/say';
 
 const SCENARIO_CHOICES = SCENARIOS.map(({ name, label }) => ({ value: name, text: label }));
 
 /** What happens, and which vertices the scenario pins for it. */
 function describeScenario(scenario: Settings['scenario']): string {
   const { pinned, sentence } = scenarioWords(scenario);
-  return pinSource.value === 'scenario' && pinned ? `${sentence} ${pinned} held.` : sentence;
+  const what = say(sentence);
+  return pinSource.value === 'scenario' && pinned
+    ? `${what} ${say('{ends} held.', { ends: say(pinned) })}`
+    : what;
 }
 
 const LAYOUTS = [
@@ -70,7 +74,7 @@ export function SimulatePanel() {
 function More() {
   return (
     <details class="more">
-      <summary>More</summary>
+      <summary>{say('More')}</summary>
       <CollidersText />
       <SettingControls section="simulation" />
       <Toggle
@@ -88,7 +92,7 @@ function PinSourceSelect() {
     { value: 'scenario', text: 'By scenario' },
     { value: 'corners', text: 'Top corners' },
   ];
-  if (pins > 0) options.push({ value: 'pins', text: `Pins (${count(pins)})` });
+  if (pins > 0) options.push({ value: 'pins', text: say('Pins ({count})', { count: count(pins) }) });
   return (
     <Select
       label="Held in place"
@@ -112,15 +116,15 @@ function CollidersText() {
   };
   return (
     <div class="control as-text">
-      <label for={id} title={OPTIONS.colliders.help}>
-        {OPTIONS.colliders.label}
+      <label for={id} title={say(OPTIONS.colliders.help)}>
+        {say(OPTIONS.colliders.label)}
       </label>
       <input
         id={id}
         type="text"
         spellcheck={false}
         autocomplete="off"
-        placeholder="ball:x,y,z,R"
+        placeholder={say('ball:x,y,z,R')}
         aria-invalid={refused !== null}
         aria-describedby={refused ? `${id}-refused` : undefined}
         value={refused ? refused.text : wants.settings.value.colliders}
@@ -133,5 +137,7 @@ function CollidersText() {
 
 function Waiting() {
   if (twin.numbers.value || twin.failure.value) return null;
-  return <p class="hint">{shownMesh.value ? 'Starting ...' : 'Waiting for the optimized mesh ...'}</p>;
+  return (
+    <p class="hint">{shownMesh.value ? say('Starting ...') : say('Waiting for the optimized mesh ...')}</p>
+  );
 }

@@ -5,6 +5,7 @@ import { twin } from '../../state/twin';
 import { wants } from '../../state/store';
 import { fixed, percent } from '../../controls/numbers';
 import { Readout } from '../../controls/readout';
+import { say } from '../../language/say';
 
 /** A pace below this is called slow motion. */
 const REAL_TIME = 0.9;
@@ -16,36 +17,42 @@ export function SimulateReadouts() {
   return (
     <dl class="readouts" tabIndex={0}>
       <Readout name="Time" value={frame ? `${fixed(frame.time, 2)} s` : '...'} note={describePace(frame)} />
-      <Cost name="Original" seconds={frame?.bodies.original.stepSeconds ?? 0} />
-      <Cost name="Optimized" seconds={frame?.bodies.optimized.stepSeconds ?? 0} />
-      <Readout name="Speed-up" value={speedUp(frame)} note="original / optimized" />
+      <Cost name="Original, per step" seconds={frame?.bodies.original.stepSeconds ?? 0} />
+      <Cost name="Optimized, per step" seconds={frame?.bodies.optimized.stepSeconds ?? 0} />
+      <Readout name="Speed-up" value={speedUp(frame)} note={say('original / optimized')} />
       <Readout
         name="Deviation"
         value={last ? percent(last.mean) : '...'}
-        note={noise === null ? 'noise floor not measured' : `noise floor ${percent(noise)}`}
+        note={
+          noise === null
+            ? say('noise floor not measured')
+            : say('noise floor {noise}', { noise: percent(noise) })
+        }
       />
       <Readout
         name="Stretch"
         value={frame ? percent(frame.bodies.original.stretch) : '...'}
-        note={frame ? `optimized ${percent(frame.bodies.optimized.stretch)}` : ''}
+        note={frame ? say('optimized {stretch}', { stretch: percent(frame.bodies.optimized.stretch) }) : ''}
       />
     </dl>
   );
 }
 
 function describePace(frame: TwinFrame | null): string {
-  if (!(twin.playing.value || frame?.playing)) return 'paused';
-  if (!frame) return 'about to start';
-  return frame.pace < REAL_TIME ? `slow motion x${frame.pace.toPrecision(2)}` : 'real time';
+  if (!(twin.playing.value || frame?.playing)) return say('paused');
+  if (!frame) return say('about to start');
+  return frame.pace < REAL_TIME
+    ? say('slow motion x{pace}', { pace: frame.pace.toPrecision(2) })
+    : say('real time');
 }
 
 function Cost({ name, seconds }: { name: string; seconds: number }) {
   const perSubstep = (1e6 * seconds) / wants.settings.value.substeps;
   return (
     <Readout
-      name={`${name}, per step`}
+      name={name}
       value={seconds > 0 ? `${(1000 * seconds).toPrecision(3)} ms` : '...'}
-      note={seconds > 0 ? `${perSubstep.toPrecision(3)} µs/substep` : ''}
+      note={seconds > 0 ? say('{time} µs/substep', { time: perSubstep.toPrecision(3) }) : ''}
     />
   );
 }

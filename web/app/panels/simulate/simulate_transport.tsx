@@ -4,6 +4,7 @@ import { reset, stepOnce } from '../../state/simulation';
 import { twin } from '../../state/twin';
 import { DeviationChart } from './simulate_chart';
 import './simulate_transport.css';
+import { say } from '../../language/say';
 
 export function SimulateTransport() {
   return (
@@ -19,31 +20,31 @@ function Buttons() {
   const isOver = frame !== null && (frame.diverged.length > 0 || twin.failure.value !== null);
   const isPlaying = twin.playing.value;
   return (
-    <div class="transport" role="group" aria-label="Simulation">
+    <div class="transport" role="group" aria-label={say('Simulation')}>
       <button
         type="button"
         class="primary"
         disabled={isOver}
-        title="Space"
+        title={say('Space')}
         onClick={() => (twin.playing.value = !isPlaying)}
       >
-        {isPlaying ? 'Pause' : 'Play'}
+        {isPlaying ? say('Pause') : say('Play')}
       </button>
       <button
         type="button"
         disabled={!frame || isOver}
-        title="One step of 1/60 s (right arrow)"
+        title={say('One step of 1/60 s (right arrow)')}
         onClick={stepOnce}
       >
-        Step
+        {say('Step')}
       </button>
       <button
         type="button"
         disabled={!frame && !twin.failure.value}
-        title="Back to the start (Home)"
+        title={say('Back to the start (Home)')}
         onClick={reset}
       >
-        Reset
+        {say('Reset')}
       </button>
     </div>
   );

@@ -6,6 +6,7 @@ import type { Settings } from '../../../engine/settings/options';
 import { changeSettings, status, wants } from '../../state/store';
 import { twin, usedTuning } from '../../state/twin';
 import { Choice, Select } from '../../controls/controls';
+import { say, sentence } from '../../language/say';
 
 type Material = Settings['material'];
 
@@ -56,8 +57,9 @@ function choose(value: string): void {
 
 function titleOf(solver: SolverName): string {
   const { words, status } = profileOf(solver);
-  const known = status === 'derived' ? ' Derived from its documents, not checked against the engine.' : '';
-  return `Both bodies are ${words}, solved here by XPBD.${known}`;
+  const known =
+    status === 'derived' ? say(' Derived from its documents, not checked against the engine.') : '';
+  return say('Both bodies are {words}, solved here by XPBD.', { words: sentence(words) }) + known;
 }
 
 /** What the engine needs, and the way to it. */
@@ -67,10 +69,12 @@ function TakeAlong() {
   return (
     <>
       <p class="hint">
-        For {profileOf(solver).label} take the model and its settings file, which has the numbers to type in.
+        {say('For {solver} take the model and its settings file, which has the numbers to type in.', {
+          solver: say(profileOf(solver).label),
+        })}
       </p>
       <button type="button" onClick={() => (wants.exportOpen.value = true)}>
-        Export both
+        {say('Export both')}
       </button>
     </>
   );
@@ -87,7 +91,7 @@ function Tuning() {
   return (
     <>
       <div class="control">
-        <span>Optimized mesh</span>
+        <span>{say('Optimized mesh')}</span>
         <Choice
           label="Optimized mesh"
           options={TUNINGS}
@@ -96,7 +100,9 @@ function Tuning() {
         />
       </div>
       {isWanted && !usedTuning.value && (
-        <p class="hint">{status.working.value ? 'Tuning ...' : 'It could not be tuned: shown as it is.'}</p>
+        <p class="hint">
+          {status.working.value ? say('Tuning ...') : say('It could not be tuned: shown as it is.')}
+        </p>
       )}
       <TakeAlong />
     </>

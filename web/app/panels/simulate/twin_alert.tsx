@@ -5,6 +5,7 @@ import { wants } from '../../state/store';
 import type { TwinFrame } from '../../worker/simulation_protocol';
 import { isOverlaid, isSimulating } from './simulate_view';
 import './twin_alert.css';
+import { say, sentence } from '../../language/say';
 
 export function TwinAlert() {
   const frame = twin.numbers.value;
@@ -12,7 +13,7 @@ export function TwinAlert() {
   if (twin.failure.value)
     return (
       <p class="twin-alert" role="alert">
-        {twin.failure.value}
+        {sentence(twin.failure.value)}
       </p>
     );
   if (!frame || frame.diverged.length === 0) return null;
@@ -28,9 +29,12 @@ export function TwinAlert() {
 
 function describeDivergence({ diverged, time }: TwinFrame): string {
   const { substeps } = wants.settings.value;
-  const subject = diverged.length === 2 ? 'Both meshes have' : `The ${diverged[0]} mesh has`;
-  return (
-    `${subject} diverged at ${time.toFixed(2)} s: raise the substeps (now ${substeps}) ` +
-    'or take a softer material, then reset.'
-  );
+  const cure = say('raise the substeps (now {substeps}) or take a softer material, then reset.', {
+    substeps,
+  });
+  const values = { time: time.toFixed(2), cure };
+  if (diverged.length === 2) return say('Both meshes have diverged at {time} s: {cure}', values);
+  return diverged[0] === 'original'
+    ? say('The original mesh has diverged at {time} s: {cure}', values)
+    : say('The optimized mesh has diverged at {time} s: {cure}', values);
 }

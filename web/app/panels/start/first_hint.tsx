@@ -4,6 +4,7 @@ import { signal } from '@preact/signals';
 import { results, view } from '../../state/store';
 import type { Step } from '../../state/store';
 import './first_hint.css';
+import { say } from '../../language/say';
 
 const HINTS: Record<Step, string> = {
   model:
@@ -42,19 +43,17 @@ export function FirstHint() {
   const step = view.step.value;
   if (!results.file.value || dismissed.value.has(step)) return null;
   return (
-    <section class="first-hint" aria-label="Hint">
+    <section class="first-hint" aria-label={say('Hint')}>
       <p>
-        <strong>
-          {STEPS.indexOf(step) + 1} of {STEPS.length}.
-        </strong>{' '}
-        {HINTS[step]}
+        <strong>{say('{number} of {all}.', { number: STEPS.indexOf(step) + 1, all: STEPS.length })}</strong>{' '}
+        {say(HINTS[step])}
       </p>
       <div class="buttons">
         <button type="button" onClick={() => dismiss(step)}>
-          Got it
+          {say('Got it')}
         </button>
         <button type="button" class="quiet" onClick={() => dismiss(...STEPS)}>
-          No hints
+          {say('No hints')}
         </button>
       </div>
     </section>

@@ -1,29 +1,34 @@
 /** The page before a file is open: what it is for, an area to drop a file, and the samples. */
 
+import { LanguageChoice } from '../../controls/language_choice';
 import { useEffect, useRef } from 'preact/hooks';
 import { pickFiles } from '../../files/files';
 import { openSample, samples } from '../../files/samples';
 import type { Sample } from '../../files/samples';
 import { status } from '../../state/store';
-import { count } from '../../controls/numbers';
 import { SampleCards } from '../../viewer/sample_cards';
 import { isMotionReduced } from '../../state/scheme';
 import './start_screen.css';
+import { say, sayCounted } from '../../language/say';
 
 export function StartScreen() {
   if (status.busy.value) return null;
   return (
     <div class="start">
       <div class="start-drop">
-        <h2>Fewer triangles that still move right</h2>
+        <LanguageChoice />
+        <h2>{say('Fewer triangles that still move right')}</h2>
         <p>
-          Drop a mesh here: Limber finds how it bends and swings, and removes faces where that does not show.
+          {say(
+            'Drop a mesh here: Limber finds how it bends and swings, and removes faces where that does not show.',
+          )}
         </p>
         <button type="button" class="primary" onClick={() => void pickFiles()}>
-          Open a file
+          {say('Open a file')}
         </button>
         <p class="muted">
-          GLB, glTF with its files, OBJ, STL or PLY. <strong>Your file stays on this computer.</strong>
+          {say('GLB, glTF with its files, OBJ, STL or PLY.')}{' '}
+          <strong>{say('Your file stays on this computer.')}</strong>
         </p>
       </div>
       {samples.value.length > 0 && <Cards />}
@@ -40,8 +45,8 @@ function Cards() {
     return () => cards?.dispose();
   }, [samples.value]);
   return (
-    <section class="start-samples" aria-label="Or try a sample">
-      <h3>Or try a sample</h3>
+    <section class="start-samples" aria-label={say('Or try a sample')}>
+      <h3>{say('Or try a sample')}</h3>
       <ul class="cards" ref={list}>
         {samples.value.map((sample) => (
           <li key={sample.id}>
@@ -57,9 +62,9 @@ function Card({ sample }: { sample: Sample }) {
   return (
     <button type="button" class="card" onClick={() => void openSample(sample)}>
       <canvas width={440} height={300} aria-hidden="true" />
-      <strong>{sample.name}</strong>
-      <span class="muted">{count(sample.faces)} faces</span>
-      <span>{sample.about}</span>
+      <strong>{say(sample.name)}</strong>
+      <span class="muted">{sayCounted(sample.faces, '{count} face', '{count} faces')}</span>
+      <span>{say(sample.about)}</span>
     </button>
   );
 }

@@ -10,6 +10,7 @@ import { guidingModes } from '../motion/mode_choice';
 import { SimulateLegend } from '../simulate/simulate_legend';
 import { isWireShown } from './show_bodies';
 import './legend.css';
+import { say, sentence } from '../../language/say';
 
 const FIELDS: { value: FieldName; text: string; title: string }[] = [
   { value: 'none', text: 'Plain', title: 'No colours (1)' },
@@ -33,7 +34,7 @@ export function Legend() {
       <Scale />
       {isFileDrawn.value && <LookSelect />}
       <details class="view-menu">
-        <summary>View</summary>
+        <summary>{say('View')}</summary>
         <div class="view-choices">
           <Toggles />
         </div>
@@ -103,5 +104,7 @@ function Scale() {
 
 function strainTitle(): string {
   const modes = guidingModes();
-  return `Strain rank, mode${modes.length === 1 ? '' : 's'} ${spellModes(modes)}`;
+  return modes.length === 1
+    ? say('Strain rank, mode {mode}', { mode: modes[0] })
+    : say('Strain rank, modes {modes}', { modes: sentence(spellModes(modes)) });
 }

@@ -3,15 +3,15 @@
 import { viewportColours } from '../../state/scheme';
 import { results, shownMesh, view } from '../../state/store';
 import type { PaneName } from '../../viewer/pane_layout';
-import { count } from '../../controls/numbers';
 import { labelsBesideChoice } from '../reduce/compare';
 import { isDriven, isOverlaid } from '../simulate/simulate_view';
 import { shownPanes } from './show_bodies';
 import './pane_labels.css';
+import { say, sayCounted } from '../../language/say';
 
 function faceCount(name: PaneName): string {
   const mesh = name === 'original' ? results.body.value?.mesh : shownMesh.value?.mesh;
-  return `${count((mesh?.triangles.length ?? 0) / 3)} faces`;
+  return sayCounted((mesh?.triangles.length ?? 0) / 3, '{count} face', '{count} faces');
 }
 
 export function PaneLabels() {
@@ -20,7 +20,8 @@ export function PaneLabels() {
     <div class={`pane-labels ${labelsBesideChoice()}`}>
       {shownPanes().map((name) => (
         <span key={name}>
-          {name === 'original' ? 'Original' : 'Optimized'} <span class="muted">{faceCount(name)}</span>
+          {name === 'original' ? say('Original') : say('Optimized')}{' '}
+          <span class="muted">{faceCount(name)}</span>
         </span>
       ))}
     </div>
@@ -31,11 +32,11 @@ function TwinLabels() {
   return (
     <div class="pane-labels">
       <span>
-        Original <span class="muted">{faceCount('original')}</span>
+        {say('Original')} <span class="muted">{faceCount('original')}</span>
       </span>
       <span>
         {isOverlaid.value && <span class="swatch" style={{ background: viewportColours.value.overlay }} />}
-        {isDriven.value ? 'Original, carried by the optimized' : 'Optimized'}{' '}
+        {isDriven.value ? say('Original, carried by the optimized') : say('Optimized')}{' '}
         <span class="muted">{faceCount('optimized')}</span>
       </span>
     </div>

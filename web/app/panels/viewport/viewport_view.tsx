@@ -26,6 +26,7 @@ import {
 } from './show_bodies';
 import { connectViewportKeys } from './viewport_keys';
 import './viewport.css';
+import { say } from '../../language/say';
 
 export const viewportHandle: { current: Viewport | null } = { current: null };
 
@@ -76,7 +77,7 @@ export function ViewportView() {
       <canvas ref={canvas} aria-label={describeViewport()} role="application" tabIndex={0} />
       {hasFailed && (
         <p class="empty">
-          This browser has no WebGL2, so there is no picture; files, numbers and export work.
+          {say('This browser has no WebGL2, so there is no picture; files, numbers and export work.')}
         </p>
       )}
       {results.body.value && <PaneLabels />}
@@ -90,10 +91,12 @@ export function ViewportView() {
 }
 
 function describeViewport(): string {
-  if (isBrushing.value) return 'The mesh at rest. Drag over the original to paint it; Shift erases.';
+  if (isBrushing.value) return say('The mesh at rest. Drag over the original to paint it; Shift erases.');
   if (isPicking.value)
-    return 'The mesh at rest. Click a vertex or drag over the surface to pin it; Shift unpins.';
+    return say('The mesh at rest. Click a vertex or drag over the surface to pin it; Shift unpins.');
   if (view.step.value === 'test')
-    return 'Both meshes in motion. Drag a body to pull at it, drag beside it to turn the view, scroll to zoom.';
-  return 'The mesh. Drag to turn the view, scroll to zoom, right-drag to move it.';
+    return say(
+      'Both meshes in motion. Drag a body to pull at it, drag beside it to turn the view, scroll to zoom.',
+    );
+  return say('The mesh. Drag to turn the view, scroll to zoom, right-drag to move it.');
 }

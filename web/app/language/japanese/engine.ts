@@ -1,0 +1,88 @@
+/**
+ * Sentences and clauses that the engine writes in English, by their form: `sentence` finds them when they are shown. What
+ * has no entry here is shown in English.
+ */
+
+import type { MessageTable } from '../message_table';
+
+export const ENGINE: MessageTable = {
+  // web/engine/body/health.ts
+  '{count} seam vertex welded': 'シームの頂点 {count} 個を結合',
+  '{count} seam vertices welded': 'シームの頂点 {count} 個を結合',
+  '{count} face with a repeated vertex set aside': '頂点が重複する面 {count} 個を除外',
+  '{count} faces with a repeated vertex set aside': '頂点が重複する面 {count} 個を除外',
+  '{count} duplicate face set aside': '重複する面 {count} 個を除外',
+  '{count} duplicate faces set aside': '重複する面 {count} 個を除外',
+  '{count} face turned to agree with its neighbours': '隣に合わせて面 {count} 個の向きを修正',
+  '{count} faces turned to agree with their neighbours': '隣に合わせて面 {count} 個の向きを修正',
+  '{count} edge shared by more than two faces, locked': '3 面以上が共有する辺 {count} 本をロック',
+  '{count} edges shared by more than two faces, locked': '3 面以上が共有する辺 {count} 本をロック',
+  '{count} vertex where surfaces only touch, locked': '面が点で接する頂点 {count} 個をロック',
+  '{count} vertices where surfaces only touch, locked': '面が点で接する頂点 {count} 個をロック',
+  '{count} edge between faces that look to opposite sides': '向きが逆の面に挟まれた辺 {count} 本',
+  '{count} edges between faces that look to opposite sides': '向きが逆の面に挟まれた辺 {count} 本',
+  '{count} open border': '開いた境界 {count} か所',
+  '{count} open borders': '開いた境界 {count} か所',
+  'the largest residual of the modes is {residual}: needle triangles leave their last digits to rounding':
+    'モードの最大残差は {residual} です。細長い三角形のため、末尾の桁は丸め誤差を含みます',
+  // web/engine/core/mode_set.ts
+  '{count} solid part': 'ソリッド {count} 個',
+  '{count} solid parts': 'ソリッド {count} 個',
+  '{count} cavity': '空洞 {count} 個',
+  '{count} cavities': '空洞 {count} 個',
+  '{count} shell': 'シェル {count} 個',
+  '{count} shells': 'シェル {count} 個',
+  '{count} Laplacian part': 'ラプラシアン {count} 個',
+  '{count} Laplacian parts': 'ラプラシアン {count} 個',
+  '{first} to {last}': '{first}〜{last}',
+  // web/engine/report/hot_spots.ts
+  'Modes {first} and {second} strain different places ({common} % in common): {end}.':
+    'モード {first} と {second} は異なる場所をひずませます (共通 {common} %)。{end}。',
+  'both are kept': '両方の場所を残します',
+  'so does 1 more pair, and all are kept': 'ほかに 1 組あり、すべて残します',
+  'so do {count} more pairs, and all are kept': 'ほかに {count} 組あり、すべて残します',
+  // web/engine/report/stop_report.ts
+  'no edge is left that could collapse': '縮約できる辺が残っていません',
+  'of the remaining edges {share} would change the topology': '残りの辺のうち {share} はトポロジーが変わる',
+  '{share} flip a face': '{share} は面が裏返る',
+  '{share} break a seam, a border or a lock': '{share} はシーム・境界・ロックを壊す',
+  '{share} make an angle too small': '{share} は角が小さくなりすぎる',
+  '{share} go too far from the surface': '{share} は表面から離れすぎる',
+  // web/engine/report/explanation.ts
+  'the surface would move': '表面が動く',
+  'it bends here': 'ここで曲がる',
+  'it is curved here': 'ここは湾曲している',
+  'triangles would get thinner': '三角形が細くなる',
+  'triangles would get larger': '三角形が大きくなる',
+  '{share} % of the vertices go before it.': '頂点の {share} % がこれより先に取り除かれます。',
+  'It cannot go: {why}.': '取り除けません: {why}。',
+  'a lock, a border or a pin holds it': 'ロック、境界、または固定されています',
+  'the topology would change': 'トポロジーが変わります',
+  'a face would flip': '面が裏返ります',
+  'an angle would get too small': '角が小さくなりすぎます',
+  'the surface would go too far': '表面が離れすぎます',
+  // web/engine/motion/convergence.ts
+  'At {count} substep the original is still {moved} away from itself at {finer}, beside the {judged} that are judged: {take}.':
+    'サブステップ {count} では、元のメッシュは {finer} のときと {moved} ずれています (判定対象のずれは {judged})。{take}。',
+  'At {count} substeps the original is still {moved} away from itself at {finer}, beside the {judged} that are judged: {take}.':
+    'サブステップ {count} では、元のメッシュは {finer} のときと {moved} ずれています (判定対象のずれは {judged})。{take}。',
+  // web/engine/report/solver_report.ts
+  'In {solver} the first ten frequencies are off {tuned} tuned, {untouched} with your own numbers.':
+    '{solver} での最初の 10 個の周波数の誤差は、調整後 {tuned}、元の数値のままでは {untouched} です。',
+  'In {solver} the first ten frequencies are off {tuned} tuned (modes that were not tuned {unseen}), {untouched} with your own numbers.':
+    '{solver} での最初の 10 個の周波数の誤差は、調整後 {tuned} (調整に使わなかったモードでは {unseen})、元の数値のままでは {untouched} です。',
+  'In {solver} this shape bends without resistance, so there are no frequencies to tune: masses are, the factors stay at 1.':
+    '{solver} ではこの形は抵抗なく曲がるため、調整する周波数がありません。質量だけを調整し、係数は 1 のままです。',
+  'The motion itself was not looked at.': '動き自体は調べていません。',
+  '{scene} it is {tuned} of its size away from the original tuned, {untouched} with your own stiffness and the masses of the original (noise {noise}).':
+    '{scene}とき、元からのずれは大きさの {tuned} (調整後)、{untouched} (元の剛性と質量) です (ノイズ {noise})。',
+  '{scene} it is {tuned} of its size away from the original tuned, {untouched} with your own stiffness and the masses of the original (noise {noise}), so the file has your own stiffness and those masses.':
+    '{scene}とき、元からのずれは大きさの {tuned} (調整後)、{untouched} (元の剛性と質量) です (ノイズ {noise})。そのため、ファイルには元の剛性と質量を記録します。',
+  Swaying: '揺れる',
+  'Falling from its pins': '固定点から垂れる',
+  'Swaying and falling from its pins': '揺れて固定点から垂れる',
+  // web/engine/stages/fit.ts and web/engine/report/fit_words.ts
+  'the fit would break a limit of deviation or angle': 'フィットするとずれか角の制限を超えます',
+  // web/app/worker, web/engine/document
+  'No file is open: open one first.': 'ファイルが開かれていません。先にファイルを開いてください。',
+};

@@ -1,0 +1,20 @@
+/** The Japanese of the page, of which each file has a part. */
+
+import type { MessageTable } from '../message_table';
+import { ENGINE } from './engine';
+import { PAGE } from './page';
+import { PROGRESS } from './progress';
+import { SETTINGS } from './settings';
+import { SOLVERS } from './solvers';
+import { STEPS } from './steps';
+import { TEST_AND_EXPORT } from './test_and_export';
+
+export const JAPANESE: MessageTable = {
+  ...ENGINE,
+  ...PAGE,
+  ...PROGRESS,
+  ...SETTINGS,
+  ...SOLVERS,
+  ...STEPS,
+  ...TEST_AND_EXPORT,
+};
