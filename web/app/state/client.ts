@@ -36,12 +36,12 @@ export class Client {
 
   /**
    * `base`: the address of the folder above wasm/, with a final slash. `onLost`: a worker has ended while nothing ran.
-   * `listen` is given the port at which the histories of each worker arrive.
+   * `listen`, if any, is given the port at which the histories of each worker arrive.
    */
   constructor(
     private readonly base: string,
     private readonly onLost: () => void,
-    private readonly listen: (port: MessagePort) => void,
+    private readonly listen?: (port: MessagePort) => void,
   ) {
     this.started = this.startWorker();
     this.started.catch(() => {});
@@ -56,9 +56,11 @@ export class Client {
     const lock = `limber-worker-${crypto.randomUUID()}`;
     const starting = current.remote.start(new URL('wasm/', this.base).href, 0, onProgress, lock);
     const started = await Promise.race([starting, current.ended]);
-    const { port1, port2 } = new MessageChannel();
-    await Promise.race([current.remote.connect(transfer(port1, [port1])), current.ended]);
-    this.listen(port2);
+    if (this.listen) {
+      const { port1, port2 } = new MessageChannel();
+      await Promise.race([current.remote.connect(transfer(port1, [port1])), current.ended]);
+      this.listen(port2);
+    }
     watchLife(lock, () => onError('the browser has ended it, perhaps for want of memory'));
     if (this.files) await Promise.race([current.remote.open(this.files), current.ended]);
     isStarted = true;

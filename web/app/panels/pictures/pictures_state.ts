@@ -1,7 +1,7 @@
 /** The panel of pictures: what is asked for, and what is being drawn. */
 
 import { signal } from '@preact/signals';
-import { exportRequest } from '../../state/runner';
+import { exportRequest } from '../../state/export_request';
 import { complain } from '../../state/running';
 import { download } from '../../files/files';
 

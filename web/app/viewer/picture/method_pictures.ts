@@ -5,7 +5,7 @@ import type { TriangleMesh } from '../../../engine/core/core';
 import { geometryFrom } from '../body_geometry';
 import { mapTexture } from '../colours';
 import { drawnArrays } from '../drawn_arrays';
-import { isPreparedAtOnce, prepareArrays } from '../prepared_arrays';
+import { isPreparedAtOnce, prepareExactly } from '../prepared_arrays';
 import { surfaceMaterial } from '../surface_material';
 import { isLarge } from '../twin_surface';
 
@@ -57,7 +57,7 @@ export class MethodPictures {
     if (known?.canvas === canvas) return;
     const arrays = isPreparedAtOnce(mesh)
       ? drawnArrays(mesh)
-      : await prepareArrays(mesh).catch(() => drawnArrays(mesh));
+      : await prepareExactly(mesh).catch(() => drawnArrays(mesh));
     if (this.isDisposed) return;
     const geometry = geometryFrom(arrays, mesh);
     this.sphere ??= geometry.boundingSphere!.clone();
