@@ -71,7 +71,7 @@ describe('the tarball', () => {
   it('has the programs, the core, declarations, schemas and notices, and nothing else, in less than 5 MB', () => {
     const names = listFiles(packed);
     const allowed =
-      /^((cli|node|shared|browser)\/[\w-]+\.mjs|assets\/(worker|limber-(single|threads))\.(mjs|wasm)|types\/[\w/]+\.d\.ts|schemas\/(report|settings|batch)\.schema\.json|(limber\.1|package\.json|README\.md|LICENSE|THIRD-PARTY-NOTICES\.md))$/;
+      /^((cli|node|shared|browser)\/[\w-]+(\.module)?\.mjs|assets\/(worker|limber-(single|threads))\.(mjs|wasm)|types\/[\w/]+\.d\.ts|schemas\/(report|settings|batch)\.schema\.json|(limber\.1|package\.json|README\.md|LICENSE|THIRD-PARTY-NOTICES\.md))$/;
     expect(names.filter((name) => !allowed.test(name))).toEqual([]);
     for (const name of ['cli/limber.mjs', 'assets/limber-threads.wasm', 'assets/worker.mjs', 'LICENSE'])
       expect(names).toContain(name);

@@ -55,8 +55,8 @@ Vec3 DeviationGuard::meshPoint(const TriangleMesh& mesh, size_t i) const {
   return pointOn(mesh, static_cast<uint32_t>(i / weights_.size()), weights_[i % weights_.size()]);
 }
 
-// A point this near to a sample serves as its anchor: what is left of the limit is for the mesh to move in.
-// The closest point is searched only where none is found.
+// A point this near to a sample serves as its surface point: what is left of the limit is for the mesh to
+// move in. The closest point is searched only where none is found.
 double DeviationGuard::nearEnough() const {
   return allowed_ / 2;
 }
@@ -64,18 +64,19 @@ double DeviationGuard::nearEnough() const {
 std::vector<uint8_t> DeviationGuard::begin(const TriangleMesh& mesh) {
   const ClosestPointTree tree(mesh);
   weights_ = lattice(cutsOf(mesh, parts_, kFewestCuts));
-  anchors_.assign(originalPoints_.size(), {});
-  originalAnchors_.assign(weights_.size() * mesh.triangleCount(), {});
+  meshPointsNear_.assign(originalPoints_.size(), {});
+  originalPointsNear_.assign(weights_.size() * mesh.triangleCount(), {});
   std::vector<uint8_t> isFar(mesh.triangleCount(), 0);
   std::vector<uint32_t> farOf(originalPoints_.size(), kNone);
-  // Samples follow one another over a triangle, so that the anchor of one is a good guess for the next.
-  parallelFor(anchors_.size(), kSamplesPerRange, [&](size_t from, size_t to) {
+  // Samples follow one another over a triangle, so that the surface point of one is a good guess for the
+  // next.
+  parallelFor(meshPointsNear_.size(), kSamplesPerRange, [&](size_t from, size_t to) {
     uint32_t near = kNone;
     for (size_t i = from; i < to; ++i) {
       const ClosestPoint found = tree.nearEnough(originalPoints_[i], nearEnough(), near);
       near = found.triangle;
       if (found.distance <= allowed_)
-        anchors_[i] = found;
+        meshPointsNear_[i] = found;
       else
         farOf[i] = near;
     }
@@ -88,7 +89,7 @@ std::vector<uint8_t> DeviationGuard::begin(const TriangleMesh& mesh) {
       const ClosestPoint found = tree_.nearEnough(meshPoint(mesh, i), nearEnough(), near);
       near = found.triangle;
       if (found.distance <= allowed_)
-        originalAnchors_[i] = {found.position, near};
+        originalPointsNear_[i] = {found.position, near};
       else
         isFar[i / weights_.size()] = 1;
     }
@@ -103,11 +104,11 @@ std::vector<uint8_t> DeviationGuard::tooFar(const TriangleMesh& moved) const {
   return isFar;
 }
 
-// Where the anchor has moved too far from its sample, another point may be close enough.
+// Where the surface point has moved too far from its sample, another point may be close enough.
 void DeviationGuard::checkOriginal(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const {
   std::vector<size_t> unclear;
-  for (size_t i = 0; i < anchors_.size(); ++i) {
-    const auto& [triangle, b] = anchors_[i];
+  for (size_t i = 0; i < meshPointsNear_.size(); ++i) {
+    const auto& [triangle, b] = meshPointsNear_[i];
     if (triangle != kNone &&
         length(pointOn(moved, triangle, {b[0], b[1], b[2]}) - originalPoints_[i]) > allowed_)
       unclear.push_back(i);
@@ -118,22 +119,22 @@ void DeviationGuard::checkOriginal(const TriangleMesh& moved, std::vector<uint8_
   parallelFor(unclear.size(), kSamplesPerRange, [&](size_t from, size_t to) {
     for (size_t i = from; i < to; ++i) {
       const ClosestPoint near =
-          tree.nearEnough(originalPoints_[unclear[i]], allowed_, anchors_[unclear[i]].triangle);
+          tree.nearEnough(originalPoints_[unclear[i]], allowed_, meshPointsNear_[unclear[i]].triangle);
       if (near.distance > allowed_) found[i] = near.triangle;
     }
   });
   for (size_t i = 0; i < found.size(); ++i)
-    if (found[i] != kNone) isFar[found[i]] = isFar[anchors_[unclear[i]].triangle] = 1;
+    if (found[i] != kNone) isFar[found[i]] = isFar[meshPointsNear_[unclear[i]].triangle] = 1;
 }
 
 void DeviationGuard::checkMoved(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const {
   parallelFor(moved.triangleCount(), kTrianglesPerRange, [&](size_t from, size_t to) {
     for (size_t t = from; t < to; ++t)
       for (size_t i = weights_.size() * t; i < weights_.size() * (t + 1) && !isFar[t]; ++i) {
-        const auto& [anchor, triangle] = originalAnchors_[i];
+        const auto& [near, triangle] = originalPointsNear_[i];
         if (triangle == kNone) continue;
         const Vec3 point = meshPoint(moved, i);
-        isFar[t] = length(point - anchor) > allowed_ &&
+        isFar[t] = length(point - near) > allowed_ &&
                    tree_.nearEnough(point, allowed_, triangle).distance > allowed_;
       }
   });

@@ -32,7 +32,7 @@ class DeviationGuard {
  private:
   // A point of the original that a sample of the moving mesh is near; triangle kNone where none is at the
   // start.
-  struct OriginalAnchor {
+  struct NearOriginalPoint {
     Vec3 position;
     uint32_t triangle = kNone;
   };
@@ -46,8 +46,9 @@ class DeviationGuard {
   std::vector<std::array<double, 3>> weights_;  // barycentric coordinates of the samples of every triangle
   ClosestPointTree tree_;                       // of the original
   std::vector<Vec3> originalPoints_;            // samples of the original
-  std::vector<SurfacePoint> anchors_;  // per sample of the original a point of the mesh near it, as below
-  std::vector<OriginalAnchor> originalAnchors_;  // per sample of the mesh, triangle by triangle
+  std::vector<SurfacePoint>
+      meshPointsNear_;  // per sample of the original a point of the mesh near it, as below
+  std::vector<NearOriginalPoint> originalPointsNear_;  // per sample of the mesh, triangle by triangle
 };
 
 }  // namespace limber

@@ -24,8 +24,8 @@ struct DampedSystem {
 class FitSolver {
  public:
   // `locked`: per vertex, not 0 where it stays in place: its three unknowns are 0. Meshes of more vertices
-  // than `mostFactorised` are solved by conjugate gradients: a factor grows faster than the mesh. The job must
-  // outlive this.
+  // than `mostFactorised` are solved by conjugate gradients: a factor grows faster than the mesh. The job
+  // must outlive this.
   FitSolver(const std::vector<uint8_t>& locked, Job& job, uint32_t mostFactorised = UINT32_MAX);
 
   // (A + mu D)^-1 b for each column b of 3 vertexCount numbers; all columns share one factorisation. By

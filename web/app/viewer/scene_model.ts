@@ -1,7 +1,6 @@
 /** A whole file as it is drawn with its own materials: its nodes, skins, animations and colours. */
 
 import * as THREE from 'three';
-import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import type { GLTFReference } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { spreadPoints, spreadStep } from './spread_points';
 import { checkerTexture, matcapTexture } from './look_textures';
@@ -38,6 +37,8 @@ export class SceneModel {
 
   /** Reads a GLB. Throws an Error where the loader cannot read it. */
   static async load(bytes: Uint8Array): Promise<SceneModel> {
+    // The page appears without it.
+    const { GLTFLoader } = await import('three/examples/jsm/loaders/GLTFLoader.js');
     const buffer = bytes.slice().buffer;
     const { scene, animations, parser } = await new GLTFLoader().parseAsync(buffer, '');
     return new SceneModel(scene, animations, parser.associations);

@@ -2,7 +2,7 @@
 
 import { existsSync, readdirSync, realpathSync, statSync } from 'node:fs';
 import { basename, dirname, join, relative, sep } from 'node:path';
-import { isModelName } from '../../engine/document/open';
+import { isModelName } from '../../engine/document/format_names';
 import { isPathPattern, matchesPath } from '../../engine/settings/path_pattern';
 import { UsageError } from '../failure';
 import { nameKey } from '../output_files/identity';

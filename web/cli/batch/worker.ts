@@ -8,7 +8,7 @@ import { dirname, join, relative, sep } from 'node:path';
 import { materialOf } from '../../engine/body/material';
 import type { Core } from '../../engine/core/core';
 import { startStopwatch } from '../../engine/core/stopwatch';
-import { isModelName } from '../../engine/document/open';
+import { isModelName } from '../../engine/document/format_names';
 import { worstFidelity } from '../../engine/report/result_report';
 import { describeFailure } from '../failure';
 import { finishOptimize, optimizeModel } from '../optimize';

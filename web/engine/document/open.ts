@@ -2,6 +2,7 @@
 
 import { isZip, unpacked } from './archive/read_zip';
 import { wayOfOtherFormat } from './checks/other_formats';
+import { formatOfName } from './format_names';
 import { isGlb } from './glb';
 import { openGltf } from './gltf';
 import type { Format, OpenModel, SourceFile } from './model';
@@ -14,7 +15,6 @@ import { isBinaryStl, readStl } from './stl';
 
 export type { Body, Format, OpenModel, PrimitiveSpan, SourceFile } from './model';
 
-const FORMATS: readonly Format[] = ['glb', 'gltf', 'obj', 'stl', 'ply', 'off'];
 const SURFACE_READERS = { obj: readObj, stl: readStl, ply: readPly, off: readOff };
 const READABLE = 'a GLB, glTF, OBJ, STL, PLY or OFF file';
 
@@ -66,14 +66,6 @@ function chooseModel(files: SourceFile[]): { file: SourceFile; format: Format } 
     throw new Error(`${what} a mesh that can be read: open ${READABLE}.`);
   }
   return { file, format };
-}
-
-/** Whether a file has the name of a model that can be read. */
-export const isModelName = (name: string): boolean => formatOfName(name) !== null;
-
-function formatOfName(name: string): Format | null {
-  const ending = name.toLowerCase().split('.').pop()!;
-  return FORMATS.find((format) => format === ending) ?? null;
 }
 
 /** The format if the first bytes identify it, otherwise null. */

@@ -6,7 +6,7 @@ import { pickFiles } from '../../files/files';
 import { openSample, samples } from '../../files/samples';
 import type { Sample } from '../../files/samples';
 import { status } from '../../state/store';
-import { SampleCards } from '../../viewer/sample_cards';
+import { SampleCards } from '../../viewer/picture/sample_cards';
 import { isMotionReduced } from '../../state/scheme';
 import './start_screen.css';
 import { say, sayCounted } from '../../language/say';

@@ -13,10 +13,10 @@ export function curvatureScale(curvature: Float32Array): number {
 }
 
 /**
- * The value at a place of the ascending order, found by partitions (Hoare 1961), as sorting a million values would block the page;
+ * The value at a rank of the ascending order, found by partitions (Hoare 1961), as sorting a million values would block the page;
  * 0 without values.
  */
-export function ranked(values: Float32Array, place: number): number {
+export function ranked(values: Float32Array, rank: number): number {
   const parts = values.slice();
   let [low, high] = [0, parts.length - 1];
   while (low < high) {
@@ -30,9 +30,9 @@ export function ranked(values: Float32Array, place: number): number {
       parts[i++] = parts[j];
       parts[j--] = swapped;
     }
-    if (place <= j) high = j;
-    else if (place >= i) low = i;
+    if (rank <= j) high = j;
+    else if (rank >= i) low = i;
     else break;
   }
-  return parts[place] ?? 0;
+  return parts[rank] ?? 0;
 }

@@ -1,6 +1,6 @@
 /** Which of the files that were opened together are one model with its companions, and which are models of their own. */
 
-import { isModelName } from '../../../engine/document/open';
+import { isModelName } from '../../../engine/document/format_names';
 import type { SourceFile } from '../../../engine/document/open';
 
 /** A model and the files that may belong to it. */

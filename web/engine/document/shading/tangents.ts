@@ -26,7 +26,8 @@ export async function tangentGenerator(document: Document): Promise<GenerateTang
 
 /** Tangents of a file are MikkTSpace's where this share of corners is within the angle; integers and other triangulations take some. */
 const LEAST_SHARE = 0.9;
-const SAME_COSINE = Math.cos((5 * Math.PI) / 180);
+/** cos 5 degrees */
+const SAME_COSINE = 0.9961946980917455;
 
 /** Whether the tangents of a primitive are those of MikkTSpace over `indices`, by the texture coordinates of its normal map. */
 export function followMikkTSpace(

@@ -44,8 +44,7 @@ export class Deviations {
     const deviation = exact.get(faces);
     if (deviation !== undefined) return deviation <= limit;
     const key = `${faces} ${limit}`;
-    const is =
-      within.get(key) ?? isWithinDeviation(this.core, this.prepared, this.mesh(faces, level), limit);
+    const is = within.get(key) ?? isWithinDeviation(this.core, this.prepared, this.mesh(faces, level), limit);
     within.set(key, is);
     return is;
   }

@@ -1,15 +1,15 @@
 /** Animated pictures of modes: one shared renderer draws them in turn and copies each to its own small canvas. */
 
-import { faceCount } from '../../engine/core/mesh';
+import { faceCount } from '../../../engine/core/mesh';
 import * as THREE from 'three';
-import type { TriangleMesh } from '../../engine/core/core';
-import { geometryFrom, setDisplacement, setField } from './body_geometry';
-import { mapTexture } from './colours';
-import { drawnArrays } from './drawn_arrays';
-import type { DrawnArrays } from './drawn_arrays';
-import { isPreparedAtOnce, prepareExactly } from './prepared_arrays';
-import { surfaceMaterial } from './surface_material';
-import { isLarge } from './twin_surface';
+import type { TriangleMesh } from '../../../engine/core/core';
+import { geometryFrom, setDisplacement, setField } from '../body_geometry';
+import { mapTexture } from '../colours';
+import { drawnArrays } from '../drawn_arrays';
+import type { DrawnArrays } from '../drawn_arrays';
+import { isPreparedAtOnce, prepareExactly } from '../prepared_arrays';
+import { surfaceMaterial } from '../surface_material';
+import { isLarge } from '../twin_surface';
 
 export const THUMBNAIL = { width: 148, height: 104 };
 /** Larger meshes stand still, so that the gallery never slows down the page. */

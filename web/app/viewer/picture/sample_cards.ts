@@ -1,8 +1,8 @@
 /** Moving pictures of files: one shared renderer draws them in turn and copies each to its own small canvas. */
 
 import * as THREE from 'three';
-import { ROOM_LIGHT, roomLight } from './room_light';
-import { SceneModel } from './scene_model';
+import { ROOM_LIGHT, roomLight } from '../room_light';
+import { SceneModel } from '../scene_model';
 
 const FRAME_MILLISECONDS = 40;
 const WIDTH = 440;
