@@ -107,7 +107,7 @@ std::vector<float> strainRank(const TriangleMesh& mesh, const ModeSet& set) {
   std::vector<double> omega(set.components.size() * set.modesPerComponent);
   for (const Mode& mode : set.modes)
     omega[mode.component * set.modesPerComponent + mode.ordinal] = mode.omega;
-  return strainGuidance(mesh, set.shapes, omega, {.ordinals = {0, 1, 2, 3}}, job).rank;
+  return strainGuidance(mesh, set.shapes, omega, {.ordinals = {0, 1, 2, 3}, .weights = {}}, job).rank;
 }
 
 double correlation(const std::vector<float>& a, const std::vector<float>& b) {

@@ -173,7 +173,9 @@ TEST(SurfaceDistance, ofTheLargestAloneIsThatOfAll) {
       const double all = measureSurfaceDistance(a, b, {.samples = samples}, job).hausdorff;
       EXPECT_NEAR(measureHausdorff(a, b, {.samples = samples}, job), all, 1e-15 * (1 + all));
       EXPECT_TRUE(isWithinHausdorff(a, b, all * (1 + 1e-9), {.samples = samples}, job));
-      if (all > 0) EXPECT_FALSE(isWithinHausdorff(a, b, all * (1 - 1e-9), {.samples = samples}, job));
+      if (all > 0) {
+        EXPECT_FALSE(isWithinHausdorff(a, b, all * (1 - 1e-9), {.samples = samples}, job));
+      }
     }
   EXPECT_EQ(measureHausdorff(ball, {}, {}, job), 0);
 }
