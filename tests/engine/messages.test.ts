@@ -12,6 +12,8 @@ import { PHASES } from '../../web/engine/core/interface/job';
 import { SCENARIOS } from '../../web/engine/core/scenarios';
 import { MATERIAL_NAMES } from '../../web/engine/settings/materials';
 import { OPTIONS } from '../../web/engine/settings/options';
+import { PRESETS } from '../../web/engine/settings/presets';
+import { METHOD_TITLES, budgetTable } from '../../web/engine/stages/equal_budget/budget_table';
 import { SOLVER_NAMES, profileOf } from '../../web/engine/solvers/profiles';
 import { collectMessages } from './support/messages';
 
@@ -20,13 +22,18 @@ const EXEMPT = new Set([
   'Limber',
   'like-input',
   'limber-hints',
+  'LaTeX',
+  'GLB',
+  'PLY',
+  'MSFT_lod',
+  '0.25, 10 %, 500',
   'low:6 + box:0,0,0,1,1,1',
   'ball:x,y,z,R',
   'light',
   'dark',
   'system',
 ]);
-const BARE_EXEMPT = /: (Hz|Limber)$/;
+const BARE_EXEMPT = /: (Hz|Limber|LOD)$/;
 
 const { keys, numbers, bare } = collectMessages();
 
@@ -52,6 +59,8 @@ function engineWords(): string[] {
     'colliders',
     'compress',
     'lods',
+    'format',
+    'lodStyle',
   ] as const;
   const onPage = Object.values(OPTIONS).filter(({ page }) => page !== undefined);
   const helped = (
@@ -66,6 +75,8 @@ function engineWords(): string[] {
       'substeps',
       'minAngle',
       'colliders',
+      'compress',
+      'lodStyle',
     ] as const
   ).map((name) => OPTIONS[name].help);
   const samples = JSON.parse(readFileSync(join(root, 'public', 'samples', 'index.json'), 'utf8')) as Record<
@@ -78,6 +89,10 @@ function engineWords(): string[] {
     ...helped,
     'degrees',
     ...METHODS.flatMap(({ label, title }) => [label, title]),
+    ...Object.values(PRESETS).flatMap(({ label, why }) => [label, why]),
+    ...Object.values(METHOD_TITLES),
+    ...budgetTable([], { model: '', faces: 0, originalFaces: 0 }).columns.map(({ title }) => title),
+    ...['kept', 'changed'],
     ...SCENARIOS.flatMap(({ label, sentence: what, pinned }) => [label, what, pinned]),
     ...SOLVER_NAMES.map(profileOf).flatMap(({ label, words, parameters }) => [
       label,

@@ -72,7 +72,7 @@ test('the time left goes by the bytes that are done', () => {
   expect(describeProgress(items, 10)).toBe('3 of 3, 30 s left');
   expect(describeProgress(items, 0.1)).toBe('3 of 3');
   expect(describeProgress([items[2], items[2]], 10)).toBe('1 of 2');
-  expect(describeOutcome(items.slice(0, 2))).toBe('1 done, 1 failed.');
+  expect(describeOutcome(items.slice(0, 2))).toBe('1 done and 1 failed');
 });
 
 test('the table of a queue quotes what would break its cells', () => {

@@ -21,7 +21,8 @@ const SHOWN_ATTRIBUTES = new Set(['title', 'aria-label', 'aria-valuetext', 'plac
 /** Members of tables that are no words. */
 const NO_WORDS = new Set(['value', 'picture', 'id', 'kind', 'ending', 'type']);
 
-const hasWords = (literal: string): boolean => /[A-Za-z].*[A-Za-z]/.test(literal);
+const hasWords = (literal: string): boolean =>
+  /[A-Za-z].*[A-Za-z]/.test(literal) && !/^#[\da-f]{6}$/.test(literal);
 
 export function collectMessages(): Messages {
   const found: Messages = { keys: new Map(), numbers: [], bare: [] };
@@ -91,7 +92,7 @@ class Collector {
 
   /** Constants in capitals are tables of words. */
   private collectTable(node: ts.Node): void {
-    if (!ts.isVariableDeclaration(node) || !this.file.fileName.includes('panels')) return;
+    if (!ts.isVariableDeclaration(node) || !/panels|setting_words/.test(this.file.fileName)) return;
     if (node.name.getText() === 'rows') return this.collectRows(node);
     if (!/^[A-Z_]+$/.test(node.name.getText()) || !node.initializer) return;
     const walk = (part: ts.Node): void => {

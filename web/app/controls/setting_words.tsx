@@ -5,6 +5,7 @@ import { useId, useState } from 'preact/hooks';
 import { OPTIONS } from '../../engine/settings/options';
 import type { SettingName } from '../../engine/settings/options';
 import './setting_words.css';
+import { say } from '../language/say';
 
 /** Without the words of mechanics; the exact sentence is the help of the table of settings. */
 const PLAIN: Partial<Record<SettingName, string>> = {
@@ -48,8 +49,8 @@ export function useSettingWords(name: SettingName): SettingWords {
       <button
         type="button"
         class="quiet about"
-        aria-label="What it does"
-        title={OPTIONS[name].label}
+        aria-label={say('What it does')}
+        title={say(OPTIONS[name].label)}
         aria-expanded={isOpen}
         aria-controls={isOpen ? id : undefined}
         onClick={() => setOpen(!isOpen)}
@@ -59,8 +60,8 @@ export function useSettingWords(name: SettingName): SettingWords {
     ),
     sentences: isOpen && (
       <div class="about-words" id={id}>
-        <p>{plain}</p>
-        <p class="muted">Exactly: {OPTIONS[name].help}</p>
+        <p>{say(plain)}</p>
+        <p class="muted">{say('Exactly: {sentence}', { sentence: say(OPTIONS[name].help) })}</p>
       </div>
     ),
   };

@@ -3,13 +3,14 @@
 import { batch } from '@preact/signals';
 import { readSettingsFile } from '../../engine/report/settings_reader';
 import type { SettingsFile } from '../../engine/report/settings_file';
-import { counted } from '../../engine/core/words';
 import type { SourceFile } from '../../engine/document/open';
 import { engineText, engineValues } from '../../engine/settings/engine_text';
 import { profileOf } from '../../engine/solvers/profiles';
 import { complain } from '../state/running';
 import { changeSettings, keepFaces, results, status, view, wants } from '../state/store';
 import { twin } from '../state/twin';
+import { count } from '../controls/numbers';
+import { say } from '../language/say';
 
 /** Whether a file is meant to be a settings file: a JSON document that is no report and no part of a model. */
 export const isSettingsName = ({ name }: SourceFile): boolean => /\.json$/i.test(name);
@@ -40,7 +41,12 @@ export function applySettings({ name, bytes }: SourceFile): void {
   try {
     const file = readSettingsFile(name, new TextDecoder().decode(bytes));
     if (!results.body.value)
-      throw new Error(`${name} says how a model moves in ${labelOf(file)}: open that model first.`);
+      throw new Error(
+        say('{name} says how a model moves in {solver}: open that model first.', {
+          name,
+          solver: say(labelOf(file)),
+        }),
+      );
     show(name, file, askedBy(file));
   } catch (error) {
     complain(error);
@@ -60,11 +66,20 @@ function show(name: string, file: SettingsFile, { engine, faces, originalFaces }
     wants.exportOpen.value = false;
     view.step.value = 'test';
   });
-  const taken = `${name}: ${labelOf(file)} with its parameters`;
+  const values = {
+    name,
+    solver: say(labelOf(file)),
+    faces: count(faces),
+    original: count(originalFaces),
+    own: count(own),
+  };
   status.notice.value = {
     kind: 'info',
     text: isSame
-      ? `${taken}, ${counted(faces, 'face')}.`
-      : `${taken}. It was written for a model of ${counted(originalFaces, 'face')} and this one has ${own}, so it is tuned anew.`,
+      ? say('{name}: {solver} with its parameters, {faces} faces.', values)
+      : say(
+          '{name}: {solver} with its parameters. It was written for a model of {original} faces and this one has {own}, so it is tuned anew.',
+          values,
+        ),
   };
 }

@@ -6,6 +6,7 @@ import { likeModes } from '../../engine/core/like_modes';
 import type { ModesResult } from '../worker/protocol';
 import { areModesStale, changeSettings, results, status, wants } from './store';
 import { withoutUndo } from './undo';
+import { listed, say } from '../language/say';
 
 /** The modes that the chosen numbers are of, and how they were pinned; null: those that come next. */
 let basis: { modes: ModesResult; pins: string } | null = null;
@@ -54,9 +55,11 @@ function describeChange(
 ): string {
   const parts = modes.flatMap((mode, i) => {
     const name = leadingMode(before, mode - 1)?.name;
-    const words = `mode ${mode}${name ? ` (${name})` : ''}`;
     if (alike[i] === mode) return [];
-    return [alike[i] === null ? `nothing moves like ${words} any more` : `${words} is now mode ${alike[i]}`];
+    const values = { mode, name: name ? ` (${say(name)})` : '', now: alike[i] ?? 0 };
+    return alike[i] === null
+      ? [say('nothing moves like mode {mode}{name} any more', values)]
+      : [say('mode {mode}{name} is now mode {now}', values)];
   });
-  return `With these pins ${parts.join(', ')}.`;
+  return say('With these pins {changes}.', { changes: listed(parts) });
 }

@@ -12,7 +12,6 @@ export const PROGRESS: MessageTable = {
   'Measuring curvature': '曲率を測定中',
   'Collapsing edges': '辺を縮約中',
   'Sharing the faces out': '面数を配分中',
-  'Replaying collapses': '縮約を再生中',
   'Fitting the result': '結果をフィット中',
   'Tuning the result to its solver': '結果をソルバー向けに調整中',
   'Measuring the result': '結果を測定中',

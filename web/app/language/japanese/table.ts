@@ -2,7 +2,9 @@
 
 import type { MessageTable } from '../message_table';
 import { ENGINE } from './engine';
+import { EXPORT_FORMS } from './export_forms';
 import { PAGE } from './page';
+import { PANELS } from './panels';
 import { PROGRESS } from './progress';
 import { SETTINGS } from './settings';
 import { SOLVERS } from './solvers';
@@ -11,7 +13,9 @@ import { TEST_AND_EXPORT } from './test_and_export';
 
 export const JAPANESE: MessageTable = {
   ...ENGINE,
+  ...EXPORT_FORMS,
   ...PAGE,
+  ...PANELS,
   ...PROGRESS,
   ...SETTINGS,
   ...SOLVERS,

@@ -10,6 +10,7 @@ import { exportRequest } from '../../state/export_request';
 import { client } from '../../state/running';
 import { results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
+import { say } from '../../language/say';
 
 export function Actions({ exported }: { exported: ExportResult | null }) {
   const { output, binding } = exportRequest();
@@ -25,7 +26,7 @@ export function Actions({ exported }: { exported: ExportResult | null }) {
         disabled={!exported}
         onClick={() => download(output, exported!.bytes, type)}
       >
-        Save {ending}
+        {say('Save {ending}', { ending })}
       </button>
       {hasMore && (
         <button
@@ -34,7 +35,7 @@ export function Actions({ exported }: { exported: ExportResult | null }) {
           disabled={!exported}
           onClick={() => void saveAll(exported!, output)}
         >
-          Save all as .zip
+          {say('Save all as .zip')}
         </button>
       )}
       {solver !== 'none' && (
@@ -43,7 +44,7 @@ export function Actions({ exported }: { exported: ExportResult | null }) {
           disabled={!exported}
           onClick={() => download(settingsName(output), exported!.settings!, 'application/json')}
         >
-          Save settings
+          {say('Save settings')}
         </button>
       )}
       <SaveReport exported={exported} output={output} />
@@ -55,12 +56,12 @@ export function Actions({ exported }: { exported: ExportResult | null }) {
 /** The settings as the command needs them: the name says the format, and what is left out has to be named. */
 function asTyped(): Settings {
   const settings = exportSettings(wants.settings.value);
-  const refused = results.file.value!.dropped.filter((text) => text.startsWith(EXTENSION));
-  const names = refused.map((text) => text.slice(EXTENSION.length)).join('|');
+  const refused = results.file.value!.dropped.filter((text) => text.startsWith(extension));
+  const names = refused.map((text) => text.slice(extension.length)).join('|');
   return { ...settings, format: 'auto', dropExtensions: settings.dropExtensions || names };
 }
 
-const EXTENSION = 'extension ';
+const extension = 'extension ';
 
 /** The command that writes the same file. */
 function CommandLine({ exported: { faces: written, targetFaces: faces } }: { exported: ExportResult }) {
@@ -77,12 +78,14 @@ function CommandLine({ exported: { faces: written, targetFaces: faces } }: { exp
   return (
     <>
       <button type="button" onClick={() => void copy()}>
-        {isCopied ? 'Copied' : 'Copy command line'}
+        {isCopied ? say('Copied') : say('Copy command line')}
       </button>
       <code class="command">{line}</code>
       {wants.own.value.size > 0 && (
         <p class="hint">
-          The command shares the faces out over all meshes: it has no numbers of faces for single ones.
+          {say(
+            'The command shares the faces out over all meshes: it has no numbers of faces for single ones.',
+          )}
         </p>
       )}
     </>
@@ -102,14 +105,14 @@ const REPORTS = [
 
 function SaveReport({ exported, output }: { exported: ExportResult | null; output: string }) {
   return (
-    <div class="reports" role="group" aria-label="Save report">
-      <span>Report</span>
+    <div class="reports" role="group" aria-label={say('Save report')}>
+      <span>{say('Report')}</span>
       {REPORTS.map(({ text, ending, type, write }) => (
         <button
           key={ending}
           type="button"
           disabled={!exported}
-          aria-label={`Save report as ${text}`}
+          aria-label={say('Save report as {format}', { format: text })}
           onClick={() => download(`${stem(output)}.${ending}`, write(exported!.report), type)}
         >
           {text}

@@ -5,6 +5,7 @@ import { OPTIONS } from '../../../engine/settings/options';
 import { EXPORT_FORMATS, exportFormatOf } from '../../worker/export_form';
 import { changeSettings, wants } from '../../state/store';
 import { Select, Toggle } from '../../controls/controls';
+import { say } from '../../language/say';
 
 const FORMATS = EXPORT_FORMATS.map(({ value, text }) => ({ value, text }));
 
@@ -50,7 +51,7 @@ export function FormSection() {
             value={compress}
             onChange={(value) => changeSettings({ compress: value as Compression })}
           />
-          <p class="hint">{COMPRESSION_WORDS[compress]}</p>
+          <p class="hint">{say(COMPRESSION_WORDS[compress])}</p>
         </>
       )}
       <Toggle

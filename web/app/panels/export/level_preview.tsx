@@ -9,6 +9,7 @@ import { Range, Toggle } from '../../controls/controls';
 import { count } from '../../controls/numbers';
 import { levelAtHeight, switchHeights } from './level_chain';
 import { LevelView } from './level_view';
+import { say } from '../../language/say';
 
 /** Heights on the screen, pixels: from all of a common screen to what can just be seen. */
 const TALLEST = 1080;
@@ -20,7 +21,7 @@ const heightOf = (step: number): number => Math.round(TALLEST * (SMALLEST / TALL
 
 export function LevelPreview() {
   const { value: drawn } = results.drawnLevels;
-  if (drawn?.key !== levelsKey()) return <p class="hint">Writing the levels ...</p>;
+  if (drawn?.key !== levelsKey()) return <p class="hint">{say('Writing the levels ...')}</p>;
   return <Preview drawn={drawn} key={drawn.key} />;
 }
 
@@ -31,13 +32,17 @@ function Preview({ drawn: { levels } }: { drawn: DrawnLevels }) {
   const heights = switchHeights(levels.slice(1).map(({ deviation }) => deviation));
   const number = levelAtHeight(heights, height);
   const canvas = useLevelView(levels, number, isLarge ? null : height);
-  const name = `LOD${number}, ${count(levels[number].faces)} faces`;
+  const faces = count(levels[number].faces);
   return (
     <>
       <figure class="level-preview">
-        <canvas ref={canvas} role="img" aria-label={`${name}, ${height} pixels high`} />
+        <canvas
+          ref={canvas}
+          role="img"
+          aria-label={say('LOD{number}, {faces} faces, {height} pixels high', { number, faces, height })}
+        />
         <figcaption>
-          <strong>LOD{number}</strong> {count(levels[number].faces)} faces
+          <strong>LOD{number}</strong> {say('{faces} faces', { faces })}
         </figcaption>
       </figure>
       <Range
@@ -47,7 +52,7 @@ function Preview({ drawn: { levels } }: { drawn: DrawnLevels }) {
         max={STEPS}
         step={1}
         value={step}
-        shown={`${count(height)} px across`}
+        shown={say('{pixels} px across', { pixels: count(height) })}
         onInput={setStep}
       />
       <Toggle
@@ -56,11 +61,11 @@ function Preview({ drawn: { levels } }: { drawn: DrawnLevels }) {
         checked={isLarge}
         onChange={setLarge}
       />
-      <ol class="levels" aria-label="Where levels change" start={0}>
+      <ol class="levels" aria-label={say('Where levels change')} start={0}>
         {levels.map((level, i) => (
           <li key={i} class={i === number ? 'is-shown' : undefined}>
             <button type="button" onClick={() => setStep(stepFor(heights, i))}>
-              <strong>LOD{i}</strong> {count(level.faces)} faces
+              <strong>LOD{i}</strong> {say('{faces} faces', { faces: count(level.faces) })}
             </button>
             <span class="muted">{describeSwitch(heights, i)}</span>
           </li>
@@ -78,10 +83,10 @@ function stepFor(heights: readonly number[], level: number): number {
 }
 
 function describeSwitch(heights: readonly number[], level: number): string {
-  if (level === 0) return 'nearest';
+  if (level === 0) return say('nearest');
   if (heights[level] !== undefined && heights[level] >= heights[level - 1])
-    return 'never: the next is as close';
-  return `below ${count(Math.round(heights[level - 1]))} px`;
+    return say('never: the next is as close');
+  return say('below {pixels} px', { pixels: count(Math.round(heights[level - 1])) });
 }
 
 /** Draws what is asked for as soon as the levels are loaded. */

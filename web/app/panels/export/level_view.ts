@@ -9,7 +9,7 @@ const FIELD_OF_VIEW = 30;
 /** The share of the picture that a level fills where it is drawn large. */
 const FILLED = 0.94;
 
-const CLAY: SceneLook = {
+const clayLook: SceneLook = {
   name: 'clay',
   isFlat: false,
   clay: '#c3b8ab',
@@ -42,7 +42,7 @@ export class LevelView {
   /** `files`: a GLB for each level, the first one first. `isPlain`: they have no materials, and look like clay. */
   async load(files: readonly Uint8Array[], isPlain: boolean): Promise<void> {
     const models = await Promise.all(files.map((bytes) => SceneModel.load(bytes)));
-    if (isPlain) for (const model of models) model.look(CLAY);
+    if (isPlain) for (const model of models) model.look(clayLook);
     for (const model of this.models) model.dispose();
     this.models = models;
     const box = new THREE.Box3().setFromObject(models[0].root);

@@ -14,6 +14,7 @@ import { RefusedText } from '../../controls/refused_text';
 import { nextLevel, readLevels } from './level_chain';
 import { LevelPreview } from './level_preview';
 import { describeVerdict } from './verdict';
+import { say } from '../../language/say';
 
 const STYLES: Record<LevelStyle, string> = {
   files: 'files of their own',
@@ -44,7 +45,7 @@ export function LevelsSection({ exported }: { exported: ExportResult | null }) {
             value={lodStyle}
             onChange={(value) => changeSettings({ lodStyle: value as LevelStyle })}
           />
-          <p class="hint">{STYLE_WORDS[lodStyle]}</p>
+          <p class="hint">{say(STYLE_WORDS[lodStyle])}</p>
         </>
       )}
       {exported && <LevelFiles exported={exported} />}
@@ -73,13 +74,13 @@ function LevelsField() {
   };
   return (
     <div class="control stacked">
-      <label for={id}>{OPTIONS.lods.label}</label>
+      <label for={id}>{say(OPTIONS.lods.label)}</label>
       <input
         id={id}
         type="text"
         autocomplete="off"
         placeholder="0.25, 10 %, 500"
-        title="With commas between: shares of the faces, or numbers of faces"
+        title={say('With commas between: shares of the faces, or numbers of faces')}
         aria-invalid={refused !== null}
         aria-describedby={refused ? `${id}-refused` : undefined}
         value={refused ? refused.text : wants.settings.value.lods.join(', ')}
@@ -101,11 +102,11 @@ function LevelButtons() {
         disabled={next < OPTIONS.lods.min || results.history.value === null}
         onClick={() => changeSettings({ lods: [...lods, next] })}
       >
-        Add a level
+        {say('Add a level')}
       </button>
       {lods.length > 0 && (
         <button type="button" onClick={() => changeSettings({ lods: lods.slice(0, -1) })}>
-          Remove the last
+          {say('Remove the last')}
         </button>
       )}
     </div>
@@ -121,7 +122,7 @@ function LevelFiles({ exported }: { exported: ExportResult }) {
         <li key={name}>
           <span class="filename">{name}</span>
           <span class="muted">
-            {count(faces)} faces, {fileSize(bytes.length)}.{' '}
+            {say('{faces} faces, {size}.', { faces: count(faces), size: fileSize(bytes.length) })}{' '}
             {validation && (
               <span class={validation.errors > 0 ? 'verdict bad' : 'verdict good'}>
                 {describeVerdict(validation)}

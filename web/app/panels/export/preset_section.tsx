@@ -5,6 +5,7 @@ import { PRESET_NAMES, presetChanges, PRESETS, settingsOfPreset } from '../../..
 import type { PresetName } from '../../../engine/settings/presets';
 import { changeSettings, wants } from '../../state/store';
 import { Section, Select } from '../../controls/controls';
+import { say } from '../../language/say';
 
 const CHOICES = [
   { value: '', text: 'choose' },
@@ -30,19 +31,19 @@ function Changes({ preset }: { preset: PresetName }) {
   const changes = presetChanges(preset, wants.settings.value);
   return (
     <>
-      <p class="hint">{PRESETS[preset].why}</p>
-      {changes.length === 0 && <p class="verdict good">All of it is set.</p>}
+      <p class="hint">{say(PRESETS[preset].why)}</p>
+      {changes.length === 0 && <p class="verdict good">{say('All of it is set.')}</p>}
       {changes.length > 0 && (
         <>
           <ul class="changes">
             {changes.map(({ name, label, from, to }) => (
               <li key={name}>
-                {label}: <span class="muted">{from} →</span> <strong>{to}</strong>
+                {say(label)}: <span class="muted">{from} →</span> <strong>{to}</strong>
               </li>
             ))}
           </ul>
           <button type="button" onClick={() => changeSettings(settingsOfPreset(preset))}>
-            Use these settings
+            {say('Use these settings')}
           </button>
         </>
       )}

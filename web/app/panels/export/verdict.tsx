@@ -5,17 +5,20 @@ import type { Validation } from '../../../engine/document/validate';
 import type { ExportResult } from '../../worker/protocol';
 import { Section } from '../../controls/controls';
 import { count } from '../../controls/numbers';
+import { say } from '../../language/say';
 
 /** "No errors, no warnings." */
 export const describeVerdict = ({ errors, warnings }: Validation): string =>
-  errors === 0 && warnings === 0 ? 'No errors, no warnings.' : `${errors} errors, ${warnings} warnings.`;
+  errors === 0 && warnings === 0
+    ? say('No errors, no warnings.')
+    : say('{errors} errors, {warnings} warnings.', { errors, warnings });
 
 export function Verdict({ exported }: { exported: ExportResult }) {
   const { validation } = exported;
   if (!validation)
     return (
       <Section title="Khronos validator">
-        <p class="hint">Not asked: it reads GLB and glTF alone.</p>
+        <p class="hint">{say('Not asked: it reads GLB and glTF alone.')}</p>
       </Section>
     );
   const { errors, messages } = validation;
@@ -39,6 +42,11 @@ function KnownMessages({ result, input }: { result: Validation; input: Validatio
   const { length: all } = result.messages;
   if (all === 0 || !input) return null;
   const known = knownMessages(result, input);
-  const text = known === all ? 'All of them were' : `${count(known)} of ${count(all)} were`;
-  return <p class="hint">{text} in your file.</p>;
+  return (
+    <p class="hint">
+      {known === all
+        ? say('All of them were in your file.')
+        : say('{known} of {all} were in your file.', { known: count(known), all: count(all) })}
+    </p>
+  );
 }

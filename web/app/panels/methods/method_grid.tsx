@@ -11,6 +11,7 @@ import { viewportColours } from '../../state/scheme';
 import { results as found, wants } from '../../state/store';
 import { METHOD_PICTURE, MethodPictures } from '../../viewer/picture/method_pictures';
 import { standingRotation } from '../../viewer/stand';
+import { say } from '../../language/say';
 
 /** Radians per pixel and per press of a key. */
 const PER_PIXEL = 0.01;
@@ -39,14 +40,14 @@ export function MethodGrid({ original, results, onChoose }: GridProps) {
     <ul
       class="method-grid"
       ref={list}
-      aria-label="Pictures of the methods"
+      aria-label={say('Pictures of the methods')}
       onKeyDown={(event) => rotateByKey(event, rotate)}
       {...drag.handlers}
     >
       <li class="method-card">
         <Canvas />
-        <span class="method-name">Original</span>
-        <span class="muted">{count(faceCount(original))} faces</span>
+        <span class="method-name">{say('Original')}</span>
+        <span class="muted">{say('{faces} faces', { faces: count(faceCount(original)) })}</span>
       </li>
       {COMPARED_METHODS.map((name, i) => (
         <li key={name}>
@@ -60,8 +61,8 @@ export function MethodGrid({ original, results, onChoose }: GridProps) {
             }}
           >
             <Canvas />
-            <span class="method-name">{METHOD_TITLES[name]}</span>
-            <span class="muted">{results[i] ? describe(results[i]) : 'waiting ...'}</span>
+            <span class="method-name">{say(METHOD_TITLES[name])}</span>
+            <span class="muted">{results[i] ? describe(results[i]) : say('waiting ...')}</span>
           </button>
         </li>
       ))}
@@ -76,8 +77,11 @@ function Canvas() {
 
 const describe = ({ faces, frequencyErrorMean }: MethodResult): string =>
   frequencyErrorMean === null
-    ? `${count(faces)} faces`
-    : `${count(faces)} faces, frequencies off by ${fixed(frequencyErrorMean, 1)} %`;
+    ? say('{faces} faces', { faces: count(faces) })
+    : say('{faces} faces, frequencies off by {error} %', {
+        faces: count(faces),
+        error: fixed(frequencyErrorMean, 1),
+      });
 
 /** One renderer for as long as the grid is shown; null without WebGL2, where the numbers are still of use. */
 function usePictures() {

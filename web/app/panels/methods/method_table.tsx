@@ -10,6 +10,7 @@ import {
 import type { Table } from '../../../engine/report/tables/method_table';
 import { METHOD_TITLES } from '../../../engine/stages/equal_budget/budget_table';
 import type { MethodResult } from '../../../engine/stages/equal_budget/equal_budget';
+import { say, sentence } from '../../language/say';
 
 const FORMS = [
   { text: 'CSV', write: tableAsCsv },
@@ -22,13 +23,13 @@ const COPIED_MILLISECONDS = 2000;
 export function MethodTable({ table, failures }: { table: Table; failures: readonly MethodResult[] }) {
   return (
     <>
-      <div class="method-table" role="region" aria-label="Numbers of the methods" tabIndex={0}>
+      <div class="method-table" role="region" aria-label={say('Numbers of the methods')} tabIndex={0}>
         <table>
           <thead>
             <tr>
               {table.columns.map(({ title }) => (
                 <th key={title} scope="col">
-                  {title}
+                  {say(title)}
                 </th>
               ))}
             </tr>
@@ -37,7 +38,7 @@ export function MethodTable({ table, failures }: { table: Table; failures: reado
             {table.rows.map((row) => (
               <tr key={row[0]}>
                 {row.map((value, c) => {
-                  const text = shownValue(value, table.columns[c]);
+                  const text = say(shownValue(value, table.columns[c]));
                   return c === 0 ? (
                     <th key={c} scope="row">
                       {text}
@@ -54,14 +55,13 @@ export function MethodTable({ table, failures }: { table: Table; failures: reado
       <CopyButtons table={table} />
       {failures.map(({ name, failure }) => (
         <p key={name} class="hint">
-          {METHOD_TITLES[name]}: {failure}
+          {say(METHOD_TITLES[name])}: {sentence(failure)}
         </p>
       ))}
       <p class="hint">
-        Distances in % of the diagonal; frequencies of modes 1 to 10 as shells, as in the report; area and
-        volume against the original. Time runs from the welded mesh to the result, modes and fit included. A
-        limit that stops one of Limber's methods above the budget is lifted here; your weights count for the
-        chosen method, and pins, locks and paint are known to Limber's methods alone.
+        {say(
+          "Distances in % of the diagonal; frequencies of modes 1 to 10 as shells, as in the report; area and volume against the original. Time runs from the welded mesh to the result, modes and fit included. A limit that stops one of Limber's methods above the budget is lifted here; your weights count for the chosen method, and pins, locks and paint are known to Limber's methods alone.",
+        )}
       </p>
     </>
   );
@@ -75,16 +75,16 @@ function CopyButtons({ table }: { table: Table }) {
     setTimeout(() => setCopied(''), COPIED_MILLISECONDS);
   };
   return (
-    <div class="reports" role="group" aria-label="Copy the table">
-      <span>Copy as</span>
+    <div class="reports" role="group" aria-label={say('Copy the table')}>
+      <span>{say('Copy as')}</span>
       {FORMS.map(({ text, write }) => (
         <button
           key={text}
           type="button"
-          aria-label={`Copy as ${text}`}
+          aria-label={say('Copy as {format}', { format: text })}
           onClick={() => void copy(text, write)}
         >
-          {copied === text ? 'Copied' : text}
+          {copied === text ? say('Copied') : text}
         </button>
       ))}
     </div>

@@ -2,6 +2,7 @@
 
 import { comparison } from '../../state/methods';
 import { results, wants } from '../../state/store';
+import { say } from '../../language/say';
 
 export function MethodsButton() {
   return (
@@ -9,13 +10,15 @@ export function MethodsButton() {
       type="button"
       disabled={!results.metrics.value}
       aria-expanded={comparison.isOpen.value}
-      title="Limber, the paper, quadrics and meshoptimizer at the same number of faces: pictures and numbers"
+      title={say(
+        'Limber, the paper, quadrics and meshoptimizer at the same number of faces: pictures and numbers',
+      )}
       onClick={() => {
         wants.exportOpen.value = false;
         comparison.isOpen.value = !comparison.isOpen.value;
       }}
     >
-      Compare methods
+      {say('Compare methods')}
     </button>
   );
 }

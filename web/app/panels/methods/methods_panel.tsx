@@ -13,6 +13,7 @@ import { changeSettings, results, status, view, wantedFaces, wants } from '../..
 import { MethodGrid } from './method_grid';
 import { MethodTable } from './method_table';
 import './methods_panel.css';
+import { say } from '../../language/say';
 
 export function MethodsPanel() {
   const body = results.body.value;
@@ -41,15 +42,17 @@ function OpenPanel({ original }: { original: { positions: Float32Array; triangle
     >
       <div class="panel-head">
         <h2 id="methods-title" ref={heading} tabIndex={-1}>
-          Methods at {count(budget)} faces
+          {say('Methods at {faces} faces', { faces: count(budget) })}
         </h2>
-        <button type="button" class="quiet" aria-label="Close the comparison" onClick={close}>
-          Close
+        <button type="button" class="quiet" aria-label={say('Close the comparison')} onClick={close}>
+          {say('Close')}
         </button>
       </div>
       <p class="hint">
-        The same mesh, each at the same number of faces. Drag a picture to turn all of them; click one to use
-        its method. <Progress done={found.length} />
+        {say(
+          'The same mesh, each at the same number of faces. Drag a picture to turn all of them; click one to use its method.',
+        )}{' '}
+        <Progress done={found.length} />
       </p>
       <MethodGrid original={original} results={found} onChoose={(name) => setAnswer(choose(name))} />
       {answer && (
@@ -73,11 +76,11 @@ function OpenPanel({ original }: { original: { positions: Float32Array; triangle
 
 function Progress({ done }: { done: number }) {
   const { length: all } = COMPARED_METHODS;
-  const text = done === all ? 'All are measured.' : `${done} of ${all} are measured.`;
+  const text = done === all ? say('All are measured.') : say('{done} of {all} are measured.', { done, all });
   const isStopped = done < all && status.paused.value !== null;
   return (
     <>
-      <strong>{isStopped ? `${text} Stopped.` : text}</strong>
+      <strong>{isStopped ? `${text} ${say('Stopped.')}` : text}</strong>
       <Spoken text={text} />
     </>
   );
@@ -86,7 +89,10 @@ function Progress({ done }: { done: number }) {
 /** Uses a method where Limber has it; otherwise says what can be done. */
 function choose(name: ComparedMethod): string {
   if (!isOwnMethod(name))
-    return `${METHOD_TITLES[name]} is here to compare with. Limber shows, tests and saves results of its own methods: choose one of the first three.`;
+    return say(
+      '{method} is here to compare with. Limber shows, tests and saves results of its own methods: choose one of the first three.',
+      { method: say(METHOD_TITLES[name]) },
+    );
   if (wants.settings.value.method !== name) changeSettings(methodChange(name));
   close();
   return '';

@@ -2,15 +2,16 @@
 
 import { pictures } from './pictures_state';
 import './pictures.css';
+import { say } from '../../language/say';
 
 export function PicturesButton() {
   return (
     <button
       type="button"
       class="pictures-button"
-      aria-label="Pictures"
+      aria-label={say('Pictures')}
       aria-expanded={pictures.isOpen.value}
-      title="Save pictures, videos and figures"
+      title={say('Save pictures, videos and figures')}
       onClick={() => (pictures.isOpen.value = !pictures.isOpen.value)}
     >
       <svg width="18" height="18" viewBox="0 0 18 18" aria-hidden="true">

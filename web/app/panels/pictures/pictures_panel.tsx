@@ -16,6 +16,7 @@ import { recordTest, recordTurntable } from './recordings';
 import { PIXELS, drawStage, pngOf, sizeOf } from './stage_picture';
 import type { Viewport } from '../../viewer/viewport';
 import './pictures.css';
+import { say } from '../../language/say';
 
 const SIZE_NAMES: Record<SizeName, string> = {
   '1x': 'As on the screen',
@@ -47,10 +48,10 @@ function OpenPanel() {
     >
       <div class="panel-head">
         <h2 id="pictures-title" ref={heading} tabIndex={-1}>
-          Pictures
+          {say('Pictures')}
         </h2>
-        <button type="button" class="quiet" aria-label="Close the pictures" onClick={close}>
-          Close
+        <button type="button" class="quiet" aria-label={say('Close the pictures')} onClick={close}>
+          {say('Close')}
         </button>
       </div>
       <Working />
@@ -66,14 +67,18 @@ function Working() {
   if (!work) return <Spoken text="" />;
   return (
     <div class="picture-work">
-      <Spoken text={work.what} />
+      <Spoken text={say(work.what)} />
       <span>
-        {work.what} <span class="muted">{Math.round(100 * work.share)}&nbsp;%</span>
+        {say(work.what)}{' '}
+        <span class="muted">
+          {Math.round(100 * work.share)}
+          {'\u00a0'}%
+        </span>
       </span>
       <button type="button" class="quiet" onClick={cancelPicture}>
-        Cancel
+        {say('Cancel')}
       </button>
-      <progress max={1} value={work.share} aria-label={work.what} />
+      <progress max={1} value={work.share} aria-label={say(work.what)} />
     </div>
   );
 }
@@ -87,14 +92,14 @@ function MakeButton({ text, isPrimary = false, disabled = false, title, file, ma
     <button
       type="button"
       class={isPrimary ? 'primary' : undefined}
-      title={title}
+      title={title && say(title)}
       disabled={disabled || isWorking}
       onClick={() => {
         const { current } = viewportHandle;
         if (current) void makePicture(file, (job) => make(current, job));
       }}
     >
-      {text}
+      {say(text)}
     </button>
   );
 }
@@ -165,8 +170,8 @@ function CustomSize() {
   );
   return (
     <div class="custom-size">
-      {field('width', 'Width in pixels')} × {field('height', 'Height in pixels')}
-      <span class="muted">pixels</span>
+      {field('width', say('Width in pixels'))} × {field('height', say('Height in pixels'))}
+      <span class="muted">{say('pixels')}</span>
     </div>
   );
 }
@@ -179,7 +184,7 @@ function VideoSection() {
   return (
     <Section title="Video" hint="WebM with 30 pictures a second; none is lost, however long one takes.">
       <label class="control">
-        <span>Seconds</span>
+        <span>{say('Seconds')}</span>
         <input
           type="number"
           min={0.1}
@@ -234,11 +239,11 @@ function FigureSection() {
       <MakeButton
         text="Save figure"
         disabled={!canDrawFigure()}
-        title={canDrawFigure() ? undefined : 'Go to Reduce first: the figure shows the result'}
+        title={canDrawFigure() ? undefined : 'Go to Reduce first: the figure shows the result.'}
         file={{ what: 'Moving both for the figure', ending: 'figure.png', type: 'image/png' }}
         make={figurePng}
       />
-      {!canDrawFigure() && <p class="hint">Go to Reduce first: the figure shows the result.</p>}
+      {!canDrawFigure() && <p class="hint">{say('Go to Reduce first: the figure shows the result.')}</p>}
     </Section>
   );
 }

@@ -12,34 +12,38 @@ import { results, slider, wants } from '../../state/store';
 import { cancelQueue, closeQueue, queue, runQueue } from '../../state/queue/queue';
 import type { Queue, QueueItem } from '../../state/queue/queue';
 import { describeOutcome, describeProgress, summaryCsv } from '../../state/queue/summary';
+import type { Finished } from '../../state/queue/summary';
 import './queue.css';
+import { say, sentence } from '../../language/say';
 
 export function QueueSection() {
   if (!queue.value) return null;
   const { items, isRunning } = queue.value;
   return (
     <div class="queue">
-      <Section title={`${items.length} models`}>
+      <Section title={say('{number} models', { number: items.length })}>
         <p class="hint">{describeAsked()}</p>
         <Progress queue={queue.value} />
         <div class="buttons">
           {!isRunning && (
             <button type="button" disabled={!results.mesh.value} onClick={() => void runQueue()}>
-              {items.some(({ state }) => state === 'done') ? 'Run all again' : `Optimize all ${items.length}`}
+              {items.some(({ state }) => state === 'done')
+                ? say('Run all again')
+                : say('Optimize all {number}', { number: items.length })}
             </button>
           )}
           {isRunning && (
             <button type="button" onClick={cancelQueue}>
-              Cancel the queue
+              {say('Cancel the queue')}
             </button>
           )}
           {items.some(({ finished }) => finished) && (
             <button type="button" class="primary" disabled={isRunning} onClick={() => void saveQueue(items)}>
-              Save the queue as .zip
+              {say('Save the queue as .zip')}
             </button>
           )}
           <button type="button" class="quiet" onClick={closeQueue}>
-            Close the queue
+            {say('Close the queue')}
           </button>
         </div>
         <ul class="queue-items">
@@ -57,7 +61,10 @@ function describeAsked(): string {
   const { wanted, faces } = slider.value;
   const share = faces > 0 ? Math.round((100 * wanted) / faces) : 50;
   const { text } = exportFormatOf(wants.settings.value);
-  return `All with the settings of this page: at most ${share} % of the faces, as ${text}.`;
+  return say('All with the settings of this page: at most {share} % of the faces, as {format}.', {
+    share,
+    format: say(text),
+  });
 }
 
 function Progress({ queue: { items, isRunning, seconds } }: { queue: Queue }) {
@@ -66,9 +73,9 @@ function Progress({ queue: { items, isRunning, seconds } }: { queue: Queue }) {
   const text = isRunning ? describeProgress(items, seconds) : describeOutcome(items);
   return (
     <div class="queue-progress">
-      <Spoken text={isRunning ? `${ended} of ${items.length} done` : text} />
+      <Spoken text={isRunning ? say('{done} of {all} done', { done: ended, all: items.length }) : text} />
       <span>{text}</span>
-      {isRunning && <progress max={items.length} value={ended} aria-label="Progress of the queue" />}
+      {isRunning && <progress max={items.length} value={ended} aria-label={say('Progress of the queue')} />}
     </div>
   );
 }
@@ -88,24 +95,36 @@ const STOP_WORDS: Record<string, string> = {
   exhausted: 'no edge left to collapse',
 };
 
-function Item({ item: { name, files, state, sentence, finished } }: { item: QueueItem }) {
+function Item({ item: { name, files, state, sentence: problem, finished } }: { item: QueueItem }) {
   return (
     <li class={state}>
-      <button type="button" class="quiet" title={`Show ${name}`} onClick={() => void openFiles(files)}>
+      <button
+        type="button"
+        class="quiet"
+        title={say('Show {name}', { name })}
+        onClick={() => void openFiles(files)}
+      >
         {name}
       </button>
       {finished ? (
-        <span class="muted">
-          {count(finished.faces.before)} → {count(finished.faces.after)} faces
-          {finished.stop === null ? '' : ` (${STOP_WORDS[finished.stop] ?? finished.stop})`}, deviation{' '}
-          {percent(finished.deviation)}, {fileSize(finished.bytes)}
-        </span>
+        <span class="muted">{describeFinished(finished)}</span>
       ) : (
-        <span class={state === 'failed' ? 'verdict bad' : 'muted'}>{sentence ?? STATE_WORDS[state]}</span>
+        <span class={state === 'failed' ? 'verdict bad' : 'muted'}>
+          {problem ? sentence(problem) : say(STATE_WORDS[state])}
+        </span>
       )}
     </li>
   );
 }
+
+const describeFinished = ({ faces, stop, deviation, bytes }: Finished): string =>
+  say('{before} → {after} faces{stop}, deviation {deviation}, {size}', {
+    before: count(faces.before),
+    after: count(faces.after),
+    stop: stop === null ? '' : ` (${say(STOP_WORDS[stop] ?? stop)})`,
+    deviation: percent(deviation),
+    size: fileSize(bytes),
+  });
 
 /** Saves all that is done, with a table of what has become of each model. */
 async function saveQueue(items: readonly QueueItem[]): Promise<void> {

@@ -1,6 +1,8 @@
 /** What has become of the models of a queue: in words, and as a table for the archive. */
 
+import { cell } from '../../../engine/report/tables/csv_cell';
 import type { SourceFile } from '../../../engine/document/open';
+import { listed, say } from '../../language/say';
 
 /** A model that is done. */
 export interface Finished {
@@ -34,23 +36,23 @@ export function describeProgress(items: readonly Counted[], seconds: number): st
   const done = finished.reduce((sum, item) => sum + bytesOf(item), 0);
   const all = items.reduce((sum, item) => sum + bytesOf(item), 0);
   const left = done > 0 ? (seconds * (all - done)) / done : 0;
-  const text = `${number} of ${items.length}`;
+  const text = say('{number} of {all}', { number, all: items.length });
   if (left < LEAST_SECONDS) return text;
-  return `${text}, ${left < 90 ? `${Math.round(left)} s` : `${Math.round(left / 60)} min`} left`;
+  return left < 90
+    ? `${text}${say(', {seconds} s left', { seconds: Math.round(left) })}`
+    : `${text}${say(', {minutes} min left', { minutes: Math.round(left / 60) })}`;
 }
 
-/** "11 done, 1 failed." */
+/** "11 done and 1 failed" */
 export function describeOutcome(items: readonly Counted[]): string {
   const count = (wanted: Counted['state']) => items.filter(({ state }) => state === wanted).length;
+  const [done, failed, waiting] = [count('done'), count('failed'), count('waiting')];
   const parts = [
-    [count('done'), 'done'],
-    [count('failed'), 'failed'],
-    [count('waiting'), 'not begun'],
-  ] as const;
-  return `${parts
-    .filter(([number]) => number > 0)
-    .map(([number, word]) => `${number} ${word}`)
-    .join(', ')}.`;
+    done > 0 ? say('{number} done', { number: done }) : '',
+    failed > 0 ? say('{number} failed', { number: failed }) : '',
+    waiting > 0 ? say('{number} not begun', { number: waiting }) : '',
+  ];
+  return listed(parts.filter((part) => part !== ''));
 }
 
 interface Row extends Counted {
@@ -58,9 +60,6 @@ interface Row extends Counted {
   sentence: string | null;
   finished: Finished | null;
 }
-
-const cell = (value: string | number): string =>
-  /[",\r\n]/.test(String(value)) ? `"${String(value).replaceAll('"', '""')}"` : String(value);
 
 /** A line for each model, as CSV (RFC 4180). */
 export function summaryCsv(items: readonly Row[]): string {

@@ -1,0 +1,76 @@
+/** What the export panel says of formats, presets and levels. */
+
+import type { MessageTable } from '../message_table';
+
+export const EXPORT_FORMS: MessageTable = {
+  Format: 'フォーマット',
+  'glTF and its files, zipped': 'glTF と付属ファイル (ZIP)',
+  'OBJ and materials, zipped': 'OBJ とマテリアル (ZIP)',
+  'Save {ending}': '{ending} を保存',
+  'Drag it onto a folder, or into a program that takes files':
+    'フォルダーや、ファイルを受け取れるアプリケーションにドラッグしてください',
+  'drag it out': 'ドラッグして取り出す',
+  'Vertices are stored as they came.': '頂点は元のファイルと同じ形式で保存されます。',
+  'Every program reads it.': 'どのソフトウェアでも読み込めます。',
+  'About half the size; most engines draw it as it is (KHR_mesh_quantization).':
+    'サイズは約半分です。ほとんどのエンジンがそのまま描画できます (KHR_mesh_quantization)。',
+  'Small and quick to open in three.js, Babylon.js and PlayCanvas (EXT_meshopt_compression).':
+    '小さく、three.js、Babylon.js、PlayCanvas ですばやく開けます (EXT_meshopt_compression)。',
+  'The smallest, slower to open; most web viewers read it (KHR_draco_mesh_compression).':
+    '最も小さく、開くのは遅くなります。ほとんどの Web ビューアーが対応しています (KHR_draco_mesh_compression)。',
+  'How GLB and glTF store vertices: like-input (as IN does), none, quantized (KHR_mesh_quantization), meshopt (EXT_meshopt_compression) or draco (KHR_draco_mesh_compression). The last three round what the input has as floats.':
+    'GLB と glTF の頂点の保存形式です。like-input (入力と同じ)、none (なし)、quantized (KHR_mesh_quantization)、meshopt (EXT_meshopt_compression)、draco (KHR_draco_mesh_compression)。最後の 3 つは入力の浮動小数点数を丸めます。',
+  'Not asked: it reads GLB and glTF alone.': '検証の対象外です (GLB と glTF のみ検証できます)。',
+  'Levels of detail': '詳細度 (LOD)',
+  'Levels go into': 'LOD の保存先',
+  'Where the levels of --lods go: files (OUT_lod1 and so on), msft (into OUT by MSFT_lod), nodes (into OUT as nodes NAME_LOD0, NAME_LOD1 and so on, all of them shown where a viewer does not know the names).':
+    '--lods の各レベルの保存先です。files (OUT_lod1 など)、msft (MSFT_lod として OUT の中)、nodes (NAME_LOD0、NAME_LOD1 などのノードとして OUT の中。名前を解釈しないビューアーではすべて表示されます)。',
+  'files of their own': '個別のファイル',
+  'nodes NAME_LOD0, _LOD1 ...': 'ノード NAME_LOD0、_LOD1 ...',
+  'One more file for each level, NAME_lod1 and so on.': 'レベルごとに NAME_lod1 などのファイルを追加します。',
+  'Unity and Unreal make a group of levels of such names; other viewers show them all at once.':
+    'Unity と Unreal はこの名前から LOD グループを作ります。他のビューアーではすべて同時に表示されます。',
+  'Babylon.js changes levels by the size on the screen; viewers without it show the first level.':
+    'Babylon.js は画面上の大きさでレベルを切り替えます。非対応のビューアーでは最初のレベルが表示されます。',
+  'With commas between: shares of the faces, or numbers of faces':
+    '面の割合または面数をコンマ区切りで指定します',
+  'Add a level': 'レベルを追加',
+  'Remove the last': '最後のレベルを削除',
+  'See where they change': '切り替わる位置を見る',
+  'Shows each level at the size on the screen at which it takes over':
+    '各レベルを、切り替わるときの画面上の大きさで表示します',
+  'Writing the levels ...': 'レベルを書き出しています...',
+  'Drawing the levels': 'レベルを描画しています',
+  'LOD{number}, {faces} faces, {height} pixels high': 'LOD{number}、{faces} 面、高さ {height} ピクセル',
+  '{faces} faces': '{faces} 面',
+  Distance: '距離',
+  'Moves the model away; the level changes where its error is one pixel':
+    'モデルを遠ざけます。誤差が 1 ピクセルになる位置でレベルが切り替わります',
+  '{pixels} px across': '幅 {pixels} px',
+  'Draw it large': '拡大して表示',
+  'Shows the level of this distance as large as the picture': 'この距離でのレベルを画面いっぱいに表示します',
+  'Where levels change': 'レベルの切り替え位置',
+  nearest: '最も近い',
+  'never: the next is as close': '使われません (次のレベルと誤差が同じです)',
+  'below {pixels} px': '{pixels} px 未満',
+  'Made for': '用途',
+  Preset: 'プリセット',
+  choose: '選択',
+  'All of it is set.': 'すべて設定済みです。',
+  'Use these settings': 'この設定を使う',
+  Web: 'Web',
+  'A small download: meshopt packs vertices, and three.js, Babylon.js and model-viewer unpack them quickly.':
+    'ダウンロードが小さくなります。meshopt で頂点を圧縮し、three.js、Babylon.js、model-viewer がすばやく展開します。',
+  Mobile: 'モバイル',
+  'Vertices take half the memory and need no unpacking, and two further levels stand in where the model is small on the screen.':
+    '頂点のメモリは半分で、展開は不要です。画面上で小さく見えるときは 2 つの追加レベルに切り替わります。',
+  Cloth: '布',
+  'A sheet without an inside: its hems stay where they are, and after the collapses vertices are moved until it folds at the frequencies of the original.':
+    '中身のないシートです。縁は元の位置に保たれ、簡略化のあと、元と同じ振動数で折れ曲がるように頂点を動かします。',
+  'Soft body': 'ソフトボディ',
+  'A closed body with an inside: faces stay where its volume bends, and collapses stop before an angle below 10 degrees, as thin triangles make soft bodies stiff and unstable.':
+    '中身のある閉じた物体です。体積が曲がる部分の面を残し、角度が 10 度を下回る前に簡略化を止めます。細い三角形はソフトボディを硬く不安定にするためです。',
+  '3D print': '3D プリント',
+  'The surface stays within 0.1 % of its size (0.1 mm of 10 cm), edges above 30 degrees stay sharp, and seams of textures, which no printer sees, hold nothing up.':
+    '表面のずれを大きさの 0.1 % (10 cm で 0.1 mm) 以内に抑え、30 度を超える辺は鋭いまま保ちます。印刷に影響しないテクスチャの継ぎ目は制約になりません。',
+};
