@@ -28,7 +28,7 @@ test('several files are a queue with one setting, in which a bad one fails alone
   await expect(keptFaces(page)).toBeEnabled();
   await keepFaces(page, 200);
   await button(page, 'Optimize all 4').click();
-  await expect(queue(page)).toContainText('3 done, 1 failed.');
+  await expect(queue(page)).toContainText('3 done and 1 failed');
   await expect(queue(page).locator('li.failed')).toContainText('model-9.stl');
   expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
   const files = unzipSync(await save(page, 'Save the queue as .zip'));

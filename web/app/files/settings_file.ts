@@ -9,7 +9,7 @@ import { profileOf } from '../../engine/solvers/profiles';
 import { complain } from '../state/running';
 import { changeSettings, keepFaces, results, status, view, wants } from '../state/store';
 import { twin } from '../state/twin';
-import { count } from '../controls/numbers';
+import { shown } from '../language/language';
 import { say } from '../language/say';
 
 /** Whether a file is meant to be a settings file: a JSON document that is no report and no part of a model. */
@@ -52,6 +52,8 @@ export function applySettings({ name, bytes }: SourceFile): void {
     complain(error);
   }
 }
+
+const count = (number: number): string => number.toLocaleString(shown.value.language);
 
 const labelOf = ({ solver }: SettingsFile): string => profileOf(solver).label;
 
