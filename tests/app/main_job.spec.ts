@@ -87,7 +87,8 @@ test('a file that is not a mesh gets one sentence, and the model before it stays
 test('a file that is dropped during a computation is shown before its own computations start', async ({
   page,
 }) => {
-  await openPage(page);
+  // The modes of a copy would be there at once.
+  await openPage(page, '/?sample=bar#exact=on');
   await drop(page, writeScratch('first.obj', sheetObj(280)));
   const busy = page.locator('.notice.busy');
   await expect(busy).toContainText('Finding modes');

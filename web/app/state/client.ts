@@ -101,6 +101,8 @@ export class Client {
   /** One call of the worker, which ends early with CANCELLED when `cancel` is called meanwhile. */
   call<T>(make: (remote: Remote<WorkerApi>) => Promise<unknown>): Promise<T> {
     this.lastProgress = null;
+    // What the last call told does not stand for this one.
+    if (this.job) Atomics.store(this.job, 1, PHASES.indexOf('idle'));
     return new Promise<T>((resolve, reject) => {
       // From here on it can be cancelled, also while a fresh worker is still starting.
       this.abandon = reject;
