@@ -2,9 +2,9 @@ import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
 
-/** Names, keys, units and file formats are the same in every language. */
+/** Names, symbols, keys, units and file formats are the same in every language. */
 const SAME = new Set(
-  'Limber EN GLB glTF OBJ STL PLY UV MatCap LOD Hz kB MB ms Pa kg km mm Esc Shift Space Ctrl XPBD Khronos glb zip JSON CSV Markdown meshopt Draco Jolt MuJoCo Newton Blender Discrete Shells bar low box attribute vertices COOP COEP'.split(
+  'Limber limber EN QEM meshoptimizer Hausdorff Green Lagrange alpha gamma omega phi pi Home Tab Enter KHR EXT mesh quantization compression draco like input none quantized GLB glTF OBJ STL PLY UV MatCap LOD Hz kB MB ms Pa kg km mm Esc Shift Space Ctrl XPBD Khronos glb zip JSON CSV Markdown meshopt Draco Jolt MuJoCo Newton Blender Discrete Shells bar low box attribute vertices COOP COEP'.split(
     ' ',
   ),
 );

@@ -23,6 +23,13 @@ describe('a report as text', () => {
     expect(lines).toContain('modes.1.name,a|b');
   });
 
+  it('has no cell that a spreadsheet would run', () => {
+    const named = { ...report, input: { name: '=HYPERLINK("x")', minimum: -1.5 } } as unknown as Report;
+    const lines = reportAsCsv(named).split('\r\n');
+    expect(lines).toContain(`input.name,"'=HYPERLINK(""x"")"`);
+    expect(lines).toContain('input.minimum,-1.5');
+  });
+
   it('has a table for each section in Markdown, with lists as rows', () => {
     const text = reportAsMarkdown(report);
     expect(text).toContain('# Limber report\n\n| key | value |\n| --- | --- |\n| schema | limber-report/1 |');

@@ -17,11 +17,14 @@ namespace limber {
 namespace {
 
 std::atomic<uint64_t> cap = 0;
+std::atomic<uint64_t> heapLimit = UINT64_MAX;
 
 // Bytes by which the heap may still grow.
 uint64_t ungrownMemory() {
 #ifdef __EMSCRIPTEN__
-  return emscripten_get_heap_max() - reinterpret_cast<uintptr_t>(sbrk(0));
+  const uint64_t most = std::min<uint64_t>(emscripten_get_heap_max(), heapLimit);
+  const uint64_t taken = reinterpret_cast<uintptr_t>(sbrk(0));
+  return most > taken ? most - taken : 0;
 #else
   return UINT64_MAX;
 #endif
@@ -51,6 +54,10 @@ std::string inWords(uint64_t bytes) {
 
 void setMemoryLimit(uint64_t bytes) {
   cap = bytes;
+}
+
+void setHeapLimit(uint64_t bytes) {
+  heapLimit = bytes;
 }
 
 uint64_t memoryLeft() {

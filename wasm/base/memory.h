@@ -11,6 +11,9 @@ uint64_t memoryLeft();
 // Caps what memoryLeft() returns; 0 removes the cap. For tests.
 void setMemoryLimit(uint64_t bytes);
 
+// Says that the memory of WebAssembly was made to grow to `bytes` at most, fewer than the program allows.
+void setHeapLimit(uint64_t bytes);
+
 // Throws std::runtime_error with one sentence if less than `bytes` are left: "<what> would take about 2 GB of
 // memory, but only 1 GB are left: <cure>." Call it before allocating.
 void requireMemory(uint64_t bytes, const char* what, const char* cure);

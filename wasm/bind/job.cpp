@@ -2,6 +2,7 @@
 
 #include <emscripten/heap.h>
 
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "bind/function.h"
 
@@ -23,6 +24,10 @@ void resetJob(const val& observer) {
     };
 }
 
+void limitHeap(double bytes) {
+  setHeapLimit(static_cast<uint64_t>(bytes));
+}
+
 double peakHeapBytes() {
   return static_cast<double>(emscripten_get_heap_size());
 }
@@ -42,6 +47,7 @@ EMSCRIPTEN_BINDINGS(limber_job) {
   emscripten::function("threadCount", &threadCount);
   emscripten::function("jobAddress", &jobAddress);
   emscripten::function("resetJob", &resetJob);
+  emscripten::function("limitHeap", &limitHeap);
   emscripten::function("peakHeapBytes", &peakHeapBytes);
   emscripten::function("functionNames", &functionNames);
 }

@@ -15,6 +15,7 @@ import { readBatchFlags } from './batch/flags';
 import type { BatchFlags } from './batch/flags';
 import { COMMAND_SPECS, COMMANDS, engineCommand, flagsOf, INPUT_FORMATS } from './flags';
 import type { Command, Flag } from './flags';
+import { coreMemory } from './memory_size';
 import { nearest } from './nearest';
 
 export interface Arguments {
@@ -53,6 +54,8 @@ export interface Arguments {
   engineFile: string | null;
   /** the format of stdin, of --from; null: by its bytes */
   from: string | null;
+  /** bytes that the core may take, of --memory; null: as many as it can */
+  memory: number | null;
   /** of --preset; null: none was named */
   preset: PresetName | null;
   /** what batch is asked for besides; of other commands the defaults */
@@ -97,6 +100,7 @@ export function parseArguments(words: string[]): Arguments | Question {
     validates: !values.has('no-validate'),
     engineFile: fileOfEngine(engine),
     from: readFormat(values.get('from')),
+    memory: command === 'batch' ? null : coreMemory(values.get('memory')),
     preset: presetNamed(values.get('preset')),
     batch: readBatchFlags(values),
   };

@@ -77,6 +77,12 @@ const COMMON: Flag[] = [
     help: 'Check everything, say what would be written, and write nothing.',
     group: 'output',
   },
+  {
+    name: 'memory',
+    value: 'SIZE',
+    help: 'Memory that the core may take, such as 512M or 2G: a model that needs more is refused before the work. Default: 4G, the most.',
+    group: 'common',
+  },
   { name: 'quiet', help: 'Say nothing but errors.', group: 'common' },
   {
     name: 'verbose',
@@ -143,7 +149,7 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
   batch: {
     operands: ['SRC...', 'OUT'],
     summary: 'Optimize all models of folders, and later those that have changed.',
-    flags: [...BATCH_FLAGS, ...TARGETS, ...COMMON.filter(({ name }) => name !== 'from')],
+    flags: [...BATCH_FLAGS, ...TARGETS, ...COMMON.filter(({ name }) => name !== 'from' && name !== 'memory')],
     defaults: {},
     words: {
       threads: { help: 'Threads of each job; 0: the cores are shared out.', group: 'common' },

@@ -8,6 +8,7 @@ import { loadCore } from '../engine/core/load_core';
 import { openAnyModel, openModel } from '../engine/document/open';
 import type { OpenModel } from '../engine/document/open';
 import type { Report } from '../engine/report/report';
+import { admitFit } from '../engine/stages/admission';
 import { FileRun } from '../engine/stages/file_run';
 import { chosenBodies } from '../engine/body/selection';
 import type { Arguments } from './arguments';
@@ -52,13 +53,16 @@ export async function startSession(args: Arguments, host?: SessionHost): Promise
   const onProgress = showsProgress
     ? (progress: Progress) => showProgress(session.activity, progress)
     : undefined;
-  const core = await loadSessionCore(args.settings.threads, onProgress);
+  const core = await loadSessionCore(args.settings.threads, onProgress, args.memory);
   return Object.assign(session, { core });
 }
 
 /** The core, from where the command line has it. */
-export const loadSessionCore = (threads: number, onProgress?: (progress: Progress) => void): Promise<Core> =>
-  loadCore({ threads, wasmFolder: findWasm(), onProgress });
+export const loadSessionCore = (
+  threads: number,
+  onProgress?: (progress: Progress) => void,
+  memory: number | null = null,
+): Promise<Core> => loadCore({ threads, wasmFolder: findWasm(), onProgress, memory: memory ?? undefined });
 
 /** The core is among the assets of the npm package, beside the built page, or in public/ in a working copy. */
 function findWasm(): string {
@@ -118,7 +122,9 @@ export function prepareFile(session: Session, model: OpenModel): FileRun {
   const file = new FileRun(core, model, { chosen: chosenBodies(model, args.settings), guides, onActivity });
   for (const sentence of file.leaveOutUnusable(args.settings))
     warnings.push(ofSentence(`${sentence.replace(/\.$/, '')}; it stays as it is`));
-  for (const body of file.prepared(args.settings)) warnAbout(session, model, body);
+  const prepared = file.prepared(args.settings);
+  for (const body of prepared) warnAbout(session, model, body);
+  if (guides) admitFit(prepared, args.settings, core.heapLimit);
   return file;
 }
 

@@ -37,3 +37,6 @@ declare module '*/structure/texts.mjs' {
 declare module '*/docs/architecture-picture.mjs' {
   export function drawArchitecture(): string;
 }
+declare module '*/docs/third-party.mjs' {
+  export function thirdParty(): Promise<string>;
+}

@@ -62,7 +62,7 @@ export function Words() {
             {say(plain)}
             <details>
               <summary>{say('exactly')}</summary>
-              {exact}
+              {say(exact)}
             </details>
           </dd>
         </div>

@@ -1,6 +1,7 @@
 /** The flags of limber batch that no other command has. */
 
 import { UsageError } from '../failure';
+import { readMegabytes } from '../memory_size';
 import type { Flag } from '../flag';
 
 export interface BatchFlags {
@@ -33,8 +34,8 @@ export const BATCH_FLAGS: Flag[] = [
   },
   {
     name: 'memory',
-    value: 'MB',
-    help: 'Memory that each job may take: an asset that needs more fails alone. 0: four fifths of the memory, shared by the jobs. Default: 0.',
+    value: 'SIZE',
+    help: 'Memory that each job may take, such as 512M or 2G, or a number of megabytes: an asset that needs more fails alone. 0: four fifths of the memory, shared by the jobs. Default: 0.',
     group: 'batch',
   },
   { name: 'again', help: 'Work on assets that are up to date, too.', group: 'batch' },
@@ -59,7 +60,7 @@ const MOST_JOBS = 256;
 export function readBatchFlags(values: Map<string, string>): BatchFlags {
   return {
     jobs: readWhole(values, 'jobs', MOST_JOBS),
-    memory: readWhole(values, 'memory', Number.MAX_SAFE_INTEGER),
+    memory: readMegabytes(values.get('memory') ?? '0'),
     config: values.get('config') ?? null,
     again: values.has('again'),
     reports: values.has('reports'),
@@ -73,6 +74,5 @@ function readWhole(values: Map<string, string>, name: string, most: number): num
   const text = values.get(name) ?? '0';
   const value = /^\d+$/.test(text) ? Number(text) : NaN;
   if (value <= most) return value;
-  const range = most < Number.MAX_SAFE_INTEGER ? `from 0 to ${most}` : 'of at least 0';
-  throw new UsageError(`--${name} is ${text}: give a whole number ${range}.`);
+  throw new UsageError(`--${name} is ${text}: give a whole number from 0 to ${most}.`);
 }

@@ -49,6 +49,8 @@ export interface Core
   job: Int32Array | null;
   /** the size of the wasm memory, which never shrinks, in bytes */
   peakHeapBytes(): number;
+  /** bytes to which the wasm memory may grow */
+  heapLimit: number;
 }
 
 export interface CoreOptions {
@@ -58,6 +60,8 @@ export interface CoreOptions {
   wasmFolder: string;
   /** addresses of files of the core that are not in the folder, by name */
   addresses?: Readonly<Record<string, string>>;
+  /** bytes to which the memory of the core may grow, from 64 MiB up to 4 GiB, which is the default */
+  memory?: number;
   /** called on the calling thread in either build, at most once per percent */
   onProgress?: (progress: Progress) => void;
 }

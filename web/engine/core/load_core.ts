@@ -7,7 +7,7 @@ import type { Core, CoreOptions, Progress } from './core';
 const MOST_THREADS = 8;
 
 type Observer = (phase: number, fraction: number) => void;
-type CoreFunctions = Omit<Core, 'threads' | 'job' | 'peakHeapBytes'>;
+type CoreFunctions = Omit<Core, 'threads' | 'job' | 'peakHeapBytes' | 'heapLimit'>;
 
 /** The exports of the module of wasm/bind. */
 interface CoreModule extends CoreFunctions {
@@ -16,6 +16,7 @@ interface CoreModule extends CoreFunctions {
   resetJob(observer: Observer | null): void;
   setThreadCount(count: number): void;
   peakHeapBytes(): number;
+  limitHeap(bytes: number): void;
   /** the names of all functions that wasm/bind offers */
   functionNames(): (keyof CoreFunctions)[];
 }
@@ -23,6 +24,7 @@ interface CoreModule extends CoreFunctions {
 type CreateModule = (options: {
   threadCount: number;
   locateFile(name: string): string;
+  wasmMemory?: WebAssembly.Memory;
 }) => Promise<CoreModule>;
 
 /**
@@ -38,12 +40,35 @@ export async function loadCore(options: CoreOptions): Promise<Core> {
     options.addresses?.[file] ?? new URL(file, options.wasmFolder).href;
   const address = locateFile(`${name}.mjs`);
   const { default: createModule } = (await import(/* @vite-ignore */ address)) as { default: CreateModule };
-  const module = await createModule({ threadCount: threads, locateFile });
+  const { memory = LARGEST_HEAP } = options;
+  const isLimited = memory < LARGEST_HEAP;
+  const wasmMemory = isLimited ? { wasmMemory: limitedMemory(memory, threads > 1) } : {};
+  const module = await createModule({ threadCount: threads, locateFile, ...wasmMemory });
   module.setThreadCount(threads);
-  return wrapModule(module, threads, options.onProgress);
+  if (isLimited) module.limitHeap(memory);
+  return { ...wrapModule(module, threads, options.onProgress), heapLimit: Math.min(memory, LARGEST_HEAP) };
 }
 
-function wrapModule(module: CoreModule, threads: number, onProgress?: (progress: Progress) => void): Core {
+/** As the core is linked, in bytes. */
+const SMALLEST_HEAP = 64 * 2 ** 20;
+const LARGEST_HEAP = 2 ** 32;
+const PAGE = 2 ** 16;
+
+/** A memory that the engine itself keeps from growing further. Throws an Error where the core could not start with it. */
+function limitedMemory(bytes: number, shared: boolean): WebAssembly.Memory {
+  if (bytes < SMALLEST_HEAP) throw new Error('The core needs 64 MB of memory: give it more.');
+  return new WebAssembly.Memory({
+    initial: SMALLEST_HEAP / PAGE,
+    maximum: Math.floor(bytes / PAGE),
+    shared,
+  });
+}
+
+function wrapModule(
+  module: CoreModule,
+  threads: number,
+  onProgress?: (progress: Progress) => void,
+): Omit<Core, 'heapLimit'> {
   const observer: Observer | null = onProgress
     ? (phase, fraction) => onProgress({ phase: PHASES[phase], fraction })
     : null;

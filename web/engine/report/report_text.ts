@@ -1,6 +1,7 @@
 /** A report as CSV and as Markdown; the keys are those of the JSON, see docs/report.md. */
 
 import type { Report } from './report';
+import { cell } from './tables/csv_cell';
 
 type Value = string | number | boolean | null;
 
@@ -15,11 +16,12 @@ function flatten(value: unknown, path: string): [string, Value][] {
 
 /** Two columns, key and value, with a header line; RFC 4180. */
 export function reportAsCsv(report: Report): string {
-  const rows = flatten(report, '').map(([key, value]) => [key, String(value ?? '')].map(csvField).join(','));
+  const rows = flatten(report, '').map(([key, value]) => `${cell(key)},${cell(plain(value))}`);
   return `${['key,value', ...rows].join('\r\n')}\r\n`;
 }
 
-const csvField = (text: string): string => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+/** Words of the table. */
+const plain = (value: Value): string | number | null => (typeof value === 'boolean' ? String(value) : value);
 
 /** A heading, and a table for each part of the report. */
 export function reportAsMarkdown(report: Report): string {
@@ -50,7 +52,7 @@ function listTable(entries: object[]): string[] {
 }
 
 const row = (cells: string[]): string =>
-  `| ${cells.map((cell) => cell.replaceAll('|', '\\|')).join(' | ')} |`;
+  `| ${cells.map((text) => text.replaceAll('|', '\\|')).join(' | ')} |`;
 
 const shown = (value: Value): string =>
   typeof value === 'number' && !Number.isInteger(value)

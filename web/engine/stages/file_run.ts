@@ -5,6 +5,7 @@ import type { Core } from '../core/core';
 import type { Body } from '../document/model';
 import type { OpenModel } from '../document/open';
 import type { Settings } from '../settings/options';
+import { admitBodies } from './admission';
 import { BodyRun } from './body_run';
 import { EqualWork } from './equal_work';
 import { tooSmallToMove } from './scene_share';
@@ -24,7 +25,10 @@ export interface FileRunOptions {
   onStage?: (stage: string) => void;
 }
 
-/** The runs over the bodies of a model; page, command line and library work through it and `FileOutput`. */
+/**
+ * The runs over the bodies of a model; page, command line and library work through it and `FileOutput`. To make one throws an Error
+ * where the core cannot have enough memory.
+ */
 export class FileRun {
   private readonly all: (BodyRun | null)[];
 
@@ -37,6 +41,10 @@ export class FileRun {
     const { document, bodies } = model;
     const guides = options.guides !== false;
     const isChosen = (i: number) => !chosen || chosen.has(i);
+    admitBodies(
+      bodies.filter((_, i) => isChosen(i)),
+      core.heapLimit,
+    );
     const tooSmall = guides
       ? tooSmallToMove(
           document,

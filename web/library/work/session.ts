@@ -9,6 +9,7 @@ import { openModel } from '../../engine/document/open';
 import type { OpenModel } from '../../engine/document/open';
 import { wordNote } from '../../engine/settings/options';
 import type { Note, Settings } from '../../engine/settings/options';
+import { admitFit } from '../../engine/stages/admission';
 import { FileRun } from '../../engine/stages/file_run';
 import type { StageProgress } from '../options';
 import type { ModelFiles } from '../protocol';
@@ -61,7 +62,9 @@ export class WorkSession {
     this.files.push(file);
     for (const sentence of file.leaveOutUnusable(this.settings))
       this.notes.push(`${sentence.replace(/\.$/, '')}; it stays as it is`);
-    for (const body of file.prepared(this.settings)) this.noteHealth(model, body);
+    const prepared = file.prepared(this.settings);
+    for (const body of prepared) this.noteHealth(model, body);
+    if (guides) admitFit(prepared, this.settings, this.core.heapLimit);
     return file;
   }
 

@@ -1,0 +1,80 @@
+// The memory of the core is bounded where that is asked for, and what needs more is refused before the work.
+
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, describe, expect, it } from 'vitest';
+import { coreMemory, readMegabytes } from '../../web/cli/memory_size';
+import { loadCore } from '../../web/engine/core/load_core';
+import { admitBodies } from '../../web/engine/stages/admission';
+import type { Body } from '../../web/engine/document/model';
+
+const root = join(import.meta.dirname, '..', '..');
+const wasmFolder = new URL('../../public/wasm/', import.meta.url).href;
+const folder = mkdtempSync(join(tmpdir(), 'limber-memory-'));
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+/** A binary STL whose bytes are all there; `faces` of them, each alone. */
+function stl(faces: number): Buffer {
+  const bytes = Buffer.alloc(84 + 50 * faces);
+  bytes.writeUInt32LE(faces, 80);
+  for (let f = 0; f < faces; ++f)
+    [f, 0, 0, f + 1, 0, 0, f, 1, 0].forEach((value, i) =>
+      bytes.writeFloatLE(value, 84 + 50 * f + 12 + 4 * i),
+    );
+  return bytes;
+}
+
+describe('a size of memory', () => {
+  it('is read with and without its unit', () => {
+    expect(['512M', '512', '2g'].map(readMegabytes)).toEqual([512, 512, 2048]);
+    expect([coreMemory(undefined), coreMemory('64M')]).toEqual([null, 64 * 2 ** 20]);
+  });
+
+  it.each(['', '1.5G', '-1', '2T', '1e3', '63M', '5G'])('is refused: "%s"', (text) => {
+    expect(() => coreMemory(text)).toThrow(
+      /^--memory is .*: (give a size such as 512M or 2G|the core takes)/,
+    );
+  });
+});
+
+describe('the core', () => {
+  it.each([1, 2])('has no more memory than it is given, on %i threads', async (threads) => {
+    const memory = 100 * 2 ** 20;
+    const core = await loadCore({ threads, wasmFolder, memory });
+    expect(core.heapLimit).toBe(memory);
+    const count = 4_000_000;
+    const mesh = { positions: new Float32Array(3 * count), triangles: new Uint32Array(3 * count) };
+    expect(() => core.inspect(mesh)).toThrow('Not enough memory');
+    expect(core.peakHeapBytes()).toBeLessThanOrEqual(memory);
+    // It goes on with what fits.
+    const small = {
+      positions: new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]),
+      triangles: new Uint32Array([0, 1, 2]),
+    };
+    expect(core.inspect(small)).toMatchObject({ faces: 1 });
+  });
+});
+
+describe('a model that needs more', () => {
+  it('is refused by its faces, in one sentence with a cure', () => {
+    const body = { name: 'city', indices: new Uint32Array(3 * 1_000_000) } as Body;
+    expect(() => admitBodies([body], 512 * 2 ** 20)).not.toThrow();
+    expect(() => admitBodies([body], 256 * 2 ** 20)).toThrow(
+      'city has 1,000,000 faces, for which the core takes about 0.4 GB of memory, and it may have 0.3 GB: give it more (--memory, at most 4G) or reduce the mesh in parts.',
+    );
+  });
+
+  it('is refused by the command line before the work, and nothing is written', () => {
+    const [input, output] = [join(folder, 'large.stl'), join(folder, 'out.glb')];
+    writeFileSync(input, stl(200_000));
+    const program = join(root, 'dist', 'cli', 'limber.mjs');
+    const words = ['optimize', input, output, '--memory', '64M'];
+    const { status, stderr } = spawnSync(process.execPath, [program, ...words], { encoding: 'utf8' });
+    expect(stderr.trim().split('\n')).toEqual([
+      expect.stringMatching(/^limber: large has 200,000 faces, .*: give it more \(--memory, at most 4G\)/),
+    ]);
+    expect([status, existsSync(output)]).toEqual([1, false]);
+  });
+});

@@ -1,0 +1,23 @@
+/** Sizes of memory as they are typed: 512M, 2G, or a number of megabytes. */
+
+import { UsageError } from './failure';
+
+const MEGABYTES = { '': 1, M: 1, G: 1024 };
+/** megabytes without which the core cannot start, and the most that WebAssembly has */
+const CORE = { least: 64, most: 4096 };
+
+/** Throws UsageError. */
+export function readMegabytes(text: string): number {
+  const found = /^(\d+)(M?|G)$/i.exec(text);
+  if (!found) throw new UsageError(`--memory is ${text}: give a size such as 512M or 2G.`);
+  return Number(found[1]) * MEGABYTES[found[2].toUpperCase() as keyof typeof MEGABYTES];
+}
+
+/** Bytes that the core may take; null: as many as it can. Throws UsageError. */
+export function coreMemory(text: string | undefined): number | null {
+  if (text === undefined) return null;
+  const megabytes = readMegabytes(text);
+  if (megabytes < CORE.least || megabytes > CORE.most)
+    throw new UsageError(`--memory is ${text}: the core takes from ${CORE.least}M to ${CORE.most / 1024}G.`);
+  return megabytes * 2 ** 20;
+}

@@ -1,0 +1,47 @@
+/** Refuses work whose memory the core cannot have, before the work begins. */
+
+import type { PreparedBody } from '../body/prepared_body';
+import { counted } from '../core/words';
+import type { Body } from '../document/model';
+import type { Settings } from '../settings/options';
+
+/** Bytes of the core's memory for a face of the largest mesh, measured at a million faces: tests/bench/seconds.mjs prints them. */
+const BYTES_PER_FACE = { reduced: 430, fitted: 1500 };
+
+/** Throws an Error where a body has more faces than any method can work on within `heapLimit` bytes. */
+export function admitBodies(bodies: readonly Body[], heapLimit: number): void {
+  for (const { name, indices } of bodies) {
+    const faces = indices.length / 3;
+    const needed = BYTES_PER_FACE.reduced * faces;
+    if (needed > heapLimit) throw refusal(name, { faces, needed, heapLimit, cure: CURES.reduced });
+  }
+}
+
+/** Throws an Error where a body in one part cannot be fitted to its surface within `heapLimit` bytes. */
+export function admitFit(bodies: readonly PreparedBody[], { fit }: Settings, heapLimit: number): void {
+  if (fit === 'off') return;
+  for (const { body, inspection } of bodies) {
+    const needed = BYTES_PER_FACE.fitted * inspection.faces;
+    if (inspection.components === 1 && needed > heapLimit)
+      throw refusal(body.name, { faces: inspection.faces, needed, heapLimit, cure: CURES.fitted });
+  }
+}
+
+const CURES = {
+  reduced: 'give it more (--memory, at most 4G) or reduce the mesh in parts',
+  fitted: 'use --fit off, give it more (--memory, at most 4G) or reduce the mesh in parts',
+};
+
+interface Lack {
+  faces: number;
+  needed: number;
+  heapLimit: number;
+  cure: string;
+}
+
+const refusal = (name: string, { faces, needed, heapLimit, cure }: Lack): Error =>
+  new Error(
+    `${name} has ${counted(faces, 'face')}, for which the core takes about ${gigabytes(needed)} of memory, and it may have ${gigabytes(heapLimit)}: ${cure}.`,
+  );
+
+const gigabytes = (bytes: number): string => `${(bytes / 2 ** 30).toFixed(1)} GB`;
