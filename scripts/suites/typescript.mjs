@@ -36,4 +36,5 @@ export function runPlaywright({ full }) {
     failed: failed === 0 && status !== 0 ? 1 : failed,
     skipped: stats.skipped ?? 0,
   });
+  if (!full) console.log('       (tests of the page that are tagged @full run with npm run test:full)');
 }

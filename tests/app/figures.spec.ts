@@ -133,17 +133,21 @@ test('methods are compared at one number of faces, copied, and chosen by their p
   ).toHaveAttribute('aria-pressed', 'true');
 });
 
-test('what was compared is gone with the model, and Escape closes the comparison', async ({ page }) => {
-  await openReduce(page);
-  await button(page, 'Compare methods').click();
-  await expect(page.getByText('All are measured.').first()).toBeVisible();
-  await page.getByRole('group', { name: 'Samples' }).getByRole('button', { name: 'cloth' }).click();
-  await expect(page.locator('.filename')).toHaveText('cloth.glb');
-  await expect(page.locator('.method-table')).toHaveCount(0);
-  await page.locator('.methods h2').focus();
-  await page.keyboard.press('Escape');
-  await expect(page.locator('.methods')).toHaveCount(0);
-});
+test(
+  'what was compared is gone with the model, and Escape closes the comparison',
+  { tag: '@full' },
+  async ({ page }) => {
+    await openReduce(page);
+    await button(page, 'Compare methods').click();
+    await expect(page.getByText('All are measured.').first()).toBeVisible();
+    await page.getByRole('group', { name: 'Samples' }).getByRole('button', { name: 'cloth' }).click();
+    await expect(page.locator('.filename')).toHaveText('cloth.glb');
+    await expect(page.locator('.method-table')).toHaveCount(0);
+    await page.locator('.methods h2').focus();
+    await page.keyboard.press('Escape');
+    await expect(page.locator('.methods')).toHaveCount(0);
+  },
+);
 
 test('the stage is saved at the size that is asked for, with and without a ground', async ({ page }) => {
   await openReduce(page);
@@ -172,46 +176,54 @@ test('the stage is saved at the size that is asked for, with and without a groun
   expect(after).toEqual(stage);
 });
 
-test('a figure shows original, modes, strain, result and both in motion', async ({ page }) => {
-  await openReduce(page);
-  await button(page, 'Pictures').click();
-  const { name, bytes } = await saved(page, 'Save figure');
-  expect(name).toBe('bar-figure.png');
-  const look = await lookOf(page, bytes);
-  expect(look.width).toBeGreaterThan(1600);
-  expect(look.height).toBeGreaterThan(1600);
-  expect(look.colours).toBeGreaterThan(200);
-  expect(look.clear).toBe(0);
-});
+test(
+  'a figure shows original, modes, strain, result and both in motion',
+  { tag: '@full' },
+  async ({ page }) => {
+    await openReduce(page);
+    await button(page, 'Pictures').click();
+    const { name, bytes } = await saved(page, 'Save figure');
+    expect(name).toBe('bar-figure.png');
+    const look = await lookOf(page, bytes);
+    expect(look.width).toBeGreaterThan(1600);
+    expect(look.height).toBeGreaterThan(1600);
+    expect(look.colours).toBeGreaterThan(200);
+    expect(look.clear).toBe(0);
+  },
+);
 
-test('a turntable and the motion of the test are saved as videos, and the chart as SVG', async ({ page }) => {
-  await openReduce(page);
-  await button(page, 'Pictures').click();
-  await page.getByLabel('Size', { exact: true }).selectOption('custom');
-  await page.getByLabel('Width in pixels').fill('480');
-  await page.getByLabel('Height in pixels').fill('320');
-  await page.getByLabel('Seconds').fill('0.5');
-  await page.getByLabel('Seconds').press('Tab');
-  const turntable = await saved(page, 'Save turntable');
-  expect(turntable.name).toBe('bar-turntable.webm');
-  const seen = await watch(page, turntable.bytes);
-  expect([seen.width, seen.height]).toEqual([480, 320]);
-  expect(seen.duration).toBeCloseTo(0.5, 2);
-  expect(seen.changed).toBeGreaterThan(0.005);
+test(
+  'a turntable and the motion of the test are saved as videos, and the chart as SVG',
+  { tag: '@full' },
+  async ({ page }) => {
+    await openReduce(page);
+    await button(page, 'Pictures').click();
+    await page.getByLabel('Size', { exact: true }).selectOption('custom');
+    await page.getByLabel('Width in pixels').fill('480');
+    await page.getByLabel('Height in pixels').fill('320');
+    await page.getByLabel('Seconds').fill('0.5');
+    await page.getByLabel('Seconds').press('Tab');
+    const turntable = await saved(page, 'Save turntable');
+    expect(turntable.name).toBe('bar-turntable.webm');
+    const seen = await watch(page, turntable.bytes);
+    expect([seen.width, seen.height]).toEqual([480, 320]);
+    expect(seen.duration).toBeCloseTo(0.5, 2);
+    expect(seen.changed).toBeGreaterThan(0.005);
 
-  await goTo(page, 'Test');
-  const motion = await saved(page, 'Save motion');
-  expect(motion.name).toBe('bar-motion.webm');
-  const moved = await watch(page, motion.bytes);
-  expect(moved.duration).toBeCloseTo(0.5, 2);
-  expect(moved.changed).toBeGreaterThan(0.002);
+    await goTo(page, 'Test');
+    const motion = await saved(page, 'Save motion');
+    expect(motion.name).toBe('bar-motion.webm');
+    const moved = await watch(page, motion.bytes);
+    expect(moved.duration).toBeCloseTo(0.5, 2);
+    expect(moved.changed).toBeGreaterThan(0.002);
 
-  const chart = await saved(page, 'Save chart as SVG');
-  expect(chart.name).toBe('bar-deviation.svg');
-  const svg = chart.bytes.toString('utf8');
-  const points = await page.evaluate((text) => {
-    const parsed = new DOMParser().parseFromString(text, 'image/svg+xml');
-    return [...parsed.querySelectorAll('polyline')].at(-1)!.getAttribute('points')!.split(' ').length;
-  }, svg);
-  expect(points).toBeGreaterThanOrEqual(28);
-});
+    const chart = await saved(page, 'Save chart as SVG');
+    expect(chart.name).toBe('bar-deviation.svg');
+    const svg = chart.bytes.toString('utf8');
+    const points = await page.evaluate((text) => {
+      const parsed = new DOMParser().parseFromString(text, 'image/svg+xml');
+      return [...parsed.querySelectorAll('polyline')].at(-1)!.getAttribute('points')!.split(' ').length;
+    }, svg);
+    expect(points).toBeGreaterThanOrEqual(28);
+  },
+);

@@ -25,29 +25,33 @@ test('the page begins with a place to drop a file, and samples that move', async
   await expect(page.getByText('Your file stays on this computer.')).toHaveCount(0);
 });
 
-test('a first visit shows a hint on every step, and a dismissed one stays away', async ({ page }) => {
-  await openPage(page);
-  const hint = page.getByRole('region', { name: 'Hint' });
-  for (const [step, number] of [
-    ['Model', '1'],
-    ['Motion', '2'],
-    ['Reduce', '3'],
-    ['Test', '4'],
-  ] as const) {
-    await goTo(page, step);
-    await expect(hint).toContainText(`${number} of 4.`);
-  }
-  await goTo(page, 'Model');
-  await hint.getByRole('button', { name: 'Got it' }).click();
-  await expect(hint).toHaveCount(0);
-  await page.reload();
-  await expect(readout(page, 'Faces')).toContainText('1,792');
-  await expect(hint).toHaveCount(0);
-  await goTo(page, 'Reduce');
-  await hint.getByRole('button', { name: 'No hints' }).click();
-  await goTo(page, 'Motion');
-  await expect(hint).toHaveCount(0);
-});
+test(
+  'a first visit shows a hint on every step, and a dismissed one stays away',
+  { tag: '@full' },
+  async ({ page }) => {
+    await openPage(page);
+    const hint = page.getByRole('region', { name: 'Hint' });
+    for (const [step, number] of [
+      ['Model', '1'],
+      ['Motion', '2'],
+      ['Reduce', '3'],
+      ['Test', '4'],
+    ] as const) {
+      await goTo(page, step);
+      await expect(hint).toContainText(`${number} of 4.`);
+    }
+    await goTo(page, 'Model');
+    await hint.getByRole('button', { name: 'Got it' }).click();
+    await expect(hint).toHaveCount(0);
+    await page.reload();
+    await expect(readout(page, 'Faces')).toContainText('1,792');
+    await expect(hint).toHaveCount(0);
+    await goTo(page, 'Reduce');
+    await hint.getByRole('button', { name: 'No hints' }).click();
+    await goTo(page, 'Motion');
+    await expect(hint).toHaveCount(0);
+  },
+);
 
 test('a file that cannot be used never takes the place of the open one', async ({ page }) => {
   await openPage(page);

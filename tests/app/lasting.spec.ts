@@ -94,38 +94,46 @@ async function duplicate(page: Page, context: BrowserContext): Promise<Page> {
   return copy;
 }
 
-test('two tabs keep their own work, also one that is a copy of the other', async ({ page, context }) => {
-  await openPage(page);
-  await openSheet(page);
-  await goTo(page, 'Reduce');
-  await keepFaces(page, 200);
-  await page.waitForTimeout(600); // until it is saved
-  const copy = await duplicate(page, context);
-  await expect(copy.locator('.filename')).toHaveText('lasting.obj');
-  await expect(copy.getByLabel('Kept faces, exact')).toHaveValue('200');
-  await keepFaces(copy, 120);
-  await copy.waitForTimeout(600);
-  await page.reload();
-  await expect(page.getByLabel('Kept faces, exact')).toHaveValue('200');
-  await copy.reload();
-  await expect(copy.getByLabel('Kept faces, exact')).toHaveValue('120');
-});
+test(
+  'two tabs keep their own work, also one that is a copy of the other',
+  { tag: '@full' },
+  async ({ page, context }) => {
+    await openPage(page);
+    await openSheet(page);
+    await goTo(page, 'Reduce');
+    await keepFaces(page, 200);
+    await page.waitForTimeout(600); // until it is saved
+    const copy = await duplicate(page, context);
+    await expect(copy.locator('.filename')).toHaveText('lasting.obj');
+    await expect(copy.getByLabel('Kept faces, exact')).toHaveValue('200');
+    await keepFaces(copy, 120);
+    await copy.waitForTimeout(600);
+    await page.reload();
+    await expect(page.getByLabel('Kept faces, exact')).toHaveValue('200');
+    await copy.reload();
+    await expect(copy.getByLabel('Kept faces, exact')).toHaveValue('120');
+  },
+);
 
-test('a new tab offers the work of the last one that was closed', async ({ page, context }) => {
-  await openPage(page);
-  await openSheet(page);
-  await goTo(page, 'Reduce');
-  await keepFaces(page, 200);
-  await page.waitForTimeout(600);
-  await page.close();
-  const later = await context.newPage();
-  await later.goto('/');
-  await later.getByRole('button', { name: 'Open it' }).click();
-  await expect(later.locator('.filename')).toHaveText('lasting.obj');
-  await expect(later.getByLabel('Kept faces, exact')).toHaveValue('200');
-});
+test(
+  'a new tab offers the work of the last one that was closed',
+  { tag: '@full' },
+  async ({ page, context }) => {
+    await openPage(page);
+    await openSheet(page);
+    await goTo(page, 'Reduce');
+    await keepFaces(page, 200);
+    await page.waitForTimeout(600);
+    await page.close();
+    const later = await context.newPage();
+    await later.goto('/');
+    await later.getByRole('button', { name: 'Open it' }).click();
+    await expect(later.locator('.filename')).toHaveText('lasting.obj');
+    await expect(later.getByLabel('Kept faces, exact')).toHaveValue('200');
+  },
+);
 
-test('a lost context comes back with its picture', async ({ page }) => {
+test('a lost context comes back with its picture', { tag: '@full' }, async ({ page }) => {
   await openPage(page);
   await openSheet(page);
   const canvas = page.locator('.viewport canvas');

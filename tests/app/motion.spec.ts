@@ -34,18 +34,22 @@ async function middle(page: Page): Promise<{ x: number; y: number }> {
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
-test('another material has other frequencies, and other numbers make a custom material', async ({ page }) => {
-  await openSolidBar(page);
-  const rubber = await frequency(page);
-  const material = page.getByLabel('Material');
-  await material.selectOption('Foam');
-  await expect(async () => expect(await frequency(page)).not.toBe(rubber)).toPass();
-  await page.getByText('More', { exact: true }).click();
-  await expect(page.getByLabel("Young's modulus, exact")).toHaveValue('50000');
-  await page.getByLabel('Density, exact').fill('31');
-  await page.keyboard.press('Enter');
-  await expect(material).toHaveValue('custom');
-});
+test(
+  'another material has other frequencies, and other numbers make a custom material',
+  { tag: '@full' },
+  async ({ page }) => {
+    await openSolidBar(page);
+    const rubber = await frequency(page);
+    const material = page.getByLabel('Material');
+    await material.selectOption('Foam');
+    await expect(async () => expect(await frequency(page)).not.toBe(rubber)).toPass();
+    await page.getByText('More', { exact: true }).click();
+    await expect(page.getByLabel("Young's modulus, exact")).toHaveValue('50000');
+    await page.getByLabel('Density, exact').fill('31');
+    await page.keyboard.press('Enter');
+    await expect(material).toHaveValue('custom');
+  },
+);
 
 test('a pinned end leaves no rigid motion, and the command line pins it too', async ({ page }) => {
   await openSolidBar(page);
@@ -106,7 +110,7 @@ test('a text with an error gets a sentence beside it, and the pins before it sta
   await expect(page.getByText('226 of 898 vertices.')).toBeVisible();
 });
 
-test('an attribute of the file pins vertices', async ({ page }) => {
+test('an attribute of the file pins vertices', { tag: '@full' }, async ({ page }) => {
   await openPage(page);
   await drop(page, writeScratch('flag.glb', await flagWithAttribute(8)));
   await expect(readout(page, 'Faces')).toContainText('128');
@@ -118,7 +122,7 @@ test('an attribute of the file pins vertices', async ({ page }) => {
   await expect(page.getByText('Nothing: the body floats freely.')).toBeVisible();
 });
 
-test('modes that strain different places are named', async ({ page }) => {
+test('modes that strain different places are named', { tag: '@full' }, async ({ page }) => {
   await openSolidBar(page);
   const notes = page.locator('.mode-notes');
   await firstMode(page).click();
@@ -128,7 +132,7 @@ test('modes that strain different places are named', async ({ page }) => {
   await expect(page.locator('.legend')).toContainText('Strain rank, modes 1 to 8');
 });
 
-test('a local mode is named and left out on request', async ({ page }) => {
+test('a local mode is named and left out on request', { tag: '@full' }, async ({ page }) => {
   await openPage(page);
   await drop(page, writeScratch('comb.obj', combObj()));
   await expect(page.locator('.filename')).toHaveText('comb.obj');
@@ -143,19 +147,21 @@ test('a local mode is named and left out on request', async ({ page }) => {
   await expect(local).toHaveAttribute('aria-pressed', 'false');
 });
 
-test('a model that does not fit the mesh says so, and the modes that are still shown are marked as earlier ones', async ({
-  page,
-}) => {
-  await openPage(page);
-  await drop(page, writeScratch('sheet.obj', sheetObj(8)));
-  await expect(readout(page, 'Faces')).toContainText('128');
-  await goTo(page, 'Motion');
-  await model(page, 'Solid').click();
-  await expect(page.getByRole('alert')).toContainText('not closed');
-  await expect(page.getByText('The modes shown are those of earlier settings.')).toBeVisible();
-});
+test(
+  'a model that does not fit the mesh says so, and the modes that are still shown are marked as earlier ones',
+  { tag: '@full' },
+  async ({ page }) => {
+    await openPage(page);
+    await drop(page, writeScratch('sheet.obj', sheetObj(8)));
+    await expect(readout(page, 'Faces')).toContainText('128');
+    await goTo(page, 'Motion');
+    await model(page, 'Solid').click();
+    await expect(page.getByRole('alert')).toContainText('not closed');
+    await expect(page.getByText('The modes shown are those of earlier settings.')).toBeVisible();
+  },
+);
 
-test('directions can be chosen where the Laplacian is used', async ({ page }) => {
+test('directions can be chosen where the Laplacian is used', { tag: '@full' }, async ({ page }) => {
   await openPage(page);
   await goTo(page, 'Motion');
   await model(page, 'Shell').click();
@@ -201,26 +207,27 @@ test('the step works with the keyboard alone', async ({ page }) => {
 });
 
 for (const colorScheme of ['light', 'dark'] as const)
-  test(`the step passes axe with everything open in the ${colorScheme} scheme`, async ({
-    browser,
-    baseURL,
-  }) => {
-    const context = await browser.newContext({ baseURL, colorScheme, reducedMotion: 'reduce' });
-    const page = await context.newPage();
-    await openSolidBar(page);
-    await button(page, 'Bottom').click();
-    const text = await pinsText(page);
-    await text.fill('left:3');
-    await text.press('Enter');
-    await page.getByText('More', { exact: true }).click();
-    await button(page, 'Pick').click();
-    await expect(page.locator('.notice.busy')).toHaveCount(0);
-    const { violations } = await new AxeBuilder({ page }).analyze();
-    expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`)).toEqual(
-      [],
-    );
-    await context.close();
-  });
+  test(
+    `the step passes axe with everything open in the ${colorScheme} scheme`,
+    { tag: colorScheme === 'dark' ? '@full' : [] },
+    async ({ browser, baseURL }) => {
+      const context = await browser.newContext({ baseURL, colorScheme, reducedMotion: 'reduce' });
+      const page = await context.newPage();
+      await openSolidBar(page);
+      await button(page, 'Bottom').click();
+      const text = await pinsText(page);
+      await text.fill('left:3');
+      await text.press('Enter');
+      await page.getByText('More', { exact: true }).click();
+      await button(page, 'Pick').click();
+      await expect(page.locator('.notice.busy')).toHaveCount(0);
+      const { violations } = await new AxeBuilder({ page }).analyze();
+      expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`)).toEqual(
+        [],
+      );
+      await context.close();
+    },
+  );
 
 /** A flat grid of cells x cells squares whose first column is marked by the attribute _FIXED. */
 async function flagWithAttribute(cells: number): Promise<Uint8Array> {

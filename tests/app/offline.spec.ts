@@ -59,43 +59,49 @@ test('after one visit everything works offline, from a folder of a host without 
     expect(kept.some((address) => address.includes(part))).toBe(true);
 });
 
-test('a part that is gone from the host is said, and a reload brings the work back', async ({ browser }) => {
-  const context = await browser.newContext({ serviceWorkers: 'block' });
-  const page = await context.newPage();
-  await page.goto(host.address);
-  await expect(page.getByText('1 thread', { exact: true })).toBeVisible();
-  await reduceSheet(page);
-  const assets = join(host.folder, 'assets');
-  // The parts that only an export loads.
-  const late = readdirSync(assets).filter((name) => /^(module|dist)-.*\.js$/.test(name));
-  expect(late.length).toBeGreaterThan(0);
-  for (const name of late) renameSync(join(assets, name), join(assets, `gone-${name}`));
-  await page.getByRole('button', { name: 'Export', exact: true }).click();
-  await expect(page.getByRole('alert')).toContainText('Reload; your work comes back.');
-  for (const name of late) renameSync(join(assets, `gone-${name}`), join(assets, name));
-  await page.getByRole('alert').getByRole('button', { name: 'Reload' }).click();
-  await expect(page.locator('.filename')).toHaveText('offline.obj');
-  await expect(page.getByLabel('Kept faces, exact')).toHaveValue('200');
-  expect((await saveGlb(page)).length).toBeGreaterThan(1000);
-  await context.close();
-});
+test(
+  'a part that is gone from the host is said, and a reload brings the work back',
+  { tag: '@full' },
+  async ({ browser }) => {
+    const context = await browser.newContext({ serviceWorkers: 'block' });
+    const page = await context.newPage();
+    await page.goto(host.address);
+    await expect(page.getByText('1 thread', { exact: true })).toBeVisible();
+    await reduceSheet(page);
+    const assets = join(host.folder, 'assets');
+    // The parts that only an export loads.
+    const late = readdirSync(assets).filter((name) => /^(module|dist)-.*\.js$/.test(name));
+    expect(late.length).toBeGreaterThan(0);
+    for (const name of late) renameSync(join(assets, name), join(assets, `gone-${name}`));
+    await page.getByRole('button', { name: 'Export', exact: true }).click();
+    await expect(page.getByRole('alert')).toContainText('Reload; your work comes back.');
+    for (const name of late) renameSync(join(assets, `gone-${name}`), join(assets, name));
+    await page.getByRole('alert').getByRole('button', { name: 'Reload' }).click();
+    await expect(page.locator('.filename')).toHaveText('offline.obj');
+    await expect(page.getByLabel('Kept faces, exact')).toHaveValue('200');
+    expect((await saveGlb(page)).length).toBeGreaterThan(1000);
+    await context.close();
+  },
+);
 
-test('a new version waits until the user reloads, and the open page goes on with its own files', async ({
-  page,
-}) => {
-  await visit(page);
-  await reduceSheet(page);
-  const [index, assets] = [join(host.folder, 'index.html'), join(host.folder, 'assets')];
-  const late = readdirSync(assets).filter((name) => /^(module|dist)-.*\.js$/.test(name));
-  for (const name of late) renameSync(join(assets, name), join(assets, `newer-${name}`));
-  writeFileSync(index, readFileSync(index, 'utf8').replace('<title>Limber', '<title>Newer Limber'));
-  await buildServiceWorker(host.folder);
-  await page.evaluate(async () => (await navigator.serviceWorker.ready).update());
-  const notice = page.getByRole('status').filter({ hasText: 'A new version is ready.' });
-  await expect(notice).toBeVisible();
-  expect((await saveGlb(page)).length).toBeGreaterThan(1000);
-  await notice.getByRole('button', { name: 'Reload' }).click();
-  await expect(page).toHaveTitle('Newer Limber');
-  await expect(page.locator('.filename')).toHaveText('offline.obj');
-  await expect(page.getByLabel('Kept faces, exact')).toHaveValue('200');
-});
+test(
+  'a new version waits until the user reloads, and the open page goes on with its own files',
+  { tag: '@full' },
+  async ({ page }) => {
+    await visit(page);
+    await reduceSheet(page);
+    const [index, assets] = [join(host.folder, 'index.html'), join(host.folder, 'assets')];
+    const late = readdirSync(assets).filter((name) => /^(module|dist)-.*\.js$/.test(name));
+    for (const name of late) renameSync(join(assets, name), join(assets, `newer-${name}`));
+    writeFileSync(index, readFileSync(index, 'utf8').replace('<title>Limber', '<title>Newer Limber'));
+    await buildServiceWorker(host.folder);
+    await page.evaluate(async () => (await navigator.serviceWorker.ready).update());
+    const notice = page.getByRole('status').filter({ hasText: 'A new version is ready.' });
+    await expect(notice).toBeVisible();
+    expect((await saveGlb(page)).length).toBeGreaterThan(1000);
+    await notice.getByRole('button', { name: 'Reload' }).click();
+    await expect(page).toHaveTitle('Newer Limber');
+    await expect(page.locator('.filename')).toHaveText('offline.obj');
+    await expect(page.getByLabel('Kept faces, exact')).toHaveValue('200');
+  },
+);

@@ -69,7 +69,7 @@ const root = join(import.meta.dirname, '..', '..');
 const shared = join(process.env.LIMBER_SHARED ?? join(root, '..', 'shared'), 'meshes', 'gltf');
 
 for (const name of ['Box_Draco.glb', 'BoxTextured_meshopt.glb'])
-  test(`${name} is decoded without breaking the policy`, async ({ page }) => {
+  test(`${name} is decoded without breaking the policy`, { tag: '@full' }, async ({ page }) => {
     test.skip(!existsSync(join(shared, name)), `${name} of ../shared/meshes is not here`);
     const found = await watch(page);
     await openPage(page);

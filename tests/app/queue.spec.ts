@@ -49,21 +49,25 @@ test('several files are a queue with one setting, in which a bad one fails alone
   }
 });
 
-test('a ZIP of several models is a queue, which can be cancelled and closed', async ({ page }) => {
-  const entries = { 'a/sheet.obj': strToU8(sheetObj(40)), 'b/sheet.obj': strToU8(sheetObj(48)) };
-  const archive = writeScratch('two.zip', zipSync(entries));
-  await page.goto('/');
-  await drop(page, archive);
-  await expect(queue(page)).toContainText('2 models');
-  await button(page, 'Optimize all 2').click();
-  await expect(queue(page)).toContainText('1 of 2');
-  await button(page, 'Cancel the queue').click();
-  await expect(button(page, 'Optimize all 2')).toBeEnabled();
-  await queue(page).getByRole('button', { name: 'b/sheet.obj' }).click();
-  await expect(readout(page, 'Faces')).toContainText(String((2 * 48 * 48).toLocaleString('en-US')));
-  await button(page, 'Close the queue').click();
-  await expect(queue(page)).toHaveCount(0);
-});
+test(
+  'a ZIP of several models is a queue, which can be cancelled and closed',
+  { tag: '@full' },
+  async ({ page }) => {
+    const entries = { 'a/sheet.obj': strToU8(sheetObj(40)), 'b/sheet.obj': strToU8(sheetObj(48)) };
+    const archive = writeScratch('two.zip', zipSync(entries));
+    await page.goto('/');
+    await drop(page, archive);
+    await expect(queue(page)).toContainText('2 models');
+    await button(page, 'Optimize all 2').click();
+    await expect(queue(page)).toContainText('1 of 2');
+    await button(page, 'Cancel the queue').click();
+    await expect(button(page, 'Optimize all 2')).toBeEnabled();
+    await queue(page).getByRole('button', { name: 'b/sheet.obj' }).click();
+    await expect(readout(page, 'Faces')).toContainText(String((2 * 48 * 48).toLocaleString('en-US')));
+    await button(page, 'Close the queue').click();
+    await expect(queue(page)).toHaveCount(0);
+  },
+);
 
 test('a settings file brings its solver, parameters and faces back, or says what is wrong', async ({
   page,

@@ -29,7 +29,7 @@ async function heapSize(page: Page, client: CDPSession): Promise<number> {
   return Math.min(...sizes);
 }
 
-test('random actions lead to no error, and to no growth of the heap', async ({ page }) => {
+test('random actions lead to no error, and to no growth of the heap', { tag: '@full' }, async ({ page }) => {
   test.setTimeout(60_000 + 2500 * COUNT);
   const errors: string[] = [];
   page.on('pageerror', (error) => errors.push(error.stack ?? error.message));

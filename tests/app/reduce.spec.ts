@@ -95,7 +95,7 @@ test('vertices are locked with the keyboard alone, and a text with an error says
   await expect(lock).toHaveValue('');
 });
 
-test('Escape puts the brush down, and brackets size it', async ({ page }) => {
+test('Escape puts the brush down, and brackets size it', { tag: '@full' }, async ({ page }) => {
   await openSheet(page);
   await brush(page, 'Keep').click();
   await page.keyboard.press(']');
@@ -106,7 +106,7 @@ test('Escape puts the brush down, and brackets size it', async ({ page }) => {
   await expect(page.getByText(/^\d+ kept$/)).toHaveCount(0);
 });
 
-test('a slider is undone as a whole, and the kept faces too', async ({ page }) => {
+test('a slider is undone as a whole, and the kept faces too', { tag: '@full' }, async ({ page }) => {
   await openSheet(page);
   const even = page.getByLabel('Even triangles', { exact: true });
   const before = await even.inputValue();
@@ -124,24 +124,26 @@ const view = (page: Page, name: string) =>
   page.getByRole('group', { name: 'Compare' }).getByRole('button', { name });
 const labels = (page: Page) => page.locator('.pane-labels');
 
-test('original and optimized are shown side by side, on both sides of a divider, or in turn', async ({
-  page,
-}) => {
-  await openSheet(page);
-  await expect(labels(page)).toContainText(/Original.*Optimized/s);
-  await page.keyboard.press('v');
-  await expect(view(page, 'Slider')).toHaveAttribute('aria-pressed', 'true');
-  const divider = page.getByRole('slider', { name: 'Divider between original and optimized' });
-  await divider.focus();
-  await page.keyboard.press('ArrowRight');
-  await expect(divider).toHaveValue('0.51');
-  await page.keyboard.press('b');
-  await expect(labels(page)).not.toContainText('Optimized');
-  await page.keyboard.press('b');
-  await expect(labels(page)).not.toContainText('Original');
-  await view(page, 'Side by side').click();
-  await expect(labels(page)).toContainText(/Original.*Optimized/s);
-});
+test(
+  'original and optimized are shown side by side, on both sides of a divider, or in turn',
+  { tag: '@full' },
+  async ({ page }) => {
+    await openSheet(page);
+    await expect(labels(page)).toContainText(/Original.*Optimized/s);
+    await page.keyboard.press('v');
+    await expect(view(page, 'Slider')).toHaveAttribute('aria-pressed', 'true');
+    const divider = page.getByRole('slider', { name: 'Divider between original and optimized' });
+    await divider.focus();
+    await page.keyboard.press('ArrowRight');
+    await expect(divider).toHaveValue('0.51');
+    await page.keyboard.press('b');
+    await expect(labels(page)).not.toContainText('Optimized');
+    await page.keyboard.press('b');
+    await expect(labels(page)).not.toContainText('Original');
+    await view(page, 'Side by side').click();
+    await expect(labels(page)).toContainText(/Original.*Optimized/s);
+  },
+);
 
 test('marks on the slider show where the deviation is crossed, and a click on one sets its number of faces', async ({
   page,
@@ -157,7 +159,7 @@ test('marks on the slider show where the deviation is crossed, and a click on on
   await expect(readout(page, 'Deviation')).toContainText(/\d\.\d+ %/);
 });
 
-test('a card says why a vertex is kept, by pointer and by its number', async ({ page }) => {
+test('a card says why a vertex is kept, by pointer and by its number', { tag: '@full' }, async ({ page }) => {
   await openSheet(page);
   await keepFaces(page, 100);
   await view(page, 'Optimized alone').click();
@@ -199,52 +201,58 @@ test('a limit that stops the slider is named, and so is a missing symmetry', asy
   await expect(page.getByText(/has no mirror symmetry to keep/)).toBeVisible();
 });
 
-test('seams that keep every face are named, and are crossed on request, as on the command line', async ({
-  page,
-}) => {
-  // Every triangle has a piece of the texture of its own.
-  const [vertices, faces] = ['v', 'f'].map((kind) =>
-    sheetObj(24)
-      .split('\n')
-      .filter((line) => line.startsWith(kind)),
-  );
-  const textured = faces.map((line, t) => {
-    const uv = (k: number) => `${t / faces.length + (k % 2) * 0.001} ${k > 1 ? 1 : 0}`;
-    const corners = line.split(' ').slice(1);
-    const written = corners.map((corner, k) => `${corner}/${k - corners.length}`);
-    return [...corners.map((_, k) => `vt ${uv(k)}`), `f ${written.join(' ')}`].join('\n');
-  });
-  const quilt = writeScratch('quilt.obj', [...vertices, ...textured].join('\n'));
-  await openPage(page);
-  await drop(page, quilt);
-  await expect(page.locator('.filename')).toHaveText('quilt.obj');
-  await goTo(page, 'Reduce');
-  await expect(keptFaces(page)).toBeEnabled();
-  await page.getByLabel('Kept faces, exact').fill('200');
-  await page.keyboard.press('Enter');
-  const hint = page.getByText(/Turn on “Collapse across texture seams” under More to go on\./);
-  await expect(hint).toBeVisible();
-  await page.locator('.right summary').first().click();
-  await page.getByLabel('Collapse across texture seams').check();
-  await expect.poll(async () => Number(await keptFaces(page).getAttribute('min'))).toBeLessThan(200);
-  await expect(hint).toHaveCount(0);
-  await keepFaces(page, 200);
-  const bytes = await saveGlb(page);
-  expect(Buffer.from(bytes).equals(commandLineBytes(quilt, ['--faces', '200', '--seams', 'cross']))).toBe(
-    true,
-  );
-});
+test(
+  'seams that keep every face are named, and are crossed on request, as on the command line',
+  { tag: '@full' },
+  async ({ page }) => {
+    // Every triangle has a piece of the texture of its own.
+    const [vertices, faces] = ['v', 'f'].map((kind) =>
+      sheetObj(24)
+        .split('\n')
+        .filter((line) => line.startsWith(kind)),
+    );
+    const textured = faces.map((line, t) => {
+      const uv = (k: number) => `${t / faces.length + (k % 2) * 0.001} ${k > 1 ? 1 : 0}`;
+      const corners = line.split(' ').slice(1);
+      const written = corners.map((corner, k) => `${corner}/${k - corners.length}`);
+      return [...corners.map((_, k) => `vt ${uv(k)}`), `f ${written.join(' ')}`].join('\n');
+    });
+    const quilt = writeScratch('quilt.obj', [...vertices, ...textured].join('\n'));
+    await openPage(page);
+    await drop(page, quilt);
+    await expect(page.locator('.filename')).toHaveText('quilt.obj');
+    await goTo(page, 'Reduce');
+    await expect(keptFaces(page)).toBeEnabled();
+    await page.getByLabel('Kept faces, exact').fill('200');
+    await page.keyboard.press('Enter');
+    const hint = page.getByText(/Turn on “Collapse across texture seams” under More to go on\./);
+    await expect(hint).toBeVisible();
+    await page.locator('.right summary').first().click();
+    await page.getByLabel('Collapse across texture seams').check();
+    await expect.poll(async () => Number(await keptFaces(page).getAttribute('min'))).toBeLessThan(200);
+    await expect(hint).toHaveCount(0);
+    await keepFaces(page, 200);
+    const bytes = await saveGlb(page);
+    expect(Buffer.from(bytes).equals(commandLineBytes(quilt, ['--faces', '200', '--seams', 'cross']))).toBe(
+      true,
+    );
+  },
+);
 
-test('a limit on frequency errors is respected, by the command line too', async ({ page }) => {
-  await openSheet(page);
-  await page.locator('.right summary').first().click();
-  const limit = page.getByLabel('Largest frequency error, exact');
-  await limit.fill('2');
-  await limit.press('Enter');
-  await page.getByLabel('Kept faces, exact').fill('40');
-  await page.keyboard.press('Enter');
-  await expect(page.getByText(/Stopped at [\d,]+ faces, where the first six frequencies/)).toBeVisible();
-  const bytes = await saveGlb(page);
-  const line = ['--faces', '40', '--max-frequency-error', '2'];
-  expect(Buffer.from(bytes).equals(commandLineBytes(sheet, line))).toBe(true);
-});
+test(
+  'a limit on frequency errors is respected, by the command line too',
+  { tag: '@full' },
+  async ({ page }) => {
+    await openSheet(page);
+    await page.locator('.right summary').first().click();
+    const limit = page.getByLabel('Largest frequency error, exact');
+    await limit.fill('2');
+    await limit.press('Enter');
+    await page.getByLabel('Kept faces, exact').fill('40');
+    await page.keyboard.press('Enter');
+    await expect(page.getByText(/Stopped at [\d,]+ faces, where the first six frequencies/)).toBeVisible();
+    const bytes = await saveGlb(page);
+    const line = ['--faces', '40', '--max-frequency-error', '2'];
+    expect(Buffer.from(bytes).equals(commandLineBytes(sheet, line))).toBe(true);
+  },
+);

@@ -74,39 +74,47 @@ test('eyes hide meshes, and the stage shows the chosen one alone on request', as
   expect((await shown(page)).blue).toBeGreaterThan(1000);
 });
 
-test('looks change the picture, and the animation of the file moves it', async ({ page }) => {
-  await expect.poll(async () => (await shown(page)).red).toBeGreaterThan(1000);
-  await page.getByLabel('Look').selectOption({ label: 'Clay' });
-  await expect.poll(async () => (await shown(page)).red).toBe(0);
-  await page.getByLabel('Look').selectOption({ label: 'UV checker' });
-  await page.getByLabel('Look').selectOption({ label: 'Materials' });
-  await page.getByText('View', { exact: true }).click();
-  const { left } = await shown(page);
-  await page.getByLabel('Animation').check();
-  await expect.poll(async () => Math.abs((await now(page)).left - left)).toBeGreaterThan(20);
-  await page.getByLabel('Animation').uncheck();
-  await expect.poll(async () => (await shown(page)).left).toBe(left);
-});
+test(
+  'looks change the picture, and the animation of the file moves it',
+  { tag: '@full' },
+  async ({ page }) => {
+    await expect.poll(async () => (await shown(page)).red).toBeGreaterThan(1000);
+    await page.getByLabel('Look').selectOption({ label: 'Clay' });
+    await expect.poll(async () => (await shown(page)).red).toBe(0);
+    await page.getByLabel('Look').selectOption({ label: 'UV checker' });
+    await page.getByLabel('Look').selectOption({ label: 'Materials' });
+    await page.getByText('View', { exact: true }).click();
+    const { left } = await shown(page);
+    await page.getByLabel('Animation').check();
+    await expect.poll(async () => Math.abs((await now(page)).left - left)).toBeGreaterThan(20);
+    await page.getByLabel('Animation').uncheck();
+    await expect.poll(async () => (await shown(page)).left).toBe(left);
+  },
+);
 
-test('a locked mesh keeps its faces, and the tree says what each keeps', async ({ page }) => {
-  const row = (name: string) => page.locator('.body').filter({ hasText: name });
-  await expect(row('red')).toContainText('1,280');
-  await page.getByRole('button', { name: 'Keep all faces of blue' }).click();
-  await goTo(page, 'Reduce');
-  await expect(row('blue')).toContainText('640 → 640');
-  await expect(row('red')).toContainText(/1,280 → 6[34]\d/);
-  // Both meshes rest in their materials, the result too.
-  await expect.poll(async () => (await shown(page)).blue).toBeGreaterThan(500);
-  // Closed again, for a checked box is blue, too.
-  const views = page.getByText('View', { exact: true });
-  await views.click();
-  await page.getByLabel('Swing').check();
-  await views.click();
-  await expect.poll(async () => (await now(page)).blue).toBe(0);
-  await views.click();
-  await page.getByLabel('Swing').uncheck();
-  await views.click();
-  await expect.poll(async () => (await shown(page)).blue).toBeGreaterThan(500);
-  const bytes = await saveGlb(page);
-  expect(new TextDecoder().decode(bytes.subarray(0, 4))).toBe('glTF');
-});
+test(
+  'a locked mesh keeps its faces, and the tree says what each keeps',
+  { tag: '@full' },
+  async ({ page }) => {
+    const row = (name: string) => page.locator('.body').filter({ hasText: name });
+    await expect(row('red')).toContainText('1,280');
+    await page.getByRole('button', { name: 'Keep all faces of blue' }).click();
+    await goTo(page, 'Reduce');
+    await expect(row('blue')).toContainText('640 → 640');
+    await expect(row('red')).toContainText(/1,280 → 6[34]\d/);
+    // Both meshes rest in their materials, the result too.
+    await expect.poll(async () => (await shown(page)).blue).toBeGreaterThan(500);
+    // Closed again, for a checked box is blue, too.
+    const views = page.getByText('View', { exact: true });
+    await views.click();
+    await page.getByLabel('Swing').check();
+    await views.click();
+    await expect.poll(async () => (await now(page)).blue).toBe(0);
+    await views.click();
+    await page.getByLabel('Swing').uncheck();
+    await views.click();
+    await expect.poll(async () => (await shown(page)).blue).toBeGreaterThan(500);
+    const bytes = await saveGlb(page);
+    expect(new TextDecoder().decode(bytes.subarray(0, 4))).toBe('glTF');
+  },
+);

@@ -52,7 +52,7 @@ test('a link opens the sample with all settings; a link with an error is reporte
   await expect(readout(wrong, 'Faces')).toContainText('1,792');
 });
 
-test('a link for a file of one’s own waits for that file', async ({ page }) => {
+test('a link for a file of one’s own waits for that file', { tag: '@full' }, async ({ page }) => {
   await page.goto('/#quality-weight=0.4&faces=100&file=kept.obj');
   await expect(page.getByText('This link is for kept.obj: open that file.')).toBeVisible();
   await drop(page, sheet);

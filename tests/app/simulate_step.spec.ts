@@ -62,25 +62,27 @@ test('both bodies move, and the numbers say how fast and how close they are', as
   );
 });
 
-test('Pause freezes the picture, Step takes a sixtieth of a second, Reset goes back to the start', async ({
-  page,
-}) => {
-  await openTest(page);
-  await untilTime(page, 0.2);
-  await button(page, 'Pause').click();
-  await expect(readout(page, 'Time')).toContainText('paused');
-  const time = await numberIn(page, 'Time');
-  const still = await stillCapture(page);
-  await page.waitForTimeout(300);
-  expect(await numberIn(page, 'Time')).toBe(time);
-  expect((await stillCapture(page)).equals(still)).toBe(true);
-  for (let i = 0; i < 6; i++) await button(page, 'Step').click();
-  await expect(readout(page, 'Time')).toContainText(`${(Math.round(60 * time + 6) / 60).toFixed(2)} s`);
-  await button(page, 'Reset').click();
-  await expect(readout(page, 'Time')).toContainText('0.00 s');
-});
+test(
+  'Pause freezes the picture, Step takes a sixtieth of a second, Reset goes back to the start',
+  { tag: '@full' },
+  async ({ page }) => {
+    await openTest(page);
+    await untilTime(page, 0.2);
+    await button(page, 'Pause').click();
+    await expect(readout(page, 'Time')).toContainText('paused');
+    const time = await numberIn(page, 'Time');
+    const still = await stillCapture(page);
+    await page.waitForTimeout(300);
+    expect(await numberIn(page, 'Time')).toBe(time);
+    expect((await stillCapture(page)).equals(still)).toBe(true);
+    for (let i = 0; i < 6; i++) await button(page, 'Step').click();
+    await expect(readout(page, 'Time')).toContainText(`${(Math.round(60 * time + 6) / 60).toFixed(2)} s`);
+    await button(page, 'Reset').click();
+    await expect(readout(page, 'Time')).toContainText('0.00 s');
+  },
+);
 
-test('the same steps give the same motion', async ({ page }) => {
+test('the same steps give the same motion', { tag: '@full' }, async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openTest(page);
   const names: (string | null)[] = [];
@@ -95,7 +97,7 @@ test('the same steps give the same motion', async ({ page }) => {
   expect(names[0]).toBe(names[1]);
 });
 
-test('with reduced motion the simulation starts paused', async ({ page }) => {
+test('with reduced motion the simulation starts paused', { tag: '@full' }, async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openTest(page);
   await page.waitForTimeout(500);
@@ -103,7 +105,7 @@ test('with reduced motion the simulation starts paused', async ({ page }) => {
   await expect(button(page, 'Play')).toBeVisible();
 });
 
-test('every scenario starts at rest and moves both bodies', async ({ page }) => {
+test('every scenario starts at rest and moves both bodies', { tag: '@full' }, async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openTest(page);
   // The page opens with the twist, so that comes last.
@@ -162,68 +164,80 @@ test('a check says whether the substeps are enough, and what to take where they 
   await expect(page.getByText(/away from itself/)).toHaveCount(0);
 });
 
-test('another number of substeps starts again, and fewer of them leave more stretch', async ({ page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' });
-  await openTest(page);
-  const stretchWith = async (substeps: number) => {
+test(
+  'another number of substeps starts again, and fewer of them leave more stretch',
+  { tag: '@full' },
+  async ({ page }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await openTest(page);
+    const stretchWith = async (substeps: number) => {
+      await button(page, 'Step').click();
+      const field = page.getByLabel('Substeps, exact');
+      await restart(page, async () => {
+        await field.fill(String(substeps));
+        await field.press('Enter');
+      });
+      for (let i = 0; i < 12; i++) await button(page, 'Step').click();
+      await expect(readout(page, 'Time')).toContainText('0.20 s');
+      return numberIn(page, 'Stretch');
+    };
+    const most = await stretchWith(1);
+    expect(most).toBeGreaterThan(await stretchWith(50));
+    expect(await stretchWith(1)).toBe(most);
+  },
+);
+
+test(
+  'pins of the Motion step stay where they are on both bodies, and the rest moves',
+  { tag: '@full' },
+  async ({ page }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
+    await openPage(page);
+    await goTo(page, 'Motion');
+    await button(page, 'Bottom').click();
+    await expect(page.getByText(/\d+ of 898 vertices\./)).toBeVisible();
+    await goTo(page, 'Test');
+    await expect(readout(page, 'Time')).toContainText('0.00 s');
+    const source = page.getByLabel('Held in place');
+    await expect(source).toHaveValue('pins');
     await button(page, 'Step').click();
-    const field = page.getByLabel('Substeps, exact');
-    await restart(page, async () => {
-      await field.fill(String(substeps));
-      await field.press('Enter');
-    });
-    for (let i = 0; i < 12; i++) await button(page, 'Step').click();
-    await expect(readout(page, 'Time')).toContainText('0.20 s');
-    return numberIn(page, 'Stretch');
-  };
-  const most = await stretchWith(1);
-  expect(most).toBeGreaterThan(await stretchWith(50));
-  expect(await stretchWith(1)).toBe(most);
-});
+    // By itself this scenario pins the upper end.
+    const start = await restart(page, () => scenario(page).selectOption('wind'));
+    const low = await compare(page, start, await playUntil(page, 0.5));
+    for (const side of [0, 1] as const) {
+      expect(low.pins[side]).toBeGreaterThan(MOVED_PIXELS);
+      expect(low.pinHeight[side]).toBeGreaterThan(0.5);
+      expect(low.keptPins[side]).toBeGreaterThan(0.9);
+      expect(low.changed[side]).toBeGreaterThan(MOVED_PIXELS);
+    }
+    const startAtCorners = await restart(page, () => source.selectOption('corners'));
+    const corners = await compare(page, startAtCorners, await playUntil(page, 0.5));
+    for (const side of [0, 1] as const) {
+      expect(corners.pinHeight[side]).toBeLessThan(0.5);
+      expect(corners.keptPins[side]).toBeGreaterThan(0.9);
+      expect(corners.changed[side]).toBeGreaterThan(MOVED_PIXELS);
+    }
+  },
+);
 
-test('pins of the Motion step stay where they are on both bodies, and the rest moves', async ({ page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: 'light' });
-  await openPage(page);
-  await goTo(page, 'Motion');
-  await button(page, 'Bottom').click();
-  await expect(page.getByText(/\d+ of 898 vertices\./)).toBeVisible();
-  await goTo(page, 'Test');
-  await expect(readout(page, 'Time')).toContainText('0.00 s');
-  const source = page.getByLabel('Held in place');
-  await expect(source).toHaveValue('pins');
-  await button(page, 'Step').click();
-  // By itself this scenario pins the upper end.
-  const start = await restart(page, () => scenario(page).selectOption('wind'));
-  const low = await compare(page, start, await playUntil(page, 0.5));
-  for (const side of [0, 1] as const) {
-    expect(low.pins[side]).toBeGreaterThan(MOVED_PIXELS);
-    expect(low.pinHeight[side]).toBeGreaterThan(0.5);
-    expect(low.keptPins[side]).toBeGreaterThan(0.9);
-    expect(low.changed[side]).toBeGreaterThan(MOVED_PIXELS);
-  }
-  const startAtCorners = await restart(page, () => source.selectOption('corners'));
-  const corners = await compare(page, startAtCorners, await playUntil(page, 0.5));
-  for (const side of [0, 1] as const) {
-    expect(corners.pinHeight[side]).toBeLessThan(0.5);
-    expect(corners.keptPins[side]).toBeGreaterThan(0.9);
-    expect(corners.changed[side]).toBeGreaterThan(MOVED_PIXELS);
-  }
-});
-
-test('the text of what both bodies can touch is checked, and calibration starts again', async ({ page }) => {
-  await openTest(page);
-  await page.getByText('More', { exact: true }).click();
-  const field = page.getByLabel('Can touch');
-  await field.fill('ball:0,0');
-  await field.press('Enter');
-  await expect(page.getByRole('alert')).toContainText('This has "ball:0,0": give');
-  await field.fill('ground: -1 + ball: 0,0,0, 0.2');
-  await field.press('Enter');
-  await expect(page.getByRole('alert')).toHaveCount(0);
-  await expect(field).toHaveValue('ground:-1+ball:0,0,0,0.2');
-  await page.getByLabel('Calibrated').check();
-  await untilTime(page, 0.2);
-});
+test(
+  'the text of what both bodies can touch is checked, and calibration starts again',
+  { tag: '@full' },
+  async ({ page }) => {
+    await openTest(page);
+    await page.getByText('More', { exact: true }).click();
+    const field = page.getByLabel('Can touch');
+    await field.fill('ball:0,0');
+    await field.press('Enter');
+    await expect(page.getByRole('alert')).toContainText('This has "ball:0,0": give');
+    await field.fill('ground: -1 + ball: 0,0,0, 0.2');
+    await field.press('Enter');
+    await expect(page.getByRole('alert')).toHaveCount(0);
+    await expect(field).toHaveValue('ground:-1+ball:0,0,0,0.2');
+    await page.getByLabel('Calibrated').check();
+    await untilTime(page, 0.2);
+  },
+);
 
 test('the pointer pulls at both bodies and releases them', async ({ page }) => {
   await openTest(page);
@@ -247,7 +261,7 @@ test('the pointer pulls at both bodies and releases them', async ({ page }) => {
   await expect(page.locator('.viewport canvas')).not.toHaveClass(/dragging/);
 });
 
-test('a drag beside the bodies turns the view of both', async ({ page }) => {
+test('a drag beside the bodies turns the view of both', { tag: '@full' }, async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openTest(page);
   await page.waitForTimeout(500);
@@ -261,30 +275,34 @@ test('a drag beside the bodies turns the view of both', async ({ page }) => {
   expect(await picture(page)).not.toEqual(before);
 });
 
-test('a body that is pulled far away diverges, stops, is outlined, and a sentence says what helps', async ({
-  page,
-}) => {
-  await openTest(page);
-  await scenario(page).selectOption('sway');
-  await untilTime(page, 0.1);
-  const box = (await page.locator('.viewport canvas').boundingBox())!;
-  const [x, y] = [box.x + box.width / 4, box.y + box.height / 2];
-  await page.mouse.move(x, y);
-  // The view is so far away that the page is many times as wide as the body.
-  for (let i = 0; i < 12; i++) await page.mouse.wheel(0, 240);
-  await page.waitForTimeout(500);
-  await page.mouse.down();
-  await page.mouse.move(1270, y, { steps: 4 });
-  await expect(page.getByRole('alert')).toContainText(/diverged at [\d.]+ s: raise the substeps \(now 20\)/);
-  await page.mouse.up();
-  await expect(page.locator('.diverged')).not.toHaveCount(0);
-  await expect(button(page, 'Play')).toBeDisabled();
-  await button(page, 'Reset').click();
-  await expect(page.getByRole('alert')).toHaveCount(0);
-  await expect(button(page, 'Play')).toBeEnabled();
-});
+test(
+  'a body that is pulled far away diverges, stops, is outlined, and a sentence says what helps',
+  { tag: '@full' },
+  async ({ page }) => {
+    await openTest(page);
+    await scenario(page).selectOption('sway');
+    await untilTime(page, 0.1);
+    const box = (await page.locator('.viewport canvas').boundingBox())!;
+    const [x, y] = [box.x + box.width / 4, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    // The view is so far away that the page is many times as wide as the body.
+    for (let i = 0; i < 12; i++) await page.mouse.wheel(0, 240);
+    await page.waitForTimeout(500);
+    await page.mouse.down();
+    await page.mouse.move(1270, y, { steps: 4 });
+    await expect(page.getByRole('alert')).toContainText(
+      /diverged at [\d.]+ s: raise the substeps \(now 20\)/,
+    );
+    await page.mouse.up();
+    await expect(page.locator('.diverged')).not.toHaveCount(0);
+    await expect(button(page, 'Play')).toBeDisabled();
+    await button(page, 'Reset').click();
+    await expect(page.getByRole('alert')).toHaveCount(0);
+    await expect(button(page, 'Play')).toBeEnabled();
+  },
+);
 
-test('the bodies can be overlaid, driven and coloured by deviation', async ({ page }) => {
+test('the bodies can be overlaid, driven and coloured by deviation', { tag: '@full' }, async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await openTest(page);
   for (let i = 0; i < 5; i++) await button(page, 'Step').click();
@@ -306,20 +324,22 @@ test('the bodies can be overlaid, driven and coloured by deviation', async ({ pa
   await isNew();
 });
 
-test('another step ends the worker and frees its memory, and the way back starts it again', async ({
-  page,
-}) => {
-  await openTest(page);
-  await untilTime(page, 0.1);
-  const simulates = () => page.workers().filter((worker) => worker.url().includes('simulation')).length;
-  expect(simulates()).toBe(1);
-  await goTo(page, 'Reduce');
-  await expect.poll(simulates).toBe(0);
-  await goTo(page, 'Test');
-  await untilTime(page, 0.1);
-});
+test(
+  'another step ends the worker and frees its memory, and the way back starts it again',
+  { tag: '@full' },
+  async ({ page }) => {
+    await openTest(page);
+    await untilTime(page, 0.1);
+    const simulates = () => page.workers().filter((worker) => worker.url().includes('simulation')).length;
+    expect(simulates()).toBe(1);
+    await goTo(page, 'Reduce');
+    await expect.poll(simulates).toBe(0);
+    await goTo(page, 'Test');
+    await untilTime(page, 0.1);
+  },
+);
 
-test('the simulation works on one thread, without shared memory', async ({ page }) => {
+test('the simulation works on one thread, without shared memory', { tag: '@full' }, async ({ page }) => {
   await openTest(page, `${PLAIN}?sample=bar`);
   await untilTime(page, 0.2);
   await expect(readout(page, 'Speed-up')).toContainText(/^x\d/);
@@ -347,7 +367,7 @@ test('the step works with the keyboard alone', async ({ page }) => {
   await untilTime(page, 0.1);
 });
 
-test('a narrow screen shows the step in one column', async ({ browser, baseURL }) => {
+test('a narrow screen shows the step in one column', { tag: '@full' }, async ({ browser, baseURL }) => {
   const context = await browser.newContext({
     baseURL,
     viewport: { width: 390, height: 844 },
@@ -362,21 +382,22 @@ test('a narrow screen shows the step in one column', async ({ browser, baseURL }
 });
 
 for (const colorScheme of ['light', 'dark'] as const)
-  test(`the step passes axe with everything open in the ${colorScheme} scheme`, async ({
-    browser,
-    baseURL,
-  }) => {
-    const context = await browser.newContext({ baseURL, colorScheme, reducedMotion: 'reduce' });
-    const page = await context.newPage();
-    await openTest(page);
-    for (let i = 0; i < 3; i++) await button(page, 'Step').click();
-    await button(page, 'Deviation').click();
-    await button(page, 'Overlaid').click();
-    await page.getByText('More', { exact: true }).click();
-    await expect(page.locator('.notice.busy')).toHaveCount(0);
-    const { violations } = await new AxeBuilder({ page }).analyze();
-    expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`)).toEqual(
-      [],
-    );
-    await context.close();
-  });
+  test(
+    `the step passes axe with everything open in the ${colorScheme} scheme`,
+    { tag: colorScheme === 'dark' ? '@full' : [] },
+    async ({ browser, baseURL }) => {
+      const context = await browser.newContext({ baseURL, colorScheme, reducedMotion: 'reduce' });
+      const page = await context.newPage();
+      await openTest(page);
+      for (let i = 0; i < 3; i++) await button(page, 'Step').click();
+      await button(page, 'Deviation').click();
+      await button(page, 'Overlaid').click();
+      await page.getByText('More', { exact: true }).click();
+      await expect(page.locator('.notice.busy')).toHaveCount(0);
+      const { violations } = await new AxeBuilder({ page }).analyze();
+      expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join(' ')}`)).toEqual(
+        [],
+      );
+      await context.close();
+    },
+  );
