@@ -40,3 +40,14 @@ declare module '*/docs/architecture-picture.mjs' {
 declare module '*/docs/third-party.mjs' {
   export function thirdParty(): Promise<string>;
 }
+declare module '*/bench/registry.mjs' {
+  export const BENCHES: { name: string; script: string; document: string | null }[];
+}
+declare module '*/bench/tables.mjs' {
+  export function rowsOf(text: string): string[][];
+  export function numberOf(cell: string): number;
+  export function compareRows(
+    before: string[][],
+    now: string[][],
+  ): { row: string; column: number; before: number; now: number; ratio: number }[];
+}
