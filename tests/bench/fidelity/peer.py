@@ -7,6 +7,7 @@ import json
 import sys
 import time
 from importlib.metadata import version
+from pathlib import Path
 
 import numpy
 
@@ -46,15 +47,29 @@ def run_fast_simplification(positions, triangles, faces):
     return *result, time.perf_counter() - started
 
 
+def run_literature(name, positions, triangles, faces):
+    """A method of tests/bench/literature."""
+    sys.path.insert(0, str(Path(__file__).parent.parent / "literature"))
+    method = __import__(name)
+    started = time.perf_counter()
+    result = method.simplify(positions, triangles, faces)
+    return *result, time.perf_counter() - started
+
+
+LITERATURE = {"Lescoat 2020": "spectral", "Dunyach 2013": "remeshing"}
+
+
 def main():
     peer, source, faces, target = sys.argv[1:]
     positions, triangles = read_mesh(source)
     if peer == "pymeshlab":
         result = run_pymeshlab(positions, triangles, int(faces), preservetopology=True, preserveboundary=True)
+    elif peer in LITERATURE:
+        result = run_literature(LITERATURE[peer], positions, triangles, int(faces))
     else:
         result = run_fast_simplification(positions, triangles, int(faces))
     write_mesh(target, *result[:2])
-    print(json.dumps({"seconds": result[2], "version": version(peer)}))
+    print(json.dumps({"seconds": result[2], "version": version("scipy" if peer in LITERATURE else peer)}))
 
 
 main()

@@ -1,6 +1,8 @@
-// Peers from Python: pymeshlab and fast-simplification, installed into build/bench/python if they are missing.
+// Peers from Python: pymeshlab and fast-simplification, installed into build/bench/python if they are missing, and the two methods of
+// tests/bench/literature, which need SciPy.
 
 import { execFileSync, spawnSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { writeMesh } from '../bench_meshes.mjs';
@@ -49,19 +51,29 @@ function runPeer(python, name, { prepared }, faces) {
   return { mesh: readMesh(target), seconds };
 }
 
+/** The source of a method of the literature as a hash, so that results follow its changes. */
+function versionOfSource(name) {
+  const folder = join(import.meta.dirname, '..', 'literature');
+  const hash = createHash('sha256');
+  for (const file of [name, 'surface', 'laplacian']) hash.update(readFileSync(join(folder, `${file}.py`)));
+  return hash.digest('hex').slice(0, 8);
+}
+
 /** Methods for the installed packages; the others are pushed to `missing`. */
 export function pythonPeers(missing) {
-  const settings = {
-    pymeshlab: 'quadric edge collapse, topology and boundary preserved',
-    'fast-simplification': 'defaults',
-  };
-  return Object.keys(settings).flatMap((name) => {
-    const python = findPython(name);
+  const peers = [
+    ['pymeshlab', 'pymeshlab', 'quadric edge collapse, topology and boundary preserved'],
+    ['fast-simplification', 'fast-simplification', 'defaults'],
+    ['Lescoat 2020', 'scipy', `60 eigenvectors, ${versionOfSource('spectral')}`],
+    ['Dunyach 2013', 'scipy', `six rounds, ${versionOfSource('remeshing')}`],
+  ];
+  return peers.flatMap(([name, needed, settings]) => {
+    const python = findPython(needed);
     if (!python) {
-      missing.push(`${name} (python3 -m pip install ${name})`);
+      missing.push(`${name} (python3 -m pip install ${needed})`);
       return [];
     }
-    const version = `${name} ${versionOf(python, name)}, ${settings[name]}`;
+    const version = `${name}, ${needed} ${versionOf(python, needed)}, ${settings}`;
     return [{ name, version, run: (mesh, faces) => runPeer(python, name, mesh, faces) }];
   });
 }
