@@ -86,6 +86,16 @@ export const BENCHES = [
     write: ['--write'],
   },
   {
+    name: 'evidence',
+    measures: 'errors at equal faces and faces at equal errors, by method',
+    script: 'tests/bench/evidence.mjs',
+    document: 'docs/evidence.md',
+    peers: 'meshoptimizer, pymeshlab, fast-simplification, Lescoat 2020, Dunyach 2013',
+    words: [],
+    quick: ['--meshes', 'ribbon', '--ratios', '.5,.25'],
+    write: ['--write'],
+  },
+  {
     name: 'outline',
     measures: 'outlines and corners of sheets',
     script: 'tests/bench/outline.mjs',

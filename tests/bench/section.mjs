@@ -1,4 +1,4 @@
-// Shared by the benchmarks of docs/benchmarks.md: tables, and writing them into the document.
+// Shared by benchmarks: tables, and writing them into docs/benchmarks.md or another document.
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
@@ -6,7 +6,7 @@ import { dirname, join, resolve } from 'node:path';
 import { format, resolveConfig } from 'prettier';
 import { wrapProse } from './prose.mjs';
 
-const path = join(resolve(import.meta.dirname, '..', '..'), 'docs', 'benchmarks.md');
+const documents = join(resolve(import.meta.dirname, '..', '..'), 'docs');
 
 const row = (cells) => `| ${cells.join(' | ')} |`;
 export const table = (header, rows) =>
@@ -19,9 +19,10 @@ export function tellMissing(missing) {
 
 /**
  * Replaces the text between the markers of a benchmark, or appends it if there are no markers. `name` is that of the
- * markers and the script; `remark` is a sentence on how it was measured.
+ * markers and the script; `remark` is a sentence on how it was measured; `document` is a file of docs.
  */
-export async function writeSection({ name, title, remark, missing, sections }) {
+export async function writeSection({ name, title, remark, missing, sections, document = 'benchmarks.md' }) {
+  const path = join(documents, document);
   const [begin, end] = [`<!-- ${name}: begin -->`, `<!-- ${name}: end -->`];
   const introduction = [
     `Written by \`node tests/bench/${name}.mjs --write\` on ${cpus().length} x ${cpus()[0].model.trim()}, Node ${process.versions.node}.`,
@@ -34,5 +35,5 @@ export async function writeSection({ name, title, remark, missing, sections }) {
   const after = `${before.split(begin)[0]}${content}${before.split(end)[1]}`;
   mkdirSync(dirname(path), { recursive: true });
   writeFileSync(path, await format(after, { ...(await resolveConfig(path)), filepath: path }));
-  console.log('wrote docs/benchmarks.md');
+  console.log(`wrote docs/${document}`);
 }

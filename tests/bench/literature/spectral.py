@@ -16,6 +16,16 @@ from laplacian import applied, areas, laplacian
 from surface import Surface
 
 
+def accumulated(rows, positions, values):
+    """Sums of L f and masses that triangles, rows of corners, add to their vertices."""
+    sums, masses = numpy.zeros_like(values), numpy.zeros(len(values))
+    if len(rows):
+        corners = positions[rows]
+        numpy.add.at(sums, rows, applied(corners, values[rows]))
+        numpy.add.at(masses, rows, areas(corners)[:, None].repeat(3, 1) / 3)
+    return sums, masses
+
+
 def eigenvectors(positions, triangles, count):
     """The first `count` eigenvectors of L f = lambda M f as columns, and their eigenvalues."""
     matrix, masses = laplacian(positions, triangles)
@@ -43,40 +53,38 @@ class SpectralMesh(Surface):
         used = [v for v, around in enumerate(self.around) if around]
         return self.terms(self.wanted[used], self.sums[used], self.masses[used]).sum()
 
-    def accumulated(self, triangles, place, positions, values):
-        """Sums and masses that triangles add, at the rows that `place` gives to their vertices."""
-        rows = numpy.array([[place[v] for v in t] for t in triangles], int).reshape(-1, 3)
-        sums, masses = numpy.zeros_like(values), numpy.zeros(len(values))
-        corners = positions[rows]
-        numpy.add.at(sums, rows, applied(corners, values[rows]))
-        numpy.add.at(masses, rows, areas(corners)[:, None].repeat(3, 1) / 3)
-        return sums, masses
-
-    def collapsed(self, u, v, share):
-        """The state of the one-ring after a collapse at (1 - share) u + share v: vertices (u first), values, wanted, sums, masses."""
-        star = self.around[u] | self.around[v]
-        vertices = [u, v, *sorted((self.neighbours(u) | self.neighbours(v)) - {u, v})]
+    def star(self, u, v):
+        """What a collapse of an edge changes, without the collapse: u and v are the first rows."""
+        triangles = self.around[u] | self.around[v]
+        shared = self.shared(u, v)
+        vertices = [u, v, *sorted({w for i in triangles for w in self.triangles[i]} - {u, v})]
         place = {w: i for i, w in enumerate(vertices)}
+        rows = {i: [place[w] for w in self.triangles[i]] for i in triangles}
         positions = numpy.array([self.positions[w] for w in vertices])
-        values, wanted = self.values[vertices], self.wanted[vertices].copy()
-        old = self.accumulated([self.triangles[i] for i in star], place, positions, values)
-        sums, masses = self.sums[vertices] - old[0], self.masses[vertices] - old[1]
-        values, positions = values.copy(), positions.copy()
+        values, wanted = self.values[vertices], self.wanted[vertices]
+        old = accumulated(numpy.array(list(rows.values())), positions, values)
+        kept = numpy.array([row for i, row in rows.items() if i not in shared], int).reshape(-1, 3)
+        kept[kept == 1] = 0
+        before = self.terms(wanted, self.sums[vertices], self.masses[vertices]).sum()
+        rest = self.sums[vertices] - old[0], self.masses[vertices] - old[1]
+        return vertices, kept, positions, values, wanted, rest, before
+
+    def state(self, star, share):
+        """Values, wanted, sums and masses after a collapse at (1 - share) u + share v, of u and the ring."""
+        _, kept, positions, values, wanted, rest, _ = star
+        positions, values, wanted = positions.copy(), values.copy(), wanted.copy()
         for rows in (values, wanted, positions):
             rows[0] = (1 - share) * rows[0] + share * rows[1]
-        kept = [tuple(u if w == v else w for w in self.triangles[i]) for i in star - self.shared(u, v)]
-        new = self.accumulated(kept, place, positions, values)
-        keep = [i for i in range(len(vertices)) if i != 1]
-        state = [rows[keep] for rows in (values, wanted, sums + new[0], masses + new[1])]
-        state[2][0], state[3][0] = new[0][0], new[1][0]
-        return vertices, [vertices[i] for i in keep], state
+        new = accumulated(kept, positions, values)
+        sums, masses = rest[0] + new[0], rest[1] + new[1]
+        sums[0], masses[0] = new[0][0], new[1][0]
+        return tuple(numpy.delete(rows, 1, 0) for rows in (values, wanted, sums, masses))
 
-    def cost_at(self, u, v, share):
-        before, _, (_, wanted, sums, masses) = self.collapsed(u, v, share)
+    def cost_at(self, star, share):
+        _, wanted, sums, masses = self.state(star, share)
         if masses.min() <= 1e-9 * masses.max():
             return numpy.inf
-        old = self.terms(self.wanted[before], self.sums[before], self.masses[before]).sum()
-        return self.terms(wanted, sums, masses).sum() - old
+        return self.terms(wanted, sums, masses).sum() - star[-1]
 
     def shares(self, u, v):
         """Where the new vertex may lie: anywhere, or at the only end on a border."""
@@ -87,15 +95,19 @@ class SpectralMesh(Surface):
 
     def best(self, u, v):
         """(cost, share); the cost is infinite where the edge cannot be collapsed."""
-        found = [(self.cost_at(u, v, share), share) for share in self.shares(u, v)]
+        shares = [share for share in self.shares(u, v) if self.can_collapse(u, v, self.point(u, v, share))]
+        if not shares:
+            return numpy.inf, 0.0
+        star = self.star(u, v)
+        found = [(self.cost_at(star, share), share) for share in shares]
         if len(found) == 3 and all(numpy.isfinite(cost) for cost, _ in found):
             (a, _), (b, _), (c, _) = found
             bend = a - 2 * b + c
             if bend > 0:
                 share = float(numpy.clip(0.5 + (a - c) / (4 * bend), 0, 1))
-                found.append((self.cost_at(u, v, share), share))
-        allowed = [(cost, share) for cost, share in found if self.can_collapse(u, v, self.point(u, v, share))]
-        return min(allowed, default=(numpy.inf, 0.0))
+                if self.can_collapse(u, v, self.point(u, v, share)):
+                    found.append((self.cost_at(star, share), share))
+        return min(found)
 
     def point(self, u, v, share):
         return (1 - share) * self.positions[u] + share * self.positions[v]
@@ -104,7 +116,9 @@ class SpectralMesh(Surface):
         return int(self.version[list(self.neighbours(u) | self.neighbours(v))].sum())
 
     def take(self, u, v, share):
-        _, vertices, (values, wanted, sums, masses) = self.collapsed(u, v, share)
+        star = self.star(u, v)
+        vertices = [w for w in star[0] if w != v]
+        values, wanted, sums, masses = self.state(star, share)
         self.collapse(u, v, self.point(u, v, share))
         self.values[vertices], self.wanted[vertices] = values, wanted
         self.sums[vertices], self.masses[vertices] = sums, masses

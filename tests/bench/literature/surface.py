@@ -7,8 +7,9 @@ LEAST_TURN = 0.2
 
 
 def normal(a, b, c):
-    """Twice the vector area of a triangle."""
-    return numpy.cross(b - a, c - a)
+    """Twice the vector area of a triangle. (numpy.cross takes twenty times as long for single vectors.)"""
+    (ux, uy, uz), (vx, vy, vz) = (b - a).tolist(), (c - a).tolist()
+    return numpy.array((uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx))
 
 
 class Surface:

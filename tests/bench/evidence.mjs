@@ -1,0 +1,107 @@
+// Errors at equal numbers of faces, and faces at equal errors, by method: writes the tables of docs/evidence.md.
+// Usage: npm run build && node tests/bench/evidence.mjs [--write] [--meshes a,b] [--methods a,b] [--ratios .9,.5]
+// Peers and meshes that are absent are left out and listed; results are kept in build/bench, so that a second run is short.
+
+import { parseArgs } from 'node:util';
+import { loadEngine } from './fidelity/load_engine.mjs';
+import { loadMeshes } from './fidelity/meshes.mjs';
+import { ourMethods, peerMethods } from './fidelity/methods.mjs';
+import { runCases } from './fidelity/run_cases.mjs';
+import { table, tellMissing, writeSection } from './section.mjs';
+
+const { values: options } = parseArgs({
+  options: {
+    write: { type: 'boolean', default: false },
+    meshes: { type: 'string', default: 'spot,torus,cloth grid,ribbon' },
+    methods: { type: 'string' },
+    ratios: { type: 'string', default: '.9,.5,.25,.1,.05' },
+  },
+});
+const missing = [];
+const ratios = options.ratios.split(',').map(Number);
+const loaded = await loadEngine();
+const meshes = loadMeshes(loaded, { names: options.meshes.split(','), missing });
+const wanted = options.methods?.split(',');
+const all = [...ourMethods(loaded), ...(await peerMethods(loaded, missing))];
+const methods = all.filter(({ name }) => !wanted || wanted.includes(name));
+const cases = runCases(loaded, { meshes, methods, ratios });
+
+const MEASURES = [
+  { title: 'Mean distance, % of the diagonal', of: (one) => one.meanDistance, levels: [0.05, 0.1, 0.2] },
+  {
+    title: 'Mean frequency error of modes 1 to 10 as shells, %',
+    of: (one) => one.frequencyErrorMean,
+    levels: [1, 2, 5],
+  },
+];
+
+const geometricMean = (values) =>
+  Math.exp(values.reduce((sum, value) => sum + Math.log(Math.max(value, 1e-6)), 0) / values.length);
+const shown = (value) => (value === null ? '-' : String(Number(value.toPrecision(2))));
+
+/** The geometric mean over the meshes; null where a result has more faces than asked for by over 2 %, or none. */
+function meanOf(method, ratio, of) {
+  const own = cases.filter((one) => one.method === method.name && one.ratio === ratio);
+  const isWhole = own.every((one) => one.faces <= 1.02 * one.targetFaces + 2 && Number.isFinite(of(one)));
+  return isWhole && own.length === meshes.length ? geometricMean(own.map(of)) : null;
+}
+
+/** The share of the faces at which an error is reached, by interpolation of logarithms; words where it is out of range. */
+function shareAt(points, level) {
+  const known = points.filter(({ error }) => error !== null).sort((a, b) => b.ratio - a.ratio);
+  if (known.length === 0) return '-';
+  if (known[0].error > level) return `> ${shown(100 * known[0].ratio)} %`;
+  for (let i = 1; i < known.length; ++i) {
+    const [a, b] = [known[i - 1], known[i]];
+    if (b.error < level) continue;
+    const t = Math.log(level / a.error) / Math.log(b.error / a.error);
+    return `${shown(100 * a.ratio * (b.ratio / a.ratio) ** t)} %`;
+  }
+  return `< ${shown(100 * known.at(-1).ratio)} %`;
+}
+
+const sections = MEASURES.flatMap(({ title, of, levels }) => {
+  const rows = methods.map((method) => ({
+    name: method.name,
+    points: ratios.map((ratio) => ({ ratio, error: meanOf(method, ratio, of) })),
+  }));
+  return [
+    `### ${title}`,
+    table(
+      ['method', ...ratios.map((ratio) => `at ${100 * ratio} % of the faces`)],
+      rows.map(({ name, points }) => [name, ...points.map(({ error }) => shown(error))]),
+    ),
+    'The same, the other way round: the share of the faces at which the error is reached.',
+    table(
+      ['method', ...levels.map((level) => `${level} %`)],
+      rows.map(({ name, points }) => [name, ...levels.map((level) => shareAt(points, level))]),
+    ),
+  ];
+});
+
+const topology = methods.map(({ name }) => {
+  const own = cases.filter(({ method }) => method === name);
+  const lost = own.filter(({ topologyKept }) => !topologyKept).length;
+  return [
+    name,
+    `${lost} of ${own.length}`,
+    shown(own.reduce((sum, { seconds }) => sum + seconds, 0) / own.length),
+  ];
+});
+sections.push(
+  '### Topology and time',
+  table(['method', 'results whose topology differs', 'mean time, s'], topology),
+);
+
+console.log(sections.join('\n\n'));
+tellMissing(missing);
+if (options.write)
+  await writeSection({
+    name: 'evidence',
+    title: 'Equal faces, equal errors',
+    document: 'evidence.md',
+    remark: `Geometric means over ${meshes.map(({ name, faces }) => `${name} (${faces} faces)`).join(', ')}. A dash: a result has more faces than asked for, or none can be measured.`,
+    missing,
+    sections,
+  });
+process.exit(0); // the core's threads would keep Node alive
