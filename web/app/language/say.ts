@@ -32,6 +32,10 @@ export const listed = (words: readonly string[]): string => {
   return words.length < 2 ? words.join('') : `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`;
 };
 
+/** Several things as a sentence: "a, b." */
+export const enumerated = (words: readonly string[]): string =>
+  shown.value.language === 'en' ? `${words.join(', ')}.` : `${words.join('、')}。`;
+
 interface Pattern {
   form: RegExp;
   names: string[];

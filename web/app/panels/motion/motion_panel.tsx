@@ -10,7 +10,7 @@ import { count } from '../../controls/numbers';
 import { SettingControls } from '../../controls/setting_controls';
 import { MaterialSelect } from './material_section';
 import { PinsSection } from './pins_section';
-import { say, sayCounted, sentence } from '../../language/say';
+import { enumerated, say, sayCounted, sentence } from '../../language/say';
 
 const MODELS: { value: Settings['model']; text: string; title: string }[] = [
   {
@@ -140,7 +140,7 @@ function SolveNotes() {
   );
   const models =
     wants.settings.value.model === 'auto'
-      ? `${describeModels(modes.components).split(', ').map(sentence).join(', ')}. `
+      ? enumerated(describeModels(modes.components).split(', ').map(sentence))
       : '';
   const isSound = expected === found && residuals.length === 0;
   const told = `${[rigid, ...residuals.map(sentence)].join('; ')}.`;
@@ -154,8 +154,7 @@ function SolveNotes() {
         </details>
       ) : (
         <p class="hint warning">
-          {models}
-          {told}
+          {models} {told}
         </p>
       )}
       {coarseVertices > 0 && (
