@@ -82,8 +82,8 @@ describe('the core', () => {
       );
       return [...body.matchAll(/^ {2}(\w+)\(/gm)].map(([, name]) => name);
     });
-    const { threads, job, peakHeapBytes, ...offered } = await loadTestCore(1);
-    expect([threads, job, typeof peakHeapBytes]).toEqual([1, null, 'function']);
+    const { threads, job, peakHeapBytes, heapLimit, ...offered } = await loadTestCore(1);
+    expect([threads, job, typeof peakHeapBytes, heapLimit]).toEqual([1, null, 'function', 2 ** 32]);
     expect(Object.keys(offered).sort()).toEqual(named.sort());
   });
 
