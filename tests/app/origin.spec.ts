@@ -47,7 +47,7 @@ test('no request leaves the origin with a queue, in any format of the export', a
   await page.goto('/');
   await drop(page, ...[8, 10].map((size, i) => writeScratch(`queued-${i}.obj`, sheetObj(size))));
   await button('Optimize all 2').click();
-  await expect(page.locator('.queue')).toContainText('2 done.');
+  await expect(page.locator('.queue')).toContainText('2 done');
   await save('Save the queue as .zip');
   await button('Close the queue').click();
   await goTo(page, 'Reduce');
