@@ -39,6 +39,7 @@ const TOOLS = {
   'typescript-eslint': 'lint',
   vite: 'bundling',
   vitest: 'tests',
+  '@vitest/coverage-v8': 'coverage of tests',
 };
 
 const table = (head, rows) =>

@@ -37,3 +37,39 @@ test('no request of page and workers leaves the origin in any step', async ({ pa
     [],
   );
 });
+
+test('no request leaves the origin with a queue, in any format of the export', async ({ page, context }) => {
+  const asked = new Set<string>();
+  context.on('request', (request) => asked.add(new URL(request.url()).origin));
+  context.on('page', (other) => asked.add(`a window at ${other.url()}`));
+  const button = (name: string) => page.getByRole('button', { name, exact: true });
+  const save = (name: string) => Promise.all([page.waitForEvent('download'), button(name).click()]);
+  await page.goto('/');
+  await drop(page, ...[8, 10].map((size, i) => writeScratch(`queued-${i}.obj`, sheetObj(size))));
+  await button('Optimize all 2').click();
+  await expect(page.locator('.queue')).toContainText('2 done');
+  await save('Save the queue as .zip');
+  await button('Close the queue').click();
+  await goTo(page, 'Reduce');
+  await button('Export').click();
+  for (const [format, ending] of [
+    ['ply', '.ply'],
+    ['obj.zip', '.obj.zip'],
+    ['gltf.zip', '.gltf.zip'],
+  ]) {
+    await page.getByLabel('Format').selectOption(format);
+    await expect(button(`Save ${ending}`)).toBeEnabled();
+    await save(`Save ${ending}`);
+  }
+  await page.getByLabel('Format').selectOption('auto');
+  for (const compression of ['meshopt', 'draco']) {
+    await page.getByLabel('Compression').selectOption(compression);
+    await expect(page.locator('code.command')).toContainText(`--compress ${compression}`);
+    await expect(button('Save .glb')).toBeEnabled();
+    await save('Save .glb');
+  }
+  expect(asked.size).toBeGreaterThan(0);
+  expect([...asked].filter((origin) => origin !== new URL(page.url()).origin && origin !== 'null')).toEqual(
+    [],
+  );
+});

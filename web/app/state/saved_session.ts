@@ -4,19 +4,11 @@ import { effect } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { readLink, writeLink } from './link';
 import type { Wanted } from './link';
+import { readSaved } from './saved_text';
+import type { Saved } from './saved_text';
 import { chooseField, results, shownField, view, wants } from './store';
-import type { FieldName, Layout, Step } from './store';
 import { liveTabs, ownTab } from './tabs';
 import { readUndo, restoreUndo } from './undo';
-import type { UndoText } from './undo';
-
-interface Saved {
-  link: string;
-  step: Step;
-  layout: Layout;
-  field: FieldName;
-  undo: UndoText;
-}
 
 interface SavedFiles {
   /** names the tab */
@@ -123,7 +115,7 @@ async function sessionOf(id: string): Promise<Session | null> {
   const text = localStorage.getItem(SETTINGS_PREFIX + id);
   if (text === null) return null;
   try {
-    const { link, step, layout, field, undo } = JSON.parse(text) as Saved;
+    const { link, step, layout, field, undo } = readSaved(text);
     const wanted = readLink(link);
     const keys = await withStore('readonly', allKeys);
     const key = keys.find((one) => one[1] === id);

@@ -4,7 +4,15 @@ import type { Document, GLTF, JSONDocument } from '@gltf-transform/core';
 import { bodiesOfDocument } from './bodies';
 import { addCompanions, companionPaths, describeMissing } from './checks/companions';
 import { glbParts, describeFirstVersion, isGlb } from './glb';
-import { checkBounds, findWrongList, GLB_BUFFER, mostCorners, sizeOf } from './checks/gltf_bounds';
+import { checkDraco } from './checks/draco_bounds';
+import {
+  checkBounds,
+  findWrongList,
+  GLB_BUFFER,
+  mostCorners,
+  mostElements,
+  sizeOf,
+} from './checks/gltf_bounds';
 import { canBeCarried, foreignOf } from './extensions/foreign';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
 import { counted } from '../core/words';
@@ -152,6 +160,7 @@ async function readDocument(file: SourceFile, jsonDocument: JSONDocument, size: 
     new Error(`${file.name} is not a valid glTF file (${reason}): check it with the glTF validator.`);
   try {
     checkBounds(jsonDocument, size);
+    checkDraco(jsonDocument, mostElements(size));
   } catch (error) {
     throw refuse((error as Error).message);
   }

@@ -56,7 +56,8 @@ const CORNERS_PER_BYTE = 16;
 /** The most vertices, and the most corners, that all bodies of a file of `size` bytes may have. */
 export const mostCorners = (size: number): number => CORNERS_PER_BYTE * size + ALWAYS;
 
-const mostElements = (size: number): number => PER_BYTE * size + ALWAYS;
+/** The most elements without data of their own, and the most faces of Draco's, that a file of `size` bytes may have. */
+export const mostElements = (size: number): number => PER_BYTE * size + ALWAYS;
 
 /** The bytes of the JSON and of all buffers; data addresses are part of the JSON. */
 export function sizeOf(jsonBytes: number, { resources }: JSONDocument): number {

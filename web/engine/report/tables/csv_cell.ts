@@ -1,9 +1,12 @@
 /** One cell of a CSV file, RFC 4180. */
 
+/** What a formula starts with; spreadsheets for Japanese take its wide forms, too. */
+const FORMULA = /^[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]/;
+
 /** Spreadsheets take texts that start like formulas for formulas, and run them: an apostrophe in front keeps them texts. */
 export function cell(value: string | number | null): string {
   if (value === null) return '';
   if (typeof value === 'number') return String(value);
-  const harmless = /^[=+\-@\t\r]/.test(value) ? `'${value}` : value;
+  const harmless = FORMULA.test(value) ? `'${value}` : value;
   return /[",\r\n]/.test(harmless) ? `"${harmless.replaceAll('"', '""')}"` : harmless;
 }

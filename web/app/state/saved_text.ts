@@ -1,0 +1,53 @@
+/** What is kept of a tab besides its files, as a text. It is checked when it is read, as it may be of another version or damaged. */
+
+import { readLink } from './link';
+import type { FieldName, Layout, Step } from './store';
+import type { UndoText } from './undo';
+
+export interface Saved {
+  link: string;
+  step: Step;
+  layout: Layout;
+  field: FieldName;
+  undo: UndoText;
+}
+
+const STEPS: readonly Step[] = ['model', 'motion', 'reduce', 'test'];
+const LAYOUTS: readonly Layout[] = ['both', 'slider', 'original', 'optimized'];
+const FIELDS: readonly FieldName[] = ['none', 'strain', 'curvature'];
+
+/** Words that are not known become the first of their kind, steps of undo that cannot be read are left out. Throws an Error. */
+export function readSaved(text: string): Saved {
+  const { link, step, layout, field, undo } = objectOf(JSON.parse(text));
+  if (typeof link !== 'string') throw new Error('The saved text has no settings.');
+  const { past, future } = objectOf(undo ?? {});
+  return {
+    link,
+    step: oneOf(STEPS, step),
+    layout: oneOf(LAYOUTS, layout),
+    field: oneOf(FIELDS, field),
+    undo: { past: linksOf(past), future: linksOf(future) },
+  };
+}
+
+const oneOf = <Word extends string>(known: readonly Word[], value: unknown): Word =>
+  known.find((word) => word === value) ?? known[0];
+
+function linksOf(value: unknown): string[] {
+  return Array.isArray(value) ? value.filter((text): text is string => isLink(text)) : [];
+}
+
+function isLink(text: unknown): boolean {
+  if (typeof text !== 'string') return false;
+  try {
+    readLink(text);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+function objectOf(value: unknown): Record<string, unknown> {
+  if (typeof value === 'object' && value !== null) return value as Record<string, unknown>;
+  throw new Error('The saved text is no object.');
+}
