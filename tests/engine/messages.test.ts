@@ -146,8 +146,8 @@ test('no entry is unused', () => {
   expect(unused).toEqual([]);
 });
 
-test('the words of each entry for the engine are words of the engine', () => {
-  const folders = ['web/engine', 'web/app/worker'].map((folder) => join(root, folder));
+test('the words of each entry for engine and viewer are words of theirs', () => {
+  const folders = ['web/engine', 'web/app/worker', 'web/app/viewer'].map((folder) => join(root, folder));
   const sources = folders.flatMap((folder) =>
     readdirSync(folder, { recursive: true, encoding: 'utf8' })
       .filter((name) => name.endsWith('.ts'))

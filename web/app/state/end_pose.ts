@@ -5,6 +5,7 @@ import { STEP_SECONDS } from '../../engine/motion/simulation';
 import type { SimulationApi, TwinFrame } from '../worker/simulation_protocol';
 import { twinSetup } from './simulation';
 import { shownMesh, wants } from './store';
+import { say } from '../language/say';
 
 interface PoseRequest {
   /** told the share of the steps that are done, 0..1 */
@@ -19,7 +20,13 @@ export async function endPose({ onProgress, signal }: PoseRequest): Promise<Twin
   const worker = new Worker(new URL('../worker/simulation_worker.ts', import.meta.url), { type: 'module' });
   const failed = new Promise<never>((_, reject) => {
     worker.addEventListener('error', ({ message }) =>
-      reject(new Error(`The simulation has stopped: ${message ?? 'its program could not be loaded'}.`)),
+      reject(
+        new Error(
+          say('The simulation has stopped: {why}.', {
+            why: message ?? say('its program could not be loaded'),
+          }),
+        ),
+      ),
     );
   });
   const ended = new Promise<null>((resolve) => signal.addEventListener('abort', () => resolve(null)));
@@ -54,6 +61,7 @@ async function moveTo(
   while (!isThere() && !hasEnded()) await new Promise<void>((resolve) => (arrived = resolve));
   const { failure, diverged } = last!;
   if (failure) throw new Error(failure);
-  if (diverged.length > 0) throw new Error('A body has left the scene: give the Test step more substeps.');
+  if (diverged.length > 0)
+    throw new Error(say('A body has left the scene: give the Test step more substeps.'));
   return last!;
 }

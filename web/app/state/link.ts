@@ -11,6 +11,7 @@ import {
 } from '../../engine/settings/options';
 import type { SettingName, Settings } from '../../engine/settings/options';
 import { changedSettings, describeFormerWords, readSettings } from '../../engine/settings/setting_text';
+import { say } from '../language/say';
 
 export interface Wanted {
   settings: Settings;
@@ -70,7 +71,8 @@ export function readLink(text: string): Wanted | null {
 function wholeOf(words: URLSearchParams, name: string): number | null {
   const word = words.get(name);
   if (word === null) return null;
-  if (!/^\d+$/.test(word)) throw new Error(`The link has ${name}=${word}: give a whole number.`);
+  if (!/^\d+$/.test(word))
+    throw new Error(say('The link has {word}: give a whole number.', { word: `${name}=${word}` }));
   return Number(word);
 }
 

@@ -85,4 +85,36 @@ export const ENGINE: MessageTable = {
   'the fit would break a limit of deviation or angle': 'フィットするとずれか角の制限を超えます',
   // web/app/worker, web/engine/document
   'No file is open: open one first.': 'ファイルが開かれていません。先にファイルを開いてください。',
+  // web/engine/document/dropped.ts
+  'extension {name}': '拡張機能 {name}',
+  // web/engine/settings/check.ts and kinds.ts
+  'This is {value}: give {allowed} (default: {usual}).':
+    '「{value}」は使えません。{allowed}を指定してください (既定値: {usual})。',
+  'an empty list': '空のリスト',
+  'numbers from {least} to {most} with commas': '{least} から {most} までの数値 (コンマ区切り)',
+  'a number from {least} to {most}': '{least} から {most} までの数値',
+  'a whole number from {least} to {most}': '{least} から {most} までの整数',
+  // web/engine/report/settings_reader.ts
+  '{name} {problem}: write it again with limber optimize --settings.':
+    '{name} は使えない設定ファイルです ({problem})。limber optimize --settings で書き出し直してください。',
+  'is not JSON': 'JSON 形式ではありません',
+  'is not a {schema}': '{schema} ではありません',
+  'is for "{solver}", which is none of {known}': '「{solver}」用ですが、対応しているのは {known} です',
+  'names none of the solvers {known}': 'ソルバー {known} のいずれも指定されていません',
+  'has {problem} for {body}': '{body}: {problem}',
+  'a body without a name': '名前のない物体',
+  'triangles that name vertices it does not have': '三角形が存在しない頂点を参照しています',
+  'render vertices that name vertices it does not have': '描画用の頂点が存在しない頂点を参照しています',
+  'not one mass above 0 for each vertex': '各頂点に 0 より大きい質量がありません',
+  'not two factors above 0 for each vertex': '各頂点に 0 より大きい係数が 2 つありません',
+  'damaged constraints against stretching': '伸びの拘束が壊れています',
+  'damaged constraints against bending': '曲げの拘束が壊れています',
+  'pins that name vertices it does not have': '固定が存在しない頂点を参照しています',
+  'no mesh, mass, stretch or bend': 'メッシュ、質量、伸び、曲げのいずれかがありません',
+  'damaged positions': '位置が壊れています',
+  // web/app/viewer/picture
+  'This browser cannot encode a video of {width} x {height} pixels: use a current Chrome, Edge, Firefox or Safari, or a smaller size.':
+    'このブラウザーでは {width} x {height} ピクセルの動画を作成できません。最新の Chrome、Edge、Firefox、Safari を使うか、サイズを小さくしてください。',
+  'The graphics card draws at most {width} x {height} pixels: choose a smaller picture.':
+    'このグラフィックスカードで描画できるのは {width} x {height} ピクセルまでです。小さいサイズを選んでください。',
 };

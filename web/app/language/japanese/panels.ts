@@ -132,4 +132,14 @@ export const PANELS: MessageTable = {
   'no edge left to collapse': '縮約できる辺がありません',
   '{before} → {after} faces{stop}, deviation {deviation}, {size}':
     '{before} → {after} 面{stop}、ずれ {deviation}、{size}',
+  'The figure is too large for this browser.': '図が大きすぎて、このブラウザーでは描画できません。',
+  'A picture of {width} x {height} pixels is too large: choose a smaller one.':
+    '{width} x {height} ピクセルの画像は大きすぎます。小さいサイズを選んでください。',
+  'The picture is too large to be saved: choose a smaller one.':
+    '画像が大きすぎて保存できません。小さいサイズを選んでください。',
+  'The simulation has stopped: {why}.': 'シミュレーションが停止しました ({why})。',
+  'its program could not be loaded': 'プログラムを読み込めません',
+  'A body has left the scene: give the Test step more substeps.':
+    '物体がシーンの外に飛び出しました。「テスト」のサブステップを増やしてください。',
+  'The link has {word}: give a whole number.': 'リンクに {word} とあります。整数を指定してください。',
 };

@@ -1,6 +1,7 @@
 /** Lays pictures out as a figure: in rows, each with a letter, a title and a line below it. */
 
 import { drawGradient, pageStyle } from './legend_drawing';
+import { say } from '../../language/say';
 
 export interface FigurePicture {
   /** all of one size */
@@ -34,7 +35,7 @@ export function composeFigure(
   canvas.width = 2 * MARGIN + columns * width + (columns - 1) * GAP;
   canvas.height = 2 * MARGIN + rows * (height + CAPTION) + (rows - 1) * GAP;
   const context = canvas.getContext('2d');
-  if (!context) throw new Error('The figure is too large for this browser.');
+  if (!context) throw new Error(say('The figure is too large for this browser.'));
   context.fillStyle = COLOURS.ground;
   if (!isTransparent) context.fillRect(0, 0, canvas.width, canvas.height);
   pictures.forEach((picture, i) => {

@@ -4,6 +4,7 @@ import type { Viewport } from '../../viewer/viewport';
 import { drawLegend } from './legend_drawing';
 import { pictures } from './pictures_state';
 import type { SizeName } from './pictures_state';
+import { say } from '../../language/say';
 
 export interface PictureSize {
   /** pixels */
@@ -49,7 +50,9 @@ export function drawStage(
   canvas.height = height;
   const context = canvas.getContext('2d');
   if (!context)
-    throw new Error(`A picture of ${width} x ${height} pixels is too large: choose a smaller one.`);
+    throw new Error(
+      say('A picture of {width} x {height} pixels is too large: choose a smaller one.', { width, height }),
+    );
   if (!isTransparent) drawGround(context);
   viewport.capture({ width, height, scale, hasAxes: hasLegend, ...moment }, (stage) =>
     context.drawImage(stage, 0, 0, width, height),
@@ -76,6 +79,6 @@ function drawGround(context: CanvasRenderingContext2D): void {
 /** The canvas as a PNG file. */
 export async function pngOf(canvas: HTMLCanvasElement): Promise<Uint8Array> {
   const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
-  if (!blob) throw new Error('The picture is too large to be saved: choose a smaller one.');
+  if (!blob) throw new Error(say('The picture is too large to be saved: choose a smaller one.'));
   return new Uint8Array(await blob.arrayBuffer());
 }
