@@ -12,7 +12,8 @@ import { PHASES } from '../../web/engine/core/interface/job';
 import { SCENARIOS } from '../../web/engine/core/scenarios';
 import { MATERIAL_NAMES } from '../../web/engine/settings/materials';
 import { OPTIONS } from '../../web/engine/settings/options';
-import { PRESETS } from '../../web/engine/settings/presets';
+import type { SettingName } from '../../web/engine/settings/options';
+import { PRESETS, PRESET_NAMES, settingsOfPreset } from '../../web/engine/settings/presets';
 import { METHOD_TITLES, budgetTable } from '../../web/engine/stages/equal_budget/budget_table';
 import { SOLVER_NAMES, profileOf } from '../../web/engine/solvers/profiles';
 import { collectMessages } from './support/messages';
@@ -20,7 +21,6 @@ import { collectMessages } from './support/messages';
 /** Names, keys of the keyboard, forms to type and what is never shown. */
 const EXEMPT = new Set([
   'Limber',
-  'like-input',
   'limber-hints',
   'LaTeX',
   'GLB',
@@ -38,6 +38,18 @@ const BARE_EXEMPT = /: (Hz|Limber|LOD)$/;
 const { keys, numbers, bare } = collectMessages();
 
 const capital = (word: string): string => word[0].toUpperCase() + word.slice(1);
+
+/** What the page shows of the presets: their own words, the settings that they change, and the values that these can have. */
+function presetWords(): string[] {
+  const names = PRESET_NAMES.flatMap((name) => Object.keys(settingsOfPreset(name)) as SettingName[]);
+  return [
+    ...PRESET_NAMES.flatMap((name) => [PRESETS[name].label, PRESETS[name].why]),
+    ...[...new Set(names)]
+      .map((name) => OPTIONS[name])
+      .flatMap((option) => (option.kind === 'choice' ? [option.label, ...option.choices] : [option.label])),
+    'none',
+  ];
+}
 
 /** What the page shows of the tables of the engine. */
 function engineWords(): string[] {
@@ -89,7 +101,7 @@ function engineWords(): string[] {
     ...helped,
     'degrees',
     ...METHODS.flatMap(({ label, title }) => [label, title]),
-    ...Object.values(PRESETS).flatMap(({ label, why }) => [label, why]),
+    ...presetWords(),
     ...Object.values(METHOD_TITLES),
     ...budgetTable([], { model: '', faces: 0, originalFaces: 0 }).columns.map(({ title }) => title),
     ...['kept', 'changed'],

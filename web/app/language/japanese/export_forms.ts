@@ -3,6 +3,22 @@
 import type { MessageTable } from '../message_table';
 
 export const EXPORT_FORMS: MessageTable = {
+  'Simulated as': 'シミュレーション方式',
+  Seams: 'シーム',
+  'like-input': 'ファイルと同じ',
+  draco: 'Draco',
+  auto: '自動',
+  shell: 'シェル',
+  solid: 'ソリッド',
+  laplacian: 'ラプラシアン',
+  springs: 'ばね',
+  free: '自由',
+  fixed: '固定',
+  keep: '維持',
+  cross: 'またぐ',
+  surface: '表面に合わせる',
+  modal: 'モードに合わせる',
+  off: 'オフ',
   Format: 'フォーマット',
   'glTF and its files, zipped': 'glTF と付属ファイル (ZIP)',
   'OBJ and materials, zipped': 'OBJ とマテリアル (ZIP)',
@@ -66,11 +82,11 @@ export const EXPORT_FORMS: MessageTable = {
     '頂点のメモリは半分で、展開は不要です。画面上で小さく見えるときは 2 つの追加レベルに切り替わります。',
   Cloth: '布',
   'A sheet without an inside: its hems stay where they are, and after the collapses vertices are moved until it folds at the frequencies of the original.':
-    '中身のないシートです。縁は元の位置に保たれ、簡略化のあと、元と同じ振動数で折れ曲がるように頂点を動かします。',
+    '中身のないシートです。縁は元の位置に保たれ、縮約のあと、元と同じ周波数で折れ曲がるように頂点を動かします。',
   'Soft body': 'ソフトボディ',
   'A closed body with an inside: faces stay where its volume bends, and collapses stop before an angle below 10 degrees, as thin triangles make soft bodies stiff and unstable.':
-    '中身のある閉じた物体です。体積が曲がる部分の面を残し、角度が 10 度を下回る前に簡略化を止めます。細い三角形はソフトボディを硬く不安定にするためです。',
+    '中身のある閉じた物体です。体積が曲がる部分の面を残し、角度が 10 度を下回る前に縮約を止めます。細い三角形はソフトボディを硬く不安定にするためです。',
   '3D print': '3D プリント',
   'The surface stays within 0.1 % of its size (0.1 mm of 10 cm), edges above 30 degrees stay sharp, and seams of textures, which no printer sees, hold nothing up.':
-    '表面のずれを大きさの 0.1 % (10 cm で 0.1 mm) 以内に抑え、30 度を超える辺は鋭いまま保ちます。印刷に影響しないテクスチャの継ぎ目は制約になりません。',
+    '表面のずれを大きさの 0.1 % (10 cm で 0.1 mm) 以内に抑え、30 度を超える辺は鋭いまま保ちます。印刷に影響しないテクスチャのシームは制約になりません。',
 };

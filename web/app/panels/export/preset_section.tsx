@@ -38,7 +38,7 @@ function Changes({ preset }: { preset: PresetName }) {
           <ul class="changes">
             {changes.map(({ name, label, from, to }) => (
               <li key={name}>
-                {say(label)}: <span class="muted">{from} →</span> <strong>{to}</strong>
+                {say(label)}: <span class="muted">{say(from)} →</span> <strong>{say(to)}</strong>
               </li>
             ))}
           </ul>
