@@ -191,7 +191,10 @@ test('a limit that stops the slider is named, and so is a missing symmetry', asy
   const deviation = page.getByLabel('Largest deviation, exact');
   await deviation.fill('0.5');
   await deviation.press('Enter');
+  // What is typed stays while the result of the limit arrives.
   await page.getByLabel('Kept faces, exact').fill('2');
+  await expect(readout(page, 'Deviation')).toContainText(/\d %/);
+  await expect(page.getByLabel('Kept faces, exact')).toHaveValue('2');
   await page.keyboard.press('Enter');
   await expect(
     page.getByText(/Stopped at [\d,]+ faces: with fewer the surface would go too far/),

@@ -5,6 +5,7 @@ import { useId } from 'preact/hooks';
 import { OPTIONS } from '../../engine/settings/options';
 import type { OptionOf, Settings } from '../../engine/settings/options';
 import { changeSettings, wants } from '../state/store';
+import { NumberField } from './number_field';
 import { useSettingWords } from './setting_words';
 import { say } from '../language/say';
 
@@ -83,14 +84,13 @@ export function SettingRange({ name }: { name: NumberSetting }) {
         {words.button}
       </span>
       <span class="number">
-        <input
-          type="number"
+        <NumberField
           aria-label={say('{label}, exact', { label: say(label) })}
           min={min}
           max={max}
           step="any"
           value={value}
-          onChange={(event) => set(event.currentTarget.valueAsNumber)}
+          onEnter={set}
         />
         {unit && <span class="unit">{unit.startsWith('%') ? '%' : say(unit)}</span>}
       </span>

@@ -1,6 +1,7 @@
 /** The slider of the kept faces, which replays the collapses. */
 
 import { count, fixed } from '../../controls/numbers';
+import { NumberField } from '../../controls/number_field';
 import { keyOf } from '../../../engine/stages/stage';
 import { STAGES } from '../../../engine/stages/stages';
 import { Toggle } from '../../controls/controls';
@@ -51,14 +52,7 @@ function OwnFaces() {
 
 function ExactFaces({ value, total, set }: { value: number; total: number; set(faces: number): void }) {
   return (
-    <input
-      type="number"
-      aria-label={say('Kept faces, exact')}
-      min={1}
-      max={total}
-      value={value}
-      onChange={(event) => set(event.currentTarget.valueAsNumber)}
-    />
+    <NumberField aria-label={say('Kept faces, exact')} min={1} max={total} value={value} onEnter={set} />
   );
 }
 
