@@ -1,8 +1,6 @@
 /** Numbers as the page writes them. */
 
-import { shown } from '../language/language';
-
-export const count = (value: number): string => value.toLocaleString(shown.value.language);
+export { count } from '../language/say';
 
 export const fixed = (value: number, digits: number): string => value.toFixed(digits);
 

@@ -9,8 +9,7 @@ import { profileOf } from '../../engine/solvers/profiles';
 import { complain } from '../state/running';
 import { changeSettings, keepFaces, results, status, view, wants } from '../state/store';
 import { twin } from '../state/twin';
-import { shown } from '../language/language';
-import { say } from '../language/say';
+import { count, say } from '../language/say';
 
 /** Whether a file is meant to be a settings file: a JSON document that is no report and no part of a model. */
 export const isSettingsName = ({ name }: SourceFile): boolean => /\.json$/i.test(name);
@@ -52,8 +51,6 @@ export function applySettings({ name, bytes }: SourceFile): void {
     complain(error);
   }
 }
-
-const count = (number: number): string => number.toLocaleString(shown.value.language);
 
 const labelOf = ({ solver }: SettingsFile): string => profileOf(solver).label;
 

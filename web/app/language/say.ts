@@ -18,12 +18,15 @@ const fill = (template: string, values: Values): string =>
 export const say = (english: string, values: Values = {}): string =>
   fill(shown.value.table[english] ?? english, values);
 
+/** A number in the form of the language of the page. */
+export const count = (value: number): string => value.toLocaleString(shown.value.language);
+
 /** A number of things: `one` for a single one, otherwise `other`, the key of the table, in both of which `{count}` is the number. */
 export function sayCounted(number: number, one: string, other: string, values: Values = {}): string {
   const { language, table } = shown.value;
   const isOne = language === 'en' && new Intl.PluralRules(language).select(number) === 'one';
   const template = isOne ? one : (table[other] ?? other);
-  return fill(template, { count: number.toLocaleString(language), ...values });
+  return fill(template, { count: count(number), ...values });
 }
 
 /** Several things as one phrase: "a, b and c". */

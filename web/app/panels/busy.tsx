@@ -1,7 +1,7 @@
 /** What is running, how far it is and how long it will take. */
 
 import { Spoken } from '../controls/spoken';
-import { shareDone } from '../state/remaining';
+import { describeLeft, shareDone } from '../state/remaining';
 import { cancelRunning } from '../state/runner';
 import { status } from '../state/store';
 import type { CallProgress } from '../worker/protocol';
@@ -33,11 +33,4 @@ function describeProgress(progress: CallProgress | null, seconds: number | null)
     return `${say('{number} of {all}', { number: progress.part.number, all: progress.part.of })}${left}`;
   if (!progress || progress.phase === 'idle') return '';
   return `${say(progress.phase)} ${Math.round(100 * progress.fraction)}\u00a0%${left}`;
-}
-
-function describeLeft(left: number | null): string {
-  if (left === null) return '';
-  return left < 90
-    ? say(', {seconds} s left', { seconds: Math.round(left) })
-    : say(', {minutes} min left', { minutes: Math.round(left / 60) });
 }

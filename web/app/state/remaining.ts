@@ -1,5 +1,6 @@
 /** How long what is running will still take, as far as its progress allows to tell. */
 
+import { say } from '../language/say';
 import type { CallProgress } from '../worker/protocol';
 
 /** No time is told before so much is done, as it would be a guess. */
@@ -40,4 +41,12 @@ export function remainingTime(): (seconds: number, share: number | null) => numb
     const left = ends.reduce((sum, end) => sum + end, 0) / ends.length - seconds;
     return isStable && left >= LEAST_SECONDS ? left : null;
   };
+}
+
+/** ", 40 s left"; '' where it is unknown or too short to be told. */
+export function describeLeft(seconds: number | null): string {
+  if (seconds === null || seconds < LEAST_SECONDS) return '';
+  return seconds < 90
+    ? say(', {seconds} s left', { seconds: Math.round(seconds) })
+    : say(', {minutes} min left', { minutes: Math.round(seconds / 60) });
 }

@@ -3,6 +3,7 @@
 import { cell } from '../../../engine/report/tables/csv_cell';
 import type { SourceFile } from '../../../engine/document/open';
 import { listed, say } from '../../language/say';
+import { describeLeft } from '../remaining';
 
 /** A model that is done. */
 export interface Finished {
@@ -26,9 +27,6 @@ interface Counted {
 
 const bytesOf = ({ files }: Counted): number => files.reduce((sum, { bytes }) => sum + bytes.length, 0);
 
-/** A time that is shorter is not worth telling. */
-const LEAST_SECONDS = 3;
-
 /** "3 of 12, 40 s left": the time by the bytes that are done. */
 export function describeProgress(items: readonly Counted[], seconds: number): string {
   const finished = items.filter(({ state }) => state === 'done' || state === 'failed');
@@ -36,11 +34,7 @@ export function describeProgress(items: readonly Counted[], seconds: number): st
   const done = finished.reduce((sum, item) => sum + bytesOf(item), 0);
   const all = items.reduce((sum, item) => sum + bytesOf(item), 0);
   const left = done > 0 ? (seconds * (all - done)) / done : 0;
-  const text = say('{number} of {all}', { number, all: items.length });
-  if (left < LEAST_SECONDS) return text;
-  return left < 90
-    ? `${text}${say(', {seconds} s left', { seconds: Math.round(left) })}`
-    : `${text}${say(', {minutes} min left', { minutes: Math.round(left / 60) })}`;
+  return `${say('{number} of {all}', { number, all: items.length })}${describeLeft(left)}`;
 }
 
 /** "11 done and 1 failed" */
