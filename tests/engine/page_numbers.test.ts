@@ -1,5 +1,6 @@
 /** What the page works out by itself: the remaining time, quick normals, the scale of curvature, points for the floor. */
 
+import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { curvatureScale, ranked } from '../../web/app/panels/viewport/curvature_scale';
 import { remainingTime } from '../../web/app/state/remaining';
@@ -91,5 +92,33 @@ describe('points for the floor', () => {
     const step = spreadStep(triangles.length / 3);
     expect(step).toBe(2);
     expect(spreadPoints(positions, triangles).length).toBe(9 * Math.ceil(triangles.length / 3 / step));
+  });
+});
+
+describe('the light of the room', () => {
+  const words = new Uint32Array(
+    new Uint8Array(readFileSync(new URL('../../web/app/viewer/room_light.bin', import.meta.url))).buffer,
+  );
+  /** The mean of red, green and blue of RGB9_E5. */
+  const brightness = (word: number): number =>
+    (((word & 511) + ((word >>> 9) & 511) + ((word >>> 18) & 511)) / 3) * 2 ** ((word >>> 27) - 24);
+  const level = (width: number, start: number): number[] =>
+    Array.from({ length: 6 }, (_, face) => {
+      const texels = words.subarray(start + face * width ** 2, start + (face + 1) * width ** 2);
+      return texels.reduce((sum, word) => sum + brightness(word), 0) / texels.length;
+    });
+
+  it('has six faces of each of its four levels', () => {
+    expect(words).toHaveLength(6 * (64 ** 2 + 32 ** 2 + 16 ** 2 + 8 ** 2));
+  });
+
+  it('is as bright at every roughness, and comes from above', () => {
+    const sharp = level(64, 0);
+    const rough = level(8, 6 * (64 ** 2 + 32 ** 2 + 16 ** 2));
+    const mean = (faces: number[]): number => faces.reduce((sum, value) => sum + value, 0) / 6;
+    expect(mean(rough) / mean(sharp)).toBeGreaterThan(0.8);
+    expect(mean(rough) / mean(sharp)).toBeLessThan(1.25);
+    const [, , up, down] = rough;
+    expect(up).toBeGreaterThan(1.5 * down);
   });
 });

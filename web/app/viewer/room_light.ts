@@ -1,27 +1,58 @@
-/** The light of a plain room, for materials that mirror what is around them. */
+/**
+ * The light of a plain room, for materials that mirror what is around them. It was filtered once by
+ * `scripts/page/room-light.mjs`: a graphics card that is emulated takes seconds for that.
+ */
 
 import * as THREE from 'three';
-import { RoomEnvironment } from 'three/examples/jsm/environments/RoomEnvironment.js';
+import address from './room_light.bin?url';
 
-const rooms = new WeakMap<THREE.WebGLRenderer, THREE.Texture>();
 /** The share of the room's light that is used beside a lamp. */
-export const ROOM_LIGHT = 0.55;
+const STRENGTH = 0.55;
+/** Texels along an edge of the sharpest level. */
+const SIZE = 64;
+const LEVELS = 4;
 
-/** Radians. */
-const BLUR = 0.04;
+let loading: Promise<THREE.CubeTexture> | null = null;
 
-/** Made once for each renderer. */
-export function roomLight(renderer: THREE.WebGLRenderer): THREE.Texture {
-  const known = rooms.get(renderer);
-  if (known) return known;
-  const generator = new THREE.PMREMGenerator(renderer);
-  const { texture } = generator.fromScene(new RoomEnvironment(), BLUR);
-  generator.dispose();
-  rooms.set(renderer, texture);
-  return texture;
+/** Lights a scene by the room as soon as its light is there. Without it, lamps alone light the scene. */
+export async function lightByRoom(scene: THREE.Scene): Promise<void> {
+  if (scene.environment) return;
+  loading ??= load();
+  try {
+    scene.environment = await loading;
+    scene.environmentIntensity = STRENGTH;
+  } catch {
+    loading = null; // the next scene tries again
+  }
 }
 
-/** To be called when a lost context has come back: pictures that were drawn on the graphics card have to be drawn again. */
-export function forgetRoomLight(renderer: THREE.WebGLRenderer): void {
-  rooms.delete(renderer);
+async function load(): Promise<THREE.CubeTexture> {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
+  return filteredCube(new Uint32Array(await response.arrayBuffer()));
+}
+
+/** `words`: the texels of all levels and faces, as `scripts/page/room-light.mjs` describes them. */
+function filteredCube(words: Uint32Array<ArrayBuffer>): THREE.CubeTexture {
+  const cubes: THREE.CubeTexture[] = [];
+  let at = 0;
+  // three.js takes the number of smaller levels for that of all levels, so one more follows that is never drawn.
+  for (let level = 0; level <= LEVELS; level++) {
+    const width = SIZE >> level;
+    const faces = Array.from({ length: 6 }, () => {
+      const texels = new Uint32Array(width * width);
+      texels.set(words.subarray(at, (at += texels.length)));
+      return new THREE.DataTexture(texels, width, width);
+    });
+    cubes.push(new THREE.CubeTexture(faces));
+  }
+  const [cube, ...smaller] = cubes;
+  cube.mipmaps = smaller;
+  cube.format = THREE.RGBFormat;
+  cube.type = THREE.UnsignedInt5999Type;
+  cube.colorSpace = THREE.LinearSRGBColorSpace;
+  cube.generateMipmaps = false;
+  cube.isPMREMTexture = true;
+  cube.needsUpdate = true;
+  return cube;
 }

@@ -3,7 +3,7 @@
 import * as THREE from 'three';
 import type { Pane } from './pane';
 import type { PaneName } from './pane_layout';
-import { forgetRoomLight, ROOM_LIGHT, roomLight } from './room_light';
+import { lightByRoom } from './room_light';
 import { SceneModel } from './scene_model';
 import type { SceneLook } from './scene_model';
 
@@ -30,10 +30,8 @@ export class ShownFiles {
   async show(name: PaneName, bytes: Uint8Array | null): Promise<boolean> {
     if (this.asked[name] === bytes) return false;
     this.asked[name] = bytes;
-    const model = bytes && (await SceneModel.load(bytes));
     const pane = this.panes[name];
-    pane.scene.environment ??= roomLight(this.renderer);
-    pane.scene.environmentIntensity = ROOM_LIGHT;
+    const [model] = await Promise.all([bytes && SceneModel.load(bytes), lightByRoom(pane.scene)]);
     if (model) await this.compile(model, name);
     if (this.asked[name] !== bytes) {
       model?.dispose();
@@ -83,13 +81,6 @@ export class ShownFiles {
   setFloor(isShown: boolean): void {
     this.hasFloor = isShown;
     for (const { stand } of Object.values(this.panes)) stand.isFloorShown = isShown;
-  }
-
-  /** Makes again what a lost context has taken along. */
-  restore(): void {
-    forgetRoomLight(this.renderer);
-    for (const { scene } of Object.values(this.panes))
-      if (scene.environment) scene.environment = roomLight(this.renderer);
   }
 
   /** What is shown has changed, or where it stands. */

@@ -79,7 +79,6 @@ export class Viewport {
       this.draw();
     }).observe(canvas);
     canvas.addEventListener('webglcontextrestored', () => {
-      this.files.restore();
       this.isStale = true;
     });
     this.resize();

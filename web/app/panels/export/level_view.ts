@@ -1,7 +1,7 @@
 /** Draws one level of detail at the size that it has on a screen. */
 
 import * as THREE from 'three';
-import { ROOM_LIGHT, roomLight } from '../../viewer/room_light';
+import { lightByRoom } from '../../viewer/room_light';
 import { SceneModel } from '../../viewer/scene_model';
 import type { SceneLook } from '../../viewer/scene_model';
 
@@ -31,8 +31,6 @@ export class LevelView {
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.toneMapping = THREE.NeutralToneMapping;
-    this.scene.environment = roomLight(this.renderer);
-    this.scene.environmentIntensity = ROOM_LIGHT;
     const key = new THREE.DirectionalLight('#ffffff', 1.1);
     key.position.set(-1, 2, 1.5);
     this.turned.rotation.y = -0.6;
@@ -41,7 +39,10 @@ export class LevelView {
 
   /** `files`: a GLB for each level, the first one first. `isPlain`: they have no materials, and look like clay. */
   async load(files: readonly Uint8Array[], isPlain: boolean): Promise<void> {
-    const models = await Promise.all(files.map((bytes) => SceneModel.load(bytes)));
+    const [models] = await Promise.all([
+      Promise.all(files.map((bytes) => SceneModel.load(bytes))),
+      lightByRoom(this.scene),
+    ]);
     if (isPlain) for (const model of models) model.look(clayLook);
     for (const model of this.models) model.dispose();
     this.models = models;

@@ -1,7 +1,7 @@
 /** Moving pictures of files: one shared renderer draws them in turn and copies each to its own small canvas. */
 
 import * as THREE from 'three';
-import { ROOM_LIGHT, roomLight } from '../room_light';
+import { lightByRoom } from '../room_light';
 import { SceneModel } from '../scene_model';
 
 const FRAME_MILLISECONDS = 40;
@@ -46,8 +46,6 @@ export class SampleCards {
   ) {
     renderer.setSize(WIDTH, HEIGHT, false);
     renderer.toneMapping = THREE.NeutralToneMapping;
-    this.scene.environment = roomLight(renderer);
-    this.scene.environmentIntensity = ROOM_LIGHT;
     const key = new THREE.DirectionalLight('#ffffff', 1.3);
     key.position.set(-1, 2, 1.5);
     this.scene.add(this.turned, key);
@@ -55,6 +53,7 @@ export class SampleCards {
   }
 
   private async load(addresses: readonly string[], canvases: readonly HTMLCanvasElement[]): Promise<void> {
+    await lightByRoom(this.scene);
     for (const [i, address] of addresses.entries()) {
       const response = await fetch(address);
       if (!response.ok) continue;
