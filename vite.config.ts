@@ -15,5 +15,17 @@ export default defineConfig({
   plugins: [offline()],
   server: { headers: developmentHeaders },
   preview: { headers },
-  build: { outDir: '../../dist/app', emptyOutDir: true, target: 'es2022' },
+  build: {
+    outDir: '../../dist/app',
+    emptyOutDir: true,
+    target: 'es2022',
+    // The core's worker, with glTF-Transform and its codecs, is larger than what Vite warns of; it is loaded after the page.
+    chunkSizeWarningLimit: 1000,
+    rolldownOptions: {
+      onLog(level, log, handle) {
+        // Packages for Node and browsers name modules of Node that they do not use here.
+        if (!log.message?.includes('externalized for browser compatibility')) handle(level, log);
+      },
+    },
+  },
 });

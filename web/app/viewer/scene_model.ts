@@ -60,6 +60,10 @@ export class SceneModel {
     this.clip = clips[0] ?? null;
   }
 
+  get isAnimated(): boolean {
+    return this.clip !== null;
+  }
+
   /** Puts its first animation at a time, in seconds; null: the rest pose. */
   pose(seconds: number | null): void {
     if (!this.clip) return;

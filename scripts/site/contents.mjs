@@ -1,0 +1,61 @@
+// What the site has: its documents in the order of its side bar, and the results of its gallery.
+
+export const SECTIONS = [
+  {
+    name: 'Use it',
+    pages: [
+      ['README.md', 'Guide'],
+      ['docs/engines.md', 'In your engine'],
+      ['docs/formats.md', 'Formats'],
+      ['docs/report.md', 'Reports'],
+      ['docs/library.md', 'Library'],
+      ['docs/batch.md', 'Batches'],
+      ['docs/scale.md', 'Many machines'],
+      ['docs/recipes/README.md', 'Recipes'],
+      ['docs/hosting.md', 'Hosting'],
+    ],
+  },
+  {
+    name: 'How well it works',
+    pages: [
+      ['docs/evidence.md', 'Evidence'],
+      ['docs/results.md', 'Results'],
+      ['docs/validation.md', 'Validation'],
+      ['docs/benchmarks.md', 'Benchmarks'],
+      ['docs/pictures.md', 'Pictures'],
+      ['docs/reliability.md', 'Reliability'],
+    ],
+  },
+  {
+    name: 'How it works',
+    pages: [
+      ['docs/paper.md', 'The paper'],
+      ['docs/modes.md', 'Modes'],
+      ['docs/simplification.md', 'Simplification'],
+      ['docs/simulation.md', 'Simulation'],
+      ['docs/experiments.md', 'Experiments'],
+      ['docs/architecture.md', 'Architecture'],
+      ['docs/glossary.md', 'Glossary'],
+    ],
+  },
+  {
+    name: 'About',
+    pages: [
+      ['CHANGELOG.md', 'Changes'],
+      ['CONTRIBUTING.md', 'Contributing'],
+      ['SECURITY.md', 'Security'],
+      ['THIRD_PARTY.md', 'Third-party software'],
+    ],
+  },
+];
+
+/** Files and folders of the repository that are published beside the documents. */
+export const PUBLISHED = ['LICENSE', 'docs'];
+
+/** `optimize`, `simulate`: what follows the names of the files on the command line. */
+export const GALLERY = [
+  { sample: 'organic', optimize: ['--ratio', '0.25'], simulate: ['--scenario', 'sway', '--substeps', '100'] },
+  { sample: 'cloth', optimize: ['--ratio', '0.25'], simulate: ['--scenario', 'hang', '--substeps', '100'] },
+  { sample: 'tower', optimize: ['--ratio', '0.5'], simulate: ['--scenario', 'sway', '--substeps', '100'] },
+  { sample: 'bar', optimize: ['--ratio', '0.25'], simulate: ['--scenario', 'twist', '--substeps', '100'] },
+];

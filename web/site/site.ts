@@ -1,0 +1,4 @@
+/** What every page of the site loads: its styles and its font. */
+
+import '@fontsource-variable/inter/wght.css';
+import './site.css';
