@@ -16,6 +16,18 @@ async function runChecks() {
   }
 }
 
+/** The site, whose pages the tests of the page open. */
+async function runSite() {
+  const { makeSite } = await import('./site.mjs');
+  const { problems } = await makeSite();
+  if (problems.length > 0) console.log(problems.join('\n'));
+  add('links of the site', {
+    passed: problems.length === 0 ? 1 : 0,
+    failed: problems.length === 0 ? 0 : 1,
+    skipped: 0,
+  });
+}
+
 async function runSanitizers(native) {
   await runCoreTests('native with address and undefined-behaviour sanitizers', native, {
     preset: 'native',
@@ -39,5 +51,6 @@ for (const preset of ['native', 'races'])
   await runCoreTests(`threads, ${preset}`, native, { preset, program: 'thread_tests', shards: 1 });
 if (full) await runSanitizers(native);
 runVitest();
+await runSite();
 runPlaywright({ full });
 process.exit(printTotals());

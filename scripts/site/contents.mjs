@@ -54,8 +54,8 @@ export const PUBLISHED = ['LICENSE', 'docs'];
 
 /** `optimize`, `simulate`: what follows the names of the files on the command line. */
 export const GALLERY = [
-  { sample: 'organic', optimize: ['--ratio', '0.25'], simulate: ['--scenario', 'sway', '--substeps', '100'] },
-  { sample: 'cloth', optimize: ['--ratio', '0.25'], simulate: ['--scenario', 'hang', '--substeps', '100'] },
-  { sample: 'tower', optimize: ['--ratio', '0.5'], simulate: ['--scenario', 'sway', '--substeps', '100'] },
-  { sample: 'bar', optimize: ['--ratio', '0.25'], simulate: ['--scenario', 'twist', '--substeps', '100'] },
+  { sample: 'organic', optimize: ['--ratio', '0.25'], simulate: ['--scenario', 'sway', '--substeps', '40'] },
+  { sample: 'cloth', optimize: ['--ratio', '0.25'], simulate: ['--scenario', 'hang', '--substeps', '40'] },
+  { sample: 'tower', optimize: ['--ratio', '0.5'], simulate: ['--scenario', 'sway', '--substeps', '40'] },
+  { sample: 'bar', optimize: ['--ratio', '0.25'], simulate: ['--scenario', 'twist', '--substeps', '40'] },
 ];

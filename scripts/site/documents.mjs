@@ -7,7 +7,7 @@ import MarkdownIt from 'markdown-it';
 import anchor from 'markdown-it-anchor';
 import { root } from '../setup/environment.mjs';
 import { PUBLISHED, SECTIONS } from './contents.mjs';
-import { addressOf, pageOf, way } from './template.mjs';
+import { addressOf, escape, pageOf, way } from './template.mjs';
 
 const DOCUMENTS = new Set(SECTIONS.flatMap(({ pages }) => pages.map(([document]) => document)));
 const isPublished = (path) =>
@@ -40,6 +40,15 @@ function rewriteLinks(tokens, document) {
   }
 }
 
+/** A corner of a table without words is no heading of anything. */
+function mendCorners(tokens) {
+  tokens.forEach((token, i) => {
+    if (token.type !== 'th_open' || tokens[i + 1].content !== '') return;
+    token.tag = 'td';
+    tokens[i + 2].tag = 'td';
+  });
+}
+
 /** One document as a whole page. */
 export function documentPage(document) {
   const slugger = new GithubSlugger();
@@ -51,11 +60,15 @@ export function documentPage(document) {
   markdown.renderer.rules.table_open = () =>
     '<div class="table" tabindex="0" role="group" aria-label="Table"><table>\n';
   markdown.renderer.rules.table_close = () => '</table></div>\n';
+  for (const name of ['fence', 'code_block'])
+    markdown.renderer.rules[name] = (tokens, i) =>
+      `<pre tabindex="0"><code>${escape(tokens[i].content)}</code></pre>\n`;
   for (const name of ['link_open', 'link_close'])
     markdown.renderer.rules[name] = (tokens, i, options, _, self) =>
       tokens[i].hidden ? '' : self.renderToken(tokens, i, options);
   const tokens = markdown.parse(readFileSync(join(root, document), 'utf8'), {});
   rewriteLinks(tokens, document);
+  mendCorners(tokens);
   const heading = tokens.findIndex(({ type, tag }) => type === 'heading_open' && tag === 'h1');
   const title = tokens[heading + 1].content.replaceAll('`', '');
   return pageOf({

@@ -76,4 +76,5 @@ export const rooms = {
   'web/library': [...engineRooms, 'web/library/options.ts', 'web/library/protocol.ts'],
   'web/cli': engineRooms,
   'web/service_worker': [],
+  'web/site': ['web/app/viewer'],
 };

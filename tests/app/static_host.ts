@@ -20,9 +20,9 @@ const types: Record<string, string> = {
 };
 
 export interface StaticHost {
-  /** of the page, below a folder of the host */
+  /** of what is served, below a folder of the host */
   address: string;
-  /** a copy of the built page, which the test may change */
+  /** a copy of what was built, which the test may change */
   folder: string;
   /** Ends the host; open pages can load nothing more. */
   close(): Promise<void>;
@@ -30,9 +30,10 @@ export interface StaticHost {
 
 const PREFIX = '/tools/limber/';
 
-export async function startHost(): Promise<StaticHost> {
+/** `built`: the folder below `dist` that is served. */
+export async function startHost(built: 'app' | 'site' = 'app'): Promise<StaticHost> {
   const folder = mkdtempSync(join(tmpdir(), 'limber-host-'));
-  cpSync(join(import.meta.dirname, '..', '..', 'dist', 'app'), folder, { recursive: true });
+  cpSync(join(import.meta.dirname, '..', '..', 'dist', built), folder, { recursive: true });
   const server = createServer((request, response) => {
     const path = normalize(new URL(request.url!, 'http://localhost').pathname);
     const name = path.startsWith(PREFIX) ? path.slice(PREFIX.length) || 'index.html' : 'none';

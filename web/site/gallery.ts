@@ -5,7 +5,7 @@ import { Stage } from './stage';
 import { TurningView } from './turning_view';
 
 /** Radians a second, until somebody turns a model. */
-const TURN_SPEED = 0.25;
+const ROTATION_SPEED = 0.25;
 
 const isDark = matchMedia('(prefers-color-scheme: dark)');
 const wires = document.querySelector<HTMLInputElement>('#wires')!;
@@ -36,7 +36,7 @@ function animate(views: readonly TurningView[], stage: Stage): void {
     before = time;
     if (playing.checked) seconds += step;
     for (const view of views) {
-      if (!isTouched && !view.isMoving) view.turn(-TURN_SPEED * step, 0);
+      if (!isTouched && !view.isMoving) view.rotate(-ROTATION_SPEED * step, 0);
       if (playing.checked) view.pose(seconds);
       view.draw(stage);
     }

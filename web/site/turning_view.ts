@@ -9,7 +9,7 @@ const HALF_FIELD = Math.tan(THREE.MathUtils.degToRad(15));
 /** The share of a picture that its model fills. */
 const FILLED = 0.86;
 /** Radians for each pixel that the pointer moves. */
-const TURN = 0.01;
+const ROTATION = 0.01;
 /** How far the eye goes up and down at most, in radians. */
 const HIGHEST = 1.4;
 const KEYS: Record<string, [number, number]> = {
@@ -23,7 +23,7 @@ export class TurningView {
   private readonly camera = new THREE.PerspectiveCamera(30, 1, 0.01, 1000);
   private readonly centre = new THREE.Vector3();
   private readonly size = new THREE.Vector3();
-  private azimuth = 0.45;
+  private azimuth: number;
   private height = 0.3;
   private isStale = true;
 
@@ -34,6 +34,8 @@ export class TurningView {
     const box = new THREE.Box3().setFromObject(models[0].root);
     box.getCenter(this.centre);
     box.getSize(this.size);
+    // Bodies that move side by side are seen from the front.
+    this.azimuth = this.isMoving ? 0 : 0.45;
     for (const canvas of canvases) this.listen(canvas);
     new ResizeObserver(() => (this.isStale = true)).observe(canvases[0]);
   }
@@ -53,7 +55,7 @@ export class TurningView {
     this.isStale = true;
   }
 
-  turn(right: number, up: number): void {
+  rotate(right: number, up: number): void {
     this.azimuth -= right;
     this.height = THREE.MathUtils.clamp(this.height + up, -HIGHEST, HIGHEST);
     this.isStale = true;
@@ -101,13 +103,13 @@ export class TurningView {
   private listen(canvas: HTMLCanvasElement): void {
     canvas.addEventListener('pointerdown', ({ pointerId }) => canvas.setPointerCapture(pointerId));
     canvas.addEventListener('pointermove', (event) => {
-      if (event.buttons) this.turn(TURN * event.movementX, TURN * event.movementY);
+      if (event.buttons) this.rotate(ROTATION * event.movementX, ROTATION * event.movementY);
     });
     canvas.addEventListener('keydown', (event) => {
       const step = KEYS[event.key];
       if (!step) return;
       event.preventDefault();
-      this.turn(...step);
+      this.rotate(...step);
     });
   }
 }
