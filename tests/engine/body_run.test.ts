@@ -246,6 +246,7 @@ describe('a run over a body', () => {
         valuesOf(run, base);
       }
     },
+    600_000,
   );
 
   it('returns the same objects as before while nothing changes', () => {

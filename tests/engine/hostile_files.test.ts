@@ -59,6 +59,8 @@ const bufferViews = [{ buffer: 0, byteLength: 240 }];
 const meshes = [{ primitives: [{ attributes: { POSITION: 0 } }] }];
 const accessor = { componentType: 5126, type: 'VEC3' };
 
+const XYZ = 'property float x\nproperty float y\nproperty float z\n';
+
 describe('a count that the file has no bytes for is refused', () => {
   const sparse = {
     count: 1,
@@ -147,17 +149,15 @@ describe('a count that the file has no bytes for is refused', () => {
 
   it.each([
     ['ply\nformat binary_little_endian 1.0\nelement face 4000000000\nend_header\n'],
-    [
-      'ply\nformat ascii 1.0\nelement nothing 4000000000\nelement vertex 1\nproperty float x\nend_header\n1\n',
-    ],
-    ['ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n1\n'],
+    [`ply\nformat ascii 1.0\nelement nothing 4000000000\nelement vertex 1\n${XYZ}end_header\n1 1 1\n`],
+    [`ply\nformat ascii 1.0\nelement vertex 4000000000\n${XYZ}end_header\n1 1 1\n`],
   ])('of elements of a PLY: %j', async (text) => {
     expect(await tryOpen([textFile('a.ply', text)])).toMatch(/do not fit into the file/);
   });
 
   it.each(['-3', '2.5', '1e300'])('of a list of %s corners', async (length) => {
-    const header = 'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement face 1\n';
-    const text = `${header}property list float int vertex_indices\nend_header\n0\n${length} 0 0 0\n`;
+    const header = `ply\nformat ascii 1.0\nelement vertex 1\n${XYZ}element face 1\n`;
+    const text = `${header}property list float int vertex_indices\nend_header\n0 0 0\n${length} 0 0 0\n`;
     expect(await tryOpen([textFile('a.ply', text)])).toMatch(/not the length of a list|ends too early/);
   });
 });

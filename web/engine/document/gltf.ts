@@ -2,6 +2,7 @@
 
 import type { Document, GLTF, JSONDocument } from '@gltf-transform/core';
 import { bodiesOfDocument } from './bodies';
+import { findWrongMesh } from './checks/gltf_meshes';
 import { addCompanions, companionPaths, describeMissing } from './checks/companions';
 import { glbParts, describeFirstVersion, isGlb } from './glb';
 import { checkDraco } from './checks/draco_bounds';
@@ -15,6 +16,7 @@ import {
 } from './checks/gltf_bounds';
 import { canBeCarried, foreignOf } from './extensions/foreign';
 import { createGltfIo, SUPPORTED_EXTENSIONS } from './gltf_io';
+import { jsonMistake } from '../core/json_mistake';
 import { counted } from '../core/words';
 import type { OpenModel, SourceFile } from './model';
 import { describeFailure } from './checks/reading_failure';
@@ -80,7 +82,7 @@ function checkJson(name: string, json: GLTF.IGLTF): void {
   const version =
     typeof given === 'string' || typeof given === 'number' ? String(given) : 'without a version';
   if (version.split('.')[0] !== '2') throw new Error(`${name} is glTF ${version}: convert it to glTF 2.0.`);
-  const wrong = findWrongList(json);
+  const wrong = findWrongList(json) ?? findWrongMesh(json);
   if (wrong !== null) throw new Error(`${name} is not a valid glTF file (${wrong}): export it again.`);
   const unknown = (json.extensionsRequired ?? []).filter(
     (extension) => !SUPPORTED_EXTENSIONS.has(extension) && !canBeCarried(extension),
@@ -93,10 +95,7 @@ function parseText(name: string, text: string): unknown {
   try {
     return JSON.parse(text);
   } catch (error) {
-    const found = /position (\d+)/.exec((error as Error).message);
-    const lines = found ? text.slice(0, Number(found[1])).split('\n') : null;
-    const where = lines ? `, from line ${lines.length}, column ${lines[lines.length - 1].length + 1}` : '';
-    throw new Error(`${name} is not glTF: its text is not JSON${where}: is it a mesh?`);
+    throw new Error(`${name} is not glTF: its text is not JSON${jsonMistake(text, error)}: is it a mesh?`);
   }
 }
 

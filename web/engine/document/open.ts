@@ -29,9 +29,13 @@ export async function openModel(files: SourceFile[]): Promise<OpenModel> {
   return model;
 }
 
+/** Whether it is packed as ZIP but is a scene of another program, as USDZ is. */
+const isPackedScene = ({ name }: SourceFile): boolean =>
+  !/\.zip$/i.test(name) && wayOfOtherFormat(name) !== null;
+
 /** As `openModel`, but a glTF without triangles opens as a model without bodies. */
 export async function openAnyModel(files: SourceFile[]): Promise<OpenModel> {
-  const archive = files.find(isZip);
+  const archive = files.find((file) => isZip(file) && !isPackedScene(file));
   const all = archive ? await readSafely(archive.name, () => unpacked(files)) : files;
   const { file, format } = chooseModel(all);
   return readSafely(file.name, async () => {

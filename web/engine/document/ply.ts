@@ -60,7 +60,10 @@ export function readPly(file: SourceFile): SurfaceFile {
   const header = readPlyHeader(file);
   const source = header.encoding === 'ascii' ? textSource(file, header) : binarySource(file, header);
   const vertexCount = header.elements.find((element) => element.name === 'vertex')?.count ?? 0;
-  for (const element of header.elements) checkCount(source, element, file.bytes.length - header.bodyAt);
+  for (const element of header.elements) {
+    checkElement(source, element);
+    checkCount(source, element, file.bytes.length - header.bodyAt);
+  }
   const content: PlyContent = {
     positions: new Float32Array(3 * vertexCount),
     attributes: emptyAttributes(header, vertexCount),
@@ -79,6 +82,18 @@ export function readPly(file: SourceFile): SurfaceFile {
   const attributes = attributesOfRaw(content.attributes, indices);
   const surface = { name, positions: content.positions, indices, attributes, notes };
   return { surfaces: [surface], notes: [], unread: unreadOf(header) };
+}
+
+const isCorners = (element: PlyElement, { name }: PlyProperty): boolean =>
+  (element.name === 'face' || element.name === 'tristrips') && INDEX_LISTS.includes(name);
+
+/** Vertices need three coordinates, and the corners of faces are lists. */
+function checkElement(source: ValueSource, element: PlyElement): void {
+  const { name, properties } = element;
+  const missing = ['x', 'y', 'z'].find((axis) => properties.every((property) => property.name !== axis));
+  if (name === 'vertex' && missing) source.fail(`vertices have no ${missing}: export it again`);
+  const single = properties.find((property) => isCorners(element, property) && !property.countType);
+  if (single) source.fail(`"${single.name}" of faces is no list: export it again`);
 }
 
 /** Every value takes at least one byte; this keeps a false count from requesting endless memory or time. */
@@ -121,9 +136,7 @@ function columnOf(
 function readElement(source: ValueSource, element: PlyElement, content: PlyContent): void {
   const { name, count, properties } = element;
   const columns = properties.map((property) => (name === 'vertex' ? columnOf(property, content) : null));
-  const isFace = properties.map(
-    (property) => (name === 'face' || name === 'tristrips') && INDEX_LISTS.includes(property.name),
-  );
+  const isFace = properties.map((property) => isCorners(element, property));
   for (let row = 0; row < count; ++row)
     for (let i = 0; i < properties.length; ++i) {
       const [property, column] = [properties[i], columns[i]];

@@ -54,7 +54,7 @@ const TYPES: Record<string, PlyType> = {
 /** Throws an Error that names the line. */
 export function readPlyHeader(file: SourceFile): PlyHeader {
   const scan = new TextScanner(file.name, file.bytes);
-  if (scan.word() !== 'ply') scan.fail('a PLY file starts with "ply": is it a mesh?');
+  if (scan.word() !== 'ply') scan.fail('a PLY file starts with "ply": export it again');
   scan.nextLine();
   let encoding: PlyHeader['encoding'] | undefined;
   const elements: PlyElement[] = [];

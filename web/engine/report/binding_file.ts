@@ -39,6 +39,7 @@ export function readBinding(name: string, text: string): BodyBinding[] {
   const { schema, bodies } = parse(text) ?? fail('is not JSON');
   if (schema !== BINDING_SCHEMA || !Array.isArray(bodies)) return fail(`is not a ${BINDING_SCHEMA}`);
   return (bodies as BodyEntry[]).map((entry) => {
+    if (typeof entry?.name !== 'string') return fail('has a body without a name');
     const { vertices, faces, mesh } = entry;
     const binding: Binding = {
       triangle: new Uint32Array(decode(entry.triangle)),

@@ -1,5 +1,6 @@
 /** The configuration of a batch: options for all assets, and others for some of them (docs/batch.schema.json). */
 
+import { jsonMistake } from '../core/json_mistake';
 import { checkSetting } from './check';
 import { settingsOf } from './commands';
 import { SettingError, wordSentence } from './errors';
@@ -86,7 +87,7 @@ export function readBatchConfig(text: string, name: string): BatchConfig {
   const root = parse(text, name);
   checkKeys(root, ['$schema', 'schema', 'options', 'overrides', 'exclude'], name);
   if (root.schema !== BATCH_SCHEMA)
-    throw new Error(`${name} has the schema ${JSON.stringify(root.schema)}: give "${BATCH_SCHEMA}".`);
+    throw new Error(`${name} has ${schemaWords(root.schema)}: give "schema": "${BATCH_SCHEMA}".`);
   const overrides = listOf(root.overrides ?? [], `${name}: overrides`).map((one, i) =>
     readOverride(one, `${name}: overrides[${i}]`),
   );
@@ -125,10 +126,14 @@ function parse(text: string, name: string): Record<string, unknown> {
   try {
     return objectOf(JSON.parse(text.replace(/^\ufeff/, '')), name);
   } catch (error) {
-    if (error instanceof SyntaxError) throw new Error(`${name} is not JSON: ${error.message}.`);
-    throw error;
+    if (!(error instanceof SyntaxError)) throw error;
+    const where = jsonMistake(text, error);
+    throw new Error(`${name} is not JSON${where}: check its commas, quotes and brackets.`);
   }
 }
+
+const schemaWords = (schema: unknown): string =>
+  schema === undefined ? 'no schema' : `the schema ${JSON.stringify(schema)}`;
 
 function readOverride(value: unknown, where: string): BatchOverride {
   const override = objectOf(value, where);

@@ -162,14 +162,23 @@ function rangeOf(checked: Checked, view: GLTF.IBufferView, number: number): { st
   return { start, end: bufferBytes(checked, view.buffer, number) };
 }
 
-/** The bytes of a buffer that are there; of a data address at most as many as it has letters. */
+/** The bytes of a buffer that are there. */
 function bufferBytes({ json, resources }: Checked, buffer: number, view: number): number {
   const definition = json.buffers?.[buffer];
   if (!definition) throw new Error(`buffer view ${view} names a buffer that is not there`);
   const { uri } = definition;
   const bytes = resources[uri ?? GLB_BUFFER];
   if (bytes) return bytes.byteLength;
-  return typeof uri === 'string' && /^data:/i.test(uri) ? uri.length : 0;
+  return typeof uri === 'string' && /^data:/i.test(uri) ? dataBytes(uri) : 0;
+}
+
+/** How many bytes a data address stands for; where it is not in base64, at most so many. */
+function dataBytes(uri: string): number {
+  const comma = uri.indexOf(',');
+  const letters = uri.length - comma - 1;
+  if (!/;base64$/i.test(uri.slice(0, comma))) return letters;
+  const padding = uri.endsWith('==') ? 2 : Number(uri.endsWith('='));
+  return Math.floor((letters - padding) * 0.75);
 }
 
 function unpackedBytes(checked: Checked, packed: MeshoptView, number: number): number {

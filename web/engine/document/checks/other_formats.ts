@@ -44,14 +44,19 @@ const OTHERS: readonly OtherFormat[] = [
     way: 'export it from the CAD program as STL or OBJ',
   },
   {
-    endings: ['vrm', 'b3dm', 'vtk', 'vtu', 'off', 'x', 'x3d', 'wrl', '3mf'],
+    endings: ['vrm', 'b3dm', 'vtk', 'vtu', 'x', 'x3d', 'wrl', '3mf'],
     what: 'a format that is not read here',
     way: 'convert it to GLB, OBJ, STL or PLY, in Blender or MeshLab',
   },
   {
-    endings: ['rar', '7z', 'gz', 'tar', 'zip'],
+    endings: ['rar', '7z', 'gz', 'tar'],
     what: 'an archive',
-    way: 'unpack it and open what is inside',
+    way: 'unpack it, or pack what is inside as ZIP',
+  },
+  {
+    endings: ['zip'],
+    what: 'empty or damaged',
+    way: 'pack the files again',
   },
 ];
 

@@ -1,0 +1,125 @@
+/** Values of settings that are texts of their own, each with a mistake. */
+
+export const PINS = [
+  'low',
+  'low:',
+  'low:-1',
+  'low:101',
+  'low:x',
+  'middle:5',
+  'high:',
+  'box:',
+  'box:0,0,0',
+  'box:0,0,0,1,1',
+  'box:a,b,c,d,e,f',
+  'attribute:',
+  'vertices:',
+  'vertices:-1',
+  'vertices:1.5',
+  'vertices:a',
+  'low:6+',
+  '+low:6',
+  'low:6++high:6',
+  'low:6,high:6',
+  'vertices:1;2',
+];
+
+export const COLLIDERS = [
+  'ground',
+  'ground:',
+  'ground:low',
+  'floor:0',
+  'ball:0,0,0',
+  'ball:0,0,0,-1',
+  'ball:0,0,0,0',
+  'ball:a,0,0,1',
+  'capsule:0,0,0,1,1,1',
+  'capsule:0,0,0,1,1,1,-2',
+  'ground:0+',
+  'ball:0,0,0,1,1',
+];
+
+/** [solver, its parameters] */
+export const ENGINES: [string, string][] = [
+  ['jolt', 'complience=1e-5'],
+  ['jolt', 'compliance'],
+  ['jolt', 'compliance='],
+  ['jolt', 'compliance=soft'],
+  ['jolt', 'compliance=-1'],
+  ['jolt', 'compliance=1e-5,compliance'],
+  ['jolt', '=1'],
+  ['jolt', 'young=1e5'],
+  ['mujoco', 'young=0'],
+  ['mujoco', 'young=-5'],
+  ['mujoco', 'poisson=0.7'],
+  ['mujoco', 'thickness=0'],
+  ['mujoco', 'young=1e5;thickness=0.01'],
+  ['newton', 'tri_ke=0'],
+  ['newton', 'tri_ke=NaN'],
+  ['newton', 'edgeke=1'],
+  ['blender', 'tension=stiff'],
+  ['blender', 'tension=-1'],
+  ['blender', 'bendingg=1'],
+  ['springs', 'stretch=-1'],
+  ['springs', 'k=1'],
+  ['dihedral', 'bend=x'],
+  ['hinge-shell', 'young=inf'],
+  ['shell', 'thickness=-1'],
+];
+
+export const BATCH_CONFIGS = [
+  '',
+  '{',
+  '[]',
+  '5',
+  '{}',
+  '{"schema":"limber-batch/9"}',
+  '{"schema":"limber-batch/1","optoins":{}}',
+  '{"schema":"limber-batch/1","options":[]}',
+  '{"schema":"limber-batch/1","options":{"ratios":1}}',
+  '{"schema":"limber-batch/1","options":{"ratio":2}}',
+  '{"schema":"limber-batch/1","options":{"ratio":"half"}}',
+  '{"schema":"limber-batch/1","options":{"faces":0}}',
+  '{"schema":"limber-batch/1","options":{"method":"fast"}}',
+  '{"schema":"limber-batch/1","options":{"reports":"yes"}}',
+  '{"schema":"limber-batch/1","options":{"threads":2}}',
+  '{"schema":"limber-batch/1","overrides":{}}',
+  '{"schema":"limber-batch/1","overrides":[{}]}',
+  '{"schema":"limber-batch/1","overrides":[{"files":5,"options":{}}]}',
+  '{"schema":"limber-batch/1","overrides":[{"files":"a","options":{"young":-1}}]}',
+  '{"schema":"limber-batch/1","exclude":"a"}',
+  '{"schema":"limber-batch/1","exclude":[5]}',
+];
+
+const body = '"name":"a","mesh":{"positions":[0,0,0,1,0,0,0,1,0],"triangles":[0,1,2]}';
+const file = (text: string, solver = '"jolt"'): string =>
+  `{"schema":"limber-settings/1","solver":${solver},"bodies":[{${text}}]}`;
+
+export const SETTINGS_FILES = [
+  '',
+  'null',
+  '[]',
+  '{"schema":"limber-settings/1"}',
+  '{"schema":"limber-report/2","bodies":[{}]}',
+  '{"schema":"limber-settings/1","solver":"jolt","bodies":[]}',
+  file('', '"unity"'),
+  file('', '5'),
+  file(''),
+  file('"name":5'),
+  file(body),
+  file('"name":"a","mesh":{"positions":[0,0],"triangles":[]}'),
+  file('"name":"a","mesh":{"positions":[0,0,0],"triangles":[0,1,2]}'),
+  file(`${body},"mass":{"perVertex":[1]}`),
+  file(`${body},"mass":{"perVertex":[1,1,-1]}`),
+  file(`${body},"mass":5`),
+];
+
+export const BINDINGS = [
+  '',
+  '{}',
+  '[]',
+  '{"schema":"limber-binding/1"}',
+  '{"schema":"limber-binding/2","bodies":[]}',
+  '{"schema":"limber-binding/1","bodies":[{}]}',
+  '{"schema":"limber-binding/1","bodies":[{"name":"a","vertices":[0]}]}',
+];

@@ -1,0 +1,19 @@
+/** Checks of what meshes of a glTF file name: without it they would be read as other meshes than those that were meant. */
+
+import type { GLTF } from '@gltf-transform/core';
+
+/** A clause on the first mesh whose positions or corners are not there or are no positions; null if all are right. */
+export function findWrongMesh({ accessors = [], meshes = [] }: GLTF.IGLTF): string | null {
+  for (const [number, { primitives }] of meshes.entries())
+    for (const primitive of Array.isArray(primitives) ? primitives : []) {
+      const { indices, attributes } = primitive ?? {};
+      if (indices !== undefined && !accessors[indices])
+        return `mesh ${number} names corners that are not there`;
+      const position: unknown = attributes?.POSITION;
+      if (position === undefined) continue;
+      const accessor = accessors[position as number];
+      if (!accessor) return `mesh ${number} names positions that are not there`;
+      if (accessor.type !== 'VEC3') return `the positions of mesh ${number} are not of the type VEC3`;
+    }
+  return null;
+}
