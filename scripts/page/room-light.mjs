@@ -4,12 +4,11 @@
 // The file holds the levels of a cube map one after the other, each with faces of half the width of the one before, and
 // of each level the faces +X, -X, +Y, -Y, +Z and -Z: one 32-bit word per texel, the format RGB9_E5 of OpenGL ES 3.0.
 
-import { readFileSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from '@playwright/test';
+import { findChromium, root } from '../setup/environment.mjs';
 
-const root = join(import.meta.dirname, '..', '..');
-const shared = JSON.parse(readFileSync(join(root, 'tests', 'browser-arguments.json'), 'utf8'));
 const target = join(root, 'web', 'app', 'viewer', 'room_light.bin');
 /** Texels along an edge of the sharpest level. */
 const SIZE = 64;
@@ -79,8 +78,8 @@ function packFace(texels) {
 }
 
 const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: [...shared, '--enable-unsafe-swiftshader'],
+  executablePath: findChromium(),
+  args: ['--enable-unsafe-swiftshader'],
 });
 const tab = await browser.newPage();
 await tab.route(`${ORIGIN}**`, (route) => {

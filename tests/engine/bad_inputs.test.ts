@@ -3,6 +3,7 @@
  * read. LIMBER_UPDATE=1 writes it anew.
  */
 
+import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { parseArguments } from '../../web/cli/arguments';
 import { describeFailure, EXIT } from '../../web/cli/failure';
@@ -85,6 +86,7 @@ async function sentenceOf({ enter }: BadInput): Promise<string | null> {
 
 describe('bad inputs', () => {
   const listed: string[] = [];
+  const sentences = new Set<string>();
 
   it.each(Object.entries(DOORS))('at the door "%s" get one sentence each', async (door, inputs) => {
     const names = inputs.map(({ input }) => input);
@@ -101,6 +103,7 @@ describe('bad inputs', () => {
       expect.soft(own, bad.input).not.toMatch(CODE);
       expect.soft(sentence, bad.input).toMatch(/[.?]$/);
       expect.soft(sentence.length, bad.input).toBeLessThan(700);
+      sentences.add(sentence);
       listed.push(`${door}: ${bad.input}\n    ${sentence}`);
     }
     expect(taken).toEqual([]);
@@ -109,5 +112,11 @@ describe('bad inputs', () => {
   it('are at least 300, and their sentences are those that were read', async () => {
     expect(listed.length).toBeGreaterThanOrEqual(300);
     await expect(`${listed.join('\n')}\n`).toMatchFileSnapshot('bad_inputs/sentences.txt');
+  });
+
+  it('are as many as the documents say', () => {
+    const text = readFileSync(new URL('../../docs/reliability.md', import.meta.url), 'utf8');
+    expect(text).toContain(`${listed.length} command lines, settings,`);
+    expect(text).toContain(`${sentences.size} different sentences`);
   });
 });
