@@ -48,35 +48,64 @@ std::vector<Contact> findContacts(const TriangleMesh& mesh, const FitSamples& sa
   return contacts;
 }
 
-// The quadratic model while it is summed up.
+using TriangleBlocks = std::array<Eigen::Matrix3d, 6>;  // between the corners 00 01 02 11 12 22 of a triangle
+constexpr int kPair[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+
+// Adds x^T B x to the quadratic term, where x is the displacement of a point of the triangle.
+void addBlock(TriangleBlocks& blocks, const SurfacePoint& point, const Eigen::Matrix3d& block) {
+  for (int a = 0; a < 3; ++a)
+    for (int b = a; b < 3; ++b)
+      blocks[static_cast<size_t>(kPair[a][b])] += point.barycentric[a] * point.barycentric[b] * block;
+}
+
+// Entries by their triangle, in their order: those of triangle t are of[start[t]] .. of[start[t + 1] - 1].
+// Entries whose triangle is kNone are left out.
+struct ByTriangle {
+  std::vector<uint32_t> start, of;
+};
+template <typename Entry>
+ByTriangle byTriangle(const std::vector<Entry>& entries, uint32_t triangleCount) {
+  ByTriangle sorted;
+  sorted.start.assign(triangleCount + 1, 0);
+  for (const Entry& entry : entries)
+    if (entry.triangle != kNone) ++sorted.start[entry.triangle + 1];
+  std::partial_sum(sorted.start.begin(), sorted.start.end(), sorted.start.begin());
+  sorted.of.resize(sorted.start.back());
+  std::vector<uint32_t> next(sorted.start.begin(), sorted.start.end() - 1);
+  for (uint32_t i = 0; i < entries.size(); ++i)
+    if (entries[i].triangle != kNone) sorted.of[next[entries[i].triangle]++] = i;
+  return sorted;
+}
+
+// A sample of a border or feature edge on the mesh, and the block of its point.
+struct FeatureContact : SurfacePoint {
+  Eigen::Matrix3d across;
+};
+
+// The quadratic model while it is summed up. The blocks of triangles are made one after the other as the
+// matrix is assembled: all of them would take more memory than the matrix.
 struct ModelSums {
   const TriangleMesh& mesh;
-  std::vector<std::array<Eigen::Matrix3d, 6>>
-      triangles;                          // blocks between the corners 00 01 02 11 12 22 of a triangle
+  const FitSamples& samples;
+  std::vector<Contact> contacts;  // of the samples of the surface
+  double far = 0;                 // squared distance from which on samples weigh more
+  std::vector<FeatureContact> features;
   std::vector<Eigen::Matrix3d> vertices;  // blocks of single vertices
   Eigen::VectorXd gradient;
 
-  explicit ModelSums(const TriangleMesh& ofMesh)
+  ModelSums(const TriangleMesh& ofMesh, const FitSamples& ofSamples)
       : mesh(ofMesh),
+        samples(ofSamples),
         vertices(mesh.vertexCount(), Eigen::Matrix3d::Zero()),
-        gradient(Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()))) {
-    std::array<Eigen::Matrix3d, 6> zero;
-    zero.fill(Eigen::Matrix3d::Zero());
-    triangles.assign(mesh.triangleCount(), zero);
-  }
+        gradient(Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(mesh.vertexCount()))) {}
 
   auto gradientAt(size_t v) { return gradient.segment<3>(3 * static_cast<Eigen::Index>(v)); }
+  double weightOf(size_t sample) const {
+    const double square = contacts[sample].distance * contacts[sample].distance;
+    return samples.surface[sample].area *
+           (far > 0 ? std::min(1 + square / far, constants::kMostFarWeight) : 1);
+  }
 };
-
-constexpr int kPair[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
-
-// Adds x^T B x to the quadratic term, where x is the displacement of a point of the surface.
-void addBlocks(ModelSums& sums, const SurfacePoint& point, const Eigen::Matrix3d& block) {
-  for (int a = 0; a < 3; ++a)
-    for (int b = a; b < 3; ++b)
-      sums.triangles[point.triangle][static_cast<size_t>(kPair[a][b])] +=
-          point.barycentric[a] * point.barycentric[b] * block;
-}
 
 void measureDistance(const std::vector<Contact>& contacts, const FitSamples& samples, SurfaceFit& fit) {
   double squares = 0;
@@ -88,38 +117,25 @@ void measureDistance(const std::vector<Contact>& contacts, const FitSamples& sam
   fit.meanSquare = fit.area > 0 ? squares / fit.area : 0;
 }
 
-void addContacts(const FitSamples& samples, SurfaceFit& fit, ModelSums& sums) {
-  const std::vector<Contact> contacts = findContacts(sums.mesh, samples, fit.closestTriangles);
-  measureDistance(contacts, samples, fit);
-  const double far = constants::kFarDistance * constants::kFarDistance * fit.meanSquare;
-  for (size_t i = 0; i < contacts.size(); ++i) {
-    const Contact& contact = contacts[i];
+void addContacts(SurfaceFit& fit, ModelSums& sums) {
+  sums.contacts = findContacts(sums.mesh, sums.samples, fit.closestTriangles);
+  measureDistance(sums.contacts, sums.samples, fit);
+  sums.far = constants::kFarDistance * constants::kFarDistance * fit.meanSquare;
+  for (size_t i = 0; i < sums.contacts.size(); ++i) {
+    const Contact& contact = sums.contacts[i];
     if (contact.triangle == kNone) continue;
-    const auto& [point, normal, wholeArea] = samples.surface[i];
-    const double square = contact.distance * contact.distance;
-    const double area = wholeArea * (far > 0 ? std::min(1 + square / far, constants::kMostFarWeight) : 1);
-    const Eigen::Vector3d n = eigen(normal);
-    addBlocks(sums, contact, area * n * n.transpose());
+    const double weight = sums.weightOf(i);
+    const Eigen::Vector3d n = eigen(sums.samples.surface[i].normal);
     for (int a = 0; a < 3; ++a)
       sums.gradientAt(sums.mesh.triangles[contact.triangle][static_cast<size_t>(a)]) +=
-          area * contact.barycentric[a] * contact.distance * n;
+          weight * contact.barycentric[a] * contact.distance * n;
   }
 }
 
-void keepUnsampled(ModelSums& sums) {
-  for (uint32_t t = 0; t < sums.mesh.triangleCount(); ++t) {
-    if (!std::ranges::all_of(sums.triangles[t], [](const auto& block) { return block.isZero(); })) continue;
-    const Eigen::Vector3d n = eigen(normalized(areaNormal(sums.mesh, t)));
-    const Eigen::Matrix3d share = triangleArea(sums.mesh, t) / 3 * n * n.transpose();
-    for (const size_t diagonal : {0, 3, 5}) sums.triangles[t][diagonal] = share;
-  }
-}
-
-void addFeatures(const FeatureSegments& features, const std::vector<FitSamples::OnFeature>& samples,
-                 double weight, ModelSums& sums) {
-  if (features.triangle.empty() || samples.empty()) return;
+void addFeatures(const FeatureSegments& features, double weight, ModelSums& sums) {
+  if (features.triangle.empty() || sums.samples.features.empty()) return;
   const ClosestPointTree tree(features.segments);
-  for (const auto& [point, tangent, length] : samples) {
+  for (const auto& [point, tangent, length] : sums.samples.features) {
     const ClosestPoint closest = tree.closest(point);
     const auto [start, end] = features.corner[closest.triangle];
     SurfacePoint onMesh{features.triangle[closest.triangle]};
@@ -129,7 +145,7 @@ void addFeatures(const FeatureSegments& features, const std::vector<FitSamples::
     const Eigen::Matrix3d across =
         weight * length * (Eigen::Matrix3d::Identity() - along * along.transpose());
     const Eigen::Vector3d force = across * eigen(point - closest.position);
-    addBlocks(sums, onMesh, across);
+    sums.features.push_back({onMesh, across});
     for (int a = 0; a < 3; ++a)
       sums.gradientAt(sums.mesh.triangles[onMesh.triangle][static_cast<size_t>(a)]) +=
           onMesh.barycentric[a] * force;
@@ -154,17 +170,58 @@ Eigen::VectorXd dampingDiagonalOf(const std::vector<double>& area) {
   return diagonal;
 }
 
-Eigen::SparseMatrix<double> assemble(const Topology& topology, const ModelSums& sums) {
+// A triangle that is closest to no sample keeps its plane.
+void keepPlane(const TriangleMesh& mesh, uint32_t t, TriangleBlocks& blocks) {
+  if (!std::ranges::all_of(blocks, [](const auto& block) { return block.isZero(); })) return;
+  const Eigen::Vector3d n = eigen(normalized(areaNormal(mesh, t)));
+  const Eigen::Matrix3d share = triangleArea(mesh, t) / 3 * n * n.transpose();
+  for (const size_t diagonal : {0, 3, 5}) blocks[diagonal] = share;
+}
+
+// Makes the blocks of one triangle after the other.
+class TriangleModel {
+ public:
+  TriangleModel(const ModelSums& sums, bool keepsUnsampled)
+      : sums_(sums),
+        keepsUnsampled_(keepsUnsampled),
+        contacts_(byTriangle(sums.contacts, sums.mesh.triangleCount())),
+        features_(byTriangle(sums.features, sums.mesh.triangleCount())) {}
+
+  TriangleBlocks blocksOf(uint32_t t) const {
+    TriangleBlocks blocks;
+    blocks.fill(Eigen::Matrix3d::Zero());
+    for (uint32_t k = contacts_.start[t]; k < contacts_.start[t + 1]; ++k) {
+      const uint32_t i = contacts_.of[k];
+      const Eigen::Vector3d n = eigen(sums_.samples.surface[i].normal);
+      addBlock(blocks, sums_.contacts[i], sums_.weightOf(i) * n * n.transpose());
+    }
+    if (keepsUnsampled_) keepPlane(sums_.mesh, t, blocks);
+    for (uint32_t k = features_.start[t]; k < features_.start[t + 1]; ++k) {
+      const FeatureContact& feature = sums_.features[features_.of[k]];
+      addBlock(blocks, feature, feature.across);
+    }
+    return blocks;
+  }
+
+ private:
+  const ModelSums& sums_;
+  bool keepsUnsampled_;
+  ByTriangle contacts_, features_;
+};
+
+Eigen::SparseMatrix<double> assemble(const Topology& topology, const ModelSums& sums,
+                                     const TriangleModel& model) {
   const TriangleMesh& mesh = sums.mesh;
   std::vector<uint32_t> firstUnknown, nodes;
   for (uint32_t v = 0; v <= mesh.vertexCount(); ++v) firstUnknown.push_back(3 * v);
   for (const Triangle& triangle : mesh.triangles) nodes.insert(nodes.end(), triangle.begin(), triangle.end());
   ElementAssembly assembly(firstUnknown, nodes, 3);
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    const TriangleBlocks blocks = model.blocksOf(t);
     Eigen::Matrix<double, 9, 9> element;
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b)
-        element.block<3, 3>(3 * a, 3 * b) = sums.triangles[t][static_cast<size_t>(kPair[a][b])];
+        element.block<3, 3>(3 * a, 3 * b) = blocks[static_cast<size_t>(kPair[a][b])];
     for (int a = 0; a < 3; ++a) {
       const uint32_t v = mesh.triangles[t][static_cast<size_t>(a)];
       element.block<3, 3>(3 * a, 3 * a) +=
@@ -181,16 +238,15 @@ SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const 
                       const SurfaceFitOptions& options) {
   SurfaceFit fit;
   fit.closestTriangles = options.startTriangles;
-  ModelSums sums(mesh);
-  addContacts(samples, fit, sums);
-  if (options.keepsUnsampled) keepUnsampled(sums);
+  ModelSums sums(mesh, samples);
+  addContacts(fit, sums);
   const FeatureSegments features = featureSegments(mesh, topology, options.featureEdges);
   const double edge = std::sqrt(fit.area / std::max(1u, mesh.triangleCount()));
-  addFeatures(features, samples.features, constants::kBorderWeight * edge, sums);
+  addFeatures(features, constants::kBorderWeight * edge, sums);
   const Neighbourhoods around = neighbourhoodsOf(mesh, features, options.normalWeight);
   if (options.evenness > 0) addEvenness(around, options.evenness, sums);
   fit.dampingDiagonal = dampingDiagonalOf(around.area);
-  fit.hessian = assemble(topology, sums);
+  fit.hessian = assemble(topology, sums, TriangleModel(sums, options.keepsUnsampled));
   fit.gradient = std::move(sums.gradient);
   return fit;
 }
