@@ -56,7 +56,9 @@ Eigen::SparseMatrix<double> assemble(const ThinShell& shell, const std::vector<u
   ElementAssembly assembly(firstUnknown, elementNodes(mesh, topology), 6);
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
     assembly.add(t, elementStiffness(shellElement(mesh, t), thickness, poisson));
-  return assembly.take();
+  Eigen::SparseMatrix<double> sum;
+  assembly.take(sum);
+  return sum;
 }
 
 std::vector<uint32_t> firstUnknowns(const TriangleMesh& mesh, const Topology& topology) {
@@ -95,7 +97,7 @@ SparsePencil shellPencil(const ThinShell& shell) {
 SparsePencil shellPattern(const TriangleMesh& mesh, const Topology& topology) {
   SparsePencil pencil;
   pencil.firstUnknown = firstUnknowns(mesh, topology);
-  pencil.k = ElementAssembly(pencil.firstUnknown, elementNodes(mesh, topology), 6).take();
+  ElementAssembly(pencil.firstUnknown, elementNodes(mesh, topology), 6).take(pencil.k);
   pencil.m = Eigen::VectorXd::Zero(pencil.k.rows());
   return pencil;
 }

@@ -29,8 +29,7 @@ struct FitContext {
 
 // The largest root mean square distance that a search may use.
 double budgetOf(const FitPart& part, const FitSamples& samples) {
-  const SurfaceFit start =
-      fitSurface(part.result, buildTopology(part.result), samples, {.featureEdges = &part.featureEdges});
+  const SurfaceDistance start = surfaceDistance(part.result, samples);
   return std::max(tuning::budget::kGrowth * std::sqrt(start.meanSquare), tuning::budget::kLeast);
 }
 

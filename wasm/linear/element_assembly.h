@@ -22,8 +22,9 @@ class ElementAssembly {
   // is read, so the sum is symmetric to the last bit.
   void add(uint32_t element, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
 
-  // Moves the sum out. The assembly is empty afterwards.
-  Eigen::SparseMatrix<double> take() { return std::move(sum_); }
+  // Moves the sum into an empty matrix; the assembly is empty afterwards. As a value it would be copied:
+  // sparse matrices of Eigen 3.4 cannot be moved.
+  void take(Eigen::SparseMatrix<double>& sum) { sum.swap(sum_); }
 
  private:
   void findNeighbours();

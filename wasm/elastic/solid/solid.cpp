@@ -56,7 +56,7 @@ SparsePencil assemble(const Lattice& lattice, double poisson, Job& job) {
     if (copy % kCheckInterval == 0) job.check();
     assembly.add(copy, brick.stiffness(stiffnessMeasure(lattice.filled[copy])));
   }
-  pencil.k = assembly.take();
+  assembly.take(pencil.k);
   std::vector<double> mass = latticeMass(lattice, brick);
   dropLightMasses(lattice, mass);
   pencil.m.resize(3 * static_cast<Eigen::Index>(lattice.nodeCount));

@@ -138,7 +138,7 @@ SparsePencil SolverStiffness::pencil(std::span<const double> factors, std::span<
     block.noalias() = factors[c] * matrix.transpose().lazyProduct(matrix);
     assembly.add(c, block);
   }
-  pencil.k = assembly.take();
+  assembly.take(pencil.k);
   for (uint32_t e = 0; e < looseRotation_.size(); ++e)
     if (looseRotation_[e] > 0)
       pencil.k.coeffRef(3 * vertexCount_ + e, 3 * vertexCount_ + e) += looseRotation_[e];

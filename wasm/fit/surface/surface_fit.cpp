@@ -107,14 +107,15 @@ struct ModelSums {
   }
 };
 
-void measureDistance(const std::vector<Contact>& contacts, const FitSamples& samples, SurfaceFit& fit) {
+void measureDistance(const std::vector<Contact>& contacts, const FitSamples& samples,
+                     SurfaceDistance& distance) {
   double squares = 0;
   for (size_t i = 0; i < contacts.size(); ++i) {
     if (contacts[i].triangle == kNone) continue;
     squares += samples.surface[i].area * contacts[i].distance * contacts[i].distance;
-    fit.area += samples.surface[i].area;
+    distance.area += samples.surface[i].area;
   }
-  fit.meanSquare = fit.area > 0 ? squares / fit.area : 0;
+  distance.meanSquare = distance.area > 0 ? squares / distance.area : 0;
 }
 
 void addContacts(SurfaceFit& fit, ModelSums& sums) {
@@ -209,8 +210,8 @@ class TriangleModel {
   ByTriangle contacts_, features_;
 };
 
-Eigen::SparseMatrix<double> assemble(const Topology& topology, const ModelSums& sums,
-                                     const TriangleModel& model) {
+void assemble(const Topology& topology, const ModelSums& sums, const TriangleModel& model,
+              Eigen::SparseMatrix<double>& hessian) {
   const TriangleMesh& mesh = sums.mesh;
   std::vector<uint32_t> firstUnknown, nodes;
   for (uint32_t v = 0; v <= mesh.vertexCount(); ++v) firstUnknown.push_back(3 * v);
@@ -229,10 +230,16 @@ Eigen::SparseMatrix<double> assemble(const Topology& topology, const ModelSums& 
     }
     assembly.add(t, element);
   }
-  return assembly.take();
+  assembly.take(hessian);
 }
 
 }  // namespace
+
+SurfaceDistance surfaceDistance(const TriangleMesh& mesh, const FitSamples& samples) {
+  SurfaceDistance distance;
+  measureDistance(findContacts(mesh, samples, distance.closestTriangles), samples, distance);
+  return distance;
+}
 
 SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const FitSamples& samples,
                       const SurfaceFitOptions& options) {
@@ -246,7 +253,7 @@ SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const 
   const Neighbourhoods around = neighbourhoodsOf(mesh, features, options.normalWeight);
   if (options.evenness > 0) addEvenness(around, options.evenness, sums);
   fit.dampingDiagonal = dampingDiagonalOf(around.area);
-  fit.hessian = assemble(topology, sums, TriangleModel(sums, options.keepsUnsampled));
+  assemble(topology, sums, TriangleModel(sums, options.keepsUnsampled), fit.hessian);
   fit.gradient = std::move(sums.gradient);
   return fit;
 }

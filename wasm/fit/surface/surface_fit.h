@@ -19,8 +19,16 @@ struct SurfaceFitOptions {
   // nothing else would hold their vertices.
   bool keepsUnsampled = false;
   const EdgeList* featureEdges = nullptr;     // inner edges that follow the feature edges of the original
-  std::vector<uint32_t> startTriangles = {};  // SurfaceFit::closestTriangles of a fit before; may be empty
+  std::vector<uint32_t> startTriangles = {};  // closestTriangles of a fit before; may be empty
 };
+
+// How far samples of the original's surface are from a mesh, along their normals.
+struct SurfaceDistance {
+  double meanSquare = 0;                   // mean squared distance, in squared units of the mesh
+  double area = 0;                         // that the samples stand for
+  std::vector<uint32_t> closestTriangles;  // per sample of the surface
+};
+SurfaceDistance surfaceDistance(const TriangleMesh& mesh, const FitSamples& samples);
 
 // The Gauss-Newton model (Nocedal and Wright 2006, section 10.3) of the squared distance between the samples
 // and a mesh whose vertices move by dx, integrated over the area of the original:
@@ -30,13 +38,10 @@ struct SurfaceFitOptions {
 // position. Samples of borders and feature edges add their squared distance across the edge's direction.
 // Evenness adds the squared distance of each vertex from the middle of its triangles (of its segments, on a
 // feature edge), along the surface alone: see tangentialFreedom.
-struct SurfaceFit {
+struct SurfaceFit : SurfaceDistance {
   Eigen::SparseMatrix<double> hessian;  // A: 3 vertexCount rows and columns, both triangles stored
   Eigen::VectorXd dampingDiagonal;      // D: the area around a vertex, at least the mean, per coordinate
   Eigen::VectorXd gradient;             // g: minus half of the derivative of E at dx = 0
-  double meanSquare = 0;                // mean squared distance of the samples, in squared units of the mesh
-  double area = 0;                      // that the samples stand for
-  std::vector<uint32_t> closestTriangles;  // per sample of the surface
 };
 SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const FitSamples& samples,
                       const SurfaceFitOptions& options);
