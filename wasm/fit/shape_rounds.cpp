@@ -25,6 +25,13 @@ ShapeRounds::ShapeRounds(FitPart& part, const FitSamples& samples, const StepLim
 
 void ShapeRounds::move() {
   TriangleMesh& mesh = part_.result;
+  const Eigen::VectorXd step = nextStep();
+  mesh = GuardedStep(mesh, limits_).apply(mesh, step);
+  if (part_.mirror) part_.mirror->symmetrise(mesh);
+}
+
+Eigen::VectorXd ShapeRounds::nextStep() {
+  const TriangleMesh& mesh = part_.result;
   const Topology topology = buildTopology(mesh);
   SurfaceFit fit = fitSurface(mesh, topology, samples_,
                               {.evenness = tuning::surface_rounds::kEvenness,
@@ -34,9 +41,7 @@ void ShapeRounds::move() {
                                .startTriangles = std::move(closestTriangles_)});
   closestTriangles_ = std::move(fit.closestTriangles);
   part_.flatRegions.stiffen(fit.hessian);
-  const Eigen::VectorXd step = stepOf(fit, measureSizes(mesh, topology));
-  mesh = GuardedStep(mesh, limits_).apply(mesh, step);
-  if (part_.mirror) part_.mirror->symmetrise(mesh);
+  return stepOf(fit, measureSizes(mesh, topology));
 }
 
 // What the multipliers cost is lambda^T C^T A^-1 C lambda, and what the step gains without them g^T A^-1 g.

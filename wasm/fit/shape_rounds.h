@@ -38,6 +38,8 @@ class ShapeRounds {
   double startDistance() const { return startDistance_; }
 
  private:
+  // The matrix of a round is gone before the step is taken: each of both takes much memory.
+  Eigen::VectorXd nextStep();
   Eigen::VectorXd stepOf(const SurfaceFit& fit, const SheetSizes& now) const;
   Eigen::Vector2d wantedChange(const Eigen::Vector2d& planned) const;
 
