@@ -29,7 +29,7 @@ struct FitContext {
 
 // The largest root mean square distance that a search may use.
 double budgetOf(const FitPart& part, const FitSamples& samples) {
-  const SurfaceDistance start = surfaceDistance(part.result, samples);
+  const SampleDistance start = sampleDistance(part.result, samples);
   return std::max(tuning::budget::kGrowth * std::sqrt(start.meanSquare), tuning::budget::kLeast);
 }
 

@@ -18,7 +18,7 @@ ShapeRounds::ShapeRounds(FitPart& part, const FitSamples& samples, const StepLim
       wanted_(measureSizes(part.original, buildTopology(part.original)).values) {
   const Topology topology = buildTopology(part.result);
   if (wanted_[1] == 0) areaRange_ = std::abs(measureSizes(part.result, topology).values[0] - wanted_[0]);
-  SurfaceDistance start = surfaceDistance(part.result, samples);
+  SampleDistance start = sampleDistance(part.result, samples);
   startDistance_ = std::sqrt(start.meanSquare);
   closestTriangles_ = std::move(start.closestTriangles);
 }

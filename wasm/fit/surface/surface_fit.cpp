@@ -108,7 +108,7 @@ struct ModelSums {
 };
 
 void measureDistance(const std::vector<Contact>& contacts, const FitSamples& samples,
-                     SurfaceDistance& distance) {
+                     SampleDistance& distance) {
   double squares = 0;
   for (size_t i = 0; i < contacts.size(); ++i) {
     if (contacts[i].triangle == kNone) continue;
@@ -235,8 +235,8 @@ void assemble(const Topology& topology, const ModelSums& sums, const TriangleMod
 
 }  // namespace
 
-SurfaceDistance surfaceDistance(const TriangleMesh& mesh, const FitSamples& samples) {
-  SurfaceDistance distance;
+SampleDistance sampleDistance(const TriangleMesh& mesh, const FitSamples& samples) {
+  SampleDistance distance;
   measureDistance(findContacts(mesh, samples, distance.closestTriangles), samples, distance);
   return distance;
 }

@@ -23,12 +23,12 @@ struct SurfaceFitOptions {
 };
 
 // How far samples of the original's surface are from a mesh, along their normals.
-struct SurfaceDistance {
+struct SampleDistance {
   double meanSquare = 0;                   // mean squared distance, in squared units of the mesh
   double area = 0;                         // that the samples stand for
   std::vector<uint32_t> closestTriangles;  // per sample of the surface
 };
-SurfaceDistance surfaceDistance(const TriangleMesh& mesh, const FitSamples& samples);
+SampleDistance sampleDistance(const TriangleMesh& mesh, const FitSamples& samples);
 
 // The Gauss-Newton model (Nocedal and Wright 2006, section 10.3) of the squared distance between the samples
 // and a mesh whose vertices move by dx, integrated over the area of the original:
@@ -38,7 +38,7 @@ SurfaceDistance surfaceDistance(const TriangleMesh& mesh, const FitSamples& samp
 // position. Samples of borders and feature edges add their squared distance across the edge's direction.
 // Evenness adds the squared distance of each vertex from the middle of its triangles (of its segments, on a
 // feature edge), along the surface alone: see tangentialFreedom.
-struct SurfaceFit : SurfaceDistance {
+struct SurfaceFit : SampleDistance {
   Eigen::SparseMatrix<double> hessian;  // A: 3 vertexCount rows and columns, both triangles stored
   Eigen::VectorXd dampingDiagonal;      // D: the area around a vertex, at least the mean, per coordinate
   Eigen::VectorXd gradient;             // g: minus half of the derivative of E at dx = 0
