@@ -5,7 +5,7 @@ Usage: python tests/bench/engines/run.py [--engines mujoco,newton] [--meshes spo
 Needs numpy, scipy, pymeshlab, fast-simplification and the engines (docs/engines.md says how to install them), `npm run
 build`, and the meshes of ../shared/meshes or $LIMBER_SHARED/meshes. Every simulation is kept in build/bench/engines, so
 that a run that was stopped, also by --seconds, goes on where it was. --tables only prints what is there, --write puts it
-into docs/engines.md.
+into docs/engines.md, where tables stay of which nothing is there.
 """
 
 import argparse
@@ -24,7 +24,7 @@ import scenes
 from meshes import carried_pins, closest_points, renumbered
 from models import frequency_error
 from simplifiers import METHODS, ROOT, mesh_file, simplified
-from tables import tables
+from tables import merged, tables
 
 CACHE = ROOT / "build" / "bench" / "engines"
 SHARED = Path(os.environ.get("LIMBER_SHARED", ROOT.parent / "shared")) / "meshes"
@@ -197,8 +197,9 @@ def run(store, engines, options):
 
 
 def write_document(text):
-    before, after = DOCUMENT.read_text(encoding="utf-8").split(BEGIN)[0], DOCUMENT.read_text(encoding="utf-8").split(END)[1]
-    DOCUMENT.write_text(f"{before}{BEGIN}\n\n{text}\n\n{END}{after}", encoding="utf-8")
+    before, rest = DOCUMENT.read_text(encoding="utf-8").split(BEGIN)
+    kept, after = rest.split(END)
+    DOCUMENT.write_text(f"{before}{BEGIN}\n\n{merged(kept, text)}\n\n{END}{after}", encoding="utf-8")
 
 
 def main():

@@ -50,7 +50,8 @@ METHODS = {
     "limber, fit off": (_ours, ["--fit", "off"]),
     "meshoptimizer": (_meshoptimizer, "plain"),
     "update + Regularize": (_meshoptimizer, "regularize"),
-    "pymeshlab": (_pymeshlab, {}),
+    # Its defaults, said all the same: it takes what a call before has said for the defaults of the next.
+    "pymeshlab": (_pymeshlab, {"planarquadric": False, "qualitythr": 0.3}),
     "pymeshlab, planar": (_pymeshlab, {"planarquadric": True, "qualitythr": 0.5}),
     "fast-simplification": (_fast_simplification, {}),
 }

@@ -6,6 +6,7 @@ import scenes
 from simplifiers import METHODS, OURS
 
 FLOORS = ("renumbered", "half the step")
+FREQUENCIES = "Frequencies of modes 1 to 10 in our model of each engine"
 TITLES = {"mujoco": "MuJoCo", "newton": "Newton", "jolt": "Jolt", "blender": "Blender"}
 
 
@@ -56,8 +57,31 @@ def tables(results, only_complete=False):
             parts.append(f"### {title}\n\n{motion_table(cells)}")
     frequencies = {key: value for key, value in results.items() if key.endswith("|tuning")}
     if frequencies:
-        parts.append(f"### Frequencies of modes 1 to 10 in our model of each engine\n\n{frequency_table(frequencies)}")
+        parts.append(f"### {FREQUENCIES}\n\n{frequency_table(frequencies)}")
     return "\n\n".join(parts)
+
+
+def sections_of(text):
+    """{heading: what follows it} of the tables of a document."""
+    parts = [part.partition("\n") for part in text.split("### ")[1:]]
+    return {heading.strip(): rest.strip() for heading, _, rest in parts}
+
+
+def merged(old, new):
+    """The tables of `new`, and those of `old` that it does not have; of the frequencies also rows."""
+    before, after = sections_of(old), sections_of(new)
+    sections = {**before, **after}
+    if FREQUENCIES in before and FREQUENCIES in after:
+        known = {row_name(line) for line in after[FREQUENCIES].splitlines()}
+        rows = [line for line in before[FREQUENCIES].splitlines()[2:] if row_name(line) not in known]
+        sections[FREQUENCIES] = "\n".join([after[FREQUENCIES], *rows])
+    names = sorted(sections, key=lambda name: (name == FREQUENCIES, name))
+    return "\n\n".join(f"### {name}\n\n{sections[name]}" for name in names)
+
+
+def row_name(line):
+    """Engine and mesh of a row of the frequencies."""
+    return tuple(cell.strip() for cell in line.split("|")[1:3])
 
 
 def methods_of(cells):
