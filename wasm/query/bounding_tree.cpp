@@ -2,52 +2,78 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
+
+#include "base/parallel.h"
 
 namespace limber {
 namespace {
 
 constexpr uint32_t kLeafSize = 2;
+constexpr uint32_t kSideBySide = 8192;  // items from which on both branches are built at the same time
+
+// How many nodes a tree over so many items has: one less than leaves. Halving n, 2^d <= n / 2 < 2^(d + 1), for
+// d levels gives 2^d ranges of 2, 3 or 4 items, and those of more than 2 have two leaves.
+uint32_t nodesOver(uint32_t count) {
+  if (count <= kLeafSize) return 0;
+  const uint32_t ranges = std::bit_floor(count) / 2;
+  return ranges + std::min(count - 2 * ranges, ranges) - 1;
+}
 
 }  // namespace
 
 BoundingTree::BoundingTree(const std::vector<Bounds>& boxes, const std::vector<Vec3>& centres)
-    : order_(boxes.size()) {
-  std::iota(order_.begin(), order_.end(), 0u);
-  nodes_.reserve(std::bit_ceil(1 + order_.size() / kLeafSize));
-  if (!order_.empty()) root_ = build(0, static_cast<uint32_t>(order_.size()), {boxes, centres}, box_);
+    : nodes_(nodesOver(static_cast<uint32_t>(boxes.size()))), order_(boxes.size()) {
+  if (boxes.empty()) return;
+  const auto count = static_cast<uint32_t>(boxes.size());
+  Build from{{}, boxes};
+  from.items.reserve(count);
+  for (uint32_t i = 0; i < count; ++i) from.items.push_back({centres[i], i});
+  root_ = build(from, 0, count, 0, box_);
+  for (uint32_t i = 0; i < count; ++i) order_[i] = from.items[i].index;
 }
 
-// Splits at the median centre along the longest side of the centres' box; returns the first item of the upper
-// half.
-uint32_t BoundingTree::halve(uint32_t first, uint32_t count, const std::vector<Vec3>& centres) {
-  Bounds box{centres[order_[first]], centres[order_[first]]};
-  for (uint32_t i = first; i < first + count; ++i) box.include(centres[order_[i]]);
+namespace {
+
+// Splits at the median centre along the longest side of the centres' box; `middle` is the first item of the
+// upper half.
+template <class Iterator>
+void halve(Iterator begin, Iterator middle, Iterator end) {
+  Bounds box{begin->centre, begin->centre};
+  for (Iterator item = begin; item != end; ++item) box.include(item->centre);
   const Vec3 size = box.high - box.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const auto begin = order_.begin() + first;
-  std::nth_element(begin, begin + count / 2, begin + count, [&](uint32_t a, uint32_t b) {
-    return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
+  std::nth_element(begin, middle, end, [axis](const auto& a, const auto& b) {
+    return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.index < b.index;
   });
-  return first + count / 2;
 }
 
+}  // namespace
+
 // Recursion is at most log2(n) deep, for every call halves the items.
-BoundingTree::Branch BoundingTree::build(uint32_t first, uint32_t count, const Items& items, Bounds& box) {
+BoundingTree::Branch BoundingTree::build(Build& from, uint32_t first, uint32_t count, uint32_t node,
+                                         Bounds& box) {
   if (count <= kLeafSize) {
-    box = items.boxes[order_[first]];
-    for (uint32_t i = first; i < first + count; ++i) box.include(items.boxes[order_[i]]);
+    box = from.boxes[from.items[first].index];
+    for (uint32_t i = first; i < first + count; ++i) box.include(from.boxes[from.items[i].index]);
     return {first, count};
   }
-  const uint32_t middle = halve(first, count, items.centres);
-  const auto index = static_cast<uint32_t>(nodes_.size());
-  nodes_.emplace_back();
-  Bounds upper;
-  const Branch below = build(first, middle - first, items, box);
-  const Branch above = build(middle, first + count - middle, items, upper);
-  nodes_[index] = {asPair(box.low, upper.low), asPair(box.high, upper.high), {below, above}};
-  box.include(upper);
-  return {index, 0};
+  const uint32_t half = count / 2;
+  halve(from.items.begin() + first, from.items.begin() + first + half, from.items.begin() + first + count);
+  Branch branches[2];
+  Bounds own[2];
+  const auto buildBranches = [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i)
+      branches[i] = i == 0 ? build(from, first, half, node + 1, own[0])
+                           : build(from, first + half, count - half, node + 1 + nodesOver(half), own[1]);
+  };
+  if (count >= kSideBySide)
+    parallelFor(2, 1, buildBranches);
+  else
+    buildBranches(0, 2);
+  nodes_[node] = {asPair(own[0].low, own[1].low), asPair(own[0].high, own[1].high), {branches[0], branches[1]}};
+  box = own[0];
+  box.include(own[1]);
+  return {node, 0};
 }
 
 }  // namespace limber

@@ -10,8 +10,8 @@ namespace limber {
 
 // A balanced hierarchy of bounding boxes over items 0 to n - 1 that have a centre and a box: split at the
 // median centre along the longest axis. Every node knows the boxes of its two branches, so searches by the
-// distance to the items themselves, not to their centres, are exact. Built once in O(n log n), searched from
-// any thread.
+// distance to the items themselves, not to their centres, are exact. Built once in O(n log n) by all threads,
+// searched from any thread.
 class BoundingTree {
  public:
   BoundingTree() = default;
@@ -37,13 +37,19 @@ class BoundingTree {
     Point<RealPair> low, high;  // corners of the boxes of both branches
     Branch branches[2];
   };
-  struct Items {
-    const std::vector<Bounds>& boxes;
-    const std::vector<Vec3>& centres;
+  // An item with its centre beside it: the build reads both in their order.
+  struct Item {
+    Vec3 centre;
+    uint32_t index;
   };
-  // Returns the branch over order_[first] to order_[first + count - 1] and writes its box.
-  Branch build(uint32_t first, uint32_t count, const Items& items, Bounds& box);
-  uint32_t halve(uint32_t first, uint32_t count, const std::vector<Vec3>& centres);
+  // What is built from while it is built.
+  struct Build {
+    std::vector<Item> items;
+    const std::vector<Bounds>& boxes;
+  };
+  // Returns the branch over the items first .. first + count - 1, whose nodes are nodes_[node] and those after
+  // it, and writes its box.
+  Branch build(Build& from, uint32_t first, uint32_t count, uint32_t node, Bounds& box);
 
   // Squared distances of a point to two boxes.
   static RealPair squaredDistances(const Point<RealPair>& p, const Node& node) {

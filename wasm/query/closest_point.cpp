@@ -4,12 +4,15 @@
 #include <array>
 #include <cmath>
 
+#include "base/parallel.h"
+
 namespace limber {
 
 namespace {
 
 constexpr double kSameWay = 0.25;        // cosine between normals
 constexpr double kBetweenSheets = 0.01;  // of the diagonal
+constexpr size_t kTrianglesPerRange = 4096;
 
 // The parameter in [0, 1] of the point of the segment a + s (b - a) closest to p.
 double closestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -52,10 +55,12 @@ void closestBarycentric(const Vec3& p, const Vec3 (&corner)[3], double (&barycen
 BoundingTree treeOver(const TriangleMesh& mesh) {
   std::vector<Bounds> boxes(mesh.triangleCount());
   std::vector<Vec3> centres(mesh.triangleCount());
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-    boxes[t] = bounds(mesh, t);
-    centres[t] = triangleCentre(mesh, t);
-  }
+  parallelFor(mesh.triangleCount(), kTrianglesPerRange, [&](size_t begin, size_t end) {
+    for (auto t = static_cast<uint32_t>(begin); t < end; ++t) {
+      boxes[t] = bounds(mesh, t);
+      centres[t] = triangleCentre(mesh, t);
+    }
+  });
   return {boxes, centres};
 }
 
