@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -12,6 +13,7 @@
 #include "fit/search/fit_solver.h"
 #include "fit/search/stop_rule.h"
 #include "fit/tuning.h"
+#include "linear/block_matrix.h"
 #include "linear/conjugate_gradients.h"
 
 namespace limber {
@@ -74,11 +76,25 @@ TEST(BudgetedStep, spendsTheBudgetUnlessTheRangeOfWeightsEndsBefore) {
   EXPECT_NEAR(step.weightWithinBudget(step.growth(1e-4), 1e-3, 1e3), 1e-3, 1e-9);
 }
 
-// By a factor, and by conjugate gradients, which end at 1e-4 in another norm.
+BlockMatrix blocksOf(const Eigen::MatrixXd& dense) {
+  const auto nodes = static_cast<uint32_t>(dense.rows() / 3);
+  BlockMatrix matrix;
+  matrix.start.push_back(0);
+  for (uint32_t i = 0; i < nodes; ++i) {
+    for (uint32_t j = 0; j < nodes; ++j) {
+      matrix.column.push_back(j);
+      matrix.blocks.push_back(dense.block<3, 3>(3 * i, 3 * j));
+    }
+    matrix.start.push_back(static_cast<uint32_t>(matrix.column.size()));
+  }
+  return matrix;
+}
+
+// By a factor, and by conjugate gradients, which end at 1e-2 in another norm.
 TEST(FitSolver, solvesTheDampedSystemOfTheVerticesThatAreNotLocked) {
   Job job;
   const Problem problem(5);
-  const Eigen::SparseMatrix<double> hessian = problem.hessian.sparseView();
+  const BlockMatrix hessian = blocksOf(problem.hessian);
   const Eigen::VectorXd diagonal = randomMatrix(kCoordinates, 1, 6).cwiseAbs();
   const double damping = 0.3;
   const std::vector<int> free = {0, 1, 2, 3, 4, 5, 9, 10, 11};
@@ -86,7 +102,7 @@ TEST(FitSolver, solvesTheDampedSystemOfTheVerticesThatAreNotLocked) {
   damped.diagonal() += damping * diagonal;
   const Eigen::VectorXd expected =
       Eigen::MatrixXd(damped(free, free)).ldlt().solve(Eigen::VectorXd(problem.gradient(free)));
-  for (const auto& [mostFactorised, tolerance] : {std::pair{UINT32_MAX, 1e-10}, {3u, 2e-3}}) {
+  for (const auto& [mostFactorised, tolerance] : {std::pair{UINT32_MAX, 1e-10}, {3u, 5e-2}}) {
     FitSolver solver({0, 0, 1, 0}, job, mostFactorised);
     const Eigen::VectorXd found = solver.solve({hessian, diagonal, damping}, problem.gradient);
     EXPECT_EQ(found.segment<3>(6), Eigen::Vector3d::Zero());
@@ -95,61 +111,99 @@ TEST(FitSolver, solvesTheDampedSystemOfTheVerticesThatAreNotLocked) {
 }
 
 // A chain of nodes; each 50th couples `factor` times as strongly to the next.
-Eigen::SparseMatrix<double> chainOf(Eigen::Index nodes, double factor) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Eigen::Index i = 0; i < nodes; ++i) {
-    const Eigen::Matrix3d root = randomMatrix(3, 3, static_cast<unsigned>(i + 1));
-    const Eigen::Matrix3d block = (i % 50 == 0 ? factor : 1) * root * root.transpose();
-    for (Eigen::Index r = 0; r < 3; ++r)
-      for (Eigen::Index c = 0; c < 3; ++c)
-        for (Eigen::Index a = 0; a < 2 && i + a < nodes; ++a)
-          for (Eigen::Index b = 0; b < 2 && i + b < nodes; ++b)
-            entries.emplace_back(3 * (i + a) + r, 3 * (i + b) + c, (a == b ? 1 : -1) * block(r, c));
+BlockMatrix chainOf(uint32_t nodes, double factor) {
+  BlockMatrix chain;
+  chain.start.push_back(0);
+  for (uint32_t i = 0; i < nodes; ++i) {
+    for (uint32_t j = i == 0 ? 0 : i - 1; j <= std::min(i + 1, nodes - 1); ++j) chain.column.push_back(j);
+    chain.start.push_back(static_cast<uint32_t>(chain.column.size()));
   }
-  Eigen::SparseMatrix<double> matrix(3 * nodes, 3 * nodes);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+  chain.blocks.assign(chain.column.size(), Eigen::Matrix3d::Zero());
+  for (uint32_t i = 0; i < nodes; ++i) {
+    const Eigen::Matrix3d root = randomMatrix(3, 3, i + 1);
+    const Eigen::Matrix3d block = (i % 50 == 0 ? factor : 1) * root * root.transpose();
+    chain.at(i, i) += block;
+    if (i + 1 == nodes) continue;
+    chain.at(i + 1, i + 1) += block;
+    chain.at(i, i + 1) = chain.at(i + 1, i) = -block;
+  }
+  return chain;
 }
 
 struct ChainProblem {
   static constexpr Eigen::Index kNodes = 5000;
   explicit ChainProblem(double factor) : chain(chainOf(kNodes, factor)) {}
 
-  Eigen::SparseMatrix<double> chain;
+  BlockMatrix chain;
   Eigen::VectorXd diagonal = Eigen::VectorXd::Constant(3 * kNodes, 2.0);
-  Eigen::VectorXd b = randomMatrix(3 * kNodes, 1, 7);
+  Eigen::MatrixXd b = randomMatrix(3 * kNodes, 4, 7);
   std::vector<uint8_t> isFixed;
   ShiftedMatrix matrix{chain, diagonal, 0.1, isFixed};
 
-  Eigen::VectorXd exact() const {
-    Eigen::SparseMatrix<double> whole = chain;
-    for (Eigen::Index i = 0; i < 3 * kNodes; ++i) whole.coeffRef(i, i) += 0.1 * diagonal[i];
-    return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(whole).solve(b);
+  Eigen::SparseMatrix<double> whole() const {
+    Eigen::SparseMatrix<double> sum;
+    chain.writeTo(sum);
+    for (Eigen::Index i = 0; i < 3 * kNodes; ++i) sum.coeffRef(i, i) += 0.1 * diagonal[i];
+    return sum;
   }
-  // x^T A x / 2 - b^T x of the shifted matrix.
-  double model(const Eigen::VectorXd& x) const {
-    return x.dot(chain * x + 0.1 * diagonal.cwiseProduct(x)) / 2 - b.dot(x);
+  Eigen::MatrixXd exact() const { return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(whole()).solve(b); }
+  // x^T A x / 2 - b^T x of the shifted matrix, per column.
+  Eigen::VectorXd model(const Eigen::MatrixXd& x) const {
+    return (x.cwiseProduct(whole() * x) / 2 - b.cwiseProduct(x)).colwise().sum().transpose();
   }
 };
 
+// The blocks of row i, transposed, are those of column i.
+TEST(BlockMatrix, isTheSymmetricMatrixOfItsBlocks) {
+  const BlockMatrix chain = chainOf(7, 3);
+  Eigen::SparseMatrix<double> written;
+  chain.writeTo(written);
+  const Eigen::MatrixXd dense = written;
+  EXPECT_EQ(dense, dense.transpose());
+  for (uint32_t i = 0; i < 7; ++i)
+    for (uint32_t j = 0; j < 7; ++j) {
+      const bool isNear = i <= j + 1 && j <= i + 1;
+      const Eigen::Matrix3d expected = isNear ? chain.at(i, j) : Eigen::Matrix3d::Zero();
+      EXPECT_EQ((dense.block<3, 3>(3 * i, 3 * j)), expected) << i << " " << j;
+    }
+}
+
+// Columns go in groups of three; none depends on the others but for when it ends.
 TEST(ConjugateGradients, solveAlikeWithAnyNumberOfThreads) {
   Job job;
   const ChainProblem problem(10);
-  const Eigen::VectorXd found = conjugateGradients(problem.matrix, problem.b, job), exact = problem.exact();
-  EXPECT_LT((found - exact).norm(), 1e-2 * exact.norm());
+  const Eigen::MatrixXd found = conjugateGradients(problem.matrix, problem.b, job), exact = problem.exact();
+  for (Eigen::Index k = 0; k < exact.cols(); ++k)
+    EXPECT_LT((found.col(k) - exact.col(k)).norm(), 5e-2 * exact.col(k).norm()) << k;
   setThreadCount(3);
   EXPECT_EQ(conjugateGradients(problem.matrix, problem.b, job), found);
   setThreadCount(1);
 }
 
+TEST(ConjugateGradients, leaveFixedNodesInPlaceAndColumnsOfZerosAtZero) {
+  Job job;
+  ChainProblem problem(10);
+  problem.isFixed.assign(ChainProblem::kNodes, 0);
+  problem.isFixed[3] = problem.isFixed[4000] = 1;
+  problem.b.col(1).setZero();
+  const Eigen::MatrixXd found = conjugateGradients(problem.matrix, problem.b, job);
+  EXPECT_TRUE(found.middleRows(9, 3).isZero(0));
+  EXPECT_TRUE(found.middleRows(12000, 3).isZero(0));
+  EXPECT_TRUE(found.col(1).isZero(0));
+  EXPECT_FALSE(found.col(2).isZero(0));
+}
+
 // Where some couple far more strongly than others the steps end first.
 TEST(ConjugateGradients, lowerTheModelWhereTheyAreCutShort) {
   Job job;
-  const ChainProblem problem(1e4);
-  const Eigen::VectorXd found = conjugateGradients(problem.matrix, problem.b, job), exact = problem.exact();
+  const ChainProblem problem(1e8);
+  const Eigen::MatrixXd found = conjugateGradients(problem.matrix, problem.b, job), exact = problem.exact();
   EXPECT_GT((found - exact).norm(), 1e-2 * exact.norm());
-  EXPECT_LT(problem.model(found), 0.5 * problem.model(exact));
-  EXPECT_GE(problem.model(found), problem.model(exact));
+  const Eigen::VectorXd reached = problem.model(found), least = problem.model(exact);
+  for (Eigen::Index k = 0; k < least.size(); ++k) {
+    EXPECT_LT(reached[k], 0.5 * least[k]);
+    EXPECT_GE(reached[k], least[k]);
+  }
 }
 
 TEST(Damping, risesAfterPoorStepsAndFallsAfterGoodOnes) {

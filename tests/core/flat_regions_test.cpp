@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/SparseCore>
 #include <cmath>
 #include <random>
 
@@ -100,11 +101,16 @@ TEST(FlatRegions, doNotAffectFlatResultsOfCurvedOriginals) {
 TEST(FlatRegions, penaliseDisplacementsOutOfTheirPlanes) {
   const TriangleMesh mesh = shapes::grid(4, 4);
   const auto count = static_cast<Eigen::Index>(3 * mesh.vertexCount());
-  Eigen::MatrixXd blocks = Eigen::MatrixXd::Zero(count, count);
-  for (Eigen::Index v = 0; v < count; v += 3)
-    blocks.block<3, 3>(v, v) = Eigen::Matrix3d::Constant(0.1) + 2 * Eigen::Matrix3d::Identity();
-  Eigen::SparseMatrix<double> hessian = blocks.sparseView();
-  regionsOf(mesh).stiffen(hessian);
+  const Eigen::Matrix3d block = Eigen::Matrix3d::Constant(0.1) + 2 * Eigen::Matrix3d::Identity();
+  BlockMatrix blocks{.start = {0}, .column = {}, .blocks = {}};
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    blocks.column.push_back(v);
+    blocks.blocks.push_back(block);
+    blocks.start.push_back(v + 1);
+  }
+  regionsOf(mesh).stiffen(blocks);
+  Eigen::SparseMatrix<double> hessian;
+  blocks.writeTo(hessian);
   const Eigen::VectorXd step = Eigen::MatrixXd(hessian).ldlt().solve(Eigen::VectorXd::Ones(count));
   for (Eigen::Index v = 0; v < count; v += 3) {
     EXPECT_NEAR(step[v], step[v + 1], 1e-9);

@@ -69,8 +69,9 @@ void fitPart(FitPart& part, const ShapeContext& context, ShapeFitResult& fitted)
       part.isLarge ? tuning::surface::kLargeSamplesPerTriangle : tuning::surface::kSamplesPerTriangle;
   const FitSamples samples =
       sampleForFit(part.original, perTriangle * part.result.triangleCount(), part.originalFeatureEdges);
-  const DistanceBounds bounds(part.original, part.result, topology);
-  const PartLimits limits(part, {maxDeviation, context.options.minAngle, context.samples});
+  const ClosestPointTree treeOfOriginal(part.original);
+  const DistanceBounds bounds(treeOfOriginal, part.result, topology);
+  const PartLimits limits(part, treeOfOriginal, {maxDeviation, context.options.minAngle, context.samples});
   StepLimits steps = limits.steps;
   steps.distanceBounds = &bounds;
   ShapeRounds rounds(part, samples, steps, context.job);

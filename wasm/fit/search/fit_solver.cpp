@@ -17,7 +17,7 @@ FitSolver::FitSolver(const std::vector<uint8_t>& locked, Job& job, uint32_t most
 
 Eigen::MatrixXd FitSolver::solve(const DampedSystem& system, Eigen::MatrixXd columns) {
   if (isIterative_) return solveIteratively(system, std::move(columns));
-  pencil_.k = system.hessian;
+  system.hessian.writeTo(pencil_.k);
   pencil_.m = system.dampingDiagonal;
   if (!lockedUnknowns_.empty()) clampUnknowns(pencil_, lockedUnknowns_);
   if (!structure_) structure_ = std::make_shared<const FactorStructure>(factorStructure(pencil_, job_));
@@ -28,10 +28,13 @@ Eigen::MatrixXd FitSolver::solve(const DampedSystem& system, Eigen::MatrixXd col
   return columns;
 }
 
+// Columns of zeros stay so, and take no time.
 Eigen::MatrixXd FitSolver::solveIteratively(const DampedSystem& system, Eigen::MatrixXd columns) const {
   const ShiftedMatrix matrix{system.hessian, system.dampingDiagonal, system.damping, locked_};
+  std::vector<Eigen::Index> kept;
   for (Eigen::Index k = 0; k < columns.cols(); ++k)
-    if (!columns.col(k).isZero(0)) columns.col(k) = conjugateGradients(matrix, columns.col(k), job_);
+    if (!columns.col(k).isZero(0)) kept.push_back(k);
+  columns(Eigen::all, kept) = conjugateGradients(matrix, columns(Eigen::all, kept), job_);
   return columns;
 }
 

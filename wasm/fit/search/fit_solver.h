@@ -1,11 +1,12 @@
 #pragma once
 
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "base/job.h"
+#include "linear/block_matrix.h"
 #include "linear/factor_structure.h"
 #include "linear/sparse_pencil.h"
 
@@ -14,9 +15,9 @@ namespace limber {
 // The matrix A + mu D of the normal equations of a damped Gauss-Newton step (Levenberg 1944, Marquardt 1963)
 // over the coordinates 3 v + axis of a mesh.
 struct DampedSystem {
-  const Eigen::SparseMatrix<double>& hessian;  // A, positive semidefinite, both triangles stored
-  const Eigen::VectorXd& dampingDiagonal;      // D, positive
-  double damping;                              // mu > 0
+  const BlockMatrix& hessian;              // A, positive semidefinite
+  const Eigen::VectorXd& dampingDiagonal;  // D, positive
+  double damping;                          // mu > 0
 };
 
 // Solves damped systems of meshes whose vertices move while their triangles stay, so that the sparsity
@@ -29,7 +30,7 @@ class FitSolver {
   FitSolver(const std::vector<uint8_t>& locked, Job& job, uint32_t mostFactorised = UINT32_MAX);
 
   // (A + mu D)^-1 b for each column b of 3 vertexCount numbers; all columns share one factorisation. By
-  // conjugate gradients to 1e-4 of each column. Throws Cancelled.
+  // conjugate gradients to a hundredth of each column. Throws Cancelled.
   Eigen::MatrixXd solve(const DampedSystem& system, Eigen::MatrixXd columns);
 
  private:

@@ -109,22 +109,19 @@ FlatRegions::FlatRegions(const TriangleMesh& original, const TriangleMesh& mesh,
       for (const uint32_t corner : mesh.triangles[t]) addAcross(plane, across[corner]);
   }
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
-    if (!across[v].isZero()) vertices_.push_back({3 * static_cast<Eigen::Index>(v), across[v]});
+    if (!across[v].isZero()) vertices_.push_back({v, across[v]});
 }
 
-void FlatRegions::stiffen(Eigen::SparseMatrix<double>& hessian) const {
-  for (const auto& [first, across] : vertices_) {
-    double own = 0;
-    for (int axis = 0; axis < 3; ++axis) own += hessian.coeff(first + axis, first + axis);
-    const Eigen::Matrix3d penalty = kPenalty * own * across * across.transpose();
-    for (int column = 0; column < 3; ++column)
-      for (int row = 0; row < 3; ++row) hessian.coeffRef(first + row, first + column) += penalty(row, column);
+void FlatRegions::stiffen(BlockMatrix& hessian) const {
+  for (const auto& [v, across] : vertices_) {
+    Eigen::Matrix3d& own = hessian.at(v, v);
+    own += kPenalty * own.trace() * across * across.transpose();
   }
 }
 
 void FlatRegions::flatten(Eigen::MatrixXd& displacements) const {
-  for (const auto& [first, across] : vertices_) {
-    auto rows = displacements.middleRows<3>(first);
+  for (const auto& [v, across] : vertices_) {
+    auto rows = displacements.middleRows<3>(3 * static_cast<Eigen::Index>(v));
     rows -= across * (across.transpose() * rows).eval();
   }
 }

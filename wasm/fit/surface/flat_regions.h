@@ -1,9 +1,9 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <Eigen/SparseCore>
 #include <vector>
 
+#include "linear/block_matrix.h"
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
 
@@ -19,15 +19,15 @@ class FlatRegions {
   FlatRegions() = default;  // no region
   FlatRegions(const TriangleMesh& original, const TriangleMesh& mesh, const Topology& topology);
 
-  // Adds a large penalty on displacements out of the planes to a quadratic model of all coordinates (3 v +
-  // axis), whose sparsity pattern must contain the diagonal blocks of the vertices.
-  void stiffen(Eigen::SparseMatrix<double>& hessian) const;
+  // Adds a large penalty on displacements out of the planes to a quadratic model whose nodes are the
+  // vertices.
+  void stiffen(BlockMatrix& hessian) const;
   // Removes the components out of the planes from displacements: a column each, of all coordinates.
   void flatten(Eigen::MatrixXd& displacements) const;
 
  private:
   struct FlatVertex {
-    Eigen::Index first;      // its first coordinate
+    uint32_t vertex;
     Eigen::Matrix3d across;  // orthonormal columns along which it does not move; the rest are 0
   };
   std::vector<FlatVertex> vertices_;

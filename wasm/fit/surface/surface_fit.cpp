@@ -9,7 +9,6 @@
 #include "base/parallel.h"
 #include "fit/surface/evenness.h"
 #include "fit/tuning.h"
-#include "linear/element_assembly.h"
 #include "mesh/eigen_vec3.h"
 #include "query/closest_point.h"
 
@@ -48,14 +47,13 @@ std::vector<Contact> findContacts(const TriangleMesh& mesh, const FitSamples& sa
   return contacts;
 }
 
-using TriangleBlocks = std::array<Eigen::Matrix3d, 6>;  // between the corners 00 01 02 11 12 22 of a triangle
-constexpr int kPair[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+// The blocks of one row of the quadratic term: between one corner of a triangle and its corners 0, 1 and 2.
+using CornerBlocks = std::array<Eigen::Matrix3d, 3>;
 
-// Adds x^T B x to the quadratic term, where x is the displacement of a point of the triangle.
-void addBlock(TriangleBlocks& blocks, const SurfacePoint& point, const Eigen::Matrix3d& block) {
-  for (int a = 0; a < 3; ++a)
-    for (int b = a; b < 3; ++b)
-      blocks[static_cast<size_t>(kPair[a][b])] += point.barycentric[a] * point.barycentric[b] * block;
+// Adds the row of x^T B x, where x is the displacement of a point of the triangle.
+void addBlock(CornerBlocks& row, int corner, const SurfacePoint& point, const Eigen::Matrix3d& block) {
+  for (int b = 0; b < 3; ++b)
+    row[static_cast<size_t>(b)] += point.barycentric[corner] * point.barycentric[b] * block;
 }
 
 // Entries by their triangle, in their order: those of triangle t are of[start[t]] .. of[start[t + 1] - 1].
@@ -171,15 +169,7 @@ Eigen::VectorXd dampingDiagonalOf(const std::vector<double>& area) {
   return diagonal;
 }
 
-// A triangle that is closest to no sample keeps its plane.
-void keepPlane(const TriangleMesh& mesh, uint32_t t, TriangleBlocks& blocks) {
-  if (!std::ranges::all_of(blocks, [](const auto& block) { return block.isZero(); })) return;
-  const Eigen::Vector3d n = eigen(normalized(areaNormal(mesh, t)));
-  const Eigen::Matrix3d share = triangleArea(mesh, t) / 3 * n * n.transpose();
-  for (const size_t diagonal : {0, 3, 5}) blocks[diagonal] = share;
-}
-
-// Makes the blocks of one triangle after the other.
+// Makes the blocks of the quadratic term, row by row.
 class TriangleModel {
  public:
   TriangleModel(const ModelSums& sums, bool keepsUnsampled)
@@ -188,49 +178,70 @@ class TriangleModel {
         contacts_(byTriangle(sums.contacts, sums.mesh.triangleCount())),
         features_(byTriangle(sums.features, sums.mesh.triangleCount())) {}
 
-  TriangleBlocks blocksOf(uint32_t t) const {
-    TriangleBlocks blocks;
-    blocks.fill(Eigen::Matrix3d::Zero());
+  CornerBlocks blocksAt(Corner corner) const {
+    const uint32_t t = corner.triangle();
+    CornerBlocks row;
+    row.fill(Eigen::Matrix3d::Zero());
     for (uint32_t k = contacts_.start[t]; k < contacts_.start[t + 1]; ++k) {
       const uint32_t i = contacts_.of[k];
       const Eigen::Vector3d n = eigen(sums_.samples.surface[i].normal);
-      addBlock(blocks, sums_.contacts[i], sums_.weightOf(i) * n * n.transpose());
+      addBlock(row, corner.index(), sums_.contacts[i], sums_.weightOf(i) * n * n.transpose());
     }
-    if (keepsUnsampled_) keepPlane(sums_.mesh, t, blocks);
+    if (keepsUnsampled_ && contacts_.start[t] == contacts_.start[t + 1]) keepPlane(corner, row);
     for (uint32_t k = features_.start[t]; k < features_.start[t + 1]; ++k) {
       const FeatureContact& feature = sums_.features[features_.of[k]];
-      addBlock(blocks, feature, feature.across);
+      addBlock(row, corner.index(), feature, feature.across);
     }
-    return blocks;
+    return row;
   }
 
  private:
+  // A triangle that is closest to no sample keeps its plane.
+  void keepPlane(Corner corner, CornerBlocks& row) const {
+    const Eigen::Vector3d n = eigen(normalized(areaNormal(sums_.mesh, corner.triangle())));
+    row[static_cast<size_t>(corner.index())] +=
+        triangleArea(sums_.mesh, corner.triangle()) / 3 * n * n.transpose();
+  }
+
   const ModelSums& sums_;
   bool keepsUnsampled_;
   ByTriangle contacts_, features_;
 };
 
-void assemble(const Topology& topology, const ModelSums& sums, const TriangleModel& model,
-              Eigen::SparseMatrix<double>& hessian) {
-  const TriangleMesh& mesh = sums.mesh;
-  std::vector<uint32_t> firstUnknown, nodes;
-  for (uint32_t v = 0; v <= mesh.vertexCount(); ++v) firstUnknown.push_back(3 * v);
-  for (const Triangle& triangle : mesh.triangles) nodes.insert(nodes.end(), triangle.begin(), triangle.end());
-  ElementAssembly assembly(firstUnknown, nodes, 3);
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-    const TriangleBlocks blocks = model.blocksOf(t);
-    Eigen::Matrix<double, 9, 9> element;
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b)
-        element.block<3, 3>(3 * a, 3 * b) = blocks[static_cast<size_t>(kPair[a][b])];
-    for (int a = 0; a < 3; ++a) {
-      const uint32_t v = mesh.triangles[t][static_cast<size_t>(a)];
-      element.block<3, 3>(3 * a, 3 * a) +=
-          sums.vertices[v] / static_cast<double>(topology.trianglesAround(v).size());
-    }
-    assembly.add(t, element);
+// Per vertex the vertices around it and itself, ascending, with blocks of 0.
+BlockMatrix emptyMatrix(const TriangleMesh& mesh, const Topology& topology) {
+  BlockMatrix matrix;
+  matrix.start.assign(mesh.vertexCount() + 1, 1);
+  matrix.start[0] = 0;
+  for (const auto& [a, b, firstUse, useCount] : topology.edges) {
+    ++matrix.start[a + 1];
+    ++matrix.start[b + 1];
   }
-  assembly.take(hessian);
+  std::partial_sum(matrix.start.begin(), matrix.start.end(), matrix.start.begin());
+  matrix.column.resize(matrix.start.back());
+  std::vector<uint32_t> next(matrix.start.begin(), matrix.start.end() - 1);
+  // Edges ascend by their lower, then by their upper vertex: so do the lower neighbours of every vertex, which
+  // come first, and its upper ones, which come last.
+  for (const Topology::Edge& edge : topology.edges) matrix.column[next[edge.b]++] = edge.a;
+  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) matrix.column[next[v]++] = v;
+  for (const Topology::Edge& edge : topology.edges) matrix.column[next[edge.a]++] = edge.b;
+  matrix.blocks.assign(matrix.column.size(), Eigen::Matrix3d::Zero());
+  return matrix;
+}
+
+BlockMatrix assemble(const Topology& topology, const ModelSums& sums, const TriangleModel& model) {
+  const TriangleMesh& mesh = sums.mesh;
+  BlockMatrix hessian = emptyMatrix(mesh, topology);
+  parallelFor(mesh.vertexCount(), kSamplesPerRange, [&](size_t begin, size_t end) {
+    for (auto v = static_cast<uint32_t>(begin); v < end; ++v)
+      for (const Corner corner : topology.cornersAt(v)) {
+        CornerBlocks row = model.blocksAt(corner);
+        row[static_cast<size_t>(corner.index())] +=
+            sums.vertices[v] / static_cast<double>(topology.cornersAt(v).size());
+        for (size_t c = 0; c < 3; ++c) hessian.at(v, mesh.triangles[corner.triangle()][c]) += row[c];
+      }
+  });
+  return hessian;
 }
 
 }  // namespace
@@ -253,7 +264,7 @@ SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const 
   const Neighbourhoods around = neighbourhoodsOf(mesh, features, options.normalWeight);
   if (options.evenness > 0) addEvenness(around, options.evenness, sums);
   fit.dampingDiagonal = dampingDiagonalOf(around.area);
-  assemble(topology, sums, TriangleModel(sums, options.keepsUnsampled), fit.hessian);
+  fit.hessian = assemble(topology, sums, TriangleModel(sums, options.keepsUnsampled));
   fit.gradient = std::move(sums.gradient);
   return fit;
 }

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
 #include "fit/surface/evenness.h"
 #include "fit/surface/feature_segments.h"
 #include "fit/surface/fit_samples.h"
+#include "linear/block_matrix.h"
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
 
@@ -39,9 +40,9 @@ SampleDistance sampleDistance(const TriangleMesh& mesh, const FitSamples& sample
 // Evenness adds the squared distance of each vertex from the middle of its triangles (of its segments, on a
 // feature edge), along the surface alone: see tangentialFreedom.
 struct SurfaceFit : SampleDistance {
-  Eigen::SparseMatrix<double> hessian;  // A: 3 vertexCount rows and columns, both triangles stored
-  Eigen::VectorXd dampingDiagonal;      // D: the area around a vertex, at least the mean, per coordinate
-  Eigen::VectorXd gradient;             // g: minus half of the derivative of E at dx = 0
+  BlockMatrix hessian;              // A; its nodes are the vertices
+  Eigen::VectorXd dampingDiagonal;  // D: the area around a vertex, at least the mean, per coordinate
+  Eigen::VectorXd gradient;         // g: minus half of the derivative of E at dx = 0
 };
 SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const FitSamples& samples,
                       const SurfaceFitOptions& options);
