@@ -19,14 +19,16 @@ struct Sheets {
 
 TEST(DistanceBounds, letVerticesMoveAlongTheSurfaceAndALittleOffIt) {
   const auto [surface, start] = Sheets{};
-  const DistanceBounds bounds(surface, start, buildTopology(start));
+  const ClosestPointTree tree(surface);
+  const DistanceBounds bounds(tree, start, buildTopology(start));
   for (const Vec3& target : {Vec3{0.5, 0.5, 0.004}, Vec3{0.1, 0.9, 0}, Vec3{0.31, 0.72, -0.003}})
     EXPECT_EQ(bounds.limited(60, target), target);
 }
 
 TEST(DistanceBounds, stopVerticesAtATwentiethOfTheirEdges) {
   const auto [surface, start] = Sheets{};
-  const DistanceBounds bounds(surface, start, buildTopology(start));
+  const ClosestPointTree tree(surface);
+  const DistanceBounds bounds(tree, start, buildTopology(start));
   for (const double height : {0.02, 0.1, -0.5}) {
     const Vec3 there = bounds.limited(60, {0.42, 0.55, height});
     EXPECT_NEAR(there.x, 0.42, 1e-12);
@@ -44,7 +46,8 @@ TEST(DistanceBounds, stopVerticesAtATwentiethOfTheirEdges) {
 TEST(DistanceBounds, letVerticesKeepTheirDistanceAtTheStart) {
   auto [surface, start] = Sheets{};
   start.positions[60].z = 0.08;
-  const DistanceBounds bounds(surface, start, buildTopology(start));
+  const ClosestPointTree tree(surface);
+  const DistanceBounds bounds(tree, start, buildTopology(start));
   EXPECT_EQ(bounds.limited(60, {0.45, 0.5, 0.079}), (Vec3{0.45, 0.5, 0.079}));
   EXPECT_NEAR(distanceFrom(surface, bounds.limited(60, {0.45, 0.5, 0.2})), 0.08, 1e-12);
   EXPECT_LT(distanceFrom(surface, bounds.limited(61, {0.45, 0.5, 0.2})), 0.02);

@@ -85,7 +85,8 @@ TEST(FitLimits, theFitIsTheSameOnAnyNumberOfThreads) {
 
 TEST(DeviationGuard, tellsWhichTrianglesHaveMovedTooFar) {
   const TriangleMesh fine = shapes::grid(16, 16), coarse = shapes::grid(4, 4);
-  DeviationGuard guard(fine, 0.1);
+  const ClosestPointTree tree(fine);
+  DeviationGuard guard(fine, tree, 0.1);
   const std::vector<uint8_t> none(coarse.triangleCount(), 0);
   EXPECT_EQ(guard.begin(coarse), none);
   TriangleMesh moved = coarse;
@@ -106,7 +107,8 @@ TEST(DeviationGuard, measuresTheDistanceFromTheOriginalToo) {
   const TriangleMesh coarse = shapes::grid(4, 4);
   const uint32_t spike = 17 * 6 + 5;
   fine.positions[spike].z = 0.3;
-  DeviationGuard guard(fine, 0.1);
+  const ClosestPointTree tree(fine);
+  DeviationGuard guard(fine, tree, 0.1);
   const std::vector<uint8_t> far = guard.begin(coarse);
   EXPECT_EQ(std::accumulate(far.begin(), far.end(), 0), 1);
   // A triangle that was too far from the start is not reported again.
@@ -117,7 +119,8 @@ TEST(GuardedStep, doesNotMoveTrianglesThatAreTooFarAlready) {
   const TriangleMesh fine = shapes::grid(16, 16);
   TriangleMesh coarse = shapes::grid(4, 4);
   coarse.positions[12].z = 0.2;
-  DeviationGuard guard(fine, 0.1);
+  const ClosestPointTree tree(fine);
+  DeviationGuard guard(fine, tree, 0.1);
   const GuardedStep step(coarse, {.deviation = &guard});
   const Eigen::VectorXd lift = Eigen::VectorXd::Constant(3 * coarse.vertexCount(), 0.01);
   const TriangleMesh moved = step.apply(coarse, lift);

@@ -27,6 +27,17 @@ struct FitContext {
   Job& job;
 };
 
+// The surface of a part's original, as it is fitted to.
+struct OriginalSurface {
+  OriginalSurface(const FitPart& part, uint32_t samplesPerTriangle)
+      : tree(part.original),
+        samples(sampleForFit(part.original, samplesPerTriangle * part.result.triangleCount(),
+                             part.originalFeatureEdges)) {}
+
+  ClosestPointTree tree;
+  FitSamples samples;
+};
+
 // The largest root mean square distance that a search may use.
 double budgetOf(const FitPart& part, const FitSamples& samples) {
   const SampleDistance start = sampleDistance(part.result, samples);
@@ -39,8 +50,8 @@ struct SearchErrors {
 };
 
 // Moves the vertices of part.result. Nothing where a body has no elastic modes.
-std::optional<SearchErrors> searchModes(FitPart& part, const FitSamples& samples, const SearchLimits& limits,
-                                        const FitContext& context) {
+std::optional<SearchErrors> searchModes(FitPart& part, const OriginalSurface& surface,
+                                        const SearchLimits& limits, const FitContext& context) {
   const ElasticMaterial material =
       unitMaterial(context.options.thickness / part.frame.diagonal, context.options.poisson);
   ModalTarget target(part.original, part.result,
@@ -49,7 +60,7 @@ std::optional<SearchErrors> searchModes(FitPart& part, const FitSamples& samples
                      context.job);
   context.report(kTargetShare);
   if (target.empty()) return std::nullopt;
-  ModalSearch search({part, samples, target}, limits, context.job);
+  ModalSearch search({part, surface.tree, surface.samples, target}, limits, context.job);
   part.result =
       search.run([&](double fraction) { context.report(kTargetShare + (1 - kTargetShare) * fraction); });
   return SearchErrors{search.meanSquareBefore(), search.meanSquareAfter()};
@@ -66,13 +77,11 @@ void fitLarge(FitPart& part, const FitContext& context, ModalFitResult& fitted) 
     ++fitted.tooLarge;
     return;
   }
-  const FitSamples samples =
-      sampleForFit(part.original, tuning::surface::kLargeSamplesPerTriangle * part.result.triangleCount(),
-                   part.originalFeatureEdges);
-  const PartLimits partLimits(part, {context.options.maxDeviation, context.options.minAngle});
+  const OriginalSurface surface(part, tuning::surface::kLargeSamplesPerTriangle);
+  const PartLimits partLimits(part, surface.tree, {context.options.maxDeviation, context.options.minAngle});
   const SearchLimits limits{
-      .budget = budgetOf(part, samples), .steps = partLimits.steps, .effort = tuning::kLargeSearch};
-  const std::optional<SearchErrors> errors = searchModes(part, samples, limits, context);
+      .budget = budgetOf(part, surface.samples), .steps = partLimits.steps, .effort = tuning::kLargeSearch};
+  const std::optional<SearchErrors> errors = searchModes(part, surface, limits, context);
   if (!errors) return;
   addErrors(*errors, fitted);
   ++fitted.large;
@@ -89,18 +98,16 @@ SearchLimits limitsOf(const FitPart& part, const FitSamples& samples, const Step
 }
 
 void fitPart(FitPart& part, const FitContext& context, ModalFitResult& fitted) {
-  const FitSamples samples =
-      sampleForFit(part.original, tuning::surface::kSamplesPerTriangle * part.result.triangleCount(),
-                   part.originalFeatureEdges);
-  const PartLimits partLimits(part, {context.options.maxDeviation, context.options.minAngle});
-  const SearchLimits limits = limitsOf(part, samples, partLimits.steps);
+  const OriginalSurface surface(part, tuning::surface::kSamplesPerTriangle);
+  const PartLimits partLimits(part, surface.tree, {context.options.maxDeviation, context.options.minAngle});
+  const SearchLimits limits = limitsOf(part, surface.samples, partLimits.steps);
   FitPart unprepared = part;
   std::vector<uint32_t> corners = unflipped(part.result).corners;
   uint32_t flips =
-      runSurfaceRounds(part, {samples, partLimits.steps, context.options.maxDeviation}, corners, context.job);
-  std::optional<SearchErrors> errors = searchModes(part, samples, limits, context);
+      runSurfaceRounds(part, {surface.samples, partLimits.steps, context.options.maxDeviation}, corners, context.job);
+  std::optional<SearchErrors> errors = searchModes(part, surface, limits, context);
   if (errors && errors->after > tuning::search::kRetryAbove) {
-    const std::optional<SearchErrors> second = searchModes(unprepared, samples, limits, context);
+    const std::optional<SearchErrors> second = searchModes(unprepared, surface, limits, context);
     if (second && second->after < errors->after) {
       std::swap(part, unprepared);
       corners = unflipped(part.result).corners;

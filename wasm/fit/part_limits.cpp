@@ -6,12 +6,12 @@
 
 namespace limber {
 
-PartLimits::PartLimits(const FitPart& part, const Asked& asked) {
+PartLimits::PartLimits(const FitPart& part, const ClosestPointTree& treeOfOriginal, const Asked& asked) {
   steps.partners = part.partners();
   if (asked.minAngle > 0) steps.minAngle = std::min(asked.minAngle, measureQuality(part.result).minAngle);
   if (asked.maxDeviation > 0)
     steps.deviation =
-        &deviation.emplace(part.original, asked.maxDeviation / part.frame.diagonal, asked.samples);
+        &deviation.emplace(part.original, treeOfOriginal, asked.maxDeviation / part.frame.diagonal, asked.samples);
 }
 
 }  // namespace limber

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMargin =
     0.9;  // fraction of the limit that samples may use: points between them are farther
-constexpr size_t kSamplesPerRange = 256, kTrianglesPerRange = 64;
+constexpr size_t kSamplesPerRange = 256, kTrianglesPerRange = 256;
 // Each triangle is cut into n^2 congruent ones, so that there are about as many in all as samples are wanted;
 // n is at least kFewestCuts for the moving mesh (1 for the original) and at most kMostCuts.
 constexpr double kFewestCuts = 3, kMostCuts = 24;
@@ -38,22 +38,53 @@ Weights middles(int n) {
   return weights;
 }
 
-Vec3 pointOn(const TriangleMesh& mesh, uint32_t t, const std::array<double, 3>& weight) {
+Vec3 pointOn(const TriangleMesh& mesh, uint32_t t, const double* weight) {
   return mesh.corner(t, 0) * weight[0] + mesh.corner(t, 1) * weight[1] + mesh.corner(t, 2) * weight[2];
+}
+Vec3 pointOn(const TriangleMesh& mesh, const SurfacePoint& point) {
+  return pointOn(mesh, point.triangle, point.barycentric);
+}
+
+// The largest distance of a point of triangle t from p: it is that of a corner.
+double farthest(const TriangleMesh& mesh, uint32_t t, const Vec3& p) {
+  double square = 0;
+  for (int c = 0; c < 3; ++c) square = std::max(square, squaredLength(mesh.corner(t, c) - p));
+  return std::sqrt(square);
+}
+
+// For each triangle of a mesh a point of another surface that is within `enough` of all of it, as one search
+// from its centre finds it; triangle kNone where that finds none.
+std::vector<SurfacePoint> coversOf(const TriangleMesh& mesh, const ClosestPointTree& surface, double enough) {
+  std::vector<SurfacePoint> covers(mesh.triangleCount());
+  parallelFor(covers.size(), kTrianglesPerRange, [&](size_t from, size_t to) {
+    // Triangles that follow one another are mostly neighbours, so what was found for one is a good guess for
+    // the next.
+    uint32_t near = kNone;
+    for (auto t = static_cast<uint32_t>(from); t < to; ++t) {
+      const Vec3 centre = triangleCentre(mesh, t);
+      const double reach = enough - farthest(mesh, t, centre);
+      if (!(reach > 0)) continue;
+      const ClosestPoint found = surface.nearEnough(centre, reach, near);
+      near = found.triangle;
+      if (found.distance <= reach) covers[t] = found;
+    }
+  });
+  return covers;
+}
+
+bool isUnchanged(const std::vector<uint8_t>& isChanged, uint32_t t) {
+  return !isChanged.empty() && isChanged[t] == 0;
 }
 
 }  // namespace
 
-DeviationGuard::DeviationGuard(const TriangleMesh& original, double limit, uint32_t samples)
-    : allowed_(kMargin * limit), parts_(samples), tree_(original), originalPoints_(original.positions) {
-  const Weights weights = middles(cutsOf(original, parts_, 1));
-  for (uint32_t t = 0; t < original.triangleCount(); ++t)
-    for (const auto& weight : weights) originalPoints_.push_back(pointOn(original, t, weight));
-}
-
-Vec3 DeviationGuard::meshPoint(const TriangleMesh& mesh, size_t i) const {
-  return pointOn(mesh, static_cast<uint32_t>(i / weights_.size()), weights_[i % weights_.size()]);
-}
+DeviationGuard::DeviationGuard(const TriangleMesh& original, const ClosestPointTree& tree, double limit,
+                               uint32_t samples)
+    : original_(original),
+      tree_(tree),
+      allowed_(kMargin * limit),
+      parts_(samples),
+      middles_(middles(cutsOf(original, parts_, 1))) {}
 
 // A point this near to a sample serves as its surface point: what is left of the limit is for the mesh to
 // move in. The closest point is searched only where none is found.
@@ -62,81 +93,141 @@ double DeviationGuard::nearEnough() const {
 }
 
 std::vector<uint8_t> DeviationGuard::begin(const TriangleMesh& mesh) {
-  const ClosestPointTree tree(mesh);
   weights_ = lattice(cutsOf(mesh, parts_, kFewestCuts));
-  meshPointsNear_.assign(originalPoints_.size(), {});
-  originalPointsNear_.assign(weights_.size() * mesh.triangleCount(), {});
-  std::vector<uint8_t> isFar(mesh.triangleCount(), 0);
-  std::vector<uint32_t> farOf(originalPoints_.size(), kNone);
+  Marks isFar(mesh.triangleCount(), 0);
+  coverOriginal(ClosestPointTree(mesh), isFar);
+  coverMesh(mesh, isFar);
+  return isFar;
+}
+
+// The samples of triangles without a cover, and the vertices that are in no triangle with one.
+std::vector<DeviationGuard::OriginalSample> DeviationGuard::uncoveredSamples() const {
+  std::vector<uint8_t> isCovered(original_.vertexCount(), 0);
+  for (uint32_t t = 0; t < original_.triangleCount(); ++t)
+    if (coverOfOriginal_[t].triangle != kNone)
+      for (const uint32_t v : original_.triangles[t]) isCovered[v] = 1;
+  std::vector<OriginalSample> samples;
+  for (uint32_t v = 0; v < original_.vertexCount(); ++v)
+    if (!isCovered[v]) samples.push_back({original_.positions[v]});
+  for (uint32_t t = 0; t < original_.triangleCount(); ++t)
+    if (coverOfOriginal_[t].triangle == kNone)
+      for (const auto& weight : middles_) samples.push_back({pointOn(original_, t, weight.data())});
+  return samples;
+}
+
+void DeviationGuard::coverOriginal(const ClosestPointTree& treeOfMesh, Marks& isFar) {
+  coverOfOriginal_ = coversOf(original_, treeOfMesh, nearEnough());
+  originalSamples_ = uncoveredSamples();
+  std::vector<uint32_t> farOf(originalSamples_.size(), kNone);
   // Samples follow one another over a triangle, so that the surface point of one is a good guess for the
   // next.
-  parallelFor(meshPointsNear_.size(), kSamplesPerRange, [&](size_t from, size_t to) {
+  parallelFor(originalSamples_.size(), kSamplesPerRange, [&](size_t from, size_t to) {
     uint32_t near = kNone;
     for (size_t i = from; i < to; ++i) {
-      const ClosestPoint found = tree.nearEnough(originalPoints_[i], nearEnough(), near);
+      const ClosestPoint found = treeOfMesh.nearEnough(originalSamples_[i].position, nearEnough(), near);
       near = found.triangle;
       if (found.distance <= allowed_)
-        meshPointsNear_[i] = found;
+        originalSamples_[i].near = found;
       else
         farOf[i] = near;
     }
   });
   for (const uint32_t t : farOf)
     if (t != kNone) isFar[t] = 1;
+}
+
+void DeviationGuard::coverMesh(const TriangleMesh& mesh, Marks& isFar) {
+  coverOfMesh_ = coversOf(mesh, tree_, nearEnough());
+  firstNear_.assign(mesh.triangleCount(), kNone);
+  uint32_t count = 0;
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    if (coverOfMesh_[t].triangle != kNone) continue;
+    firstNear_[t] = count;
+    count += static_cast<uint32_t>(weights_.size());
+  }
+  meshSamplesNear_.assign(count, {});
   parallelFor(mesh.triangleCount(), kTrianglesPerRange, [&](size_t from, size_t to) {
     uint32_t near = kNone;
-    for (size_t i = weights_.size() * from; i < weights_.size() * to; ++i) {
-      const ClosestPoint found = tree_.nearEnough(meshPoint(mesh, i), nearEnough(), near);
-      near = found.triangle;
-      if (found.distance <= allowed_)
-        originalPointsNear_[i] = {found.position, near};
-      else
-        isFar[i / weights_.size()] = 1;
-    }
+    for (auto t = static_cast<uint32_t>(from); t < to; ++t)
+      for (size_t i = 0; i < weights_.size() && firstNear_[t] != kNone; ++i) {
+        const ClosestPoint found =
+            tree_.nearEnough(pointOn(mesh, t, weights_[i].data()), nearEnough(), near);
+        near = found.triangle;
+        if (found.distance <= allowed_)
+          meshSamplesNear_[firstNear_[t] + i] = found;
+        else
+          isFar[t] = 1;
+      }
   });
+}
+
+std::vector<uint8_t> DeviationGuard::tooFar(const TriangleMesh& moved, const Marks& isChanged) const {
+  Marks isFar(moved.triangleCount(), 0);
+  checkOriginal(moved, isChanged, isFar);
+  checkMoved(moved, isChanged, isFar);
   return isFar;
 }
 
-std::vector<uint8_t> DeviationGuard::tooFar(const TriangleMesh& moved) const {
-  std::vector<uint8_t> isFar(moved.triangleCount(), 0);
-  checkOriginal(moved, isFar);
-  checkMoved(moved, isFar);
-  return isFar;
+// The samples whose surface point has moved too far from them.
+std::vector<DeviationGuard::OriginalSample> DeviationGuard::unclearSamples(const TriangleMesh& moved,
+                                                                           const Marks& isChanged) const {
+  std::vector<uint8_t> isUnclear(original_.triangleCount(), 0);
+  parallelFor(isUnclear.size(), kTrianglesPerRange, [&](size_t from, size_t to) {
+    for (auto t = static_cast<uint32_t>(from); t < to; ++t) {
+      const SurfacePoint& cover = coverOfOriginal_[t];
+      if (cover.triangle != kNone && !isUnchanged(isChanged, cover.triangle))
+        isUnclear[t] = farthest(original_, t, pointOn(moved, cover)) > allowed_;
+    }
+  });
+  std::vector<OriginalSample> unclear;
+  const auto add = [&](const Vec3& position, const SurfacePoint& near) {
+    if (length(pointOn(moved, near) - position) > allowed_) unclear.push_back({position, near});
+  };
+  for (const auto& [position, near] : originalSamples_)
+    if (near.triangle != kNone && !isUnchanged(isChanged, near.triangle)) add(position, near);
+  for (uint32_t t = 0; t < original_.triangleCount(); ++t) {
+    if (!isUnclear[t]) continue;
+    for (int c = 0; c < 3; ++c) add(original_.corner(t, c), coverOfOriginal_[t]);
+    for (const auto& weight : middles_) add(pointOn(original_, t, weight.data()), coverOfOriginal_[t]);
+  }
+  return unclear;
 }
 
 // Where the surface point has moved too far from its sample, another point may be close enough.
-void DeviationGuard::checkOriginal(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const {
-  std::vector<size_t> unclear;
-  for (size_t i = 0; i < meshPointsNear_.size(); ++i) {
-    const auto& [triangle, b] = meshPointsNear_[i];
-    if (triangle != kNone &&
-        length(pointOn(moved, triangle, {b[0], b[1], b[2]}) - originalPoints_[i]) > allowed_)
-      unclear.push_back(i);
-  }
+void DeviationGuard::checkOriginal(const TriangleMesh& moved, const Marks& isChanged, Marks& isFar) const {
+  const std::vector<OriginalSample> unclear = unclearSamples(moved, isChanged);
   if (unclear.empty()) return;
   const ClosestPointTree tree(moved);
   std::vector<uint32_t> found(unclear.size(), kNone);
   parallelFor(unclear.size(), kSamplesPerRange, [&](size_t from, size_t to) {
     for (size_t i = from; i < to; ++i) {
-      const ClosestPoint near =
-          tree.nearEnough(originalPoints_[unclear[i]], allowed_, meshPointsNear_[unclear[i]].triangle);
+      const ClosestPoint near = tree.nearEnough(unclear[i].position, allowed_, unclear[i].near.triangle);
       if (near.distance > allowed_) found[i] = near.triangle;
     }
   });
   for (size_t i = 0; i < found.size(); ++i)
-    if (found[i] != kNone) isFar[found[i]] = isFar[meshPointsNear_[unclear[i]].triangle] = 1;
+    if (found[i] != kNone) isFar[found[i]] = isFar[unclear[i].near.triangle] = 1;
 }
 
-void DeviationGuard::checkMoved(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const {
+bool DeviationGuard::isTooFar(const TriangleMesh& moved, uint32_t t) const {
+  const SurfacePoint& cover = coverOfMesh_[t];
+  const bool isCovered = cover.triangle != kNone;
+  if (isCovered && farthest(moved, t, pointOn(original_, cover)) <= allowed_) return false;
+  for (size_t i = 0; i < weights_.size(); ++i) {
+    const SurfacePoint& near = isCovered ? cover : meshSamplesNear_[firstNear_[t] + i];
+    if (near.triangle == kNone) continue;
+    const Vec3 point = pointOn(moved, t, weights_[i].data());
+    if (length(point - pointOn(original_, near)) > allowed_ &&
+        tree_.nearEnough(point, allowed_, near.triangle).distance > allowed_)
+      return true;
+  }
+  return false;
+}
+
+void DeviationGuard::checkMoved(const TriangleMesh& moved, const Marks& isChanged, Marks& isFar) const {
   parallelFor(moved.triangleCount(), kTrianglesPerRange, [&](size_t from, size_t to) {
-    for (size_t t = from; t < to; ++t)
-      for (size_t i = weights_.size() * t; i < weights_.size() * (t + 1) && !isFar[t]; ++i) {
-        const auto& [near, triangle] = originalPointsNear_[i];
-        if (triangle == kNone) continue;
-        const Vec3 point = meshPoint(moved, i);
-        isFar[t] = length(point - near) > allowed_ &&
-                   tree_.nearEnough(point, allowed_, triangle).distance > allowed_;
-      }
+    for (auto t = static_cast<uint32_t>(from); t < to; ++t)
+      if (!isFar[t] && !isUnchanged(isChanged, t)) isFar[t] = isTooFar(moved, t);
   });
 }
 

@@ -16,39 +16,56 @@ inline constexpr uint32_t kGuardSamples = 20000;
 // far from them. Both surfaces are judged at samples: about `samples` points spread over the triangles, at
 // least a few on each, and the vertices. The samples must respect nine tenths of the limit, which leaves a
 // margin for the points between them. Triangles that are too far from the start must not move.
+//
+// A point of the other surface that is near enough to all of a triangle covers it: then its samples need no
+// points of their own. So meshes whose triangles are small beside the limit take one search a triangle.
 class DeviationGuard {
  public:
-  // Keeps a reference to `original`. `limit`: a length in its units. `samples`: of each surface.
-  DeviationGuard(const TriangleMesh& original, double limit, uint32_t samples = kGuardSamples);
+  // Keeps references to `original` and to the tree over it. `limit`: a length in its units. `samples`: of
+  // each surface.
+  DeviationGuard(const TriangleMesh& original, const ClosestPointTree& tree, double limit,
+                 uint32_t samples = kGuardSamples);
 
   // Takes the mesh that vertices are about to move from. Returns 1 for each triangle that is too far already,
   // else 0. O(n log n).
   std::vector<uint8_t> begin(const TriangleMesh& mesh);
 
   // `moved`: the mesh of `begin` with other positions. Returns 1 for each triangle that is too far and was
-  // not at the start, else 0. Fast where points move by less than what is left of the limit.
-  std::vector<uint8_t> tooFar(const TriangleMesh& moved) const;
+  // not at the start, else 0. `isChanged`: 0 for triangles that are where they were when they were last
+  // found near enough, by `begin` or by a call after it; empty: all are asked about. Fast where points move
+  // by less than what is left of the limit.
+  std::vector<uint8_t> tooFar(const TriangleMesh& moved, const std::vector<uint8_t>& isChanged = {}) const;
 
  private:
-  // A point of the original that a sample of the moving mesh is near; triangle kNone where none is at the
-  // start.
-  struct NearOriginalPoint {
+  // A sample of the original, and a point of the mesh near it; triangle kNone where none is at the start.
+  struct OriginalSample {
     Vec3 position;
-    uint32_t triangle = kNone;
+    SurfacePoint near = {};
   };
-  Vec3 meshPoint(const TriangleMesh& mesh, size_t i) const;
-  double nearEnough() const;
-  void checkOriginal(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const;
-  void checkMoved(const TriangleMesh& moved, std::vector<uint8_t>& isFar) const;
+  using Marks = std::vector<uint8_t>;  // per triangle of the mesh
 
-  double allowed_;                              // largest distance of a sample
-  double parts_;                                // that each surface is cut into, about
-  std::vector<std::array<double, 3>> weights_;  // barycentric coordinates of the samples of every triangle
-  ClosestPointTree tree_;                       // of the original
-  std::vector<Vec3> originalPoints_;            // samples of the original
-  std::vector<SurfacePoint>
-      meshPointsNear_;  // per sample of the original a point of the mesh near it, as below
-  std::vector<NearOriginalPoint> originalPointsNear_;  // per sample of the mesh, triangle by triangle
+  void coverOriginal(const ClosestPointTree& treeOfMesh, Marks& isFar);
+  void coverMesh(const TriangleMesh& mesh, Marks& isFar);
+  std::vector<OriginalSample> uncoveredSamples() const;
+  std::vector<OriginalSample> unclearSamples(const TriangleMesh& moved, const Marks& isChanged) const;
+  void checkOriginal(const TriangleMesh& moved, const Marks& isChanged, Marks& isFar) const;
+  void checkMoved(const TriangleMesh& moved, const Marks& isChanged, Marks& isFar) const;
+  bool isTooFar(const TriangleMesh& moved, uint32_t t) const;
+  double nearEnough() const;
+
+  const TriangleMesh& original_;
+  const ClosestPointTree& tree_;                      // of the original
+  double allowed_;                                    // largest distance of a sample
+  double parts_;                                      // that each surface is cut into, about
+  std::vector<std::array<double, 3>> middles_;        // samples of a triangle of the original ...
+  std::vector<std::array<double, 3>> weights_;        // ... and of the mesh, as barycentric coordinates
+  std::vector<SurfacePoint> coverOfOriginal_;         // per triangle of the original: on the mesh
+  std::vector<OriginalSample> originalSamples_;       // of what is not covered
+  std::vector<SurfacePoint> coverOfMesh_;             // per triangle of the mesh: on the original
+  std::vector<uint32_t> firstNear_;                   // per triangle of the mesh: see `meshSamplesNear_`
+  // Points of the original near samples of the mesh: those of triangle t that is not covered begin at
+  // firstNear_[t]. Triangle kNone where none is near at the start.
+  std::vector<SurfacePoint> meshSamplesNear_;
 };
 
 }  // namespace limber

@@ -24,14 +24,14 @@ std::vector<double> meanEdges(const TriangleMesh& mesh, const Topology& topology
 
 }  // namespace
 
-DistanceBounds::DistanceBounds(const TriangleMesh& surface, const TriangleMesh& start,
+DistanceBounds::DistanceBounds(const ClosestPointTree& surface, const TriangleMesh& start,
                                const Topology& topology)
-    : tree_(surface), bounds_(start.vertexCount()) {
+    : surface_(surface), bounds_(start.vertexCount()) {
   const std::vector<double> edges = meanEdges(start, topology);
   parallelFor(bounds_.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
     uint32_t near = kNone;
     for (size_t v = begin; v < end; ++v) {
-      const ClosestPoint closest = tree_.closest(start.positions[v], near);
+      const ClosestPoint closest = surface_.closest(start.positions[v], near);
       near = closest.triangle;
       bounds_[v] = {start.positions[v], closest.distance,
                     std::max(closest.distance, kEdgeFraction * edges[v]), near};
@@ -43,7 +43,7 @@ Vec3 DistanceBounds::limited(uint32_t v, const Vec3& target) const {
   const auto& [start, startDistance, most, near] = bounds_[v];
   // By the triangle inequality; saves the search for most vertices.
   if (startDistance + length(target - start) <= most) return target;
-  const ClosestPoint nearest = tree_.nearEnough(target, most, near);
+  const ClosestPoint nearest = surface_.nearEnough(target, most, near);
   if (nearest.distance <= most) return target;
   return nearest.position + (target - nearest.position) * (most / nearest.distance);
 }

@@ -15,8 +15,8 @@ namespace limber {
 // swing, so that frequencies depend on them.
 class DistanceBounds {
  public:
-  // Keeps a reference to `surface`.
-  DistanceBounds(const TriangleMesh& surface, const TriangleMesh& start, const Topology& topology);
+  // Keeps a reference to the tree over the surface. `topology`: of `start`.
+  DistanceBounds(const ClosestPointTree& surface, const TriangleMesh& start, const Topology& topology);
 
   // `target` where it respects the bound of vertex v; otherwise the point between it and its closest point of
   // the surface that does. O(log n).
@@ -29,7 +29,7 @@ class DistanceBounds {
     double most;           // the bound
     uint32_t near;         // triangle of the surface that is closest to `start`
   };
-  ClosestPointTree tree_;
+  const ClosestPointTree& surface_;
   std::vector<Bound> bounds_;  // per vertex
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "mesh/quality.h"
 
 namespace limber {
@@ -16,9 +17,17 @@ constexpr double kGoodQuality = 0.45;  // ... where it has no more than this
 constexpr double kRounding = 0.01;     // degrees that storing positions as float32 may cost
 constexpr int kHalvings = 5;           // of the displacements of a bad face, before they are removed
 constexpr int kMostRounds = 50;        // of checks, after which the step is given up
+constexpr size_t kPerRange = 2048;
 
 double smallestAngle(const TriangleMesh& mesh, uint32_t t) {
   return smallestAngle(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+}
+
+template <class Body>
+void forTriangles(const TriangleMesh& mesh, const Body& body) {
+  parallelFor(mesh.triangleCount(), kPerRange, [&](size_t begin, size_t end) {
+    for (auto t = static_cast<uint32_t>(begin); t < end; ++t) body(t);
+  });
 }
 
 // Per vertex the lowest height of the triangles around it.
@@ -34,17 +43,28 @@ std::vector<double> clearanceOf(const TriangleMesh& mesh) {
   return clearance;
 }
 
+// Per face 1 where a corner of it is marked.
+std::vector<uint8_t> trianglesAt(const TriangleMesh& mesh, const std::vector<uint8_t>& isMarked) {
+  std::vector<uint8_t> has(mesh.triangleCount(), 0);
+  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    for (const uint32_t v : mesh.triangles[t]) has[t] |= isMarked[v];
+  return has;
+}
+
 }  // namespace
 
-GuardedStep::GuardedStep(const TriangleMesh& start, const StepLimits& limits) : limits_(limits) {
-  for (uint32_t t = 0; t < start.triangleCount(); ++t) {
-    normal_.push_back(normalized(areaNormal(start, t)));
-    quality_.push_back(
-        std::min(kKeptQuality * triangleQuality(start.corner(t, 0), start.corner(t, 1), start.corner(t, 2)),
-                 kGoodQuality));
-    angle_.push_back(limits.minAngle > 0 ? std::min(limits.minAngle + kRounding, smallestAngle(start, t))
-                                         : 0);
-  }
+GuardedStep::GuardedStep(const TriangleMesh& start, const StepLimits& limits)
+    : limits_(limits),
+      normal_(start.triangleCount()),
+      quality_(start.triangleCount()),
+      angle_(start.triangleCount(), 0) {
+  forTriangles(start, [&](uint32_t t) {
+    normal_[t] = normalized(areaNormal(start, t));
+    quality_[t] = std::min(
+        kKeptQuality * triangleQuality(start.corner(t, 0), start.corner(t, 1), start.corner(t, 2)),
+        kGoodQuality);
+    if (limits.minAngle > 0) angle_[t] = std::min(limits.minAngle + kRounding, smallestAngle(start, t));
+  });
 }
 
 bool GuardedStep::isSound(const TriangleMesh& mesh, uint32_t t) const {
@@ -69,10 +89,14 @@ std::vector<uint8_t> GuardedStep::verticesOf(const TriangleMesh& mesh,
   return has;
 }
 
-std::vector<uint8_t> GuardedStep::badVertices(const TriangleMesh& moved) const {
+// Asks about changed faces alone: what was sound and has not moved since is sound.
+std::vector<uint8_t> GuardedStep::badVertices(const TriangleMesh& moved,
+                                              const std::vector<uint8_t>& isChanged) const {
   std::vector<uint8_t> isBad(moved.triangleCount(), 0);
-  if (limits_.deviation) isBad = limits_.deviation->tooFar(moved);
-  for (uint32_t t = 0; t < moved.triangleCount(); ++t) isBad[t] |= !isSound(moved, t);
+  if (limits_.deviation) isBad = limits_.deviation->tooFar(moved, isChanged);
+  forTriangles(moved, [&](uint32_t t) {
+    if (isChanged.empty() || isChanged[t]) isBad[t] |= !isSound(moved, t);
+  });
   return verticesOf(moved, isBad);
 }
 
@@ -80,18 +104,20 @@ std::vector<Vec3> GuardedStep::limitedDisplacements(const TriangleMesh& mesh,
                                                     const Eigen::VectorXd& step) const {
   const std::vector<double> clearance = clearanceOf(mesh);
   std::vector<Vec3> moves(mesh.vertexCount());
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    const auto row = 3 * static_cast<Eigen::Index>(v);
-    Vec3& move = moves[v];
-    move = {step[row], step[row + 1], step[row + 2]};
-    const double size = length(move), most = kStep * clearance[v];
-    if (!isFinite(move))
-      move = {};
-    else if (size > most)
-      move *= most / size;
-    if (limits_.distanceBounds)
-      move = limits_.distanceBounds->limited(v, mesh.positions[v] + move) - mesh.positions[v];
-  }
+  parallelFor(moves.size(), kPerRange, [&](size_t begin, size_t end) {
+    for (auto v = static_cast<uint32_t>(begin); v < end; ++v) {
+      const auto row = 3 * static_cast<Eigen::Index>(v);
+      Vec3& move = moves[v];
+      move = {step[row], step[row + 1], step[row + 2]};
+      const double size = length(move), most = kStep * clearance[v];
+      if (!isFinite(move))
+        move = {};
+      else if (size > most)
+        move *= most / size;
+      if (limits_.distanceBounds)
+        move = limits_.distanceBounds->limited(v, mesh.positions[v] + move) - mesh.positions[v];
+    }
+  });
   return moves;
 }
 
@@ -104,12 +130,14 @@ TriangleMesh GuardedStep::apply(const TriangleMesh& mesh, const Eigen::VectorXd&
       if (stays[v]) moves[v] = {};
   }
   TriangleMesh moved = mesh;
+  std::vector<uint8_t> isChanged;  // per face, since the round before; empty: all are
   for (int round = 0; round <= kMostRounds; ++round) {
     for (uint32_t v = 0; v < n; ++v) moved.positions[v] = mesh.positions[v] + moves[v];
-    const std::vector<uint8_t> isBad = badVertices(moved);
+    const std::vector<uint8_t> isBad = badVertices(moved, isChanged);
     if (isBad.empty()) return moved;
     for (uint32_t v = 0; v < n; ++v)
       if (isBad[v]) moves[v] *= round < kHalvings ? 0.5 : 0;
+    isChanged = trianglesAt(mesh, isBad);
   }
   return mesh;
 }

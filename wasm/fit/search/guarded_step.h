@@ -36,7 +36,7 @@ class GuardedStep {
   bool isSound(const TriangleMesh& mesh, uint32_t t) const;
   std::vector<Vec3> limitedDisplacements(const TriangleMesh& mesh, const Eigen::VectorXd& step) const;
   std::vector<uint8_t> verticesOf(const TriangleMesh& mesh, const std::vector<uint8_t>& isMarked) const;
-  std::vector<uint8_t> badVertices(const TriangleMesh& moved) const;
+  std::vector<uint8_t> badVertices(const TriangleMesh& moved, const std::vector<uint8_t>& isChanged) const;
 
   StepLimits limits_;
   std::vector<Vec3> normal_;             // per face, at the start; 0 for a face without area, which is free

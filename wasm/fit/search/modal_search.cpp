@@ -27,7 +27,7 @@ ModalSearch::ModalSearch(const SearchProblem& problem, const SearchLimits& limit
     : problem_(problem),
       limits_(limits),
       evaluator_(problem, job),
-      distanceBounds_(problem.part.original, problem.part.result, evaluator_.topology()),
+      distanceBounds_(problem.treeOfOriginal, problem.part.result, evaluator_.topology()),
       guard_(problem.part.result, withBounds(limits.steps, distanceBounds_)),
       solver_(problem.part.locked, job),
       damping_(3 * static_cast<Eigen::Index>(problem.part.result.vertexCount()), limits.effort.initialDamping,

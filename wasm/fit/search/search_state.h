@@ -7,6 +7,7 @@
 #include "fit/target/mismatch.h"
 #include "fit/target/modal_target.h"
 #include "mesh/topology.h"
+#include "query/closest_point.h"
 
 namespace limber {
 
@@ -25,6 +26,7 @@ struct SearchState {
 // What a search works on.
 struct SearchProblem {
   const FitPart& part;
+  const ClosestPointTree& treeOfOriginal;
   const FitSamples& samples;  // of part.original
   ModalTarget& target;
 };
