@@ -146,7 +146,9 @@ struct ChainProblem {
     for (Eigen::Index i = 0; i < 3 * kNodes; ++i) sum.coeffRef(i, i) += 0.1 * diagonal[i];
     return sum;
   }
-  Eigen::MatrixXd exact() const { return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(whole()).solve(b); }
+  Eigen::MatrixXd exact() const {
+    return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(whole()).solve(b);
+  }
   // x^T A x / 2 - b^T x of the shifted matrix, per column.
   Eigen::VectorXd model(const Eigen::MatrixXd& x) const {
     return (x.cwiseProduct(whole() * x) / 2 - b.cwiseProduct(x)).colwise().sum().transpose();

@@ -92,7 +92,10 @@ describe('a largest frequency error', () => {
     expect(frequency.isBinding).toBe(true);
     expect(errorOf(faces)).toBeCloseTo(frequency.error, 6);
     expect(frequency.error).toBeLessThanOrEqual(change.maxFrequencyError);
-    expect(errorOf(Math.floor(0.97 * faces))).toBeGreaterThan(change.maxFrequencyError);
+    // Errors jump from count to count, the more so with a fit: a count just below was tried, and is beyond the limit.
+    const below = frequency.tried.filter((tried) => tried.faces < faces && tried.faces >= 0.97 * faces);
+    expect(below.length).toBeGreaterThan(0);
+    for (const tried of below) expect(errorOf(tried.faces)).toBeGreaterThan(change.maxFrequencyError);
   });
 
   it('accepts a requested number of faces that is within it', () => {

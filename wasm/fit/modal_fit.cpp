@@ -103,8 +103,8 @@ void fitPart(FitPart& part, const FitContext& context, ModalFitResult& fitted) {
   const SearchLimits limits = limitsOf(part, surface.samples, partLimits.steps);
   FitPart unprepared = part;
   std::vector<uint32_t> corners = unflipped(part.result).corners;
-  uint32_t flips =
-      runSurfaceRounds(part, {surface.samples, partLimits.steps, context.options.maxDeviation}, corners, context.job);
+  uint32_t flips = runSurfaceRounds(part, {surface.samples, partLimits.steps, context.options.maxDeviation},
+                                    corners, context.job);
   std::optional<SearchErrors> errors = searchModes(part, surface, limits, context);
   if (errors && errors->after > tuning::search::kRetryAbove) {
     const std::optional<SearchErrors> second = searchModes(unprepared, surface, limits, context);

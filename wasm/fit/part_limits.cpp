@@ -10,8 +10,8 @@ PartLimits::PartLimits(const FitPart& part, const ClosestPointTree& treeOfOrigin
   steps.partners = part.partners();
   if (asked.minAngle > 0) steps.minAngle = std::min(asked.minAngle, measureQuality(part.result).minAngle);
   if (asked.maxDeviation > 0)
-    steps.deviation =
-        &deviation.emplace(part.original, treeOfOriginal, asked.maxDeviation / part.frame.diagonal, asked.samples);
+    steps.deviation = &deviation.emplace(part.original, treeOfOriginal,
+                                         asked.maxDeviation / part.frame.diagonal, asked.samples);
 }
 
 }  // namespace limber

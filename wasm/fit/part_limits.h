@@ -18,7 +18,8 @@ struct PartLimits {
     double minAngle = 0;               // degrees; 0: no limit
     uint32_t samples = kGuardSamples;  // of each surface, at which the deviation is judged
   };
-  // Keeps references to `part` and to the tree over its original. A limit on angles that the part violates becomes its smallest angle.
+  // Keeps references to `part` and to the tree over its original. A limit on angles that the part violates
+  // becomes its smallest angle.
   PartLimits(const FitPart& part, const ClosestPointTree& treeOfOriginal, const Asked& asked);
   PartLimits(const PartLimits&) = delete;
 };

@@ -52,7 +52,7 @@ class Solve {
     Numbers ratio = Numbers::Zero();
     for (int step = 0; step < kMostSteps && (squares > enough).any(); ++step) {
       job_.check();
-      turn(direction, residual, ratio);
+      conjugate(direction, residual, ratio);
       const Numbers curvature = multiply(direction, product);
       if (!((curvature > 0) || (squares <= enough)).all()) break;
       // A column that has converged stays as it is.
@@ -96,9 +96,10 @@ class Solve {
   }
 
   // The next direction: the preconditioned residual, conjugate to the direction before.
-  void turn(Vector& direction, const Vector& residual, const Numbers& ratio) const {
+  void conjugate(Vector& direction, const Vector& residual, const Numbers& ratio) const {
     forNodes([&](size_t node) {
-      direction[node] = (inverses_[node] * residual[node]).array() + direction[node].array().rowwise() * ratio;
+      direction[node] =
+          (inverses_[node] * residual[node]).array() + direction[node].array().rowwise() * ratio;
     });
   }
 
@@ -107,7 +108,8 @@ class Solve {
     const BlockMatrix& a = matrix_.a;
     return sumOver([&](size_t node) -> Numbers {
       Unknowns sum = (matrix_.mu * dampingOf(node)).asDiagonal() * x[node];
-      for (uint32_t k = a.start[node]; k < a.start[node + 1]; ++k) sum.noalias() += a.blocks[k] * x[a.column[k]];
+      for (uint32_t k = a.start[node]; k < a.start[node + 1]; ++k)
+        sum.noalias() += a.blocks[k] * x[a.column[k]];
       if (isFixed(node)) sum.setZero();
       product[node] = sum;
       return dot(x[node], sum);

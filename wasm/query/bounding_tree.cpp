@@ -11,8 +11,8 @@ namespace {
 constexpr uint32_t kLeafSize = 2;
 constexpr uint32_t kSideBySide = 8192;  // items from which on both branches are built at the same time
 
-// How many nodes a tree over so many items has: one less than leaves. Halving n, 2^d <= n / 2 < 2^(d + 1), for
-// d levels gives 2^d ranges of 2, 3 or 4 items, and those of more than 2 have two leaves.
+// How many nodes a tree over so many items has: one less than leaves. Halving n, 2^d <= n / 2 < 2^(d + 1),
+// for d levels gives 2^d ranges of 2, 3 or 4 items, and those of more than 2 have two leaves.
 uint32_t nodesOver(uint32_t count) {
   if (count <= kLeafSize) return 0;
   const uint32_t ranges = std::bit_floor(count) / 2;
@@ -28,7 +28,7 @@ BoundingTree::BoundingTree(const std::vector<Bounds>& boxes, const std::vector<V
   Build from{{}, boxes};
   from.items.reserve(count);
   for (uint32_t i = 0; i < count; ++i) from.items.push_back({centres[i], i});
-  root_ = build(from, 0, count, 0, box_);
+  root_ = build(from, {0, count, 0}, box_);
   for (uint32_t i = 0; i < count; ++i) order_[i] = from.items[i].index;
 }
 
@@ -50,27 +50,28 @@ void halve(Iterator begin, Iterator middle, Iterator end) {
 }  // namespace
 
 // Recursion is at most log2(n) deep, for every call halves the items.
-BoundingTree::Branch BoundingTree::build(Build& from, uint32_t first, uint32_t count, uint32_t node,
-                                         Bounds& box) {
+BoundingTree::Branch BoundingTree::build(Build& from, const Part& part, Bounds& box) {
+  const auto [first, count, node] = part;
+  const auto begin = from.items.begin() + first;
   if (count <= kLeafSize) {
-    box = from.boxes[from.items[first].index];
-    for (uint32_t i = first; i < first + count; ++i) box.include(from.boxes[from.items[i].index]);
+    box = from.boxes[begin->index];
+    for (uint32_t i = 0; i < count; ++i) box.include(from.boxes[begin[i].index]);
     return {first, count};
   }
   const uint32_t half = count / 2;
-  halve(from.items.begin() + first, from.items.begin() + first + half, from.items.begin() + first + count);
+  halve(begin, begin + half, begin + count);
+  const Part parts[2] = {{first, half, node + 1}, {first + half, count - half, node + 1 + nodesOver(half)}};
   Branch branches[2];
   Bounds own[2];
-  const auto buildBranches = [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i)
-      branches[i] = i == 0 ? build(from, first, half, node + 1, own[0])
-                           : build(from, first + half, count - half, node + 1 + nodesOver(half), own[1]);
+  const auto buildParts = [&](size_t low, size_t high) {
+    for (size_t i = low; i < high; ++i) branches[i] = build(from, parts[i], own[i]);
   };
   if (count >= kSideBySide)
-    parallelFor(2, 1, buildBranches);
+    parallelFor(2, 1, buildParts);
   else
-    buildBranches(0, 2);
-  nodes_[node] = {asPair(own[0].low, own[1].low), asPair(own[0].high, own[1].high), {branches[0], branches[1]}};
+    buildParts(0, 2);
+  nodes_[node] = {
+      asPair(own[0].low, own[1].low), asPair(own[0].high, own[1].high), {branches[0], branches[1]}};
   box = own[0];
   box.include(own[1]);
   return {node, 0};

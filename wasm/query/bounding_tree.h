@@ -47,9 +47,12 @@ class BoundingTree {
     std::vector<Item> items;
     const std::vector<Bounds>& boxes;
   };
-  // Returns the branch over the items first .. first + count - 1, whose nodes are nodes_[node] and those after
-  // it, and writes its box.
-  Branch build(Build& from, uint32_t first, uint32_t count, uint32_t node, Bounds& box);
+  // The items first .. first + count - 1, whose nodes are nodes_[node] and those after it.
+  struct Part {
+    uint32_t first, count, node;
+  };
+  // Returns the branch over a part of the items, and writes its box.
+  Branch build(Build& from, const Part& part, Bounds& box);
 
   // Squared distances of a point to two boxes.
   static RealPair squaredDistances(const Point<RealPair>& p, const Node& node) {

@@ -62,11 +62,11 @@ std::vector<SurfacePoint> coversOf(const TriangleMesh& mesh, const ClosestPointT
     uint32_t near = kNone;
     for (auto t = static_cast<uint32_t>(from); t < to; ++t) {
       const Vec3 centre = triangleCentre(mesh, t);
-      const double reach = enough - farthest(mesh, t, centre);
-      if (!(reach > 0)) continue;
-      const ClosestPoint found = surface.nearEnough(centre, reach, near);
+      const double slack = enough - farthest(mesh, t, centre);
+      if (!(slack > 0)) continue;
+      const ClosestPoint found = surface.nearEnough(centre, slack, near);
       near = found.triangle;
-      if (found.distance <= reach) covers[t] = found;
+      if (found.distance <= slack) covers[t] = found;
     }
   });
   return covers;
@@ -150,8 +150,7 @@ void DeviationGuard::coverMesh(const TriangleMesh& mesh, Marks& isFar) {
     uint32_t near = kNone;
     for (auto t = static_cast<uint32_t>(from); t < to; ++t)
       for (size_t i = 0; i < weights_.size() && firstNear_[t] != kNone; ++i) {
-        const ClosestPoint found =
-            tree_.nearEnough(pointOn(mesh, t, weights_[i].data()), nearEnough(), near);
+        const ClosestPoint found = tree_.nearEnough(pointOn(mesh, t, weights_[i].data()), nearEnough(), near);
         near = found.triangle;
         if (found.distance <= allowed_)
           meshSamplesNear_[firstNear_[t] + i] = found;

@@ -54,15 +54,15 @@ class DeviationGuard {
   double nearEnough() const;
 
   const TriangleMesh& original_;
-  const ClosestPointTree& tree_;                      // of the original
-  double allowed_;                                    // largest distance of a sample
-  double parts_;                                      // that each surface is cut into, about
-  std::vector<std::array<double, 3>> middles_;        // samples of a triangle of the original ...
-  std::vector<std::array<double, 3>> weights_;        // ... and of the mesh, as barycentric coordinates
-  std::vector<SurfacePoint> coverOfOriginal_;         // per triangle of the original: on the mesh
-  std::vector<OriginalSample> originalSamples_;       // of what is not covered
-  std::vector<SurfacePoint> coverOfMesh_;             // per triangle of the mesh: on the original
-  std::vector<uint32_t> firstNear_;                   // per triangle of the mesh: see `meshSamplesNear_`
+  const ClosestPointTree& tree_;                 // of the original
+  double allowed_;                               // largest distance of a sample
+  double parts_;                                 // that each surface is cut into, about
+  std::vector<std::array<double, 3>> middles_;   // samples of a triangle of the original ...
+  std::vector<std::array<double, 3>> weights_;   // ... and of the mesh, as barycentric coordinates
+  std::vector<SurfacePoint> coverOfOriginal_;    // per triangle of the original: on the mesh
+  std::vector<OriginalSample> originalSamples_;  // of what is not covered
+  std::vector<SurfacePoint> coverOfMesh_;        // per triangle of the mesh: on the original
+  std::vector<uint32_t> firstNear_;              // per triangle of the mesh: see `meshSamplesNear_`
   // Points of the original near samples of the mesh: those of triangle t that is not covered begin at
   // firstNear_[t]. Triangle kNone where none is near at the start.
   std::vector<SurfacePoint> meshSamplesNear_;

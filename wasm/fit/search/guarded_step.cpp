@@ -60,9 +60,9 @@ GuardedStep::GuardedStep(const TriangleMesh& start, const StepLimits& limits)
       angle_(start.triangleCount(), 0) {
   forTriangles(start, [&](uint32_t t) {
     normal_[t] = normalized(areaNormal(start, t));
-    quality_[t] = std::min(
-        kKeptQuality * triangleQuality(start.corner(t, 0), start.corner(t, 1), start.corner(t, 2)),
-        kGoodQuality);
+    quality_[t] =
+        std::min(kKeptQuality * triangleQuality(start.corner(t, 0), start.corner(t, 1), start.corner(t, 2)),
+                 kGoodQuality);
     if (limits.minAngle > 0) angle_[t] = std::min(limits.minAngle + kRounding, smallestAngle(start, t));
   });
 }

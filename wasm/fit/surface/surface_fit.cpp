@@ -220,8 +220,8 @@ BlockMatrix emptyMatrix(const TriangleMesh& mesh, const Topology& topology) {
   std::partial_sum(matrix.start.begin(), matrix.start.end(), matrix.start.begin());
   matrix.column.resize(matrix.start.back());
   std::vector<uint32_t> next(matrix.start.begin(), matrix.start.end() - 1);
-  // Edges ascend by their lower, then by their upper vertex: so do the lower neighbours of every vertex, which
-  // come first, and its upper ones, which come last.
+  // Edges ascend by their lower, then by their upper vertex: so do the lower neighbours of every vertex,
+  // which come first, and its upper ones, which come last.
   for (const Topology::Edge& edge : topology.edges) matrix.column[next[edge.b]++] = edge.a;
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) matrix.column[next[v]++] = v;
   for (const Topology::Edge& edge : topology.edges) matrix.column[next[edge.a]++] = edge.b;
