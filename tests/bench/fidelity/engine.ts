@@ -18,6 +18,7 @@ export { STEP_SECONDS, simulationOptions } from '../../../web/engine/motion/simu
 export { positionOf } from '../../../web/engine/motion/twin_points';
 export { OPTIONS, checkSettings, defaultSettings } from '../../../web/engine/settings/options';
 export { measureResult } from '../../../web/engine/stages/measure';
+export { tuneMesh, tuneSettings } from '../../../web/engine/stages/tune';
 export { prepareBody } from '../../../web/engine/stages/prepared';
 
 export interface Asked {
