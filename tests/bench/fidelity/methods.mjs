@@ -18,13 +18,16 @@ function ours(loaded, name, changes) {
   return { name, isOurs: true, holdsPins: true, version, settings, run };
 }
 
+/** The settings for limber's own shell: the fit to its modes, from triangles that are more even than the default's. */
+const FOR_THE_SHELL = { fit: 'modal', sizeWeight: 0.01 };
+
 /** Our methods in this build of the engine, each with `changes`. The evaluation is in limber's own shell: so is the fit. */
 export function ourMethods(loaded, changes = {}) {
   const { choices } = loaded.engine.OPTIONS.method;
   return choices.flatMap((method) => {
     if (method !== 'limber' || 'fit' in changes) return [ours(loaded, method, { ...changes, method })];
     return [
-      ours(loaded, method, { ...changes, method, fit: 'modal' }),
+      ours(loaded, method, { ...changes, ...FOR_THE_SHELL, method }),
       ours(loaded, 'limber, surface fit', { ...changes, method, fit: 'surface' }),
       ours(loaded, 'limber without fit', { ...changes, method, fit: 'off' }),
     ];

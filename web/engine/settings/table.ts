@@ -71,7 +71,7 @@ const ROWS = {
     max: 1000,
     step: 0.001,
     slider: { min: 0, max: 0.1 },
-    default: 0.01,
+    default: 0.002,
     help: 'Weight of the squared length of an edge in its cost (not for paper; 0 for qem).',
     group: 'method',
     page: 'reduction',
