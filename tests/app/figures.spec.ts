@@ -197,7 +197,7 @@ const watchGif = (page: Page, bytes: Buffer) =>
   page.evaluate(async (base64) => {
     const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const decoder = new ImageDecoder({ type: 'image/gif', data });
-    await decoder.completed;
+    await Promise.all([decoder.completed, decoder.tracks.ready]);
     const { frameCount, repetitionCount } = decoder.tracks.selectedTrack!;
     const pixelsOf = async (frameIndex: number) => {
       const { image } = await decoder.decode({ frameIndex });
