@@ -3,6 +3,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { scenarioWords } from '../../../engine/core/scenarios';
 import { Choice, Section, Select, Toggle } from '../../controls/controls';
+import { NumberField } from '../../controls/number_field';
 import { count } from '../../controls/numbers';
 import { Spoken } from '../../controls/spoken';
 import { results, view, wants } from '../../state/store';
@@ -150,21 +151,14 @@ function StageSection() {
 function CustomSize() {
   const { value: custom } = pictures.custom;
   const field = (name: 'width' | 'height', label: string) => (
-    <input
-      type="number"
+    <NumberField
       aria-label={label}
       min={PIXELS.least}
       max={PIXELS.most}
       value={custom[name]}
-      onChange={({ currentTarget }) => {
-        const pixels = Math.round(currentTarget.valueAsNumber);
-        if (Number.isFinite(pixels))
-          pictures.custom.value = {
-            ...custom,
-            [name]: Math.min(PIXELS.most, Math.max(PIXELS.least, pixels)),
-          };
-        // What is out of range becomes the nearest size that is not.
-        currentTarget.value = String(pictures.custom.value[name]);
+      onEnter={(value) => {
+        const pixels = Math.min(PIXELS.most, Math.max(PIXELS.least, Math.round(value)));
+        if (Number.isFinite(value)) pictures.custom.value = { ...custom, [name]: pixels };
       }}
     />
   );
@@ -209,15 +203,13 @@ function VideoSection() {
       </div>
       <label class="control">
         <span>{say('Seconds')}</span>
-        <input
-          type="number"
+        <NumberField
           min={0.1}
           max={LONGEST_VIDEO}
           step="any"
           value={seconds.value}
-          onChange={({ currentTarget: { valueAsNumber } }) => {
-            if (Number.isFinite(valueAsNumber))
-              seconds.value = Math.min(LONGEST_VIDEO, Math.max(0.1, valueAsNumber));
+          onEnter={(value) => {
+            if (Number.isFinite(value)) seconds.value = Math.min(LONGEST_VIDEO, Math.max(0.1, value));
           }}
         />
       </label>
