@@ -4,6 +4,20 @@ import type { MessageTable } from '../message_table';
 
 export const TEST_AND_EXPORT: MessageTable = {
   'Where will it move?': '使用するソルバー',
+  "Don't know": 'わからない',
+  'Tuning for all generic solvers': '汎用ソルバーすべてに合わせて調整しています',
+  'The result is the one that keeps shape, outline and pins. Any engine can take it, but its stiffness and masses are tuned to none.':
+    '形状、輪郭、固定した頂点を保った結果です。どこで動かしても使えますが、硬さと質量は特定のエンジンに合わせていません。',
+  'If your program asks for': '使うソフトで指定する値',
+  choose: '選択',
+  'How stiff the material is and how thick, as for rubber or cloth': 'ゴムや布などの材料の硬さと厚さ',
+  'How stiff its faces are, and how stiff it bends at its edges': '面の硬さと、辺での曲がりにくさ',
+  'Stretching of edges, and bending as an angle between faces: Houdini, Unreal':
+    '辺の伸びと、面と面の角度としての曲げ: Houdini、Unreal',
+  'Springs alone, for stretching and for bending: Unity, Godot': '伸びと曲げのばねのみ: Unity、Godot',
+  'Or take the model with the numbers for each of the four, and try which of them fits.':
+    'または、4 つすべての数値をモデルと一緒に保存し、どれが合うか試してください。',
+  'Save all four as .zip': '4 つすべてを .zip で保存',
   Scenario: 'シナリオ',
   Arrangement: '配置',
   Overlaid: '重ねて表示',
