@@ -9,5 +9,7 @@ export default defineConfig({
     hookTimeout: 120_000,
     // Each file may start a pool of threads of its own.
     maxWorkers: 2,
+    // Its build for Node has no named exports.
+    server: { deps: { inline: ['gifenc'] } },
   },
 });

@@ -20,6 +20,7 @@ const USES = {
   draco3dgltf: 'Draco compression',
   earcut: 'triangulation of polygons',
   fflate: 'ZIP archives',
+  gifenc: 'GIFs of the page',
   'gltf-validator': 'the Khronos validator of glTF',
   meshoptimizer: 'meshopt compression, and the simplifier that results are compared with',
   preact: 'elements of the page',

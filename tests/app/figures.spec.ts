@@ -192,6 +192,56 @@ test(
   },
 );
 
+/** What the browser's own decoder finds in a GIF, and the share of pixels that change from its start to its middle. */
+const watchGif = (page: Page, bytes: Buffer) =>
+  page.evaluate(async (base64) => {
+    const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const decoder = new ImageDecoder({ type: 'image/gif', data });
+    await Promise.all([decoder.completed, decoder.tracks.ready]);
+    const { frameCount, repetitionCount } = decoder.tracks.selectedTrack!;
+    const pixelsOf = async (frameIndex: number) => {
+      const { image } = await decoder.decode({ frameIndex });
+      const { displayWidth: width, displayHeight: height, duration } = image;
+      const context = new OffscreenCanvas(width, height).getContext('2d')!;
+      context.drawImage(image, 0, 0);
+      return { width, height, duration, data: context.getImageData(0, 0, width, height).data };
+    };
+    const first = await pixelsOf(0);
+    const middle = await pixelsOf(frameCount >> 1);
+    const changed = first.data.filter((value, i) => Math.abs(value - middle.data[i]) > 24).length;
+    const { width, height, duration } = first;
+    const isEndless = repetitionCount === Infinity;
+    return { width, height, duration, frameCount, isEndless, changed: changed / (4 * width * height) };
+  }, bytes.toString('base64'));
+
+test('a turntable and the motion of the test are saved as GIFs', { tag: '@full' }, async ({ page }) => {
+  await openReduce(page);
+  await button(page, 'Pictures').click();
+  await page.getByLabel('Size', { exact: true }).selectOption('custom');
+  await page.getByLabel('Width in pixels').fill('480');
+  await page.getByLabel('Height in pixels').fill('320');
+  await page.getByRole('group', { name: 'Format of the video' }).getByRole('button', { name: 'GIF' }).click();
+  await page.getByLabel('Seconds').fill('0.5');
+  await page.getByLabel('Seconds').press('Tab');
+  const turntable = await saved(page, 'Save turntable');
+  expect(turntable.name).toBe('bar-turntable.gif');
+  const { changed, ...turned } = await watchGif(page, turntable.bytes);
+  expect(turned).toEqual({ width: 480, height: 320, duration: 50_000, frameCount: 10, isEndless: true });
+  expect(changed).toBeGreaterThan(0.005);
+
+  await goTo(page, 'Test');
+  await expect(button(page, 'Save motion')).toBeEnabled();
+  // What is typed stays while the numbers of the motion arrive.
+  await page.getByLabel('Seconds').fill('0.4');
+  await page.waitForTimeout(1000);
+  await page.getByLabel('Seconds').press('Tab');
+  const motion = await saved(page, 'Save motion');
+  expect(motion.name).toBe('bar-motion.gif');
+  const moved = await watchGif(page, motion.bytes);
+  expect(moved.frameCount).toBe(8);
+  expect(moved.changed).toBeGreaterThan(0.001);
+});
+
 test(
   'a turntable and the motion of the test are saved as videos, and the chart as SVG',
   { tag: '@full' },

@@ -59,6 +59,10 @@ test('the stage shows the file in its materials, standing as its scene stands it
   await goTo(page, 'Motion');
   await expect(page.getByRole('button', { name: 'Bottom', exact: true })).toBeVisible();
   await expect(page.getByRole('button', { name: 'Top', exact: true })).toBeVisible();
+  await goTo(page, 'Test');
+  await expect(page.getByText('The top turns by 45 degrees. Both ends held.')).toBeVisible();
+  await page.getByLabel('Scenario', { exact: true }).selectOption({ label: 'Sway' });
+  await expect(page.getByText('The top is struck. The bottom held.')).toBeVisible();
 });
 
 test('eyes hide meshes, and the stage shows the chosen one alone on request', async ({ page }) => {

@@ -1,6 +1,8 @@
+import { readFileSync } from 'node:fs';
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
+import { unzipSync } from 'fflate';
 import { PLAIN } from '../../playwright.config';
 import { goTo, openPage, readout } from './page';
 import { compare, picture, stillCapture } from './pictures';
@@ -133,6 +135,44 @@ test('both bodies move in the solver that is chosen', async ({ page }) => {
   await restart(page, () => solver.selectOption({ label: "Limber's shell" }));
   await playUntil(page, 0.3);
   expect(await numberIn(page, 'Deviation')).not.toBe(springs);
+});
+
+test('who does not know the solver gets the plain result, words to choose by, and settings for all', async ({
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await openTest(page);
+  const solver = page.getByLabel('Solver', { exact: true });
+  await solver.selectOption({ label: "Don't know" });
+  await expect(page.getByText('Any engine can take it')).toBeVisible();
+  const { violations } = await new AxeBuilder({ page }).include('.panel.right').analyze();
+  expect(violations).toEqual([]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    button(page, 'Save all four as .zip').click(),
+  ]);
+  expect(download.suggestedFilename()).toBe('bar-limber-any-engine.zip');
+  const files = unzipSync(readFileSync(await download.path()));
+  const families = ['shell', 'hinge-shell', 'dihedral', 'springs'];
+  expect(Object.keys(files).sort()).toEqual(
+    ['bar-limber.glb', ...families.map((name) => `bar-limber.${name}.settings.json`)].sort(),
+  );
+  const read = (name: string) =>
+    JSON.parse(new TextDecoder().decode(files[`bar-limber.${name}.settings.json`])) as {
+      solver: string;
+      bodies: { mesh: { triangles: number[] } }[];
+    };
+  const meshes = families.map((name) => {
+    expect(read(name).solver).toBe(name);
+    return read(name).bodies[0].mesh.triangles;
+  });
+  // All are of the one mesh that lies beside them.
+  for (const mesh of meshes) expect(mesh).toEqual(meshes[0]);
+
+  const table = page.getByRole('row', { name: /Springs alone/ });
+  await table.getByRole('button', { name: 'Springs' }).click();
+  await expect(solver).toHaveValue('springs');
+  await expect(table).toHaveCount(0);
 });
 
 test('a check says whether the substeps are enough, and what to take where they are not', async ({

@@ -11,6 +11,7 @@ import { METHODS } from '../../web/engine/core/methods';
 import { PHASES } from '../../web/engine/core/interface/job';
 import { SCENARIOS } from '../../web/engine/core/scenarios';
 import { MATERIAL_NAMES } from '../../web/engine/settings/materials';
+import { STANDING_ENDS } from '../../web/engine/motion/scene_rotation';
 import { OPTIONS } from '../../web/engine/settings/options';
 import type { SettingName } from '../../web/engine/settings/options';
 import { PRESETS, PRESET_NAMES, settingsOfPreset } from '../../web/engine/settings/presets';
@@ -105,7 +106,8 @@ function engineWords(): string[] {
     ...Object.values(METHOD_TITLES),
     ...budgetTable([], { model: '', faces: 0, originalFaces: 0 }).columns.map(({ title }) => title),
     ...['kept', 'changed'],
-    ...SCENARIOS.flatMap(({ label, sentence: what, pinned }) => [label, what, pinned]),
+    ...SCENARIOS.flatMap(({ label, sentence: what }) => [label, what]),
+    ...STANDING_ENDS.flatMap(({ low, high }) => [low, high]),
     ...SOLVER_NAMES.map(profileOf).flatMap(({ label, words, parameters }) => [
       label,
       words,
@@ -116,18 +118,7 @@ function engineWords(): string[] {
     'Custom',
     'Opening',
     ...['bend', 'twist', 'stretch', 'breathe', 'local'],
-    ...[
-      'Left end',
-      'Right end',
-      'Bottom',
-      'Top',
-      'Back end',
-      'Front end',
-      'Low end',
-      'High end',
-      'low',
-      'high',
-    ],
+    ...['Left end', 'Right end', 'Bottom', 'Top', 'Back end', 'Front end'],
     ...samples.flatMap(({ id, name, about }) => [id, name, about]),
   ].filter((word) => word !== '');
 }

@@ -19,7 +19,7 @@ import { client, complain, replayer, whileBusy } from './running';
 import { saveFiles, startSaving } from './saved_session';
 import { afterBody, afterHistory, keyed, keyedByFile, of, ofFaces } from './task';
 import type { LevelStage, Task } from './task';
-import { isTuningWanted } from './twin';
+import { isTuningWanted, twin } from './twin';
 import {
   changeSettings,
   isFileDrawn,
@@ -129,6 +129,17 @@ const tasks: Task[] = [
     run: () =>
       client.call((worker) => worker.export(exportSettings(settings()), keptFaces.value, exportRequest())),
     result: results.exported,
+  },
+  {
+    what: 'Tuning for all generic solvers',
+    key: () =>
+      twin.wantsGeneric.value && restedFaces.value === wantedFaces.value ? afterHistory(exportedKey)() : null,
+    run: () =>
+      client.call((worker) =>
+        worker.genericFiles(exportSettings(settings()), keptFaces.value, exportRequest()),
+      ),
+    result: results.genericFiles,
+    isPatient: true,
   },
   {
     what: 'Drawing the levels',

@@ -13,6 +13,7 @@ import type {
   DeviationMarks,
   DrawnLevels,
   ExportResult,
+  GenericFiles,
   FitResult,
   TunedResult,
   HistorySummary,
@@ -75,6 +76,7 @@ export const results = {
   metrics: signal<ResultMetrics | null>(null),
   why: signal<WhyResult | null>(null),
   exported: signal<ExportResult | null>(null),
+  genericFiles: signal<GenericFiles | null>(null),
   /** the file as a GLB, to be drawn with its materials */
   originalFile: signal<Uint8Array | null>(null),
   resultFile: signal<ResultFile | null>(null),

@@ -22,6 +22,10 @@ export const twin = {
   alwaysNoise: signal(false),
   /** simulate the result with what tuning finds for it in the solver of the settings, not as it is */
   wantsTuned: signal(false),
+  /** whoever uses the page does not know in which solver the result will move; counts while the settings name none */
+  isSolverUnknown: signal(false),
+  /** whether the model is wanted with settings for all generic solvers */
+  wantsGeneric: signal(false),
   /** null: the pins of the Motion step where there are any */
   chosenPinSource: signal<PinSource | null>(null),
   /** what is on screen; null until a simulation has started */

@@ -9,6 +9,7 @@ import { outputForm, withSuffix } from '../../engine/document/write/output_form'
 import { settingsAsUsed } from '../../engine/report/report';
 import { worstSurface } from '../../engine/report/result_report';
 import type { LevelReport } from '../../engine/report/result_report';
+import { GENERIC_SOLVERS } from '../../engine/solvers/profiles';
 import { FileOutput } from '../../engine/stages/file_output';
 import type { FileRequest } from '../../engine/stages/file_request';
 import type { FileRun } from '../../engine/stages/file_run';
@@ -43,6 +44,30 @@ export async function exportAll(
   const tuned = settings.solver === 'none' ? null : output.settings();
   const shown = { bytes, files, validation, report, faces, targetFaces: asked };
   return { ...shown, levels, binding: text, settings: tuned, lost: lostOf(file, request, name) };
+}
+
+/**
+ * The file by name, in the order of its vertices, and beside it a settings file for each generic solver, all of one mesh.
+ * `request`: without a solver.
+ */
+export async function exportForGeneric(
+  file: FileRun,
+  request: FileRequest,
+  { output: name }: ExportRequest,
+): Promise<Record<string, Uint8Array>> {
+  const plain = new FileOutput(file, { ...request, binding: true });
+  const [{ bytes }] = await plain.files(name);
+  const targets = [...request.targets];
+  plain.results().forEach(({ mesh }, n) => (targets[file.usable[n].i] = faceCount(mesh)));
+  // A target for the frequencies of a solver would give each of them another mesh.
+  const settings = { ...request.settings, maxFrequencyError: 0 };
+  const stem = name.replace(/(\.(glb|gltf|obj|ply))?(\.zip)?$/, '');
+  const files: Record<string, Uint8Array> = { [name]: bytes };
+  for (const solver of GENERIC_SOLVERS) {
+    const output = new FileOutput(file, { ...request, targets, settings: { ...settings, solver } });
+    files[`${stem}.${solver}.settings.json`] = new TextEncoder().encode(output.settings());
+  }
+  return files;
 }
 
 /** What the file `name` leaves out. */

@@ -225,6 +225,14 @@ export interface ExportResult {
   key: string;
 }
 
+/** The model without a solver, and what each generic solver needs to move it like the original. */
+export interface GenericFiles {
+  /** a ZIP archive: the model, and a settings file for each solver */
+  archive: Uint8Array;
+  /** see exportKey */
+  key: string;
+}
+
 /** How many faces are kept. */
 export interface KeptFaces {
   /** of all bodies without a number of their own together; null: `ratio` of theirs */
@@ -314,6 +322,8 @@ export interface WorkerApi {
   /** How many faces each body keeps; collapses the edges of all bodies first. */
   shares(settings: Settings, kept: KeptFaces): Promise<SharesResult>;
   export(settings: Settings, kept: KeptFaces, request: ExportRequest): Promise<ExportResult>;
+  /** The same without a solver, with a settings file for each generic solver. */
+  genericFiles(settings: Settings, kept: KeptFaces, request: ExportRequest): Promise<GenericFiles>;
   /** The files of archives, and the others as they are. Throws where an archive cannot be unpacked. */
   unpack(files: SourceFile[]): Promise<SourceFile[]>;
   /** A ZIP archive of files by name. */

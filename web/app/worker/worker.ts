@@ -31,7 +31,7 @@ import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { carrySettingErrors } from './errors';
 import { drawnSettings } from './export_form';
-import { drawLevels, exportAll } from './exporting';
+import { drawLevels, exportAll, exportForGeneric } from './exporting';
 import { handOver } from './handing_over';
 import { keepAlive } from './life';
 import { CANCELLED, CORE_BROKEN, drawnLevelsKey, exportKey, resultFileKey, sharesKey } from './protocol';
@@ -307,6 +307,15 @@ const api: WorkerApi = {
       };
       const buffers = [done, ...done.levels].map(({ bytes }) => bytes.buffer);
       return transfer({ ...done, key: exportKey(settings, kept, request) }, buffers);
+    }),
+  genericFiles: (settings, kept, request) =>
+    translateErrors(async () => {
+      const { fields } = request;
+      const own = { ...settings, solver: 'none', engine: '', tune: 'global', massRule: 'auto' } as const;
+      const fileRequest = requestFile(openedFile(), askedOf(own, kept, fields));
+      const files = await exportForGeneric(openedFile(), fileRequest, request);
+      const archive = zipSync(files, { level: 6, mtime: ZIP_TIME });
+      return transfer({ archive, key: exportKey(settings, kept, request) }, [archive.buffer]);
     }),
   unpack: (files) =>
     translateErrors(() => {

@@ -8,10 +8,10 @@ interface ScenarioWords {
   label: string;
   /** what happens, as an aside in a help text; '' if the name says it all */
   aside: string;
-  /** what happens, as a sentence */
+  /** what happens, as a sentence; {end} stands for the upper end of the longest side, as the scene shows it */
   sentence: string;
-  /** the ends that are pinned by default, as the subject of a sentence; '' for none */
-  pinned: string;
+  /** the ends of the longest side that are pinned by default; '' for none */
+  pinned: 'low' | 'high' | 'both' | '';
   /** whether the body hangs and may swing below itself, so that a view has to leave space there */
   hangs: boolean;
 }
@@ -21,16 +21,16 @@ export const SCENARIOS = [
     name: 'twist',
     label: 'Twist',
     aside: 'the upper end turns by 45 degrees',
-    sentence: 'The upper end turns by 45 degrees.',
-    pinned: 'Both ends',
+    sentence: '{end} turns by 45 degrees.',
+    pinned: 'both',
     hangs: false,
   },
   {
     name: 'sway',
     label: 'Sway',
     aside: 'a blow across',
-    sentence: 'A blow strikes the upper end.',
-    pinned: 'The lower end',
+    sentence: '{end} is struck.',
+    pinned: 'low',
     hangs: false,
   },
   {
@@ -38,7 +38,7 @@ export const SCENARIOS = [
     label: 'Hang',
     aside: 'gravity',
     sentence: 'Gravity pulls at the rest.',
-    pinned: 'The upper end',
+    pinned: 'high',
     hangs: true,
   },
   {
@@ -53,8 +53,8 @@ export const SCENARIOS = [
     name: 'pull',
     label: 'Pull',
     aside: 'the upper end by a fifth of the length',
-    sentence: 'The upper end moves away by a fifth of the length.',
-    pinned: 'Both ends',
+    sentence: '{end} moves away by a fifth of the length.',
+    pinned: 'both',
     hangs: false,
   },
   {
@@ -62,7 +62,7 @@ export const SCENARIOS = [
     label: 'Wind',
     aside: '',
     sentence: 'Gusts of 8 m/s, and gravity.',
-    pinned: 'The upper end',
+    pinned: 'high',
     hangs: true,
   },
   {

@@ -51,6 +51,12 @@ function unit(vector: Vector): Vector | null {
   return length > 0 && Number.isFinite(length) ? (vector.map((value) => value / length) as Vector) : null;
 }
 
+/** What the ends of something are called, at the lower and at the higher coordinate. */
+export interface EndNames {
+  low: string;
+  high: string;
+}
+
 const ENDS: readonly (readonly [string, string])[] = [
   ['Left end', 'Right end'],
   ['Bottom', 'Top'],
@@ -58,9 +64,16 @@ const ENDS: readonly (readonly [string, string])[] = [
 ];
 
 /** What the low and the high end along an axis of the mesh (0 x, 1 y, 2 z) are in the scene, seen from the front. */
-export function endNames(nodeMatrix: readonly number[], axis: number): { low: string; high: string } {
+export function endNames(nodeMatrix: readonly number[], axis: number): EndNames {
   const way = [0, 1, 2].map((c) => nodeMatrix[4 * axis + c]);
   const most = way.reduce((best, value, c) => (Math.abs(value) > Math.abs(way[best]) ? c : best), 0);
   const [first, last] = ENDS[most];
   return way[most] < 0 ? { low: last, high: first } : { low: first, high: last };
 }
+
+/** The ends of a body that stands as the scene does, along an axis of the scene, as subjects of sentences. */
+export const STANDING_ENDS: readonly EndNames[] = [
+  { low: 'The left end', high: 'The right end' },
+  { low: 'The bottom', high: 'The top' },
+  { low: 'The back end', high: 'The front end' },
+];

@@ -113,6 +113,7 @@ export const ENGINE: MessageTable = {
   'no mesh, mass, stretch or bend': 'メッシュ、質量、伸び、曲げのいずれかがありません',
   'damaged positions': '位置が壊れています',
   // web/app/viewer/picture
+  'The GIF could not be made: {why}.': 'GIF を作成できませんでした ({why})。',
   'This browser cannot encode a video of {width} x {height} pixels: use a current Chrome, Edge, Firefox or Safari, or a smaller size.':
     'このブラウザーでは {width} x {height} ピクセルの動画を作成できません。最新の Chrome、Edge、Firefox、Safari を使うか、サイズを小さくしてください。',
   'The graphics card draws at most {width} x {height} pixels: choose a smaller picture.':

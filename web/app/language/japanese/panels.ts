@@ -89,8 +89,14 @@ export const PANELS: MessageTable = {
   'Save PNG': 'PNG を保存',
   'Drawing the picture': '画像を描画しています',
   Video: '動画',
-  'WebM with 30 pictures a second; none is lost, however long one takes.':
-    '毎秒 30 フレームの WebM です。描画に時間がかかってもフレームは欠けません。',
+  Format: '形式',
+  'Format of the video': '動画の形式',
+  WebM: 'WebM',
+  GIF: 'GIF',
+  '30 pictures a second; none is lost, however long one takes.':
+    '毎秒 30 フレームです。描画に時間がかかってもフレームは欠けません。',
+  '20 pictures a second, at most 960 pixels wide or high: it plays everywhere and again and again, but its file is larger.':
+    '毎秒 20 フレーム、縦横は最大 960 ピクセルです。どこでも繰り返し再生できますが、ファイルは大きくなります。',
   Seconds: '秒数',
   'Save turntable': 'ターンテーブルを保存',
   'Once around what the stage shows': 'ステージの表示を 1 周します',

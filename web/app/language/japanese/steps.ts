@@ -103,18 +103,14 @@ export const STEPS: MessageTable = {
     '頂点をクリックするか、表面をなぞってください。Shift で解除、Esc で終了します。',
   'Clear the pins': '固定をすべて解除',
   Clear: 'クリア',
-  "Pins {share} % of the longest side at this end ({kind} in the file's own space)":
-    '最も長い方向の {share} % をこの端で固定します (ファイルの座標系では {kind} 側)',
-  low: '低い',
-  high: '高い',
+  'Pins {share} % of the longest side at this end; as text {text}':
+    '最も長い方向の {share} % をこの端で固定します (テキストでは {text})',
   'Left end': '左端',
   'Right end': '右端',
   Bottom: '下',
   Top: '上',
   'Back end': '後端',
   'Front end': '前端',
-  'Low end': '低い端',
-  'High end': '高い端',
   Attribute: '属性',
   'Pins the vertices at which the first component of the attribute is above one half':
     '属性の第 1 成分が 0.5 を超える頂点を固定します',

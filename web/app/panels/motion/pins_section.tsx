@@ -3,8 +3,7 @@
 import { useId } from 'preact/hooks';
 import { OPTIONS } from '../../../engine/settings/options';
 import { hasPins, pinValue, withPins } from '../../../engine/settings/pin_edits';
-import { boundsOf } from '../../../engine/core/mesh';
-import { endNames } from '../../../engine/motion/scene_rotation';
+import { pinEnds } from '../../state/ends';
 import { setPins } from '../../state/pins';
 import { isPicking, results, status, view, wants } from '../../state/store';
 import { Section, Select } from '../../controls/controls';
@@ -12,26 +11,16 @@ import { RefusedText } from '../../controls/refused_text';
 import { count } from '../../controls/numbers';
 import { say } from '../../language/say';
 
-/** What the ends of the longest side are called as the scene shows them. */
-function shownEnds(): { low: string; high: string } {
-  const { file, body } = results;
-  const nodeMatrix = file.value?.bodies[wants.body.value]?.nodeMatrix;
-  if (!nodeMatrix || !body.value) return { low: 'Low end', high: 'High end' };
-  const { low, high } = boundsOf(body.value.mesh.positions);
-  const sizes = high.map((value, axis) => value - low[axis]);
-  return endNames(nodeMatrix, sizes.indexOf(Math.max(...sizes)));
-}
-
 /** How much of the body is an end, in % of its length. */
 const END = '6';
 
 export function PinsSection() {
-  const ends = shownEnds();
+  const ends = pinEnds.value;
   return (
     <Section title="Held in place">
       <div class="buttons">
-        <EndButton kind="low" text={ends.low} />
-        <EndButton kind="high" text={ends.high} />
+        {ends && <EndButton kind="low" text={ends.low} />}
+        {ends && <EndButton kind="high" text={ends.high} />}
         <button
           type="button"
           aria-pressed={isPicking.value}
@@ -77,9 +66,9 @@ function EndButton({ kind, text }: { kind: 'low' | 'high'; text: string }) {
     <button
       type="button"
       aria-pressed={isPinned}
-      title={say("Pins {share} % of the longest side at this end ({kind} in the file's own space)", {
+      title={say('Pins {share} % of the longest side at this end; as text {text}', {
         share: END,
-        kind: say(kind),
+        text: `${kind}:${END}`,
       })}
       onClick={() => setPins(withPins(pins, kind, isPinned ? '' : END))}
     >

@@ -2,7 +2,8 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import { scenarioWords } from '../../../engine/core/scenarios';
-import { Section, Select, Toggle } from '../../controls/controls';
+import { Choice, Section, Select, Toggle } from '../../controls/controls';
+import { NumberField } from '../../controls/number_field';
 import { count } from '../../controls/numbers';
 import { Spoken } from '../../controls/spoken';
 import { results, view, wants } from '../../state/store';
@@ -11,7 +12,7 @@ import { viewportHandle } from '../viewport/viewport_view';
 import { deviationSvg } from './deviation_svg';
 import { canDrawFigure, figurePng } from './figure';
 import { SIZES, cancelPicture, makePicture, pictures } from './pictures_state';
-import type { PictureJob, SizeName } from './pictures_state';
+import type { PictureJob, SizeName, VideoFormat } from './pictures_state';
 import { recordTest, recordTurntable } from './recordings';
 import { PIXELS, drawStage, pngOf, sizeOf } from './stage_picture';
 import type { Viewport } from '../../viewer/viewport';
@@ -150,21 +151,14 @@ function StageSection() {
 function CustomSize() {
   const { value: custom } = pictures.custom;
   const field = (name: 'width' | 'height', label: string) => (
-    <input
-      type="number"
+    <NumberField
       aria-label={label}
       min={PIXELS.least}
       max={PIXELS.most}
       value={custom[name]}
-      onChange={({ currentTarget }) => {
-        const pixels = Math.round(currentTarget.valueAsNumber);
-        if (Number.isFinite(pixels))
-          pictures.custom.value = {
-            ...custom,
-            [name]: Math.min(PIXELS.most, Math.max(PIXELS.least, pixels)),
-          };
-        // What is out of range becomes the nearest size that is not.
-        currentTarget.value = String(pictures.custom.value[name]);
+      onEnter={(value) => {
+        const pixels = Math.min(PIXELS.most, Math.max(PIXELS.least, Math.round(value)));
+        if (Number.isFinite(value)) pictures.custom.value = { ...custom, [name]: pixels };
       }}
     />
   );
@@ -178,22 +172,44 @@ function CustomSize() {
 
 const LONGEST_VIDEO = 60;
 
+const VIDEO_FORMATS: { value: VideoFormat; text: string; hint: string }[] = [
+  {
+    value: 'webm',
+    text: 'WebM',
+    hint: '30 pictures a second; none is lost, however long one takes.',
+  },
+  {
+    value: 'gif',
+    text: 'GIF',
+    hint: '20 pictures a second, at most 960 pixels wide or high: it plays everywhere and again and again, but its file is larger.',
+  },
+];
+
 function VideoSection() {
-  const { seconds } = pictures;
+  const { seconds, format } = pictures;
+  const { value: ending } = format;
   const isTest = view.step.value === 'test';
+  const type = ending === 'gif' ? 'image/gif' : 'video/webm';
   return (
-    <Section title="Video" hint="WebM with 30 pictures a second; none is lost, however long one takes.">
+    <Section title="Video" hint={VIDEO_FORMATS.find(({ value }) => value === ending)!.hint}>
+      <div class="control">
+        <span>{say('Format')}</span>
+        <Choice
+          label="Format of the video"
+          options={VIDEO_FORMATS}
+          value={ending}
+          onChange={(value) => (format.value = value)}
+        />
+      </div>
       <label class="control">
         <span>{say('Seconds')}</span>
-        <input
-          type="number"
+        <NumberField
           min={0.1}
           max={LONGEST_VIDEO}
           step="any"
           value={seconds.value}
-          onChange={({ currentTarget: { valueAsNumber } }) => {
-            if (Number.isFinite(valueAsNumber))
-              seconds.value = Math.min(LONGEST_VIDEO, Math.max(0.1, valueAsNumber));
+          onEnter={(value) => {
+            if (Number.isFinite(value)) seconds.value = Math.min(LONGEST_VIDEO, Math.max(0.1, value));
           }}
         />
       </label>
@@ -201,7 +217,7 @@ function VideoSection() {
         <MakeButton
           text="Save turntable"
           title="Once around what the stage shows"
-          file={{ what: 'Recording the turntable', ending: 'turntable.webm', type: 'video/webm' }}
+          file={{ what: 'Recording the turntable', ending: `turntable.${ending}`, type }}
           make={recordTurntable}
         />
         {isTest && (
@@ -209,7 +225,7 @@ function VideoSection() {
             text="Save motion"
             title="The motion of this step from its start, at its own pace"
             disabled={twin.frame.value === null}
-            file={{ what: 'Recording the motion', ending: 'motion.webm', type: 'video/webm' }}
+            file={{ what: 'Recording the motion', ending: `motion.${ending}`, type }}
             make={recordTest}
           />
         )}

@@ -9,6 +9,8 @@ import { download } from '../../files/files';
 export const SIZES = ['1x', '2x', '4k', 'custom'] as const;
 export type SizeName = (typeof SIZES)[number];
 
+export type VideoFormat = 'webm' | 'gif';
+
 export const pictures = {
   isOpen: signal(false),
   size: signal<SizeName>('2x'),
@@ -16,6 +18,7 @@ export const pictures = {
   custom: signal({ width: 1920, height: 1080 }),
   hasLegend: signal(true),
   isTransparent: signal(false),
+  format: signal<VideoFormat>('webm'),
   /** s, of a video */
   seconds: signal(4),
   /** what is being drawn, and how far it is, 0..1 */

@@ -3,23 +3,33 @@
 import { STEP_SECONDS } from '../../../engine/motion/simulation';
 import { reset, stepOnce } from '../../state/simulation';
 import { twin } from '../../state/twin';
+import { GifRecorder } from '../../viewer/picture/gif_recorder';
 import { Recorder } from '../../viewer/picture/recorder';
+import type { FrameRecorder, RecordedSize } from '../../viewer/picture/recorder';
 import type { Viewport } from '../../viewer/viewport';
-import type { PictureJob } from './pictures_state';
+import type { PictureJob, VideoFormat } from './pictures_state';
 import { pictures } from './pictures_state';
 import { drawStage, sizeOf } from './stage_picture';
 import type { PictureSize, StageMoment } from './stage_picture';
 
-/** Frames per second; two steps of a simulation last as long as one. */
-const RATE = 30;
-const STEPS_PER_FRAME = Math.round(1 / (RATE * STEP_SECONDS));
-/** A longer side would take encoders too long. */
-const MOST_PIXELS = 1920;
+interface Format {
+  /** frames per second; whole steps of a simulation last as long as one */
+  rate: number;
+  /** A longer side would take encoders too long, or make a file that is too large. */
+  mostPixels: number;
+  open(size: RecordedSize): Promise<FrameRecorder>;
+}
+
+const FORMATS: Record<VideoFormat, Format> = {
+  webm: { rate: 30, mostPixels: 1920, open: (size) => Recorder.open(size) },
+  gif: { rate: 20, mostPixels: 960, open: (size) => GifRecorder.open(size) },
+};
+const format = (): Format => FORMATS[pictures.format.value];
 
 /** As the chosen size, with even sides, which video needs. */
-function videoSize(): PictureSize {
+function videoSize(mostPixels: number): PictureSize {
   const { width, height, scale } = sizeOf(pictures.size.value);
-  const factor = Math.min(1, MOST_PIXELS / Math.max(width, height));
+  const factor = Math.min(1, mostPixels / Math.max(width, height));
   const even = (value: number): number => 2 * Math.max(8, Math.round((factor * value) / 2));
   return { width: even(width), height: even(height), scale: factor * scale };
 }
@@ -30,8 +40,9 @@ async function record(
   { signal, onProgress }: PictureJob,
   { frames, prepare }: { frames: number; prepare: (frame: number) => Promise<StageMoment | null> },
 ): Promise<Uint8Array | null> {
-  const size = videoSize();
-  const recorder = await Recorder.open({ ...size, rate: RATE });
+  const { rate, mostPixels, open } = format();
+  const size = videoSize(mostPixels);
+  const recorder = await open({ ...size, rate });
   const hasLegend = pictures.hasLegend.value;
   viewport.isRecording = true;
   try {
@@ -48,23 +59,25 @@ async function record(
   }
 }
 
-const frameCount = (): number => Math.max(1, Math.round(RATE * pictures.seconds.value));
+const frameCount = (): number => Math.max(1, Math.round(format().rate * pictures.seconds.value));
 
 /** One turn around the stage, during which what plays goes on. */
 export function recordTurntable(viewport: Viewport, job: PictureJob): Promise<Uint8Array | null> {
   const frames = frameCount();
+  const { rate } = format();
   const prepare = (frame: number): Promise<StageMoment> =>
-    Promise.resolve({ angle: (2 * Math.PI * frame) / frames, seconds: frame === 0 ? 0 : 1 / RATE });
+    Promise.resolve({ angle: (2 * Math.PI * frame) / frames, seconds: frame === 0 ? 0 : 1 / rate });
   return record(viewport, job, { frames, prepare });
 }
 
 /** The motion of the Test step from its start, at its own pace however long a step takes. */
 export async function recordTest(viewport: Viewport, job: PictureJob): Promise<Uint8Array | null> {
+  const steps = Math.round(1 / (format().rate * STEP_SECONDS));
   twin.playing.value = false;
   reset();
   await frameAfter(-1, job.signal);
   const prepare = async (frame: number): Promise<StageMoment | null> => {
-    for (let step = 0; step < STEPS_PER_FRAME && frame > 0; step++) {
+    for (let step = 0; step < steps && frame > 0; step++) {
       const { time } = twin.frame.value!;
       stepOnce();
       if (!(await frameAfter(time, job.signal))) return null;

@@ -4,6 +4,7 @@ import { useId, useState } from 'preact/hooks';
 import { OPTIONS, checkSetting } from '../../../engine/settings/options';
 import { SCENARIOS, scenarioWords } from '../../../engine/core/scenarios';
 import type { Settings } from '../../../engine/settings/options';
+import { scenarioEnds } from '../../state/ends';
 import { refusalOf } from '../../state/refusal';
 import type { Refusal } from '../../state/refusal';
 import { pinSource, twin } from '../../state/twin';
@@ -21,11 +22,13 @@ const SCENARIO_CHOICES = SCENARIOS.map(({ name, label }) => ({ value: name, text
 
 /** What happens, and which vertices the scenario pins for it. */
 function describeScenario(scenario: Settings['scenario']): string {
+  const ends = scenarioEnds.value;
+  if (!ends) return '';
   const { pinned, sentence } = scenarioWords(scenario);
-  const what = say(sentence);
-  return pinSource.value === 'scenario' && pinned
-    ? `${what} ${say('{ends} held.', { ends: say(pinned) })}`
-    : what;
+  const what = say(sentence, { end: say(ends.high) });
+  if (pinSource.value !== 'scenario' || pinned === '') return what;
+  const held = pinned === 'both' ? say('Both ends') : say(ends[pinned]);
+  return `${what} ${say('{ends} held.', { ends: held })}`;
 }
 
 const LAYOUTS = [

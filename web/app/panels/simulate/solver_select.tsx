@@ -2,9 +2,11 @@
 
 import { profileOf, SOLVER_NAMES } from '../../../engine/solvers/profiles';
 import type { SolverName } from '../../../engine/solvers/profiles';
+import { OPTIONS as SETTINGS } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
 import { changeSettings, status, wants } from '../../state/store';
 import { twin, usedTuning } from '../../state/twin';
+import { UnknownSolver } from './unknown_solver';
 import { Choice, Select } from '../../controls/controls';
 import { say, sentence } from '../../language/say';
 
@@ -30,27 +32,36 @@ const ownValue = (material: Material): string => `own ${material}`;
 const OPTIONS = [
   ...OWN_NAMES.map((material) => ({ value: ownValue(material), text: OWN[material].text })),
   ...SOLVER_NAMES.map((name) => ({ value: name as string, text: profileOf(name).label })),
+  { value: 'unknown', text: "Don't know" },
 ];
 
 export function SolverSelect() {
   const { solver, material } = wants.settings.value;
+  const isUnknown = solver === 'none' && twin.isSolverUnknown.value;
+  const own = isUnknown ? 'unknown' : ownValue(material);
   return (
     <>
       <Select
         label="Solver"
         title={solver === 'none' ? OWN[material].title : titleOf(solver)}
         options={OPTIONS}
-        value={solver === 'none' ? ownValue(material) : solver}
+        value={solver === 'none' ? own : solver}
         onChange={choose}
       />
       {solver !== 'none' && <Tuning />}
+      {isUnknown && <UnknownSolver onChoose={choose} />}
     </>
   );
 }
 
 function choose(value: string): void {
-  const material = OWN_NAMES.find((own) => ownValue(own) === value);
+  const isUnknown = value === 'unknown';
+  const material = isUnknown
+    ? (SETTINGS.material.default as Material)
+    : OWN_NAMES.find((own) => ownValue(own) === value);
   const others = { engine: '', tune: 'global', massRule: 'auto' } as const;
+  twin.isSolverUnknown.value = isUnknown;
+  twin.wantsGeneric.value = false;
   if (material) changeSettings({ solver: 'none', material, ...others });
   else changeSettings({ solver: value as SolverName, ...others });
 }

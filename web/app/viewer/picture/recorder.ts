@@ -18,7 +18,17 @@ export interface RecordedSize {
   rate: number;
 }
 
-export class Recorder {
+/** Makes a video of canvases. */
+export interface FrameRecorder {
+  /** The next frame; resolves when there is room for another one. */
+  add(canvas: HTMLCanvasElement): Promise<void>;
+  /** The file. The recorder must not be used afterwards. */
+  finish(): Promise<Uint8Array>;
+  /** Gives up what is not finished. */
+  cancel(): void;
+}
+
+export class Recorder implements FrameRecorder {
   private readonly frames: EncodedFrame[] = [];
   private count = 0;
   private failure: Error | null = null;
@@ -52,7 +62,6 @@ export class Recorder {
     this.frames.push({ bytes, milliseconds: chunk.timestamp / 1000, isKey: chunk.type === 'key' });
   }
 
-  /** The next frame of the video; resolves when the encoder has room for another one. */
   async add(canvas: HTMLCanvasElement): Promise<void> {
     const { rate } = this.size;
     const timestamp = Math.round((1e6 * this.count) / rate);
@@ -65,7 +74,6 @@ export class Recorder {
     if (this.failure) throw this.failure;
   }
 
-  /** The file. The recorder must not be used afterwards. */
   async finish(): Promise<Uint8Array> {
     const { width, height, rate } = this.size;
     await this.encoder.flush();
@@ -74,7 +82,6 @@ export class Recorder {
     return webmFile({ width, height, codec: CODEC.matroska, milliseconds }, this.frames);
   }
 
-  /** Gives up the video. */
   cancel(): void {
     if (this.encoder.state !== 'closed') this.encoder.close();
   }

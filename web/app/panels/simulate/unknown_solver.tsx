@@ -1,0 +1,77 @@
+/** For whoever does not know where the result will move: what it is, what to choose in plain words, and settings for all. */
+
+import { useEffect } from 'preact/hooks';
+import { profileOf } from '../../../engine/solvers/profiles';
+import type { GenericSolver } from '../../../engine/solvers/profiles';
+import { download } from '../../files/files';
+import { say } from '../../language/say';
+import { baseName, exportedKey } from '../../state/export_request';
+import { results, shownMesh } from '../../state/store';
+import { twin } from '../../state/twin';
+import './unknown_solver.css';
+
+/** What a program asks its user for, and where such programs are known. */
+const ASKED: readonly { value: GenericSolver; text: string }[] = [
+  { value: 'shell', text: 'How stiff the material is and how thick, as for rubber or cloth' },
+  { value: 'hinge-shell', text: 'How stiff its faces are, and how stiff it bends at its edges' },
+  { value: 'dihedral', text: 'Stretching of edges, and bending as an angle between faces: Houdini, Unreal' },
+  { value: 'springs', text: 'Springs alone, for stretching and for bending: Unity, Godot' },
+];
+
+export function UnknownSolver({ onChoose }: { onChoose(solver: GenericSolver): void }) {
+  return (
+    <>
+      <p class="hint">
+        {say(
+          'The result is the one that keeps shape, outline and pins. Any engine can take it, but its stiffness and masses are tuned to none.',
+        )}
+      </p>
+      <table class="solver-table">
+        <thead>
+          <tr>
+            <th scope="col">{say('If your program asks for')}</th>
+            <th scope="col">{say('choose')}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {ASKED.map(({ value: solver, text }) => (
+            <tr key={solver}>
+              <th scope="row">{say(text)}</th>
+              <td>
+                <button type="button" onClick={() => onChoose(solver)}>
+                  {say(profileOf(solver).label)}
+                </button>
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      <SaveForAll />
+    </>
+  );
+}
+
+/** Tuning takes a while, so it starts when it is asked for; what comes of it is saved at once. */
+function SaveForAll() {
+  const { wantsGeneric } = twin;
+  const { value: files } = results.genericFiles;
+  useEffect(() => {
+    if (!wantsGeneric.value || files?.key !== exportedKey()) return;
+    wantsGeneric.value = false;
+    download(`${baseName(results.file.value!.name)}-limber-any-engine.zip`, files.archive, 'application/zip');
+  }, [wantsGeneric.value, files]);
+  return (
+    <>
+      <p class="hint">
+        {say('Or take the model with the numbers for each of the four, and try which of them fits.')}
+      </p>
+      <button
+        type="button"
+        disabled={!shownMesh.value || wantsGeneric.value}
+        onClick={() => (wantsGeneric.value = true)}
+      >
+        {wantsGeneric.value ? say('Tuning ...') : say('Save all four as .zip')}
+      </button>
+    </>
+  );
+}
