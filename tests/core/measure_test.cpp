@@ -93,6 +93,30 @@ TEST(ClosestPoint, agreesWithADenseSearchOnAnyTriangle) {
   }
 }
 
+// Corners whose coordinates differ by many powers of ten make triangles without a height, whose normal is
+// nothing but rounding.
+TEST(ClosestPoint, ofANeedleLiesBetweenItsCorners) {
+  std::mt19937 random(3);
+  const auto share = [&] { return 2.0 * random() / 4294967295.0 - 1; };
+  const auto coordinate = [&] { return share() * std::pow(10, 20 * share()); };
+  const auto place = [&] { return Vec3{coordinate(), coordinate(), coordinate()}; };
+  for (int trial = 0; trial < 20000; ++trial) {
+    const TriangleMesh needle = {{place(), place(), place()}, {{0, 1, 2}}};
+    const Vec3 p = place();
+    const ClosestPoint found = closestOnTriangle(needle, 0, p);
+    double sum = 0, size = length(p);
+    for (const double weight : found.barycentric) {
+      EXPECT_GE(weight, 0);
+      sum += weight;
+    }
+    EXPECT_NEAR(sum, 1, 1e-8);
+    for (const Vec3& corner : needle.positions) size = std::max(size, length(corner));
+    for (const Vec3& corner : needle.positions) EXPECT_LE(found.distance, length(p - corner) + 1e-6 * size);
+    const Vec3 position = closestPosition(p, needle.positions[0], needle.positions[1], needle.positions[2]);
+    EXPECT_NEAR(length(p - position), found.distance, 1e-6 * size);
+  }
+}
+
 TEST(SurfaceDistance, ofParallelSheetsIsTheirGap) {
   const TriangleMesh sheet = shapes::grid(5, 5);
   const SurfaceDistance distance = distanceOf(sheet, moved(sheet, {0, 0, 0.25}));

@@ -13,6 +13,22 @@ namespace {
 constexpr double kSameWay = 0.25;        // cosine between normals
 constexpr double kBetweenSheets = 0.01;  // of the diagonal
 constexpr size_t kTrianglesPerRange = 4096;
+// A triangle that is lower than this, as a share of its length, has a normal of rounding only, and its edges
+// are as near as its inside.
+constexpr double kLeastHeight = 1e-8;
+// Products of smaller squares lose digits, as doubles end at 1e-308.
+constexpr double kLeastSquare = 1e-280;
+// The three coordinates of a foot point are computed each on its own, so their sum is off from 1 by about the
+// rounding error of one of them, eps d / h at the distance d from a triangle of the height h. Following a
+// coordinate of that error along the triangle costs eps d L / h, taking an edge instead costs h at most: the
+// two are equal where the error is about the root of eps.
+constexpr double kMostRounding = 1e-8;
+
+// Whether a triangle with the edges `first` and `second`, of which the cross product is given, has an inside.
+bool hasInside(const Vec3& first, const Vec3& second, double squaredNormal) {
+  const double square = std::max(squaredLength(first), squaredLength(second));
+  return squaredNormal > std::max(kLeastHeight * kLeastHeight * square * square, kLeastSquare);
+}
 
 // The parameter in [0, 1] of the point of the segment a + s (b - a) closest to p.
 double closestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -21,19 +37,22 @@ double closestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
 }
 
 // Writes the barycentric coordinates of the point of a triangle closest to p: the foot of p on the plane
-// where it lies inside the triangle, else the closest point of the three edges. Needles and points are
-// allowed.
+// where it lies inside the triangle and is more than rounding, else the closest point of the three edges.
+// Needles and points are allowed.
 void closestBarycentric(const Vec3& p, const Vec3 (&corner)[3], double (&barycentric)[3]) {
-  const Vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
+  const Vec3 first = corner[1] - corner[0], second = corner[2] - corner[0];
+  const Vec3 normal = cross(first, second);
   const double squaredNormal = squaredLength(normal);
-  if (squaredNormal > 0) {
+  if (hasInside(first, second, squaredNormal)) {
     bool inside = true;
+    double sum = 0;
     for (int c = 0; c < 3; ++c) {
       const Vec3 &a = corner[(c + 1) % 3], &b = corner[(c + 2) % 3];
       barycentric[c] = dot(cross(b - a, p - a), normal) / squaredNormal;
       inside = inside && barycentric[c] >= 0;
+      sum += barycentric[c];
     }
-    if (inside) return;
+    if (inside && std::abs(sum - 1) <= kMostRounding) return;
   }
   double best = HUGE_VAL;
   double found[3] = {1, 0, 0};
@@ -79,7 +98,7 @@ Vec3 closestPosition(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
   const double area = squaredLength(n);
   // Barycentric weights of the foot point, times `area`.
   const double u = dot(cross(c - b, p - b), n), v = dot(cross(a - c, p - c), n), w = area - u - v;
-  if (area > 0 && u >= 0 && v >= 0 && w >= 0) return (a * u + b * v + c * w) / area;
+  if (hasInside(b - a, c - a, area) && u >= 0 && v >= 0 && w >= 0) return (a * u + b * v + c * w) / area;
 
   Vec3 best = a;
   const std::array<std::array<const Vec3*, 2>, 3> edges{{{&a, &b}, {&b, &c}, {&c, &a}}};

@@ -21,7 +21,8 @@ struct ClosestPoint : SurfacePoint {
   }
 };
 
-// The point of triangle t closest to `point`. Needles and triangles that are a single point are allowed.
+// The point of triangle t closest to `point`. Needles and triangles that are a single point are allowed. Its
+// barycentric coordinates are at least 0, and their sum is 1 up to 1e-8.
 ClosestPoint closestOnTriangle(const TriangleMesh& mesh, uint32_t t, const Vec3& point);
 
 // The position of the point of triangle abc closest to p. Faster than `closestOnTriangle`, for it finds no
