@@ -80,7 +80,7 @@ async function saveMoving(page) {
   await settle(page);
   await page.getByRole('button', { name: 'Pictures', exact: true }).click();
   await page.getByLabel('Size', { exact: true }).selectOption('custom');
-  const fields = { 'Width in pixels': 600, 'Height in pixels': 400, Seconds: 2.5 };
+  const fields = { 'Width in pixels': 480, 'Height in pixels': 320, Seconds: 2 };
   for (const [label, value] of Object.entries(fields)) {
     await page.getByLabel(label).fill(String(value));
     await page.getByLabel(label).press('Tab');
