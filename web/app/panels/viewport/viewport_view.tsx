@@ -59,6 +59,24 @@ function openViewport(canvas: HTMLCanvasElement): void {
     if (isBrushing.value || isPicking.value) picking.prepare();
   });
   for (const show of SHOWS) show(viewport);
+  warmUpLater(viewport);
+}
+
+/** ms after which idle time is not waited for any longer */
+const LATEST_WARM_UP = 400;
+
+/** Once the start screen stands and the page has nothing to do; without a file to open there is time. */
+function warmUpLater(viewport: Viewport): void {
+  const begin = (): void => {
+    // What cannot be prepared is prepared when it is drawn.
+    if (!results.file.value) void viewport.warmUp().catch(() => undefined);
+  };
+  const whenIdle = (): void => {
+    if ('requestIdleCallback' in globalThis) requestIdleCallback(begin, { timeout: LATEST_WARM_UP });
+    else setTimeout(begin, LATEST_WARM_UP);
+  };
+  if (document.readyState === 'complete') whenIdle();
+  else addEventListener('load', whenIdle, { once: true });
 }
 
 export function ViewportView() {
