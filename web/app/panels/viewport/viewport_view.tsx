@@ -65,18 +65,18 @@ function openViewport(canvas: HTMLCanvasElement): void {
 /** ms after which idle time is not waited for any longer */
 const LATEST_WARM_UP = 400;
 
-/** Once the start screen stands and the page has nothing to do; without a file to open there is time. */
+/** Once the start screen has been painted and the page has nothing to do: without a file to open there is time. */
 function warmUpLater(viewport: Viewport): void {
   const begin = (): void => {
     // What cannot be prepared is prepared when it is drawn.
     if (!results.file.value) void viewport.warmUp().catch(() => undefined);
   };
-  const whenIdle = (): void => {
-    if ('requestIdleCallback' in globalThis) requestIdleCallback(begin, { timeout: LATEST_WARM_UP });
-    else setTimeout(begin, LATEST_WARM_UP);
-  };
-  if (document.readyState === 'complete') whenIdle();
-  else addEventListener('load', whenIdle, { once: true });
+  if (!('requestIdleCallback' in globalThis)) return;
+  new PerformanceObserver((entries, observer) => {
+    if (entries.getEntriesByName('first-contentful-paint').length === 0) return;
+    observer.disconnect();
+    requestIdleCallback(begin, { timeout: LATEST_WARM_UP });
+  }).observe({ type: 'paint', buffered: true });
 }
 
 export function ViewportView() {
