@@ -32,7 +32,7 @@ test('drawing is prepared behind the start screen, and nothing of that is seen',
   await page.goto('/');
   await light;
   await page.waitForTimeout(2000);
-  await page.addStyleTag({ content: '.start { visibility: hidden }' });
+  await page.locator('.start').evaluate((start: HTMLElement) => (start.style.visibility = 'hidden'));
   const png = await stillCapture(page);
   const darkest = await page.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
