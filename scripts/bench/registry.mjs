@@ -67,7 +67,7 @@ export const BENCHES = [
   },
   {
     name: 'page',
-    measures: 'the page: first paint, drop to result, slider',
+    measures: 'the page: first paint, drop to result of a mesh and of a scene, slider',
     script: 'tests/bench/page.mjs',
     document: 'docs/benchmarks.md',
     peers: 'the command line',

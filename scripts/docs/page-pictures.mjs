@@ -1,8 +1,9 @@
-// Takes the pictures of the page that the README shows. Usage, after `npm run build`: node scripts/docs/page-pictures.mjs
+// Takes the pictures of the page that the README shows, the moving one included. Usage, after `npm run build`:
+// node scripts/docs/page-pictures.mjs [name ...]
 
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { readFileSync } from 'node:fs';
+import { copyFileSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from '@playwright/test';
 
@@ -65,6 +66,31 @@ const PICTURES = {
   },
 };
 
+/** The Test step's motion, as its own GIF: the original on the left, a fifth of its faces on the right. */
+async function saveMoving(page) {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await open(page, 'organic');
+  await goTo(page, 'Reduce');
+  await settle(page);
+  const slider = page.getByRole('slider', { name: 'Kept faces' });
+  await slider.fill(String(Math.round(0.2 * Number(await slider.getAttribute('max')))));
+  await settle(page);
+  await goTo(page, 'Test');
+  await page.getByLabel('Scenario', { exact: true }).selectOption({ label: 'Sway' });
+  await settle(page);
+  await page.getByRole('button', { name: 'Pictures', exact: true }).click();
+  await page.getByLabel('Size', { exact: true }).selectOption('custom');
+  const fields = { 'Width in pixels': 480, 'Height in pixels': 320, Seconds: 2 };
+  for (const [label, value] of Object.entries(fields)) {
+    await page.getByLabel(label).fill(String(value));
+    await page.getByLabel(label).press('Tab');
+  }
+  await page.getByRole('button', { name: 'GIF', exact: true }).click();
+  const saved = page.waitForEvent('download', { timeout: 600_000 });
+  await page.getByRole('button', { name: 'Save motion' }).click();
+  copyFileSync(await (await saved).path(), join(folder, 'moving.gif'));
+}
+
 const server = spawn(
   process.execPath,
   ['node_modules/vite/bin/vite.js', 'preview', '--port', String(port), '--strictPort'],
@@ -77,15 +103,20 @@ try {
     args: [...shared, '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
   });
   const wanted = process.argv.slice(2);
-  for (const [name, take] of Object.entries(PICTURES)) {
+  const stills = Object.entries(PICTURES).map(([name, take]) => [
+    name,
+    async (page) => {
+      await take(page);
+      await page.screenshot({ path: join(folder, `${name}.png`) });
+    },
+  ]);
+  for (const [name, save] of [...stills, ['moving', saveMoving]]) {
     if (wanted.length > 0 && !wanted.includes(name)) continue;
     const context = await browser.newContext({
       viewport: { width: 1280, height: 800 },
       colorScheme: 'light',
     });
-    const page = await context.newPage();
-    await take(page);
-    await page.screenshot({ path: join(folder, `${name}.png`) });
+    await save(await context.newPage());
     await context.close();
   }
   await browser.close();

@@ -2,6 +2,7 @@ import { expect, test } from '@playwright/test';
 import type { Page } from '@playwright/test';
 import { drop, goTo, openPage, readout, writeScratch } from './page';
 import { sheetObj } from './meshes';
+import { stillCapture } from './pictures';
 
 const card = (page: Page, name: string) =>
   page.getByRole('region', { name: 'Or try a sample' }).getByRole('button', { name });
@@ -23,6 +24,27 @@ test('the page begins with a place to drop a file, and samples that move', async
   await card(page, 'Bar').click();
   await expect(readout(page, 'Faces')).toContainText('1,792');
   await expect(page.getByText('Your file stays on this computer.')).toHaveCount(0);
+});
+
+test('drawing is prepared behind the start screen, and nothing of that is seen', async ({ page }) => {
+  await page.emulateMedia({ colorScheme: 'light' });
+  const light = page.waitForResponse(/room_light/);
+  await page.goto('/');
+  await light;
+  await page.waitForTimeout(2000);
+  await page.locator('.start').evaluate((start: HTMLElement) => (start.style.visibility = 'hidden'));
+  const png = await stillCapture(page);
+  const darkest = await page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+    context.drawImage(bitmap, 0, 0);
+    return context
+      .getImageData(0, 0, bitmap.width, bitmap.height)
+      .data.reduce((least, value) => Math.min(least, value));
+  }, png.toString('base64'));
+  // The ground alone, whose darkest colour is #dfe6ec.
+  expect(darkest).toBeGreaterThan(215);
 });
 
 test(

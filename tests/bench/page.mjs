@@ -1,7 +1,8 @@
 // Measures the built page against its targets and prints one table.
-// Usage: node tests/bench/page.mjs [--only start,finish,scrub] [--faces 7000,16000,100000] [--write]
+// Usage: node tests/bench/page.mjs [--only start,finish,scene,scrub] [--faces 7000,16000,100000] [--write]
 //   start   sizes, first paint, usable          finish   drop -> finished at 50 %, beside the command line
-//   scrub   slider -> label and picture         (after npm run build; needs Chromium)
+//   scene   drop of 29 bodies -> all finished     scrub    slider -> label and picture
+// After npm run build; needs Chromium.
 //
 // Chromium draws in software here. Tasks are measured by the time in which their thread computes, which leaves out waits for the
 // rasteriser; the times of the slider are without calls of WebGL other than uploads.
@@ -13,14 +14,14 @@ import { parseArgs } from 'node:util';
 import { brotliCompressSync } from 'node:zlib';
 import { root } from '../../scripts/setup/environment.mjs';
 import { drop, goTo, openWatched, withBrowser } from './page/browser.mjs';
-import { scratchPath, writeTorus } from './page/meshes.mjs';
+import { scratchPath, writeScene, writeTorus } from './page/meshes.mjs';
 import { forget, scrub } from './page/observe.mjs';
 import { longestTask } from './page/tasks.mjs';
 import { table, writeSection } from './section.mjs';
 
 const { only, faces, write } = parseArgs({
   options: {
-    only: { type: 'string', default: 'start,finish,scrub' },
+    only: { type: 'string', default: 'start,finish,scene,scrub' },
     faces: { type: 'string', default: '' },
     write: { type: 'boolean', default: false },
   },
@@ -102,6 +103,38 @@ async function measureFinish(browser, count) {
   await page.context().close();
 }
 
+const SCENE_BODIES = 29;
+/** Nothing runs for so long once all is finished, ms. */
+const QUIET = 1000;
+
+/** Drops a scene and waits until its shown body has been measured and no body is worked on any more. */
+async function measureScene(browser) {
+  const path = writeScene(SCENE_BODIES);
+  const page = await openWatched(browser);
+  await page.waitForTimeout(1000);
+  const start = performance.now();
+  await finish(page, path);
+  const shown = (performance.now() - start) / 1000;
+  const quiet = (milliseconds) =>
+    new Promise((resolve) => {
+      let since = performance.now();
+      const look = () => {
+        const now = performance.now();
+        if (document.querySelector('.notice.busy')) since = now;
+        if (now - since < milliseconds) requestAnimationFrame(look);
+        else resolve();
+      };
+      look();
+    });
+  await page.evaluate(quiet, QUIET);
+  const seconds = (performance.now() - start - QUIET) / 1000;
+  const faces = await page.locator('.readouts dd').first().innerText();
+  console.log(`  (${faces.replaceAll(/\s+/g, ' ')})`);
+  add(`${SCENE_BODIES} bodies: drop -> shown body finished at 50 %`, `${shown.toFixed(1)} s`, '20 s');
+  add(`${SCENE_BODIES} bodies: drop -> all finished`, `${seconds.toFixed(1)} s`, '20 s');
+  await page.context().close();
+}
+
 async function measureScrub(browser, count) {
   const page = await openWatched(browser);
   await page.waitForTimeout(1000);
@@ -140,6 +173,7 @@ await withBrowser(async (browser) => {
   }
   if (parts.has('finish'))
     for (const count of counts([7000, 16_000, 100_000])) await measureFinish(browser, count);
+  if (parts.has('scene')) await measureScene(browser);
   if (parts.has('scrub'))
     for (const count of counts([16_000, 100_000, 200_000, 1_000_000])) await measureScrub(browser, count);
 });

@@ -1,6 +1,6 @@
 /** The gallery: originals and results that can be turned, at rest and in motion. */
 
-import type { SceneLook } from '../app/viewer/scene_model';
+import type { SceneLook } from '../app/viewer/file/scene_model';
 import { Stage } from './stage';
 import { TurningView } from './turning_view';
 

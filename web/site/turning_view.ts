@@ -1,8 +1,8 @@
 /** Models that turn together, each in a picture of its own; those that have an animation play it. */
 
 import * as THREE from 'three';
-import { SceneModel } from '../app/viewer/scene_model';
-import type { SceneLook } from '../app/viewer/scene_model';
+import { SceneModel } from '../app/viewer/file/scene_model';
+import type { SceneLook } from '../app/viewer/file/scene_model';
 import type { Stage } from './stage';
 
 const HALF_FIELD = Math.tan(THREE.MathUtils.degToRad(15));

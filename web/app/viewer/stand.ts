@@ -4,7 +4,7 @@ import * as THREE from 'three';
 import type { TriangleMesh } from '../../engine/core/core';
 import { rotationOf } from '../../engine/motion/scene_rotation';
 import { floorShadow, SHADOW_SIZE } from './floor_shadow';
-import type { SceneLook, SceneModel } from './scene_model';
+import type { SceneLook, SceneModel } from './file/scene_model';
 import { spreadPoints } from './spread_points';
 
 /** The floor's shadow reaches beyond the body by this share of its size. */
@@ -75,6 +75,13 @@ export class Stand {
     this.floor.material.needsUpdate = true;
     this.floor.position.copy(floor.position);
     this.floor.scale.copy(floor.scale);
+  }
+
+  /** Takes the floor away until it is laid again. */
+  liftFloor(): void {
+    this.floor.material.map?.dispose();
+    this.floor.material.map = null;
+    this.floor.visible = false;
   }
 
   private pointsOfFile(): Float32Array {

@@ -19,12 +19,13 @@ import { Pane } from './pane';
 import type { Look } from './pane';
 import { PaneLayout } from './pane_layout';
 import type { PaneName } from './pane_layout';
-import type { SceneLook } from './scene_model';
+import type { SceneLook } from './file/scene_model';
 import { nearestSeen, seenAt } from './seen_vertices';
 import type { ScreenPoint } from './seen_vertices';
 import { drawAtSize } from './picture/stage_shot';
 import type { StageShot } from './picture/stage_shot';
-import { ShownFiles } from './shown_files';
+import { ShownFiles } from './file/shown_files';
+import { warmUp } from './file/warm_up';
 import { standingMatrix, standingRotation } from './stand';
 
 /** Swings per second at speed 1. */
@@ -108,6 +109,9 @@ export class Viewport {
     this.isStale = true;
     if (isElsewhere) this.fit(false);
   }
+
+  /** See file/warm_up.ts. */
+  warmUp = (): Promise<void> => warmUp(this.files, this.panes.original, () => this.draw());
 
   /** How a pane's file is drawn; null: the body alone is drawn in its place. */
   lookAtFile(name: PaneName, look: SceneLook | null): void {

@@ -2,8 +2,8 @@
 
 import * as THREE from 'three';
 import { lightByRoom } from '../../viewer/room_light';
-import { SceneModel } from '../../viewer/scene_model';
-import type { SceneLook } from '../../viewer/scene_model';
+import { SceneModel } from '../../viewer/file/scene_model';
+import type { SceneLook } from '../../viewer/file/scene_model';
 
 const FIELD_OF_VIEW = 30;
 /** The share of the picture that a level fills where it is drawn large. */

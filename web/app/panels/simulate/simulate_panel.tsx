@@ -27,8 +27,8 @@ function describeScenario(scenario: Settings['scenario']): string {
   const { pinned, sentence } = scenarioWords(scenario);
   const what = say(sentence, { end: say(ends.high) });
   if (pinSource.value !== 'scenario' || pinned === '') return what;
-  const held = pinned === 'both' ? say('Both ends') : say(ends[pinned]);
-  return `${what} ${say('{ends} held.', { ends: held })}`;
+  const pinnedEnds = pinned === 'both' ? say('Both ends') : say(ends[pinned]);
+  return `${what} ${say('{ends} held.', { ends: pinnedEnds })}`;
 }
 
 const LAYOUTS = [

@@ -17,7 +17,7 @@ import {
 } from '../../state/store';
 import type { Field } from '../../viewer/body_geometry';
 import type { MapName } from '../../viewer/colours';
-import type { SceneLook } from '../../viewer/scene_model';
+import type { SceneLook } from '../../viewer/file/scene_model';
 import type { PaneName } from '../../viewer/pane_layout';
 import type { Viewport } from '../../viewer/viewport';
 import { guidingModes } from '../motion/mode_choice';

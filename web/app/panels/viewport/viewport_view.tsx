@@ -59,6 +59,24 @@ function openViewport(canvas: HTMLCanvasElement): void {
     if (isBrushing.value || isPicking.value) picking.prepare();
   });
   for (const show of SHOWS) show(viewport);
+  warmUpLater(viewport);
+}
+
+/** ms after which idle time is not waited for any longer */
+const LATEST_WARM_UP = 400;
+
+/** Once the start screen has been painted and the page has nothing to do: without a file to open there is time. */
+function warmUpLater(viewport: Viewport): void {
+  const begin = (): void => {
+    // What cannot be prepared is prepared when it is drawn.
+    if (!results.file.value) void viewport.warmUp().catch(() => undefined);
+  };
+  if (!('requestIdleCallback' in globalThis)) return;
+  new PerformanceObserver((entries, observer) => {
+    if (entries.getEntriesByName('first-contentful-paint').length === 0) return;
+    observer.disconnect();
+    requestIdleCallback(begin, { timeout: LATEST_WARM_UP });
+  }).observe({ type: 'paint', buffered: true });
 }
 
 export function ViewportView() {

@@ -2,7 +2,7 @@
 
 import * as THREE from 'three';
 import { lightByRoom } from '../room_light';
-import { SceneModel } from '../scene_model';
+import { SceneModel } from '../file/scene_model';
 
 const FRAME_MILLISECONDS = 40;
 const WIDTH = 440;

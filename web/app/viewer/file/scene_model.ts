@@ -2,8 +2,8 @@
 
 import * as THREE from 'three';
 import type { GLTFReference } from 'three/examples/jsm/loaders/GLTFLoader.js';
-import { spreadPoints, spreadStep } from './spread_points';
-import { checkerTexture, matcapTexture } from './look_textures';
+import { spreadPoints, spreadStep } from '../spread_points';
+import { checkerTexture, matcapTexture } from '../look_textures';
 
 export type SceneLookName = 'textured' | 'matcap' | 'clay' | 'checker';
 

@@ -1,9 +1,9 @@
 /** The whole files that panes draw in place of single bodies, their animation, and the floors below what is shown. */
 
 import * as THREE from 'three';
-import type { Pane } from './pane';
-import type { PaneName } from './pane_layout';
-import { lightByRoom } from './room_light';
+import type { Pane } from '../pane';
+import type { PaneName } from '../pane_layout';
+import { lightByRoom } from '../room_light';
 import { SceneModel } from './scene_model';
 import type { SceneLook } from './scene_model';
 
@@ -15,6 +15,8 @@ export class ShownFiles {
   private animation = { isPlaying: false, seconds: 0 };
   /** per pane: the latest file asked for */
   private readonly asked: Record<PaneName, Uint8Array | null> = { original: null, optimized: null };
+  /** holds the programs of plain materials, which three.js lets go of with the last material that uses them */
+  private warm: SceneModel | null = null;
   private readonly looks: Record<PaneName, SceneLook | null> = { original: null, optimized: null };
 
   constructor(
@@ -42,6 +44,28 @@ export class ShownFiles {
     this.look(name, this.looks[name]);
     this.moved();
     return name === 'original' && model !== null && !isSameBox(before, this.corners());
+  }
+
+  /**
+   * Prepares what a file, a GLB, is drawn with, and keeps that; `draw` is called once while it stands in the original's pane. Does
+   * nothing once there is another file.
+   */
+  async warmUp(bytes: Uint8Array, draw: () => void): Promise<void> {
+    const { scene, stand } = this.panes.original;
+    const [model] = await Promise.all([SceneModel.load(bytes), lightByRoom(scene)]);
+    const isLate = (): boolean => this.asked.original !== null || stand.model !== null;
+    if (isLate() || this.warm) return model.dispose();
+    this.warm = model;
+    await this.compile(model, 'original');
+    if (isLate()) return;
+    const { hasFloor } = this;
+    this.hasFloor = true;
+    stand.group.add(model.root);
+    draw();
+    stand.group.remove(model.root);
+    this.hasFloor = hasFloor;
+    for (const pane of Object.values(this.panes)) pane.stand.liftFloor();
+    this.box = [];
   }
 
   /** Waits until the graphics card can draw a model, where it can say so; otherwise the first drawing keeps the page waiting. */
