@@ -148,14 +148,17 @@ describe('the guard', () => {
 describe('two-sided leaves', () => {
   it('come back with both sides, each wound as it was', async () => {
     const { counts, report, written } = await optimize(twoSidedLeaf(), {}, { ratio: 0.5 });
-    expect(counts).toEqual([[400, 400]]);
-    expect([report.input.faces, report.output!.faces]).toEqual([1600, 800]);
-    expect([report.input.duplicateFaces, report.output!.duplicateFaces]).toEqual([800, 400]);
+    // A collapse on the border takes one face of each side, any other two.
+    const [[faces]] = counts;
+    expect(counts).toEqual([[faces, faces]]);
+    expect([399, 400]).toContain(faces);
+    expect([report.input.faces, report.output!.faces]).toEqual([1600, 2 * faces]);
+    expect([report.input.duplicateFaces, report.output!.duplicateFaces]).toEqual([800, faces]);
     const [front, back] = written.getRoot().listMeshes()[0].listPrimitives();
     const facesOf = (primitive: typeof front, reversed: boolean): string[] => {
       const positions = primitive.getAttribute('POSITION')!;
       const corner = (i: number) => positions.getElement(primitive.getIndices()!.getScalar(i), []).join();
-      return Array.from({ length: 400 }, (_, t) => {
+      return Array.from({ length: faces }, (_, t) => {
         const corners = [0, 1, 2].map((c) => corner(3 * t + c));
         if (reversed) corners.reverse();
         const first = corners.indexOf([...corners].sort()[0]);

@@ -72,6 +72,8 @@ describe('limber optimize --solver springs', () => {
     const flags = [
       '--ratio',
       '0.4',
+      '--max-deviation',
+      '0',
       '--solver',
       'springs',
       '--settings',
