@@ -247,6 +247,13 @@ describe('a ZIP', () => {
 describe('OFF', () => {
   const open = (words: string): Promise<OpenModel> => openModel([textFile('a.off', words)]);
 
+  it('gets past control characters, where a word would be', async () => {
+    for (const control of ['\u0000', '\u0001', '\u001f']) {
+      const { bodies } = await open(`OFF\n3 1 0\n0 0 0 ${control}\n1 0 0\n0 1 0\n3 0 1 2\n`);
+      expect(Array.from(bodies[0].positions)).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+    }
+  });
+
   it('is read with polygons, comments and colours', async () => {
     const model = await open(
       'COFF # a square\n# two lines\n4 1 0\n0 0 0 255 0 0 255\n1 0 0 255 0 0 255\n\n1 1 0 0 255 0 255 # c\n0 1 0 0 0 255 255\n4 0 1 2 3\n',
