@@ -85,6 +85,9 @@ test('levels are added, seen where they change, and written as nodes of one file
   await openExport(page);
   await button(page, 'Add a level').click();
   await button(page, 'Add a level').click();
+  // A last level that the guard of 1 % lets this sheet reach.
+  await page.getByLabel('Further levels').fill('0.3, 0.15');
+  await page.getByLabel('Further levels').press('Enter');
   await page.getByLabel('Levels go into').selectOption('nodes');
   await page.getByLabel('See where they change').check();
   const rows = page.getByRole('list', { name: 'Where levels change' }).getByRole('listitem');
