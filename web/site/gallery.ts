@@ -57,6 +57,8 @@ async function show(): Promise<void> {
     view.pose(0);
     views.push(view);
   }
+  // The next frame draws what was read last.
+  await new Promise(requestAnimationFrame);
   document.body.dataset.shown = String(views.length);
 }
 
