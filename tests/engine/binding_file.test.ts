@@ -69,6 +69,8 @@ describe('a binding file', () => {
       ['{"schema":"limber-report/1"}', 'is not a limber-binding/1'],
       [text.replace(/"offset": ".{8}/, '"offset": "'), 'has damaged arrays for "torus"'],
       [text.replace(/"faces": \d+/, '"faces": 3'), 'names a triangle that "torus" does not have'],
+      [text.replace(/"mesh": \d+/, '"mesh": 0.5'), 'has no number of the mesh or of the faces of "torus"'],
+      [writeBinding([withInfinity(bound.body)]), 'has an infinite number for "torus"'],
     ];
     for (const [content, problem] of cases)
       expect(await failureOf(() => readBinding('bind.json', content))).toBe(
@@ -76,6 +78,12 @@ describe('a binding file', () => {
       );
   });
 });
+
+function withInfinity(body: BodyBinding): BodyBinding {
+  const offset = body.binding.offset.slice();
+  offset[0] = Infinity;
+  return { ...body, binding: { ...body.binding, offset } };
+}
 
 function unitNormal(a: number[], b: number[], c: number[]): number[] {
   const [u, w] = [b, c].map((point) => point.map((value, axis) => value - a[axis]));

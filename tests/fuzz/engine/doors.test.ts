@@ -9,8 +9,9 @@ import { problemOfRefusal } from './refusal';
 import { SETTINGS_FILE } from './settings';
 
 const NAMES = [
-  ...['obj', 'ply', 'binary ply', 'stl', 'binary stl', 'glb bytes', 'glb json'],
-  ...['options', 'command lines', 'settings files', 'patterns', 'paint', 'optimize'],
+  ...['obj', 'ply', 'binary ply', 'stl', 'binary stl', 'off', 'zip', 'gltf', 'glb bytes', 'glb json'],
+  ...['options', 'command lines', 'settings files', 'patterns', 'paint'],
+  ...['batch configurations', 'patterns of paths', 'links', 'saved state', 'bindings', 'optimize'],
 ];
 let doors: Door[];
 

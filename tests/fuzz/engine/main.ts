@@ -4,6 +4,7 @@ import { loadCore } from '../../../web/engine/core/load_core';
 import type { Door } from './doors';
 import { visit } from './doors';
 import type { Visit } from './doors';
+import { keptTextDoors } from './kept_texts';
 import { optimizeDoor } from './optimize';
 import { readers } from './readers';
 import { settingsDoors } from './settings';
@@ -11,7 +12,7 @@ import { settingsDoors } from './settings';
 /** All doors; the core is loaded from `wasmFolder`, an address with a final slash. */
 export async function allDoors(wasmFolder: string): Promise<Door[]> {
   const core = await loadCore({ threads: 1, wasmFolder });
-  return [...(await readers()), ...settingsDoors, optimizeDoor(core)];
+  return [...(await readers()), ...settingsDoors, ...keptTextDoors, optimizeDoor(core)];
 }
 
 export async function fuzz(

@@ -155,16 +155,21 @@ export function mutateFile(bytes: Uint8Array, choices: Choices, isText: boolean)
   return changed;
 }
 
+/** The JSON of a GLB and the content of its buffer. */
+export function partsOfGlb(glb: Uint8Array): { json: unknown; buffer: Uint8Array } {
+  const length = new DataView(glb.buffer, glb.byteOffset, glb.byteLength).getUint32(12, true);
+  return { json: JSON.parse(text(glb.subarray(20, 20 + length))), buffer: glb.subarray(20 + length + 8) };
+}
+
 /** A GLB whose JSON is changed, with lengths that agree with it. */
 export function mutateGlbJson(glb: Uint8Array, choices: Choices): Uint8Array {
-  const view = new DataView(glb.buffer, glb.byteOffset, glb.byteLength);
-  const length = view.getUint32(12, true);
-  let json: unknown = JSON.parse(text(glb.subarray(20, 20 + length)));
+  const { json: whole, buffer } = partsOfGlb(glb);
+  const rest = glb.subarray(glb.length - buffer.length - 8);
+  let json = whole;
   for (let left = 1 + choices.below(3); left > 0; --left) json = mutateJson(json, choices);
   const words = bytesOf(JSON.stringify(json));
   const padded = new Uint8Array(Math.ceil(words.length / 4) * 4).fill(32);
   padded.set(words);
-  const rest = glb.subarray(20 + length);
   const header = new DataView(new ArrayBuffer(20));
   [0x46546c67, 2, 20 + padded.length + rest.length, padded.length, 0x4e4f534a].forEach((word, i) =>
     header.setUint32(4 * i, word, true),

@@ -1,12 +1,14 @@
 /** Doors of the readers: files that were valid once, changed in up to eight places. */
 
 import { Document } from '@gltf-transform/core';
+import { zipSync } from 'fflate';
+import type { SourceFile } from '../../../web/engine/document/model';
 import { openAnyModel } from '../../../web/engine/document/open';
 import { addMesh, addRichMesh, glbFile, primitiveOf, startDocument } from '../../engine/support/gltf';
 import { cube, grid, toObj } from '../../engine/support/shapes';
 import type { Choices } from './choices';
 import type { Door } from './doors';
-import { mutateFile, mutateGlbJson } from './mutate';
+import { mutateFile, mutateGlbJson, mutateJson, mutateText, partsOfGlb } from './mutate';
 
 const encode = (text: string) => new TextEncoder().encode(text);
 
@@ -26,6 +28,8 @@ const PLY = [
 ].join('\n');
 
 const STL = `solid a\n${'facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n'.repeat(2)}endsolid a\n`;
+
+const OFF = 'OFF\n# a square\n4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 255 0 0\n4 0 1 2 3\n';
 
 /** The PLY of `PLY` in binary. */
 function binaryPly(): Uint8Array {
@@ -75,6 +79,56 @@ function reader(name: string, ending: string, seeds: Uint8Array[], change: Chang
   };
 }
 
+/** A .gltf and its buffer, of which either is changed. */
+const gltfFiles = (seeds: Uint8Array[]): Door => ({
+  name: 'gltf',
+  enter: async (choices) => {
+    let { json, buffer } = partsOfGlb(choices.pick(seeds));
+    const buffers = (json as { buffers: { uri?: string }[] }).buffers;
+    buffers[0].uri = choices.pick([
+      'a.bin',
+      'a.bin',
+      `data:;base64,${Buffer.from(buffer).toString('base64')}`,
+    ]);
+    for (let left = choices.below(4); left > 0; --left) json = mutateJson(json, choices);
+    let words = JSON.stringify(json);
+    if (choices.chance(0.2)) words = mutateText(words, choices);
+    if (choices.chance(0.3)) buffer = mutateFile(buffer, choices, false);
+    const files: SourceFile[] = [{ name: 'a.gltf', bytes: encode(words) }];
+    if (choices.chance(0.9)) files.push({ name: choices.pick(['a.bin', 'b/a.bin']), bytes: buffer });
+    await openAnyModel(files);
+  },
+});
+
+const NAMES = [
+  'a.obj',
+  'a.mtl',
+  'b/a.obj',
+  '../a.obj',
+  '/a.obj',
+  'C:\\a.obj',
+  '',
+  '.a',
+  'a.zip',
+  '__proto__',
+  '😀.off',
+];
+
+/** An archive with members of any name, whose bytes are changed, too. */
+const zip: Door = {
+  name: 'zip',
+  enter: async (choices) => {
+    const members: Record<string, Uint8Array> = choices.chance(0.8) ? { 'a.obj': encode(OBJ) } : {};
+    for (let left = choices.below(4); left > 0; --left)
+      members[choices.pick(NAMES)] = mutateFile(encode(choices.pick([OBJ, OFF, PLY])), choices, true);
+    const level = choices.pick([0, 6] as const);
+    const bytes = zipSync(members, { level });
+    await openAnyModel([
+      { name: 'a.zip', bytes: choices.chance(0.7) ? mutateFile(bytes, choices, false) : bytes },
+    ]);
+  },
+};
+
 const asText: Change = (bytes, choices) => mutateFile(bytes, choices, true);
 const asBytes: Change = (bytes, choices) => mutateFile(bytes, choices, false);
 
@@ -86,6 +140,9 @@ export async function readers(): Promise<Door[]> {
     reader('binary ply', 'ply', [binaryPly()], asBytes),
     reader('stl', 'stl', [encode(STL)], asText),
     reader('binary stl', 'stl', [binaryStl()], asBytes),
+    reader('off', 'off', [encode(OFF)], asText),
+    zip,
+    gltfFiles(seeds),
     reader('glb bytes', 'glb', seeds, asBytes),
     reader('glb json', 'glb', seeds, mutateGlbJson),
   ];

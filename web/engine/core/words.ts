@@ -2,3 +2,13 @@
 export function counted(count: number, one: string, many = `${one}s`): string {
   return `${count.toLocaleString('en-US')} ${count === 1 ? one : many}`;
 }
+
+/** Letters of a text from a file that a sentence quotes at most. */
+const QUOTED = 100;
+
+/** A text from a file, as a sentence quotes it: the beginning of one that is long. */
+export function excerpt(text: string): string {
+  if (text.length <= QUOTED) return text;
+  // The cut may go through a letter of two code units.
+  return `${text.slice(0, QUOTED).replace(/[\ud800-\udbff]$/, '')}...`;
+}

@@ -1,6 +1,7 @@
 /** The configuration of a batch: options for all assets, and others for some of them (docs/batch.schema.json). */
 
 import { jsonMistake } from '../core/json_mistake';
+import { excerpt } from '../core/words';
 import { checkSetting } from './check';
 import { settingsOf } from './commands';
 import { SettingError, wordSentence } from './errors';
@@ -133,7 +134,7 @@ function parse(text: string, name: string): Record<string, unknown> {
 }
 
 const schemaWords = (schema: unknown): string =>
-  schema === undefined ? 'no schema' : `the schema ${JSON.stringify(schema)}`;
+  schema === undefined ? 'no schema' : `the schema ${excerpt(JSON.stringify(schema))}`;
 
 function readOverride(value: unknown, where: string): BatchOverride {
   const override = objectOf(value, where);
@@ -147,7 +148,8 @@ function readOverride(value: unknown, where: string): BatchOverride {
 function readPatterns(value: unknown, where: string): string[] {
   const patterns = listOf(value, where);
   const wrong = patterns.find((pattern) => typeof pattern !== 'string' || pattern === '');
-  if (wrong !== undefined) throw new Error(`${where} has ${JSON.stringify(wrong)}: give patterns as texts.`);
+  if (wrong !== undefined)
+    throw new Error(`${where} has ${excerpt(JSON.stringify(wrong))}: give patterns as texts.`);
   return patterns as string[];
 }
 
@@ -162,12 +164,13 @@ function readOptions(value: unknown, where: string): AssetOptions {
 
 function checkTarget(name: keyof AssetTargets, value: unknown, where: string): void {
   const { isAllowed, words } = TARGETS[name];
-  if (!isAllowed(value)) throw new Error(`${where}: ${name} is ${JSON.stringify(value)}: give ${words}.`);
+  if (!isAllowed(value))
+    throw new Error(`${where}: ${name} is ${excerpt(JSON.stringify(value))}: give ${words}.`);
 }
 
 function readSettingValue(name: string, given: unknown, where: string): unknown {
   if (!Object.hasOwn(OPTIONS, name) || !settingsOf('optimize').includes(name as SettingName))
-    throw new Error(`${where}: there is no option "${name}": see docs/batch.schema.json.`);
+    throw new Error(`${where}: there is no option "${excerpt(name)}": see docs/batch.schema.json.`);
   if (!isOfAssets(name as SettingName))
     throw new Error(`${where}: ${name} is about the machine: give it on the command line.`);
   const value = given === 'inf' ? Infinity : given;
@@ -195,6 +198,6 @@ function checkKeys(value: object, known: string[], where: string): void {
   const wrong = Object.keys(value).find((key) => !known.includes(key));
   if (wrong !== undefined)
     throw new Error(
-      `${where} has "${wrong}", which is not known: use ${known.filter((key) => !key.startsWith('$')).join(', ')}.`,
+      `${where} has "${excerpt(wrong)}", which is not known: use ${known.filter((key) => !key.startsWith('$')).join(', ')}.`,
     );
 }

@@ -1,7 +1,7 @@
 /** The files that a glTF names: buffers, which it cannot do without, and images. */
 
 import type { GLTF, JSONDocument } from '@gltf-transform/core';
-import { counted } from '../../core/words';
+import { counted, excerpt } from '../../core/words';
 import type { SourceFile } from '../model';
 
 /** At most so many names stand in a sentence. */
@@ -32,7 +32,7 @@ export function addCompanions(
   const escaping = buffers.find((address) => companionPath(main.name, address) === null);
   if (escaping !== undefined)
     throw new Error(
-      `${main.name} names ${escaping}, which is outside of its folder and is not read: put the file beside it and name it without a path.`,
+      `${main.name} names ${excerpt(escaping)}, which is outside of its folder and is not read: put the file beside it and name it without a path.`,
     );
   if (buffers.length === 0) return images;
   const verb = buffers.length === 1 ? 'is' : 'are';
@@ -52,7 +52,7 @@ export function describeMissing(images: string[]): string[] {
 
 function listed(names: string[]): string {
   const more = names.length - NAMES_SHOWN;
-  return names.slice(0, NAMES_SHOWN).join(', ') + (more > 0 ? ` and ${more} more` : '');
+  return names.slice(0, NAMES_SHOWN).map(excerpt).join(', ') + (more > 0 ? ` and ${more} more` : '');
 }
 
 /** Paths below the folder of the file, of the buffers and images that it names; others are not listed. */

@@ -1,0 +1,118 @@
+/** Doors of texts that come back from outside: configurations of batches, links, what a tab has kept, bindings. */
+
+import { readLink, writeLink } from '../../../web/app/state/link';
+import { readSaved } from '../../../web/app/state/saved_text';
+import { readBinding, writeBinding } from '../../../web/engine/report/binding_file';
+import {
+  BATCH_SCHEMA,
+  optionsFor,
+  readBatchConfig,
+  settingsFor,
+} from '../../../web/engine/settings/batch_config';
+import { OPTIONS, SETTING_NAMES } from '../../../web/engine/settings/options';
+import { matchesPath } from '../../../web/engine/settings/path_pattern';
+import type { Choices } from './choices';
+import type { Door } from './doors';
+import { mutateJson, mutateText } from './mutate';
+
+/** The text of `json` after up to `most` changes to its values and, sometimes, to its letters. */
+function changedText(json: unknown, choices: Choices, most: number): string {
+  let changed = json;
+  for (let left = choices.below(most + 1); left > 0; --left) changed = mutateJson(changed, choices);
+  const text = JSON.stringify(changed);
+  return choices.chance(0.3) ? mutateText(text, choices) : text;
+}
+
+const BATCH = {
+  schema: BATCH_SCHEMA,
+  options: { method: 'limber', ratio: 0.25, pins: 'box:0,0,0:1,1,1', maxDeviation: 0.5, fields: true },
+  overrides: [
+    { files: ['props/**/*.obj', 'a?.{obj,ply}'], options: { faces: 100, soft: true } },
+    { files: ['*'], options: { model: 'shell', modeCount: 6 } },
+  ],
+  exclude: ['**/old/**'],
+};
+
+const batchConfigs: Door = {
+  name: 'batch configurations',
+  enter: (choices) => {
+    const config = readBatchConfig(changedText(BATCH, choices, 4), 'b.json');
+    settingsFor(optionsFor(config, choices.pick(['props/x/a.obj', 'a1.ply', 'b']), {}));
+  },
+};
+
+const pathPatterns: Door = {
+  name: 'patterns of paths',
+  enter: (choices) => {
+    const letters = ['a', 'b', '*', '**', '/', '?', '{', '}', ',', '[', ']', '\\', '.', '😀'];
+    const word = (length: number) => Array.from({ length }, () => choices.pick(letters)).join('');
+    matchesPath(word(choices.below(20)), word(choices.below(20)));
+  },
+};
+
+const LINKS = [
+  'method=paper&ratio=0.5&faces=100&body=1&file=a.glb',
+  'pins=box:0,0,0:1,1,1&paint=0:A1B2C3&max-deviation=0.5%25',
+  'strain-weight=2&modes=1-4,7&model=shell&symmetry=on',
+];
+
+function anyLink(choices: Choices): string {
+  let link = choices.pick(LINKS);
+  if (choices.chance(0.5))
+    link += `&${OPTIONS[choices.pick(SETTING_NAMES)].flag}=${choices.pick(['1', '', 'x', '-1', '%', '1e999'])}`;
+  for (let left = choices.below(5); left > 0; --left) link = mutateText(link, choices);
+  return link;
+}
+
+const links: Door = {
+  name: 'links',
+  enter: (choices) => {
+    const wanted = readLink(anyLink(choices));
+    if (wanted === null) return;
+    const link = writeLink(wanted);
+    const again = readLink(link);
+    if (again !== null && writeLink(again) !== link)
+      throw new TypeError(`The link ${link} reads as another one.`);
+  },
+};
+
+const savedTexts: Door = {
+  name: 'saved state',
+  enter: (choices) => {
+    const saved = {
+      link: anyLink(choices),
+      step: 'motion',
+      layout: 'slider',
+      field: 'strain',
+      undo: { past: [anyLink(choices), LINKS[0]], future: [LINKS[1]] },
+    };
+    let text = changedText(saved, choices, 4);
+    if (choices.chance(0.1)) text = text.slice(0, choices.below(text.length));
+    try {
+      readSaved(text);
+    } catch (error) {
+      // It is read by `sessionOf` alone, which goes on without it.
+      if (!(error instanceof SyntaxError)) throw error;
+    }
+  },
+};
+
+const binding = {
+  triangle: Uint32Array.of(0, 0, 1),
+  barycentric: Float32Array.of(1, 0, 0, 0, 1, 0, 0.5, 0.5, 0),
+  offset: Float32Array.of(0, 0, 0.5),
+};
+const BINDING = JSON.parse(writeBinding([{ name: 'a', mesh: 0, faces: 2, binding }])) as object;
+
+const bindings: Door = {
+  name: 'bindings',
+  enter: (choices) => {
+    for (const { mesh, faces, binding } of readBinding('a.json', changedText(BINDING, choices, 4))) {
+      if (!Number.isInteger(mesh) || !Number.isInteger(faces)) throw new TypeError('A body has no numbers.');
+      if (![...binding.barycentric, ...binding.offset].every(Number.isFinite))
+        throw new TypeError('A bound vertex is nowhere.');
+    }
+  },
+};
+
+export const keptTextDoors: Door[] = [batchConfigs, pathPatterns, links, savedTexts, bindings];
