@@ -13,15 +13,7 @@ import { OPTIONS, SETTING_NAMES } from '../../../web/engine/settings/options';
 import { matchesPath } from '../../../web/engine/settings/path_pattern';
 import type { Choices } from './choices';
 import type { Door } from './doors';
-import { mutateJson, mutateText } from './mutate';
-
-/** The text of `json` after up to `most` changes to its values and, sometimes, to its letters. */
-function changedText(json: unknown, choices: Choices, most: number): string {
-  let changed = json;
-  for (let left = choices.below(most + 1); left > 0; --left) changed = mutateJson(changed, choices);
-  const text = JSON.stringify(changed);
-  return choices.chance(0.3) ? mutateText(text, choices) : text;
-}
+import { anyWord, mutateText, mutatedJsonText } from './mutate';
 
 const BATCH = {
   schema: BATCH_SCHEMA,
@@ -36,7 +28,7 @@ const BATCH = {
 const batchConfigs: Door = {
   name: 'batch configurations',
   enter: (choices) => {
-    const config = readBatchConfig(changedText(BATCH, choices, 4), 'b.json');
+    const config = readBatchConfig(mutatedJsonText(BATCH, choices.below(5), choices), 'b.json');
     settingsFor(optionsFor(config, choices.pick(['props/x/a.obj', 'a1.ply', 'b']), {}));
   },
 };
@@ -45,8 +37,7 @@ const pathPatterns: Door = {
   name: 'patterns of paths',
   enter: (choices) => {
     const letters = ['a', 'b', '*', '**', '/', '?', '{', '}', ',', '[', ']', '\\', '.', '😀'];
-    const word = (length: number) => Array.from({ length }, () => choices.pick(letters)).join('');
-    matchesPath(word(choices.below(20)), word(choices.below(20)));
+    matchesPath(anyWord(letters, 20, choices), anyWord(letters, 20, choices));
   },
 };
 
@@ -86,7 +77,7 @@ const savedTexts: Door = {
       field: 'strain',
       undo: { past: [anyLink(choices), LINKS[0]], future: [LINKS[1]] },
     };
-    let text = changedText(saved, choices, 4);
+    let text = mutatedJsonText(saved, choices.below(5), choices);
     if (choices.chance(0.1)) text = text.slice(0, choices.below(text.length));
     try {
       readSaved(text);
@@ -107,7 +98,10 @@ const BINDING = JSON.parse(writeBinding([{ name: 'a', mesh: 0, faces: 2, binding
 const bindings: Door = {
   name: 'bindings',
   enter: (choices) => {
-    for (const { mesh, faces, binding } of readBinding('a.json', changedText(BINDING, choices, 4))) {
+    for (const { mesh, faces, binding } of readBinding(
+      'a.json',
+      mutatedJsonText(BINDING, choices.below(5), choices),
+    )) {
       if (!Number.isInteger(mesh) || !Number.isInteger(faces)) throw new TypeError('A body has no numbers.');
       if (![...binding.barycentric, ...binding.offset].every(Number.isFinite))
         throw new TypeError('A bound vertex is nowhere.');

@@ -120,8 +120,26 @@ export function mutateText(words: string, choices: Choices): string {
   return tokens.join('');
 }
 
+/** JSON after so many changes. */
+export function mutateJson(json: unknown, times: number, choices: Choices): unknown {
+  let changed = json;
+  for (let left = times; left > 0; --left) changed = mutateValue(changed, choices);
+  return changed;
+}
+
+/** The text of JSON after so many changes to its values and, sometimes, one to its words. */
+export function mutatedJsonText(json: unknown, times: number, choices: Choices): string {
+  const words = JSON.stringify(mutateJson(json, times, choices));
+  return choices.chance(0.3) ? mutateText(words, choices) : words;
+}
+
+/** A word of the given letters, shorter than `end`. */
+export function anyWord(letters: readonly string[], end: number, choices: Choices): string {
+  return Array.from({ length: choices.below(end) }, () => choices.pick(letters)).join('');
+}
+
 /** A value of JSON replaced by one of another kind, or a key removed or renamed. */
-export function mutateJson(json: unknown, choices: Choices): unknown {
+function mutateValue(json: unknown, choices: Choices): unknown {
   const copy: unknown = structuredClone(json);
   const places: { owner: Record<string, unknown>; key: string }[] = [];
   const visit = (value: unknown) => {
@@ -155,24 +173,21 @@ export function mutateFile(bytes: Uint8Array, choices: Choices, isText: boolean)
   return changed;
 }
 
-/** The JSON of a GLB and the content of its buffer. */
-export function partsOfGlb(glb: Uint8Array): { json: unknown; buffer: Uint8Array } {
+/** The JSON of a GLB and the chunk of its buffer, which begins with a header of 8 bytes. */
+export function partsOfGlb(glb: Uint8Array): { json: unknown; chunk: Uint8Array } {
   const length = new DataView(glb.buffer, glb.byteOffset, glb.byteLength).getUint32(12, true);
-  return { json: JSON.parse(text(glb.subarray(20, 20 + length))), buffer: glb.subarray(20 + length + 8) };
+  return { json: JSON.parse(text(glb.subarray(20, 20 + length))), chunk: glb.subarray(20 + length) };
 }
 
 /** A GLB whose JSON is changed, with lengths that agree with it. */
 export function mutateGlbJson(glb: Uint8Array, choices: Choices): Uint8Array {
-  const { json: whole, buffer } = partsOfGlb(glb);
-  const rest = glb.subarray(glb.length - buffer.length - 8);
-  let json = whole;
-  for (let left = 1 + choices.below(3); left > 0; --left) json = mutateJson(json, choices);
-  const words = bytesOf(JSON.stringify(json));
+  const { json, chunk } = partsOfGlb(glb);
+  const words = bytesOf(JSON.stringify(mutateJson(json, 1 + choices.below(3), choices)));
   const padded = new Uint8Array(Math.ceil(words.length / 4) * 4).fill(32);
   padded.set(words);
   const header = new DataView(new ArrayBuffer(20));
-  [0x46546c67, 2, 20 + padded.length + rest.length, padded.length, 0x4e4f534a].forEach((word, i) =>
+  [0x46546c67, 2, 20 + padded.length + chunk.length, padded.length, 0x4e4f534a].forEach((word, i) =>
     header.setUint32(4 * i, word, true),
   );
-  return joined(new Uint8Array(header.buffer), padded, rest);
+  return joined(new Uint8Array(header.buffer), padded, chunk);
 }

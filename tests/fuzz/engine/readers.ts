@@ -83,15 +83,15 @@ function reader(name: string, ending: string, seeds: Uint8Array[], change: Chang
 const gltfFiles = (seeds: Uint8Array[]): Door => ({
   name: 'gltf',
   enter: async (choices) => {
-    let { json, buffer } = partsOfGlb(choices.pick(seeds));
+    const { json, chunk } = partsOfGlb(choices.pick(seeds));
+    let buffer = chunk.subarray(8);
     const buffers = (json as { buffers: { uri?: string }[] }).buffers;
     buffers[0].uri = choices.pick([
       'a.bin',
       'a.bin',
       `data:;base64,${Buffer.from(buffer).toString('base64')}`,
     ]);
-    for (let left = choices.below(4); left > 0; --left) json = mutateJson(json, choices);
-    let words = JSON.stringify(json);
+    let words = JSON.stringify(mutateJson(json, choices.below(4), choices));
     if (choices.chance(0.2)) words = mutateText(words, choices);
     if (choices.chance(0.3)) buffer = mutateFile(buffer, choices, false);
     const files: SourceFile[] = [{ name: 'a.gltf', bytes: encode(words) }];

@@ -11,7 +11,7 @@ import { readSetting } from '../../../web/engine/settings/setting_text';
 import { SOLVER_NAMES } from '../../../web/engine/solvers/profiles';
 import type { Choices } from './choices';
 import type { Door } from './doors';
-import { mutateJson, mutateText } from './mutate';
+import { anyWord, mutateText, mutatedJsonText } from './mutate';
 
 /** Texts that some option takes. */
 const TEXTS = [
@@ -90,10 +90,7 @@ export const SETTINGS_FILE = {
 const settingsFiles: Door = {
   name: 'settings files',
   enter: (choices) => {
-    let json: unknown = SETTINGS_FILE;
-    for (let left = 1 + choices.below(4); left > 0; --left) json = mutateJson(json, choices);
-    const text = JSON.stringify(json);
-    readSettingsFile('a.json', choices.chance(0.3) ? mutateText(text, choices) : text);
+    readSettingsFile('a.json', mutatedJsonText(SETTINGS_FILE, 1 + choices.below(4), choices));
   },
 };
 
@@ -101,8 +98,7 @@ const patterns: Door = {
   name: 'patterns',
   enter: (choices) => {
     const letters = ['a', 'b', '*', '?', '|', '\\', '[', ']', '(', '😀', '\n', '\0'];
-    const word = (length: number) => Array.from({ length }, () => choices.pick(letters)).join('');
-    matchesPattern(word(choices.below(24)), word(choices.below(24)));
+    matchesPattern(anyWord(letters, 24, choices), anyWord(letters, 24, choices));
   },
 };
 
