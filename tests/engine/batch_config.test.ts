@@ -94,7 +94,10 @@ describe('configurations', () => {
       /^b\.json: overrides\[0\]\.options: fit is x: give one of surface/,
     ],
     ['{"schema":"limber-batch/1","overrides":[{"files":[],"options":{}}]}', /files is empty/],
-    [`{"schema":"${'9'.repeat(500)}"}`, /^b\.json has the schema "9{99}\.\.\.: give/],
+    [
+      `{"schema":"${'9'.repeat(500)}"}`,
+      /^b\.json has the schema "9{100}\.\.\.": give "schema": "limber-batch\/1"\.$/,
+    ],
     [
       '{"schema":"limber-batch/1","options":{"modeCount":{"a":1}}}',
       'b.json: options: modeCount is {"a":1}: give a whole number from 1 to 100 (default: 12).',

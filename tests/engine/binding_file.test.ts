@@ -69,8 +69,8 @@ describe('a binding file', () => {
       ['{"schema":"limber-report/1"}', 'is not a limber-binding/1'],
       [text.replace(/"offset": ".{8}/, '"offset": "'), 'has damaged arrays for "torus"'],
       [text.replace(/"faces": \d+/, '"faces": 3'), 'names a triangle that "torus" does not have'],
-      [text.replace(/"mesh": \d+/, '"mesh": 0.5'), 'has no number of the mesh or of the faces of "torus"'],
-      [writeBinding([withInfinity(bound.body)]), 'has an infinite number for "torus"'],
+      [text.replace(/"mesh": \d+/, '"mesh": 0.5'), 'lacks the mesh index or the face count of "torus"'],
+      [writeBinding([withInfinity(bound.body)]), 'has a coordinate of "torus" that is not finite'],
     ];
     for (const [content, problem] of cases)
       expect(await failureOf(() => readBinding('bind.json', content))).toBe(

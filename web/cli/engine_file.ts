@@ -1,6 +1,7 @@
 /** The user's own parameters of an engine from a file: a JSON object, or lines of name=value. */
 
 import { existsSync } from 'node:fs';
+import { excerpt, quotedJson } from '../engine/core/words';
 import { UsageError } from './failure';
 import { readText } from './files';
 
@@ -24,7 +25,8 @@ function textOfJson(file: string, text: string): string {
   }
   const entries = Object.entries(values as object);
   const wrong = entries.find(([, value]) => typeof value !== 'number');
-  if (wrong) throw new UsageError(`${file} has ${JSON.stringify(wrong[1])} for ${wrong[0]}: give a number.`);
+  if (wrong)
+    throw new UsageError(`${file} has ${quotedJson(wrong[1])} for ${excerpt(wrong[0])}: give a number.`);
   return entries.map(([name, value]) => `${name}=${value}`).join(',');
 }
 

@@ -12,3 +12,7 @@ export function excerpt(text: string): string {
   // The cut may go through a letter of two code units.
   return `${text.slice(0, QUOTED).replace(/[\ud800-\udbff]$/, '')}...`;
 }
+
+/** A value from a file of JSON, as a sentence quotes it. */
+export const quotedJson = (value: unknown): string =>
+  typeof value === 'string' ? JSON.stringify(excerpt(value)) : excerpt(JSON.stringify(value));

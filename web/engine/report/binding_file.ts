@@ -2,6 +2,7 @@
 
 import type { Binding } from '../core/core';
 import { NONE } from '../core/core';
+import { isCount } from '../core/count';
 import type { BodyBinding } from '../body/body_binding';
 import { VERSION } from '../core/version';
 
@@ -48,17 +49,14 @@ export function readBinding(name: string, text: string): BodyBinding[] {
     };
     const lengths = [binding.triangle.length, binding.barycentric.length / 3, binding.offset.length];
     if (lengths.some((length) => length !== vertices)) fail(`has damaged arrays for "${entry.name}"`);
-    if (!isCount(mesh) || !isCount(faces))
-      fail(`has no number of the mesh or of the faces of "${entry.name}"`);
+    if (!isCount(mesh) || !isCount(faces)) fail(`lacks the mesh index or the face count of "${entry.name}"`);
     if (binding.triangle.some((triangle) => triangle !== NONE && triangle >= faces))
       fail(`names a triangle that "${entry.name}" does not have`);
     if (![binding.barycentric, binding.offset].every((values) => values.every(Number.isFinite)))
-      fail(`has an infinite number for "${entry.name}"`);
+      fail(`has a coordinate of "${entry.name}" that is not finite`);
     return { name: entry.name, mesh, faces, binding };
   });
 }
-
-const isCount = (value: unknown): boolean => Number.isInteger(value) && Number(value) >= 0;
 
 /** null where the text is not a JSON object. */
 function parse(text: string): { schema?: unknown; bodies?: unknown } | null {

@@ -1,7 +1,7 @@
 /** The configuration of a batch: options for all assets, and others for some of them (docs/batch.schema.json). */
 
 import { jsonMistake } from '../core/json_mistake';
-import { excerpt } from '../core/words';
+import { excerpt, quotedJson } from '../core/words';
 import { checkSetting } from './check';
 import { settingsOf } from './commands';
 import { SettingError, wordSentence } from './errors';
@@ -134,7 +134,7 @@ function parse(text: string, name: string): Record<string, unknown> {
 }
 
 const schemaWords = (schema: unknown): string =>
-  schema === undefined ? 'no schema' : `the schema ${excerpt(JSON.stringify(schema))}`;
+  schema === undefined ? 'no schema' : `the schema ${quotedJson(schema)}`;
 
 function readOverride(value: unknown, where: string): BatchOverride {
   const override = objectOf(value, where);
@@ -148,8 +148,7 @@ function readOverride(value: unknown, where: string): BatchOverride {
 function readPatterns(value: unknown, where: string): string[] {
   const patterns = listOf(value, where);
   const wrong = patterns.find((pattern) => typeof pattern !== 'string' || pattern === '');
-  if (wrong !== undefined)
-    throw new Error(`${where} has ${excerpt(JSON.stringify(wrong))}: give patterns as texts.`);
+  if (wrong !== undefined) throw new Error(`${where} has ${quotedJson(wrong)}: give patterns as texts.`);
   return patterns as string[];
 }
 
@@ -164,8 +163,7 @@ function readOptions(value: unknown, where: string): AssetOptions {
 
 function checkTarget(name: keyof AssetTargets, value: unknown, where: string): void {
   const { isAllowed, words } = TARGETS[name];
-  if (!isAllowed(value))
-    throw new Error(`${where}: ${name} is ${excerpt(JSON.stringify(value))}: give ${words}.`);
+  if (!isAllowed(value)) throw new Error(`${where}: ${name} is ${quotedJson(value)}: give ${words}.`);
 }
 
 function readSettingValue(name: string, given: unknown, where: string): unknown {

@@ -1,6 +1,6 @@
 /** Whether settings are such as can be worked with, each by itself and together. */
 
-import { counted, excerpt } from '../core/words';
+import { counted, excerpt, quotedJson } from '../core/words';
 import { engineValues } from './engine_text';
 import { SettingError } from './errors';
 import { rulesOf } from './kinds';
@@ -61,7 +61,7 @@ export function checkSetting(setting: SettingName, value: unknown): void {
   const rules = rulesOf(option);
   if (!rules.isAllowed(value, option)) {
     const allowed = `${rules.describe(option)} (default: ${describeDefault(option)})`;
-    throw new SettingError(setting, `is ${excerpt(shownValue(value))}: give ${allowed}.`);
+    throw new SettingError(setting, `is ${shownValue(value)}: give ${allowed}.`);
   }
   rules.parse?.(String(value), setting);
 }
@@ -69,8 +69,8 @@ export function checkSetting(setting: SettingName, value: unknown): void {
 /** Lists as they are typed; objects, which only JSON can give, as JSON. */
 function shownValue(value: unknown): string {
   const isList = Array.isArray(value) && value.every((one) => typeof one !== 'object');
-  if (isList) return value.join(',') || 'an empty list';
-  return typeof value === 'object' ? JSON.stringify(value) : String(value);
+  if (isList) return excerpt(value.join(',')) || 'an empty list';
+  return typeof value === 'object' ? quotedJson(value) : excerpt(String(value));
 }
 
 function describeDefault(option: OptionSpec): string {

@@ -4,6 +4,7 @@
  */
 
 import type { GLTF, JSONDocument } from '@gltf-transform/core';
+import { isCount } from '../../core/count';
 
 /** A file may ask for as many elements without data of their own (sparse or Draco), and as many bytes twice, per byte. */
 const PER_BYTE = 64;
@@ -112,8 +113,6 @@ function elementBytes({ componentType, type, count }: GLTF.IAccessor, number: nu
   if (!isCount(count)) throw new Error(`accessor ${number} has no count`);
   return bytes * components;
 }
-
-const isCount = (value: unknown): value is number => Number.isSafeInteger(value) && (value as number) >= 0;
 
 function checkAccessor(checked: Checked, accessor: GLTF.IAccessor, number: number): void {
   const { count, bufferView, byteOffset, sparse } = accessor;
