@@ -85,6 +85,7 @@ test('levels are added, seen where they change, and written as nodes of one file
   await openExport(page);
   await button(page, 'Add a level').click();
   await button(page, 'Add a level').click();
+  await expect(page.getByLabel('Further levels')).toHaveValue('0.2, 0.1');
   // A last level that the guard of 1 % lets this sheet reach.
   await page.getByLabel('Further levels').fill('0.3, 0.15');
   await page.getByLabel('Further levels').press('Enter');
