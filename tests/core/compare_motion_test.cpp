@@ -194,6 +194,17 @@ TEST(MotionDeviation, bodiesThatRestApartAndMoveAlikeDoNotDeviate) {
   EXPECT_NEAR(onOne.displacements(one)[0].x, 1.0 / 60, 1e-4);
 }
 
+TEST(CompareMotion, aMeshWithoutTrianglesIsRefusedWithASentence) {
+  const TriangleMesh mesh = shapes::grid(6, 12, 0.5, 1);
+  for (const SimulationModel model : {SimulationModel::Shell, SimulationModel::Solid}) {
+    MotionOptions options = swaying(mesh);
+    options.simulation.model = model;
+    const TriangleMesh none;
+    Job job;
+    EXPECT_THROW(compareMotion(mesh, &none, options, job), std::invalid_argument);
+  }
+}
+
 TEST(CompareMotion, aBodyThatDivergesIsRefusedWithASentence) {
   const TriangleMesh mesh = shapes::grid(6, 12, 0.5, 1);
   const MotionOptions options = swaying(mesh);

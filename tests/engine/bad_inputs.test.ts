@@ -1,5 +1,5 @@
 /**
- * Bad inputs at every door, each with the sentence that it gets: tests/engine/bad_inputs/sentences.txt has them all, to be
+ * Bad inputs of every kind, each with the sentence that it gets: tests/engine/bad_inputs/sentences.txt has them all, to be
  * read. LIMBER_UPDATE=1 writes it anew.
  */
 
@@ -33,7 +33,7 @@ const CODE =
 interface BadInput {
   /** in one line */
   input: string;
-  enter: () => unknown;
+  read: () => unknown;
 }
 
 const shown = (text: string): string => {
@@ -49,33 +49,33 @@ const fileOf = (name: string, content: string) => ({
   bytes: Uint8Array.from(content, (letter) => letter.charCodeAt(0)),
 });
 
-const DOORS: Record<string, BadInput[]> = {
-  'command line': COMMAND_LINES.map((line) => ({ input: line, enter: () => parseArguments(wordsOf(line)) })),
-  pins: PINS.map((text) => ({ input: text, enter: () => parsePins(text) })),
-  colliders: COLLIDERS.map((text) => ({ input: text, enter: () => parseColliders(text) })),
+const KINDS: Record<string, BadInput[]> = {
+  'command line': COMMAND_LINES.map((line) => ({ input: line, read: () => parseArguments(wordsOf(line)) })),
+  pins: PINS.map((text) => ({ input: text, read: () => parsePins(text) })),
+  colliders: COLLIDERS.map((text) => ({ input: text, read: () => parseColliders(text) })),
   engine: ENGINES.map(([solver, text]) => ({
     input: `${solver} ${text}`,
-    enter: () => engineValues(solver as SolverName, text),
+    read: () => engineValues(solver as SolverName, text),
   })),
   'configuration of a batch': BATCH_CONFIGS.map((text) => ({
     input: shown(text),
-    enter: () => readBatchConfig(text, 'batch.json'),
+    read: () => readBatchConfig(text, 'batch.json'),
   })),
   'settings file': SETTINGS_FILES.map((text) => ({
     input: shown(text),
-    enter: () => readSettingsFile('a.json', text),
+    read: () => readSettingsFile('a.json', text),
   })),
-  binding: BINDINGS.map((text) => ({ input: shown(text), enter: () => readBinding('a.json', text) })),
+  binding: BINDINGS.map((text) => ({ input: shown(text), read: () => readBinding('a.json', text) })),
   model: MODEL_FILES.map(([name, content, told]) => ({
     input: `${name} ${told ?? shown(content)}`,
-    enter: () => openModel([fileOf(name, content)]),
+    read: () => openModel([fileOf(name, content)]),
   })),
 };
 
 /** The sentence that an input gets; null where it is taken. */
-async function sentenceOf({ enter }: BadInput): Promise<string | null> {
+async function sentenceOf({ read }: BadInput): Promise<string | null> {
   try {
-    await enter();
+    await read();
     return null;
   } catch (error) {
     const { code, line } = describeFailure(error);
@@ -88,7 +88,7 @@ describe('bad inputs', () => {
   const listed: string[] = [];
   const sentences = new Set<string>();
 
-  it.each(Object.entries(DOORS))('at the door "%s" get one sentence each', async (door, inputs) => {
+  it.each(Object.entries(KINDS))('of %s get one sentence each', async (kind, inputs) => {
     const names = inputs.map(({ input }) => input);
     expect(names.filter((name, i) => names.indexOf(name) < i)).toEqual([]);
     const taken: string[] = [];
@@ -104,7 +104,7 @@ describe('bad inputs', () => {
       expect.soft(sentence, bad.input).toMatch(/[.?]$/);
       expect.soft(sentence.length, bad.input).toBeLessThan(700);
       sentences.add(sentence);
-      listed.push(`${door}: ${bad.input}\n    ${sentence}`);
+      listed.push(`${kind}: ${bad.input}\n    ${sentence}`);
     }
     expect(taken).toEqual([]);
   });

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "simulate/running_scenario.h"
 #include "transfer/carry_pins.h"
@@ -168,6 +169,8 @@ class ComparedMotions {
 
 MotionComparison compareMotion(const TriangleMesh& original, const TriangleMesh* other,
                                const MotionOptions& options, Job& job) {
+  if (other && other->triangles.empty())
+    throw std::invalid_argument("A mesh without triangles does not move: give one that has some.");
   if (other) return ComparedMotions(original, *other, options, job).run();
   const Pins pins = {options.pinned, {}};
   ComparedRuns runs(original, options, 0, job);

@@ -58,7 +58,8 @@ inline constexpr double kMostSolved = 2e9;
 // calibration or its own solver, and the pins carried over. The runs follow each other, so that each has its
 // own time. The original runs once more with twice the substeps, to see whether it has converged; with
 // `doublesSubsteps` the comparison is repeated with these until it has, or until kMostSolved. Throws as
-// RunningScenario does, and std::runtime_error with a sentence as soon as a body has diverged.
+// RunningScenario does, std::invalid_argument where `other` has no triangle, and std::runtime_error with a
+// sentence as soon as a body has diverged.
 MotionComparison compareMotion(const TriangleMesh& original, const TriangleMesh* other,
                                const MotionOptions& options, Job& job);
 

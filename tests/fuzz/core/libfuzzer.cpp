@@ -1,11 +1,11 @@
-// The entry of libFuzzer for one door, whose name the build defines as LIMBER_DOOR.
+// The entry of libFuzzer for one target, whose name the build defines as LIMBER_FUZZ_TARGET.
 
 #include <cstring>
 
-#include "doors.h"
+#include "fuzz_targets.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  for (const limber::fuzz::Door& door : limber::fuzz::doors())
-    if (std::strcmp(door.name, LIMBER_DOOR) == 0) limber::fuzz::enter(door, {data, size});
+  for (const limber::fuzz::FuzzTarget& target : limber::fuzz::targets())
+    if (std::strcmp(target.name, LIMBER_FUZZ_TARGET) == 0) limber::fuzz::runTarget(target, {data, size});
   return 0;
 }

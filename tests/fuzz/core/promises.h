@@ -3,7 +3,7 @@
 #include <cmath>
 #include <ranges>
 
-#include "doors.h"
+#include "fuzz_targets.h"
 #include "mesh/triangle_mesh.h"
 
 namespace limber::fuzz {

@@ -1,4 +1,4 @@
-/** Doors of texts that come back from outside: configurations of batches, links, what a tab has kept, bindings. */
+/** Fuzz targets of texts that come back from outside: configurations of batches, links, what a tab has kept, bindings. */
 
 import { readLink, writeLink } from '../../../web/app/state/link';
 import { readSaved } from '../../../web/app/state/saved_text';
@@ -12,7 +12,7 @@ import {
 import { OPTIONS, SETTING_NAMES } from '../../../web/engine/settings/options';
 import { matchesPath } from '../../../web/engine/settings/path_pattern';
 import type { Choices } from './choices';
-import type { Door } from './doors';
+import type { FuzzTarget } from './fuzz_target';
 import { anyWord, mutateText, mutatedJsonText } from './mutate';
 
 const BATCH = {
@@ -25,17 +25,17 @@ const BATCH = {
   exclude: ['**/old/**'],
 };
 
-const batchConfigs: Door = {
+const batchConfigs: FuzzTarget = {
   name: 'batch configurations',
-  enter: (choices) => {
+  run: (choices) => {
     const config = readBatchConfig(mutatedJsonText(BATCH, choices.below(5), choices), 'b.json');
     settingsFor(optionsFor(config, choices.pick(['props/x/a.obj', 'a1.ply', 'b']), {}));
   },
 };
 
-const pathPatterns: Door = {
+const pathPatterns: FuzzTarget = {
   name: 'patterns of paths',
-  enter: (choices) => {
+  run: (choices) => {
     const letters = ['a', 'b', '*', '**', '/', '?', '{', '}', ',', '[', ']', '\\', '.', '😀'];
     matchesPath(anyWord(letters, 20, choices), anyWord(letters, 20, choices));
   },
@@ -55,9 +55,9 @@ function anyLink(choices: Choices): string {
   return link;
 }
 
-const links: Door = {
+const links: FuzzTarget = {
   name: 'links',
-  enter: (choices) => {
+  run: (choices) => {
     const wanted = readLink(anyLink(choices));
     if (wanted === null) return;
     const link = writeLink(wanted);
@@ -67,9 +67,9 @@ const links: Door = {
   },
 };
 
-const savedTexts: Door = {
+const savedTexts: FuzzTarget = {
   name: 'saved state',
-  enter: (choices) => {
+  run: (choices) => {
     const saved = {
       link: anyLink(choices),
       step: 'motion',
@@ -95,9 +95,9 @@ const binding = {
 };
 const BINDING = JSON.parse(writeBinding([{ name: 'a', mesh: 0, faces: 2, binding }])) as object;
 
-const bindings: Door = {
+const bindings: FuzzTarget = {
   name: 'bindings',
-  enter: (choices) => {
+  run: (choices) => {
     for (const { mesh, faces, binding } of readBinding(
       'a.json',
       mutatedJsonText(BINDING, choices.below(5), choices),
@@ -109,4 +109,4 @@ const bindings: Door = {
   },
 };
 
-export const keptTextDoors: Door[] = [batchConfigs, pathPatterns, links, savedTexts, bindings];
+export const keptTextTargets: FuzzTarget[] = [batchConfigs, pathPatterns, links, savedTexts, bindings];

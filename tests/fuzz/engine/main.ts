@@ -1,24 +1,24 @@
 /** The fuzzer of the engine, which scripts/fuzz.mjs bundles and runs. */
 
 import { loadCore } from '../../../web/engine/core/load_core';
-import type { Door } from './doors';
-import { visit } from './doors';
-import type { Visit } from './doors';
-import { keptTextDoors } from './kept_texts';
-import { optimizeDoor } from './optimize';
+import type { FuzzTarget } from './fuzz_target';
+import { fuzzTarget } from './fuzz_target';
+import type { FuzzResult } from './fuzz_target';
+import { keptTextTargets } from './kept_texts';
+import { optimizeTarget } from './optimize';
 import { readers } from './readers';
-import { settingsDoors } from './settings';
+import { settingsTargets } from './settings';
 
-/** All doors; the core is loaded from `wasmFolder`, an address with a final slash. */
-export async function allDoors(wasmFolder: string): Promise<Door[]> {
+/** All targets; the core is loaded from `wasmFolder`, an address with a final slash. */
+export async function allTargets(wasmFolder: string): Promise<FuzzTarget[]> {
   const core = await loadCore({ threads: 1, wasmFolder });
-  return [...(await readers()), ...settingsDoors, ...keptTextDoors, optimizeDoor(core)];
+  return [...(await readers()), ...settingsTargets, ...keptTextTargets, optimizeTarget(core)];
 }
 
 export async function fuzz(
-  doors: Door[],
+  targets: FuzzTarget[],
   options: { seed: number; seconds: number },
-  onVisit: (visit: Visit) => void,
+  onResult: (result: FuzzResult) => void,
 ): Promise<void> {
-  for (const door of doors) onVisit(await visit(door, options));
+  for (const target of targets) onResult(await fuzzTarget(target, options));
 }

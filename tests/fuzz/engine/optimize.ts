@@ -1,4 +1,4 @@
-/** The door of a whole optimization: any mesh with any settings, to a file that can be read again. */
+/** The fuzz target of a whole optimization: any mesh with any settings, to a file that can be read again. */
 
 import type { Core } from '../../../web/engine/core/core';
 import { openAnyModel, openModel } from '../../../web/engine/document/open';
@@ -10,7 +10,7 @@ import { FileOutput } from '../../../web/engine/stages/file_output';
 import { FileRun } from '../../../web/engine/stages/file_run';
 import { butterfly, cube, grid, toObj, torus } from '../../engine/support/shapes';
 import type { Choices } from './choices';
-import type { Door } from './doors';
+import type { FuzzTarget } from './fuzz_target';
 
 const SHAPES = [toObj(grid(4, 3)), toObj(cube()), toObj(torus(8, 5)), toObj(butterfly(3, 4))];
 const SPECIAL = ['0', '1e30', '-1e30', '1e-30', '1e-38', '1', '0.5', '3.4e38'];
@@ -54,9 +54,9 @@ function drawSettings(choices: Choices): Settings {
   return settings;
 }
 
-export const optimizeDoor = (core: Core): Door => ({
+export const optimizeTarget = (core: Core): FuzzTarget => ({
   name: 'optimize',
-  enter: async (choices) => {
+  run: async (choices) => {
     const settings = drawSettings(choices);
     const bytes = new TextEncoder().encode(drawObj(choices));
     const model = await openModel([{ name: 'a.obj', bytes }]);

@@ -1,4 +1,4 @@
-/** Doors of the readers: files that were valid once, changed in up to eight places. */
+/** Fuzz targets of the readers: files that were valid once, changed in up to eight places. */
 
 import { Document } from '@gltf-transform/core';
 import { zipSync } from 'fflate';
@@ -7,7 +7,7 @@ import { openAnyModel } from '../../../web/engine/document/open';
 import { addMesh, addRichMesh, glbFile, primitiveOf, startDocument } from '../../engine/support/gltf';
 import { cube, grid, toObj } from '../../engine/support/shapes';
 import type { Choices } from './choices';
-import type { Door } from './doors';
+import type { FuzzTarget } from './fuzz_target';
 import { mutateFile, mutateGlbJson, mutateJson, mutateText, partsOfGlb } from './mutate';
 
 const encode = (text: string) => new TextEncoder().encode(text);
@@ -69,10 +69,10 @@ async function glbs(): Promise<Uint8Array[]> {
 
 type Change = (bytes: Uint8Array, choices: Choices) => Uint8Array;
 
-function reader(name: string, ending: string, seeds: Uint8Array[], change: Change): Door {
+function reader(name: string, ending: string, seeds: Uint8Array[], change: Change): FuzzTarget {
   return {
     name,
-    enter: async (choices) => {
+    run: async (choices) => {
       const bytes = change(choices.pick(seeds), choices);
       await openAnyModel([{ name: `a.${ending}`, bytes }]);
     },
@@ -80,9 +80,9 @@ function reader(name: string, ending: string, seeds: Uint8Array[], change: Chang
 }
 
 /** A .gltf and its buffer, of which either is changed. */
-const gltfFiles = (seeds: Uint8Array[]): Door => ({
+const gltfFiles = (seeds: Uint8Array[]): FuzzTarget => ({
   name: 'gltf',
-  enter: async (choices) => {
+  run: async (choices) => {
     const { json, chunk } = partsOfGlb(choices.pick(seeds));
     let buffer = chunk.subarray(8);
     const buffers = (json as { buffers: { uri?: string }[] }).buffers;
@@ -115,9 +115,9 @@ const NAMES = [
 ];
 
 /** An archive with members of any name, whose bytes are changed, too. */
-const zip: Door = {
+const zip: FuzzTarget = {
   name: 'zip',
-  enter: async (choices) => {
+  run: async (choices) => {
     const members: Record<string, Uint8Array> = choices.chance(0.8) ? { 'a.obj': encode(OBJ) } : {};
     for (let left = choices.below(4); left > 0; --left)
       members[choices.pick(NAMES)] = mutateFile(encode(choices.pick([OBJ, OFF, PLY])), choices, true);
@@ -132,7 +132,7 @@ const zip: Door = {
 const asText: Change = (bytes, choices) => mutateFile(bytes, choices, true);
 const asBytes: Change = (bytes, choices) => mutateFile(bytes, choices, false);
 
-export async function readers(): Promise<Door[]> {
+export async function readers(): Promise<FuzzTarget[]> {
   const seeds = await glbs();
   return [
     reader('obj', 'obj', [encode(OBJ)], asText),

@@ -1,4 +1,4 @@
-/** Doors of settings: options as text, command lines, settings files, patterns. */
+/** Fuzz targets of settings: options as text, command lines, settings files, patterns. */
 
 import { parseArguments } from '../../../web/cli/arguments';
 import { readSettingsFile } from '../../../web/engine/report/settings_reader';
@@ -10,7 +10,7 @@ import { defaultSettings } from '../../../web/engine/settings/methods';
 import { readSetting } from '../../../web/engine/settings/setting_text';
 import { SOLVER_NAMES } from '../../../web/engine/solvers/profiles';
 import type { Choices } from './choices';
-import type { Door } from './doors';
+import type { FuzzTarget } from './fuzz_target';
 import { anyWord, mutateText, mutatedJsonText } from './mutate';
 
 /** Texts that some option takes. */
@@ -41,9 +41,9 @@ const anyText = (choices: Choices): string => {
   return text;
 };
 
-const optionTexts: Door = {
+const optionTexts: FuzzTarget = {
   name: 'options',
-  enter: (choices) => {
+  run: (choices) => {
     const settings = defaultSettings();
     for (let left = 1 + choices.below(3); left > 0; --left) {
       const name = choices.pick(SETTING_NAMES);
@@ -53,9 +53,9 @@ const optionTexts: Door = {
   },
 };
 
-const commandLines: Door = {
+const commandLines: FuzzTarget = {
   name: 'command lines',
-  enter: (choices) => {
+  run: (choices) => {
     const words: string[] = [choices.chance(0.9) ? choices.pick(COMMANDS) : anyText(choices)];
     for (let left = choices.below(5); left > 0; --left) {
       const flag = `--${OPTIONS[choices.pick(SETTING_NAMES)].flag}`;
@@ -87,24 +87,24 @@ export const SETTINGS_FILE = {
   ],
 };
 
-const settingsFiles: Door = {
+const settingsFiles: FuzzTarget = {
   name: 'settings files',
-  enter: (choices) => {
+  run: (choices) => {
     readSettingsFile('a.json', mutatedJsonText(SETTINGS_FILE, 1 + choices.below(4), choices));
   },
 };
 
-const patterns: Door = {
+const patterns: FuzzTarget = {
   name: 'patterns',
-  enter: (choices) => {
+  run: (choices) => {
     const letters = ['a', 'b', '*', '?', '|', '\\', '[', ']', '(', '😀', '\n', '\0'];
     matchesPattern(anyWord(letters, 24, choices), anyWord(letters, 24, choices));
   },
 };
 
-const paint: Door = {
+const paint: FuzzTarget = {
   name: 'paint',
-  enter: (choices) => void parsePaint(anyText(choices)),
+  run: (choices) => void parsePaint(anyText(choices)),
 };
 
-export const settingsDoors: Door[] = [optionTexts, commandLines, settingsFiles, patterns, paint];
+export const settingsTargets: FuzzTarget[] = [optionTexts, commandLines, settingsFiles, patterns, paint];

@@ -13,7 +13,7 @@
 
 namespace limber::fuzz {
 
-void enterWeld(FuzzInput& input) {
+void fuzzWeld(FuzzInput& input) {
   const Soup soup = drawSoup(input, 200);
   Job job;
   WeldOptions options;

@@ -23,7 +23,7 @@ SolverConstants drawConstants(FuzzInput& input) {
 
 }  // namespace
 
-void enterTune(FuzzInput& input) {
+void fuzzTune(FuzzInput& input) {
   const TriangleMesh mesh = drawMesh(input, 60);
   Job job;
   const History history = simplify(mesh, {}, {.method = Method::Limber, .sizeWeight = 0.01}, job);

@@ -1,10 +1,10 @@
-/** A short visit to every door of the engine. `npm run fuzz` stays longer. */
+/** A short run of every fuzz target of the engine. `npm run fuzz` stays longer. */
 
 import { beforeAll, describe, expect, it } from 'vitest';
 import { readSettingsFile } from '../../../web/engine/report/settings_reader';
-import { visit } from './doors';
-import type { Door } from './doors';
-import { allDoors } from './main';
+import { fuzzTarget } from './fuzz_target';
+import type { FuzzTarget } from './fuzz_target';
+import { allTargets } from './main';
 import { problemOfRefusal } from './refusal';
 import { SETTINGS_FILE } from './settings';
 
@@ -13,15 +13,15 @@ const NAMES = [
   ...['options', 'command lines', 'settings files', 'patterns', 'paint'],
   ...['batch configurations', 'patterns of paths', 'links', 'saved state', 'bindings', 'optimize'],
 ];
-let doors: Door[];
+let targets: FuzzTarget[];
 
 beforeAll(async () => {
-  doors = await allDoors(new URL('../../../public/wasm/', import.meta.url).href);
+  targets = await allTargets(new URL('../../../public/wasm/', import.meta.url).href);
 });
 
 describe('no input breaks a promise', () => {
-  it('has a test for every door', () => {
-    expect(doors.map(({ name }) => name)).toEqual(NAMES);
+  it('has a test for every target', () => {
+    expect(targets.map(({ name }) => name)).toEqual(NAMES);
   });
 
   it('reads the settings file that the fuzzer changes', () => {
@@ -29,8 +29,8 @@ describe('no input breaks a promise', () => {
   });
 
   it.each(NAMES)('%s', async (name) => {
-    const door = doors.find((one) => one.name === name)!;
-    const { finding, inputs } = await visit(door, {
+    const target = targets.find((one) => one.name === name)!;
+    const { finding, inputs } = await fuzzTarget(target, {
       seed: 1,
       seconds: 60,
       inputs: name === 'optimize' ? 60 : 400,
@@ -41,9 +41,9 @@ describe('no input breaks a promise', () => {
 });
 
 describe('a fuzzer sees', () => {
-  const broken = (error: unknown): Door => ({
+  const broken = (error: unknown): FuzzTarget => ({
     name: 'broken',
-    enter: (choices) => {
+    run: (choices) => {
       if (choices.below(4) === 3) throw error;
     },
   });
@@ -55,11 +55,13 @@ describe('a fuzzer sees', () => {
     ['a word', /threw a word/],
   ])('%s', async (error, expected) => {
     expect(problemOfRefusal(error)).toMatch(expected);
-    expect((await visit(broken(error), { seed: 1, seconds: 10, inputs: 200 })).finding).toMatch(expected);
+    expect((await fuzzTarget(broken(error), { seed: 1, seconds: 10, inputs: 200 })).finding).toMatch(
+      expected,
+    );
   });
 
   it('nothing in a refusal', async () => {
     const error = new Error('a.obj has no faces: export it again.');
-    expect((await visit(broken(error), { seed: 1, seconds: 10, inputs: 200 })).finding).toBe('');
+    expect((await fuzzTarget(broken(error), { seed: 1, seconds: 10, inputs: 200 })).finding).toBe('');
   });
 });

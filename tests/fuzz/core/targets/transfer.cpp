@@ -10,7 +10,7 @@
 
 namespace limber::fuzz {
 
-void enterTransfer(FuzzInput& input) {
+void fuzzTransfer(FuzzInput& input) {
   const TriangleMesh mesh = drawMesh(input, 200);
   std::vector<uint32_t> wedges, groups, pinned;
   for (const Triangle& corners : mesh.triangles) {

@@ -1,4 +1,4 @@
-#include "doors.h"
+#include "fuzz_targets.h"
 
 #include <array>
 #include <cstdio>
@@ -8,12 +8,14 @@
 
 namespace limber::fuzz {
 
-std::span<const Door> doors() {
-  static constexpr std::array kDoors = {Door{"weld", enterWeld},         Door{"simplify", enterSimplify},
-                                        Door{"transfer", enterTransfer}, Door{"modes", enterModes},
-                                        Door{"fit", enterFit},           Door{"simulate", enterSimulate},
-                                        Door{"tune", enterTune}};
-  return kDoors;
+std::span<const FuzzTarget> targets() {
+  static constexpr std::array kTargets = {
+      FuzzTarget{"weld", fuzzWeld},         FuzzTarget{"query", fuzzQuery},
+      FuzzTarget{"simplify", fuzzSimplify}, FuzzTarget{"transfer", fuzzTransfer},
+      FuzzTarget{"modes", fuzzModes},       FuzzTarget{"compare", fuzzCompare},
+      FuzzTarget{"fit", fuzzFit},           FuzzTarget{"simulate", fuzzSimulate},
+      FuzzTarget{"tune", fuzzTune}};
+  return kTargets;
 }
 
 void require(bool holds, const char* what) {
@@ -22,10 +24,10 @@ void require(bool holds, const char* what) {
   std::abort();
 }
 
-void enter(const Door& door, std::span<const uint8_t> bytes) {
+void runTarget(const FuzzTarget& target, std::span<const uint8_t> bytes) {
   FuzzInput input(bytes);
   try {
-    door.enter(input);
+    target.run(input);
   } catch (const std::bad_alloc&) {
     require(false, "small inputs fit into the memory");
   } catch (const std::logic_error& error) {

@@ -82,7 +82,7 @@ void requireSameTopology(const Inspection& before, const Inspection& after) {
 
 }  // namespace
 
-void enterSimplify(FuzzInput& input) {
+void fuzzSimplify(FuzzInput& input) {
   const TriangleMesh mesh = drawMesh(input, 300);
   SimplifyOptions options = drawOptions(input);
   Lists lists;

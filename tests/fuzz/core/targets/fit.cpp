@@ -25,7 +25,7 @@ void requireFitted(const MeshAt& before, const MeshAt& after) {
 
 }  // namespace
 
-void enterFit(FuzzInput& input) {
+void fuzzFit(FuzzInput& input) {
   const TriangleMesh mesh = drawMesh(input, 120);
   std::vector<uint8_t> locked;
   std::vector<uint32_t> pinned;

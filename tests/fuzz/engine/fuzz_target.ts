@@ -1,24 +1,24 @@
-/** What a fuzzer enters, and what it finds there. */
+/** Fuzz targets: functions that are called with generated inputs. */
 
 import fc from 'fast-check';
 import { Choices, numbers } from './choices';
 import { problemOfRefusal } from './refusal';
 
-export interface Door {
+export interface FuzzTarget {
   name: string;
   /** Calls the product with what `choices` makes of a valid input; may throw what a user may read. */
-  enter(choices: Choices): void | Promise<void>;
+  run(choices: Choices): void | Promise<void>;
 }
 
-export interface Visit {
-  door: string;
+export interface FuzzResult {
+  target: string;
   inputs: number;
   seconds: number;
   /** '' where every promise was kept; otherwise what was broken, and how to see it again */
   finding: string;
 }
 
-export interface VisitOptions {
+export interface FuzzOptions {
   seed: number;
   seconds: number;
   /** at most so many inputs */
@@ -28,13 +28,16 @@ export interface VisitOptions {
 /** A single input may take this long before it counts as a hang, in milliseconds. */
 const MOST_MILLISECONDS = 60_000;
 
-/** Enters a door again and again with new choices until the time or the number of inputs is used up. */
-export async function visit(door: Door, { seed, seconds, inputs = 1e9 }: VisitOptions): Promise<Visit> {
+/** Runs a target again and again with new choices until the time or the number of inputs is used up. */
+export async function fuzzTarget(
+  target: FuzzTarget,
+  { seed, seconds, inputs = 1e9 }: FuzzOptions,
+): Promise<FuzzResult> {
   const start = performance.now();
   const property = fc.asyncProperty(numbers, async (drawn) => {
     const began = performance.now();
     try {
-      await door.enter(new Choices(drawn));
+      await target.run(new Choices(drawn));
     } catch (error) {
       const problem = problemOfRefusal(error);
       if (problem !== null) throw new Error(problem);
@@ -49,7 +52,7 @@ export async function visit(door: Door, { seed, seconds, inputs = 1e9 }: VisitOp
     markInterruptAsFailure: false,
   });
   return {
-    door: door.name,
+    target: target.name,
     inputs: found.numRuns,
     seconds: (performance.now() - start) / 1000,
     finding: found.failed ? describeFinding(found.errorInstance, found.counterexample) : '',

@@ -24,7 +24,7 @@ ElasticMaterial drawMaterial(FuzzInput& input) {
 
 }  // namespace
 
-void enterModes(FuzzInput& input) {
+void fuzzModes(FuzzInput& input) {
   const TriangleMesh mesh = drawMesh(input, 60);
   ModesOptions options;
   options.model = static_cast<ElasticModel>(input.byte() % 4);
