@@ -2,35 +2,10 @@ import { expect, test } from '@playwright/test';
 import type { BrowserContext, Page } from '@playwright/test';
 import { sheetObj } from './meshes';
 import { drop, goTo, keepFaces, keptFaces, openPage, readout, writeScratch } from './page';
+import { followWorkers, killWorker, settle } from './workers';
 
 const sheet = writeScratch('lasting.obj', sheetObj(16));
 const larger = writeScratch('larger.obj', sheetObj(90));
-
-/** Lets the test end workers of the page. */
-const followWorkers = (page: Page) =>
-  page.addInitScript(() => {
-    const workers: Worker[] = [];
-    Object.assign(window, { workers });
-    window.Worker = class extends Worker {
-      constructor(address: string | URL, options?: WorkerOptions) {
-        super(address, options);
-        if (/\/worker-[^/]*\.js$/.test(String(address))) workers.push(this);
-      }
-    };
-  });
-
-/** Ends the worker of the page as a browser does that runs out of memory: without an event, and amid its work. */
-const killWorker = (page: Page) =>
-  page.evaluate(() => (window as unknown as { workers: Worker[] }).workers.at(-1)!.terminate());
-
-/** Waits until the worker has had nothing to do for a second. */
-const settle = (page: Page) =>
-  expect(async () => {
-    for (let look = 0; look < 5; ++look) {
-      expect(await page.locator('.notice.busy').count()).toBe(0);
-      await page.waitForTimeout(200);
-    }
-  }).toPass();
 
 async function openSheet(page: Page, path = sheet): Promise<void> {
   await drop(page, path);

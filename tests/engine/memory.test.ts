@@ -4,8 +4,8 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { afterAll, describe, expect, it } from 'vitest';
-import { coreMemory, readMegabytes } from '../../web/cli/memory_size';
+import { afterAll, afterEach, describe, expect, it } from 'vitest';
+import { coreMemory, readMegabytes } from '../../web/engine/core/memory_size';
 import { loadCore } from '../../web/engine/core/load_core';
 import { admitBodies } from '../../web/engine/stages/admission';
 import type { Body } from '../../web/engine/document/model';
@@ -28,12 +28,12 @@ function stl(faces: number): Buffer {
 
 describe('a size of memory', () => {
   it('is read with and without its unit', () => {
-    expect(['512M', '512', '2g'].map(readMegabytes)).toEqual([512, 512, 2048]);
-    expect([coreMemory(undefined), coreMemory('64M')]).toEqual([null, 64 * 2 ** 20]);
+    expect(['512M', '512', '2g'].map((text) => readMegabytes(text, '--memory'))).toEqual([512, 512, 2048]);
+    expect(coreMemory('64M', '--memory')).toBe(64 * 2 ** 20);
   });
 
   it.each(['', '1.5G', '-1', '2T', '1e3', '63M', '5G'])('is refused: "%s"', (text) => {
-    expect(() => coreMemory(text)).toThrow(
+    expect(() => coreMemory(text, '--memory')).toThrow(
       /^--memory is .*: (give a size such as 512M or 2G|the core takes)/,
     );
   });
@@ -57,12 +57,30 @@ describe('the core', () => {
   });
 });
 
+describe('where there is less address space than the core may take', () => {
+  const { Memory } = WebAssembly;
+  afterEach(() => (WebAssembly.Memory = Memory));
+
+  it.each([1, 2])('it takes half, a quarter and so on, on %i threads', async (threads) => {
+    const space = 300 * 2 ** 20;
+    WebAssembly.Memory = class extends Memory {
+      constructor(about: WebAssembly.MemoryDescriptor) {
+        if (about.maximum! * 2 ** 16 > space) throw new RangeError('could not allocate memory');
+        super(about);
+      }
+    };
+    const core = await loadCore({ threads, wasmFolder });
+    expect(core.heapLimit).toBe(256 * 2 ** 20);
+    expect(core.inspect({ positions: new Float32Array(9), triangles: new Uint32Array() }).faces).toBe(0);
+  });
+});
+
 describe('a model that needs more', () => {
   it('is refused by its faces, in one sentence with a cure', () => {
     const body = { name: 'city', indices: new Uint32Array(3 * 1_000_000) } as Body;
     expect(() => admitBodies([body], 512 * 2 ** 20)).not.toThrow();
     expect(() => admitBodies([body], 256 * 2 ** 20)).toThrow(
-      'city has 1,000,000 faces, for which the core takes about 0.4 GB of memory, and it may have 0.3 GB: give it more (--memory, at most 4G) or reduce the mesh in parts.',
+      'city has 1,000,000 faces, for which the core takes about 0.4 GB of memory, and it may have 0.3 GB: give it more (--memory, on the page ?memory=, at most 4G) or reduce the mesh in parts.',
     );
   });
 
@@ -73,7 +91,9 @@ describe('a model that needs more', () => {
     const words = ['optimize', input, output, '--memory', '64M'];
     const { status, stderr } = spawnSync(process.execPath, [program, ...words], { encoding: 'utf8' });
     expect(stderr.trim().split('\n')).toEqual([
-      expect.stringMatching(/^limber: large has 200,000 faces, .*: give it more \(--memory, at most 4G\)/),
+      expect.stringMatching(
+        /^limber: large has 200,000 faces, .*: give it more \(--memory, on the page \?memory=, at most 4G\)/,
+      ),
     ]);
     expect([status, existsSync(output)]).toEqual([1, false]);
   });

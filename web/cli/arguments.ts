@@ -1,6 +1,7 @@
 /** Parses the words of a command line into a command with its operands, settings and flags. */
 
 import { parseArgs } from 'node:util';
+import { coreMemory } from '../engine/core/memory_size';
 import { MATERIALS, MATERIAL_NAMES } from '../engine/settings/materials';
 import { checkSettings, settingsOf } from '../engine/settings/options';
 import type { Note, Settings } from '../engine/settings/options';
@@ -15,7 +16,6 @@ import { readBatchFlags } from './batch/flags';
 import type { BatchFlags } from './batch/flags';
 import { COMMAND_SPECS, COMMANDS, engineCommand, flagsOf, INPUT_FORMATS } from './flags';
 import type { Command, Flag } from './flags';
-import { coreMemory } from './memory_size';
 import { nearest } from './nearest';
 
 export interface Arguments {
@@ -100,11 +100,14 @@ export function parseArguments(words: string[]): Arguments | Question {
     validates: !values.has('no-validate'),
     engineFile: fileOfEngine(engine),
     from: readFormat(values.get('from')),
-    memory: command === 'batch' ? null : coreMemory(values.get('memory')),
+    memory: command === 'batch' ? null : readMemory(values.get('memory')),
     preset: presetNamed(values.get('preset')),
     batch: readBatchFlags(values),
   };
 }
+
+const readMemory = (text: string | undefined): number | null =>
+  text === undefined ? null : coreMemory(text, '--memory');
 
 function commandNamed(word: string): Command {
   const command = COMMANDS.find((candidate) => candidate === word);

@@ -3,6 +3,7 @@
 import { proxy, transfer, wrap } from 'comlink';
 import type { Remote } from 'comlink';
 import { PHASES } from '../../engine/core/core';
+import { coreMemory } from '../../engine/core/memory_size';
 import type { SourceFile } from '../../engine/document/open';
 import { carrySettingErrors } from '../worker/errors';
 import { watchLife } from '../worker/life';
@@ -13,6 +14,12 @@ carrySettingErrors();
 
 /** ms after which a worker that does not answer a cancel is ended. */
 const PATIENCE = 10_000;
+
+/** Bytes that the core may take, of `?memory=` in the address; undefined: as many as it can. Throws an Error. */
+function memoryAsked(): number | undefined {
+  const text = new URLSearchParams(location.search).get('memory');
+  return text === null ? undefined : coreMemory(text, '?memory=');
+}
 
 /** A call ended because its worker did. */
 export class WorkerLost extends Error {}
@@ -54,7 +61,11 @@ export class Client {
     const current = (this.current = openWorker(onError));
     const onProgress = proxy((progress: CallProgress) => (this.lastProgress = progress));
     const lock = `limber-worker-${crypto.randomUUID()}`;
-    const starting = current.remote.start(new URL('wasm/', this.base).href, 0, onProgress, lock);
+    const starting = current.remote.start(
+      { wasmFolder: new URL('wasm/', this.base).href, threads: 0, memory: memoryAsked() },
+      onProgress,
+      lock,
+    );
     const started = await Promise.race([starting, current.ended]);
     if (this.listen) {
       const { port1, port2 } = new MessageChannel();

@@ -1,6 +1,7 @@
 /** The calls between the page and its one worker: plain data, with the bytes of files moved rather than copied. */
 
 import type {
+  CoreOptions,
   Curvature,
   Inspection,
   MeshAt,
@@ -283,8 +284,7 @@ export function exportKey(settings: Settings, kept: KeptFaces, request: ExportRe
 export interface WorkerApi {
   /** `lifeLock`: see keepAlive. */
   start(
-    wasmFolder: string,
-    threads: number,
+    options: Pick<CoreOptions, 'wasmFolder' | 'threads' | 'memory'>,
     onProgress: (progress: CallProgress) => void,
     lifeLock: string,
   ): Promise<Started>;

@@ -20,6 +20,7 @@ import type { Validation } from '../../engine/document/validate';
 import { isBlockedBySeams } from '../../engine/report/stop_report';
 import { checkSettings, defaultSettings } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
+import { admitFit } from '../../engine/stages/admission';
 import type { BodyRun } from '../../engine/stages/body_run';
 import { FileRun } from '../../engine/stages/file_run';
 import { requestFile, shareFaces } from '../../engine/stages/budget/file_targets';
@@ -101,7 +102,9 @@ function startRun(opened: OpenModel): { fresh: FileRun; notes: string[] } {
   const onActivity = (name: string) => countBody(name, opened.bodies.length);
   const fresh = new FileRun(core, opened, { guides: true, onActivity });
   try {
-    return { fresh, notes: fresh.leaveOutUnusable(defaultSettings()) };
+    const notes = fresh.leaveOutUnusable(defaultSettings());
+    admitFit(fresh.prepared(defaultSettings()), defaultSettings(), core.heapLimit);
+    return { fresh, notes };
   } catch (error) {
     fresh.dispose();
     throw error;
@@ -140,10 +143,10 @@ const HALF = 0.5;
 const ZIP_TIME = new Date(1980, 0, 1);
 
 const api: WorkerApi = {
-  start: async (wasmFolder, threads, onProgress, lifeLock) => {
+  start: async (options, onProgress, lifeLock) => {
     await keepAlive(lifeLock);
     tell = onProgress;
-    core = await loadCore({ wasmFolder, threads, onProgress: (progress) => tell({ ...progress, part }) });
+    core = await loadCore({ ...options, onProgress: (progress) => tell({ ...progress, part }) });
     return { threads: core.threads, job: core.job };
   },
   connect: (port) => {

@@ -1,7 +1,7 @@
 /** The flags of limber batch that no other command has. */
 
+import { readMegabytes } from '../../engine/core/memory_size';
 import { UsageError } from '../failure';
-import { readMegabytes } from '../memory_size';
 import type { Flag } from '../flag';
 
 export interface BatchFlags {
@@ -60,7 +60,7 @@ const MOST_JOBS = 256;
 export function readBatchFlags(values: Map<string, string>): BatchFlags {
   return {
     jobs: readWhole(values, 'jobs', MOST_JOBS),
-    memory: readMegabytes(values.get('memory') ?? '0'),
+    memory: readMegabytes(values.get('memory') ?? '0', '--memory'),
     config: values.get('config') ?? null,
     again: values.has('again'),
     reports: values.has('reports'),

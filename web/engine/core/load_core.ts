@@ -24,7 +24,7 @@ interface CoreModule extends CoreFunctions {
 type CreateModule = (options: {
   threadCount: number;
   locateFile(name: string): string;
-  wasmMemory?: WebAssembly.Memory;
+  wasmMemory: WebAssembly.Memory;
 }) => Promise<CoreModule>;
 
 /**
@@ -40,13 +40,11 @@ export async function loadCore(options: CoreOptions): Promise<Core> {
     options.addresses?.[file] ?? new URL(file, options.wasmFolder).href;
   const address = locateFile(`${name}.mjs`);
   const { default: createModule } = (await import(/* @vite-ignore */ address)) as { default: CreateModule };
-  const { memory = LARGEST_HEAP } = options;
-  const isLimited = memory < LARGEST_HEAP;
-  const wasmMemory = isLimited ? { wasmMemory: limitedMemory(memory, threads > 1) } : {};
-  const module = await createModule({ threadCount: threads, locateFile, ...wasmMemory });
+  const { wasmMemory, heapLimit } = reserveMemory(options.memory ?? LARGEST_HEAP, threads > 1);
+  const module = await createModule({ threadCount: threads, locateFile, wasmMemory });
   module.setThreadCount(threads);
-  if (isLimited) module.limitHeap(memory);
-  return { ...wrapModule(module, threads, options.onProgress), heapLimit: Math.min(memory, LARGEST_HEAP) };
+  if (heapLimit < LARGEST_HEAP) module.limitHeap(heapLimit);
+  return { ...wrapModule(module, threads, options.onProgress), heapLimit };
 }
 
 /** As the core is linked, in bytes. */
@@ -54,14 +52,24 @@ const SMALLEST_HEAP = 64 * 2 ** 20;
 const LARGEST_HEAP = 2 ** 32;
 const PAGE = 2 ** 16;
 
-/** A memory that the engine itself keeps from growing further. Throws an Error where the core could not start with it. */
-function limitedMemory(bytes: number, shared: boolean): WebAssembly.Memory {
+/**
+ * A memory that may grow to so many bytes, or to half of them, a quarter and so on where the engine has not as much address
+ * space, as on phones. Throws an Error where the core could not start with it.
+ */
+function reserveMemory(
+  bytes: number,
+  shared: boolean,
+): { wasmMemory: WebAssembly.Memory; heapLimit: number } {
   if (bytes < SMALLEST_HEAP) throw new Error('The core needs 64 MB of memory: give it more.');
-  return new WebAssembly.Memory({
-    initial: SMALLEST_HEAP / PAGE,
-    maximum: Math.floor(bytes / PAGE),
-    shared,
-  });
+  const maximum = Math.floor(Math.min(bytes, LARGEST_HEAP) / PAGE);
+  try {
+    const wasmMemory = new WebAssembly.Memory({ initial: SMALLEST_HEAP / PAGE, maximum, shared });
+    return { wasmMemory, heapLimit: maximum * PAGE };
+  } catch (error) {
+    const half = (maximum * PAGE) / 2;
+    if (!(error instanceof RangeError) || half < SMALLEST_HEAP) throw error;
+    return reserveMemory(half, shared);
+  }
 }
 
 function wrapModule(

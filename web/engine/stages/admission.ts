@@ -6,7 +6,7 @@ import type { Body } from '../document/model';
 import type { Settings } from '../settings/options';
 
 /** Bytes of the core's memory for a face of the largest mesh, measured at a million faces: tests/bench/seconds.mjs prints them. */
-const BYTES_PER_FACE = { reduced: 430, fitted: 1500 };
+const BYTES_PER_FACE = { reduced: 430, fitted: 900 };
 
 /** Throws an Error where a body has more faces than any method can work on within `heapLimit` bytes. */
 export function admitBodies(bodies: readonly Body[], heapLimit: number): void {
@@ -28,8 +28,9 @@ export function admitFit(bodies: readonly PreparedBody[], { fit }: Settings, hea
 }
 
 const CURES = {
-  reduced: 'give it more (--memory, at most 4G) or reduce the mesh in parts',
-  fitted: 'use --fit off, give it more (--memory, at most 4G) or reduce the mesh in parts',
+  reduced: 'give it more (--memory, on the page ?memory=, at most 4G) or reduce the mesh in parts',
+  fitted:
+    'use --fit off on the command line, give it more (--memory, on the page ?memory=, at most 4G) or reduce the mesh in parts',
 };
 
 interface Lack {
