@@ -13,12 +13,10 @@ test('a model that needs more memory than there is gets a sentence, and what is 
   await expect(page.getByRole('alert')).toContainText(
     /million has 1,002,528 faces, for which the core takes about .* GB of memory, and it may have 0\.5 GB/,
   );
-  test
-    .info()
-    .annotations.push({
-      type: 'seconds to the sentence',
-      description: String((Date.now() - started) / 1000),
-    });
+  test.info().annotations.push({
+    type: 'seconds to the sentence',
+    description: String((Date.now() - started) / 1000),
+  });
   await expect(readout(page, 'Faces')).toContainText('1,792');
   await drop(page, writeScratch('sheet.obj', sheetObj(16)));
   await goTo(page, 'Reduce');

@@ -77,6 +77,26 @@ TEST(CombinedStrain, isEquationSixForEveryNorm) {
   EXPECT_DOUBLE_EQ(largest[2], 6);
 }
 
+TEST(CombinedStrain, isANumberWhateverIsInfinite) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::vector<WeightedStrain> ordinals = {{{0, 1, 1e200}, {kInfinity, 0}}};
+  const std::vector<uint32_t> component = {0, 0, 1};
+  for (const double p : {2.0, kInfinity}) {
+    const auto combined = combineStrain(ordinals, component, p);
+    EXPECT_EQ(combined[0], 0);
+    EXPECT_EQ(combined[1], kInfinity);
+    EXPECT_EQ(combined[2], 0);
+  }
+}
+
+TEST(Strain, thatIsTooLargeForANumberIsNone) {
+  TriangleMesh needle;
+  needle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1e-300, 0}};
+  needle.triangles = {{0, 1, 2}};
+  const std::vector<float> shape = {0, 0, 0, 0, 0, 0, 1, 1, 0};
+  EXPECT_EQ(greenLagrangeStrain(needle, shape, 1)[0], 0);
+}
+
 TEST(Rank, countsThoseBelowAndHalfOfTheTies) {
   const std::vector<double> values = {5, 1, 5, 9, 7, 7};
   const std::vector<uint32_t> group = {0, 0, 0, 0, 1, 1};

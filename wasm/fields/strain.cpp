@@ -43,7 +43,8 @@ double triangleStrain(const TriangleMesh& mesh, uint32_t t, std::span<const floa
   const Vec3 u = p + displacement(1) - base, v = q + displacement(2) - base;
   const Symmetric2 c = rightCauchyGreen({px, dot(p, q) / px, height}, u, v);
   const double exx = (c.a - 1) / 2, eyy = (c.c - 1) / 2, exy = c.b / 2;
-  return std::sqrt(exx * exx + eyy * eyy + 2 * exy * exy);
+  const double strain = std::sqrt(exx * exx + eyy * eyy + 2 * exy * exy);
+  return std::isfinite(strain) ? strain : 0;
 }
 
 }  // namespace
@@ -65,10 +66,9 @@ std::vector<double> combineStrain(std::span<const WeightedStrain> ordinals,
     double sum = 0;
     for (const WeightedStrain& ordinal : ordinals) {
       const double weight = ordinal.weightOfComponent[componentOfTriangle[t]];
-      if (std::isinf(p))
-        sum = std::max(sum, weight * ordinal.strain[t]);
-      else
-        sum += weight * std::pow(ordinal.strain[t], p);
+      const double strain = std::isinf(p) ? ordinal.strain[t] : std::pow(ordinal.strain[t], p);
+      if (weight == 0 || strain == 0) continue;  // either may be infinite, and the product would be no number
+      sum = std::isinf(p) ? std::max(sum, weight * strain) : sum + weight * strain;
     }
     sigma[t] = std::isinf(p) ? sum : std::pow(sum, 1 / p);
   }

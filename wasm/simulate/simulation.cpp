@@ -1,6 +1,7 @@
 #include "simulate/simulation.h"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -13,6 +14,11 @@ namespace {
 
 // A body has diverged when its bounding box grows beyond this many times its diagonal at rest.
 constexpr double kDivergedGrowth = 10;
+
+bool fitsFloat32(const Vec3& p) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  return std::abs(p.x) <= kMost && std::abs(p.y) <= kMost && std::abs(p.z) <= kMost;
+}
 
 void requireOptions(const SimulationOptions& options) {
   const auto& [young, poisson, density, thickness, unit] = options.material;
@@ -189,8 +195,11 @@ bool Simulation::isFinite() const {
 
 bool Simulation::hasDiverged() const {
   if (!isFinite()) return true;
-  if (solid_) return bounds({positions(), {}}).diagonal() > kDivergedGrowth * solid_->restDiagonal();
-  return bounds({state_->particles.positions, {}}).diagonal() > kDivergedGrowth * state_->restDiagonal;
+  const Bounds box = bounds({solid_ ? positions() : state_->particles.positions, {}});
+  const double restDiagonal = solid_ ? solid_->restDiagonal() : state_->restDiagonal;
+  if (box.diagonal() > kDivergedGrowth * restDiagonal) return true;
+  const double unit = solid_ ? 1 : state_->options.material.unit;
+  return !fitsFloat32(box.low / unit) || !fitsFloat32(box.high / unit);
 }
 
 double Simulation::mass() const {

@@ -3,7 +3,7 @@
 import { faceCount } from '../../engine/core/mesh';
 import type { Inspection } from '../../engine/core/core';
 import { fitOf } from '../../engine/settings/options';
-import { results, shownFit, shownMesh, view, wants } from '../state/store';
+import { results, shownFit, shownMesh, shownMetrics, view, wants } from '../state/store';
 import type { BodySummary } from '../worker/protocol';
 import { count, fixed } from '../controls/numbers';
 import { Readout } from '../controls/readout';
@@ -23,7 +23,7 @@ export function Readouts() {
 
 function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
   const total = faceCount(body.mesh);
-  const metrics = results.metrics.value;
+  const metrics = shownMetrics.value;
   const change = total > 0 ? (100 * (faces - total)) / total : 0;
   return (
     <>
@@ -54,7 +54,7 @@ function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
 
 /** What is spoken once the result is measured; '' before that. */
 function spokenResult(body: BodySummary, faces: number): string {
-  const metrics = results.metrics.value;
+  const metrics = shownMetrics.value;
   if (!metrics) return '';
   const shape = metrics.certificate.kept ? say('Topology kept.') : say('Topology changed.');
   return say('{faces} of {all} faces, deviation {deviation} %, smallest angle {angle} degrees. {topology}', {
@@ -67,7 +67,7 @@ function spokenResult(body: BodySummary, faces: number): string {
 }
 
 function TopologyReadout() {
-  const metrics = results.metrics.value;
+  const metrics = shownMetrics.value;
   if (!metrics) return <Readout name="Topology" value="..." note="" />;
   const { certificate, inspection } = metrics;
   return (

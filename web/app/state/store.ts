@@ -170,6 +170,13 @@ export const shownFit = computed(() => {
   return fitted?.key === keyOf(STAGES.fitted, settings) ? fitted : null;
 });
 
+/** What has been measured on the shown mesh; null until it is done. */
+export const shownMetrics = computed(() => {
+  const { value: metrics } = results.metrics;
+  const settings = { ...wants.settings.value, targetFaces: wantedFaces.value };
+  return metrics?.key === keyOf(STAGES.measured, settings) ? metrics : null;
+});
+
 /** Why the vertices of the shown result are kept; null until it is known. */
 export const shownWhy = computed(() => {
   const { value: why } = results.why;

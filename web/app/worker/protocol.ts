@@ -159,6 +159,8 @@ export interface TunedResult {
 }
 
 export interface ResultMetrics {
+  /** of the measured result, see keyOf */
+  key: string;
   minAngle: number;
   meanMinAngle: number;
   /** % of the diagonal */

@@ -284,11 +284,13 @@ const api: WorkerApi = {
     }),
   measure: (body, settings, targetFaces) =>
     translateErrors(() => {
-      const measured = runOf(body).get(STAGES.measured, { ...settings, targetFaces });
+      const own = { ...settings, targetFaces };
+      const measured = runOf(body).get(STAGES.measured, own);
       const { quality, distance, certificate, inspection } = measured;
       const { minAngle, meanMinAngle } = quality;
       const { hausdorff, mean } = distance;
-      return { minAngle, meanMinAngle, hausdorff, mean, certificate, inspection };
+      const key = keyOf(STAGES.measured, own);
+      return { key, minAngle, meanMinAngle, hausdorff, mean, certificate, inspection };
     }),
   methodAtBudget: (body, settings, budget) =>
     translateErrors(() => {

@@ -1,14 +1,14 @@
 /** The button of the Reduce step that opens the comparison of methods. */
 
 import { comparison } from '../../state/methods';
-import { results, wants } from '../../state/store';
+import { shownMetrics, wants } from '../../state/store';
 import { say } from '../../language/say';
 
 export function MethodsButton() {
   return (
     <button
       type="button"
-      disabled={!results.metrics.value}
+      disabled={!shownMetrics.value}
       aria-expanded={comparison.isOpen.value}
       title={say(
         'Limber, the paper, quadrics and meshoptimizer at the same number of faces: pictures and numbers',

@@ -6,7 +6,7 @@ import { scenarioWords } from '../../../engine/core/scenarios';
 import { count } from '../../controls/numbers';
 import { endPose } from '../../state/end_pose';
 import { LIGHT } from '../../state/scheme';
-import { results, shownMesh, wants } from '../../state/store';
+import { results, shownMesh, shownMetrics, wants } from '../../state/store';
 import { drawFigure } from '../../viewer/picture/figure_pictures';
 import type { FigureBody } from '../../viewer/picture/figure_pictures';
 import type { Viewport } from '../../viewer/viewport';
@@ -39,7 +39,7 @@ interface CaptionedBody extends FigureBody {
 export const canDrawFigure = (): boolean =>
   results.modes.value !== null &&
   results.guidance.value !== null &&
-  results.metrics.value !== null &&
+  shownMetrics.value !== null &&
   shownMesh.value !== null;
 
 /** PNG; null where it was cancelled. */
