@@ -37,7 +37,7 @@ function fuzzCore(target, seconds) {
   const known = join(root, 'tests', 'fuzz', 'findings', target);
   const limits = [
     '-max_len=600',
-    '-timeout=120',
+    '-timeout=300',
     '-rss_limit_mb=3000',
     '-print_final_stats=1',
     '-len_control=0',

@@ -1,6 +1,6 @@
 /**
  * Bad inputs of every kind, each with the sentence that it gets: tests/engine/bad_inputs/sentences.txt has them all, to be
- * read. LIMBER_UPDATE=1 writes it anew.
+ * read. `npx vitest run FILE -u` writes it anew.
  */
 
 import { readFileSync } from 'node:fs';

@@ -6,10 +6,8 @@ import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import { describe, expect, it } from 'vitest';
 import type { Compression, LevelStyle } from '../../web/engine/core/output_words';
-import { ownSources } from '../../web/engine/body/attributes';
-import type { ExportedBody } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
-import type { Body, OpenModel, SourceFile } from '../../web/engine/document/open';
+import type { OpenModel, SourceFile } from '../../web/engine/document/open';
 import { glbParts, withJson } from '../../web/engine/document/glb';
 import { validateFiles } from '../../web/engine/document/validate';
 import { exportFiles } from '../../web/engine/document/write/export_files';
@@ -17,14 +15,8 @@ import { formOfName, outputForm, withSuffix } from '../../web/engine/document/wr
 import { isOwnContent } from '../../web/cli/output_files/own_files';
 import { failureOf, textFile } from './support/files';
 import { addRichMesh, glbFile, startDocument } from './support/gltf';
+import { asResult } from './support/results';
 import { torus } from './support/shapes';
-
-function asResult(body: Body): ExportedBody {
-  const { positions, indices } = body;
-  const mesh = { positions, triangles: indices };
-  const inputOfTriangle = Uint32Array.from({ length: indices.length / 3 }, (_, t) => t);
-  return { body, mesh, inputOfTriangle, sources: ownSources(mesh), hardCosine: null };
-}
 
 interface Wanted {
   compression?: Compression;

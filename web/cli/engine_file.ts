@@ -12,8 +12,13 @@ export const fileOfEngine = (value: string | undefined): string | null =>
 /** The value of --engine as name=value with commas: itself, or the content of the file that it names. */
 export function engineFromFile(value: string): string {
   if (fileOfEngine(value) === null) return value;
-  const text = readText(value).trim();
-  return text.startsWith('{') ? textOfJson(value, text) : textOfLines(text);
+  return engineOfText(value, readText(value));
+}
+
+/** The content of a file of parameters as name=value with commas. Throws UsageError. */
+export function engineOfText(file: string, content: string): string {
+  const text = content.trim();
+  return text.startsWith('{') ? textOfJson(file, text) : textOfLines(text);
 }
 
 function textOfJson(file: string, text: string): string {

@@ -187,6 +187,10 @@ const GLTF: ModelFile[] = [
     { ...whole, meshes: [{ primitives: [{ attributes: { POSITION: 0 }, mode: 0 }] }] },
     { ...whole, extensionsUsed: ['X_unknown'], extensionsRequired: ['X_unknown'] },
     { ...whole, extensionsRequired: 'KHR_draco_mesh_compression' },
+    ...[9, {}, 'a'].map((bufferView) => ({
+      ...whole,
+      meshes: [{ primitives: [{ extensions: { KHR_draco_mesh_compression: { bufferView } } }] }],
+    })),
     { ...whole, skins: [{}], nodes: [{ mesh: 0, skin: 0 }] },
     { ...whole, animations: [{ channels: [{}], samplers: [] }] },
   ].map((json): ModelFile => ['a.gltf', JSON.stringify(json), changeOf(json)]),

@@ -10,7 +10,8 @@ import { SETTINGS_FILE } from './settings';
 
 const NAMES = [
   ...['obj', 'ply', 'binary ply', 'stl', 'binary stl', 'off', 'zip', 'gltf', 'glb bytes', 'glb json'],
-  ...['options', 'command lines', 'settings files', 'patterns', 'paint'],
+  ...['compressed glb bytes', 'compressed glb json'],
+  ...['options', 'command lines', 'settings files', 'engine files', 'patterns', 'paint'],
   ...['batch configurations', 'patterns of paths', 'links', 'saved state', 'bindings', 'optimize'],
 ];
 let targets: FuzzTarget[];

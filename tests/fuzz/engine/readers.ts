@@ -3,8 +3,11 @@
 import { Document } from '@gltf-transform/core';
 import { zipSync } from 'fflate';
 import type { SourceFile } from '../../../web/engine/document/model';
-import { openAnyModel } from '../../../web/engine/document/open';
+import { openAnyModel, openModel } from '../../../web/engine/document/open';
+import { exportFiles } from '../../../web/engine/document/write/export_files';
+import { formOfName } from '../../../web/engine/document/write/output_form';
 import { addMesh, addRichMesh, glbFile, primitiveOf, startDocument } from '../../engine/support/gltf';
+import { asResult } from '../../engine/support/results';
 import { cube, grid, toObj } from '../../engine/support/shapes';
 import type { Choices } from './choices';
 import type { FuzzTarget } from './fuzz_target';
@@ -65,6 +68,24 @@ async function glbs(): Promise<Uint8Array[]> {
   addMesh(documents[0], 'plain', [primitiveOf(documents[0], cube())]);
   addRichMesh(documents[1], 'rich', cube());
   return Promise.all(documents.map(async (document) => (await glbFile(document)).bytes));
+}
+
+/** The GLBs as the product compresses them: quantized, by meshopt, by Draco. */
+async function compressed(seeds: Uint8Array[]): Promise<Uint8Array[]> {
+  const written: Uint8Array[] = [];
+  for (const bytes of seeds)
+    for (const compression of ['quantized', 'meshopt', 'draco'] as const) {
+      const model = await openModel([{ name: 'a.glb', bytes }]);
+      const bodies = model.bodies.map((body) => ({ first: asResult(body), further: [] }));
+      const [file] = await exportFiles(model, bodies, {
+        name: 'a.glb',
+        form: formOfName('a.glb', model.format)!,
+        manner: { compression, style: 'files', keepsOrder: false },
+        fields: false,
+      });
+      written.push(file.bytes);
+    }
+  return written;
 }
 
 type Change = (bytes: Uint8Array, choices: Choices) => Uint8Array;
@@ -134,6 +155,7 @@ const asBytes: Change = (bytes, choices) => mutateFile(bytes, choices, false);
 
 export async function readers(): Promise<FuzzTarget[]> {
   const seeds = await glbs();
+  const packed = await compressed(seeds);
   return [
     reader('obj', 'obj', [encode(OBJ)], asText),
     reader('ply', 'ply', [encode(PLY)], asText),
@@ -145,5 +167,7 @@ export async function readers(): Promise<FuzzTarget[]> {
     gltfFiles(seeds),
     reader('glb bytes', 'glb', seeds, asBytes),
     reader('glb json', 'glb', seeds, mutateGlbJson),
+    reader('compressed glb bytes', 'glb', packed, asBytes),
+    reader('compressed glb json', 'glb', packed, mutateGlbJson),
   ];
 }

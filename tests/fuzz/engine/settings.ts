@@ -1,12 +1,14 @@
 /** Fuzz targets of settings: options as text, command lines, settings files, patterns. */
 
 import { parseArguments } from '../../../web/cli/arguments';
+import { engineOfText } from '../../../web/cli/engine_file';
 import { readSettingsFile } from '../../../web/engine/report/settings_reader';
 import { SETTINGS_SCHEMA } from '../../../web/engine/report/settings_file';
 import { COMMANDS, OPTIONS, SETTING_NAMES, checkSettings } from '../../../web/engine/settings/options';
 import { matchesPattern } from '../../../web/engine/settings/name_pattern';
 import { parsePaint } from '../../../web/engine/settings/paint_text';
 import { defaultSettings } from '../../../web/engine/settings/methods';
+import { engineValues } from '../../../web/engine/settings/engine_text';
 import { readSetting } from '../../../web/engine/settings/setting_text';
 import { SOLVER_NAMES } from '../../../web/engine/solvers/profiles';
 import type { Choices } from './choices';
@@ -94,6 +96,19 @@ const settingsFiles: FuzzTarget = {
   },
 };
 
+/** Files of --engine: as JSON, or as lines. */
+const engineFiles: FuzzTarget = {
+  name: 'engine files',
+  run: (choices) => {
+    const solver = choices.pick(SOLVER_NAMES);
+    const values = { stretch: 1e4, bend: 0.01, compliance: 1e-5, young: 1e6, mass: 2, nothing: 1 };
+    const text = choices.chance(0.5)
+      ? mutatedJsonText(values, choices.below(3), choices)
+      : mutateText('# mine\nstretch=1e4 # N/m\nbend=0.01\n', choices);
+    engineValues(solver, engineOfText('a.txt', text));
+  },
+};
+
 const patterns: FuzzTarget = {
   name: 'patterns',
   run: (choices) => {
@@ -107,4 +122,11 @@ const paint: FuzzTarget = {
   run: (choices) => void parsePaint(anyText(choices)),
 };
 
-export const settingsTargets: FuzzTarget[] = [optionTexts, commandLines, settingsFiles, patterns, paint];
+export const settingsTargets: FuzzTarget[] = [
+  optionTexts,
+  commandLines,
+  settingsFiles,
+  engineFiles,
+  patterns,
+  paint,
+];

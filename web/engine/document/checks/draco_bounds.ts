@@ -4,6 +4,7 @@
  */
 
 import type { GLTF, JSONDocument } from '@gltf-transform/core';
+import { quotedJson } from '../../core/words';
 
 const DRACO = 'KHR_draco_mesh_compression';
 const MAGIC = 'DRACO';
@@ -19,7 +20,8 @@ export function checkDraco({ json, resources }: JSONDocument, most: number): voi
   for (const number of dracoViews(json)) {
     const view = json.bufferViews?.[number];
     const definition = json.buffers?.[view?.buffer ?? -1];
-    if (!view || !definition) throw new Error(`Draco data is in buffer view ${number}, which is not there`);
+    if (!view || !definition)
+      throw new Error(`Draco data is in buffer view ${quotedJson(number)}, which is not there`);
     const bytes = resources[definition.uri ?? '@glb.bin'] ?? bytesOfAddress(definition.uri ?? '');
     const { byteOffset: start = 0, byteLength } = view;
     announced += announcedCount(bytes.subarray(start, start + byteLength));
