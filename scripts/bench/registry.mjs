@@ -66,6 +66,16 @@ export const BENCHES = [
     write: [],
   },
   {
+    name: 'scaling',
+    measures: 'time of each stage and memory, from 1,000 to 4 million faces',
+    script: 'tests/bench/scaling.mjs',
+    document: 'docs/benchmarks.md',
+    peers: 'the method qem',
+    words: [],
+    quick: ['--largest', '250000', '--rounds', '1'],
+    write: ['--write'],
+  },
+  {
     name: 'page',
     measures: 'the page: first paint, drop to result of a mesh and of a scene, slider',
     script: 'tests/bench/page.mjs',

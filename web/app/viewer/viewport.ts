@@ -80,6 +80,8 @@ export class Viewport {
       this.draw();
     }).observe(canvas);
     canvas.addEventListener('webglcontextrestored', () => {
+      // three.js starts with an opaque black, and sets its own colour only after the first picture.
+      this.renderer.setClearAlpha(0);
       this.isStale = true;
     });
     this.resize();
