@@ -186,6 +186,41 @@ test('a card says why a vertex is kept, by pointer and by its number', { tag: '@
   }).toPass();
 });
 
+/** Every pair of faces and deviation that the readouts have shown together since. */
+const pairsShown = (page: Page) =>
+  page.evaluate(() => {
+    const pairs: [string, string][] = [];
+    const readouts = document.querySelector('.readouts')!;
+    const valueOf = (name: string) =>
+      [...readouts.querySelectorAll(':scope > div')]
+        .find((one) => one.querySelector('dt')?.textContent === name)
+        ?.querySelector('dd')?.textContent ?? '';
+    new MutationObserver(() => pairs.push([valueOf('Faces'), valueOf('Deviation')])).observe(readouts, {
+      subtree: true,
+      childList: true,
+      characterData: true,
+    });
+    Object.assign(window, { pairs });
+  });
+
+test('the numbers below the view are those of the mesh that is shown', async ({ page }) => {
+  await openSheet(page);
+  await expect(readout(page, 'Deviation')).toContainText('%');
+  await pairsShown(page);
+  for (const faces of [500, 300, 400, 200]) {
+    await keepFaces(page, faces);
+    await expect(readout(page, 'Deviation')).toContainText('%');
+  }
+  const pairs = await page.evaluate(() => (window as unknown as { pairs: [string, string][] }).pairs);
+  const measured = new Map<string, Set<string>>();
+  for (const [faces, deviation] of pairs)
+    if (deviation.includes('%')) measured.set(faces, (measured.get(faces) ?? new Set()).add(deviation));
+  expect(measured.size).toBeGreaterThanOrEqual(4);
+  // Each of these meshes has a deviation of its own.
+  expect(new Set([...measured.values()].flatMap((all) => [...all])).size).toBe(measured.size);
+  for (const [faces, deviations] of measured) expect([...deviations], faces).toHaveLength(1);
+});
+
 test('a limit that stops the slider is named, and so is a missing symmetry', async ({ page }) => {
   await openSheet(page);
   const deviation = page.getByLabel('Largest deviation, exact');

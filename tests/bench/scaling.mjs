@@ -75,7 +75,8 @@ function exponent(points) {
   const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
   const [x0, y0] = [mean(xs), mean(ys)];
   const slope =
-    xs.reduce((sum, x, i) => sum + (x - x0) * (ys[i] - y0), 0) / xs.reduce((sum, x) => sum + (x - x0) ** 2, 0);
+    xs.reduce((sum, x, i) => sum + (x - x0) * (ys[i] - y0), 0) /
+    xs.reduce((sum, x) => sum + (x - x0) ** 2, 0);
   const off = Math.max(...xs.map((x, i) => Math.abs(ys[i] - y0 - slope * (x - x0))));
   return `${slope.toFixed(2)} (x ${Math.exp(off).toFixed(2)})`;
 }

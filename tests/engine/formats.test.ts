@@ -4,7 +4,7 @@ import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import { strFromU8, unzipSync, zipSync } from 'fflate';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import type { Compression, LevelStyle } from '../../web/engine/core/output_words';
 import { openModel } from '../../web/engine/document/open';
 import type { OpenModel, SourceFile } from '../../web/engine/document/open';
@@ -108,6 +108,18 @@ describe('a written file', () => {
       expect(output[0].bytes.length).toBeLessThan(1.1 * input[0].bytes.length);
       const plain = await write(await richModel(), 'b.glb');
       expect(output[0].bytes.length).toBeLessThan(0.8 * plain[0].bytes.length);
+    }
+  });
+
+  it('says nothing on the console where an attribute cannot be quantized', async () => {
+    const model = await openModel([textFile('a.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt -3 5\nf 1/1 2/1 3/1\n')]);
+    const words = (['log', 'info', 'warn', 'error', 'debug'] as const).map((name) =>
+      vi.spyOn(console, name).mockImplementation(() => {}),
+    );
+    await write(model, 'a.glb', { compression: 'quantized' });
+    for (const word of words) {
+      expect(word).not.toHaveBeenCalled();
+      word.mockRestore();
     }
   });
 

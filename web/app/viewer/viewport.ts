@@ -80,8 +80,7 @@ export class Viewport {
       this.draw();
     }).observe(canvas);
     canvas.addEventListener('webglcontextrestored', () => {
-      // three.js starts with an opaque black, and sets its own colour only after the first picture.
-      this.renderer.setClearAlpha(0);
+      this.renderer.setClearAlpha(0); // three.js starts again with an opaque black
       this.isStale = true;
     });
     this.resize();

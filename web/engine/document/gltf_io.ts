@@ -14,8 +14,10 @@ export const SUPPORTED_EXTENSIONS = new Set<string>([
   RATIFIED_MESHOPT,
 ]);
 
-const plainIo = (): WebIO =>
-  new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
+/** Our own words are the only ones on the console. */
+export const SILENT = new Logger(Logger.Verbosity.SILENT);
+
+const plainIo = (): WebIO => new WebIO().setLogger(SILENT).registerExtensions(ALL_EXTENSIONS);
 
 /** Reads and writes in memory only. Loads the decoders of `extensions`, the extensions that a file uses. */
 export async function createGltfIo(extensions: readonly string[] = []): Promise<WebIO> {
