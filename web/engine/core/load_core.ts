@@ -2,6 +2,7 @@
 
 import { PHASES } from './core';
 import type { Core, CoreOptions, Progress } from './core';
+import { LARGEST_HEAP, SMALLEST_HEAP } from './memory_size';
 
 /** More threads have not been found to help. */
 const MOST_THREADS = 8;
@@ -47,9 +48,7 @@ export async function loadCore(options: CoreOptions): Promise<Core> {
   return { ...wrapModule(module, threads, options.onProgress), heapLimit };
 }
 
-/** As the core is linked, in bytes. */
-const SMALLEST_HEAP = 64 * 2 ** 20;
-const LARGEST_HEAP = 2 ** 32;
+/** Bytes by which WebAssembly counts memory. */
 const PAGE = 2 ** 16;
 
 /**

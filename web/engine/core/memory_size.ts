@@ -3,8 +3,9 @@
 import { excerpt } from './words';
 
 const MEGABYTES = { '': 1, M: 1, G: 1024 };
-/** megabytes without which the core cannot start, and the most that WebAssembly has */
-const CORE = { least: 64, most: 4096 };
+/** Bytes of memory without which the core cannot start, as it is linked, and the most that WebAssembly has. */
+export const SMALLEST_HEAP = 64 * 2 ** 20;
+export const LARGEST_HEAP = 2 ** 32;
 
 /** Throws an Error that names `from`, where the text comes from. */
 export function readMegabytes(text: string, from: string): number {
@@ -15,10 +16,10 @@ export function readMegabytes(text: string, from: string): number {
 
 /** Bytes that the core may take. Throws an Error as readMegabytes. */
 export function coreMemory(text: string, from: string): number {
-  const megabytes = readMegabytes(text, from);
-  if (megabytes < CORE.least || megabytes > CORE.most)
+  const bytes = readMegabytes(text, from) * 2 ** 20;
+  if (bytes < SMALLEST_HEAP || bytes > LARGEST_HEAP)
     throw new Error(
-      `${from} is ${excerpt(text)}: the core takes from ${CORE.least}M to ${CORE.most / 1024}G.`,
+      `${from} is ${excerpt(text)}: the core takes from ${SMALLEST_HEAP / 2 ** 20}M to ${LARGEST_HEAP / 2 ** 30}G.`,
     );
-  return megabytes * 2 ** 20;
+  return bytes;
 }
