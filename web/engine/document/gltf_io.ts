@@ -14,7 +14,7 @@ export const SUPPORTED_EXTENSIONS = new Set<string>([
   RATIFIED_MESHOPT,
 ]);
 
-/** Our own words are the only ones on the console. */
+/** The logger of every document that we read or make, and of its copies: our own words are the only ones on the console. */
 export const SILENT = new Logger(Logger.Verbosity.SILENT);
 
 const plainIo = (): WebIO => new WebIO().setLogger(SILENT).registerExtensions(ALL_EXTENSIONS);

@@ -2,6 +2,7 @@
 
 import { Document } from '@gltf-transform/core';
 import type { Accessor, Buffer, Material, Primitive } from '@gltf-transform/core';
+import { SILENT } from './gltf_io';
 import type { Body, Format, OpenModel } from './model';
 
 /** One body as read from a file. */
@@ -34,7 +35,7 @@ export interface SurfaceFile {
 }
 
 export function modelOfSurfaces(name: string, format: Format, file: SurfaceFile): OpenModel {
-  const document = new Document();
+  const document = new Document().setLogger(SILENT);
   document.createBuffer();
   const scene = document.createScene();
   document.getRoot().setDefaultScene(scene);

@@ -3,7 +3,7 @@
 import type { Accessor, Document, GLTF, Primitive } from '@gltf-transform/core';
 import { EXTMeshoptCompression, KHRDracoMeshCompression } from '@gltf-transform/extensions';
 import type { Compression } from '../../core/output_words';
-import { DRACO, loadMeshoptEncoder, MESHOPT, RATIFIED_MESHOPT, SILENT } from '../gltf_io';
+import { DRACO, loadMeshoptEncoder, MESHOPT, RATIFIED_MESHOPT } from '../gltf_io';
 
 /** How the vertices of a file are stored. */
 export interface Stored {
@@ -90,8 +90,6 @@ export async function compress(document: Document, request: CompressionRequest):
 /** Attributes of the document as integers; positions of a mesh in a box of its own. */
 async function quantizeAll(document: Document, { kind, keepsNodes }: CompressionRequest): Promise<void> {
   const { quantize } = await import('@gltf-transform/functions');
-  // It would say on the console which attributes stay as they are.
-  document.setLogger(SILENT);
   const bits = POSITION_BITS[kind as keyof typeof POSITION_BITS];
   // What stands beside positions of 16 bits has to be turned into floats, or all would have to move together.
   for (const mesh of document.getRoot().listMeshes()) makePositionsAlike(mesh.listPrimitives());
