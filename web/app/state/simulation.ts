@@ -14,7 +14,7 @@ import { watchLife } from '../worker/life';
 import type { SimulationApi, TwinFrame, TwinRequest, TwinSetup } from '../worker/simulation_protocol';
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
-import { results, shownMesh, status, view, wantedFaces, wants } from './store';
+import { results, shownMesh, status, view, wantedKey, wants } from './store';
 import { isTuningWanted, pinSource, twin, usedTuning } from './twin';
 import { say } from '../language/say';
 
@@ -43,12 +43,7 @@ export const simulationKey = computed<string | null>(() => {
 });
 
 const meshKey = (): string =>
-  [
-    results.opened.value,
-    wants.body.value,
-    keyOf(STAGES.fitted, { ...wants.settings.value, targetFaces: wantedFaces.value }),
-    isFittedShown(),
-  ].join(' ');
+  [results.opened.value, wants.body.value, wantedKey(STAGES.fitted), isFittedShown()].join(' ');
 
 /** Whether the optimized mesh is still to be fitted, or to be tuned. */
 const isPending = (): boolean =>

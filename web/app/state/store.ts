@@ -6,6 +6,7 @@ import type { Curvature, MeshAt, StrainGuidance } from '../../engine/core/core';
 import { defaultSettings } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { keyOf } from '../../engine/stages/stage';
+import type { Stage } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import type { Refusal } from './refusal';
 import type {
@@ -163,18 +164,20 @@ export const areModesStale = computed(
 /** The mesh that is shown as optimized: that of the history while the slider moves, then the fitted one. */
 export const shownMesh = computed(() => shownFit.value?.result ?? results.mesh.value);
 
+/** The key that the result of a stage has where it is one of the wanted settings and faces. */
+export const wantedKey = (stage: Stage<unknown, keyof Settings | 'targetFaces'>): string =>
+  keyOf(stage, { ...wants.settings.value, targetFaces: wantedFaces.value });
+
 /** The fit of the shown mesh; null until it is done. */
 export const shownFit = computed(() => {
   const { value: fitted } = results.fitted;
-  const settings = { ...wants.settings.value, targetFaces: wantedFaces.value };
-  return fitted?.key === keyOf(STAGES.fitted, settings) ? fitted : null;
+  return fitted?.key === wantedKey(STAGES.fitted) ? fitted : null;
 });
 
 /** What has been measured on the shown mesh; null until it is done. */
 export const shownMetrics = computed(() => {
   const { value: metrics } = results.metrics;
-  const settings = { ...wants.settings.value, targetFaces: wantedFaces.value };
-  return metrics?.key === keyOf(STAGES.measured, settings) ? metrics : null;
+  return metrics?.key === wantedKey(STAGES.measured) ? metrics : null;
 });
 
 /** Why the vertices of the shown result are kept; null until it is known. */

@@ -5,9 +5,8 @@ import type { CollisionScene } from '../../engine/core/core';
 import type { TwinSample } from '../../engine/motion/twin';
 import type { TunedBody } from '../../engine/solvers/tuned_body';
 import type { TwinFrame } from '../worker/simulation_protocol';
-import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
-import { results, view, wantedFaces, wants } from './store';
+import { results, view, wantedKey, wants } from './store';
 
 /** Where the pins come from: the scenario, the two upper corners, or the Motion step. */
 export type PinSource = 'scenario' | 'corners' | 'pins';
@@ -58,6 +57,5 @@ export const isTuningWanted = computed(
 export const usedTuning = computed<TunedBody | null>(() => {
   const { value: found } = results.tuned;
   if (!isTuningWanted.value || !found) return null;
-  const wanted = { ...wants.settings.value, targetFaces: wantedFaces.value };
-  return found.key === keyOf(STAGES.tuned, wanted) ? found.tuned : null;
+  return found.key === wantedKey(STAGES.tuned) ? found.tuned : null;
 });
