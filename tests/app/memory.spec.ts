@@ -1,15 +1,20 @@
 /** A core that may not grow: what needs more is refused in one sentence, and the page goes on. */
 
 import { expect, test } from '@playwright/test';
-import { sheetObj, sheetPly } from './meshes';
+import { addMesh, glbFile, primitiveOf, startDocument } from '../engine/support/gltf';
+import { grid } from '../engine/support/shapes';
+import { sheetObj } from './meshes';
 import { drop, goTo, keepFaces, keptFaces, openPage, readout, writeScratch } from './page';
 
 test('a model that needs more memory than there is gets a sentence, and what is open stays', async ({
   page,
 }) => {
+  const document = startDocument();
+  addMesh(document, 'million', [primitiveOf(document, grid(708, 708))]);
+  const million = writeScratch('million.glb', (await glbFile(document)).bytes);
   await openPage(page, '/?sample=bar&memory=512M');
   const started = Date.now();
-  await drop(page, writeScratch('million.ply', sheetPly(708)));
+  await drop(page, million);
   await expect(page.getByRole('alert')).toContainText(
     /million has 1,002,528 faces, for which the core takes about .* GB of memory, and it may have 0\.5 GB/,
   );

@@ -1,4 +1,4 @@
-/** Meshes as files for the tests. */
+/** Small meshes as OBJ text for the tests. */
 
 /** A flat sheet of 8 x 8 with prongs of 8 x 0.25 side by side: they move against each other long before the sheet does. */
 export function combObj(): string {
@@ -44,37 +44,4 @@ export function sheetObj(cells: number): string {
         `f ${at(i, j)} ${at(i + 1, j + 1)} ${at(i, j + 1)}`,
       );
   return `${statements.join('\n')}\n`;
-}
-
-/** A wavy sheet of cells x cells squares as a binary PLY. */
-export function sheetPly(cells: number): Uint8Array {
-  const [vertices, faces] = [(cells + 1) ** 2, 2 * cells ** 2];
-  const header = [
-    'ply',
-    'format binary_little_endian 1.0',
-    `element vertex ${vertices}`,
-    ...['x', 'y', 'z'].map((name) => `property float ${name}`),
-    `element face ${faces}`,
-    'property list uchar uint vertex_indices',
-    'end_header\n',
-  ].join('\n');
-  const bytes = Buffer.alloc(header.length + 12 * vertices + 13 * faces);
-  let at = bytes.write(header, 'latin1');
-  const float = (value: number) => (at = bytes.writeFloatLE(value, at));
-  for (let j = 0; j <= cells; j++)
-    for (let i = 0; i <= cells; i++) {
-      const [x, y] = [i / cells, j / cells];
-      [x, y, 0.1 * Math.sin(5 * x) * Math.cos(4 * y)].forEach(float);
-    }
-  const triangle = (corners: number[]) => {
-    at = bytes.writeUInt8(3, at);
-    for (const corner of corners) at = bytes.writeUInt32LE(corner, at);
-  };
-  for (let j = 0; j < cells; j++)
-    for (let i = 0; i < cells; i++) {
-      const [a, b] = [j * (cells + 1) + i, (j + 1) * (cells + 1) + i];
-      triangle([a, a + 1, b + 1]);
-      triangle([a, b + 1, b]);
-    }
-  return bytes;
 }

@@ -186,8 +186,8 @@ test('a card says why a vertex is kept, by pointer and by its number', { tag: '@
   }).toPass();
 });
 
-/** Every pair of faces and deviation that the readouts have shown together since. */
-const pairsShown = (page: Page) =>
+/** Records every pair of faces and deviation that the readouts show together from now on. */
+const recordPairs = (page: Page) =>
   page.evaluate(() => {
     const pairs: [string, string][] = [];
     const readouts = document.querySelector('.readouts')!;
@@ -206,7 +206,7 @@ const pairsShown = (page: Page) =>
 test('the numbers below the view are those of the mesh that is shown', async ({ page }) => {
   await openSheet(page);
   await expect(readout(page, 'Deviation')).toContainText('%');
-  await pairsShown(page);
+  await recordPairs(page);
   for (const faces of [500, 300, 400, 200]) {
     await keepFaces(page, faces);
     await expect(readout(page, 'Deviation')).toContainText('%');
