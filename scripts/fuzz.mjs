@@ -57,7 +57,7 @@ function fuzzCore(target, seconds) {
   );
   const file =
     words
-      .find((line) => line.includes('Test unit written to'))
+      .findLast((line) => line.includes('Test unit written to'))
       ?.split(' ')
       .pop() ?? '';
   report({

@@ -64,7 +64,9 @@ ModeObserver::ModeObserver(const TriangleMesh& mesh) : mesh_(mesh), mass_(lumped
   const double width = std::max(high - low, 1e-30);
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     const double position = (dot(mesh.positions[v], axis_) - low) / width * static_cast<double>(count);
-    sections_[std::min(count - 1, static_cast<size_t>(position))].push_back(v);
+    const double last = static_cast<double>(count - 1);
+    // Where coordinates overflow, it is no number.
+    sections_[position > 0 ? static_cast<size_t>(std::min(position, last)) : 0].push_back(v);
   }
 }
 
