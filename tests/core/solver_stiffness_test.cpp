@@ -122,7 +122,7 @@ TEST(SolverStiffness, HasExactlySixMotionsWithoutResistanceInEveryModel) {
     SCOPED_TRACE(name);
     const auto& [stiffness, vibration] = FreeBody(mesh, model, job);
     const EigenSolution solution =
-        vibration.solve(ones(stiffness), 10, vibration.roughFirstEigenvalue(), job);
+        vibration.solve(ones(stiffness), 10, vibration.roughFirstEigenvalue(job), job);
     EXPECT_EQ(solution.nullity, 6u);
     EXPECT_EQ(vibration.countNoise(ones(stiffness), job), 0u);
   }
@@ -203,11 +203,45 @@ TEST(SolverVibration, FollowsModesFromNearOnes) {
   for (const auto& [name, model] : kModels) {
     SCOPED_TRACE(name);
     const auto& [stiffness, vibration] = FreeBody(mesh, model, job);
-    const ModeBasis start = vibration.solve(ones(stiffness), 12, vibration.roughFirstEigenvalue(), job).basis;
+    const ModeBasis start =
+        vibration.solve(ones(stiffness), 12, vibration.roughFirstEigenvalue(job), job).basis;
     const ModeBasis followed = vibration.follow(uneven(stiffness), start, 12, job);
     const ModeBasis solved = vibration.solve(uneven(stiffness), 12, start.lambda[0], job).basis;
     for (Eigen::Index i = 0; i < 12; ++i)
       EXPECT_NEAR(followed.lambda[i] / solved.lambda[i], 1, 1e-3) << "mode " << i;
+  }
+}
+
+TEST(SolverVibration, FindsWhatIsMissingInAStart) {
+  const TriangleMesh mesh = surfaces::bumpySphere();
+  Job job;
+  for (const auto& [name, model] : kModels) {
+    SCOPED_TRACE(name);
+    const auto& [stiffness, vibration] = FreeBody(mesh, model, job);
+    const ModeBasis start =
+        vibration.solve(ones(stiffness), 18, vibration.roughFirstEigenvalue(job), job).basis;
+    const ModeBasis solved = vibration.solve(uneven(stiffness), 12, start.lambda[0], job).basis;
+    ModeBasis gappy{Eigen::VectorXd(start.lambda.size() - 1),
+                    Eigen::MatrixXd(start.phi.rows(), start.phi.cols() - 1)};
+    gappy.lambda << start.lambda.head(4), start.lambda.tail(start.lambda.size() - 5);
+    gappy.phi << start.phi.leftCols(4), start.phi.rightCols(start.phi.cols() - 5);
+    const EigenSolution found = vibration.solveFrom(gappy, uneven(stiffness), 12, job);
+    EXPECT_EQ(found.nullity, 6u);
+    for (Eigen::Index i = 0; i < 12; ++i)
+      EXPECT_NEAR(found.basis.lambda[i] / solved.lambda[i], 1, 1e-3) << "mode " << i;
+  }
+}
+
+TEST(SolverVibration, EstimatesTheFirstEigenvalue) {
+  const TriangleMesh mesh = surfaces::bumpySphere();
+  Job job;
+  for (const auto& [name, model] : kModels) {
+    SCOPED_TRACE(name);
+    const auto& [stiffness, vibration] = FreeBody(mesh, model, job);
+    const double rough = vibration.roughFirstEigenvalue(job);
+    const double first = vibration.solve(ones(stiffness), 12, rough, job).basis.lambda[0];
+    EXPECT_GT(rough, 0.1 * first);
+    EXPECT_LT(rough, 10 * first);
   }
 }
 

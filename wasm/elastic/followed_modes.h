@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "linear/eigensolver.h"
+#include "linear/refine_eigenpairs.h"
 #include "mesh/triangle_mesh.h"
 
 namespace limber {

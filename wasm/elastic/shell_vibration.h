@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/job.h"
-#include "linear/eigensolver.h"
+#include "linear/refine_eigenpairs.h"
 #include "mesh/topology.h"
 
 namespace limber {

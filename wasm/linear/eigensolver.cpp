@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "linear/dense/dense_eigensolver.h"
-#include "linear/dense/dense_product.h"
+#include "linear/eigen_search.h"
 #include "linear/shifted_pencil.h"
 
 namespace limber {
@@ -20,7 +20,6 @@ constexpr int kExtraPairs = 4;    // computed beyond the wanted ones, to find a 
 constexpr int kBasisBeyond = 24;  // Lanczos vectors in addition to the wanted pairs
 constexpr int kLanczosRestarts = 100;
 constexpr double kLanczosTolerance = 1e-10;
-constexpr double kZeroRatio = 1e-4;        // eigenvalues below this times |sigma| count as zero
 constexpr double kDenseZeroRatio = 1e-12;  // of the largest eigenvalue, where solved densely
 // A shift within these multiples of the first positive eigenvalue is good enough: Lanczos converges well, and
 // another shift would cost a factorisation.
@@ -31,13 +30,11 @@ constexpr int kLastPass = 3;           // of the search for a good shift, counte
 constexpr int kMissingAttempts = 4;    // searches for missing members of clusters
 constexpr int kMissingExtraPairs = 2;  // sought in addition to the missing ones
 constexpr double kGoodResidual = 1e-8, kGoodInverseResidual = 1e-10, kRoughInverseResidual = 1e-3;
-constexpr double kTrustedInverseResidual = 1e-2;
 constexpr double kRoundedResidual = 5e-8;  // above it the residual is evaluated with more digits
 constexpr int kExtendedSteps = 3;          // of iterative refinement for that
 constexpr int kRefinements = 5;
 constexpr double kSlowProgress = 0.5;  // refinement ends once a step leaves more than this part of the error
-// Blocks of vectors that live at the same time: while found pairs are refined, and while a start is.
-constexpr int kBlocksOfSearch = 5, kBlocksOfRefinement = 4;
+constexpr int kBlocksOfSearch = 5;     // of vectors that live at the same time while found pairs are refined
 
 // The operator that Spectra multiplies with: the inverted pencil, projected away from the known pairs.
 class InverseOperator {
@@ -78,13 +75,8 @@ Eigen::VectorXd startVector(Eigen::Index size) {
   return x;
 }
 
-// The eigenpairs known so far, ascending, including those of zero eigenvalues.
-struct Search : ModeBasis {
-  Eigen::VectorXd inverseResidual = {};
-};
-
 // Up to `count` pairs of lowest lambda that are orthogonal to the columns of `known` (heavy unknowns only).
-Search lanczos(const ShiftedPencil& pencil, const Eigen::MatrixXd& known, int count, bool isRough) {
+EigenSearch lanczos(const ShiftedPencil& pencil, const Eigen::MatrixXd& known, int count, bool isRough) {
   pencil.job().begin(Phase::Solve);
   const auto size = static_cast<int>(pencil.heavyCount());
   const int wanted = std::min(count, size - 1), basis = std::min(size, wanted + kBasisBeyond);
@@ -107,38 +99,18 @@ Search lanczos(const ShiftedPencil& pencil, const Eigen::MatrixXd& known, int co
       {solver.eigenvalues().cwiseInverse().array() + pencil.shift(), pencil.expand(solver.eigenvectors())}};
 }
 
-Eigen::Index nullity(const Search& search, double sigma) {
-  return (search.lambda.array() < kZeroRatio * std::abs(sigma)).count();
-}
-
-// One step of block inverse iteration with Rayleigh-Ritz. For x = (K - sigma M)^-1 M phi we have
-// K x = M phi + sigma M x, so x^T K x needs no product with K, whose largest entries would only add rounding.
-// The inverse residual that is stored belongs to the pairs before the step.
-void iterate(const ShiftedPencil& pencil, Search& search) {
-  const Eigen::MatrixXd x = pencil.inverseStep(search.phi);
-  const Eigen::MatrixXd h = pencil.massProduct(x, search.phi), g = pencil.massProduct(x, x);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz((h + h.transpose()) / 2,
-                                                                       (g + g.transpose()) / 2);
-  const Eigen::MatrixXd before = product(search.phi, ritz.eigenvectors());
-  search.lambda = ritz.eigenvalues().array() + pencil.shift();
-  search.phi = product(x, ritz.eigenvectors());
-  const Eigen::MatrixXd change = pencil.restrict(before - search.phi * ritz.eigenvalues().asDiagonal());
-  search.inverseResidual =
-      change.colwise().norm().cwiseQuotient(pencil.restrict(before).colwise().norm()).transpose();
-}
-
 // The error of a pair relative to what is good enough: at most 1 once the pair has converged.
-double relativeError(const ShiftedPencil& pencil, const Search& search, Eigen::Index k, bool isRough) {
+double relativeError(const ShiftedPencil& pencil, const EigenSearch& search, Eigen::Index k, bool isRough) {
   if (isRough) return search.inverseResidual[k] / kRoughInverseResidual;
   return std::max(pencil.residual(search.lambda[k], search.phi.col(k)) / kGoodResidual,
                   search.inverseResidual[k] / kGoodInverseResidual);
 }
 
 // Iterates until the wanted pairs have converged or hardly improve any more.
-void refine(const ShiftedPencil& pencil, Search& search, const EigenOptions& options) {
+void refine(const ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& options) {
   double before = HUGE_VAL;
   for (int step = 0; step < kRefinements; ++step) {
-    iterate(pencil, search);
+    inverseIterate(pencil, search);
     const Eigen::Index first = nullity(search, pencil.shift());
     const Eigen::Index last = std::min<Eigen::Index>(first + options.pairCount, search.lambda.size());
     double worst = 0;
@@ -149,33 +121,16 @@ void refine(const ShiftedPencil& pencil, Search& search, const EigenOptions& opt
   }
 }
 
-// The index after which the widest relative gap lies, searched from the last wanted pair on. A shift in that
-// gap is safe for counting the eigenvalues below it.
-Eigen::Index gapAfter(const Search& search, Eigen::Index lastWanted) {
-  Eigen::Index best = lastWanted;
-  double widest = -1;
-  for (Eigen::Index k = lastWanted; k + 1 < search.lambda.size(); ++k) {
-    const double gap = 1 - search.lambda[k] / search.lambda[k + 1];
-    if (gap > widest) {
-      widest = gap;
-      best = k;
-    }
-  }
-  return best;
-}
-
 // Adds the members of clusters that a single start vector has missed, until inertia counts no more of them.
-void addMissing(ShiftedPencil& pencil, Search& search, const EigenOptions& options) {
+void addMissing(ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& options) {
   const double sigma = pencil.shift();
   for (int attempt = 0; attempt < kMissingAttempts; ++attempt) {
     const Eigen::Index lastWanted = nullity(search, sigma) + options.pairCount - 1;
     if (lastWanted + 1 >= search.lambda.size()) return;
-    const Eigen::Index gap = gapAfter(search, lastWanted);
-    const double between = (search.lambda[gap] + search.lambda[gap + 1]) / 2;
-    const auto missing = static_cast<int>(pencil.countBelow(between)) - static_cast<int>(gap + 1);
+    const int missing = missingPairs(pencil, search, lastWanted);
     if (missing <= 0) return;
     pencil.shiftTo(sigma);
-    const Search more =
+    const EigenSearch more =
         lanczos(pencil, pencil.restrict(search.phi), missing + kMissingExtraPairs, options.isRough);
     Eigen::MatrixXd all(search.phi.rows(), search.phi.cols() + more.phi.cols());
     all << search.phi, more.phi;
@@ -185,12 +140,12 @@ void addMissing(ShiftedPencil& pencil, Search& search, const EigenOptions& optio
 }
 
 // The lowest pairs. Searches again with another shift until the shift suits what was found.
-Search searchLowest(ShiftedPencil& pencil, const EigenOptions& options) {
+EigenSearch searchLowest(ShiftedPencil& pencil, const EigenOptions& options) {
   double sigma = -options.scale;
   int zeros = options.expectedNullity;
   for (int pass = 0;; ++pass) {
     pencil.shiftTo(sigma);
-    Search search = lanczos(pencil, {}, zeros + options.pairCount + kExtraPairs, options.isRough);
+    EigenSearch search = lanczos(pencil, {}, zeros + options.pairCount + kExtraPairs, options.isRough);
     zeros = static_cast<int>(nullity(search, sigma));
     const bool isLast = pass == kLastPass || search.lambda.size() >= pencil.heavyCount() - 1;
     if (zeros < search.lambda.size()) {
@@ -208,18 +163,6 @@ Search searchLowest(ShiftedPencil& pencil, const EigenOptions& options) {
       zeros = std::min(zeros + options.pairCount, static_cast<int>(pencil.heavyCount()) - 1);
     }
   }
-}
-
-// Drops the first `zeros` pairs and keeps up to `pairCount` of the others.
-EigenSolution collect(const Search& search, Eigen::Index zeros, int pairCount) {
-  EigenSolution solution;
-  solution.nullity = static_cast<uint32_t>(zeros);
-  const Eigen::Index count = std::min<Eigen::Index>(pairCount, search.lambda.size() - zeros);
-  solution.basis.lambda = search.lambda.segment(zeros, count);
-  solution.basis.phi = search.phi.middleCols(zeros, count);
-  for (Eigen::Index k = 0; k < count; ++k)
-    solution.inverseResidual.push_back(search.inverseResidual[zeros + k]);
-  return solution;
 }
 
 // Replaces large residuals by those of phi with more digits: on small or thin elements the rounding of phi to
@@ -241,10 +184,10 @@ EigenSolution solveBySearch(const SparsePencil& pencil, const EigenOptions& opti
   ShiftedPencil shifted(pencil, options.structure, job);
   const int found = options.expectedNullity + options.pairCount + kExtraPairs;
   if (options.admit) options.admit(shifted.memoryWith(kBasisBeyond + kBlocksOfSearch * found));
-  Search search = searchLowest(shifted, options);
+  EigenSearch search = searchLowest(shifted, options);
   const double sigma = shifted.shift();
   addMissing(shifted, search, options);
-  EigenSolution solution = collect(search, nullity(search, sigma), options.pairCount);
+  EigenSolution solution = collectPairs(search, nullity(search, sigma), options.pairCount);
   solution.factorNonzeros = shifted.factorNonzeros();
   if (options.isRough) return solution;
   for (Eigen::Index k = 0; k < solution.basis.lambda.size(); ++k)
@@ -259,7 +202,7 @@ EigenSolution solveSmall(const SparsePencil& pencil, const EigenOptions& options
   const double largest = dense.lambda.size() ? dense.lambda[dense.lambda.size() - 1] : 0;
   const auto zeros = (dense.lambda.array() < kDenseZeroRatio * largest).count();
   EigenSolution solution =
-      collect({dense, Eigen::VectorXd::Zero(dense.lambda.size())}, zeros, options.pairCount);
+      collectPairs({dense, Eigen::VectorXd::Zero(dense.lambda.size())}, zeros, options.pairCount);
   for (Eigen::Index k = 0; k < solution.basis.lambda.size(); ++k) {
     const Eigen::VectorXd inertia = pencil.m.cwiseProduct(solution.basis.phi.col(k));
     const Eigen::VectorXd force = pencil.k * solution.basis.phi.col(k) - solution.basis.lambda[k] * inertia;
@@ -270,48 +213,11 @@ EigenSolution solveSmall(const SparsePencil& pencil, const EigenOptions& options
   return solution;
 }
 
-// An estimate of the relative error of eigenvalues: the smaller of their last change and the square of the
-// inverse residual, as the error of an eigenvector enters its eigenvalue squared.
-double errorOf(const Search& search, const Eigen::VectorXd& before, Eigen::Index first, Eigen::Index count) {
-  if (count <= 0) return 0;
-  const auto lambda = search.lambda.segment(first, count);
-  const double change = (lambda - before.segment(first, count)).cwiseAbs().cwiseQuotient(lambda).maxCoeff();
-  return std::min(change, search.inverseResidual.segment(first, count).cwiseAbs2().maxCoeff());
-}
-
 }  // namespace
-
-size_t EigenSolution::trustedCount() const {
-  return static_cast<size_t>(std::count_if(inverseResidual.begin(), inverseResidual.end(),
-                                           [](double r) { return r <= kTrustedInverseResidual; }));
-}
 
 EigenSolution solveEigenproblem(const SparsePencil& pencil, const EigenOptions& options, Job& job) {
   const bool isSmall = (pencil.m.array() > 0).count() <= kDenseLimit;
   return isSmall ? solveSmall(pencil, options, job) : solveBySearch(pencil, options, job);
-}
-
-EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
-                               const RefineOptions& options, Job& job) {
-  ShiftedPencil shifted(pencil, options.structure, job);
-  if (options.admit) options.admit(shifted.memoryWith(kBlocksOfRefinement * static_cast<int>(start.cols())));
-  shifted.shiftTo(options.shift);
-  job.begin(Phase::Solve);
-  Search search{{Eigen::VectorXd::Zero(start.cols()), start}};
-  Eigen::Index zeros = 0;
-  for (int step = 0; step < options.largestStepCount; ++step) {
-    const Eigen::VectorXd before = search.lambda;
-    iterate(shifted, search);
-    zeros = nullity(search, options.shift);
-    const Eigen::Index count = std::min<Eigen::Index>(options.pairCount, search.lambda.size() - zeros);
-    job.report(static_cast<double>(step + 1) / options.largestStepCount);
-    if (errorOf(search, before, zeros, count - options.spareCount) < options.tolerance) break;
-  }
-  EigenSolution solution = collect(search, zeros, options.pairCount);
-  solution.factorNonzeros = shifted.factorNonzeros();
-  for (Eigen::Index k = 0; options.residuals && k < solution.basis.lambda.size(); ++k)
-    solution.residual.push_back(shifted.residual(solution.basis.lambda[k], solution.basis.phi.col(k)));
-  return solution;
 }
 
 }  // namespace limber

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/job.h"
+#include "linear/eigen_solution.h"
 #include "linear/factor_structure.h"
-#include "linear/mode_basis.h"
 #include "linear/sparse_pencil.h"
 
 namespace limber {
@@ -45,40 +45,7 @@ struct EigenOptions {
   std::function<void(uint64_t bytes)> admit = nullptr;
 };
 
-struct EigenSolution {
-  uint32_t nullity = 0;  // eigenvalues that are 0 to rounding; their vectors are not kept
-  ModeBasis basis;       // the pairs with lambda > 0; fewer than wanted if there are no more
-  // Per pair, over all unknowns: |K phi - lambda M phi| / (lambda |M phi|). Needle elements can fill it with
-  // rounding while the pair is right: above 1e-7 the caller should warn.
-  std::vector<double> residual;
-  // Per pair, over the unknowns with an entry in M: |phi - (lambda - sigma) (K - sigma M)^-1 M phi| / |phi|.
-  // The relative error of the eigenvalue is of the size of its square. 0 where solved densely.
-  std::vector<double> inverseResidual;
-  uint64_t factorNonzeros = 0;  // of L
-
-  // Pairs whose inverse residual is at most 1e-2. The others must not be used.
-  size_t trustedCount() const;
-};
-
 // Throws Cancelled, std::runtime_error as Factorisation::factorise, and whatever `admit` throws.
 EigenSolution solveEigenproblem(const SparsePencil& pencil, const EigenOptions& options, Job& job);
-
-struct RefineOptions {
-  double shift = -1;                   // sigma, < 0, of the size of the first positive eigenvalue
-  double tolerance = kRoughTolerance;  // on the relative error of eigenvalues, > 0
-  int pairCount = 12;                  // pairs with lambda > 0 to return
-  int spareCount = 0;                  // the last so many of them may still be inexact
-  int largestStepCount = 4;            // >= 1
-  bool residuals = true;               // whether EigenSolution::residual is wanted
-  std::shared_ptr<const FactorStructure> structure = nullptr;  // as in EigenOptions
-  std::function<void(uint64_t bytes)> admit = nullptr;         // as in EigenOptions
-};
-
-// Block inverse iteration with Rayleigh-Ritz from `start`, until the eigenvalues change by less than the
-// tolerance. `start`: unknowns x columns, with the null space among its columns; unknowns without an entry in
-// M may be 0. Takes one factorisation. It converges to the pairs that `start` approximates: nothing proves
-// that no pair in between is missing. Throws as solveEigenproblem.
-EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
-                               const RefineOptions& options, Job& job);
 
 }  // namespace limber

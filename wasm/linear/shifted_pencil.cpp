@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "linear/dense/dense_product.h"
+#include "linear/dense/tall_product.h"
 #include "linear/extended_residual.h"
 
 namespace limber {
@@ -33,11 +33,18 @@ uint32_t ShiftedPencil::countBelow(double lambda) {
   return factorisation_.negativePivots();
 }
 
-Eigen::VectorXd ShiftedPencil::invert(const Eigen::Ref<const Eigen::VectorXd>& x) const {
+Eigen::VectorXd ShiftedPencil::invert(const Eigen::VectorXd& x) const {
   Eigen::VectorXd full = Eigen::VectorXd::Zero(pencil_.m.size());
   full(heavy_) = rootMass_.cwiseProduct(x);
   factorisation_.solve(full, job_);
   return rootMass_.cwiseProduct(full(heavy_));
+}
+
+Eigen::MatrixXd ShiftedPencil::invert(const Eigen::MatrixXd& x) const {
+  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(pencil_.m.size(), x.cols());
+  full(heavy_, Eigen::all) = rootMass_.asDiagonal() * x;
+  factorisation_.solve(full, job_);
+  return rootMass_.asDiagonal() * full(heavy_, Eigen::all);
 }
 
 Eigen::MatrixXd ShiftedPencil::inverseStep(const Eigen::MatrixXd& phi) const {
@@ -76,8 +83,7 @@ double ShiftedPencil::extendedResidual(double lambda, const Eigen::VectorXd& phi
 }
 
 Eigen::MatrixXd ShiftedPencil::massProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const {
-  const Eigen::MatrixXd inertia = pencil_.m.asDiagonal() * b;
-  return product(a.transpose(), inertia);
+  return transposedProduct(a, pencil_.m.asDiagonal() * b);
 }
 
 }  // namespace limber

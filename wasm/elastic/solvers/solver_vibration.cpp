@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "elastic/followed_modes.h"
 #include "elastic/pins.h"
@@ -15,6 +16,9 @@ namespace {
 
 constexpr double kFloatRounding = std::numeric_limits<float>::epsilon() / 2;
 constexpr double kLeastBendShare = 1e-6;  // of the eigenvalue with all constraints, in the rough estimate
+constexpr int kRoughSteps = 3;            // of inverse iteration, at most, for that estimate
+constexpr double kCloseToShift = 0.25;    // an estimate above this times the shift is good enough
+constexpr double kLeastStep = 1e-6;       // of the estimate before: it stays positive
 
 // All polynomials of degree 2 as displacements along each axis: 3 v + c, by 30.
 Eigen::MatrixXd quadraticMotions(const TriangleMesh& mesh, Eigen::Index unknownCount) {
@@ -79,21 +83,38 @@ EigenSolution SolverVibration::solve(std::span<const double> factors, int count,
   return solveModes(pencilOf(factors), options, job);
 }
 
+// The columns to refine: rigid motions, mass-normalised, and those of a start.
+Eigen::MatrixXd SolverVibration::startFor(const SparsePencil& pencil, const ModeBasis& start) const {
+  Eigen::MatrixXd columns = startColumns(setting_.mesh, start.phi, pencil.unknownCount(), clamped_);
+  for (int k = 0; k < rigidMotionCount(); ++k)
+    columns.col(k) /= std::sqrt(columns.col(k).cwiseAbs2().dot(pencil.m));
+  return columns;
+}
+
+RefineOptions SolverVibration::refineOptionsFor(const ModeBasis& start, int count) const {
+  RefineOptions options = followOptions(start, count);
+  options.structure = structure_;
+  return options;
+}
+
 ModeBasis SolverVibration::follow(std::span<const double> factors, const ModeBasis& start, int count,
                                   Job& job) const {
   if (start.modeCount() == 0) return start;
   if (setting_.stiffness.unknownCount() <= kFewUnknowns)
     return solve(factors, count, start.lambda[0], job).basis;
   const SparsePencil pencil = pencilOf(factors);
-  Eigen::MatrixXd columns = startColumns(setting_.mesh, start.phi, pencil.unknownCount(), clamped_);
-  for (int k = 0; k < rigidMotionCount(); ++k)
-    columns.col(k) /= std::sqrt(columns.col(k).cwiseAbs2().dot(pencil.m));
-  RefineOptions options = followOptions(start, count);
-  options.structure = structure_;
-  return refineModes(pencil, columns, options, job).basis;
+  return refineModes(pencil, startFor(pencil, start), refineOptionsFor(start, count), job).basis;
 }
 
-double SolverVibration::roughFirstEigenvalue() const {
+EigenSolution SolverVibration::solveFrom(const ModeBasis& start, std::span<const double> factors, int count,
+                                         Job& job) const {
+  const SparsePencil pencil = pencilOf(factors);
+  std::optional<EigenSolution> refined =
+      refineLowestModes(pencil, startFor(pencil, start), refineOptionsFor(start, count), job);
+  return refined ? *std::move(refined) : solve(factors, count, start.lambda[0], job);
+}
+
+double SolverVibration::roughFirstEigenvalue(Job& job) const {
   const uint32_t stretches = setting_.stiffness.stretchCount();
   std::vector<double> factors(setting_.stiffness.count(), 1.0);
   Eigen::MatrixXd motions = quadraticMotions(setting_.mesh, setting_.stiffness.unknownCount());
@@ -101,7 +122,22 @@ double SolverVibration::roughFirstEigenvalue() const {
   const double all = ritzValue(pencilOf(factors), motions, rigidMotionCount());
   std::fill_n(factors.begin(), stretches, 0.0);
   const double bend = ritzValue(pencilOf(factors), motions, rigidMotionCount());
-  return std::sqrt(all * std::max(bend, kLeastBendShare * all));
+  return refinedFirstEigenvalue(std::sqrt(all * std::max(bend, kLeastBendShare * all)), motions, job);
+}
+
+// Each step of inverse iteration leaves of a motion what is not far stiffer than the shift, so that a shift
+// far too large comes down step by step.
+double SolverVibration::refinedFirstEigenvalue(double rough, Eigen::MatrixXd motions, Job& job) const {
+  const SparsePencil pencil = pencilOf(std::vector<double>(setting_.stiffness.count(), 1.0));
+  ShiftedPencil shifted(pencil, structure_, job);
+  for (int step = 0; step < kRoughSteps; ++step) {
+    shifted.shiftTo(-rough);
+    motions = shifted.inverseStep(motions);
+    const double before = rough;
+    rough = std::max(ritzValue(pencil, motions, rigidMotionCount()), kLeastStep * before);
+    if (rough > kCloseToShift * before) break;
+  }
+  return rough;
 }
 
 uint32_t SolverVibration::countNoise(std::span<const double> factors, Job& job) const {

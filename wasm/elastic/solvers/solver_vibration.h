@@ -7,7 +7,7 @@
 
 #include "base/job.h"
 #include "elastic/solvers/solver_stiffness.h"
-#include "linear/eigensolver.h"
+#include "linear/refine_eigenpairs.h"
 
 namespace limber {
 
@@ -33,6 +33,9 @@ class SolverVibration {
   // eigenvalue, > 0. EigenSolution::nullity exceeds `rigidMotionCount` where the solver's energy leaves
   // motions without resistance.
   EigenSolution solve(std::span<const double> factors, int count, double scale, Job& job) const;
+  // The same where `start` has modes of a body much like this one, more than `count`. These are refined, and
+  // where that does not give the lowest modes, the search is from scratch.
+  EigenSolution solveFrom(const ModeBasis& start, std::span<const double> factors, int count, Job& job) const;
   // Refines modes of nearly the same factors and masses, by inverse iteration; finds the modes that the start
   // approximates. `count` of them are exact; as many are returned as the start has.
   ModeBasis follow(std::span<const double> factors, const ModeBasis& start, int count, Job& job) const;
@@ -45,9 +48,10 @@ class SolverVibration {
   const std::vector<double>& masses() const { return setting_.masses; }
   const std::vector<uint32_t>& pinned() const { return setting_.pinned; }
 
-  // A rough size of the first elastic eigenvalue with factors of 1: between what quadratic displacements give
-  // with all constraints and with those of bending alone. Within two or three powers of ten.
-  double roughFirstEigenvalue() const;
+  // A rough size of the first elastic eigenvalue with factors of 1: from between what quadratic displacements
+  // give with all constraints and with those of bending alone, by some steps of inverse iteration. Within a
+  // power of ten. One to three factorisations.
+  double roughFirstEigenvalue(Job& job) const;
   // Elastic eigenvalues below the size that positions rounded to float32 give to motions without any
   // resistance: more than none where a sheet of springs is flat. None with any other bending element. One
   // factorisation.
@@ -55,6 +59,9 @@ class SolverVibration {
 
  private:
   SparsePencil pencilOf(std::span<const double> factors) const;
+  double refinedFirstEigenvalue(double rough, Eigen::MatrixXd motions, Job& job) const;
+  Eigen::MatrixXd startFor(const SparsePencil& pencil, const ModeBasis& start) const;
+  RefineOptions refineOptionsFor(const ModeBasis& start, int count) const;
 
   Setting setting_;
   std::vector<uint32_t> clamped_;  // unknowns

@@ -10,9 +10,10 @@
 namespace limber {
 namespace {
 
-// The clamped modes of an original with more vertices are refined from those of the result, which takes one
-// factorisation instead of two or three; its free modes are always found from scratch.
-constexpr uint32_t kFollowedVertices = 3000;
+// The modes of an original with more vertices are refined from those of the result: a few solves for all of
+// them at once, where a search takes a hundred of one each. That none is missing is proved of the free ones,
+// on which most depends; it takes another factorisation.
+constexpr uint32_t kRefinedVertices = 3000;
 constexpr int kMargin = 8;  // extra modes of the result, as the order of modes may differ
 
 SolverVibration vibrationOf(const SolverPart& part, std::span<const double> masses,
@@ -38,28 +39,29 @@ void PartModesPair::solveResult(double scale, Job& job) {
   // Asked first, because no search converges to one of hundreds of motions without resistance.
   isDefinite_ = result_.countNoise(factors, job) == 0;
   if (!isDefinite_) return;
-  const double rough = scale > 0 ? scale : result_.roughFirstEigenvalue();
+  const double rough = scale > 0 ? scale : result_.roughFirstEigenvalue(job);
   const EigenSolution solution = result_.solve(factors, count_ + kMargin, rough, job);
   isDefinite_ =
       static_cast<int>(solution.nullity) == result_.rigidMotionCount() && solution.basis.modeCount() > 0;
   modes_ = solution.basis;
 }
 
-ModeBasis PartModesPair::originalBasis(Job& job) {
+EigenSolution PartModesPair::originalModes(Job& job) const {
   const std::vector<double> factors = ones(pair_->original);
-  if (original_.rigidMotionCount() == 0 && pair_->original.mesh.vertexCount() > kFollowedVertices) {
-    const Eigen::Index rows = 3 * static_cast<Eigen::Index>(pair_->result.mesh.vertexCount());
-    const ModeBasis start{modes_.lambda,
-                          transfer(modes_.phi.topRows(rows), pair_->result.mesh, pair_->points)};
-    return original_.follow(factors, start, count_, job);
-  }
-  EigenSolution solution = original_.solve(factors, count_, firstEigenvalue(), job);
-  isDefinite_ = isDefinite_ && static_cast<int>(solution.nullity) == original_.rigidMotionCount();
-  return std::move(solution.basis);
+  if (pair_->original.mesh.vertexCount() <= kRefinedVertices)
+    return original_.solve(factors, count_, firstEigenvalue(), job);
+  const Eigen::Index rows = 3 * static_cast<Eigen::Index>(pair_->result.mesh.vertexCount());
+  const ModeBasis start{modes_.lambda, transfer(modes_.phi.topRows(rows), pair_->result.mesh, pair_->points)};
+  if (original_.rigidMotionCount() > 0) return original_.solveFrom(start, factors, count_, job);
+  EigenSolution clamped;
+  clamped.basis = original_.follow(factors, start, count_, job);
+  return clamped;
 }
 
 void PartModesPair::solveOriginal(Job& job) {
-  const ModeBasis basis = originalBasis(job);
+  const EigenSolution solution = originalModes(job);
+  const ModeBasis& basis = solution.basis;
+  isDefinite_ = isDefinite_ && static_cast<int>(solution.nullity) == original_.rigidMotionCount();
   const Eigen::Index count =
       std::min({basis.modeCount(), static_cast<Eigen::Index>(count_), modes_.modeCount()});
   wanted_ = basis.lambda.head(count);

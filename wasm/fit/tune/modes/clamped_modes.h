@@ -45,7 +45,7 @@ class PartModesPair {
   const PartPair& pair() const { return *pair_; }
 
  private:
-  ModeBasis originalBasis(Job& job);
+  EigenSolution originalModes(Job& job) const;
   void match();
 
   const PartPair* pair_;

@@ -1,0 +1,107 @@
+#include "linear/block_lanczos.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "linear/dense/tall_product.h"
+
+namespace limber {
+namespace {
+
+// A direction that is left of a block is dropped where its squared length is below this part of the longest:
+// what rounding leaves of vectors that depend on the others.
+constexpr double kDependent = 1e-14;
+
+// An orthonormal basis of the columns of a block. The second pass removes what the rounding of the first
+// left.
+Eigen::MatrixXd orthonormalised(Eigen::MatrixXd block) {
+  for (int pass = 0; pass < 2 && block.cols() > 0; ++pass) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> squares(transposedProduct(block, block));
+    const Eigen::VectorXd& lengths = squares.eigenvalues();
+    const Eigen::Index size = lengths.size(),
+                       dropped = lengths[size - 1] > 0
+                                     ? (lengths.array() <= kDependent * lengths[size - 1]).count()
+                                     : size;
+    const Eigen::VectorXd scale = lengths.tail(size - dropped).cwiseSqrt().cwiseInverse();
+    block = tallProduct(block, squares.eigenvectors().rightCols(size - dropped) * scale.asDiagonal());
+  }
+  return block;
+}
+
+class Run {
+ public:
+  Run(const ShiftedPencil& pencil, const BlockLanczosOptions& options)
+      : pencil_(pencil),
+        options_(options),
+        basis_(pencil.heavyCount(), options.mostVectors),
+        projected_(Eigen::MatrixXd::Zero(options.mostVectors, options.mostVectors)) {}
+
+  BlockLanczosPairs from(const Eigen::MatrixXd& start) {
+    Eigen::MatrixXd block = orthonormalised(start);
+    while (block.cols() > 0 && size_ + block.cols() <= options_.mostVectors) {
+      Eigen::MatrixXd rest = expand(block);
+      findPairs(rest, block.cols());
+      if (hasConverged()) break;
+      block = orthonormalised(std::move(rest));
+    }
+    return pairs();
+  }
+
+ private:
+  // Adds a block to the basis; returns what its image has beyond that.
+  Eigen::MatrixXd expand(const Eigen::MatrixXd& block) {
+    const Eigen::Index first = size_;
+    basis_.middleCols(first, block.cols()) = block;
+    size_ += block.cols();
+    Eigen::MatrixXd image = pencil_.invert(block);
+    for (int pass = 0; pass < 2; ++pass) {
+      const Eigen::MatrixXd shares = transposedProduct(basis_.leftCols(size_), image);
+      subtractTallProduct(basis_.leftCols(size_), shares, image);
+      projected_.block(0, first, size_, block.cols()) += shares;
+    }
+    return image;
+  }
+
+  // Ritz pairs, the largest of the inverse first, and how far each is from an eigenpair: `rest` times its
+  // share of the last block.
+  void findPairs(const Eigen::MatrixXd& rest, Eigen::Index lastCount) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(
+        projected_.topLeftCorner(size_, size_).selfadjointView<Eigen::Upper>());
+    inverse_ = ritz.eigenvalues().reverse();
+    shares_ = ritz.eigenvectors().rowwise().reverse();
+    const Eigen::MatrixXd last = shares_.bottomRows(lastCount);
+    const Eigen::MatrixXd squares = transposedProduct(rest, rest);
+    residual_ = last.cwiseProduct(squares * last).colwise().sum().transpose().cwiseMax(0).cwiseSqrt();
+    residual_.array() /= inverse_.array().abs();
+  }
+
+  bool hasConverged() const {
+    return residual_.size() >= options_.pairs &&
+           residual_.head(options_.exact).maxCoeff() <= options_.tolerance;
+  }
+
+  BlockLanczosPairs pairs() const {
+    const Eigen::Index count = std::min(options_.pairs, inverse_.size());
+    return {{inverse_.head(count).cwiseInverse().array() + pencil_.shift(),
+             tallProduct(basis_.leftCols(size_), shares_.leftCols(count))},
+            residual_.head(count),
+            hasConverged()};
+  }
+
+  const ShiftedPencil& pencil_;
+  const BlockLanczosOptions& options_;
+  Eigen::MatrixXd basis_;
+  Eigen::Index size_ = 0;
+  Eigen::MatrixXd projected_;  // of the inverted pencil onto the basis: the upper half
+  Eigen::VectorXd inverse_, residual_;
+  Eigen::MatrixXd shares_;
+};
+
+}  // namespace
+
+BlockLanczosPairs blockLanczos(const ShiftedPencil& pencil, const Eigen::MatrixXd& start,
+                               const BlockLanczosOptions& options) {
+  return Run(pencil, options).from(start);
+}
+
+}  // namespace limber

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace limber {
+
+// Products of matrices with many more rows than columns, on all threads. Sums are formed over ranges of rows
+// that do not depend on the number of threads, so results do not either.
+
+// a^T b for matrices of as many rows.
+Eigen::MatrixXd transposedProduct(const Eigen::Ref<const Eigen::MatrixXd>& a,
+                                  const Eigen::Ref<const Eigen::MatrixXd>& b);
+// c -= a b, where b is small.
+void subtractTallProduct(const Eigen::Ref<const Eigen::MatrixXd>& a,
+                         const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> c);
+// a b, where b is small.
+Eigen::MatrixXd tallProduct(const Eigen::Ref<const Eigen::MatrixXd>& a,
+                            const Eigen::Ref<const Eigen::MatrixXd>& b);
+
+}  // namespace limber

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "linear/mode_basis.h"
+
+namespace limber {
+
+// Pairs with a larger inverse residual must not be used.
+inline constexpr double kTrustedInverseResidual = 1e-2;
+
+// Eigenpairs as a solver returns them, and how far they are to be trusted.
+struct EigenSolution {
+  uint32_t nullity = 0;  // eigenvalues that are 0 to rounding; their vectors are not kept
+  ModeBasis basis;       // the pairs with lambda > 0; fewer than wanted if there are no more
+  // Per pair, over all unknowns: |K phi - lambda M phi| / (lambda |M phi|). Needle elements can fill it with
+  // rounding while the pair is right: above 1e-7 the caller should warn.
+  std::vector<double> residual;
+  // Per pair, over the unknowns with an entry in M: |phi - (lambda - sigma) (K - sigma M)^-1 M phi| / |phi|.
+  // The relative error of the eigenvalue is of the size of its square. 0 where solved densely.
+  std::vector<double> inverseResidual;
+  uint64_t factorNonzeros = 0;  // of L
+
+  // Pairs whose inverse residual is at most kTrustedInverseResidual.
+  size_t trustedCount() const {
+    return static_cast<size_t>(std::count_if(inverseResidual.begin(), inverseResidual.end(),
+                                             [](double r) { return r <= kTrustedInverseResidual; }));
+  }
+};
+
+}  // namespace limber

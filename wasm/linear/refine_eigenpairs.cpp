@@ -1,0 +1,80 @@
+#include "linear/refine_eigenpairs.h"
+
+#include <algorithm>
+
+#include "linear/block_lanczos.h"
+#include "linear/eigen_search.h"
+#include "linear/shifted_pencil.h"
+
+namespace limber {
+namespace {
+
+constexpr int kBlocksOfRefinement = 4;  // of vectors that live at the same time
+constexpr int kBlocksOfLanczos = 6;     // at most, for a refinement that is proved
+
+// An estimate of the relative error of eigenvalues: the smaller of their last change and the square of the
+// inverse residual, as the error of an eigenvector enters its eigenvalue squared.
+double errorOf(const EigenSearch& search, const Eigen::VectorXd& before, Eigen::Index first,
+               Eigen::Index count) {
+  if (count <= 0) return 0;
+  const auto lambda = search.lambda.segment(first, count);
+  const double change = (lambda - before.segment(first, count)).cwiseAbs().cwiseQuotient(lambda).maxCoeff();
+  return std::min(change, search.inverseResidual.segment(first, count).cwiseAbs2().maxCoeff());
+}
+
+// Inverse iteration from `start` until the pairs that have to be exact have converged, or steps run out.
+EigenSearch refineFrom(ShiftedPencil& pencil, const Eigen::MatrixXd& start, const RefineOptions& options,
+                       Job& job) {
+  if (options.admit) options.admit(pencil.memoryWith(kBlocksOfRefinement * static_cast<int>(start.cols())));
+  pencil.shiftTo(options.shift);
+  job.begin(Phase::Solve);
+  EigenSearch search{{Eigen::VectorXd::Zero(start.cols()), start}};
+  for (int step = 0; step < options.largestStepCount; ++step) {
+    const Eigen::VectorXd before = search.lambda;
+    inverseIterate(pencil, search);
+    const Eigen::Index zeros = nullity(search, options.shift);
+    const Eigen::Index count = std::min<Eigen::Index>(options.pairCount, search.lambda.size() - zeros);
+    job.report(static_cast<double>(step + 1) / options.largestStepCount);
+    if (errorOf(search, before, zeros, count - options.spareCount) < options.tolerance) break;
+  }
+  return search;
+}
+
+EigenSolution solutionOf(const ShiftedPencil& pencil, const EigenSearch& search,
+                         const RefineOptions& options) {
+  EigenSolution solution = collectPairs(search, nullity(search, options.shift), options.pairCount);
+  solution.factorNonzeros = pencil.factorNonzeros();
+  for (Eigen::Index k = 0; options.residuals && k < solution.basis.lambda.size(); ++k)
+    solution.residual.push_back(pencil.residual(solution.basis.lambda[k], solution.basis.phi.col(k)));
+  return solution;
+}
+
+}  // namespace
+
+EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
+                               const RefineOptions& options, Job& job) {
+  ShiftedPencil shifted(pencil, options.structure, job);
+  return solutionOf(shifted, refineFrom(shifted, start, options, job), options);
+}
+
+std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
+                                                    const RefineOptions& options, Job& job) {
+  if (options.spareCount < 1) return std::nullopt;  // no pair is left to tell what lies between
+  ShiftedPencil shifted(pencil, options.structure, job);
+  const Eigen::Index columns = start.cols(), exact = columns - options.spareCount;
+  const Eigen::Index mostVectors = std::min(kBlocksOfLanczos * columns, shifted.heavyCount());
+  if (options.admit) options.admit(shifted.memoryWith(static_cast<int>(mostVectors + 3 * columns)));
+  shifted.shiftTo(options.shift);
+  job.begin(Phase::Solve);
+  const BlockLanczosPairs pairs =
+      blockLanczos(shifted, shifted.restrict(start), {columns, exact, kTrustedInverseResidual, mostVectors});
+  if (!pairs.hasConverged) return std::nullopt;
+  // Another step of inverse iteration, which finds the massless unknowns.
+  EigenSearch search{{pairs.lambda, shifted.inverseStep(shifted.expand(pairs.phi)) *
+                                        (pairs.lambda.array() - options.shift).matrix().asDiagonal()},
+                     pairs.inverseResidual};
+  if (missingPairs(shifted, search, exact - 1) != 0) return std::nullopt;
+  return solutionOf(shifted, search, options);
+}
+
+}  // namespace limber

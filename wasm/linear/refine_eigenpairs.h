@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "base/job.h"
+#include "linear/eigensolver.h"
+
+namespace limber {
+
+// The lowest eigenpairs of a pencil from approximations of them.
+
+struct RefineOptions {
+  double shift = -1;                   // sigma, < 0, of the size of the first positive eigenvalue
+  double tolerance = kRoughTolerance;  // on the relative error of eigenvalues, > 0
+  int pairCount = 12;                  // pairs with lambda > 0 to return
+  int spareCount = 0;                  // the last so many of them may still be inexact
+  int largestStepCount = 4;            // >= 1
+  bool residuals = true;               // whether EigenSolution::residual is wanted
+  std::shared_ptr<const FactorStructure> structure = nullptr;  // as in EigenOptions
+  std::function<void(uint64_t bytes)> admit = nullptr;         // as in EigenOptions
+};
+
+// Block inverse iteration with Rayleigh-Ritz from `start`, until the eigenvalues change by less than the
+// tolerance. `start`: unknowns x columns, with the null space among its columns; unknowns without an entry in
+// M may be 0. Takes one factorisation. It converges to the pairs that `start` approximates, and nothing
+// proves that no pair in between is missing, unless `findsMissing` asks for step 4 of solveEigenproblem,
+// another factorisation at least, up to the last exact pair. Throws as solveEigenproblem.
+EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
+                               const RefineOptions& options, Job& job);
+
+// The same by block Lanczos and with a proof: nothing where a pair that has to be exact has not converged,
+// where inertia counts another eigenvalue among these, or where no pair is spare. Takes another factorisation
+// and more memory.
+std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
+                                                    const RefineOptions& options, Job& job);
+
+}  // namespace limber
