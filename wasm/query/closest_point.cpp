@@ -37,34 +37,37 @@ double closestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
 }
 
 // Writes the barycentric coordinates of the point of a triangle closest to p: the foot of p on the plane
-// where it lies inside the triangle and is more than rounding, else the closest point of the three edges.
-// Needles and points are allowed.
+// where it lies inside the triangle and is more than rounding, else the closest point of the edges. Those are
+// the edges that the foot is beyond: the way from a convex set's closest point to p leads outwards. Needles
+// and points are allowed.
 void closestBarycentric(const Vec3& p, const Vec3 (&corner)[3], double (&barycentric)[3]) {
   const Vec3 first = corner[1] - corner[0], second = corner[2] - corner[0];
   const Vec3 normal = cross(first, second);
   const double squaredNormal = squaredLength(normal);
+  bool isSure = false;  // which edges those are
   if (hasInside(first, second, squaredNormal)) {
-    bool inside = true;
-    double sum = 0;
+    double sum = 0, least = HUGE_VAL;
     for (int c = 0; c < 3; ++c) {
       const Vec3 &a = corner[(c + 1) % 3], &b = corner[(c + 2) % 3];
       barycentric[c] = dot(cross(b - a, p - a), normal) / squaredNormal;
-      inside = inside && barycentric[c] >= 0;
+      least = std::min(least, barycentric[c]);
       sum += barycentric[c];
     }
-    if (inside && std::abs(sum - 1) <= kMostRounding) return;
+    isSure = std::abs(sum - 1) <= kMostRounding;
+    if (least >= 0 && isSure) return;
   }
   double best = HUGE_VAL;
   double found[3] = {1, 0, 0};
   for (int c = 0; c < 3; ++c) {
-    const int next = (c + 1) % 3;
+    const int next = (c + 1) % 3, opposite = (c + 2) % 3;
+    if (isSure && barycentric[opposite] >= 0) continue;
     const double s = closestOnSegment(p, corner[c], corner[next]);
     const double distance = squaredLength(p - (corner[c] + (corner[next] - corner[c]) * s));
     if (distance >= best) continue;
     best = distance;
     found[c] = 1 - s;
     found[next] = s;
-    found[(c + 2) % 3] = 0;
+    found[opposite] = 0;
   }
   std::copy(found, found + 3, barycentric);
 }
