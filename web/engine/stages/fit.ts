@@ -13,7 +13,7 @@ import { onceIn } from './equal_work';
 import type { EqualWork } from './equal_work';
 import type { KeptHistory } from './kept_history';
 import { levelAt } from './level';
-import { isWithinDeviation, measureDeviation } from './measure';
+import { isWithinDeviation, measureDeviation, measureDistance } from './measure';
 
 export const FIT_SETTINGS = [
   'method',
@@ -142,7 +142,8 @@ function keepsTargets(
 ): boolean {
   const angleOf = (mesh: TriangleMesh) => core.measureQuality(mesh).minAngle;
   if (minAngle > 0 && angleOf(after) < Math.min(minAngle, angleOf(before))) return false;
-  if (maxDeviation === 0 || isWithinDeviation(core, prepared, after, maxDeviation)) return true;
+  // What is kept is measured in full later on, and that is remembered.
+  if (maxDeviation === 0 || measureDistance(core, prepared, after).hausdorff <= maxDeviation) return true;
   if (isWithinDeviation(core, prepared, before, maxDeviation)) return false;
   return measureDeviation(core, prepared, after) <= measureDeviation(core, prepared, before);
 }
