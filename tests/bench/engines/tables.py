@@ -72,16 +72,21 @@ def merged(old, new):
     before, after = sections_of(old), sections_of(new)
     sections = {**before, **after}
     if FREQUENCIES in before and FREQUENCIES in after:
-        known = {row_name(line) for line in after[FREQUENCIES].splitlines()}
-        rows = [line for line in before[FREQUENCIES].splitlines()[2:] if row_name(line) not in known]
-        sections[FREQUENCIES] = "\n".join([after[FREQUENCIES], *rows])
+        sections[FREQUENCIES] = merged_rows(before[FREQUENCIES], after[FREQUENCIES])
     names = sorted(sections, key=lambda name: (name == FREQUENCIES, name))
     return "\n\n".join(f"### {name}\n\n{sections[name]}" for name in names)
 
 
-def row_name(line):
-    """Engine and mesh of a row of the frequencies."""
-    return tuple(cell.strip() for cell in line.split("|")[1:3])
+def merged_rows(old, new):
+    """The rows of `new`, and those of `old` that it does not have, under the columns of both."""
+    columns, rows = [], {}
+    for text in (new, old):
+        header, _, *lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines()]
+        columns += [name for name in header if name not in columns]
+        for cells in lines:
+            rows.setdefault(tuple(cells[:2]), dict(zip(header, cells)))
+    lines = [columns, ["---"] * len(columns), *([row.get(name, "") for name in columns] for row in rows.values())]
+    return "\n".join(f"| {' | '.join(cells)} |" for cells in lines)
 
 
 def methods_of(cells):
