@@ -23,9 +23,9 @@ namespace limber {
 //    shift is -EigenOptions::scale. If it is not between 0.005 and 15 times the first positive eigenvalue
 //    lambda_1, the search is repeated with sigma = -lambda_1 / 2.
 // 3. Block inverse iteration with Rayleigh-Ritz until the residuals are small or stop falling.
-// 4. Completeness by Sylvester's law of inertia: the negative pivots of K - s M, with s in the widest gap
-//    above the last wanted pair, count the eigenvalues below s. If the search has missed members of a
-//    cluster, a second search orthogonal to the known pairs adds them.
+// 4. Completeness by Sylvester's law of inertia: the negative pivots of K - s M, with s in a gap above the
+//    last wanted pair (the first of 1 %, or else the widest), count the eigenvalues below s. If the search
+//    has missed members of a cluster, a second search orthogonal to the known pairs adds them.
 // Pencils with at most 120 entries in M are solved densely.
 //
 // The result is deterministic and does not depend on the number of threads. Cost: two or three factorisations

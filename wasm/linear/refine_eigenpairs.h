@@ -26,9 +26,8 @@ struct RefineOptions {
 
 // Block inverse iteration with Rayleigh-Ritz from `start`, until the eigenvalues change by less than the
 // tolerance. `start`: unknowns x columns, with the null space among its columns; unknowns without an entry in
-// M may be 0. Takes one factorisation. It converges to the pairs that `start` approximates, and nothing
-// proves that no pair in between is missing, unless `findsMissing` asks for step 4 of solveEigenproblem,
-// another factorisation at least, up to the last exact pair. Throws as solveEigenproblem.
+// M may be 0. Takes one factorisation. It converges to the pairs that `start` approximates: nothing proves
+// that no pair in between is missing. Throws as solveEigenproblem.
 EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                const RefineOptions& options, Job& job);
 
