@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "elastic/shell.h"
 #include "elastic/solvers/solver_vibration.h"
@@ -230,6 +231,19 @@ TEST(SolverVibration, FindsWhatIsMissingInAStart) {
     for (Eigen::Index i = 0; i < 12; ++i)
       EXPECT_NEAR(found.basis.lambda[i] / solved.lambda[i], 1, 1e-3) << "mode " << i;
   }
+}
+
+TEST(SolverVibration, SolvesFromScratchWhereARefinementDoesNotFitIntoMemory) {
+  const TriangleMesh mesh = surfaces::bumpySphere();
+  Job job;
+  const auto& [stiffness, vibration] = FreeBody(mesh, kModels[0].second, job);
+  const ModeBasis start =
+      vibration.solve(ones(stiffness), 18, vibration.roughFirstEigenvalue(job), job).basis;
+  const uint64_t vector = static_cast<uint64_t>(stiffness.unknownCount()) * sizeof(double);
+  setMemoryLimit(structureOf(stiffness, job)->memory() + 180 * vector);
+  const EigenSolution found = vibration.solveFrom(start, ones(stiffness), 12, job);
+  setMemoryLimit(0);
+  for (Eigen::Index i = 0; i < 12; ++i) EXPECT_NEAR(found.basis.lambda[i] / start.lambda[i], 1, 1e-3);
 }
 
 TEST(SolverVibration, EstimatesTheFirstEigenvalue) {

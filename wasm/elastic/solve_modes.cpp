@@ -29,10 +29,4 @@ EigenSolution refineModes(const SparsePencil& pencil, const Eigen::MatrixXd& sta
   return refineEigenpairs(pencil, start, options, job);
 }
 
-std::optional<EigenSolution> refineLowestModes(const SparsePencil& pencil, const Eigen::MatrixXd& start,
-                                               RefineOptions options, Job& job) {
-  options.admit = requireMemoryToSolve;
-  return refineLowestEigenpairs(pencil, start, options, job);
-}
-
 }  // namespace limber

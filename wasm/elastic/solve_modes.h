@@ -1,21 +1,18 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "base/job.h"
 #include "linear/refine_eigenpairs.h"
 
 namespace limber {
 
-// solveEigenproblem and what refines eigenpairs, for vibrations, with their failures put into words for the
-// user. All throw Cancelled, and std::runtime_error with a sentence if memory is short; solveModes also if a
+// solveEigenproblem and refineEigenpairs for vibrations, with their failures put into words for the user.
+// Both throw Cancelled, and std::runtime_error with a sentence if memory is short; solveModes also if a
 // mode cannot be trusted.
 EigenSolution solveModes(const SparsePencil& pencil, EigenOptions options, Job& job);
 EigenSolution refineModes(const SparsePencil& pencil, const Eigen::MatrixXd& start, RefineOptions options,
                           Job& job);
-std::optional<EigenSolution> refineLowestModes(const SparsePencil& pencil, const Eigen::MatrixXd& start,
-                                               RefineOptions options, Job& job);
 
 // Throws std::runtime_error with a sentence if a solve that takes so many bytes does not fit into memory.
 void requireMemoryToSolve(uint64_t bytes);

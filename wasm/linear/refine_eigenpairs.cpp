@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/memory.h"
 #include "linear/block_lanczos.h"
 #include "linear/eigen_search.h"
 #include "linear/shifted_pencil.h"
@@ -10,7 +11,8 @@ namespace limber {
 namespace {
 
 constexpr int kBlocksOfRefinement = 4;  // of vectors that live at the same time
-constexpr int kBlocksOfLanczos = 6;     // at most, for a refinement that is proved
+constexpr int kBlocksOfLanczos = 6;     // of its basis, at most
+constexpr int kOtherBlocks = 3;         // that live beside that basis
 
 // An estimate of the relative error of eigenvalues: the smaller of their last change and the square of the
 // inverse residual, as the error of an eigenvector enters its eigenvalue squared.
@@ -63,7 +65,8 @@ std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, 
   ShiftedPencil shifted(pencil, options.structure, job);
   const Eigen::Index columns = start.cols(), exact = columns - options.spareCount;
   const Eigen::Index mostVectors = std::min(kBlocksOfLanczos * columns, shifted.heavyCount());
-  if (options.admit) options.admit(shifted.memoryWith(static_cast<int>(mostVectors + 3 * columns)));
+  if (shifted.memoryWith(static_cast<int>(mostVectors + kOtherBlocks * columns)) > memoryLeft())
+    return std::nullopt;
   shifted.shiftTo(options.shift);
   job.begin(Phase::Solve);
   const BlockLanczosPairs pairs =

@@ -32,8 +32,8 @@ EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd
                                const RefineOptions& options, Job& job);
 
 // The same by block Lanczos and with a proof: nothing where a pair that has to be exact has not converged,
-// where inertia counts another eigenvalue among these, or where no pair is spare. Takes another factorisation
-// and more memory.
+// where inertia counts another eigenvalue among these, where no pair is spare, or where memory is short.
+// Takes another factorisation.
 std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                                     const RefineOptions& options, Job& job);
 

@@ -110,7 +110,7 @@ EigenSolution SolverVibration::solveFrom(const ModeBasis& start, std::span<const
                                          Job& job) const {
   const SparsePencil pencil = pencilOf(factors);
   std::optional<EigenSolution> refined =
-      refineLowestModes(pencil, startFor(pencil, start), refineOptionsFor(start, count), job);
+      refineLowestEigenpairs(pencil, startFor(pencil, start), refineOptionsFor(start, count), job);
   return refined ? *std::move(refined) : solve(factors, count, start.lambda[0], job);
 }
 
