@@ -198,65 +198,69 @@ TEST(SolverStiffness, FollowsTheUnitOfTheMesh) {
   EXPECT_LT((a - b).norm(), 1e-9 * a.norm());
 }
 
-TEST(SolverVibration, FollowsModesFromNearOnes) {
+// Calls check(stiffness, vibration) for a free body in every model.
+template <class Check>
+void forEveryFreeBody(Job& job, const Check& check) {
   const TriangleMesh mesh = surfaces::bumpySphere();
-  Job job;
   for (const auto& [name, model] : kModels) {
     SCOPED_TRACE(name);
     const auto& [stiffness, vibration] = FreeBody(mesh, model, job);
-    const ModeBasis start =
-        vibration.solve(ones(stiffness), 12, vibration.roughFirstEigenvalue(job), job).basis;
-    const ModeBasis followed = vibration.follow(uneven(stiffness), start, 12, job);
-    const ModeBasis solved = vibration.solve(uneven(stiffness), 12, start.lambda[0], job).basis;
-    for (Eigen::Index i = 0; i < 12; ++i)
-      EXPECT_NEAR(followed.lambda[i] / solved.lambda[i], 1, 1e-3) << "mode " << i;
+    check(stiffness, vibration);
   }
 }
 
-TEST(SolverVibration, FindsWhatIsMissingInAStart) {
-  const TriangleMesh mesh = surfaces::bumpySphere();
+ModeBasis solved(const SolverStiffness& stiffness, const SolverVibration& vibration, int count, Job& job) {
+  return vibration.solve(ones(stiffness), count, vibration.roughFirstEigenvalue(job), job).basis;
+}
+
+void expectNear(const ModeBasis& found, const ModeBasis& expected) {
+  for (Eigen::Index i = 0; i < 12; ++i)
+    EXPECT_NEAR(found.lambda[i] / expected.lambda[i], 1, 1e-3) << "mode " << i;
+}
+
+TEST(SolverVibration, FollowsModesFromNearOnes) {
   Job job;
-  for (const auto& [name, model] : kModels) {
-    SCOPED_TRACE(name);
-    const auto& [stiffness, vibration] = FreeBody(mesh, model, job);
-    const ModeBasis start =
-        vibration.solve(ones(stiffness), 18, vibration.roughFirstEigenvalue(job), job).basis;
-    const ModeBasis solved = vibration.solve(uneven(stiffness), 12, start.lambda[0], job).basis;
+  forEveryFreeBody(job, [&](const auto& stiffness, const auto& vibration) {
+    const ModeBasis start = solved(stiffness, vibration, 12, job);
+    expectNear(vibration.follow(uneven(stiffness), start, 12, job),
+               vibration.solve(uneven(stiffness), 12, start.lambda[0], job).basis);
+  });
+}
+
+TEST(SolverVibration, FindsWhatIsMissingInAStart) {
+  Job job;
+  forEveryFreeBody(job, [&](const auto& stiffness, const auto& vibration) {
+    const ModeBasis start = solved(stiffness, vibration, 18, job);
     ModeBasis gappy{Eigen::VectorXd(start.lambda.size() - 1),
                     Eigen::MatrixXd(start.phi.rows(), start.phi.cols() - 1)};
     gappy.lambda << start.lambda.head(4), start.lambda.tail(start.lambda.size() - 5);
     gappy.phi << start.phi.leftCols(4), start.phi.rightCols(start.phi.cols() - 5);
     const EigenSolution found = vibration.solveFrom(gappy, uneven(stiffness), 12, job);
     EXPECT_EQ(found.nullity, 6u);
-    for (Eigen::Index i = 0; i < 12; ++i)
-      EXPECT_NEAR(found.basis.lambda[i] / solved.lambda[i], 1, 1e-3) << "mode " << i;
-  }
+    expectNear(found.basis, vibration.solve(uneven(stiffness), 12, start.lambda[0], job).basis);
+  });
 }
 
 TEST(SolverVibration, SolvesFromScratchWhereARefinementDoesNotFitIntoMemory) {
   const TriangleMesh mesh = surfaces::bumpySphere();
   Job job;
   const auto& [stiffness, vibration] = FreeBody(mesh, kModels[0].second, job);
-  const ModeBasis start =
-      vibration.solve(ones(stiffness), 18, vibration.roughFirstEigenvalue(job), job).basis;
+  const ModeBasis start = solved(stiffness, vibration, 18, job);
   const uint64_t vector = static_cast<uint64_t>(stiffness.unknownCount()) * sizeof(double);
   setMemoryLimit(structureOf(stiffness, job)->memory() + 180 * vector);
   const EigenSolution found = vibration.solveFrom(start, ones(stiffness), 12, job);
   setMemoryLimit(0);
-  for (Eigen::Index i = 0; i < 12; ++i) EXPECT_NEAR(found.basis.lambda[i] / start.lambda[i], 1, 1e-3);
+  expectNear(found.basis, start);
 }
 
 TEST(SolverVibration, EstimatesTheFirstEigenvalue) {
-  const TriangleMesh mesh = surfaces::bumpySphere();
   Job job;
-  for (const auto& [name, model] : kModels) {
-    SCOPED_TRACE(name);
-    const auto& [stiffness, vibration] = FreeBody(mesh, model, job);
+  forEveryFreeBody(job, [&](const auto& stiffness, const auto& vibration) {
     const double rough = vibration.roughFirstEigenvalue(job);
     const double first = vibration.solve(ones(stiffness), 12, rough, job).basis.lambda[0];
     EXPECT_GT(rough, 0.1 * first);
     EXPECT_LT(rough, 10 * first);
-  }
+  });
 }
 
 TEST(SolverVibration, FindsAFlatSheetOfSpringsWithoutResistance) {

@@ -1,6 +1,7 @@
 #include "linear/refine_eigenpairs.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/memory.h"
 #include "linear/block_lanczos.h"
@@ -69,8 +70,8 @@ std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, 
     return std::nullopt;
   shifted.shiftTo(options.shift);
   job.begin(Phase::Solve);
-  const BlockLanczosPairs pairs =
-      blockLanczos(shifted, shifted.restrict(start), {columns, exact, kTrustedInverseResidual, mostVectors});
+  const BlockLanczosPairs pairs = blockLanczos(shifted, shifted.restrict(start),
+                                               {columns, exact, std::sqrt(options.tolerance), mostVectors});
   if (!pairs.hasConverged) return std::nullopt;
   // Another step of inverse iteration, which finds the massless unknowns.
   EigenSearch search{{pairs.lambda, shifted.inverseStep(shifted.expand(pairs.phi)) *

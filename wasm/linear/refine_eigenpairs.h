@@ -33,7 +33,7 @@ EigenSolution refineEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd
 
 // The same by block Lanczos and with a proof: nothing where a pair that has to be exact has not converged,
 // where inertia counts another eigenvalue among these, where no pair is spare, or where memory is short.
-// Takes another factorisation.
+// Takes another factorisation. `largestStepCount` and `admit` are not read.
 std::optional<EigenSolution> refineLowestEigenpairs(const SparsePencil& pencil, const Eigen::MatrixXd& start,
                                                     const RefineOptions& options, Job& job);
 

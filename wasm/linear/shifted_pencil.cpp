@@ -33,18 +33,20 @@ uint32_t ShiftedPencil::countBelow(double lambda) {
   return factorisation_.negativePivots();
 }
 
-Eigen::VectorXd ShiftedPencil::invert(const Eigen::VectorXd& x) const {
-  Eigen::VectorXd full = Eigen::VectorXd::Zero(pencil_.m.size());
-  full(heavy_) = rootMass_.cwiseProduct(x);
-  factorisation_.solve(full, job_);
-  return rootMass_.cwiseProduct(full(heavy_));
-}
-
-Eigen::MatrixXd ShiftedPencil::invert(const Eigen::MatrixXd& x) const {
-  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(pencil_.m.size(), x.cols());
+template <class Columns>
+Columns ShiftedPencil::invertColumns(const Columns& x) const {
+  Columns full = Columns::Zero(pencil_.m.size(), x.cols());
   full(heavy_, Eigen::all) = rootMass_.asDiagonal() * x;
   factorisation_.solve(full, job_);
   return rootMass_.asDiagonal() * full(heavy_, Eigen::all);
+}
+
+Eigen::VectorXd ShiftedPencil::invert(const Eigen::VectorXd& x) const {
+  return invertColumns(x);
+}
+
+Eigen::MatrixXd ShiftedPencil::invert(const Eigen::MatrixXd& x) const {
+  return invertColumns(x);
 }
 
 Eigen::MatrixXd ShiftedPencil::inverseStep(const Eigen::MatrixXd& phi) const {

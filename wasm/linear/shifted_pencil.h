@@ -49,6 +49,9 @@ class ShiftedPencil {
   Job& job() const { return job_; }
 
  private:
+  template <class Columns>
+  Columns invertColumns(const Columns& x) const;
+
   const SparsePencil& pencil_;
   Factorisation factorisation_;
   Job& job_;

@@ -18,7 +18,6 @@ constexpr double kFloatRounding = std::numeric_limits<float>::epsilon() / 2;
 constexpr double kLeastBendShare = 1e-6;  // of the eigenvalue with all constraints, in the rough estimate
 constexpr int kRoughSteps = 3;            // of inverse iteration, at most, for that estimate
 constexpr double kCloseToShift = 0.25;    // an estimate above this times the shift is good enough
-constexpr double kLeastStep = 1e-6;       // of the estimate before: it stays positive
 
 // All polynomials of degree 2 as displacements along each axis: 3 v + c, by 30.
 Eigen::MatrixXd quadraticMotions(const TriangleMesh& mesh, Eigen::Index unknownCount) {
@@ -134,7 +133,9 @@ double SolverVibration::refinedFirstEigenvalue(double rough, Eigen::MatrixXd mot
     shifted.shiftTo(-rough);
     motions = shifted.inverseStep(motions);
     const double before = rough;
-    rough = std::max(ritzValue(pencil, motions, rigidMotionCount()), kLeastStep * before);
+    const double value = ritzValue(pencil, motions, rigidMotionCount());
+    if (value <= 0) break;
+    rough = value;
     if (rough > kCloseToShift * before) break;
   }
   return rough;
