@@ -7,7 +7,7 @@ import type { Body } from '../document/model';
 import { cosinesOf, endsOf, innerEdgesOf, hardCosineOf } from './hard_edges';
 import { JoinedClasses } from './joined_classes';
 import type { Classes } from './joined_classes';
-import { findLayers, spanOf } from './layers';
+import { findLayers, layerCount, layersAt, spanOf } from './layers';
 import type { Layers } from './layers';
 import { vertexCount } from '../core/mesh';
 
@@ -107,7 +107,7 @@ function withoutHardEdges(entries: Entries, mesh: TriangleMesh, all: Classes) {
 }
 
 /** Corners agree where they agree in every layer; triangles are of one group where all their layers are. */
-function joinedCharts(all: BodyAttributes[], { of }: Layers): Pick<BodyAttributes, 'charts' | 'wedgeCount'> {
+function joinedCharts(all: BodyAttributes[], layers: Layers): Pick<BodyAttributes, 'charts' | 'wedgeCount'> {
   const numbered = (keys: string[]): { ids: Uint32Array; count: number } => {
     const known = new Map<string, number>();
     const ids = Uint32Array.from(keys, (key) => {
@@ -118,13 +118,13 @@ function joinedCharts(all: BodyAttributes[], { of }: Layers): Pick<BodyAttribute
   };
   const wedgesOf = all.map(({ charts }) => charts.wedges);
   const groupsOf = all.map(({ charts }) => charts.groups);
-  const groups = numbered(
-    of.map((layers, t) => layers.map((_, number) => groupsOf[number][t] ?? 0).join(' ')),
-  ).ids;
+  const keyOf = (t: number, lists: Uint32Array[], at: number): string =>
+    Array.from({ length: layerCount(layers, t) }, (_, number) => lists[number][at] ?? 0).join(' ');
+  const groups = numbered(Array.from(layers.first, (_, t) => keyOf(t, groupsOf, t))).ids;
   if (wedgesOf.every(({ length }) => length === 0))
     return { charts: { wedges: new Uint32Array(), groups }, wedgeCount: 0 };
-  const keys = Array.from({ length: 3 * of.length }, (_, corner) =>
-    of[Math.floor(corner / 3)].map((_layer, number) => wedgesOf[number][corner] ?? 0).join(' '),
+  const keys = Array.from({ length: 3 * layers.first.length }, (_, corner) =>
+    keyOf(Math.floor(corner / 3), wedgesOf, corner),
   );
   const wedges = numbered(keys);
   return { charts: { wedges: wedges.ids, groups }, wedgeCount: wedges.count };
@@ -175,9 +175,9 @@ export function entriesOf(document: Document, body: Body, weld: WeldResult): Ent
 }
 
 /** Of layer `number`; a triangle without it has its last one. */
-function entriesOfLayer(document: Document, body: Body, { of }: Layers, number: number): Entries {
-  const layerAt = (t: number) => of[t][Math.min(number, of[t].length - 1)];
-  const sources = Uint32Array.from(of, (_, t) => layerAt(t).source);
+function entriesOfLayer(document: Document, body: Body, layers: Layers, number: number): Entries {
+  const layerAt = (t: number) => layersAt(layers, t)[Math.min(number, layerCount(layers, t) - 1)];
+  const sources = layers.first.map((_, t) => layerAt(t).source);
   return entriesAt(document, body, sources, (corner) => {
     const { source, cornerOf } = layerAt(Math.floor(corner / 3));
     return 3 * source + cornerOf.indexOf(corner % 3);

@@ -18,6 +18,7 @@ import { NO_ADDITIONS, writeGlb } from './write/gltf_files';
 import type { Additions } from './write/gltf_files';
 import { likeStored } from './write/stored_values';
 import type { MorphTarget } from './shapes';
+import { GrowingIndices } from './growing';
 import { CARRIED, geometryOf, isUntouched } from './vertices';
 import type { PrimitiveGeometry, SourcedMesh } from './vertices';
 
@@ -148,7 +149,7 @@ export function renderVertices(model: OpenModel, exported: ExportedBody): number
   return body.spans.flatMap((span, i) => {
     const primitive = primitives[span.primitive];
     const keyOf = normalKeys(primitive, span, exported, { normals, smoothed: isSmoothed(model) });
-    return geometryOf(sourced, span, primitive, trianglesOfSpan[i], keyOf).vertexOfMesh;
+    return [...geometryOf(sourced, span, primitive, trianglesOfSpan[i], keyOf).vertexOfMesh];
   });
 }
 
@@ -192,7 +193,7 @@ function replaceMesh(
     const old = tangents && mikkTSpaceOf(primitive, indicesOfSpan(body, i), tangents);
     writePrimitive(destination, primitive.setMode(TRIANGLES), exported, { geometry, normals, keepsStored });
     if (old) {
-      const isUnchanged = trianglesOfSpan[i].map((t) =>
+      const isUnchanged = Array.from(trianglesOfSpan[i], (t) =>
         isUntouched(exported.sources, t, exported.inputOfTriangle[t]),
       );
       remakeTangents(primitive, isUnchanged, old, tangents);
@@ -223,14 +224,14 @@ function indicesOfSpan({ spans, indices }: Body, i: number): Uint32Array {
 }
 
 /** Per span of the body: the triangles of the new mesh that come from it, ascending. */
-function shareOut({ spans }: Body, inputOfTriangle: Uint32Array): number[][] {
-  const shares: number[][] = spans.map(() => []);
+function shareOut({ spans }: Body, inputOfTriangle: Uint32Array): Uint32Array[] {
+  const shares = spans.map(() => new GrowingIndices());
   inputOfTriangle.forEach((source, t) => {
     let span = spans.length - 1;
     while (spans[span].first > source) --span;
     shares[span].push(t);
   });
-  return shares;
+  return shares.map((share) => share.finish());
 }
 
 /** Replaces the primitive's geometry, attributes and morph targets. */
@@ -288,7 +289,7 @@ function writeIndices(
   geometry: PrimitiveGeometry,
 ): void {
   const isLarge = geometry.vertexOfMesh.length >= MANY_VERTICES;
-  const array = isLarge ? Uint32Array.from(geometry.indices) : Uint16Array.from(geometry.indices);
+  const array = isLarge ? geometry.indices : Uint16Array.from(geometry.indices);
   primitive.setIndices(document.createAccessor('', buffer).setType('SCALAR').setArray(array));
 }
 
@@ -305,7 +306,7 @@ function writeTargets(
   }
 }
 
-function gatherTriples(source: Float32Array, which: number[]): Float32Array<ArrayBuffer> {
+function gatherTriples(source: Float32Array, which: Uint32Array): Float32Array<ArrayBuffer> {
   const gathered = new Float32Array(3 * which.length);
   which.forEach((from, to) => {
     for (let c = 0; c < 3; ++c) gathered[3 * to + c] = source[3 * from + c];

@@ -18,6 +18,10 @@ export class GrowingFloats {
     return this.array.slice(0, this.length);
   }
 
+  at(i: number): number {
+    return this.array[i];
+  }
+
   push2(x: number, y: number): void {
     if (this.length + 2 > this.array.length) this.grow();
     this.array[this.length++] = x;

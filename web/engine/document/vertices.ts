@@ -4,17 +4,18 @@ import type { Primitive } from '@gltf-transform/core';
 import { NONE } from '../core/core';
 import type { CornerSources, TriangleMesh } from '../core/core';
 import type { VertexSources } from './blend';
+import { GrowingFloats, GrowingIndices } from './growing';
 import type { Body, PrimitiveSpan } from './model';
 
 /** The part of a mesh that one primitive of the file shows. */
 export interface PrimitiveGeometry {
   /** per vertex of the primitive: its vertex of the mesh, and the first corner of the mesh that uses it */
-  vertexOfMesh: number[];
-  firstCorner: number[];
+  vertexOfMesh: Uint32Array;
+  firstCorner: Uint32Array;
   /** per vertex of the primitive: a key of ResultNormals, or CARRIED */
-  normalKey: number[];
+  normalKey: Int32Array;
   sources: VertexSources;
-  indices: number[];
+  indices: Uint32Array;
 }
 
 /** Stands for a key where the normal, if any, is interpolated from the sources. */
@@ -32,10 +33,10 @@ export function geometryOf(
   sourced: SourcedMesh,
   span: PrimitiveSpan,
   primitive: Primitive,
-  triangles: number[],
+  triangles: Uint32Array,
   normalKeyOf: (corner: number) => number,
 ): PrimitiveGeometry {
-  const gathering = new VertexGathering(sourced, span, primitive);
+  const gathering = new VertexGathering(sourced, span, primitive, 3 * triangles.length);
   for (const t of triangles)
     for (let corner = 3 * t; corner < 3 * t + 3; ++corner) gathering.add(corner, normalKeyOf(corner));
   return gathering.finish();
@@ -43,29 +44,41 @@ export function geometryOf(
 
 /** Whether the three corners of triangle t are still vertices of the body's triangle `source`. */
 export function isUntouched({ triangle, barycentric }: CornerSources, t: number, source: number): boolean {
-  const isWhole = (corner: number) =>
-    triangle[corner] === source && barycentric.subarray(3 * corner, 3 * corner + 3).includes(1);
+  const isWhole = (corner: number) => triangle[corner] === source && wholeShare(barycentric, corner) >= 0;
   return isWhole(3 * t) && isWhole(3 * t + 1) && isWhole(3 * t + 2);
 }
 
+/** Which of the three shares of a corner is 1; -1: none is. */
+export function wholeShare(barycentric: Float32Array, corner: number): number {
+  for (let k = 0; k < 3; ++k) if (barycentric[3 * corner + k] === 1) return k;
+  return -1;
+}
+
 class VertexGathering {
-  private readonly vertexOfMesh: number[] = [];
-  private readonly firstCorner: number[] = [];
-  private readonly normalKey: number[] = [];
-  private readonly indices: number[] = [];
-  private readonly vertices: number[] = [];
-  private readonly shares: number[] = [];
+  private readonly vertexOfMesh = new GrowingIndices();
+  private readonly firstCorner = new GrowingIndices();
+  /** CARRIED as the number of 32 bits with the same bits */
+  private readonly normalKey = new GrowingIndices();
+  private readonly indices: Uint32Array;
+  private readonly vertices = new GrowingIndices();
+  private readonly shares = new GrowingFloats();
   /** per vertex of the mesh: the last vertex written there; `previous` links it to the earlier ones */
   private readonly lastAt = new Map<number, number>();
-  private readonly previous: number[] = [];
+  private readonly previous = new GrowingIndices();
   private readonly normals: ArrayLike<number> | null;
   private readonly compared: { array: ArrayLike<number>; size: number }[];
+  private added = 0;
+  /** of the corner that is looked at: three vertices of the primitive, and their shares */
+  private readonly vertex = new Uint32Array(3);
+  private readonly share = new Float32Array(3);
 
   constructor(
     private readonly sourced: SourcedMesh,
     private readonly span: PrimitiveSpan,
     primitive: Primitive,
+    corners: number,
   ) {
+    this.indices = new Uint32Array(corners);
     this.normals = primitive.getAttribute('NORMAL')?.getArray() ?? null;
     const others = primitive.listSemantics().filter((name) => name !== 'POSITION' && name !== 'NORMAL');
     const accessors = [
@@ -80,48 +93,54 @@ class VertexGathering {
 
   add(corner: number, normalKey: number): void {
     const vertex = this.sourced.mesh.triangles[corner];
-    const [vertices, shares] = this.sourceOf(corner);
-    let found = this.lastAt.get(vertex) ?? NONE;
-    while (found !== NONE && !this.isSame(found, normalKey, vertices, shares)) found = this.previous[found];
+    this.lookAt(corner);
+    const last = this.lastAt.get(vertex) ?? NONE;
+    let found = last;
+    while (found !== NONE && !this.isSame(found, normalKey)) found = this.previous.at(found);
     if (found === NONE) {
       found = this.vertexOfMesh.length;
       this.vertexOfMesh.push(vertex);
       this.firstCorner.push(corner);
-      this.normalKey.push(normalKey);
-      this.vertices.push(...vertices);
-      this.shares.push(...shares);
-      this.previous.push(this.lastAt.get(vertex) ?? NONE);
+      this.normalKey.push(normalKey >>> 0);
+      for (const source of this.vertex) this.vertices.push(source);
+      this.shares.push3(this.share[0], this.share[1], this.share[2]);
+      this.previous.push(last);
       this.lastAt.set(vertex, found);
     }
-    this.indices.push(found);
+    this.indices[this.added++] = found;
   }
 
   finish(): PrimitiveGeometry {
-    const { vertexOfMesh, firstCorner, normalKey, indices } = this;
-    const sources = { vertices: Uint32Array.from(this.vertices), shares: Float32Array.from(this.shares) };
-    return { vertexOfMesh, firstCorner, normalKey, sources, indices };
+    return {
+      vertexOfMesh: this.vertexOfMesh.finish(),
+      firstCorner: this.firstCorner.finish(),
+      normalKey: Int32Array.from(this.normalKey.view()),
+      sources: { vertices: this.vertices.finish(), shares: this.shares.finish() },
+      indices: this.indices,
+    };
   }
 
-  /** Three vertices of the primitive and their shares; a corner on a single vertex has shares 1, 0, 0. */
-  private sourceOf(corner: number): [number[], number[]] {
+  /** A corner on a single vertex has that vertex three times, and the shares 1, 0, 0. */
+  private lookAt(corner: number): void {
     const { body, sources } = this.sourced;
     const first = 3 * sources.triangle[corner];
-    const vertices = [0, 1, 2].map((k) => body.indices[first + k] - this.span.firstVertex);
-    const shares = [0, 1, 2].map((k) => sources.barycentric[3 * corner + k]);
-    const whole = shares.indexOf(1);
-    if (whole < 0) return [vertices, shares];
-    return [
-      [vertices[whole], vertices[whole], vertices[whole]],
-      [1, 0, 0],
-    ];
+    const whole = wholeShare(sources.barycentric, corner);
+    for (let k = 0; k < 3; ++k) {
+      const from = whole < 0 ? k : whole;
+      this.vertex[k] = body.indices[first + from] - this.span.firstVertex;
+      this.share[k] = whole < 0 ? sources.barycentric[3 * corner + k] : k === 0 ? 1 : 0;
+    }
   }
 
-  private isSame(written: number, normalKey: number, vertices: number[], shares: number[]): boolean {
-    if (this.normalKey[written] !== normalKey) return false;
+  /** Whether the vertex that was written as number `written` is that of the corner that is looked at. */
+  private isSame(written: number, normalKey: number): boolean {
+    if (this.normalKey.at(written) !== normalKey >>> 0) return false;
     const at = 3 * written;
-    for (let k = 0; k < 3; ++k) if (this.shares[at + k] !== shares[k]) return false;
-    if (shares[0] === 1) return this.looksLike(this.vertices[at], vertices[0], normalKey === CARRIED);
-    return [0, 1, 2].every((k) => this.vertices[at + k] === vertices[k]);
+    for (let k = 0; k < 3; ++k) if (this.shares.at(at + k) !== this.share[k]) return false;
+    if (this.share[0] === 1)
+      return this.looksLike(this.vertices.at(at), this.vertex[0], normalKey === CARRIED);
+    for (let k = 0; k < 3; ++k) if (this.vertices.at(at + k) !== this.vertex[k]) return false;
+    return true;
   }
 
   /** Whether two vertices of the primitive have equal attributes and displacements. */

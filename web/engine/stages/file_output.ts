@@ -1,7 +1,7 @@
 /** What is written of a file: the GLB of all bodies, its further levels, the binding and the report. */
 
 import { bindingOfBody } from '../body/body_binding';
-import { layeredFaces } from '../body/layers';
+import { allFaces, layeredFaces } from '../body/layers';
 import type { PreparedBody } from '../body/prepared_body';
 import type { MeshAt } from '../core/core';
 import { faceCount, sum } from '../core/mesh';
@@ -165,7 +165,7 @@ export class FileOutput {
     const results = this.values(STAGES.fitted);
     const layers = this.prepared().map((prepared) => prepared.layers);
     return {
-      before: sum(layers.map(({ of }) => sum(of.map(({ length }) => length)))),
+      before: sum(layers.map(allFaces)),
       after: sum(results.map(({ result }, i) => layeredFaces(layers[i], result.inputOfTriangle))),
     };
   }

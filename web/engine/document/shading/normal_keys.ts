@@ -5,7 +5,7 @@ import type { CornerSources, TriangleMesh } from '../../core/core';
 import type { Body, PrimitiveSpan } from '../model';
 import { ALL_HARD } from './normals';
 import type { ResultNormals } from './normals';
-import { CARRIED, isUntouched } from '../vertices';
+import { CARRIED, isUntouched, wholeShare } from '../vertices';
 import type { PrimitiveGeometry } from '../vertices';
 
 /** What of an ExportedBody normals follow from. */
@@ -38,7 +38,7 @@ export function normalKeys(
     if (isAsItWas) return CARRIED;
     if (hardCosine === ALL_HARD) return normals.faceKey(corner);
     const key = normals.smoothKey(corner);
-    const whole = sources.barycentric.subarray(3 * corner, 3 * corner + 3).indexOf(1);
+    const whole = wholeShare(sources.barycentric, corner);
     if (whole < 0) return key;
     const vertex = body.indices[3 * sources.triangle[corner] + whole] - span.firstVertex;
     return isOnSameSide(accessor.getElement(vertex, []), key, normals) ? CARRIED : key;
