@@ -85,6 +85,7 @@ const READERS: Record<RunSettingName, StageName[]> = {
   fit: ['fitted', 'furtherLevels', 'deviationMarks'],
   maxFrequencyError: ['fitted'],
   targetFaces: ['level', 'fitted', 'explanation'],
+  fewestFaces: ['history'],
   lods: ['furtherLevels'],
   solver: ['fitted', 'tuned', 'tunedLevels'],
   tune: ['fitted', 'tuned', 'tunedLevels'],
@@ -146,6 +147,7 @@ const OTHER: RunSettings = {
     dropExtensions: 'c',
     threads: 1,
     targetFaces: 12,
+    fewestFaces: 12,
     fields: false,
   },
   ...{ perBody: true, levelFaces: [20], format: 'ply', compress: 'none', lodStyle: 'msft' },
@@ -159,6 +161,7 @@ const everything = (method: Settings['method']): RunSettings => ({
     fit: 'modal',
     curvatureWeight: 1,
     targetFaces: 14,
+    fewestFaces: 10,
     levelFaces: [12],
     fields: true,
     solver: 'dihedral',
@@ -219,6 +222,7 @@ describe('a run over a body', () => {
     const all = [
       ...(Object.keys(OPTIONS) as RunSettingName[]),
       'targetFaces',
+      'fewestFaces',
       'levelFaces',
       'fields',
     ] as RunSettingName[];

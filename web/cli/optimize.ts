@@ -132,7 +132,7 @@ export function finishOptimize(session: Session, { output, report, levels }: Opt
 function optimizeFile({ args, warnings }: Session, file: FileRun): FileOutput {
   const { settings, fields } = args;
   const binding = args.bind !== null;
-  const request = requestFile(file, { settings, fields, binding, ...targetOf(args) });
+  const request = requestFile(file, { settings, fields, binding, isOnly: true, ...targetOf(args) });
   const output = new FileOutput(file, request);
   output.compute((run, own) => {
     const { note } = run.get(STAGES.constraints, own);

@@ -165,7 +165,7 @@ export const areModesStale = computed(
 export const shownMesh = computed(() => shownFit.value?.result ?? results.mesh.value);
 
 /** The key that the result of a stage has where it is one of the wanted settings and faces. */
-export const wantedKey = (stage: Stage<unknown, keyof Settings | 'targetFaces'>): string =>
+export const wantedKey = (stage: Stage<unknown, keyof Settings | 'fewestFaces' | 'targetFaces'>): string =>
   keyOf(stage, { ...wants.settings.value, targetFaces: wantedFaces.value });
 
 /** The fit of the shown mesh; null until it is done. */

@@ -23,10 +23,10 @@ export interface Task {
 /** null: the task is not needed now */
 type Key = () => string | null;
 
-/** A stage that the settings alone decide about. */
-export type SettingsStage = Stage<unknown, keyof Settings>;
+/** A stage that the settings alone decide about: the page asks for whole histories. */
+export type SettingsStage = Stage<unknown, keyof Settings | 'fewestFaces'>;
 /** A stage that a number of faces may decide about as well. */
-export type LevelStage = Stage<unknown, keyof Settings | 'targetFaces'>;
+export type LevelStage = Stage<unknown, keyof Settings | 'fewestFaces' | 'targetFaces'>;
 
 export const of = (stage: SettingsStage) => (): string => keyOf(stage, wants.settings.value);
 

@@ -9,7 +9,7 @@ import type { Settings } from '../settings/options';
 
 export interface StopReport {
   reason: 'target' | 'deviation' | 'angle' | 'frequency' | 'exhausted';
-  /** edges left at the floor of the history, each under its first reason */
+  /** edges left in the bodies that no collapse can bring to their target, each under its first reason */
   refused: Refused;
   /** present where frequencies were a target: of the body with the largest error */
   frequency?: FrequencyReport;
@@ -48,8 +48,10 @@ export interface StoppedBody {
 
 /** The reason is that of the first body that stopped above its target; `target` where none did. */
 export function stopReport(bodies: StoppedBody[]): StopReport {
-  const total = (key: keyof Refused) => sum(bodies.map(({ history }) => history.refused[key]));
-  const first = bodies.find(({ faces, targetFaces }) => faces > targetFaces);
+  const above = bodies.filter(({ faces, targetFaces }) => faces > targetFaces);
+  const stuck = above.filter(({ guard, frequency }) => !guard && !frequency?.isBinding);
+  const total = (key: keyof Refused) => sum(stuck.map(({ history }) => history.refused[key]));
+  const [first] = above as (StoppedBody | undefined)[];
   const guarded = bodies.flatMap(({ guard, faces, name = '' }) =>
     guard ? [{ body: name, faces, ...guard }] : [],
   );

@@ -1,4 +1,4 @@
-/** Stage: every collapse of the body, in order, down to the floor. */
+/** Stage: every collapse of the body, in order, down to the fewest faces that are asked for or to the floor. */
 
 import type { PreparedBody } from '../body/prepared_body';
 import type { Core, History } from '../core/core';
@@ -12,14 +12,17 @@ import { declareStage } from './stage';
 
 export const historyStage = declareStage({
   name: 'history',
-  reads: SIMPLIFICATION_SETTINGS,
+  reads: [...SIMPLIFICATION_SETTINGS, 'fewestFaces'],
   needs: {
     prepared: preparedStage,
     constraints: constraintsStage,
     guidance: guidingStrain,
     curvature: guidingCurvature,
   },
-  derive: simplificationSettings,
+  derive: ({ fewestFaces, ...settings }): HistorySettings => ({
+    ...simplificationSettings(settings),
+    stopFaces: fewestFaces,
+  }),
   run: ({ core, equalWork }, { prepared, constraints: { constraints }, guidance, curvature }, settings) => {
     const guides = { constraints, guidance, curvature };
     const { mesh, diagonal, attributes, costAttributes } = prepared;
@@ -28,15 +31,20 @@ export const historyStage = declareStage({
   },
 });
 
-/** The whole history, with the mirror images that it keeps. */
+interface HistorySettings extends SimplificationSettings {
+  /** absent: the history goes down to its floor */
+  stopFaces?: number;
+}
+
+/** The history, with the mirror images that it keeps. */
 export function buildHistory(
   core: Core,
   prepared: PreparedBody,
   guides: Guides,
-  settings: SimplificationSettings,
+  { stopFaces, ...settings }: HistorySettings,
 ): History {
   const { strain, curvature, options } = simplificationOf(prepared, guides, settings);
-  const simplified = core.simplify(prepared.mesh, strain, curvature, options);
+  const simplified = core.simplify(prepared.mesh, strain, curvature, { ...options, stopFaces });
   const { mirror } = guides.constraints;
   return mirror ? { ...simplified, mirror } : simplified;
 }

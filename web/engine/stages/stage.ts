@@ -13,6 +13,8 @@ import type { EqualWork } from './equal_work';
 export interface RunSettings extends Settings {
   /** the most faces that the result may have; where the history ends above it, the result has more */
   targetFaces: number;
+  /** the fewest faces that any level of the body is asked for, so that its history may end there; absent: it goes down to its floor */
+  fewestFaces?: number;
   /** the same for each further level; absent: their share of the body's own faces */
   levelFaces?: number[];
   /** whether the written body has strain and curvature as attributes */

@@ -41,7 +41,7 @@ export async function optimizeModel(
   const weld = session.lap();
   const target = targetOf(session, options);
   const { fields = false, bind: binding = false } = options;
-  const request = requestFile(file, { settings, fields, binding, ...target });
+  const request = requestFile(file, { settings, fields, binding, isOnly: true, ...target });
   const output = new FileOutput(file, request);
   computeOutput(session, output);
   session.lap();

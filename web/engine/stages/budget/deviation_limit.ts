@@ -3,8 +3,8 @@
 import type { History } from '../../core/core';
 import { nextEnd } from '../collapse_pairs';
 
-/** The first step back from a level that is too far off, as a share of all collapses. */
-const FIRST_STEP = 1 / 256;
+/** The first step back from a level that is too far off, as a share of the collapses that lead to it. */
+const FIRST_STEP = 1 / 128;
 /** The search ends where a level that is within the limit has at most this many times the faces of one that is not. */
 const CLOSE = 1.01;
 
@@ -32,7 +32,7 @@ export function facesWithin(
   let bad = ends.findIndex((_, i) => facesAt(i) <= faces);
   if (bad < 0) bad = ends.length - 1;
   if (isWithin(bad)) return facesAt(bad);
-  let step = Math.max(1, Math.floor(FIRST_STEP * ends.length));
+  let step = Math.max(1, Math.floor(FIRST_STEP * bad));
   const guessed = guess === undefined ? -1 : ends.findLastIndex((end) => end <= guess);
   let good = guessed >= 0 && guessed < bad ? guessed : Math.max(0, bad - step);
   while (!isWithin(good)) {

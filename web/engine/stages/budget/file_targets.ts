@@ -1,5 +1,6 @@
 /** How many faces each body of a file may keep, of what is asked of the file as a whole. */
 
+import { allFaces } from '../../body/layers';
 import { instanceScale } from '../../document/placements';
 import type { Settings } from '../../settings/options';
 import { errorCurveStage } from './error_curve';
@@ -19,18 +20,21 @@ export interface FileAsked extends FaceTarget {
   binding?: boolean;
   /** faces of bodies that have a number of their own, by their numbers in the file; the target of the whole is that of the others */
   own?: ReadonlyMap<number, number>;
+  /** whether no other request follows: then histories may end where this one needs no more of them */
+  isOnly?: boolean;
 }
 
 /**
  * The request for all bodies of a file: by one queue of errors over the scene, or with `perBody` the same share of each. Needs the
  * history of every body. The page, the command line and the library all ask for files through this.
  */
-export function requestFile(
-  file: FileRun,
-  { settings, fields, binding, own, ...target }: FileAsked,
-): FileRequest {
+export function requestFile(file: FileRun, asked: FileAsked): FileRequest {
+  const { settings, fields, binding, own, ...target } = asked;
   const shared = file.usable.filter(({ i }) => !own?.has(i));
-  const share = settings.perBody ? shareEach(file, shared, settings) : shareScene(file, shared, settings);
+  const fewest = fewestOfOnly(file, shared, asked);
+  const share = settings.perBody
+    ? shareEach(file, shared, settings)
+    : shareScene(file, shared, { ...settings, fewestFaces: fewest?.[shared[0].i] });
   const targetsFor = (asked: FaceTarget): number[] => {
     const targets = file.model.bodies.map((_, i) => own?.get(i) ?? 0);
     share(asked).forEach((faces, n) => (targets[shared[n].i] = faces));
@@ -43,14 +47,36 @@ export function requestFile(
     faces: target.faces ?? undefined,
     targets: targetsFor(target),
     levelTargets: settings.lods.map((ratio) => targetsFor({ faces: null, ratio })),
+    fewest,
   };
+}
+
+/**
+ * Per body of the file the fewest faces that the only request asks of it, where that is known before its history: of a file in which one
+ * body is asked for.
+ */
+function fewestOfOnly(
+  file: FileRun,
+  shared: Usable,
+  { settings, isOnly, ...target }: FileAsked,
+): number[] | undefined {
+  if (!isOnly || shared.length !== 1) return undefined;
+  const [{ layers }] = file.preparedOf(shared, settings);
+  const levels = [target, ...settings.lods.map((ratio): FaceTarget => ({ faces: null, ratio }))];
+  const written = Math.min(...levels.map((level) => wantedFaces(level, allFaces(layers))));
+  // A level has at most `layers.most` written faces for each of its own.
+  const fewest = Math.max(1, Math.floor(written / layers.most));
+  return file.model.bodies.map(() => fewest);
 }
 
 type Usable = FileRun['usable'];
 /** Per shared body the most faces that it may have. */
 type Share = (asked: FaceTarget) => number[];
 
-function curvesOf(file: FileRun, shared: Usable, settings: Settings): ErrorCurve[] {
+/** `fewestFaces`: as in `RunSettings`. */
+type CurveSettings = Settings & { fewestFaces?: number };
+
+function curvesOf(file: FileRun, shared: Usable, settings: CurveSettings): ErrorCurve[] {
   return shared.map(({ run }) => {
     file.announce(run);
     return run.get(errorCurveStage, settings);
@@ -62,7 +88,7 @@ function shareEach(file: FileRun, shared: Usable, settings: Settings): Share {
   return (asked) => targetsOf(counts, asked);
 }
 
-function shareScene(file: FileRun, shared: Usable, settings: Settings): Share {
+function shareScene(file: FileRun, shared: Usable, settings: CurveSettings): Share {
   if (shared.length === 0) return () => [];
   const queue = sceneQueue(file, shared, settings);
   return (asked) => targetsInQueue(queue, wantedFaces(asked, queue.faces));
@@ -80,7 +106,7 @@ function targetsInQueue(queue: SceneQueue, wanted: number): number[] {
 }
 
 /** The queue of these bodies; its curves follow from their histories. */
-function sceneQueue(file: FileRun, shared: Usable, settings: Settings): SceneQueue {
+function sceneQueue(file: FileRun, shared: Usable, settings: CurveSettings): SceneQueue {
   const { document } = file.model;
   const meshes = document.getRoot().listMeshes();
   const curves = curvesOf(file, shared, settings);
