@@ -81,6 +81,7 @@ int main(int count, char** words) {
   options.sizeWeight = 0.01;
   options.qualityWeight = 0.1;
   options.stopFaces = mesh.triangleCount() / 2;
+  options.recordErrors = true;
   double start = seconds();
   const History history = simplify(mesh, {}, options, job);
   std::printf("simplify %.2f s\n", seconds() - start);

@@ -1,7 +1,9 @@
 #include "fit/search/deviation_guard.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <optional>
 
 #include "base/parallel.h"
 #include "mesh/sampling.h"
@@ -52,15 +54,36 @@ double farthest(const TriangleMesh& mesh, uint32_t t, const Vec3& p) {
   return std::sqrt(square);
 }
 
-// For each triangle of a mesh a point of another surface that is within `enough` of all of it, as one search
-// from its centre finds it; triangle kNone where that finds none.
-std::vector<SurfacePoint> coversOf(const TriangleMesh& mesh, const ClosestPointTree& surface, double enough) {
-  std::vector<SurfacePoint> covers(mesh.triangleCount());
+// Removes the covers of triangles of a mesh that are not within `enough` of all of the triangle, on a surface
+// that may have moved. Returns whether any triangle has none.
+bool removeFarCovers(const TriangleMesh& mesh, const TriangleMesh& surface, double enough,
+                     std::vector<SurfacePoint>& covers) {
+  covers.resize(mesh.triangleCount());
+  std::atomic<bool> isAnyOpen = false;
+  parallelFor(covers.size(), kTrianglesPerRange, [&](size_t from, size_t to) {
+    bool isOneOpen = false;
+    for (auto t = static_cast<uint32_t>(from); t < to; ++t) {
+      const bool isCover =
+          covers[t].triangle != kNone && farthest(mesh, t, pointOn(surface, covers[t])) <= enough;
+      if (isCover) continue;
+      covers[t] = {};
+      isOneOpen = true;
+    }
+    if (isOneOpen) isAnyOpen = true;
+  });
+  return isAnyOpen;
+}
+
+// Finds for triangles without a cover a point of the surface that is within `enough` of all of the triangle,
+// as one search from its centre does.
+void findCovers(const TriangleMesh& mesh, const ClosestPointTree& surface, double enough,
+                std::vector<SurfacePoint>& covers) {
   parallelFor(covers.size(), kTrianglesPerRange, [&](size_t from, size_t to) {
     // Triangles that follow one another are mostly neighbours, so what was found for one is a good guess for
     // the next.
     uint32_t near = kNone;
     for (auto t = static_cast<uint32_t>(from); t < to; ++t) {
+      if (covers[t].triangle != kNone) continue;
       const Vec3 centre = triangleCentre(mesh, t);
       const double slack = enough - farthest(mesh, t, centre);
       if (!(slack > 0)) continue;
@@ -69,7 +92,6 @@ std::vector<SurfacePoint> coversOf(const TriangleMesh& mesh, const ClosestPointT
       if (found.distance <= slack) covers[t] = found;
     }
   });
-  return covers;
 }
 
 bool isUnchanged(const std::vector<uint8_t>& isChanged, uint32_t t) {
@@ -95,7 +117,7 @@ double DeviationGuard::nearEnough() const {
 std::vector<uint8_t> DeviationGuard::begin(const TriangleMesh& mesh) {
   weights_ = lattice(cutsOf(mesh, parts_, kFewestCuts));
   Marks isFar(mesh.triangleCount(), 0);
-  coverOriginal(ClosestPointTree(mesh), isFar);
+  coverOriginal(mesh, isFar);
   coverMesh(mesh, isFar);
   return isFar;
 }
@@ -115,16 +137,20 @@ std::vector<DeviationGuard::OriginalSample> DeviationGuard::uncoveredSamples() c
   return samples;
 }
 
-void DeviationGuard::coverOriginal(const ClosestPointTree& treeOfMesh, Marks& isFar) {
-  coverOfOriginal_ = coversOf(original_, treeOfMesh, nearEnough());
+void DeviationGuard::coverOriginal(const TriangleMesh& mesh, Marks& isFar) {
+  std::optional<ClosestPointTree> treeOfMesh;
+  if (removeFarCovers(original_, mesh, nearEnough(), coverOfOriginal_))
+    findCovers(original_, treeOfMesh.emplace(mesh), nearEnough(), coverOfOriginal_);
   originalSamples_ = uncoveredSamples();
+  if (originalSamples_.empty()) return;
+  if (!treeOfMesh) treeOfMesh.emplace(mesh);
   std::vector<uint32_t> farOf(originalSamples_.size(), kNone);
   // Samples follow one another over a triangle, so that the surface point of one is a good guess for the
   // next.
   parallelFor(originalSamples_.size(), kSamplesPerRange, [&](size_t from, size_t to) {
     uint32_t near = kNone;
     for (size_t i = from; i < to; ++i) {
-      const ClosestPoint found = treeOfMesh.nearEnough(originalSamples_[i].position, nearEnough(), near);
+      const ClosestPoint found = treeOfMesh->nearEnough(originalSamples_[i].position, nearEnough(), near);
       near = found.triangle;
       if (found.distance <= allowed_)
         originalSamples_[i].near = found;
@@ -137,7 +163,8 @@ void DeviationGuard::coverOriginal(const ClosestPointTree& treeOfMesh, Marks& is
 }
 
 void DeviationGuard::coverMesh(const TriangleMesh& mesh, Marks& isFar) {
-  coverOfMesh_ = coversOf(mesh, tree_, nearEnough());
+  if (removeFarCovers(mesh, original_, nearEnough(), coverOfMesh_))
+    findCovers(mesh, tree_, nearEnough(), coverOfMesh_);
   firstNear_.assign(mesh.triangleCount(), kNone);
   uint32_t count = 0;
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {

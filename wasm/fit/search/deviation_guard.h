@@ -26,8 +26,8 @@ class DeviationGuard {
   DeviationGuard(const TriangleMesh& original, const ClosestPointTree& tree, double limit,
                  uint32_t samples = kGuardSamples);
 
-  // Takes the mesh that vertices are about to move from. Returns 1 for each triangle that is too far already,
-  // else 0. O(n log n).
+  // Takes the mesh that vertices are about to move from; it has as many triangles as that of the call before.
+  // Returns 1 for each triangle that is too far already, else 0. O(n log n).
   std::vector<uint8_t> begin(const TriangleMesh& mesh);
 
   // `moved`: the mesh of `begin` with other positions. Returns 1 for each triangle that is too far and was
@@ -44,7 +44,7 @@ class DeviationGuard {
   };
   using Marks = std::vector<uint8_t>;  // per triangle of the mesh
 
-  void coverOriginal(const ClosestPointTree& treeOfMesh, Marks& isFar);
+  void coverOriginal(const TriangleMesh& mesh, Marks& isFar);
   void coverMesh(const TriangleMesh& mesh, Marks& isFar);
   std::vector<OriginalSample> uncoveredSamples() const;
   std::vector<OriginalSample> unclearSamples(const TriangleMesh& moved, const Marks& isChanged) const;

@@ -11,6 +11,7 @@
 #include "fit/tuning.h"
 #include "mesh/eigen_vec3.h"
 #include "query/closest_point.h"
+#include "query/surface_walk.h"
 
 namespace limber {
 
@@ -19,6 +20,7 @@ namespace {
 namespace constants = tuning::surface;
 
 constexpr size_t kSamplesPerRange = 512;
+constexpr size_t kWalks = 32;  // at most, for each takes memory for every triangle
 
 // The point of the mesh that is closest to a sample; its triangle is kNone where the face there looks the
 // other way.
@@ -26,25 +28,45 @@ struct Contact : SurfacePoint {
   double distance = 0;  // along the sample's normal, from the mesh to the sample
 };
 
-// `closestTriangles`: where the searches start, kNone for where the sample before was found; afterwards what
-// they have found.
-std::vector<Contact> findContacts(const TriangleMesh& mesh, const FitSamples& samples,
-                                  std::vector<uint32_t>& closestTriangles) {
-  const ClosestPointTree tree(mesh);
+// Calls `search(point, triangle found before, kNone for the first of a range)` for every sample, and turns
+// what it finds into contacts. One searcher, which `makeSearch()` makes, serves a range of samples.
+template <class MakeSearch>
+std::vector<Contact> searchContacts(const TriangleMesh& mesh, const FitSamples& samples, size_t grain,
+                                    std::vector<uint32_t>& closestTriangles, const MakeSearch& makeSearch) {
   std::vector<Contact> contacts(samples.surface.size());
-  closestTriangles.resize(contacts.size(), kNone);
-  parallelFor(contacts.size(), kSamplesPerRange, [&](size_t begin, size_t end) {
+  parallelFor(contacts.size(), grain, [&](size_t begin, size_t end) {
+    auto search = makeSearch();
+    uint32_t before = kNone;
     for (size_t i = begin; i < end; ++i) {
       const auto& [point, normal, area] = samples.surface[i];
-      const bool isKnown = closestTriangles[i] != kNone;
-      const uint32_t near = isKnown || i == begin ? closestTriangles[i] : closestTriangles[i - 1];
-      const ClosestPoint closest = tree.closest(point, near);
-      closestTriangles[i] = closest.triangle;
+      const ClosestPoint closest = search(point, closestTriangles[i] != kNone ? closestTriangles[i] : before);
+      before = closestTriangles[i] = closest.triangle;
       if (dot(normalized(areaNormal(mesh, closest.triangle)), normal) < constants::kLeastCosine) continue;
       contacts[i] = {closest, dot(point - closest.position, normal)};
     }
   });
   return contacts;
+}
+
+// Finds the closest points on the whole mesh, and their triangles.
+std::vector<Contact> findContacts(const TriangleMesh& mesh, const FitSamples& samples,
+                                  std::vector<uint32_t>& closestTriangles) {
+  const ClosestPointTree tree(mesh);
+  closestTriangles.assign(samples.surface.size(), kNone);
+  return searchContacts(mesh, samples, kSamplesPerRange, closestTriangles, [&] {
+    return [&](const Vec3& point, uint32_t near) { return tree.closest(point, near); };
+  });
+}
+
+// Follows the closest points from the triangles where they were before the mesh was moved, along its surface.
+std::vector<Contact> followContacts(const TriangleMesh& mesh, const Topology& topology,
+                                    const FitSamples& samples, std::vector<uint32_t>& closestTriangles) {
+  const size_t grain = std::max(kSamplesPerRange, samples.surface.size() / kWalks + 1);
+  return searchContacts(mesh, samples, grain, closestTriangles, [&] {
+    return [walk = SurfaceWalk(mesh, topology)](const Vec3& point, uint32_t near) mutable {
+      return walk.closest(point, {&near, 1}, [](uint32_t, uint32_t) { return true; });
+    };
+  });
 }
 
 // The blocks of one row of the quadratic term: between one corner of a triangle and its corners 0, 1 and 2.
@@ -116,8 +138,10 @@ void measureDistance(const std::vector<Contact>& contacts, const FitSamples& sam
   distance.meanSquare = distance.area > 0 ? squares / distance.area : 0;
 }
 
-void addContacts(SurfaceFit& fit, ModelSums& sums) {
-  sums.contacts = findContacts(sums.mesh, sums.samples, fit.closestTriangles);
+void addContacts(SurfaceFit& fit, const Topology& topology, ModelSums& sums) {
+  sums.contacts = fit.closestTriangles.empty()
+                      ? findContacts(sums.mesh, sums.samples, fit.closestTriangles)
+                      : followContacts(sums.mesh, topology, sums.samples, fit.closestTriangles);
   measureDistance(sums.contacts, sums.samples, fit);
   sums.far = constants::kFarDistance * constants::kFarDistance * fit.meanSquare;
   for (size_t i = 0; i < sums.contacts.size(); ++i) {
@@ -257,7 +281,7 @@ SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const 
   SurfaceFit fit;
   fit.closestTriangles = options.startTriangles;
   ModelSums sums(mesh, samples);
-  addContacts(fit, sums);
+  addContacts(fit, topology, sums);
   const FeatureSegments features = featureSegments(mesh, topology, options.featureEdges);
   const double edge = std::sqrt(fit.area / std::max(1u, mesh.triangleCount()));
   addFeatures(features, constants::kBorderWeight * edge, sums);
