@@ -22,21 +22,26 @@ DeviationEstimate::DeviationEstimate(const CollapseMesh& mesh)
   witnesses_.assign(mesh.vertexCount(), {none, none, none});
 }
 
-double DeviationEstimate::distanceFromChanged(const Vec3& p) const {
+// The distance of a point from the changed triangles, or any one of at most `enough` where it is no more.
+double DeviationEstimate::distanceFromChanged(const Vec3& p, double enough) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& [q, r] : changed_)
+  const double squaredEnough = enough > 0 ? enough * enough : 0;
+  for (const auto& [q, r] : changed_) {
     least = std::min(least, squaredLength(p - closestPosition(p, last_.target, q, r)));
+    if (least <= squaredEnough) break;
+  }
   return std::sqrt(least);
 }
 
-// Of the target.
-double DeviationEstimate::distanceFromStars(const Collapse& step) const {
+// The distance of the target from the triangles before, or any one of at most `enough` where it is no more.
+double DeviationEstimate::distanceFromStars(const Collapse& step, double enough) const {
   double least = std::numeric_limits<double>::infinity();
   for (const uint32_t v : {step.kept, step.removed})
     for (const Corner corner : mesh_.star(v)) {
       const auto& [a, b, c] = mesh_.face(corner.triangle()).vertices;
       const Vec3 near = closestPosition(step.target, mesh_.position(a), mesh_.position(b), mesh_.position(c));
       least = std::min(least, squaredLength(step.target - near));
+      if (least <= enough * enough) return enough;
     }
   return std::isfinite(least) ? std::sqrt(least) : 0;
 }
@@ -50,10 +55,13 @@ void DeviationEstimate::take(const Witness& witness) {
 
 void DeviationEstimate::gather(uint32_t end) {
   const Vec3& position = mesh_.position(end);
-  const double move = distanceFromChanged(position);
+  const double move = distanceFromChanged(position, 0);
   for (const Witness& witness : witnesses_[end]) {
     if (witness.bound < 0) break;
-    const double distance = distanceFromChanged(positionOf(witness.position));
+    // No witness is taken with a bound of at most that of the last one kept.
+    const double least = kept_.back().bound;
+    if (witness.bound + move <= least) continue;
+    const double distance = distanceFromChanged(positionOf(witness.position), least);
     take({witness.position, static_cast<float>(std::min(witness.bound + move, distance))});
   }
   if (!isMoved_[end])
@@ -70,7 +78,8 @@ double DeviationEstimate::of(const Collapse& step) {
   if (changed_.empty()) return estimate_;
   gather(step.kept);
   gather(step.removed);
-  estimate_ = std::max(distanceFromStars(step), std::max(0.0, static_cast<double>(kept_[0].bound)));
+  const double ofWitnesses = std::max(0.0, static_cast<double>(kept_[0].bound));
+  estimate_ = std::max(distanceFromStars(step, ofWitnesses), ofWitnesses);
   return estimate_;
 }
 

@@ -39,8 +39,8 @@ class DeviationEstimate {
 
   void gather(uint32_t end);
   void take(const Witness& witness);
-  double distanceFromChanged(const Vec3& p) const;
-  double distanceFromStars(const Collapse& step) const;
+  double distanceFromChanged(const Vec3& p, double enough) const;
+  double distanceFromStars(const Collapse& step, double enough) const;
 
   const CollapseMesh& mesh_;
   std::vector<Witnesses> witnesses_;  // per vertex
