@@ -12,7 +12,7 @@ namespace limber {
 namespace {
 
 FlatRegions regionsOf(const TriangleMesh& mesh) {
-  return {mesh, mesh, buildTopology(mesh)};
+  return {mesh, ClosestPointTree(mesh), mesh, buildTopology(mesh)};
 }
 
 // What is left of a displacement of vertex v alone.
@@ -94,7 +94,7 @@ TEST(FlatRegions, doNotAffectFlatResultsOfCurvedOriginals) {
   const TriangleMesh mesh = shapes::grid(6, 6);
   TriangleMesh original = shapes::grid(24, 24);
   for (Vec3& p : original.positions) p.z = 0.05 * std::sin(5 * p.x + 2 * p.y);
-  EXPECT_TRUE(isFree({original, mesh, buildTopology(mesh)}, mesh));
+  EXPECT_TRUE(isFree({original, ClosestPointTree(original), mesh, buildTopology(mesh)}, mesh));
   EXPECT_FALSE(isFree(regionsOf(mesh), mesh));
 }
 

@@ -33,22 +33,30 @@ std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPoin
   return out;
 }
 
-// The largest distance of the points to a surface, or `atLeast` where that is larger.
-double largestDistance(const std::vector<Vec3>& points, const ClosestPointTree& tree, double atLeast,
-                       Job& job) {
+// The largest distance of the points to a surface, or `atLeast` where that is larger. `find(point, enough,
+// near)` finds what is nearest to a point, or anything that is at most `enough` away.
+template <class Find>
+double largestDistance(const std::vector<Vec3>& points, const Find& find, double atLeast, Job& job) {
   std::vector<double> largest((points.size() + kGrain - 1) / kGrain, atLeast);
   parallelFor(points.size(), kGrain, [&](size_t begin, size_t end) {
     job.check();
     double& found = largest[begin / kGrain];
     uint32_t near = kNone;
     for (size_t i = begin; i < end; ++i) {
-      const ClosestPoint closest = tree.nearEnough(points[i], found, near);
+      const ClosestPoint closest = find(points[i], found, near);
       found = std::max(found, closest.distance);
       near = closest.triangle;
     }
   });
   return std::accumulate(largest.begin(), largest.end(), atLeast,
                          [](double a, double b) { return std::max(a, b); });
+}
+
+auto pointsOf(const ClosestPointTree& tree) {
+  return [&](const Vec3& p, double enough, uint32_t near) { return tree.nearEnough(p, enough, near); };
+}
+auto cornersOf(const ClosestPointTree& tree) {
+  return [&](const Vec3& p, double enough, uint32_t near) { return tree.nearestCorner(p, enough, near); };
 }
 
 double largest(const std::vector<double>& values) {
@@ -87,14 +95,6 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
-// Every vertex as a triangle with three equal corners, so that the tree finds nearest vertices.
-TriangleMesh asPoints(const TriangleMesh& mesh) {
-  TriangleMesh points;
-  points.positions = mesh.positions;
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) points.triangles.push_back({v, v, v});
-  return points;
-}
-
 uint32_t sampleCount(const TriangleMesh& a, const TriangleMesh& b, uint32_t wanted) {
   if (wanted > 0) return wanted;
   const uint64_t proportional = kSamplesPerTriangle * std::max(a.triangleCount(), b.triangleCount());
@@ -108,7 +108,7 @@ struct OneSided {
 
 OneSided measureFrom(const TriangleMesh& from, const ClosestPointTree& to, uint32_t samples, Job& job) {
   const auto sampled = distances(sampleSurface(from, samples).positions, to, job);
-  return {largestDistance(from.positions, to, largest(sampled), job), mean(sampled)};
+  return {largestDistance(from.positions, pointsOf(to), largest(sampled), job), mean(sampled)};
 }
 
 }  // namespace
@@ -124,13 +124,12 @@ SurfaceDistance measureSurfaceDistance(const TriangleMesh& a, const TriangleMesh
   job.report(0.4);
   const OneSided fromB = measureFrom(b, trees.ofA(), samples, job);
   job.report(0.7);
-  const TriangleMesh pointsA = asPoints(a), pointsB = asPoints(b);
-  const TwoTrees pointTrees(pointsA, pointsB);
   SurfaceDistance distance;
   distance.hausdorff = std::max(fromA.hausdorff, fromB.hausdorff);
   distance.mean = (fromA.mean + fromB.mean) / 2;
-  distance.vertexHausdorff = largestDistance(a.positions, pointTrees.ofB(), 0, job);
-  distance.vertexHausdorff = largestDistance(b.positions, pointTrees.ofA(), distance.vertexHausdorff, job);
+  distance.vertexHausdorff = largestDistance(a.positions, cornersOf(trees.ofB()), 0, job);
+  distance.vertexHausdorff =
+      largestDistance(b.positions, cornersOf(trees.ofA()), distance.vertexHausdorff, job);
   job.report(1);
   return distance;
 }
@@ -143,8 +142,8 @@ double measureHausdorff(const TriangleMesh& a, const TriangleMesh& b, const Surf
   const TwoTrees trees(a, b);
   double largest = 0;
   const auto measure = [&](const TriangleMesh& from, const ClosestPointTree& to) {
-    largest = largestDistance(from.positions, to, largest, job);
-    largest = largestDistance(sampleSurface(from, samples).positions, to, largest, job);
+    largest = largestDistance(from.positions, pointsOf(to), largest, job);
+    largest = largestDistance(sampleSurface(from, samples).positions, pointsOf(to), largest, job);
   };
   measure(a, trees.ofB());
   job.report(0.5);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "elastic/displacement.h"
 #include "elastic/laplacian.h"
 #include "elastic/pinned_patch.h"
@@ -47,11 +48,13 @@ PartModes gather(const Part& part, const EigenSolution& solution, const Displace
   modes.factorNonzeros = solution.factorNonzeros;
   modes.basis.lambda = solution.basis.lambda;
   modes.basis.phi.resize(3 * static_cast<Eigen::Index>(part.mesh.vertexCount()), solution.basis.modeCount());
-  for (Eigen::Index k = 0; k < solution.basis.modeCount(); ++k) {
-    for (uint32_t v = 0; v < part.mesh.vertexCount(); ++v)
-      modes.basis.phi.col(k).segment<3>(3 * static_cast<Eigen::Index>(v)) = eigen(displacement(v, k));
-    normaliseShape(modes.basis.phi.col(k));
-  }
+  parallelFor(static_cast<size_t>(solution.basis.modeCount()), 1, [&](size_t begin, size_t end) {
+    for (auto k = static_cast<Eigen::Index>(begin); k < static_cast<Eigen::Index>(end); ++k) {
+      for (uint32_t v = 0; v < part.mesh.vertexCount(); ++v)
+        modes.basis.phi.col(k).segment<3>(3 * static_cast<Eigen::Index>(v)) = eigen(displacement(v, k));
+      normaliseShape(modes.basis.phi.col(k));
+    }
+  });
   return modes;
 }
 

@@ -33,21 +33,26 @@ double liftOf(const Vec3& start, const Vec3& end, const Vec3& left, const Vec3& 
 class Flipping {
  public:
   Flipping(TriangleMesh& mesh, const FlipLimits& limits, std::vector<uint32_t>& corners)
-      : mesh_(mesh), limits_(limits), corners_(corners) {}
+      : mesh_(mesh), limits_(limits), corners_(corners), isOpen_(mesh.triangleCount(), 1) {}
 
   uint32_t pass() {
-    topology_ = buildTopology(mesh_);
+    topology_ = buildIncidence(mesh_);
+    wasOpen_.assign(mesh_.triangleCount(), 0);
+    wasOpen_.swap(isOpen_);
     triangleChanged_.assign(mesh_.triangleCount(), 0);
     vertexChanged_.assign(mesh_.vertexCount(), 0);
     uint32_t flips = 0;
-    for (const Topology::Edge& edge : topology_.edges) flips += tryFlip(edge);
+    for (const Topology::Edge& edge : topology_.edges)
+      if (std::ranges::any_of(topology_.trianglesAt(edge), [&](uint32_t t) { return wasOpen_[t]; }))
+        flips += tryFlip(edge);
     return flips;
   }
 
  private:
   uint32_t tryFlip(const Topology::Edge& edge);
-  std::optional<EdgeQuad> wantedQuad(const Topology::Edge& edge) const;
-  std::optional<EdgeQuad> imageOf(const EdgeQuad& quad) const;
+  std::optional<EdgeQuad> wantedQuad(const Topology::Edge& edge);
+  std::optional<EdgeQuad> imageOf(const EdgeQuad& quad);
+  void leaveOpen(const EdgeQuad& quad) { isOpen_[quad.first] = isOpen_[quad.second] = 1; }
   bool exists(uint32_t a, uint32_t b) const;
   void flip(const EdgeQuad& quad);
 
@@ -56,6 +61,9 @@ class Flipping {
   std::vector<uint32_t>& corners_;
   Topology topology_;
   std::vector<uint8_t> triangleChanged_, vertexChanged_;  // in this pass
+  // Per triangle whether the next pass has to look at its edges: it has changed, or something that may change
+  // kept an edge of it from being flipped; and what the pass before has found.
+  std::vector<uint8_t> isOpen_, wasOpen_;
 };
 
 bool Flipping::exists(uint32_t a, uint32_t b) const {
@@ -64,14 +72,21 @@ bool Flipping::exists(uint32_t a, uint32_t b) const {
 }
 
 // The two triangles of an edge that ought to be flipped and can be.
-std::optional<EdgeQuad> Flipping::wantedQuad(const Topology::Edge& edge) const {
+std::optional<EdgeQuad> Flipping::wantedQuad(const Topology::Edge& edge) {
   if (std::ranges::binary_search(limits_.fixed, std::array{edge.a, edge.b})) return std::nullopt;
   const std::optional<EdgeQuad> quad = quadAt(mesh_, topology_, edge);
-  if (!quad || triangleChanged_[quad->first] || triangleChanged_[quad->second]) return std::nullopt;
+  if (!quad) return std::nullopt;
   const auto [first, second, firstTip, secondTip, left, start, end, right] = *quad;
-  if (vertexChanged_[left] || vertexChanged_[right]) return std::nullopt;
+  if (triangleChanged_[first] || triangleChanged_[second] || vertexChanged_[left] || vertexChanged_[right]) {
+    leaveOpen(*quad);
+    return std::nullopt;
+  }
   const auto& at = mesh_.positions;
-  if (isDelaunay(at[start], at[end], at[left], at[right]) || exists(left, right)) return std::nullopt;
+  if (isDelaunay(at[start], at[end], at[left], at[right])) return std::nullopt;
+  if (exists(left, right)) {
+    leaveOpen(*quad);
+    return std::nullopt;
+  }
   const auto normal = [&](uint32_t a, uint32_t b, uint32_t e) {
     return normalized(cross(at[b] - at[a], at[e] - at[a]));
   };
@@ -87,7 +102,7 @@ std::optional<EdgeQuad> Flipping::wantedQuad(const Topology::Edge& edge) const {
 }
 
 // The two triangles of the mirror image of an edge, where both can be flipped together.
-std::optional<EdgeQuad> Flipping::imageOf(const EdgeQuad& quad) const {
+std::optional<EdgeQuad> Flipping::imageOf(const EdgeQuad& quad) {
   const Topology::Edge* edge =
       edgeBetween(topology_, limits_.partners[quad.start], limits_.partners[quad.end]);
   const std::optional<EdgeQuad> image = edge ? wantedQuad(*edge) : std::nullopt;
@@ -101,10 +116,14 @@ std::optional<EdgeQuad> Flipping::imageOf(const EdgeQuad& quad) const {
 uint32_t Flipping::tryFlip(const Topology::Edge& edge) {
   const std::optional<EdgeQuad> quad = wantedQuad(edge);
   if (!quad) return 0;
+  leaveOpen(*quad);
   const std::optional<EdgeQuad> image = limits_.partners.empty() ? std::nullopt : imageOf(*quad);
   if (!limits_.partners.empty() && !image) return 0;
   flip(*quad);
-  if (image) flip(*image);
+  if (image) {
+    leaveOpen(*image);
+    flip(*image);
+  }
   return image ? 2 : 1;
 }
 

@@ -123,7 +123,6 @@ FitPart PartFinder::take(uint32_t component) {
   part.fixedEdges = std::move(fixedEdges_[component]);
   for (const uint32_t v : results_.parts[component].vertices) part.locked.push_back(locked_[v]);
   takeMeshes(component, part);
-  part.flatRegions = FlatRegions(part.original, part.result, buildTopology(part.result));
   return part;
 }
 

@@ -27,7 +27,7 @@ struct FitPart {
   PinnedVertices pinnedOriginal, pinnedResult;
   EdgeList originalFeatureEdges, featureEdges;  // seams that stay in place, of `original` and of `result`
   EdgeList fixedEdges;                          // edges of `result` that are not flipped
-  FlatRegions flatRegions;                      // of `result`
+  FlatRegions flatRegions;                      // of `result`; none at first
   UnitFrame frame;
   bool isLarge = false;              // whether `result` has more than FitConstraints::largeVertices
   std::optional<MeshMirror> mirror;  // of `result`, where it is its own mirror image

@@ -11,6 +11,7 @@
 #include "fit/part_limits.h"
 #include "fit/part_writer.h"
 #include "fit/search/modal_search.h"
+#include "fit/surface/original_surface.h"
 #include "fit/surface_rounds.h"
 
 namespace limber {
@@ -27,16 +28,13 @@ struct FitContext {
   Job& job;
 };
 
-// The surface of a part's original, as it is fitted to.
-struct OriginalSurface {
-  OriginalSurface(const FitPart& part, uint32_t samplesPerTriangle)
-      : tree(part.original),
-        samples(sampleForFit(part.original, samplesPerTriangle * part.result.triangleCount(),
-                             part.originalFeatureEdges)) {}
+OriginalSurface surfaceOf(const FitPart& part, uint32_t samplesPerTriangle) {
+  return {part.original, samplesPerTriangle * part.result.triangleCount(), part.originalFeatureEdges};
+}
 
-  ClosestPointTree tree;
-  FitSamples samples;
-};
+void findFlatRegions(FitPart& part, const OriginalSurface& surface) {
+  part.flatRegions = FlatRegions(part.original, surface.tree, part.result, buildIncidence(part.result));
+}
 
 // The largest root mean square distance that a search may use.
 double budgetOf(const FitPart& part, const FitSamples& samples) {
@@ -77,7 +75,8 @@ void fitLarge(FitPart& part, const FitContext& context, ModalFitResult& fitted) 
     ++fitted.tooLarge;
     return;
   }
-  const OriginalSurface surface(part, tuning::surface::kLargeSamplesPerTriangle);
+  const OriginalSurface surface = surfaceOf(part, tuning::surface::kLargeSamplesPerTriangle);
+  findFlatRegions(part, surface);
   const PartLimits partLimits(part, surface.tree, {context.options.maxDeviation, context.options.minAngle});
   const SearchLimits limits{
       .budget = budgetOf(part, surface.samples), .steps = partLimits.steps, .effort = tuning::kLargeSearch};
@@ -98,7 +97,8 @@ SearchLimits limitsOf(const FitPart& part, const FitSamples& samples, const Step
 }
 
 void fitPart(FitPart& part, const FitContext& context, ModalFitResult& fitted) {
-  const OriginalSurface surface(part, tuning::surface::kSamplesPerTriangle);
+  const OriginalSurface surface = surfaceOf(part, tuning::surface::kSamplesPerTriangle);
+  findFlatRegions(part, surface);
   const PartLimits partLimits(part, surface.tree, {context.options.maxDeviation, context.options.minAngle});
   const SearchLimits limits = limitsOf(part, surface.samples, partLimits.steps);
   FitPart unprepared = part;

@@ -12,6 +12,7 @@
 #include "fit/search/distance_bounds.h"
 #include "fit/shape_rounds.h"
 #include "fit/surface/border_corners.h"
+#include "fit/surface/original_surface.h"
 #include "fit/tuning.h"
 #include "modes/vertex_limits.h"
 
@@ -63,18 +64,18 @@ FlipLimits flipLimits(const FitPart& part, const StepLimits& steps, double start
 
 void fitPart(FitPart& part, const ShapeContext& context, ShapeFitResult& fitted) {
   const double maxDeviation = context.options.maxDeviation;
-  const Topology topology = buildTopology(part.result);
+  const Topology topology = buildIncidence(part.result);
   lockCorners(part, topology);
   const uint32_t perTriangle =
       part.isLarge ? tuning::surface::kLargeSamplesPerTriangle : tuning::surface::kSamplesPerTriangle;
-  const FitSamples samples =
-      sampleForFit(part.original, perTriangle * part.result.triangleCount(), part.originalFeatureEdges);
-  const ClosestPointTree treeOfOriginal(part.original);
-  const DistanceBounds bounds(treeOfOriginal, part.result, topology);
-  const PartLimits limits(part, treeOfOriginal, {maxDeviation, context.options.minAngle, context.samples});
+  const OriginalSurface surface(part.original, perTriangle * part.result.triangleCount(),
+                                part.originalFeatureEdges);
+  part.flatRegions = FlatRegions(part.original, surface.tree, part.result, topology);
+  const DistanceBounds bounds(surface.tree, part.result, topology);
+  const PartLimits limits(part, surface.tree, {maxDeviation, context.options.minAngle, context.samples});
   StepLimits steps = limits.steps;
   steps.distanceBounds = &bounds;
-  ShapeRounds rounds(part, samples, steps, context.job);
+  ShapeRounds rounds(part, surface, steps, context.job);
   FlipLimits flips = flipLimits(part, steps, rounds.startDistance());
   if (steps.deviation)
     flips.mostLift = std::min(flips.mostLift, constants::kMostLift * maxDeviation / part.frame.diagonal);

@@ -10,15 +10,11 @@
 
 namespace limber {
 
-ShapeRounds::ShapeRounds(FitPart& part, const FitSamples& samples, const StepLimits& limits, Job& job)
-    : part_(part),
-      samples_(samples),
-      limits_(limits),
-      job_(job),
-      wanted_(measureSizes(part.original, buildTopology(part.original)).values) {
-  const Topology topology = buildTopology(part.result);
-  if (wanted_[1] == 0) areaRange_ = std::abs(measureSizes(part.result, topology).values[0] - wanted_[0]);
-  SampleDistance start = sampleDistance(part.result, samples);
+ShapeRounds::ShapeRounds(FitPart& part, const OriginalSurface& original, const StepLimits& limits, Job& job)
+    : part_(part), samples_(original.samples), limits_(limits), job_(job), wanted_(original.sizes) {
+  if (wanted_[1] == 0)
+    areaRange_ = std::abs(measureSizes(part.result, buildIncidence(part.result)).values[0] - wanted_[0]);
+  SampleDistance start = sampleDistance(part.result, samples_);
   startDistance_ = std::sqrt(start.meanSquare);
   closestTriangles_ = std::move(start.closestTriangles);
 }
@@ -32,7 +28,7 @@ void ShapeRounds::move() {
 
 Eigen::VectorXd ShapeRounds::nextStep() {
   const TriangleMesh& mesh = part_.result;
-  const Topology topology = buildTopology(mesh);
+  const Topology topology = buildIncidence(mesh);
   SurfaceFit fit = fitSurface(mesh, topology, samples_,
                               {.evenness = tuning::surface_rounds::kEvenness,
                                .normalWeight = NormalWeight::Angle,

@@ -8,7 +8,7 @@
 #include "fit/fit_part.h"
 #include "fit/search/fit_solver.h"
 #include "fit/search/guarded_step.h"
-#include "fit/surface/fit_samples.h"
+#include "fit/surface/original_surface.h"
 #include "fit/surface/sheet_sizes.h"
 #include "fit/surface/surface_fit.h"
 
@@ -28,7 +28,7 @@ namespace limber {
 class ShapeRounds {
  public:
   // Keeps references to all arguments but `limits`. part.result is what rounds begin with.
-  ShapeRounds(FitPart& part, const FitSamples& samples, const StepLimits& limits, Job& job);
+  ShapeRounds(FitPart& part, const OriginalSurface& original, const StepLimits& limits, Job& job);
 
   // One round: part.result gets other positions; its triangles may have changed since the last round. Throws
   // Cancelled.

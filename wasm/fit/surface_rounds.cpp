@@ -19,7 +19,7 @@ uint32_t runSurfaceRounds(FitPart& part, const SurfaceRoundsInput& input, std::v
   std::vector<uint32_t> closestTriangles;
   for (int round = 0; round < constants::kRounds; ++round) {
     flips += flipToDelaunay(part.result, flipLimits, corners);
-    SurfaceFit fit = fitSurface(part.result, buildTopology(part.result), input.samples,
+    SurfaceFit fit = fitSurface(part.result, buildIncidence(part.result), input.samples,
                                 {.evenness = constants::kEvenness,
                                  .featureEdges = &part.featureEdges,
                                  .startTriangles = std::move(closestTriangles)});

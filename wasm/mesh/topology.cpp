@@ -4,9 +4,12 @@
 #include <numeric>
 
 #include "base/disjoint_sets.h"
+#include "base/parallel.h"
 
 namespace limber {
 namespace {
+
+constexpr size_t kVerticesPerRange = 8192;
 
 void collectCorners(const TriangleMesh& mesh, Topology& topology) {
   auto& start = topology.vertexStart;
@@ -61,36 +64,72 @@ void sortUses(EdgeUse* begin, EdgeUse* end) {
   }
 }
 
-void addEdge(uint32_t v, std::span<const EdgeUse> uses, uint32_t firstUse, Topology& topology) {
-  const auto edge = static_cast<uint32_t>(topology.edges.size());
-  topology.edges.push_back({v, otherVertex(uses[0]), firstUse, static_cast<uint32_t>(uses.size())});
-  topology.clashes.push_back(uses.size() == 2 && ((uses[0] ^ uses[1]) & 1) == 0);
-  for (const EdgeUse use : uses) {
-    const Corner corner = oppositeCorner(use);
-    topology.edgeTriangles[firstUse++] = corner.triangle();
-    topology.edgeOfCorner[corner.flatIndex()] = edge;
+// The edges whose smaller vertices are in one range, with their uses one after the other.
+struct EdgeRange {
+  std::vector<Topology::Edge> edges;  // `firstUse` counts within the range
+  std::vector<uint8_t> clashes;
+  std::vector<Corner> uses;  // the corners opposite to the edges
+};
+
+void addEdge(uint32_t v, std::span<const EdgeUse> uses, EdgeRange& range) {
+  const auto firstUse = static_cast<uint32_t>(range.uses.size());
+  range.edges.push_back({v, otherVertex(uses[0]), firstUse, static_cast<uint32_t>(uses.size())});
+  range.clashes.push_back(uses.size() == 2 && ((uses[0] ^ uses[1]) & 1) == 0);
+  for (const EdgeUse use : uses) range.uses.push_back(oppositeCorner(use));
+}
+
+EdgeRange edgesOf(const TriangleMesh& mesh, const Topology& topology, uint32_t begin, uint32_t end) {
+  EdgeRange range;
+  const size_t corners = topology.vertexStart[end] - topology.vertexStart[begin];
+  range.uses.reserve(corners);
+  range.edges.reserve(corners / 2);
+  range.clashes.reserve(corners / 2);
+  std::vector<EdgeUse> uses;
+  for (uint32_t v = begin; v < end; ++v) {
+    uses.resize(std::max(uses.size(), 2 * topology.cornersAt(v).size() + 1));
+    EdgeUse* const last = collectUses(mesh, topology, v, uses.data());
+    sortUses(uses.data(), last);
+    for (EdgeUse *first = uses.data(), *next; first != last; first = next) {
+      next = first + 1;
+      while (next != last && otherVertex(*next) == otherVertex(*first)) ++next;
+      addEdge(v, {first, next}, range);
+    }
+  }
+  return range;
+}
+
+// Copies a range to where it belongs: its first edge is number `edge`, its first use number `use`.
+void placeEdges(const EdgeRange& range, uint32_t edge, uint32_t use, Topology& topology) {
+  std::ranges::copy(range.clashes, topology.clashes.begin() + edge);
+  for (const Topology::Edge& own : range.edges) {
+    topology.edges[edge] = {own.a, own.b, use + own.firstUse, own.useCount};
+    for (uint32_t i = own.firstUse; i < own.firstUse + own.useCount; ++i) {
+      topology.edgeTriangles[use + i] = range.uses[i].triangle();
+      topology.edgeOfCorner[range.uses[i].flatIndex()] = edge;
+    }
+    ++edge;
   }
 }
 
 void collectEdges(const TriangleMesh& mesh, Topology& topology) {
-  const size_t expected = size_t{mesh.vertexCount()} + mesh.triangleCount();  // the number of edges of a disc
-  topology.edges.reserve(expected);
-  topology.clashes.reserve(expected);
+  std::vector<EdgeRange> ranges((mesh.vertexCount() + kVerticesPerRange - 1) / kVerticesPerRange);
+  parallelFor(mesh.vertexCount(), kVerticesPerRange, [&](size_t begin, size_t end) {
+    ranges[begin / kVerticesPerRange] =
+        edgesOf(mesh, topology, static_cast<uint32_t>(begin), static_cast<uint32_t>(end));
+  });
+  std::vector<uint32_t> firstEdge{0}, firstUse{0};
+  for (const EdgeRange& range : ranges) {
+    firstEdge.push_back(firstEdge.back() + static_cast<uint32_t>(range.edges.size()));
+    firstUse.push_back(firstUse.back() + static_cast<uint32_t>(range.uses.size()));
+  }
+  topology.edges.resize(firstEdge.back());
+  topology.clashes.resize(firstEdge.back());
   topology.edgeTriangles.resize(3 * size_t{mesh.triangleCount()});
   topology.edgeOfCorner.resize(3 * size_t{mesh.triangleCount()});
-  uint32_t useCount = 0;
-  std::vector<EdgeUse> uses;
-  for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    uses.resize(std::max(uses.size(), 2 * topology.cornersAt(v).size() + 1));
-    EdgeUse* const end = collectUses(mesh, topology, v, uses.data());
-    sortUses(uses.data(), end);
-    for (EdgeUse *first = uses.data(), *next; first != end; first = next) {
-      next = first + 1;
-      while (next != end && otherVertex(*next) == otherVertex(*first)) ++next;
-      addEdge(v, {first, next}, useCount, topology);
-      useCount += static_cast<uint32_t>(next - first);
-    }
-  }
+  parallelFor(ranges.size(), 1, [&](size_t i, size_t) {
+    placeEdges(ranges[i], firstEdge[i], firstUse[i], topology);
+    ranges[i] = {};
+  });
 }
 
 void numberComponents(const TriangleMesh& mesh, Topology& topology) {

@@ -153,6 +153,26 @@ ClosestPoint ClosestPointTree::nearEnough(const Vec3& point, double enough, uint
   return search(point, start, [](uint32_t) { return true; }, enough);
 }
 
+ClosestPoint ClosestPointTree::nearestCorner(const Vec3& point, double enough, uint32_t near) const {
+  const double squaredEnough = enough >= 0 ? enough * enough : -1;
+  ClosestPoint best = ClosestPoint::within(HUGE_VAL);
+  double bestSquared = HUGE_VAL;
+  const auto take = [&](uint32_t t) {
+    for (int c = 0; c < 3; ++c) {
+      const double squared = squaredLength(point - mesh_.corner(t, c));
+      if (squared >= bestSquared) continue;
+      bestSquared = squared;
+      best.triangle = t;
+      best.position = mesh_.corner(t, c);
+      for (int b = 0; b < 3; ++b) best.barycentric[b] = b == c;
+    }
+    return bestSquared <= squaredEnough ? -1 : bestSquared;
+  };
+  if (near == kNone || take(near) >= 0) tree_.forEachWithin(point, bestSquared, take);
+  best.distance = std::sqrt(bestSquared);
+  return best;
+}
+
 ClosestPoint ClosestPointTree::closestFacing(const Vec3& point, const Vec3& normal, uint32_t near) const {
   const auto looksThatWay = [&](uint32_t t) {
     return dot(normalized(areaNormal(mesh_, t)), normal) >= kSameWay;

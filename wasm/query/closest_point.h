@@ -42,6 +42,9 @@ class ClosestPointTree {
   // The closest point where the surface is farther away than `enough`; else any point of it that is not,
   // which is found in a fraction of the time. `near` as above.
   ClosestPoint nearEnough(const Vec3& point, double enough, uint32_t near = kNone) const;
+  // The nearest corner of a triangle where all corners are farther away than `enough`; else any corner that
+  // is not. `near` as above.
+  ClosestPoint nearestCorner(const Vec3& point, double enough, uint32_t near = kNone) const;
   // The closest point on a triangle whose normal is within 75 degrees of `normal`, if that point is at most 1
   // % of the diagonal of the triangles farther away than the closest point of the whole surface; else the
   // latter. Tells apart sheets that lie close together or on one another. A zero normal admits every

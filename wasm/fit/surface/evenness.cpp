@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "fit/tuning.h"
 #include "mesh/corner.h"
 #include "mesh/eigen_vec3.h"
-#include "mesh/vertex_areas.h"
 
 namespace limber {
 
 namespace {
+
+constexpr size_t kPerRange = 2048;
 
 void addSegments(const TriangleMesh& mesh, const FeatureSegments& features, Neighbourhoods& around,
                  std::vector<double>& weight) {
@@ -36,33 +38,39 @@ double angleAt(const TriangleMesh& mesh, Corner corner) {
   return std::atan2(length(cross(p, q)), dot(p, q));
 }
 
-void addTriangles(const TriangleMesh& mesh, NormalWeight normalWeight, Neighbourhoods& around,
-                  std::vector<double>& weight) {
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-    const double area = triangleArea(mesh, t);
-    const Eigen::Vector3d normal = eigen(normalized(areaNormal(mesh, t)));
-    const Vec3 centre = triangleCentre(mesh, t);
-    for (int c = 0; c < 3; ++c) {
-      const uint32_t v = mesh.triangles[t][static_cast<size_t>(c)];
-      if (around.isOnFeature[v]) continue;
-      const double share = normalWeight == NormalWeight::Area ? area : angleAt(mesh, Corner(t, c));
-      around.normals[v] += share * normal * normal.transpose();
-      around.middle[v] += area * centre;
-      weight[v] += area;
-    }
-  }
+// What the triangles around a vertex sum up to: they come in their order, on any number of threads.
+void addTriangles(const TriangleMesh& mesh, const Topology& topology, NormalWeight normalWeight,
+                  Neighbourhoods& around, std::vector<double>& weight) {
+  std::vector<Vec3> normals(mesh.triangleCount());
+  parallelFor(normals.size(), kPerRange, [&](size_t begin, size_t end) {
+    for (auto t = static_cast<uint32_t>(begin); t < end; ++t) normals[t] = areaNormal(mesh, t);
+  });
+  parallelFor(mesh.vertexCount(), kPerRange, [&](size_t begin, size_t end) {
+    for (auto v = static_cast<uint32_t>(begin); v < end; ++v)
+      for (const Corner corner : topology.cornersAt(v)) {
+        const uint32_t t = corner.triangle();
+        const double area = length(normals[t]) / 2;
+        around.area[v] += area / 3;
+        if (around.isOnFeature[v]) continue;
+        const Eigen::Vector3d normal = eigen(normalized(normals[t]));
+        const double share = normalWeight == NormalWeight::Area ? area : angleAt(mesh, corner);
+        around.normals[v] += share * normal * normal.transpose();
+        around.middle[v] += area * triangleCentre(mesh, t);
+        weight[v] += area;
+      }
+  });
 }
 
 }  // namespace
 
-Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const FeatureSegments& features,
-                                NormalWeight normalWeight) {
+Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const Topology& topology,
+                                const FeatureSegments& features, NormalWeight normalWeight) {
   const uint32_t n = mesh.vertexCount();
-  Neighbourhoods around{vertexAreas(mesh), std::vector<Eigen::Matrix3d>(n, Eigen::Matrix3d::Zero()),
+  Neighbourhoods around{std::vector<double>(n, 0), std::vector<Eigen::Matrix3d>(n, Eigen::Matrix3d::Zero()),
                         std::vector<Vec3>(n), std::vector<uint8_t>(n, 0)};
   std::vector<double> weight(n, 0);
   addSegments(mesh, features, around, weight);
-  addTriangles(mesh, normalWeight, around, weight);
+  addTriangles(mesh, topology, normalWeight, around, weight);
   for (uint32_t v = 0; v < n; ++v)
     around.middle[v] = weight[v] > 0 ? around.middle[v] / weight[v] : mesh.positions[v];
   return around;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fit/surface/feature_segments.h"
+#include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
 
 namespace limber {
@@ -22,8 +23,8 @@ struct Neighbourhoods {
 // for angles do not depend on how planes are cut into triangles.
 enum class NormalWeight : uint8_t { Area, Angle };
 
-Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const FeatureSegments& features,
-                                NormalWeight weight);
+Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const Topology& topology,
+                                const FeatureSegments& features, NormalWeight weight);
 
 // The directions along which a vertex may move without leaving the surface: the sum of s d d^T over the
 // eigenvectors d of the covariance of its normals but the last one, where s falls from 1 at an eigenvalue of

@@ -22,12 +22,13 @@ void sampleTriangle(const TriangleMesh& mesh, uint32_t t, uint32_t cuts,
 
 }  // namespace
 
-FitSamples sampleForFit(const TriangleMesh& original, uint32_t count, const EdgeList& featureEdges) {
+FitSamples sampleForFit(const TriangleMesh& original, const Topology& topology, uint32_t count,
+                        const EdgeList& featureEdges) {
   const double perTriangle = static_cast<double>(count) / std::max(1u, original.triangleCount());
   const auto cuts = static_cast<uint32_t>(std::max(1.0, std::ceil(std::sqrt(perTriangle))));
   FitSamples samples;
   for (uint32_t t = 0; t < original.triangleCount(); ++t) sampleTriangle(original, t, cuts, samples.surface);
-  const FeatureSegments features = featureSegments(original, buildTopology(original), &featureEdges);
+  const FeatureSegments features = featureSegments(original, topology, &featureEdges);
   for (const Triangle& segment : features.segments.triangles) {
     const Vec3 a = original.positions[segment[0]], edge = original.positions[segment[1]] - a;
     for (uint32_t i = 0; i < 2 * cuts; ++i)

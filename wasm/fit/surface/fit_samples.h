@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fit/surface/feature_segments.h"
+#include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
 
 namespace limber {
@@ -25,6 +26,7 @@ struct FitSamples {
 };
 
 // At least `count` points of the surface, the same number on each triangle that has area, evenly within it.
-FitSamples sampleForFit(const TriangleMesh& original, uint32_t count, const EdgeList& featureEdges);
+FitSamples sampleForFit(const TriangleMesh& original, const Topology& topology, uint32_t count,
+                        const EdgeList& featureEdges);
 
 }  // namespace limber

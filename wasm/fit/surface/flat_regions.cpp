@@ -1,11 +1,9 @@
 #include "fit/surface/flat_regions.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "mesh/eigen_vec3.h"
 #include "mesh/manifold.h"
-#include "query/closest_point.h"
 
 namespace limber {
 
@@ -34,24 +32,6 @@ bool isInPlane(uint32_t v, const Topology& topology, const Directions& normals, 
   return std::ranges::all_of(topology.trianglesAround(v),
                              [&](uint32_t t) { return isAlong(normals[t], plane); });
 }
-
-// Tells where a surface is parallel to a plane. The search tree is built when it is first needed.
-class Surface {
- public:
-  explicit Surface(const TriangleMesh& mesh) : mesh_(mesh) {}
-
-  // Whether the surface is parallel to the plane at its closest point to p among faces that look the same
-  // way.
-  bool isAlong(const Vec3& p, const Eigen::Vector3d& plane) {
-    if (!tree_) tree_.emplace(mesh_);
-    const ClosestPoint nearest = tree_->closestFacing(p, {plane.x(), plane.y(), plane.z()});
-    return limber::isAlong(unitNormal(mesh_, nearest.triangle), plane);
-  }
-
- private:
-  const TriangleMesh& mesh_;
-  std::optional<ClosestPointTree> tree_;
-};
 
 // The triangles that are connected to `first` through triangles for which belongs(triangle) holds, with
 // `first` itself. Marks them in `seen`.
@@ -88,8 +68,8 @@ void addAcross(const Eigen::Vector3d& normal, Eigen::Matrix3d& across) {
 
 }  // namespace
 
-FlatRegions::FlatRegions(const TriangleMesh& original, const TriangleMesh& mesh, const Topology& topology) {
-  Surface surface(original);
+FlatRegions::FlatRegions(const TriangleMesh& original, const ClosestPointTree& surface,
+                         const TriangleMesh& mesh, const Topology& topology) {
   Directions normals(mesh.triangleCount());
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) normals[t] = unitNormal(mesh, t);
   const std::vector<VertexKind> kinds = classifyVertices(mesh, topology);
@@ -97,8 +77,10 @@ FlatRegions::FlatRegions(const TriangleMesh& original, const TriangleMesh& mesh,
   std::vector<Eigen::Matrix3d> across(mesh.vertexCount(), Eigen::Matrix3d::Zero());
   Eigen::Vector3d plane;
   const auto belongs = [&](uint32_t t) {
-    const Vec3 middle = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
-    return isAlong(normals[t], plane) && surface.isAlong(middle, plane);
+    if (!isAlong(normals[t], plane)) return false;
+    const ClosestPoint nearest =
+        surface.closestFacing(triangleCentre(mesh, t), {plane.x(), plane.y(), plane.z()});
+    return isAlong(unitNormal(original, nearest.triangle), plane);
   };
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     if (kinds[v] != VertexKind::Interior) continue;

@@ -6,6 +6,7 @@
 #include "linear/block_matrix.h"
 #include "mesh/topology.h"
 #include "mesh/triangle_mesh.h"
+#include "query/closest_point.h"
 
 namespace limber {
 
@@ -17,7 +18,9 @@ namespace limber {
 class FlatRegions {
  public:
   FlatRegions() = default;  // no region
-  FlatRegions(const TriangleMesh& original, const TriangleMesh& mesh, const Topology& topology);
+  // `surface`: of the original.
+  FlatRegions(const TriangleMesh& original, const ClosestPointTree& surface, const TriangleMesh& mesh,
+              const Topology& topology);
 
   // Adds a large penalty on displacements out of the planes to a quadratic model whose nodes are the
   // vertices.

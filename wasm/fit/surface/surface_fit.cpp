@@ -285,7 +285,7 @@ SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const 
   const FeatureSegments features = featureSegments(mesh, topology, options.featureEdges);
   const double edge = std::sqrt(fit.area / std::max(1u, mesh.triangleCount()));
   addFeatures(features, constants::kBorderWeight * edge, sums);
-  const Neighbourhoods around = neighbourhoodsOf(mesh, features, options.normalWeight);
+  const Neighbourhoods around = neighbourhoodsOf(mesh, topology, features, options.normalWeight);
   if (options.evenness > 0) addEvenness(around, options.evenness, sums);
   fit.dampingDiagonal = dampingDiagonalOf(around.area);
   fit.hessian = assemble(topology, sums, TriangleModel(sums, options.keepsUnsampled));

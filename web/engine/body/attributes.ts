@@ -165,9 +165,12 @@ export function cornerInBody(body: Body, weld: WeldResult): (corner: number) => 
 
 /** Per triangle of the welded mesh: 1 where its second and third corner are swapped in comparison with the body. */
 function turnedTriangles(body: Body, { mesh, vertexOfSource, sourceOfTriangle }: WeldResult): Uint8Array {
-  return Uint8Array.from(sourceOfTriangle, (source, t) =>
-    vertexOfSource[body.indices[3 * source + 1]] === mesh.triangles[3 * t + 1] ? 0 : 1,
-  );
+  const isTurned = new Uint8Array(sourceOfTriangle.length);
+  for (let t = 0; t < isTurned.length; ++t) {
+    const second = body.indices[3 * sourceOfTriangle[t] + 1];
+    isTurned[t] = vertexOfSource[second] === mesh.triangles[3 * t + 1] ? 0 : 1;
+  }
+  return isTurned;
 }
 
 export function entriesOf(document: Document, body: Body, weld: WeldResult): Entries {
