@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/parallel.h"
 #include "elastic/mode_character.h"
 
 namespace limber {
@@ -14,15 +15,23 @@ void addPart(ModeSet& set, const Part& part, const PartModes& modes, double toRa
   const size_t vertexCount = set.shapes.size() / (3 * std::max<size_t>(1, set.modesPerComponent));
   const ModeObserver observer(part.mesh);
   const auto modeCount = static_cast<uint32_t>(modes.basis.modeCount());
-  for (uint32_t ordinal = 0; ordinal < modeCount; ++ordinal) {
-    const auto shape = modes.basis.phi.col(ordinal);
-    set.modes.push_back({std::sqrt(modes.basis.lambda[ordinal]) * toRadians, modes.residual[ordinal],
-                         part.components[0], ordinal, modes.axis[ordinal], nameOf(observer.observe(shape))});
-    for (size_t v = 0; v < part.vertexOfBody.size(); ++v)
-      for (size_t c = 0; c < 3; ++c)
-        set.shapes[(ordinal * vertexCount + part.vertexOfBody[v]) * 3 + c] =
-            static_cast<float>(shape[static_cast<Eigen::Index>(3 * v + c)]);
-  }
+  const size_t first = set.modes.size();
+  set.modes.resize(first + modeCount);
+  parallelFor(modeCount, 1, [&](size_t begin, size_t end) {
+    for (auto ordinal = static_cast<uint32_t>(begin); ordinal < end; ++ordinal) {
+      const auto shape = modes.basis.phi.col(ordinal);
+      set.modes[first + ordinal] = {std::sqrt(modes.basis.lambda[ordinal]) * toRadians,
+                                    modes.residual[ordinal],
+                                    part.components[0],
+                                    ordinal,
+                                    modes.axis[ordinal],
+                                    nameOf(observer.observe(shape))};
+      for (size_t v = 0; v < part.vertexOfBody.size(); ++v)
+        for (size_t c = 0; c < 3; ++c)
+          set.shapes[(ordinal * vertexCount + part.vertexOfBody[v]) * 3 + c] =
+              static_cast<float>(shape[static_cast<Eigen::Index>(3 * v + c)]);
+    }
+  });
   for (uint32_t component : part.components) {
     ComponentModes& entry = set.components[component];
     entry.model = part.model;

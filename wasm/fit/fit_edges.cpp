@@ -12,7 +12,7 @@ namespace {
 // edge is a seam where its two triangles disagree on the side of an end.
 EdgeList seamsOfResult(const MeshAt& result, const ChartSides& sides) {
   const TriangleMesh& mesh = result.mesh;
-  const Topology topology = buildTopology(mesh);
+  const Topology topology = buildIncidence(mesh);
   const auto sideAt = [&](uint32_t t, uint32_t v) {
     return sides.sideOf(Corner(result.inputOfTriangle[t], cornerAt(mesh, t, v).index()));
   };

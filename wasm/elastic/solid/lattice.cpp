@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "elastic/solid/lattice_pieces.h"
 #include "elastic/solid/lattice_slivers.h"
 #include "mesh/topology.h"
@@ -53,8 +54,13 @@ class Builder {
   }
 
   Lattice build() {
-    fragments_ = cutIntoFragments(surface_, job_);
-    for (int axis = 0; axis < 3; ++axis) families_.push_back(castRays(surface_, axis, job_));
+    families_.resize(3);
+    parallelFor(4, 1, [&](size_t task, size_t) {
+      if (task == 0)
+        fragments_ = cutIntoFragments(surface_, job_);
+      else
+        families_[task - 1] = castRays(surface_, static_cast<int>(task) - 1, job_);
+    });
     LatticePieces pieces(lattice_.grid, fragments_, families_);
     joinWithinCells(pieces);
     const uint32_t copyCount = pieces.copyCount();
@@ -76,7 +82,7 @@ class Builder {
 
  private:
   void joinWithinCells(LatticePieces& pieces) {
-    const Topology topology = buildTopology(body_);
+    const Topology topology = buildIncidence(body_);
     for (const Topology::Edge& edge : topology.edges)
       for (uint32_t use = 1; use < edge.useCount; ++use) {
         const uint32_t* triangle = &topology.edgeTriangles[edge.firstUse + use - 1];

@@ -133,7 +133,7 @@ void numberVertices(const Soup& soup, const std::vector<uint8_t>& referenced,
 }
 
 void agreeOnWinding(WeldResult& result) {
-  const Orientation orientation = orient(result.mesh, buildTopology(result.mesh));
+  const Orientation orientation = orient(result.mesh, buildIncidence(result.mesh));
   result.flippedFaces = orientation.flippedCount;
   for (uint32_t t = 0; t < result.mesh.triangleCount(); ++t)
     if (orientation.flipped[t]) std::swap(result.mesh.triangles[t][1], result.mesh.triangles[t][2]);
