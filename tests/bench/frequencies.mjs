@@ -8,9 +8,9 @@ import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { largestComponent, readObj } from './bench_meshes.mjs';
 import { loadEngine, root } from './fidelity/load_engine.mjs';
+import { SOLVERS, frequenciesIn } from './fidelity/solver_errors.mjs';
 import { table, writeSection } from './section.mjs';
 
-const SOLVERS = ['shell', 'hinge-shell', 'dihedral', 'springs'];
 const BASES = {
   limber: { method: 'limber' },
   'fit off': { method: 'limber', fit: 'off' },
@@ -44,7 +44,8 @@ const [solvers, bases, tunes] = [options.solvers, options.bases, options.tunes].
 );
 const names = positionals.length > 0 ? positionals : [...BODIES, ...SHEETS];
 const shared = join(process.env.LIMBER_SHARED ?? join(root, '..', 'shared'), 'meshes');
-const { engine, core } = await loadEngine();
+const loaded = await loadEngine();
+const { engine, core } = loaded;
 
 function prepare(name) {
   const file = readdirSync(shared).find((candidate) => candidate.startsWith(name));
@@ -64,24 +65,6 @@ const COLUMNS = [
   { of: 'errorOtherPins', title: 'other clamping' },
 ];
 
-const NOTHING_PINNED = { pinned: new Uint32Array(), pinnedOriginal: new Uint32Array() };
-
-/** The frequencies of one result in one solver, by kind of tuning; null: the solver has none there. */
-function frequenciesOf(prepared, mesh, solver, tune) {
-  const settings = { ...engine.defaultSettings(), solver, tune, looks: false };
-  try {
-    return engine.tuneMesh(
-      core,
-      prepared,
-      { mesh, ...NOTHING_PINNED },
-      { ...engine.tuneSettings(settings), looks: false },
-    ).tuned.frequencies;
-  } catch (error) {
-    console.error(`${prepared.body.name}, ${solver}: ${error.message}`);
-    return null;
-  }
-}
-
 const number = (value, digits = 1) => (Number.isFinite(value) ? value.toFixed(digits) : '-');
 
 function measure(name) {
@@ -95,7 +78,7 @@ function measure(name) {
     const faces = result.mesh.triangles.length / 3;
     return solvers.flatMap((solver) =>
       tunes.map((tune) => {
-        const frequencies = frequenciesOf(prepared, result.mesh, solver, tune);
+        const frequencies = frequenciesIn(loaded, prepared, result.mesh, { solver, tune });
         return { name, base, solver, tune, faces, ...shape, frequencies };
       }),
     );

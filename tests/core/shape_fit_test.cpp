@@ -266,6 +266,23 @@ TEST(ShapeFit, doesNothingToAWholeMeshAndCanBeCancelled) {
   EXPECT_THROW(fitShape(mesh, start, {}, job), Cancelled);
 }
 
+// Otherwise the few points of a large flat side, far from its corners, would leave these free to move.
+TEST(FitSamples, areAsDenseOnLargeTrianglesAsOnTheMean) {
+  TriangleMesh mesh = shapes::grid(10, 10);  // 200 triangles
+  const auto first = mesh.vertexCount();
+  for (const Vec3& p : {Vec3{2, 0, 0}, {3, 0, 0}, {2, 2, 0}}) mesh.positions.push_back(p);
+  mesh.triangles.push_back({first, first + 1, first + 2});  // as large as all others
+  const FitSamples samples = sampleForFit(mesh, buildTopology(mesh), 201, {});
+  const auto isOnLarge = [](const FitSamples::OnSurface& sample) { return sample.point.x > 1.5; };
+  const auto large = std::ranges::count_if(samples.surface, isOnLarge);
+  EXPECT_EQ(samples.surface.size() - static_cast<size_t>(large), 200U);
+  EXPECT_GT(large, 70);  // of the 100.5 that are in proportion, as many as n^2 parts allow
+  EXPECT_LE(large, 100);
+  double area = 0;
+  for (const auto& sample : samples.surface) area += sample.area;
+  EXPECT_NEAR(area, 2, 1e-12);
+}
+
 // Triangles that are closest to no sample of the original, here because a plate twice as fine lies on them,
 // would have nothing that holds them.
 TEST(SurfaceFit, keepsThePlanesOfTrianglesThatNoSampleFinds) {

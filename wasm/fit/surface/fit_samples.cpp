@@ -24,10 +24,15 @@ void sampleTriangle(const TriangleMesh& mesh, uint32_t t, uint32_t cuts,
 
 FitSamples sampleForFit(const TriangleMesh& original, const Topology& topology, uint32_t count,
                         const EdgeList& featureEdges) {
-  const double perTriangle = static_cast<double>(count) / std::max(1u, original.triangleCount());
-  const auto cuts = static_cast<uint32_t>(std::max(1.0, std::ceil(std::sqrt(perTriangle))));
+  const uint32_t n = std::max(1u, original.triangleCount());
+  const auto cuts = static_cast<uint32_t>(std::max(1.0, std::ceil(std::sqrt(1.0 * count / n))));
+  double area = 0;
+  for (uint32_t t = 0; t < original.triangleCount(); ++t) area += triangleArea(original, t);
   FitSamples samples;
-  for (uint32_t t = 0; t < original.triangleCount(); ++t) sampleTriangle(original, t, cuts, samples.surface);
+  for (uint32_t t = 0; t < original.triangleCount(); ++t) {
+    const double size = area > 0 ? std::sqrt(triangleArea(original, t) / (area / n)) : 0;
+    sampleTriangle(original, t, std::max(cuts, static_cast<uint32_t>(cuts * size)), samples.surface);
+  }
   const FeatureSegments features = featureSegments(original, topology, &featureEdges);
   for (const Triangle& segment : features.segments.triangles) {
     const Vec3 a = original.positions[segment[0]], edge = original.positions[segment[1]] - a;

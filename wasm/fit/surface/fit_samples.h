@@ -25,7 +25,9 @@ struct FitSamples {
   std::vector<OnFeature> features;
 };
 
-// At least `count` points of the surface, the same number on each triangle that has area, evenly within it.
+// At least `count` points of the surface, about `count` / n on each of its n triangles that have area, evenly
+// within it. Triangles larger than the mean get as many more as they are larger: else a few points would
+// stand for a large flat side, whose corners, far from all of them, would be free to move.
 FitSamples sampleForFit(const TriangleMesh& original, const Topology& topology, uint32_t count,
                         const EdgeList& featureEdges);
 
