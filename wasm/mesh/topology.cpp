@@ -99,7 +99,7 @@ EdgeRange edgesOf(const TriangleMesh& mesh, const Topology& topology, uint32_t b
 }
 
 // Copies a range to where it belongs: its first edge is number `edge`, its first use number `use`.
-void placeEdges(const EdgeRange& range, uint32_t edge, uint32_t use, Topology& topology) {
+void copyEdges(const EdgeRange& range, uint32_t edge, uint32_t use, Topology& topology) {
   std::ranges::copy(range.clashes, topology.clashes.begin() + edge);
   for (const Topology::Edge& own : range.edges) {
     topology.edges[edge] = {own.a, own.b, use + own.firstUse, own.useCount};
@@ -127,7 +127,7 @@ void collectEdges(const TriangleMesh& mesh, Topology& topology) {
   topology.edgeTriangles.resize(3 * size_t{mesh.triangleCount()});
   topology.edgeOfCorner.resize(3 * size_t{mesh.triangleCount()});
   parallelFor(ranges.size(), 1, [&](size_t i, size_t) {
-    placeEdges(ranges[i], firstEdge[i], firstUse[i], topology);
+    copyEdges(ranges[i], firstEdge[i], firstUse[i], topology);
     ranges[i] = {};
   });
 }

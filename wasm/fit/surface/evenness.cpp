@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.h"
 #include "fit/tuning.h"
@@ -15,8 +16,14 @@ namespace {
 
 constexpr size_t kPerRange = 2048;
 
-void addSegments(const TriangleMesh& mesh, const FeatureSegments& features, Neighbourhoods& around,
-                 std::vector<double>& weight) {
+// Neighbourhoods while they are summed up: middles are still to be divided by their weights.
+struct NeighbourhoodSums {
+  Neighbourhoods around;
+  std::vector<double> weight;
+};
+
+void addSegments(const TriangleMesh& mesh, const FeatureSegments& features, NeighbourhoodSums& sums) {
+  auto& [around, weight] = sums;
   for (const Triangle& segment : features.segments.triangles)
     for (int end = 0; end < 2; ++end) {
       const uint32_t v = segment[static_cast<size_t>(end)];
@@ -40,7 +47,9 @@ double angleAt(const TriangleMesh& mesh, Corner corner) {
 
 // What the triangles around a vertex sum up to: they come in their order, on any number of threads.
 void addTriangles(const TriangleMesh& mesh, const Topology& topology, NormalWeight normalWeight,
-                  Neighbourhoods& around, std::vector<double>& weight) {
+                  NeighbourhoodSums& sums) {
+  auto& around = sums.around;
+  auto& weight = sums.weight;
   std::vector<Vec3> normals(mesh.triangleCount());
   parallelFor(normals.size(), kPerRange, [&](size_t begin, size_t end) {
     for (auto t = static_cast<uint32_t>(begin); t < end; ++t) normals[t] = areaNormal(mesh, t);
@@ -66,14 +75,15 @@ void addTriangles(const TriangleMesh& mesh, const Topology& topology, NormalWeig
 Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const Topology& topology,
                                 const FeatureSegments& features, NormalWeight normalWeight) {
   const uint32_t n = mesh.vertexCount();
-  Neighbourhoods around{std::vector<double>(n, 0), std::vector<Eigen::Matrix3d>(n, Eigen::Matrix3d::Zero()),
-                        std::vector<Vec3>(n), std::vector<uint8_t>(n, 0)};
-  std::vector<double> weight(n, 0);
-  addSegments(mesh, features, around, weight);
-  addTriangles(mesh, topology, normalWeight, around, weight);
+  NeighbourhoodSums sums{{std::vector<double>(n, 0), std::vector<Eigen::Matrix3d>(n, Eigen::Matrix3d::Zero()),
+                          std::vector<Vec3>(n), std::vector<uint8_t>(n, 0)},
+                         std::vector<double>(n, 0)};
+  addSegments(mesh, features, sums);
+  addTriangles(mesh, topology, normalWeight, sums);
+  auto& [around, weight] = sums;
   for (uint32_t v = 0; v < n; ++v)
     around.middle[v] = weight[v] > 0 ? around.middle[v] / weight[v] : mesh.positions[v];
-  return around;
+  return std::move(around);
 }
 
 Eigen::Matrix3d tangentialFreedom(const Eigen::Matrix3d& normals) {

@@ -20,7 +20,7 @@ namespace {
 namespace constants = tuning::surface;
 
 constexpr size_t kSamplesPerRange = 512;
-constexpr size_t kWalks = 32;  // at most, for each takes memory for every triangle
+constexpr size_t kSearches = 32;  // at most, for each may take memory for every triangle
 
 // The point of the mesh that is closest to a sample; its triangle is kNone where the face there looks the
 // other way.
@@ -31,9 +31,10 @@ struct Contact : SurfacePoint {
 // Calls `search(point, triangle found before, kNone for the first of a range)` for every sample, and turns
 // what it finds into contacts. One searcher, which `makeSearch()` makes, serves a range of samples.
 template <class MakeSearch>
-std::vector<Contact> searchContacts(const TriangleMesh& mesh, const FitSamples& samples, size_t grain,
+std::vector<Contact> searchContacts(const TriangleMesh& mesh, const FitSamples& samples,
                                     std::vector<uint32_t>& closestTriangles, const MakeSearch& makeSearch) {
   std::vector<Contact> contacts(samples.surface.size());
+  const size_t grain = std::max(kSamplesPerRange, contacts.size() / kSearches + 1);
   parallelFor(contacts.size(), grain, [&](size_t begin, size_t end) {
     auto search = makeSearch();
     uint32_t before = kNone;
@@ -53,7 +54,7 @@ std::vector<Contact> findContacts(const TriangleMesh& mesh, const FitSamples& sa
                                   std::vector<uint32_t>& closestTriangles) {
   const ClosestPointTree tree(mesh);
   closestTriangles.assign(samples.surface.size(), kNone);
-  return searchContacts(mesh, samples, kSamplesPerRange, closestTriangles, [&] {
+  return searchContacts(mesh, samples, closestTriangles, [&] {
     return [&](const Vec3& point, uint32_t near) { return tree.closest(point, near); };
   });
 }
@@ -61,8 +62,7 @@ std::vector<Contact> findContacts(const TriangleMesh& mesh, const FitSamples& sa
 // Follows the closest points from the triangles where they were before the mesh was moved, along its surface.
 std::vector<Contact> followContacts(const TriangleMesh& mesh, const Topology& topology,
                                     const FitSamples& samples, std::vector<uint32_t>& closestTriangles) {
-  const size_t grain = std::max(kSamplesPerRange, samples.surface.size() / kWalks + 1);
-  return searchContacts(mesh, samples, grain, closestTriangles, [&] {
+  return searchContacts(mesh, samples, closestTriangles, [&] {
     return [walk = SurfaceWalk(mesh, topology)](const Vec3& point, uint32_t near) mutable {
       return walk.closest(point, {&near, 1}, [](uint32_t, uint32_t) { return true; });
     };
