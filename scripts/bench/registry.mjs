@@ -106,6 +106,16 @@ export const BENCHES = [
     write: ['--write'],
   },
   {
+    name: 'solvers',
+    measures: 'errors of frequencies by method and by solver, untouched and tuned',
+    script: 'tests/bench/evidence_solvers.mjs',
+    document: 'docs/evidence.md',
+    peers: 'meshoptimizer, pymeshlab, fast-simplification',
+    words: [],
+    quick: ['--meshes', 'ribbon'],
+    write: ['--write'],
+  },
+  {
     name: 'outline',
     measures: 'outlines and corners of sheets',
     script: 'tests/bench/outline.mjs',

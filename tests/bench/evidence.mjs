@@ -7,7 +7,6 @@ import { loadEngine } from './fidelity/load_engine.mjs';
 import { loadMeshes } from './fidelity/meshes.mjs';
 import { ourMethods, peerMethods } from './fidelity/methods.mjs';
 import { runCases } from './fidelity/run_cases.mjs';
-import { SOLVERS, solverErrors } from './fidelity/solver_errors.mjs';
 import { table, tellMissing, writeSection } from './section.mjs';
 
 const { values: options } = parseArgs({
@@ -18,8 +17,6 @@ const { values: options } = parseArgs({
     ratios: { type: 'string', default: '.5,.25,.1,.05' },
   },
 });
-/** The shares of the faces at which results are judged in every solver: each takes a second. */
-const SOLVER_RATIOS = [0.25];
 const missing = [];
 const ratios = options.ratios.split(',').map(Number);
 const loaded = await loadEngine();
@@ -82,33 +79,6 @@ const sections = MEASURES.flatMap(({ title, of, levels }) => {
     ),
   ];
 });
-
-/** The geometric mean over the meshes that have modes in the solver; null where a result has more faces than asked for. */
-function meanIn(solver, method, ratio, of) {
-  const own = cases.filter((one) => one.method === method.name && one.ratio === ratio);
-  if (own.some((one) => one.faces > 1.02 * one.targetFaces + 2)) return null;
-  const errors = own.map((one) => {
-    const mesh = meshes.find(({ name }) => name === one.mesh);
-    return solverErrors(loaded, { mesh, method, ratio, meshOf: one.meshOf })[solver]?.[of];
-  });
-  const found = errors.filter(Number.isFinite);
-  return found.length > 0 ? geometricMean(found) : null;
-}
-
-for (const ratio of ratios.filter((one) => SOLVER_RATIOS.includes(one)))
-  sections.push(
-    `### Mean frequency error of modes 1 to 10 by solver, at ${100 * ratio} % of the faces, %`,
-    table(
-      ['method', ...SOLVERS],
-      methods.map((method) => [
-        method.name,
-        ...SOLVERS.map((solver) => {
-          const [untouched, tuned] = ['untouched', 'tuned'].map((of) => meanIn(solver, method, ratio, of));
-          return untouched === null ? '-' : `${shown(untouched)} -> ${shown(tuned)}`;
-        }),
-      ]),
-    ),
-  );
 
 const topology = methods.map(({ name }) => {
   const own = cases.filter(({ method }) => method === name);
