@@ -3,29 +3,30 @@
 // Peers and meshes that are absent are left out and listed; results are kept in build/bench, so that a second run is short.
 
 import { parseArgs } from 'node:util';
-import { loadEngine } from './fidelity/load_engine.mjs';
-import { loadMeshes } from './fidelity/meshes.mjs';
-import { ourMethods, peerMethods } from './fidelity/methods.mjs';
-import { runCases } from './fidelity/run_cases.mjs';
+import {
+  EVIDENCE_MESHES,
+  evidenceCases,
+  geometricMean,
+  reachesTarget,
+  twoDigits,
+} from './fidelity/evidence_cases.mjs';
 import { table, tellMissing, writeSection } from './section.mjs';
 
 const { values: options } = parseArgs({
   options: {
     write: { type: 'boolean', default: false },
-    meshes: { type: 'string', default: 'spot,torus,cloth grid,ribbon' },
+    meshes: { type: 'string', default: EVIDENCE_MESHES },
     methods: { type: 'string' },
     ratios: { type: 'string', default: '.5,.25,.1,.05' },
   },
 });
-const missing = [];
 const ratios = options.ratios.split(',').map(Number);
-const loaded = await loadEngine();
-const meshes = loadMeshes(loaded, { names: options.meshes.split(','), missing });
 const wanted = options.methods?.split(',');
-// The guard that is on by default would stop before the smaller numbers of faces.
-const all = [...ourMethods(loaded, { maxDeviation: 0 }), ...(await peerMethods(loaded, missing))];
-const methods = all.filter(({ name }) => !wanted || wanted.includes(name));
-const cases = runCases(loaded, { meshes, methods, ratios });
+const { meshes, methods, missing, cases } = await evidenceCases({
+  names: options.meshes.split(','),
+  ratios,
+  isWanted: (name) => !wanted || wanted.includes(name),
+});
 
 const MEASURES = [
   { title: 'Mean distance, % of the diagonal', of: (one) => one.meanDistance, levels: [0.05, 0.1, 0.2] },
@@ -36,14 +37,12 @@ const MEASURES = [
   },
 ];
 
-const geometricMean = (values) =>
-  Math.exp(values.reduce((sum, value) => sum + Math.log(Math.max(value, 1e-6)), 0) / values.length);
-const shown = (value) => (value === null ? '-' : String(Number(value.toPrecision(2))));
+const shown = (value) => (value === null ? '-' : twoDigits(value));
 
 /** The geometric mean over the meshes; null where a result has more faces than asked for by over 2 %, or none. */
 function meanOf(method, ratio, of) {
   const own = cases.filter((one) => one.method === method.name && one.ratio === ratio);
-  const isWhole = own.every((one) => one.faces <= 1.02 * one.targetFaces + 2 && Number.isFinite(of(one)));
+  const isWhole = own.every((one) => reachesTarget(one) && Number.isFinite(of(one)));
   return isWhole && own.length === meshes.length ? geometricMean(own.map(of)) : null;
 }
 

@@ -4,10 +4,13 @@
 // methods of the literature, whose results take minutes, take part where --methods names them.
 
 import { parseArgs } from 'node:util';
-import { loadEngine } from './fidelity/load_engine.mjs';
-import { loadMeshes } from './fidelity/meshes.mjs';
-import { ourMethods, peerMethods } from './fidelity/methods.mjs';
-import { runCases } from './fidelity/run_cases.mjs';
+import {
+  EVIDENCE_MESHES,
+  evidenceCases,
+  geometricMean,
+  reachesTarget,
+  twoDigits,
+} from './fidelity/evidence_cases.mjs';
 import { SOLVERS, solverErrors } from './fidelity/solver_errors.mjs';
 import { table, tellMissing, writeSection } from './section.mjs';
 
@@ -16,37 +19,31 @@ const SLOW = ['Lescoat 2020', 'Dunyach 2013'];
 const { values: options } = parseArgs({
   options: {
     write: { type: 'boolean', default: false },
-    meshes: { type: 'string', default: 'spot,torus,cloth grid,ribbon' },
+    meshes: { type: 'string', default: EVIDENCE_MESHES },
     methods: { type: 'string' },
     ratio: { type: 'string', default: '.25' },
   },
 });
-const missing = [];
 const ratio = Number(options.ratio);
-const loaded = await loadEngine();
-const meshes = loadMeshes(loaded, { names: options.meshes.split(','), missing });
 const wanted = options.methods?.split(',');
-// The guard that is on by default would stop before the smaller numbers of faces.
-const all = [...ourMethods(loaded, { maxDeviation: 0 }), ...(await peerMethods(loaded, missing))];
-const methods = all.filter(({ name }) => (wanted ? wanted.includes(name) : !SLOW.includes(name)));
-const cases = runCases(loaded, { meshes, methods, ratios: [ratio] });
-
-const shown = (value) => String(Number(value.toPrecision(2)));
-const geometricMean = (values) =>
-  Math.exp(values.reduce((sum, value) => sum + Math.log(Math.max(value, 1e-6)), 0) / values.length);
+const { loaded, meshes, methods, missing, cases } = await evidenceCases({
+  names: options.meshes.split(','),
+  ratios: [ratio],
+  isWanted: (name) => (wanted ? wanted.includes(name) : !SLOW.includes(name)),
+});
 
 /** Untouched and tuned errors of one method in one solver, means over the meshes that have modes there. */
 function cell(errors, solver) {
   if (errors === null) return '-';
   const found = errors.map((one) => one[solver]).filter((one) => Number.isFinite(one?.untouched));
   const [untouched, tuned] = ['untouched', 'tuned'].map((of) => geometricMean(found.map((one) => one[of])));
-  return found.length > 0 ? `${shown(untouched)} -> ${shown(tuned)}` : '-';
+  return found.length > 0 ? `${twoDigits(untouched)} -> ${twoDigits(tuned)}` : '-';
 }
 
 /** What `solverErrors` finds on every mesh; null where a result has more faces than asked for by over 2 %. */
 function errorsOf(method) {
   const own = cases.filter((one) => one.method === method.name);
-  if (own.some((one) => one.faces > 1.02 * one.targetFaces + 2)) return null;
+  if (!own.every(reachesTarget)) return null;
   return own.map((one) => {
     const mesh = meshes.find(({ name }) => name === one.mesh);
     return solverErrors(loaded, { mesh, method, ratio, meshOf: one.meshOf });

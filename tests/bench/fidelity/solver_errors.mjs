@@ -24,11 +24,12 @@ export function frequenciesIn({ engine, core }, prepared, mesh, { solver, tune }
 export function solverErrors(loaded, { mesh, method, ratio, meshOf }) {
   const key = hashOf(loaded.version, mesh.hash, method.name, method.version, String(ratio), 'solvers');
   const compute = () => {
+    const result = meshOf();
     const errors = SOLVERS.map((solver) => {
-      const found = frequenciesIn(loaded, mesh.prepared, meshOf(), { solver, tune: 'global' });
+      const found = frequenciesIn(loaded, mesh.prepared, result, { solver, tune: 'global' });
       return [solver, found && { untouched: found.errorUntouched, tuned: found.errorTuned }];
     });
-    return { record: Object.fromEntries(errors), mesh: meshOf() };
+    return { record: Object.fromEntries(errors), mesh: result };
   };
   return cached(key, compute).record;
 }

@@ -19,8 +19,10 @@ struct SurfaceFitOptions {
   // Whether triangles that are closest to no sample, such as those under another sheet, keep their planes;
   // nothing else would hold their vertices.
   bool keepsUnsampled = false;
-  const EdgeList* featureEdges = nullptr;     // inner edges that follow the feature edges of the original
-  std::vector<uint32_t> startTriangles = {};  // closestTriangles of a fit before; may be empty
+  const EdgeList* featureEdges = nullptr;  // inner edges that follow the feature edges of the original
+  // closestTriangles of a fit of the mesh before it was moved: closest points are followed from there, along
+  // the surface. Empty: they are searched on the whole mesh.
+  std::vector<uint32_t> startTriangles = {};
 };
 
 // How far samples of the original's surface are from a mesh, along their normals.

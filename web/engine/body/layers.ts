@@ -45,13 +45,14 @@ export function findLayers(body: Body, weld: WeldResult): Layers {
 
 /** All layers of triangle t of the welded mesh, the first one first. */
 export function layersAt({ first, firstCorners, further }: Layers, t: number): Layer[] {
-  const cornerOf = [0, 1, 2].map((j) => cornerAt(firstCorners[t], j));
-  return [{ source: first[t], cornerOf }, ...(further.get(t) ?? NO_LAYERS)];
+  return [{ source: first[t], cornerOf: unpacked(firstCorners[t]) }, ...(further.get(t) ?? NO_LAYERS)];
 }
 
 export const layerCount = ({ further }: Layers, t: number): number => 1 + (further.get(t)?.length ?? 0);
 
 const cornerAt = (packed: number, j: number): number => (packed >> (BITS_PER_CORNER * j)) & 3;
+
+const unpacked = (packed: number): number[] => [0, 1, 2].map((j) => cornerAt(packed, j));
 
 /** The layers besides the first, by the triangle of the welded mesh on whose vertices they lie. */
 function findTwins(body: Body, weld: WeldResult): Map<number, Layer[]> {
@@ -68,8 +69,7 @@ function findTwins(body: Body, weld: WeldResult): Map<number, Layer[]> {
     if (kept === 1 || vertices.includes(NONE) || new Set(vertices).size < 3) return;
     const t = known.get(keyOf(vertices));
     if (t === undefined) return;
-    const packed = packedCorners(body, weld, source, t);
-    const layer = { source, cornerOf: [0, 1, 2].map((j) => cornerAt(packed, j)) };
+    const layer = { source, cornerOf: unpacked(packedCorners(body, weld, source, t)) };
     twins.set(t, [...(twins.get(t) ?? NO_LAYERS), layer]);
   });
   return twins;

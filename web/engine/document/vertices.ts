@@ -13,13 +13,13 @@ export interface PrimitiveGeometry {
   vertexOfMesh: Uint32Array;
   firstCorner: Uint32Array;
   /** per vertex of the primitive: a key of ResultNormals, or CARRIED */
-  normalKey: Int32Array;
+  normalKey: Uint32Array;
   sources: VertexSources;
   indices: Uint32Array;
 }
 
 /** Stands for a key where the normal, if any, is interpolated from the sources. */
-export const CARRIED = -1;
+export const CARRIED = NONE;
 
 /** A mesh with the points of the body that the attributes of its corners come from. */
 export interface SourcedMesh {
@@ -57,7 +57,6 @@ export function wholeShare(barycentric: Float32Array, corner: number): number {
 class VertexGathering {
   private readonly vertexOfMesh = new GrowingIndices();
   private readonly firstCorner = new GrowingIndices();
-  /** CARRIED as the number of 32 bits with the same bits */
   private readonly normalKey = new GrowingIndices();
   private readonly indices: Uint32Array;
   private readonly vertices = new GrowingIndices();
@@ -101,7 +100,7 @@ class VertexGathering {
       found = this.vertexOfMesh.length;
       this.vertexOfMesh.push(vertex);
       this.firstCorner.push(corner);
-      this.normalKey.push(normalKey >>> 0);
+      this.normalKey.push(normalKey);
       for (const source of this.vertex) this.vertices.push(source);
       this.shares.push3(this.share[0], this.share[1], this.share[2]);
       this.previous.push(last);
@@ -114,7 +113,7 @@ class VertexGathering {
     return {
       vertexOfMesh: this.vertexOfMesh.finish(),
       firstCorner: this.firstCorner.finish(),
-      normalKey: Int32Array.from(this.normalKey.view()),
+      normalKey: this.normalKey.finish(),
       sources: { vertices: this.vertices.finish(), shares: this.shares.finish() },
       indices: this.indices,
     };
@@ -134,7 +133,7 @@ class VertexGathering {
 
   /** Whether the vertex that was written as number `written` is that of the corner that is looked at. */
   private isSame(written: number, normalKey: number): boolean {
-    if (this.normalKey.at(written) !== normalKey >>> 0) return false;
+    if (this.normalKey.at(written) !== normalKey) return false;
     const at = 3 * written;
     for (let k = 0; k < 3; ++k) if (this.shares.at(at + k) !== this.share[k]) return false;
     if (this.share[0] === 1)

@@ -13,8 +13,8 @@ export interface FileRequest {
   targets: number[];
   /** levelTargets[n][i]: the same for further level n; absent: the share of `lods` of each body */
   levelTargets?: number[][];
-  /** fewest[i]: the fewest faces that body i of the file is asked for by this and any later request; absent: that is not known */
-  fewest?: number[];
+  /** of every body, as in `RunSettings`; for files of which one body takes part */
+  fewestFaces?: number;
   /** whether strain and curvature are written as attributes */
   fields: boolean;
   /** whether a binding file is written, which counts vertices of the result */
@@ -23,12 +23,12 @@ export interface FileRequest {
 
 /** The settings of the run over body `i`. */
 export const runSettings = (
-  { settings, targets, levelTargets, fewest, fields }: FileRequest,
+  { settings, targets, levelTargets, fewestFaces, fields }: FileRequest,
   i: number,
 ): RunSettings => ({
   ...settings,
   targetFaces: targets[i],
-  ...(fewest ? { fewestFaces: fewest[i] } : {}),
+  fewestFaces,
   ...(levelTargets ? { levelFaces: levelTargets.map((level) => level[i]) } : {}),
   fields,
 });

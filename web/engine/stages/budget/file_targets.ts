@@ -9,6 +9,7 @@ import { facesByRatio, targetsOf } from './face_shares';
 import type { FaceTarget } from './face_shares';
 import type { FileRequest } from '../file_request';
 import type { FileRun } from '../file_run';
+import type { RunSettings } from '../stage';
 import { SceneQueue } from './scene_budget';
 
 /** What is asked of a file. */
@@ -31,10 +32,10 @@ export interface FileAsked extends FaceTarget {
 export function requestFile(file: FileRun, asked: FileAsked): FileRequest {
   const { settings, fields, binding, own, ...target } = asked;
   const shared = file.usable.filter(({ i }) => !own?.has(i));
-  const fewest = fewestOfOnly(file, shared, asked);
+  const fewestFaces = fewestOfOnly(file, asked);
   const share = settings.perBody
     ? shareEach(file, shared, settings)
-    : shareScene(file, shared, { ...settings, fewestFaces: fewest?.[shared[0].i] });
+    : shareScene(file, shared, { ...settings, fewestFaces });
   const targetsFor = (asked: FaceTarget): number[] => {
     const targets = file.model.bodies.map((_, i) => own?.get(i) ?? 0);
     share(asked).forEach((faces, n) => (targets[shared[n].i] = faces));
@@ -47,34 +48,25 @@ export function requestFile(file: FileRun, asked: FileAsked): FileRequest {
     faces: target.faces ?? undefined,
     targets: targetsFor(target),
     levelTargets: settings.lods.map((ratio) => targetsFor({ faces: null, ratio })),
-    fewest,
+    fewestFaces,
   };
 }
 
-/**
- * Per body of the file the fewest faces that the only request asks of it, where that is known before its history: of a file in which one
- * body is asked for.
- */
-function fewestOfOnly(
-  file: FileRun,
-  shared: Usable,
-  { settings, isOnly, ...target }: FileAsked,
-): number[] | undefined {
-  if (!isOnly || shared.length !== 1) return undefined;
-  const [{ layers }] = file.preparedOf(shared, settings);
+/** The fewest faces that the only request of a file asks of the only body that takes part; of more bodies they follow from their histories. */
+function fewestOfOnly(file: FileRun, { settings, isOnly, ...target }: FileAsked): number | undefined {
+  if (!isOnly || file.usable.length !== 1) return undefined;
+  const [{ layers }] = file.prepared(settings);
   const levels = [target, ...settings.lods.map((ratio): FaceTarget => ({ faces: null, ratio }))];
   const written = Math.min(...levels.map((level) => wantedFaces(level, allFaces(layers))));
   // A level has at most `layers.most` written faces for each of its own.
-  const fewest = Math.max(1, Math.floor(written / layers.most));
-  return file.model.bodies.map(() => fewest);
+  return Math.max(1, Math.floor(written / layers.most));
 }
 
 type Usable = FileRun['usable'];
 /** Per shared body the most faces that it may have. */
 type Share = (asked: FaceTarget) => number[];
 
-/** `fewestFaces`: as in `RunSettings`. */
-type CurveSettings = Settings & { fewestFaces?: number };
+type CurveSettings = Settings & Pick<RunSettings, 'fewestFaces'>;
 
 function curvesOf(file: FileRun, shared: Usable, settings: CurveSettings): ErrorCurve[] {
   return shared.map(({ run }) => {
