@@ -101,11 +101,10 @@ function apt(packages) {
   console.log(`Installing system packages: ${packages.join(' ')} ...`);
   const [command, prefix] = isRoot ? ['apt-get', []] : ['sudo', ['apt-get']];
   const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
-  run(command, [...prefix, '-qq', 'update'], { quiet: true, env });
-  run(command, [...prefix, '-qq', '-y', '--no-install-recommends', 'install', ...packages], {
-    quiet: true,
-    env,
-  });
+  // Updates that a system starts by itself hold the lock of packages for minutes.
+  const quietly = [...prefix, '-qq', '-o', 'DPkg::Lock::Timeout=600'];
+  run(command, [...quietly, 'update'], { quiet: true, env });
+  run(command, [...quietly, '-y', '--no-install-recommends', 'install', ...packages], { quiet: true, env });
 }
 
 /** The folder of Emscripten >= 3.1.69: the installed one, Debian 13's package, or that package unpacked on Debian 12. */

@@ -61,8 +61,7 @@ std::vector<double> greenLagrangeStrain(const TriangleMesh& mesh, std::span<cons
 
 std::vector<double> combineStrain(std::span<const WeightedStrain> ordinals,
                                   std::span<const uint32_t> componentOfTriangle, double p) {
-  std::vector<double> sigma(componentOfTriangle.size(), 0.0);
-  for (size_t t = 0; t < sigma.size(); ++t) {
+  const auto combined = [&](size_t t) {
     double sum = 0;
     for (const WeightedStrain& ordinal : ordinals) {
       const double weight = ordinal.weightOfComponent[componentOfTriangle[t]];
@@ -70,8 +69,12 @@ std::vector<double> combineStrain(std::span<const WeightedStrain> ordinals,
       if (weight == 0 || strain == 0) continue;  // either may be infinite, and the product would be no number
       sum = std::isinf(p) ? std::max(sum, weight * strain) : sum + weight * strain;
     }
-    sigma[t] = std::isinf(p) ? sum : std::pow(sum, 1 / p);
-  }
+    return std::isinf(p) ? sum : std::pow(sum, 1 / p);
+  };
+  std::vector<double> sigma(componentOfTriangle.size());
+  parallelFor(sigma.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t t = begin; t < end; ++t) sigma[t] = combined(t);
+  });
   return sigma;
 }
 

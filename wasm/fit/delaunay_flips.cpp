@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/parallel.h"
 #include "mesh/edge_flip.h"
 #include "mesh/quality.h"
 #include "mesh/topology.h"
@@ -13,15 +14,9 @@ namespace limber {
 namespace {
 
 constexpr int kMostPasses = 12;    // over all edges
+constexpr size_t kEdgesPerRange = 8192;
 constexpr double kFlat = 0.97;     // least cosine between any old and any new normal
 constexpr double kClearly = 1e-3;  // the sine of the sum of both opposite angles must be less than minus this
-
-// Whether cot(a) + cot(b) >= 0, up to rounding, for the angles a and b opposite to the edge.
-bool isDelaunay(const Vec3& start, const Vec3& end, const Vec3& left, const Vec3& right) {
-  const Vec3 p = start - left, q = end - left, r = start - right, s = end - right;
-  const double sineOfSum = length(cross(p, q)) * dot(r, s) + dot(p, q) * length(cross(r, s));
-  return sineOfSum >= -kClearly * length(p) * length(q) * length(r) * length(s);
-}
 
 // The distance between the straight lines through both diagonals of the quad.
 double liftOf(const Vec3& start, const Vec3& end, const Vec3& left, const Vec3& right) {
@@ -41,19 +36,21 @@ class Flipping {
     wasOpen_.swap(isOpen_);
     triangleChanged_.assign(mesh_.triangleCount(), 0);
     vertexChanged_.assign(mesh_.vertexCount(), 0);
+    const std::vector<uint8_t> isWorse = edgesToLookAt();
     uint32_t flips = 0;
-    for (const Topology::Edge& edge : topology_.edges)
-      if (std::ranges::any_of(topology_.trianglesAt(edge), [&](uint32_t t) { return wasOpen_[t]; }))
-        flips += tryFlip(edge);
+    for (size_t e = 0; e < isWorse.size(); ++e)
+      if (isWorse[e]) flips += tryFlip(topology_.edges[e]);
     return flips;
   }
 
  private:
+  std::vector<uint8_t> edgesToLookAt() const;
   uint32_t tryFlip(const Topology::Edge& edge);
   std::optional<EdgeQuad> wantedQuad(const Topology::Edge& edge);
   std::optional<EdgeQuad> imageOf(const EdgeQuad& quad);
   void leaveOpen(const EdgeQuad& quad) { isOpen_[quad.first] = isOpen_[quad.second] = 1; }
   bool exists(uint32_t a, uint32_t b) const;
+  bool isDelaunay(uint32_t start, uint32_t end, uint32_t left, uint32_t right) const;
   void flip(const EdgeQuad& quad);
 
   TriangleMesh& mesh_;
@@ -66,9 +63,33 @@ class Flipping {
   std::vector<uint8_t> isOpen_, wasOpen_;
 };
 
+// Whether cot(a) + cot(b) >= 0, up to rounding, for the angles a and b opposite to the edge.
+bool Flipping::isDelaunay(uint32_t start, uint32_t end, uint32_t left, uint32_t right) const {
+  const auto& at = mesh_.positions;
+  const Vec3 p = at[start] - at[left], q = at[end] - at[left];
+  const Vec3 r = at[start] - at[right], s = at[end] - at[right];
+  const double sineOfSum = length(cross(p, q)) * dot(r, s) + dot(p, q) * length(cross(r, s));
+  return sineOfSum >= -kClearly * length(p) * length(q) * length(r) * length(s);
+}
+
 bool Flipping::exists(uint32_t a, uint32_t b) const {
   return std::ranges::any_of(topology_.trianglesAround(a),
                              [&](uint32_t t) { return std::ranges::count(mesh_.triangles[t], b) > 0; });
+}
+
+// Per edge whether it belongs to an open triangle and is not Delaunay as this pass begins. The others are left
+// alone: a flip beside one of them leaves its triangle open for the next pass.
+std::vector<uint8_t> Flipping::edgesToLookAt() const {
+  std::vector<uint8_t> isWorse(topology_.edges.size(), 0);
+  parallelFor(isWorse.size(), kEdgesPerRange, [&](size_t begin, size_t end) {
+    for (size_t e = begin; e < end; ++e) {
+      const Topology::Edge& edge = topology_.edges[e];
+      if (std::ranges::none_of(topology_.trianglesAt(edge), [&](uint32_t t) { return wasOpen_[t]; })) continue;
+      const std::optional<EdgeQuad> quad = quadAt(mesh_, topology_, edge);
+      isWorse[e] = quad && !isDelaunay(quad->start, quad->end, quad->left, quad->right);
+    }
+  });
+  return isWorse;
 }
 
 // The two triangles of an edge that ought to be flipped and can be.
@@ -81,12 +102,12 @@ std::optional<EdgeQuad> Flipping::wantedQuad(const Topology::Edge& edge) {
     leaveOpen(*quad);
     return std::nullopt;
   }
-  const auto& at = mesh_.positions;
-  if (isDelaunay(at[start], at[end], at[left], at[right])) return std::nullopt;
+  if (isDelaunay(start, end, left, right)) return std::nullopt;
   if (exists(left, right)) {
     leaveOpen(*quad);
     return std::nullopt;
   }
+  const auto& at = mesh_.positions;
   const auto normal = [&](uint32_t a, uint32_t b, uint32_t e) {
     return normalized(cross(at[b] - at[a], at[e] - at[a]));
   };

@@ -12,8 +12,8 @@ namespace limber {
 
 ShapeRounds::ShapeRounds(FitPart& part, const OriginalSurface& original, const StepLimits& limits, Job& job)
     : part_(part), samples_(original.samples), limits_(limits), job_(job), wanted_(original.sizes) {
-  if (wanted_[1] == 0)
-    areaRange_ = std::abs(measureSizes(part.result, buildIncidence(part.result)).values[0] - wanted_[0]);
+  if (isClosed())
+    areaRange_ = std::abs(measureSizes(part.result, buildIncidence(part.result))[0] - wanted_[0]);
   SampleDistance start = sampleDistance(part.result, samples_);
   startDistance_ = std::sqrt(start.meanSquare);
   closestTriangles_ = std::move(start.closestTriangles);
@@ -37,27 +37,35 @@ Eigen::VectorXd ShapeRounds::nextStep() {
                                .startTriangles = std::move(closestTriangles_)});
   closestTriangles_ = std::move(fit.closestTriangles);
   part_.flatRegions.stiffen(fit.hessian);
-  return stepOf(fit, measureSizes(mesh, topology));
+  return stepOf(fit, measureSizes(mesh, topology), sizeGradients(mesh, topology));
 }
 
 // What the multipliers cost is lambda^T C^T A^-1 C lambda, and what the step gains without them g^T A^-1 g.
-Eigen::VectorXd ShapeRounds::stepOf(const SurfaceFit& fit, const SheetSizes& now) const {
+Eigen::VectorXd ShapeRounds::stepOf(const SurfaceFit& fit, const Eigen::Vector2d& sizes,
+                                    const Eigen::MatrixX2d& sizeGradients) const {
   Eigen::MatrixXd columns(fit.gradient.size(), 3);
-  columns << fit.gradient, now.gradients;
+  columns << fit.gradient, sizeGradients;
   if (part_.mirror) part_.mirror->symmetrise(columns);
-  const Eigen::MatrixXd conditions = columns.rightCols<2>();
-  Eigen::MatrixXd solved =
-      FitSolver(part_.locked, job_, kLargeResultVertices)
-          .solve({fit.hessian, fit.dampingDiagonal, tuning::surface_rounds::kDamping}, std::move(columns));
-  part_.flatRegions.flatten(solved);
+  const auto solve = [&](const auto& right) -> Eigen::MatrixXd {
+    Eigen::MatrixXd solved =
+        FitSolver(part_.locked, job_, kLargeResultVertices)
+            .solve({fit.hessian, fit.dampingDiagonal, tuning::surface_rounds::kDamping}, right);
+    part_.flatRegions.flatten(solved);
+    return solved;
+  };
+  const auto conditions = columns.rightCols<2>();
+  const Eigen::MatrixXd solved = solve(columns.leftCols(isClosed() ? 1 : 3));
   const Eigen::VectorXd free = solved.col(0);
-  const Eigen::Vector2d change = wantedChange(now.values + conditions.transpose() * free);
-  const Eigen::Matrix2d response = conditions.transpose() * solved.rightCols<2>();
+  const Eigen::Vector2d change = wantedChange(sizes + conditions.transpose() * free);
+  // The area of a closed part mostly stays within its range by itself.
+  if (change.isZero(0)) return free;
+  const Eigen::MatrixXd responses = isClosed() ? solve(conditions) : solved.rightCols<2>();
+  const Eigen::Matrix2d response = conditions.transpose() * responses;
   Eigen::Vector2d multipliers = response.completeOrthogonalDecomposition().solve(change);
   const double gain = fit.gradient.dot(free), cost = multipliers.dot(response * multipliers);
   if (!(cost > 0) || !(gain > 0)) return free;
   multipliers *= std::min(1.0, std::sqrt(gain / cost));
-  return free + solved.rightCols<2>() * multipliers;
+  return free + responses * multipliers;
 }
 
 // From sizes that are planned to those that are wanted.

@@ -40,7 +40,10 @@ class ShapeRounds {
  private:
   // The matrix of a round is gone before the step is taken: each of both takes much memory.
   Eigen::VectorXd nextStep();
-  Eigen::VectorXd stepOf(const SurfaceFit& fit, const SheetSizes& now) const;
+  // `sizes` and `sizeGradients`: those of the mesh as it is.
+  Eigen::VectorXd stepOf(const SurfaceFit& fit, const Eigen::Vector2d& sizes,
+                         const Eigen::MatrixX2d& sizeGradients) const;
+  bool isClosed() const { return wanted_[1] == 0; }
   Eigen::Vector2d wantedChange(const Eigen::Vector2d& planned) const;
 
   FitPart& part_;

@@ -20,6 +20,13 @@ constexpr Eigen::Index kMostColumns = 3;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+template <class Body>
+void forNodes(size_t count, const Body& body) {
+  parallelFor(count, kNodesPerRange, [&](size_t begin, size_t end) {
+    for (size_t node = begin; node < end; ++node) body(node);
+  });
+}
+
 // Solves for K columns side by side. The unknowns of a node in all columns lie together, as a 3 x K matrix.
 template <int K>
 class Solve {
@@ -33,7 +40,7 @@ class Solve {
         job_(job),
         inverses_(matrix.a.nodeCount()),
         rangeSums_((matrix.a.nodeCount() + kNodesPerRange - 1) / kNodesPerRange) {
-    forNodes([&](size_t node) {
+    forNodes(matrix.a.nodeCount(), [&](size_t node) {
       const auto i = static_cast<uint32_t>(node);
       Eigen::Matrix3d block = matrix_.a.at(i, i);
       block.diagonal() += matrix_.mu * dampingOf(node);
@@ -75,13 +82,6 @@ class Solve {
   auto dampingOf(size_t node) const { return matrix_.d.segment<3>(3 * static_cast<Index>(node)); }
   bool isFixed(size_t node) const { return !matrix_.isFixed.empty() && matrix_.isFixed[node] != 0; }
 
-  template <class Body>
-  void forNodes(const Body& body) const {
-    parallelFor(matrix_.a.nodeCount(), kNodesPerRange, [&](size_t begin, size_t end) {
-      for (size_t node = begin; node < end; ++node) body(node);
-    });
-  }
-
   // The sums of part(node), range by range in order, so that they do not depend on threads.
   template <class Part>
   Numbers sumOver(const Part& part) {
@@ -97,7 +97,7 @@ class Solve {
 
   // The next direction: the preconditioned residual, conjugate to the direction before.
   void conjugate(Vector& direction, const Vector& residual, const Numbers& ratio) const {
-    forNodes([&](size_t node) {
+    forNodes(direction.size(), [&](size_t node) {
       direction[node] =
           (inverses_[node] * residual[node]).array() + direction[node].array().rowwise() * ratio;
     });
@@ -125,11 +125,13 @@ class Solve {
 template <int K>
 void solveColumns(const ShiftedMatrix& matrix, Index first, MatrixXd& columns, Job& job) {
   typename Solve<K>::Vector unknowns(matrix.a.nodeCount());
-  for (size_t node = 0; node < unknowns.size(); ++node)
+  forNodes(unknowns.size(), [&](size_t node) {
     unknowns[node] = columns.block<3, K>(3 * static_cast<Index>(node), first);
+  });
   unknowns = Solve<K>(matrix, job).run(std::move(unknowns));
-  for (size_t node = 0; node < unknowns.size(); ++node)
+  forNodes(unknowns.size(), [&](size_t node) {
     columns.block<3, K>(3 * static_cast<Index>(node), first) = unknowns[node];
+  });
 }
 
 }  // namespace

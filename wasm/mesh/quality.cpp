@@ -1,8 +1,17 @@
 #include "mesh/quality.h"
 
 #include <algorithm>
+#include <vector>
+
+#include "base/parallel.h"
 
 namespace limber {
+
+namespace {
+
+constexpr size_t kTrianglesPerRange = 8192;
+
+}  // namespace
 
 double smallestAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double twiceArea = length(cross(b - a, c - a));
@@ -17,8 +26,12 @@ QualityReport measureQuality(const TriangleMesh& mesh) {
   QualityReport report;
   if (mesh.triangles.empty()) return report;
   report.minAngle = 60;
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-    const double angle = smallestAngle(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+  std::vector<double> angles(mesh.triangleCount());
+  parallelFor(angles.size(), kTrianglesPerRange, [&](size_t begin, size_t end) {
+    for (auto t = static_cast<uint32_t>(begin); t < end; ++t)
+      angles[t] = smallestAngle(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+  });
+  for (const double angle : angles) {
     report.minAngle = std::min(report.minAngle, angle);
     report.meanMinAngle += angle;
   }

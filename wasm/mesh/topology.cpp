@@ -1,7 +1,7 @@
 #include "mesh/topology.h"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
@@ -10,17 +10,33 @@ namespace limber {
 namespace {
 
 constexpr size_t kVerticesPerRange = 8192;
+constexpr size_t kTrianglesPerRange = 65536;  // at least: every range takes memory for every vertex
+constexpr size_t kMostRanges = 4;
 
+// Counting sort of the corners by their vertices, range by range of the triangles.
 void collectCorners(const TriangleMesh& mesh, Topology& topology) {
-  auto& start = topology.vertexStart;
-  start.assign(mesh.vertexCount() + 1, 0);
-  for (const Triangle& triangle : mesh.triangles)
-    for (uint32_t v : triangle) ++start[v + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  topology.vertexCorners.resize(start.back());
-  std::vector<uint32_t> next(start.begin(), start.end() - 1);
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    for (uint32_t c = 0; c < 3; ++c) topology.vertexCorners[next[mesh.triangles[t][c]]++] = Corner(t, c);
+  const uint32_t n = mesh.vertexCount();
+  const size_t grain = std::max(kTrianglesPerRange, mesh.triangles.size() / kMostRanges + 1);
+  std::vector<std::vector<uint32_t>> next((mesh.triangles.size() + grain - 1) / grain);
+  parallelFor(mesh.triangles.size(), grain, [&](size_t begin, size_t end) {
+    std::vector<uint32_t>& count = next[begin / grain];
+    count.assign(n, 0);
+    for (size_t t = begin; t < end; ++t)
+      for (const uint32_t v : mesh.triangles[t]) ++count[v];
+  });
+  topology.vertexStart.resize(n + 1);
+  uint32_t sum = 0;
+  for (uint32_t v = 0; v < n; ++v) {
+    topology.vertexStart[v] = sum;
+    for (std::vector<uint32_t>& range : next) sum += std::exchange(range[v], sum);
+  }
+  topology.vertexStart[n] = sum;
+  topology.vertexCorners.resize(sum);
+  parallelFor(mesh.triangles.size(), grain, [&](size_t begin, size_t end) {
+    for (auto t = static_cast<uint32_t>(begin); t < end; ++t)
+      for (uint32_t c = 0; c < 3; ++c)
+        topology.vertexCorners[next[begin / grain][mesh.triangles[t][c]]++] = Corner(t, c);
+  });
 }
 
 // How a triangle uses an edge of a vertex, as one number whose order is that of its parts: the other vertex

@@ -9,6 +9,7 @@ namespace limber {
 namespace {
 
 constexpr uint32_t kLeafSize = 2;
+constexpr size_t kItemsPerRange = 16384;
 constexpr uint32_t kSideBySide = 8192;  // items from which on both branches are built at the same time
 
 // How many nodes a tree over so many items has: one less than leaves. Halving n, 2^d <= n / 2 < 2^(d + 1),
@@ -25,11 +26,14 @@ BoundingTree::BoundingTree(const std::vector<Bounds>& boxes, const std::vector<V
     : nodes_(nodesOver(static_cast<uint32_t>(boxes.size()))), order_(boxes.size()) {
   if (boxes.empty()) return;
   const auto count = static_cast<uint32_t>(boxes.size());
-  Build from{{}, boxes};
-  from.items.reserve(count);
-  for (uint32_t i = 0; i < count; ++i) from.items.push_back({centres[i], i});
+  Build from{std::vector<Item>(count), boxes};
+  parallelFor(count, kItemsPerRange, [&](size_t begin, size_t end) {
+    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) from.items[i] = {centres[i], i};
+  });
   root_ = build(from, {0, count, 0}, box_);
-  for (uint32_t i = 0; i < count; ++i) order_[i] = from.items[i].index;
+  parallelFor(count, kItemsPerRange, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) order_[i] = from.items[i].index;
+  });
 }
 
 namespace {

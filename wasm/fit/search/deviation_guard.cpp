@@ -1,12 +1,14 @@
 #include "fit/search/deviation_guard.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/parallel.h"
 #include "mesh/sampling.h"
+#include "mesh/topology.h"
+#include "query/surface_walk.h"
 
 namespace limber {
 namespace {
@@ -17,6 +19,7 @@ constexpr size_t kSamplesPerRange = 256, kTrianglesPerRange = 256;
 // Each triangle is cut into n^2 congruent ones, so that there are about as many in all as samples are wanted;
 // n is at least kFewestCuts for the moving mesh (1 for the original) and at most kMostCuts.
 constexpr double kFewestCuts = 3, kMostCuts = 24;
+constexpr double kMostFollowed = 0.05;  // of the triangles, whose covers are followed one by one
 
 int cutsOf(const TriangleMesh& mesh, double parts, double fewest) {
   const double cuts = std::ceil(std::sqrt(parts / std::max(1u, mesh.triangleCount())));
@@ -54,24 +57,46 @@ double farthest(const TriangleMesh& mesh, uint32_t t, const Vec3& p) {
   return std::sqrt(square);
 }
 
+// A triangle of a mesh without a cover, and the triangle of the cover that it had; kNone where it had none.
+struct OpenTriangle {
+  uint32_t triangle, coverBefore;
+};
+
 // Removes the covers of triangles of a mesh that are not within `enough` of all of the triangle, on a surface
-// that may have moved. Returns whether any triangle has none.
-bool removeFarCovers(const TriangleMesh& mesh, const TriangleMesh& surface, double enough,
-                     std::vector<SurfacePoint>& covers) {
+// that may have moved. Returns the triangles that have none.
+std::vector<OpenTriangle> removeFarCovers(const TriangleMesh& mesh, const TriangleMesh& surface, double enough,
+                                          std::vector<SurfacePoint>& covers) {
   covers.resize(mesh.triangleCount());
-  std::atomic<bool> isAnyOpen = false;
+  std::vector<uint8_t> isOpen(covers.size(), 0);
   parallelFor(covers.size(), kTrianglesPerRange, [&](size_t from, size_t to) {
-    bool isOneOpen = false;
-    for (auto t = static_cast<uint32_t>(from); t < to; ++t) {
-      const bool isCover =
-          covers[t].triangle != kNone && farthest(mesh, t, pointOn(surface, covers[t])) <= enough;
-      if (isCover) continue;
-      covers[t] = {};
-      isOneOpen = true;
-    }
-    if (isOneOpen) isAnyOpen = true;
+    for (auto t = static_cast<uint32_t>(from); t < to; ++t)
+      isOpen[t] = covers[t].triangle == kNone || farthest(mesh, t, pointOn(surface, covers[t])) > enough;
   });
-  return isAnyOpen;
+  std::vector<OpenTriangle> open;
+  for (uint32_t t = 0; t < covers.size(); ++t)
+    if (isOpen[t]) open.push_back({t, std::exchange(covers[t], {}).triangle});
+  return open;
+}
+
+// Looks for new covers beside the old ones, on a surface that has moved a little. Returns whether all of the
+// open triangles have one then. Where many are open, a tree over the surface is faster.
+bool followCovers(const TriangleMesh& mesh, const TriangleMesh& surface, double enough,
+                  const std::vector<OpenTriangle>& open, std::vector<SurfacePoint>& covers) {
+  const bool isNew = std::ranges::any_of(open, [](const auto& t) { return t.coverBefore == kNone; });
+  if (isNew || open.size() > kMostFollowed * mesh.triangleCount()) return false;
+  if (open.empty()) return true;
+  const Topology topology = buildIncidence(surface);
+  SurfaceWalk walk(surface, topology);
+  bool isCovered = true;
+  for (const auto& [t, before] : open) {
+    const Vec3 centre = triangleCentre(mesh, t);
+    const ClosestPoint found = walk.closest(centre, {&before, 1}, [](uint32_t, uint32_t) { return true; });
+    if (found.distance <= enough - farthest(mesh, t, centre))
+      covers[t] = found;
+    else
+      isCovered = false;
+  }
+  return isCovered;
 }
 
 // Finds for triangles without a cover a point of the surface that is within `enough` of all of the triangle,
@@ -122,24 +147,31 @@ std::vector<uint8_t> DeviationGuard::begin(const TriangleMesh& mesh) {
   return isFar;
 }
 
-// The samples of triangles without a cover, and the vertices that are in no triangle with one.
+// The samples of triangles without a cover, and their vertices that are in no triangle with one.
 std::vector<DeviationGuard::OriginalSample> DeviationGuard::uncoveredSamples() const {
-  std::vector<uint8_t> isCovered(original_.vertexCount(), 0);
+  const auto isCovered = [&](uint32_t t) { return coverOfOriginal_[t].triangle != kNone; };
+  std::vector<uint32_t> uncovered;
   for (uint32_t t = 0; t < original_.triangleCount(); ++t)
-    if (coverOfOriginal_[t].triangle != kNone)
-      for (const uint32_t v : original_.triangles[t]) isCovered[v] = 1;
+    if (!isCovered(t)) uncovered.push_back(t);
+  if (uncovered.empty()) return {};
+  std::vector<uint8_t> isOpen(original_.vertexCount(), 0);
+  for (const uint32_t t : uncovered)
+    for (const uint32_t v : original_.triangles[t]) isOpen[v] = 1;
+  for (uint32_t t = 0; t < original_.triangleCount(); ++t)
+    if (isCovered(t))
+      for (const uint32_t v : original_.triangles[t]) isOpen[v] = 0;
   std::vector<OriginalSample> samples;
   for (uint32_t v = 0; v < original_.vertexCount(); ++v)
-    if (!isCovered[v]) samples.push_back({original_.positions[v]});
-  for (uint32_t t = 0; t < original_.triangleCount(); ++t)
-    if (coverOfOriginal_[t].triangle == kNone)
-      for (const auto& weight : middles_) samples.push_back({pointOn(original_, t, weight.data())});
+    if (isOpen[v]) samples.push_back({original_.positions[v]});
+  for (const uint32_t t : uncovered)
+    for (const auto& weight : middles_) samples.push_back({pointOn(original_, t, weight.data())});
   return samples;
 }
 
 void DeviationGuard::coverOriginal(const TriangleMesh& mesh, Marks& isFar) {
   std::optional<ClosestPointTree> treeOfMesh;
-  if (removeFarCovers(original_, mesh, nearEnough(), coverOfOriginal_))
+  const std::vector<OpenTriangle> open = removeFarCovers(original_, mesh, nearEnough(), coverOfOriginal_);
+  if (!followCovers(original_, mesh, nearEnough(), open, coverOfOriginal_))
     findCovers(original_, treeOfMesh.emplace(mesh), nearEnough(), coverOfOriginal_);
   originalSamples_ = uncoveredSamples();
   if (originalSamples_.empty()) return;
@@ -163,7 +195,7 @@ void DeviationGuard::coverOriginal(const TriangleMesh& mesh, Marks& isFar) {
 }
 
 void DeviationGuard::coverMesh(const TriangleMesh& mesh, Marks& isFar) {
-  if (removeFarCovers(mesh, original_, nearEnough(), coverOfMesh_))
+  if (!removeFarCovers(mesh, original_, nearEnough(), coverOfMesh_).empty())
     findCovers(mesh, tree_, nearEnough(), coverOfMesh_);
   firstNear_.assign(mesh.triangleCount(), kNone);
   uint32_t count = 0;

@@ -31,10 +31,10 @@ DistanceBounds::DistanceBounds(const ClosestPointTree& surface, const TriangleMe
   parallelFor(bounds_.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
     uint32_t near = kNone;
     for (size_t v = begin; v < end; ++v) {
-      const ClosestPoint closest = surface_.closest(start.positions[v], near);
-      near = closest.triangle;
-      bounds_[v] = {start.positions[v], closest.distance,
-                    std::max(closest.distance, kEdgeFraction * edges[v]), near};
+      const double allowed = kEdgeFraction * edges[v];
+      const ClosestPoint close = surface_.nearEnough(start.positions[v], allowed, near);
+      near = close.triangle;
+      bounds_[v] = {start.positions[v], close.distance, std::max(close.distance, allowed), near};
     }
   });
 }

@@ -81,8 +81,10 @@ Neighbourhoods neighbourhoodsOf(const TriangleMesh& mesh, const Topology& topolo
   addSegments(mesh, features, sums);
   addTriangles(mesh, topology, normalWeight, sums);
   auto& [around, weight] = sums;
-  for (uint32_t v = 0; v < n; ++v)
-    around.middle[v] = weight[v] > 0 ? around.middle[v] / weight[v] : mesh.positions[v];
+  parallelFor(n, kPerRange, [&](size_t begin, size_t end) {
+    for (size_t v = begin; v < end; ++v)
+      around.middle[v] = weight[v] > 0 ? around.middle[v] / weight[v] : mesh.positions[v];
+  });
   return std::move(around);
 }
 

@@ -29,6 +29,7 @@ FitSamples sampleForFit(const TriangleMesh& original, const Topology& topology, 
   double area = 0;
   for (uint32_t t = 0; t < original.triangleCount(); ++t) area += triangleArea(original, t);
   FitSamples samples;
+  samples.surface.reserve(size_t{n} * cuts * cuts);
   for (uint32_t t = 0; t < original.triangleCount(); ++t) {
     const double size = area > 0 ? std::sqrt(triangleArea(original, t) / (area / n)) : 0;
     sampleTriangle(original, t, std::max(cuts, static_cast<uint32_t>(cuts * size)), samples.surface);

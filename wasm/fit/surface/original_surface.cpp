@@ -9,7 +9,7 @@ OriginalSurface::OriginalSurface(const TriangleMesh& original, uint32_t count, c
     : tree(original) {
   const Topology topology = buildIncidence(original);
   samples = sampleForFit(original, topology, count, featureEdges);
-  sizes = measureSizes(original, topology).values;
+  sizes = measureSizes(original, topology);
 }
 
 }  // namespace limber

@@ -7,13 +7,11 @@
 
 namespace limber {
 
-// The area of a mesh and the length of its outline (all border edges), and their derivatives by the positions
-// of its vertices. In units of the mesh.
-struct SheetSizes {
-  Eigen::Vector2d values;      // area, length
-  Eigen::MatrixX2d gradients;  // row 3 v + axis, a column for each value
-};
-// `topology`: of `mesh`. O(triangles).
-SheetSizes measureSizes(const TriangleMesh& mesh, const Topology& topology);
+// The area of a mesh and the length of its outline (all border edges), in units of the mesh. `topology`: of
+// `mesh`. O(triangles).
+Eigen::Vector2d measureSizes(const TriangleMesh& mesh, const Topology& topology);
+
+// Their derivatives by the positions of the vertices: row 3 v + axis, a column for each. O(triangles).
+Eigen::MatrixX2d sizeGradients(const TriangleMesh& mesh, const Topology& topology);
 
 }  // namespace limber

@@ -144,15 +144,6 @@ void addContacts(SurfaceFit& fit, const Topology& topology, ModelSums& sums) {
                       : followContacts(sums.mesh, topology, sums.samples, fit.closestTriangles);
   measureDistance(sums.contacts, sums.samples, fit);
   sums.far = constants::kFarDistance * constants::kFarDistance * fit.meanSquare;
-  for (size_t i = 0; i < sums.contacts.size(); ++i) {
-    const Contact& contact = sums.contacts[i];
-    if (contact.triangle == kNone) continue;
-    const double weight = sums.weightOf(i);
-    const Eigen::Vector3d n = eigen(sums.samples.surface[i].normal);
-    for (int a = 0; a < 3; ++a)
-      sums.gradientAt(sums.mesh.triangles[contact.triangle][static_cast<size_t>(a)]) +=
-          weight * contact.barycentric[a] * contact.distance * n;
-  }
 }
 
 void addFeatures(const FeatureSegments& features, double weight, ModelSums& sums) {
@@ -193,7 +184,13 @@ Eigen::VectorXd dampingDiagonalOf(const std::vector<double>& area) {
   return diagonal;
 }
 
-// Makes the blocks of the quadratic term, row by row.
+// What the samples of one triangle add to the model at one of its corners.
+struct CornerTerms {
+  CornerBlocks blocks;
+  Eigen::Vector3d force;
+};
+
+// Makes the terms of the samples, corner by corner.
 class TriangleModel {
  public:
   TriangleModel(const ModelSums& sums, bool keepsUnsampled)
@@ -202,21 +199,26 @@ class TriangleModel {
         contacts_(byTriangle(sums.contacts, sums.mesh.triangleCount())),
         features_(byTriangle(sums.features, sums.mesh.triangleCount())) {}
 
-  CornerBlocks blocksAt(Corner corner) const {
+  CornerTerms termsAt(Corner corner) const {
     const uint32_t t = corner.triangle();
-    CornerBlocks row;
+    CornerTerms terms;
+    CornerBlocks& row = terms.blocks;
     row.fill(Eigen::Matrix3d::Zero());
+    terms.force.setZero();
     for (uint32_t k = contacts_.start[t]; k < contacts_.start[t + 1]; ++k) {
       const uint32_t i = contacts_.of[k];
+      const Contact& contact = sums_.contacts[i];
+      const double weight = sums_.weightOf(i);
       const Eigen::Vector3d n = eigen(sums_.samples.surface[i].normal);
-      addBlock(row, corner.index(), sums_.contacts[i], sums_.weightOf(i) * n * n.transpose());
+      addBlock(row, corner.index(), contact, weight * n * n.transpose());
+      terms.force += weight * contact.barycentric[corner.index()] * contact.distance * n;
     }
     if (keepsUnsampled_ && contacts_.start[t] == contacts_.start[t + 1]) keepPlane(corner, row);
     for (uint32_t k = features_.start[t]; k < features_.start[t + 1]; ++k) {
       const FeatureContact& feature = sums_.features[features_.of[k]];
       addBlock(row, corner.index(), feature, feature.across);
     }
-    return row;
+    return terms;
   }
 
  private:
@@ -232,8 +234,8 @@ class TriangleModel {
   ByTriangle contacts_, features_;
 };
 
-// Per vertex the vertices around it and itself, ascending, with blocks of 0.
-BlockMatrix emptyMatrix(const TriangleMesh& mesh, const Topology& topology) {
+// Per vertex the vertices around it and itself, ascending, with blocks of any numbers.
+BlockMatrix uninitialisedMatrix(const TriangleMesh& mesh, const Topology& topology) {
   BlockMatrix matrix;
   matrix.start.assign(mesh.vertexCount() + 1, 1);
   matrix.start[0] = 0;
@@ -249,21 +251,26 @@ BlockMatrix emptyMatrix(const TriangleMesh& mesh, const Topology& topology) {
   for (const Topology::Edge& edge : topology.edges) matrix.column[next[edge.b]++] = edge.a;
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) matrix.column[next[v]++] = v;
   for (const Topology::Edge& edge : topology.edges) matrix.column[next[edge.a]++] = edge.b;
-  matrix.blocks.assign(matrix.column.size(), Eigen::Matrix3d::Zero());
+  matrix.blocks.resize(matrix.column.size());
   return matrix;
 }
 
-BlockMatrix assemble(const Topology& topology, const ModelSums& sums, const TriangleModel& model) {
+// Adds what the samples of the surface pull at each vertex to the gradient, too.
+BlockMatrix assemble(const Topology& topology, ModelSums& sums, const TriangleModel& model) {
   const TriangleMesh& mesh = sums.mesh;
-  BlockMatrix hessian = emptyMatrix(mesh, topology);
+  BlockMatrix hessian = uninitialisedMatrix(mesh, topology);
   parallelFor(mesh.vertexCount(), kSamplesPerRange, [&](size_t begin, size_t end) {
-    for (auto v = static_cast<uint32_t>(begin); v < end; ++v)
+    for (auto v = static_cast<uint32_t>(begin); v < end; ++v) {
+      std::fill(hessian.blocks.begin() + hessian.start[v], hessian.blocks.begin() + hessian.start[v + 1],
+                Eigen::Matrix3d::Zero());
       for (const Corner corner : topology.cornersAt(v)) {
-        CornerBlocks row = model.blocksAt(corner);
+        auto [row, force] = model.termsAt(corner);
         row[static_cast<size_t>(corner.index())] +=
             sums.vertices[v] / static_cast<double>(topology.cornersAt(v).size());
         for (size_t c = 0; c < 3; ++c) hessian.at(v, mesh.triangles[corner.triangle()][c]) += row[c];
+        sums.gradientAt(v) += force;
       }
+    }
   });
   return hessian;
 }
