@@ -115,6 +115,20 @@ TEST(DeviationGuard, measuresTheDistanceFromTheOriginalToo) {
   EXPECT_EQ(guard.tooFar(coarse), std::vector<uint8_t>(coarse.triangleCount(), 0));
 }
 
+TEST(DeviationGuard, judgesAMeshThatHasMovedALittleAsANewGuardDoes) {
+  const TriangleMesh fine = shapes::grid(40, 40), coarse = shapes::grid(10, 10);
+  const ClosestPointTree tree(fine);
+  DeviationGuard guard(fine, tree, 0.12), other(fine, tree, 0.12);
+  guard.begin(coarse);
+  TriangleMesh moved = coarse;
+  moved.positions[60] = moved.positions[60] + Vec3{0.01, 0.02, 0.06};
+  EXPECT_EQ(guard.begin(moved), other.begin(moved));
+  for (const double z : {0.09, 0.1, 0.107, 0.109, 0.12, 0.2}) {
+    moved.positions[60].z = z;
+    EXPECT_EQ(guard.tooFar(moved), other.tooFar(moved)) << z;
+  }
+}
+
 TEST(GuardedStep, doesNotMoveTrianglesThatAreTooFarAlready) {
   const TriangleMesh fine = shapes::grid(16, 16);
   TriangleMesh coarse = shapes::grid(4, 4);

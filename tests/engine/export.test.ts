@@ -45,6 +45,24 @@ function positionsOfCorners(mesh: Mesh): number[][] {
 }
 
 describe('an exported GLB', () => {
+  it('of nothing but positions needs no sources of its corners', async () => {
+    const source = startDocument();
+    addMesh(source, 'torus', [primitiveOf(source, torus())]);
+    const files = [await glbFile(source), textFile('torus.obj', toObj(torus()))];
+    for (const file of files) {
+      const model = await openModel([file]);
+      const written = (sources: 'own' | 'none') =>
+        exportGlb(
+          model,
+          model.bodies.map((body) =>
+            sources === 'own' ? asResult(body) : { ...asResult(body), sources: null },
+          ),
+          { fields: false },
+        );
+      expect(await written('none')).toEqual(await written('own'));
+    }
+  });
+
   it('from every format has no errors, no warnings and bit-equal positions', async () => {
     const shape = torus();
     shape.positions.forEach((value, i) => (shape.positions[i] = value / 3));

@@ -416,6 +416,7 @@ describe('the wedges of a body', () => {
       charts: { wedges: new Uint32Array(), groups: new Uint32Array() },
       wedgeCount: 0,
       hardCosine: null,
+      isBare: true,
     });
   });
 });

@@ -13,7 +13,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kMostPasses = 12;    // over all edges
+constexpr int kMostPasses = 12;  // over all edges
 constexpr size_t kEdgesPerRange = 8192;
 constexpr double kFlat = 0.97;     // least cosine between any old and any new normal
 constexpr double kClearly = 1e-3;  // the sine of the sum of both opposite angles must be less than minus this
@@ -77,14 +77,15 @@ bool Flipping::exists(uint32_t a, uint32_t b) const {
                              [&](uint32_t t) { return std::ranges::count(mesh_.triangles[t], b) > 0; });
 }
 
-// Per edge whether it belongs to an open triangle and is not Delaunay as this pass begins. The others are left
-// alone: a flip beside one of them leaves its triangle open for the next pass.
+// Per edge whether it belongs to an open triangle and is not Delaunay as this pass begins. The others are
+// left alone: a flip beside one of them leaves its triangle open for the next pass.
 std::vector<uint8_t> Flipping::edgesToLookAt() const {
   std::vector<uint8_t> isWorse(topology_.edges.size(), 0);
   parallelFor(isWorse.size(), kEdgesPerRange, [&](size_t begin, size_t end) {
     for (size_t e = begin; e < end; ++e) {
       const Topology::Edge& edge = topology_.edges[e];
-      if (std::ranges::none_of(topology_.trianglesAt(edge), [&](uint32_t t) { return wasOpen_[t]; })) continue;
+      if (std::ranges::none_of(topology_.trianglesAt(edge), [&](uint32_t t) { return wasOpen_[t]; }))
+        continue;
       const std::optional<EdgeQuad> quad = quadAt(mesh_, topology_, edge);
       isWorse[e] = quad && !isDelaunay(quad->start, quad->end, quad->left, quad->right);
     }

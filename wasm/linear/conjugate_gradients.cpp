@@ -125,13 +125,11 @@ class Solve {
 template <int K>
 void solveColumns(const ShiftedMatrix& matrix, Index first, MatrixXd& columns, Job& job) {
   typename Solve<K>::Vector unknowns(matrix.a.nodeCount());
-  forNodes(unknowns.size(), [&](size_t node) {
-    unknowns[node] = columns.block<3, K>(3 * static_cast<Index>(node), first);
-  });
+  forNodes(unknowns.size(),
+           [&](size_t node) { unknowns[node] = columns.block<3, K>(3 * static_cast<Index>(node), first); });
   unknowns = Solve<K>(matrix, job).run(std::move(unknowns));
-  forNodes(unknowns.size(), [&](size_t node) {
-    columns.block<3, K>(3 * static_cast<Index>(node), first) = unknowns[node];
-  });
+  forNodes(unknowns.size(),
+           [&](size_t node) { columns.block<3, K>(3 * static_cast<Index>(node), first) = unknowns[node]; });
 }
 
 }  // namespace

@@ -12,6 +12,10 @@ constexpr uint32_t kLeafSize = 2;
 constexpr size_t kItemsPerRange = 16384;
 constexpr uint32_t kSideBySide = 8192;  // items from which on both branches are built at the same time
 
+std::array<float, 3> inFloats(const Vec3& p) {
+  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+}
+
 // How many nodes a tree over so many items has: one less than leaves. Halving n, 2^d <= n / 2 < 2^(d + 1),
 // for d levels gives 2^d ranges of 2, 3 or 4 items, and those of more than 2 have two leaves.
 uint32_t nodesOver(uint32_t count) {
@@ -28,7 +32,7 @@ BoundingTree::BoundingTree(const std::vector<Bounds>& boxes, const std::vector<V
   const auto count = static_cast<uint32_t>(boxes.size());
   Build from{std::vector<Item>(count), boxes};
   parallelFor(count, kItemsPerRange, [&](size_t begin, size_t end) {
-    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) from.items[i] = {centres[i], i};
+    for (auto i = static_cast<uint32_t>(begin); i < end; ++i) from.items[i] = {inFloats(centres[i]), i};
   });
   root_ = build(from, {0, count, 0}, box_);
   parallelFor(count, kItemsPerRange, [&](size_t begin, size_t end) {
@@ -42,10 +46,14 @@ namespace {
 // upper half.
 template <class Iterator>
 void halve(Iterator begin, Iterator middle, Iterator end) {
-  Bounds box{begin->centre, begin->centre};
-  for (Iterator item = begin; item != end; ++item) box.include(item->centre);
-  const Vec3 size = box.high - box.low;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  std::array<float, 3> low = begin->centre, high = low;
+  for (Iterator item = begin; item != end; ++item)
+    for (size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], item->centre[k]);
+      high[k] = std::max(high[k], item->centre[k]);
+    }
+  const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+  const size_t axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
   std::nth_element(begin, middle, end, [axis](const auto& a, const auto& b) {
     return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.index < b.index;
   });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -37,9 +38,10 @@ class BoundingTree {
     Point<RealPair> low, high;  // corners of the boxes of both branches
     Branch branches[2];
   };
-  // An item with its centre beside it: the build reads both in their order.
+  // An item with its centre beside it: the build reads both in their order. Rounded to float, for a tree that
+  // is balanced otherwise finds the same.
   struct Item {
-    Vec3 centre;
+    std::array<float, 3> centre;
     uint32_t index;
   };
   // What is built from while it is built.

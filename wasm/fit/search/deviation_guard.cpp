@@ -57,15 +57,21 @@ double farthest(const TriangleMesh& mesh, uint32_t t, const Vec3& p) {
   return std::sqrt(square);
 }
 
-// A triangle of a mesh without a cover, and the triangle of the cover that it had; kNone where it had none.
+// Covers are on `surface` and serve triangles of `mesh`: within `enough` of all of a triangle.
+struct Covering {
+  const TriangleMesh& mesh;
+  const TriangleMesh& surface;
+  double enough;
+};
+
+// A triangle without a cover, and the triangle of the cover that it had; kNone where it had none.
 struct OpenTriangle {
   uint32_t triangle, coverBefore;
 };
 
-// Removes the covers of triangles of a mesh that are not within `enough` of all of the triangle, on a surface
-// that may have moved. Returns the triangles that have none.
-std::vector<OpenTriangle> removeFarCovers(const TriangleMesh& mesh, const TriangleMesh& surface, double enough,
-                                          std::vector<SurfacePoint>& covers) {
+// Removes covers that have moved too far from their triangle. Returns the triangles that have none.
+std::vector<OpenTriangle> removeFarCovers(const Covering& covering, std::vector<SurfacePoint>& covers) {
+  const auto& [mesh, surface, enough] = covering;
   covers.resize(mesh.triangleCount());
   std::vector<uint8_t> isOpen(covers.size(), 0);
   parallelFor(covers.size(), kTrianglesPerRange, [&](size_t from, size_t to) {
@@ -80,8 +86,9 @@ std::vector<OpenTriangle> removeFarCovers(const TriangleMesh& mesh, const Triang
 
 // Looks for new covers beside the old ones, on a surface that has moved a little. Returns whether all of the
 // open triangles have one then. Where many are open, a tree over the surface is faster.
-bool followCovers(const TriangleMesh& mesh, const TriangleMesh& surface, double enough,
-                  const std::vector<OpenTriangle>& open, std::vector<SurfacePoint>& covers) {
+bool followCovers(const Covering& covering, const std::vector<OpenTriangle>& open,
+                  std::vector<SurfacePoint>& covers) {
+  const auto& [mesh, surface, enough] = covering;
   const bool isNew = std::ranges::any_of(open, [](const auto& t) { return t.coverBefore == kNone; });
   if (isNew || open.size() > kMostFollowed * mesh.triangleCount()) return false;
   if (open.empty()) return true;
@@ -99,8 +106,7 @@ bool followCovers(const TriangleMesh& mesh, const TriangleMesh& surface, double 
   return isCovered;
 }
 
-// Finds for triangles without a cover a point of the surface that is within `enough` of all of the triangle,
-// as one search from its centre does.
+// Finds covers for triangles that have none, as one search from their centre does.
 void findCovers(const TriangleMesh& mesh, const ClosestPointTree& surface, double enough,
                 std::vector<SurfacePoint>& covers) {
   parallelFor(covers.size(), kTrianglesPerRange, [&](size_t from, size_t to) {
@@ -170,8 +176,9 @@ std::vector<DeviationGuard::OriginalSample> DeviationGuard::uncoveredSamples() c
 
 void DeviationGuard::coverOriginal(const TriangleMesh& mesh, Marks& isFar) {
   std::optional<ClosestPointTree> treeOfMesh;
-  const std::vector<OpenTriangle> open = removeFarCovers(original_, mesh, nearEnough(), coverOfOriginal_);
-  if (!followCovers(original_, mesh, nearEnough(), open, coverOfOriginal_))
+  const Covering covering{original_, mesh, nearEnough()};
+  const std::vector<OpenTriangle> open = removeFarCovers(covering, coverOfOriginal_);
+  if (!followCovers(covering, open, coverOfOriginal_))
     findCovers(original_, treeOfMesh.emplace(mesh), nearEnough(), coverOfOriginal_);
   originalSamples_ = uncoveredSamples();
   if (originalSamples_.empty()) return;
@@ -195,7 +202,7 @@ void DeviationGuard::coverOriginal(const TriangleMesh& mesh, Marks& isFar) {
 }
 
 void DeviationGuard::coverMesh(const TriangleMesh& mesh, Marks& isFar) {
-  if (!removeFarCovers(mesh, original_, nearEnough(), coverOfMesh_).empty())
+  if (!removeFarCovers({mesh, original_, nearEnough()}, coverOfMesh_).empty())
     findCovers(mesh, tree_, nearEnough(), coverOfMesh_);
   firstNear_.assign(mesh.triangleCount(), kNone);
   uint32_t count = 0;

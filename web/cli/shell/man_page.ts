@@ -13,9 +13,9 @@ const EXIT_CODES = [
 ];
 
 const DESCRIPTION = `Limber simplifies meshes so that they still move right: it predicts how a soft body or a piece of cloth will bend, measures
-where it strains, and collapses edges so that motion and shape survive. It reads GLB, glTF, OBJ, STL and PLY. IN and OUT may be
--: stdin and stdout. Nothing is written over the input, what belongs to it, or a file that limber has not written itself, unless
---force is given. Progress and warnings go to stderr.`;
+where it strains, and collapses edges so that motion and shape survive. It reads GLB, glTF, OBJ, STL, PLY and OFF, and
+ZIPs of them. IN and OUT may be -: stdin and stdout. Nothing is written over the input, what belongs to it, or a file that limber
+has not written itself, unless --force is given. Progress and warnings go to stderr.`;
 
 /** The text in the macros of man(7). */
 export function manPage(): string {

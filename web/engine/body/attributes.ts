@@ -21,6 +21,8 @@ export interface BodyAttributes {
    * separate no charts (see hardCosineOf); null: every normal is a value like any other
    */
   hardCosine: number | null;
+  /** whether the file has nothing but positions, so that results need no sources of their corners */
+  isBare: boolean;
 }
 
 /** The attributes of a body of which only the faces are known. */
@@ -28,6 +30,7 @@ export const NO_ATTRIBUTES: BodyAttributes = {
   charts: { wedges: new Uint32Array(), groups: new Uint32Array() },
   wedgeCount: 0,
   hardCosine: null,
+  isBare: true,
 };
 
 /** Components [from, to) of an attribute; they are equal at all corners of a wedge. */
@@ -64,7 +67,7 @@ export function attributesOf(
   const all = [first];
   for (let number = 1; number < layers.most; ++number)
     all.push(attributesOfLayer(entriesOfLayer(document, body, layers, number), weld));
-  return { ...joinedCharts(all, layers), hardCosine: first.hardCosine };
+  return { ...joinedCharts(all, layers), hardCosine: first.hardCosine, isBare: first.isBare };
 }
 
 function attributesOfLayer(entries: Entries, { mesh }: WeldResult): BodyAttributes {
@@ -73,8 +76,17 @@ function attributesOfLayer(entries: Entries, { mesh }: WeldResult): BodyAttribut
   const all = hasAny ? classify(entries, mesh, lists) : { wedges: new Uint32Array(), count: 0 };
   const { wedges, count, hardCosine } = withoutHardEdges(entries, mesh, all);
   const groups = entries.primitives.length > 1 ? entries.spanOfTriangle : new Uint32Array();
-  return { charts: { wedges, groups }, wedgeCount: count, hardCosine };
+  return {
+    charts: { wedges, groups },
+    wedgeCount: count,
+    hardCosine,
+    isBare: entries.primitives.every(isBare),
+  };
 }
+
+const isBare = (primitive: Primitive): boolean =>
+  primitive.listSemantics().every((semantic) => semantic === 'POSITION') &&
+  primitive.listTargets().length === 0;
 
 /** Joins classes of corners across hard edges that the angle between faces makes again, where nothing but normals differs. */
 function withoutHardEdges(entries: Entries, mesh: TriangleMesh, all: Classes) {

@@ -30,8 +30,8 @@ export interface ExportedBody {
   mesh: TriangleMesh;
   /** per triangle of `mesh`: the triangle of `body` that it comes from */
   inputOfTriangle: Uint32Array;
-  /** per corner of `mesh`: the point of `body` that its attributes come from */
-  sources: CornerSources;
+  /** per corner of `mesh`: the point of `body` that its attributes come from; null: the file has nothing but positions there */
+  sources: CornerSources | null;
   /** edges whose faces meet at a smaller cosine are hard, and changed faces get normals by that; null: normals are carried */
   hardCosine: number | null;
   /** per vertex of `mesh` */
@@ -193,8 +193,9 @@ function replaceMesh(
     const old = tangents && mikkTSpaceOf(primitive, indicesOfSpan(body, i), tangents);
     writePrimitive(destination, primitive.setMode(TRIANGLES), exported, { geometry, normals, keepsStored });
     if (old) {
-      const isUnchanged = Array.from(trianglesOfSpan[i], (t) =>
-        isUntouched(exported.sources, t, exported.inputOfTriangle[t]),
+      const isUnchanged = Array.from(
+        trianglesOfSpan[i],
+        (t) => exported.sources !== null && isUntouched(exported.sources, t, exported.inputOfTriangle[t]),
       );
       remakeTangents(primitive, isUnchanged, old, tangents);
     }

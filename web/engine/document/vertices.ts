@@ -21,11 +21,11 @@ export interface PrimitiveGeometry {
 /** Stands for a key where the normal, if any, is interpolated from the sources. */
 export const CARRIED = NONE;
 
-/** A mesh with the points of the body that the attributes of its corners come from. */
+/** A mesh with the points of the body that the attributes of its corners come from; null: there are no attributes. */
 export interface SourcedMesh {
   mesh: TriangleMesh;
   body: Body;
-  sources: CornerSources;
+  sources: CornerSources | null;
 }
 
 /** Turns the corners of `triangles` into vertices, in the order of their first use. */
@@ -119,9 +119,10 @@ class VertexGathering {
     };
   }
 
-  /** A corner on a single vertex has that vertex three times, and the shares 1, 0, 0. */
+  /** A corner on a single vertex has that vertex three times, and the shares 1, 0, 0. Without attributes all corners are alike. */
   private lookAt(corner: number): void {
     const { body, sources } = this.sourced;
+    if (!sources) return;
     const first = 3 * sources.triangle[corner];
     const whole = wholeShare(sources.barycentric, corner);
     for (let k = 0; k < 3; ++k) {

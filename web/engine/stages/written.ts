@@ -57,32 +57,32 @@ export function exportedBody(
   fields: WrittenFields | null,
 ): ExportedBody {
   const { body, attributes, layers } = prepared;
-  const sources = core.sourceOfCorners(prepared.mesh, attributes.charts, result);
-  const { hardCosine } = attributes;
-  const exported = { body, ...inBody(prepared, result, sources, layers), hardCosine };
+  const { hardCosine, charts, isBare } = attributes;
+  const ofResult =
+    isBare && layers.isPlain
+      ? { ...meshInBody(prepared, result), sources: null }
+      : inBody(prepared, result, core.sourceOfCorners(prepared.mesh, charts, result), layers);
+  const exported = { body, ...ofResult, hardCosine };
   if (!fields) return exported;
   const strain = meanOverTriangles(prepared.mesh, fields.guidance?.rank);
-  const ofResult = (field: Float32Array) =>
+  const atVertices = (field: Float32Array) =>
     Float32Array.from(result.inputOfVertex, (vertex) => field[vertex]);
   return {
     ...exported,
-    fields: { strain: ofResult(strain), curvature: ofResult(fields.curvature.vertex) },
+    fields: { strain: atVertices(strain), curvature: atVertices(fields.curvature.vertex) },
   };
 }
 
 /** The result in terms of the body: all layers of it, wound as they are in the file. */
-function inBody(
-  { body, weld }: PreparedBody,
-  result: MeshAt,
-  sources: CornerSources,
-  layers: Layers,
-): Layered {
+function inBody(prepared: PreparedBody, result: MeshAt, sources: CornerSources, layers: Layers): Layered {
+  const { body, weld } = prepared;
   if (!layers.isPlain) return withLayers(layers, body, result, sources);
-  return {
-    mesh: result.mesh,
-    inputOfTriangle: result.inputOfTriangle.map((triangle) => weld.sourceOfTriangle[triangle]),
-    sources: sourcesInBody(body, weld, sources),
-  };
+  return { ...meshInBody(prepared, result), sources: sourcesInBody(body, weld, sources) };
+}
+
+/** A result that has one layer, in terms of the body. */
+function meshInBody({ weld }: PreparedBody, { mesh, inputOfTriangle }: MeshAt) {
+  return { mesh, inputOfTriangle: inputOfTriangle.map((triangle) => weld.sourceOfTriangle[triangle]) };
 }
 
 /** The body as it is, welded. */

@@ -42,7 +42,8 @@ export const PAGE: MessageTable = {
   'Fewer triangles that still move right': '三角形を減らしても、動きはそのまま',
   'Drop a mesh here: Limber finds how it bends and swings, and removes faces where that does not show.':
     'ここにメッシュをドロップしてください。曲がり方や揺れ方を調べ、動きに影響しない所から面を減らします。',
-  'GLB, glTF with its files, OBJ, STL or PLY.': 'GLB、glTF (付属ファイルを含む)、OBJ、STL、PLY。',
+  'GLB, glTF with its files, OBJ, STL, PLY or OFF, or a ZIP of these.':
+    'GLB、glTF (付属ファイルを含む)、OBJ、STL、PLY、OFF、またはこれらの ZIP。',
   'Your file stays on this computer.': 'ファイルは外部に送信されません。',
   'Or try a sample': 'サンプルで試す',
   Samples: 'サンプル',

@@ -27,7 +27,7 @@ export function StartScreen() {
           {say('Open a file')}
         </button>
         <p class="muted">
-          {say('GLB, glTF with its files, OBJ, STL or PLY.')}{' '}
+          {say('GLB, glTF with its files, OBJ, STL, PLY or OFF, or a ZIP of these.')}{' '}
           <strong>{say('Your file stays on this computer.')}</strong>
         </p>
       </div>

@@ -13,7 +13,7 @@ interface Shaded {
   body: Body;
   mesh: TriangleMesh;
   inputOfTriangle: Uint32Array;
-  sources: CornerSources;
+  sources: CornerSources | null;
   hardCosine: number | null;
 }
 
@@ -29,7 +29,7 @@ export function normalKeys(
 ): (corner: number) => number {
   const accessor = primitive.getAttribute('NORMAL');
   if (!accessor && smoothed) return (corner) => normals.smoothKey(corner);
-  if (!accessor || hardCosine === null) return () => CARRIED;
+  if (!accessor || !sources || hardCosine === null) return () => CARRIED;
   return (corner) => {
     const t = Math.floor(corner / 3);
     const source = inputOfTriangle[t];
