@@ -1,8 +1,10 @@
 // npm start: sets up, builds what is out of date, serves the app and prints its address.
 
+import { availableParallelism } from 'node:os';
 import { build } from './build.mjs';
 
-build();
+// Only pages from this computer share memory between threads, without HTTPS.
+build({ threadsOnly: process.env.HOST === undefined && availableParallelism() > 1 });
 const { preview } = await import('vite');
 const port = Number(process.env.PORT ?? 4173);
 const server = await preview({

@@ -21,11 +21,14 @@ export function buildPreset(preset, targets, { emscripten, headers, compiler, qu
   run('ninja', ['-C', folder, ...targets], { quiet });
 }
 
-/** Builds both wasm builds of the product into public/wasm/. */
-export function buildWasm(setup) {
+/** The wasm builds of the product: with and without threads. */
+const WASM_BUILDS = ['threads', 'single'];
+
+/** Builds the product's wasm into public/wasm/, both builds or those that are named. */
+export function buildWasm(setup, builds = WASM_BUILDS) {
   const target = join(root, 'public', 'wasm');
   mkdirSync(target, { recursive: true });
-  for (const preset of ['threads', 'single']) {
+  for (const preset of builds) {
     buildPreset(preset, ['limber'], setup);
     for (const ending of ['mjs', 'wasm'])
       copyFileSync(
