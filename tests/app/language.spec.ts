@@ -4,7 +4,7 @@ import type { Page } from '@playwright/test';
 
 /** Names, symbols, keys, units and file formats are the same in every language. */
 const SAME = new Set(
-  'Limber limber EN QEM meshoptimizer Hausdorff Green Lagrange alpha gamma omega phi pi Home Tab Enter KHR EXT mesh quantization compression draco like input none quantized GLB glTF OBJ STL PLY UV MatCap LOD Hz kB MB ms Pa kg km mm Esc Shift Space Ctrl XPBD Khronos glb zip JSON CSV Markdown meshopt Draco Jolt MuJoCo Newton Blender Discrete Shells bar low high box attribute vertices COOP COEP'.split(
+  'Limber limber EN QEM meshoptimizer Hausdorff Green Lagrange alpha gamma omega phi pi Home Tab Enter KHR EXT mesh quantization compression draco like input none quantized GLB glTF OBJ STL PLY OFF ZIP UV MatCap LOD Hz kB MB ms Pa kg km mm Esc Shift Space Ctrl XPBD Khronos glb zip JSON CSV Markdown meshopt Draco Jolt MuJoCo Newton Blender Discrete Shells bar low high box attribute vertices COOP COEP'.split(
     ' ',
   ),
 );
