@@ -36,8 +36,8 @@ export function normalKeys(
     // The corners of a quad that is cut along its other diagonal have normals of two faces.
     const isAsItWas = isUntouched(sources, t, source) && !body.recut?.[source];
     if (isAsItWas) return CARRIED;
-    if (hardCosine === ALL_HARD) return normals.faceKey(corner);
     const key = normals.smoothKey(corner);
+    if (hardCosine === ALL_HARD) return key;
     const whole = wholeShare(sources.barycentric, corner);
     if (whole < 0) return key;
     const vertex = body.indices[3 * sources.triangle[corner] + whole] - span.firstVertex;

@@ -6,8 +6,10 @@ import { arcCosine, length3 } from '../../core/exact_math';
 
 /** Cosine of 60 degrees: normals are split at edges whose faces meet at a larger angle. */
 const CREASE_COSINE = 0.5;
-/** As a cosine below which edges are hard: every edge is. */
+/** As a cosine below which edges are hard: every edge is, but for those within planes. */
 export const ALL_HARD = 2;
+/** Cosine of a ten-thousandth of a radian: faces that meet at less are in one plane, up to the rounding of positions. */
+const FLAT_COSINE = 1 - 5e-9;
 
 export interface CornerNormals {
   /** per corner 3 * t + k: the lowest corner of the same vertex that shares its normal */
@@ -22,30 +24,18 @@ export interface ResultNormals {
   hardCosine: number;
   /** equal for corners at one vertex that are connected through edges that are not hard */
   smoothKey(corner: number): number;
-  /** equal for the three corners of a triangle */
-  faceKey(corner: number): number;
   /** the unit normal of a key */
   at(key: number): ArrayLike<number>;
 }
 
 /** `hardCosine`: edges whose faces meet at a smaller cosine are hard; by default those beyond 60 degrees. */
 export function resultNormals(mesh: TriangleMesh, hardCosine = CREASE_COSINE): ResultNormals {
-  const cornerCount = mesh.triangles.length;
-  let smooth: CornerNormals | null = null;
-  let flat: Float64Array | null = null;
-  const ofFace = (first: number): ArrayLike<number> => {
-    flat ??= unitFaceNormals(mesh);
-    const normal = flat.subarray(first, first + 3);
-    return normal.some((value) => value !== 0) ? normal : [0, 0, 1];
-  };
+  let computed: CornerNormals | null = null;
+  const all = () => (computed ??= cornerNormals(mesh, Math.min(hardCosine, FLAT_COSINE)));
   return {
     hardCosine,
-    smoothKey: (corner) => (smooth ??= cornerNormals(mesh, hardCosine)).group[corner],
-    faceKey: (corner) => cornerCount + corner - (corner % 3),
-    at: (key) => {
-      if (key >= cornerCount) return ofFace(key - cornerCount);
-      return (smooth ??= cornerNormals(mesh, hardCosine)).normals.subarray(3 * key, 3 * key + 3);
-    },
+    smoothKey: (corner) => all().group[corner],
+    at: (key) => all().normals.subarray(3 * key, 3 * key + 3),
   };
 }
 
