@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "fit/tuning.h"
-#include "modes/vertex_limits.h"
+#include "linear/conjugate_gradients.h"
 
 namespace limber {
 
@@ -46,10 +46,10 @@ Eigen::VectorXd ShapeRounds::stepOf(const SurfaceFit& fit, const Eigen::Vector2d
   Eigen::MatrixXd columns(fit.gradient.size(), 3);
   columns << fit.gradient, sizeGradients;
   if (part_.mirror) part_.mirror->symmetrise(columns);
+  const ShiftedMatrix matrix{fit.hessian, fit.dampingDiagonal, tuning::surface_rounds::kDamping,
+                             part_.locked};
   const auto solve = [&](const auto& right) -> Eigen::MatrixXd {
-    Eigen::MatrixXd solved =
-        FitSolver(part_.locked, job_, kLargeResultVertices)
-            .solve({fit.hessian, fit.dampingDiagonal, tuning::surface_rounds::kDamping}, right);
+    Eigen::MatrixXd solved = conjugateGradients(matrix, right, job_);
     part_.flatRegions.flatten(solved);
     return solved;
   };

@@ -6,7 +6,6 @@
 
 #include "base/job.h"
 #include "fit/fit_part.h"
-#include "fit/search/fit_solver.h"
 #include "fit/search/guarded_step.h"
 #include "fit/surface/original_surface.h"
 #include "fit/surface/sheet_sizes.h"

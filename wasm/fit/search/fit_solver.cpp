@@ -1,22 +1,17 @@
 #include "fit/search/fit_solver.h"
 
-#include <utility>
-
 #include "elastic/pins.h"
-#include "linear/conjugate_gradients.h"
 #include "linear/factorisation.h"
 
 namespace limber {
 
-FitSolver::FitSolver(const std::vector<uint8_t>& locked, Job& job, uint32_t mostFactorised)
-    : locked_(locked), isIterative_(locked.size() > mostFactorised), job_(job) {
+FitSolver::FitSolver(const std::vector<uint8_t>& locked, Job& job) : job_(job) {
   for (uint32_t v = 0; v <= locked.size(); ++v) pencil_.firstUnknown.push_back(3 * v);
   for (uint32_t v = 0; v < locked.size(); ++v)
     if (locked[v]) lockedUnknowns_.insert(lockedUnknowns_.end(), {3 * v, 3 * v + 1, 3 * v + 2});
 }
 
 Eigen::MatrixXd FitSolver::solve(const DampedSystem& system, Eigen::MatrixXd columns) {
-  if (isIterative_) return solveIteratively(system, std::move(columns));
   system.hessian.writeTo(pencil_.k);
   pencil_.m = system.dampingDiagonal;
   if (!lockedUnknowns_.empty()) clampUnknowns(pencil_, lockedUnknowns_);
@@ -25,16 +20,6 @@ Eigen::MatrixXd FitSolver::solve(const DampedSystem& system, Eigen::MatrixXd col
   Factorisation factorisation(pencil_, structure_);
   factorisation.factorise(-system.damping, job_);
   factorisation.solve(columns, job_);
-  return columns;
-}
-
-// Columns of zeros stay so, and take no time.
-Eigen::MatrixXd FitSolver::solveIteratively(const DampedSystem& system, Eigen::MatrixXd columns) const {
-  const ShiftedMatrix matrix{system.hessian, system.dampingDiagonal, system.damping, locked_};
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index k = 0; k < columns.cols(); ++k)
-    if (!columns.col(k).isZero(0)) kept.push_back(k);
-  columns(Eigen::all, kept) = conjugateGradients(matrix, columns(Eigen::all, kept), job_);
   return columns;
 }
 

@@ -24,20 +24,14 @@ struct DampedSystem {
 // pattern does, too: the order of elimination and the structure of the factor are found once.
 class FitSolver {
  public:
-  // `locked`: per vertex, not 0 where it stays in place: its three unknowns are 0. Meshes of more vertices
-  // than `mostFactorised` are solved by conjugate gradients: a factor grows faster than the mesh. The job
-  // must outlive this.
-  FitSolver(const std::vector<uint8_t>& locked, Job& job, uint32_t mostFactorised = UINT32_MAX);
+  // `locked`: per vertex, not 0 where it stays in place: its three unknowns are 0. The job must outlive this.
+  FitSolver(const std::vector<uint8_t>& locked, Job& job);
 
-  // (A + mu D)^-1 b for each column b of 3 vertexCount numbers; all columns share one factorisation. By
-  // conjugate gradients to a hundredth of each column. Throws Cancelled.
+  // (A + mu D)^-1 b for each column b of 3 vertexCount numbers; all columns share one factorisation. Throws
+  // Cancelled.
   Eigen::MatrixXd solve(const DampedSystem& system, Eigen::MatrixXd columns);
 
  private:
-  Eigen::MatrixXd solveIteratively(const DampedSystem& system, Eigen::MatrixXd columns) const;
-
-  std::vector<uint8_t> locked_;
-  bool isIterative_;
   Job& job_;
   // The sparse factorisation of linear/ factorises K - sigma M of a pencil (K, M). Here the pencil is (A, D)
   // and sigma is -mu.
