@@ -9,8 +9,8 @@ import { root, run } from './setup/environment.mjs';
 import { setUp } from './setup/setup.mjs';
 
 /**
- * Builds what is out of date; returns the result of `setUp`. `coreOnly`: nothing but the core. `threadsOnly`: the page alone, with the
- * core that uses threads alone, for browsers that share memory with the page; it takes half of the time.
+ * Builds what is out of date; returns the result of `setUp`. `coreOnly`: nothing but the core. `threadsOnly`: no command line and no
+ * core without threads, which a page does not load where threads may share memory.
  */
 export function build({ tests = false, coreOnly = false, threadsOnly = false } = {}) {
   const setup = setUp({ tests });

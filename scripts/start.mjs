@@ -3,7 +3,7 @@
 import { availableParallelism } from 'node:os';
 import { build } from './build.mjs';
 
-// Only pages from this computer share memory between threads, without HTTPS.
+// Without HTTPS browsers let pages share memory between threads only from localhost; others need the core without threads.
 build({ threadsOnly: process.env.HOST === undefined && availableParallelism() > 1 });
 const { preview } = await import('vite');
 const port = Number(process.env.PORT ?? 4173);

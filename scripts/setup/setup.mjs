@@ -101,7 +101,7 @@ function apt(packages) {
   console.log(`Installing system packages: ${packages.join(' ')} ...`);
   const [command, prefix] = isRoot ? ['apt-get', []] : ['sudo', ['apt-get']];
   const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
-  // Updates that a system starts by itself hold the lock of packages for minutes.
+  // Automatic updates of the system can hold apt's lock for minutes: wait for it.
   const quietly = [...prefix, '-qq', '-o', 'DPkg::Lock::Timeout=600'];
   run(command, [...quietly, 'update'], { quiet: true, env });
   run(command, [...quietly, '-y', '--no-install-recommends', 'install', ...packages], { quiet: true, env });

@@ -25,9 +25,9 @@ class DistanceBounds {
  private:
   struct Bound {
     Vec3 start;
-    double startDistance;  // of `start` from the surface
+    double startDistance;  // at least that of `start` from the surface, and at most `most`
     double most;           // the bound
-    uint32_t near;         // triangle of the surface that is closest to `start`
+    uint32_t near;         // triangle of the surface within startDistance of `start`
   };
   const ClosestPointTree& surface_;
   std::vector<Bound> bounds_;  // per vertex

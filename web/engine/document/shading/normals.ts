@@ -8,7 +8,10 @@ import { arcCosine, length3 } from '../../core/exact_math';
 const CREASE_COSINE = 0.5;
 /** As a cosine below which edges are hard: every edge is, but for those within planes. */
 export const ALL_HARD = 2;
-/** Cosine of a ten-thousandth of a radian: faces that meet at less are in one plane, up to the rounding of positions. */
+/**
+ * Cosine of a ten-thousandth of a radian: faces that meet at less share a normal. It is narrower than FLAT_STEPS of hard_edges.ts, which
+ * only classifies edges, because a shared normal is a mean and must not differ visibly from that of a face.
+ */
 const FLAT_COSINE = 1 - 5e-9;
 
 export interface CornerNormals {
