@@ -121,7 +121,9 @@ void refine(const ShiftedPencil& pencil, EigenSearch& search, const EigenOptions
   }
 }
 
-// Adds the members of clusters that a single start vector has missed, until inertia counts no more of them.
+// Adds the members of clusters that a single start vector has missed, until inertia counts no more of them. An
+// attempt looks for as many pairs as there are at most: where K is singular to rounding, inertia counts
+// hundreds that are not there, and the search for them would take hours.
 void addMissing(ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& options) {
   const double sigma = pencil.shift();
   for (int attempt = 0; attempt < kMissingAttempts; ++attempt) {
@@ -130,8 +132,8 @@ void addMissing(ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& 
     const int missing = missingPairs(pencil, search, lastWanted);
     if (missing <= 0) return;
     pencil.shiftTo(sigma);
-    const EigenSearch more =
-        lanczos(pencil, pencil.restrict(search.phi), missing + kMissingExtraPairs, options.isRough);
+    const int sought = std::min(missing + kMissingExtraPairs, static_cast<int>(search.lambda.size()));
+    const EigenSearch more = lanczos(pencil, pencil.restrict(search.phi), sought, options.isRough);
     Eigen::MatrixXd all(search.phi.rows(), search.phi.cols() + more.phi.cols());
     all << search.phi, more.phi;
     search.phi = all;

@@ -20,6 +20,10 @@ TYPED = {
 }
 
 
+class Refused(Exception):
+    """`limber tune` could not tune the mesh; its sentence."""
+
+
 @dataclass
 class Settings:
     """`engine`: native parameters; `masses`: kg, of the coarse mesh's vertices; `frequencies` and `motion` as in the file."""
@@ -39,11 +43,15 @@ def typed(engine, mesh, parameters):
 
 
 def tuned(engine, source, original, parameters, file, coarse):
-    """Settings for `coarse` (stored in `file`), which is to move as `original` (stored in `source`) with `parameters`."""
+    """Settings for `coarse` (stored in `file`), which is to move as `original` (stored in `source`) with `parameters`.
+
+    Raises Refused where the product refuses."""
     target = file.with_suffix(f".{engine}.json")
     command = ["node", CLI, "tune", str(source), str(file), "--solver", engine, "--settings", str(target), "--pins", "low:6",
                "--engine", typed(engine, original, parameters), "--quiet"]
-    subprocess.run(command, check=True, capture_output=True, text=True)
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode:
+        raise Refused(done.stderr.strip())
     body = _only_body(json.loads(target.read_text(encoding="utf-8")))
     place = cKDTree(np.array(body["mesh"]["positions"]).reshape(-1, 3))
     distance, vertex = place.query(coarse.positions)

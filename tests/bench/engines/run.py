@@ -134,9 +134,15 @@ def floors(store, case, scene, start, reference, key):
 
 
 def tune(case, coarse, method):
-    """What `limber tune` writes for the coarse mesh, and its frequencies in our model of the engine."""
+    """What `limber tune` writes for the coarse mesh, and its frequencies in our model of the engine.
+
+    Where it refuses, its sentence alone."""
     name, engine = case.entry["name"], case.engine.NAME
-    found = product.tuned(engine, mesh_file(name), case.original, case.parameters, mesh_file(name, method), coarse)
+    try:
+        found = product.tuned(engine, mesh_file(name), case.original, case.parameters, mesh_file(name, method), coarse)
+    except product.Refused as refused:
+        print(f"{engine}, {name}, {method}: {refused}", file=sys.stderr)
+        return {"refused": str(refused)}
     body = case.engine.body(coarse, found.engine, found.masses)
     return {
         "faces": len(coarse.triangles),
@@ -157,7 +163,9 @@ def run_result(store, case, method, scene_starts, key):
     points = closest_points(coarse, at)
     tuning_key = f"{case.engine.NAME}|{case.entry['name']}|{method}|tuning"
     tuned = store.get(tuning_key, lambda: tune(case, coarse, method))
-    native, masses = tuned["native"], np.array(tuned["masses"])
+    # Where tuning is refused, the user is left with the original's parameters.
+    native = tuned.get("native", case.parameters)
+    masses = np.array(tuned["masses"]) if "masses" in tuned else None
     for scene, start, reference in scene_starts:
         cell = f"{key}|{scene}|{start}|{method}"
         run = lambda parameters, own: deviation(

@@ -158,6 +158,12 @@ def exceptions(cells, gathered, methods):
     return f" Worse than {best} untouched by more than {WORSE} times and the noise: {'; '.join(names) or 'none'}."
 
 
+def frequency_cell(value):
+    if not value:
+        return ""
+    return "refused" if "refused" in value else f"{value['untouched']:.1f} -> {value['tuned']:.1f}"
+
+
 def frequency_table(frequencies):
     found = {}
     for key, value in frequencies.items():
@@ -167,7 +173,6 @@ def frequency_table(frequencies):
     for (engine, mesh), of in found.items():
         row = [engine, mesh]
         for method in methods:
-            value = of.get(method)
-            row.append(f"{value['untouched']:.1f} -> {value['tuned']:.1f}" if value else "")
+            row.append(frequency_cell(of.get(method)))
         rows.append(row)
     return table(["engine", "mesh", *methods], rows)
