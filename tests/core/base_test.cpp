@@ -13,6 +13,7 @@
 #include "base/job.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/side_by_side.h"
 
 namespace limber {
 namespace {
@@ -158,6 +159,53 @@ TEST(Job, throwsOnceCancelledAndStartsAfreshAfterReset) {
   EXPECT_THROW(job.report(0.5), Cancelled);
   job.reset();
   EXPECT_NO_THROW(job.report(0.5));
+}
+
+TEST(Job, isCancelledWithTheCallThatItIsAPartOf) {
+  Job whole;
+  Job part(whole);
+  part.begin(Phase::Solve);
+  EXPECT_EQ(whole.words[1].load(), static_cast<int32_t>(Phase::Idle));
+  EXPECT_NO_THROW(part.check());
+  whole.requestCancel();
+  EXPECT_THROW(part.check(), Cancelled);
+}
+
+TEST(SideBySide, runsEveryItemAndShowsTheShareThatHasEnded) {
+  for (const int threads : {1, 3}) {
+    setThreadCount(threads);
+    Job whole;
+    std::vector<size_t> ended(100);
+    sideBySide(ended.size(), Phase::Solve, whole, [&](size_t i, Job& job) {
+      job.begin(Phase::Strain);
+      parallelFor(4, 1, [&](size_t, size_t) { job.check(); });
+      ended[i] = i + 1;
+    });
+    for (size_t i = 0; i < ended.size(); ++i) EXPECT_EQ(ended[i], i + 1);
+    EXPECT_EQ(whole.words[1].load(), static_cast<int32_t>(Phase::Solve));
+    EXPECT_GT(whole.words[2].load(), 0);
+  }
+  setThreadCount(1);
+}
+
+TEST(SideBySide, rethrowsTheFirstErrorAndStopsWhereItIsCancelled) {
+  setThreadCount(3);
+  Job whole;
+  try {
+    sideBySide(50, Phase::Solve, whole, [](size_t i, Job&) {
+      if (i == 7 || i == 30) throw std::runtime_error("item " + std::to_string(i));
+    });
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "item 7");
+  }
+  EXPECT_THROW(sideBySide(50, Phase::Solve, whole,
+                          [&](size_t, Job& job) {
+                            whole.requestCancel();
+                            job.check();
+                          }),
+               Cancelled);
+  setThreadCount(1);
 }
 
 TEST(Job, tellsItsObserverEachPercentOnce) {

@@ -121,8 +121,9 @@ BlockMatrix chainOf(uint32_t nodes, double factor) {
   }
   chain.blocks.assign(chain.column.size(), Eigen::Matrix3d::Zero());
   for (uint32_t i = 0; i < nodes; ++i) {
-    const Eigen::Matrix3d root = randomMatrix(3, 3, i + 1);
-    const Eigen::Matrix3d block = (i % 50 == 0 ? factor : 1) * root * root.transpose();
+    const Eigen::Matrix3d root = randomMatrix(3, 3, i + 1), square = root * root.transpose();
+    // Symmetric to the last bit, which the product need not be.
+    const Eigen::Matrix3d block = (i % 50 == 0 ? factor : 1) / 2 * (square + square.transpose());
     chain.at(i, i) += block;
     if (i + 1 == nodes) continue;
     chain.at(i + 1, i + 1) += block;

@@ -15,7 +15,7 @@ import {
   weldLevels,
 } from '../../web/engine/body/paint';
 import { LOCKED, parsePaint, STRONGEST, withPaint } from '../../web/engine/settings/paint_text';
-import { buildHistory } from '../../web/engine/stages/history';
+import { historyCall } from '../../web/engine/stages/history';
 import { prepareBody } from '../../web/engine/stages/prepared';
 import { simplificationSettings } from '../../web/engine/stages/simplification';
 import { bodyOf } from './support/bodies';
@@ -100,7 +100,8 @@ describe('a painted body', () => {
     const settings = { ...defaultSettings(method), paint, maxDeviation: 0 };
     const { constraints } = constraintsOf(new Document(), prepared, new Uint32Array(), settings);
     const guides = { guidance: null, curvature, constraints };
-    const history = buildHistory(core, prepared, guides, simplificationSettings(settings));
+    const { values } = historyCall(prepared, guides, simplificationSettings(settings));
+    const history = core.simplify(...values);
     return core.meshAt(prepared.mesh, history, faces).mesh;
   };
   const share = ({ positions }: { positions: Float32Array }) =>

@@ -5,7 +5,7 @@ import { MATERIAL_NAMES, MATERIALS, materialNameOf } from '../../web/engine/sett
 import { checkSettings, defaultSettings } from '../../web/engine/settings/options';
 import { findPins } from '../../web/engine/body/pins';
 import { parsePins } from '../../web/engine/settings/pin_text';
-import { findModes } from '../../web/engine/stages/modes';
+import { modesCall } from '../../web/engine/stages/modes';
 import { prepareBody } from '../../web/engine/stages/prepared';
 import { loadTestCore } from './support/core';
 import { textFile } from './support/files';
@@ -96,10 +96,11 @@ describe('pins', () => {
   it('leave one rigid motion if they are on a line, and none otherwise', async () => {
     const { document, prepared } = await sheet();
     const settings = { ...defaultSettings(), model: 'shell' as const, modeCount: 3 };
-    const free = findModes(core, prepared, new Uint32Array(), settings);
-    const hinged = findModes(core, prepared, findPins('low:0', document, prepared), settings);
+    const modesOf = (pinned: Uint32Array) => core.findModes(...modesCall(prepared, pinned, settings).values);
+    const free = modesOf(new Uint32Array());
+    const hinged = modesOf(findPins('low:0', document, prepared));
     expect([free.components[0].zeroModesFound, hinged.components[0].zeroModesFound]).toEqual([6, 1]);
-    const clamped = findModes(core, prepared, findPins('low:20', document, prepared), settings);
+    const clamped = modesOf(findPins('low:20', document, prepared));
     expect(clamped.components[0]).toMatchObject({ zeroModesExpected: 0, zeroModesFound: 0 });
     expect(clamped.modes[0].omega).toBeLessThan(free.modes[0].omega);
   });

@@ -105,7 +105,7 @@ describe('guidance', () => {
       components: found.components.map((one) => ({ ...one, modeCount: 0 })),
     };
     const request = { ...settings(), guiding: [2] };
-    const { rank } = findGuidance(core, run.get(STAGES.prepared, settings()), none, request);
+    const { rank } = findGuidance({ core }, run.get(STAGES.prepared, settings()), none, request);
     expect([...rank]).toEqual(Array(12).fill(0));
   });
 

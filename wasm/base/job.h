@@ -34,6 +34,11 @@ struct Cancelled : std::runtime_error {
 // phase, [2] progress in 1/10,000 of the phase, [3] unused.
 class Job {
  public:
+  Job() = default;
+  // A part of another running call, which must outlive it: it is cancelled with that call, and its phases and
+  // progress are not shown.
+  explicit Job(const Job& whole) : whole_(&whole) {}
+
   std::atomic<int32_t> words[4] = {};
 
   // Called on the thread of the running call whenever the phase or the whole percent changes. For builds
@@ -42,7 +47,9 @@ class Job {
 
   void reset();
   void requestCancel() { words[0].store(1, std::memory_order_relaxed); }
-  bool cancelRequested() const { return words[0].load(std::memory_order_relaxed) != 0; }
+  bool cancelRequested() const {
+    return words[0].load(std::memory_order_relaxed) != 0 || (whole_ && whole_->cancelRequested());
+  }
 
   // Starts a phase at progress 0. Throws Cancelled.
   void begin(Phase phase);
@@ -60,6 +67,7 @@ class Job {
   }
 
  private:
+  const Job* whole_ = nullptr;
   int32_t observedPercent_ = -1;
   int32_t depth_ = 0;  // of nested calls of `enter`
 };

@@ -5,6 +5,7 @@
 #include "bind/function.h"
 #include "bind/material.h"
 #include "bind/meshes.h"
+#include "bind/side_by_side.h"
 #include "compare/fidelity.h"
 #include "compare/surface_distance.h"
 
@@ -68,8 +69,23 @@ FidelityOptions fidelityOptionsOf(const val& in) {
   return options;
 }
 
-val jsMeasureSurfaceDistance(const val& a, const val& b, uint32_t samples) {
-  return toJs(measureSurfaceDistance(*meshOf(a), *meshOf(b), {.samples = samples}, theJob));
+class MeasureDistance {
+ public:
+  static constexpr size_t kArguments = 3;
+  static constexpr Phase kPhase = Phase::Measure;
+
+  MeasureDistance(const val& a, const val& b, const val& samples)
+      : a_(meshOf(a)), b_(meshOf(b)), samples_(samples.as<uint32_t>()) {}
+  SurfaceDistance run(Job& job) const { return measureSurfaceDistance(*a_, *b_, {.samples = samples_}, job); }
+  val write(const SurfaceDistance& distance) const { return toJs(distance); }
+
+ private:
+  std::shared_ptr<const TriangleMesh> a_, b_;
+  uint32_t samples_;
+};
+
+val jsMeasureSurfaceDistance(const val& a, const val& b, const val& samples) {
+  return callOnce<MeasureDistance>(a, b, samples);
 }
 
 val jsMeasureHausdorff(const val& a, const val& b, uint32_t samples) {
@@ -103,6 +119,7 @@ val jsCompareFidelity(const val& original, const val& result, const val& in) {
 EMSCRIPTEN_BINDINGS(limber_compare) {
   using namespace limber;
   offer<&jsMeasureSurfaceDistance>("measureSurfaceDistance");
+  offerSideBySide<MeasureDistance>("measureSurfaceDistance");
   offer<&jsMeasureHausdorff>("measureHausdorff");
   offer<&jsIsWithinHausdorff>("isWithinHausdorff");
   offer<&jsShellModes>("shellModes");

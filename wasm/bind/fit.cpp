@@ -3,6 +3,7 @@
 #include "bind/charts.h"
 #include "bind/function.h"
 #include "bind/meshes.h"
+#include "bind/side_by_side.h"
 #include "fit/modal_fit.h"
 #include "fit/shape_fit.h"
 
@@ -68,14 +69,35 @@ val jsFitModes(const val& mesh, const val& result, const val& in) {
   return toJs(fitModes(*meshOf(mesh), fromJs<MeshAt>(result), options, theJob));
 }
 
-val jsFitShape(const val& mesh, const val& result, const val& in) {
-  const auto lists = fromJs<FitLists>(in);
-  auto options = fromJs<ShapeFitOptions>(in);
-  options.charts = lists.charts.view();
-  options.locked = lists.locked;
-  options.pinned = PinnedVertices(vectorOf<uint32_t>(in["pinned"]));
-  options.mirror = lists.mirror;
-  return toJs(fitShape(*meshOf(mesh), fromJs<MeshAt>(result), options, theJob));
+class FitShape {
+ public:
+  static constexpr size_t kArguments = 3;
+  static constexpr Phase kPhase = Phase::Fit;
+
+  FitShape(const val& mesh, const val& result, const val& in)
+      : mesh_(meshOf(mesh)),
+        result_(fromJs<MeshAt>(result)),
+        lists_(fromJs<FitLists>(in)),
+        options_(fromJs<ShapeFitOptions>(in)) {
+    options_.charts = lists_.charts.view();
+    options_.locked = lists_.locked;
+    options_.pinned = PinnedVertices(vectorOf<uint32_t>(in["pinned"]));
+    options_.mirror = lists_.mirror;
+  }
+  FitShape(const FitShape&) = delete;  // the options point into it
+
+  ShapeFitResult run(Job& job) const { return fitShape(*mesh_, result_, options_, job); }
+  val write(const ShapeFitResult& fitted) const { return toJs(fitted); }
+
+ private:
+  std::shared_ptr<const TriangleMesh> mesh_;
+  MeshAt result_;
+  FitLists lists_;
+  ShapeFitOptions options_;
+};
+
+val jsFitShape(const val& mesh, const val& result, const val& options) {
+  return callOnce<FitShape>(mesh, result, options);
 }
 
 }  // namespace
@@ -85,4 +107,5 @@ EMSCRIPTEN_BINDINGS(limber_fit) {
   using namespace limber;
   offer<&jsFitModes>("fitModes");
   offer<&jsFitShape>("fitShape");
+  offerSideBySide<FitShape>("fitShape");
 }

@@ -33,6 +33,20 @@ inline val jsError(const char* name, const std::string& message) {
   return error;
 }
 
+// The exception that is being handled as an Error object.
+inline val errorOfCurrentException() {
+  try {
+    throw;
+  } catch (const Cancelled& error) {
+    return jsError("Cancelled", error.what());
+  } catch (const std::bad_alloc&) {
+    return jsError("Error",
+                   "Not enough memory for a mesh of this size: reduce it first, or ask for fewer modes.");
+  } catch (const std::exception& error) {
+    return jsError("Error", error.what());
+  }
+}
+
 // `f` with every exception turned into an Error object that is returned.
 template <auto f>
 struct Guarded;
@@ -41,13 +55,8 @@ struct Guarded<f> {
   static val call(Arguments... arguments) {
     try {
       return f(arguments...);
-    } catch (const Cancelled& error) {
-      return jsError("Cancelled", error.what());
-    } catch (const std::bad_alloc&) {
-      return jsError("Error",
-                     "Not enough memory for a mesh of this size: reduce it first, or ask for fewer modes.");
-    } catch (const std::exception& error) {
-      return jsError("Error", error.what());
+    } catch (...) {
+      return errorOfCurrentException();
     }
   }
 };

@@ -3,6 +3,7 @@
 #include "bind/function.h"
 #include "bind/material.h"
 #include "bind/meshes.h"
+#include "bind/side_by_side.h"
 #include "fields/guidance.h"
 #include "mesh/topology.h"
 #include "modes/find_modes.h"
@@ -69,13 +70,30 @@ struct Fields<StrainGuidance> {
 
 namespace {
 
-val jsFindModes(const val& meshIn, const val& in) {
-  const auto mesh = meshOf(meshIn);
-  auto options = fromJs<ModesOptions>(in);
-  options.material = fromJs<ElasticMaterial>(in);
-  val out = toJs(findModes(*mesh, options, in["exact"].as<bool>(), theJob));
-  out.set("componentOfVertex", typedArray(buildTopology(*mesh).componentOfVertex));
-  return out;
+class FindModes {
+ public:
+  static constexpr size_t kArguments = 2;
+  static constexpr Phase kPhase = Phase::Solve;
+
+  FindModes(const val& mesh, const val& in)
+      : mesh_(meshOf(mesh)), options_(fromJs<ModesOptions>(in)), exact_(in["exact"].as<bool>()) {
+    options_.material = fromJs<ElasticMaterial>(in);
+  }
+  ModeSet run(Job& job) const { return findModes(*mesh_, options_, exact_, job); }
+  val write(const ModeSet& modes) const {
+    val out = toJs(modes);
+    out.set("componentOfVertex", typedArray(buildTopology(*mesh_).componentOfVertex));
+    return out;
+  }
+
+ private:
+  std::shared_ptr<const TriangleMesh> mesh_;
+  ModesOptions options_;
+  bool exact_;
+};
+
+val jsFindModes(const val& mesh, const val& options) {
+  return callOnce<FindModes>(mesh, options);
 }
 
 // omega[component * modesPerComponent + ordinal], 0 where the component lacks that mode. A cavity has the
@@ -99,13 +117,30 @@ std::vector<double> omegaTable(const std::vector<Mode>& modes, const std::vector
   return omega;
 }
 
-val jsStrainGuidance(const val& mesh, const val& modeSet, const val& in) {
-  const auto options = fromJs<GuidanceOptions>(in);
-  const auto shapes = vectorOf<float>(modeSet["shapes"]);
-  const auto omega = omegaTable(fromJs<std::vector<Mode>>(modeSet["modes"]),
-                                fromJs<std::vector<ComponentModes>>(modeSet["components"]),
-                                modeSet["modesPerComponent"].as<uint32_t>());
-  return toJs(strainGuidance(*meshOf(mesh), shapes, omega, options, theJob));
+class FindGuidance {
+ public:
+  static constexpr size_t kArguments = 3;
+  static constexpr Phase kPhase = Phase::Strain;
+
+  FindGuidance(const val& mesh, const val& modes, const val& options)
+      : mesh_(meshOf(mesh)),
+        shapes_(vectorOf<float>(modes["shapes"])),
+        omega_(omegaTable(fromJs<std::vector<Mode>>(modes["modes"]),
+                          fromJs<std::vector<ComponentModes>>(modes["components"]),
+                          modes["modesPerComponent"].as<uint32_t>())),
+        options_(fromJs<GuidanceOptions>(options)) {}
+  StrainGuidance run(Job& job) const { return strainGuidance(*mesh_, shapes_, omega_, options_, job); }
+  val write(const StrainGuidance& guidance) const { return toJs(guidance); }
+
+ private:
+  std::shared_ptr<const TriangleMesh> mesh_;
+  std::vector<float> shapes_;
+  std::vector<double> omega_;
+  GuidanceOptions options_;
+};
+
+val jsStrainGuidance(const val& mesh, const val& modes, const val& options) {
+  return callOnce<FindGuidance>(mesh, modes, options);
 }
 
 }  // namespace
@@ -114,5 +149,7 @@ val jsStrainGuidance(const val& mesh, const val& modeSet, const val& in) {
 EMSCRIPTEN_BINDINGS(limber_modes) {
   using namespace limber;
   offer<&jsFindModes>("findModes");
+  offerSideBySide<FindModes>("findModes");
   offer<&jsStrainGuidance>("strainGuidance");
+  offerSideBySide<FindGuidance>("strainGuidance");
 }

@@ -4,6 +4,7 @@
 
 #include "bind/function.h"
 #include "bind/meshes.h"
+#include "bind/side_by_side.h"
 #include "simplify/method_name.h"
 #include "simplify/why_kept.h"
 
@@ -96,9 +97,22 @@ struct Request {
   Guidance guidance() const { return {strain, curvature}; }
 };
 
-val jsSimplify(const val& mesh, const val& strain, const val& curvature, const val& in) {
-  const Request request(mesh, strain, curvature, in);
-  return toJs(simplify(*request.mesh, request.guidance(), request.options, theJob));
+class Simplify {
+ public:
+  static constexpr size_t kArguments = 4;
+  static constexpr Phase kPhase = Phase::Simplify;
+
+  Simplify(const val& mesh, const val& strain, const val& curvature, const val& options)
+      : request_(mesh, strain, curvature, options) {}
+  History run(Job& job) const { return simplify(*request_.mesh, request_.guidance(), request_.options, job); }
+  val write(const History& history) const { return toJs(history); }
+
+ private:
+  Request request_;
+};
+
+val jsSimplify(const val& mesh, const val& strain, const val& curvature, const val& options) {
+  return callOnce<Simplify>(mesh, strain, curvature, options);
 }
 
 val jsMeshAt(const val& mesh, const val& history, uint32_t faces) {
@@ -136,6 +150,7 @@ val jsWhyKept(const val& reduction, uint32_t faces) {
 EMSCRIPTEN_BINDINGS(limber_simplify) {
   using namespace limber;
   offer<&jsSimplify>("simplify");
+  offerSideBySide<Simplify>("simplify");
   offer<&jsMeshAt>("meshAt");
   offer<&jsWhyKept>("whyKept");
 }

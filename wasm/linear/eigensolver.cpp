@@ -121,8 +121,8 @@ void refine(const ShiftedPencil& pencil, EigenSearch& search, const EigenOptions
   }
 }
 
-// Adds the members of clusters that a single start vector has missed, until inertia counts no more of them. An
-// attempt looks for as many pairs as there are at most: where K is singular to rounding, inertia counts
+// Adds the members of clusters that a single start vector has missed, until inertia counts no more of them.
+// An attempt looks for as many pairs as there are at most: where K is singular to rounding, inertia counts
 // hundreds that are not there, and the search for them would take hours.
 void addMissing(ShiftedPencil& pencil, EigenSearch& search, const EigenOptions& options) {
   const double sigma = pencil.shift();

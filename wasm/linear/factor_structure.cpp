@@ -52,6 +52,21 @@ void buildFronts(const SparsePencil& pencil, const Job& job, FactorStructure& s)
   }
 }
 
+// Appends scratch rows to the work vector of solves.
+void addScratch(FactorStructure& s) {
+  s.workRows = s.slotCount;
+  for (FactorStructure::Task& task : s.tasks) {
+    task.firstScratch = s.workRows;
+    uint32_t most = 0;
+    for (uint32_t f = task.firstFront; f <= task.root; ++f) most = std::max(most, s.fronts[f].boundaryCount);
+    s.workRows += most;
+  }
+  s.topScratch = s.workRows;
+  uint32_t most = 0;
+  for (const uint32_t f : s.top) most = std::max(most, s.fronts[f].boundaryCount);
+  s.workRows += most;
+}
+
 // A task is a largest subtree with less work than the limit. In a solve its rows outside of the subtree get
 // slots of their own, so that no two tasks write to the same row.
 void buildTasks(FactorStructure& s) {
@@ -71,7 +86,7 @@ void buildTasks(FactorStructure& s) {
       continue;
     }
     if (parent[f] != count && s.fronts[parent[f]].subtreeWork <= limit) continue;
-    const FactorStructure::Task task{f + 1 - size[f], f, s.slotCount};
+    const FactorStructure::Task task{f + 1 - size[f], f, s.slotCount, 0};
     const FactorStructure::Front& root = s.fronts[f];
     const auto rootRows = s.boundary.begin() + root.firstRow;
     const uint32_t end = root.firstPivot + root.pivotCount;
@@ -88,6 +103,7 @@ void buildTasks(FactorStructure& s) {
                    [&](const FactorStructure::Task& a, const FactorStructure::Task& b) {
                      return s.fronts[a.root].subtreeWork > s.fronts[b.root].subtreeWork;
                    });
+  addScratch(s);
 }
 
 }  // namespace
@@ -123,7 +139,7 @@ uint64_t FactorStructure::memory() const {
     waiting += updateBytes(task.root);
   }
   for (uint32_t f : top) largestTask = std::max(largestTask, 2 * updateBytes(f));
-  return sizeof(double) * (valueCount + slotCount + unknownCount) + waiting +
+  return sizeof(double) * (valueCount + workRows + unknownCount) + waiting +
          static_cast<uint64_t>(threadCount()) * largestTask;
 }
 

@@ -27,6 +27,7 @@ struct FactorStructure {
   struct Task {
     uint32_t firstFront, root;
     uint32_t firstSlot;  // the first slot of its contributions to the boundary of its root
+    uint32_t firstScratch;
   };
 
   uint32_t unknownCount = 0;
@@ -36,9 +37,11 @@ struct FactorStructure {
   std::vector<uint32_t> slot;                   // per entry of `boundary`: its row of a solve's work vector
   std::vector<Task> tasks;
   std::vector<uint32_t> top;  // fronts above all tasks, in order
-  uint32_t slotCount = 0;     // rows of a solve's work vector: the unknowns, then the tasks' slots
-  size_t valueCount = 0;      // doubles that L takes
-  uint64_t storedZeros = 0;   // of these, zeros that merging fronts has filled in
+  // Rows of a solve's work vector: the unknowns, then the tasks' slots up to `slotCount`, then scratch rows
+  // for the boundary of one front of each task, and of one above all tasks.
+  uint32_t slotCount = 0, topScratch = 0, workRows = 0;
+  size_t valueCount = 0;     // doubles that L takes
+  uint64_t storedZeros = 0;  // of these, zeros that merging fronts has filled in
 
   // Entries of L on and below the diagonal, without the stored zeros.
   uint64_t nonzeros() const;

@@ -24,14 +24,6 @@ using ConstValues = Eigen::Map<const Eigen::MatrixXd>;
 using RowsOfOne = Eigen::VectorXd;
 using RowsOfMany = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// A matrix with as many columns as y, in scratch memory that grows as needed.
-template <class Rows>
-Eigen::Map<Rows> rowsIn(std::vector<double>& scratch, Eigen::Index count, const Rows& y) {
-  const auto size = static_cast<size_t>(count * y.cols());
-  if (scratch.size() < size) scratch.resize(size);
-  return Eigen::Map<Rows>(scratch.data(), count, y.cols());
-}
-
 }  // namespace
 
 // The share of a factorisation that is done. Only the calling thread may report it.
@@ -128,12 +120,12 @@ void Factorisation::factorise(double shift, Job& job) {
 
 // Forward substitution: solves for the pivots of a front and subtracts their contribution from its boundary.
 template <class Rows>
-void Factorisation::forward(const Front& front, Rows& y, Scratch& scratch) const {
+void Factorisation::forward(const Front& front, uint32_t scratch, Rows& y) const {
   const ConstValues columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
   auto part = y.middleRows(front.firstPivot, front.pivotCount);
   solveLower(columns.topRows(front.pivotCount), part);
   if (front.boundaryCount == 0) return;
-  auto below = rowsIn(scratch, front.boundaryCount, y);
+  auto below = y.middleRows(scratch, front.boundaryCount);
   below.setZero();
   subtractProduct(columns.bottomRows(front.boundaryCount), part, below);
   const uint32_t* slot = structure_->slot.data() + front.firstRow;
@@ -142,11 +134,11 @@ void Factorisation::forward(const Front& front, Rows& y, Scratch& scratch) const
 
 // Backward substitution: subtracts the contribution of the boundary and solves for the pivots.
 template <class Rows>
-void Factorisation::backward(const Front& front, Rows& y, Scratch& scratch) const {
+void Factorisation::backward(const Front& front, uint32_t scratch, Rows& y) const {
   const ConstValues columns(values_.data() + front.firstValue, front.rows(), front.pivotCount);
   auto part = y.middleRows(front.firstPivot, front.pivotCount);
   if (front.boundaryCount > 0) {
-    auto below = rowsIn(scratch, front.boundaryCount, y);
+    auto below = y.middleRows(scratch, front.boundaryCount);
     const uint32_t* slot = structure_->slot.data() + front.firstRow;
     for (uint32_t k = 0; k < front.boundaryCount; ++k) below.row(k) = y.row(slot[k]);
     subtractProduct(columns.bottomRows(front.boundaryCount).transpose(), below, part);
@@ -154,17 +146,18 @@ void Factorisation::backward(const Front& front, Rows& y, Scratch& scratch) cons
   solveLowerTransposed(columns.topRows(front.pivotCount), part);
 }
 
-// y has a row for each position, followed by the slots of the tasks.
+// y is the work vector: see FactorStructure::workRows.
 template <class Rows>
 void Factorisation::solveRows(Rows& y, const Job& job) const {
-  y.bottomRows(structure_->slotCount - structure_->unknownCount).setZero();
+  y.middleRows(structure_->unknownCount, structure_->slotCount - structure_->unknownCount).setZero();
   parallelFor(structure_->tasks.size(), 1, [&](size_t begin, size_t end) {
-    Scratch scratch;
-    for (size_t t = begin; t < end; ++t)
-      for (uint32_t f = structure_->tasks[t].firstFront; f <= structure_->tasks[t].root; ++f) {
+    for (size_t t = begin; t < end; ++t) {
+      const Task& task = structure_->tasks[t];
+      for (uint32_t f = task.firstFront; f <= task.root; ++f) {
         job.check();
-        forward(structure_->fronts[f], y, scratch);
+        forward(structure_->fronts[f], task.firstScratch, y);
       }
+    }
   });
   const auto forEachSlot = [&](const auto& body) {
     for (const Task& task : structure_->tasks) {
@@ -174,31 +167,32 @@ void Factorisation::solveRows(Rows& y, const Job& job) const {
     }
   };
   forEachSlot([&](uint32_t position, uint32_t slot) { y.row(position) += y.row(slot); });
-  Scratch scratch;
-  for (uint32_t f : structure_->top) forward(structure_->fronts[f], y, scratch);
+  const uint32_t scratch = structure_->topScratch;
+  for (uint32_t f : structure_->top) forward(structure_->fronts[f], scratch, y);
   for (uint32_t p = 0; p < structure_->unknownCount; ++p) y.row(p) /= diagonal_[p];
   for (auto f = structure_->top.rbegin(); f != structure_->top.rend(); ++f)
-    backward(structure_->fronts[*f], y, scratch);
+    backward(structure_->fronts[*f], scratch, y);
   forEachSlot([&](uint32_t position, uint32_t slot) { y.row(slot) = y.row(position); });
   parallelFor(structure_->tasks.size(), 1, [&](size_t begin, size_t end) {
-    Scratch scratch;
-    for (size_t t = begin; t < end; ++t)
-      for (uint32_t f = structure_->tasks[t].root + 1; f-- > structure_->tasks[t].firstFront;) {
+    for (size_t t = begin; t < end; ++t) {
+      const Task& task = structure_->tasks[t];
+      for (uint32_t f = task.root + 1; f-- > task.firstFront;) {
         job.check();
-        backward(structure_->fronts[f], y, scratch);
+        backward(structure_->fronts[f], task.firstScratch, y);
       }
+    }
   });
 }
 
 void Factorisation::solve(Eigen::VectorXd& x, const Job& job) const {
-  RowsOfOne y(structure_->slotCount);
+  RowsOfOne y(structure_->workRows);
   for (uint32_t p = 0; p < structure_->unknownCount; ++p) y[p] = x[structure_->unknownAt[p]];
   solveRows(y, job);
   for (uint32_t p = 0; p < structure_->unknownCount; ++p) x[structure_->unknownAt[p]] = y[p];
 }
 
 void Factorisation::solve(Eigen::MatrixXd& x, const Job& job) const {
-  RowsOfMany y(structure_->slotCount, x.cols());
+  RowsOfMany y(structure_->workRows, x.cols());
   for (uint32_t p = 0; p < structure_->unknownCount; ++p) y.row(p) = x.row(structure_->unknownAt[p]);
   solveRows(y, job);
   for (uint32_t p = 0; p < structure_->unknownCount; ++p) x.row(structure_->unknownAt[p]) = y.row(p);

@@ -47,7 +47,6 @@ class Factorisation {
  private:
   using Front = FactorStructure::Front;
   using Task = FactorStructure::Task;
-  using Scratch = std::vector<double>;  // the rows of a front's boundary; one for each thread
   struct Progress;
 
   void factoriseFront(uint32_t f, double shift, uint32_t* localRow, Job& job);
@@ -55,9 +54,9 @@ class Factorisation {
   template <class Rows>
   void solveRows(Rows& y, const Job& job) const;
   template <class Rows>
-  void forward(const Front& front, Rows& y, Scratch& scratch) const;
+  void forward(const Front& front, uint32_t scratch, Rows& y) const;
   template <class Rows>
-  void backward(const Front& front, Rows& y, Scratch& scratch) const;
+  void backward(const Front& front, uint32_t scratch, Rows& y) const;
 
   const SparsePencil& pencil_;
   std::shared_ptr<const FactorStructure> structure_;

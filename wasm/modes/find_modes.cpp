@@ -1,11 +1,9 @@
 #include "modes/find_modes.h"
 
-#include <atomic>
 #include <stdexcept>
-#include <thread>
 #include <vector>
 
-#include "base/parallel.h"
+#include "base/side_by_side.h"
 #include "elastic/followed_modes.h"
 #include "elastic/mode_conversions.h"
 #include "elastic/part_modes.h"
@@ -61,18 +59,6 @@ struct PartTask {
   PartModes& modes;
 };
 
-// Solves small parts side by side. Progress is the share of finished parts.
-void solveSideBySide(const std::vector<PartTask>& small, const ModesOptions& options, bool exact, Job& job) {
-  WholePhase phase(job, Phase::Solve);
-  std::atomic<size_t> done = 0;
-  const auto caller = std::this_thread::get_id();
-  parallelFor(small.size(), 1, [&](size_t at, size_t) {
-    small[at].modes = solveOrSkip(small[at].part, options, exact, job);
-    const double fraction = static_cast<double>(++done) / static_cast<double>(small.size());
-    if (std::this_thread::get_id() == caller) phase.report(fraction);
-  });
-}
-
 }  // namespace
 
 ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& asked, bool exact, Job& job) {
@@ -90,7 +76,8 @@ ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& asked, bool exac
       small.push_back({parts[i], modes[i]});
     else
       modes[i] = solveOrSkip(parts[i], options, exact, job);
-  if (!small.empty()) solveSideBySide(small, options, exact, job);
+  sideBySide(small.size(), Phase::Solve, job,
+             [&](size_t i, Job& own) { small[i].modes = solveOrSkip(small[i].part, options, exact, own); });
   for (size_t i = 0; i < parts.size(); ++i)
     if (first[i] != i) modes[i] = modes[first[i]];
   return collectModes(mesh, parts, modes, options);

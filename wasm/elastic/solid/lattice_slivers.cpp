@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "elastic/solid/lattice_rays.h"
 
@@ -13,19 +15,19 @@ constexpr int kRays = 24;  // along each side of the bounding box
 
 // The part of a triangle within the cell.
 std::vector<Vec3> clipped(const Sliver& sliver, const Triangle& triangle) {
-  std::vector<Vec3> polygon;
+  std::vector<Vec3> polygon, kept;
   for (uint32_t v : triangle) polygon.push_back(sliver.surface.points[v]);
   for (int plane = 0; plane < 6; ++plane) {
     const int axis = plane / 2;
     const double side = plane % 2 ? -1 : 1, at = sliver.position[axis] + plane % 2;
-    std::vector<Vec3> kept;
+    kept.clear();
     for (size_t i = 0; i < polygon.size(); ++i) {
       const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
       const double before = side * (p[axis] - at), after = side * (q[axis] - at);
       if (before >= 0) kept.push_back(p);
       if ((before < 0) != (after < 0)) kept.push_back(p + (q - p) * (before / (before - after)));
     }
-    polygon = kept;
+    std::swap(polygon, kept);
   }
   return polygon;
 }
@@ -60,23 +62,30 @@ bool isFacingOut(const std::vector<std::vector<Vec3>>& polygons, const Vec3& cen
 class Rays {
  public:
   Rays(const Sliver& sliver, const Bounds& box, int axis)
-      : sliver_(sliver),
-        box_(box),
-        axis_(axis),
-        u_((axis + 1) % 3),
-        v_((axis + 2) % 3),
-        hits_(kRays * kRays) {
+      : sliver_(sliver), box_(box), axis_(axis), u_((axis + 1) % 3), v_((axis + 2) % 3) {
     for (uint32_t t : sliver.around) cast(sliver.surface.triangles[t]);
+    std::stable_sort(hits_.begin(), hits_.end(), [](const RayHit& p, const RayHit& q) {
+      return p.ray != q.ray ? p.ray < q.ray : p.hit.depth < q.hit.depth;
+    });
   }
 
-  CellMeasure measure() {
+  CellMeasure measure() const {
     CellMeasure measure = {};
-    for (int a = 0; a < kRays; ++a)
-      for (int b = 0; b < kRays; ++b) addRay(a, b, measure);
+    for (auto first = hits_.begin(); first != hits_.end();) {
+      const auto last =
+          std::find_if(first, hits_.end(), [&](const RayHit& hit) { return hit.ray != first->ray; });
+      addRay({first, last}, measure);
+      first = last;
+    }
     return measure;
   }
 
  private:
+  struct RayHit {
+    int ray;  // kRays * a + b of the ray a along u and b along v
+    LineHit hit;
+  };
+
   double position(int axis, double ray) const {
     return box_.low[axis] + (box_.high[axis] - box_.low[axis]) * ray / kRays;
   }
@@ -102,27 +111,25 @@ class Rays {
                                      {axis_, position(u_, a + 0.5), position(v_, b + 0.5)});
         if (!hit) continue;
         const double depth = hit->depth - sliver_.position[axis_];
-        if (depth >= 0 && depth <= 1) hits_[a * kRays + b].push_back({depth, hit->isEntry});
+        if (depth >= 0 && depth <= 1) hits_.push_back({a * kRays + b, {depth, hit->isEntry}});
       }
   }
 
   // A ray that leaves before it enters was inside already at the side of the cell. A ray that enters and does
-  // not leave stays inside beyond the cell.
-  void addRay(int a, int b, CellMeasure& measure) {
-    auto& hits = hits_[a * kRays + b];
-    std::stable_sort(hits.begin(), hits.end(),
-                     [](const LineHit& p, const LineHit& q) { return p.depth < q.depth; });
-    const auto step = [&](const LineHit& hit) {
-      return hit.isEntry ? sliver_.surface.sign : -sliver_.surface.sign;
+  // not leave stays inside beyond the cell. `hits`: all of one ray, in order.
+  void addRay(std::span<const RayHit> hits, CellMeasure& measure) const {
+    const int a = hits.front().ray / kRays, b = hits.front().ray % kRays;
+    const auto step = [&](const RayHit& at) {
+      return at.hit.isEntry ? sliver_.surface.sign : -sliver_.surface.sign;
     };
     int winding = 0, lowest = 0;
-    for (const LineHit& hit : hits) lowest = std::min(lowest, winding += step(hit));
+    for (const RayHit& at : hits) lowest = std::min(lowest, winding += step(at));
     winding = -lowest;
     double before = 0;
-    for (const LineHit& hit : hits) {
-      if (winding > 0) addStretch(a, b, {before, hit.depth}, measure);
-      winding += step(hit);
-      before = hit.depth;
+    for (const RayHit& at : hits) {
+      if (winding > 0) addStretch(a, b, {before, at.hit.depth}, measure);
+      winding += step(at);
+      before = at.hit.depth;
     }
     if (winding > 0) addStretch(a, b, {before, 1}, measure);
   }
@@ -147,7 +154,7 @@ class Rays {
   const Sliver& sliver_;
   const Bounds& box_;
   int axis_, u_, v_;
-  std::vector<std::vector<LineHit>> hits_;  // per ray
+  std::vector<RayHit> hits_;  // by rays, on each by depth
 };
 
 }  // namespace

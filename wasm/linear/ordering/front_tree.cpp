@@ -47,17 +47,17 @@ class TreeBuilder {
 
   // The later positions that position p is coupled to when it is eliminated, unsorted.
   std::vector<uint32_t> structure(uint32_t p, const std::vector<uint32_t>& children) {
-    std::vector<uint32_t> rows;
+    rows_.clear();
     stamp_[p] = p;
     const auto add = [&](uint32_t q) {
       if (q <= p || stamp_[q] == p) return;
       stamp_[q] = p;
-      rows.push_back(q);
+      rows_.push_back(q);
     };
     for (uint32_t j : graph_.around(order_[p])) add(positionOf_[j]);
     for (uint32_t child : children)
       for (uint32_t q : supernodes_[child].boundary) add(q);
-    return rows;
+    return {rows_.begin(), rows_.end()};
   }
 
   // Fundamental supernodes: a position joins a child whose structure it continues.
@@ -170,6 +170,7 @@ class TreeBuilder {
   const NodeGraph& graph_;
   const std::vector<uint32_t>& order_;
   std::vector<uint32_t> positionOf_, stamp_;
+  std::vector<uint32_t> rows_;  // of the structure that is being found
   std::vector<Supernode> supernodes_;
 };
 

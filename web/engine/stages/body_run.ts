@@ -1,5 +1,6 @@
 /** Runs one body through its stages. */
 
+import type { CoreCall } from './many_bodies/core_call';
 import { keyOf } from './stage';
 import type { AnyStage, RunContext, RunSettings, SettingsOf, ValueOf } from './stage';
 
@@ -13,6 +14,8 @@ interface Memo {
 
 export class BodyRun {
   private readonly memos = new Map<AnyStage, Memo>();
+  /** seconds that were spent on stages ahead of their runs */
+  private readonly ahead = new Map<AnyStage, number>();
 
   /** `onStage` is called with the name of each stage that is about to be computed. */
   constructor(
@@ -32,6 +35,26 @@ export class BodyRun {
   secondsOf<S extends AnyStage>(stage: S, settings: SettingsOf<S>): number {
     const memo = this.memos.get(stage);
     return memo && memo.key === keyOf(stage, settings) ? memo.seconds : 0;
+  }
+
+  /**
+   * The call of the core with which the stage would begin under these settings, and null where its value is there. Computes what the
+   * stage needs; throws what these stages throw.
+   */
+  firstCall<S extends AnyStage>(stage: S, settings: SettingsOf<S>): CoreCall | null {
+    const all = settings as unknown as RunSettings;
+    if (!stage.isWanted(all) || this.memos.get(stage)?.key === keyOf(stage, settings)) return null;
+    const first = stage.firstCall.bind(stage) as (
+      context: RunContext,
+      inputs: unknown,
+      derived: unknown,
+    ) => CoreCall | null;
+    return first(this.context, this.inputsOf(stage, all), stage.derive(all));
+  }
+
+  /** Counts seconds that were spent on the next value of the stage ahead of its run. */
+  addAhead(stage: AnyStage, seconds: number): void {
+    this.ahead.set(stage, (this.ahead.get(stage) ?? 0) + seconds);
   }
 
   private memoOf(stage: AnyStage, settings: RunSettings): Memo {
@@ -57,13 +80,19 @@ export class BodyRun {
 
   private compute(stage: AnyStage, settings: RunSettings): Omit<Memo, 'key'> {
     if (!stage.isWanted(settings)) return { value: null, seconds: 0 };
-    const inputs = Object.fromEntries(
-      Object.entries(stage.needs).map(([name, need]) => [name, this.memoOf(need, settings).value]),
-    );
+    const inputs = this.inputsOf(stage, settings);
     this.onStage?.(stage.name);
     const start = performance.now();
     const run = stage.run.bind(stage) as (context: RunContext, inputs: unknown, derived: unknown) => unknown;
     const value = run(this.context, inputs, stage.derive(settings));
-    return { value, seconds: (performance.now() - start) / 1000 };
+    const seconds = (performance.now() - start) / 1000 + (this.ahead.get(stage) ?? 0);
+    this.ahead.delete(stage);
+    return { value, seconds };
+  }
+
+  private inputsOf(stage: AnyStage, settings: RunSettings): Record<string, unknown> {
+    return Object.fromEntries(
+      Object.entries(stage.needs).map(([name, need]) => [name, this.memoOf(need, settings).value]),
+    );
   }
 }

@@ -29,6 +29,7 @@ import { runSettings } from './file_request';
 import type { FileRequest } from './file_request';
 import type { FileRun } from './file_run';
 import type { AnyStage, RunSettings, SettingsOf, ValueOf } from './stage';
+import { runBodies, stagesOfHistory } from './many_bodies/side_by_side';
 import { STAGES } from './stages';
 import { tunedResultStage } from './tuned';
 
@@ -53,12 +54,16 @@ export class FileOutput {
 
   /** Takes every body through its stages as far as its measured result; `onDone` is told of each. */
   compute(onDone?: (run: BodyRun, settings: RunSettings) => void): void {
-    for (const { run, i } of this.file.usable) {
-      this.file.announce(run);
-      const settings = this.runSettings(i);
-      run.get(STAGES.measured, settings);
-      onDone?.(run, settings);
-    }
+    runBodies(this.file, this.file.usable, {
+      stages: [...stagesOfHistory(this.request.settings), STAGES.fitted],
+      measures: true,
+      settingsOf: (i) => this.runSettings(i),
+      each: ({ run, i }) => {
+        const settings = this.runSettings(i);
+        run.get(STAGES.measured, settings);
+        onDone?.(run, settings);
+      },
+    });
   }
 
   /** The value of a stage for every body that takes part. */

@@ -7,8 +7,8 @@ import type { OpenModel } from '../document/open';
 import type { Settings } from '../settings/options';
 import { admitBodies } from './admission';
 import { BodyRun } from './body_run';
-import { EqualWork } from './equal_work';
-import { tooSmallToMove } from './scene_share';
+import { EqualWork } from './many_bodies/equal_work';
+import { tooSmallToMove } from './many_bodies/scene_share';
 import { STAGES } from './stages';
 
 export interface FileRunOptions {

@@ -5,12 +5,13 @@ import type { FittedResult } from '../body/body_result';
 import { thicknessOf } from '../body/material';
 import type { PreparedBody } from '../body/prepared_body';
 import { maskOf } from '../body/vertex_mask';
-import type { Core, Fitted, MeshAt, TriangleMesh } from '../core/core';
+import type { Core, Fitted, MeshAt, ShapeFitOptions, TriangleMesh } from '../core/core';
 import { describeUnfitted } from '../report/fit_words';
 import { fitOf } from '../settings/options';
 import type { Settings } from '../settings/options';
-import { onceIn } from './equal_work';
-import type { EqualWork } from './equal_work';
+import { coreCall, resultOf } from './many_bodies/core_call';
+import type { CoreCall } from './many_bodies/core_call';
+import type { EqualWork } from './many_bodies/equal_work';
 import type { KeptHistory } from './kept_history';
 import { levelAt } from './level';
 import { isWithinDeviation, measureDeviation, measureDistance } from './measure';
@@ -68,7 +69,7 @@ export function fitResult(
 ): FittedResult {
   if (settings === null) return unfitted(result, '');
   const kind = settings.shell === null ? 'surface' : 'modal';
-  for (const share of settings.maxDeviation > 0 ? DEVIATION_SHARES : [1]) {
+  for (const share of sharesOf(settings)) {
     const fitted = fitWithin(core, prepared, result, { constraints, settings, share, equalWork });
     if (keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
       return { ...fitted, kind, unfitted: describeUnfitted(fitted) };
@@ -76,15 +77,46 @@ export function fitResult(
   return unfitted(result, 'the fit would break a limit of deviation or angle');
 }
 
+const sharesOf = ({ maxDeviation }: FitSettings): number[] => (maxDeviation > 0 ? DEVIATION_SHARES : [1]);
+
+/** The call of the core with which `fitResult` begins where the fit is to the surface; otherwise null. */
+export function firstFit(
+  prepared: PreparedBody,
+  result: MeshAt,
+  { constraints, settings }: Pick<FitRequest, 'constraints' | 'settings'>,
+): CoreCall<'fitShape'> | null {
+  if (settings === null || settings.shell !== null) return null;
+  const [share] = sharesOf(settings);
+  return coreCall('fitShape', prepared.mesh, result, fitOptions(prepared, { constraints, settings, share }));
+}
+
+type FitOfShare = Omit<FitRequest, 'settings'> & { settings: FitSettings; share: number };
+
 /** The fit that may use a share of the largest deviation; a fit to the surface finds no errors of frequencies. */
 function fitWithin(
   core: Core,
   prepared: PreparedBody,
   result: MeshAt,
-  { constraints, settings, share, equalWork }: FitRequest & { settings: FitSettings; share: number },
+  { equalWork, ...request }: FitOfShare,
 ): Fitted {
   const { mesh } = prepared;
-  const options = {
+  const { shell } = request.settings;
+  const options = fitOptions(prepared, request);
+  if (shell === null)
+    return { ...NO_ERRORS, ...resultOf(core, equalWork, coreCall('fitShape', mesh, result, options)) };
+  return core.fitModes(mesh, result, {
+    ...options,
+    thickness: thicknessOf(prepared, shell),
+    poisson: shell.poisson,
+  });
+}
+
+function fitOptions(
+  prepared: PreparedBody,
+  { constraints, settings, share }: Omit<FitOfShare, 'equalWork'>,
+): ShapeFitOptions {
+  const { mesh } = prepared;
+  return {
     charts: prepared.attributes.charts,
     keepsSeams: settings.seams === 'keep',
     locked: maskOf(mesh, constraints.pinned, constraints.locked) ?? new Uint8Array(),
@@ -94,17 +126,6 @@ function fitWithin(
     minAngle: settings.minAngle,
     samples: prepared.samples,
   };
-  if (settings.shell === null)
-    return onceIn(equalWork, 'fit', [mesh, result, options], () => ({
-      ...NO_ERRORS,
-      ...core.fitShape(mesh, result, options),
-    }));
-  const { poisson } = settings.shell;
-  return core.fitModes(mesh, result, {
-    ...options,
-    thickness: thicknessOf(prepared, settings.shell),
-    poisson,
-  });
 }
 
 /** The level of at most `faces` faces, fitted. */

@@ -1,15 +1,17 @@
 /** Stages: strain and curvature of the original, and which of them guide the collapses of a method. */
 
 import type { PreparedBody } from '../body/prepared_body';
-import type { Core, ModeSet, StrainGuidance } from '../core/core';
+import type { ModeSet, StrainGuidance } from '../core/core';
 import { faceCount } from '../core/mesh';
 import { modesAvailable } from '../core/mode_set';
 import { SettingError, methodOf, resolveModes } from '../settings/options';
 import type { Settings } from '../settings/options';
 import { modesStage } from './modes';
 import { preparedStage } from './prepared';
-import { onceIn } from './equal_work';
+import { coreCall, resultOf } from './many_bodies/core_call';
+import type { CoreCall } from './many_bodies/core_call';
 import { declareStage, where } from './stage';
+import type { RunContext } from './stage';
 
 export interface GuidanceRequest extends Pick<Settings, 'modeWeights' | 'p' | 'strainThreshold'> {
   /** the modes that guide, numbers from 1 */
@@ -26,10 +28,8 @@ export const guidanceStage = declareStage({
     p,
     strainThreshold,
   }),
-  run: ({ core, equalWork }, { prepared, modes }, request) =>
-    onceIn(equalWork, 'guidance', [prepared.mesh, modes, request], () =>
-      findGuidance(core, prepared, modes, request),
-    ),
+  run: (context, { prepared, modes }, request) => findGuidance(context, prepared, modes, request),
+  firstCall: (_context, { prepared, modes }, request) => guidanceCall(prepared, modes, request),
 });
 
 export const curvatureStage = declareStage({
@@ -56,14 +56,25 @@ export const guidingCurvature = where(
  * without any elastic mode is 0. Throws where modes are named and none of them exists.
  */
 export function findGuidance(
-  core: Core,
+  { core, equalWork }: Pick<RunContext, 'core' | 'equalWork'>,
+  prepared: PreparedBody,
+  modes: ModeSet,
+  request: GuidanceRequest,
+): StrainGuidance {
+  const call = guidanceCall(prepared, modes, request);
+  if (call) return resultOf(core, equalWork, call);
+  const faces = faceCount(prepared.mesh);
+  return { strain: new Float32Array(faces), rank: new Float32Array(faces) };
+}
+
+/** null where the body has no elastic mode. */
+function guidanceCall(
   prepared: PreparedBody,
   modes: ModeSet,
   { guiding, modeWeights, p, strainThreshold: threshold }: GuidanceRequest,
-): StrainGuidance {
+): CoreCall<'strainGuidance'> | null {
   const available = modesAvailable(modes);
-  const faces = faceCount(prepared.mesh);
-  if (available === 0) return { strain: new Float32Array(faces), rank: new Float32Array(faces) };
+  if (available === 0) return null;
   const asked = guiding.map((mode, i) => ({ ordinal: mode - 1, weight: modeWeights[i] }));
   const found = asked.filter(({ ordinal }) => ordinal < available);
   if (found.length === 0) {
@@ -75,5 +86,5 @@ export function findGuidance(
   }
   const weights = modeWeights.length > 0 ? found.map(({ weight }) => weight) : [];
   const ordinals = found.map(({ ordinal }) => ordinal);
-  return core.strainGuidance(prepared.mesh, modes, { ordinals, weights, p, threshold });
+  return coreCall('strainGuidance', prepared.mesh, modes, { ordinals, weights, p, threshold });
 }

@@ -1,9 +1,10 @@
 /** Stage: every collapse of the body, in order, down to the fewest faces that are asked for or to the floor. */
 
 import type { PreparedBody } from '../body/prepared_body';
-import type { Core, History } from '../core/core';
+import type { History } from '../core/core';
 import { constraintsStage } from './constraints';
-import { onceIn } from './equal_work';
+import { coreCall, resultOf } from './many_bodies/core_call';
+import type { CoreCall } from './many_bodies/core_call';
 import { guidingCurvature, guidingStrain } from './guidance';
 import { preparedStage } from './prepared';
 import { SIMPLIFICATION_SETTINGS, simplificationOf, simplificationSettings } from './simplification';
@@ -23,12 +24,15 @@ export const historyStage = declareStage({
     ...simplificationSettings(settings),
     stopFaces: fewestFaces,
   }),
-  run: ({ core, equalWork }, { prepared, constraints: { constraints }, guidance, curvature }, settings) => {
-    const guides = { constraints, guidance, curvature };
-    const { mesh, diagonal, attributes, costAttributes } = prepared;
-    const inputs = [mesh, diagonal, attributes.charts, costAttributes, guides, settings];
-    return onceIn(equalWork, 'history', inputs, () => buildHistory(core, prepared, guides, settings));
+  run: ({ core, equalWork }, { prepared, constraints: { constraints }, ...fields }, settings): History => {
+    const call = historyCall(prepared, { constraints, ...fields }, settings);
+    const history = resultOf(core, equalWork, call);
+    // The collapses keep mirror images, so that the history has them too.
+    const { mirror } = constraints;
+    return mirror ? { ...history, mirror } : history;
   },
+  firstCall: (_context, { prepared, constraints: { constraints }, ...fields }, settings) =>
+    historyCall(prepared, { constraints, ...fields }, settings),
 });
 
 interface HistorySettings extends SimplificationSettings {
@@ -36,15 +40,11 @@ interface HistorySettings extends SimplificationSettings {
   stopFaces?: number;
 }
 
-/** The history, with the mirror images that it keeps. */
-export function buildHistory(
-  core: Core,
+export function historyCall(
   prepared: PreparedBody,
   guides: Guides,
   { stopFaces, ...settings }: HistorySettings,
-): History {
+): CoreCall<'simplify'> {
   const { strain, curvature, options } = simplificationOf(prepared, guides, settings);
-  const simplified = core.simplify(prepared.mesh, strain, curvature, { ...options, stopFaces });
-  const { mirror } = guides.constraints;
-  return mirror ? { ...simplified, mirror } : simplified;
+  return coreCall('simplify', prepared.mesh, strain, curvature, { ...options, stopFaces });
 }

@@ -48,9 +48,35 @@ export function measureDistance(core: Core, prepared: PreparedBody, other: Trian
   const known = knownOf(prepared, other)?.distance;
   if (known) return known;
   const { mesh, samples } = prepared;
-  const distance = distanceInPercent(core, prepared, other);
-  measured.set(other, { mesh, samples, hausdorff: distance.hausdorff, distance });
-  return distance;
+  return remember(prepared, other, core.measureSurfaceDistance(mesh, other, samples));
+}
+
+/** Makes the calls of the core for `measureDistance` of many results side by side; it finds then what has been measured. */
+export function measureDistances(
+  core: Core,
+  results: { prepared: PreparedBody; mesh: TriangleMesh }[],
+): void {
+  const unknown = results.filter(({ prepared, mesh }) => !knownOf(prepared, mesh)?.distance);
+  const lists = unknown.map(({ prepared, mesh }): Parameters<Core['measureSurfaceDistance']> => [
+    prepared.mesh,
+    mesh,
+    prepared.samples,
+  ]);
+  core.callAll('measureSurfaceDistance', lists).forEach((distance, i) => {
+    const { prepared, mesh } = unknown[i];
+    if (!(distance instanceof Error)) remember(prepared, mesh, distance);
+  });
+}
+
+/** `distance`: in units of the mesh. */
+function remember(
+  { mesh, samples, diagonal }: PreparedBody,
+  other: TriangleMesh,
+  distance: SurfaceDistance,
+): SurfaceDistance {
+  const inPercent = distanceInPercent(distance, diagonal);
+  measured.set(other, { mesh, samples, hausdorff: inPercent.hausdorff, distance: inPercent });
+  return inPercent;
 }
 
 /** The largest distance of `measureDistance` alone, in a fraction of its time. */
@@ -76,9 +102,8 @@ export function isWithinDeviation(
   return core.isWithinHausdorff(mesh, other, (limit / 100) * diagonal, samples);
 }
 
-function distanceInPercent(core: Core, prepared: PreparedBody, other: TriangleMesh): SurfaceDistance {
-  const distance = core.measureSurfaceDistance(prepared.mesh, other, prepared.samples);
-  const percent = 100 / prepared.diagonal;
+function distanceInPercent(distance: SurfaceDistance, diagonal: number): SurfaceDistance {
+  const percent = 100 / diagonal;
   return {
     hausdorff: percent * distance.hausdorff,
     mean: percent * distance.mean,

@@ -4,13 +4,14 @@ import { MATERIAL_SETTINGS, materialOf } from '../body/material';
 import type { MaterialSettings } from '../body/material';
 import type { PinnedVertices } from '../body/pins';
 import type { PreparedBody } from '../body/prepared_body';
-import type { Core, Model, ModeSet } from '../core/core';
+import type { Model, ModeSet } from '../core/core';
 import { faceCount, vertexCount } from '../core/mesh';
 import { resolveModel } from '../settings/options';
 import type { Settings } from '../settings/options';
 import { pinnedStage } from './constraints';
 import { preparedStage } from './prepared';
-import { onceIn } from './equal_work';
+import { coreCall, resultOf } from './many_bodies/core_call';
+import type { CoreCall } from './many_bodies/core_call';
 import { declareStage } from './stage';
 
 export interface ModesRequest extends MaterialSettings, Pick<Settings, 'modeCount' | 'direction' | 'exact'> {
@@ -31,9 +32,9 @@ export const modesStage = declareStage({
   run: ({ core, guidedBodies, isTooSmallToMove, equalWork }, { prepared, pinned }, request) =>
     isTooSmallToMove
       ? withoutModes(prepared, request)
-      : onceIn(equalWork, 'modes', [prepared.mesh, pinned, request, materialOf(prepared, request)], () =>
-          findModes(core, prepared, pinned, { ...request, guidedBodies }),
-        ),
+      : resultOf(core, equalWork, modesCall(prepared, pinned, { ...request, guidedBodies })),
+  firstCall: ({ guidedBodies, isTooSmallToMove }, { prepared, pinned }, request) =>
+    isTooSmallToMove ? null : modesCall(prepared, pinned, { ...request, guidedBodies }),
 });
 
 /** The modes of a body that is not analysed: none, of one part. */
@@ -59,14 +60,13 @@ function withoutModes({ mesh, inspection }: PreparedBody, { model }: ModesReques
 }
 
 /** The material is that of the body in the scale of its first node. */
-export function findModes(
-  core: Core,
+export function modesCall(
   prepared: PreparedBody,
   pinned: PinnedVertices,
   request: ModesRequest,
-): ModeSet {
+): CoreCall<'findModes'> {
   const { model, modeCount, direction, exact } = request;
-  return core.findModes(prepared.mesh, {
+  return coreCall('findModes', prepared.mesh, {
     model,
     modeCount,
     direction: ['x', 'y', 'z'].indexOf(direction),

@@ -11,7 +11,7 @@ import type { Core, TriangleMesh } from '../core/core';
 import { diagonalOf, faceCount } from '../core/mesh';
 import type { Body } from '../document/model';
 import type { Settings } from '../settings/options';
-import { onceIn } from './equal_work';
+import { onceIn } from './many_bodies/equal_work';
 import { declareStage } from './stage';
 
 /** Attributes of more numbers than the core takes cost nothing. */

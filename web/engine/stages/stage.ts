@@ -7,7 +7,8 @@ import type { Document } from '@gltf-transform/core';
 import type { Core } from '../core/core';
 import type { Body } from '../document/model';
 import type { Settings } from '../settings/options';
-import type { EqualWork } from './equal_work';
+import type { CoreCall } from './many_bodies/core_call';
+import type { EqualWork } from './many_bodies/equal_work';
 
 /** Everything that can change between two runs over the same body. */
 export interface RunSettings extends Settings {
@@ -50,6 +51,8 @@ export interface AnyStage {
   /** where it is false, the value is null, and nothing that the stage needs is run */
   isWanted(settings: RunSettings): boolean;
   run(context: RunContext, inputs: never, derived: never): unknown;
+  /** the call of the core with which `run` begins, by way of `resultOf`; null: `run` makes none, or not at first */
+  firstCall(context: RunContext, inputs: never, derived: never): CoreCall | null;
   /** gives back what a value holds in the core, once another value has taken its place */
   release(context: RunContext, value: never): void;
 }
@@ -88,6 +91,11 @@ interface StageDeclaration<Value, Read extends RunSettingName, N extends Needs, 
     inputs: { [Key in keyof N]: ValueOf<N[Key]> },
     derived: NoInfer<Derived>,
   ) => Value;
+  firstCall?: (
+    context: RunContext,
+    inputs: { [Key in keyof N]: ValueOf<N[Key]> },
+    derived: NoInfer<Derived>,
+  ) => CoreCall | null;
   release?: (context: RunContext, value: NoInfer<Value>) => void;
 }
 
@@ -98,10 +106,19 @@ export function declareStage<
   N extends Needs,
   Derived = Pick<RunSettings, Read>,
 >(declaration: StageDeclaration<Value, Read, N, Derived>): Stage<Value, Read | ReadBy<N>> {
-  const { name, reads: own, needs, run, release = () => {} } = declaration;
+  const { name, reads: own, needs, run, firstCall = () => null, release = () => {} } = declaration;
   const derive = declaration.derive ?? ((settings) => settings as Derived);
   const reads = withNeeds(own, needs);
-  return { name, reads, needs, derive: (all) => derive(pick(all, own)), isWanted: () => true, run, release };
+  return {
+    name,
+    reads,
+    needs,
+    derive: (all) => derive(pick(all, own)),
+    isWanted: () => true,
+    run,
+    firstCall,
+    release,
+  };
 }
 
 /** A stage that has the value of `stage` where `isWanted`; elsewhere it is null and `stage` is not run. `own`: what `isWanted` reads. */
@@ -118,6 +135,7 @@ export function where<S extends AnyStage, Read extends RunSettingName>(
     derive: () => null,
     isWanted: (all) => isWanted(pick(all, own)),
     run: (_context, inputs: { stage: ValueOf<S> }) => inputs.stage,
+    firstCall: () => null,
     release: () => {},
   };
 }
@@ -138,19 +156,30 @@ function pick<Read extends RunSettingName>(
   return Object.fromEntries(names.map((name) => [name, settings[name]])) as Pick<RunSettings, Read>;
 }
 
+const knownKeys = new WeakMap<RunSettings, Map<AnyStage, string>>();
+
 /**
  * Text that is equal for two settings where the stage has the same value for both: what it derives from them, and what every
- * stage that it needs derives.
+ * stage that it needs derives. Of frozen settings it is remembered.
  */
 export function keyOf<S extends AnyStage>(stage: S, settings: SettingsOf<S>): string {
+  const all = settings as RunSettings;
+  const known = knownKeys.get(all) ?? new Map<AnyStage, string>();
+  const found = known.get(stage);
+  if (found !== undefined) return found;
+  const key = wholeKey(stage, all);
+  if (Object.isFrozen(all)) knownKeys.set(all, known.set(stage, key));
+  return key;
+}
+
+function wholeKey(stage: AnyStage, settings: RunSettings): string {
   const seen = new Set<AnyStage>();
   const parts: string[] = [];
   const add = (one: AnyStage): void => {
     if (seen.has(one)) return;
     seen.add(one);
-    const all = settings as RunSettings;
-    parts.push(partOf(one, all));
-    if (one.isWanted(all)) Object.values(one.needs).forEach(add);
+    parts.push(partOf(one, settings));
+    if (one.isWanted(settings)) Object.values(one.needs).forEach(add);
   };
   add(stage);
   return parts.join('\n');

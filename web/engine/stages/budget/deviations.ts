@@ -7,7 +7,7 @@ import type { KeptHistory } from '../kept_history';
 import { levelAt } from '../level';
 import { isWithinDeviation, measureDeviation } from '../measure';
 import { preparedStage } from '../prepared';
-import { onceIn } from '../equal_work';
+import { onceIn } from '../many_bodies/equal_work';
 import { declareStage } from '../stage';
 
 /** What has been measured of the levels of a mesh and its history. */

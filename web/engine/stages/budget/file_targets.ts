@@ -10,6 +10,7 @@ import type { FaceTarget } from './face_shares';
 import type { FileRequest } from '../file_request';
 import type { FileRun } from '../file_run';
 import type { RunSettings } from '../stage';
+import { runBodies, stagesOfHistory } from '../many_bodies/side_by_side';
 import { SceneQueue } from './scene_budget';
 
 /** What is asked of a file. */
@@ -69,9 +70,12 @@ type Share = (asked: FaceTarget) => number[];
 type CurveSettings = Settings & Pick<RunSettings, 'fewestFaces'>;
 
 function curvesOf(file: FileRun, shared: Usable, settings: CurveSettings): ErrorCurve[] {
-  return shared.map(({ run }) => {
-    file.announce(run);
-    return run.get(errorCurveStage, settings);
+  // Curves follow from histories, which know nothing of the faces that are asked for.
+  const ofRun: RunSettings = Object.freeze({ ...settings, targetFaces: 1, fields: false });
+  return runBodies(file, shared, {
+    stages: stagesOfHistory(settings),
+    settingsOf: () => ofRun,
+    each: ({ run }) => run.get(errorCurveStage, ofRun),
   });
 }
 

@@ -1,7 +1,7 @@
 /** How large the bodies of a scene are in it, and which of them are too small for their motion to be seen. */
 
 import type { Document, Mesh, Node } from '@gltf-transform/core';
-import type { Body } from '../document/model';
+import type { Body } from '../../document/model';
 
 /**
  * Modes guide collapses as if the body swung by 5 % of its own diagonal (GuidanceOptions in wasm/fields/guidance.h). Where that is less

@@ -21,15 +21,43 @@ export class EqualWork {
    * the value depends on. `name` tells functions apart.
    */
   once<Value>(name: string, inputs: unknown[], compute: () => Value): Value {
-    const known = this.known.get(name) ?? new Map<number, Entry[]>();
     const hash = hashOf(inputs, 0);
-    const alike = known.get(hash) ?? [];
-    const found = alike.find((entry) => areEqual(entry.inputs, inputs));
+    const found = this.find(name, inputs, hash);
     if (found) return found.value as Value;
     const value = compute();
-    this.known.set(name, known.set(hash, [...alike, { inputs, value }]));
-    if (known.size > this.capacity) known.delete(known.keys().next().value!);
+    this.remember(name, { inputs, value }, hash);
     return value;
+  }
+
+  /**
+   * Remembers what `compute` makes of those of many inputs that are not known yet, without repetition; where it makes an Error,
+   * nothing.
+   */
+  fill(name: string, all: unknown[][], compute: (missing: unknown[][]) => unknown[]): void {
+    const missing: { inputs: unknown[]; hash: number }[] = [];
+    for (const inputs of all) {
+      const hash = hashOf(inputs, 0);
+      const isNew = !missing.some((other) => other.hash === hash && areEqual(other.inputs, inputs));
+      if (isNew && !this.find(name, inputs, hash)) missing.push({ inputs, hash });
+    }
+    if (missing.length === 0) return;
+    compute(missing.map(({ inputs }) => inputs)).forEach((value, i) => {
+      const { inputs, hash } = missing[i];
+      if (!(value instanceof Error)) this.remember(name, { inputs, value }, hash);
+    });
+  }
+
+  private find(name: string, inputs: unknown[], hash: number): Entry | undefined {
+    return this.known
+      .get(name)
+      ?.get(hash)
+      ?.find((entry) => areEqual(entry.inputs, inputs));
+  }
+
+  private remember(name: string, entry: Entry, hash: number): void {
+    const known = this.known.get(name) ?? new Map<number, Entry[]>();
+    this.known.set(name, known.set(hash, [...(known.get(hash) ?? []), entry]));
+    if (known.size > this.capacity) known.delete(known.keys().next().value!);
   }
 }
 

@@ -1,0 +1,140 @@
+/** Small bodies of a file are worked on side by side, with the results that they have alone. */
+
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { Core, ManyName } from '../../web/engine/core/core';
+import { openModel } from '../../web/engine/document/open';
+import { defaultSettings } from '../../web/engine/settings/options';
+import { requestFile } from '../../web/engine/stages/budget/file_targets';
+import { coreCall, callAll, resultOf } from '../../web/engine/stages/many_bodies/core_call';
+import { EqualWork } from '../../web/engine/stages/many_bodies/equal_work';
+import { FileOutput } from '../../web/engine/stages/file_output';
+import { FileRun } from '../../web/engine/stages/file_run';
+import { STAGES } from '../../web/engine/stages/stages';
+import { loadTestCore } from './support/core';
+import { addMesh, glbFile, primitiveOf, startDocument } from './support/gltf';
+import { cube } from './support/shapes';
+import { ball, moved, partsScene } from './support/scenes';
+
+const SHELL = { model: 'shell' as const, young: 1e6, poisson: 0.3, density: 1000, thickness: 0.02, unit: 1 };
+
+let core: Core, single: Core;
+beforeAll(async () => {
+  [core, single] = [await loadTestCore(2), await loadTestCore(1)];
+});
+
+/** The core, and how many calls of each function were made side by side. */
+function watched(): { core: Core; together: Map<string, number>; alone: Map<string, number> } {
+  const [together, alone] = [new Map<string, number>(), new Map<string, number>()];
+  const count = (calls: Map<string, number>, name: string, more: number) =>
+    calls.set(name, (calls.get(name) ?? 0) + more);
+  const proxy = new Proxy(core, {
+    get: (target, name: keyof Core) => {
+      const value = target[name];
+      if (typeof value !== 'function') return value;
+      return (...values: unknown[]) => {
+        if (name === 'callAll') count(together, values[0] as ManyName, (values[1] as unknown[]).length);
+        else count(alone, name, 1);
+        return (value as (...values: unknown[]) => unknown)(...values);
+      };
+    },
+  });
+  return { core: proxy, together, alone };
+}
+
+async function optimized(by: Core, document = partsScene(12)) {
+  const model = await openModel([await glbFile(document)]);
+  const activity: string[] = [];
+  const file = new FileRun(by, model, { guides: true, onActivity: (body) => activity.push(body) });
+  const asked = { settings: defaultSettings(), fields: false, faces: null, ratio: 0.5 };
+  const output = new FileOutput(file, requestFile(file, asked));
+  output.compute();
+  return { file, output, activity, bytes: await output.glb() };
+}
+
+describe('small bodies', () => {
+  it('come out of a core with threads as out of one without, to the last byte', async () => {
+    const [many, one] = [await optimized(core), await optimized(single)];
+    expect(many.bytes).toEqual(one.bytes);
+  });
+
+  it('are analysed, reduced, fitted and measured side by side', async () => {
+    const watching = watched();
+    await optimized(watching.core);
+    // Of twelve parts eight have shapes of their own.
+    expect(Object.fromEntries(watching.together)).toMatchObject({
+      findModes: 8,
+      strainGuidance: 8,
+      simplify: 8,
+      fitShape: 8,
+    });
+    for (const name of ['findModes', 'strainGuidance', 'simplify'])
+      expect([name, watching.alone.get(name)]).toEqual([name, undefined]);
+  });
+
+  it('are announced in their order, each at last by itself', async () => {
+    const { file, activity } = await optimized(core);
+    const names = file.usable.map(({ run }) => run.context.body.name);
+    const each = activity.filter((name, i) => name !== activity[i - 1]);
+    expect(each.slice(-names.length)).toEqual(names);
+  });
+
+  it('count the time that was spent on them together', async () => {
+    const { file, output } = await optimized(core);
+    const { timings } = output.report({}, []);
+    expect(timings.modes).toBeGreaterThan(0);
+    expect(timings.fit).toBeGreaterThan(0);
+    expect(file.usable[0].run.secondsOf(STAGES.prepared, defaultSettings())).toBeGreaterThan(0);
+  });
+
+  it('leave large ones to all threads', async () => {
+    const document = startDocument();
+    addMesh(document, 'large', [primitiveOf(document, ball(60))]);
+    addMesh(document, 'small', [
+      primitiveOf(
+        document,
+        moved(ball(8), (x, y, z) => [x, 2 * y, z]),
+      ),
+    ]);
+    const watching = watched();
+    await optimized(watching.core, document);
+    expect(watching.together.get('simplify')).toBeUndefined();
+    expect(watching.alone.get('simplify')).toBe(2);
+  });
+});
+
+describe('calls side by side', () => {
+  const distance = (scale: number) => {
+    const mesh = cube();
+    const other = moved(mesh, (x, y, z) => [scale * x, scale * y, scale * z]);
+    return coreCall('measureSurfaceDistance', mesh, other, 0);
+  };
+
+  it('are made once for equal arguments, and give what a single call gives', () => {
+    const watching = watched();
+    const work = new EqualWork(10);
+    callAll(watching.core, work, [distance(2), distance(3), distance(2)]);
+    callAll(watching.core, work, [distance(3)]);
+    expect(watching.together.get('measureSurfaceDistance')).toBe(2);
+    expect(resultOf(watching.core, work, distance(3))).toEqual(
+      core.measureSurfaceDistance(...distance(3).values),
+    );
+    expect(watching.alone.get('measureSurfaceDistance')).toBeUndefined();
+  });
+
+  it('have an Error in the place of a call that fails, which is then made alone', () => {
+    const options = { ...SHELL, modeCount: 2, direction: -1, pinned: new Uint32Array(), exact: false };
+    const [wrong, right] = [{ ...options, poisson: 0.9 }, options].map((one) =>
+      coreCall('findModes', cube(), one),
+    );
+    const [failed, found] = core.callAll('findModes', [wrong.values, right.values]);
+    expect(failed).toBeInstanceOf(Error);
+    expect(found).toEqual(core.findModes(...right.values));
+    const work = new EqualWork(10);
+    callAll(core, work, [wrong]);
+    expect(() => resultOf(core, work, wrong)).toThrow((failed as Error).message);
+  });
+
+  it('are refused of other functions', () => {
+    expect(() => core.callAll('weld' as ManyName, [])).toThrow('makes no calls of "weld" side by side');
+  });
+});

@@ -1,0 +1,79 @@
+#pragma once
+
+// Functions of the core of which JavaScript makes many calls at once, as for the bodies of a scene, so that
+// all threads work although each call is small.
+
+#include <deque>
+#include <exception>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/side_by_side.h"
+#include "bind/function.h"
+
+namespace limber {
+
+// `error` as an Error object, as `Guarded` returns it.
+val jsErrorOf(const std::exception_ptr& error);
+
+// A `Call` is one call of a function: it copies `kArguments` values of JavaScript when it is made, is run on
+// any thread by `run(job)`, and `write` makes a value of JavaScript of the result. The last two steps are
+// apart because only the thread of the call may touch values of JavaScript.
+template <class Call>
+class SideBySide {
+ public:
+  // `lists`: an array with the arguments of each call. Returns an array of results, with an Error object
+  // where a call has thrown. Throws Cancelled, and what making the calls throws.
+  static val callAll(const val& lists) {
+    const auto count = lists["length"].as<uint32_t>();
+    std::deque<Call> calls;
+    for (uint32_t i = 0; i < count; ++i) make(calls, lists[i], std::make_index_sequence<Call::kArguments>());
+    std::vector<std::optional<Result>> results(count);
+    std::vector<std::exception_ptr> errors(count);
+    sideBySide(count, Call::kPhase, theJob, [&](size_t i, Job& job) {
+      try {
+        results[i] = calls[i].run(job);
+      } catch (const Cancelled&) {
+        throw;
+      } catch (...) {
+        errors[i] = std::current_exception();
+      }
+    });
+    val out = val::array();
+    for (uint32_t i = 0; i < count; ++i)
+      out.set(i, errors[i] ? jsErrorOf(errors[i]) : calls[i].write(*results[i]));
+    return out;
+  }
+
+ private:
+  using Result = decltype(std::declval<const Call&>().run(std::declval<Job&>()));
+
+  template <size_t... I>
+  static void make(std::deque<Call>& calls, const val& arguments, std::index_sequence<I...>) {
+    calls.emplace_back(arguments[I]...);
+  }
+};
+
+// The functions of `callAll` by their names, on this thread, see offeredFunctions.
+inline std::map<std::string, val (*)(const val& lists)>& sideBySideFunctions() {
+  static thread_local std::map<std::string, val (*)(const val& lists)> functions;
+  return functions;
+}
+
+// The only call of a function.
+template <class Call, class... Arguments>
+val callOnce(const Arguments&... arguments) {
+  const Call call(arguments...);
+  return call.write(call.run(theJob));
+}
+
+// To be called in an EMSCRIPTEN_BINDINGS block, beside `offer`.
+template <class Call>
+void offerSideBySide(const char* name) {
+  sideBySideFunctions()[name] = &SideBySide<Call>::callAll;
+}
+
+}  // namespace limber
