@@ -4,6 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core, ManyName } from '../../web/engine/core/core';
 import { openModel } from '../../web/engine/document/open';
 import { defaultSettings } from '../../web/engine/settings/options';
+import type { Settings } from '../../web/engine/settings/options';
 import { requestFile } from '../../web/engine/stages/budget/file_targets';
 import { coreCall, callAll, resultOf } from '../../web/engine/stages/many_bodies/core_call';
 import { EqualWork } from '../../web/engine/stages/many_bodies/equal_work';
@@ -41,11 +42,12 @@ function watched(): { core: Core; together: Map<string, number>; alone: Map<stri
   return { core: proxy, together, alone };
 }
 
-async function optimized(by: Core, document = partsScene(12)) {
+async function optimized(by: Core, document = partsScene(12), changes: Partial<Settings> = {}) {
   const model = await openModel([await glbFile(document)]);
   const activity: string[] = [];
   const file = new FileRun(by, model, { guides: true, onActivity: (body) => activity.push(body) });
-  const asked = { settings: defaultSettings(), fields: false, faces: null, ratio: 0.5 };
+  const settings = { ...defaultSettings(), ...changes };
+  const asked = { settings, fields: false, faces: null, ratio: 0.5 };
   const output = new FileOutput(file, requestFile(file, asked));
   output.compute();
   return { file, output, activity, bytes: await output.glb() };
@@ -69,6 +71,17 @@ describe('small bodies', () => {
     });
     for (const name of ['findModes', 'strainGuidance', 'simplify'])
       expect([name, watching.alone.get(name)]).toEqual([name, undefined]);
+  });
+
+  it('stop at the same level where a limit of their deviation is met', async () => {
+    const [watching, tight] = [watched(), { maxDeviation: 0.4 }];
+    const many = await optimized(watching.core, partsScene(12), tight);
+    const one = await optimized(single, partsScene(12), tight);
+    expect(many.bytes).toEqual(one.bytes);
+    expect(many.output.stopped().filter(({ guard }) => guard).length).toBeGreaterThan(2);
+    expect(watching.together.get('isWithinHausdorff')).toBeGreaterThan(8);
+    expect(watching.together.get('measureHausdorff')).toBeGreaterThan(2);
+    expect(watching.alone.get('measureHausdorff')).toBeUndefined();
   });
 
   it('are announced in their order, each at last by itself', async () => {

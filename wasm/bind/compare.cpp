@@ -88,12 +88,43 @@ val jsMeasureSurfaceDistance(const val& a, const val& b, const val& samples) {
   return callOnce<MeasureDistance>(a, b, samples);
 }
 
-val jsMeasureHausdorff(const val& a, const val& b, uint32_t samples) {
-  return val(measureHausdorff(*meshOf(a), *meshOf(b), {.samples = samples}, theJob));
+class MeasureHausdorff {
+ public:
+  static constexpr size_t kArguments = 3;
+  static constexpr Phase kPhase = Phase::Measure;
+
+  MeasureHausdorff(const val& a, const val& b, const val& samples)
+      : a_(meshOf(a)), b_(meshOf(b)), samples_(samples.as<uint32_t>()) {}
+  double run(Job& job) const { return measureHausdorff(*a_, *b_, {.samples = samples_}, job); }
+  val write(double distance) const { return val(distance); }
+
+ private:
+  std::shared_ptr<const TriangleMesh> a_, b_;
+  uint32_t samples_;
+};
+
+val jsMeasureHausdorff(const val& a, const val& b, const val& samples) {
+  return callOnce<MeasureHausdorff>(a, b, samples);
 }
 
-val jsIsWithinHausdorff(const val& a, const val& b, double limit, uint32_t samples) {
-  return val(isWithinHausdorff(*meshOf(a), *meshOf(b), limit, {.samples = samples}, theJob));
+class IsWithinHausdorff {
+ public:
+  static constexpr size_t kArguments = 4;
+  static constexpr Phase kPhase = Phase::Measure;
+
+  IsWithinHausdorff(const val& a, const val& b, const val& limit, const val& samples)
+      : a_(meshOf(a)), b_(meshOf(b)), limit_(limit.as<double>()), samples_(samples.as<uint32_t>()) {}
+  bool run(Job& job) const { return isWithinHausdorff(*a_, *b_, limit_, {.samples = samples_}, job); }
+  val write(bool isWithin) const { return val(isWithin); }
+
+ private:
+  std::shared_ptr<const TriangleMesh> a_, b_;
+  double limit_;
+  uint32_t samples_;
+};
+
+val jsIsWithinHausdorff(const val& a, const val& b, const val& limit, const val& samples) {
+  return callOnce<IsWithinHausdorff>(a, b, limit, samples);
 }
 
 val jsShellModes(const val& mesh, const val& in) {
@@ -121,7 +152,9 @@ EMSCRIPTEN_BINDINGS(limber_compare) {
   offer<&jsMeasureSurfaceDistance>("measureSurfaceDistance");
   offerSideBySide<MeasureDistance>("measureSurfaceDistance");
   offer<&jsMeasureHausdorff>("measureHausdorff");
+  offerSideBySide<MeasureHausdorff>("measureHausdorff");
   offer<&jsIsWithinHausdorff>("isWithinHausdorff");
+  offerSideBySide<IsWithinHausdorff>("isWithinHausdorff");
   offer<&jsShellModes>("shellModes");
   offer<&jsFrequencyErrors>("frequencyErrors");
   offer<&jsCalibrationFactor>("calibrationFactor");

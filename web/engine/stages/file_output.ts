@@ -29,7 +29,7 @@ import { runSettings } from './file_request';
 import type { FileRequest } from './file_request';
 import type { FileRun } from './file_run';
 import type { AnyStage, RunSettings, SettingsOf, ValueOf } from './stage';
-import { runBodies, stagesOfHistory } from './many_bodies/side_by_side';
+import { runBodies } from './many_bodies/side_by_side';
 import { STAGES } from './stages';
 import { tunedResultStage } from './tuned';
 
@@ -55,9 +55,8 @@ export class FileOutput {
   /** Takes every body through its stages as far as its measured result; `onDone` is told of each. */
   compute(onDone?: (run: BodyRun, settings: RunSettings) => void): void {
     runBodies(this.file, this.file.usable, {
-      stages: [...stagesOfHistory(this.request.settings), STAGES.fitted],
-      measures: true,
       settingsOf: (i) => this.runSettings(i),
+      upTo: 'result',
       each: ({ run, i }) => {
         const settings = this.runSettings(i);
         run.get(STAGES.measured, settings);

@@ -98,9 +98,15 @@ export function isWithinDeviation(
 ): boolean {
   const known = knownOf(prepared, other);
   if (known) return known.hausdorff <= limit;
-  const { mesh, samples, diagonal } = prepared;
-  return core.isWithinHausdorff(mesh, other, (limit / 100) * diagonal, samples);
+  return core.isWithinHausdorff(...withinArguments(prepared, other, limit));
 }
+
+/** What the core is asked by `isWithinDeviation`. */
+export const withinArguments = (
+  { mesh, samples, diagonal }: PreparedBody,
+  other: TriangleMesh,
+  limit: number,
+): Parameters<Core['isWithinHausdorff']> => [mesh, other, (limit / 100) * diagonal, samples];
 
 function distanceInPercent(distance: SurfaceDistance, diagonal: number): SurfaceDistance {
   const percent = 100 / diagonal;

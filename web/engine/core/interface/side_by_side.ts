@@ -9,7 +9,7 @@ import type { SimplifyFunctions } from './simplify';
 export type ManyFunctions = Pick<ModesFunctions, 'findModes' | 'strainGuidance'> &
   Pick<SimplifyFunctions, 'simplify'> &
   Pick<FitFunctions, 'fitShape'> &
-  Pick<CompareFunctions, 'measureSurfaceDistance'>;
+  Pick<CompareFunctions, 'measureSurfaceDistance' | 'measureHausdorff' | 'isWithinHausdorff'>;
 
 export type ManyName = keyof ManyFunctions;
 

@@ -20,29 +20,39 @@ export interface DeviationLimit {
  * The fewest faces, at least those of the level at `faces`, whose level is within the limit: to 1 %, and never beyond it. Where the
  * deviation does not fall with more faces, they are at one of its crossings of the limit.
  */
-export function facesWithin(
+export function facesWithin(history: History, faces: number, { isWithin, guess }: DeviationLimit): number {
+  const search = searchFaces(history, faces, guess);
+  let step = search.next();
+  while (!step.done) step = search.next(isWithin(step.value));
+  return step.value;
+}
+
+/** The questions of `facesWithin`, so that those of many bodies can be answered together: the faces of levels that may be within the limit. */
+export function* searchFaces(
   history: History,
   faces: number,
-  { isWithin: isLevelWithin, guess }: DeviationLimit,
-): number {
+  guess?: number,
+): Generator<number, number, boolean> {
   const ends = wholeEnds(history);
   const facesAt = (i: number): number =>
     ends[i] === 0 ? history.triangleCount : history.trianglesAfter[ends[i] - 1];
-  const isWithin = (i: number): boolean => ends[i] === 0 || isLevelWithin(facesAt(i));
+  const isWithin = function* (i: number): Generator<number, boolean, boolean> {
+    return ends[i] === 0 || (yield facesAt(i));
+  };
   let bad = ends.findIndex((_, i) => facesAt(i) <= faces);
   if (bad < 0) bad = ends.length - 1;
-  if (isWithin(bad)) return facesAt(bad);
+  if (yield* isWithin(bad)) return facesAt(bad);
   let step = Math.max(1, Math.floor(FIRST_STEP * bad));
   const guessed = guess === undefined ? -1 : ends.findLastIndex((end) => end <= guess);
   let good = guessed >= 0 && guessed < bad ? guessed : Math.max(0, bad - step);
-  while (!isWithin(good)) {
+  while (!(yield* isWithin(good))) {
     bad = good;
     good = Math.max(0, bad - step);
     step *= 2;
   }
   while (bad - good > 1 && facesAt(good) > CLOSE * facesAt(bad)) {
     const middle = Math.floor((good + bad) / 2);
-    if (isWithin(middle)) good = middle;
+    if (yield* isWithin(middle)) good = middle;
     else bad = middle;
   }
   return facesAt(good);

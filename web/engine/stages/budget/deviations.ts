@@ -5,7 +5,7 @@ import type { PreparedBody } from '../../body/prepared_body';
 import { keptHistoryStage } from '../kept_history';
 import type { KeptHistory } from '../kept_history';
 import { levelAt } from '../level';
-import { isWithinDeviation, measureDeviation } from '../measure';
+import { isWithinDeviation, measureDeviation, withinArguments } from '../measure';
 import { preparedStage } from '../prepared';
 import { onceIn } from '../many_bodies/equal_work';
 import { declareStage } from '../stage';
@@ -49,9 +49,74 @@ export class Deviations {
     return is;
   }
 
-  private mesh(faces: number, level: MeshAt | undefined): TriangleMesh {
+  /** The arguments of `measureDeviation` for a level that has not been measured; null: it has been. */
+  toMeasure(faces: number): Comparison | null {
+    if (this.known.exact.has(faces)) return null;
+    return { prepared: this.prepared, other: this.mesh(faces), store: this.known, key: String(faces) };
+  }
+
+  /** The same of `isWithinDeviation`. */
+  toAsk(faces: number, limit: number): Comparison | null {
+    const key = `${faces} ${limit}`;
+    if (this.known.exact.has(faces) || this.known.within.has(key)) return null;
+    return { prepared: this.prepared, other: this.mesh(faces), store: this.known, key };
+  }
+
+  private mesh(faces: number, level?: MeshAt): TriangleMesh {
     return (level ?? levelAt(this.core, this.kept, faces)).mesh;
   }
+}
+
+/** A level that is compared with its original, and where the result is remembered. */
+interface Comparison {
+  prepared: PreparedBody;
+  other: TriangleMesh;
+  store: KnownDeviations;
+  key: string;
+}
+
+/** Bodies of one shape share what is known of them. */
+function withoutRepetition(all: (Comparison | null)[]): Comparison[] {
+  const seen = new Map<KnownDeviations, Set<string>>();
+  return all.filter((one): one is Comparison => {
+    if (!one) return false;
+    const keys = seen.get(one.store) ?? new Set<string>();
+    const isNew = !keys.has(one.key);
+    seen.set(one.store, keys.add(one.key));
+    return isNew;
+  });
+}
+
+/** Answers questions of `Deviations.isWithin` side by side. */
+export function askSideBySide(
+  core: Core,
+  questions: { deviations: Deviations; faces: number; limit: number }[],
+): void {
+  const asked = questions.map(({ deviations, faces, limit }) => {
+    const comparison = deviations.toAsk(faces, limit);
+    return comparison && { ...comparison, limit };
+  });
+  const unknown = withoutRepetition(asked) as (Comparison & { limit: number })[];
+  const answers = core.callAll(
+    'isWithinHausdorff',
+    unknown.map(({ prepared, other, limit }) => withinArguments(prepared, other, limit)),
+  );
+  answers.forEach((answer, i) => {
+    if (typeof answer === 'boolean') unknown[i].store.within.set(unknown[i].key, answer);
+  });
+}
+
+/** Measures levels for `Deviations.at` side by side. */
+export function measureSideBySide(core: Core, levels: { deviations: Deviations; faces: number }[]): void {
+  const unknown = withoutRepetition(levels.map(({ deviations, faces }) => deviations.toMeasure(faces)));
+  const found = core.callAll(
+    'measureHausdorff',
+    unknown.map(({ prepared, other }) => [prepared.mesh, other, prepared.samples]),
+  );
+  found.forEach((distance, i) => {
+    const { prepared, store, key } = unknown[i];
+    if (typeof distance === 'number') store.exact.set(Number(key), (100 / prepared.diagonal) * distance);
+  });
 }
 
 export const deviationsStage = declareStage({

@@ -10,7 +10,7 @@ import type { FaceTarget } from './face_shares';
 import type { FileRequest } from '../file_request';
 import type { FileRun } from '../file_run';
 import type { RunSettings } from '../stage';
-import { runBodies, stagesOfHistory } from '../many_bodies/side_by_side';
+import { runBodies } from '../many_bodies/side_by_side';
 import { SceneQueue } from './scene_budget';
 
 /** What is asked of a file. */
@@ -73,8 +73,8 @@ function curvesOf(file: FileRun, shared: Usable, settings: CurveSettings): Error
   // Curves follow from histories, which know nothing of the faces that are asked for.
   const ofRun: RunSettings = Object.freeze({ ...settings, targetFaces: 1, fields: false });
   return runBodies(file, shared, {
-    stages: stagesOfHistory(settings),
     settingsOf: () => ofRun,
+    upTo: 'history',
     each: ({ run }) => run.get(errorCurveStage, ofRun),
   });
 }

@@ -3,8 +3,8 @@
 import type { GuardFinding } from '../../body/body_result';
 import type { Core, MeshAt } from '../../core/core';
 import { faceCount } from '../../core/mesh';
-import { facesWithin } from './deviation_limit';
-import { deviationsStage } from './deviations';
+import { searchFaces } from './deviation_limit';
+import { askSideBySide, deviationsStage, measureSideBySide } from './deviations';
 import type { Deviations } from './deviations';
 import { collapsesWithin, errorCurveStage } from './error_curve';
 import type { ErrorCurve } from './error_curve';
@@ -53,11 +53,53 @@ export function guardLevel(
   level: MeshAt,
   limit: number,
 ): GuardedLevel {
-  const isWithin = (faces: number): boolean => deviations.isWithin(faces, limit);
   const wanted = faceCount(level.mesh);
-  if (deviations.isWithin(wanted, limit, level)) return { result: level, guard: null };
-  const guess = collapsesWithin(curve, (limit / 100) * curve.diagonal);
-  const faces = facesWithin(kept.history, wanted, { isWithin, guess });
+  const search = searchLevel({ kept, curve }, wanted, limit);
+  let step = search.next();
+  while (!step.done)
+    step = search.next(deviations.isWithin(step.value, limit, step.value === wanted ? level : undefined));
+  const faces = step.value;
+  if (faces === wanted) return { result: level, guard: null };
   const result = levelAt(core, kept, faces);
   return { result, guard: { limit, deviation: deviations.at(faces, result) } };
+}
+
+/** The questions of `guardLevel`: the faces of levels that may be within the limit. Returns the faces of the level that it takes. */
+function* searchLevel(
+  { kept, curve }: Pick<GuardInputs, 'kept' | 'curve'>,
+  wanted: number,
+  limit: number,
+): Generator<number, number, boolean> {
+  if (yield wanted) return wanted;
+  const guess = collapsesWithin(curve, (limit / 100) * curve.diagonal);
+  return yield* searchFaces(kept.history, wanted, guess);
+}
+
+/** A body for which `guardedLevelStage` is about to be run. */
+export interface GuardedBody extends GuardInputs {
+  level: MeshAt;
+  /** % of the diagonal; 0: none */
+  limit: number;
+}
+
+/** Makes the calls of the core for `guardedLevelStage` of many bodies side by side; their deviations remember the results. */
+export function guardSideBySide(core: Core, bodies: GuardedBody[]): void {
+  const unsure = bodies.filter(({ level, limit, ...inputs }) => !isSurelyWithin(inputs, level, limit));
+  const searches = unsure.map((body) => {
+    const wanted = faceCount(body.level.mesh);
+    const search = searchLevel(body, wanted, body.limit);
+    return { ...body, wanted, search, step: search.next() };
+  });
+  for (;;) {
+    const open = searches.filter(({ step }) => !step.done);
+    if (open.length === 0) break;
+    const questions = open.map(({ deviations, limit, step }) => ({ deviations, limit, faces: step.value }));
+    askSideBySide(core, questions);
+    for (const one of open) one.step = one.search.next(one.deviations.isWithin(one.step.value, one.limit));
+  }
+  const guarded = searches.filter(({ step, wanted }) => step.value !== wanted);
+  measureSideBySide(
+    core,
+    guarded.map(({ deviations, step }) => ({ deviations, faces: step.value })),
+  );
 }

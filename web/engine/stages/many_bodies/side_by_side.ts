@@ -4,19 +4,24 @@ import type { PreparedBody } from '../../body/prepared_body';
 import type { Core } from '../../core/core';
 import { vertexCount } from '../../core/mesh';
 import { methodOf } from '../../settings/options';
-import type { Settings } from '../../settings/options';
 import type { BodyRun } from '../body_run';
-import { callAll, resultOf } from './core_call';
-import type { CoreCall } from './core_call';
-import type { EqualWork } from './equal_work';
+import { deviationsStage } from '../budget/deviations';
+import { errorCurveStage } from '../budget/error_curve';
+import { guardSideBySide } from '../budget/guarded_level';
+import type { GuardedBody } from '../budget/guarded_level';
 import type { FileRun } from '../file_run';
 import { fittedStage } from '../fitted';
 import { guidanceStage } from '../guidance';
 import { historyStage } from '../history';
+import { keptHistoryStage } from '../kept_history';
+import { levelStage } from '../level';
 import { measureDistances } from '../measure';
 import { modesStage } from '../modes';
 import { preparedStage } from '../prepared';
 import type { AnyStage, RunSettings, SettingsOf } from '../stage';
+import { callAll, resultOf } from './core_call';
+import type { CoreCall } from './core_call';
+import type { EqualWork } from './equal_work';
 
 type Usable = FileRun['usable'];
 
@@ -25,28 +30,20 @@ const MOST_VERTICES = 4000;
 /** Vertices of the bodies that are run at a time, so that progress is seen and cancelling loses little. */
 const VERTICES_AT_A_TIME = 8000;
 
-/** The stages up to the history that begin with a call of the core, in order. */
-export const stagesOfHistory = (settings: Pick<Settings, 'method'>): AnyStage[] => [
-  ...(methodOf(settings).needsGuidance ? [modesStage, guidanceStage] : []),
-  historyStage,
-];
-
 /** How the bodies of a file are run. */
 export interface BodyWork<Value> {
-  /** stages whose first calls are made side by side, in order */
-  stages: AnyStage[];
-  /** whether the results of `fittedStage`, which is the last of them, are measured side by side as well */
-  measures?: boolean;
   settingsOf: (i: number) => RunSettings;
-  /** what is made of each body then; its stages have made their first calls */
+  /** how far the work that is done side by side goes */
+  upTo: 'history' | 'result';
+  /** what is made of each body then: its stages find the results of their calls */
   each: (usable: Usable[number]) => Value;
 }
 
-/** Runs some of the bodies of a file, in order; calls that belong to the same stage of small bodies are made side by side. */
+/** Runs some of the bodies of a file, in order; what the stages of small bodies ask of the core is done side by side. */
 export function runBodies<Value>(file: FileRun, some: Usable, work: BodyWork<Value>): Value[] {
   return groupsOf(file, some, work.settingsOf).flatMap((group) => {
     file.announce(group[0].run);
-    if (group.length > 1) callAhead(file.core, group, work);
+    if (group.length > 1) callAhead(file.core, bodiesOf(group, work.settingsOf), work.upTo);
     return group.map((usable) => {
       file.announce(usable.run);
       return work.each(usable);
@@ -54,40 +51,69 @@ export function runBodies<Value>(file: FileRun, some: Usable, work: BodyWork<Val
   });
 }
 
-/** A body and the call with which a stage of it begins. */
-interface First {
+interface RunOfBody {
   run: BodyRun;
-  prepared: PreparedBody;
+  settings: RunSettings;
+}
+
+const bodiesOf = (group: Usable, settingsOf: BodyWork<unknown>['settingsOf']): RunOfBody[] =>
+  group.map(({ run, i }) => ({ run, settings: settingsOf(i) }));
+
+function callAhead(core: Core, bodies: RunOfBody[], upTo: BodyWork<unknown>['upTo']): void {
+  const [{ settings }] = bodies;
+  if (methodOf(settings).needsGuidance)
+    for (const stage of [modesStage, guidanceStage]) callFirst(core, bodies, stage);
+  callFirst(core, bodies, historyStage);
+  if (upTo === 'history') return;
+  guardSideBySide(core, bodies.map(guardedBody));
+  callFirst(core, bodies, fittedStage, measureFits);
+}
+
+/** A body and the call with which a stage of it begins. */
+interface First extends RunOfBody {
   call: CoreCall;
 }
 
-function callAhead(core: Core, group: Usable, { stages, settingsOf, measures }: BodyWork<unknown>): void {
-  const { equalWork } = group[0].run.context;
-  if (!equalWork) return;
-  for (const stage of stages) {
-    const firsts = group.flatMap(({ run, i }): First[] => {
-      const call = run.firstCall(stage, settingsOf(i));
-      return call ? [{ run, call, prepared: preparedOf(run, settingsOf(i)) }] : [];
-    });
-    const start = performance.now();
-    callAll(
-      core,
-      equalWork,
-      firsts.map(({ call }) => call),
-    );
-    if (measures && stage === fittedStage) measureFits(core, equalWork, firsts);
-    const seconds = (performance.now() - start) / 1000;
-    for (const { run } of firsts) run.addAhead(stage, seconds / firsts.length);
-  }
+/** Makes the first calls of a stage; `then` is part of its work. */
+function callFirst(
+  core: Core,
+  bodies: RunOfBody[],
+  stage: AnyStage,
+  then: (core: Core, firsts: First[]) => void = () => {},
+): void {
+  const firsts = bodies.flatMap(({ run, settings }): First[] => {
+    const call = run.firstCall(stage, settings);
+    return call ? [{ run, settings, call }] : [];
+  });
+  const start = performance.now();
+  callAll(
+    core,
+    equalWorkOf(bodies),
+    firsts.map(({ call }) => call),
+  );
+  then(core, firsts);
+  const seconds = (performance.now() - start) / 1000;
+  for (const { run } of firsts) run.addAhead(stage, seconds / firsts.length);
 }
 
-function measureFits(core: Core, equalWork: EqualWork, firsts: First[]): void {
-  const fits = firsts.map(({ prepared, call }) => {
-    const { result } = resultOf(core, equalWork, call as CoreCall<'fitShape'>);
-    return { prepared, mesh: result.mesh };
+function measureFits(core: Core, firsts: First[]): void {
+  const fits = firsts.map(({ run, settings, call }) => {
+    const { result } = resultOf(core, run.context.equalWork, call as CoreCall<'fitShape'>);
+    return { prepared: preparedOf(run, settings), mesh: result.mesh };
   });
   measureDistances(core, fits);
 }
+
+const guardedBody = ({ run, settings }: RunOfBody): GuardedBody => ({
+  kept: run.get(keptHistoryStage, settings),
+  curve: run.get(errorCurveStage, settings),
+  deviations: run.get(deviationsStage, settings),
+  level: run.get(levelStage, settings),
+  limit: settings.maxDeviation,
+});
+
+/** Runs of a file with several bodies share one. */
+const equalWorkOf = ([{ run }]: RunOfBody[]): EqualWork => run.context.equalWork!;
 
 const preparedOf = (run: BodyRun, settings: SettingsOf<typeof preparedStage>): PreparedBody =>
   run.get(preparedStage, settings);
