@@ -80,7 +80,7 @@ describe('the core', () => {
       const [, body = ''] = readFileSync(new URL(file, folder), 'utf8').split(
         /export interface \w+Functions \{/,
       );
-      return [...body.matchAll(/^ {2}(\w+)\(/gm)].map(([, name]) => name);
+      return [...body.matchAll(/^ {2}(\w+)(?:<[^(]*>)?\(/gm)].map(([, name]) => name);
     });
     const { threads, job, peakHeapBytes, heapLimit, ...offered } = await loadTestCore(1);
     expect([threads, job, typeof peakHeapBytes, heapLimit]).toEqual([1, null, 'function', 2 ** 32]);
