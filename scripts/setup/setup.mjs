@@ -36,6 +36,12 @@ const buildNeeds = [
   },
   { name: 'Ninja', found: () => isOnPath('ninja'), packages: ['ninja-build'], hint: 'install ninja' },
   {
+    name: "Python 3, in which Emscripten's tools are written",
+    found: () => isOnPath('python3'),
+    packages: ['python3'],
+    hint: 'install Python 3',
+  },
+  {
     name: 'Eigen >= 3.4 and Spectra >= 1.0',
     found: () => findHeaders() !== null,
     packages: ['libeigen3-dev', 'libspectra-dev'],
