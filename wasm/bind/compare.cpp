@@ -69,39 +69,28 @@ FidelityOptions fidelityOptionsOf(const val& in) {
   return options;
 }
 
-class MeasureDistance {
+// One call of a function that measures two meshes at a number of samples.
+template <auto measure>
+class Measurement {
  public:
   static constexpr size_t kArguments = 3;
   static constexpr Phase kPhase = Phase::Measure;
 
-  MeasureDistance(const val& a, const val& b, const val& samples)
+  Measurement(const val& a, const val& b, const val& samples)
       : a_(meshOf(a)), b_(meshOf(b)), samples_(samples.as<uint32_t>()) {}
-  SurfaceDistance run(Job& job) const { return measureSurfaceDistance(*a_, *b_, {.samples = samples_}, job); }
-  val write(const SurfaceDistance& distance) const { return toJs(distance); }
+  auto run(Job& job) const { return measure(*a_, *b_, {.samples = samples_}, job); }
+  val write(const auto& result) const { return toJs(result); }
 
  private:
   std::shared_ptr<const TriangleMesh> a_, b_;
   uint32_t samples_;
 };
+using MeasureDistance = Measurement<&measureSurfaceDistance>;
+using MeasureHausdorff = Measurement<&measureHausdorff>;
 
 val jsMeasureSurfaceDistance(const val& a, const val& b, const val& samples) {
   return callOnce<MeasureDistance>(a, b, samples);
 }
-
-class MeasureHausdorff {
- public:
-  static constexpr size_t kArguments = 3;
-  static constexpr Phase kPhase = Phase::Measure;
-
-  MeasureHausdorff(const val& a, const val& b, const val& samples)
-      : a_(meshOf(a)), b_(meshOf(b)), samples_(samples.as<uint32_t>()) {}
-  double run(Job& job) const { return measureHausdorff(*a_, *b_, {.samples = samples_}, job); }
-  val write(double distance) const { return val(distance); }
-
- private:
-  std::shared_ptr<const TriangleMesh> a_, b_;
-  uint32_t samples_;
-};
 
 val jsMeasureHausdorff(const val& a, const val& b, const val& samples) {
   return callOnce<MeasureHausdorff>(a, b, samples);
