@@ -17,7 +17,7 @@ const { values: options } = parseArgs({
     write: { type: 'boolean', default: false },
     meshes: { type: 'string', default: EVIDENCE_MESHES },
     methods: { type: 'string' },
-    ratios: { type: 'string', default: '.5,.25,.1,.05' },
+    ratios: { type: 'string', default: '.9,.5,.25,.1,.05' },
   },
 });
 const ratios = options.ratios.split(',').map(Number);
