@@ -5,6 +5,7 @@ import { describeFailedModes, describeResiduals } from '../engine/body/health';
 import { startStopwatch } from '../engine/core/stopwatch';
 import { passThrough } from '../engine/document/write/pass_through';
 import { describeEmpty } from '../engine/document/open';
+import { loadValidator } from '../engine/document/validate';
 import type { OpenModel } from '../engine/document/open';
 import { describeLargeFit } from '../engine/report/fit_words';
 import { settingsAsUsed } from '../engine/report/report';
@@ -30,7 +31,9 @@ import { plain } from './words';
 
 export async function runOptimize(args: Arguments): Promise<number> {
   const watches = { total: startStopwatch(), lap: startStopwatch() };
-  const session = await startSession(args);
+  const starting = startSession(args);
+  if (args.validates) loadValidator(); // while the threads of the core start
+  const session = await starting;
   const done = await optimizeModel(session, watches);
   if ('report' in done) return finishOptimize(session, done);
   clearProgress();

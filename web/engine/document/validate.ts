@@ -45,8 +45,13 @@ export function addedErrors(result: Validation, input: Validation | null): strin
   });
 }
 
+const importValidator = () => import('gltf-validator');
+
+/** Loads the validator early, where there is time, so that it need not be waited for; an error shows when it is needed. */
+export const loadValidator = (): void => void importValidator().catch(() => undefined);
+
 async function validate(bytes: Uint8Array, format: 'glb' | 'gltf', files: SourceFile[]): Promise<Validation> {
-  const { validateBytes } = await import('gltf-validator');
+  const { validateBytes } = await importValidator();
   const report = await validateBytes(bytes, {
     format,
     maxIssues: 1000,
@@ -79,7 +84,7 @@ const LONGEST = 160;
 /** The first error that the validator finds in the JSON of a file, and where; null if it finds none. Buffers are not read. */
 export async function firstProblem(json: object): Promise<string | null> {
   try {
-    const { validateBytes } = await import('gltf-validator');
+    const { validateBytes } = await importValidator();
     const bytes = new TextEncoder().encode(JSON.stringify(json));
     const { issues } = await validateBytes(bytes, { format: 'gltf', maxIssues: 100, writeTimestamp: false });
     const error = issues.messages.find(({ severity }) => severity === ERROR);
