@@ -5,7 +5,7 @@ import { hashOf } from './load_engine.mjs';
 import { measure } from './measure.mjs';
 
 /**
- * Peers are also measured again if the core or the engine has changed, because these do the measuring.
+ * Peers are also measured again if the core or the engine has changed, because these do the measuring; their meshes are kept.
  * One result: { mesh, kind, inputMinAngle, method, isOurs, ratio, targetFaces, ...measure(), seconds, meshOf() }.
  */
 export function runCases(loaded, { meshes, methods, ratios }, print = console.log) {
@@ -14,8 +14,7 @@ export function runCases(loaded, { meshes, methods, ratios }, print = console.lo
   for (const mesh of meshes)
     for (const ratio of ratios)
       for (const method of methods) {
-        const key = hashOf(loaded.version, mesh.hash, method.name, method.version, String(ratio));
-        const { record, meshOf } = cached(key, () => runCase(loaded, mesh, method, ratio));
+        const { record, meshOf } = runCase(loaded, mesh, method, ratio);
         const { name, isOurs } = method;
         const targetFaces = ratio * mesh.faces;
         const inputMinAngle = mesh.prepared.quality.minAngle;
@@ -35,8 +34,15 @@ export function runCases(loaded, { meshes, methods, ratios }, print = console.lo
 }
 
 function runCase(loaded, mesh, method, ratio) {
-  const { mesh: result, seconds } = method.run(mesh, ratio * mesh.faces);
-  return { record: { ...measure(loaded, mesh.prepared, result), seconds }, mesh: result };
+  const ofResult = [mesh.hash, method.name, method.version, String(ratio)];
+  return cached(hashOf(loaded.version, ...ofResult), () => {
+    const { record, meshOf } = cached(hashOf('result', ...ofResult), () => {
+      const { mesh: result, seconds } = method.run(mesh, ratio * mesh.faces);
+      return { record: { seconds }, mesh: result };
+    });
+    const result = meshOf();
+    return { record: { ...measure(loaded, mesh.prepared, result), ...record }, mesh: result };
+  });
 }
 
 function lineOf({ mesh, method, ratio, faces, frequencyErrorMean, failure }) {
