@@ -1,5 +1,5 @@
 // Errors at equal numbers of faces, and faces at equal errors, by method: writes the tables of docs/evidence.md.
-// Usage: npm run build && node tests/bench/evidence.mjs [--write] [--meshes a,b] [--methods a,b] [--ratios .9,.5]
+// Usage: npm run build && node tests/bench/evidence.mjs [--write] [--meshes a,b] [--methods 'a;b'] [--ratios .9,.5]
 // Peers and meshes that are absent are left out and listed; results are kept in build/bench, so that a second run is short.
 
 import { parseArgs } from 'node:util';
@@ -21,7 +21,7 @@ const { values: options } = parseArgs({
   },
 });
 const ratios = options.ratios.split(',').map(Number);
-const wanted = options.methods?.split(',');
+const wanted = options.methods?.split(';');
 const { meshes, methods, missing, cases } = await evidenceCases({
   names: options.meshes.split(','),
   ratios,

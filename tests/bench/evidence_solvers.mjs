@@ -1,5 +1,5 @@
 // Errors of frequencies by method and by solver, with the original's numbers and tuned: writes a table of docs/evidence.md.
-// Usage: npm run build && node tests/bench/evidence_solvers.mjs [--write] [--meshes a,b] [--methods a,b] [--ratio .25]
+// Usage: npm run build && node tests/bench/evidence_solvers.mjs [--write] [--meshes a,b] [--methods 'a;b'] [--ratio .25]
 // Peers and meshes that are absent are left out and listed; results are kept in build/bench, so that a second run is short. The two
 // methods of the literature, whose results take minutes, take part where --methods names them.
 
@@ -25,7 +25,7 @@ const { values: options } = parseArgs({
   },
 });
 const ratio = Number(options.ratio);
-const wanted = options.methods?.split(',');
+const wanted = options.methods?.split(';');
 const { loaded, meshes, methods, missing, cases } = await evidenceCases({
   names: options.meshes.split(','),
   ratios: [ratio],

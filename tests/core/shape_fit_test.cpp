@@ -93,6 +93,36 @@ double meanDistance(const TriangleMesh& mesh, const TriangleMesh& result) {
   return measureSurfaceDistance(mesh, result, {}, theJob).mean;
 }
 
+// Whether triangle t of the result is one of the original's, where it was.
+bool isUnchanged(const TriangleMesh& original, const MeshAt& result, uint32_t t) {
+  for (int c = 0; c < 3; ++c)
+    if (!(result.mesh.corner(t, c) == original.corner(result.inputOfTriangle[t], c))) return false;
+  return true;
+}
+
+TEST(ShapeFit, LeavesTheSurfaceAloneWhereNothingChanged) {
+  const TriangleMesh mesh = wavySheet(0.1);
+  const MeshAt start = simplified(mesh, 0.9);
+  const TriangleMesh result = fitted(mesh, start);
+  const Topology before = buildTopology(start.mesh), after = buildTopology(result);
+  uint32_t keptVertices = 0, keptEdges = 0, movedVertices = 0;
+  const auto isKept = [&](uint32_t t) { return isUnchanged(mesh, start, t); };
+  for (uint32_t v = 0; v < result.vertexCount(); ++v) {
+    movedVertices += !(result.positions[v] == start.mesh.positions[v]);
+    if (!std::ranges::all_of(before.trianglesAround(v), isKept)) continue;
+    EXPECT_EQ(result.positions[v], start.mesh.positions[v]) << v;
+    ++keptVertices;
+  }
+  for (const Topology::Edge& edge : before.edges) {
+    if (edge.useCount != 2 || !std::ranges::all_of(before.trianglesAt(edge), isKept)) continue;
+    EXPECT_NE(edgeBetween(after, edge.a, edge.b), nullptr);
+    ++keptEdges;
+  }
+  EXPECT_GT(keptVertices, result.vertexCount() / 4);
+  EXPECT_GT(keptEdges, keptVertices);
+  EXPECT_GT(movedVertices, 0u);
+}
+
 TEST(SheetSizes, haveTheDerivativesOfFiniteDifferences) {
   TriangleMesh mesh = shapes::jittered(wavySheet(0.1), 0.004, 3);
   const Topology topology = buildTopology(mesh);

@@ -14,6 +14,7 @@
 #include "fit/surface/border_corners.h"
 #include "fit/surface/original_surface.h"
 #include "fit/tuning.h"
+#include "fit/unchanged_surface.h"
 #include "modes/vertex_limits.h"
 
 namespace limber {
@@ -42,8 +43,9 @@ void lockCorners(FitPart& part, const Topology& topology) {
 struct ShapeContext {
   const ShapeFitOptions& options;
   StartResult start;
-  uint32_t samples;                    // at which the deviation of the present part is judged
-  std::function<void(double)> report;  // takes the fraction of the present part that is done
+  const std::vector<uint8_t>& isUnchanged;  // per triangle of the whole result
+  uint32_t samples;                         // at which the deviation of the present part is judged
+  std::function<void(double)> report;       // takes the fraction of the present part that is done
   Job& job;
 };
 
@@ -66,6 +68,7 @@ void fitPart(FitPart& part, const ShapeContext& context, ShapeFitResult& fitted)
   const double maxDeviation = context.options.maxDeviation;
   const Topology topology = buildIncidence(part.result);
   lockCorners(part, topology);
+  keepUnchanged(part, topology, context.isUnchanged);
   const uint32_t perTriangle =
       part.isLarge ? tuning::surface::kLargeSamplesPerTriangle : tuning::surface::kSamplesPerTriangle;
   const OriginalSurface surface(part.original, perTriangle * part.result.triangleCount(),
@@ -100,13 +103,14 @@ ShapeFitResult fitShape(const TriangleMesh& original, const MeshAt& result, cons
   if (!options.mirror.empty()) mirror = mirrorOfResult(original, result, options.mirror);
   const StartResult start{result.mesh, mirror ? &*mirror : nullptr};
   const FitConstraints constraints = constraintsOf(options);
+  const std::vector<uint8_t> isUnchanged = findUnchangedTriangles(original, result);
   FitParts found = findFitParts(original, result, constraints, start.mirror);
   for (size_t i = 0; i < found.parts.size(); ++i) {
     const auto report = [&](double fraction) {
       phase.report((static_cast<double>(i) + fraction) / static_cast<double>(found.parts.size()));
     };
     const uint32_t samples = samplesOf(found.parts[i], original, options.samples);
-    fitPart(found.parts[i], {options, start, samples, report, job}, fitted);
+    fitPart(found.parts[i], {options, start, isUnchanged, samples, report, job}, fitted);
   }
   return fitted;
 }
