@@ -38,10 +38,10 @@ struct ShapeFitResult {
 //
 // Topology and the number of faces do not change, and no face turns over. Border vertices stay where they
 // are, and with them the outline, its length and its corners. Seams and flat regions keep their shape; locked
-// vertices stay, and so does the surface where no collapse has changed it. Positions are float32 numbers.
-// `result.flips` tells where corners come from. A result that still has all faces of the original is returned
-// as it is. Throws Cancelled, and std::invalid_argument where a mirror is given and `result` is not its own
-// mirror image.
+// vertices stay, and so do triangles of the original that collapses have left as they were. Positions are
+// float32 numbers. `result.flips` tells where corners come from. A result that still has all faces of the
+// original is returned as it is. Throws Cancelled, and std::invalid_argument where a mirror is given and
+// `result` is not its own mirror image.
 ShapeFitResult fitShape(const TriangleMesh& original, const MeshAt& result, const ShapeFitOptions& options,
                         Job& job);
 
