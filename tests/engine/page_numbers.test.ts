@@ -3,7 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { curvatureScale, ranked } from '../../web/app/panels/viewport/curvature_scale';
-import { remainingTime } from '../../web/app/state/remaining';
+import { remainingTime, shareDone } from '../../web/app/state/remaining';
 import { drawnArrays, quickArrays } from '../../web/app/viewer/drawn_arrays';
 import { quickNormals } from '../../web/app/viewer/quick_normals';
 import { spreadPoints, spreadStep } from '../../web/app/viewer/spread_points';
@@ -35,6 +35,16 @@ describe('the remaining time', () => {
     const left = remainingTime();
     expect([1, 2, 3, 4].map((seconds) => left(seconds, seconds / 20))).toEqual([null, null, null, 16]);
     expect(left(0.5, 0.5)).toBeNull();
+  });
+});
+
+describe('what is done', () => {
+  it('is the share of all bodies where it is told, otherwise that of the phase', () => {
+    expect(shareDone({ phase: 'fitting', fraction: 0.5, share: 0.2 })).toBe(0.2);
+    expect(shareDone({ phase: 'idle', fraction: 0, share: 0 })).toBe(0);
+    expect(shareDone({ phase: 'fitting', fraction: 0.5 })).toBe(0.5);
+    expect(shareDone({ phase: 'idle', fraction: 0 })).toBeNull();
+    expect(shareDone(null)).toBeNull();
   });
 });
 

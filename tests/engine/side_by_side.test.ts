@@ -8,6 +8,7 @@ import type { Settings } from '../../web/engine/settings/options';
 import { requestFile } from '../../web/engine/stages/budget/file_targets';
 import { coreCall, callAll, resultOf } from '../../web/engine/stages/many_bodies/core_call';
 import { EqualWork } from '../../web/engine/stages/many_bodies/equal_work';
+import type { WorkSpan } from '../../web/engine/stages/many_bodies/file_progress';
 import { FileOutput } from '../../web/engine/stages/file_output';
 import { FileRun } from '../../web/engine/stages/file_run';
 import { STAGES } from '../../web/engine/stages/stages';
@@ -113,6 +114,48 @@ describe('small bodies', () => {
     expect(watching.together.get('simplify')).toBeUndefined();
     expect(watching.alone.get('simplify')).toBe(2);
   });
+});
+
+describe('progress on many bodies', () => {
+  /** The shares of the work that a page shows while files of parts are opened, reduced by half and reduced again. */
+  async function shares(count: number, threads: number) {
+    let span: WorkSpan | null = null;
+    let told: number[] = [];
+    const tell = (fraction: number) => {
+      if (span) told.push(span.done + fraction * (span.next - span.done));
+    };
+    const watching = await loadTestCore(threads, ({ fraction }) => tell(fraction));
+    const onProgress = (fresh: WorkSpan | null) => {
+      span = fresh;
+      tell(0);
+    };
+    const model = await openModel([await glbFile(partsScene(count))]);
+    const file = new FileRun(watching, model, { guides: true, onProgress });
+    const during = (work: () => void): number[] => {
+      file.progress.restart();
+      told = [];
+      work();
+      expect(span).toBeNull();
+      return told;
+    };
+    const asked = { settings: defaultSettings(), fields: false, faces: null, ratio: 0.5 };
+    const reduce = () => new FileOutput(file, requestFile(file, asked)).compute();
+    const opening = during(() => file.leaveOutUnusable(defaultSettings()));
+    return { opening, reducing: during(reduce), again: during(reduce) };
+  }
+
+  const leaps = (values: number[]): number[] =>
+    [...values, 1].map((value, i) => value - (i > 0 ? values[i - 1] : 0));
+
+  for (const threads of [1, 2])
+    it(`never goes back and makes no leap, threads: ${threads}`, async () => {
+      const { opening, reducing, again } = await shares(64, threads);
+      expect(Math.max(...leaps(opening))).toBeCloseTo(1 / 64, 6);
+      for (const values of [opening, reducing]) expect(Math.min(...leaps(values))).toBeGreaterThanOrEqual(0);
+      // The largest piece is the guard of all parts together, which is many calls.
+      expect(Math.max(...leaps(reducing))).toBeLessThan(threads > 1 ? 0.2 : 0.02);
+      expect(again).toEqual([]);
+    });
 });
 
 describe('calls side by side', () => {

@@ -26,11 +26,11 @@ export function Busy() {
   );
 }
 
-/** "7 of 29, 40 s left" for a file of several bodies, otherwise the phase and how far it is. */
+/** "24 %, 40 s left" for the bodies of a file together, otherwise the phase and how far it is. */
 function describeProgress(progress: CallProgress | null, seconds: number | null): string {
   const left = describeLeft(seconds);
-  if (progress?.part)
-    return `${say('{number} of {all}', { number: progress.part.number, all: progress.part.of })}${left}`;
-  if (!progress || progress.phase === 'idle') return '';
-  return `${say(progress.phase)} ${Math.round(100 * progress.fraction)}\u00a0%${left}`;
+  const share = shareDone(progress);
+  if (!progress || share === null) return '';
+  const phase = progress.share === undefined ? `${say(progress.phase)} ` : '';
+  return `${phase}${Math.floor(100 * share)}\u00a0%${left}`;
 }

@@ -143,9 +143,10 @@ export class Client {
 
   /** Progress of the running call, read from shared memory or from the last message of the worker. */
   progress(): CallProgress | null {
-    if (!this.job) return this.lastProgress;
+    // Until the worker has told something, what is in shared memory may be of one body of many.
+    if (!this.job || !this.lastProgress) return this.lastProgress;
     const [phase, fraction] = [Atomics.load(this.job, 1), Atomics.load(this.job, 2) / 10000];
-    return { phase: PHASES[phase], fraction, part: this.lastProgress?.part };
+    return { phase: PHASES[phase], fraction, share: this.lastProgress.share };
   }
 
   /** Whether a running call can be stopped without losing what the worker has computed. */

@@ -13,11 +13,11 @@ const EVERY = 0.5;
 const MOST_SPREAD = 1.5;
 const LOOKS = 3;
 
-/** 0..1 of the bodies, or of the phase of a single one; null where nothing is known. */
+/** 0..1 of the work on all bodies, or of the phase of a single one; null where nothing is known. */
 export function shareDone(progress: CallProgress | null): number | null {
   if (!progress) return null;
-  const { part, fraction, phase } = progress;
-  if (part) return (part.number - 1) / part.of;
+  const { share, fraction, phase } = progress;
+  if (share !== undefined) return share;
   return phase === 'idle' ? null : fraction;
 }
 

@@ -60,7 +60,7 @@ export async function whileBusy<T>(what: string, make: () => Promise<T>): Promis
   const show = () => {
     const progress = client.progress();
     const now = performance.now();
-    const own = progress?.part ? 'bodies' : (progress?.phase ?? '');
+    const own = progress?.share === undefined ? (progress?.phase ?? '') : 'bodies';
     if (own !== phase) [phase, begin] = [own, now];
     const left = remaining((now - begin) / 1000, shareDone(progress));
     status.busy.value = { what, progress, left };

@@ -26,6 +26,7 @@ export async function exportAll(
   const asked = request.faces ?? sum(targets);
   const stopwatch = startStopwatch();
   const output = new FileOutput(file, { ...request, binding });
+  output.compute();
   const results = output.results();
   const files = await output.files(name);
   const { bytes } = files[0];
@@ -56,6 +57,7 @@ export async function exportForGeneric(
   { output: name }: ExportRequest,
 ): Promise<Record<string, Uint8Array>> {
   const plain = new FileOutput(file, { ...request, binding: true });
+  plain.compute();
   const [{ bytes }] = await plain.files(name);
   const targets = [...request.targets];
   plain.results().forEach(({ mesh }, n) => (targets[file.usable[n].i] = faceCount(mesh)));
@@ -80,6 +82,7 @@ function lostOf({ model }: FileRun, { settings }: FileRequest, name: string): st
 /** Every level of detail as a GLB. `request`: for files of their own, not compressed, see drawnSettings. */
 export async function drawLevels(file: FileRun, request: FileRequest): Promise<DrawnLevel[]> {
   const output = new FileOutput(file, request);
+  output.compute();
   const bytes = await output.glb();
   const { hausdorff } = worstSurface(output.values(STAGES.measured).map(({ distance }) => distance));
   const faces = sum(output.results().map(({ mesh }) => faceCount(mesh)));

@@ -50,16 +50,10 @@ export interface OpenedBody {
   health: HealthNote[] | null;
 }
 
-/** Which body of how many a call works on. */
-export interface Part {
-  number: number;
-  of: number;
-}
-
 /** What the worker tells while a call runs. */
 export interface CallProgress extends Progress {
-  /** absent: the file has one body, or work has begun on none */
-  part?: Part;
+  /** 0..1 of the work on all bodies of a file; absent: the phase alone is known */
+  share?: number;
 }
 
 export interface OpenedFile {

@@ -6,7 +6,8 @@ import { describeHealth } from '../../engine/body/health';
 import type { HealthNote } from '../../engine/body/health';
 import type { PreparedBody } from '../../engine/body/prepared_body';
 import { pinAttributes } from '../../engine/body/pin_attributes';
-import type { Core, History, TriangleMesh } from '../../engine/core/core';
+import { PHASES } from '../../engine/core/core';
+import type { Core, History, Progress, TriangleMesh } from '../../engine/core/core';
 import { loadCore } from '../../engine/core/load_core';
 import { unpacked } from '../../engine/document/archive/read_zip';
 import { contentsOf } from '../../engine/document/facts/contents';
@@ -27,7 +28,7 @@ import { requestFile, shareFaces } from '../../engine/stages/budget/file_targets
 import type { FileAsked } from '../../engine/stages/budget/file_targets';
 import { resultAtBudget } from '../../engine/stages/equal_budget/equal_budget';
 import { FileOutput } from '../../engine/stages/file_output';
-import { runSettings } from '../../engine/stages/file_request';
+import type { WorkSpan } from '../../engine/stages/many_bodies/file_progress';
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { carrySettingErrors } from './errors';
@@ -36,22 +37,28 @@ import { drawLevels, exportAll, exportForGeneric } from './exporting';
 import { handOver } from './handing_over';
 import { keepAlive } from './life';
 import { CANCELLED, CORE_BROKEN, drawnLevelsKey, exportKey, resultFileKey, sharesKey } from './protocol';
-import type { CallProgress, KeptFaces, OpenedBody, Part, WorkerApi } from './protocol';
+import type { CallProgress, KeptFaces, OpenedBody, WorkerApi } from './protocol';
 import type { HandedHistory } from './replay';
 import { strainOverview } from './strain_overview';
 
 let core: Core;
 let file: FileRun | null = null;
 let tell: (progress: CallProgress) => void = () => undefined;
-let part: Part | undefined;
-/** the bodies of the running call that work has begun on */
-const begun = new Set<string>();
+/** of the work on all bodies; null: the running call works on one */
+let span: WorkSpan | null = null;
 
-/** Tells the page which body of how many the running call works on. */
-function countBody(name: string, of: number): void {
-  begun.add(name);
-  if (of > 1) part = { number: Math.min(of, begun.size), of };
-  tell({ phase: 'idle', fraction: 0, part });
+/** Tells the page how far the running call is. */
+function tellProgress(progress: Progress): void {
+  const share = span ? span.done + (span.next - span.done) * progress.fraction : undefined;
+  tell({ ...progress, share });
+}
+
+/** Takes what work on many bodies tells. */
+function takeSpan(fresh: WorkSpan | null): void {
+  span = fresh;
+  // What the last call of the core told does not stand for what follows.
+  if (core.job) Atomics.store(core.job, 1, PHASES.indexOf('idle'));
+  tellProgress({ phase: 'idle', fraction: 0 });
 }
 
 function openedFile(): FileRun {
@@ -78,8 +85,8 @@ function handHistory(mesh: TriangleMesh, history: History): string {
 
 /** Errors lose their name on the way to the page: a cancelled call is known by its message. */
 async function translateErrors<T>(make: () => T | Promise<T>): Promise<T> {
-  begun.clear();
-  part = undefined;
+  span = null;
+  file?.progress.restart();
   try {
     return await make();
   } catch (error) {
@@ -99,8 +106,8 @@ const askedOf = (settings: Settings, { faces, own, ratio }: KeptFaces, fields: b
 
 /** Prepares all bodies, so that an unusable file never takes the place of the open one; `notes`: on bodies that are left out. */
 function startRun(opened: OpenModel): { fresh: FileRun; notes: string[] } {
-  const onActivity = (name: string) => countBody(name, opened.bodies.length);
-  const fresh = new FileRun(core, opened, { guides: true, onActivity });
+  const onProgress = opened.bodies.length > 1 ? takeSpan : undefined;
+  const fresh = new FileRun(core, opened, { guides: true, onProgress });
   try {
     const notes = fresh.leaveOutUnusable(defaultSettings());
     admitFit(fresh.prepared(defaultSettings()), defaultSettings(), core.heapLimit);
@@ -146,7 +153,7 @@ const api: WorkerApi = {
   start: async (options, onProgress, lifeLock) => {
     await keepAlive(lifeLock);
     tell = onProgress;
-    core = await loadCore({ ...options, onProgress: (progress) => tell({ ...progress, part }) });
+    core = await loadCore({ ...options, onProgress: tellProgress });
     return { threads: core.threads, job: core.job };
   },
   connect: (port) => {
@@ -187,12 +194,8 @@ const api: WorkerApi = {
     translateErrors(async () => {
       checkSettings(settings);
       const request = requestFile(openedFile(), askedOf(drawnSettings(settings), kept, false));
-      begun.clear();
-      for (const { run, i } of openedFile().usable) {
-        openedFile().announce(run);
-        run.get(STAGES.fitted, runSettings(request, i));
-      }
       const output = new FileOutput(openedFile(), request);
+      output.fit();
       const bytes = await output.glb();
       const faces = openedFile().runs.map(() => 0);
       const { usable } = openedFile();

@@ -33,8 +33,12 @@ export class BodyRun {
 
   /** Seconds that the stage took, without those that it needs; 0 where its value under these settings is not there. */
   secondsOf<S extends AnyStage>(stage: S, settings: SettingsOf<S>): number {
-    const memo = this.memos.get(stage);
-    return memo && memo.key === keyOf(stage, settings) ? memo.seconds : 0;
+    return this.has(stage, settings) ? this.memos.get(stage)!.seconds : 0;
+  }
+
+  /** Whether the value of the stage under these settings is there. */
+  has<S extends AnyStage>(stage: S, settings: SettingsOf<S>): boolean {
+    return this.memos.get(stage)?.key === keyOf(stage, settings);
   }
 
   /**
@@ -43,7 +47,7 @@ export class BodyRun {
    */
   firstCall<S extends AnyStage>(stage: S, settings: SettingsOf<S>): CoreCall | null {
     const all = settings as unknown as RunSettings;
-    if (!stage.isWanted(all) || this.memos.get(stage)?.key === keyOf(stage, settings)) return null;
+    if (!stage.isWanted(all) || this.has(stage, settings)) return null;
     const first = stage.firstCall.bind(stage) as (
       context: RunContext,
       inputs: unknown,

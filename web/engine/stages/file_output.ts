@@ -52,16 +52,18 @@ export class FileOutput {
     private readonly request: FileRequest,
   ) {}
 
+  /** Takes every body through its stages as far as its result, which is not measured. */
+  fit(): void {
+    const settingsOf = (i: number) => this.runSettings(i);
+    runBodies(this.file, this.file.usable, { settingsOf, last: STAGES.fitted });
+  }
+
   /** Takes every body through its stages as far as its measured result; `onDone` is told of each. */
   compute(onDone?: (run: BodyRun, settings: RunSettings) => void): void {
     runBodies(this.file, this.file.usable, {
       settingsOf: (i) => this.runSettings(i),
-      upTo: 'result',
-      each: ({ run, i }) => {
-        const settings = this.runSettings(i);
-        run.get(STAGES.measured, settings);
-        onDone?.(run, settings);
-      },
+      last: STAGES.measured,
+      onDone: ({ run, i }) => onDone?.(run, this.runSettings(i)),
     });
   }
 

@@ -2,12 +2,15 @@
 
 import type { PreparedBody } from '../body/prepared_body';
 import type { Core } from '../core/core';
+import { sum } from '../core/mesh';
 import type { Body } from '../document/model';
 import type { OpenModel } from '../document/open';
 import type { Settings } from '../settings/options';
 import { admitBodies } from './admission';
 import { BodyRun } from './body_run';
 import { EqualWork } from './many_bodies/equal_work';
+import { FileProgress } from './many_bodies/file_progress';
+import type { WorkSpan } from './many_bodies/file_progress';
 import { tooSmallToMove } from './many_bodies/scene_share';
 import { STAGES } from './stages';
 
@@ -21,6 +24,8 @@ export interface FileRunOptions {
   chosen?: number[];
   /** called when work on a body begins, and before each number of faces that is tried to keep its frequencies */
   onActivity?: (body: string, triedFaces?: number) => void;
+  /** called as work on many bodies goes on, see FileProgress */
+  onProgress?: (span: WorkSpan | null) => void;
   /** called with the name of each stage that is about to be computed */
   onStage?: (stage: string) => void;
 }
@@ -31,12 +36,14 @@ export interface FileRunOptions {
  */
 export class FileRun {
   private readonly all: (BodyRun | null)[];
+  readonly progress: FileProgress;
 
   constructor(
     readonly core: Core,
     readonly model: OpenModel,
     private readonly options: FileRunOptions = {},
   ) {
+    this.progress = new FileProgress(options.onProgress);
     const chosen = options.chosen && new Set(options.chosen);
     const { document, bodies } = model;
     const guides = options.guides !== false;
@@ -83,18 +90,29 @@ export class FileRun {
    */
   leaveOutUnusable(settings: Settings): string[] {
     const refused: Error[] = [];
-    for (const { run, i } of this.usable) {
-      this.announce(run);
-      try {
-        run.get(STAGES.prepared, settings);
-      } catch (error) {
-        if (!(error instanceof Error) || error.constructor !== Error) throw error;
+    const sizeOf = ({ context }: BodyRun): number => context.body.indices.length;
+    const piece = this.progress.pass(sum(this.usable.map(({ run }) => sizeOf(run))), 1);
+    for (const { run, i } of this.usable)
+      piece(sizeOf(run), () => {
+        const error = this.refusalOf(run, settings);
+        if (!error) return;
         refused.push(error);
         this.all[i] = null;
-      }
-    }
+      });
     if (refused.length > 0 && this.usable.length === 0) throw refused[0];
     return refused.map(({ message }) => message);
+  }
+
+  /** Prepares a body; returns the error of one without a usable face. */
+  private refusalOf(run: BodyRun, settings: Settings): Error | null {
+    this.announce(run);
+    try {
+      run.get(STAGES.prepared, settings);
+      return null;
+    } catch (error) {
+      if (!(error instanceof Error) || error.constructor !== Error) throw error;
+      return error;
+    }
   }
 
   /** The prepared bodies that take part. */

@@ -69,14 +69,15 @@ type Share = (asked: FaceTarget) => number[];
 
 type CurveSettings = Settings & Pick<RunSettings, 'fewestFaces'>;
 
-function curvesOf(file: FileRun, shared: Usable, settings: CurveSettings): ErrorCurve[] {
+/** The rest is what a request is for: fits and measures. */
+const HISTORIES_IN_REQUEST = 0.6;
+
+/** `share`: of what is left of the call, see FileProgress. */
+function curvesOf(file: FileRun, shared: Usable, settings: CurveSettings, share: number): ErrorCurve[] {
   // Curves follow from histories, which know nothing of the faces that are asked for.
   const ofRun: RunSettings = Object.freeze({ ...settings, targetFaces: 1, fields: false });
-  return runBodies(file, shared, {
-    settingsOf: () => ofRun,
-    upTo: 'history',
-    each: ({ run }) => run.get(errorCurveStage, ofRun),
-  });
+  runBodies(file, shared, { settingsOf: () => ofRun, last: errorCurveStage, share });
+  return shared.map(({ run }) => run.get(errorCurveStage, ofRun));
 }
 
 function shareEach(file: FileRun, shared: Usable, settings: Settings): Share {
@@ -86,7 +87,7 @@ function shareEach(file: FileRun, shared: Usable, settings: Settings): Share {
 
 function shareScene(file: FileRun, shared: Usable, settings: CurveSettings): Share {
   if (shared.length === 0) return () => [];
-  const queue = sceneQueue(file, shared, settings);
+  const queue = sceneQueue(file, shared, settings, HISTORIES_IN_REQUEST);
   return (asked) => targetsInQueue(queue, wantedFaces(asked, queue.faces));
 }
 
@@ -102,10 +103,10 @@ function targetsInQueue(queue: SceneQueue, wanted: number): number[] {
 }
 
 /** The queue of these bodies; its curves follow from their histories. */
-function sceneQueue(file: FileRun, shared: Usable, settings: CurveSettings): SceneQueue {
+function sceneQueue(file: FileRun, shared: Usable, settings: CurveSettings, share: number): SceneQueue {
   const { document } = file.model;
   const meshes = document.getRoot().listMeshes();
-  const curves = curvesOf(file, shared, settings);
+  const curves = curvesOf(file, shared, settings, share);
   return new SceneQueue(
     shared.map(({ run }, n) => ({
       curve: curves[n],
@@ -130,7 +131,7 @@ export interface SharedFaces {
 export function shareFaces(file: FileRun, asked: FileAsked): SharedFaces {
   const { settings, own } = asked;
   const shared = file.usable.filter(({ i }) => !own?.has(i));
-  const queue = sceneQueue(file, shared, settings);
+  const queue = sceneQueue(file, shared, settings, 1);
   const { faces, fewest } = queue;
   return { wanted: wantedFaces(asked, faces), faces, fewest, targets: requestFile(file, asked).targets };
 }

@@ -2,7 +2,7 @@
 
 import type { PreparedBody } from '../../body/prepared_body';
 import type { Core } from '../../core/core';
-import { vertexCount } from '../../core/mesh';
+import { sum, vertexCount } from '../../core/mesh';
 import { methodOf } from '../../settings/options';
 import type { BodyRun } from '../body_run';
 import { deviationsStage } from '../budget/deviations';
@@ -11,11 +11,12 @@ import { guardSideBySide } from '../budget/guarded_level';
 import type { GuardedBody } from '../budget/guarded_level';
 import type { FileRun } from '../file_run';
 import { fittedStage } from '../fitted';
-import { guidanceStage } from '../guidance';
+import { guidanceStage, guidingModes } from '../guidance';
 import { historyStage } from '../history';
 import { keptHistoryStage } from '../kept_history';
 import { levelStage } from '../level';
 import { measureDistances } from '../measure';
+import { measuredStage } from '../measured';
 import { modesStage } from '../modes';
 import { preparedStage } from '../prepared';
 import type { AnyStage, RunSettings, SettingsOf } from '../stage';
@@ -30,25 +31,29 @@ const MOST_VERTICES = 4000;
 /** Vertices of the bodies that are run at a time, so that progress is seen and cancelling loses little. */
 const VERTICES_AT_A_TIME = 8000;
 
+/** The stage that every body is taken to: the error curve follows from its history, the others are those of its result. */
+type LastStage = typeof errorCurveStage | typeof fittedStage | typeof measuredStage;
+
 /** How the bodies of a file are run. */
-export interface BodyWork<Value> {
+export interface BodyWork {
   settingsOf: (i: number) => RunSettings;
-  /** how far the work that is done side by side goes */
-  upTo: 'history' | 'result';
-  /** what is made of each body then: its stages find the results of their calls */
-  each: (usable: Usable[number]) => Value;
+  last: LastStage;
+  /** of what is left of the call, see FileProgress; absent: all of it */
+  share?: number;
+  onDone?: (usable: Usable[number]) => void;
 }
 
-/** Runs some of the bodies of a file, in order; what the stages of small bodies ask of the core is done side by side. */
-export function runBodies<Value>(file: FileRun, some: Usable, work: BodyWork<Value>): Value[] {
-  return groupsOf(file, some, work.settingsOf).flatMap((group) => {
+/** Takes some of the bodies of a file to a stage, in order; what the stages of small bodies ask of the core is done side by side. */
+export function runBodies(file: FileRun, some: Usable, work: BodyWork): void {
+  const workOf = (group: Usable): number =>
+    sum(bodiesOf(group, work).map((body) => workLeft(body, work.last)));
+  const piece = file.progress.pass(workOf(some), work.share ?? 1);
+  for (const group of groupsOf(file, some, work.settingsOf)) {
     file.announce(group[0].run);
-    if (group.length > 1) callAhead(file.core, bodiesOf(group, work.settingsOf), work.upTo);
-    return group.map((usable) => {
-      file.announce(usable.run);
-      return work.each(usable);
-    });
-  });
+    const steps = [...stepsAhead(file.core, bodiesOf(group, work), work.last), finish(file, group, work)];
+    const all = sum(steps.map(({ weight }) => weight));
+    for (const { weight, run, isOneCall } of steps) piece((workOf(group) * weight) / all, run, isOneCall);
+  }
 }
 
 interface RunOfBody {
@@ -56,17 +61,78 @@ interface RunOfBody {
   settings: RunSettings;
 }
 
-const bodiesOf = (group: Usable, settingsOf: BodyWork<unknown>['settingsOf']): RunOfBody[] =>
+const bodiesOf = (group: Usable, { settingsOf }: BodyWork): RunOfBody[] =>
   group.map(({ run, i }) => ({ run, settings: settingsOf(i) }));
 
-function callAhead(core: Core, bodies: RunOfBody[], upTo: BodyWork<unknown>['upTo']): void {
+/** Work grows with the number of vertices. */
+const workLeft = ({ run, settings }: RunOfBody, last: LastStage): number =>
+  run.has(last, settings) ? 0 : vertexCount(preparedOf(run, settings).mesh);
+
+/** A part of the work on a group. */
+interface Step {
+  /** roughly the time that it takes, beside those of the other steps */
+  weight: number;
+  run: () => void;
+  isOneCall?: boolean;
+}
+
+function finish(file: FileRun, group: Usable, { settingsOf, last, onDone }: BodyWork): Step {
+  const run = (): void => {
+    for (const usable of group) {
+      file.announce(usable.run);
+      usable.run.get(last, settingsOf(usable.i));
+      onDone?.(usable);
+    }
+  };
+  return { weight: 1, run };
+}
+
+/** What is done ahead for bodies that are not there yet: by the core side by side, or for a single one with all threads. */
+function stepsAhead(core: Core, group: RunOfBody[], last: LastStage): Step[] {
+  const bodies = group.filter(({ run, settings }) => !run.has(last, settings));
+  if (bodies.length === 0) return [];
+  const lacks = (stage: LastStage | typeof historyStage): boolean =>
+    bodies.some(({ run, settings }) => !run.has(stage, settings));
+  const steps = group.length > 1 ? stepsTogether(core, bodies) : stepsAlone(bodies[0]);
+  return [
+    ...(lacks(historyStage) ? steps.history : []),
+    ...(last !== errorCurveStage && lacks(fittedStage) ? steps.result : []),
+  ];
+}
+
+/** Steps to the history, and from there to the result. */
+interface Steps {
+  history: Step[];
+  result: Step[];
+}
+
+function stepsAlone({ run, settings }: RunOfBody): Steps {
+  return {
+    history: [
+      { weight: 10, run: () => run.get(guidingModes, settings) },
+      { weight: 2, run: () => run.get(historyStage, settings) },
+    ],
+    result: [{ weight: 8, run: () => run.get(fittedStage, settings) }],
+  };
+}
+
+function stepsTogether(core: Core, bodies: RunOfBody[]): Steps {
   const [{ settings }] = bodies;
-  if (methodOf(settings).needsGuidance)
-    for (const stage of [modesStage, guidanceStage]) callFirst(core, bodies, stage);
-  callFirst(core, bodies, historyStage);
-  if (upTo === 'history') return;
-  guardSideBySide(core, bodies.map(guardedBody));
-  callFirst(core, bodies, fittedStage, measureFits);
+  const first = (weight: number, stage: AnyStage): Step => ({
+    weight,
+    run: () => callFirst(core, bodies, stage),
+    isOneCall: true,
+  });
+  const guidance = [first(9, modesStage), first(1, guidanceStage)];
+  let fits: First[] = [];
+  return {
+    history: [...(methodOf(settings).needsGuidance ? guidance : []), first(2, historyStage)],
+    result: [
+      { weight: 4, run: () => guardSideBySide(core, bodies.map(guardedBody)) },
+      { weight: 3, run: () => (fits = callFirst(core, bodies, fittedStage)), isOneCall: true },
+      { weight: 1, run: () => aheadOf(fittedStage, fits, () => measureFits(core, fits)) },
+    ],
+  };
 }
 
 /** A body and the call with which a stage of it begins. */
@@ -74,24 +140,21 @@ interface First extends RunOfBody {
   call: CoreCall;
 }
 
-/** Makes the first calls of a stage; `then` is part of its work. */
-function callFirst(
-  core: Core,
-  bodies: RunOfBody[],
-  stage: AnyStage,
-  then: (core: Core, firsts: First[]) => void = () => {},
-): void {
+/** Makes and returns the first calls of a stage. */
+function callFirst(core: Core, bodies: RunOfBody[], stage: AnyStage): First[] {
   const firsts = bodies.flatMap(({ run, settings }): First[] => {
     const call = run.firstCall(stage, settings);
     return call ? [{ run, settings, call }] : [];
   });
+  const calls = firsts.map(({ call }) => call);
+  aheadOf(stage, firsts, () => callAll(core, equalWorkOf(bodies), calls));
+  return firsts;
+}
+
+/** Counts the time that `work` takes as that of the stage. */
+function aheadOf(stage: AnyStage, firsts: First[], work: () => void): void {
   const start = performance.now();
-  callAll(
-    core,
-    equalWorkOf(bodies),
-    firsts.map(({ call }) => call),
-  );
-  then(core, firsts);
+  work();
   const seconds = (performance.now() - start) / 1000;
   for (const { run } of firsts) run.addAhead(stage, seconds / firsts.length);
 }
@@ -119,7 +182,7 @@ const preparedOf = (run: BodyRun, settings: SettingsOf<typeof preparedStage>): P
   run.get(preparedStage, settings);
 
 /** Small bodies that follow each other, together; all others alone. */
-function groupsOf(file: FileRun, some: Usable, settingsOf: (i: number) => RunSettings): Usable[] {
+function groupsOf(file: FileRun, some: Usable, settingsOf: BodyWork['settingsOf']): Usable[] {
   const groups: Usable[] = [];
   let room = 0;
   for (const usable of some) {

@@ -1,0 +1,42 @@
+/** How far a call that works on the bodies of a file is, as a share of its work that never goes back. */
+
+/** Shares of the work of a call, 0..1. */
+export interface WorkSpan {
+  /** what is done */
+  done: number;
+  /** what will be done once the running call of the core has ended, as far as the progress of that call counts; otherwise `done` */
+  next: number;
+}
+
+/** Runs a piece of work; `isOneCall`: it is a single call of the core, whose progress runs from 0 to 1 once. */
+export type Piece = (work: number, make: () => void, isOneCall?: boolean) => void;
+
+/** Shares that differ by less are equal. */
+const ROUNDING = 1e-9;
+
+export class FileProgress {
+  private done = 0;
+
+  /** `tell` is called before each piece of work, and with null once all that is counted is done. */
+  constructor(private readonly tell: (span: WorkSpan | null) => void = () => {}) {}
+
+  /** Another call begins, of which nothing is done. */
+  restart(): void {
+    this.done = 0;
+  }
+
+  /**
+   * Begins a pass over bodies, which takes `share` of what is left of the call. `all`: the work of all of its pieces, in the unit of
+   * each; pieces without work are not told.
+   */
+  pass(all: number, share: number): Piece {
+    const scale = all > 0 ? (share * (1 - this.done)) / all : 0;
+    return (work, make, isOneCall = false) => {
+      const next = Math.min(1, this.done + scale * work);
+      if (work > 0) this.tell({ done: this.done, next: isOneCall ? next : this.done });
+      make();
+      this.done = next;
+      if (work > 0 && next > 1 - ROUNDING) this.tell(null);
+    };
+  }
+}
