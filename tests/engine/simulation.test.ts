@@ -3,6 +3,7 @@ import type { Collider, Core, SimulationOptions, TriangleMesh } from '../../web/
 import { SCENARIO_NAMES } from '../../web/engine/core/scenarios';
 import type { ScenarioName } from '../../web/engine/core/scenarios';
 import { defaultSettings, OPTIONS } from '../../web/engine/settings/options';
+import { ownModelOf } from '../../web/engine/motion/own_model';
 import { SimulatedBodies } from '../../web/engine/motion/simulated_bodies';
 import {
   calibrationOf,
@@ -14,7 +15,7 @@ import { materialOf } from '../../web/engine/body/material';
 import { simulationReport } from '../../web/engine/report/motion_report';
 import { profileOf, SOLVER_NAMES } from '../../web/engine/solvers/profiles';
 import { prepareBody } from '../../web/engine/stages/prepared';
-import { bodyOf } from './support/bodies';
+import { bodyOf, together } from './support/bodies';
 import { loadTestCore } from './support/core';
 import { failureOf } from './support/files';
 import { box, grid } from './support/shapes';
@@ -31,6 +32,12 @@ const sheet = grid(12, 12);
 const coarse = grid(6, 6);
 const optionsFor = (mesh: TriangleMesh, scenario: ScenarioName): SimulationOptions =>
   simulationOptions(prepareBody(core, bodyOf(mesh), settings), { ...settings, scenario }, null);
+
+const modesCallOf = (mesh: TriangleMesh): Parameters<Core['findModes']> => {
+  const prepared = prepareBody(core, bodyOf(mesh), settings);
+  const request = { model: 'auto' as const, modeCount: 3, direction: 2, pinned: new Uint32Array() };
+  return [prepared.mesh, { ...request, exact: false, ...materialOf(prepared, settings) }];
+};
 
 function run(body: SimulatedBodies, steps: number): void {
   for (let i = 0; i < steps; i++) body.step();
@@ -278,5 +285,34 @@ describe('a solver of the panel', () => {
     ).toBe(
       'The factors on stretching are 3, but the mesh needs 456: take the settings that were written for this mesh.',
     );
+  });
+});
+
+describe('what a body moves as by itself', () => {
+  const closed = box(2, 2, 2);
+  const open = grid(3, 3);
+  const modelOf = (mesh: TriangleMesh) => {
+    const prepared = prepareBody(core, bodyOf(mesh), settings);
+    return ownModelOf(prepared.mesh, prepared.inspection);
+  };
+
+  it.each([
+    ['a closed body', closed, 'solid'],
+    ['a sheet', open, 'shell'],
+    ['two closed parts', together(closed, closed), 'solid'],
+    ['two sheets', together(open, open), 'shell'],
+    ['a closed part beside a sheet', together(closed, open), 'both'],
+  ] as const)('is that of its parts: %s', (_, mesh, expected) => {
+    expect(modelOf(mesh)).toBe(expected);
+    // The core divides the parts in the same way.
+    const { components } = core.findModes(...modesCallOf(mesh));
+    const models = new Set(components.map(({ model }) => model));
+    expect(models.size > 1 ? 'both' : [...models][0]).toBe(expected);
+  });
+
+  it('counts a part with an edge of three faces as open', () => {
+    const { positions, triangles } = closed;
+    const fin = { positions, triangles: Uint32Array.from([...triangles, 0, 1, positions.length / 3 - 1]) };
+    expect(modelOf(together(fin, closed))).toBe('both');
   });
 });

@@ -94,6 +94,8 @@ export const TEST_AND_EXPORT: MessageTable = {
   Reset: 'リセット',
   'Back to the start (Home)': '最初に戻る (Home)',
   "Limber's solid": 'Limber のソリッド',
+  'It has an inside, the same in both bodies': '両方の物体に同じ中身があります',
+  "Limber's solid and shell": 'Limber のソリッドとシェル',
   'Closed parts have an inside, the same in both bodies; open ones are shells':
     '閉じたパーツには両方で同じ中身があり、開いたパーツはシェルになります',
   "Limber's shell": 'Limber のシェル',

@@ -1,10 +1,13 @@
 /** In which solver both bodies move, and whether the optimized one has what tuning found for it. */
 
+import { computed } from '@preact/signals';
+import { ownModelOf } from '../../../engine/motion/own_model';
+import type { OwnModel } from '../../../engine/motion/own_model';
 import { profileOf, SOLVER_NAMES } from '../../../engine/solvers/profiles';
 import type { SolverName } from '../../../engine/solvers/profiles';
 import { OPTIONS as SETTINGS } from '../../../engine/settings/options';
 import type { Settings } from '../../../engine/settings/options';
-import { changeSettings, status, wants } from '../../state/store';
+import { changeSettings, results, status, wants } from '../../state/store';
 import { twin, usedTuning } from '../../state/twin';
 import { UnknownSolver } from './unknown_solver';
 import { Choice, Select } from '../../controls/controls';
@@ -12,25 +15,49 @@ import { say, sentence } from '../../language/say';
 
 type Material = Settings['material'];
 
-/** What moves without a solver of the panel. */
-const OWN: Record<Material, { text: string; title: string }> = {
-  solid: {
-    text: "Limber's solid",
+interface Words {
+  text: string;
+  title: string;
+}
+
+const SHELL: Words = {
+  text: "Limber's shell",
+  title: 'Membrane and bending: the same material on any mesh',
+};
+
+/** What is called solid: closed parts are, and open ones are shells. */
+const SOLID: Record<OwnModel, Words> = {
+  solid: { text: "Limber's solid", title: 'It has an inside, the same in both bodies' },
+  shell: SHELL,
+  both: {
+    text: "Limber's solid and shell",
     title: 'Closed parts have an inside, the same in both bodies; open ones are shells',
   },
-  shell: { text: "Limber's shell", title: 'Membrane and bending: the same material on any mesh' },
-  springs: {
-    text: "The paper's springs",
-    title: 'The edges, as in the paper: another material on every mesh',
-  },
 };
-const OWN_NAMES = Object.keys(OWN) as Material[];
+
+const SPRINGS: Words = {
+  text: "The paper's springs",
+  title: 'The edges, as in the paper: another material on every mesh',
+};
+
+/** What the shown body can move as without a solver of the panel. */
+const ownModel = computed<OwnModel>(() => {
+  const { value: body } = results.body;
+  return body ? ownModelOf(body.mesh, body.inspection) : 'solid';
+});
+
+/** Words for each; a body whose parts are all open is a shell in either way, which is offered once. */
+const ownWords = (model: OwnModel): [Material, Words][] => [
+  ['solid', SOLID[model]],
+  ...(model === 'shell' ? [] : ([['shell', SHELL]] as [Material, Words][])),
+  ['springs', SPRINGS],
+];
 
 /** Materials of the program stand before the solvers of engines, under names that no solver has. */
 const ownValue = (material: Material): string => `own ${material}`;
 
-const OPTIONS = [
-  ...OWN_NAMES.map((material) => ({ value: ownValue(material), text: OWN[material].text })),
+const optionsFor = (words: [Material, Words][]) => [
+  ...words.map(([material, { text }]) => ({ value: ownValue(material), text })),
   ...SOLVER_NAMES.map((name) => ({ value: name as string, text: profileOf(name).label })),
   { value: 'unknown', text: "Don't know" },
 ];
@@ -38,13 +65,15 @@ const OPTIONS = [
 export function SolverSelect() {
   const { solver, material } = wants.settings.value;
   const isUnknown = solver === 'none' && twin.isSolverUnknown.value;
-  const own = isUnknown ? 'unknown' : ownValue(material);
+  const words = ownWords(ownModel.value);
+  const [shown, { title }] = words.find(([own]) => own === material) ?? words[0];
+  const own = isUnknown ? 'unknown' : ownValue(shown);
   return (
     <>
       <Select
         label="Solver"
-        title={solver === 'none' ? OWN[material].title : titleOf(solver)}
-        options={OPTIONS}
+        title={solver === 'none' ? title : titleOf(solver)}
+        options={optionsFor(words)}
         value={solver === 'none' ? own : solver}
         onChange={choose}
       />
@@ -58,7 +87,7 @@ function choose(value: string): void {
   const isUnknown = value === 'unknown';
   const material = isUnknown
     ? (SETTINGS.material.default as Material)
-    : OWN_NAMES.find((own) => ownValue(own) === value);
+    : ownWords(ownModel.value).find(([own]) => ownValue(own) === value)?.[0];
   const others = { engine: '', tune: 'global', massRule: 'auto' } as const;
   twin.isSolverUnknown.value = isUnknown;
   twin.wantsGeneric.value = false;
