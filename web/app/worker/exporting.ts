@@ -2,6 +2,7 @@
 
 import { startStopwatch } from '../../engine/core/stopwatch';
 import { faceCount, sum } from '../../engine/core/mesh';
+import { exportGlb, isSmoothed } from '../../engine/document/export';
 import { validateFiles } from '../../engine/document/validate';
 import { droppedByExport } from '../../engine/document/dropped';
 import { lostIn } from '../../engine/document/write/lost';
@@ -9,11 +10,13 @@ import { outputForm, withSuffix } from '../../engine/document/write/output_form'
 import { settingsAsUsed } from '../../engine/report/report';
 import { worstSurface } from '../../engine/report/result_report';
 import type { LevelReport } from '../../engine/report/result_report';
+import { defaultSettings } from '../../engine/settings/options';
 import { GENERIC_SOLVERS } from '../../engine/solvers/profiles';
 import { FileOutput } from '../../engine/stages/file_output';
 import type { FileRequest } from '../../engine/stages/file_request';
 import type { FileRun } from '../../engine/stages/file_run';
 import { STAGES } from '../../engine/stages/stages';
+import { exportedMesh } from '../../engine/stages/written';
 import type { DrawnLevel, ExportedLevel, ExportRequest, ExportResult } from './protocol';
 
 /** The same bytes as those of the command line from the same request. */
@@ -77,6 +80,19 @@ function lostOf({ model }: FileRun, { settings }: FileRequest, name: string): st
   const { format } = outputForm(name, settings.format, model.format);
   if (format === 'glb' || format === 'gltf') return droppedByExport(model);
   return [...lostIn(format, model.document), ...model.unread];
+}
+
+/**
+ * The open file as a GLB, to be looked at: where its format prescribes no shading, bodies without normals get those that their results
+ * will have, so that both are as smooth.
+ */
+export function drawOriginal({ model, runs }: FileRun): Promise<Uint8Array> {
+  const drawn = runs.map((run) => {
+    const prepared = isSmoothed(model) && run ? run.get(STAGES.prepared, defaultSettings()) : null;
+    // Faces that lie on others are drawn as they are in the file.
+    return prepared?.layers.isPlain ? exportedMesh(prepared) : null;
+  });
+  return exportGlb(model, drawn, { fields: false });
 }
 
 /** Every level of detail as a GLB. `request`: for files of their own, not compressed, see drawnSettings. */

@@ -287,7 +287,7 @@ export interface WorkerApi {
   /** Each history is handed to this port as well as it is made, see replay.ts. */
   connect(port: MessagePort): void;
   open(files: SourceFile[]): Promise<OpenedFile>;
-  /** The open file as a GLB, with what belongs to it packed in. */
+  /** The open file as a GLB, with what belongs to it packed in, to be drawn beside its result; see drawOriginal. */
   original(): Promise<Uint8Array>;
   /** The file with the result of every body, without the validator's verdict. */
   resultFile(settings: Settings, kept: KeptFaces): Promise<ResultFile>;

@@ -11,7 +11,7 @@ import type { Core, History, Progress, TriangleMesh } from '../../engine/core/co
 import { loadCore } from '../../engine/core/load_core';
 import { unpacked } from '../../engine/document/archive/read_zip';
 import { contentsOf } from '../../engine/document/facts/contents';
-import { droppedByExport, exportGlb } from '../../engine/document/export';
+import { droppedByExport } from '../../engine/document/export';
 import { isGlb } from '../../engine/document/glb';
 import { openModel } from '../../engine/document/open';
 import type { OpenModel } from '../../engine/document/open';
@@ -33,7 +33,7 @@ import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
 import { carrySettingErrors } from './errors';
 import { drawnSettings } from './export_form';
-import { drawLevels, exportAll, exportForGeneric } from './exporting';
+import { drawLevels, drawOriginal, exportAll, exportForGeneric } from './exporting';
 import { handOver } from './handing_over';
 import { keepAlive } from './life';
 import { CANCELLED, CORE_BROKEN, drawnLevelsKey, exportKey, resultFileKey, sharesKey } from './protocol';
@@ -182,12 +182,7 @@ const api: WorkerApi = {
     }),
   original: () =>
     translateErrors(async () => {
-      const { model } = openedFile();
-      const bytes = await exportGlb(
-        model,
-        model.bodies.map(() => null),
-        { fields: false },
-      );
+      const bytes = await drawOriginal(openedFile());
       return transfer(bytes, [bytes.buffer]);
     }),
   resultFile: (settings, kept) =>
