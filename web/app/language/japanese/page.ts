@@ -66,14 +66,14 @@ export const PAGE: MessageTable = {
   'Got it': 'わかりました',
   'No hints': 'ヒントを表示しない',
   '{number} of {all}.': '{number} / {all}',
-  'Turn the model with the mouse. The left side says what is in the file and what was repaired. Motion comes next.':
-    'マウスでモデルを回せます。左側には、ファイルの内容と修復した箇所が表示されます。次は「モーション」です。',
+  'Drag to turn the model. Its lists say what is in the file and what was repaired. Motion comes next.':
+    'ドラッグでモデルを回せます。モデルの一覧には、ファイルの内容と修復した箇所が表示されます。次は「モーション」です。',
   'These are the ways in which it bends most easily. Click the one that looks like the motion you expect.':
     '最も曲がりやすい動き方の一覧です。想定する動きに近いものをクリックしてください。',
   'Drag the big slider below: faces leave first where motion does not show. Compare with V, blink with B.':
     '下の大きなスライダーを動かすと、動きに影響しない所から面が減ります。V で比較、B で切り替え表示します。',
-  'Both meshes move under the same forces. Pull at one with the mouse. Export is at the upper right.':
-    '2 つのメッシュに同じ力が働きます。マウスで引っ張ってみてください。書き出しは右上にあります。',
+  'Both meshes move under the same forces. Drag one to pull at it. Export is at the upper right.':
+    '2 つのメッシュに同じ力が働きます。ドラッグして引っ張ってみてください。書き出しは右上にあります。',
   Help: 'ヘルプ',
   'Close the help': 'ヘルプを閉じる',
   Close: '閉じる',

@@ -8,12 +8,12 @@ import { say } from '../../language/say';
 
 const HINTS: Record<Step, string> = {
   model:
-    'Turn the model with the mouse. The left side says what is in the file and what was repaired. Motion comes next.',
+    'Drag to turn the model. Its lists say what is in the file and what was repaired. Motion comes next.',
   motion:
     'These are the ways in which it bends most easily. Click the one that looks like the motion you expect.',
   reduce:
     'Drag the big slider below: faces leave first where motion does not show. Compare with V, blink with B.',
-  test: 'Both meshes move under the same forces. Pull at one with the mouse. Export is at the upper right.',
+  test: 'Both meshes move under the same forces. Drag one to pull at it. Export is at the upper right.',
 };
 const STEPS = Object.keys(HINTS) as Step[];
 const STORE = 'limber-hints';
