@@ -5,13 +5,14 @@ import { results, shownMesh, view } from '../../state/store';
 import type { PaneName } from '../../viewer/pane_layout';
 import { labelsBesideChoice } from '../reduce/compare';
 import { isDriven, isOverlaid } from '../simulate/simulate_view';
-import { shownPanes } from './show_bodies';
+import { sceneFaces, shownPanes } from './show_bodies';
 import './pane_labels.css';
 import { say, sayCounted } from '../../language/say';
 
 function faceCount(name: PaneName): string {
   const mesh = name === 'original' ? results.body.value?.mesh : shownMesh.value?.mesh;
-  return sayCounted((mesh?.triangles.length ?? 0) / 3, '{count} face', '{count} faces');
+  const faces = sceneFaces(name) ?? (mesh?.triangles.length ?? 0) / 3;
+  return sayCounted(faces, '{count} face', '{count} faces');
 }
 
 export function PaneLabels() {

@@ -2,6 +2,7 @@
 
 import { computed } from '@preact/signals';
 import type { MeshAt } from '../../../engine/core/core';
+import { sum } from '../../../engine/core/mesh';
 import { viewportColours } from '../../state/scheme';
 import { twin } from '../../state/twin';
 import { shownResultFile } from '../../state/drawn_file';
@@ -57,6 +58,19 @@ const drawnMeshes = computed((): ReadonlySet<number> | null => {
   const shown = bodies.filter((_, i) => isShown(i));
   return shown.length === bodies.length ? null : new Set(shown.map(({ mesh }) => mesh));
 });
+
+/** Faces of all bodies of the scene that a pane draws; null where it draws one body. */
+export function sceneFaces(name: PaneName): number | null {
+  const bodies = results.file.value?.bodies ?? [];
+  const isScene = isFileDrawn.value && view.isWhole.value && bodies.length > 1;
+  const { value: result } = shownResultFile;
+  if (!isScene || !(name === 'original' ? results.originalFile.value : result)) return null;
+  // A body that cannot be used stays as it is.
+  const facesOf = bodies.map(({ faces, health }, i) =>
+    name === 'original' || health === null ? faces : result!.faces[i],
+  );
+  return sum(facesOf.filter((_, i) => !view.hidden.value.has(i)));
+}
 
 /** Draws the original and the result with the materials of their files, where nothing else is asked for. */
 export function showFiles(viewport: Viewport | null): void {
