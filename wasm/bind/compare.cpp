@@ -88,14 +88,6 @@ class Measurement {
 using MeasureDistance = Measurement<&measureSurfaceDistance>;
 using MeasureHausdorff = Measurement<&measureHausdorff>;
 
-val jsMeasureSurfaceDistance(const val& a, const val& b, const val& samples) {
-  return callOnce<MeasureDistance>(a, b, samples);
-}
-
-val jsMeasureHausdorff(const val& a, const val& b, const val& samples) {
-  return callOnce<MeasureHausdorff>(a, b, samples);
-}
-
 class IsWithinHausdorff {
  public:
   static constexpr size_t kArguments = 4;
@@ -111,10 +103,6 @@ class IsWithinHausdorff {
   double limit_;
   uint32_t samples_;
 };
-
-val jsIsWithinHausdorff(const val& a, const val& b, const val& limit, const val& samples) {
-  return callOnce<IsWithinHausdorff>(a, b, limit, samples);
-}
 
 val jsShellModes(const val& mesh, const val& in) {
   return toJs(shellModes(*meshOf(mesh), fidelityOptionsOf(in), theJob));
@@ -138,11 +126,8 @@ val jsCompareFidelity(const val& original, const val& result, const val& in) {
 
 EMSCRIPTEN_BINDINGS(limber_compare) {
   using namespace limber;
-  offer<&jsMeasureSurfaceDistance>("measureSurfaceDistance");
   offerSideBySide<MeasureDistance>("measureSurfaceDistance");
-  offer<&jsMeasureHausdorff>("measureHausdorff");
   offerSideBySide<MeasureHausdorff>("measureHausdorff");
-  offer<&jsIsWithinHausdorff>("isWithinHausdorff");
   offerSideBySide<IsWithinHausdorff>("isWithinHausdorff");
   offer<&jsShellModes>("shellModes");
   offer<&jsFrequencyErrors>("frequencyErrors");

@@ -96,16 +96,11 @@ class FitShape {
   ShapeFitOptions options_;
 };
 
-val jsFitShape(const val& mesh, const val& result, const val& options) {
-  return callOnce<FitShape>(mesh, result, options);
-}
-
 }  // namespace
 }  // namespace limber
 
 EMSCRIPTEN_BINDINGS(limber_fit) {
   using namespace limber;
   offer<&jsFitModes>("fitModes");
-  offer<&jsFitShape>("fitShape");
   offerSideBySide<FitShape>("fitShape");
 }

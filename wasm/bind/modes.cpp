@@ -92,10 +92,6 @@ class FindModes {
   bool exact_;
 };
 
-val jsFindModes(const val& mesh, const val& options) {
-  return callOnce<FindModes>(mesh, options);
-}
-
 // omega[component * modesPerComponent + ordinal], 0 where the component lacks that mode. A cavity has the
 // frequencies of its host. Throws std::invalid_argument where indices do not fit.
 std::vector<double> omegaTable(const std::vector<Mode>& modes, const std::vector<ComponentModes>& components,
@@ -139,17 +135,11 @@ class FindGuidance {
   GuidanceOptions options_;
 };
 
-val jsStrainGuidance(const val& mesh, const val& modes, const val& options) {
-  return callOnce<FindGuidance>(mesh, modes, options);
-}
-
 }  // namespace
 }  // namespace limber
 
 EMSCRIPTEN_BINDINGS(limber_modes) {
   using namespace limber;
-  offer<&jsFindModes>("findModes");
   offerSideBySide<FindModes>("findModes");
-  offer<&jsStrainGuidance>("strainGuidance");
   offerSideBySide<FindGuidance>("strainGuidance");
 }

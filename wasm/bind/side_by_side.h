@@ -19,18 +19,30 @@ namespace limber {
 // `error` as an Error object, as `Guarded` returns it.
 val jsErrorOf(const std::exception_ptr& error);
 
+// A value of JavaScript for each index of a list of arguments.
+template <size_t>
+using Argument = val;
+
 // A `Call` is one call of a function: it copies `kArguments` values of JavaScript when it is made, is run on
 // any thread by `run(job)`, and `write` makes a value of JavaScript of the result. The last two steps are
 // apart because only the thread of the call may touch values of JavaScript.
-template <class Call>
-class SideBySide {
+template <class Call, class Indices = std::make_index_sequence<Call::kArguments>>
+class SideBySide;
+
+template <class Call, size_t... I>
+class SideBySide<Call, std::index_sequence<I...>> {
  public:
+  // The only call of a function.
+  static val callOnce(const Argument<I>&... arguments) {
+    const Call call(arguments...);
+    return call.write(call.run(theJob));
+  }
+
   // `lists`: an array with the arguments of each call. Returns an array of results, with an Error object
   // where a call has thrown. Throws Cancelled, and what making the calls throws.
   static val callAll(const val& lists) {
-    const auto count = lists["length"].as<uint32_t>();
-    std::deque<Call> calls;
-    for (uint32_t i = 0; i < count; ++i) make(calls, lists[i], std::make_index_sequence<Call::kArguments>());
+    std::deque<Call> calls = callsOf(lists);
+    const size_t count = calls.size();
     std::vector<std::optional<Result>> results(count);
     std::vector<std::exception_ptr> errors(count);
     sideBySide(count, Call::kPhase, theJob, [&](size_t i, Job& job) {
@@ -43,7 +55,7 @@ class SideBySide {
       }
     });
     val out = val::array();
-    for (uint32_t i = 0; i < count; ++i)
+    for (size_t i = 0; i < count; ++i)
       out.set(i, errors[i] ? jsErrorOf(errors[i]) : calls[i].write(*results[i]));
     return out;
   }
@@ -51,9 +63,14 @@ class SideBySide {
  private:
   using Result = decltype(std::declval<const Call&>().run(std::declval<Job&>()));
 
-  template <size_t... I>
-  static void make(std::deque<Call>& calls, const val& arguments, std::index_sequence<I...>) {
-    calls.emplace_back(arguments[I]...);
+  static std::deque<Call> callsOf(const val& lists) {
+    std::deque<Call> calls;
+    const auto count = lists["length"].as<uint32_t>();
+    for (uint32_t i = 0; i < count; ++i) {
+      const val arguments = lists[i];
+      calls.emplace_back(arguments[I]...);
+    }
+    return calls;
   }
 };
 
@@ -63,16 +80,10 @@ inline std::map<std::string, val (*)(const val& lists)>& sideBySideFunctions() {
   return functions;
 }
 
-// The only call of a function.
-template <class Call, class... Arguments>
-val callOnce(const Arguments&... arguments) {
-  const Call call(arguments...);
-  return call.write(call.run(theJob));
-}
-
-// To be called in an EMSCRIPTEN_BINDINGS block, beside `offer`.
+// As `offer`, of a function that `callAll` can call, too.
 template <class Call>
 void offerSideBySide(const char* name) {
+  offer<&SideBySide<Call>::callOnce>(name);
   sideBySideFunctions()[name] = &SideBySide<Call>::callAll;
 }
 

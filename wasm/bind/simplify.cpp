@@ -111,10 +111,6 @@ class Simplify {
   Request request_;
 };
 
-val jsSimplify(const val& mesh, const val& strain, const val& curvature, const val& options) {
-  return callOnce<Simplify>(mesh, strain, curvature, options);
-}
-
 val jsMeshAt(const val& mesh, const val& history, uint32_t faces) {
   return toJs(meshAt(*meshOf(mesh), *historyOf(history), faces));
 }
@@ -149,7 +145,6 @@ val jsWhyKept(const val& reduction, uint32_t faces) {
 
 EMSCRIPTEN_BINDINGS(limber_simplify) {
   using namespace limber;
-  offer<&jsSimplify>("simplify");
   offerSideBySide<Simplify>("simplify");
   offer<&jsMeshAt>("meshAt");
   offer<&jsWhyKept>("whyKept");
