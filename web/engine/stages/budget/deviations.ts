@@ -43,23 +43,25 @@ export class Deviations {
     const { exact, within } = this.known;
     const deviation = exact.get(faces);
     if (deviation !== undefined) return deviation <= limit;
-    const key = `${faces} ${limit}`;
+    const key = withinKey(faces, limit);
     const is = within.get(key) ?? isWithinDeviation(this.core, this.prepared, this.mesh(faces, level), limit);
     within.set(key, is);
     return is;
   }
 
   /** The arguments of `measureDeviation` for a level that has not been measured; null: it has been. */
-  toMeasure(faces: number): Comparison | null {
-    if (this.known.exact.has(faces)) return null;
-    return { prepared: this.prepared, other: this.mesh(faces), store: this.known, key: String(faces) };
+  toMeasure(faces: number): Comparison<number, number> | null {
+    const { exact } = this.known;
+    if (exact.has(faces)) return null;
+    return { prepared: this.prepared, other: this.mesh(faces), results: exact, key: faces };
   }
 
   /** The same of `isWithinDeviation`. */
-  toAsk(faces: number, limit: number): Comparison | null {
-    const key = `${faces} ${limit}`;
-    if (this.known.exact.has(faces) || this.known.within.has(key)) return null;
-    return { prepared: this.prepared, other: this.mesh(faces), store: this.known, key };
+  toAsk(faces: number, limit: number): Comparison<string, boolean> | null {
+    const { exact, within } = this.known;
+    const key = withinKey(faces, limit);
+    if (exact.has(faces) || within.has(key)) return null;
+    return { prepared: this.prepared, other: this.mesh(faces), results: within, key };
   }
 
   private mesh(faces: number, level?: MeshAt): TriangleMesh {
@@ -67,22 +69,24 @@ export class Deviations {
   }
 }
 
-/** A level that is compared with its original, and where the result is remembered. */
-interface Comparison {
+const withinKey = (faces: number, limit: number): string => `${faces} ${limit}`;
+
+/** A level that is yet to be compared with its original, and where the result is remembered. */
+interface Comparison<Key, Value> {
   prepared: PreparedBody;
   other: TriangleMesh;
-  store: KnownDeviations;
-  key: string;
+  results: Map<Key, Value>;
+  key: Key;
 }
 
-/** Bodies of one shape share what is known of them. */
-function withoutRepetition(all: (Comparison | null)[]): Comparison[] {
-  const seen = new Map<KnownDeviations, Set<string>>();
-  return all.filter((one): one is Comparison => {
+/** Bodies of one shape share the results of their levels. */
+function withoutRepetition<One extends Comparison<unknown, unknown>>(all: (One | null)[]): One[] {
+  const seen = new Map<One['results'], Set<unknown>>();
+  return all.filter((one): one is One => {
     if (!one) return false;
-    const keys = seen.get(one.store) ?? new Set<string>();
+    const keys = seen.get(one.results) ?? new Set();
     const isNew = !keys.has(one.key);
-    seen.set(one.store, keys.add(one.key));
+    seen.set(one.results, keys.add(one.key));
     return isNew;
   });
 }
@@ -96,13 +100,14 @@ export function askSideBySide(
     const comparison = deviations.toAsk(faces, limit);
     return comparison && { ...comparison, limit };
   });
-  const unknown = withoutRepetition(asked) as (Comparison & { limit: number })[];
+  const unknown = withoutRepetition(asked);
   const answers = core.callAll(
     'isWithinHausdorff',
     unknown.map(({ prepared, other, limit }) => withinArguments(prepared, other, limit)),
   );
   answers.forEach((answer, i) => {
-    if (typeof answer === 'boolean') unknown[i].store.within.set(unknown[i].key, answer);
+    const { results, key } = unknown[i];
+    if (typeof answer === 'boolean') results.set(key, answer);
   });
 }
 
@@ -114,8 +119,8 @@ export function measureSideBySide(core: Core, levels: { deviations: Deviations; 
     unknown.map(({ prepared, other }) => [prepared.mesh, other, prepared.samples]),
   );
   found.forEach((distance, i) => {
-    const { prepared, store, key } = unknown[i];
-    if (typeof distance === 'number') store.exact.set(Number(key), (100 / prepared.diagonal) * distance);
+    const { prepared, results, key } = unknown[i];
+    if (typeof distance === 'number') results.set(key, (100 / prepared.diagonal) * distance);
   });
 }
 
