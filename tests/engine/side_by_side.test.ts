@@ -43,10 +43,16 @@ function watched(): { core: Core; together: Map<string, number>; alone: Map<stri
   return { core: proxy, together, alone };
 }
 
-async function optimized(by: Core, document = partsScene(12), changes: Partial<Settings> = {}) {
+async function optimized(
+  by: Core,
+  document = partsScene(12),
+  changes: Partial<Settings> = {},
+  onStage?: (stage: string) => void,
+) {
   const model = await openModel([await glbFile(document)]);
   const activity: string[] = [];
-  const file = new FileRun(by, model, { guides: true, onActivity: (body) => activity.push(body) });
+  const onActivity = (body: string) => activity.push(body);
+  const file = new FileRun(by, model, { guides: true, onActivity, onStage });
   const settings = { ...defaultSettings(), ...changes };
   const asked = { settings, fields: false, faces: null, ratio: 0.5 };
   const output = new FileOutput(file, requestFile(file, asked));
@@ -83,6 +89,23 @@ describe('small bodies', () => {
     expect(watching.together.get('isWithinHausdorff')).toBeGreaterThan(8);
     expect(watching.together.get('measureHausdorff')).toBeGreaterThan(2);
     expect(watching.alone.get('measureHausdorff')).toBeUndefined();
+  });
+
+  it('are fitted by their own stages where that fails for all of them together', async () => {
+    let stage = '';
+    const fittedIn = new Set<string>();
+    const failing: Core = {
+      ...core,
+      callAll: (name, lists) =>
+        name === 'fitShape' ? lists.map(() => new Error('There is no fit.')) : core.callAll(name, lists),
+      fitShape: (...values) => {
+        fittedIn.add(stage);
+        return core.fitShape(...values);
+      },
+    };
+    const many = await optimized(failing, partsScene(12), {}, (name) => (stage = name));
+    expect([...fittedIn]).toEqual(['fitted']);
+    expect(many.bytes).toEqual((await optimized(single)).bytes);
   });
 
   it('are announced in their order, each at last by itself', async () => {

@@ -26,6 +26,13 @@ export function resultOf<Name extends ManyName>(
   });
 }
 
+/** The result of a call that `work` remembers; undefined: it has not been made, or has failed. */
+export const knownResult = <Name extends ManyName>(
+  work: EqualWork,
+  { name, values }: CoreCall<Name>,
+): ReturnType<ManyFunctions[Name]> | undefined =>
+  work.known(name, values) as ReturnType<ManyFunctions[Name]> | undefined;
+
 /**
  * Makes calls of one function side by side, so that `work` remembers their results. Calls that would throw an Error are left to
  * `resultOf`.

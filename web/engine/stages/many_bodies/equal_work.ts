@@ -11,7 +11,7 @@ interface Entry {
 
 /** Remembers what pure functions have made of their inputs. Values are shared, so that nobody may change them. */
 export class EqualWork {
-  private readonly known = new Map<string, Map<number, Entry[]>>();
+  private readonly entries = new Map<string, Map<number, Entry[]>>();
 
   /** `capacity`: inputs that are remembered for each function; the oldest are forgotten first. */
   constructor(private readonly capacity: number) {}
@@ -27,6 +27,11 @@ export class EqualWork {
     const value = compute();
     this.remember(name, { inputs, value }, hash);
     return value;
+  }
+
+  /** What is remembered of inputs equal to these; undefined: nothing. */
+  known(name: string, inputs: unknown[]): unknown {
+    return this.find(name, inputs, hashOf(inputs, 0))?.value;
   }
 
   /**
@@ -48,16 +53,16 @@ export class EqualWork {
   }
 
   private find(name: string, inputs: unknown[], hash: number): Entry | undefined {
-    return this.known
+    return this.entries
       .get(name)
       ?.get(hash)
       ?.find((entry) => areEqual(entry.inputs, inputs));
   }
 
   private remember(name: string, entry: Entry, hash: number): void {
-    const known = this.known.get(name) ?? new Map<number, Entry[]>();
-    this.known.set(name, known.set(hash, [...(known.get(hash) ?? []), entry]));
-    if (known.size > this.capacity) known.delete(known.keys().next().value!);
+    const entries = this.entries.get(name) ?? new Map<number, Entry[]>();
+    this.entries.set(name, entries.set(hash, [...(entries.get(hash) ?? []), entry]));
+    if (entries.size > this.capacity) entries.delete(entries.keys().next().value!);
   }
 }
 

@@ -20,7 +20,7 @@ import { measuredStage } from '../measured';
 import { modesStage } from '../modes';
 import { preparedStage } from '../prepared';
 import type { AnyStage, RunSettings, SettingsOf } from '../stage';
-import { callAll, resultOf } from './core_call';
+import { callAll, knownResult } from './core_call';
 import type { CoreCall } from './core_call';
 import type { EqualWork } from './equal_work';
 
@@ -159,10 +159,11 @@ function aheadOf(stage: AnyStage, firsts: First[], work: () => void): void {
   for (const { run } of firsts) run.addAhead(stage, seconds / firsts.length);
 }
 
+/** A fit that has failed is made again by its stage, which throws its Error. */
 function measureFits(core: Core, firsts: First[]): void {
-  const fits = firsts.map(({ run, settings, call }) => {
-    const { result } = resultOf(core, run.context.equalWork, call as CoreCall<'fitShape'>);
-    return { prepared: preparedOf(run, settings), mesh: result.mesh };
+  const fits = firsts.flatMap(({ run, settings, call }) => {
+    const fitted = knownResult(equalWorkOf(firsts), call as CoreCall<'fitShape'>);
+    return fitted ? [{ prepared: preparedOf(run, settings), mesh: fitted.result.mesh }] : [];
   });
   measureDistances(core, fits);
 }
