@@ -7,8 +7,14 @@ import { join } from 'node:path';
 import { afterAll, afterEach, describe, expect, it } from 'vitest';
 import { coreMemory, readMegabytes } from '../../web/engine/core/memory_size';
 import { loadCore } from '../../web/engine/core/load_core';
-import { admitBodies } from '../../web/engine/stages/admission';
 import type { Body } from '../../web/engine/document/model';
+import { openModel } from '../../web/engine/document/open';
+import { defaultSettings } from '../../web/engine/settings/options';
+import { admitBodies } from '../../web/engine/stages/admission';
+import { FileRun } from '../../web/engine/stages/file_run';
+import { loadTestCore } from './support/core';
+import { addMesh, glbFile, primitiveOf, startDocument } from './support/gltf';
+import { ball } from './support/scenes';
 
 const root = join(import.meta.dirname, '..', '..');
 const wasmFolder = new URL('../../public/wasm/', import.meta.url).href;
@@ -82,6 +88,19 @@ describe('a model that needs more', () => {
     expect(() => admitBodies([body], 256 * 2 ** 20)).toThrow(
       'city has 1,000,000 faces, for which the core takes about 0.4 GB of memory, and it may have 0.3 GB: give it more (--memory, on the page ?memory=, at most 4G) or reduce the mesh in parts.',
     );
+  });
+
+  it('is refused where only its fit needs more, unless nothing is fitted', async () => {
+    const document = startDocument();
+    addMesh(document, 'ball', [primitiveOf(document, ball(20))]);
+    const model = await openModel([await glbFile(document)]);
+    const faces = model.bodies[0].indices.length / 3;
+    const core = { ...(await loadTestCore(1)), heapLimit: 600 * faces };
+    const settings = defaultSettings();
+    const run = (guides: boolean) => new FileRun(core, model, { guides });
+    expect(() => run(true).prepare(settings)).toThrow(/^ball has .*: use --fit off on the command line/);
+    expect(run(true).prepare({ ...settings, fit: 'off' })).toEqual([]);
+    expect(run(false).prepare(settings)).toEqual([]);
   });
 
   it('is refused by the command line before the work, and nothing is written', () => {

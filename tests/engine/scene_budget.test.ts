@@ -72,7 +72,7 @@ async function optimize(
 ) {
   const settings = { ...defaultSettings(), ...change };
   const file = new FileRun(core, await openModel([await glbFile(document)]), { guides: true });
-  file.leaveOutUnusable(settings);
+  file.prepare(settings);
   const { faces = null, ratio = null } = asked;
   const request = requestFile(file, { settings, fields: false, faces, ratio });
   const output = new FileOutput(file, request);

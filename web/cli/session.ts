@@ -8,7 +8,6 @@ import { loadCore } from '../engine/core/load_core';
 import { openAnyModel, openModel } from '../engine/document/open';
 import type { OpenModel } from '../engine/document/open';
 import type { Report } from '../engine/report/report';
-import { admitFit } from '../engine/stages/admission';
 import { FileRun } from '../engine/stages/file_run';
 import { chosenBodies } from '../engine/body/selection';
 import type { Arguments } from './arguments';
@@ -120,11 +119,9 @@ export function prepareFile(session: Session, model: OpenModel): FileRun {
   };
   const guides = args.command === 'optimize';
   const file = new FileRun(core, model, { chosen: chosenBodies(model, args.settings), guides, onActivity });
-  for (const sentence of file.leaveOutUnusable(args.settings))
+  for (const sentence of file.prepare(args.settings))
     warnings.push(ofSentence(`${sentence.replace(/\.$/, '')}; it stays as it is`));
-  const prepared = file.prepared(args.settings);
-  for (const body of prepared) warnAbout(session, model, body);
-  if (guides) admitFit(prepared, args.settings, core.heapLimit);
+  for (const body of file.prepared(args.settings)) warnAbout(session, model, body);
   return file;
 }
 

@@ -62,7 +62,7 @@ export const optimizeTarget = (core: Core): FuzzTarget => ({
     const model = await openModel([{ name: 'a.obj', bytes }]);
     const file = new FileRun(core, model);
     try {
-      file.leaveOutUnusable(settings);
+      file.prepare(settings);
       const ratio = (1 + choices.below(100)) / 100;
       const output = new FileOutput(
         file,

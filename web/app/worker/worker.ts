@@ -21,7 +21,6 @@ import type { Validation } from '../../engine/document/validate';
 import { isBlockedBySeams } from '../../engine/report/stop_report';
 import { checkSettings, defaultSettings } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
-import { admitFit } from '../../engine/stages/admission';
 import type { BodyRun } from '../../engine/stages/body_run';
 import { FileRun } from '../../engine/stages/file_run';
 import { requestFile, shareFaces } from '../../engine/stages/budget/file_targets';
@@ -109,9 +108,7 @@ function startRun(opened: OpenModel): { fresh: FileRun; notes: string[] } {
   const onProgress = opened.bodies.length > 1 ? takeSpan : undefined;
   const fresh = new FileRun(core, opened, { guides: true, onProgress });
   try {
-    const notes = fresh.leaveOutUnusable(defaultSettings());
-    admitFit(fresh.prepared(defaultSettings()), defaultSettings(), core.heapLimit);
-    return { fresh, notes };
+    return { fresh, notes: fresh.prepare(defaultSettings()) };
   } catch (error) {
     fresh.dispose();
     throw error;

@@ -6,7 +6,7 @@ import { sum } from '../core/mesh';
 import type { Body } from '../document/model';
 import type { OpenModel } from '../document/open';
 import type { Settings } from '../settings/options';
-import { admitBodies } from './admission';
+import { admitBodies, admitFit } from './admission';
 import { BodyRun } from './body_run';
 import { EqualWork } from './many_bodies/equal_work';
 import { FileProgress } from './many_bodies/file_progress';
@@ -37,6 +37,7 @@ export interface FileRunOptions {
 export class FileRun {
   private readonly all: (BodyRun | null)[];
   readonly progress: FileProgress;
+  private readonly guides: boolean;
 
   constructor(
     readonly core: Core,
@@ -46,13 +47,13 @@ export class FileRun {
     this.progress = new FileProgress(options.onProgress);
     const chosen = options.chosen && new Set(options.chosen);
     const { document, bodies } = model;
-    const guides = options.guides !== false;
+    this.guides = options.guides !== false;
     const isChosen = (i: number) => !chosen || chosen.has(i);
     admitBodies(
       bodies.filter((_, i) => isChosen(i)),
       core.heapLimit,
     );
-    const tooSmall = guides
+    const tooSmall = this.guides
       ? tooSmallToMove(
           document,
           bodies.filter((_, i) => isChosen(i)),
@@ -62,7 +63,7 @@ export class FileRun {
     this.all = bodies.map((body, i) => {
       if (!isChosen(i)) return null;
       const onTry = (faces: number) => options.onActivity?.(body.name, faces);
-      const guidedBodies = guides ? bodies.length : undefined;
+      const guidedBodies = this.guides ? bodies.length : undefined;
       const isTooSmallToMove = tooSmall.has(body);
       const context = { core, body, document, onTry, guidedBodies, isTooSmallToMove, equalWork };
       return new BodyRun(context, options.onStage);
@@ -86,9 +87,15 @@ export class FileRun {
 
   /**
    * Prepares the bodies that take part, and leaves out those without a usable face; returns one sentence for each of these.
-   * Throws the first of the errors where no body is left.
+   * Throws the first of the errors where no body is left, and an Error where results need more memory than the core can have.
    */
-  leaveOutUnusable(settings: Settings): string[] {
+  prepare(settings: Settings): string[] {
+    const unusable = this.leaveOutUnusable(settings);
+    if (this.guides) admitFit(this.prepared(settings), settings, this.core.heapLimit);
+    return unusable;
+  }
+
+  private leaveOutUnusable(settings: Settings): string[] {
     const refused: Error[] = [];
     const sizeOf = ({ context }: BodyRun): number => context.body.indices.length;
     const piece = this.progress.pass(sum(this.usable.map(({ run }) => sizeOf(run))), 1);

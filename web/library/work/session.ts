@@ -9,7 +9,6 @@ import { openModel } from '../../engine/document/open';
 import type { OpenModel } from '../../engine/document/open';
 import { wordNote } from '../../engine/settings/options';
 import type { Note, Settings } from '../../engine/settings/options';
-import { admitFit } from '../../engine/stages/admission';
 import { FileRun } from '../../engine/stages/file_run';
 import type { StageProgress } from '../options';
 import type { ModelFiles } from '../protocol';
@@ -60,11 +59,9 @@ export class WorkSession {
     };
     const file = new FileRun(this.core, model, { chosen: this.chosen(model), guides, onActivity, onStage });
     this.files.push(file);
-    for (const sentence of file.leaveOutUnusable(this.settings))
+    for (const sentence of file.prepare(this.settings))
       this.notes.push(`${sentence.replace(/\.$/, '')}; it stays as it is`);
-    const prepared = file.prepared(this.settings);
-    for (const body of prepared) this.noteHealth(model, body);
-    if (guides) admitFit(prepared, this.settings, this.core.heapLimit);
+    for (const body of file.prepared(this.settings)) this.noteHealth(model, body);
     return file;
   }
 
