@@ -13,7 +13,7 @@
 #include "base/job.h"
 #include "base/memory.h"
 #include "base/parallel.h"
-#include "base/side_by_side.h"
+#include "base/parallel_jobs.h"
 
 namespace limber {
 namespace {
@@ -171,12 +171,12 @@ TEST(Job, isCancelledWithTheCallThatItIsAPartOf) {
   EXPECT_THROW(part.check(), Cancelled);
 }
 
-TEST(SideBySide, runsEveryItemAndShowsTheShareThatHasEnded) {
+TEST(ParallelJobs, runsEveryItemAndShowsTheShareThatHasEnded) {
   for (const int threads : {1, 3}) {
     setThreadCount(threads);
     Job whole;
     std::vector<size_t> ended(100);
-    sideBySide(ended.size(), Phase::Solve, whole, [&](size_t i, Job& job) {
+    parallelJobs(ended.size(), Phase::Solve, whole, [&](size_t i, Job& job) {
       job.begin(Phase::Strain);
       parallelFor(4, 1, [&](size_t, size_t) { job.check(); });
       ended[i] = i + 1;
@@ -188,22 +188,22 @@ TEST(SideBySide, runsEveryItemAndShowsTheShareThatHasEnded) {
   setThreadCount(1);
 }
 
-TEST(SideBySide, rethrowsTheFirstErrorAndStopsWhereItIsCancelled) {
+TEST(ParallelJobs, rethrowsTheFirstErrorAndStopsWhereItIsCancelled) {
   setThreadCount(3);
   Job whole;
   try {
-    sideBySide(50, Phase::Solve, whole, [](size_t i, Job&) {
+    parallelJobs(50, Phase::Solve, whole, [](size_t i, Job&) {
       if (i == 7 || i == 30) throw std::runtime_error("item " + std::to_string(i));
     });
     ADD_FAILURE() << "nothing was thrown";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "item 7");
   }
-  EXPECT_THROW(sideBySide(50, Phase::Solve, whole,
-                          [&](size_t, Job& job) {
-                            whole.requestCancel();
-                            job.check();
-                          }),
+  EXPECT_THROW(parallelJobs(50, Phase::Solve, whole,
+                            [&](size_t, Job& job) {
+                              whole.requestCancel();
+                              job.check();
+                            }),
                Cancelled);
   setThreadCount(1);
 }

@@ -75,7 +75,7 @@ TEST(CoarseSolve, carriesPinsOver) {
     for (size_t c = 0; c < 3; ++c) EXPECT_EQ(coarse.shapes[3 * v + c], 0.0f);
 }
 
-TEST(SmallParts, areSolvedSideBySideWithTheSameResultAndRisingProgress) {
+TEST(SmallParts, areSolvedInParallelWithTheSameResultAndRisingProgress) {
   TriangleMesh mesh = shapes::torus(90, 50);  // above the limit of small parts
   for (int i = 0; i < 5; ++i) {
     TriangleMesh box = shapes::box(3 + i, 2, 2, 0.2);

@@ -5,7 +5,7 @@
 #include "bind/function.h"
 #include "bind/material.h"
 #include "bind/meshes.h"
-#include "bind/side_by_side.h"
+#include "bind/parallel_calls.h"
 #include "compare/fidelity.h"
 #include "compare/surface_distance.h"
 
@@ -126,9 +126,9 @@ val jsCompareFidelity(const val& original, const val& result, const val& in) {
 
 EMSCRIPTEN_BINDINGS(limber_compare) {
   using namespace limber;
-  offerSideBySide<MeasureDistance>("measureSurfaceDistance");
-  offerSideBySide<MeasureHausdorff>("measureHausdorff");
-  offerSideBySide<IsWithinHausdorff>("isWithinHausdorff");
+  offerParallel<MeasureDistance>("measureSurfaceDistance");
+  offerParallel<MeasureHausdorff>("measureHausdorff");
+  offerParallel<IsWithinHausdorff>("isWithinHausdorff");
   offer<&jsShellModes>("shellModes");
   offer<&jsFrequencyErrors>("frequencyErrors");
   offer<&jsCalibrationFactor>("calibrationFactor");

@@ -3,7 +3,7 @@
 #include "bind/charts.h"
 #include "bind/function.h"
 #include "bind/meshes.h"
-#include "bind/side_by_side.h"
+#include "bind/parallel_calls.h"
 #include "fit/modal_fit.h"
 #include "fit/shape_fit.h"
 
@@ -102,5 +102,5 @@ class FitShape {
 EMSCRIPTEN_BINDINGS(limber_fit) {
   using namespace limber;
   offer<&jsFitModes>("fitModes");
-  offerSideBySide<FitShape>("fitShape");
+  offerParallel<FitShape>("fitShape");
 }

@@ -3,7 +3,7 @@
 #include "bind/function.h"
 #include "bind/material.h"
 #include "bind/meshes.h"
-#include "bind/side_by_side.h"
+#include "bind/parallel_calls.h"
 #include "fields/guidance.h"
 #include "mesh/topology.h"
 #include "modes/find_modes.h"
@@ -140,6 +140,6 @@ class FindGuidance {
 
 EMSCRIPTEN_BINDINGS(limber_modes) {
   using namespace limber;
-  offerSideBySide<FindModes>("findModes");
-  offerSideBySide<FindGuidance>("strainGuidance");
+  offerParallel<FindModes>("findModes");
+  offerParallel<FindGuidance>("strainGuidance");
 }

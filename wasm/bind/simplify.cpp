@@ -4,7 +4,7 @@
 
 #include "bind/function.h"
 #include "bind/meshes.h"
-#include "bind/side_by_side.h"
+#include "bind/parallel_calls.h"
 #include "simplify/method_name.h"
 #include "simplify/why_kept.h"
 
@@ -145,7 +145,7 @@ val jsWhyKept(const val& reduction, uint32_t faces) {
 
 EMSCRIPTEN_BINDINGS(limber_simplify) {
   using namespace limber;
-  offerSideBySide<Simplify>("simplify");
+  offerParallel<Simplify>("simplify");
   offer<&jsMeshAt>("meshAt");
   offer<&jsWhyKept>("whyKept");
 }

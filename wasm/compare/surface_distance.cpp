@@ -78,7 +78,7 @@ bool areWithin(const std::vector<Vec3>& points, const ClosestPointTree& tree, do
   return isWithin;
 }
 
-// Built side by side.
+// Built in parallel.
 struct TwoTrees {
   TwoTrees(const TriangleMesh& a, const TriangleMesh& b) {
     parallelFor(2, 1, [&](size_t i, size_t) { trees[i].emplace(i == 0 ? a : b); });

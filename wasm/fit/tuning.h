@@ -152,8 +152,8 @@ inline constexpr int kMargin = 4;       // modes beyond the fitted ones that may
 // Relative tolerance of eigenvalues. Large components are off by little, so that it must be smaller.
 inline constexpr double kTolerance = 1e-3, kLargeTolerance = 1e-4;
 inline constexpr int kOriginalSteps = 8;  // of inverse iteration, at most, for the original's modes
-// Up to this many vertices of the original its three thicknesses are solved side by side: memory allows it.
-inline constexpr uint32_t kSideBySide = 30000;
+// Up to this many vertices of the original its three thicknesses are solved in parallel: memory allows it.
+inline constexpr uint32_t kParallelVertices = 30000;
 }  // namespace target
 
 // Large components, which are fitted in few rounds without flips. Their sizes are in modes/vertex_limits.h.

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "base/side_by_side.h"
+#include "base/parallel_jobs.h"
 #include "elastic/followed_modes.h"
 #include "elastic/mode_conversions.h"
 #include "elastic/part_modes.h"
@@ -76,8 +76,8 @@ ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& asked, bool exac
       small.push_back({parts[i], modes[i]});
     else
       modes[i] = solveOrSkip(parts[i], options, exact, job);
-  sideBySide(small.size(), Phase::Solve, job,
-             [&](size_t i, Job& own) { small[i].modes = solveOrSkip(small[i].part, options, exact, own); });
+  parallelJobs(small.size(), Phase::Solve, job,
+               [&](size_t i, Job& own) { small[i].modes = solveOrSkip(small[i].part, options, exact, own); });
   for (size_t i = 0; i < parts.size(); ++i)
     if (first[i] != i) modes[i] = modes[first[i]];
   return collectModes(mesh, parts, modes, options);

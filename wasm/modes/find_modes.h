@@ -13,7 +13,7 @@ namespace limber {
 // on the part itself to 1e-4 in frequency; larger parts get a copy of kUnrefinedCopyVertices and are not
 // refined. Where modes only guide (ModesOptions::guidedParts), shells of more than kGuidingCopyVertices get a
 // copy of that size, without refinement. ComponentModes::coarseVertices tells. `exact` solves all parts as
-// they are. Small parts are solved side by side. Throws as computeModes.
+// they are. Small parts are solved in parallel. Throws as computeModes.
 ModeSet findModes(const TriangleMesh& mesh, const ModesOptions& options, bool exact, Job& job);
 
 }  // namespace limber

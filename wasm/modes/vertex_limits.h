@@ -29,7 +29,7 @@ inline constexpr uint32_t kGuidingCopyVertices = 1000;
 // rounds, because its frequencies are off by tenths of a percent and time counts.
 inline constexpr uint32_t kLargeResultVertices = 20000;
 
-// A part with at most so many vertices keeps few threads busy, so that small parts are solved side by side.
+// A part with at most so many vertices keeps few threads busy, so that small parts are solved in parallel.
 inline constexpr uint32_t kSmallPartVertices = 4000;
 
 }  // namespace limber

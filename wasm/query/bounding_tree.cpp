@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint32_t kLeafSize = 2;
 constexpr size_t kItemsPerRange = 16384;
-constexpr uint32_t kSideBySide = 8192;  // items from which on both branches are built at the same time
+constexpr uint32_t kParallelItems = 8192;  // items from which on both branches are built at the same time
 
 std::array<float, 3> inFloats(const Vec3& p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
@@ -78,7 +78,7 @@ BoundingTree::Branch BoundingTree::build(Build& from, const Part& part, Bounds& 
   const auto buildParts = [&](size_t low, size_t high) {
     for (size_t i = low; i < high; ++i) branches[i] = build(from, parts[i], own[i]);
   };
-  if (count >= kSideBySide)
+  if (count >= kParallelItems)
     parallelFor(2, 1, buildParts);
   else
     buildParts(0, 2);

@@ -33,7 +33,7 @@ void StateEvaluator::evaluate(SearchState& state) {
                                   .featureEdges = &problem_.part.featureEdges,
                                   .startTriangles = state.surface.closestTriangles});
   };
-  parallelFor(mismatches.size() + 1, target.areSideBySide() ? 1 : mismatches.size() + 1,
+  parallelFor(mismatches.size() + 1, target.areParallel() ? 1 : mismatches.size() + 1,
               [&](size_t begin, size_t end) {
                 for (size_t item = begin; item < end; ++item) evaluateItem(item);
               });

@@ -38,7 +38,7 @@ class StateEvaluator {
   StateEvaluator(const SearchProblem& problem, Job& job);
 
   // Brings all of a state up to date with its mesh. Modes at several thicknesses and the surface fit are
-  // found side by side. Throws Cancelled.
+  // found in parallel. Throws Cancelled.
   void evaluate(SearchState& state);
 
   const Topology& topology() const { return topology_; }

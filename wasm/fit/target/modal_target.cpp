@@ -68,7 +68,7 @@ void ModalTarget::prepare(const TriangleMesh& result, Job& job) {
     std::call_once(isReady, [&] { modes.emplace(original_, originalOptions(), job); });
     return *modes;
   };
-  const bool isSmall = original_.vertexCount() <= constants::kSideBySide;
+  const bool isSmall = original_.vertexCount() <= constants::kParallelVertices;
   const std::vector<size_t> wanted = thicknesses();
   parallelFor(1 + wanted.size(), 1, [&](size_t item, size_t) {
     if (item == 0) return void(original());

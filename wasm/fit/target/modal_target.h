@@ -44,12 +44,12 @@ class ModalTarget {
   // Finds, for `compare`, the closest point of the result for each vertex of the original.
   void bind(const TriangleMesh& result);
 
-  // Indices of the thicknesses to compare at, and whether that is best done side by side.
+  // Indices of the thicknesses to compare at, and whether that is best done in parallel.
   std::vector<size_t> thicknesses() const;
-  bool areSideBySide() const { return !options_.isLarge; }
+  bool areParallel() const { return !options_.isLarge; }
 
   // The residuals of the result at one of the thicknesses, after `bind`. Starts from the modes that the last
-  // call for it has found. Calls for different thicknesses may run side by side. Throws Cancelled.
+  // call for it has found. Calls for different thicknesses may run in parallel. Throws Cancelled.
   Mismatch compare(const TriangleMesh& result, size_t thickness, Job& job);
 
   // The modes of the result at each thickness that the last calls have found, and a way back to such modes.

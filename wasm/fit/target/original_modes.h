@@ -10,7 +10,7 @@
 namespace limber {
 
 // Finds the shell modes of an original at any thickness, in a frame where its diagonal, E and rho are 1. To
-// be used within a WholePhase. Calls for different thicknesses may run side by side.
+// be used within a WholePhase. Calls for different thicknesses may run in parallel.
 class OriginalModes {
  public:
   // Keeps a reference to `original` and to what the options refer to. Throws Cancelled.

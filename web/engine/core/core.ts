@@ -10,7 +10,7 @@ import type { SimplifyFunctions } from './interface/simplify';
 import type { FitFunctions } from './interface/fit';
 import type { TransferFunctions } from './interface/transfer';
 import type { CompareFunctions } from './interface/compare';
-import type { SideBySideFunctions } from './interface/side_by_side';
+import type { ParallelCallFunctions } from './interface/parallel_calls';
 import type { SimulateFunctions } from './interface/simulate';
 import type { TuneFunctions } from './interface/tune';
 import type { Progress } from './interface/job';
@@ -22,7 +22,7 @@ export * from './interface/simplify';
 export * from './interface/fit';
 export * from './interface/transfer';
 export * from './interface/compare';
-export * from './interface/side_by_side';
+export * from './interface/parallel_calls';
 export * from './interface/simulate';
 export * from './interface/tune';
 export * from './interface/job';
@@ -39,7 +39,7 @@ export interface Core
     FitFunctions,
     TransferFunctions,
     CompareFunctions,
-    SideBySideFunctions,
+    ParallelCallFunctions,
     SimulateFunctions,
     TuneFunctions {
   /** 1 in the one-thread build */

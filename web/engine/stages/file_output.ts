@@ -29,7 +29,7 @@ import { runSettings } from './file_request';
 import type { FileRequest } from './file_request';
 import type { FileRun } from './file_run';
 import type { AnyStage, RunSettings, SettingsOf, ValueOf } from './stage';
-import { runBodies } from './many_bodies/side_by_side';
+import { runBodies } from './many_bodies/parallel_bodies';
 import { STAGES } from './stages';
 import { tunedResultStage } from './tuned';
 

@@ -51,7 +51,7 @@ export function measureDistance(core: Core, prepared: PreparedBody, other: Trian
   return remember(prepared, other, core.measureSurfaceDistance(mesh, other, samples));
 }
 
-/** Makes the calls of the core for `measureDistance` of many results side by side; it finds then what has been measured. */
+/** Makes the calls of the core for `measureDistance` of many results in parallel. */
 export function measureDistances(
   core: Core,
   results: { prepared: PreparedBody; mesh: TriangleMesh }[],

@@ -91,8 +91,8 @@ function withoutRepetition<One extends Comparison<unknown, unknown>>(all: (One |
   });
 }
 
-/** Answers questions of `Deviations.isWithin` side by side. */
-export function askSideBySide(
+/** Answers questions of `Deviations.isWithin` in parallel. */
+export function askInParallel(
   core: Core,
   questions: { deviations: Deviations; faces: number; limit: number }[],
 ): void {
@@ -111,8 +111,8 @@ export function askSideBySide(
   });
 }
 
-/** Measures levels for `Deviations.at` side by side. */
-export function measureSideBySide(core: Core, levels: { deviations: Deviations; faces: number }[]): void {
+/** Measures levels for `Deviations.at` in parallel. */
+export function measureInParallel(core: Core, levels: { deviations: Deviations; faces: number }[]): void {
   const unknown = withoutRepetition(levels.map(({ deviations, faces }) => deviations.toMeasure(faces)));
   const found = core.callAll(
     'measureHausdorff',

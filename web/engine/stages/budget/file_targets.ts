@@ -10,7 +10,7 @@ import type { FaceTarget } from './face_shares';
 import type { FileRequest } from '../file_request';
 import type { FileRun } from '../file_run';
 import type { RunSettings } from '../stage';
-import { runBodies } from '../many_bodies/side_by_side';
+import { runBodies } from '../many_bodies/parallel_bodies';
 import { SceneQueue } from './scene_budget';
 
 /** What is asked of a file. */

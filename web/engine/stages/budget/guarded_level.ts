@@ -4,7 +4,7 @@ import type { GuardFinding } from '../../body/body_result';
 import type { Core, MeshAt } from '../../core/core';
 import { faceCount } from '../../core/mesh';
 import { searchFaces } from './deviation_limit';
-import { askSideBySide, deviationsStage, measureSideBySide } from './deviations';
+import { askInParallel, deviationsStage, measureInParallel } from './deviations';
 import type { Deviations } from './deviations';
 import { collapsesWithin, errorCurveStage } from './error_curve';
 import type { ErrorCurve } from './error_curve';
@@ -82,8 +82,8 @@ export interface GuardedBody extends GuardInputs {
   limit: number;
 }
 
-/** Makes the calls of the core for `guardedLevelStage` of many bodies side by side; their deviations remember the results. */
-export function guardSideBySide(core: Core, bodies: GuardedBody[]): void {
+/** Makes the calls of the core for `guardedLevelStage` of many bodies in parallel; their deviations remember the results. */
+export function guardInParallel(core: Core, bodies: GuardedBody[]): void {
   const unsure = bodies.filter(({ level, limit, ...inputs }) => !isSurelyWithin(inputs, level, limit));
   const searches = unsure.map((body) => {
     const wanted = faceCount(body.level.mesh);
@@ -94,11 +94,11 @@ export function guardSideBySide(core: Core, bodies: GuardedBody[]): void {
     const open = searches.filter(({ step }) => !step.done);
     if (open.length === 0) break;
     const questions = open.map(({ deviations, limit, step }) => ({ deviations, limit, faces: step.value }));
-    askSideBySide(core, questions);
+    askInParallel(core, questions);
     for (const one of open) one.step = one.search.next(one.deviations.isWithin(one.step.value, one.limit));
   }
   const guarded = searches.filter(({ step, wanted }) => step.value !== wanted);
-  measureSideBySide(
+  measureInParallel(
     core,
     guarded.map(({ deviations, step }) => ({ deviations, faces: step.value })),
   );

@@ -1,40 +1,40 @@
-/** Calls of the core as data, so that those of many bodies can be made side by side. */
+/** Calls of the core as data, so that those of many bodies can be made in parallel. */
 
-import type { Core, ManyFunctions, ManyName } from '../../core/core';
+import type { Core, ParallelFunctions, ParallelName } from '../../core/core';
 import { onceIn } from './equal_work';
 import type { EqualWork } from './equal_work';
 
-export interface CoreCall<Name extends ManyName = ManyName> {
+export interface CoreCall<Name extends ParallelName = ParallelName> {
   name: Name;
-  values: Parameters<ManyFunctions[Name]>;
+  values: Parameters<ParallelFunctions[Name]>;
 }
 
-export const coreCall = <Name extends ManyName>(
+export const coreCall = <Name extends ParallelName>(
   name: Name,
-  ...values: Parameters<ManyFunctions[Name]>
+  ...values: Parameters<ParallelFunctions[Name]>
 ): CoreCall<Name> => ({ name, values });
 
 /** The result of a call, which is made unless `work` remembers it. */
-export function resultOf<Name extends ManyName>(
+export function resultOf<Name extends ParallelName>(
   core: Core,
   work: EqualWork | undefined,
   { name, values }: CoreCall<Name>,
-): ReturnType<ManyFunctions[Name]> {
+): ReturnType<ParallelFunctions[Name]> {
   return onceIn(work, name, values, () => {
-    const call = core[name] as (...values: unknown[]) => ReturnType<ManyFunctions[Name]>;
+    const call = core[name] as (...values: unknown[]) => ReturnType<ParallelFunctions[Name]>;
     return call(...values);
   });
 }
 
 /** The result of a call that `work` remembers; undefined: it has not been made, or has failed. */
-export const knownResult = <Name extends ManyName>(
+export const knownResult = <Name extends ParallelName>(
   work: EqualWork,
   { name, values }: CoreCall<Name>,
-): ReturnType<ManyFunctions[Name]> | undefined =>
-  work.known(name, values) as ReturnType<ManyFunctions[Name]> | undefined;
+): ReturnType<ParallelFunctions[Name]> | undefined =>
+  work.known(name, values) as ReturnType<ParallelFunctions[Name]> | undefined;
 
 /**
- * Makes calls of one function side by side, so that `work` remembers their results. Calls that would throw an Error are left to
+ * Makes calls of one function in parallel, so that `work` remembers their results. Calls that would throw an Error are left to
  * `resultOf`.
  */
 export function callAll(core: Core, work: EqualWork, calls: CoreCall[]): void {

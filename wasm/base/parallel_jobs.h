@@ -11,6 +11,6 @@ namespace limber {
 // `whole`. Results are the same for any number of threads if each call writes only to its own item. `whole`
 // shows `phase`, and as progress the share of calls that have ended. Rethrows the first exception in the
 // order of the items; throws Cancelled.
-void sideBySide(size_t count, Phase phase, Job& whole, const std::function<void(size_t i, Job& job)>& work);
+void parallelJobs(size_t count, Phase phase, Job& whole, const std::function<void(size_t i, Job& job)>& work);
 
 }  // namespace limber

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/side_by_side.h"
+#include "base/parallel_jobs.h"
 #include "bind/function.h"
 
 namespace limber {
@@ -27,13 +27,13 @@ using Argument = val;
 // any thread by `run(job)`, and `write` makes a value of JavaScript of the result. The last two steps are
 // apart because only the thread of the call may touch values of JavaScript.
 template <class Call, class Indices = std::make_index_sequence<Call::kArguments>>
-class SideBySide;
+class ParallelCalls;
 
 template <class Call, size_t... I>
-class SideBySide<Call, std::index_sequence<I...>> {
+class ParallelCalls<Call, std::index_sequence<I...>> {
  public:
-  // The only call of a function.
-  static val callOnce(const Argument<I>&... arguments) {
+  // A single call.
+  static val call(const Argument<I>&... arguments) {
     const Call call(arguments...);
     return call.write(call.run(theJob));
   }
@@ -45,7 +45,7 @@ class SideBySide<Call, std::index_sequence<I...>> {
     const size_t count = calls.size();
     std::vector<std::optional<Result>> results(count);
     std::vector<std::exception_ptr> errors(count);
-    sideBySide(count, Call::kPhase, theJob, [&](size_t i, Job& job) {
+    parallelJobs(count, Call::kPhase, theJob, [&](size_t i, Job& job) {
       try {
         results[i] = calls[i].run(job);
       } catch (const Cancelled&) {
@@ -75,16 +75,16 @@ class SideBySide<Call, std::index_sequence<I...>> {
 };
 
 // The functions of `callAll` by their names, on this thread, see offeredFunctions.
-inline std::map<std::string, val (*)(const val& lists)>& sideBySideFunctions() {
+inline std::map<std::string, val (*)(const val& lists)>& parallelFunctions() {
   static thread_local std::map<std::string, val (*)(const val& lists)> functions;
   return functions;
 }
 
 // As `offer`, of a function that `callAll` can call, too.
 template <class Call>
-void offerSideBySide(const char* name) {
-  offer<&SideBySide<Call>::callOnce>(name);
-  sideBySideFunctions()[name] = &SideBySide<Call>::callAll;
+void offerParallel(const char* name) {
+  offer<&ParallelCalls<Call>::call>(name);
+  parallelFunctions()[name] = &ParallelCalls<Call>::callAll;
 }
 
 }  // namespace limber

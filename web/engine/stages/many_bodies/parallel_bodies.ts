@@ -7,7 +7,7 @@ import { methodOf } from '../../settings/options';
 import type { BodyRun } from '../body_run';
 import { deviationsStage } from '../budget/deviations';
 import { errorCurveStage } from '../budget/error_curve';
-import { guardSideBySide } from '../budget/guarded_level';
+import { guardInParallel } from '../budget/guarded_level';
 import type { GuardedBody } from '../budget/guarded_level';
 import type { FileRun } from '../file_run';
 import { fittedStage } from '../fitted';
@@ -128,7 +128,7 @@ function stepsTogether(core: Core, bodies: RunOfBody[]): Steps {
   return {
     history: [...(methodOf(settings).needsGuidance ? guidance : []), first(2, historyStage)],
     result: [
-      { weight: 4, run: () => guardSideBySide(core, bodies.map(guardedBody)) },
+      { weight: 4, run: () => guardInParallel(core, bodies.map(guardedBody)) },
       { weight: 3, run: () => (fits = callFirst(core, bodies, fittedStage)), isOneCall: true },
       { weight: 1, run: () => aheadOf(fittedStage, fits, () => measureFits(core, fits)) },
     ],

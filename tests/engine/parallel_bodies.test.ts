@@ -1,7 +1,7 @@
-/** Small bodies of a file are worked on side by side, with the results that they have alone. */
+/** Small bodies of a file are worked on in parallel, with the results that they have alone. */
 
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Core, ManyName } from '../../web/engine/core/core';
+import type { Core, ParallelName } from '../../web/engine/core/core';
 import { openModel } from '../../web/engine/document/open';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
@@ -24,7 +24,7 @@ beforeAll(async () => {
   [core, single] = [await loadTestCore(2), await loadTestCore(1)];
 });
 
-/** The core, and how many calls of each function were made side by side. */
+/** The core, and how many calls of each function were made in parallel. */
 function watched(): { core: Core; together: Map<string, number>; alone: Map<string, number> } {
   const [together, alone] = [new Map<string, number>(), new Map<string, number>()];
   const count = (calls: Map<string, number>, name: string, more: number) =>
@@ -34,7 +34,7 @@ function watched(): { core: Core; together: Map<string, number>; alone: Map<stri
       const value = target[name];
       if (typeof value !== 'function') return value;
       return (...values: unknown[]) => {
-        if (name === 'callAll') count(together, values[0] as ManyName, (values[1] as unknown[]).length);
+        if (name === 'callAll') count(together, values[0] as ParallelName, (values[1] as unknown[]).length);
         else count(alone, name, 1);
         return (value as (...values: unknown[]) => unknown)(...values);
       };
@@ -66,7 +66,7 @@ describe('small bodies', () => {
     expect(many.bytes).toEqual(one.bytes);
   });
 
-  it('are analysed, reduced, fitted and measured side by side', async () => {
+  it('are analysed, reduced, fitted and measured in parallel', async () => {
     const watching = watched();
     await optimized(watching.core);
     // Of twelve parts eight have shapes of their own.
@@ -163,7 +163,7 @@ describe('progress on many bodies', () => {
     };
     const asked = { settings: defaultSettings(), fields: false, faces: null, ratio: 0.5 };
     const reduce = () => new FileOutput(file, requestFile(file, asked)).compute();
-    const opening = during(() => file.leaveOutUnusable(defaultSettings()));
+    const opening = during(() => file.prepare(defaultSettings()));
     return { opening, reducing: during(reduce), again: during(reduce) };
   }
 
@@ -181,7 +181,7 @@ describe('progress on many bodies', () => {
     });
 });
 
-describe('calls side by side', () => {
+describe('parallel calls', () => {
   const distance = (scale: number) => {
     const mesh = cube();
     const other = moved(mesh, (x, y, z) => [scale * x, scale * y, scale * z]);
@@ -214,6 +214,6 @@ describe('calls side by side', () => {
   });
 
   it('are refused of other functions', () => {
-    expect(() => core.callAll('weld' as ManyName, [])).toThrow('makes no calls of "weld" side by side');
+    expect(() => core.callAll('weld' as ParallelName, [])).toThrow('makes no calls of "weld" in parallel');
   });
 });

@@ -5,22 +5,22 @@ import type { FitFunctions } from './fit';
 import type { ModesFunctions } from './modes';
 import type { SimplifyFunctions } from './simplify';
 
-/** The functions that can be called side by side; see `offerSideBySide` in wasm/bind. */
-export type ManyFunctions = Pick<ModesFunctions, 'findModes' | 'strainGuidance'> &
+/** The functions that can be called in parallel; see `offerParallel` in wasm/bind. */
+export type ParallelFunctions = Pick<ModesFunctions, 'findModes' | 'strainGuidance'> &
   Pick<SimplifyFunctions, 'simplify'> &
   Pick<FitFunctions, 'fitShape'> &
   Pick<CompareFunctions, 'measureSurfaceDistance' | 'measureHausdorff' | 'isWithinHausdorff'>;
 
-export type ManyName = keyof ManyFunctions;
+export type ParallelName = keyof ParallelFunctions;
 
 /** The functions of the core on this topic. */
-export interface SideBySideFunctions {
+export interface ParallelCallFunctions {
   /**
    * Calls the function once for each list of arguments. Results are the same as of single calls; where one of these would throw an
    * Error, it is in its place.
    */
-  callAll<Name extends ManyName>(
+  callAll<Name extends ParallelName>(
     name: Name,
-    lists: Parameters<ManyFunctions[Name]>[],
-  ): (ReturnType<ManyFunctions[Name]> | Error)[];
+    lists: Parameters<ParallelFunctions[Name]>[],
+  ): (ReturnType<ParallelFunctions[Name]> | Error)[];
 }

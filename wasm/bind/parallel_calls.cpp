@@ -1,4 +1,4 @@
-#include "bind/side_by_side.h"
+#include "bind/parallel_calls.h"
 
 #include <stdexcept>
 
@@ -16,16 +16,16 @@ namespace {
 
 // Calls the function `name` once for each list of arguments.
 val jsCallAll(const std::string& name, const val& lists) {
-  const auto found = sideBySideFunctions().find(name);
-  if (found == sideBySideFunctions().end())
-    throw std::invalid_argument("The core makes no calls of \"" + name + "\" side by side.");
+  const auto found = parallelFunctions().find(name);
+  if (found == parallelFunctions().end())
+    throw std::invalid_argument("The core makes no calls of \"" + name + "\" in parallel.");
   return found->second(lists);
 }
 
 }  // namespace
 }  // namespace limber
 
-EMSCRIPTEN_BINDINGS(limber_side_by_side) {
+EMSCRIPTEN_BINDINGS(limber_parallel_calls) {
   using namespace limber;
   offer<&jsCallAll>("callAll");
 }

@@ -1,4 +1,4 @@
-#include "base/side_by_side.h"
+#include "base/parallel_jobs.h"
 
 #include <atomic>
 #include <thread>
@@ -7,7 +7,8 @@
 
 namespace limber {
 
-void sideBySide(size_t count, Phase phase, Job& whole, const std::function<void(size_t i, Job& job)>& work) {
+void parallelJobs(size_t count, Phase phase, Job& whole,
+                  const std::function<void(size_t i, Job& job)>& work) {
   if (count == 0) return;
   WholePhase shown(whole, phase);
   std::atomic<size_t> done = 0;
