@@ -14,7 +14,7 @@ export interface Bounds {
 }
 
 /** The bounding box of positions[3 v + c]; without positions its sides are inverted, from Infinity to -Infinity. */
-export function boundsOf(positions: Float32Array): Bounds {
+export function boundsOf(positions: Float32Array | readonly number[]): Bounds {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
   positions.forEach((value, i) => {
@@ -25,7 +25,7 @@ export function boundsOf(positions: Float32Array): Bounds {
 }
 
 /** The length of the diagonal of the bounding box. */
-export function diagonalOf(positions: Float32Array): number {
+export function diagonalOf(positions: Float32Array | readonly number[]): number {
   const { low, high } = boundsOf(positions);
   return length3(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
