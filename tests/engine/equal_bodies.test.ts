@@ -6,7 +6,7 @@ import type { Core } from '../../web/engine/core/core';
 import { openModel } from '../../web/engine/document/open';
 import { defaultSettings } from '../../web/engine/settings/options';
 import { requestFile } from '../../web/engine/stages/budget/file_targets';
-import { EqualWork } from '../../web/engine/stages/many_bodies/equal_work';
+import { ValueCache } from '../../web/engine/stages/many_bodies/value_cache';
 import { FileOutput } from '../../web/engine/stages/file_output';
 import { FileRun } from '../../web/engine/stages/file_run';
 import { sharesOfScene, tooSmallToMove } from '../../web/engine/stages/many_bodies/scene_share';
@@ -46,21 +46,21 @@ async function optimized(document: Document, by: Core) {
 
 describe('work on equal inputs', () => {
   it('is done once, and again for any other bit', () => {
-    const work = new EqualWork(10);
+    const cache = new ValueCache(10);
     let runs = 0;
     const run = (values: number[], count = 1) =>
-      work.once('sum', [Float32Array.from(values), { count }], () => ++runs);
+      cache.once('sum', [Float32Array.from(values), { count }], () => ++runs);
     expect([run([1, 2]), run([1, 2]), run([1, 3]), run([1, 2], 2), run([1, 2])]).toEqual([1, 1, 2, 3, 1]);
     expect([run([0]), run([-0]), run([NaN]), run([NaN])]).toEqual([4, 5, 6, 6]);
-    expect(work.once('other', [Float32Array.from([1, 2]), { count: 1 }], () => 'own')).toBe('own');
-    expect(work.once('kind', [new Uint8Array(4)], () => 8)).toBe(8);
-    expect(work.once('kind', [new Uint32Array(1)], () => 32)).toBe(32);
+    expect(cache.once('other', [Float32Array.from([1, 2]), { count: 1 }], () => 'own')).toBe('own');
+    expect(cache.once('kind', [new Uint8Array(4)], () => 8)).toBe(8);
+    expect(cache.once('kind', [new Uint32Array(1)], () => 32)).toBe(32);
   });
 
   it('is forgotten, the oldest first', () => {
-    const work = new EqualWork(2);
+    const cache = new ValueCache(2);
     let runs = 0;
-    const run = (value: number) => work.once('next', [value], () => ++runs);
+    const run = (value: number) => cache.once('next', [value], () => ++runs);
     expect([run(1), run(2), run(3), run(3), run(2), run(1)]).toEqual([1, 2, 3, 3, 2, 4]);
   });
 });

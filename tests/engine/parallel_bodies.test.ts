@@ -7,8 +7,8 @@ import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
 import { requestFile } from '../../web/engine/stages/budget/file_targets';
 import { coreCall, callAll, resultOf } from '../../web/engine/stages/many_bodies/core_call';
-import { EqualWork } from '../../web/engine/stages/many_bodies/equal_work';
 import type { WorkSpan } from '../../web/engine/stages/many_bodies/file_progress';
+import { ValueCache } from '../../web/engine/stages/many_bodies/value_cache';
 import { FileOutput } from '../../web/engine/stages/file_output';
 import { FileRun } from '../../web/engine/stages/file_run';
 import { STAGES } from '../../web/engine/stages/stages';
@@ -190,11 +190,11 @@ describe('parallel calls', () => {
 
   it('are made once for equal arguments, and give what a single call gives', () => {
     const watching = watched();
-    const work = new EqualWork(10);
-    callAll(watching.core, work, [distance(2), distance(3), distance(2)]);
-    callAll(watching.core, work, [distance(3)]);
+    const cache = new ValueCache(10);
+    callAll(watching.core, cache, [distance(2), distance(3), distance(2)]);
+    callAll(watching.core, cache, [distance(3)]);
     expect(watching.together.get('measureSurfaceDistance')).toBe(2);
-    expect(resultOf(watching.core, work, distance(3))).toEqual(
+    expect(resultOf(watching.core, cache, distance(3))).toEqual(
       core.measureSurfaceDistance(...distance(3).values),
     );
     expect(watching.alone.get('measureSurfaceDistance')).toBeUndefined();
@@ -208,9 +208,9 @@ describe('parallel calls', () => {
     const [failed, found] = core.callAll('findModes', [wrong.values, right.values]);
     expect(failed).toBeInstanceOf(Error);
     expect(found).toEqual(core.findModes(...right.values));
-    const work = new EqualWork(10);
-    callAll(core, work, [wrong]);
-    expect(() => resultOf(core, work, wrong)).toThrow((failed as Error).message);
+    const cache = new ValueCache(10);
+    callAll(core, cache, [wrong]);
+    expect(() => resultOf(core, cache, wrong)).toThrow((failed as Error).message);
   });
 
   it('are refused of other functions', () => {

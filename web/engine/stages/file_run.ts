@@ -8,10 +8,10 @@ import type { OpenModel } from '../document/open';
 import type { Settings } from '../settings/options';
 import { admitBodies, admitFit } from './admission';
 import { BodyRun } from './body_run';
-import { EqualWork } from './many_bodies/equal_work';
 import { FileProgress } from './many_bodies/file_progress';
 import type { WorkSpan } from './many_bodies/file_progress';
 import { tooSmallToMove } from './many_bodies/scene_share';
+import { ValueCache } from './many_bodies/value_cache';
 import { STAGES } from './stages';
 
 export interface FileRunOptions {
@@ -59,13 +59,13 @@ export class FileRun {
           bodies.filter((_, i) => isChosen(i)),
         )
       : new Set<Body>();
-    const equalWork = bodies.length > 1 ? new EqualWork(2 * bodies.length) : undefined;
+    const cache = bodies.length > 1 ? new ValueCache(2 * bodies.length) : undefined;
     this.all = bodies.map((body, i) => {
       if (!isChosen(i)) return null;
       const onTry = (faces: number) => options.onActivity?.(body.name, faces);
       const guidedBodies = this.guides ? bodies.length : undefined;
       const isTooSmallToMove = tooSmall.has(body);
-      const context = { core, body, document, onTry, guidedBodies, isTooSmallToMove, equalWork };
+      const context = { core, body, document, onTry, guidedBodies, isTooSmallToMove, cache };
       return new BodyRun(context, options.onStage);
     });
   }

@@ -11,7 +11,7 @@ import { fitOf } from '../settings/options';
 import type { Settings } from '../settings/options';
 import { coreCall, resultOf } from './many_bodies/core_call';
 import type { CoreCall } from './many_bodies/core_call';
-import type { EqualWork } from './many_bodies/equal_work';
+import type { ValueCache } from './many_bodies/value_cache';
 import type { KeptHistory } from './kept_history';
 import { levelAt } from './level';
 import { isWithinDeviation, measureDeviation, measureDistance } from './measure';
@@ -51,7 +51,7 @@ export interface FitRequest {
   /** null: not at all */
   settings: FitSettings | null;
   /** see RunContext */
-  equalWork?: EqualWork;
+  cache?: ValueCache;
 }
 
 /** The share of the largest deviation that a fit may use: it looks at samples, and where these miss too much, a second fit stays away farther. */
@@ -65,12 +65,12 @@ export function fitResult(
   core: Core,
   prepared: PreparedBody,
   result: MeshAt,
-  { constraints, settings, equalWork }: FitRequest,
+  { constraints, settings, cache }: FitRequest,
 ): FittedResult {
   if (settings === null) return unfitted(result, '');
   const kind = settings.shell === null ? 'surface' : 'modal';
   for (const share of sharesOf(settings)) {
-    const fitted = fitWithin(core, prepared, result, { constraints, settings, share, equalWork });
+    const fitted = fitWithin(core, prepared, result, { constraints, settings, share, cache });
     if (keepsTargets(core, prepared, [result.mesh, fitted.result.mesh], settings))
       return { ...fitted, kind, unfitted: describeUnfitted(fitted) };
   }
@@ -97,13 +97,13 @@ function fitWithin(
   core: Core,
   prepared: PreparedBody,
   result: MeshAt,
-  { equalWork, ...request }: FitOfShare,
+  { cache, ...request }: FitOfShare,
 ): Fitted {
   const { mesh } = prepared;
   const { shell } = request.settings;
   const options = fitOptions(prepared, request);
   if (shell === null)
-    return { ...NO_ERRORS, ...resultOf(core, equalWork, coreCall('fitShape', mesh, result, options)) };
+    return { ...NO_ERRORS, ...resultOf(core, cache, coreCall('fitShape', mesh, result, options)) };
   return core.fitModes(mesh, result, {
     ...options,
     thickness: thicknessOf(prepared, shell),
@@ -113,7 +113,7 @@ function fitWithin(
 
 function fitOptions(
   prepared: PreparedBody,
-  { constraints, settings, share }: Omit<FitOfShare, 'equalWork'>,
+  { constraints, settings, share }: Omit<FitOfShare, 'cache'>,
 ): ShapeFitOptions {
   const { mesh } = prepared;
   return {

@@ -53,7 +53,7 @@ export const fittedStage = declareStage({
   },
   run: (context, { constraints, ...inputs }, { fit, frequency, maxDeviation }): FittedLevel => {
     const { prepared, kept, level } = inputs;
-    const request = { constraints: constraints.constraints, settings: fit, equalWork: context.equalWork };
+    const request = { constraints: constraints.constraints, settings: fit, cache: context.cache };
     if (!frequency) {
       const guarded = fitGuarded(context.core, { ...inputs, limit: maxDeviation }, request);
       return { ...guarded, frequency: null };

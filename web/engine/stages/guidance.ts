@@ -56,13 +56,13 @@ export const guidingCurvature = where(
  * without any elastic mode is 0. Throws where modes are named and none of them exists.
  */
 export function findGuidance(
-  { core, equalWork }: Pick<RunContext, 'core' | 'equalWork'>,
+  { core, cache }: Pick<RunContext, 'core' | 'cache'>,
   prepared: PreparedBody,
   modes: ModeSet,
   request: GuidanceRequest,
 ): StrainGuidance {
   const call = guidanceCall(prepared, modes, request);
-  if (call) return resultOf(core, equalWork, call);
+  if (call) return resultOf(core, cache, call);
   const faces = faceCount(prepared.mesh);
   return { strain: new Float32Array(faces), rank: new Float32Array(faces) };
 }

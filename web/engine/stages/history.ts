@@ -24,9 +24,9 @@ export const historyStage = declareStage({
     ...simplificationSettings(settings),
     stopFaces: fewestFaces,
   }),
-  run: ({ core, equalWork }, { prepared, constraints: { constraints }, ...fields }, settings): History => {
+  run: ({ core, cache }, { prepared, constraints: { constraints }, ...fields }, settings): History => {
     const call = historyCall(prepared, { constraints, ...fields }, settings);
-    const history = resultOf(core, equalWork, call);
+    const history = resultOf(core, cache, call);
     // The collapses keep mirror images, so that the history has them too.
     const { mirror } = constraints;
     return mirror ? { ...history, mirror } : history;

@@ -29,10 +29,10 @@ export const modesStage = declareStage({
     ...settings,
     model: resolveModel({ method, model: settings.model }),
   }),
-  run: ({ core, guidedBodies, isTooSmallToMove, equalWork }, { prepared, pinned }, request) =>
+  run: ({ core, guidedBodies, isTooSmallToMove, cache }, { prepared, pinned }, request) =>
     isTooSmallToMove
       ? withoutModes(prepared, request)
-      : resultOf(core, equalWork, modesCall(prepared, pinned, { ...request, guidedBodies })),
+      : resultOf(core, cache, modesCall(prepared, pinned, { ...request, guidedBodies })),
   firstCall: ({ guidedBodies, isTooSmallToMove }, { prepared, pinned }, request) =>
     isTooSmallToMove ? null : modesCall(prepared, pinned, { ...request, guidedBodies }),
 });

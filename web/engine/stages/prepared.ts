@@ -11,7 +11,7 @@ import type { Core, TriangleMesh } from '../core/core';
 import { diagonalOf, faceCount } from '../core/mesh';
 import type { Body } from '../document/model';
 import type { Settings } from '../settings/options';
-import { onceIn } from './many_bodies/equal_work';
+import { onceIn } from './many_bodies/value_cache';
 import { declareStage } from './stage';
 
 /** Attributes of more numbers than the core takes cost nothing. */
@@ -21,8 +21,8 @@ export const preparedStage = declareStage({
   name: 'prepared',
   reads: ['weld', 'symmetry'],
   needs: {},
-  run: ({ core, body, document, guidedBodies = 1, equalWork }, _inputs, settings): PreparedBody => {
-    const inspected = onceIn(equalWork, 'inspected', [body.positions, body.indices, settings.weld], () =>
+  run: ({ core, body, document, guidedBodies = 1, cache }, _inputs, settings): PreparedBody => {
+    const inspected = onceIn(cache, 'inspected', [body.positions, body.indices, settings.weld], () =>
       inspectBody(core, body, settings),
     );
     const prepared = prepareInspected(

@@ -8,7 +8,7 @@ import type { Core } from '../core/core';
 import type { Body } from '../document/model';
 import type { Settings } from '../settings/options';
 import type { CoreCall } from './many_bodies/core_call';
-import type { EqualWork } from './many_bodies/equal_work';
+import type { ValueCache } from './many_bodies/value_cache';
 
 /** Everything that can change between two runs over the same body. */
 export interface RunSettings extends Settings {
@@ -33,7 +33,7 @@ export interface RunContext {
   /** how many bodies the file has whose results are asked for, where modes are needed for guidance alone; absent: for their own sake */
   guidedBodies?: number;
   /** what the bodies of a file share; absent: a body alone */
-  equalWork?: EqualWork;
+  cache?: ValueCache;
   /** whether the body is so small in its scene that its modes do not matter, see `scene_share`; absent: it is not */
   isTooSmallToMove?: boolean;
   /** called before each number of faces that is tried to keep the frequencies */

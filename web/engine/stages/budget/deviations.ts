@@ -7,7 +7,7 @@ import type { KeptHistory } from '../kept_history';
 import { levelAt } from '../level';
 import { isWithinDeviation, measureDeviation, withinArguments } from '../measure';
 import { preparedStage } from '../prepared';
-import { onceIn } from '../many_bodies/equal_work';
+import { onceIn } from '../many_bodies/value_cache';
 import { declareStage } from '../stage';
 
 /** What has been measured of the levels of a mesh and its history. */
@@ -128,9 +128,9 @@ export const deviationsStage = declareStage({
   name: 'deviations',
   reads: [],
   needs: { prepared: preparedStage, kept: keptHistoryStage },
-  run: ({ core, equalWork }, { prepared, kept }) => {
+  run: ({ core, cache }, { prepared, kept }) => {
     const inputs = [prepared.mesh, prepared.samples, kept.history];
-    const known = onceIn(equalWork, 'deviations', inputs, nothing);
+    const known = onceIn(cache, 'deviations', inputs, nothing);
     return new Deviations(core, prepared, kept, known);
   },
 });

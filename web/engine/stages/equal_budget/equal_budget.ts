@@ -91,7 +91,7 @@ function resultWithin(run: BodyRun, settings: Settings, faces: number): TimedMes
 
 /** In a run of its own: another method's history would take the place of the one that the page shows. */
 function ownResult({ context }: BodyRun, settings: Settings, faces: number): TimedMesh {
-  const own = new BodyRun({ ...context, equalWork: undefined, onTry: undefined });
+  const own = new BodyRun({ ...context, cache: undefined, onTry: undefined });
   const request = { ...settings, targetFaces: faces };
   try {
     own.get(STAGES.pinned, request);

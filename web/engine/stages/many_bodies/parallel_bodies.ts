@@ -22,7 +22,7 @@ import { preparedStage } from '../prepared';
 import type { AnyStage, RunSettings, SettingsOf } from '../stage';
 import { callAll, knownResult } from './core_call';
 import type { CoreCall } from './core_call';
-import type { EqualWork } from './equal_work';
+import type { ValueCache } from './value_cache';
 
 type Usable = FileRun['usable'];
 
@@ -147,7 +147,7 @@ function callFirst(core: Core, bodies: RunOfBody[], stage: AnyStage): First[] {
     return call ? [{ run, settings, call }] : [];
   });
   const calls = firsts.map(({ call }) => call);
-  aheadOf(stage, firsts, () => callAll(core, equalWorkOf(bodies), calls));
+  aheadOf(stage, firsts, () => callAll(core, cacheOf(bodies), calls));
   return firsts;
 }
 
@@ -162,7 +162,7 @@ function aheadOf(stage: AnyStage, firsts: First[], work: () => void): void {
 /** A fit that has failed is made again by its stage, which throws its Error. */
 function measureFits(core: Core, firsts: First[]): void {
   const fits = firsts.flatMap(({ run, settings, call }) => {
-    const fitted = knownResult(equalWorkOf(firsts), call as CoreCall<'fitShape'>);
+    const fitted = knownResult(cacheOf(firsts), call as CoreCall<'fitShape'>);
     return fitted ? [{ prepared: preparedOf(run, settings), mesh: fitted.result.mesh }] : [];
   });
   measureDistances(core, fits);
@@ -177,7 +177,7 @@ const guardedBody = ({ run, settings }: RunOfBody): GuardedBody => ({
 });
 
 /** Runs of a file with several bodies share one. */
-const equalWorkOf = ([{ run }]: RunOfBody[]): EqualWork => run.context.equalWork!;
+const cacheOf = ([{ run }]: RunOfBody[]): ValueCache => run.context.cache!;
 
 const preparedOf = (run: BodyRun, settings: SettingsOf<typeof preparedStage>): PreparedBody =>
   run.get(preparedStage, settings);

@@ -1,8 +1,6 @@
-/** Work on equal inputs is done once: scenes have many bodies of one shape. */
+/** A cache of what functions have made of their inputs: scenes have many bodies of one shape. */
 
-type Numbers = Float32Array | Float64Array | Uint32Array | Int32Array | Uint8Array;
-
-const isNumbers = (value: unknown): value is Numbers => ArrayBuffer.isView(value);
+import { areEqual, hashOf } from './plain_data';
 
 interface Entry {
   inputs: unknown[];
@@ -10,7 +8,7 @@ interface Entry {
 }
 
 /** Remembers what pure functions have made of their inputs. Values are shared, so that nobody may change them. */
-export class EqualWork {
+export class ValueCache {
   private readonly entries = new Map<string, Map<number, Entry[]>>();
 
   /** `capacity`: inputs that are remembered for each function; the oldest are forgotten first. */
@@ -66,51 +64,10 @@ export class EqualWork {
   }
 }
 
-/** `compute` by way of `work`, where there is any. */
+/** `compute` by way of `cache`, where there is any. */
 export const onceIn = <Value>(
-  work: EqualWork | undefined,
+  cache: ValueCache | undefined,
   name: string,
   inputs: unknown[],
   compute: () => Value,
-): Value => (work ? work.once(name, inputs, compute) : compute());
-
-/** Of the bits of typed arrays and the text of all else. */
-function hashOf(value: unknown, start: number): number {
-  if (isNumbers(value)) return hashOfBytes(value, start);
-  if (typeof value !== 'object' || value === null) return hashOfText(String(value), start);
-  return Object.entries(value).reduce((hash, [name, own]) => hashOf(own, hashOfText(name, hash)), start);
-}
-
-const mixed = (hash: number, word: number): number => {
-  const product = Math.imul(hash ^ word, 0x85ebca6b);
-  return product ^ (product >>> 15);
-};
-
-function hashOfBytes({ buffer, byteOffset, byteLength }: Numbers, start: number): number {
-  let hash = mixed(start, byteLength);
-  if (byteOffset % 4 === 0 && byteLength % 4 === 0)
-    for (const word of new Uint32Array(buffer, byteOffset, byteLength / 4)) hash = mixed(hash, word);
-  else for (const byte of new Uint8Array(buffer, byteOffset, byteLength)) hash = mixed(hash, byte);
-  return hash;
-}
-
-function hashOfText(text: string, start: number): number {
-  let hash = mixed(start, text.length);
-  for (let i = 0; i < text.length; ++i) hash = mixed(hash, text.charCodeAt(i));
-  return hash;
-}
-
-function areEqual(a: unknown, b: unknown): boolean {
-  if (Object.is(a, b)) return true;
-  if (typeof a !== 'object' || typeof b !== 'object' || a === null || b === null) return false;
-  if (isNumbers(a) || isNumbers(b)) return isNumbers(a) && isNumbers(b) && areEqualNumbers(a, b);
-  const [left, right] = [Object.entries(a), Object.entries(b)];
-  return (
-    left.length === right.length &&
-    left.every(([name, value], i) => right[i][0] === name && areEqual(value, right[i][1]))
-  );
-}
-
-/** Numbers of one kind; 0 and -0 differ. */
-const areEqualNumbers = (a: Numbers, b: Numbers): boolean =>
-  a.constructor === b.constructor && a.length === b.length && a.every((value, i) => Object.is(value, b[i]));
+): Value => (cache ? cache.once(name, inputs, compute) : compute());
