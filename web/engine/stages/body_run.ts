@@ -14,8 +14,8 @@ interface Memo {
 
 export class BodyRun {
   private readonly memos = new Map<AnyStage, Memo>();
-  /** seconds that were spent on stages ahead of their runs */
-  private readonly ahead = new Map<AnyStage, number>();
+  /** seconds that were spent on stages before their runs */
+  private readonly secondsBefore = new Map<AnyStage, number>();
 
   /** `onStage` is called with the name of each stage that is about to be computed. */
   constructor(
@@ -56,9 +56,9 @@ export class BodyRun {
     return first(this.context, this.inputsOf(stage, all), stage.derive(all));
   }
 
-  /** Counts seconds that were spent on the next value of the stage ahead of its run. */
-  addAhead(stage: AnyStage, seconds: number): void {
-    this.ahead.set(stage, (this.ahead.get(stage) ?? 0) + seconds);
+  /** Counts seconds that were spent on the next value of the stage before its run. */
+  addSeconds(stage: AnyStage, seconds: number): void {
+    this.secondsBefore.set(stage, (this.secondsBefore.get(stage) ?? 0) + seconds);
   }
 
   private memoOf(stage: AnyStage, settings: RunSettings): Memo {
@@ -89,8 +89,8 @@ export class BodyRun {
     const start = performance.now();
     const run = stage.run.bind(stage) as (context: RunContext, inputs: unknown, derived: unknown) => unknown;
     const value = run(this.context, inputs, stage.derive(settings));
-    const seconds = (performance.now() - start) / 1000 + (this.ahead.get(stage) ?? 0);
-    this.ahead.delete(stage);
+    const seconds = (performance.now() - start) / 1000 + (this.secondsBefore.get(stage) ?? 0);
+    this.secondsBefore.delete(stage);
     return { value, seconds };
   }
 

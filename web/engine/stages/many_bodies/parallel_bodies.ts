@@ -1,4 +1,4 @@
-/** Runs the small bodies of a file side by side: each is too small to keep all threads busy by itself. */
+/** Runs the small bodies of a file in parallel: each is too small to keep all threads busy by itself. */
 
 import type { PreparedBody } from '../../body/prepared_body';
 import type { Core } from '../../core/core';
@@ -22,14 +22,9 @@ import { preparedStage } from '../prepared';
 import type { AnyStage, RunSettings, SettingsOf } from '../stage';
 import { callAll, knownResult } from './core_call';
 import type { CoreCall } from './core_call';
+import { groupsOf } from './groups';
+import type { Usable } from './groups';
 import type { ValueCache } from './value_cache';
-
-type Usable = FileRun['usable'];
-
-/** A body of more vertices is worth all threads. */
-const MOST_VERTICES = 4000;
-/** Vertices of the bodies that are run at a time, so that progress is seen and cancelling loses little. */
-const VERTICES_AT_A_TIME = 8000;
 
 /** The stage that every body is taken to: the error curve follows from its history, the others are those of its result. */
 type LastStage = typeof errorCurveStage | typeof fittedStage | typeof measuredStage;
@@ -43,29 +38,30 @@ export interface BodyWork {
   onDone?: (usable: Usable[number]) => void;
 }
 
-/** Takes some of the bodies of a file to a stage, in order; what the stages of small bodies ask of the core is done side by side. */
+/** Takes some of the bodies of a file to a stage, in order; the calls that stages of small bodies begin with are made in parallel. */
 export function runBodies(file: FileRun, some: Usable, work: BodyWork): void {
   const workOf = (group: Usable): number =>
-    sum(bodiesOf(group, work).map((body) => workLeft(body, work.last)));
+    sum(requestsOf(group, work).map((body) => workLeft(body, work.last)));
   const piece = file.progress.pass(workOf(some), work.share ?? 1);
-  for (const group of groupsOf(file, some, work.settingsOf)) {
+  for (const group of groupsOf(file.core, some, work.settingsOf)) {
     file.announce(group[0].run);
-    const steps = [...stepsAhead(file.core, bodiesOf(group, work), work.last), finish(file, group, work)];
+    const steps = [...stepsAhead(file.core, requestsOf(group, work), work.last), finish(file, group, work)];
     const all = sum(steps.map(({ weight }) => weight));
     for (const { weight, run, isOneCall } of steps) piece((workOf(group) * weight) / all, run, isOneCall);
   }
 }
 
-interface RunOfBody {
+/** A body and what is asked of it. */
+interface BodyRequest {
   run: BodyRun;
   settings: RunSettings;
 }
 
-const bodiesOf = (group: Usable, { settingsOf }: BodyWork): RunOfBody[] =>
+const requestsOf = (group: Usable, { settingsOf }: BodyWork): BodyRequest[] =>
   group.map(({ run, i }) => ({ run, settings: settingsOf(i) }));
 
 /** Work grows with the number of vertices. */
-const workLeft = ({ run, settings }: RunOfBody, last: LastStage): number =>
+const workLeft = ({ run, settings }: BodyRequest, last: LastStage): number =>
   run.has(last, settings) ? 0 : vertexCount(preparedOf(run, settings).mesh);
 
 /** A part of the work on a group. */
@@ -87,8 +83,8 @@ function finish(file: FileRun, group: Usable, { settingsOf, last, onDone }: Body
   return { weight: 1, run };
 }
 
-/** What is done ahead for bodies that are not there yet: by the core side by side, or for a single one with all threads. */
-function stepsAhead(core: Core, group: RunOfBody[], last: LastStage): Step[] {
+/** What is done ahead for bodies that are not there yet: by the core in parallel, or for a single one with all threads. */
+function stepsAhead(core: Core, group: BodyRequest[], last: LastStage): Step[] {
   const bodies = group.filter(({ run, settings }) => !run.has(last, settings));
   if (bodies.length === 0) return [];
   const lacks = (stage: LastStage | typeof historyStage): boolean =>
@@ -106,7 +102,7 @@ interface Steps {
   result: Step[];
 }
 
-function stepsAlone({ run, settings }: RunOfBody): Steps {
+function stepsAlone({ run, settings }: BodyRequest): Steps {
   return {
     history: [
       { weight: 10, run: () => run.get(guidingModes, settings) },
@@ -116,7 +112,7 @@ function stepsAlone({ run, settings }: RunOfBody): Steps {
   };
 }
 
-function stepsTogether(core: Core, bodies: RunOfBody[]): Steps {
+function stepsTogether(core: Core, bodies: BodyRequest[]): Steps {
   const [{ settings }] = bodies;
   const first = (weight: number, stage: AnyStage): Step => ({
     weight,
@@ -124,7 +120,7 @@ function stepsTogether(core: Core, bodies: RunOfBody[]): Steps {
     isOneCall: true,
   });
   const guidance = [first(9, modesStage), first(1, guidanceStage)];
-  let fits: First[] = [];
+  let fits: FirstCall[] = [];
   return {
     history: [...(methodOf(settings).needsGuidance ? guidance : []), first(2, historyStage)],
     result: [
@@ -136,13 +132,13 @@ function stepsTogether(core: Core, bodies: RunOfBody[]): Steps {
 }
 
 /** A body and the call with which a stage of it begins. */
-interface First extends RunOfBody {
+interface FirstCall extends BodyRequest {
   call: CoreCall;
 }
 
 /** Makes and returns the first calls of a stage. */
-function callFirst(core: Core, bodies: RunOfBody[], stage: AnyStage): First[] {
-  const firsts = bodies.flatMap(({ run, settings }): First[] => {
+function callFirst(core: Core, bodies: BodyRequest[], stage: AnyStage): FirstCall[] {
+  const firsts = bodies.flatMap(({ run, settings }): FirstCall[] => {
     const call = run.firstCall(stage, settings);
     return call ? [{ run, settings, call }] : [];
   });
@@ -152,15 +148,15 @@ function callFirst(core: Core, bodies: RunOfBody[], stage: AnyStage): First[] {
 }
 
 /** Counts the time that `work` takes as that of the stage. */
-function aheadOf(stage: AnyStage, firsts: First[], work: () => void): void {
+function aheadOf(stage: AnyStage, firsts: FirstCall[], work: () => void): void {
   const start = performance.now();
   work();
   const seconds = (performance.now() - start) / 1000;
-  for (const { run } of firsts) run.addAhead(stage, seconds / firsts.length);
+  for (const { run } of firsts) run.addSeconds(stage, seconds / firsts.length);
 }
 
 /** A fit that has failed is made again by its stage, which throws its Error. */
-function measureFits(core: Core, firsts: First[]): void {
+function measureFits(core: Core, firsts: FirstCall[]): void {
   const fits = firsts.flatMap(({ run, settings, call }) => {
     const fitted = knownResult(cacheOf(firsts), call as CoreCall<'fitShape'>);
     return fitted ? [{ prepared: preparedOf(run, settings), mesh: fitted.result.mesh }] : [];
@@ -168,7 +164,7 @@ function measureFits(core: Core, firsts: First[]): void {
   measureDistances(core, fits);
 }
 
-const guardedBody = ({ run, settings }: RunOfBody): GuardedBody => ({
+const guardedBody = ({ run, settings }: BodyRequest): GuardedBody => ({
   kept: run.get(keptHistoryStage, settings),
   curve: run.get(errorCurveStage, settings),
   deviations: run.get(deviationsStage, settings),
@@ -177,21 +173,7 @@ const guardedBody = ({ run, settings }: RunOfBody): GuardedBody => ({
 });
 
 /** Runs of a file with several bodies share one. */
-const cacheOf = ([{ run }]: RunOfBody[]): ValueCache => run.context.cache!;
+const cacheOf = ([{ run }]: BodyRequest[]): ValueCache => run.context.cache!;
 
 const preparedOf = (run: BodyRun, settings: SettingsOf<typeof preparedStage>): PreparedBody =>
   run.get(preparedStage, settings);
-
-/** Small bodies that follow each other, together; all others alone. */
-function groupsOf(file: FileRun, some: Usable, settingsOf: BodyWork['settingsOf']): Usable[] {
-  const groups: Usable[] = [];
-  let room = 0;
-  for (const usable of some) {
-    const size = vertexCount(preparedOf(usable.run, settingsOf(usable.i)).mesh);
-    const isSmall = file.core.threads > 1 && size <= MOST_VERTICES;
-    if (isSmall && size <= room) groups[groups.length - 1].push(usable);
-    else groups.push([usable]);
-    room = isSmall ? (size <= room ? room : VERTICES_AT_A_TIME) - size : 0;
-  }
-  return groups;
-}
