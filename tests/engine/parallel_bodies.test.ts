@@ -213,6 +213,19 @@ describe('parallel calls', () => {
     expect(() => resultOf(core, cache, wrong)).toThrow((failed as Error).message);
   });
 
+  it('can be made of every function that the interface names', () => {
+    const names: Record<ParallelName, true> = {
+      findModes: true,
+      strainGuidance: true,
+      simplify: true,
+      fitShape: true,
+      measureSurfaceDistance: true,
+      measureHausdorff: true,
+      isWithinHausdorff: true,
+    };
+    for (const name of Object.keys(names) as ParallelName[]) expect(core.callAll(name, [])).toEqual([]);
+  });
+
   it('are refused of other functions', () => {
     expect(() => core.callAll('weld' as ParallelName, [])).toThrow('makes no calls of "weld" in parallel');
   });
