@@ -18,6 +18,7 @@ import type { Settings } from '../../web/engine/settings/options';
 import { BodyRun } from '../../web/engine/stages/body_run';
 import { FileRun } from '../../web/engine/stages/file_run';
 import { requestFile } from '../../web/engine/stages/budget/file_targets';
+import { fittedDeviationsStage } from '../../web/engine/stages/budget/fitted_deviations';
 import { fitSettings } from '../../web/engine/stages/fit';
 import { declareStage, keyOf } from '../../web/engine/stages/stage';
 import type { AnyStage, RunSettings, RunSettingName } from '../../web/engine/stages/stage';
@@ -297,6 +298,18 @@ describe('a run over a body', () => {
     expect(released).toHaveLength(1);
     run.dispose();
     expect(new Set(released).size).toBe(2);
+  });
+
+  it('makes again what was made from something that the core keeps no longer', () => {
+    const { run } = startRun();
+    const settings = everything('limber');
+    const deviation = run.get(fittedDeviationsStage, settings)(14);
+    expect(deviation).toBeGreaterThan(0);
+    run.get(STAGES.level, { ...settings, sizeWeight: 0.1 });
+    const again = run.get(fittedDeviationsStage, settings);
+    expect(again(14)).toBe(deviation);
+    expect(again(12)).toBeGreaterThan(0);
+    run.dispose();
   });
 
   it('treats a model that is named and one that follows from `auto` as the same', () => {

@@ -1,7 +1,7 @@
 /** Runs one body through its stages. */
 
 import type { CoreCall } from './many_bodies/core_call';
-import { keyOf } from './stage';
+import { dependsOn, keyOf } from './stage';
 import type { AnyStage, RunContext, RunSettings, SettingsOf, ValueOf } from './stage';
 
 /** The last value of a stage, what it was made from, and what that took. */
@@ -66,9 +66,20 @@ export class BodyRun {
     const known = this.memos.get(stage);
     if (known?.key === key) return known;
     const memo = { key, ...this.compute(stage, settings) };
+    const last = this.memos.get(stage); // none where a stage that it needs has taken it away
     this.memos.set(stage, memo);
-    if (known) this.release(stage, known);
+    if (last) this.release(stage, last);
+    if (last && stage.holdsHandle) this.forgetDependents(stage);
     return memo;
+  }
+
+  /** Values may have been made from what the stage has given back, and may still use it when they are asked something. */
+  private forgetDependents(stage: AnyStage): void {
+    for (const [other, memo] of [...this.memos])
+      if (dependsOn(other, stage)) {
+        this.memos.delete(other);
+        this.release(other, memo);
+      }
   }
 
   /** Gives back what the values hold in the core. The run must not be used afterwards. */

@@ -53,11 +53,17 @@ export interface AnyStage {
   run(context: RunContext, inputs: never, derived: never): unknown;
   /** the call of the core with which `run` begins, by way of `resultOf`; null: `run` makes none, or not at first */
   firstCall(context: RunContext, inputs: never, derived: never): CoreCall | null;
+  /** whether values hold something in the core: what was made from a value is of no use once it has been given back */
+  readonly holdsHandle: boolean;
   /** gives back what a value holds in the core, once another value has taken its place */
   release(context: RunContext, value: never): void;
 }
 
 export type Needs = AnyStage['needs'];
+
+/** Whether a stage needs another one, itself or through those that it needs. */
+export const dependsOn = (stage: AnyStage, other: AnyStage): boolean =>
+  Object.values(stage.needs).some((need) => need === other || dependsOn(need, other));
 
 export interface Stage<Value, Read extends RunSettingName> extends AnyStage {
   readonly reads: readonly Read[];
@@ -117,6 +123,7 @@ export function declareStage<
     isWanted: () => true,
     run,
     firstCall,
+    holdsHandle: declaration.release !== undefined,
     release,
   };
 }
@@ -136,6 +143,7 @@ export function where<S extends AnyStage, Read extends RunSettingName>(
     isWanted: (all) => isWanted(pick(all, own)),
     run: (_context, inputs: { stage: ValueOf<S> }) => inputs.stage,
     firstCall: () => null,
+    holdsHandle: false,
     release: () => {},
   };
 }
