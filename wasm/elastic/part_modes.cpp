@@ -9,6 +9,7 @@
 #include "elastic/pinned_patch.h"
 #include "elastic/pins.h"
 #include "elastic/shell_vibration.h"
+#include "elastic/solid/lattice_grid.h"
 #include "elastic/solid/solid.h"
 #include "elastic/solve_modes.h"
 #include "mesh/eigen_vec3.h"
@@ -100,13 +101,6 @@ class PartShell {
   VibrationRequest request_;
 };
 
-double enclosedVolume(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (uint32_t t = 0; t < mesh.triangleCount(); ++t)
-    sum += dot(mesh.corner(t, 0), cross(mesh.corner(t, 1), mesh.corner(t, 2))) / 6;
-  return std::abs(sum);
-}
-
 PartModes solveSolid(const Part& part, const ModesOptions& options, Job& job) {
   job.begin(Phase::Assemble);
   SolidOptions solidOptions;
@@ -114,8 +108,8 @@ PartModes solveSolid(const Part& part, const ModesOptions& options, Job& job) {
   solidOptions.poisson = options.material.poisson;
   TriangleMesh mesh = part.mesh;
   std::vector<uint32_t> pinned = part.pinned;
-  if (!pinned.empty())  // down to about the size of a cell
-    refinePinnedFaces(mesh, pinned, std::cbrt(enclosedVolume(mesh) / solidOptions.targetCells));
+  if (!pinned.empty())
+    refinePinnedFaces(mesh, pinned, longestSide(latticeGrid(mesh, solidOptions.targetCells).size));
   SolidModel solid = solidModel(mesh, solidOptions, job);
   for (uint32_t v : pinned)
     addPointSpring(solid.pencil,

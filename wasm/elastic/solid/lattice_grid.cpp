@@ -38,6 +38,10 @@ double cellSide(const TriangleMesh& body, uint32_t targetCells) {
 
 }  // namespace
 
+double longestSide(const Vec3& cell) {
+  return std::max({cell.x, cell.y, cell.z});
+}
+
 int LatticeGrid::along(int axis, double coordinate) const {
   return std::clamp(static_cast<int>(std::floor(coordinate)), 0, count[axis] - 1);
 }

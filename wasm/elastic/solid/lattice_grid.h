@@ -53,4 +53,7 @@ struct LatticeSurface {
 // The vertices in lattice units.
 std::vector<Vec3> inLatticeUnits(const TriangleMesh& body, const LatticeGrid& grid);
 
+// The longest of the three sides of a cell.
+double longestSide(const Vec3& cell);
+
 }  // namespace limber

@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "elastic/pinned_patch.h"
+#include "elastic/solid/lattice_grid.h"
 #include "simulate/solid/velocity_fit.h"
 #include "simulate/wind.h"
 
@@ -17,10 +18,6 @@ namespace {
 
 // Lattices with at least this many nodes are cut into blocks, and how large these are.
 constexpr BlockSizes kBlocksOfNodes = {2500, 800};
-
-double longestSide(const Vec3& cell) {
-  return std::max({cell.x, cell.y, cell.z});
-}
 
 // Renumbers the nodes from end to end, so that blocks are ranges.
 void renumber(LatticeBody& body) {
