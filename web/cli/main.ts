@@ -2,9 +2,7 @@
 /** The command line: says its version at once, and loads the rest for everything else. */
 
 import { VERSION } from '../engine/core/version';
-
-/** The word that a batch starts its processes with; process_pool.ts says it. */
-const ASSET_WORKER = '--asset-worker';
+import { ASSET_WORKER } from './batch/asset_worker';
 
 const words = process.argv.slice(2);
 if (words.length === 1 && ['--version', '-v', 'version'].includes(words[0])) {

@@ -76,8 +76,10 @@ export class Job {
     return new Promise((resolve) => {
       let isTooLarge = false;
       const look = setInterval(() => {
-        isTooLarge = (memoryOf(worker.pid ?? 0) ?? 0) > this.options.memory;
-        if (isTooLarge) worker.kill('SIGKILL');
+        if ((memoryOf(worker.pid ?? 0) ?? 0) <= this.options.memory) return;
+        isTooLarge = true;
+        clearInterval(look); // a process that ends has no memory to look at
+        worker.kill('SIGKILL');
       }, LOOKS);
       const settle = (value: WorkDone | string) => {
         clearInterval(look);

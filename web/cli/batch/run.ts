@@ -5,6 +5,7 @@ import { dirname, join, resolve } from 'node:path';
 import type { Arguments } from '../arguments';
 import { describeFailure } from '../failure';
 import { readModelFiles } from '../files';
+import { ASSET_WORKER } from './asset_worker';
 import { Job } from './job';
 import type { Journal } from './journal';
 import { keyOf } from './key';
@@ -56,7 +57,7 @@ export class BatchRun {
     rmSync(work, { recursive: true, force: true });
     this.jobs = Array.from({ length: jobs }, (_, i) => {
       const folder = join(work, `${process.pid}-${i}`);
-      return new Job({ program: process.argv[1], words: ['--asset-worker'], memory, folder });
+      return new Job({ program: process.argv[1], words: [ASSET_WORKER], memory, folder });
     });
     this.claimResults();
   }
