@@ -11,7 +11,7 @@ export interface FileRequest {
   faces?: number;
   /** targets[i]: the most faces that the result of body i of the file may have */
   targets: number[];
-  /** levelTargets[n][i]: the same for further level n; absent: the share of `lods` of each body */
+  /** levelTargets[n][i]: the same for further level n; absent: the share `lods[n]` of each body */
   levelTargets?: number[][];
   /** of every body, as in `RunSettings`; for files of which one body takes part */
   fewestFaces?: number;

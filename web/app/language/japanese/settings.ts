@@ -30,8 +30,8 @@ export const SETTINGS: MessageTable = {
   'Stop before collapses make an angle smaller than this, where the input has none; 0 sets no limit.':
     '入力にない、これより小さい角ができる前に停止します。0 は制限なし。',
   'Largest frequency error': '周波数誤差の上限',
-  'Keep as few faces as leave each of the first six frequencies within this of the original, in %; 0 sets no limit.':
-    '最初の 6 つの周波数の誤差がこの値 (%) 以内に収まる、最少の面数を残します。0 は制限なし。',
+  'Keep as few faces as leave each of the first six frequencies within this of the original, in %; 0 sets no limit. Where a solver is chosen: the mean error of the first ten there, tuned.':
+    '最初の 6 つの周波数の誤差がこの値 (%) 以内に収まる、最少の面数を残します。0 は制限なし。ソルバーを選んだ場合は、調整後の最初の 10 個の平均誤差です。',
   'Further levels': '追加の LOD',
   Creases: '折り目',
   'Edges that bend by more than this stay edges, in degrees; 0 keeps none.':
