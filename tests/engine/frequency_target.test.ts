@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core } from '../../web/engine/core/core';
-import { searchFaces } from '../../web/engine/stages/budget/frequency_target';
+import { fewestFacesWithin } from '../../web/engine/stages/budget/frequency_target';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { Settings } from '../../web/engine/settings/options';
 import { materialOf } from '../../web/engine/body/material';
@@ -11,7 +11,7 @@ import { optimized as optimizedBy, runOfMesh } from './support/runs';
 import { cube, grid, torus } from './support/shapes';
 
 const search = (errorAt: (faces: number) => number, fewest = 4, most = 10_000, limit = 1) =>
-  searchFaces((faces) => ({ faces, error: errorAt(faces) }), { fewest, most, limit });
+  fewestFacesWithin((faces) => ({ faces, error: errorAt(faces) }), { fewest, most, limit });
 
 describe('the search for the fewest faces', () => {
   it('ends within 2 % of where errors cross the limit', () => {
@@ -59,7 +59,7 @@ describe('the search for the fewest faces', () => {
       const reached = counts.filter((count) => count <= faces).at(-1) ?? counts[0];
       return { faces: reached, error: 55 / reached };
     };
-    expect(searchFaces(evaluate, { fewest: 1, most: 10_000, limit: 1 }).best.faces).toBe(60);
+    expect(fewestFacesWithin(evaluate, { fewest: 1, most: 10_000, limit: 1 }).best.faces).toBe(60);
   });
 });
 

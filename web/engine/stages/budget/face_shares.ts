@@ -18,7 +18,7 @@ export function shareInProportion(total: number, weights: number[]): number[] {
 /** The faces that a ratio leaves of so many; the small term keeps 0.3 * 10 from becoming 2. */
 export const facesByRatio = (ratio: number, faces: number): number => Math.floor(ratio * faces + 1e-9);
 
-/** How many faces are asked for: `faces` of the whole file, `ratio` of each body; null: not asked for. */
+/** How many faces are asked for: `faces` of the whole file, and `ratio` of its faces; null: not asked for. */
 export interface FaceTarget {
   faces: number | null;
   ratio: number | null;
@@ -31,13 +31,3 @@ export function targetsOf(counts: number[], { faces, ratio }: FaceTarget): numbe
     Math.max(1, ratio === null ? 0 : facesByRatio(ratio, count), shares ? shares[i] : 0),
   );
 }
-
-/** What is kept of one body of a file: `faces` of its `of` faces. */
-export interface KeptShare {
-  faces: number;
-  of: number;
-}
-
-/** Per body of a file as many faces, in proportion, as the share leaves of the whole file. */
-export const targetsByShare = (counts: number[], { faces, of }: KeptShare): number[] =>
-  counts.length === 1 ? [faces] : shareInProportion(Math.round((faces / of) * sum(counts)), counts);

@@ -8,7 +8,7 @@ import type { Core, MeshAt } from '../../core/core';
 import { faceCount } from '../../core/mesh';
 import { fittedLevelAt } from '../fit';
 import type { FitRequest } from '../fit';
-import { searchFaces } from './frequency_target';
+import { fewestFacesWithin } from './frequency_target';
 import type { KeptHistory } from '../kept_history';
 import type { RunContext } from '../stage';
 import { tunedErrorOf } from '../tune';
@@ -50,7 +50,7 @@ export function findFrequencyLevel(
     most: faceCount(prepared.mesh),
     limit: target.maxFrequencyError,
   };
-  const { best, finding } = searchFaces(evaluate, range);
+  const { best, finding } = fewestFacesWithin(evaluate, range);
   return { ...best.fitted, frequency: finding };
 }
 

@@ -6,7 +6,7 @@ import type { FrequencyFinding, Tried } from '../../body/body_result';
 const CLOSE = 1.02;
 /** Errors do not rise monotonically towards fewer faces: these shares of the faces that were found are tried as well. */
 const PROBES = [0.95, 0.88, 0.75];
-/** After so many solves the best level so far is the answer. */
+/** After so many solves no further level is probed. */
 const MOST_TRIED = 32;
 
 /**
@@ -14,7 +14,7 @@ const MOST_TRIED = 32;
  * Bisects ratios of face counts, then probes below what it has found, since errors do not rise monotonically. `evaluate`
  * gives the largest result of at most so many faces; the result of `most`, the original, is within any limit.
  */
-export function searchFaces<T extends Tried>(
+export function fewestFacesWithin<T extends Tried>(
   evaluate: (faces: number) => T,
   { fewest, most, limit }: { fewest: number; most: number; limit: number },
 ): { best: T; finding: FrequencyFinding } {
