@@ -1,4 +1,4 @@
-#include "fit/tune/look/implicit_motion.h"
+#include "fit/tune/trial/implicit_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -244,7 +244,7 @@ TEST(TuneSolver, GivesTheSameBytesForAnyNumberOfThreads) {
 TEST(TuneSolver, HandsOverWhatMovesBest) {
   Job job;
   TuneOptions options = optionsFor(kModels[2].second, coarseBody(), TuneKind::Global);
-  options.looks = true;
+  options.runsTrial = true;
   options.result.bend /= 3;
   const Tuned same = tuneSolver(coarseBody(), coarseBody(), options, job);
   ASSERT_TRUE(same.motion.has_value());
@@ -254,7 +254,7 @@ TEST(TuneSolver, HandsOverWhatMovesBest) {
   EXPECT_NEAR(same.bendFactor, 3, 0.03);
 
   options = optionsFor(kModels[2].second, body(), TuneKind::Global);
-  options.looks = true;
+  options.runsTrial = true;
   const Tuned other = tuneSolver(body(), coarseBody(), options, job);
   ASSERT_TRUE(other.motion.has_value());
   const bool isBetter = other.motion->tuned <= other.motion->untouched + other.motion->noiseFloor;
@@ -262,10 +262,10 @@ TEST(TuneSolver, HandsOverWhatMovesBest) {
   EXPECT_EQ(other.bendFactor == 1, !isBetter);
 }
 
-TEST(TuneSolver, LooksAtMorleysElementWithTwoFactorsAlone) {
+TEST(TuneSolver, TriesMorleysElementWithTwoFactorsAlone) {
   Job job;
   TuneOptions options = optionsFor(kModels[0].second, body(), TuneKind::Global);
-  options.looks = true;
+  options.runsTrial = true;
   EXPECT_TRUE(tuneSolver(body(), coarseBody(), options, job).motion.has_value());
   options.tune = TuneKind::Constraint;
   EXPECT_FALSE(tuneSolver(body(), coarseBody(), options, job).motion.has_value());

@@ -184,6 +184,6 @@ describe('what a report says of them', () => {
     const [errors, told] = describeTuning('jolt', { frequencies, motion });
     expect(errors).toMatch(/40\.00 % with your own numbers$/);
     expect(told).toMatch(/so the file has your own stiffness and those masses$/);
-    expect(describeTuning('jolt', { frequencies })[1]).toBe('the motion itself was not looked at');
+    expect(describeTuning('jolt', { frequencies })[1]).toBe('the motion itself was not tried');
   });
 });

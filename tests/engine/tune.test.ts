@@ -18,7 +18,7 @@ const options: TuneOptions = {
   pinnedResult: new Uint32Array(),
   tune: 'global',
   tunedMass: 'area',
-  looks: false,
+  runsTrial: false,
 };
 
 describe('tuning through the core', () => {
@@ -46,7 +46,7 @@ describe('tuning through the core', () => {
     const { motion } = core.tuneSolver(coarse, coarse, {
       ...options,
       result: { ...constants, bend: 0.05 },
-      looks: true,
+      runsTrial: true,
     });
     expect(motion?.scene).toBe('sway');
     expect(motion?.kept).toBe('tuned');

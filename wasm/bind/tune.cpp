@@ -25,7 +25,7 @@ struct Fields<TuneOptions> {
       std::tuple(field("model", &TuneOptions::model), field("original", &TuneOptions::original),
                  field("result", &TuneOptions::result), field("pinnedOriginal", &TuneOptions::pinnedOriginal),
                  field("pinnedResult", &TuneOptions::pinnedResult), field("tune", &TuneOptions::tune),
-                 field("tunedMass", &TuneOptions::tunedMass), field("looks", &TuneOptions::looks));
+                 field("tunedMass", &TuneOptions::tunedMass), field("runsTrial", &TuneOptions::runsTrial));
 };
 
 template <>

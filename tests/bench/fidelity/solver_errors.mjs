@@ -11,7 +11,7 @@ const NOTHING_PINNED = { pinned: new Uint32Array(), pinnedOriginal: new Uint32Ar
 /** `TunedFrequencies` of a result of a prepared body in one solver; null, after a message, where it has none there. */
 export function frequenciesIn({ engine, core }, prepared, mesh, { solver, tune }) {
   const settings = { ...engine.defaultSettings(), solver, tune };
-  const options = { ...engine.tuneSettings(settings), looks: false };
+  const options = { ...engine.tuneSettings(settings), runsTrial: false };
   try {
     return engine.tuneMesh(core, prepared, { mesh, ...NOTHING_PINNED }, options).tuned.frequencies;
   } catch (error) {

@@ -1,10 +1,10 @@
 // Tunes coarse meshes to their originals in every solver of the panel and prints the errors of frequencies as
 // Markdown, for docs/engines.md:
 //
-//   tune_panel [--faces 0.25] [--solvers springs,dihedral] [--kinds global,constraint] [--looks] [--pins 6]
+//   tune_panel [--faces 0.25] [--solvers springs,dihedral] [--kinds global,constraint] [--trial] [--pins 6]
 //     MESH.obj...
 //
-// With `--looks` both bodies also move; `--pins P` pins the lowest P % along the longest side of the box. The
+// With `--trial` both bodies also move; `--pins P` pins the lowest P % along the longest side of the box. The
 // last columns tell the seconds and why nothing moved.
 //
 // Untouched parameters are those of one thin shell, typed in again on the coarse mesh: thickness 2 % of the
@@ -49,7 +49,7 @@ constexpr const char* kKinds[] = {"global", "vertex", "constraint"};
 struct Arguments {
   double faces = 0.25;
   double pinShare = 0;  // of the longest side
-  bool looks = false;
+  bool runsTrial = false;
   std::string solvers, kinds;
   std::vector<std::string> files;
 };
@@ -64,8 +64,8 @@ Arguments parse(int count, char** values) {
       arguments.pinShare = std::atof(values[++i]) / 100;
     else if (value == "--solvers" && i + 1 < count)
       arguments.solvers = "," + std::string(values[++i]) + ",";
-    else if (value == "--looks")
-      arguments.looks = true;
+    else if (value == "--trial")
+      arguments.runsTrial = true;
     else if (value == "--kinds" && i + 1 < count)
       arguments.kinds = "," + std::string(values[++i]) + ",";
     else
@@ -131,7 +131,7 @@ void measure(const std::string& file, const Arguments& arguments, Job& job) {
       options.model = solver.model;
       options.original = options.result = constantsOf(solver.model, original);
       options.tune = static_cast<TuneKind>(kind);
-      options.looks = arguments.looks;
+      options.runsTrial = arguments.runsTrial;
       if (arguments.pinShare > 0) {
         options.pinnedOriginal = lowestVertices(original, arguments.pinShare);
         options.pinnedResult = carryPins(original, options.pinnedOriginal, coarse).vertices;

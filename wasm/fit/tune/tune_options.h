@@ -21,7 +21,7 @@ struct TuneOptions {
   std::vector<uint32_t> pinnedOriginal, pinnedResult;  // vertices; both may be empty
   TuneKind tune = TuneKind::Global;
   MassRule tunedMass = MassRule::Area;  // Area: carried over from the original. Vertex: the same for all
-  bool looks = false;                   // whether bodies move before anything is handed over
+  bool runsTrial = false;               // whether bodies move before anything is handed over
 };
 
 // Mean relative errors of frequencies in %; NaN where a body has no such modes.

@@ -8,7 +8,7 @@
 #include "fit/tune/steps/tune_problem.h"
 #include "fit/tune/steps/tune_steps.h"
 #include "fit/tune/tune_checks.h"
-#include "fit/tune/tune_look.h"
+#include "fit/tune/tune_trial.h"
 #include "mesh/topology.h"
 
 namespace limber {
@@ -88,7 +88,7 @@ std::vector<Attempt> attempts(TuneProblem& problem, TuneConstraints constraints,
                    {untouched, problem.freeError(), problem.unseenError(), problem.otherPinsError(job)}});
   };
   attempt();
-  if (constraints.tunesStretch || !options.looks || options.tune != TuneKind::Global) return all;
+  if (constraints.tunesStretch || !options.runsTrial || options.tune != TuneKind::Global) return all;
   constraints.tunesStretch = true;
   problem.moveTo(std::vector<double>(constraints.all.size(), 1.0), job);
   attempt();
@@ -96,14 +96,14 @@ std::vector<Attempt> attempts(TuneProblem& problem, TuneConstraints constraints,
 }
 
 // The attempt to hand over: the first one, or what moves best.
-Attempt chosen(std::vector<Attempt> all, const LookedAt& bodies, Tuned& tuned, Job& job) {
-  if (!bodies.options.looks) return std::move(all[0]);
+Attempt chosen(std::vector<Attempt> all, const TrialBodies& bodies, Tuned& tuned, Job& job) {
+  if (!bodies.options.runsTrial) return std::move(all[0]);
   std::vector<TuneCandidate> candidates;
   const bool isGlobal = bodies.options.tune == TuneKind::Global;
   for (const Attempt& attempt : all)
     candidates.push_back(isGlobal ? TuneCandidate{attempt.tuning.global.stretch, attempt.tuning.global.bend}
                                   : TuneCandidate{1, 1, attempt.tuning.all});
-  LookOutcome outcome = lookAtMotion(bodies, candidates, job);
+  TrialOutcome outcome = tryMotion(bodies, candidates, job);
   tuned.motion = std::move(outcome.motion);
   tuned.motionRefusal = std::move(outcome.refusal);
   return std::move(all[outcome.best]);

@@ -15,8 +15,8 @@ namespace limber {
 // solver's energy leaves motions without resistance (a flat sheet of springs bends freely), there are no
 // frequencies to fit: factors stay 1 and errors are NaN. Factors keep to [0.1, 10].
 //
-// With `looks` original and result then move through a short scene, see fit/tune/motion_look.h, and tuned
-// factors are handed over only where the motion is no worse for them by more than its noise.
+// With `runsTrial` original and result then move through a short scene, see fit/tune/motion_trial.h, and
+// tuned factors are handed over only where the motion is no worse for them by more than its noise.
 //
 // Both meshes are welded. Throws Cancelled; std::invalid_argument with a sentence where they do not belong
 // together, see fit/tune/tune_checks.h, or a constant is out of range; std::runtime_error as solveModes.

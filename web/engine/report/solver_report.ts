@@ -40,7 +40,7 @@ export function describeTuning(
   { frequencies, motion, motionRefusal }: SolverReport,
 ): string[] {
   const why = motionRefusal === undefined ? '' : `: ${motionRefusal}`;
-  const moved = motion ? describeMotion(motion) : `the motion itself was not looked at${why}`;
+  const moved = motion ? describeMotion(motion) : `the motion itself was not tried${why}`;
   return [describeFrequencies(solver, frequencies), moved];
 }
 

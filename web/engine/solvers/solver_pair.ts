@@ -12,7 +12,7 @@ export interface SolverPair {
 
 /** Both with the user's own parameters. `unit`: metres per unit of both meshes; `result` may be the original itself. */
 export function untouchedSolvers(
-  request: Omit<TuneRequest, 'tune' | 'looks'>,
+  request: Omit<TuneRequest, 'tune' | 'runsTrial'>,
   meshes: { original: TriangleMesh; result: TriangleMesh; unit: number },
 ): SolverPair {
   const profile = profileOf(request.solver);

@@ -24,8 +24,8 @@ export interface TuneRequest {
   material: SolverMaterial;
   /** 'auto': as the engine does it by itself */
   massRule: MassRule | 'auto';
-  /** whether the motion is looked at before anything is handed over */
-  looks: boolean;
+  /** whether the motion is tried before anything is handed over */
+  runsTrial: boolean;
 }
 
 /** An original and a coarse mesh of it, both welded, with the vertices that are pinned. */
@@ -69,7 +69,7 @@ export function tuneBody(core: Core, pair: TunedPair, request: TuneRequest): Tun
     pinnedResult: pair.pinnedResult,
     tune: request.tune,
     tunedMass: massRule,
-    looks: request.looks,
+    runsTrial: request.runsTrial,
   });
   const constants = tunedConstants(original, untouched, tuned);
   const values = nativeValues(profile, original, { constants, facts: untouched.facts });

@@ -69,7 +69,7 @@ export class BodyRun {
     const last = this.memos.get(stage); // none where a stage that it needs has taken it away
     this.memos.set(stage, memo);
     if (last) this.release(stage, last);
-    if (last && stage.holdsHandle) this.forgetDependents(stage);
+    if (last && stage.hasHandle) this.forgetDependents(stage);
     return memo;
   }
 

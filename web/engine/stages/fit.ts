@@ -58,7 +58,7 @@ export interface FitRequest {
 const DEVIATION_SHARES = [1, 0.85];
 
 /**
- * The result, fitted to the original's modes. Pinned and locked vertices stay where they are, and a mirror symmetry is kept.
+ * The result, fitted to the original's surface, or with `shell` to its modes as well. Pinned and locked vertices stay where they are, and a mirror symmetry is kept.
  * Where the fit would break the largest deviation or the smallest angle of the settings, the result stays as it is.
  */
 export function fitResult(

@@ -54,7 +54,7 @@ export interface AnyStage {
   /** the call of the core with which `run` begins, by way of `resultOf`; null: `run` makes none, or not at first */
   firstCall(context: RunContext, inputs: never, derived: never): CoreCall | null;
   /** whether values hold something in the core: what was made from a value is of no use once it has been given back */
-  readonly holdsHandle: boolean;
+  readonly hasHandle: boolean;
   /** gives back what a value holds in the core, once another value has taken its place */
   release(context: RunContext, value: never): void;
 }
@@ -123,7 +123,7 @@ export function declareStage<
     isWanted: () => true,
     run,
     firstCall,
-    holdsHandle: declaration.release !== undefined,
+    hasHandle: declaration.release !== undefined,
     release,
   };
 }
@@ -143,7 +143,7 @@ export function where<S extends AnyStage, Read extends RunSettingName>(
     isWanted: (all) => isWanted(pick(all, own)),
     run: (_context, inputs: { stage: ValueOf<S> }) => inputs.stage,
     firstCall: () => null,
-    holdsHandle: false,
+    hasHandle: false,
     release: () => {},
   };
 }

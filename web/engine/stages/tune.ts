@@ -52,7 +52,7 @@ export function tuneMesh(
   core: Core,
   prepared: PreparedBody,
   result: PinnedMesh,
-  { looks = true, ...settings }: TuneSettings & { looks?: boolean },
+  { runsTrial = true, ...settings }: TuneSettings & { runsTrial?: boolean },
 ): TunedBody {
   const { solver, tune, engine, massRule, bendRatio } = settings;
   const { young, poisson, density, thickness, unit } = materialOf(
@@ -67,7 +67,7 @@ export function tuneMesh(
     unit,
   };
   return tuneBody(core, pair, {
-    ...{ solver, tune, massRule, looks },
+    ...{ solver, tune, massRule, runsTrial },
     given: engineValues(solver, engine),
     material: { young, poisson, density, thickness: thickness * unit, bendRatio },
   });
@@ -84,7 +84,8 @@ export function tunedErrorOf(
   settings: TuneSettings,
 ): number {
   const coarse = { mesh: result.mesh, pinned: pinnedOfResult(pinned, result), pinnedOriginal: pinned };
-  const { errorTuned } = tuneMesh(core, prepared, coarse, { ...settings, looks: false }).tuned.frequencies;
+  const { errorTuned } = tuneMesh(core, prepared, coarse, { ...settings, runsTrial: false }).tuned
+    .frequencies;
   if (Number.isFinite(errorTuned)) return errorTuned;
   throw new SettingError(
     'maxFrequencyError',

@@ -34,7 +34,7 @@ void fuzzTune(FuzzInput& input) {
   options.original = options.result = drawConstants(input);
   options.tune = static_cast<TuneKind>(input.byte() % 3);
   options.tunedMass = static_cast<MassRule>(input.byte() % 2);
-  options.looks = input.chance(32);
+  options.runsTrial = input.chance(32);
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v)
     if (input.chance(16)) options.pinnedOriginal.push_back(v);
   const Tuned tuned = tuneSolver(mesh, result, options, job);

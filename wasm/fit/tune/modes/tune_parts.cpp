@@ -41,8 +41,9 @@ ConnectedBody bodyOf(const TriangleMesh& mesh) {
 // once.
 std::vector<uint32_t> partners(const ConnectedBody& original, const ConnectedBody& result) {
   if (original.matters.size() != result.matters.size())
-    throw std::invalid_argument("The original has " + std::to_string(original.matters.size()) +
-                                " parts and the coarse mesh has " + std::to_string(result.matters.size()) +
+    throw std::invalid_argument("Of parts with at least a thousandth of the area the original has " +
+                                std::to_string(original.matters.size()) + " and the coarse mesh has " +
+                                std::to_string(result.matters.size()) +
                                 "; tune a mesh that has the same parts.");
   if (original.matters.size() == 1) return {result.matters[0]};
   std::vector<uint32_t> rowOf(original.parts.parts.size(), kNone), columnOf(result.parts.parts.size(), kNone);

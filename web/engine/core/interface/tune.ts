@@ -39,7 +39,7 @@ export interface TuneOptions {
   /** how the tuned masses are distributed: carried over from the original, or the same for every vertex */
   tunedMass: MassRule;
   /** whether original and result move through a short scene, untouched and tuned, and the better one is kept */
-  looks: boolean;
+  runsTrial: boolean;
 }
 
 /** Of the tuned parameters, kept or not; NaN where the body has no such modes, as a flat sheet of springs. */
@@ -80,7 +80,7 @@ export interface Tuned {
   /** pairs (cross springs) or quadruples (hinges: the edge, then the corners opposite) of vertices */
   bendVertices: Uint32Array;
   frequencies: TunedFrequencies;
-  /** null where `looks` is false */
+  /** null where `runsTrial` is false */
   motion: TunedMotion | null;
   /** why there is no `motion` although it was asked for, as a clause; else empty */
   motionRefusal: string;

@@ -1,14 +1,14 @@
-#include "fit/tune/tune_look.h"
+#include "fit/tune/tune_trial.h"
 
-#include "fit/tune/motion_look.h"
+#include "fit/tune/motion_trial.h"
 #include "mesh/topology.h"
 
 namespace limber {
 
 namespace {
 
-struct NoisyLook {
-  MotionLook& look;
+struct NoisyTrial {
+  MotionTrial& trial;
   double noise;  // % of the diagonal: smaller differences of deviations do not count
 };
 
@@ -18,9 +18,9 @@ struct BestCandidate {
   size_t index = 0;
   std::optional<double> deviation = {};
 };
-BestCandidate bestOf(const std::vector<TuneCandidate>& candidates, MovingBody body, NoisyLook noisy,
+BestCandidate bestOf(const std::vector<TuneCandidate>& candidates, MovingBody body, NoisyTrial noisy,
                      Job& job) {
-  auto& [look, noise] = noisy;
+  auto& [trial, noise] = noisy;
   const SolverConstants untouched = body.constants;
   BestCandidate best;
   for (size_t i = 0; i < candidates.size(); ++i) {
@@ -29,7 +29,7 @@ BestCandidate bestOf(const std::vector<TuneCandidate>& candidates, MovingBody bo
     body.constants.secondStretch *= candidates[i].stretch;
     body.constants.bend *= candidates[i].bend;
     body.factors = candidates[i].factors;
-    const std::optional<double> deviation = look.deviationOf(body, job);
+    const std::optional<double> deviation = trial.deviationOf(body, job);
     if (!deviation || (best.deviation && *deviation >= *best.deviation - noise)) continue;
     best = {i, deviation};
   }
@@ -38,22 +38,22 @@ BestCandidate bestOf(const std::vector<TuneCandidate>& candidates, MovingBody bo
 
 }  // namespace
 
-LookOutcome lookAtMotion(const LookedAt& bodies, const std::vector<TuneCandidate>& candidates, Job& job) {
+TrialOutcome tryMotion(const TrialBodies& bodies, const std::vector<TuneCandidate>& candidates, Job& job) {
   const auto& [original, result, options, masses] = bodies;
   if (options.model.bend == BendElement::Morley && options.tune != TuneKind::Global)
     return {.refusal = "the shell moves with one factor of each kind alone"};
   const Topology originalTopology = buildTopology(original), topology = buildTopology(result);
-  MotionLook look({original, originalTopology, options.original, {options.pinnedOriginal, {}}, {}, {}},
-                  options.model, job);
-  if (!look.refusal().empty()) return {.refusal = look.refusal()};
+  MotionTrial trial({original, originalTopology, options.original, {options.pinnedOriginal, {}}, {}, {}},
+                    options.model, job);
+  if (!trial.refusal().empty()) return {.refusal = trial.refusal()};
   const MovingBody body{result, topology, options.result, {options.pinnedResult, {}}, masses, {}};
-  const std::optional<double> untouched = look.deviationOf(body, job);
-  const double noise = look.noiseFloor(job).value_or(0);
-  const BestCandidate best = bestOf(candidates, body, {look, noise}, job);
+  const std::optional<double> untouched = trial.deviationOf(body, job);
+  const double noise = trial.noiseFloor(job).value_or(0);
+  const BestCandidate best = bestOf(candidates, body, {trial, noise}, job);
   if (!untouched || !best.deviation) return {.refusal = "the time steps of the coarse mesh do not converge"};
   const double tuned = *best.deviation;
   return {
-      .motion = TunedMotion{look.scene(), *untouched, tuned, noise,
+      .motion = TunedMotion{trial.scene(), *untouched, tuned, noise,
                             tuned <= *untouched + noise ? KeptParameters::Tuned : KeptParameters::Untouched},
       .best = best.index};
 }

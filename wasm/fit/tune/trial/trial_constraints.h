@@ -1,12 +1,12 @@
 #pragma once
 
 #include "base/job.h"
-#include "fit/tune/look/look_run.h"
+#include "fit/tune/trial/trial_run.h"
 
 namespace limber {
 
 // Moves a body of springs, hinges and membranes by implicit steps. Nothing where they do not converge. To be
 // called within a WholePhase. Throws Cancelled.
-LookDisplacements moveConstraints(const LookRun& run, const SolverModel& model, Job& job);
+TrialDisplacements moveConstraints(const TrialRun& run, const SolverModel& model, Job& job);
 
 }  // namespace limber

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/job.h"
-#include "fit/tune/look/implicit_system.h"
+#include "fit/tune/trial/implicit_system.h"
 #include "linear/factorisation.h"
 
 namespace limber {

@@ -1,4 +1,4 @@
-#include "fit/tune/look/collapse_guard.h"
+#include "fit/tune/trial/area_barrier.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +19,8 @@ Vec3 doubleNormal(const std::array<uint32_t, 3>& vertices, std::span<const Vec3>
 
 }  // namespace
 
-CollapseGuard::CollapseGuard(std::span<const std::array<uint32_t, 3>> triangles, std::span<const Vec3> rest,
-                             double stiffness) {
+AreaBarrier::AreaBarrier(std::span<const std::array<uint32_t, 3>> triangles, std::span<const Vec3> rest,
+                         double stiffness) {
   if (!(stiffness > 0)) return;
   for (const std::array<uint32_t, 3>& vertices : triangles) {
     double longest = 0;
@@ -34,13 +34,13 @@ CollapseGuard::CollapseGuard(std::span<const std::array<uint32_t, 3>> triangles,
   }
 }
 
-bool CollapseGuard::isActive(size_t i, std::span<const Vec3> positions) const {
+bool AreaBarrier::isActive(size_t i, std::span<const Vec3> positions) const {
   const double least = triangles_[i].doubleArea;
   return squaredLength(doubleNormal(triangles_[i].vertices, positions)) < least * least;
 }
 
 // The derivative of twice the area by a corner is the unit normal x the edge opposite to it.
-ConstraintStrain CollapseGuard::strainAt(size_t i, std::span<const Vec3> positions) const {
+ConstraintStrain AreaBarrier::strainAt(size_t i, std::span<const Vec3> positions) const {
   ConstraintStrain result;
   const auto& [vertices, root, least] = triangles_[i];
   const Vec3 normal = doubleNormal(vertices, positions);
@@ -56,7 +56,7 @@ ConstraintStrain CollapseGuard::strainAt(size_t i, std::span<const Vec3> positio
   return result;
 }
 
-double CollapseGuard::energyAt(std::span<const Vec3> positions) const {
+double AreaBarrier::energyAt(std::span<const Vec3> positions) const {
   double sum = 0;
   for (size_t i = 0; i < count(); ++i) {
     if (!isActive(i, positions)) continue;

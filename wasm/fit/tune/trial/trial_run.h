@@ -5,14 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "fit/tune/look/look_scenes.h"
+#include "fit/tune/trial/trial_scenes.h"
 #include "mesh/surface_point.h"
 
 namespace limber {
 
-// One body on its way through a scene of MotionLook.
-struct LookRun {
-  const LookScene& scene;
+// One body on its way through a scene of MotionTrial.
+struct TrialRun {
+  const TrialScene& scene;
   const MovingBody& body;
   Pins pins = {};                           // of the body in this scene
   std::vector<SurfacePoint> samples = {};   // points of the body that are followed
@@ -31,6 +31,6 @@ struct LookRun {
 
 // Displacements of the samples in metres, [record sampleCount + sample]; nothing where a body cannot be
 // moved.
-using LookDisplacements = std::optional<std::vector<Vec3>>;
+using TrialDisplacements = std::optional<std::vector<Vec3>>;
 
 }  // namespace limber

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/job.h"
-#include "fit/tune/look/implicit_system.h"
-#include "fit/tune/look/step_minimiser.h"
+#include "fit/tune/trial/implicit_system.h"
+#include "fit/tune/trial/step_minimiser.h"
 
 namespace limber {
 

@@ -1,4 +1,4 @@
-#include "fit/tune/look/implicit_system.h"
+#include "fit/tune/trial/implicit_system.h"
 
 #include <algorithm>
 #include <numeric>
@@ -25,7 +25,7 @@ ImplicitSystem::ImplicitSystem(const ConstrainedBody& body, double inertia, cons
     : constraints_(body.constraints),
       masses_(body.masses.begin(), body.masses.end()),
       factors_(body.factors.begin(), body.factors.end()),
-      guard_(body.mesh.triangles, body.constraints.rest(), body.guard) {
+      barrier_(body.mesh.triangles, body.constraints.rest(), body.barrierStiffness) {
   numberVertices(body.pins);
   addPointSprings(body, inertia);
   buildPattern();
@@ -79,7 +79,7 @@ void ImplicitSystem::buildPattern() {
   };
   for (uint32_t c = 0; c < constraints_.count(); ++c) couple(verticesOf(constraints_[c]));
   for (const PointSpring& spring : points_) couple(spring.vertices);
-  for (size_t i = 0; i < guard_.count(); ++i) couple(guard_.vertices(i));
+  for (size_t i = 0; i < barrier_.count(); ++i) couple(barrier_.vertices(i));
   for (uint32_t i = 0; i < free_.size(); ++i) {
     neighbours[i].push_back(i);
     std::ranges::sort(neighbours[i]);
@@ -136,7 +136,7 @@ double ImplicitSystem::energyAt(std::span<const Vec3> positions) const {
       energies[c] = factorOf(index) * constraints_.energyAt(index, positions);
     }
   });
-  double sum = std::accumulate(energies.begin(), energies.end(), guard_.energyAt(positions));
+  double sum = std::accumulate(energies.begin(), energies.end(), barrier_.energyAt(positions));
   for (const PointSpring& spring : points_)
     sum += 0.5 * spring.stiffness * squaredLength(gapOf(spring, positions));
   return sum;
@@ -160,11 +160,11 @@ void ImplicitSystem::addForces(std::span<const uint32_t> vertices, const Constra
 }
 
 void ImplicitSystem::addGuard(std::span<const Vec3> positions, Eigen::VectorXd& gradient) {
-  for (size_t i = 0; i < guard_.count(); ++i) {
-    if (!guard_.isActive(i, positions)) continue;
-    const Linearisation at{guard_.strainAt(i, positions)};
-    addForces(guard_.vertices(i), at.strain, 1, gradient);
-    addBlocks(guard_.vertices(i), blockStarts(guard_.vertices(i)), at, 1);
+  for (size_t i = 0; i < barrier_.count(); ++i) {
+    if (!barrier_.isActive(i, positions)) continue;
+    const Linearisation at{barrier_.strainAt(i, positions)};
+    addForces(barrier_.vertices(i), at.strain, 1, gradient);
+    addBlocks(barrier_.vertices(i), blockStarts(barrier_.vertices(i)), at, 1);
   }
 }
 

@@ -10,8 +10,8 @@
 
 namespace limber {
 
-// A scene of MotionLook. It is found from the original, and the same for every body.
-struct LookScene {
+// A scene of MotionTrial. It is found from the original, and the same for every body.
+struct TrialScene {
   std::string name;        // 'sway' or 'hang'
   Scenario scenario;       // whose initial velocity counts
   double speed = 0;        // factor on the initial velocity of the scenario
@@ -25,7 +25,7 @@ struct LookScene {
 
 // The scenes of an original, with durations from its own vibrations. A scene in which nothing swings, or in
 // which everything is pinned, is left out. To be called within a WholePhase. Throws Cancelled.
-std::vector<LookScene> lookScenes(const MovingBody& original, const SolverModel& model, Job& job);
+std::vector<TrialScene> trialScenes(const MovingBody& original, const SolverModel& model, Job& job);
 
 // Whether a surface has so little border that it moves like a closed one: less than half its diagonal.
 bool isNearlyClosed(const TriangleMesh& mesh, const Topology& topology);

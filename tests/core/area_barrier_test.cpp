@@ -1,10 +1,10 @@
-#include "fit/tune/look/collapse_guard.h"
+#include "fit/tune/trial/area_barrier.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "fit/tune/look/implicit_motion.h"
+#include "fit/tune/trial/implicit_motion.h"
 #include "shapes.h"
 
 namespace limber {
@@ -18,57 +18,58 @@ std::vector<Vec3> triangleOf(double height) {
 constexpr std::array<std::array<uint32_t, 3>, 1> kTriangle = {{{0, 1, 2}}};
 constexpr double kRestHeight = 0.8, kStiffness = 3;
 
-CollapseGuard guardOf(double height = kRestHeight) {
+AreaBarrier barrierOf(double height = kRestHeight) {
   return {kTriangle, triangleOf(height), kStiffness};
 }
 
-TEST(CollapseGuard, resistsOnlyWhereATriangleIsSmall) {
-  const CollapseGuard guard = guardOf();
-  ASSERT_EQ(guard.count(), 1u);
+TEST(AreaBarrier, resistsOnlyWhereATriangleIsSmall) {
+  const AreaBarrier barrier = barrierOf();
+  ASSERT_EQ(barrier.count(), 1u);
   for (const double share : {2.0, 1.0, 0.7, 0.58}) {
-    EXPECT_EQ(guard.energyAt(triangleOf(share * kRestHeight)), 0);
-    EXPECT_EQ(guard.strainAt(0, triangleOf(share * kRestHeight)).strain.norm(), 0);
-    EXPECT_FALSE(guard.isActive(0, triangleOf(share * kRestHeight)));
+    EXPECT_EQ(barrier.energyAt(triangleOf(share * kRestHeight)), 0);
+    EXPECT_EQ(barrier.strainAt(0, triangleOf(share * kRestHeight)).strain.norm(), 0);
+    EXPECT_FALSE(barrier.isActive(0, triangleOf(share * kRestHeight)));
   }
   // 1/2 k A0 ln(J0 / J)^2.
   for (const double share : {0.57, 0.3, 1e-3, 1e-9}) {
     const double logarithm = std::log(share * std::sqrt(3.0));
     const double energy = 0.5 * kStiffness * 0.5 * kRestHeight * logarithm * logarithm;
-    EXPECT_NEAR(guard.energyAt(triangleOf(share * kRestHeight)), energy, 1e-9 * energy);
-    const ConstraintStrain at = guard.strainAt(0, triangleOf(share * kRestHeight));
+    EXPECT_NEAR(barrier.energyAt(triangleOf(share * kRestHeight)), energy, 1e-9 * energy);
+    const ConstraintStrain at = barrier.strainAt(0, triangleOf(share * kRestHeight));
     EXPECT_NEAR(0.5 * at.strain.squaredNorm(), energy, 1e-9 * energy);
   }
-  EXPECT_TRUE(std::isinf(guard.energyAt(triangleOf(0))));
+  EXPECT_TRUE(std::isinf(barrier.energyAt(triangleOf(0))));
 }
 
-TEST(CollapseGuard, hasTheDerivativeOfItsEnergy) {
-  const CollapseGuard guard = guardOf();
+TEST(AreaBarrier, hasTheDerivativeOfItsEnergy) {
+  const AreaBarrier barrier = barrierOf();
   std::vector<Vec3> x = {{-0.4, 0.03, 0.02}, {0.41, -0.05, 0.07}, {0.1, 0.2, -0.1}};
-  const ConstraintStrain at = guard.strainAt(0, x);
+  const ConstraintStrain at = barrier.strainAt(0, x);
   ASSERT_GT(at.strain[0], 0);
   constexpr double step = 1e-6;
   for (int k = 0; k < 3; ++k)
     for (int axis = 0; axis < 3; ++axis) {
       const double before = x[k][axis];
       x[k][axis] = before + step;
-      const double above = guard.strainAt(0, x).strain[0];
+      const double above = barrier.strainAt(0, x).strain[0];
       x[k][axis] = before - step;
-      const double below = guard.strainAt(0, x).strain[0];
+      const double below = barrier.strainAt(0, x).strain[0];
       x[k][axis] = before;
       EXPECT_NEAR(at.jacobian(0, 3 * k + axis), (above - below) / (2 * step), 1e-7);
     }
 }
 
-TEST(CollapseGuard, leavesTrianglesWithoutAreaAlone) {
-  EXPECT_EQ(guardOf(0).count(), 0u);
-  EXPECT_EQ(CollapseGuard(kTriangle, triangleOf(1), 0).count(), 0u);
+TEST(AreaBarrier, leavesTrianglesWithoutAreaAlone) {
+  EXPECT_EQ(barrierOf(0).count(), 0u);
+  EXPECT_EQ(AreaBarrier(kTriangle, triangleOf(1), 0).count(), 0u);
   // As much less as the membrane of such a triangle is.
-  const double flat = guardOf(1e-6).energyAt(triangleOf(1e-7)), same = guardOf().energyAt(triangleOf(0.08));
+  const double flat = barrierOf(1e-6).energyAt(triangleOf(1e-7)),
+               same = barrierOf().energyAt(triangleOf(0.08));
   EXPECT_NEAR(flat / same, 1e-6 / 0.8 * 1e-2, 1e-4 * flat / same);
 }
 
 // A heavy corner above a pinned base: a membrane of St. Venant-Kirchhoff lets it through.
-TEST(CollapseGuard, stopsACornerThatFallsOnItsBase) {
+TEST(AreaBarrier, stopsACornerThatFallsOnItsBase) {
   TriangleMesh mesh;
   mesh.positions = triangleOf(kRestHeight);
   mesh.triangles = {{0, 1, 2}};

@@ -1,6 +1,6 @@
-#include "fit/tune/look/look_constraints.h"
+#include "fit/tune/trial/trial_constraints.h"
 
-#include "fit/tune/look/implicit_motion.h"
+#include "fit/tune/trial/implicit_motion.h"
 
 namespace limber {
 namespace {
@@ -13,7 +13,7 @@ Vec3 pointOf(std::span<const Vec3> positions, const TriangleMesh& mesh, const Su
 
 }  // namespace
 
-LookDisplacements moveConstraints(const LookRun& run, const SolverModel& model, Job& job) {
+TrialDisplacements moveConstraints(const TrialRun& run, const SolverModel& model, Job& job) {
   const auto& [scene, body, pins, samples, stride, recordEvery, report] = run;
   const SolverConstraints constraints(body.mesh, body.topology, model, body.constants);
   const std::vector<double> masses = massesOf(body, model);

@@ -1,10 +1,10 @@
-#include "fit/tune/motion_look.h"
+#include "fit/tune/motion_trial.h"
 
 #include <cmath>
 
 #include "compare/motion_deviation.h"
-#include "fit/tune/look/look_constraints.h"
-#include "fit/tune/look/look_shell.h"
+#include "fit/tune/trial/trial_constraints.h"
+#include "fit/tune/trial/trial_shell.h"
 #include "mesh/surface_samples.h"
 #include "query/closest_point.h"
 #include "transfer/carry_pins.h"
@@ -12,7 +12,7 @@
 namespace limber {
 namespace {
 
-// Faces of an original from which on a look takes more than about a minute.
+// Faces of an original from which on a trial takes more than about a minute.
 constexpr uint32_t kMostFaces = 20000;
 // The same for cross springs: nets of them buckle everywhere, so that a step takes five times as many solves.
 constexpr uint32_t kMostFacesOfSprings = 10000;
@@ -41,16 +41,16 @@ std::string refusalOf(const MovingBody& original, const SolverModel& model) {
 
 }  // namespace
 
-struct MotionLook::State {
+struct MotionTrial::State {
   const MovingBody original;
   const SolverModel model;
   std::string refusal;
-  std::vector<LookScene> scenes;
+  std::vector<TrialScene> scenes;
   std::vector<std::vector<Vec3>> displacements;  // of the original, per scene
 
   double diagonal() const { return bounds(original.mesh).diagonal() * original.constants.unit; }
 
-  Pins pinsOf(const LookScene& scene, const MovingBody& body) const {
+  Pins pinsOf(const TrialScene& scene, const MovingBody& body) const {
     if (&body.mesh == &original.mesh) return scene.pins;
     return scene.usersPins ? body.pins : carryPins(original.mesh, scene.pins.vertices, body.mesh);
   }
@@ -60,12 +60,12 @@ struct MotionLook::State {
     WholePhase phase(job, Phase::Simulate);
     const std::vector<SurfacePoint> samples = samplesOn(original.mesh, body.mesh);
     std::vector<std::vector<Vec3>> all;
-    for (const LookScene& scene : scenes) {
+    for (const TrialScene& scene : scenes) {
       const double done = static_cast<double>(all.size());
       const auto report = [&, count = static_cast<double>(scenes.size())](double part) {
         phase.report((done + part) / count);
       };
-      const LookRun run{scene, body, pinsOf(scene, body), samples, stride, kRecordEvery, report};
+      const TrialRun run{scene, body, pinsOf(scene, body), samples, stride, kRecordEvery, report};
       auto moved = model.bend == BendElement::Morley ? moveShell(run, job) : moveConstraints(run, model, job);
       if (!moved) return std::nullopt;
       all.push_back(std::move(*moved));
@@ -75,9 +75,9 @@ struct MotionLook::State {
 
   // Leaves out the scenes in which the time steps of the original do not converge.
   void moveOriginal(Job& job) {
-    const std::vector<LookScene> all = std::move(scenes);
-    std::vector<LookScene> moving;
-    for (const LookScene& scene : all) {
+    const std::vector<TrialScene> all = std::move(scenes);
+    std::vector<TrialScene> moving;
+    for (const TrialScene& scene : all) {
       scenes = {scene};
       auto moved = run(original, 1, job);
       if (!moved) continue;
@@ -105,12 +105,12 @@ double meanOf(const std::vector<double>& values) {
 
 }  // namespace
 
-MotionLook::MotionLook(const MovingBody& original, const SolverModel& model, Job& job)
+MotionTrial::MotionTrial(const MovingBody& original, const SolverModel& model, Job& job)
     : state_(new State{original, model, refusalOf(original, model), {}, {}}) {
   if (!state_->refusal.empty()) return;
   {
     const WholePhase phase(job, Phase::Simulate);
-    state_->scenes = lookScenes(original, model, job);
+    state_->scenes = trialScenes(original, model, job);
   }
   if (state_->scenes.empty()) {
     state_->refusal = "nothing of the original can swing";
@@ -120,33 +120,33 @@ MotionLook::MotionLook(const MovingBody& original, const SolverModel& model, Job
   if (state_->scenes.empty()) state_->refusal = "the time steps of the original do not converge";
 }
 
-MotionLook::~MotionLook() = default;
-MotionLook::MotionLook(MotionLook&&) noexcept = default;
-MotionLook& MotionLook::operator=(MotionLook&&) noexcept = default;
+MotionTrial::~MotionTrial() = default;
+MotionTrial::MotionTrial(MotionTrial&&) noexcept = default;
+MotionTrial& MotionTrial::operator=(MotionTrial&&) noexcept = default;
 
-const std::string& MotionLook::refusal() const {
+const std::string& MotionTrial::refusal() const {
   return state_->refusal;
 }
 
-std::string MotionLook::scene() const {
+std::string MotionTrial::scene() const {
   std::string names;
-  for (const LookScene& scene : state_->scenes) names += (names.empty() ? "" : " and ") + scene.name;
+  for (const TrialScene& scene : state_->scenes) names += (names.empty() ? "" : " and ") + scene.name;
   return names;
 }
 
-std::optional<std::vector<double>> MotionLook::deviationsOf(const MovingBody& body, Job& job) {
+std::optional<std::vector<double>> MotionTrial::deviationsOf(const MovingBody& body, Job& job) {
   if (!refusal().empty()) return std::nullopt;
   const auto moved = state_->run(body, 1, job);
   if (!moved) return std::nullopt;
   return state_->deviationsFrom(*moved);
 }
 
-std::optional<double> MotionLook::deviationOf(const MovingBody& body, Job& job) {
+std::optional<double> MotionTrial::deviationOf(const MovingBody& body, Job& job) {
   const auto deviations = deviationsOf(body, job);
   return deviations ? std::optional(meanOf(*deviations)) : std::nullopt;
 }
 
-std::optional<double> MotionLook::noiseFloor(Job& job) {
+std::optional<double> MotionTrial::noiseFloor(Job& job) {
   if (!refusal().empty()) return std::nullopt;
   const auto moved = state_->run(state_->original, kLongStride, job);
   if (!moved) return std::nullopt;

@@ -1,10 +1,10 @@
-#include "fit/tune/look/look_scenes.h"
+#include "fit/tune/trial/trial_scenes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "fit/tune/look/swing_spectrum.h"
+#include "fit/tune/trial/swing_spectrum.h"
 
 namespace limber {
 namespace {
@@ -28,7 +28,7 @@ Scenario scenarioOf(const MovingBody& original, const char* name) {
 
 // What hanging bodies are asked for their lowest frequency with: a velocity across the body that grows with
 // the square of the distance from the pins' centre.
-std::vector<Vec3> velocitiesFromPins(const MovingBody& original, const LookScene& scene) {
+std::vector<Vec3> velocitiesFromPins(const MovingBody& original, const TrialScene& scene) {
   Vec3 centre;
   for (const uint32_t v : scene.pins.vertices)
     centre += original.mesh.positions[v] / static_cast<double>(scene.pins.vertices.size());
@@ -39,7 +39,7 @@ std::vector<Vec3> velocitiesFromPins(const MovingBody& original, const LookScene
   return velocities;
 }
 
-std::vector<Vec3> swayVelocities(const MovingBody& original, const LookScene& scene) {
+std::vector<Vec3> swayVelocities(const MovingBody& original, const TrialScene& scene) {
   std::vector<Vec3> velocities;
   for (const Vec3& p : original.mesh.positions) velocities.push_back(initialVelocity(scene.scenario, p));
   return velocities;
@@ -56,13 +56,13 @@ SolverConstraints timingConstraints(const MovingBody& original, SolverModel mode
   return {original.mesh, original.topology, model, constants};
 }
 
-void setDuration(LookScene& scene, double omega) {
+void setDuration(TrialScene& scene, double omega) {
   scene.step = 2 * std::numbers::pi / omega / kStepsPerPeriod;
   scene.stepCount = static_cast<uint32_t>(kPeriods * kStepsPerPeriod);
 }
 
 // False where nothing swings.
-bool timeScene(LookScene& scene, const MovingBody& original, const SolverModel& model, Job& job) {
+bool timeScene(TrialScene& scene, const MovingBody& original, const SolverModel& model, Job& job) {
   const SolverConstraints constraints = timingConstraints(original, model);
   const std::vector<double> masses = massesOf(original, model);
   ImplicitSystem system({constraints, original.mesh, masses, original.factors, scene.pins}, 0, job);
@@ -98,10 +98,10 @@ bool isNearlyClosed(const TriangleMesh& mesh, const Topology& topology) {
   return border < kMostBorder * bounds(mesh).diagonal();
 }
 
-std::vector<LookScene> lookScenes(const MovingBody& original, const SolverModel& model, Job& job) {
+std::vector<TrialScene> trialScenes(const MovingBody& original, const SolverModel& model, Job& job) {
   const bool isClosed = isNearlyClosed(original.mesh, original.topology),
              isPinned = original.pins.count() > 0;
-  std::vector<LookScene> scenes;
+  std::vector<TrialScene> scenes;
   if (isClosed) {
     const Scenario sway = scenarioOf(original, "sway");
     scenes.push_back({.name = "sway", .scenario = sway, .pins = {defaultPins(original.mesh, sway), {}}});
@@ -115,7 +115,7 @@ std::vector<LookScene> lookScenes(const MovingBody& original, const SolverModel&
                       .usersPins = isPinned,
                       .pins = pins});
   }
-  std::erase_if(scenes, [&](LookScene& scene) { return !timeScene(scene, original, model, job); });
+  std::erase_if(scenes, [&](TrialScene& scene) { return !timeScene(scene, original, model, job); });
   return scenes;
 }
 

@@ -11,7 +11,7 @@
 namespace limber {
 
 // Decides by the motion itself which factors are handed over.
-struct LookedAt {
+struct TrialBodies {
   const TriangleMesh& original;
   const TriangleMesh& result;
   const TuneOptions& options;
@@ -24,17 +24,17 @@ struct TuneCandidate {
   std::vector<double> factors = {};  // per constraint of the result, times these; empty: 1
 };
 
-struct LookOutcome {
+struct TrialOutcome {
   std::optional<TunedMotion> motion = {};  // `tuned`: of the best candidate
   size_t best = 0;           // the candidate that deviates least; of no meaning where untouched is kept
   std::string refusal = {};  // why there is no `motion`, as a clause; else empty
 };
 
 // Moves original, the result with factors of 1, and the result with each candidate. Deviations that differ by
-// no more than the noise floor of the look are equal: of equal ones the first candidate is best, and tuned
+// no more than the noise floor of the trial are equal: of equal ones the first candidate is best, and tuned
 // factors, which the frequencies speak for, are kept. No motion where there is
-// no look (see MotionLook::refusal, and Morley's element moves with a factor for each kind alone), or where
+// no trial (see MotionTrial::refusal, and Morley's element moves with a factor for each kind alone), or where
 // untouched or all candidates cannot be moved. Throws Cancelled.
-LookOutcome lookAtMotion(const LookedAt& bodies, const std::vector<TuneCandidate>& candidates, Job& job);
+TrialOutcome tryMotion(const TrialBodies& bodies, const std::vector<TuneCandidate>& candidates, Job& job);
 
 }  // namespace limber

@@ -1,4 +1,4 @@
-#include "fit/tune/look/step_minimiser.h"
+#include "fit/tune/trial/step_minimiser.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/job.h"
-#include "fit/tune/look/look_run.h"
+#include "fit/tune/trial/trial_run.h"
 
 namespace limber {
 
@@ -11,6 +11,6 @@ namespace limber {
 // Nothing where the body diverges. Throws Cancelled, and std::invalid_argument where the body has factors per
 // constraint, or no bending stiffness, which needs a thickness.
 inline constexpr int kShellSubsteps = 60;
-LookDisplacements moveShell(const LookRun& run, Job& job);
+TrialDisplacements moveShell(const TrialRun& run, Job& job);
 
 }  // namespace limber

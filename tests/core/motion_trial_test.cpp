@@ -1,4 +1,4 @@
-#include "fit/tune/motion_look.h"
+#include "fit/tune/motion_trial.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "base/parallel.h"
-#include "fit/tune/look/implicit_motion.h"
-#include "fit/tune/look/look_scenes.h"
-#include "fit/tune/look/swing_spectrum.h"
+#include "fit/tune/trial/implicit_motion.h"
+#include "fit/tune/trial/swing_spectrum.h"
+#include "fit/tune/trial/trial_scenes.h"
 #include "shapes.h"
 
 namespace limber {
@@ -42,19 +42,19 @@ TriangleMesh sheet(int cells) {
   return mesh;
 }
 
-TEST(MotionLook, findsNoDeviationOfTheOriginalFromItself) {
+TEST(MotionTrial, findsNoDeviationOfTheOriginalFromItself) {
   Job job;
   for (const SolverModel& model : {kShell, kSprings, kDihedral}) {
     const Body original{.mesh = bar(3)};
-    MotionLook look(original.moving(), model, job);
-    EXPECT_EQ(look.refusal(), "");
-    EXPECT_EQ(look.scene(), "sway");
+    MotionTrial trial(original.moving(), model, job);
+    EXPECT_EQ(trial.refusal(), "");
+    EXPECT_EQ(trial.scene(), "sway");
     const Body copy = original;
-    EXPECT_LT(look.deviationOf(copy.moving(), job).value(), 1e-3);
+    EXPECT_LT(trial.deviationOf(copy.moving(), job).value(), 1e-3);
   }
 }
 
-TEST(MotionLook, swaysByAFewPercentWhateverTheStiffnessTheMassAndTheUnit) {
+TEST(MotionTrial, swaysByAFewPercentWhateverTheStiffnessTheMassAndTheUnit) {
   Job job;
   const WholePhase phase(job, Phase::Simulate);
   for (const double unit : {1e-3, 1.0, 40.0})
@@ -65,9 +65,9 @@ TEST(MotionLook, swaysByAFewPercentWhateverTheStiffnessTheMassAndTheUnit) {
       original.constants.bend *= stiffness * unit * unit;
       original.constants.unit = unit;
       original.constants.surfaceDensity = 7;
-      const auto scenes = lookScenes(original.moving(), kShell, job);
+      const auto scenes = trialScenes(original.moving(), kShell, job);
       ASSERT_EQ(scenes.size(), 1u);
-      const LookScene& scene = scenes[0];
+      const TrialScene& scene = scenes[0];
       const SolverConstraints constraints(original.mesh, original.topology, kShell, original.constants);
       const std::vector<double> masses = massesOf(original.moving(), kShell);
       ImplicitMotion motion({constraints, original.mesh, masses, {}, scene.pins},
@@ -88,73 +88,74 @@ TEST(MotionLook, swaysByAFewPercentWhateverTheStiffnessTheMassAndTheUnit) {
     }
 }
 
-TEST(MotionLook, seesAStiffnessThatIsOff) {
+TEST(MotionTrial, seesAStiffnessThatIsOff) {
   Job job;
   const Body original{.mesh = bar(4)};
   Body coarse{.mesh = bar(2)};
-  MotionLook look(original.moving(), kDihedral, job);
-  const double plain = look.deviationOf(coarse.moving(), job).value();
+  MotionTrial trial(original.moving(), kDihedral, job);
+  const double plain = trial.deviationOf(coarse.moving(), job).value();
   coarse.constants.stretch *= 3;
   coarse.constants.bend *= 3;
-  const double stiff = look.deviationOf(coarse.moving(), job).value();
+  const double stiff = trial.deviationOf(coarse.moving(), job).value();
   EXPECT_GT(stiff, 1.2 * plain);
   Body softer{.mesh = original.mesh};
   softer.factors.assign(SolverConstraints(softer.mesh, softer.topology, kDihedral, softer.constants).count(),
                         0.5);
-  const double soft = look.deviationOf(softer.moving(), job).value();
+  const double soft = trial.deviationOf(softer.moving(), job).value();
   EXPECT_GT(soft, 0.5);
-  EXPECT_LT(look.noiseFloor(job).value(), 0.1 * soft);
+  EXPECT_LT(trial.noiseFloor(job).value(), 0.1 * soft);
 }
 
-TEST(MotionLook, letsOpenSheetsHangAndPinnedBodiesDoBoth) {
+TEST(MotionTrial, letsOpenSheetsHangAndPinnedBodiesDoBoth) {
   Job job;
   Body open{.mesh = sheet(5)};
-  MotionLook look(open.moving(), kShell, job);
-  EXPECT_EQ(look.refusal(), "");
-  EXPECT_EQ(look.scene(), "hang");
+  MotionTrial trial(open.moving(), kShell, job);
+  EXPECT_EQ(trial.refusal(), "");
+  EXPECT_EQ(trial.scene(), "hang");
   const Body other{.mesh = sheet(3)};
-  const double deviation = look.deviationOf(other.moving(), job).value();
+  const double deviation = trial.deviationOf(other.moving(), job).value();
   EXPECT_GT(deviation, 0.001);
   EXPECT_LT(deviation, 10);
   Body pinned{.mesh = bar(2)};
   pinned.pins.vertices = {0, 1, 2};
-  EXPECT_EQ(MotionLook(pinned.moving(), kShell, job).scene(), "sway and hang");
-  EXPECT_EQ(MotionLook(pinned.moving(), kShell, job).deviationsOf(pinned.moving(), job).value().size(), 2u);
+  EXPECT_EQ(MotionTrial(pinned.moving(), kShell, job).scene(), "sway and hang");
+  EXPECT_EQ(MotionTrial(pinned.moving(), kShell, job).deviationsOf(pinned.moving(), job).value().size(), 2u);
 }
 
-TEST(MotionLook, refusesWithASentence) {
+TEST(MotionTrial, refusesWithASentence) {
   Job job;
   const Body large{.mesh = shapes::sphere(5)};
-  MotionLook look(large.moving(), kShell, job);
-  EXPECT_NE(look.refusal().find("20480"), std::string::npos);
-  EXPECT_FALSE(look.deviationOf(large.moving(), job));
-  EXPECT_FALSE(look.noiseFloor(job));
-  EXPECT_NE(look.refusal().find("20000"), std::string::npos);
-  EXPECT_NE(MotionLook(large.moving(), kSprings, job).refusal().find("10000"), std::string::npos);
+  MotionTrial trial(large.moving(), kShell, job);
+  EXPECT_NE(trial.refusal().find("20480"), std::string::npos);
+  EXPECT_FALSE(trial.deviationOf(large.moving(), job));
+  EXPECT_FALSE(trial.noiseFloor(job));
+  EXPECT_NE(trial.refusal().find("20000"), std::string::npos);
+  EXPECT_NE(MotionTrial(large.moving(), kSprings, job).refusal().find("10000"), std::string::npos);
 }
 
-TEST(MotionLook, movesMorleysShellToo) {
+TEST(MotionTrial, movesMorleysShellToo) {
   Job job;
   constexpr SolverModel morley{StretchElement::Membrane, BendElement::Morley};
   const Body original{.mesh = bar(4)}, coarse{.mesh = bar(3)};
-  MotionLook look(original.moving(), morley, job);
-  EXPECT_EQ(look.refusal(), "");
-  EXPECT_EQ(look.deviationOf(original.moving(), job).value(), 0);
-  const double plain = look.deviationOf(coarse.moving(), job).value();
+  MotionTrial trial(original.moving(), morley, job);
+  EXPECT_EQ(trial.refusal(), "");
+  EXPECT_EQ(trial.deviationOf(original.moving(), job).value(), 0);
+  const double plain = trial.deviationOf(coarse.moving(), job).value();
   Body stiff = coarse;
   stiff.constants.stretch *= 4;
   stiff.constants.secondStretch *= 4;
   stiff.constants.bend *= 4;
-  EXPECT_GT(look.deviationOf(stiff.moving(), job).value(), 1.5 * plain);
-  EXPECT_LT(look.noiseFloor(job).value(), plain);
+  EXPECT_GT(trial.deviationOf(stiff.moving(), job).value(), 1.5 * plain);
+  EXPECT_LT(trial.noiseFloor(job).value(), plain);
 }
 
-TEST(MotionLook, isTheSameOnAnyNumberOfThreads) {
+TEST(MotionTrial, isTheSameOnAnyNumberOfThreads) {
   const auto deviation = [](int threads) {
     setThreadCount(threads);
     Job job;
     const Body original{.mesh = bar(3)}, coarse{.mesh = bar(2)};
-    const double value = MotionLook(original.moving(), kShell, job).deviationOf(coarse.moving(), job).value();
+    const double value =
+        MotionTrial(original.moving(), kShell, job).deviationOf(coarse.moving(), job).value();
     setThreadCount(1);
     return value;
   };

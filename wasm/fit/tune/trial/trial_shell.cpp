@@ -1,4 +1,4 @@
-#include "fit/tune/look/look_shell.h"
+#include "fit/tune/trial/trial_shell.h"
 
 #include <cmath>
 #include <numeric>
@@ -33,7 +33,7 @@ ElasticMaterial materialOf(const MovingBody& body) {
 
 }  // namespace
 
-LookDisplacements moveShell(const LookRun& run, Job& job) {
+TrialDisplacements moveShell(const TrialRun& run, Job& job) {
   const auto& [scene, body, pins, samples, stride, recordEvery, report] = run;
   const double timeScale = scene.step / Simulation::kStep;
   SimulationOptions options{.material = materialOf(body),

@@ -8,7 +8,7 @@
 
 #include "base/job.h"
 #include "elastic/solvers/solver_constraints.h"
-#include "fit/tune/look/collapse_guard.h"
+#include "fit/tune/trial/area_barrier.h"
 #include "linear/factor_structure.h"
 #include "linear/sparse_pencil.h"
 #include "simulate/simulation_options.h"
@@ -22,7 +22,7 @@ struct ConstrainedBody {
   std::span<const double> masses;   // kg per vertex, each > 0
   std::span<const double> factors;  // on the stiffness of each constraint, >= 0; empty: 1
   Pins pins = {};
-  double guard = 0;  // N/m, >= 0: stiffness of the CollapseGuard
+  double barrierStiffness = 0;  // N/m, >= 0: of the AreaBarrier
 };
 
 // The elastic energy of a body with its derivatives, as a sparse pencil over the unknowns of its free
@@ -47,8 +47,8 @@ class ImplicitSystem {
   // The targets of pinned points, in metres.
   void setPointTargets(std::span<const Vec3> targets);
 
-  // Joules, with the springs of pinned points and the guard. The same to the last bit for any number of
-  // threads.
+  // Joules, with the springs of pinned points and the area barrier. The same to the last bit for any number
+  // of threads.
   double energyAt(std::span<const Vec3> positions) const;
   // Its derivative by the unknowns, N. Also sets K of the pencil to an approximation of its second
   // derivative: J^T J and what stress adds, positive semidefinite for tension alone.
@@ -95,7 +95,7 @@ class ImplicitSystem {
   const SolverConstraints& constraints_;
   std::vector<double> masses_, factors_;
   std::vector<uint32_t> free_, indexOf_;  // free vertices, and per vertex its index among them or kNone
-  CollapseGuard guard_;
+  AreaBarrier barrier_;
   std::vector<PointSpring> points_;
   // Vertex index i has the couplings neighbours_[neighbourStart_[i] .. neighbourStart_[i + 1]), ascending.
   std::vector<uint32_t> neighbourStart_, neighbours_;

@@ -1,4 +1,4 @@
-#include "fit/tune/look/swing_spectrum.h"
+#include "fit/tune/trial/swing_spectrum.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -17,11 +17,11 @@ namespace limber {
 // is continuous with its derivative and has no bound. Above J0 it has none: small strains are those of the
 // solver alone. A triangle whose height at rest is less than 1e-4 of its longest edge has as much less of it
 // as MembraneElement says, and one of no area at rest has none.
-class CollapseGuard {
+class AreaBarrier {
  public:
   // `stiffness`: k in N/m, >= 0. Rest positions in metres. Copies what it needs.
-  CollapseGuard(std::span<const std::array<uint32_t, 3>> triangles, std::span<const Vec3> rest,
-                double stiffness);
+  AreaBarrier(std::span<const std::array<uint32_t, 3>> triangles, std::span<const Vec3> rest,
+              double stiffness);
 
   size_t count() const { return triangles_.size(); }
   const std::array<uint32_t, 3>& vertices(size_t i) const { return triangles_[i].vertices; }
