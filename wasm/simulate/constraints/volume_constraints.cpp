@@ -27,9 +27,11 @@ std::vector<bool> closedComponents(const TriangleMesh& mesh, const Topology& top
 
 std::vector<VolumeBatch> batchesOf(const std::vector<Triangle>& triangles, uint32_t idle) {
   std::vector<VolumeBatch> batches((triangles.size() + 3) / 4);
-  for (size_t i = 0; i < 4 * batches.size(); ++i)
+  for (size_t i = 0; i < 4 * batches.size(); ++i) {
     for (int c = 0; c < 3; ++c)
       batches[i / 4].corner[c][i % 4] = i < triangles.size() ? triangles[i][c] : idle;
+    batches[i / 4].used += i < triangles.size();
+  }
   return batches;
 }
 
@@ -103,7 +105,7 @@ void VolumeConstraints::measure(const Particles& particles, size_t group) {
           (double{volume[0]} + double{volume[1]}) + (double{volume[2]} + double{volume[3]});
       Float4 normals[4];
       fromLanes(normal, normals);
-      for (int k = 0; k < 4; ++k)
+      for (int k = 0; k < batch.used; ++k)
         for (int corner = 0; corner < 3; ++corner) gradient_[batch.corner[corner][k]] += normals[k];
     }
   }

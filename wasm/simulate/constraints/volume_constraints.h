@@ -10,9 +10,11 @@
 
 namespace limber {
 
-// The corners of four triangles; the idle vertex in empty lanes.
+// The corners of four triangles; the idle vertex in empty lanes, which are the last ones. All threads share
+// that vertex: it may be read, but not written.
 struct VolumeBatch {
   uint32_t corner[3][4];
+  int used = 0;  // lanes with a triangle
 };
 
 // Keeps the volume of closed components: one constraint per component, C = V - V_0, of compliance V_0 / bulk
