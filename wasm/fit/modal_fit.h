@@ -13,9 +13,8 @@ namespace limber {
 struct ModalFitResult {
   MeshAt result;
   // Per fitted component, in the order of their ids (one entry for two components that are mirror images of
-  // each other): the root mean square relative error of frequencies over all matched modes and thicknesses,
-  // in
-  // %, before and after the fit.
+  // each other): the root mean square relative error of frequencies over all matched modes and thicknesses
+  // before and after the fit, in %.
   std::vector<double> errorBefore, errorAfter;
   uint32_t flips = 0;     // of edges
   uint32_t large = 0;     // components that were fitted as large ones

@@ -13,8 +13,8 @@ namespace limber {
 struct SurfaceRoundsInput {
   const FitSamples& samples;  // of part.original
   const StepLimits& limits;
-  double maxDeviation =
-      0;  // in units of the file; flips may lift the surface by a fraction of it. 0: no limit
+  // In units of the file; flips may lift the surface by a fraction of it. 0: no limit.
+  double maxDeviation = 0;
 };
 
 // Improves part.result before the search for modes: rounds that flip edges to Delaunay and fit the vertices

@@ -17,8 +17,8 @@ struct CostTerms {
   double size = 0;       // of the squared length of the edge
   double strain = 0;     // limber: what strain adds to the size
   double curvature = 0;  // paper
-  double quality =
-      0;  // paper: E_tri_q with its weight; limber: what the worst triangle adds to all of the above
+  // paper: E_tri_q with its weight; limber: what the worst triangle adds to all of the above
+  double quality = 0;
   double keep = 1;  // factor of the keep weights
 
   double total() const { return (error + size + strain + curvature + quality) * keep; }

@@ -33,14 +33,14 @@ const CURES = {
     'use --fit off on the command line, give it more (--memory, on the page ?memory=, at most 4G) or reduce the mesh in parts',
 };
 
-interface Lack {
+interface MemoryShortage {
   faces: number;
   needed: number;
   heapLimit: number;
   cure: string;
 }
 
-const refusal = (name: string, { faces, needed, heapLimit, cure }: Lack): Error =>
+const refusal = (name: string, { faces, needed, heapLimit, cure }: MemoryShortage): Error =>
   new Error(
     `${name} has ${counted(faces, 'face')}, for which the core takes about ${gigabytes(needed)} of memory, and it may have ${gigabytes(heapLimit)}: ${cure}.`,
   );

@@ -62,7 +62,7 @@ export function simplificationOf(
 ): Simplification {
   const { method, strainWeight, curvatureWeight, qualityWeight, sizeWeight, minAngle } = settings;
   const weights = { strainWeight, curvatureWeight, qualityWeight, sizeWeight };
-  const harm = settings.maxDeviation > 0 ? settings.maxDeviation : OPTIONS.maxDeviation.default;
+  const deferredDeviation = settings.maxDeviation > 0 ? settings.maxDeviation : OPTIONS.maxDeviation.default;
   return {
     strain: guidance?.rank ?? new Float32Array(0),
     curvature: curvature ? overMaximum(curvature.vertex) : new Float32Array(0),
@@ -71,7 +71,7 @@ export function simplificationOf(
       ...weights,
       minAngle,
       recordErrors: true,
-      waitBeyond: methodOf(settings).waitsBeyond ? (harm / 100) * prepared.diagonal : 0,
+      waitBeyond: methodOf(settings).waitsBeyond ? (deferredDeviation / 100) * prepared.diagonal : 0,
       constraints: simplifyConstraints(prepared, settings, constraints),
     },
   };
