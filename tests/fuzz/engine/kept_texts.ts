@@ -42,7 +42,7 @@ const pathPatterns: FuzzTarget = {
 };
 
 const LINKS = [
-  'method=paper&ratio=0.5&faces=100&body=1&file=a.glb',
+  'method=paper&ratio=0.5&faces=100&own=1:20,3:5&body=1&file=a.glb',
   'pins=box:0,0,0:1,1,1&paint=0:A1B2C3&max-deviation=0.5%25',
   'strain-weight=2&modes=1-4,7&model=shell&symmetry=on',
 ];

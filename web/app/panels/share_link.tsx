@@ -44,8 +44,8 @@ export function ShareLink() {
 function shareLink(): string {
   const file = results.file.value!.name;
   const sample = samples.value.find((one) => one.file === file);
-  const { settings, faces, body } = wants;
-  const wanted = { settings: settings.value, faces: faces.value, body: body.value, file };
+  const { settings, faces, own, body } = wants;
+  const wanted = { settings: settings.value, faces: faces.value, own: own.value, body: body.value, file };
   const query = sample ? `?sample=${sample.id}` : '';
   return `${location.origin}${location.pathname}${query}#${writeLink(wanted)}`;
 }

@@ -12,11 +12,14 @@ import {
 import type { SettingName, Settings } from '../../engine/settings/options';
 import { changedSettings, describeFormerWords, readSettings } from '../../engine/settings/setting_text';
 import { say } from '../language/say';
+import { ownFacesText, readOwnFaces } from './own_faces';
+import type { OwnFaces } from './own_faces';
 
 export interface Wanted {
   settings: Settings;
-  /** kept faces of the shown body; null: half */
+  /** kept faces of all bodies without a number of their own; null: half */
   faces: number | null;
+  own: OwnFaces;
   body: number;
   /** name of the file that it is for; null: any */
   file: string | null;
@@ -36,11 +39,12 @@ export function takeAwaited(name: string): Wanted | undefined {
 const lastPart = (path: string): string => path.split('/').pop()!;
 
 /** Without a leading `#`. */
-export function writeLink({ settings, faces, body, file }: Wanted): string {
+export function writeLink({ settings, faces, own, body, file }: Wanted): string {
   const words = new URLSearchParams(
     changedSettings(settings).map(({ flag, text }) => [flag, text ?? 'on'] as [string, string]),
   );
   if (faces !== null) words.set('faces', String(faces));
+  if (own.size > 0) words.set('own', ownFacesText(own));
   if (body > 0) words.set('body', String(body));
   if (file !== null) words.set('file', file);
   return words.toString();
@@ -63,6 +67,7 @@ export function readLink(text: string): Wanted | null {
   return {
     settings,
     faces: wholeOf(words, 'faces'),
+    own: ownOf(words),
     body: wholeOf(words, 'body') ?? 0,
     file: words.get('file'),
   };
@@ -74,6 +79,16 @@ function wholeOf(words: URLSearchParams, name: string): number | null {
   if (!/^\d+$/.test(word))
     throw new Error(say('The link has {word}: give a whole number.', { word: `${name}=${word}` }));
   return Number(word);
+}
+
+function ownOf(words: URLSearchParams): OwnFaces {
+  const word = words.get('own');
+  if (word === null) return new Map();
+  const own = readOwnFaces(word);
+  if (own) return own;
+  throw new Error(
+    say('The link has {word}: give bodies with their faces, as in own=2:400.', { word: `own=${word}` }),
+  );
 }
 
 /** Why `readLink` refuses a link, in the words that it uses for settings. */

@@ -14,6 +14,7 @@ import { findPins } from './find_pins';
 import { takeAwaited } from './link';
 import { compareMethods, comparison, comparisonTaskKey } from './methods';
 import type { Wanted } from './link';
+import { fittingOwnFaces } from './own_faces';
 import { isReplayed, startReplay } from './replay';
 import { client, complain, replayer, whileBusy } from './running';
 import { saveFiles, startSaving } from './saved_session';
@@ -230,7 +231,7 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
         results.opened.value += 1;
         wants.body.value = wanted && wanted.body < file.bodies.length ? wanted.body : file.first;
         wants.faces.value = wanted?.faces ?? null;
-        wants.own.value = new Map();
+        wants.own.value = fittingOwnFaces(wanted?.own, file.bodies);
         wants.exportOpen.value = false;
         view.hidden.value = new Set();
         view.animated.value = false;

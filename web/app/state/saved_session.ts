@@ -40,9 +40,10 @@ export async function startSaving(): Promise<void> {
   const { id } = await ownTab;
   effect(() => {
     const file = results.file.value?.name ?? null;
-    const [settings, faces, body] = [wants.settings.value, wants.faces.value, wants.body.value];
+    const [settings, body] = [wants.settings.value, wants.body.value];
+    const [faces, own] = [wants.faces.value, wants.own.value];
     const saved: Saved = {
-      link: writeLink({ settings, faces, body, file }),
+      link: writeLink({ settings, faces, own, body, file }),
       step: view.step.value,
       layout: view.layout.value,
       field: shownField.value,

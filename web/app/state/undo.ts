@@ -1,14 +1,17 @@
-/** Undo and Redo of what the user wants: the settings, with pins and paint among them, and the kept faces. */
+/** Undo and Redo of what the user wants: the settings, with pins and paint among them, and the kept faces, also of single bodies. */
 
 import { batch, effect, signal, untracked } from '@preact/signals';
 import { defaultSettings } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
 import { readLink, writeLink } from './link';
+import { ownFacesText } from './own_faces';
+import type { OwnFaces } from './own_faces';
 import { wants } from './store';
 
 interface Wanted {
   settings: Settings;
   faces: number | null;
+  own: OwnFaces;
 }
 
 /** Changes of one control that follow each other within this time are one, so that a slider is undone as a whole. */
@@ -50,7 +53,7 @@ function textOf(step: Wanted): string {
 /** Call this once the files that the steps are for are open. */
 export function restoreUndo(saved: UndoText): void {
   const steps = (texts: string[]): Wanted[] =>
-    texts.map((text) => readLink(text) ?? { settings: defaultSettings(), faces: null });
+    texts.map((text) => readLink(text) ?? { settings: defaultSettings(), faces: null, own: new Map() });
   batch(() => {
     past.value = steps(saved.past);
     future.value = steps(saved.future);
@@ -63,7 +66,7 @@ export const canRedo = () => future.value.length > 0;
 /** Starts to record changes. */
 export function startUndo(): void {
   effect(() => {
-    const next = { settings: wants.settings.value, faces: wants.faces.value };
+    const next = { settings: wants.settings.value, faces: wants.faces.value, own: wants.own.value };
     untracked(() => remember(next));
   });
 }
@@ -91,6 +94,7 @@ function step(from: typeof past, to: typeof past): void {
     last = { what: '', at: 0 };
     wants.settings.value = target.settings;
     wants.faces.value = target.faces;
+    wants.own.value = target.own;
   });
 }
 
@@ -117,13 +121,15 @@ function remember(next: Wanted): void {
   });
 }
 
-/** The names of the settings that differ, and 'faces'. */
+/** The names of the settings that differ, 'faces' and 'own'. */
 function differing(a: Wanted, b: Wanted): string[] {
   const keys = Object.keys(b.settings) as (keyof Settings)[];
   const changed: string[] = keys.filter((key) => String(a.settings[key]) !== String(b.settings[key]));
-  return a.faces === b.faces ? changed : [...changed, 'faces'];
+  if (a.faces !== b.faces) changed.push('faces');
+  if (ownFacesText(a.own) !== ownFacesText(b.own)) changed.push('own');
+  return changed;
 }
 
 function currentWants(): Wanted {
-  return { settings: wants.settings.peek(), faces: wants.faces.peek() };
+  return { settings: wants.settings.peek(), faces: wants.faces.peek(), own: wants.own.peek() };
 }

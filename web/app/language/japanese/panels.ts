@@ -147,5 +147,7 @@ export const PANELS: MessageTable = {
   'its program could not be loaded': 'プログラムを読み込めません',
   'A body has left the scene: give the Test step more substeps.':
     '物体がシーンの外に飛び出しました。「テスト」のサブステップを増やしてください。',
+  'The link has {word}: give bodies with their faces, as in own=2:400.':
+    'リンクに {word} とあります。own=2:400 のように、ボディと面数を指定してください。',
   'The link has {word}: give a whole number.': 'リンクに {word} とあります。整数を指定してください。',
 };
