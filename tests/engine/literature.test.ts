@@ -4,10 +4,11 @@ import { spawnSync } from 'node:child_process';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
 
-const folder = join(import.meta.dirname, '..', 'bench', 'literature');
+const root = join(import.meta.dirname, '..', '..');
+const folder = join(root, 'tests', 'bench', 'literature');
 const candidates = [
   process.env.LIMBER_BENCH_PYTHON,
-  join('build', 'bench', 'python', 'bin', 'python'),
+  join(root, 'build', 'bench', 'python', 'bin', 'python'),
   'python3',
 ];
 const python = candidates.find(
