@@ -33,6 +33,12 @@ struct FitPart {
   std::optional<MeshMirror> mirror;  // of `result`, where it is its own mirror image
   bool hasImage = false;             // whether another component is its mirror image, which is left out
 
+  // Keeps a vertex of `result`, and with it its mirror image, in place.
+  void lock(uint32_t v) {
+    locked[v] = 1;
+    if (mirror) locked[mirror->partners[v]] = 1;
+  }
+
   // The mirror image of each vertex of `result`; empty without a mirror.
   std::span<const uint32_t> partners() const {
     return mirror ? std::span<const uint32_t>(mirror->partners) : std::span<const uint32_t>();

@@ -33,10 +33,8 @@ FitConstraints constraintsOf(const ShapeFitOptions& options) {
 
 void lockCorners(FitPart& part, const Topology& topology) {
   const std::vector<uint8_t> isCorner = findBorderCorners(part.result, topology);
-  for (uint32_t v = 0; v < isCorner.size(); ++v) part.locked[v] |= isCorner[v];
-  if (part.mirror)
-    for (uint32_t v = 0; v < isCorner.size(); ++v)
-      if (isCorner[v]) part.locked[part.mirror->partners[v]] = 1;
+  for (uint32_t v = 0; v < isCorner.size(); ++v)
+    if (isCorner[v]) part.lock(v);
 }
 
 // What a part is fitted with.

@@ -18,10 +18,7 @@ std::vector<uint8_t> findUnchangedTriangles(const TriangleMesh& original, const 
 void keepUnchanged(FitPart& part, const Topology& topology, const std::vector<uint8_t>& isUnchanged) {
   const auto isKept = [&](uint32_t t) { return isUnchanged[part.wholeTriangle[t]] != 0; };
   for (uint32_t v = 0; v < part.result.vertexCount(); ++v)
-    if (std::ranges::any_of(topology.trianglesAround(v), isKept)) {
-      part.locked[v] = 1;
-      if (part.mirror) part.locked[part.mirror->partners[v]] = 1;
-    }
+    if (std::ranges::any_of(topology.trianglesAround(v), isKept)) part.lock(v);
   for (const Topology::Edge& edge : topology.edges)
     if (std::ranges::any_of(topology.trianglesAt(edge), isKept)) part.fixedEdges.push_back({edge.a, edge.b});
   std::ranges::sort(part.fixedEdges);
