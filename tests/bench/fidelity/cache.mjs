@@ -11,14 +11,14 @@ const folder = join(scratch, 'cache');
 /** The file of a case's result mesh; the record is next to it. */
 const pathOf = (key, ending) => join(folder, `${key}.${ending}`);
 
-/** The result of `compute() -> { record, mesh }`, or the stored one for the same key; the mesh is read on demand. */
+/** The result of `compute() -> { record, mesh? }`, or the stored one for the same key; the mesh, if any, is read on demand. */
 export function cached(key, compute) {
   const recordFile = pathOf(key, 'json');
   const meshOf = () => readMesh(pathOf(key, 'bin'));
   if (existsSync(recordFile)) return { record: JSON.parse(readFileSync(recordFile, 'utf8')), meshOf };
   const { record, mesh } = compute();
   mkdirSync(folder, { recursive: true });
-  writeMesh(pathOf(key, 'bin'), mesh);
+  if (mesh) writeMesh(pathOf(key, 'bin'), mesh);
   writeFileSync(recordFile, JSON.stringify(record));
   return { record, meshOf };
 }

@@ -35,14 +35,14 @@ export function runCases(loaded, { meshes, methods, ratios }, print = console.lo
 
 function runCase(loaded, mesh, method, ratio) {
   const ofResult = [mesh.hash, method.name, method.version, String(ratio)];
-  return cached(hashOf(loaded.version, ...ofResult), () => {
-    const { record, meshOf } = cached(hashOf('result', ...ofResult), () => {
-      const { mesh: result, seconds } = method.run(mesh, ratio * mesh.faces);
-      return { record: { seconds }, mesh: result };
-    });
-    const result = meshOf();
-    return { record: { ...measure(loaded, mesh.prepared, result), ...record }, mesh: result };
+  const made = cached(hashOf('result', ...ofResult), () => {
+    const { mesh: result, seconds } = method.run(mesh, ratio * mesh.faces);
+    return { record: { seconds }, mesh: result };
   });
+  const measured = cached(hashOf(loaded.version, ...ofResult), () => ({
+    record: measure(loaded, mesh.prepared, made.meshOf()),
+  }));
+  return { record: { ...measured.record, ...made.record }, meshOf: made.meshOf };
 }
 
 function lineOf({ mesh, method, ratio, faces, frequencyErrorMean, failure }) {

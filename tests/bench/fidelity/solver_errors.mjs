@@ -29,7 +29,7 @@ export function solverErrors(loaded, { mesh, method, ratio, meshOf }) {
       const found = frequenciesIn(loaded, mesh.prepared, result, { solver, tune: 'global' });
       return [solver, found && { untouched: found.errorUntouched, tuned: found.errorTuned }];
     });
-    return { record: Object.fromEntries(errors), mesh: result };
+    return { record: Object.fromEntries(errors) };
   };
   return cached(key, compute).record;
 }
