@@ -3,8 +3,8 @@
 import { useState } from 'preact/hooks';
 import { count } from '../controls/numbers';
 import { samples } from '../files/samples';
-import { writeLink } from '../state/link';
-import { results, status, wants } from '../state/store';
+import { linkOfWants } from '../state/saved_session';
+import { results, status } from '../state/store';
 import { say } from '../language/say';
 
 const COPIED_MILLISECONDS = 2000;
@@ -44,8 +44,6 @@ export function ShareLink() {
 function shareLink(): string {
   const file = results.file.value!.name;
   const sample = samples.value.find((one) => one.file === file);
-  const { settings, faces, own, body } = wants;
-  const wanted = { settings: settings.value, faces: faces.value, own: own.value, body: body.value, file };
   const query = sample ? `?sample=${sample.id}` : '';
-  return `${location.origin}${location.pathname}${query}#${writeLink(wanted)}`;
+  return `${location.origin}${location.pathname}${query}#${linkOfWants(file)}`;
 }

@@ -35,15 +35,19 @@ const MOST_CLOSED_TABS = 2;
 const LARGEST = 400e6;
 const REST_MILLISECONDS = 400;
 
+/** What the user wants of the file of this name, as the text of a link; see writeLink. */
+export function linkOfWants(file: string | null): string {
+  const { settings, faces, own, body } = wants;
+  return writeLink({ settings: settings.value, faces: faces.value, own: own.value, body: body.value, file });
+}
+
 /** Starts to save the settings and the view whenever they change. */
 export async function startSaving(): Promise<void> {
   const { id } = await ownTab;
   effect(() => {
     const file = results.file.value?.name ?? null;
-    const [settings, body] = [wants.settings.value, wants.body.value];
-    const [faces, own] = [wants.faces.value, wants.own.value];
     const saved: Saved = {
-      link: writeLink({ settings, faces, own, body, file }),
+      link: linkOfWants(file),
       step: view.step.value,
       layout: view.layout.value,
       field: shownField.value,
