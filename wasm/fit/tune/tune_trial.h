@@ -10,7 +10,7 @@
 
 namespace limber {
 
-// Decides by the motion itself which factors are handed over.
+// What a trial moves, which decides by the motion itself which factors are handed over.
 struct TrialBodies {
   const TriangleMesh& original;
   const TriangleMesh& result;

@@ -21,14 +21,14 @@ export interface DeviationLimit {
  * deviation does not fall with more faces, they are at one of its crossings of the limit.
  */
 export function facesWithin(history: History, faces: number, { isWithin, guess }: DeviationLimit): number {
-  const search = facesWithinQuestions(history, faces, guess);
+  const search = searchWithinDeviation(history, faces, guess);
   let step = search.next();
   while (!step.done) step = search.next(isWithin(step.value));
   return step.value;
 }
 
 /** The questions of `facesWithin`, so that those of many bodies can be answered together: the faces of levels that may be within the limit. */
-export function* facesWithinQuestions(
+export function* searchWithinDeviation(
   history: History,
   faces: number,
   guess?: number,

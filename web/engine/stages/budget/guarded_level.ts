@@ -3,7 +3,7 @@
 import type { GuardFinding } from '../../body/body_result';
 import type { Core, MeshAt } from '../../core/core';
 import { faceCount } from '../../core/mesh';
-import { facesWithinQuestions } from './deviation_limit';
+import { searchWithinDeviation } from './deviation_limit';
 import { askInParallel, deviationsStage, measureInParallel } from './deviations';
 import type { Deviations } from './deviations';
 import { collapsesWithin, errorCurveStage } from './error_curve';
@@ -72,7 +72,7 @@ function* searchLevel(
 ): Generator<number, number, boolean> {
   if (yield wanted) return wanted;
   const guess = collapsesWithin(curve, (limit / 100) * curve.diagonal);
-  return yield* facesWithinQuestions(kept.history, wanted, guess);
+  return yield* searchWithinDeviation(kept.history, wanted, guess);
 }
 
 /** A body for which `guardedLevelStage` is about to be run. */
