@@ -19,6 +19,7 @@ void parallelJobs(size_t count, Phase phase, Job& whole,
     const double fraction = static_cast<double>(++done) / static_cast<double>(count);
     if (std::this_thread::get_id() == caller) shown.report(fraction);
   });
+  shown.report(1);  // other threads may have run every item
 }
 
 }  // namespace limber
