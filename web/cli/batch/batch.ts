@@ -32,11 +32,11 @@ export async function runBatch(args: Arguments): Promise<number> {
   const requests = readRequests(args, out);
   checkReports(args, requests);
   const own = join(out, OWN_FOLDER);
-  const journal = new Journal(own);
-  if (args.dryRun) return runDryBatch(out, requests, journal);
+  if (args.dryRun) return runDryBatch(out, requests, new Journal(own));
   mkdirSync(own, { recursive: true });
   const unlock = takeLock(own, out);
   try {
+    const journal = new Journal(own);
     const crew = crewOf(args, requests.length);
     sayStart(args, requests, { crew, notes: journal.notes });
     journal.gather();

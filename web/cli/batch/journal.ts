@@ -52,8 +52,20 @@ export class Journal {
     this.file = null;
     const assets = this.all().sort((a, b) => (a.asset < b.asset ? -1 : 1));
     const manifest: Manifest = { schema: MANIFEST_SCHEMA, assets };
-    writeWhole(join(this.folder, 'manifest.json'), `${JSON.stringify(manifest)}\n`);
+    const path = join(this.folder, 'manifest.json');
+    writeWhole(path, `${JSON.stringify(manifest)}\n`);
+    flush(path);
     rmSync(join(this.folder, 'journal.jsonl'), { force: true });
+  }
+}
+
+/** When this returns, the content of a file is on the disk. */
+function flush(path: string): void {
+  const file = openSync(path, 'r+');
+  try {
+    fsyncSync(file);
+  } finally {
+    closeSync(file);
   }
 }
 

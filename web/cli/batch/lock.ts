@@ -1,6 +1,6 @@
 /** One batch at a time works on a folder. */
 
-import { readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { linkSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { hostname } from 'node:os';
 import { join } from 'node:path';
 import { UsageError } from '../failure';
@@ -20,20 +20,54 @@ export function takeLock(folder: string, out: string): () => void {
       throw new UsageError(
         `Another batch is at work on ${out}${owner ? ` (process ${owner.process} on ${owner.host})` : ''}: wait for it, or remove ${path} if it has ended.`,
       );
-    rmSync(path, { force: true });
+    removeEnded(path);
   }
   return () => {
     if (ownerOf(path)?.process === process.pid) rmSync(path, { force: true });
   };
 }
 
+/** Whether there was no lock before. The file appears with its content, so that nobody takes it for a damaged one. */
 function created(path: string, owner: Owner): boolean {
+  const draft = `${path}.${process.pid}`;
+  writeFileSync(draft, JSON.stringify(owner));
+  try {
+    linkSync(draft, path);
+    return true;
+  } catch (error) {
+    const { code } = error as NodeJS.ErrnoException;
+    if (code === 'EEXIST') return false;
+    if (!WITHOUT_LINKS.includes(code!)) throw error;
+    return createdWithoutLinks(path, owner);
+  } finally {
+    rmSync(draft, { force: true });
+  }
+}
+
+/** What file systems answer that have no hard links, as that of a memory stick. */
+const WITHOUT_LINKS = ['EPERM', 'ENOTSUP', 'EOPNOTSUPP', 'ENOSYS'];
+
+function createdWithoutLinks(path: string, owner: Owner): boolean {
   try {
     writeFileSync(path, JSON.stringify(owner), { flag: 'wx' });
     return true;
   } catch (error) {
     if ((error as NodeJS.ErrnoException).code === 'EEXIST') return false;
     throw error;
+  }
+}
+
+/** Removes a lock whose process has ended, but not one that another batch has put there in the meantime. */
+function removeEnded(path: string): void {
+  const aside = `${path}.${process.pid}.ended`;
+  try {
+    renameSync(path, aside);
+    const owner = ownerOf(aside);
+    if (owner && isAtWork(owner)) linkSync(aside, path);
+  } catch (error) {
+    if (!['ENOENT', 'EEXIST'].includes((error as NodeJS.ErrnoException).code!)) throw error;
+  } finally {
+    rmSync(aside, { force: true });
   }
 }
 
