@@ -6,8 +6,8 @@
 
 #include "elastic/mode_character.h"
 #include "elastic/modes.h"
-#include "elastic/pinned_patch.h"
 #include "elastic/pins.h"
+#include "elastic/refine_pinned_faces.h"
 #include "mesh/eigen_vec3.h"
 #include "mesh/topology.h"
 #include "shapes.h"

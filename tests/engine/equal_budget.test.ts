@@ -6,7 +6,7 @@ import { budgetTable } from '../../web/engine/stages/equal_budget/budget_table';
 import {
   COMPARED_METHODS,
   resultAtBudget,
-  settingsOf,
+  settingsForMethod,
   withoutLimits,
 } from '../../web/engine/stages/equal_budget/equal_budget';
 import type { MethodResult } from '../../web/engine/stages/equal_budget/equal_budget';
@@ -145,10 +145,10 @@ describe('methods at an equal budget', () => {
 
   it('lifts what would stop a method, and keeps the weights of the chosen one', () => {
     const settings = { ...defaultSettings(), strainWeight: 7, maxDeviation: 2, minAngle: 5 };
-    const own = withoutLimits(settingsOf(settings, 'limber'));
+    const own = withoutLimits(settingsForMethod(settings, 'limber'));
     expect(own).toMatchObject({ strainWeight: 7, maxDeviation: 0, minAngle: 0, maxFrequencyError: 0 });
-    expect(settingsOf(settings, 'limber')).toBe(settings);
-    expect(settingsOf(settings, 'paper')).toMatchObject({ method: 'paper', strainWeight: 0.05 });
+    expect(settingsForMethod(settings, 'limber')).toBe(settings);
+    expect(settingsForMethod(settings, 'paper')).toMatchObject({ method: 'paper', strainWeight: 0.05 });
     expect(COMPARED_METHODS).toHaveLength(5);
   });
 });

@@ -72,7 +72,7 @@ struct Fields<SimplifyOptions> {
                                           optionalField("maxDeviation", &SimplifyOptions::maxDeviation),
                                           optionalField("minAngle", &SimplifyOptions::minAngle),
                                           optionalField("recordErrors", &SimplifyOptions::recordErrors),
-                                          optionalField("waitBeyond", &SimplifyOptions::waitBeyond));
+                                          optionalField("deferBeyond", &SimplifyOptions::deferBeyond));
 };
 
 namespace {

@@ -35,8 +35,8 @@ void checkNumbers(const SimplifyOptions& options) {
        {options.strainWeight, options.curvatureWeight, options.qualityWeight, options.sizeWeight})
     if (!(weight >= 0) || !std::isfinite(weight))
       throw std::invalid_argument("The weights of strain, curvature, quality and size must be numbers >= 0.");
-  if (!(options.waitBeyond >= 0) || !std::isfinite(options.waitBeyond))
-    throw std::invalid_argument("The deviation beyond which collapses wait must be a number >= 0.");
+  if (!(options.deferBeyond >= 0) || !std::isfinite(options.deferBeyond))
+    throw std::invalid_argument("The deviation beyond which collapses are deferred must be a number >= 0.");
   if (!(options.maxDeviation >= 0) || !(options.minAngle >= 0 && options.minAngle < 60))
     throw std::invalid_argument(
         "The largest deviation must be >= 0, the smallest angle between 0 and 60 degrees.");
@@ -54,9 +54,9 @@ class Simplification {
         queue_(mesh_.edgeCount()),
         queuedBy_(mesh_.edgeCount(), QueuedBy::Nothing),
         stopFaces_(options.stopFaces),
-        waitBeyond_(options.waitBeyond),
+        deferBeyond_(options.deferBeyond),
         job_(job) {
-    if (options.recordErrors || options.waitBeyond > 0) estimate_.emplace(mesh_);
+    if (options.recordErrors || options.deferBeyond > 0) estimate_.emplace(mesh_);
     if (options.recordErrors) history_.errors.reserve(input.vertexCount());
     recordsErrors_ = options.recordErrors;
     history_.vertexCount = input.vertexCount();
@@ -73,7 +73,7 @@ class Simplification {
       collapseAll();
       // A round without a collapse would be followed by equal ones.
       const bool hasCollapsed = history_.collapseCount() > before;
-      goesOn = !isDone() && ((queueLegalEdges() && hasCollapsed) || queueWaitingEdges());
+      goesOn = !isDone() && ((queueLegalEdges() && hasCollapsed) || queueDeferredEdges());
     }
     if (isDone()) history_.refused = {};
     history_.stop = stopReason();
@@ -118,7 +118,7 @@ class Simplification {
     if (!costs_.boundsAreCosts() && queuedBy_[edge] == QueuedBy::Bound && isQueuedAgain(edge)) return;
     queuedBy_[edge] = QueuedBy::Nothing;
     const Collapse step = rules_.collapseOf(edge, costs_.target(edge));
-    if (rules_.judge(step) == Verdict::Legal && !mustWait(step))
+    if (rules_.judge(step) == Verdict::Legal && !mustDefer(step))
       carryOutWithImage(step);
     else
       for (const uint32_t v : {step.kept, step.removed}) mesh_.setMarked(v, true);
@@ -133,8 +133,8 @@ class Simplification {
     return true;
   }
 
-  // Whether others go first, see SimplifyOptions::waitBeyond. To be asked for legal collapses alone.
-  bool mustWait(const Collapse& step) { return waitBeyond_ > 0 && estimate_->of(step) > waitBeyond_; }
+  // Whether others go first, see SimplifyOptions::deferBeyond. To be asked for legal collapses alone.
+  bool mustDefer(const Collapse& step) { return deferBeyond_ > 0 && estimate_->of(step) > deferBeyond_; }
 
   StopReason stopReason() const {
     const auto [topology, flip, lock, angle, deviation] = history_.refused;
@@ -227,11 +227,11 @@ class Simplification {
   }
 
   // Judges every edge that is left, so that the floor is one by its definition: counts the refusals and
-  // queues the legal edges that need not wait. Returns whether there are any.
+  // queues the legal edges that need not be deferred. Returns whether there are any.
   bool queueLegalEdges() {
     history_.refused = {};
     edges_.clear();
-    waiting_.clear();
+    deferred_.clear();
     for (uint32_t edge = 0; edge < mesh_.edgeCount(); ++edge) {
       if (mesh_.trianglesOnEdge(edge) == 0) continue;
       if (edge % kEdgesPerRange == 0) job_.check();
@@ -239,9 +239,9 @@ class Simplification {
       if (verdict == Verdict::Legal) {
         const Collapse step = rules_.collapseOf(edge, costs_.optimum(edge).position);
         verdict = rules_.judge(step);
-        const double estimate = verdict == Verdict::Legal && waitBeyond_ > 0 ? estimate_->of(step) : 0;
-        if (estimate > waitBeyond_) {
-          waiting_.push_back({edge, estimate});
+        const double estimate = verdict == Verdict::Legal && deferBeyond_ > 0 ? estimate_->of(step) : 0;
+        if (estimate > deferBeyond_) {
+          deferred_.push_back({edge, estimate});
           continue;
         }
       }
@@ -257,21 +257,21 @@ class Simplification {
     return !edges_.empty();
   }
 
-  // Lets the collapses that `queueLegalEdges` has just found waiting go on, up to at least twice the distance
+  // Lets the collapses that `queueLegalEdges` has just deferred go on, up to at least twice the distance
   // so far. Returns whether there are any.
-  bool queueWaitingEdges() {
-    if (waiting_.empty()) return false;
-    const auto least = std::ranges::min_element(waiting_, {}, &Waiting::estimate);
-    waitBeyond_ = std::max(2 * waitBeyond_, least->estimate);
+  bool queueDeferredEdges() {
+    if (deferred_.empty()) return false;
+    const auto least = std::ranges::min_element(deferred_, {}, &Deferred::estimate);
+    deferBeyond_ = std::max(2 * deferBeyond_, least->estimate);
     edges_.clear();
-    for (const auto& [edge, estimate] : waiting_)
-      if (estimate <= waitBeyond_) edges_.push_back(edge);
+    for (const auto& [edge, estimate] : deferred_)
+      if (estimate <= deferBeyond_) edges_.push_back(edge);
     costs_.setBounds(edges_);
     queueByBounds(edges_);
     return true;
   }
 
-  struct Waiting {
+  struct Deferred {
     uint32_t edge;
     double estimate;
   };
@@ -283,8 +283,9 @@ class Simplification {
   std::vector<QueuedBy> queuedBy_;  // per edge
   std::optional<DeviationEstimate> estimate_;
   uint32_t stopFaces_;
-  double waitBeyond_;             // doubles, see SimplifyOptions::waitBeyond
-  std::vector<Waiting> waiting_;  // the legal collapses that wait, ascending, of the last `queueLegalEdges`
+  double deferBeyond_;  // doubles, see SimplifyOptions::deferBeyond
+  std::vector<Deferred>
+      deferred_;  // the legal collapses that are deferred, ascending, of the last `queueLegalEdges`
   bool recordsErrors_ = false;
   std::vector<uint32_t> edges_, neighbours_;  // scratch memory
   Job& job_;

@@ -24,10 +24,10 @@ struct SimplifyOptions {
   double minAngle = 0;
   // Whether the history gets an estimate of the deviation after each collapse, see History::errors.
   bool recordErrors = false;
-  // Collapses that are estimated to take the surface farther from the input than this length wait until no
-  // other is left; then this length doubles. So beyond it a longer distance is never the price of size,
-  // quality or strain. 0: none waits.
-  double waitBeyond = 0;
+  // Collapses that are estimated to take the surface farther from the input than this length are deferred
+  // until no other is left; then this length doubles. So beyond it a longer distance is never the price of
+  // size, quality or strain. 0: none is deferred.
+  double deferBeyond = 0;
   SimplifyConstraints constraints{};
 };
 

@@ -218,13 +218,13 @@ export const COMMAND_SPECS: Record<Command, CommandSpec> = {
 
 /** All flags of a command, in the order of its help. */
 export function flagsOf(command: Command): Flag[] {
-  const settings = settingsOf(engineCommand(command)).map((setting) => flagOf(command, setting));
+  const settings = settingsOf(engineCommand(command)).map((setting) => flagOfSetting(command, setting));
   const preset = COMMAND_GROUPS[engineCommand(command)].includes('material') ? [MATERIAL_PRESET] : [];
   const whole = engineCommand(command) === 'optimize' ? [PRESET] : [];
   return [...COMMAND_SPECS[command].flags, ...settings, ...preset, ...whole];
 }
 
-function flagOf(command: Command, setting: SettingName): Flag {
+function flagOfSetting(command: Command, setting: SettingName): Flag {
   const option: OptionSpec = OPTIONS[setting];
   const { help, group } = COMMAND_SPECS[command].words?.[setting] ?? option;
   if (option.kind === 'switch') return { name: option.flag, help, group };

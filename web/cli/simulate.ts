@@ -54,16 +54,16 @@ export async function runSimulate(args: Arguments): Promise<number> {
   const sides = { file, originals, others };
   const weld = stopwatch();
   const bindings = args.bind === null ? null : readBinding(basename(args.bind), readText(args.bind));
-  const settled = readSettled(args);
+  const tuning = readTuning(args);
   const factors = calibrationFactors(session, sides);
   const calibration = stopwatch();
-  const motions = compareMotions(session, sides, { bindings, factors, settled });
+  const motions = compareMotions(session, sides, { bindings, factors, tuning });
   const simulated = stopwatch();
   if (args.record !== null)
     save(session, args.record, await recordingGlb(recorded(motions, originals, others), STEP_SECONDS));
   const report = startReport(session.core, 'simulate', settingsAsUsed('simulate', args.settings), originals);
   if (others) report.output = meshReport(others);
-  report.simulation = simulationReport(motions, askedMotion(args.settings, settled, others !== null));
+  report.simulation = simulationReport(motions, askedMotion(args.settings, tuning, others !== null));
   if (factors) report.calibration = calibrationReport(originals, factors);
   report.timings = {
     load,
@@ -98,7 +98,7 @@ function checkCalibration({ settings, operands }: Arguments): void {
 }
 
 /** The settings that B was tuned with; null: B is simulated as it is. */
-function readSettled({ settingsFile, settings }: Arguments): SettingsFile | null {
+function readTuning({ settingsFile, settings }: Arguments): SettingsFile | null {
   if (settingsFile === null) return null;
   const name = basename(settingsFile);
   const file = readSettingsFile(name, readText(settingsFile));
@@ -116,13 +116,13 @@ function calibrationFactors({ core, args }: Session, { originals, others }: Side
 interface MotionRequest {
   bindings: BodyBinding[] | null;
   factors: number[] | null;
-  settled: SettingsFile | null;
+  tuning: SettingsFile | null;
 }
 
 function compareMotions(
   session: Session,
   { file, originals, others }: Sides,
-  { bindings, factors, settled }: MotionRequest,
+  { bindings, factors, tuning }: MotionRequest,
 ): MotionComparison[] {
   const { settings, record } = session.args;
   return file.usable.map(({ run }, i) => {
@@ -130,7 +130,7 @@ function compareMotions(
     file.announce(run);
     const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
     const binding = others && bindings ? bindingBetween(original, others[i], bindings) : null;
-    const solvers = solversOf(session.args.settings, original, others?.[i] ?? null, settled);
+    const solvers = solversOf(session.args.settings, original, others?.[i] ?? null, tuning);
     return session.core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
       ...simulationOptions(original, settings, pinned),
       records: record !== null,

@@ -68,7 +68,7 @@ class Builder {
     connected_ = DisjointSets(copyCount);
     lattice_.filled.resize(copyCount);
     lattice_.ends.resize(copyCount);
-    stretchCount_.assign(copyCount, 0);
+    segmentCount_.assign(copyCount, 0);
     crossedCount_.assign(copyCount, 0);
     joinThroughTriangles(pieces);
     for (const RayFamily& family : families_) followRays(pieces, family);
@@ -134,23 +134,23 @@ class Builder {
     const int axis = family.axis, u = (axis + 1) % 3, v = (axis + 2) % 3;
     constexpr int step[3] = {1, 3, 9};
     uint32_t before = kNone;
-    pieces.forEachStretch(family, [&](const Stretch& stretch) {
-      const uint32_t copy = pieces.copyOf(family, stretch);
-      if (!stretch.isFirst && before != kNone && copy != kNone) joinCopies(before, copy, axis);
+    pieces.forEachSegment(family, [&](const RaySegment& segment) {
+      const uint32_t copy = pieces.copyOf(family, segment);
+      if (!segment.isFirst && before != kNone && copy != kNone) joinCopies(before, copy, axis);
       before = copy;
       if (copy == kNone) return;
-      ++stretchCount_[copy];
-      if (stretch.isFirst && stretch.isLast) ++crossedCount_[copy];
+      ++segmentCount_[copy];
+      if (segment.isFirst && segment.isLast) ++crossedCount_[copy];
       for (int lateral = 0; lateral < 4; ++lateral)
-        lattice_.ends[copy][4 * axis + lateral] += (stretch.isLast - stretch.isFirst) *
-                                                   rayShare(lateral & 1, stretch.sample[u]) *
-                                                   rayShare(lateral >> 1, stretch.sample[v]);
-      const auto begin = lagrangeIntegrals(stretch.begin), end = lagrangeIntegrals(stretch.end);
+        lattice_.ends[copy][4 * axis + lateral] += (segment.isLast - segment.isFirst) *
+                                                   rayShare(lateral & 1, segment.sample[u]) *
+                                                   rayShare(lateral >> 1, segment.sample[v]);
+      const auto begin = lagrangeIntegrals(segment.begin), end = lagrangeIntegrals(segment.end);
       for (int k = 0; k < 3; ++k)
         for (int j = 0; j < 3; ++j)
           for (int i = 0; i < 3; ++i)
             lattice_.filled[copy][step[axis] * k + step[u] * i + step[v] * j] +=
-                (end[k] - begin[k]) * shares[stretch.sample[u]][i] * shares[stretch.sample[v]][j] / 3;
+                (end[k] - begin[k]) * shares[segment.sample[u]][i] * shares[segment.sample[v]][j] / 3;
     });
     job_.check();
   }
@@ -158,7 +158,7 @@ class Builder {
   // A piece is a sliver if few rays pass through it, or if many of them cross it from surface to surface in
   // one cell.
   bool isSliver(uint32_t copy) const {
-    return stretchCount_[copy] <= kSamples * kSamples || 3 * crossedCount_[copy] >= stretchCount_[copy];
+    return segmentCount_[copy] <= kSamples * kSamples || 3 * crossedCount_[copy] >= segmentCount_[copy];
   }
 
   void measureSlivers(const LatticePieces& pieces) {
@@ -171,7 +171,7 @@ class Builder {
       job_.check();
       const CellMeasure measure =
           measureSliver({surface_, trianglesOf[copy], lattice_.grid.positionOf(pieces.cellOfCopy(copy)),
-                         stretchCount_[copy] > 0});
+                         segmentCount_[copy] > 0});
       const double own = filledFraction(measure), common = filledFraction(lattice_.filled[copy]);
       if (common < kHardly || (own > kSliverLeast * common && own < kSliverMost * common))
         lattice_.filled[copy] = measure;
@@ -183,7 +183,7 @@ class Builder {
   void attachLooseCopies(const LatticePieces& pieces) {
     std::vector<uint64_t> stretches(pieces.copyCount(), 0);
     for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy)
-      stretches[connected_.rootOf(copy)] += stretchCount_[copy];
+      stretches[connected_.rootOf(copy)] += segmentCount_[copy];
     const auto& cells = pieces.cellsOfCopies();
     std::vector<std::pair<uint32_t, uint32_t>> joints;
     for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy) {
@@ -192,7 +192,7 @@ class Builder {
       uint32_t fullest = copy;
       const auto end = static_cast<uint32_t>(last - cells.begin());
       for (auto c = static_cast<uint32_t>(first - cells.begin()); c < end; ++c)
-        if (stretchCount_[c] > stretchCount_[fullest]) fullest = c;
+        if (segmentCount_[c] > segmentCount_[fullest]) fullest = c;
       if (fullest != copy) joints.push_back({copy, fullest});
     }
     for (const auto& [copy, host] : joints) {
@@ -227,7 +227,7 @@ class Builder {
   std::vector<RayFamily> families_;
   DisjointSets corners_;                // [8 * copy + corner]: joined corners are one node
   DisjointSets connected_;              // joined copies are connected
-  std::vector<uint32_t> stretchCount_;  // per copy: stretches of rays through it
+  std::vector<uint32_t> segmentCount_;  // per copy: stretches of rays through it
   std::vector<uint32_t> crossedCount_;  // per copy: those that begin and end within the cell
 };
 

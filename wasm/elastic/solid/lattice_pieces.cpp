@@ -38,7 +38,7 @@ LatticePieces::LatticePieces(const LatticeGrid& grid, const Fragments& fragments
 void LatticePieces::numberItems(const std::vector<RayFamily>& families) {
   std::vector<uint8_t> isFilled = isCut_;
   for (const RayFamily& family : families)
-    forEachStretch(family, [&](const Stretch& stretch) { isFilled[stretch.cell] = 1; });
+    forEachSegment(family, [&](const RaySegment& segment) { isFilled[segment.cell] = 1; });
   itemStart_.assign(grid_.cellCount(), kNone);
   for (size_t cell = 0; cell < isFilled.size(); ++cell)
     if (isFilled[cell]) {
@@ -51,18 +51,19 @@ void LatticePieces::numberItems(const std::vector<RayFamily>& families) {
 }
 
 template <typename Visit>
-void LatticePieces::forEachItem(const RayFamily& family, const Stretch& stretch, const Visit& visit) const {
-  if (!isCut_[stretch.cell]) return visit(itemStart_[stretch.cell]);
-  std::array<int, 3> sample = stretch.sample;
+void LatticePieces::forEachItem(const RayFamily& family, const RaySegment& segment,
+                                const Visit& visit) const {
+  if (!isCut_[segment.cell]) return visit(itemStart_[segment.cell]);
+  std::array<int, 3> sample = segment.sample;
   for (int s = 0; s < kSamples; ++s) {
     const double position = samplePosition(family.axis, s);
-    if (position < stretch.begin || position > stretch.end) continue;
+    if (position < segment.begin || position > segment.end) continue;
     sample[family.axis] = s;
-    visit(itemStart_[stretch.cell] +
+    visit(itemStart_[segment.cell] +
           static_cast<uint32_t>((sample[0] * kSamples + sample[1]) * kSamples + sample[2]));
   }
-  for (uint32_t c = stretch.firstCrossing; c < stretch.lastCrossing; ++c) {
-    const uint32_t fragment = fragments_.find(family.crossings[c].triangle, stretch.cell);
+  for (uint32_t c = segment.firstCrossing; c < segment.lastCrossing; ++c) {
+    const uint32_t fragment = fragments_.find(family.crossings[c].triangle, segment.cell);
     if (fragment != kNone) visit(fragmentItem_ + fragment);
   }
 }
@@ -81,9 +82,9 @@ void LatticePieces::joinAlongEdge(uint32_t triangleA, uint32_t triangleB, const 
 }
 
 void LatticePieces::joinAlongRays(const RayFamily& family) {
-  forEachStretch(family, [&](const Stretch& stretch) {
+  forEachSegment(family, [&](const RaySegment& segment) {
     uint32_t before = kNone;
-    forEachItem(family, stretch, [&](uint32_t item) {
+    forEachItem(family, segment, [&](uint32_t item) {
       isUsed_[item] = 1;
       if (before != kNone) sets_.unite(before, item);
       before = item;
@@ -116,9 +117,9 @@ void LatticePieces::numberCopies() {
     if (isUsed_[item]) copyOfItem_[item] = copyOfItem_[sets_.rootOf(item)];
 }
 
-uint32_t LatticePieces::copyOf(const RayFamily& family, const Stretch& stretch) const {
+uint32_t LatticePieces::copyOf(const RayFamily& family, const RaySegment& segment) const {
   uint32_t copy = kNone;
-  forEachItem(family, stretch, [&](uint32_t item) { copy = copyOfItem_[item]; });
+  forEachItem(family, segment, [&](uint32_t item) { copy = copyOfItem_[item]; });
   return copy;
 }
 

@@ -11,7 +11,7 @@
 namespace limber {
 
 // The part of a ray's interval within one cell.
-struct Stretch {
+struct RaySegment {
   uint32_t cell;
   std::array<int, 3> sample;  // the ray's samples within the cell; the entry of its own axis is unused
   double begin, end;          // along the ray within the cell, in [0, 1]
@@ -40,18 +40,18 @@ class LatticePieces {
   const std::vector<uint32_t>& cellsOfCopies() const { return cellOfCopy_; }
   uint32_t cellOfCopy(uint32_t copy) const { return cellOfCopy_[copy]; }
   uint32_t copyOfFragment(uint32_t fragment) const { return copyOfItem_[fragmentItem_ + fragment]; }
-  // The copy that a stretch passes through, or kNone if the stretch is too short to tell.
-  uint32_t copyOf(const RayFamily& family, const Stretch& stretch) const;
+  // The copy that a segment passes through, or kNone if the segment is too short to tell.
+  uint32_t copyOf(const RayFamily& family, const RaySegment& segment) const;
 
-  // Calls visit(stretch) for each cell that each interval of a family passes through, ray by ray.
+  // Calls visit(segment) for each cell that each interval of a family passes through, ray by ray.
   template <typename Visit>
-  void forEachStretch(const RayFamily& family, const Visit& visit) const;
+  void forEachSegment(const RayFamily& family, const Visit& visit) const;
 
  private:
   void numberItems(const std::vector<RayFamily>& families);
-  // Calls visit(item) for each item on a stretch.
+  // Calls visit(item) for each item on a segment.
   template <typename Visit>
-  void forEachItem(const RayFamily& family, const Stretch& stretch, const Visit& visit) const;
+  void forEachItem(const RayFamily& family, const RaySegment& segment, const Visit& visit) const;
 
   const LatticeGrid& grid_;
   const Fragments& fragments_;
@@ -64,7 +64,7 @@ class LatticePieces {
 };
 
 template <typename Visit>
-void LatticePieces::forEachStretch(const RayFamily& family, const Visit& visit) const {
+void LatticePieces::forEachSegment(const RayFamily& family, const Visit& visit) const {
   const int axis = family.axis, u = (axis + 1) % 3, v = (axis + 2) % 3;
   const auto raysAlongV = static_cast<uint32_t>(grid_.count[v] * kSamples);
   for (const RayFamily::Interval& interval : family.intervals) {
@@ -73,25 +73,25 @@ void LatticePieces::forEachStretch(const RayFamily& family, const Visit& visit) 
     const double begin = family.crossings[interval.first].depth, end = family.crossings[interval.last].depth;
     const int first = grid_.along(axis, begin), last = grid_.along(axis, end);
     std::array<int, 3> position;
-    Stretch stretch;
-    stretch.sample[axis] = 0;
-    stretch.sample[u] = a % kSamples;
-    stretch.sample[v] = b % kSamples;
+    RaySegment segment;
+    segment.sample[axis] = 0;
+    segment.sample[u] = a % kSamples;
+    segment.sample[v] = b % kSamples;
     position[u] = a / kSamples;
     position[v] = b / kSamples;
-    stretch.lastCrossing = interval.first;
+    segment.lastCrossing = interval.first;
     for (int c = first; c <= last; ++c) {
       position[axis] = c;
-      stretch.cell = grid_.cellAt(position[0], position[1], position[2]);
-      stretch.begin = c == first ? begin - c : 0;
-      stretch.end = c == last ? end - c : 1;
-      stretch.isFirst = c == first;
-      stretch.isLast = c == last;
-      stretch.firstCrossing = stretch.lastCrossing;
-      while (stretch.lastCrossing <= interval.last &&
-             grid_.along(axis, family.crossings[stretch.lastCrossing].depth) <= c)
-        ++stretch.lastCrossing;
-      visit(stretch);
+      segment.cell = grid_.cellAt(position[0], position[1], position[2]);
+      segment.begin = c == first ? begin - c : 0;
+      segment.end = c == last ? end - c : 1;
+      segment.isFirst = c == first;
+      segment.isLast = c == last;
+      segment.firstCrossing = segment.lastCrossing;
+      while (segment.lastCrossing <= interval.last &&
+             grid_.along(axis, family.crossings[segment.lastCrossing].depth) <= c)
+        ++segment.lastCrossing;
+      visit(segment);
     }
   }
 }

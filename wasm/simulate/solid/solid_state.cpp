@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "elastic/pinned_patch.h"
+#include "elastic/refine_pinned_faces.h"
 #include "elastic/solid/lattice_grid.h"
 #include "simulate/solid/velocity_fit.h"
 #include "simulate/wind.h"

@@ -22,8 +22,8 @@ interface MethodRow {
   needsCurvature: boolean;
   /** whether the result can be fitted to the original: to its surface or its modes */
   canFit: boolean;
-  /** whether collapses that go farther than the largest deviation wait for all others */
-  waitsBeyond: boolean;
+  /** whether collapses that are estimated to deviate farther than a limit are deferred until no other is left */
+  defersDeviation: boolean;
   /** whether seams and borders of materials stay closed and attributes enter the cost of a collapse */
   keepsAttributes: boolean;
   /** the elastic model that `auto` stands for */
@@ -43,7 +43,7 @@ export const METHODS = [
     needsGuidance: true,
     needsCurvature: false,
     canFit: true,
-    waitsBeyond: true,
+    defersDeviation: true,
     keepsAttributes: true,
     autoModel: 'auto',
     autoModes: 6,
@@ -59,7 +59,7 @@ export const METHODS = [
     needsGuidance: true,
     needsCurvature: true,
     canFit: false,
-    waitsBeyond: false,
+    defersDeviation: false,
     keepsAttributes: false,
     autoModel: 'laplacian',
     autoModes: 1,
@@ -74,7 +74,7 @@ export const METHODS = [
     needsGuidance: false,
     needsCurvature: false,
     canFit: false,
-    waitsBeyond: false,
+    defersDeviation: false,
     keepsAttributes: true,
     autoModel: 'auto',
     autoModes: 6,

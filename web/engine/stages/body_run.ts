@@ -42,17 +42,17 @@ export class BodyRun {
   }
 
   /**
-   * The call of the core with which the stage would begin under these settings, and null where its value is there. Computes what the
+   * The calls of the core with which the stage would begin under these settings, and none where its value is there. Computes what the
    * stage needs; throws what these stages throw.
    */
-  firstCall<S extends AnyStage>(stage: S, settings: SettingsOf<S>): CoreCall | null {
+  firstCalls<S extends AnyStage>(stage: S, settings: SettingsOf<S>): CoreCall[] {
     const all = settings as unknown as RunSettings;
-    if (!stage.isWanted(all) || this.has(stage, settings)) return null;
-    const first = stage.firstCall.bind(stage) as (
+    if (!stage.isWanted(all) || this.has(stage, settings)) return [];
+    const first = stage.firstCalls.bind(stage) as (
       context: RunContext,
       inputs: unknown,
       derived: unknown,
-    ) => CoreCall | null;
+    ) => CoreCall[];
     return first(this.context, this.inputsOf(stage, all), stage.derive(all));
   }
 

@@ -30,8 +30,12 @@ import type { FileRequest } from './file_request';
 import type { FileRun } from './file_run';
 import type { AnyStage, RunSettings, SettingsOf, ValueOf } from './stage';
 import { runBodies } from './many_bodies/parallel_bodies';
+import type { BodyWork } from './many_bodies/parallel_bodies';
 import { STAGES } from './stages';
 import { tunedResultStage } from './tuned';
+
+/** Roughly, beside that of the first level with the history. */
+const WORK_OF_LEVEL = 0.2;
 
 /** A further level of detail, not yet written anywhere. */
 export interface LevelOutput {
@@ -54,17 +58,13 @@ export class FileOutput {
 
   /** Takes every body through its stages as far as its result, which is not measured. */
   fit(): void {
-    const settingsOf = (i: number) => this.runSettings(i);
-    runBodies(this.file, this.file.usable, { settingsOf, last: STAGES.fitted });
+    this.runBodies(STAGES.fitted);
   }
 
   /** Takes every body through its stages as far as its measured result; `onDone` is told of each. */
   compute(onDone?: (run: BodyRun, settings: RunSettings) => void): void {
-    runBodies(this.file, this.file.usable, {
-      settingsOf: (i) => this.runSettings(i),
-      last: STAGES.measured,
-      onDone: ({ run, i }) => onDone?.(run, this.runSettings(i)),
-    });
+    const share = 1 / (1 + WORK_OF_LEVEL * this.levelCount);
+    this.runBodies(STAGES.measured, { share, onDone: ({ run, i }) => onDone?.(run, this.runSettings(i)) });
   }
 
   /** The value of a stage for every body that takes part. */
@@ -82,7 +82,8 @@ export class FileOutput {
    * The file `name`, in the format of its ending or of the settings, and those beside it, with the result of every body; bodies that do
    * not take part stay as they are. Throws an Error with one sentence where name and format contradict each other.
    */
-  files(name: string): Promise<SourceFile[]> {
+  async files(name: string): Promise<SourceFile[]> {
+    if (!this.hasLevelFiles && this.levelCount > 0) this.runBodies(STAGES.furtherLevels);
     return this.write(name, this.formOf(name), this.firstLevels());
   }
 
@@ -97,6 +98,7 @@ export class FileOutput {
 
   /** The further level `number`, from 0, of all bodies; `name`: of its file, where it has one of its own. */
   async level(number: number, name: string): Promise<LevelOutput> {
+    this.runBodies(STAGES.furtherLevels);
     const one = (run: BodyRun, i: number): ExportedLevels => ({
       first: run.get(STAGES.writtenLevels, this.runSettings(i))[number],
       further: [],
@@ -230,6 +232,11 @@ export class FileOutput {
       measure: secondsOf(STAGES.measured),
       ...(this.request.settings.solver === 'none' ? {} : { tune: secondsOf(tunedResultStage) }),
     };
+  }
+
+  private runBodies(last: BodyWork['last'], how: Pick<BodyWork, 'share' | 'onDone'> = {}): void {
+    const settingsOf = (i: number): RunSettings => this.runSettings(i);
+    runBodies(this.file, this.file.usable, { ...how, settingsOf, last });
   }
 
   private settingsFor<S extends AnyStage>(i: number): SettingsOf<S> {

@@ -79,15 +79,16 @@ export function fitResult(
 
 const sharesOf = ({ maxDeviation }: FitSettings): number[] => (maxDeviation > 0 ? DEVIATION_SHARES : [1]);
 
-/** The call of the core with which `fitResult` begins where the fit is to the surface; otherwise null. */
-export function firstFit(
+/** The calls of the core with which `fitResult` begins for each result where the fit is to the surface; otherwise none. */
+export function firstFits(
   prepared: PreparedBody,
-  result: MeshAt,
+  results: MeshAt[],
   { constraints, settings }: Pick<FitRequest, 'constraints' | 'settings'>,
-): CoreCall<'fitShape'> | null {
-  if (settings === null || settings.shell !== null) return null;
+): CoreCall<'fitShape'>[] {
+  if (settings === null || settings.shell !== null) return [];
   const [share] = sharesOf(settings);
-  return coreCall('fitShape', prepared.mesh, result, fitOptions(prepared, { constraints, settings, share }));
+  const options = fitOptions(prepared, { constraints, settings, share });
+  return results.map((result) => coreCall('fitShape', prepared.mesh, result, options));
 }
 
 type FitOfShare = Omit<FitRequest, 'settings'> & { settings: FitSettings; share: number };

@@ -6,7 +6,7 @@ import { constraintsStage } from './constraints';
 import type { Settings } from '../settings/options';
 import { deviationsStage } from './budget/deviations';
 import { errorCurveStage } from './budget/error_curve';
-import { FIT_SETTINGS, firstFit, fitSettings } from './fit';
+import { FIT_SETTINGS, firstFits, fitSettings } from './fit';
 import { findFrequencyLevel } from './budget/frequency_level';
 import type { FrequencyTarget } from './budget/frequency_level';
 import { fitGuarded } from './budget/guarded_fit';
@@ -62,6 +62,6 @@ export const fittedStage = declareStage({
     const found = findFrequencyLevel(context, { prepared, kept }, request, target);
     return { ...found, guard: found.frequency.isBinding ? null : level.guard };
   },
-  firstCall: (_context, { prepared, constraints: { constraints }, level }, { fit, frequency }) =>
-    frequency ? null : firstFit(prepared, level.result, { constraints, settings: fit }),
+  firstCalls: (_context, { prepared, constraints: { constraints }, level }, { fit, frequency }) =>
+    frequency ? [] : firstFits(prepared, [level.result], { constraints, settings: fit }),
 });

@@ -29,7 +29,10 @@ export const guidanceStage = declareStage({
     strainThreshold,
   }),
   run: (context, { prepared, modes }, request) => findGuidance(context, prepared, modes, request),
-  firstCall: (_context, { prepared, modes }, request) => guidanceCall(prepared, modes, request),
+  firstCalls: (_context, { prepared, modes }, request) => {
+    const call = guidanceCall(prepared, modes, request);
+    return call ? [call] : [];
+  },
 });
 
 export const curvatureStage = declareStage({

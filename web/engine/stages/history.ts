@@ -31,8 +31,9 @@ export const historyStage = declareStage({
     const { mirror } = constraints;
     return mirror ? { ...history, mirror } : history;
   },
-  firstCall: (_context, { prepared, constraints: { constraints }, ...fields }, settings) =>
+  firstCalls: (_context, { prepared, constraints: { constraints }, ...fields }, settings) => [
     historyCall(prepared, { constraints, ...fields }, settings),
+  ],
 });
 
 interface HistorySettings extends SimplificationSettings {

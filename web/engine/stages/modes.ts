@@ -33,8 +33,8 @@ export const modesStage = declareStage({
     isTooSmallToMove
       ? withoutModes(prepared, request)
       : resultOf(core, cache, modesCall(prepared, pinned, { ...request, guidedBodies })),
-  firstCall: ({ guidedBodies, isTooSmallToMove }, { prepared, pinned }, request) =>
-    isTooSmallToMove ? null : modesCall(prepared, pinned, { ...request, guidedBodies }),
+  firstCalls: ({ guidedBodies, isTooSmallToMove }, { prepared, pinned }, request) =>
+    isTooSmallToMove ? [] : [modesCall(prepared, pinned, { ...request, guidedBodies })],
 });
 
 /** The modes of a body that is not analysed: none, of one part. */

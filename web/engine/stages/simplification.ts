@@ -71,7 +71,7 @@ export function simplificationOf(
       ...weights,
       minAngle,
       recordErrors: true,
-      waitBeyond: methodOf(settings).waitsBeyond ? (deferredDeviation / 100) * prepared.diagonal : 0,
+      deferBeyond: methodOf(settings).defersDeviation ? (deferredDeviation / 100) * prepared.diagonal : 0,
       constraints: simplifyConstraints(prepared, settings, constraints),
     },
   };

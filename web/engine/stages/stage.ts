@@ -51,8 +51,8 @@ export interface AnyStage {
   /** where it is false, the value is null, and nothing that the stage needs is run */
   isWanted(settings: RunSettings): boolean;
   run(context: RunContext, inputs: never, derived: never): unknown;
-  /** the call of the core with which `run` begins, by way of `resultOf`; null: `run` makes none, or not at first */
-  firstCall(context: RunContext, inputs: never, derived: never): CoreCall | null;
+  /** the calls of the core with which `run` begins, by way of `resultOf`; all of one function */
+  firstCalls(context: RunContext, inputs: never, derived: never): CoreCall[];
   /** whether values hold something in the core: what was made from a value is of no use once it has been given back */
   readonly hasHandle: boolean;
   /** gives back what a value holds in the core, once another value has taken its place */
@@ -97,11 +97,11 @@ interface StageDeclaration<Value, Read extends RunSettingName, N extends Needs, 
     inputs: { [Key in keyof N]: ValueOf<N[Key]> },
     derived: NoInfer<Derived>,
   ) => Value;
-  firstCall?: (
+  firstCalls?: (
     context: RunContext,
     inputs: { [Key in keyof N]: ValueOf<N[Key]> },
     derived: NoInfer<Derived>,
-  ) => CoreCall | null;
+  ) => CoreCall[];
   release?: (context: RunContext, value: NoInfer<Value>) => void;
 }
 
@@ -112,7 +112,7 @@ export function declareStage<
   N extends Needs,
   Derived = Pick<RunSettings, Read>,
 >(declaration: StageDeclaration<Value, Read, N, Derived>): Stage<Value, Read | ReadBy<N>> {
-  const { name, reads: own, needs, run, firstCall = () => null, release = () => {} } = declaration;
+  const { name, reads: own, needs, run, firstCalls = () => [], release = () => {} } = declaration;
   const derive = declaration.derive ?? ((settings) => settings as Derived);
   const reads = withNeeds(own, needs);
   return {
@@ -122,7 +122,7 @@ export function declareStage<
     derive: (all) => derive(pick(all, own)),
     isWanted: () => true,
     run,
-    firstCall,
+    firstCalls,
     hasHandle: declaration.release !== undefined,
     release,
   };
@@ -142,7 +142,7 @@ export function where<S extends AnyStage, Read extends RunSettingName>(
     derive: () => null,
     isWanted: (all) => isWanted(pick(all, own)),
     run: (_context, inputs: { stage: ValueOf<S> }) => inputs.stage,
-    firstCall: () => null,
+    firstCalls: () => [],
     hasHandle: false,
     release: () => {},
   };

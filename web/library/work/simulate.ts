@@ -38,7 +38,7 @@ interface Sides {
 /** What the other model is moved with besides its mesh. */
 interface Carried {
   bindings: BodyBinding[] | null;
-  settled: SettingsFile | null;
+  tuning: SettingsFile | null;
   /** factors on the stiffness per body */
   factors: number[] | null;
 }
@@ -64,12 +64,12 @@ export async function simulateModels(
   const motions = moveBodies(session, sides, { ...carried, records: options.records ?? false });
   const simulate = session.lap();
   const recording = options.records ? await recordingGlb(recorded(motions, sides), STEP_SECONDS) : null;
-  const { factors, settled } = carried;
+  const { factors, tuning } = carried;
   const used = settingsAsUsed('simulate', settings);
   const report: Report = {
     ...startReport(core, 'simulate', used, originals),
     ...(others ? { output: meshReport(others) } : {}),
-    simulation: simulationReport(motions, askedMotion(settings, settled, others !== null)),
+    simulation: simulationReport(motions, askedMotion(settings, tuning, others !== null)),
     ...(factors ? { calibration: calibrationReport(originals, factors) } : {}),
     timings: { load, weld, ...(factors ? { calibration } : {}), simulate, export: session.lap() },
   };
@@ -96,13 +96,13 @@ function readCarried(
   { originals, others }: Sides,
   { binding, settingsFile }: SimulateOptions,
 ): Carried {
-  const settled = settingsFile === undefined ? null : readSettingsFile('settingsFile', settingsFile);
-  if (settled && settings.solver !== 'none' && settings.solver !== settled.solver)
-    throw new Error(`settingsFile is for solver ${settled.solver}, not ${settings.solver}: give that.`);
+  const tuning = settingsFile === undefined ? null : readSettingsFile('settingsFile', settingsFile);
+  if (tuning && settings.solver !== 'none' && settings.solver !== tuning.solver)
+    throw new Error(`settingsFile is for solver ${tuning.solver}, not ${settings.solver}: give that.`);
   const factors = others && settings.calibrate;
   return {
     bindings: binding === undefined ? null : readBinding('binding', binding),
-    settled,
+    tuning,
     factors: factors
       ? originals.map((original, i) => calibrationOf(core, original, others[i].mesh, settings))
       : null,
@@ -112,14 +112,14 @@ function readCarried(
 function moveBodies(
   session: WorkSession,
   { file, originals, others }: Sides,
-  { bindings, factors, settled, records }: Carried & { records: boolean },
+  { bindings, factors, tuning, records }: Carried & { records: boolean },
 ): MotionComparison[] {
   const { core, settings } = session;
   return file.usable.map(({ run }, i) => {
     const original = originals[i];
     file.announce(run);
     const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
-    const solvers = solversOf(session.settings, original, others?.[i] ?? null, settled);
+    const solvers = solversOf(session.settings, original, others?.[i] ?? null, tuning);
     return core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
       ...simulationOptions(original, settings, pinned),
       records,

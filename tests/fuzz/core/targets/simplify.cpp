@@ -39,7 +39,7 @@ SimplifyOptions drawOptions(FuzzInput& input) {
   if (input.chance(64)) options.stopFaces = input.below(200);
   if (input.chance(64)) options.maxDeviation = input.anyFloat();
   if (input.chance(64)) options.minAngle = input.real(-1, 61);
-  if (input.chance(64)) options.waitBeyond = input.anyFloat();
+  if (input.chance(64)) options.deferBeyond = input.anyFloat();
   options.recordErrors = input.chance(128);
   options.constraints.creaseAngle = input.chance(64) ? input.real(-1, 181) : 0;
   options.constraints.borders = input.chance(64) ? Borders::Fixed : Borders::Free;

@@ -49,8 +49,8 @@ export interface SimplifyOptions {
   minAngle?: number;
   /** whether the history gets `errors` */
   recordErrors?: boolean;
-  /** collapses that are estimated to go farther from the input than this wait for all others, then it doubles; units of the mesh; 0: none waits */
-  waitBeyond?: number;
+  /** collapses that are estimated to go farther from the input than this are deferred until no other is left, then it doubles; units of the mesh; 0: none is deferred */
+  deferBeyond?: number;
   constraints?: SimplifyConstraints;
 }
 

@@ -55,7 +55,7 @@ export interface MethodResult {
 }
 
 /** The settings of a method as the page would use them once it is chosen. */
-export const settingsOf = (settings: Settings, method: Method): Settings =>
+export const settingsForMethod = (settings: Settings, method: Method): Settings =>
   settings.method === method ? settings : { ...settings, ...methodChange(method) };
 
 /** The same without the limits that can stop a method at another number of faces. */
@@ -73,7 +73,7 @@ export async function resultAtBudget(
   const { core } = run.context;
   const prepared = run.get(STAGES.prepared, settings);
   const { mesh, seconds } = isOwnMethod(name)
-    ? resultWithin(run, settingsOf(settings, name), faces)
+    ? resultWithin(run, settingsForMethod(settings, name), faces)
     : await meshoptimizerResult(name, prepared.mesh, faces);
   return { name, mesh, seconds, ...measuredAlike(core, prepared, settings, mesh) };
 }

@@ -11,6 +11,7 @@ import { guardInParallel } from '../budget/guarded_level';
 import type { GuardedBody } from '../budget/guarded_level';
 import type { FileRun } from '../file_run';
 import { fittedStage } from '../fitted';
+import { furtherLevelsStage } from '../further_levels';
 import { guidanceStage, guidingModes } from '../guidance';
 import { historyStage } from '../history';
 import { keptHistoryStage } from '../kept_history';
@@ -26,8 +27,9 @@ import { groupsOf } from './groups';
 import type { Usable } from './groups';
 import type { ValueCache } from './value_cache';
 
-/** The stage that every body is taken to: the error curve follows from its history, the others are those of its result. */
-type LastStage = typeof errorCurveStage | typeof fittedStage | typeof measuredStage;
+/** The stage that every body is taken to: the error curve follows from its history, the others are those of its results. */
+type LastStage =
+  typeof errorCurveStage | typeof fittedStage | typeof measuredStage | typeof furtherLevelsStage;
 
 /** How the bodies of a file are run. */
 export interface BodyWork {
@@ -92,14 +94,18 @@ function stepsAhead(core: Core, group: BodyRequest[], last: LastStage): Step[] {
   const steps = group.length > 1 ? stepsTogether(core, bodies) : stepsAlone(bodies[0]);
   return [
     ...(lacks(historyStage) ? steps.history : []),
-    ...(last !== errorCurveStage && lacks(fittedStage) ? steps.result : []),
+    ...(last === furtherLevelsStage ? steps.levels : []),
+    ...(isOfResult(last) && lacks(fittedStage) ? steps.result : []),
   ];
 }
 
-/** Steps to the history, and from there to the result. */
+const isOfResult = (last: LastStage): boolean => last === fittedStage || last === measuredStage;
+
+/** Steps to the history, and from there to the result or to the further levels. */
 interface Steps {
   history: Step[];
   result: Step[];
+  levels: Step[];
 }
 
 function stepsAlone({ run, settings }: BodyRequest): Steps {
@@ -109,6 +115,7 @@ function stepsAlone({ run, settings }: BodyRequest): Steps {
       { weight: 2, run: () => run.get(historyStage, settings) },
     ],
     result: [{ weight: 8, run: () => run.get(fittedStage, settings) }],
+    levels: [{ weight: 8, run: () => run.get(furtherLevelsStage, settings) }],
   };
 }
 
@@ -120,28 +127,34 @@ function stepsTogether(core: Core, bodies: BodyRequest[]): Steps {
     isOneCall: true,
   });
   const guidance = [first(9, modesStage), first(1, guidanceStage)];
-  let fits: FirstCall[] = [];
   return {
     history: [...(methodOf(settings).needsGuidance ? guidance : []), first(2, historyStage)],
     result: [
       { weight: 4, run: () => guardInParallel(core, bodies.map(guardedBody)) },
-      { weight: 3, run: () => (fits = callFirst(core, bodies, fittedStage)), isOneCall: true },
-      { weight: 1, run: () => aheadOf(fittedStage, fits, () => measureFits(core, fits)) },
+      ...fitTogether(core, bodies, fittedStage),
     ],
+    levels: fitTogether(core, bodies, furtherLevelsStage),
   };
 }
 
-/** A body and the call with which a stage of it begins. */
+function fitTogether(core: Core, bodies: BodyRequest[], stage: AnyStage): Step[] {
+  let fits: FirstCall[] = [];
+  return [
+    { weight: 3, run: () => (fits = callFirst(core, bodies, stage)), isOneCall: true },
+    { weight: 1, run: () => aheadOf(stage, fits, () => measureFits(core, fits)) },
+  ];
+}
+
+/** A body and a call with which a stage of it begins. */
 interface FirstCall extends BodyRequest {
   call: CoreCall;
 }
 
 /** Makes and returns the first calls of a stage. */
 function callFirst(core: Core, bodies: BodyRequest[], stage: AnyStage): FirstCall[] {
-  const firsts = bodies.flatMap(({ run, settings }): FirstCall[] => {
-    const call = run.firstCall(stage, settings);
-    return call ? [{ run, settings, call }] : [];
-  });
+  const firsts = bodies.flatMap(({ run, settings }): FirstCall[] =>
+    run.firstCalls(stage, settings).map((call) => ({ run, settings, call })),
+  );
   const calls = firsts.map(({ call }) => call);
   aheadOf(stage, firsts, () => callAll(core, cacheOf(bodies), calls));
   return firsts;

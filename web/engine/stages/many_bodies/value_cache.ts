@@ -11,7 +11,7 @@ interface Entry {
 export class ValueCache {
   private readonly entries = new Map<string, Map<number, Entry[]>>();
 
-  /** `capacity`: inputs that are remembered for each function; the oldest are forgotten first. */
+  /** `capacity`: inputs that are remembered for each function, or more where `fill` has more at once; the oldest are forgotten first. */
   constructor(private readonly capacity: number) {}
 
   /**
@@ -44,9 +44,10 @@ export class ValueCache {
       if (isNew && !this.find(name, inputs, hash)) missing.push({ inputs, hash });
     }
     if (missing.length === 0) return;
+    const capacity = Math.max(this.capacity, missing.length);
     compute(missing.map(({ inputs }) => inputs)).forEach((value, i) => {
       const { inputs, hash } = missing[i];
-      if (!(value instanceof Error)) this.remember(name, { inputs, value }, hash);
+      if (!(value instanceof Error)) this.remember(name, { inputs, value }, hash, capacity);
     });
   }
 
@@ -57,10 +58,10 @@ export class ValueCache {
       ?.find((entry) => areEqual(entry.inputs, inputs));
   }
 
-  private remember(name: string, entry: Entry, hash: number): void {
+  private remember(name: string, entry: Entry, hash: number, capacity = this.capacity): void {
     const entries = this.entries.get(name) ?? new Map<number, Entry[]>();
     this.entries.set(name, entries.set(hash, [...(entries.get(hash) ?? []), entry]));
-    if (entries.size > this.capacity) entries.delete(entries.keys().next().value!);
+    if (entries.size > capacity) entries.delete(entries.keys().next().value!);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "elastic/pinned_patch.h"
+#include "elastic/refine_pinned_faces.h"
 
 #include <algorithm>
 

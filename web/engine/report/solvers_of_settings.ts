@@ -15,7 +15,7 @@ import type { BodySettings, SettingsFile } from './settings_file';
  * What the original and its result are simulated with by a settings file. `unit`: metres per unit of their meshes. Throws an
  * Error with one sentence where the file is not of this result.
  */
-export function settledSolvers(
+export function solversOfSettings(
   { solver, bodies }: SettingsFile,
   original: TriangleMesh,
   result: PreparedBody,
@@ -31,7 +31,7 @@ export function settledSolvers(
   const constants = profile.constants(entry.original, meshFacts(original, unit));
   return {
     original: { model: modelOf(profile, 'auto'), constants },
-    result: settledSolver(entry, model, result),
+    result: solverOfEntry(entry, model, result),
   };
 }
 
@@ -50,7 +50,7 @@ function entryOf(bodies: BodySettings[], { body, weld, mesh }: PreparedBody): Bo
 }
 
 /** The solver with the masses and factors of the entry, in the order of the prepared mesh. */
-function settledSolver(entry: BodySettings, model: SolverModel, result: PreparedBody): SimulatedSolver {
+function solverOfEntry(entry: BodySettings, model: SolverModel, result: PreparedBody): SimulatedSolver {
   const of = verticesOf(entry, result);
   const masses = Float64Array.from(of, (v) => entry.mass.perVertex[v]);
   const { area } = meshFacts(result.mesh, entry.unit);

@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Core, TriangleMesh } from '../../web/engine/core/core';
 import type { BodySettings, SettingsFile } from '../../web/engine/report/settings_file';
-import { settledSolvers } from '../../web/engine/report/settled_solver';
+import { solversOfSettings } from '../../web/engine/report/solvers_of_settings';
 import { defaultSettings } from '../../web/engine/settings/options';
 import { constraintVertices } from '../../web/engine/solvers/constraint_vertices';
 import { factorsOf } from '../../web/engine/solvers/solver_pair';
@@ -59,12 +59,12 @@ const fileOf = (body: BodySettings): SettingsFile => ({
   ...{ engine: body.engine, original: body.original, bodies: [body], frequencies: {} },
 });
 
-const settled = (body: BodySettings, unit = 1) =>
-  settledSolvers(fileOf(body), grid(2, 2), prepareBody(core, bodyOf(mesh), defaultSettings()), unit);
+const solversFor = (body: BodySettings, unit = 1) =>
+  solversOfSettings(fileOf(body), grid(2, 2), prepareBody(core, bodyOf(mesh), defaultSettings()), unit);
 
 describe('the settings of a mesh that was read from its own file', () => {
   it('are found by vertices, however these are numbered', () => {
-    const { result } = settled(entry());
+    const { result } = solversFor(entry());
     const here = constraintVertices(mesh, NET);
     expect([...result.masses!]).toEqual(Array.from({ length: count }, (_, v) => 10 + v));
     result.stretchFactors!.forEach((factor, c) => expect(factor).toBeCloseTo(mark(here.stretch[c]), 9));
@@ -74,7 +74,7 @@ describe('the settings of a mesh that was read from its own file', () => {
   });
 
   it('leave the original the parameters that it was tuned to', () => {
-    const { original } = settled(entry());
+    const { original } = solversFor(entry());
     expect(original).toEqual({
       model: { ...NET, mass: 'area' },
       constants: { stretch: 5, secondStretch: 0, bend: 0.25, poisson: 0, surfaceDensity: 3, unit: 1 },
@@ -87,7 +87,7 @@ describe('the settings of a mesh that was read from its own file', () => {
     body.vertex = { stretch: field, bend: field.map((value) => 2 * value) };
     delete body.stretch.factors;
     delete body.bend.factors;
-    const { result } = settled(body);
+    const { result } = solversFor(body);
     const here = constraintVertices(mesh, NET);
     const mean = ([a, b]: number[]): number => 1 + (a + b) / 2;
     expect([...result.stretchFactors!]).toEqual(here.stretch.map(mean));
@@ -96,10 +96,10 @@ describe('the settings of a mesh that was read from its own file', () => {
 
   it('are refused with a sentence where they are of another mesh or unit', async () => {
     const other = { ...entry(), name: 'sleeve' };
-    expect(await failureOf(() => settled(other))).toBe(
+    expect(await failureOf(() => solversFor(other))).toBe(
       'The settings are not of "body" with 12 faces: take those that were written with this file.',
     );
-    expect(await failureOf(() => settled(entry(), 0.01))).toBe(
+    expect(await failureOf(() => solversFor(entry(), 0.01))).toBe(
       'The settings of "body" are for 1 m a unit, but here it is 0.01 m: give the --unit of the settings.',
     );
   });
