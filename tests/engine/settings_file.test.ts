@@ -186,4 +186,20 @@ describe('what a report says of them', () => {
     expect(told).toMatch(/so the file has your own stiffness and those masses$/);
     expect(describeTuning('jolt', { frequencies })[1]).toBe('the motion itself was not tried');
   });
+
+  it('names numbers that the engine does not take, of all bodies the one that is farthest out', () => {
+    const body = tunedBody('blender');
+    const within = { ...body.original.values, tension: 9000 };
+    const stiff = (tension: number) => ({
+      ...body,
+      original: { ...body.original, values: within },
+      result: { ...body.result, values: { ...within, tension } },
+    });
+    expect(solverReport([stiff(9500)]).fidelity.solvers.blender).not.toHaveProperty('outOfRange');
+    const { blender } = solverReport([stiff(11000), stiff(17320.5)]).fidelity.solvers;
+    expect(blender!.outOfRange).toEqual([{ name: 'tension', value: 17320.5, min: 1e-9, max: 10000 }]);
+    expect(describeTuning('blender', blender!).at(-1)).toBe(
+      'Blender takes a tension of at most 10,000, and this needs 17,300: choose another material or thickness, or give your own numbers',
+    );
+  });
 });

@@ -13,6 +13,16 @@ export interface SolverReport {
   motion?: TunedMotion;
   /** why nothing was moved, as a clause */
   motionRefusal?: string;
+  /** the numbers to type in that the engine does not take, of all bodies; absent where there are none */
+  outOfRange?: OutOfRange[];
+}
+
+interface OutOfRange {
+  name: string;
+  value: number;
+  /** what the engine takes */
+  min: number;
+  max: number;
 }
 
 /** What a report says of fidelity: `compare` gives all of it but `solvers`, a tuning gives `solvers` alone. */
@@ -28,8 +38,21 @@ export function solverReport(bodies: TunedBody[]): {
   const { solver, tuned } = worstTuned(bodies);
   const { frequencies, motion, motionRefusal } = tuned;
   const moved = { ...(motion && { motion }), ...(motionRefusal && { motionRefusal }) };
-  const report = { frequencies: knownErrors(frequencies), ...moved };
+  const beyond = outOfRange(bodies);
+  const outside = beyond.length > 0 ? { outOfRange: beyond } : {};
+  const report = { frequencies: knownErrors(frequencies), ...moved, ...outside };
   return { schema: 'limber-report/2', fidelity: { solvers: { [solver]: report } } };
+}
+
+/** Of each parameter the value that is farthest out. A material can be stiffer than an engine lets its users type in. */
+function outOfRange(bodies: TunedBody[]): OutOfRange[] {
+  const { parameters } = profileOf(bodies[0].solver);
+  return parameters.flatMap(({ name, min, max }): OutOfRange[] => {
+    const values = bodies.flatMap(({ original, result }) => [original.values[name], result.values[name]]);
+    const [least, most] = [Math.min(...values), Math.max(...values)];
+    if (most > max) return [{ name, value: most, min, max }];
+    return least < min ? [{ name, value: least, min, max }] : [];
+  });
 }
 
 const percentOf = (value: number): string => `${value.toFixed(value < 0.1 ? 3 : 2)} %`;
@@ -37,12 +60,20 @@ const percentOf = (value: number): string => `${value.toFixed(value < 0.1 ? 3 : 
 /** Sentences without their end about what a tuning has found, for the terminal and the page. */
 export function describeTuning(
   solver: SolverName,
-  { frequencies, motion, motionRefusal }: SolverReport,
+  { frequencies, motion, motionRefusal, outOfRange = [] }: SolverReport,
 ): string[] {
   const why = motionRefusal === undefined ? '' : `: ${motionRefusal}`;
   const moved = motion ? describeMotion(motion) : `the motion itself was not tried${why}`;
-  return [describeFrequencies(solver, frequencies), moved];
+  const beyond = outOfRange.map((parameter) => describeOutOfRange(solver, parameter));
+  return [describeFrequencies(solver, frequencies), moved, ...beyond];
 }
+
+function describeOutOfRange(solver: SolverName, { name, value, min, max }: OutOfRange): string {
+  const limit = value > max ? `at most ${numberOf(max)}` : `at least ${numberOf(min)}`;
+  return `${profileOf(solver).label} takes a ${name} of ${limit}, and this needs ${numberOf(value)}: choose another material or thickness, or give your own numbers`;
+}
+
+const numberOf = (value: number): string => value.toLocaleString('en-US', { maximumSignificantDigits: 3 });
 
 function describeFrequencies(
   solver: SolverName,
