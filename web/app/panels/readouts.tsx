@@ -21,6 +21,15 @@ export function Readouts() {
   return <ResultReadouts body={body} faces={faceCount(result.mesh)} />;
 }
 
+/** Which mesh of a scene the numbers are of. */
+function NameReadout() {
+  const { bodies } = results.file.value!;
+  const chosen = wants.body.value;
+  if (bodies.length === 1) return null;
+  const place = say('{number} of {all}', { number: count(chosen + 1), all: count(bodies.length) });
+  return <Readout name="Mesh" value={bodies[chosen].name} note={place} />;
+}
+
 function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
   const total = faceCount(body.mesh);
   const metrics = shownMetrics.value;
@@ -29,6 +38,7 @@ function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {
     <>
       <Spoken text={spokenResult(body, faces)} />
       <dl class="readouts" tabIndex={0}>
+        <NameReadout />
         <Readout name="Faces" value={`${count(total)} → ${count(faces)}`} note={`${fixed(change, 1)} %`} />
         <Readout
           name="Smallest angle"
@@ -107,7 +117,7 @@ function describeTopology({ components, boundaryLoops, genus }: Inspection): str
   return [
     sayCounted(components, '{count} part', '{count} parts'),
     sayCounted(boundaryLoops, '{count} border', '{count} borders'),
-    say('genus {genus}', { genus: genus ?? say('n/a') }),
+    ...(genus === null ? [] : [sayCounted(genus, '{count} handle', '{count} handles')]),
   ].join(', ');
 }
 
@@ -115,6 +125,7 @@ function OriginalReadouts() {
   const { inspection, minAngle, meanMinAngle } = results.body.value!;
   return (
     <dl class="readouts" tabIndex={0}>
+      <NameReadout />
       <Readout
         name="Faces"
         value={count(inspection.faces)}

@@ -58,7 +58,7 @@ function Contents() {
   const { contents, size } = results.file.value!;
   const after = shownResultFile.value?.bytes.length ?? null;
   const rows: [string, string][] = [
-    ['Size', after === null ? fileSize(size) : `${fileSize(size)} → ${fileSize(after)}`],
+    ['File size', after === null ? fileSize(size) : `${fileSize(size)} → ${fileSize(after)}`],
     ['UV sets', count(contents.uvSets)],
     ['Materials', count(contents.materials)],
     ['Textures', count(contents.textures)],
@@ -78,7 +78,7 @@ function Facts() {
     ['Parts', count(inspection.components)],
     ['Open borders', count(inspection.boundaryLoops)],
     ['Handles', inspection.genus === null ? say('n/a') : count(inspection.genus)],
-    ['Size', say('{size} units', { size: Number(diagonal.toPrecision(4)) })],
+    ['Diagonal', say('{size} units', { size: Number(diagonal.toPrecision(4)) })],
     ['Smallest angle', `${fixed(minAngle, 1)}°`],
     ['Mean of smallest', `${fixed(meanMinAngle, 1)}°`],
   ];

@@ -24,6 +24,8 @@ interface Drawn {
   /** its number among the file's meshes */
   mesh: number;
   own: THREE.Material | THREE.Material[];
+  /** whether the file says nothing of its colours: the material that glTF then prescribes is white */
+  isPlain: boolean;
   /** draws its edges; null until they are asked for */
   edges: THREE.Mesh | null;
 }
@@ -54,7 +56,8 @@ export class SceneModel {
       if (!(object instanceof THREE.Mesh)) return;
       object.frustumCulled = false;
       const own = object.material as THREE.Material | THREE.Material[];
-      this.drawn.push({ object, mesh: associations.get(object)?.meshes ?? -1, own, edges: null });
+      const isPlain = [own].flat().every((one) => !associations.get(one) && !one.vertexColors);
+      this.drawn.push({ object, mesh: associations.get(object)?.meshes ?? -1, own, isPlain, edges: null });
     });
     this.mixer = new THREE.AnimationMixer(root);
     this.clip = clips[0] ?? null;
@@ -80,15 +83,15 @@ export class SceneModel {
       const { object, mesh, own } = drawn;
       object.visible = look.shown === null || look.shown.has(mesh);
       object.material = Array.isArray(own)
-        ? own.map((one) => this.material(look, one, object))
-        : this.material(look, own, object);
+        ? own.map((one) => this.material(look, one, drawn))
+        : this.material(look, own, drawn);
       this.showEdges(drawn, look);
     }
   }
 
-  private material(look: SceneLook, own: THREE.Material, object: THREE.Mesh): THREE.Material {
-    const hasUv = object.geometry.hasAttribute('uv');
-    const name = look.name === 'checker' && !hasUv ? 'clay' : look.name;
+  private material(look: SceneLook, own: THREE.Material, { object, isPlain }: Drawn): THREE.Material {
+    const isMissing = { textured: isPlain, checker: !object.geometry.hasAttribute('uv') };
+    const name = isMissing[look.name as keyof typeof isMissing] ? 'clay' : look.name;
     const isTextured = name === 'textured';
     if (isTextured && !look.isFlat) return own;
     const key = [name, look.isFlat, look.clay, isTextured ? own.uuid : ''].join(' ');
