@@ -15,6 +15,11 @@ const HINTS: Record<Step, string> = {
     'Drag the big slider below: faces leave first where motion does not show. Compare with V, blink with B.',
   test: 'Both meshes move under the same forces. Drag one to pull at it. Export is at the upper right.',
 };
+/** For fingers: there are no keys. */
+const TOUCH_HINTS: Partial<Record<Step, string>> = {
+  reduce:
+    'Drag the big slider below: faces leave first where motion does not show. Blink shows the original and the result in turn.',
+};
 const STEPS = Object.keys(HINTS) as Step[];
 const STORE = 'limber-hints';
 
@@ -39,6 +44,9 @@ function dismiss(...steps: Step[]): void {
   }
 }
 
+const hintOf = (step: Step): string =>
+  (matchMedia('(pointer: coarse)').matches && TOUCH_HINTS[step]) || HINTS[step];
+
 export function FirstHint() {
   const step = view.step.value;
   if (!results.file.value || dismissed.value.has(step)) return null;
@@ -46,7 +54,7 @@ export function FirstHint() {
     <section class="first-hint" aria-label={say('Hint')}>
       <p>
         <strong>{say('{number} of {all}.', { number: STEPS.indexOf(step) + 1, all: STEPS.length })}</strong>{' '}
-        {say(HINTS[step])}
+        {say(hintOf(step))}
       </p>
       <div class="buttons">
         <button type="button" onClick={() => dismiss(step)}>
