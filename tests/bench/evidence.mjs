@@ -10,6 +10,7 @@ import {
   reachesTarget,
   twoDigits,
 } from './fidelity/evidence_cases.mjs';
+import { speedUp } from './fidelity/speed_up.mjs';
 import { table, tellMissing, writeSection } from './section.mjs';
 
 const { values: options } = parseArgs({
@@ -22,7 +23,7 @@ const { values: options } = parseArgs({
 });
 const ratios = options.ratios.split(',').map(Number);
 const wanted = options.methods?.split(';');
-const { meshes, methods, missing, cases } = await evidenceCases({
+const { loaded, meshes, methods, missing, cases } = await evidenceCases({
   names: options.meshes.split(','),
   ratios,
   isWanted: (name) => !wanted || wanted.includes(name),
@@ -46,18 +47,47 @@ function meanOf(method, ratio, of) {
   return isWhole && own.length === meshes.length ? geometricMean(own.map(of)) : null;
 }
 
+/** The default, at whose results the speed of simulations is measured: it follows from the number of faces. */
+const TIMED = 'limber, surface fit';
+
+/** By ratio, descending, how many times as fast as the original's a simulation of the result is: the geometric mean over the meshes. */
+const speeds = ratios.map((ratio) => {
+  const timed = cases.filter((one) => one.method === TIMED && one.ratio === ratio);
+  const ofCase = (one) =>
+    speedUp(
+      loaded,
+      meshes.find(({ name }) => name === one.mesh),
+      one.meshOf(),
+    );
+  return { ratio, speed: timed.length > 0 ? geometricMean(timed.map(ofCase)) : null };
+});
+
+/** At a share of the faces, by interpolation of logarithms; null where it was not measured. */
+function speedAt(share) {
+  const known = speeds.filter(({ speed }) => speed !== null);
+  const i = known.findIndex(({ ratio }) => ratio <= share);
+  if (i < 0) return null;
+  const [a, b] = [i === 0 ? { ratio: 1, speed: 1 } : known[i - 1], known[i]];
+  return a.speed * (b.speed / a.speed) ** (Math.log(share / a.ratio) / Math.log(b.ratio / a.ratio));
+}
+
+function shownShare(share) {
+  const speed = speedAt(share);
+  return `${shown(100 * share)} %${speed === null ? '' : ` (${shown(speed)} x)`}`;
+}
+
 /** The share of the faces at which an error is reached, by interpolation of logarithms; words where it is out of range. */
 function shareAt(points, level) {
   const known = points.filter(({ error }) => error !== null).sort((a, b) => b.ratio - a.ratio);
   if (known.length === 0) return '-';
-  if (known[0].error > level) return `> ${shown(100 * known[0].ratio)} %`;
+  if (known[0].error > level) return `> ${shownShare(known[0].ratio)}`;
   for (let i = 1; i < known.length; ++i) {
     const [a, b] = [known[i - 1], known[i]];
     if (b.error < level) continue;
     const t = Math.log(level / a.error) / Math.log(b.error / a.error);
-    return `${shown(100 * a.ratio * (b.ratio / a.ratio) ** t)} %`;
+    return shownShare(a.ratio * (b.ratio / a.ratio) ** t);
   }
-  return `< ${shown(100 * known.at(-1).ratio)} %`;
+  return `< ${shownShare(known.at(-1).ratio)}`;
 }
 
 const sections = MEASURES.flatMap(({ title, of, levels }) => {
@@ -71,7 +101,7 @@ const sections = MEASURES.flatMap(({ title, of, levels }) => {
       ['method', ...ratios.map((ratio) => `at ${100 * ratio} % of the faces`)],
       rows.map(({ name, points }) => [name, ...points.map(({ error }) => shown(error))]),
     ),
-    'The same, the other way round: the share of the faces at which the error is reached.',
+    'The same, the other way round: the share of the faces at which the error is reached, and how many times as fast as the original a simulation then is.',
     table(
       ['method', ...levels.map((level) => `${level} %`)],
       rows.map(({ name, points }) => [name, ...levels.map((level) => shareAt(points, level))]),
