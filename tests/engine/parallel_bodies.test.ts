@@ -91,6 +91,32 @@ describe('small bodies', () => {
     expect(watching.alone.get('measureHausdorff')).toBeUndefined();
   });
 
+  it('have the same further levels, which are guarded and fitted in parallel', async () => {
+    const lods = { lods: [0.4, 0.3, 0.2], maxDeviation: 3 };
+    const levelsOf = async ({ output }: { output: FileOutput }) =>
+      Promise.all(lods.lods.map(async (_, n) => (await output.level(n, `level${n}.glb`)).files[0].bytes));
+    const watching = watched();
+    const many = await optimized(watching.core, partsScene(12), lods);
+    const levels = await levelsOf(many);
+    expect(levels).toEqual(await levelsOf(await optimized(single, partsScene(12), lods)));
+    // Of eight shapes; levels that stop at the same number of faces are fitted once.
+    expect(watching.together.get('fitShape')).toBeGreaterThan(2 * 8);
+    const stopped = many.output.values(STAGES.furtherLevels).flat();
+    expect(stopped.filter(({ guard }) => guard).length).toBeGreaterThan(2);
+    expect(watching.alone.get('measureHausdorff')).toBeUndefined();
+    // A fit that goes beyond the limit is made again by itself.
+    expect(watching.alone.get('fitShape') ?? 0).toBeLessThan(3);
+  });
+
+  it('have at a level of the ratio of the first the same result', async () => {
+    const { output } = await optimized(core, partsScene(4), { lods: [0.5], maxDeviation: 2 });
+    const first = output.values(STAGES.fitted);
+    output.values(STAGES.furtherLevels).forEach(([level], i) => {
+      expect(level.result.mesh).toEqual(first[i].result.mesh);
+      expect(level.guard).toEqual(first[i].guard);
+    });
+  });
+
   it('are fitted by their own stages where that fails for all of them together', async () => {
     let stage = '';
     const fittedIn = new Set<string>();

@@ -26,8 +26,8 @@ function NameReadout() {
   const { bodies } = results.file.value!;
   const chosen = wants.body.value;
   if (bodies.length === 1) return null;
-  const place = say('{number} of {all}', { number: count(chosen + 1), all: count(bodies.length) });
-  return <Readout name="Mesh" value={bodies[chosen].name} note={place} />;
+  const which = say('{number} of {all}', { number: count(chosen + 1), all: count(bodies.length) });
+  return <Readout name="Mesh" value={bodies[chosen].name} note={which} />;
 }
 
 function ResultReadouts({ body, faces }: { body: BodySummary; faces: number }) {

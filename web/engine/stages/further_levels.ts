@@ -8,7 +8,8 @@ import { deviationsStage } from './budget/deviations';
 import { errorCurveStage } from './budget/error_curve';
 import { facesByRatio } from './budget/face_shares';
 import { FIT_SETTINGS, firstFits, fitSettings } from './fit';
-import { fitGuarded, unguarded } from './budget/guarded_fit';
+import { fitGuarded } from './budget/guarded_fit';
+import { guardIfUnsure } from './budget/guarded_level';
 import type { GuardFinding } from '../body/body_result';
 import { keptHistoryStage } from './kept_history';
 import { levelAt } from './level';
@@ -22,7 +23,7 @@ interface CollapsedLevel {
   level: MeshAt;
 }
 
-const collapsedLevels = declareStage({
+export const collapsedLevelsStage = declareStage({
   name: 'collapsed levels',
   reads: ['lods', 'levelFaces'],
   needs: { prepared: preparedStage, kept: keptHistoryStage },
@@ -32,6 +33,22 @@ const collapsedLevels = declareStage({
       const targetFaces = Math.max(1, levelFaces?.[n] ?? ofBody);
       return { targetFaces, level: levelAt(core, kept, targetFaces) };
     }),
+});
+
+const guardedLevels = declareStage({
+  name: 'guarded levels',
+  reads: ['maxDeviation'],
+  needs: {
+    kept: keptHistoryStage,
+    curve: errorCurveStage,
+    deviations: deviationsStage,
+    collapsed: collapsedLevelsStage,
+  },
+  run: ({ core }, { collapsed, ...inputs }, { maxDeviation }) =>
+    collapsed.map(({ targetFaces, level }) => ({
+      targetFaces,
+      level: guardIfUnsure(core, inputs, level, maxDeviation),
+    })),
 });
 
 export interface FurtherLevel {
@@ -51,7 +68,7 @@ export const furtherLevelsStage = declareStage({
     kept: keptHistoryStage,
     curve: errorCurveStage,
     deviations: deviationsStage,
-    collapsed: collapsedLevels,
+    guarded: guardedLevels,
   },
   derive: ({ maxDeviation, ...settings }) => ({
     maxDeviation,
@@ -59,19 +76,18 @@ export const furtherLevelsStage = declareStage({
   }),
   run: (
     { core, cache },
-    { prepared, constraints, collapsed, ...inputs },
+    { prepared, constraints, guarded, ...inputs },
     { maxDeviation: limit, settings },
   ): FurtherLevel[] =>
-    collapsed.map(({ targetFaces, level }) => {
+    guarded.map(({ targetFaces, level }) => {
       const request = { constraints: constraints.constraints, settings, cache };
-      const guarded = { prepared, level: unguarded(level), limit, ...inputs };
-      const { result, guard } = fitGuarded(core, guarded, request);
+      const { result, guard } = fitGuarded(core, { prepared, level, limit, ...inputs }, request);
       return { targetFaces, result, guard, measured: measureResult(core, prepared, result) };
     }),
-  firstCalls: (_context, { prepared, constraints: { constraints }, collapsed }, { settings }) =>
+  firstCalls: (_context, { prepared, constraints: { constraints }, guarded }, { settings }) =>
     firstFits(
       prepared,
-      collapsed.map(({ level }) => level),
+      guarded.map(({ level }) => level.result),
       { constraints, settings },
     ),
 });

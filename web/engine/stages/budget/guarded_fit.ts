@@ -2,7 +2,7 @@
 
 import type { FittedResult, GuardFinding } from '../../body/body_result';
 import type { PreparedBody } from '../../body/prepared_body';
-import type { Core, MeshAt } from '../../core/core';
+import type { Core } from '../../core/core';
 import { fitResult } from '../fit';
 import type { FitRequest } from '../fit';
 import { guardLevel } from './guarded_level';
@@ -15,9 +15,6 @@ export interface GuardedFit extends GuardInputs {
   /** % of the diagonal; 0: none */
   limit: number;
 }
-
-/** A level that has not been looked at. */
-export const unguarded = (result: MeshAt): GuardedLevel => ({ result, guard: null });
 
 /**
  * The level, fitted. Where that is too far from the original after all, although the estimates left no doubt, one of more faces is

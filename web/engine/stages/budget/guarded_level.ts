@@ -30,11 +30,14 @@ export const guardedLevelStage = declareStage({
   name: 'guarded level',
   reads: ['targetFaces', 'maxDeviation'],
   needs: { kept: keptHistoryStage, curve: errorCurveStage, deviations: deviationsStage, level: levelStage },
-  run: ({ core }, { level, ...inputs }, { maxDeviation }): GuardedLevel =>
-    isSurelyWithin(inputs, level, maxDeviation)
-      ? { result: level, guard: null }
-      : guardLevel(core, inputs, level, maxDeviation),
+  run: ({ core }, { level, ...inputs }, { maxDeviation }) => guardIfUnsure(core, inputs, level, maxDeviation),
 });
+
+/** The level as it is where the estimates leave no doubt; elsewhere by `guardLevel`. */
+export const guardIfUnsure = (core: Core, inputs: GuardInputs, level: MeshAt, limit: number): GuardedLevel =>
+  isSurelyWithin(inputs, level, limit)
+    ? { result: level, guard: null }
+    : guardLevel(core, inputs, level, limit);
 
 /** A body is measured where the estimate of its deviation is not below this share of the limit. */
 const SURE = 0.5;
@@ -75,20 +78,20 @@ function* searchLevel(
   return yield* searchWithinDeviation(kept.history, wanted, guess);
 }
 
-/** A body for which `guardedLevelStage` is about to be run. */
-export interface GuardedBody extends GuardInputs {
+/** A level for which `guardIfUnsure` is about to be called. */
+export interface LevelToGuard extends GuardInputs {
   level: MeshAt;
   /** % of the diagonal; 0: none */
   limit: number;
 }
 
-/** Makes the calls of the core for `guardedLevelStage` of many bodies in parallel; their deviations remember the results. */
-export function guardInParallel(core: Core, bodies: GuardedBody[]): void {
-  const unsure = bodies.filter(({ level, limit, ...inputs }) => !isSurelyWithin(inputs, level, limit));
-  const searches = unsure.map((body) => {
-    const wanted = faceCount(body.level.mesh);
-    const search = searchLevel(body, wanted, body.limit);
-    return { ...body, wanted, search, step: search.next() };
+/** Makes the calls of the core for `guardIfUnsure` of many levels in parallel; the deviations of their bodies remember the results. */
+export function guardInParallel(core: Core, levels: LevelToGuard[]): void {
+  const unsure = levels.filter(({ level, limit, ...inputs }) => !isSurelyWithin(inputs, level, limit));
+  const searches = unsure.map((one) => {
+    const wanted = faceCount(one.level.mesh);
+    const search = searchLevel(one, wanted, one.limit);
+    return { ...one, wanted, search, step: search.next() };
   });
   for (;;) {
     const open = searches.filter(({ step }) => !step.done);

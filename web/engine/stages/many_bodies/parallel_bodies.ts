@@ -1,17 +1,17 @@
 /** Runs the small bodies of a file in parallel: each is too small to keep all threads busy by itself. */
 
 import type { PreparedBody } from '../../body/prepared_body';
-import type { Core } from '../../core/core';
+import type { Core, MeshAt } from '../../core/core';
 import { sum, vertexCount } from '../../core/mesh';
 import { methodOf } from '../../settings/options';
 import type { BodyRun } from '../body_run';
 import { deviationsStage } from '../budget/deviations';
 import { errorCurveStage } from '../budget/error_curve';
 import { guardInParallel } from '../budget/guarded_level';
-import type { GuardedBody } from '../budget/guarded_level';
+import type { LevelToGuard } from '../budget/guarded_level';
 import type { FileRun } from '../file_run';
 import { fittedStage } from '../fitted';
-import { furtherLevelsStage } from '../further_levels';
+import { collapsedLevelsStage, furtherLevelsStage } from '../further_levels';
 import { guidanceStage, guidingModes } from '../guidance';
 import { historyStage } from '../history';
 import { keptHistoryStage } from '../kept_history';
@@ -130,11 +130,24 @@ function stepsTogether(core: Core, bodies: BodyRequest[]): Steps {
   return {
     history: [...(methodOf(settings).needsGuidance ? guidance : []), first(2, historyStage)],
     result: [
-      { weight: 4, run: () => guardInParallel(core, bodies.map(guardedBody)) },
+      guardTogether(core, bodies, ({ run, settings }) => [run.get(levelStage, settings)]),
       ...fitTogether(core, bodies, fittedStage),
     ],
-    levels: fitTogether(core, bodies, furtherLevelsStage),
+    levels: [
+      guardTogether(core, bodies, ({ run, settings }) =>
+        run.get(collapsedLevelsStage, settings).map(({ level }) => level),
+      ),
+      ...fitTogether(core, bodies, furtherLevelsStage),
+    ],
   };
+}
+
+function guardTogether(core: Core, bodies: BodyRequest[], levelsOf: (body: BodyRequest) => MeshAt[]): Step {
+  const run = (): void => {
+    const levels = bodies.flatMap((body) => levelsOf(body).map((level) => levelToGuard(body, level)));
+    guardInParallel(core, levels);
+  };
+  return { weight: 4, run };
 }
 
 function fitTogether(core: Core, bodies: BodyRequest[], stage: AnyStage): Step[] {
@@ -177,11 +190,11 @@ function measureFits(core: Core, firsts: FirstCall[]): void {
   measureDistances(core, fits);
 }
 
-const guardedBody = ({ run, settings }: BodyRequest): GuardedBody => ({
+const levelToGuard = ({ run, settings }: BodyRequest, level: MeshAt): LevelToGuard => ({
   kept: run.get(keptHistoryStage, settings),
   curve: run.get(errorCurveStage, settings),
   deviations: run.get(deviationsStage, settings),
-  level: run.get(levelStage, settings),
+  level,
   limit: settings.maxDeviation,
 });
 
