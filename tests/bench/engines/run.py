@@ -1,11 +1,11 @@
 """How far coarse meshes move from their original in the engines themselves.
 
 Usage: python tests/bench/engines/run.py [--engines mujoco,newton] [--meshes spot,bowl] [--methods limber,...]
-       [--starts 1] [--seconds 100] [--tables] [--write]
+       [--starts 1] [--seconds 100] [--frequencies] [--tables] [--write]
 Needs numpy, scipy, pymeshlab, fast-simplification and the engines (docs/engines.md says how to install them), `npm run
 build`, and the meshes of ../shared/meshes or $LIMBER_SHARED/meshes. Every simulation is kept in build/bench/engines, so
-that a run that was stopped, also by --seconds, goes on where it was. --tables only prints what is there, --write puts it
-into docs/engines.md, where tables stay of which nothing is there.
+that a run that was stopped, also by --seconds, goes on where it was. --frequencies tunes alone, --tables only prints
+what is there, --write puts it into docs/engines.md, where tables stay of which nothing is there.
 """
 
 import argparse
@@ -154,15 +154,23 @@ def tune(case, coarse, method):
     }
 
 
+def coarse_of(case, method):
+    return simplified(case.entry["name"], case.original, "low:6", method, scenes.definition["ratio"])
+
+
+def tuning_of(store, case, coarse, method):
+    key = f"{case.engine.NAME}|{case.entry['name']}|{method}|tuning"
+    return store.get(key, lambda: tune(case, coarse, method))
+
+
 def run_result(store, case, method, scene_starts, key):
     """Untouched and tuned deviations of one method's mesh in all scenes and starts."""
-    coarse = simplified(case.entry["name"], case.original, "low:6", method, scenes.definition["ratio"])
+    coarse = coarse_of(case, method)
     pins = carried_pins(case.original, case.pins, coarse)
     triangle, weights = case.points
     at = np.einsum("pk,pkc->pc", weights, case.original.positions[case.original.triangles[triangle]])
     points = closest_points(coarse, at)
-    tuning_key = f"{case.engine.NAME}|{case.entry['name']}|{method}|tuning"
-    tuned = store.get(tuning_key, lambda: tune(case, coarse, method))
+    tuned = tuning_of(store, case, coarse, method)
     # Where tuning is refused, the user is left with the original's parameters.
     native = tuned.get("native", case.parameters)
     masses = np.array(tuned["masses"]) if "masses" in tuned else None
@@ -204,6 +212,12 @@ def run(store, engines, options):
             floors(store, case, scene, start, reference, f"{key}|{scene}|{start}")
 
 
+def run_tunings(store, engines, options):
+    for _, case in cases(engines, options):
+        for method in options.methods:
+            tuning_of(store, case, coarse_of(case, method), method)
+
+
 def write_document(text):
     before, rest = DOCUMENT.read_text(encoding="utf-8").split(BEGIN)
     kept, after = rest.split(END)
@@ -218,6 +232,7 @@ def main():
     parser.add_argument("--methods", type=lambda text: text.split(";"), default=list(METHODS), help="separated by ;")
     parser.add_argument("--starts", type=int, default=scenes.definition["starts"])
     parser.add_argument("--seconds", type=float, default=1e9, help="stop after about this time; run again to go on")
+    parser.add_argument("--frequencies", action="store_true", help="tune alone, simulate nothing")
     parser.add_argument("--tables", action="store_true", help="print what is there, simulate nothing")
     parser.add_argument("--write", action="store_true", help="put what is complete into docs/engines.md")
     options = parser.parse_args()
@@ -225,7 +240,8 @@ def main():
     finished = True
     if not options.tables:
         try:
-            run(store, load_engines(options.engines), options)
+            work = run_tunings if options.frequencies else run
+            work(store, load_engines(options.engines), options)
         except OutOfTime:
             finished = False
     print(tables(store.results))
