@@ -47,6 +47,26 @@ async function passOn(model: OpenModel, bytes: Uint8Array): Promise<Uint8Array> 
   return (await passThrough(model, bytes, { name: 'out.glb', form }))[0].bytes;
 }
 
+describe('a companion that is not at its place', () => {
+  const moved = (files: SourceFile[], name: string): SourceFile[] => [files[0], { ...files[1], name }];
+
+  it('is found by its name where it came without a folder', async () => {
+    const model = await openModel(moved(triangleAt('parts/data.bin', 'wood.png'), 'data.bin'));
+    expect(model.bodies).toHaveLength(1);
+  });
+
+  it('is no file of that name from another folder', async () => {
+    const files = moved(triangleAt('a/data.bin', 'wood.png'), 'b/data.bin');
+    expect(await failureOf(() => openModel(files))).toMatch(/^test.gltf needs a\/data.bin, which is not there/);
+  });
+
+  it('is no file that another address means', async () => {
+    const [main, data] = triangleAt('data.bin', 'a/data.bin');
+    const model = await openModel([main, data]);
+    expect(model.notes.join()).toContain('texture (a/data.bin) is not there');
+  });
+});
+
 describe('the address of a companion', () => {
   it.each([
     ['data.bin', 'data.bin'],

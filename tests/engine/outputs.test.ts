@@ -298,7 +298,7 @@ describe('room on the disk', () => {
 });
 
 describe('stdin and stdout', () => {
-  const uses = { inputs: ['in.obj'], models: ['out.glb'], reports: ['-'], levels: 1 };
+  const uses = { inputs: ['in.obj'], models: ['out.glb'], reports: ['-'], others: [], levels: 1 };
 
   it('are refused for what they cannot do', async () => {
     const sentence = (changed: object, isTerminal = false) =>
@@ -306,6 +306,7 @@ describe('stdin and stdout', () => {
     expect(await sentence({}, true)).toBe('');
     expect(await sentence({ inputs: ['-'] })).toBe('');
     expect(await sentence({ inputs: ['-', '-'] })).toMatch(/^stdin can be read once/);
+    expect(await sentence({ others: ['-'] })).toMatch(/^stdout takes models and reports alone/);
     expect(await sentence({ models: ['-'] })).toMatch(/^--lods needs a name for OUT/);
     expect(await sentence({ models: ['-'], levels: 0 })).toMatch(/^stdout takes the model or the report/);
     expect(await sentence({ models: ['-'], levels: 0, reports: [] }, true)).toMatch(/^stdout is a terminal/);

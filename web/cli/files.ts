@@ -14,6 +14,7 @@ import { basename, dirname, join } from 'node:path';
 import { companionNames } from '../engine/document/gltf';
 import type { SourceFile } from '../engine/document/open';
 import { UsageError } from './failure';
+import { fileError } from './file_error';
 import { followLinks, isSpecial, isWithin } from './output_files/identity';
 import { readStandard, STANDARD } from './standard';
 
@@ -48,9 +49,17 @@ export async function readModelFiles(path: string, from: string | null = null): 
     paths: [
       path,
       ...companions.map((companion) => companion.path),
-      ...withTextures(libraries.filter(existsSync)),
+      ...withTextures(libraries.filter(existsSync), folders),
     ],
   };
+}
+
+/** Paths of the files that the model file at `path` names, of a material library also its pictures. */
+export function pathsNamedBy(path: string): string[] {
+  const main = { name: basename(path), bytes: readBytes(path) };
+  const besides = (name: string) => join(dirname(path), name);
+  const libraries = libraryNames(main).map(besides).filter(existsSync);
+  return [...companionNames(main).map(besides), ...withTextures(libraries, [dirname(path)])];
 }
 
 /** The material libraries of an OBJ; none of other formats. */
@@ -65,9 +74,10 @@ function libraryNames({ name, bytes }: SourceFile): string[] {
   return [...new Set(names)].filter((library) => library !== '');
 }
 
-/** The libraries and the pictures that their lines end in. */
-function withTextures(libraries: string[]): string[] {
-  const pictures = libraries.flatMap((library) =>
+/** The libraries and the pictures that their lines end in; of those in or below `folders` alone, as others are not read. */
+function withTextures(libraries: string[], folders: string[]): string[] {
+  const readable = libraries.filter((library) => statSync(library).isFile() && isWithin(library, folders));
+  const pictures = readable.flatMap((library) =>
     readText(library)
       .split(/\r?\n/)
       .filter((line) => /^\s*(map_|bump|disp|decal|refl|norm)/i.test(line))
@@ -108,23 +118,4 @@ export function writeWhole(path: string, content: Uint8Array | string): void {
     rmSync(partial, { force: true });
     throw fileError(`${path} cannot be written`, error);
   }
-}
-
-const REASONS: Record<string, string> = {
-  ENOENT: 'there is no such file',
-  EACCES: 'permission is denied',
-  EPERM: 'permission is denied',
-  ENOSPC: 'the disk is full',
-  EDQUOT: 'the quota of the disk is used up',
-  EROFS: 'the disk is read-only',
-  ELOOP: 'its links lead back to themselves',
-  ENAMETOOLONG: 'its name is too long',
-  ERR_FS_FILE_TOO_LARGE: 'it is larger than 2 GB',
-};
-
-function fileError(what: string, error: unknown): Error {
-  if (error instanceof UsageError) return error;
-  const { code = '' } = error as NodeJS.ErrnoException;
-  const reason = REASONS[code] ?? `the system refuses it${code ? ` (${code})` : ''}`;
-  return new UsageError(`${what}: ${reason}.`);
 }

@@ -27,7 +27,8 @@ export async function checkFiles(args: Arguments): Promise<CheckedFiles> {
   const inputs = command === 'optimize' ? operands.slice(0, 1) : operands;
   if (args.from !== null && !inputs.includes(STANDARD))
     throw new UsageError('--from is about a model from stdin: give - for it, or leave --from out.');
-  checkStandard({ inputs, models, reports, levels: settings.lods.length });
+  const others = outputs.filter(({ isGlb, flag }) => !isGlb && flag !== '--report').map(({ path }) => path);
+  checkStandard({ inputs, models, reports, others, levels: settings.lods.length });
   checkEndings(outputs, settings.format !== 'auto');
   const files = new Map<string, SourceFile[]>();
   const paths: string[] = otherInputs(args);

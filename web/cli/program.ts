@@ -4,6 +4,7 @@ import { VERSION } from '../engine/core/version';
 import { parseArguments } from './arguments';
 import type { Arguments } from './arguments';
 import { describeFailure, EXIT } from './failure';
+import { fileError } from './file_error';
 import type { Command } from './flags';
 import { clearProgress } from './terminal';
 
@@ -25,8 +26,14 @@ const dryRun = async (args: Arguments): Promise<number> =>
 export async function startProgram(words: string[]): Promise<void> {
   // Errors of the threads in the pool arrive here.
   process.on('uncaughtException', (error) => exit(fail(error)));
-  // The reader of the output may close it early.
-  process.stdout.on('error', () => process.exit(EXIT.done));
+  process.stdout.once('error', (error: NodeJS.ErrnoException) => {
+    // What is still to be written fails as well.
+    process.stdout.on('error', () => {});
+    // The reader of the output may close it early.
+    if (error.code === 'EPIPE') process.exit(EXIT.done);
+    process.exitCode = fail(fileError('stdout cannot be written', error));
+    exit(process.exitCode);
+  });
   exit(await runWords(words).catch(fail));
 }
 
@@ -47,7 +54,8 @@ function fail(error: unknown): number {
   return code;
 }
 
-/** The pool of threads keeps Node alive, so the program ends itself once all its output is written. */
+/** The pool of threads keeps Node alive, so the program ends itself once all its output is written, or has failed to be. */
 function exit(code: number): void {
-  process.stdout.write('', () => process.stderr.write('', () => process.exit(code)));
+  const end = () => setImmediate(() => process.exit(process.exitCode ?? code));
+  process.stdout.write('', () => process.stderr.write('', end));
 }

@@ -25,12 +25,15 @@ export function checkStandard(
     inputs,
     models,
     reports,
+    others,
     levels,
-  }: { inputs: string[]; models: string[]; reports: string[]; levels: number },
+  }: { inputs: string[]; models: string[]; reports: string[]; others: string[]; levels: number },
   isTerminal = Boolean(process.stdout.isTTY),
 ): void {
   if (inputs.filter((path) => path === STANDARD).length > 1)
     throw new UsageError('stdin can be read once: name a file for one of the models.');
+  if (others.includes(STANDARD))
+    throw new UsageError('stdout takes models and reports alone: name a file for --bind and --settings.');
   if (!models.includes(STANDARD)) return;
   if (levels > 0)
     throw new UsageError('--lods needs a name for OUT, from which the levels have theirs: name a file.');

@@ -35,9 +35,14 @@ async function filesOfDocument(document: Document): Promise<ModelFiles> {
     .setLogger(new Logger(Logger.Verbosity.SILENT))
     .registerExtensions(plain.map((extension) => extension.constructor as typeof Extension));
   const { json, resources } = await io.writeJSON(document, { format: Format.GLTF, basename: 'document' });
+  // A document read from a folder can name places that no file of a model may name.
+  const names = new Map(Object.keys(resources).map((address, i) => [address, `resource${i}`]));
+  const inMemory = <One extends { uri?: string }>(all?: One[]): One[] | undefined =>
+    all?.map((one) => ({ ...one, ...(names.has(one.uri!) ? { uri: names.get(one.uri!) } : {}) }));
+  const named = { ...json, buffers: inMemory(json.buffers), images: inMemory(json.images) };
   // What the worker cannot read stays in the document as it is.
-  const text = new TextEncoder().encode(JSON.stringify({ ...json, extensionsRequired: undefined }));
-  const companions = Object.entries(resources).map(([name, bytes]) => ({ name, bytes }));
+  const text = new TextEncoder().encode(JSON.stringify({ ...named, extensionsRequired: undefined }));
+  const companions = Object.entries(resources).map(([name, bytes]) => ({ name: names.get(name)!, bytes }));
   return [{ name: 'document.gltf', bytes: text }, ...companions];
 }
 

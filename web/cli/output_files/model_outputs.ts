@@ -7,6 +7,7 @@ import { companionsOf } from '../../engine/document/write/export_files';
 import type { Companion } from '../../engine/document/write/shared_images';
 import { checkWritten } from '../../engine/stages/written_form';
 import { UsageError } from '../failure';
+import { pathsNamedBy } from '../files';
 import { followLinks, identityOf } from './identity';
 import { levelFiles } from '../levels';
 import { isOwnFile } from './own_files';
@@ -63,11 +64,17 @@ function checkCompanion(
     throw new UsageError(
       `${path}, which belongs to ${model}, belongs to the input: choose another name for OUT.`,
     );
-  const isOwn = existsSync(model) && isOwnFile(followLinks(model));
-  if (existsSync(path) && !args.force && !isOwn)
+  if (existsSync(path) && !args.force && !isOwnCompanion(path, model))
     throw new UsageError(
       `${path}, which belongs to ${model}, exists: choose another name for OUT, or replace it with --force.`,
     );
+}
+
+/** Whether limber has written a file beside a model: the model is its own, and names the file. */
+function isOwnCompanion(path: string, model: string): boolean {
+  const main = followLinks(model);
+  if (!existsSync(main) || !isOwnFile(main)) return false;
+  return pathsNamedBy(main).some((named) => existsSync(named) && identityOf(named) === identityOf(path));
 }
 
 function hasBytes(path: string, bytes: Uint8Array): boolean {

@@ -4,6 +4,7 @@
  */
 
 import { closeSync, openSync, readSync } from 'node:fs';
+import { markOfZip } from '../../engine/document/archive/zip_mark';
 
 /** Larger JSON inside a GLB is not read: the file then counts as another's. */
 const MOST_BYTES = 1 << 26;
@@ -33,7 +34,7 @@ export function isOwnContent(bytes: Uint8Array): boolean {
   const text = new TextDecoder().decode(bytes);
   if (text.startsWith('glTF')) return isOwnJson(new TextDecoder().decode(bytes.subarray(HEADER_BYTES)));
   if (/^\s*\{/.test(text)) return /^\s*\{\s*"schema":\s*"limber-[a-z]+\/\d/.test(text) || isOwnJson(text);
-  if (text.startsWith('PK')) return /Limber \d/.test(text.slice(0, 400));
+  if (text.startsWith('PK')) return /^Limber \d/.test(markOfZip(bytes));
   return /^# Limber \d/.test(text) || /^ply\r?\nformat .*\r?\ncomment Limber \d/.test(text);
 }
 

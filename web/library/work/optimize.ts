@@ -4,6 +4,7 @@ import { describeResiduals } from '../../engine/body/health';
 import { describeLargeFit } from '../../engine/report/fit_words';
 import { settingsAsUsed } from '../../engine/report/report';
 import type { Report } from '../../engine/report/report';
+import type { Settings } from '../../engine/settings/options';
 import type { FaceTarget } from '../../engine/stages/budget/face_shares';
 import { FileOutput } from '../../engine/stages/file_output';
 import { runSettings } from '../../engine/stages/file_request';
@@ -28,12 +29,21 @@ export function checkTargets({ faces, ratio }: OptimizeRequest): void {
   checkTarget('ratio', ratio, ratio! > 0 && ratio! <= 1, 'a number above 0 and up to 1');
 }
 
+/** Throws an Error where the levels would go into the file of the first one: a document has no such file. */
+function checkLevels({ lods, lodStyle }: Settings, { wantsBodies }: OptimizeRequest): void {
+  if (wantsBodies && lods.length > 0 && lodStyle !== 'files')
+    throw new Error(
+      `lodStyle is "${lodStyle}", but levels of a document are files: leave it out, or give the bytes of a model.`,
+    );
+}
+
 export async function optimizeModel(
   session: WorkSession,
   [source]: ModelFiles[],
   options: OptimizeRequest,
 ): Promise<OptimizeReply> {
   const { settings, notes } = session;
+  checkLevels(settings, options);
   const model = await session.open(source);
   const load = session.lap();
   const { lost } = checkWritten(model, session.chosen(model), { name: NAME, settings });

@@ -3,11 +3,10 @@
 import { zipSync } from 'fflate';
 import type { Zippable } from 'fflate';
 import type { SourceFile } from '../model';
+import { MARK_FIELD } from './zip_mark';
 
 /** The earliest date that a ZIP can name, in any time zone. */
 const NO_DATE = new Date(1980, 0, 1);
-/** The private field of the first entry that says what wrote the archive. */
-export const MARK_FIELD = 0x4c4d;
 /** What is packed already. */
 const PACKED = /\.(png|jpe?g|webp|ktx2|avif)$/i;
 

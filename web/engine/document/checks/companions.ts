@@ -20,14 +20,10 @@ export function addCompanions(
   { json, resources }: JSONDocument,
   files: SourceFile[],
 ): string[] {
-  const missing = (definitions: { uri?: string }[] | undefined): string[] => {
-    const addresses = new Set((definitions ?? []).map(({ uri }) => uri).filter(isOutside));
-    return [...addresses].filter((address) => {
-      const companion = findCompanion(main.name, address, files);
-      if (companion) resources[address] = new Uint8Array(companion.bytes);
-      return !companion;
-    });
-  };
+  const found = findCompanions(main.name, [...addressesOf(json.buffers), ...addressesOf(json.images)], files);
+  for (const [address, { bytes }] of found) resources[address] = new Uint8Array(bytes);
+  const missing = (definitions: Definitions): string[] =>
+    addressesOf(definitions).filter((address) => !found.has(address));
   const [buffers, images] = [missing(json.buffers), missing(json.images)];
   const escaping = buffers.find((address) => companionPath(main.name, address) === null);
   if (escaping !== undefined)
@@ -57,23 +53,42 @@ function listed(names: string[]): string {
 
 /** Paths below the folder of the file, of the buffers and images that it names; others are not listed. */
 export function companionPaths({ buffers, images }: GLTF.IGLTF): string[] {
-  const addresses = [...(buffers ?? []), ...(images ?? [])].map(({ uri }) => uri).filter(isOutside);
-  const paths = addresses.map((address) => companionPath('', address));
+  const paths = [...addressesOf(buffers), ...addressesOf(images)].map((address) =>
+    companionPath('', address),
+  );
   return [...new Set(paths.filter((path) => path !== null))];
 }
+
+type Definitions = { uri?: string }[] | undefined;
+
+/** Addresses of files, each once. */
+const addressesOf = (definitions: Definitions): string[] => [
+  ...new Set((definitions ?? []).map(({ uri }) => uri).filter(isOutside)),
+];
 
 /** Whether a definition names a file of its own. */
 const isOutside = (uri: string | undefined): uri is string =>
   typeof uri === 'string' && uri !== '' && !/^data:/i.test(uri);
 
-function findCompanion(main: string, uri: string, files: SourceFile[]): SourceFile | undefined {
-  const path = companionPath(main, uri);
-  if (path === null) return undefined;
-  const baseName = path.split('/').pop();
-  return (
-    files.find((file) => followPath([], decoded(file.name)) === path) ??
-    files.find((file) => file.name.split(/[/\\]/).pop() === baseName)
-  );
+/**
+ * By address the file at the place that it names; else one of that name which came without a folder, as files that are dropped one by
+ * one do, and which is at the place of no other address.
+ */
+function findCompanions(main: string, addresses: string[], files: SourceFile[]): Map<string, SourceFile> {
+  const found = new Map<string, SourceFile>();
+  const lacking = addresses.filter((address) => {
+    const path = companionPath(main, address);
+    const file = path === null ? null : files.find(({ name }) => followPath([], decoded(name)) === path);
+    if (file) found.set(address, file);
+    return !file;
+  });
+  const meant = new Set(found.values());
+  for (const address of lacking) {
+    const baseName = companionPath(main, address)?.split('/').pop();
+    const file = files.find((one) => decoded(one.name) === baseName && !meant.has(one));
+    if (file) found.set(address, file);
+  }
+  return found;
 }
 
 /**

@@ -1,6 +1,6 @@
 /** What formats without a scene cannot hold of a document, in plain words. */
 
-import type { Document, Material } from '@gltf-transform/core';
+import type { Document, Material, Primitive } from '@gltf-transform/core';
 import { counted } from '../../core/words';
 import type { WrittenFormat } from '../../core/output_words';
 
@@ -17,8 +17,26 @@ export function lostIn(format: WrittenFormat, document: Document): string[] {
     ...count(targets, 'morph target'),
     ...count(root.listAnimations().length, 'animation'),
     ...count(root.listCameras().length, 'camera'),
+    ...lostAttributes(format, primitives),
     ...(format === 'ply' ? count(materials.length, 'material') : [...new Set(materials.flatMap(unsaid))]),
     ...root.listExtensionsUsed().map(({ extensionName }) => `extension ${extensionName}`),
+  ];
+}
+
+/** OBJ and PLY have one set of UVs and of colours; colours, and in PLY UVs, only where all primitives that share a list have them. */
+function lostAttributes(format: WrittenFormat, primitives: Primitive[]): string[] {
+  const names = new Set(primitives.flatMap((primitive) => primitive.listSemantics()));
+  const further = (kind: string) =>
+    [...names].filter((name) => name.startsWith(kind) && !name.endsWith('_0'));
+  const isPartial = (name: string) =>
+    names.has(name) && !primitives.every((primitive) => primitive.getAttribute(name) !== null);
+  const one = (isLost: boolean, words: string) => (isLost ? [words] : []);
+  return [
+    ...one(format === 'ply' && isPartial('TEXCOORD_0'), 'UVs, which not all of its meshes have'),
+    ...one(format === 'ply' && isPartial('COLOR_0'), 'vertex colours, which not all of its meshes have'),
+    ...one(further('TEXCOORD_').length > 0, 'further sets of UVs'),
+    ...one(further('COLOR_').length > 0, 'further sets of vertex colours'),
+    ...[...names].filter((name) => name.startsWith('_')).map((name) => `attribute ${name}`),
   ];
 }
 

@@ -28,7 +28,8 @@ export function writeObj(
   const hasOwn =
     libraries.length === 0 && meshes.some(({ primitives }) => primitives.some((p) => p.material));
   const named = hasOwn ? [`${stem}.mtl`] : libraries;
-  lines.add(`# ${mark}`, ...named.map((library) => `mtllib ${library}`));
+  lines.add(`# ${mark}`);
+  lines.addAll(named.map((library) => `mtllib ${library}`));
   const counts = { positions: 0, uvs: 0, normals: 0 };
   const names = new Set<string>();
   for (const mesh of meshes) writeMesh(lines, mesh, { counts, materials, name: freeName(mesh.name, names) });
@@ -49,9 +50,13 @@ class TextPieces {
   private readonly pieces: Uint8Array[] = [];
   private lines: string[] = [];
 
-  add(...lines: string[]): void {
-    this.lines.push(...lines);
+  add(line: string): void {
+    this.lines.push(line);
     if (this.lines.length >= LINES_A_PIECE) this.flush();
+  }
+
+  addAll(lines: string[]): void {
+    for (const line of lines) this.add(line);
   }
 
   bytes(): Uint8Array {
@@ -96,14 +101,17 @@ function writeMesh(
   const hasColours = primitives.every(({ colours }) => colours !== null);
   const vertices = primitives.map((primitive) => vertexLines(primitive, hasColours));
   const shared = sameValues(vertices.flat());
-  lines.add(...shared.values);
+  lines.addAll(shared.values);
   let first = 0;
   primitives.forEach((primitive, i) => {
     const { material, triangles } = primitive;
     const uvs = sameValues(uvLines(primitive));
     const normals = sameValues(normalLines(primitive));
-    lines.add(...uvs.values, ...normals.values);
-    if (material || primitives.length > 1) lines.add(`usemtl ${materials.nameOf(material)}`);
+    lines.addAll(uvs.values);
+    lines.addAll(normals.values);
+    // Readers give the material that was named last to all faces that follow.
+    if (material || primitives.length > 1 || !materials.isEmpty)
+      lines.add(`usemtl ${materials.nameOf(material)}`);
     const corner = (v: number) => {
       const position = counts.positions + shared.indices[first + v] + 1;
       const uv = uvs.indices.length > 0 ? String(counts.uvs + uvs.indices[v] + 1) : '';

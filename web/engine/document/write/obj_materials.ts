@@ -13,6 +13,11 @@ export class MaterialLibrary {
   /** `imageNames`: the file of each texture. */
   constructor(private readonly imageNames: Map<Texture, string>) {}
 
+  /** Whether no material has been named yet. */
+  get isEmpty(): boolean {
+    return this.names.size === 0;
+  }
+
   /** A name that no other material has. */
   nameOf(material: Material | null): string {
     const known = this.names.get(material);

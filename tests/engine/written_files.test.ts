@@ -1,0 +1,124 @@
+/** What is written as OBJ and ZIP, what a file leaves out, and files of the user beside those of limber. */
+
+import { execFileSync, spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { isOwnContent } from '../../web/cli/output_files/own_files';
+import { writeZip } from '../../web/engine/document/archive/write_zip';
+import { lostIn } from '../../web/engine/document/write/lost';
+import { writeObj } from '../../web/engine/document/write/obj_files';
+import { SQUARE_OBJ, textFile } from './support/files';
+import { addMesh, floats, primitiveOf, startDocument } from './support/gltf';
+import { grid, toObj, torus } from './support/shapes';
+
+const program = new URL('../../dist/cli/limber.mjs', import.meta.url).pathname;
+const folder = mkdtempSync(join(tmpdir(), 'limber-written-'));
+const path = (name: string) => join(folder, name);
+
+function limber(words: string) {
+  const { status, stderr } = spawnSync(process.execPath, [program, ...words.split(' ')], {
+    cwd: folder,
+    encoding: 'utf8',
+    timeout: 60_000,
+  });
+  return { code: status, stderr };
+}
+
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+describe('a written OBJ', () => {
+  const written = (document: ReturnType<typeof startDocument>) =>
+    new TextDecoder().decode(writeObj(document, 'a.obj', { libraries: [], mark: 'Limber 1' })[0].bytes);
+
+  it('can have more vertices than a function has arguments', () => {
+    const document = startDocument();
+    addMesh(document, 'sheet', [primitiveOf(document, grid(400, 400))]);
+    const text = written(document);
+    expect(text.match(/^v /gm)).toHaveLength(401 * 401);
+    expect(text.match(/^f /gm)).toHaveLength(2 * 400 * 400);
+  });
+
+  it('gives a mesh without material none after one that has one', () => {
+    const document = startDocument();
+    const red = primitiveOf(document, grid(1, 1)).setMaterial(document.createMaterial('red'));
+    addMesh(document, 'A', [red]);
+    addMesh(document, 'B', [primitiveOf(document, grid(1, 1))]);
+    const lines = written(document).split('\n');
+    const named = lines.filter((line) => /^(o|usemtl) /.test(line));
+    expect(named).toEqual(['o A', 'usemtl red', 'o B', 'usemtl none']);
+  });
+});
+
+describe('what a format leaves out', () => {
+  it('names sets of UVs, attributes, and what not all meshes have', () => {
+    const document = startDocument();
+    const full = primitiveOf(document, grid(1, 1));
+    for (const name of ['TEXCOORD_0', 'TEXCOORD_1', '_WEIGHT'])
+      full.setAttribute(name, floats(document, 'VEC2', [0, 0, 1, 0, 0, 1, 1, 1]));
+    addMesh(document, 'A', [full]);
+    addMesh(document, 'B', [primitiveOf(document, grid(1, 1))]);
+    expect(lostIn('obj', document)).toEqual(['further sets of UVs', 'attribute _WEIGHT']);
+    expect(lostIn('ply', document)).toEqual([
+      'UVs, which not all of its meshes have',
+      'further sets of UVs',
+      'attribute _WEIGHT',
+    ]);
+    expect(lostIn('glb', document)).toEqual([]);
+  });
+});
+
+describe('the mark of a ZIP', () => {
+  it('is a field of its first entry, not any text in it', () => {
+    const stored = (name: string, text: string) => [textFile(name, text)];
+    expect(isOwnContent(writeZip(stored('a.obj', SQUARE_OBJ), 'Limber 1.0'))).toBe(true);
+    const foreign = writeZip(stored('Limber 2 notes.png', '# Limber 1.0'), 'another program');
+    expect(isOwnContent(foreign)).toBe(false);
+    expect(isOwnContent(foreign.subarray(0, 20))).toBe(false);
+  });
+});
+
+describe('a file of the user', () => {
+  beforeAll(() => writeFileSync(path('plain.obj'), toObj(torus())));
+
+  it('beside a result of limber is not replaced by the companion of another', () => {
+    expect(limber('optimize plain.obj chair.gltf').code).toBe(0);
+    writeFileSync(path('chair.bin'), 'old');
+    // The glTF that is there names the file, so that it is a part of what limber wrote.
+    expect(limber('optimize plain.obj chair.gltf').code).toBe(0);
+    writeFileSync(
+      path('table.gltf'),
+      JSON.stringify({ asset: { version: '2.0', generator: 'Limber 0.1.0' } }),
+    );
+    writeFileSync(path('table.bin'), 'mine');
+    const { code, stderr } = limber('optimize plain.obj table.gltf');
+    expect([code, stderr]).toEqual([
+      1,
+      expect.stringContaining('table.bin, which belongs to table.gltf, exists'),
+    ]);
+    expect(readFileSync(path('table.bin'), 'utf8')).toBe('mine');
+  });
+
+  it('that is no library of an OBJ, but a folder or a pipe, is not read as one', () => {
+    execFileSync('mkfifo', [path('pipe.mtl')]);
+    writeFileSync(path('odd.obj'), `mtllib ./\nmtllib pipe.mtl\n${toObj(torus())}`);
+    expect(limber('optimize odd.obj odd.glb').code).toBe(0);
+    expect(existsSync(path('odd.glb'))).toBe(true);
+  });
+
+  it('is not said to be written where stdout fails', () => {
+    const run = (words: string) =>
+      spawnSync('sh', ['-c', `"${process.execPath}" "${program}" ${words} > /dev/full`], {
+        cwd: folder,
+        encoding: 'utf8',
+      });
+    for (const words of ['optimize plain.obj -', 'inspect plain.obj --json']) {
+      const { status, stderr } = run(words);
+      expect([status, stderr]).toEqual([
+        1,
+        expect.stringContaining('stdout cannot be written: the disk is full.'),
+      ]);
+    }
+  });
+});

@@ -1,0 +1,23 @@
+/** Errors of the file system as sentences. */
+
+import { UsageError } from './failure';
+
+const REASONS: Record<string, string> = {
+  ENOENT: 'there is no such file',
+  EACCES: 'permission is denied',
+  EPERM: 'permission is denied',
+  ENOSPC: 'the disk is full',
+  EDQUOT: 'the quota of the disk is used up',
+  EROFS: 'the disk is read-only',
+  ELOOP: 'its links lead back to themselves',
+  ENAMETOOLONG: 'its name is too long',
+  ERR_FS_FILE_TOO_LARGE: 'it is larger than 2 GB',
+};
+
+/** `what`: the beginning of the sentence, such as "a.glb cannot be written". */
+export function fileError(what: string, error: unknown): Error {
+  if (error instanceof UsageError) return error;
+  const { code = '' } = error as NodeJS.ErrnoException;
+  const reason = REASONS[code] ?? `the system refuses it${code ? ` (${code})` : ''}`;
+  return new UsageError(`${what}: ${reason}.`);
+}
