@@ -57,7 +57,9 @@ describe('a companion that is not at its place', () => {
 
   it('is no file of that name from another folder', async () => {
     const files = moved(triangleAt('a/data.bin', 'wood.png'), 'b/data.bin');
-    expect(await failureOf(() => openModel(files))).toMatch(/^test.gltf needs a\/data.bin, which is not there/);
+    expect(await failureOf(() => openModel(files))).toMatch(
+      /^test.gltf needs a\/data.bin, which is not there/,
+    );
   });
 
   it('is no file that another address means', async () => {
