@@ -200,6 +200,15 @@ describe('limber batch', () => {
     expect(limber('batch', 'nothing', 'out3').stderr).toMatch(/nothing does not exist/);
   });
 
+  it('takes of a pattern without folders those of its own folder', () => {
+    write('top.obj', toObj(grid(4, 4)));
+    for (const pattern of ['*.obj', './*.obj', './/*.obj']) {
+      const { stdout } = limber('batch', pattern, 'out', '--dry-run');
+      expect(stdout).toMatch(/^top\.obj \(new\) -> out\/top\.glb\nwould optimize 1 asset; /);
+    }
+    expect(limber('batch', './**/*.obj', 'out', '--dry-run').stdout).toContain('would optimize 3 assets; ');
+  });
+
   it('does everything again where its memory is damaged', () => {
     batch();
     const before = bytes('out/ring.glb');

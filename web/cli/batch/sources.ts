@@ -38,9 +38,8 @@ function sourcesOf(word: string, out: string): Source[] {
   if (found?.isDirectory()) return walk(word, out).map((path) => sourceOf(word, path));
   if (found) return [sourceOf(dirname(word), word)];
   if (!isPathPattern(word)) throw new UsageError(`${word} does not exist: name a folder, pattern or file.`);
-  const base = baseOf(word);
+  const { base, pattern } = parted(word);
   if (!existsSync(base)) throw new UsageError(`${word} has no model: the folder ${base} does not exist.`);
-  const pattern = base === '.' ? word : word.slice(base.replace(/\/$/, '').length + 1);
   // A pattern of one part is about its own folder, not about all below.
   const isFlat = !pattern.includes('/');
   return walk(base, out)
@@ -48,11 +47,12 @@ function sourcesOf(word: string, out: string): Source[] {
     .filter(({ name }) => matchesPath(pattern, name) && !(isFlat && name.includes('/')));
 }
 
-/** The folders of a pattern before its first wildcard. */
-function baseOf(pattern: string): string {
-  const parts = pattern.split('/');
+/** The folders before the first wildcard of a pattern, and the rest, which is about paths below them. */
+function parted(word: string): { base: string; pattern: string } {
+  const parts = word.split('/');
   const first = parts.findIndex(isPathPattern);
-  return parts.slice(0, first).join('/') || (pattern.startsWith('/') ? '/' : '.');
+  const base = parts.slice(0, first).join('/') || (word.startsWith('/') ? '/' : '.');
+  return { base, pattern: parts.slice(first).join('/') };
 }
 
 const sourceOf = (folder: string, path: string): Source => ({
