@@ -209,6 +209,15 @@ describe('limber batch', () => {
     expect(limber('batch', './**/*.obj', 'out', '--dry-run').stdout).toContain('would optimize 3 assets; ');
   });
 
+  it('knows its own summary where its memory has been removed', () => {
+    batch();
+    rmSync(path('out/.limber-batch'), { recursive: true });
+    expect([batch().code, totals().done]).toEqual([0, 2]);
+    rmSync(path('out/.limber-batch'), { recursive: true });
+    writeFileSync(path('out/summary.json'), '{}');
+    expect(batch().stderr).toContain('summary.json exists and was not written by limber');
+  });
+
   it('does everything again where its memory is damaged', () => {
     batch();
     const before = bytes('out/ring.glb');

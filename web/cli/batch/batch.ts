@@ -23,7 +23,7 @@ import { BatchRun } from './run';
 import { findSources } from './sources';
 import { describeTotals, summaryOf } from './summary';
 import type { Summary } from './summary';
-import { SUMMARY_FILES, writeSummary } from './write_summary';
+import { hasSummary, SUMMARY_FILES, writeSummary } from './write_summary';
 
 export async function runBatch(args: Arguments): Promise<number> {
   const seconds = startStopwatch();
@@ -72,7 +72,7 @@ function checkOut({ operands, force }: Arguments, out: string): void {
     .slice(0, -1)
     .find((word) => existsSync(word) && realpathSync(word) === realpathSync(out));
   if (same !== undefined) throw new UsageError(`${out} is also SRC: choose another folder for the results.`);
-  if (force || existsSync(join(out, OWN_FOLDER))) return;
+  if (force || existsSync(join(out, OWN_FOLDER)) || hasSummary(out)) return;
   const foreign = SUMMARY_FILES.map((name) => join(out, name)).find(
     (path) => existsSync(path) && !isOwnFile(path),
   );

@@ -10,7 +10,16 @@ import type { Summary } from './summary';
 import { summaryCsv } from './summary_csv';
 import { summaryHtml } from './summary_html';
 
+/** The first is written first and carries the mark of a summary, which a CSV has no room for. */
 export const SUMMARY_FILES = ['summary.json', 'summary.csv', 'summary.html'];
+
+/** Whether a batch has written the summary in `out`: its JSON says so for the files beside it. */
+export function hasSummary(out: string): boolean {
+  const path = join(out, SUMMARY_FILES[0]);
+  return existsSync(path) && MARK.test(readFileSync(path, 'utf8'));
+}
+
+const MARK = /^\{\s*"schema": "limber-summary\/\d/;
 
 export function writeSummary({ reports }: Arguments, out: string, summary: Summary): void {
   const json = `${JSON.stringify(summary, null, 2)}\n`;
