@@ -80,6 +80,22 @@ describe('limber batch', () => {
     expect(readdirSync(path('out/.limber-batch')).sort()).toEqual(['manifest.json', 'pictures']);
   });
 
+  it('takes no limit of a preset for a target, but one that is asked for by name', () => {
+    const isAs = (...words: string[]) => {
+      limber('optimize', 'src/sheets/sheet.obj', 'alone.glb', ...words);
+      return bytes('out/sheets/sheet.glb').equals(bytes('alone.glb'));
+    };
+    batch('--preset', 'print');
+    expect(isAs('--preset', 'print')).toBe(true);
+    batch('--preset', 'print', '--max-deviation', '0.1');
+    expect(isAs('--preset', 'print')).toBe(false);
+    expect(isAs('--preset', 'print', '--max-deviation', '0.1')).toBe(true);
+    write('batch.json', '{"schema":"limber-batch/1","options":{"maxDeviation":0.1}}');
+    expect(batch('--preset', 'print').code).toBe(0);
+    batch('--preset', 'print', '--config', 'batch.json');
+    expect(isAs('--preset', 'print', '--max-deviation', '0.1')).toBe(true);
+  });
+
   it('does again what has changed by content, and nothing else', () => {
     batch();
     const written = statSync(path('out/ring.glb')).mtimeMs;

@@ -11,8 +11,10 @@ import {
   settingsFor,
   writeBatchConfig,
 } from '../../web/engine/settings/batch_config';
+import type { AssetOptions } from '../../web/engine/settings/batch_config';
 import { matchesPath } from '../../web/engine/settings/path_pattern';
 import { defaultSettings } from '../../web/engine/settings/options';
+import type { SettingName } from '../../web/engine/settings/options';
 import { crewOf } from '../../web/cli/batch/batch';
 import { parseArguments } from '../../web/cli/arguments';
 import type { Arguments } from '../../web/cli/arguments';
@@ -138,17 +140,20 @@ describe('what is up to date', () => {
   };
 
   it('is told by a key of everything that results follow from', () => {
-    const key = keyOf(files, { ratio: 0.5 }, 'a.glb');
-    expect(keyOf([...files], { ratio: 0.5, threads: 4 }, 'a.glb')).toBe(key);
+    const keyFor = (options: AssetOptions, of = files, unasked: SettingName[] = []) =>
+      keyOf(of, { options, unasked }, 'a.glb');
+    const key = keyFor({ ratio: 0.5 });
+    expect(keyFor({ ratio: 0.5, threads: 4 }, [...files])).toBe(key);
     const others = [
-      keyOf([files[0], textFile('a.bin', 'z')], { ratio: 0.5 }, 'a.glb'),
-      keyOf([files[0]], { ratio: 0.5 }, 'a.glb'),
-      keyOf([files[0], textFile('b.bin', 'y')], { ratio: 0.5 }, 'a.glb'),
-      keyOf(files, { ratio: 0.4 }, 'a.glb'),
-      keyOf(files, { ratio: 0.5, p: Infinity }, 'a.glb'),
-      keyOf(files, { ratio: 0.5 }, 'b.glb'),
+      keyFor({ ratio: 0.5 }, [files[0], textFile('a.bin', 'z')]),
+      keyFor({ ratio: 0.5 }, [files[0]]),
+      keyFor({ ratio: 0.5 }, [files[0], textFile('b.bin', 'y')]),
+      keyFor({ ratio: 0.4 }),
+      keyFor({ ratio: 0.5, p: Infinity }),
+      keyFor({ ratio: 0.5, p: Infinity }, files, ['p']),
+      keyOf(files, { options: { ratio: 0.5 }, unasked: [] }, 'b.glb'),
     ];
-    expect(new Set([key, ...others]).size).toBe(7);
+    expect(new Set([key, ...others]).size).toBe(8);
   });
 
   it('has the same key, and results as they were written', async () => {

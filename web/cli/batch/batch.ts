@@ -16,7 +16,7 @@ import { runDryBatch } from './dry';
 import { Journal } from './journal';
 import { takeLock } from './lock';
 import { memoryLimit } from './memory';
-import { optionsOfFlags, requestsOf } from './orders';
+import { requestsOf } from './orders';
 import type { AssetRequest } from './orders';
 import { OWN_FOLDER } from './results';
 import { BatchRun } from './run';
@@ -61,7 +61,7 @@ function readRequests(args: Arguments, out: string): AssetRequest[] {
   const config = path === null ? EMPTY_CONFIG : readBatchConfig(readText(path), path);
   const sources = findSources(words, out).filter(({ name }) => !isExcluded(config, name));
   if (sources.length === 0) throw new UsageError(`${path} excludes all models: give fewer patterns.`);
-  return requestsOf(config, optionsOfFlags(args), sources);
+  return requestsOf(config, args, sources);
 }
 
 function checkOut({ operands, force }: Arguments, out: string): void {

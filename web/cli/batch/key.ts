@@ -5,7 +5,7 @@ import { VERSION } from '../../engine/core/version';
 import type { SourceFile } from '../../engine/document/open';
 import { OPTIONS, SETTING_NAMES } from '../../engine/settings/options';
 import { TARGET_NAMES } from '../../engine/settings/batch_config';
-import type { AssetOptions } from '../../engine/settings/batch_config';
+import type { AssetRequest } from './orders';
 
 /** Later versions of the journal remember more, so that what older ones wrote is made again. */
 const KEY_VERSION = 'limber-batch-key/1';
@@ -14,10 +14,14 @@ const KEY_VERSION = 'limber-batch-key/1';
  * SHA-256 of the input with its companions, the options as they count, the name of the result, and the version of limber. Two
  * assets with one key have the same results, on any machine and number of threads.
  */
-export function keyOf(files: SourceFile[], options: AssetOptions, result: string): string {
+export function keyOf(
+  files: SourceFile[],
+  asked: Pick<AssetRequest, 'options' | 'unasked'>,
+  result: string,
+): string {
   const hash = createHash('sha256');
   const add = (text: string) => hash.update(`${Buffer.byteLength(text)}:${text};`);
-  [KEY_VERSION, VERSION, result, canonicalOptions(options)].forEach(add);
+  [KEY_VERSION, VERSION, result, canonicalOptions(asked)].forEach(add);
   for (const { name, bytes } of [files[0], ...files.slice(1).sort(byName)]) {
     add(name);
     add(String(bytes.length));
@@ -28,11 +32,15 @@ export function keyOf(files: SourceFile[], options: AssetOptions, result: string
 
 const byName = (a: SourceFile, b: SourceFile): number => (a.name < b.name ? -1 : Number(a.name > b.name));
 
-/** Options in the order of the table; what describes the machine has no part in results. */
-function canonicalOptions(options: AssetOptions): string {
+/** Options in the order of the table, with a mark of what nobody has asked for; what describes the machine has no part in results. */
+function canonicalOptions({ options, unasked }: Pick<AssetRequest, 'options' | 'unasked'>): string {
   const names = [...SETTING_NAMES.filter((name) => !OPTIONS[name].isOfMachine), ...TARGET_NAMES];
   const given = names.filter((name) => options[name] !== undefined);
-  return JSON.stringify(given.map((name) => [name, options[name] === Infinity ? 'inf' : options[name]]));
+  const entries = given.map((name) => [
+    ...[name, options[name] === Infinity ? 'inf' : options[name]],
+    ...(unasked.some((other) => other === name) ? ['unasked'] : []),
+  ]);
+  return JSON.stringify(entries);
 }
 
 export const hashOf = (bytes: Uint8Array | string): string =>

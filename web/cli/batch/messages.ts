@@ -1,14 +1,13 @@
 /** What passes between a batch and the processes that work for it. */
 
 import type { Arguments } from '../arguments';
-import type { AssetOptions } from '../../engine/settings/batch_config';
+import type { AssetRequest } from './orders';
 import type { AssetRecord, WrittenFile } from './record';
 
-export interface WorkOrder {
+export interface WorkOrder extends Pick<AssetRequest, 'options' | 'unasked'> {
   asset: string;
   /** as for limber optimize; the paths are those where results are to be in the end */
   args: Arguments;
-  options: AssetOptions;
   /** the path of the result below OUT, parted by slashes */
   result: string;
   /** a folder of the worker's own, into which it writes */

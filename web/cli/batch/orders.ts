@@ -4,21 +4,19 @@ import { join } from 'node:path';
 import { MATERIALS } from '../../engine/settings/materials';
 import { settingsOfPreset } from '../../engine/settings/presets';
 import { OPTIONS, checkSettings, settingsOf } from '../../engine/settings/options';
+import type { SettingName } from '../../engine/settings/options';
 import { optionsFor, settingsFor } from '../../engine/settings/batch_config';
 import type { AssetOptions, BatchConfig } from '../../engine/settings/batch_config';
 import type { Arguments } from '../arguments';
 import { assetsOf } from './sources';
 import type { Asset, Source } from './sources';
 
-/** The options that the flags of the command line are. */
+/** The options that the flags of the command line are, with those that its presets stand for. */
 export function optionsOfFlags(args: Arguments): AssetOptions {
   const { asked, settings, faces, ratio, batch } = args;
-  const preset = [
-    ...(asked.has('material-preset') ? Object.keys(MATERIALS.rubber) : []),
-    ...(args.preset ? Object.keys(settingsOfPreset(args.preset)) : []),
-  ];
+  const ofPresets = namesOfPresets(args);
   const names = settingsOf('optimize').filter(
-    (name) => !OPTIONS[name].isOfMachine && (asked.has(OPTIONS[name].flag) || preset.includes(name)),
+    (name) => !OPTIONS[name].isOfMachine && (asked.has(OPTIONS[name].flag) || ofPresets.includes(name)),
   );
   const switches = {
     soft: args.soft,
@@ -36,13 +34,26 @@ export function optionsOfFlags(args: Arguments): AssetOptions {
   };
 }
 
+/** The settings that have their values from --preset or --material-preset alone. */
+function namesOfPresets({ asked, preset }: Arguments): SettingName[] {
+  const names = [
+    ...(asked.has('material-preset') ? Object.keys(MATERIALS.rubber) : []),
+    ...(preset ? Object.keys(settingsOfPreset(preset)) : []),
+  ] as SettingName[];
+  return names.filter((name) => !asked.has(OPTIONS[name].flag));
+}
+
 export interface AssetRequest {
   asset: Asset;
   options: AssetOptions;
+  /** options that a preset sets and nobody has asked for by name: a limit among them is no target */
+  unasked: SettingName[];
 }
 
 /** The request of every source. Throws SettingError where settings that are allowed each do not go together. */
-export function requestsOf(config: BatchConfig, flags: AssetOptions, sources: Source[]): AssetRequest[] {
+export function requestsOf(config: BatchConfig, args: Arguments, sources: Source[]): AssetRequest[] {
+  const flags = optionsOfFlags(args);
+  const ofPresets = namesOfPresets(args);
   const optionsOf = new Map(sources.map(({ name }) => [name, optionsFor(config, name, flags)]));
   const checked = new Set<string>();
   for (const options of optionsOf.values()) {
@@ -51,7 +62,11 @@ export function requestsOf(config: BatchConfig, flags: AssetOptions, sources: So
     checked.add(text);
   }
   const assets = assetsOf(sources, (name) => endingOf(optionsOf.get(name)!));
-  return assets.map((asset) => ({ asset, options: optionsOf.get(asset.name)! }));
+  return assets.map((asset) => {
+    const named = optionsFor(config, asset.name, {});
+    const unasked = ofPresets.filter((name) => named[name] === undefined);
+    return { asset, options: optionsOf.get(asset.name)!, unasked };
+  });
 }
 
 /** The ending of a result: GLB, unless another format is asked for. */
@@ -63,13 +78,15 @@ function endingOf(options: AssetOptions): string {
 /** An asset as limber optimize is asked for it. `out`: the folder of the results. */
 export function argumentsFor(
   args: Arguments,
-  { asset, options }: AssetRequest,
+  { asset, options, unasked }: AssetRequest,
   { out, threads }: { out: string; threads: number },
 ): Arguments {
   const result = join(out, asset.result);
   const beside = (ending: string) => result.replace(/\.[^./\\]*$/, `.${ending}.json`);
   const settings = { ...settingsFor(options), threads };
-  const given = settingsOf('optimize').filter((name) => options[name] !== undefined);
+  const given = settingsOf('optimize').filter(
+    (name) => options[name] !== undefined && !unasked.includes(name),
+  );
   return {
     ...args,
     command: 'optimize',

@@ -31,8 +31,9 @@ export interface BatchOptions {
 }
 
 /** Why an asset has to be done; null: it is up to date. */
-export function reasonOf({ asset, options }: AssetRequest, out: string, journal: Journal): Promise<Reason> {
-  const key = async () => keyOf((await readModelFiles(asset.path)).files, options, asset.result);
+export function reasonOf(request: AssetRequest, out: string, journal: Journal): Promise<Reason> {
+  const { asset } = request;
+  const key = async () => keyOf((await readModelFiles(asset.path)).files, request, asset.result);
   return reasonToDo(journal.get(asset.name), key, (file) => hashOfResult(out, file));
 }
 
@@ -124,11 +125,12 @@ export class BatchRun {
 
   private orderFor(request: AssetRequest): Omit<WorkOrder, 'folder'> {
     const { args, threads, out } = this.options;
-    const { asset, options } = request;
+    const { asset, options, unasked } = request;
     return {
       asset: asset.name,
       args: argumentsFor(args, request, { out, threads }),
       options,
+      unasked,
       result: asset.result,
       out,
     };

@@ -51,7 +51,7 @@ async function work(order: WorkOrder): Promise<WorkDone> {
     const core = await coreFor(order.args.settings.threads);
     const session = await startSession(order.args, { core, write });
     const { state, numbers, sentences, picture } = await optimizeAsset(session, order, files);
-    const key = keyOf([...session.checked.files.values()][0], order.options, order.result);
+    const key = keyOf([...session.checked.files.values()][0], order, order.result);
     const written = files.map(({ name, bytes, sha256 }) => ({ name, bytes, sha256 }));
     const record = { asset: order.asset, state, key, written, sentences, ...numbers, seconds: seconds() };
     return { record, files, picture, memory: process.memoryUsage().rss };
