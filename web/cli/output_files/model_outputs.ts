@@ -9,6 +9,7 @@ import { checkWritten } from '../../engine/stages/written_form';
 import { UsageError } from '../failure';
 import { pathsNamedBy } from '../files';
 import { followLinks, identityOf } from './identity';
+import type { CheckedFiles } from '../inputs';
 import { levelFiles } from '../levels';
 import { isOwnFile } from './own_files';
 import { save } from '../session';
@@ -60,7 +61,7 @@ function checkCompanion(
     );
   // A picture that is there already need not be written.
   if (companion.image && hasBytes(path, companion.image)) return;
-  if (checked.inputs.some((input) => identityOf(input) === identity))
+  if (isInput(checked, path))
     throw new UsageError(
       `${path}, which belongs to ${model}, belongs to the input: choose another name for OUT.`,
     );
@@ -77,17 +78,25 @@ function isOwnCompanion(path: string, model: string): boolean {
   return pathsNamedBy(main).some((named) => existsSync(named) && identityOf(named) === identityOf(path));
 }
 
+function isInput({ inputs }: CheckedFiles, path: string): boolean {
+  const identity = identityOf(path);
+  return inputs.some((input) => identityOf(input) === identity);
+}
+
 function hasBytes(path: string, bytes: Uint8Array): boolean {
   if (statSync(path, { throwIfNoEntry: false })?.size !== bytes.length) return false;
   return readFileSync(path).equals(bytes);
 }
 
-/** Writes what belongs to the model first, so that the model that names it is whole as soon as it is there. */
+/**
+ * Writes what belongs to the model first, so that the model that names it is whole as soon as it is there. A batch remembers all that
+ * belongs to a result, so that what is there already is written as well, but for an input.
+ */
 export function saveFiles(session: Session, path: string, files: SourceFile[], write = save): void {
   const [main, ...others] = files;
   for (const { name, bytes } of others) {
     const own = join(dirname(path), name);
-    if (hasBytes(own, bytes)) continue;
+    if (hasBytes(own, bytes) && (!session.isHosted || isInput(session.checked, own))) continue;
     mkdirSync(dirname(own), { recursive: true });
     write(session, own, bytes);
   }

@@ -1,0 +1,71 @@
+/** What limber batch may replace in OUT: files beside results, as buffers and pictures that several assets share. */
+
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { Document, Format, WebIO } from '@gltf-transform/core';
+import { afterAll, beforeEach, describe, expect, it } from 'vitest';
+import { encodePng } from '../../web/cli/batch/picture/png';
+import type { Summary } from '../../web/cli/batch/summary';
+import { addMesh, primitiveOf, startDocument } from './support/gltf';
+import { grid } from './support/shapes';
+
+const program = new URL('../../dist/cli/limber.mjs', import.meta.url).pathname;
+const top = mkdtempSync(join(tmpdir(), 'limber-results-'));
+let folder: string;
+let runs = 0;
+const path = (name: string) => join(folder, name);
+const bytes = (name: string) => readFileSync(path(name));
+const remove = (...names: string[]) => names.forEach((name) => rmSync(path(name), { recursive: true }));
+
+function write(name: string, content: string | Uint8Array): void {
+  mkdirSync(dirname(path(name)), { recursive: true });
+  writeFileSync(path(name), content);
+}
+
+const picture = (grey: number): Uint8Array =>
+  encodePng({ width: 1, height: 1, pixels: new Uint8Array([grey]) });
+
+/** A sheet whose buffer is `NAME.bin` and whose picture is wood.png. */
+async function writeSheet(name: string, cells: number, grey: number): Promise<void> {
+  const document: Document = startDocument();
+  const wood = document.createTexture('wood').setURI('wood.png').setImage(picture(grey).slice());
+  const material = document.createMaterial('wood').setBaseColorTexture(wood.setMimeType('image/png'));
+  addMesh(document, 'sheet', [primitiveOf(document, grid(cells, cells)).setMaterial(material)]);
+  const basename = name.split('/').pop()!;
+  const { json, resources } = await new WebIO().writeJSON(document, { format: Format.GLTF, basename });
+  write(`${name}.gltf`, JSON.stringify(json));
+  for (const [other, content] of Object.entries(resources)) write(join(dirname(name), other), content);
+}
+
+/** Writes glTF with one job, so that of two assets the one with the larger file is done first. */
+function batch(...words: string[]) {
+  const all = ['batch', ...words, 'out', '--format', 'gltf', '--jobs', '1', '--quiet'];
+  const { status, stderr } = spawnSync(process.execPath, [program, ...all], {
+    cwd: folder,
+    encoding: 'utf8',
+  });
+  const { totals } = JSON.parse(bytes('out/summary.json').toString()) as Summary;
+  return { code: status, stderr, done: totals.done - totals.unchanged };
+}
+
+beforeEach(async () => {
+  folder = join(top, String(++runs));
+  await writeSheet('src/a', 4, 100);
+});
+afterAll(() => rmSync(top, { recursive: true, force: true }));
+
+describe('files beside results', () => {
+  it('are made again where they are gone, also after they have been written with the same bytes', () => {
+    batch('src');
+    expect(batch('src', '--again')).toMatchObject({ code: 0, done: 1 });
+    for (const name of ['out/a.bin', 'out/wood.png']) {
+      const before = bytes(name);
+      remove(name);
+      expect(batch('src')).toMatchObject({ code: 0, done: 1 });
+      expect(bytes(name).equals(before)).toBe(true);
+    }
+    expect(batch('src').done).toBe(0);
+  });
+});
