@@ -69,3 +69,14 @@ describe('files beside results', () => {
     expect(batch('src').done).toBe(0);
   });
 });
+
+describe('a picture of several assets', () => {
+  it('is replaced where it has changed for all of them', async () => {
+    for (const [i, name] of ['b', 'c'].entries()) await writeSheet(`src/${name}`, 5 + i, 100);
+    expect(batch('src')).toMatchObject({ code: 0, done: 3 });
+    write('src/wood.png', picture(200));
+    expect(batch('src')).toMatchObject({ code: 0, stderr: '', done: 3 });
+    expect(bytes('out/wood.png').equals(picture(200))).toBe(true);
+    expect(batch('src').done).toBe(0);
+  });
+});

@@ -22,32 +22,71 @@ export function hashOfResult(out: string, { name }: WrittenFile): string | null 
 export const picturePath = (out: string, asset: string): string =>
   join(out, OWN_FOLDER, 'pictures', `${hashOf(asset).slice(0, 32)}.png`);
 
+export interface ResultsOptions {
+  /** the folder OUT */
+  out: string;
+  /** Looks at an asset of this batch, and calls `settle` with what it finds. */
+  lookAt: (asset: string) => Promise<unknown>;
+}
+
 /** Takes results out of the folders of the jobs; two assets never write one file, unless both write the same into it, as a shared picture. */
 export class Results {
-  private readonly owners = new Map<string, { asset: string; sha256: string }>();
+  /** by the name of a file: the assets that it is a result of, with the SHA-256 of what each has written */
+  private readonly owners = new Map<string, Map<string, string>>();
+  /** results of earlier runs whose assets have not been looked at yet */
+  private readonly expected = new Map<string, AssetRecord>();
 
-  constructor(private readonly out: string) {}
+  constructor(private readonly options: ResultsOptions) {}
 
-  /** Remembers that these results are an asset's. */
-  claim({ asset, written }: AssetRecord): void {
-    for (const { name, sha256 } of written) this.owners.set(name, { asset, sha256 });
+  /** Remembers that these results of an earlier run are an asset's, for as long as it is not known whether it is done again. */
+  expect(record: AssetRecord): void {
+    this.claim(record);
+    this.expected.set(record.asset, record);
+  }
+
+  /** What an asset has written before stays its own where it is up to date; otherwise it is to be written again, and is nobody's. */
+  settle(asset: string, isUpToDate: boolean): void {
+    const { written = [] } = this.expected.get(asset) ?? {};
+    if (!isUpToDate) for (const { name } of written) this.owners.get(name)?.delete(asset);
+    this.expected.delete(asset);
   }
 
   /** Puts the files of a finished asset where they belong; returns what is to be remembered of it. */
-  take({ record, files, picture }: WorkDone): AssetRecord {
-    for (const { name, sha256 } of files) {
-      const owner = this.owners.get(name);
-      if (owner && owner.asset !== record.asset && owner.sha256 !== sha256)
-        return failedRecord(record.asset, `${name} is also a result of ${owner.asset}: rename one of them`);
+  async take({ record, files, picture }: WorkDone): Promise<AssetRecord> {
+    let rival = this.rivalOf(record);
+    while (rival && this.expected.has(rival.asset)) {
+      await this.options.lookAt(rival.asset);
+      rival = this.rivalOf(record);
     }
+    // From here on nothing is waited for, so that no other asset is taken in between.
+    if (rival)
+      return failedRecord(
+        record.asset,
+        `${rival.name} is also a result of ${rival.asset}: rename one of them`,
+      );
     for (const file of files) move(file);
     this.claim(record);
     if (picture) {
-      const path = picturePath(this.out, record.asset);
+      const path = picturePath(this.options.out, record.asset);
       mkdirSync(dirname(path), { recursive: true });
       renameSync(picture, path);
     }
     return record;
+  }
+
+  private claim({ asset, written }: AssetRecord): void {
+    for (const { name, sha256 } of written) {
+      if (!this.owners.has(name)) this.owners.set(name, new Map());
+      this.owners.get(name)!.set(asset, sha256);
+    }
+  }
+
+  /** A file that another asset has written otherwise. */
+  private rivalOf({ asset, written }: AssetRecord): { name: string; asset: string } | null {
+    for (const { name, sha256 } of written)
+      for (const [owner, hash] of this.owners.get(name) ?? [])
+        if (owner !== asset && hash !== sha256) return { name, asset: owner };
+    return null;
   }
 }
 

@@ -42,6 +42,7 @@ export class BatchRun {
   private readonly progress: BatchProgress;
   private readonly results: Results;
   private readonly jobs: Job[];
+  private readonly looks = new Map<string, Promise<AssetRecord | null>>();
   private next = 0;
 
   constructor(
@@ -52,7 +53,8 @@ export class BatchRun {
     const { args, out, jobs, memory } = options;
     this.requests = [...requests].sort((a, b) => b.asset.bytes - a.asset.bytes);
     this.progress = new BatchProgress(requests.length, args);
-    this.results = new Results(out);
+    const byName = new Map(requests.map((request) => [request.asset.name, request]));
+    this.results = new Results({ out, lookAt: (asset) => this.lookAt(byName.get(asset)!) });
     const work = join(resolve(out), OWN_FOLDER, 'work');
     // What jobs of a killed run have left; those that still live find their folder gone, and end.
     rmSync(work, { recursive: true, force: true });
@@ -60,7 +62,7 @@ export class BatchRun {
       const folder = join(work, `${process.pid}-${i}`);
       return new Job({ program: process.argv[1], words: [ASSET_WORKER], memory, folder });
     });
-    this.claimResults();
+    this.expectResults();
   }
 
   /** Works on all assets; returns a row for each. */
@@ -79,11 +81,11 @@ export class BatchRun {
     for (const job of this.jobs) job.end();
   }
 
-  /** Results of assets of this batch are theirs; those of assets that are gone are nobody's. */
-  private claimResults(): void {
+  /** Results of assets of this batch are theirs, unless they are done again; those of assets that are gone are nobody's. */
+  private expectResults(): void {
     for (const { asset } of this.requests) {
       const record = this.options.journal.get(asset.name);
-      if (record) this.results.claim(record);
+      if (record) this.results.expect(record);
     }
   }
 
@@ -92,7 +94,7 @@ export class BatchRun {
       const request = this.requests[this.next++];
       const { asset } = request;
       this.progress.begin(asset.name);
-      const known = await this.upToDate(request);
+      const known = await this.lookAt(request);
       const record = known ?? (await this.done(job, request));
       if (!known) this.options.journal.add(record);
       this.progress.end(record, known !== null);
@@ -100,16 +102,22 @@ export class BatchRun {
     }
   }
 
+  /** What is remembered of an asset that is up to date, otherwise null; each is looked at once, so that the answer stays the same. */
+  private lookAt(request: AssetRequest): Promise<AssetRecord | null> {
+    const { name } = request.asset;
+    const look = this.looks.get(name) ?? this.upToDate(request);
+    this.looks.set(name, look);
+    return look;
+  }
+
   private async upToDate(request: AssetRequest): Promise<AssetRecord | null> {
     const { args, out, journal } = this.options;
-    if (args.batch.again) return null;
-    try {
-      const reason = await reasonOf(request, out, journal);
-      return reason === null ? journal.get(request.asset.name)! : null;
-    } catch {
-      // The job says what is wrong with the input.
-      return null;
-    }
+    // The job says what is wrong with the input.
+    const reason = args.batch.again
+      ? 'asked for'
+      : await reasonOf(request, out, journal).catch(() => 'failed');
+    this.results.settle(request.asset.name, reason === null);
+    return reason === null ? journal.get(request.asset.name)! : null;
   }
 
   private async done(job: Job, request: AssetRequest): Promise<AssetRecord> {
@@ -117,7 +125,8 @@ export class BatchRun {
       const order = this.orderFor(request);
       mkdirSync(dirname(order.args.operands[1]), { recursive: true });
       const done = await job.work({ ...order, folder: job.folder });
-      return { ...this.results.take(done), bytesBefore: done.record.bytesBefore || request.asset.bytes };
+      const record = await this.results.take(done);
+      return { ...record, bytesBefore: done.record.bytesBefore || request.asset.bytes };
     } catch (error) {
       return failedRecord(request.asset.name, describeFailure(error).line);
     }
