@@ -1,7 +1,7 @@
 /** What limber batch may replace in OUT: files beside results, as buffers and pictures that several assets share. */
 
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { Document, Format, WebIO } from '@gltf-transform/core';
@@ -68,6 +68,39 @@ describe('files beside results', () => {
     }
     expect(batch('src').done).toBe(0);
   });
+
+  it('hold nothing up where the model or the memory is gone, as after a kill', () => {
+    batch('src');
+    remove('out/a.gltf');
+    write('src/wood.png', picture(50));
+    expect(batch('src', '--ratio', '0.3', '--soft')).toMatchObject({ code: 0, stderr: '', done: 1 });
+    remove('out/a.gltf', 'out/.limber-batch');
+    expect(batch('src', '--ratio', '0.3', '--soft')).toMatchObject({ code: 0, stderr: '', done: 1 });
+    remove('out/.limber-batch');
+    expect(batch('src', '--ratio', '0.6')).toMatchObject({ code: 0, stderr: '', done: 1 });
+  });
+
+  it('stay known where their asset has failed in between', () => {
+    batch('src');
+    const whole = bytes('src/a.gltf');
+    write('src/a.gltf', '{');
+    expect(batch('src').code).toBe(1);
+    write('src/a.gltf', whole);
+    remove('out/a.gltf');
+    expect(batch('src', '--ratio', '0.3', '--soft')).toMatchObject({ code: 0, stderr: '', done: 1 });
+  });
+
+  it('are not written over files of the user, of which the asset fails as a whole', () => {
+    write('out/a.bin', 'mine');
+    expect(batch('src')).toMatchObject({
+      code: 1,
+      stderr:
+        'limber: a.gltf: out/a.bin exists and was not written by a batch: choose another folder for the results, or replace it with --force.\n',
+    });
+    expect([bytes('out/a.bin').toString(), existsSync(path('out/a.gltf'))]).toEqual(['mine', false]);
+    expect(existsSync(path('out/wood.png'))).toBe(false);
+    expect(batch('src', '--force')).toMatchObject({ code: 0, done: 1 });
+  });
 });
 
 describe('a picture of several assets', () => {
@@ -77,6 +110,19 @@ describe('a picture of several assets', () => {
     write('src/wood.png', picture(200));
     expect(batch('src')).toMatchObject({ code: 0, stderr: '', done: 3 });
     expect(bytes('out/wood.png').equals(picture(200))).toBe(true);
+    expect(batch('src').done).toBe(0);
+  });
+
+  it('is not replaced by another of its name while an asset with the old one is up to date', async () => {
+    batch('src');
+    await writeSheet('other/larger', 20, 200);
+    const failed = {
+      code: 1,
+      stderr: 'limber: larger.gltf: wood.png is also a result of a.gltf: rename one of them.\n',
+    };
+    expect(batch('src', 'other')).toMatchObject(failed);
+    expect(bytes('out/wood.png').equals(picture(100))).toBe(true);
+    expect(existsSync(path('out/larger.gltf'))).toBe(false);
     expect(batch('src').done).toBe(0);
   });
 });

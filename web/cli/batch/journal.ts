@@ -37,8 +37,13 @@ export class Journal {
     return [...this.records.values()];
   }
 
-  /** Remembers a finished asset; when this returns, it is on the disk. */
-  add(record: AssetRecord): void {
+  /**
+   * Remembers a finished asset; when this returns, it is on the disk. The results of one that has failed are as they were, and so is what
+   * is remembered of them.
+   */
+  add(finished: AssetRecord): void {
+    const { written = [] } = this.records.get(finished.asset) ?? {};
+    const record = finished.state === 'failed' ? { ...finished, written } : finished;
     this.records.set(record.asset, record);
     this.file ??= openSync(join(this.folder, 'journal.jsonl'), 'a');
     // The newline before it ends what an earlier run may have left of a line.

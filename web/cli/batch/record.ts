@@ -30,6 +30,7 @@ export interface AssetRecord extends AssetNumbers {
   state: AssetState;
   /** hash of all that the result follows from; '' where the input could not be read */
   key: string;
+  /** of one that failed: in the journal what an earlier run has written, elsewhere nothing */
   written: WrittenFile[];
   /** why it failed or missed its target, and warnings: whole clauses */
   sentences: string[];

@@ -2,8 +2,10 @@
 
 import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, renameSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
+import { companionNames } from '../../engine/document/gltf';
 import { writeWhole } from '../files';
 import { followLinks, isSpecial } from '../output_files/identity';
+import { isOwnFile } from '../output_files/own_files';
 import { hashOf } from './key';
 import type { StagedFile, WorkDone } from './messages';
 import type { AssetRecord, WrittenFile } from './record';
@@ -25,6 +27,10 @@ export const picturePath = (out: string, asset: string): string =>
 export interface ResultsOptions {
   /** the folder OUT */
   out: string;
+  /** files of the user's own may be replaced */
+  force: boolean;
+  /** names of files below OUT that batches have written */
+  known: Iterable<string>;
   /** Looks at an asset of this batch, and calls `settle` with what it finds. */
   lookAt: (asset: string) => Promise<unknown>;
 }
@@ -35,8 +41,11 @@ export class Results {
   private readonly owners = new Map<string, Map<string, string>>();
   /** results of earlier runs whose assets have not been looked at yet */
   private readonly expected = new Map<string, AssetRecord>();
+  private readonly known: Set<string>;
 
-  constructor(private readonly options: ResultsOptions) {}
+  constructor(private readonly options: ResultsOptions) {
+    this.known = new Set(options.known);
+  }
 
   /** Remembers that these results of an earlier run are an asset's, for as long as it is not known whether it is done again. */
   expect(record: AssetRecord): void {
@@ -64,6 +73,12 @@ export class Results {
         record.asset,
         `${rival.name} is also a result of ${rival.asset}: rename one of them`,
       );
+    const foreign = this.options.force ? undefined : files.find((file) => this.isForeign(file, files));
+    if (foreign)
+      return failedRecord(
+        record.asset,
+        `${foreign.path} exists and was not written by a batch: choose another folder for the results, or replace it with --force`,
+      );
     for (const file of files) move(file);
     this.claim(record);
     if (picture) {
@@ -78,6 +93,7 @@ export class Results {
     for (const { name, sha256 } of written) {
       if (!this.owners.has(name)) this.owners.set(name, new Map());
       this.owners.get(name)!.set(asset, sha256);
+      this.known.add(name);
     }
   }
 
@@ -88,6 +104,23 @@ export class Results {
         if (owner !== asset && hash !== sha256) return { name, asset: owner };
     return null;
   }
+
+  /** Whether there is a file in the place of a result that no batch has written, as far as can be told without its memory, too. */
+  private isForeign(file: StagedFile, files: StagedFile[]): boolean {
+    const { name, path, sha256 } = file;
+    if (this.known.has(name) || !existsSync(path) || isSpecial(path)) return false;
+    if (hashOf(readFileSync(path)) === sha256 || isOwnFile(path)) return false;
+    return !files.some((model) => isNamedBy(model, path));
+  }
+}
+
+/** Whether a glTF of limber's own is in the place of a result and names the file. */
+function isNamedBy(model: StagedFile, path: string): boolean {
+  if (!/\.gltf$/i.test(model.path) || !existsSync(model.path) || !isOwnFile(model.path)) return false;
+  const bytes = new Uint8Array(readFileSync(model.path));
+  if (bytes.length === 0) return false;
+  const names = companionNames({ name: model.name, bytes });
+  return names.some((name) => join(dirname(model.path), name) === path);
 }
 
 /** A link stays, and the file that it leads to is replaced, with its permissions; it can be on another disk. */

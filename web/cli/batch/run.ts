@@ -50,11 +50,15 @@ export class BatchRun {
     /** the largest files first, so that no job is left alone with one in the end */
     private readonly requests: AssetRequest[],
   ) {
-    const { args, out, jobs, memory } = options;
+    const { args, out, journal, jobs, memory } = options;
     this.requests = [...requests].sort((a, b) => b.asset.bytes - a.asset.bytes);
     this.progress = new BatchProgress(requests.length, args);
     const byName = new Map(requests.map((request) => [request.asset.name, request]));
-    this.results = new Results({ out, lookAt: (asset) => this.lookAt(byName.get(asset)!) });
+    this.results = new Results({
+      ...{ out, force: args.force },
+      known: journal.all().flatMap(({ written }) => written.map(({ name }) => name)),
+      lookAt: (asset) => this.lookAt(byName.get(asset)!),
+    });
     const work = join(resolve(out), OWN_FOLDER, 'work');
     // What jobs of a killed run have left; those that still live find their folder gone, and end.
     rmSync(work, { recursive: true, force: true });

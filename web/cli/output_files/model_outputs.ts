@@ -45,7 +45,7 @@ export function checkModelOutputs(
 }
 
 function checkCompanion(
-  { args, checked }: Session,
+  { args, checked, isHosted }: Session,
   model: string,
   companion: Companion,
   taken: Set<string>,
@@ -61,7 +61,10 @@ function checkCompanion(
     );
   // A picture that is there already need not be written.
   if (companion.image && hasBytes(path, companion.image)) return;
-  if (isInput(checked, path))
+  const belongsToInput = isInput(checked, path);
+  // Which other files may be replaced, a batch finds out when it takes its results.
+  if (isHosted && !belongsToInput) return;
+  if (belongsToInput)
     throw new UsageError(
       `${path}, which belongs to ${model}, belongs to the input: choose another name for OUT.`,
     );
