@@ -61,6 +61,26 @@ inline Doubled box() {
   return doubled(used);
 }
 
+// A rough ball, flattened to `height` along y.
+inline Doubled ball(int levels, double height) {
+  const TriangleMesh smooth = shapes::sphere(levels);
+  Doubled whole{smooth, {}};
+  for (uint32_t v = 0; v < smooth.vertexCount(); ++v) {
+    const Vec3& p = smooth.positions[v];
+    const auto isImage = [&](const Vec3& q) { return length(Vec3{-p.x, p.y, p.z} - q) < 1e-9; };
+    const auto found = std::ranges::find_if(smooth.positions, isImage);
+    whole.mirror.push_back(static_cast<uint32_t>(found - smooth.positions.begin()));
+  }
+  for (uint32_t v = 0; v < smooth.vertexCount(); ++v) {
+    const uint32_t first = std::min(v, whole.mirror[v]);
+    const Vec3 p = smooth.positions[first] * (1 + 0.005 * (first * 7919 % 31));
+    const double x = whole.mirror[v] == v ? 0 : v == first ? p.x : -p.x;
+    whole.mesh.positions[v] = {x, height * p.y, p.z};
+  }
+  whole.mesh = surfaces::inFloats(whole.mesh);
+  return whole;
+}
+
 using Corner3 = std::tuple<double, double, double>;
 using Face = std::array<Corner3, 3>;
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "elastic/solid/lattice_grid.h"
 #include "elastic/solid/solid.h"
 #include "linear/eigensolver.h"
 #include "shapes.h"
@@ -75,6 +76,15 @@ const TriangleMesh kBar = shapes::box(8, 8, 24, 0.125);
 // Beam theory for the bar of 1 x 1 x 3: Timoshenko's free beam with Cowper's shear coefficient (first and
 // second bending), Saint-Venant's torsion (J = 0.14058), a rod with Love's lateral inertia.
 constexpr double kBend = 0.5477, kTwist = 0.5965, kStretch = 1.0387, kSecondBend = 1.1206;
+
+// Counts whose product wraps in 32 bits to few cells, as on a thin wire along the diagonal of its box.
+TEST(LatticeGrid, hasFewCellsWhereTheyWouldBeBeyond32Bits) {
+  const TriangleMesh box = {{{0, 0, 0}, {0.741, 0.5, 0.622}, {0.741, 0, 0}}, {{0, 1, 2}}};
+  const LatticeGrid grid = latticeGrid(box, Vec3{0.741 / 1965, 0.5 / 1326, 0.622 / 1649});
+  const double cells = 1.0 * grid.count[0] * grid.count[1] * grid.count[2];
+  EXPECT_LE(cells, 4e6);
+  EXPECT_GT(cells, 2e6);
+}
 
 TEST(SolidModes, aBarBendsTwistsAndStretchesAsBeamTheorySays) {
   const Vibration bar = vibrate(kBar, 400);

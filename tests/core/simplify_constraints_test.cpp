@@ -126,6 +126,19 @@ TEST(SimplifyConstraints, aCreaseDoesNotMove) {
   EXPECT_EQ(blunt.kept, without.kept);
 }
 
+TEST(SimplifyConstraints, aTriangleWithoutAreaMakesNoCrease) {
+  // The middle of a diagonal is a corner of three triangles, of which one lies on the diagonal.
+  TriangleMesh mesh = shapes::grid(8, 8);
+  const Triangle whole = mesh.triangles[64];
+  const auto middle = mesh.vertexCount();
+  mesh.positions.push_back((mesh.positions[whole[0]] + mesh.positions[whole[1]]) * 0.5);
+  mesh.triangles[64] = {whole[0], middle, whole[2]};
+  mesh.triangles.push_back({middle, whole[1], whole[2]});
+  mesh.triangles.push_back({whole[0], whole[1], middle});
+  ASSERT_EQ(triangleArea(mesh, mesh.triangleCount() - 1), 0);
+  EXPECT_EQ(run(mesh, {.creaseAngle = 30}).kept, run(mesh, {}).kept);
+}
+
 TEST(SimplifyConstraints, theTipOfACutStaysWhereItIs) {
   const TriangleMesh mesh = sheet();
   // The seam runs from the border to the middle of the sheet.

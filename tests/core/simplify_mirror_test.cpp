@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "mirrored.h"
 #include "same_topology.h"
@@ -45,6 +46,71 @@ TEST(Mirror, isKeptTogetherWithALargestDeviation) {
   const TriangleMesh mesh = meshAt(whole.mesh, run(whole, Method::Limber, 0, 0.05), 0).mesh;
   EXPECT_EQ(facesOf(mesh, 1), facesOf(mesh, -1));
   EXPECT_LT(mesh.triangleCount(), whole.mesh.triangleCount() / 2);
+}
+
+// A vertex on the border lies on the plane, and no edge of it does.
+Doubled fan() {
+  const TriangleMesh mesh = {{{0, 0, 0},
+                              {1, 0, 0},
+                              {-1, 0, 0},
+                              {1, 1, 0},
+                              {-1, 1, 0},
+                              {2, 0, 0},
+                              {-2, 0, 0},
+                              {2, 1.5, 0},
+                              {-2, 1.5, 0},
+                              {0, 2, 0}},
+                             {{0, 1, 3},
+                              {0, 3, 4},
+                              {0, 4, 2},
+                              {1, 5, 3},
+                              {2, 4, 6},
+                              {5, 7, 3},
+                              {6, 4, 8},
+                              {3, 7, 9},
+                              {4, 9, 8},
+                              {3, 9, 4}}};
+  return {mesh, {0, 2, 1, 4, 3, 6, 5, 8, 7, 9}};
+}
+
+TEST(Mirror, verticesOnThePlaneStayOnIt) {
+  for (const Doubled& whole : {fan(), sheet(), box()})
+    for (const Method method : kMethods) {
+      const History history = run(whole, method, 0);
+      for (uint32_t i = 0; i < history.collapseCount(); ++i)
+        if (whole.mirror[history.kept[i]] == history.kept[i]) {
+          EXPECT_EQ(history.positions[3 * i], 0) << i;
+        }
+    }
+}
+
+// The base of a bipyramid of three sides lies on the plane.
+TEST(Mirror, doesNotCollapseATetrahedron) {
+  const Doubled whole = {{{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0.3, 0.3}, {-1, 0.3, 0.3}},
+                          {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}}},
+                         {0, 1, 2, 4, 3}};
+  for (const Method method : kMethods)
+    EXPECT_EQ(meshAt(whole.mesh, run(whole, method, 0), 0).mesh.triangleCount(), 6u);
+}
+
+// Corners of a square of two triangles, whose common edge lies on the plane.
+TEST(Mirror, doesNotCollapseALoneTriangle) {
+  const Doubled whole = {{{{0, 0, 0}, {0, 1, 0}, {1, 0.5, 0}, {-1, 0.5, 0}}, {{0, 2, 1}, {0, 1, 3}}},
+                         {0, 1, 3, 2}};
+  for (const Method method : kMethods)
+    EXPECT_EQ(meshAt(whole.mesh, run(whole, method, 0), 0).mesh.triangleCount(), 2u);
+}
+
+// The image of a step into the plane is carried out after the samples of the step have moved.
+TEST(Mirror, closedBodiesStayClosedWithAndWithoutALargestDeviation) {
+  for (const auto& [levels, height] : {std::pair(1, 1.0), {2, 1.0}, {2, 0.1}, {3, 0.1}, {3, 0.3}})
+    for (const double deviation : {0.0, 0.03, 0.05, 0.1, 0.2}) {
+      const Doubled whole = mirrored::ball(levels, height);
+      const TriangleMesh mesh = meshAt(whole.mesh, run(whole, Method::Limber, 0, deviation), 0).mesh;
+      expectSameTopology(whole.mesh, mesh);
+      EXPECT_EQ(facesOf(mesh, 1), facesOf(mesh, -1));
+      EXPECT_GE(mesh.triangleCount(), 4u);
+    }
 }
 
 TEST(Mirror, whatIsNoSymmetryIsRefusedWithASentence) {

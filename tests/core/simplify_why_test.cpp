@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mirrored.h"
 #include "simplify/why_kept.h"
 #include "surfaces.h"
 
@@ -95,6 +96,18 @@ TEST(WhyKept, namesTheRuleThatKeepsAVertexAtTheFloor) {
   for (const WhyKept& why : whyKept({it.mesh, it.guidance(), options, history}, 0, job)) {
     EXPECT_NE(why.verdict, Verdict::Legal);
     EXPECT_NE(why.neighbour, kNone);
+  }
+}
+
+TEST(WhyKept, asksTheMirrorToo) {
+  for (const mirrored::Doubled& whole : {mirrored::sheet(), mirrored::box(), mirrored::ball(2, 1)}) {
+    Job job;
+    SimplifyOptions options{.method = Method::Qem, .qualityWeight = 0.1};
+    options.constraints.mirror = whole.mirror;
+    const History history = simplify(whole.mesh, {}, options, job);
+    ASSERT_EQ(history.stop, StopReason::Exhausted);
+    for (const WhyKept& why : whyKept({whole.mesh, {}, options, history}, 0, job))
+      EXPECT_NE(why.verdict, Verdict::Legal);
   }
 }
 

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "base/parallel.h"
 #include "moving_bodies.h"
 #include "shapes.h"
+#include "simulate/contacts/self_contacts.h"
 
 namespace limber {
 namespace {
@@ -89,6 +91,38 @@ TEST(SimulatedContacts, aCoarseAndAFineSheetComeToRestOnABallAtTheSameHeight) {
   EXPECT_NEAR(coarse.nearest, 0.3, 1e-3);
   EXPECT_NEAR(fine.nearest, 0.3, 1e-3);
   EXPECT_NEAR(coarse.mean, fine.mean, 0.03 * 0.3);
+}
+
+// Within the first step it falls half its size.
+TEST(SimulatedContacts, aSheetOfTwoMillimetresComesToRestOnTheFloor) {
+  TriangleMesh mesh = shapes::grid(10, 10, 0.002, 0.002);
+  for (Vec3& p : mesh.positions) p = {p.x, 0.0005, p.y};
+  SimulationOptions options = leather(2e-5);
+  Simulation body(mesh, options);
+  body.setGravity(kGravity);
+  body.setGround(0);
+  for (int step = 0; step < 30; ++step) {
+    run(body, 1);
+    for (const Vec3& p : body.positions()) {
+      EXPECT_GT(p.y, -2e-5) << step;
+      EXPECT_LT(p.y, 0.0006) << step;
+    }
+  }
+}
+
+TEST(SelfContacts, takeMemoryInProportionToTheEdges) {
+  constexpr uint32_t kSides = 30'000;
+  TriangleMesh cone;
+  cone.positions = {{0, 0, 0}, {0, 0, 1}};
+  for (uint32_t i = 0; i < kSides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kSides;
+    cone.positions.push_back({std::cos(angle), std::sin(angle), 0.5});
+    const uint32_t a = 2 + i, b = 2 + (i + 1) % kSides;
+    cone.triangles.insert(cone.triangles.end(), {{0, b, a}, {1, a, b}});
+  }
+  // Lists of the vertices two edges away would take 3.6 GB.
+  const SelfContacts contacts(cone, 0.3);
+  EXPECT_EQ(contacts.count(), 0u);
 }
 
 TEST(SimulatedContacts, contactsOfTrianglesChangeNoBitWithTheNumberOfThreads) {

@@ -433,6 +433,19 @@ TEST(SimulatedSolvers, theShellOfConstantsIsTheShellOfItsMaterial) {
     EXPECT_LT(length(shell.position(v) - solver.position(v)), 1e-4 * bounds(mesh).diagonal());
 }
 
+TEST(SimulatedSolvers, aShellWithoutBendingStiffnessMovesLikeAMembrane) {
+  for (const double bend : {0.0, 1e-34}) {
+    SimulatedSolver solver;
+    solver.model = {StretchElement::Membrane, BendElement::Morley, MassRule::Area};
+    solver.constants = {400, 300, bend, 0.3, 10, 1};
+    Simulation body(shapes::grid(6, 6), optionsOf(solver, 20));
+    body.setGravity({0, -9.81, 0});
+    for (int i = 0; i < 5; ++i) body.step(kJob);
+    EXPECT_TRUE(body.isFinite());
+    EXPECT_LT(body.position(20).y, 0.99);
+  }
+}
+
 std::string refusalOf(const SimulatedSolver& solver) {
   try {
     Simulation body(shapes::grid(2, 2), optionsOf(solver, 20));

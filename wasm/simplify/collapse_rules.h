@@ -76,7 +76,7 @@ inline std::optional<Collapse> CollapseRules::imageOf(const Collapse& step) cons
 }
 
 inline void CollapseRules::prepareImage(const Collapse& image) {
-  if (deviation_) deviation_->allows(image);
+  if (deviation_) deviation_->follow(image);
 }
 
 inline void CollapseRules::collapse() {

@@ -102,10 +102,22 @@ bool DeviationLimit::isNearInput(const Vec3& p, uint32_t guess) const {
   return nearest_.isWithin({x, y, z}, squaredLimit_, guess);
 }
 
-bool DeviationLimit::allows(const Collapse& step) {
+void DeviationLimit::follow(const Collapse& step) {
+  startReassigning(step);
+  if (changed_.empty()) return;
+  for (const uint32_t triangle : emptied_)
+    for (uint32_t sample = first_[triangle]; sample != kNone; sample = next_[sample])
+      if (!reassignSample(sample, step.target)) to_.back() = changed_.front().triangle;
+}
+
+void DeviationLimit::startReassigning(const Collapse& step) {
   collectChanged(step);
   moving_.clear();
   to_.clear();
+}
+
+bool DeviationLimit::allows(const Collapse& step) {
+  startReassigning(step);
   const uint32_t guess = emptied_[0];
   if (!isNearInput(step.target, guess)) return false;
   for (const uint32_t triangle : emptied_)

@@ -21,8 +21,11 @@ class DeviationLimit {
 
   // Whether a collapse stays within the limit. O(samples on the triangles around it, times these triangles).
   bool allows(const Collapse& step);
+  // Prepares `collapse` for a step that is carried out whatever its distance; a sample that is near none of
+  // its triangles stays on the first of them.
+  void follow(const Collapse& step);
   // Assigns the samples to their new triangles. To be called right after `allows` has returned true for the
-  // same step.
+  // same step, or after `follow`.
   void collapse();
 
  private:
@@ -32,6 +35,7 @@ class DeviationLimit {
   };
 
   void addSamples(uint32_t t, int cuts);
+  void startReassigning(const Collapse& step);
   void collectChanged(const Collapse& step);
   bool reassignSample(uint32_t sample, const Vec3& target);
   bool isNearInput(const Vec3& p, uint32_t guess) const;

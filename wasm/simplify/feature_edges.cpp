@@ -37,7 +37,10 @@ class FeatureRules {
   }
   bool isCrease(uint32_t s, uint32_t t) const {
     if (constraints_.creaseAngle == 0) return false;
-    return dot(normalized(areaNormal(mesh_, s)), normalized(areaNormal(mesh_, t))) < creaseCosine_;
+    const Vec3 a = areaNormal(mesh_, s), b = areaNormal(mesh_, t);
+    // A triangle without area has no normal.
+    if (squaredLength(a) == 0 || squaredLength(b) == 0) return false;
+    return dot(normalized(a), normalized(b)) < creaseCosine_;
   }
   // Whether both ends are in a pinned set that a vertex opposite to the edge is not in.
   bool isOutline(const Topology::Edge& edge, uint32_t s, uint32_t t) const {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "simplify/collapse_rules.h"
 #include "simplify/cost/policies.h"
 
 namespace limber {
@@ -13,12 +14,13 @@ constexpr uint32_t kStepsPerReport = 512;
 template <CostPolicy Policy>
 class Moment {
  public:
-  explicit Moment(const Reduction& of)
+  Moment(const Reduction& of, Job& job)
       : mesh_(of.mesh, of.options.constraints),
         costs_(of.mesh, mesh_, of.guidance, of.options),
-        legality_(mesh_, of.options) {}
+        rules_(of.mesh, mesh_, withoutDeviation(of.options), job),
+        job_(job) {}
 
-  void replay(const History& history, uint32_t count, Job& job) {
+  void replay(const History& history, uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
       const float* p = &history.positions[3 * size_t{i}];
       const Collapse step{edgeBetween(history.kept[i], history.removed[i]), history.kept[i],
@@ -26,7 +28,7 @@ class Moment {
       if (step.edge == kNone) refuseHistory();
       costs_.collapse(step);
       mesh_.collapse(step);
-      if (i % kStepsPerReport == 0) job.report(0.5 * i / count);
+      if (i % kStepsPerReport == 0) job_.report(0.5 * i / count);
     }
   }
 
@@ -37,7 +39,7 @@ class Moment {
     costs_.setBounds(edges);
   }
 
-  std::vector<WhyKept> explainAll(Job& job) {
+  std::vector<WhyKept> explainAll() {
     std::vector<uint32_t> number(mesh_.vertexCount(), kNone);
     std::vector<uint32_t> vertices;
     for (uint32_t v = 0; v < mesh_.vertexCount(); ++v) {
@@ -49,7 +51,7 @@ class Moment {
     all.reserve(vertices.size());
     for (const uint32_t v : vertices) {
       if (all.size() % kStepsPerReport == 0)
-        job.report(0.5 + 0.5 * static_cast<double>(all.size()) / static_cast<double>(vertices.size()));
+        job_.report(0.5 + 0.5 * static_cast<double>(all.size()) / static_cast<double>(vertices.size()));
       all.push_back(explain(v));
       if (all.back().neighbour != kNone) all.back().neighbour = number[all.back().neighbour];
     }
@@ -74,15 +76,21 @@ class Moment {
     mesh_.forEachEdge(v, [&](uint32_t edge, uint32_t other) {
       const Optimum optimum = costs_.optimum(edge);
       const WhyKept why{other, costs_.terms(edge, optimum),
-                        legality_.check(mesh_.collapseOf(edge, optimum.position))};
+                        rules_.judge(rules_.collapseOf(edge, optimum.position))};
       if (best.neighbour == kNone || rank(why) < rank(best)) best = why;
     });
     return best;
   }
 
+  static SimplifyOptions withoutDeviation(SimplifyOptions options) {
+    options.maxDeviation = 0;
+    return options;
+  }
+
   CollapseMesh mesh_;
   Policy costs_;
-  Legality legality_;
+  CollapseRules rules_;
+  Job& job_;
 };
 
 }  // namespace
@@ -92,10 +100,10 @@ std::vector<WhyKept> whyKept(const Reduction& reduction, uint32_t faces, Job& jo
   checkBelongs(reduction.mesh, reduction.history);
   job.begin(Phase::Simplify);
   return withPolicy(reduction.options.method, [&]<class Policy> {
-    Moment<Policy> moment(reduction);
-    moment.replay(reduction.history, collapsesFor(reduction.history, faces), job);
+    Moment<Policy> moment(reduction, job);
+    moment.replay(reduction.history, collapsesFor(reduction.history, faces));
     moment.priceAll();
-    return moment.explainAll(job);
+    return moment.explainAll();
   });
 }
 

@@ -96,8 +96,7 @@ SimulationState::SimulationState(const TriangleMesh& source, const SimulationOpt
       contacts(blocks),
       triangleContacts(mesh, blocks),
       pins(givenPins),
-      edgeStart_(edgeStarts(topology, blocks)),
-      contactDistance_{kContactMargin * restDiagonal, given.substeps} {
+      edgeStart_(edgeStarts(topology, blocks)) {
   for (uint32_t& v : pins.vertices) v = slotOf[v];
   makeParticles();
   makeConstraints();
@@ -174,13 +173,13 @@ void SimulationState::startBlock(size_t block) {
     const bool isFree = particles.inverseMass[v] > 0;
     particles.acceleration[v] = isFree ? toFloat4(acceleration * (substep * substep)) : Float4{};
   }
-  contacts.rebase(particles, collisionScene, contactDistance_, block);
+  contacts.rebase(particles, collisionScene, contactDistanceNow(), block);
   if (volume) volume->rebase(particles, block);
 }
 
 void SimulationState::startGroup(size_t group) {
   if (group < blockCount) startBlock(group);
-  triangleContacts.rebase(particles, collisionScene, contactDistance_, group);
+  triangleContacts.rebase(particles, collisionScene, contactDistanceNow(), group);
   forEachKind(*this, [&](auto& constraints) {
     const auto& start = constraints.colouring().groupStart;
     constraints.rebase(particles, start[group], start[group + 1]);

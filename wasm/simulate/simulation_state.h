@@ -77,6 +77,9 @@ struct SimulationState {
   void advanceBlock(size_t block, const Advance& what);
   void finishBlock(size_t block);
   void makeSchedule();
+  ContactDistance contactDistanceNow() const {
+    return contactDistance(restDiagonal, gravity, options.substeps);
+  }
   void startPins();
   void startWind();
 
@@ -84,7 +87,6 @@ struct SimulationState {
   Schedule schedule_;
   size_t pointPhase_ = 0, contactPhase_ = 0;  // indices in schedule_.repeated
   std::vector<Vec3> windAcceleration_;        // m/s2 per slot; empty without wind
-  ContactDistance contactDistance_;
   ThreadChoice threadChoice_;
 };
 

@@ -98,6 +98,15 @@ bool Mirror::areNeighbours(uint32_t a, uint32_t b) const {
   return found;
 }
 
+// Whether the step would leave its image, into the same vertex of the plane, one of the two collapses that
+// Legality::keepsTopology forbids by their stars: in a tetrahedron and in a lone triangle.
+bool Mirror::forbidsImage(const Collapse& step) const {
+  const size_t kept = mesh_.star(step.kept).size(), removed = mesh_.star(step.removed).size();
+  if (mesh_.trianglesOnEdge(step.edge) == 1) return kept == 2 && removed == 1;
+  const bool inside = !mesh_.role(step.kept).onBorder && !mesh_.role(step.removed).onBorder;
+  return inside && kept == 4 && removed == 3;
+}
+
 bool Mirror::isApart(const Collapse& step) const {
   const uint32_t kept = step.kept, removed = step.removed;
   const uint32_t keptImage = partners_[kept], removedImage = partners_[removed];
@@ -105,7 +114,9 @@ bool Mirror::isApart(const Collapse& step) const {
   if (keptImage != kept)
     return !areNeighbours(kept, keptImage) && !areNeighbours(kept, removedImage) &&
            !areNeighbours(removed, keptImage);
-  // Both collapse into one vertex of the plane: their common neighbours must be neighbours of that already.
+  // Both collapse into one vertex of the plane, which stays where it is.
+  if (mesh_.fixedEnd(step.edge) != kept || forbidsImage(step)) return false;
+  // Their common neighbours must be neighbours of that already.
   bool apart = true;
   mesh_.forEachEdge(removed, [&](uint32_t, uint32_t other) {
     if (other != kept && areNeighbours(removedImage, other) && !areNeighbours(kept, other)) apart = false;

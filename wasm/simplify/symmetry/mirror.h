@@ -53,6 +53,7 @@ class Mirror {
  private:
   void checkPositions() const;
   bool areNeighbours(uint32_t a, uint32_t b) const;
+  bool forbidsImage(const Collapse& step) const;
 
   const CollapseMesh& mesh_;
   std::span<const uint32_t> partners_;

@@ -1,5 +1,7 @@
 #include "simulate/constraints/bending_constraints.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "simulate/constraints/bending_rest.h"
@@ -20,6 +22,14 @@ constexpr size_t kIdleRotationStride = 16;
 
 bool isRigid(const Particles& particles, uint32_t a, uint32_t b, uint32_t c) {
   return particles.inverseMass[a] == 0 && particles.inverseMass[b] == 0 && particles.inverseMass[c] == 0;
+}
+
+// Whether a triangle resists bending at all, as far as floats can tell: without stiffness the compliance is
+// infinite.
+bool isFiniteInFloat(const std::array<double, 6>& compliance, double substep) {
+  return std::ranges::all_of(compliance, [&](double entry) {
+    return std::isfinite(static_cast<float>(entry / (substep * substep)));
+  });
 }
 
 // The inverse inertia of every edge rotation, in 1/(kg m2). It is 0 on borders and where more than two
@@ -50,6 +60,8 @@ BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology&
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const Triangle& corner = mesh.triangles[t];
     if (isRigid(particles, corner[0], corner[1], corner[2])) continue;
+    const auto compliance = bendingCompliance(mesh, t, options.sheet);
+    if (!isFiniteInFloat(compliance, options.substep)) continue;
     Rest rest{};
     rest.corner = corner;
     for (uint32_t e = 0; e < 3; ++e) {
@@ -59,7 +71,7 @@ BendingConstraints::BendingConstraints(const TriangleMesh& mesh, const Topology&
     }
     stencils.insert(stencils.end(), corner.begin(), corner.end());
     stencils.insert(stencils.end(), rest.flap.begin(), rest.flap.end());
-    compliance_.push_back(bendingCompliance(mesh, t, options.sheet));
+    compliance_.push_back(compliance);
     rest.stiffness =
         bendingStiffness(compliance_.back(), {rest.share[0] > 0, rest.share[1] > 0, rest.share[2] > 0});
     rest_.push_back(rest);

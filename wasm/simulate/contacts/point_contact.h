@@ -6,11 +6,12 @@
 #include "simulate/collision_scene.h"
 #include "simulate/contacts/contact_surface.h"
 #include "simulate/particles.h"
+#include "simulate/simulation_options.h"
 
 namespace limber {
 
 // How far around a vertex or triangle contacts are searched: `margin` metres, plus what it moves in a step at
-// twice its speed.
+// twice its speed at the start of the step.
 struct ContactDistance {
   double margin;
   int substeps;
@@ -19,8 +20,13 @@ struct ContactDistance {
   double of(double squaredMotion) const { return margin + 2 * substeps * std::sqrt(squaredMotion); }
 };
 
-// The margin as a share of the diagonal of the body at rest.
+// Of the diagonal of the body at rest.
 inline constexpr double kContactMargin = 0.02;
+
+// The margin has what a body at rest falls in a step, which is farther than a small body is large.
+inline ContactDistance contactDistance(double restDiagonal, const Vec3& gravity, int substeps) {
+  return {kContactMargin * restDiagonal + length(gravity) * kStepSeconds * kStepSeconds, substeps};
+}
 
 // A point that may touch the ground or a collider within a step.
 struct PointContact {

@@ -33,16 +33,14 @@ struct Grid {
   }
 };
 
-// Appends the vertices of the triangles around v.
-void appendNeighbours(const TriangleMesh& mesh, const Topology& topology, uint32_t v,
-                      std::vector<uint32_t>& neighbours) {
+// The vertices of the triangles around v, ascending.
+std::vector<uint32_t> ringOf(const TriangleMesh& mesh, const Topology& topology, uint32_t v) {
+  std::vector<uint32_t> ring;
   for (const uint32_t t : topology.trianglesAround(v))
-    neighbours.insert(neighbours.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
-}
-
-void sortUnique(std::vector<uint32_t>& values) {
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
+    ring.insert(ring.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+  std::ranges::sort(ring);
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  return ring;
 }
 
 }  // namespace
@@ -52,22 +50,19 @@ SelfContacts::SelfContacts(const TriangleMesh& mesh, double friction)
   const Topology topology = buildTopology(mesh);
   for (const auto& edge : topology.edges)
     distance_ += length(rest_[edge.a] - rest_[edge.b]) / static_cast<double>(topology.edges.size());
-  nearStart_.push_back(0);
-  std::vector<uint32_t> one, two;
+  ringStart_.push_back(0);
   for (uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-    one.clear();
-    two.clear();
-    appendNeighbours(mesh, topology, v, one);
-    sortUnique(one);
-    for (const uint32_t neighbour : one) appendNeighbours(mesh, topology, neighbour, two);
-    sortUnique(two);
-    near_.insert(near_.end(), two.begin(), two.end());
-    nearStart_.push_back(static_cast<uint32_t>(near_.size()));
+    const auto ring = ringOf(mesh, topology, v);
+    rings_.insert(rings_.end(), ring.begin(), ring.end());
+    ringStart_.push_back(static_cast<uint32_t>(rings_.size()));
   }
 }
 
+// Each ring has its own vertex, so that the rings of neighbours meet as well.
 bool SelfContacts::areNear(uint32_t a, uint32_t b) const {
-  return std::binary_search(near_.begin() + nearStart_[a], near_.begin() + nearStart_[a + 1], b);
+  auto shorter = ringAt(a), longer = ringAt(b);
+  if (shorter.size() > longer.size()) std::swap(shorter, longer);
+  return std::ranges::any_of(shorter, [&](uint32_t v) { return std::ranges::binary_search(longer, v); });
 }
 
 void SelfContacts::addPair(const Particles& particles, uint32_t a, uint32_t b, double searchDistance) {

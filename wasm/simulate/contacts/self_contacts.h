@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
@@ -38,11 +39,16 @@ class SelfContacts {
   };
   void addPair(const Particles& particles, uint32_t a, uint32_t b, double searchDistance);
 
+  // Whether at most two edges lie between them.
   bool areNear(uint32_t a, uint32_t b) const;
 
+  // A vertex and those one edge away from it, ascending.
+  std::span<const uint32_t> ringAt(uint32_t v) const {
+    return {rings_.begin() + ringStart_[v], rings_.begin() + ringStart_[v + 1]};
+  }
+
   std::vector<Vec3> rest_;
-  // Vertices at most two edges away from v, ascending: near_[nearStart_[v]] to near_[nearStart_[v + 1] - 1].
-  std::vector<uint32_t> near_, nearStart_;
+  std::vector<uint32_t> rings_, ringStart_;
   double distance_ = 0;
   float friction_;
   std::vector<Pair> pairs_;

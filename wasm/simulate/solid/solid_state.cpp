@@ -162,7 +162,8 @@ void SolidState::startGroup(size_t group) {
       const Vec3 acceleration = windAcceleration_.empty() ? gravity : gravity + windAcceleration_[node];
       particles_.acceleration[node] = toFloat4(acceleration * (substep_ * substep_));
     }
-  contacts_->rebase(particles_, collisionScene, {kContactMargin * restDiagonal_, options_.substeps}, group);
+  contacts_->rebase(particles_, collisionScene, contactDistance(restDiagonal_, gravity, options_.substeps),
+                    group);
   cells_->rebase(particles_, start[group], start[group + 1]);
 }
 
