@@ -4,7 +4,7 @@ import { resume } from '../state/runner';
 import { results, status } from '../state/store';
 import { Busy } from './busy';
 import './notices.css';
-import { say, sentence } from '../language/say';
+import { listed, say, sentence } from '../language/say';
 
 export function Notices() {
   const notice = status.notice.value;
@@ -29,9 +29,11 @@ export function Notices() {
         </div>
       )}
       {!results.body.value && <Busy />}
-      {status.paused.value && !status.busy.value && (
+      {status.paused.value.length > 0 && !status.busy.value && (
         <div class="notice info" role="status">
-          <span>{say('{task}: stopped.', { task: say(status.paused.value) })}</span>
+          <span>
+            {say('{task}: stopped.', { task: listed(status.paused.value.map((what) => say(what))) })}
+          </span>
           <button type="button" onClick={resume}>
             {say('Run again')}
           </button>

@@ -5,7 +5,7 @@ import type { Settings } from '../../engine/settings/options';
 import { COMPARED_METHODS } from '../../engine/stages/equal_budget/equal_budget';
 import type { MethodResult } from '../../engine/stages/equal_budget/equal_budget';
 import type { Client } from './client';
-import { results, view, wantedFaces, wants } from './store';
+import { isHistoryStale, results, view, wantedFaces, wants } from './store';
 
 export interface ComparedMethods {
   /** see comparisonKey */
@@ -52,7 +52,11 @@ export const comparisonKey = (): string =>
 
 /** Null while the panel is closed or there is nothing to compare. */
 export const comparisonTaskKey = (): string | null =>
-  comparison.isOpen.value && view.step.value === 'reduce' && results.history.value && results.metrics.value
+  comparison.isOpen.value &&
+  view.step.value === 'reduce' &&
+  results.history.value &&
+  !isHistoryStale.value &&
+  results.metrics.value
     ? comparisonKey()
     : null;
 

@@ -3,7 +3,7 @@
 import { computed, effect, signal, untracked } from '@preact/signals';
 import type { MeshAt } from '../../engine/core/core';
 import { client, complain, replayer } from './running';
-import { results, status, wantedFaces, wants } from './store';
+import { isHistoryStale, results, status, wantedFaces, wants } from './store';
 
 interface Asked {
   /** of the history, see HistorySummary */
@@ -57,10 +57,12 @@ function show(mesh: MeshAt, of: Asked): void {
   results.mesh.value = mesh;
 }
 
-/** The worker of the tasks takes over where the one that replays cannot be started, or has ended. */
+/** The worker of the tasks takes over where the one that replays cannot be started, or has ended, for the history of the settings. */
 async function meshAt({ id, faces }: Asked): Promise<MeshAt | null> {
   const [body, settings] = [wants.body.peek(), wants.settings.peek()];
   return replayer
     .meshAt(id, faces)
-    .catch(() => client.aside<MeshAt>((worker) => worker.meshAt(body, settings, faces)));
+    .catch(() =>
+      isHistoryStale.peek() ? null : client.aside<MeshAt>((worker) => worker.meshAt(body, settings, faces)),
+    );
 }

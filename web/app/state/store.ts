@@ -137,8 +137,8 @@ export const status = {
   working: computed(() => isComputing.value || isReplaying.value),
   /** `left`: remaining seconds of the phase that the progress counts, or of all bodies, see remaining.ts */
   busy: signal<{ what: string; progress: CallProgress | null; left: number | null } | null>(null),
-  /** the stage that the user has cancelled, and that waits to be run again */
-  paused: signal<string | null>(null),
+  /** the tasks that were stopped, and that wait to be run again */
+  paused: signal<readonly string[]>([]),
   notice: signal<Notice | null>(null),
   /** the last text for the pins that was refused, and why */
   refusedPins: signal<Refusal | null>(null),
@@ -159,6 +159,13 @@ export function changeSettings(change: Partial<Settings>): void {
 /** Whether the shown modes belong to earlier settings: new ones are being computed, or could not be found. */
 export const areModesStale = computed(
   () => results.modes.value !== null && results.modes.value.key !== keyOf(STAGES.modes, wants.settings.value),
+);
+
+/** Whether the history belongs to earlier settings: a new one is being made, was cancelled, or could not be made. */
+export const isHistoryStale = computed(
+  () =>
+    results.history.value !== null &&
+    results.history.value.key !== keyOf(STAGES.history, wants.settings.value),
 );
 
 /** The mesh that is shown as optimized: that of the history while the slider moves, then the fitted one. */

@@ -120,6 +120,8 @@ export interface HistorySummary {
   seconds: number;
   /** names the history to the worker that replays it, see replay.ts */
   replayId: string;
+  /** of the stage, see keyOf */
+  key: string;
 }
 
 export interface WhyResult extends WhyKept {

@@ -251,7 +251,8 @@ const api: WorkerApi = {
       const floorFaces = trianglesAfter.at(-1) ?? triangleCount;
       const seconds = run.secondsOf(STAGES.history, settings);
       const replayId = handHistory(prepared.mesh, history);
-      return { faces: triangleCount, floorFaces, refused, blockedBySeams, note, seconds, replayId };
+      const key = keyOf(STAGES.history, settings);
+      return { faces: triangleCount, floorFaces, refused, blockedBySeams, note, seconds, replayId, key };
     }),
   marks: (body, settings) =>
     translateErrors(() => ({

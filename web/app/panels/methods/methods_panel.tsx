@@ -77,7 +77,7 @@ function OpenPanel({ original }: { original: { positions: Float32Array; triangle
 function Progress({ done }: { done: number }) {
   const { length: all } = COMPARED_METHODS;
   const text = done === all ? say('All are measured.') : say('{done} of {all} are measured.', { done, all });
-  const isStopped = done < all && status.paused.value !== null;
+  const isStopped = done < all && status.paused.value.includes('Comparing methods');
   return (
     <>
       <strong>{isStopped ? `${text} ${say('Stopped.')}` : text}</strong>

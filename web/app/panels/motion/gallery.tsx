@@ -34,7 +34,10 @@ export function Gallery() {
     thumbnails.current?.move(view.playing.value);
   }, [view.playing.value, modes]);
   useEffect(() => () => thumbnails.current?.dispose(), []);
-  if (!modes) return <p class="empty">{status.paused.value ? say('Stopped.') : say('Finding modes ...')}</p>;
+  if (!modes) {
+    const isStopped = status.paused.value.includes('Finding modes');
+    return <p class="empty">{isStopped ? say('Stopped.') : say('Finding modes ...')}</p>;
+  }
   if (modes.modesPerComponent === 0)
     return <p class="empty">{say('No part can move: unpin some vertices.')}</p>;
   return (

@@ -1,10 +1,10 @@
 /** The page's tasks, and keys for them: those of the stages behind them, for the file and the body that are shown. */
 
 import type { Signal } from '@preact/signals';
-import type { Settings } from '../../engine/settings/options';
-import { keyOf } from '../../engine/stages/stage';
-import type { Stage } from '../../engine/stages/stage';
-import { results, wants } from './store';
+import type { Settings } from '../../../engine/settings/options';
+import { keyOf } from '../../../engine/stages/stage';
+import type { Stage } from '../../../engine/stages/stage';
+import { isHistoryStale, results, wants } from '../store';
 
 /** One call of the worker whose result the page shows. */
 export interface Task {
@@ -51,8 +51,8 @@ export const afterBody =
   () =>
     results.body.value ? keyed(make)() : null;
 
-/** The same once the body has a history. */
+/** The same once the body has the history of the settings: nothing is made of an earlier one. */
 export const afterHistory =
   (make: () => string): Key =>
   () =>
-    results.history.value ? afterBody(make)() : null;
+    results.history.value && !isHistoryStale.value ? afterBody(make)() : null;

@@ -1,0 +1,135 @@
+/** Which tasks the page runs after a cancel, with a worker that answers when a test says so. */
+
+import { afterEach, beforeAll, expect, it, vi } from 'vitest';
+import { cancelRunning, openFiles, resume, startRunner } from '../../web/app/state/runner';
+import { changeSettings, isHistoryStale, results, status, view, wants } from '../../web/app/state/store';
+import { keyOf } from '../../web/engine/stages/stage';
+import { STAGES } from '../../web/engine/stages/stages';
+
+const page = vi.hoisted(() => {
+  // The state of the page asks for the colour scheme.
+  vi.stubGlobal('matchMedia', () => ({ matches: true, addEventListener: () => {} }));
+  interface Call {
+    name: string;
+    resolve(value: unknown): void;
+    reject(error: Error): void;
+  }
+  const calls: Call[] = [];
+  const complaints: unknown[] = [];
+  const worker = new Proxy(
+    {},
+    {
+      get: (_target, name: string) => () =>
+        new Promise((resolve, reject) => calls.push({ name, resolve, reject })),
+    },
+  );
+  const client = {
+    canStop: true,
+    threads: 1,
+    ready: () => Promise.resolve(),
+    call: (make: (remote: typeof worker) => Promise<unknown>) => make(worker),
+    open: () => new Promise((resolve, reject) => calls.push({ name: 'open', resolve, reject })),
+    cancel: () => calls.shift()?.reject(new Error('cancelled')),
+  };
+  return { calls, complaints, client };
+});
+
+vi.mock('../../web/app/state/running', () => ({
+  client: page.client,
+  complain: (error: unknown) => page.complaints.push(error),
+  replayer: { open: () => {} },
+  whileBusy: (_what: string, make: () => Promise<unknown>) => make(),
+}));
+vi.mock('../../web/app/state/saved_session', () => ({ saveFiles: () => {}, startSaving: () => {} }));
+vi.mock('../../web/app/state/replay', () => ({ isReplayed: { value: true }, startReplay: () => {} }));
+
+const rest = () => new Promise((resolve) => setTimeout(resolve));
+const mesh = { positions: new Float32Array(9), triangles: Uint32Array.of(0, 1, 2) };
+const file = { name: 'a.obj', bodies: [{ faces: 1 }], first: 0 };
+
+/** What the worker answers. The tests do not look at other results. */
+const ANSWERS: Record<string, () => unknown> = {
+  open: () => file,
+  prepare: () => ({ mesh }),
+  pins: () => ({ text: '', vertices: new Uint32Array() }),
+  modes: () => ({ key: keyOf(STAGES.modes, wants.settings.value), shapes: [] }),
+  fit: () => ({ key: '', result: null }),
+  history: () => ({ faces: 1, key: keyOf(STAGES.history, wants.settings.value) }),
+};
+
+/** Answers the running calls up to one of this name, which stays; returns their names. */
+async function answerUntil(last: string | null): Promise<string[]> {
+  const names: string[] = [];
+  for (await rest(); page.calls.length > 0 && page.calls[0].name !== last; await rest()) {
+    const { name, resolve } = page.calls.shift()!;
+    names.push(name);
+    resolve(ANSWERS[name]?.());
+  }
+  return names;
+}
+
+async function open(): Promise<void> {
+  void openFiles([]);
+  await answerUntil('pins');
+}
+
+beforeAll(startRunner);
+
+afterEach(async () => {
+  view.step.value = 'model';
+  await answerUntil(null);
+  page.complaints.length = 0;
+});
+
+it('nothing is made of a history that was cancelled, and it is offered until it is there', async () => {
+  await open();
+  await answerUntil(null);
+  changeSettings({ strainWeight: wants.settings.value.strainWeight + 1 });
+  await answerUntil('history');
+  cancelRunning();
+  await rest();
+  expect(status.paused.value).toEqual(['Collapsing edges']);
+  view.step.value = 'reduce';
+  // The slider comes to rest.
+  await new Promise((resolve) => setTimeout(resolve, 250));
+  expect(await answerUntil(null)).toEqual([]);
+  expect([isHistoryStale.value, status.paused.value]).toEqual([true, ['Collapsing edges']]);
+  resume();
+  expect(await answerUntil(null)).toEqual(expect.arrayContaining(['history', 'fit', 'measure']));
+  expect([isHistoryStale.value, status.paused.value]).toEqual([false, []]);
+});
+
+it('what was cancelled is offered while others run', async () => {
+  await open();
+  await answerUntil('modes');
+  cancelRunning();
+  await rest();
+  view.step.value = 'reduce';
+  expect(await answerUntil(null)).toContain('curvature');
+  expect([results.modes.value, status.paused.value]).toEqual([null, ['Finding modes']]);
+  resume();
+  expect(await answerUntil(null)).toContain('modes');
+  expect(status.paused.value).toEqual([]);
+});
+
+it('what runs on other inputs is no cancel of the user, whatever else was cancelled', async () => {
+  await open();
+  await answerUntil('modes');
+  cancelRunning();
+  await rest();
+  view.step.value = 'reduce';
+  await answerUntil('history');
+  changeSettings({ qualityWeight: wants.settings.value.qualityWeight + 1 });
+  expect(await answerUntil(null)).toContain('history');
+  expect(isHistoryStale.value).toBe(false);
+  expect(status.paused.value).toEqual(['Finding modes']);
+});
+
+it('what was cancelled runs at once with inputs that change before it has stopped', async () => {
+  await open();
+  await answerUntil('history');
+  cancelRunning();
+  changeSettings({ qualityWeight: wants.settings.value.qualityWeight + 1 });
+  expect(await answerUntil(null)).toContain('history');
+  expect(status.paused.value).toEqual([]);
+});

@@ -1,0 +1,207 @@
+/** The tasks of the page, in their order, and when each of them is needed. */
+
+import { effect, signal } from '@preact/signals';
+import { faceCount } from '../../../engine/core/mesh';
+import { STAGES } from '../../../engine/stages/stages';
+import { exportSettings } from '../../worker/export_form';
+import { sharesKey } from '../../worker/protocol';
+import { canDrawFile, resultFileNow } from '../drawn_file';
+import { exportedKey, exportRequest, levelsKey } from '../export_request';
+import { findPins } from '../find_pins';
+import { compareMethods, comparison, comparisonTaskKey } from '../methods';
+import { isReplayed } from '../replay';
+import { client } from '../running';
+import {
+  areModesStale,
+  isFileDrawn,
+  isHistoryStale,
+  keptFaces,
+  results,
+  shownMesh,
+  view,
+  wantedFaces,
+  wants,
+  whyKey,
+} from '../store';
+import { isTuningWanted, twin } from '../twin';
+import { afterBody, afterHistory, keyed, keyedByFile, of, ofFaces } from './task';
+import type { LevelStage, Task } from './task';
+
+const REST_MILLISECONDS = 180;
+const settings = () => wants.settings.value;
+const body = () => wants.body.value;
+
+/** The wanted faces as they were when the slider last rested. */
+const restedFaces = signal(0);
+
+/** Whether results are looked at. */
+const isReducing = (): boolean =>
+  view.step.value === 'reduce' || view.step.value === 'test' || wants.exportOpen.value;
+
+const areSeveral = (): boolean => (results.file.value?.bodies.length ?? 0) > 1;
+const sharesNow = (): string => sharesKey(settings(), keptFaces.value);
+
+/** The key of a stage that waits until the slider rests on a mesh that is shown; see replay.ts. */
+const atRest = (stage: LevelStage) => (): string | null =>
+  isReducing() && restedFaces.value === wantedFaces.value && isReplayed.value
+    ? afterHistory(ofFaces(stage, () => restedFaces.value))()
+    : null;
+
+/** In the order in which they run. */
+export const tasks: Task[] = [
+  {
+    what: 'Reading the mesh',
+    key: keyed(of(STAGES.prepared)),
+    run: () => client.call((worker) => worker.prepare(body(), settings())),
+    result: results.body,
+  },
+  {
+    what: 'Reading the materials',
+    key: () => (results.body.value && canDrawFile() ? keyedByFile(() => 'original')() : null),
+    run: () => client.call((worker) => worker.original()),
+    result: results.originalFile,
+    isOfFile: true,
+  },
+  {
+    what: 'Finding pins',
+    key: afterBody(of(STAGES.pinned)),
+    run: () => findPins(client, body()),
+    result: results.pins,
+  },
+  {
+    what: 'Finding modes',
+    key: afterBody(of(STAGES.modes)),
+    run: () => client.call((worker) => worker.modes(body(), settings())),
+    result: results.modes,
+  },
+  {
+    what: 'Measuring strain',
+    key: () => (results.modes.value && !areModesStale.value ? afterBody(of(STAGES.guidance))() : null),
+    run: () => client.call((worker) => worker.guidance(body(), settings())),
+    result: results.guidance,
+  },
+  {
+    what: 'Measuring curvature',
+    key: afterBody(of(STAGES.curvature)),
+    run: () => client.call((worker) => worker.curvature(body(), settings())),
+    result: results.curvature,
+  },
+  {
+    what: 'Collapsing edges',
+    key: afterBody(of(STAGES.history)),
+    run: () => client.call((worker) => worker.history(body(), settings())),
+    result: results.history,
+  },
+  {
+    what: 'Sharing the faces out',
+    key: () => (isReducing() && areSeveral() ? afterHistory(sharesNow)() : null),
+    run: () => client.call((worker) => worker.shares(settings(), keptFaces.value)),
+    result: results.shares,
+  },
+  {
+    what: 'Fitting the result',
+    key: atRest(STAGES.fitted),
+    run: () => client.call((worker) => worker.fit(body(), settings(), restedFaces.value)),
+    result: results.fitted,
+  },
+  {
+    what: 'Tuning the result to its solver',
+    key: () => (isTuningWanted.value && results.fitted.value ? atRest(STAGES.tuned)() : null),
+    run: () => client.call((worker) => worker.tune(body(), settings(), restedFaces.value)),
+    result: results.tuned,
+  },
+  {
+    what: 'Measuring the result',
+    key: () => (results.fitted.value ? atRest(STAGES.measured)() : null),
+    run: () => client.call((worker) => worker.measure(body(), settings(), restedFaces.value)),
+    result: results.metrics,
+  },
+  {
+    what: 'Writing and checking the file',
+    key: () =>
+      wants.exportOpen.value && restedFaces.value === wantedFaces.value ? afterHistory(exportedKey)() : null,
+    run: () =>
+      client.call((worker) => worker.export(exportSettings(settings()), keptFaces.value, exportRequest())),
+    result: results.exported,
+  },
+  {
+    what: 'Tuning for all generic solvers',
+    key: () =>
+      twin.wantsGeneric.value && restedFaces.value === wantedFaces.value ? afterHistory(exportedKey)() : null,
+    run: () =>
+      client.call((worker) =>
+        worker.genericFiles(exportSettings(settings()), keptFaces.value, exportRequest()),
+      ),
+    result: results.genericFiles,
+    isPatient: true,
+  },
+  {
+    what: 'Drawing the levels',
+    key: () =>
+      wants.exportOpen.value && wants.levelsShown.value && settings().lods.length > 0
+        ? afterHistory(levelsKey)()
+        : null,
+    run: () => client.call((worker) => worker.drawnLevels(settings(), keptFaces.value)),
+    result: results.drawnLevels,
+    isPatient: true,
+  },
+  {
+    what: 'Dressing the result in its materials',
+    key: () => (isResultFileWanted() ? keyedByFile(resultFileNow)() : null),
+    run: () => client.call((worker) => worker.resultFile(settings(), keptFaces.value)),
+    result: results.resultFile,
+    isOfFile: true,
+    isPatient: true,
+  },
+  {
+    what: 'Comparing methods',
+    key: comparisonTaskKey,
+    run: () => compareMethods(client),
+    result: comparison.compared,
+    isPatient: true,
+  },
+  {
+    what: 'Asking why vertices stay',
+    key: () =>
+      view.step.value === 'reduce' && view.hover.value !== null && results.metrics.value !== null
+        ? afterHistory(whyKey)()
+        : null,
+    run: () => client.call((worker) => worker.why(body(), settings(), faceCount(shownMesh.value!.mesh))),
+    result: results.why,
+    isPatient: true,
+  },
+  {
+    what: 'Marking the deviation on the slider',
+    key: () => (isMarkingWanted() ? afterHistory(of(STAGES.deviationMarks))() : null),
+    run: () => client.call((worker) => worker.marks(body(), settings())),
+    result: results.marks,
+    isPatient: true,
+  },
+];
+
+const isResultFileWanted = (): boolean =>
+  view.step.value === 'reduce' &&
+  isFileDrawn.value &&
+  !isHistoryStale.value &&
+  results.metrics.value !== null &&
+  restedFaces.value === wantedFaces.value &&
+  canDrawFile() &&
+  isStoppable();
+
+/** Without shared memory a patient task can only be stopped by a fresh worker, which has everything to do again. */
+const MOST_FACES_UNSTOPPABLE = 20_000;
+
+const isMarkingWanted = (): boolean =>
+  view.step.value === 'reduce' && results.metrics.value !== null && isStoppable();
+
+const isStoppable = (): boolean =>
+  client.canStop || (results.history.value?.faces ?? 0) <= MOST_FACES_UNSTOPPABLE;
+
+/** Follows the slider from now on: its faces are asked for once it has rested. */
+export function startResting(): void {
+  effect(() => {
+    const faces = wantedFaces.value;
+    const timer = setTimeout(() => (restedFaces.value = faces), REST_MILLISECONDS);
+    return () => clearTimeout(timer);
+  });
+}
