@@ -3,6 +3,7 @@
 import { afterEach, beforeAll, expect, it, vi } from 'vitest';
 import { cancelRunning, openFiles, resume, startRunner } from '../../web/app/state/runner';
 import { changeSettings, isHistoryStale, results, status, view, wants } from '../../web/app/state/store';
+import { CANCELLED } from '../../web/app/worker/protocol';
 import { keyOf } from '../../web/engine/stages/stage';
 import { STAGES } from '../../web/engine/stages/stages';
 
@@ -132,4 +133,22 @@ it('what was cancelled runs at once with inputs that change before it has stoppe
   changeSettings({ qualityWeight: wants.settings.value.qualityWeight + 1 });
   expect(await answerUntil(null)).toContain('history');
   expect(status.paused.value).toEqual([]);
+});
+
+it('a file is not opened where that is cancelled, and the earlier one stays without a notice', async () => {
+  await open();
+  await answerUntil(null);
+  const { opened } = results;
+  const before = opened.value;
+  void openFiles([]);
+  await rest();
+  expect(page.calls.map(({ name }) => name)).toEqual(['open']);
+  cancelRunning();
+  await rest();
+  expect([opened.value, page.calls, page.complaints]).toEqual([before, [], []]);
+  void openFiles([]);
+  await rest();
+  page.calls.shift()!.reject(new Error(CANCELLED));
+  await rest();
+  expect(page.complaints).toEqual([]);
 });

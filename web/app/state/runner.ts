@@ -27,6 +27,8 @@ let running: { task: Task; key: string; isCancelled: boolean } | null = null;
 let call: Promise<unknown> = Promise.resolve();
 let looping = false;
 let opening: Promise<void> = Promise.resolve();
+/** the files that are being opened */
+let opened: { isCancelled: boolean } | null = null;
 
 /**
  * Opens files in place of what is shown; where they cannot be read, what is shown stays and a notice says why. `asked`:
@@ -36,7 +38,9 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
   if (running) client.cancel();
   replayer.open();
   opening = opening.then(() =>
-    whileBusy('Opening', () => openNow(files, asked)).catch((error: unknown) => complain(error)),
+    whileBusy('Opening', () => openNow(files, asked)).catch((error: unknown) => {
+      if (!isCancel(error)) complain(error);
+    }),
   );
   return opening.then(loop);
 }
@@ -44,10 +48,16 @@ export function openFiles(files: SourceFile[], asked?: Wanted): Promise<void> {
 const isCancel = (error: unknown): boolean => error instanceof Error && error.message === CANCELLED;
 
 async function openNow(files: SourceFile[], asked?: Wanted): Promise<void> {
-  await call.catch(() => null);
-  const file = await client.open(files);
-  take(file, asked ?? takeAwaited(file.name));
-  void saveFiles(files);
+  const own = (opened = { isCancelled: false });
+  try {
+    await call.catch(() => null);
+    if (own.isCancelled) return;
+    const file = await client.open(files);
+    take(file, asked ?? takeAwaited(file.name));
+    void saveFiles(files);
+  } finally {
+    opened = null;
+  }
 }
 
 /** Shows a file that the worker has opened. */
@@ -90,10 +100,11 @@ export function showBody(index: number): void {
   forgetUndo();
 }
 
-/** The user's cancel: the task waits until its inputs change or `resume` is called. */
+/** The user's cancel: a file is not opened, and a task waits until its inputs change or `resume` is called. */
 export function cancelRunning(): void {
-  if (!running) return;
-  running.isCancelled = true;
+  const cancelled = opened ?? running;
+  if (!cancelled) return;
+  cancelled.isCancelled = true;
   client.cancel();
 }
 
