@@ -60,3 +60,23 @@ test('a link for a file of one’s own waits for that file', { tag: '@full' }, a
   await expect(page.getByLabel('Kept faces, exact')).toHaveValue('100');
   await expect(page.getByLabel('Even triangles, exact')).toHaveValue('0.4');
 });
+
+test(
+  'files that cannot be saved do not bring back the ones before them',
+  { tag: '@full' },
+  async ({ page }) => {
+    await openPage(page);
+    await drop(page, sheet);
+    await expect(page.locator('.filename')).toHaveText('kept.obj');
+    await page.evaluate(() => {
+      IDBObjectStore.prototype.put = () => {
+        throw new DOMException('full', 'QuotaExceededError');
+      };
+    });
+    await drop(page, writeScratch('unsaved.obj', sheetObj(12)));
+    await expect(page.locator('.filename')).toHaveText('unsaved.obj');
+    await page.waitForTimeout(600);
+    await page.reload();
+    await expect(page.locator('.filename')).toHaveText('bar.glb');
+  },
+);

@@ -162,6 +162,7 @@ describe('what a tab has stored', () => {
     layout: 'slider',
     field: 'strain',
     undo: { past: ['method=qem'], future: [] },
+    open: 'a1',
   };
 
   it('is read as it was written', () => {
@@ -175,6 +176,7 @@ describe('what a tab has stored', () => {
       layout: 7,
       field: null,
       undo: { past: ['faces=-1', 3, 'p=x', 'faces=5'], future: 'no' },
+      open: 3,
     };
     expect(readSaved(JSON.stringify(broken))).toEqual({
       link: 'method=qem',
@@ -182,6 +184,7 @@ describe('what a tab has stored', () => {
       layout: 'both',
       field: 'none',
       undo: { past: ['faces=5'], future: [] },
+      open: '',
     });
   });
 

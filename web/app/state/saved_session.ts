@@ -1,6 +1,6 @@
 /** Keeps the files, the settings, what can be undone and the view of each tab, for a reload or a later visit. */
 
-import { effect } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { readLink, writeLink } from './link';
 import type { Wanted } from './link';
@@ -16,6 +16,8 @@ interface SavedFiles {
   /** ms since 1970 */
   at: number;
   files: SourceFile[];
+  /** names what is open, see Saved; absent in records of earlier versions */
+  open?: string;
 }
 
 /** What a tab had open. */
@@ -35,6 +37,9 @@ const MOST_CLOSED_TABS = 2;
 const LARGEST = 400e6;
 const REST_MILLISECONDS = 400;
 
+/** Names what is open, see Saved. */
+const openId = signal('');
+
 /** What the user wants of the file of this name, as the text of a link; see writeLink. */
 export function linkOfWants(file: string | null): string {
   const { settings, faces, own, body } = wants;
@@ -52,6 +57,7 @@ export async function startSaving(): Promise<void> {
       layout: view.layout.value,
       field: shownField.value,
       undo: readUndo(),
+      open: openId.value,
     };
     if (file === null) return;
     const save = () => write(SETTINGS_PREFIX + id, JSON.stringify(saved));
@@ -74,24 +80,36 @@ function write(key: string, text: string): void {
   }
 }
 
-/** Saves the files of this tab, and deletes those of tabs that were closed long ago. */
+/** Saves the files of this tab in place of its earlier ones, and deletes those of tabs that were closed long ago. */
 export async function saveFiles(files: SourceFile[]): Promise<void> {
+  const open = (openId.value = crypto.randomUUID());
   const { id } = await ownTab;
-  if (files.reduce((sum, { bytes }) => sum + bytes.length, 0) > LARGEST) return forget(id);
   const live = await liveTabs();
-  await withStore('readwrite', (store) => {
-    const all = allKeys(store);
-    all.onsuccess = () => {
-      const closed = all.result.filter((key) => !live.has(key[1])).sort(([a], [b]) => b - a);
-      const own = all.result.filter((key) => key[1] === id);
-      for (const key of [...own, ...closed.slice(MOST_CLOSED_TABS)]) {
-        store.delete(key);
-        if (key[1] !== id) forget(key[1]);
-      }
-      store.put({ id, at: Date.now(), files } satisfies SavedFiles);
-    };
-    return all;
-  }).catch(() => forget(id));
+  try {
+    await withStore('readwrite', (store) => deleteOld(store, id, live));
+    const isTooLarge = files.reduce((sum, { bytes }) => sum + bytes.length, 0) > LARGEST;
+    // Files that were opened meanwhile are saved instead.
+    if (isTooLarge || open !== openId.value) return;
+    await withStore('readwrite', (store) =>
+      store.put({ id, at: Date.now(), files, open } satisfies SavedFiles),
+    );
+  } catch {
+    // Where the browser refuses, nothing comes back after a reload.
+  }
+}
+
+/** Deletes the files of this tab and of tabs that were closed long ago. */
+function deleteOld(store: IDBObjectStore, id: string, live: ReadonlySet<string>): IDBRequest<TabKey[]> {
+  const all = allKeys(store);
+  all.onsuccess = () => {
+    const closed = all.result.filter((key) => !live.has(key[1])).sort(([a], [b]) => b - a);
+    for (const key of all.result.filter((one) => one[1] === id)) store.delete(key);
+    for (const key of closed.slice(MOST_CLOSED_TABS)) {
+      store.delete(key);
+      forget(key[1]);
+    }
+  };
+  return all;
 }
 
 function forget(id: string): void {
@@ -120,13 +138,14 @@ async function sessionOf(id: string): Promise<Session | null> {
   const text = localStorage.getItem(SETTINGS_PREFIX + id);
   if (text === null) return null;
   try {
-    const { link, step, layout, field, undo } = readSaved(text);
+    const { link, step, layout, field, undo, open } = readSaved(text);
     const wanted = readLink(link);
     const keys = await withStore('readonly', allKeys);
-    const key = keys.find((one) => one[1] === id);
-    const files =
-      key && (await withStore('readonly', (store) => store.get(key) as IDBRequest<SavedFiles>)).files;
-    if (!files || !wanted) return null;
+    const key = keys.findLast((one) => one[1] === id);
+    const saved = key && (await withStore('readonly', (store) => store.get(key) as IDBRequest<SavedFiles>));
+    // The text may be of files that could not be saved.
+    if (!saved || (saved.open ?? '') !== open || !wanted) return null;
+    const { files } = saved;
     const show = () => {
       view.step.value = step;
       view.layout.value = layout;

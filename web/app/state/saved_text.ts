@@ -10,6 +10,8 @@ export interface Saved {
   layout: Layout;
   field: FieldName;
   undo: UndoText;
+  /** The record of the files has the same, so that they never come back with the settings of others; '' in earlier versions. */
+  open: string;
 }
 
 const STEPS: readonly Step[] = ['model', 'motion', 'reduce', 'test'];
@@ -18,7 +20,7 @@ const FIELDS: readonly FieldName[] = ['none', 'strain', 'curvature'];
 
 /** Words that are not known become the first of their kind, steps of undo that cannot be read are left out. Throws an Error. */
 export function readSaved(text: string): Saved {
-  const { link, step, layout, field, undo } = objectOf(JSON.parse(text));
+  const { link, step, layout, field, undo, open } = objectOf(JSON.parse(text));
   if (typeof link !== 'string') throw new Error('The saved text has no settings.');
   const { past, future } = objectOf(undo ?? {});
   return {
@@ -27,6 +29,7 @@ export function readSaved(text: string): Saved {
     layout: oneOf(LAYOUTS, layout),
     field: oneOf(FIELDS, field),
     undo: { past: linksOf(past), future: linksOf(future) },
+    open: typeof open === 'string' ? open : '',
   };
 }
 
