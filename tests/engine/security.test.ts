@@ -4,7 +4,7 @@ import { strFromU8, strToU8, zipSync } from 'fflate';
 import { describe, expect, it, vi } from 'vitest';
 import { deviationSvg } from '../../web/app/panels/pictures/deviation_svg';
 import { summaryCsv } from '../../web/app/state/queue/summary';
-import { readSaved } from '../../web/app/state/saved_text';
+import { readSaved, storeSaved } from '../../web/app/state/saved_text';
 import { openAnyModel } from '../../web/engine/document/open';
 import { readSettingsFile } from '../../web/engine/report/settings_reader';
 import { tableAsCsv } from '../../web/engine/report/tables/method_table';
@@ -167,6 +167,25 @@ describe('what a tab has stored', () => {
 
   it('is read as it was written', () => {
     expect(readSaved(JSON.stringify(whole))).toEqual(whole);
+  });
+
+  it('has fewer steps of undo where the store is too full, the newest ones', () => {
+    const long = { ...readSaved(JSON.stringify(whole)), undo: { past: ['a', 'b', 'c'], future: ['d'] } };
+    /** What is kept of `long` where so many letters have room; null: nothing. */
+    const keptIn = (room: number): unknown => {
+      let kept: string | null = 'earlier';
+      const setItem = (_key: string, text: string): void => {
+        if (text.length > room) throw new Error('full');
+        kept = text;
+      };
+      storeSaved({ setItem, removeItem: () => (kept = null) }, 'key', long);
+      return kept && JSON.parse(kept);
+    };
+    const { length } = JSON.stringify(long);
+    expect(keptIn(length)).toEqual(long);
+    expect(keptIn(length - 1)).toEqual({ ...long, undo: { past: ['c'], future: [] } });
+    expect(keptIn(length - 13)).toEqual({ ...long, undo: { past: [], future: [] } });
+    expect(keptIn(10)).toBeNull();
   });
 
   it('is cleaned of words and steps that are not known', () => {

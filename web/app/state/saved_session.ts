@@ -4,7 +4,7 @@ import { effect, signal } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { readLink, writeLink } from './link';
 import type { Wanted } from './link';
-import { readSaved } from './saved_text';
+import { readSaved, storeSaved } from './saved_text';
 import type { Saved } from './saved_text';
 import { chooseField, results, shownField, view, wants } from './store';
 import { liveTabs, ownTab } from './tabs';
@@ -60,7 +60,7 @@ export async function startSaving(): Promise<void> {
       open: openId.value,
     };
     if (file === null) return;
-    const save = () => write(SETTINGS_PREFIX + id, JSON.stringify(saved));
+    const save = () => storeSaved(localStorage, SETTINGS_PREFIX + id, saved);
     const timer = setTimeout(save, REST_MILLISECONDS);
     // The page may close before the timer ends.
     addEventListener('pagehide', save);
@@ -69,15 +69,6 @@ export async function startSaving(): Promise<void> {
       removeEventListener('pagehide', save);
     };
   });
-}
-
-/** Saves a text; where the store is full, the earlier text is removed. */
-function write(key: string, text: string): void {
-  try {
-    localStorage.setItem(key, text);
-  } catch {
-    localStorage.removeItem(key);
-  }
 }
 
 /** Saves the files of this tab in place of its earlier ones, and deletes those of tabs that were closed long ago. */

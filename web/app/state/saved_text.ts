@@ -18,6 +18,23 @@ const STEPS: readonly Step[] = ['model', 'motion', 'reduce', 'test'];
 const LAYOUTS: readonly Layout[] = ['both', 'slider', 'original', 'optimized'];
 const FIELDS: readonly FieldName[] = ['none', 'strain', 'curvature'];
 
+/** Stores the text; a store that is too full keeps fewer steps of undo, and at worst no text at all. */
+export function storeSaved(
+  storage: Pick<Storage, 'setItem' | 'removeItem'>,
+  key: string,
+  saved: Saved,
+): void {
+  const { past, future } = saved.undo;
+  try {
+    storage.setItem(key, JSON.stringify(saved));
+  } catch {
+    if (past.length + future.length === 0) storage.removeItem(key);
+    else storeSaved(storage, key, { ...saved, undo: { past: newerHalf(past), future: newerHalf(future) } });
+  }
+}
+
+const newerHalf = (steps: string[]): string[] => steps.slice(Math.ceil(steps.length / 2));
+
 /** Words that are not known become the first of their kind, steps of undo that cannot be read are left out. Throws an Error. */
 export function readSaved(text: string): Saved {
   const { link, step, layout, field, undo, open } = objectOf(JSON.parse(text));
