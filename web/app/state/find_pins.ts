@@ -8,7 +8,10 @@ import { besideControl } from './refusal';
 import { changeSettings, results, status, wants } from './store';
 import { withoutUndo } from './undo';
 
-/** Pins that the body does not have are refused with a sentence, and the earlier ones stay; a new file begins with none. */
+/**
+ * Pins that the body does not have are refused with a sentence, and the earlier ones stay. Where there are no earlier ones of this
+ * body, the text stays too, as it may be of another body of the file.
+ */
 export async function findPins(client: Client, body: number): Promise<unknown> {
   const settings = wants.settings.value;
   const text = settings.pins;
@@ -18,11 +21,12 @@ export async function findPins(client: Client, body: number): Promise<unknown> {
     return pins;
   } catch (error) {
     if (!(error instanceof Error) || error.message === CANCELLED || text === '') throw error;
-    const last = results.pins.value;
+    const { value: last } = results.pins;
+    const earlier = last && last.text !== text ? last : null;
     batch(() => {
       status.refusedPins.value = { text, why: besideControl(error) };
-      withoutUndo(() => changeSettings({ pins: last && last.text !== text ? last.text : '' }));
+      if (earlier) withoutUndo(() => changeSettings({ pins: earlier.text }));
     });
-    return last;
+    return earlier;
   }
 }

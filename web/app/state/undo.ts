@@ -24,7 +24,6 @@ const past = signal<Wanted[]>([]);
 const future = signal<Wanted[]>([]);
 let present: Wanted = currentWants();
 let last = { what: '', at: 0 };
-let isIgnoring = false;
 
 /** What can be undone and redone as texts of links, the newest last. */
 export interface UndoText {
@@ -98,11 +97,17 @@ function step(from: typeof past, to: typeof past): void {
   });
 }
 
-/** Changes within `make` are not the user's: they become part of the change before them. */
+/** Changes within `make` are not the user's: they become part of the change before them, which is dropped where they take it back. */
 export function withoutUndo(make: () => void): void {
-  isIgnoring = true;
-  make();
-  isIgnoring = false;
+  batch(() => {
+    make();
+    // What is recorded once the batch has ended is then no change.
+    present = currentWants();
+    const before = past.value.at(-1);
+    if (!before || differing(before, present).length > 0) return;
+    past.value = past.value.slice(0, -1);
+    last = { what: '', at: 0 };
+  });
 }
 
 function remember(next: Wanted): void {
@@ -110,7 +115,6 @@ function remember(next: Wanted): void {
   if (what === '') return;
   const before = present;
   present = next;
-  if (isIgnoring) return;
   const now = performance.now();
   const isGoingOn = what === last.what && !SINGLE.has(what) && now - last.at < TOGETHER_MILLISECONDS;
   last = { what, at: now };

@@ -1,0 +1,47 @@
+/** Pins that a body does not have: the earlier ones come back without a step of Undo, and those of another body stay. */
+
+import { beforeAll, beforeEach, expect, it, vi } from 'vitest';
+import type { Client } from '../../web/app/state/client';
+import { findPins } from '../../web/app/state/find_pins';
+import { changeSettings, results, status, wants } from '../../web/app/state/store';
+import { forgetUndo, readUndo, startUndo, undo, withoutUndo } from '../../web/app/state/undo';
+
+// The state of the page asks for the colour scheme.
+vi.hoisted(() => vi.stubGlobal('matchMedia', () => ({ matches: true, addEventListener: () => {} })));
+
+const why = 'The body has no such vertex.';
+const refusing = { call: () => Promise.reject(new Error(why)) } as unknown as Client;
+const pins = () => wants.settings.value.pins;
+
+beforeAll(startUndo);
+
+beforeEach(() => {
+  changeSettings({ pins: '', keep: '' });
+  results.pins.value = null;
+  forgetUndo();
+});
+
+it('refused pins leave no step of Undo', async () => {
+  changeSettings({ pins: 'vertices:1' });
+  results.pins.value = { text: 'vertices:1', vertices: Uint32Array.of(1) };
+  changeSettings({ pins: 'vertices:9' });
+  expect(await findPins(refusing, 0)).toBe(results.pins.value);
+  expect([pins(), status.refusedPins.value]).toEqual(['vertices:1', { text: 'vertices:9', why }]);
+  expect(readUndo().past).toHaveLength(1);
+  undo();
+  expect(pins()).toBe('');
+});
+
+it('pins of another body stay with a sentence', async () => {
+  changeSettings({ pins: 'vertices:9' });
+  expect(await findPins(refusing, 1)).toBeNull();
+  expect([pins(), status.refusedPins.value]).toEqual(['vertices:9', { text: 'vertices:9', why }]);
+});
+
+it('what the page itself changes is a part of the change before it', () => {
+  changeSettings({ pins: 'vertices:1' });
+  withoutUndo(() => changeSettings({ keep: 'low:5' }));
+  expect(readUndo().past).toHaveLength(1);
+  undo();
+  expect([pins(), wants.settings.value.keep]).toEqual(['', '']);
+});
