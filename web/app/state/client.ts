@@ -39,6 +39,7 @@ export class Client {
   private lastProgress: CallProgress | null = null;
   private files: SourceFile[] | null = null;
   private abandon: ((error: Error) => void) | null = null;
+  private hasEnded = false;
   threads = 1;
 
   /**
@@ -82,7 +83,7 @@ export class Client {
 
   /** The worker has ended by itself: a fresh one opens the same files, and the running call fails. */
   private lose(lost: Running, why: string): void {
-    if (lost !== this.current) return;
+    if (lost !== this.current || this.hasEnded) return;
     const wasIdle = this.abandon === null;
     this.restart(lost, new WorkerLost(why));
     if (wasIdle) this.onLost();
@@ -135,8 +136,9 @@ export class Client {
     }
   }
 
-  /** Another try to start, where the last one has failed. */
+  /** Another try to start, where the last one has failed. Throws where the worker was ended for good. */
   private retry(): Promise<Started> {
+    if (this.hasEnded) throw new Error(CANCELLED);
     this.current.worker.terminate();
     return (this.started = this.startWorker());
   }
@@ -171,6 +173,7 @@ export class Client {
 
   /** Ends the worker for good: its calls fail as cancelled, and there must be no further ones. */
   end(): void {
+    this.hasEnded = true;
     this.current.worker.terminate();
     this.current.end(new Error(CANCELLED));
     this.job = null;
