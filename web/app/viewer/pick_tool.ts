@@ -18,9 +18,11 @@ export interface StrokeTool {
   finish(stroke: Stroke): void;
 }
 
-/** What the tool asks of the page, and what it reports. */
-export interface PickHost extends StrokeTool {
-  /** null: the tool is not in use, or nothing is shown */
+/** What the tool asks of the page. */
+export interface PickHost {
+  /** what it does now; null: it is not in use */
+  tool(): StrokeTool | null;
+  /** null: nothing is shown that it could work on */
   mesh(): TriangleMesh | null;
   /** null where another mesh is shown */
   rayAt(clientX: number, clientY: number): Ray | null;
@@ -29,6 +31,7 @@ export interface PickHost extends StrokeTool {
 }
 
 interface RunningStroke extends Stroke {
+  tool: StrokeTool;
   pointer: number;
   startX: number;
   startY: number;
@@ -75,59 +78,67 @@ export class PickTool {
 
   /** A click at a point of the page, as the keyboard makes it. */
   click(point: PagePoint, isErasing: boolean): void {
-    const picked = this.pickedAt(point);
-    if (!picked) return;
-    const stroke = this.begin(picked, point, isErasing, -1);
+    const stroke = this.begin(point, isErasing, -1);
+    if (!stroke) return;
     if (this.host.isBroad()) this.touch(stroke, point);
-    this.host.finish(stroke);
+    stroke.tool.finish(stroke);
   }
 
-  private begin(
-    picked: PickedVertex,
-    { clientX, clientY }: PagePoint,
-    isErasing: boolean,
-    pointer: number,
-  ): RunningStroke {
+  /** Null where there is nothing under the point. */
+  private begin(point: PagePoint, isErasing: boolean, pointer: number): RunningStroke | null {
+    const picked = this.pickedAt(point);
+    const tool = this.host.tool();
+    if (!picked || !tool) return null;
+    const { clientX, clientY } = point;
     const at = { startX: clientX, startY: clientY, lastX: clientX, lastY: clientY };
-    return { pointer, ...at, isErasing, isClick: true, vertices: new Map([[picked.vertex, 0]]) };
+    return { tool, pointer, ...at, isErasing, isClick: true, vertices: new Map([[picked.vertex, 0]]) };
+  }
+
+  /** Whether a stroke goes on. One whose tool was put down meanwhile is dropped. */
+  private isStroking(): boolean {
+    if (this.stroke && this.stroke.tool !== this.host.tool()) this.stroke = null;
+    return this.stroke !== null;
+  }
+
+  private strokeOf(event: PointerEvent): RunningStroke | null {
+    return this.isStroking() && this.stroke!.pointer === event.pointerId ? this.stroke : null;
   }
 
   private onPress(event: PointerEvent, canvas: HTMLCanvasElement): void {
-    if (event.button !== 0 || this.stroke) return;
-    const picked = this.pickedAt(event);
-    if (!picked) return;
+    if (event.button !== 0 || this.isStroking()) return;
+    const stroke = (this.stroke = this.begin(event, event.shiftKey, event.pointerId));
+    if (!stroke) return;
     event.stopImmediatePropagation();
     canvas.setPointerCapture(event.pointerId);
-    this.stroke = this.begin(picked, event, event.shiftKey, event.pointerId);
     if (!this.host.isBroad()) return;
-    this.touch(this.stroke, event);
-    this.host.paint(this.stroke);
+    this.touch(stroke, event);
+    stroke.tool.paint(stroke);
   }
 
   private onMove(event: PointerEvent): void {
-    const { stroke } = this;
+    const stroke = this.strokeOf(event);
     // With a button down and no stroke the pointer turns the view, and hovers over nothing.
-    if (event.buttons === 0 || stroke) this.hover(this.pickedAt(event));
-    if (!stroke || event.pointerId !== stroke.pointer) return;
+    if (event.buttons === 0 || this.stroke) this.hover(this.pickedAt(event));
+    if (!stroke) return;
     const distance = Math.hypot(event.clientX - stroke.startX, event.clientY - stroke.startY);
     if (stroke.isClick && distance < CLICK_PIXELS) return;
     stroke.isClick = false;
     this.touchOnTheWay(stroke, event);
-    this.host.paint(stroke);
+    stroke.tool.paint(stroke);
   }
 
   private onRelease(event: PointerEvent): void {
-    const { stroke } = this;
-    if (!stroke || event.pointerId !== stroke.pointer) return;
+    const stroke = this.strokeOf(event);
+    if (!stroke) return;
     this.stroke = null;
-    this.host.finish(stroke);
+    stroke.tool.finish(stroke);
   }
 
   private hover(picked: PickedVertex | null): void {
     const vertex = picked?.vertex ?? null;
     if (vertex === this.hovered && !this.host.isBroad()) return;
     this.hovered = vertex;
-    this.host.hover(picked);
+    this.host.tool()?.hover(picked);
   }
 
   private touchOnTheWay(stroke: RunningStroke, { clientX, clientY }: PagePoint): void {
@@ -143,10 +154,10 @@ export class PickTool {
     Object.assign(stroke, { lastX: clientX, lastY: clientY });
   }
 
-  private touch({ vertices }: RunningStroke, point: PagePoint): void {
+  private touch({ tool, vertices }: RunningStroke, point: PagePoint): void {
     const picked = this.pickedAt(point);
     if (!picked) return;
-    const radius = this.host.radius();
+    const radius = tool.radius();
     for (const [vertex, distance] of this.tree()!.around(picked.point, radius))
       vertices.set(vertex, Math.min(distance / radius, vertices.get(vertex) ?? 1));
   }

@@ -17,15 +17,11 @@ const shownPins = (): Uint32Array => results.pins.value?.vertices ?? new Uint32A
 
 export function connectPicking(canvas: HTMLCanvasElement, viewport: Viewport): PickTool {
   const [pins, brush] = [pinTool(viewport), brushTool(viewport)];
-  const tool = () => (isBrushing.value ? brush : pins);
   return new PickTool(canvas, {
+    tool: () => (isBrushing.value ? brush : isPicking.value ? pins : null),
     mesh: () => (isPicking.value || isBrushing.value ? (results.body.value?.mesh ?? null) : null),
     rayAt: (x, y) => (viewport.paneAt(x) === 'original' ? viewport.rayAt(x, y) : null),
     isBroad: () => isBrushing.value,
-    hover: (picked) => tool().hover(picked),
-    radius: () => tool().radius(),
-    paint: (stroke) => tool().paint(stroke),
-    finish: (stroke) => tool().finish(stroke),
   });
 }
 

@@ -1,0 +1,43 @@
+/** The pick tool of the page: what a stroke does once it ends. */
+
+import { Ray, Vector3 } from 'three';
+import { expect, it, vi } from 'vitest';
+import { PickTool } from '../../web/app/viewer/pick_tool';
+import { grid } from './support/shapes';
+
+const mesh = grid(4, 4);
+
+function pickTool() {
+  const tool = { radius: () => 0.1, hover: () => {}, paint: vi.fn(), finish: vi.fn() };
+  let isInUse = true;
+  const canvas = Object.assign(new EventTarget(), { setPointerCapture: () => {} });
+  const host = {
+    tool: () => (isInUse ? tool : null),
+    mesh: () => (isInUse ? mesh : null),
+    rayAt: () => new Ray(new Vector3(mesh.positions[0], mesh.positions[1], 9), new Vector3(0, 0, -1)),
+    isBroad: () => true,
+  };
+  new PickTool(canvas as unknown as HTMLCanvasElement, host);
+  const send = (type: string, x: number): void => {
+    const at = { clientX: x, clientY: 0, pointerId: 1, button: 0, buttons: 1, shiftKey: false };
+    canvas.dispatchEvent(Object.assign(new Event(type), at));
+  };
+  return { tool, send, putDown: () => (isInUse = false) };
+}
+
+it('a stroke ends where the pointer is released', () => {
+  const { tool, send } = pickTool();
+  send('pointerdown', 0);
+  send('pointermove', 20);
+  send('pointerup', 20);
+  expect([tool.paint.mock.calls.length, tool.finish.mock.calls.length]).toEqual([2, 1]);
+});
+
+it('a stroke is dropped where its tool is put down before', () => {
+  const { tool, send, putDown } = pickTool();
+  send('pointerdown', 0);
+  putDown();
+  send('pointermove', 20);
+  send('pointerup', 20);
+  expect([tool.paint.mock.calls.length, tool.finish.mock.calls.length]).toEqual([1, 0]);
+});
