@@ -1,12 +1,18 @@
 /** What the page's flows decide without a page. */
 
-import { expect, test } from 'vitest';
+import { expect, test, vi } from 'vitest';
 import { formOfName } from '../../web/engine/document/write/output_form';
 import { defaultSettings } from '../../web/engine/settings/options';
 import { levelAtHeight, nextLevel, readLevels, switchHeights } from '../../web/app/panels/export/level_chain';
+import { exportRequest, pictureName } from '../../web/app/state/export_request';
 import { freeName, modelGroups } from '../../web/app/state/queue/model_groups';
 import { describeOutcome, describeProgress, summaryCsv } from '../../web/app/state/queue/summary';
+import { changeSettings, results } from '../../web/app/state/store';
+import type { OpenedFile } from '../../web/app/worker/protocol';
 import { EXPORT_FORMATS, exportFormatOf, exportSettings } from '../../web/app/worker/export_form';
+
+// The state of the page asks for the colour scheme.
+vi.hoisted(() => vi.stubGlobal('matchMedia', () => ({ matches: true, addEventListener: () => {} })));
 
 const file = (name: string, length = 1) => ({ name, bytes: new Uint8Array(length) });
 
@@ -16,6 +22,13 @@ test('the ending of every format of the page says the format to the engine', () 
     const word = `${form.format}${form.isZipped ? '.zip' : ''}`;
     expect(word).toBe(value === 'auto' ? 'glb' : value);
   }
+});
+
+test.each(['auto', 'ply', 'obj.zip'] as const)('a picture never has the name of a model as %s', (format) => {
+  results.file.value = { name: 'in/bar.obj', bodies: [] } as unknown as OpenedFile;
+  changeSettings({ format });
+  expect(pictureName('figure.png')).toBe('bar-figure.png');
+  expect(exportRequest().output).toMatch(/^bar-limber\.(glb|ply|obj\.zip)$/);
 });
 
 test('a format of several files that a link names is packed, and what a format cannot have is left out', () => {

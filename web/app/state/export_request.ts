@@ -12,10 +12,15 @@ export const baseName = (name: string): string =>
     .pop()!
     .replace(/\.[^.]+$/, '');
 
+/** "bar-figure.png" for bar.glb: as the export names its files. */
+export const pictureName = (ending: string): string => `${openName()}-${ending}`;
+
+const openName = (): string => baseName(results.file.value?.name ?? '');
+
 export const exportRequest = (): ExportRequest => ({
   fields: wants.exportFields.value,
   binding: wants.exportBinding.value,
-  output: `${baseName(results.file.value?.name ?? '')}-limber${exportFormatOf(wants.settings.value).ending}`,
+  output: `${openName()}-limber${exportFormatOf(wants.settings.value).ending}`,
 });
 
 export const exportedKey = (): string =>

@@ -1,7 +1,7 @@
 /** The panel of pictures: what is asked for, and what is being drawn. */
 
 import { signal } from '@preact/signals';
-import { exportRequest } from '../../state/export_request';
+import { pictureName } from '../../state/export_request';
 import { complain } from '../../state/running';
 import { download } from '../../files/files';
 
@@ -55,6 +55,3 @@ export async function makePicture(
     pictures.work.value = null;
   }
 }
-
-/** "bar-figure.png" for bar.glb: as the export names its files. */
-const pictureName = (ending: string): string => exportRequest().output.replace(/-limber\.glb$/, `-${ending}`);
