@@ -54,8 +54,18 @@ test('a link opens the sample with all settings; a link with an error is reporte
 
 test('a link for a file of one’s own waits for that file', { tag: '@full' }, async ({ page }) => {
   await page.goto('/#quality-weight=0.4&faces=100&file=kept.obj');
-  await expect(page.getByText('This link is for kept.obj: open that file.')).toBeVisible();
+  const notice = page.getByText('This link is for kept.obj: open that file.');
+  await expect(notice).toBeVisible();
+  await page.reload();
+  await expect(notice).toBeVisible();
+  await drop(page, writeScratch('other.obj', sheetObj(12)));
+  await expect(page.locator('.filename')).toHaveText('other.obj');
+  await page.waitForTimeout(600); // until it is saved
+  await page.reload();
+  await expect(page.locator('.filename')).toHaveText('other.obj');
   await drop(page, sheet);
+  await expect(page.locator('.filename')).toHaveText('kept.obj');
+  expect(new URL(page.url()).hash).toBe('');
   await goTo(page, 'Reduce');
   await expect(page.getByLabel('Kept faces, exact')).toHaveValue('100');
   await expect(page.getByLabel('Even triangles, exact')).toHaveValue('0.4');

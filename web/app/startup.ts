@@ -12,9 +12,13 @@ import { say, sentence } from './language/say';
 
 /** Call this after `loadSamples`. */
 export async function openAtStart(): Promise<void> {
+  const isWaiting = isOtherOpen();
   const wanted = readHash();
-  const saved = wanted ? null : await savedSession();
-  if (saved) return bringBack(saved);
+  const saved = wanted && !isWaiting ? null : await savedSession();
+  if (saved) {
+    awaited.value = wanted;
+    return bringBack(saved);
+  }
   const named = new URLSearchParams(location.search).get('sample');
   const asked = samples.value.find(({ id, file }) => id === named || file === wanted?.file);
   if (!asked && wanted?.file) return waitForFile(wanted);
@@ -24,8 +28,9 @@ export async function openAtStart(): Promise<void> {
 }
 
 function bringBack(session: Session): Promise<void> {
-  afterOpening(() => session.show());
-  return openFiles(session.files, session.wanted);
+  const stop = afterOpening(() => session.show());
+  // Where the files cannot be opened, the view is not that of the next ones.
+  return openFiles(session.files, session.wanted).finally(stop);
 }
 
 /** Offers the work of the last tab that was closed, as long as nothing is open. */
@@ -40,8 +45,8 @@ async function offerLastSession(): Promise<void> {
   };
 }
 
-/** Runs `show` once files are open. */
-function afterOpening(show: () => void): void {
+/** Runs `show` once files are open, unless the function that it returns is called before. */
+function afterOpening(show: () => void): () => void {
   const before = results.opened.value;
   const stop = results.opened.subscribe((opened) => {
     if (opened === before) return;
@@ -50,20 +55,39 @@ function afterOpening(show: () => void): void {
       show();
     });
   });
+  return stop;
+}
+
+const removeLink = (): void => history.replaceState(null, '', location.pathname + location.search);
+
+/** Whether the link of the address still waits for its file, while another file is open. */
+const isOtherOpen = (): boolean => (history.state as { isOtherOpen?: boolean } | null)?.isOtherOpen === true;
+
+/** Keeps the link in the address until the file that it is for is open, so that after a reload it still waits. */
+function removeLinkOnceOpen(): void {
+  const before = results.opened.value;
+  const stop = results.opened.subscribe((opened) => {
+    if (opened === before) return;
+    if (awaited.value) return history.replaceState({ isOtherOpen: true }, '', location.href);
+    removeLink();
+    queueMicrotask(() => stop());
+  });
 }
 
 /** What the link asks for; null without a link. A link with an error is reported, and the page starts without it. */
 function readHash(): Wanted | null {
   const { hash } = location;
-  // The link is read once, as a reload brings back the session that has grown from it.
-  history.replaceState(null, '', location.pathname + location.search);
   addEventListener('hashchange', () => location.reload());
   try {
     const wanted = readLink(hash);
+    // Once its file is open, a reload brings back the session that has grown from it.
+    if (wanted) removeLinkOnceOpen();
+    else removeLink();
     const former = describeFormerLink(hash);
     if (former !== '') showAfterOpening({ kind: 'info', text: `${former}.` });
     return wanted;
   } catch (error) {
+    removeLink();
     showAfterOpening({
       kind: 'error',
       text: `${say('The link has an error.')} ${sentence(describeLinkError(error))}`,
