@@ -143,9 +143,12 @@ test(
     await page.getByRole('group', { name: 'Samples' }).getByRole('button', { name: 'cloth' }).click();
     await expect(page.locator('.filename')).toHaveText('cloth.glb');
     await expect(page.locator('.method-table')).toHaveCount(0);
+    const brush = page.getByRole('group', { name: 'Brush' }).getByRole('button', { name: 'Keep' });
+    await brush.click();
     await page.locator('.methods h2').focus();
     await page.keyboard.press('Escape');
     await expect(page.locator('.methods')).toHaveCount(0);
+    await expect(brush).toHaveAttribute('aria-pressed', 'true');
   },
 );
 

@@ -3,6 +3,7 @@
 import { expect, test, vi } from 'vitest';
 import { formOfName } from '../../web/engine/document/write/output_form';
 import { defaultSettings } from '../../web/engine/settings/options';
+import { scrolls } from '../../web/app/controls/scroll_keys';
 import { levelAtHeight, nextLevel, readLevels, switchHeights } from '../../web/app/panels/export/level_chain';
 import { exportRequest, pictureName } from '../../web/app/state/export_request';
 import { freeName, modelGroups } from '../../web/app/state/queue/model_groups';
@@ -97,4 +98,14 @@ test('the table of a queue quotes what would break its cells', () => {
     finished: null,
   } as const;
   expect(summaryCsv([failed]).split('\r\n')[1]).toBe('"a,b.obj",failed,,,,,,,"It says ""no""."');
+});
+
+test('a region scrolls by the keys of the direction in which it has more', () => {
+  const keysOf = (scrollWidth: number, scrollHeight: number): string[] =>
+    ['ArrowLeft', 'ArrowUp', 'Home', 'PageDown', 'f'].filter((key) =>
+      scrolls({ scrollWidth, scrollHeight, clientWidth: 10, clientHeight: 10 }, key),
+    );
+  expect(keysOf(10, 10)).toEqual([]);
+  expect(keysOf(11, 10)).toEqual(['ArrowLeft']);
+  expect(keysOf(10, 11)).toEqual(['ArrowUp', 'Home', 'PageDown']);
 });

@@ -1,5 +1,6 @@
 /** What keys do outside of text fields. */
 
+import { scrolls } from './controls/scroll_keys';
 import { pickFiles } from './files/files';
 import { isWireShown } from './panels/viewport/show_bodies';
 import { viewportHandle } from './panels/viewport/viewport_view';
@@ -101,6 +102,10 @@ function isTyping(target: EventTarget | null): boolean {
 const isSliderKey = ({ target, key }: KeyboardEvent): boolean =>
   target instanceof HTMLInputElement && target.type === 'range' && /^(Arrow|Home|End|Page)/.test(key);
 
+/** Whether a region that has the focus scrolls by this key. */
+const isScrollKey = ({ target, key }: KeyboardEvent): boolean =>
+  target instanceof HTMLElement && target.matches('[tabindex="0"]') && scrolls(target, key);
+
 /** Whether the target undoes its own text. */
 const hasOwnUndo = (target: EventTarget | null): boolean =>
   target instanceof HTMLInputElement && target.type === 'text';
@@ -112,7 +117,7 @@ export function listenToKeys(): void {
     const withControl = event.shiftKey && key === 'z' ? redo : WITH_CONTROL[key];
     const action = hasControl ? withControl : plainAction(key);
     if (!action || event.altKey) return;
-    if (isSliderKey(event)) return;
+    if (isSliderKey(event) || isScrollKey(event)) return;
     const isOwn = hasControl ? hasOwnUndo(event.target) && 'zy'.includes(key) : isTyping(event.target);
     if (isOwn && key !== 'escape') return;
     // Space presses a focused button, except the one of the current step, which does nothing.

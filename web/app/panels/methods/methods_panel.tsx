@@ -37,7 +37,10 @@ function OpenPanel({ original }: { original: { positions: Float32Array; triangle
       class="methods"
       aria-labelledby="methods-title"
       onKeyDown={(event) => {
-        if (event.key === 'Escape') close();
+        if (event.key !== 'Escape') return;
+        // It closes the panel and does nothing else.
+        event.stopPropagation();
+        close();
       }}
     >
       <div class="panel-head">

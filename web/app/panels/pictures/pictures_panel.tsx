@@ -44,7 +44,10 @@ function OpenPanel() {
       class="panel pictures"
       aria-labelledby="pictures-title"
       onKeyDown={(event) => {
-        if (event.key === 'Escape') close();
+        if (event.key !== 'Escape') return;
+        // It closes the panel and does nothing else.
+        event.stopPropagation();
+        close();
       }}
     >
       <div class="panel-head">
