@@ -135,6 +135,15 @@ it('what was cancelled runs at once with inputs that change before it has stoppe
   expect(status.paused.value).toEqual([]);
 });
 
+it('a cancel that follows a change of the inputs is of what would run with them', async () => {
+  await open();
+  await answerUntil('history');
+  changeSettings({ qualityWeight: wants.settings.value.qualityWeight + 1 });
+  cancelRunning();
+  await rest();
+  expect([page.calls, status.paused.value]).toEqual([[], ['Collapsing edges']]);
+});
+
 it('a file is not opened where that is cancelled, and the earlier one stays without a notice', async () => {
   await open();
   await answerUntil(null);

@@ -21,8 +21,8 @@ import { forgetUndo, startUndo } from './undo';
 const done = new Map<Task, string>();
 /** The key of each task that the user has cancelled, or whose worker has ended: with that key it waits for `resume`. */
 const stopped = signal<ReadonlyMap<Task, string>>(new Map());
-/** the running task and the key of its result */
-let running: { task: Task; key: string; isCancelled: boolean } | null = null;
+/** the running task, the key of its result, and the key that the task had when the user cancelled it */
+let running: { task: Task; key: string; cancelled: string | null } | null = null;
 /** the call of the last task, settled once it has stopped */
 let call: Promise<unknown> = Promise.resolve();
 let looping = false;
@@ -102,9 +102,9 @@ export function showBody(index: number): void {
 
 /** The user's cancel: a file is not opened, and a task waits until its inputs change or `resume` is called. */
 export function cancelRunning(): void {
-  const cancelled = opened ?? running;
-  if (!cancelled) return;
-  cancelled.isCancelled = true;
+  if (opened) opened.isCancelled = true;
+  // Where its inputs have just changed, the cancel is of what would run next.
+  else if (running) running.cancelled = running.task.key();
   client.cancel();
 }
 
@@ -168,7 +168,7 @@ async function loop(): Promise<void> {
 
 /** Runs a task; returns whether the next one follows. */
 async function run(task: Task, key: string): Promise<boolean> {
-  const own = (running = { task, key, isCancelled: false });
+  const own: typeof running = (running = { task, key, cancelled: null });
   try {
     const value = await (call = whileBusy(task.what, () => task.run()));
     done.set(task, key);
@@ -176,12 +176,15 @@ async function run(task: Task, key: string): Promise<boolean> {
     task.result.value = value;
     return true;
   } catch (error) {
-    // Its inputs have changed, or something else is due.
-    if (isCancel(error) && !own.isCancelled) return true;
+    if (isCancel(error)) {
+      setStopped(task, own.cancelled);
+      // Otherwise its inputs have changed, or something else is due.
+      return own.cancelled === null || own.cancelled !== task.key();
+    }
     // A worker may end again for the same reason, so the user decides whether the task runs again.
-    if (isCancel(error) || error instanceof WorkerLost) setStopped(task, key);
+    if (error instanceof WorkerLost) setStopped(task, key);
     else done.set(task, key);
-    if (!isCancel(error)) complain(error);
+    complain(error);
     // The task is not tried again before its inputs change.
     return task.key() !== key;
   } finally {
