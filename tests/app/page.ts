@@ -76,7 +76,7 @@ export async function expectSolved(page: Page, text: string | RegExp): Promise<v
   const details = page.locator('details').filter({ hasText: 'How it was solved' });
   await expect(async () => {
     const isOpen = (await details.getAttribute('open', { timeout: 1000 })) !== null;
-    if (!isOpen) await details.locator('summary').click({ timeout: 1000 });
-    await expect(details.getByText(text)).toBeVisible({ timeout: 1000 });
+    if (!isOpen) await details.locator('summary').click({ timeout: 10_000 });
+    await expect(details.getByText(text)).toBeVisible({ timeout: 10_000 });
   }).toPass({ timeout: 100_000 });
 }

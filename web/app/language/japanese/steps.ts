@@ -32,7 +32,6 @@ export const STEPS: MessageTable = {
   '{count} vertices': '{count} 頂点',
   '{count} parts': '{count} パーツ',
   '{count} borders': '境界 {count}',
-  '{count} handle': 'ハンドル {count} 個',
   '{count} handles': 'ハンドル {count} 個',
   '{number} of {all}': '{all} 個中 {number} 番目',
   '{size} units': '{size} 単位',
