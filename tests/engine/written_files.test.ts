@@ -7,8 +7,10 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { isOwnContent } from '../../web/cli/output_files/own_files';
 import { writeZip } from '../../web/engine/document/archive/write_zip';
+import { openModel } from '../../web/engine/document/open';
 import { lostIn } from '../../web/engine/document/write/lost';
 import { writeObj } from '../../web/engine/document/write/obj_files';
+import { filesOf } from '../../web/library/models';
 import { SQUARE_OBJ, textFile } from './support/files';
 import { addMesh, floats, primitiveOf, startDocument } from './support/gltf';
 import { grid, toObj, torus } from './support/shapes';
@@ -66,6 +68,16 @@ describe('what a format leaves out', () => {
       'attribute _WEIGHT',
     ]);
     expect(lostIn('glb', document)).toEqual([]);
+  });
+});
+
+describe('a document of a caller', () => {
+  it('may have been read from a folder beside that of its file', async () => {
+    const document = startDocument();
+    addMesh(document, 'sheet', [primitiveOf(document, grid(2, 2))]);
+    document.getRoot().listBuffers()[0].setURI('../parts/m.bin');
+    const { bodies } = await openModel(await filesOf(document));
+    expect(bodies[0].indices).toHaveLength(3 * 8);
   });
 });
 
