@@ -231,6 +231,19 @@ describe('--dry-run', () => {
     expect(state()).toEqual(before);
   });
 
+  it('names the files beside OUT, and refuses where they are the user’s', () => {
+    expect(limber('optimize torus.obj beside.gltf --dry-run').stdout).toContain(
+      'would write beside.gltf\nwould write beside.bin, which belongs to OUT\n',
+    );
+    writeFileSync(path('beside.bin'), 'precious');
+    for (const words of ['--dry-run', ''])
+      expect(limber(`optimize torus.obj beside.gltf ${words}`.trim())).toMatchObject({
+        code: 1,
+        stderr: expect.stringContaining('beside.bin, which belongs to beside.gltf, exists') as string,
+      });
+    rmSync(path('beside.bin'));
+  });
+
   it('refuses what the run would refuse', () => {
     writeFileSync(path('kept.json'), 'precious');
     expect(limber('optimize torus.obj dry.glb --report kept.json --dry-run')).toMatchObject({

@@ -9,20 +9,27 @@ import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { followLinks, isSpecial } from './output_files/identity';
 import { checkFiles } from './inputs';
+import { checkModelOutputs } from './output_files/model_outputs';
 import { checkRoom, sizeOfModel } from './output_files/outputs';
 import type { Output } from './output_files/outputs';
 import { shownName, shownOutput, STANDARD } from './standard';
 import { count, plain, plural } from './words';
 
 export async function runDry(args: Arguments): Promise<number> {
-  const { files, outputs } = await checkFiles(args);
+  const checked = await checkFiles(args);
+  const { files, outputs } = checked;
   const lines: string[] = [];
+  const companions: string[] = [];
   for (const [path, sources] of files) {
     const model = await openAnyModel(sources);
     checkRoom(outputs, sizeOfModel(model));
     lines.push(describeModel(args, path, model));
+    if (args.command !== 'optimize') continue;
+    const chosen = model.bodies.length === 0 ? [] : chosenBodies(model, args.settings);
+    companions.push(...checkModelOutputs({ args, checked, isHosted: false }, model, chosen).companions);
   }
   for (const output of outputs) lines.push(`would write ${describeOutput(output)}`);
+  for (const companion of companions) lines.push(`would write ${companion}, which belongs to OUT`);
   if (outputs.length === 0) lines.push('would write no file');
   process.stdout.write(`${plain(lines.join('\n'))}\n`);
   return EXIT.done;

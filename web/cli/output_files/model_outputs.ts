@@ -19,16 +19,18 @@ import { STANDARD } from '../standard';
 /** The name by which the engine knows an output. */
 export const fileName = (path: string): string => (path === STANDARD ? 'model' : basename(path));
 
+/** What is known of a command before its work. */
+type Asked = Pick<Session, 'args' | 'checked' | 'isHosted'>;
+
+/** `companions`: paths of the files beside OUT and its levels. */
+type ModelOutputs = ReturnType<typeof checkWritten> & { companions: string[] };
+
 /**
  * The form of OUT, and what it leaves out; all before the work. `chosen`: numbers of the bodies that change. Throws UsageError or
  * another Error with one sentence where OUT, a level or a file beside one of them is not to be written.
  */
-export function checkModelOutputs(
-  session: Session,
-  model: OpenModel,
-  chosen: number[],
-): ReturnType<typeof checkWritten> {
-  const { args, checked } = session;
+export function checkModelOutputs(asked: Asked, model: OpenModel, chosen: number[]): ModelOutputs {
+  const { args, checked } = asked;
   const path = args.operands[1];
   const written = checkWritten(model, chosen, { name: fileName(path), settings: args.settings });
   const companions = (file: string) => companionsOf(model, fileName(file), written.form);
@@ -39,19 +41,21 @@ export function checkModelOutputs(
   const taken = new Set(
     checked.outputs.filter((one) => one.path !== STANDARD).map((one) => identityOf(one.path)),
   );
-  for (const file of [path, ...levelFiles(args)])
-    for (const companion of companions(file)) checkCompanion(session, file, companion, taken);
-  return written;
+  const beside = [path, ...levelFiles(args)].flatMap((file) =>
+    companions(file).map((companion) => checkCompanion(asked, file, companion, taken)),
+  );
+  return { ...written, companions: [...new Set(beside)] };
 }
 
+/** Its path. Throws UsageError where it is not to be written. */
 function checkCompanion(
-  { args, checked, isHosted }: Session,
+  { args, checked, isHosted }: Asked,
   model: string,
   companion: Companion,
   taken: Set<string>,
-): void {
+): string {
   const path = join(dirname(model), companion.name);
-  if (!existsSync(dirname(path))) return;
+  if (!existsSync(dirname(path))) return path;
   if (statSync(path, { throwIfNoEntry: false })?.isDirectory())
     throw new UsageError(`${path}, which belongs to ${model}, is a folder: choose another name for OUT.`);
   const identity = identityOf(path);
@@ -60,10 +64,10 @@ function checkCompanion(
       `${path}, which belongs to ${model}, is another output: choose another name for one of them.`,
     );
   // A picture that is there already need not be written.
-  if (companion.image && hasBytes(path, companion.image)) return;
+  if (companion.image && hasBytes(path, companion.image)) return path;
   const belongsToInput = isInput(checked, path);
   // Which other files may be replaced, a batch finds out when it takes its results.
-  if (isHosted && !belongsToInput) return;
+  if (isHosted && !belongsToInput) return path;
   if (belongsToInput)
     throw new UsageError(
       `${path}, which belongs to ${model}, belongs to the input: choose another name for OUT.`,
@@ -72,6 +76,7 @@ function checkCompanion(
     throw new UsageError(
       `${path}, which belongs to ${model}, exists: choose another name for OUT, or replace it with --force.`,
     );
+  return path;
 }
 
 /** Whether limber has written a file beside a model: the model is its own, and names the file. */
