@@ -51,16 +51,16 @@ function meanOf(method, ratio, of) {
 const TIMED = 'limber, surface fit';
 
 /** By ratio, descending, how many times as fast as the original's a simulation of the result is: the geometric mean over the meshes. */
-const speeds = ratios.map((ratio) => {
+const speeds = [];
+for (const ratio of ratios) {
   const timed = cases.filter((one) => one.method === TIMED && one.ratio === ratio);
-  const ofCase = (one) =>
-    speedUp(
-      loaded,
-      meshes.find(({ name }) => name === one.mesh),
-      one.meshOf(),
-    );
-  return { ratio, speed: timed.length > 0 ? geometricMean(timed.map(ofCase)) : null };
-});
+  const found = [];
+  for (const one of timed) {
+    const original = meshes.find(({ name }) => name === one.mesh);
+    found.push(await speedUp(loaded, original, one.meshOf()));
+  }
+  speeds.push({ ratio, speed: found.length > 0 ? geometricMean(found) : null });
+}
 
 /** At a share of the faces, by interpolation of logarithms; null where it was not measured. */
 function speedAt(share) {

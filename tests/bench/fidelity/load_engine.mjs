@@ -18,14 +18,15 @@ export function hashOf(...parts) {
   return hash.digest('hex').slice(0, 16);
 }
 
-/** { engine, core, version }: `version` changes with the code of core and engine. Requires `npm run build`. */
+/** { engine, core, version, wasmFolder }: `version` changes with the code of core and engine. Requires `npm run build`. */
 export async function loadEngine() {
   const outDir = join(scratch, 'engine');
   await bundleModule('tests/bench/fidelity/engine.ts', outDir);
   const bundle = join(outDir, 'engine.js');
   const engine = await import(pathToFileURL(bundle).href);
-  const core = await engine.loadCore({ threads: 0, wasmFolder: pathToFileURL(join(wasm, '/')).href });
+  const wasmFolder = pathToFileURL(join(wasm, '/')).href;
+  const core = await engine.loadCore({ threads: 0, wasmFolder });
   const name = core.threads > 1 ? 'threads' : 'single';
   const version = hashOf(readFileSync(join(wasm, `limber-${name}.wasm`)), readFileSync(bundle));
-  return { engine, core, version };
+  return { engine, core, version, wasmFolder };
 }
