@@ -110,6 +110,7 @@ describe('limber batch', () => {
       /new\.obj \(new\) -> out\/new\.glb\nsrc\/ring\.obj \(changed\).*\nsrc\/sheets\/sheet\.obj \(result missing\)/,
     );
     expect(existsSync(path('out/new.glb'))).toBe(false);
+    expect(batch('--dry-run', '--again').stdout).toMatch(/would optimize 3 assets; 0 up to date/);
     batch();
     expect(totals()).toMatchObject({ assets: 3, done: 3, unchanged: 0 });
     expect([batch('--ratio', '0.3', '--soft').code, totals().unchanged]).toEqual([0, 0]);

@@ -36,10 +36,10 @@ struct ShapeFitResult {
 // gains holds in all of them. A round solves the least-squares model of the distance (SurfaceFit), under the
 // condition that the area becomes the original's as far as that costs no more distance than the round gains.
 //
-// Topology and the number of faces do not change, and no face turns over. Border vertices stay where they
-// are, and with them the outline, its length and its corners. Seams and flat regions keep their shape; locked
-// vertices stay, and so do triangles of the original that collapses have left as they were. Positions are
-// float32 numbers. `result.flips` tells where corners come from. A result that still has all faces of the
+// Topology and the number of faces do not change, and no face turns over. Corners of the outline stay
+// where they are, and other vertices of a border stay near it. Seams and flat regions keep their shape;
+// locked vertices stay, and so do triangles of the original that collapses have left as they were. Positions
+// are float32 numbers. `result.flips` tells where corners come from. A result that still has all faces of the
 // original is returned as it is. Throws Cancelled, and std::invalid_argument where a mirror is given and
 // `result` is not its own mirror image.
 ShapeFitResult fitShape(const TriangleMesh& original, const MeshAt& result, const ShapeFitOptions& options,

@@ -32,7 +32,7 @@ export async function runBatch(args: Arguments): Promise<number> {
   const requests = readRequests(args, out);
   checkReports(args, requests);
   const own = join(out, OWN_FOLDER);
-  if (args.dryRun) return runDryBatch(out, requests, new Journal(own));
+  if (args.dryRun) return runDryBatch(args, out, requests, new Journal(own));
   mkdirSync(own, { recursive: true });
   const unlock = takeLock(own, out);
   try {

@@ -1,6 +1,7 @@
 /** What a batch would do. */
 
 import { join } from 'node:path';
+import type { Arguments } from '../arguments';
 import { EXIT } from '../failure';
 import { plain, plural } from '../words';
 import type { Journal } from './journal';
@@ -8,10 +9,16 @@ import type { AssetRequest } from './orders';
 import { reasonOf } from './run';
 
 /** Names every asset that would be done, and why; does no work, and makes no folder. */
-export async function runDryBatch(out: string, requests: AssetRequest[], journal: Journal): Promise<number> {
+export async function runDryBatch(
+  { batch: { again } }: Pick<Arguments, 'batch'>,
+  out: string,
+  requests: AssetRequest[],
+  journal: Journal,
+): Promise<number> {
   let unchanged = 0;
   for (const request of requests) {
-    const reason = await reasonOf(request, out, journal).catch(() => 'not readable' as const);
+    const found = await reasonOf(request, out, journal).catch(() => 'not readable' as const);
+    const reason = again && found === null ? 'asked for' : found;
     if (reason === null) ++unchanged;
     else {
       const { asset, options } = request;

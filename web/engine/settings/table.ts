@@ -545,7 +545,7 @@ const ROWS = {
     flag: 'self-collision',
     label: 'Touches itself',
     default: false,
-    help: 'Sheets push each other away where they meet, for cloth of even triangles; slower. Closed bodies that are dropped always do.',
+    help: 'Sheets push each other away where they meet, for cloth of even triangles; slower. Does nothing for solids; closed bodies of shells or springs that are dropped always do.',
     group: 'simulation',
     page: 'simulation',
   },

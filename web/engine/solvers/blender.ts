@@ -35,7 +35,7 @@ export const blender: SolverProfile = {
   bend: 'hinge-length',
   mass: 'vertex',
   takes: { vertexMaps: true, constraintValues: false, vertexMasses: false },
-  status: 'derived',
+  status: 'verified',
   isLocal: false,
   parameters: [
     {

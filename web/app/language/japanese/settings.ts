@@ -76,8 +76,8 @@ export const SETTINGS: MessageTable = {
   Damping: '減衰',
   'How fast motion dies away by itself.': '動きが自然に収まる速さ。',
   'Touches itself': '自己衝突',
-  'Sheets push each other away where they meet, for cloth of even triangles; slower. Closed bodies that are dropped always do.':
-    'シート同士が触れると押し返します。三角形の揃った布向けで、計算は遅くなります。落とした閉じた物体では常に有効です。',
+  'Sheets push each other away where they meet, for cloth of even triangles; slower. Does nothing for solids; closed bodies of shells or springs that are dropped always do.':
+    'シート同士が触れると押し返します。三角形の揃った布向けで、計算は遅くなります。ソリッドには効果がなく、シェルやばねの閉じた物体を落とすときは常に有効です。',
   'Can touch': '衝突対象',
   'What both bodies can touch besides what the scenario has, in units of the body: ground:HEIGHT (across y), ball:x,y,z,R, capsule:x0,y0,z0,x1,y1,z1,R, joined by +.':
     'シナリオのほかに衝突する対象 (物体の単位): ground:高さ (y 方向)、ball:x,y,z,R、capsule:x0,y0,z0,x1,y1,z1,R。+ でつなげます。',
