@@ -18,6 +18,44 @@ function ours(loaded, name, changes) {
   return { name, isOurs: true, holdsPins: true, version, settings, run };
 }
 
+/** The default on the mesh with other numbers of vertices and triangles: how much of an error is chance. */
+export function renumberedMethod(loaded, changes) {
+  const { engine, core } = loaded;
+  const method = ours(loaded, RENUMBERED, { ...changes, method: 'limber', fit: 'surface' });
+  const run = ({ prepared }, targetFaces) => {
+    const other = engine.prepareBody(core, renumbered(prepared.body), method.settings);
+    const { result, seconds } = engine.optimizeBody(core, other, method.settings, { targetFaces });
+    return { mesh: result.mesh, seconds };
+  };
+  return { ...method, version: `${method.version} renumbered`, holdsPins: false, run };
+}
+
+const RENUMBERED = 'limber, surface fit, renumbered';
+
+/** Vertices and triangles in a random order, which is always the same. */
+function renumbered(body) {
+  const numbers = shuffled(body.positions.length / 3);
+  const positions = new Float32Array(body.positions.length);
+  numbers.forEach((to, v) => positions.set(body.positions.subarray(3 * v, 3 * v + 3), 3 * to));
+  const indices = new Uint32Array(body.indices.length);
+  shuffled(indices.length / 3).forEach((to, t) => {
+    for (let c = 0; c < 3; ++c) indices[3 * to + c] = numbers[body.indices[3 * t + c]];
+  });
+  return { ...body, positions, indices };
+}
+
+/** The numbers below `count` in a random order (Fisher and Yates), from the linear congruential generator of Numerical Recipes. */
+function shuffled(count) {
+  const order = Array.from({ length: count }, (_, i) => i);
+  let state = 1;
+  for (let i = count - 1; i > 0; --i) {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    const j = Math.floor((state / 2 ** 32) * (i + 1));
+    [order[i], order[j]] = [order[j], order[i]];
+  }
+  return order;
+}
+
 /** The settings for limber's own shell: the fit to its modes, from triangles that are more even than the default's. */
 const FOR_THE_SHELL = { fit: 'modal', sizeWeight: 0.01 };
 
