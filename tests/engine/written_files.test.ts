@@ -112,6 +112,16 @@ describe('a file of the user', () => {
     expect(readFileSync(path('table.bin'), 'utf8')).toBe('mine');
   });
 
+  it('beside an empty model is the user’s', () => {
+    writeFileSync(path('empty.gltf'), '');
+    writeFileSync(path('empty.bin'), 'mine');
+    const { code, stderr } = limber('optimize plain.obj empty.gltf');
+    expect([code, stderr]).toEqual([
+      1,
+      expect.stringContaining('empty.bin, which belongs to empty.gltf, exists'),
+    ]);
+  });
+
   it('that is no library of an OBJ, but a folder or a pipe, is not read as one', () => {
     execFileSync('mkfifo', [path('pipe.mtl')]);
     writeFileSync(path('odd.obj'), `mtllib ./\nmtllib pipe.mtl\n${toObj(torus())}`);

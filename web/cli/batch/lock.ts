@@ -63,9 +63,9 @@ function removeEnded(path: string): void {
   try {
     renameSync(path, aside);
     const owner = ownerOf(aside);
-    if (owner && isAtWork(owner)) linkSync(aside, path);
+    if (owner && isAtWork(owner)) created(path, owner);
   } catch (error) {
-    if (!['ENOENT', 'EEXIST'].includes((error as NodeJS.ErrnoException).code!)) throw error;
+    if ((error as NodeJS.ErrnoException).code !== 'ENOENT') throw error;
   } finally {
     rmSync(aside, { force: true });
   }

@@ -2,9 +2,9 @@
 
 import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, renameSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { companionNames } from '../../engine/document/gltf';
 import { writeWhole } from '../files';
 import { followLinks, isSpecial } from '../output_files/identity';
+import { isOwnCompanion } from '../output_files/own_companions';
 import { isOwnFile } from '../output_files/own_files';
 import { hashOf } from './key';
 import type { StagedFile, WorkDone } from './messages';
@@ -110,17 +110,8 @@ export class Results {
     const { name, path, sha256 } = file;
     if (this.known.has(name) || !existsSync(path) || isSpecial(path)) return false;
     if (hashOf(readFileSync(path)) === sha256 || isOwnFile(path)) return false;
-    return !files.some((model) => isNamedBy(model, path));
+    return !files.some((model) => isOwnCompanion(path, model.path));
   }
-}
-
-/** Whether a glTF of limber's own is in the place of a result and names the file. */
-function isNamedBy(model: StagedFile, path: string): boolean {
-  if (!/\.gltf$/i.test(model.path) || !existsSync(model.path) || !isOwnFile(model.path)) return false;
-  const bytes = new Uint8Array(readFileSync(model.path));
-  if (bytes.length === 0) return false;
-  const names = companionNames({ name: model.name, bytes });
-  return names.some((name) => join(dirname(model.path), name) === path);
 }
 
 /** A link stays, and the file that it leads to is replaced, with its permissions; it can be on another disk. */

@@ -7,11 +7,10 @@ import { companionsOf } from '../../engine/document/write/export_files';
 import type { Companion } from '../../engine/document/write/shared_images';
 import { checkWritten } from '../../engine/stages/written_form';
 import { UsageError } from '../failure';
-import { pathsNamedBy } from '../files';
-import { followLinks, identityOf } from './identity';
+import { identityOf } from './identity';
 import type { CheckedFiles } from '../inputs';
 import { levelFiles } from '../levels';
-import { isOwnFile } from './own_files';
+import { isOwnCompanion } from './own_companions';
 import { save } from '../session';
 import type { Session } from '../session';
 import { STANDARD } from '../standard';
@@ -77,13 +76,6 @@ function checkCompanion(
       `${path}, which belongs to ${model}, exists: choose another name for OUT, or replace it with --force.`,
     );
   return path;
-}
-
-/** Whether limber has written a file beside a model: the model is its own, and names the file. */
-function isOwnCompanion(path: string, model: string): boolean {
-  const main = followLinks(model);
-  if (!existsSync(main) || !isOwnFile(main)) return false;
-  return pathsNamedBy(main).some((named) => existsSync(named) && identityOf(named) === identityOf(path));
 }
 
 function isInput({ inputs }: CheckedFiles, path: string): boolean {
