@@ -74,6 +74,15 @@ async function open(): Promise<void> {
   await answerUntil('pins');
 }
 
+/** Opens a file, cancels its modes and goes on to the Reduce step. */
+async function reduceWithoutModes(): Promise<void> {
+  await open();
+  await answerUntil('modes');
+  cancelRunning();
+  await rest();
+  view.step.value = 'reduce';
+}
+
 beforeAll(startRunner);
 
 afterEach(async () => {
@@ -101,11 +110,7 @@ it('nothing is made of a history that was cancelled, and it is offered until it 
 });
 
 it('what was cancelled is offered while others run', async () => {
-  await open();
-  await answerUntil('modes');
-  cancelRunning();
-  await rest();
-  view.step.value = 'reduce';
+  await reduceWithoutModes();
   expect(await answerUntil(null)).toContain('curvature');
   expect([results.modes.value, status.paused.value]).toEqual([null, ['Finding modes']]);
   resume();
@@ -114,11 +119,7 @@ it('what was cancelled is offered while others run', async () => {
 });
 
 it('what runs on other inputs is no cancel of the user, whatever else was cancelled', async () => {
-  await open();
-  await answerUntil('modes');
-  cancelRunning();
-  await rest();
-  view.step.value = 'reduce';
+  await reduceWithoutModes();
   await answerUntil('history');
   changeSettings({ qualityWeight: wants.settings.value.qualityWeight + 1 });
   expect(await answerUntil(null)).toContain('history');

@@ -181,13 +181,13 @@ class Builder {
   // Merges copies that no ray connects with the rest into the fullest copy of their cell. They are the
   // surfaces of cavities so small that they lie between the rays.
   void attachLooseCopies(const LatticePieces& pieces) {
-    std::vector<uint64_t> stretches(pieces.copyCount(), 0);
+    std::vector<uint64_t> segments(pieces.copyCount(), 0);
     for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy)
-      stretches[connected_.rootOf(copy)] += segmentCount_[copy];
+      segments[connected_.rootOf(copy)] += segmentCount_[copy];
     const auto& cells = pieces.cellsOfCopies();
     std::vector<std::pair<uint32_t, uint32_t>> joints;
     for (uint32_t copy = 0; copy < pieces.copyCount(); ++copy) {
-      if (stretches[connected_.rootOf(copy)] > 0) continue;
+      if (segments[connected_.rootOf(copy)] > 0) continue;
       const auto [first, last] = std::equal_range(cells.begin(), cells.end(), cells[copy]);
       uint32_t fullest = copy;
       const auto end = static_cast<uint32_t>(last - cells.begin());
@@ -227,7 +227,7 @@ class Builder {
   std::vector<RayFamily> families_;
   DisjointSets corners_;                // [8 * copy + corner]: joined corners are one node
   DisjointSets connected_;              // joined copies are connected
-  std::vector<uint32_t> segmentCount_;  // per copy: stretches of rays through it
+  std::vector<uint32_t> segmentCount_;  // per copy: segments of rays through it
   std::vector<uint32_t> crossedCount_;  // per copy: those that begin and end within the cell
 };
 

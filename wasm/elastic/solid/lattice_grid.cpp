@@ -61,7 +61,7 @@ LatticeGrid latticeGrid(const TriangleMesh& body, const Vec3& cellSize) {
       grid.count[axis] = std::max(1, static_cast<int>(std::lround(count)));
     }
     // The product of the counts can be more than a size_t holds.
-    if (double{1} * grid.count[0] * grid.count[1] * grid.count[2] <= kMostCells) break;
+    if (1.0 * grid.count[0] * grid.count[1] * grid.count[2] <= kMostCells) break;
   }
   for (int axis = 0; axis < 3; ++axis) {
     grid.size[axis] = size[axis] * (1 + (kMarginLow + kMarginHigh) / grid.count[axis]) / grid.count[axis];

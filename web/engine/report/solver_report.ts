@@ -38,9 +38,12 @@ export function solverReport(bodies: TunedBody[]): {
   const { solver, tuned } = worstTuned(bodies);
   const { frequencies, motion, motionRefusal } = tuned;
   const moved = { ...(motion && { motion }), ...(motionRefusal && { motionRefusal }) };
-  const beyond = outOfRange(bodies);
-  const outside = beyond.length > 0 ? { outOfRange: beyond } : {};
-  const report = { frequencies: knownErrors(frequencies), ...moved, ...outside };
+  const outside = outOfRange(bodies);
+  const report = {
+    frequencies: knownErrors(frequencies),
+    ...moved,
+    ...(outside.length > 0 && { outOfRange: outside }),
+  };
   return { schema: 'limber-report/2', fidelity: { solvers: { [solver]: report } } };
 }
 

@@ -90,8 +90,9 @@ export class SceneModel {
   }
 
   private material(look: SceneLook, own: THREE.Material, { object, isPlain }: Drawn): THREE.Material {
-    const isMissing = { textured: isPlain, checker: !object.geometry.hasAttribute('uv') };
-    const name = isMissing[look.name as keyof typeof isMissing] ? 'clay' : look.name;
+    const hasUv = object.geometry.hasAttribute('uv');
+    const lacks = (look.name === 'textured' && isPlain) || (look.name === 'checker' && !hasUv);
+    const name = lacks ? 'clay' : look.name;
     const isTextured = name === 'textured';
     if (isTextured && !look.isFlat) return own;
     const key = [name, look.isFlat, look.clay, isTextured ? own.uuid : ''].join(' ');
