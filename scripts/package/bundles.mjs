@@ -102,7 +102,7 @@ function payloadOf(assets) {
 
 /** The glue of Emscripten starts its threads from a file beside it, which a blob has not: they start from the blob itself. */
 function startedFromBlob(glue) {
-  const own = 'new URL("limber-threads.mjs",import.meta.url)';
+  const own = 'new URL(`limber-threads.mjs`,import.meta.url)';
   if (glue.includes('PThread') && !glue.includes(own))
     throw new Error(`The glue of the core does not have ${own}: scripts/package/bundles.mjs has to follow.`);
   return glue.replaceAll(own, 'import.meta.url');

@@ -38,10 +38,10 @@ export function buildWasm(setup, builds = WASM_BUILDS) {
   mkdirSync(target, { recursive: true });
   for (const preset of builds) {
     buildPreset(preset, ['limber'], setup);
-    for (const ending of ['mjs', 'wasm'])
-      copyFileSync(
-        join(folders.build, preset, `limber-${preset}.${ending}`),
-        join(target, `limber-${preset}.${ending}`),
-      );
+    const name = `limber-${preset}`;
+    copyFileSync(join(folders.build, preset, `${name}.wasm`), join(target, `${name}.wasm`));
+    // Emscripten itself shortens names only where its Closure compiler is installed.
+    const minify = join(root, 'scripts', 'setup', 'minify.mjs');
+    run(process.execPath, [minify, join(folders.build, preset, `${name}.mjs`), join(target, `${name}.mjs`)]);
   }
 }
