@@ -77,6 +77,12 @@ export function observe() {
   }
 }
 
+/** Runs in the page: from now on nothing is drawn with WebGL. */
+export function drawNothing() {
+  for (const name of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced'])
+    WebGL2RenderingContext.prototype[name] = () => undefined;
+}
+
 /** Forgets what has been measured so far. */
 export const forget = (page) =>
   page.evaluate(() => {

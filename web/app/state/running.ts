@@ -10,6 +10,8 @@ import type { Notice } from './store';
 import { say, sentence } from '../language/say';
 
 const SLOW_MILLISECONDS = 200;
+/** Between two looks at the progress: every picture of the page takes time from what is computed. */
+const LOOK_MILLISECONDS = 100;
 /** Without progress for so long a call may be stuck. */
 const STUCK_MILLISECONDS = 60_000;
 
@@ -52,7 +54,6 @@ function noticeOf(error: unknown): Notice {
 
 /** Shows what is going on while `make` runs, unless it is quick. */
 export async function whileBusy<T>(what: string, make: () => Promise<T>): Promise<T> {
-  let frame = 0;
   let begin = performance.now();
   let phase = '';
   const isStuck = stuckness();
@@ -65,14 +66,13 @@ export async function whileBusy<T>(what: string, make: () => Promise<T>): Promis
     const left = remaining((now - begin) / 1000, shareDone(progress));
     status.busy.value = { what, progress, left };
     if (isStuck(progress)) offerRestart(what);
-    frame = requestAnimationFrame(show);
+    timer = setTimeout(show, LOOK_MILLISECONDS);
   };
-  const timer = setTimeout(show, SLOW_MILLISECONDS);
+  let timer = setTimeout(show, SLOW_MILLISECONDS);
   try {
     return await make();
   } finally {
     clearTimeout(timer);
-    cancelAnimationFrame(frame);
     status.busy.value = null;
   }
 }
