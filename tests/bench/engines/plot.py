@@ -1,4 +1,5 @@
-"""The geometric means of run.py's tables as a picture: for each engine a line per tool, from its mesh as it is to the tuned one.
+"""The geometric means of the tables in docs/engines.md as a picture: for each engine a line per tool, from its mesh as it is
+to the tuned one.
 
 Usage: python tests/bench/engines/plot.py OUT.svg
 """
@@ -7,9 +8,8 @@ import sys
 
 import numpy as np
 
-import run
-from tables import TITLES, cells_of, complete_cells, geometric, median, methods_of
-from simplifiers import OURS
+from simplifiers import OURS, ROOT
+from tables import BEGIN, END, FREQUENCIES, cells_in, sections_of
 
 WIDTH, LEFT, RIGHT = 760, 210, 30
 ROW, HEAD, GAP, AXIS = 20, 26, 12, 34
@@ -17,17 +17,16 @@ OUR_COLOUR, OTHER_COLOUR = "#3876c9", "#c9744f"
 NAMES = {"limber": "Limber", "update + Regularize": "meshoptimizer", "pymeshlab, planar": "pymeshlab (planar)"}
 
 
-def groups(results):
+def groups(document):
     """[(title, [(method, untouched, tuned)])], % of the diagonal."""
     found = []
-    for (engine, kind, size), cells in sorted(cells_of(results).items()):
-        complete = complete_cells(cells)
-        if not complete:
+    for title, section in sections_of(document.split(BEGIN)[1].split(END)[0]).items():
+        header, *rows = cells_in(section)
+        means = next((row for row in rows if row[0].startswith("geometric mean")), None)
+        if title == FREQUENCIES or not means:
             continue
-        mean = lambda method, state: geometric([median(cell[method][state]) for cell in complete.values()])
-        rows = [(method, mean(method, "untouched"), mean(method, "tuned")) for method in methods_of(cells)]
-        bodies = "bodies" if kind == "body" else "sheets"
-        found.append((f"{TITLES[engine]}: {bodies}, {len(complete)} {size or 'motions'}", rows))
+        pairs = [(method, *map(float, cell.split(" -> "))) for method, cell in zip(header, means) if " -> " in cell]
+        found.append((f"{title} (mean of {means[0].split()[-1]})", pairs))
     return found
 
 
@@ -63,4 +62,4 @@ def svg(found):
 
 if __name__ == "__main__":
     with open(sys.argv[1], "w", encoding="utf-8") as file:
-        file.write(svg(groups(run.Store(0).results)))
+        file.write(svg(groups((ROOT / "docs" / "engines.md").read_text(encoding="utf-8"))))

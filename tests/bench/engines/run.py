@@ -24,7 +24,7 @@ import scenes
 from meshes import carried_pins, closest_points, renumbered
 from models import frequency_error
 from simplifiers import METHODS, ROOT, mesh_file, simplified
-from tables import merged, tables
+from tables import BEGIN, END, merged, tables
 
 CACHE = ROOT / "build" / "bench" / "engines"
 SHARED = Path(os.environ.get("LIMBER_SHARED", ROOT.parent / "shared")) / "meshes"
@@ -32,7 +32,6 @@ ENGINES = ("mujoco", "newton", "blender", "jolt")
 MODES = 10
 FLOORS = ("renumbered", "half the step")
 DOCUMENT = ROOT / "docs" / "engines.md"
-BEGIN, END = "<!-- tables -->", "<!-- end of tables -->"
 
 
 class OutOfTime(Exception):

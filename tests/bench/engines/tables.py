@@ -7,6 +7,7 @@ from simplifiers import METHODS, OURS
 
 FLOORS = ("renumbered", "half the step")
 FREQUENCIES = "Frequencies of modes 1 to 10 in our model of each engine"
+BEGIN, END = "<!-- tables -->", "<!-- end of tables -->"
 TITLES = {"mujoco": "MuJoCo", "newton": "Newton", "jolt": "Jolt", "blender": "Blender"}
 
 
@@ -67,6 +68,13 @@ def sections_of(text):
     return {heading.strip(): rest.strip() for heading, _, rest in parts}
 
 
+def cells_in(section):
+    """The rows of the first table of a section as lists of cells, its header first."""
+    lines = [line for line in section.splitlines() if line.startswith("|")]
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
+    return [row for row in rows if not set("".join(row)) <= set("-: ")]
+
+
 def merged(old, new):
     """The tables of `new`, and those of `old` that it does not have; of the frequencies also rows."""
     before, after = sections_of(old), sections_of(new)
@@ -81,7 +89,7 @@ def merged_rows(old, new):
     """The rows of `new`, and those of `old` that it does not have, under the columns of both."""
     columns, rows = [], {}
     for text in (new, old):
-        header, _, *lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines()]
+        header, *lines = cells_in(text)
         columns += [name for name in header if name not in columns]
         for cells in lines:
             rows.setdefault(tuple(cells[:2]), dict(zip(header, cells)))
