@@ -20,6 +20,7 @@ export const SECTIONS = [
     pages: [
       ['docs/evidence.md', 'Evidence'],
       ['docs/results.md', 'Results'],
+      ['docs/motions.md', 'Motions in engines'],
       ['docs/validation.md', 'Validation'],
       ['docs/benchmarks.md', 'Benchmarks'],
       ['docs/pictures.md', 'Pictures'],

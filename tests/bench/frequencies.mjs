@@ -1,7 +1,7 @@
 // Mean error of the first ten frequencies of coarse meshes in solvers, with the original's numbers and with tuned ones.
 // Usage: npm run build && node tests/bench/frequencies.mjs [--write] [--ratio .25] [--solvers shell,springs] [NAME...]
 // NAME is the beginning of a file's name in ../shared/meshes ($LIMBER_SHARED/meshes). --write puts the tables into
-// docs/engines.md.
+// docs/motions.md.
 
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -123,7 +123,7 @@ async function write(rows) {
   await writeSection({
     name: 'frequencies',
     title: 'Frequencies in four solvers',
-    document: 'engines.md',
+    document: 'motions.md',
     remark: `Mean errors of ten frequencies (%) of results with ${100 * options.ratio} % of the faces, means over ${BODIES.length} bodies and ${SHEETS.length} sheets, in models that no engine of the tables above stands behind alone. Only modes 1 to 10 of the free body were tuned; modes 21 to 30 and those of another clamping were not. A dash: the body has no such modes there, as a flat sheet of springs.`,
     missing: [],
     sections: [

@@ -1,4 +1,4 @@
-"""The geometric means of the tables in docs/engines.md as a picture: for each engine a line per tool, from its mesh as it is
+"""The geometric means of the tables in docs/motions.md as a picture: for each engine a line per tool, from its mesh as it is
 to the tuned one.
 
 Usage: python tests/bench/engines/plot.py OUT.svg
@@ -9,7 +9,7 @@ import sys
 import numpy as np
 
 from simplifiers import OURS, ROOT
-from tables import BEGIN, END, FREQUENCIES, cells_in, sections_of
+from tables import means_in
 
 WIDTH, LEFT, RIGHT = 760, 210, 30
 ROW, HEAD, GAP, AXIS = 20, 26, 12, 34
@@ -17,30 +17,18 @@ OUR_COLOUR, OTHER_COLOUR = "#3876c9", "#c9744f"
 NAMES = {"limber": "Limber", "update + Regularize": "meshoptimizer", "pymeshlab, planar": "pymeshlab (planar)"}
 
 
-def groups(document):
-    """[(title, [(method, untouched, tuned)])], % of the diagonal."""
-    found = []
-    for title, section in sections_of(document.split(BEGIN)[1].split(END)[0]).items():
-        header, *rows = cells_in(section)
-        means = next((row for row in rows if row[0].startswith("geometric mean")), None)
-        if title == FREQUENCIES or not means:
-            continue
-        pairs = [(method, *map(float, cell.split(" -> "))) for method, cell in zip(header, means) if " -> " in cell]
-        found.append((f"{title} (mean of {means[0].split()[-1]})", pairs))
-    return found
-
-
 def text(x, y, words, anchor="start", style=""):
     return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" {style}>{words}</text>'
 
 
 def svg(found):
-    values = [value for _, rows in found for _, *pair in rows for value in pair]
+    """`found`: as of `means_in`."""
+    values = [value for _, _, rows in found for _, *pair in rows for value in pair]
     low, high = np.log10(min(values)) - 0.08, np.log10(max(values)) + 0.08
     at = lambda value: LEFT + (np.log10(value) - low) / (high - low) * (WIDTH - LEFT - RIGHT)
     parts, y = [], 8
-    for title, rows in found:
-        parts.append(text(8, y + 16, title, style='font-weight="600"'))
+    for title, count, rows in found:
+        parts.append(text(8, y + 16, f"{title} (mean of {count})", style='font-weight="600"'))
         y += HEAD
         for method, before, after in rows:
             colour, middle = OUR_COLOUR if method in OURS else OTHER_COLOUR, y + ROW / 2
@@ -62,4 +50,4 @@ def svg(found):
 
 if __name__ == "__main__":
     with open(sys.argv[1], "w", encoding="utf-8") as file:
-        file.write(svg(groups((ROOT / "docs" / "engines.md").read_text(encoding="utf-8"))))
+        file.write(svg(means_in((ROOT / "docs" / "motions.md").read_text(encoding="utf-8"))))

@@ -5,7 +5,8 @@ Usage: python tests/bench/engines/run.py [--engines mujoco,newton] [--meshes spo
 Needs numpy, scipy, pymeshlab, fast-simplification and the engines (docs/engines.md says how to install them), `npm run
 build`, and the meshes of ../shared/meshes or $LIMBER_SHARED/meshes. Every simulation is kept in build/bench/engines, so
 that a run that was stopped, also by --seconds, goes on where it was. --frequencies tunes alone, --tables only prints
-what is there, --write puts it into docs/engines.md, where tables stay of which nothing is there.
+what is there, --write puts it into docs/motions.md, where tables stay of which nothing is there, and sums it up in
+docs/engines.md.
 """
 
 import argparse
@@ -24,14 +25,14 @@ import scenes
 from meshes import carried_pins, closest_points, renumbered
 from models import frequency_error
 from simplifiers import METHODS, ROOT, mesh_file, simplified
-from tables import BEGIN, END, merged, tables
+from tables import BEGIN, END, merged, summary, tables
 
 CACHE = ROOT / "build" / "bench" / "engines"
 SHARED = Path(os.environ.get("LIMBER_SHARED", ROOT.parent / "shared")) / "meshes"
 ENGINES = ("mujoco", "newton", "blender", "jolt")
 MODES = 10
 FLOORS = ("renumbered", "half the step")
-DOCUMENT = ROOT / "docs" / "engines.md"
+DOCUMENT, SUMMARY = ROOT / "docs" / "motions.md", ROOT / "docs" / "engines.md"
 
 
 class OutOfTime(Exception):
@@ -217,10 +218,17 @@ def run_tunings(store, engines, options):
             tuning_of(store, case, coarse_of(case, method), method)
 
 
-def write_document(text):
-    before, rest = DOCUMENT.read_text(encoding="utf-8").split(BEGIN)
-    kept, after = rest.split(END)
-    DOCUMENT.write_text(f"{before}{BEGIN}\n\n{merged(kept, text)}\n\n{END}{after}", encoding="utf-8")
+def put_between(file, begin, end, make):
+    """Replaces what stands between two marks of a file by `make(what stood there)`."""
+    before, rest = file.read_text(encoding="utf-8").split(begin)
+    kept, after = rest.split(end)
+    file.write_text(f"{before}{begin}\n\n{make(kept)}\n\n{end}{after}", encoding="utf-8")
+
+
+def write_documents(text):
+    put_between(DOCUMENT, BEGIN, END, lambda kept: merged(kept, text))
+    sums = summary(DOCUMENT.read_text(encoding="utf-8"))
+    put_between(SUMMARY, "<!-- summary -->", "<!-- end of summary -->", lambda _: sums)
 
 
 def main():
@@ -233,7 +241,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=1e9, help="stop after about this time; run again to go on")
     parser.add_argument("--frequencies", action="store_true", help="tune alone, simulate nothing")
     parser.add_argument("--tables", action="store_true", help="print what is there, simulate nothing")
-    parser.add_argument("--write", action="store_true", help="put what is complete into docs/engines.md")
+    parser.add_argument("--write", action="store_true", help="put what is complete into the documents")
     options = parser.parse_args()
     store = Store(time.time() + options.seconds)
     finished = True
@@ -245,7 +253,7 @@ def main():
             finished = False
     print(tables(store.results))
     if options.write:
-        write_document(tables(store.results, only_complete=True))
+        write_documents(tables(store.results, only_complete=True))
     if not finished:
         print("\nStopped by --seconds; run again to go on.", file=sys.stderr)
 

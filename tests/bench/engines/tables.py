@@ -75,6 +75,31 @@ def cells_in(section):
     return [row for row in rows if not set("".join(row)) <= set("-: ")]
 
 
+def means_in(document):
+    """[(heading, number of motions, [(method, as it is, tuned)])] of the tables of motions of a document."""
+    found = []
+    for title, section in sections_of(document.split(BEGIN)[1].split(END)[0]).items():
+        header, *rows = cells_in(section)
+        means = next((row for row in rows if row[0].startswith("geometric mean")), None)
+        if title == FREQUENCIES or not means:
+            continue
+        pairs = [(method, *map(float, cell.split(" -> "))) for method, cell in zip(header, means) if " -> " in cell]
+        found.append((title, int(means[0].split()[-1]), pairs))
+    return found
+
+
+def summary(document):
+    """One row for each table of motions: ours as it is and tuned, beside the best of the others, both ways."""
+    head = ["", "motions", "Limber as it is", "tuned", "best other as it is", "over that", "best other tuned", "over that"]
+    rows = []
+    for title, count, means in means_in(document):
+        (_, before, after), *others = sorted(means, key=lambda mean: mean[0] not in OURS)
+        untouched, tuned = (min(mean[column] for mean in others) for column in (1, 2))
+        numbers = (before, after, untouched, after / untouched, tuned, after / tuned)
+        rows.append([title, count, *(f"{value:.2f}" for value in numbers)])
+    return table(head, rows)
+
+
 def merged(old, new):
     """The tables of `new`, and those of `old` that it does not have; of the frequencies also rows."""
     before, after = sections_of(old), sections_of(new)
