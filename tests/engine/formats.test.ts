@@ -14,7 +14,7 @@ import { exportFiles } from '../../web/engine/document/write/export_files';
 import { formOfName, outputForm, withSuffix } from '../../web/engine/document/write/output_form';
 import { isOwnContent } from '../../web/cli/output_files/own_files';
 import { failureOf, textFile } from './support/files';
-import { addRichMesh, glbFile, startDocument } from './support/gltf';
+import { addMesh, addRichMesh, floats, glbFile, primitiveOf, startDocument } from './support/gltf';
 import { asResult } from './support/results';
 import { torus } from './support/shapes';
 
@@ -108,6 +108,22 @@ describe('a written file', () => {
       expect(output[0].bytes.length).toBeLessThan(1.1 * input[0].bytes.length);
       const plain = await write(await richModel(), 'b.glb');
       expect(output[0].bytes.length).toBeLessThan(0.8 * plain[0].bytes.length);
+    }
+  });
+
+  it('keeps the numbers of custom attributes, however small they are', async () => {
+    const document = startDocument();
+    const masses = torus()
+      .positions.filter((_, i) => i % 3 === 0)
+      .map((x) => 1e-6 * (2 + x));
+    const primitive = primitiveOf(document, torus());
+    addMesh(document, 'ring', [primitive.setAttribute('_MASS', floats(document, 'SCALAR', masses))]);
+    const model = await openModel([await glbFile(document)]);
+    for (const compression of ['quantized', 'meshopt'] as const) {
+      const again = await openModel(await write(model, 'a.glb', { compression }));
+      const [written] = again.document.getRoot().listMeshes()[0].listPrimitives();
+      const values = written.getAttribute('_MASS')!.getArray()!;
+      expect(Array.from(values).sort()).toEqual(Array.from(masses).sort());
     }
   });
 

@@ -94,7 +94,8 @@ async function quantizeAll(document: Document, { kind, keepsNodes }: Compression
   // What stands beside positions of 16 bits has to be turned into floats, or all would have to move together.
   for (const mesh of document.getRoot().listMeshes()) makePositionsAlike(mesh.listPrimitives());
   if (!keepsNodes) giveOwnNodes(document);
-  const pattern = keepsNodes ? /^(?!POSITION)/ : /.*/;
+  // Numbers of custom attributes can be of any size, such as masses in kg, which few bits would make 0.
+  const pattern = keepsNodes ? /^(?!POSITION|_)/ : /^(?!_)/;
   await document.transform(
     quantize({ pattern, patternTargets: pattern, quantizePosition: bits, cleanup: false }),
   );
