@@ -14,7 +14,7 @@ import { exportFiles } from '../../web/engine/document/write/export_files';
 import { formOfName, outputForm, withSuffix } from '../../web/engine/document/write/output_form';
 import { isOwnContent } from '../../web/cli/output_files/own_files';
 import { failureOf, textFile } from './support/files';
-import { addMesh, addRichMesh, floats, glbFile, primitiveOf, startDocument } from './support/gltf';
+import { addMesh, addRichMesh, floats, glbFile, moveNode, primitiveOf, startDocument } from './support/gltf';
 import { asResult } from './support/results';
 import { torus } from './support/shapes';
 
@@ -125,6 +125,26 @@ describe('a written file', () => {
       const values = written.getAttribute('_MASS')!.getArray()!;
       expect(Array.from(values).sort()).toEqual(Array.from(masses).sort());
     }
+  });
+
+  it('keeps the weights of a node with morph targets that has children or is animated', async () => {
+    const document = startDocument();
+    const target = document
+      .createPrimitiveTarget('up')
+      .setAttribute('POSITION', floats(document, 'VEC3', torus().positions));
+    const mesh = addMesh(document, 'a', [primitiveOf(document, torus()).addTarget(target)]).setWeights([0]);
+    const [parent] = document.getRoot().listNodes();
+    const moving = document.createNode('moving').setMesh(mesh).setWeights([0.5]);
+    document.getRoot().getDefaultScene()!.addChild(moving);
+    parent.setWeights([1]).addChild(document.createNode('child'));
+    moveNode(document, moving);
+    const files = await write(await openModel([await glbFile(document)]), 'a.glb', {
+      compression: 'quantized',
+    });
+    expect((await validateFiles(files))!.messages).toEqual([]);
+    const nodes = (await openModel(files)).document.getRoot().listNodes();
+    const shown = nodes.filter((node) => node.getMesh());
+    expect(shown.map((node) => node.getWeights()[0])).toEqual([1, 0.5]);
   });
 
   it('says nothing on the console where an attribute cannot be quantized', async () => {

@@ -104,6 +104,11 @@ function addMotion(document: Document, node: ReturnType<Document['createNode']>)
   document.getRoot().getDefaultScene()!.addChild(joint);
   const matrices = floats(document, 'MAT4', [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
   node.setSkin(document.createSkin('skin').addJoint(joint).setInverseBindMatrices(matrices));
+  moveNode(document, joint);
+}
+
+/** Adds an animation that moves the node. */
+export function moveNode(document: Document, node: ReturnType<Document['createNode']>): void {
   const sampler = document
     .createAnimationSampler()
     .setInput(floats(document, 'SCALAR', [0, 1]))
@@ -111,7 +116,7 @@ function addMotion(document: Document, node: ReturnType<Document['createNode']>)
   const channel = document
     .createAnimationChannel()
     .setSampler(sampler)
-    .setTargetNode(joint)
+    .setTargetNode(node)
     .setTargetPath('translation');
   document.createAnimation('walk').addSampler(sampler).addChannel(channel);
 }

@@ -1,6 +1,6 @@
 /** How vertices are stored in a file, and how a document is made to be written so. */
 
-import type { Accessor, Document, GLTF, Primitive } from '@gltf-transform/core';
+import type { Accessor, Document, GLTF, Node, Primitive } from '@gltf-transform/core';
 import { EXTMeshoptCompression, KHRDracoMeshCompression } from '@gltf-transform/extensions';
 import type { Compression } from '../../core/output_words';
 import { DRACO, loadMeshoptEncoder, MESHOPT, RATIFIED_MESHOPT } from '../gltf_io';
@@ -122,26 +122,35 @@ function makeFloat(accessor: Accessor): void {
   accessor.setArray(floats).setNormalized(false);
 }
 
-/** A node that is more than the place of its mesh gets a child for it, since quantized positions scale and move their node. */
+const INSTANCING = 'EXT_mesh_gpu_instancing';
+
+/**
+ * A node that is more than the place of its mesh gets a child for it, since quantized positions scale and move their node. Where it has
+ * instances, these are moved instead.
+ */
 function giveOwnNodes(document: Document): void {
   const root = document.getRoot();
-  const joints = new Set(root.listSkins().flatMap((skin) => skin.listJoints()));
+  const channels = root.listAnimations().flatMap((animation) => animation.listChannels());
+  const moving = channels.filter((channel) => channel.getTargetPath() !== 'weights');
+  const parts = new Set([
+    ...root.listSkins().flatMap((skin) => skin.listJoints()),
+    ...moving.map((channel) => channel.getTargetNode()),
+  ]);
+  const isMore = (node: Node) =>
+    parts.has(node) ||
+    node.getCamera() !== null ||
+    node.listExtensions().length > 0 ||
+    node.listChildren().length > 0;
   for (const node of root.listNodes()) {
     const mesh = node.getMesh();
-    const isMore = joints.has(node) || node.getCamera() !== null || hasOthers(node.listExtensions());
-    if (!mesh || node.getSkin() || !isMore) continue;
+    if (!mesh || node.getSkin() || node.getExtension(INSTANCING) || !isMore(node)) continue;
     const child = document.createNode(node.getName()).setMesh(mesh).setWeights(node.getWeights());
     node.setMesh(null).setWeights([]).addChild(child);
-    for (const channel of root.listAnimations().flatMap((animation) => animation.listChannels()))
+    for (const channel of channels)
       if (channel.getTargetNode() === node && channel.getTargetPath() === 'weights')
         channel.setTargetNode(child);
   }
 }
-
-/** Instances are moved with their mesh, so that it stays at its node. */
-const hasOthers = (extensions: { extensionName: string }[]): boolean =>
-  extensions.length > 0 &&
-  extensions.every(({ extensionName }) => extensionName !== 'EXT_mesh_gpu_instancing');
 
 type ReorderMesh = Awaited<ReturnType<typeof loadMeshoptEncoder>>['reorderMesh'];
 
