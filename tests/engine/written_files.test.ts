@@ -42,6 +42,27 @@ describe('a written OBJ', () => {
     expect(text.match(/^f /gm)).toHaveLength(2 * 400 * 400);
   });
 
+  it('has a skin in its pose with all influences of its vertices', () => {
+    const document = startDocument();
+    const primitive = primitiveOf(document, grid(1, 1));
+    const everywhere = (values: number[]) =>
+      floats(
+        document,
+        'VEC4',
+        [0, 1, 2, 3].flatMap(() => values),
+      );
+    primitive
+      .setAttribute('JOINTS_0', everywhere([0, 1, 2, 3]))
+      .setAttribute('JOINTS_1', everywhere([4, 0, 0, 0]))
+      .setAttribute('WEIGHTS_0', everywhere([0.1, 0.1, 0.05, 0.05]))
+      .setAttribute('WEIGHTS_1', everywhere([0.7, 0, 0, 0]));
+    addMesh(document, 'A', [primitive]);
+    const skin = document.createSkin();
+    for (const x of [0, 0, 0, 0, 10]) skin.addJoint(document.createNode().setTranslation([x, 0, 0]));
+    document.getRoot().listNodes()[0].setSkin(skin);
+    expect(written(document)).toMatch(/^v 7 0 0$/m);
+  });
+
   it('gives a mesh without material none after one that has one', () => {
     const document = startDocument();
     const red = primitiveOf(document, grid(1, 1)).setMaterial(document.createMaterial('red'));

@@ -71,28 +71,40 @@ function flatten(primitive: Primitive, node: Node): FlatPrimitive {
 /** Per vertex the matrix that places it: of its joints where it has some, otherwise of the node. */
 function matricesOf(primitive: Primitive, node: Node): (v: number) => Matrix {
   const skin = node.getSkin();
-  const [joints, weights] = [primitive.getAttribute('JOINTS_0'), primitive.getAttribute('WEIGHTS_0')];
+  const sets = influencesOf(primitive);
   const world = node.getWorldMatrix();
-  if (!skin || !joints || !weights) return () => world;
+  if (!skin || sets.length === 0) return () => world;
   const bind = skin.getInverseBindMatrices();
   const matrices = skin
     .listJoints()
     .map((joint, j) =>
       bind ? product(joint.getWorldMatrix(), bind.getElement(j, [])) : joint.getWorldMatrix(),
     );
-  const [which, shares] = [[] as number[], [] as number[]];
   return (v) => {
-    joints.getElement(v, which);
-    weights.getElement(v, shares);
-    const sum = shares.reduce((all, share) => all + share, 0);
+    const influences = sets.flatMap(({ joints, weights }) => {
+      const shares = weights.getElement(v, [] as number[]);
+      return joints.getElement(v, [] as number[]).map((joint, k) => ({ joint, share: shares[k] }));
+    });
+    const sum = influences.reduce((all, { share }) => all + share, 0);
     if (!(sum > 0)) return matrices[0] ?? world;
     const mixed = new Array<number>(16).fill(0);
-    shares.forEach((share, k) => {
-      const matrix = matrices[which[k]];
+    for (const { joint, share } of influences) {
+      const matrix = matrices[joint];
       if (matrix && share > 0) for (let i = 0; i < 16; ++i) mixed[i] += (share / sum) * matrix[i];
-    });
+    }
     return mixed;
   };
+}
+
+/** The sets JOINTS_n with their WEIGHTS_n. */
+function influencesOf(primitive: Primitive): { joints: Accessor; weights: Accessor }[] {
+  const sets: { joints: Accessor; weights: Accessor }[] = [];
+  for (;;) {
+    const joints = primitive.getAttribute(`JOINTS_${sets.length}`);
+    const weights = primitive.getAttribute(`WEIGHTS_${sets.length}`);
+    if (!joints || !weights) return sets;
+    sets.push({ joints, weights });
+  }
 }
 
 function product(a: Matrix, b: Matrix): number[] {
