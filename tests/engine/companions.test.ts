@@ -4,6 +4,7 @@ import { companionNames } from '../../web/engine/document/gltf';
 import { companionPath } from '../../web/engine/document/checks/companions';
 import { exportGlb } from '../../web/engine/document/export';
 import { passThrough } from '../../web/engine/document/write/pass_through';
+import { writeZip } from '../../web/engine/document/archive/write_zip';
 import { glbParts } from '../../web/engine/document/glb';
 import { openAnyModel, openModel } from '../../web/engine/document/open';
 import type { SourceFile } from '../../web/engine/document/open';
@@ -146,6 +147,17 @@ describe('an image that is not there', () => {
 });
 
 describe('a glTF without triangles', () => {
+  it('is passed on from a ZIP', async () => {
+    const source = startDocument();
+    const points = source.createPrimitive().setMode(0);
+    addMesh(source, 'dots', [points.setAttribute('POSITION', floats(source, 'VEC3', [0, 0, 0, 1, 1, 1]))]);
+    const archive = { name: 'dots.zip', bytes: writeZip([await glbFile(source, 'dots.glb')], 'a test') };
+    const model = await openAnyModel([archive]);
+    const bytes = await passOn(model, archive.bytes);
+    const again = await openAnyModel([{ name: 'out.glb', bytes }]);
+    expect(again.notes).toEqual(model.notes);
+  });
+
   const points = () => {
     const document = startDocument();
     const positions = floats(document, 'VEC3', [0, 0, 0, 1, 0, 0]);

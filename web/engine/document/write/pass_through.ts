@@ -2,7 +2,7 @@
 
 import type { GLTF } from '@gltf-transform/core';
 import { GENERATOR } from '../export';
-import { glbParts, withJson } from '../glb';
+import { glbParts, isGlb, withJson } from '../glb';
 import type { OpenModel, SourceFile } from '../model';
 import { exportFiles } from './export_files';
 import type { OutputForm } from './output_form';
@@ -20,7 +20,9 @@ export async function passThrough(
     .getRoot()
     .listBuffers()
     .some((buffer) => buffer.getURI() !== '');
-  if (model.format !== 'glb' || needsOthers || form.format !== 'glb' || form.isZipped) {
+  // The bytes of a packed model are those of its archive.
+  const isWhole = isGlb(bytes) && !needsOthers;
+  if (!isWhole || form.format !== 'glb' || form.isZipped) {
     const manner = { compression: 'like-input', style: 'files', keepsOrder: true } as const;
     return exportFiles(model, [], { name, form, manner, fields: false });
   }
