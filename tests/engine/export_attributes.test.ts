@@ -316,6 +316,43 @@ describe('attributes of an exported body', () => {
     }
   });
 
+  it('of joints in sets of different types keep their joints and shares', async () => {
+    const source = startDocument();
+    const mesh = grid(8, 8);
+    const everywhere = (values: number[]) => field(mesh, () => values);
+    const bytes = Uint8Array.from(everywhere([153, 51, 0, 0]));
+    const primitive = primitiveOf(source, mesh)
+      .setAttribute('JOINTS_0', integers(source, 'VEC4', Uint8Array.from(everywhere([1, 2, 0, 0]))))
+      .setAttribute('WEIGHTS_0', floats(source, 'VEC4', everywhere([0.1, 0.1, 0, 0])))
+      .setAttribute('JOINTS_1', integers(source, 'VEC4', Uint16Array.from(everywhere([300, 301, 0, 0]))))
+      .setAttribute('WEIGHTS_1', integers(source, 'VEC4', bytes).setNormalized(true));
+    addMesh(source, 'sheet', [primitive]);
+    const rig = source.createNode('rig');
+    source.getRoot().getDefaultScene()!.addChild(rig);
+    const skin = source.createSkin('skin');
+    for (let joint = 0; joint < 302; ++joint) {
+      const node = source.createNode();
+      rig.addChild(node);
+      skin.addJoint(node);
+    }
+    source.getRoot().listNodes()[0].setSkin(skin);
+    for (const ratio of [0.3, 1]) {
+      const { primitives } = await reduced(source, ratio);
+      const valueOf = (name: string, v: number) => primitives[0].getAttribute(name)!.getElement(v, []);
+      for (let v = 0; v < primitives[0].getAttribute('JOINTS_0')!.getCount(); ++v) {
+        const shareOf = new Map<number, number>();
+        for (const set of [0, 1])
+          valueOf(`JOINTS_${set}`, v).forEach((joint, i) => {
+            const share = valueOf(`WEIGHTS_${set}`, v)[i];
+            if (share > 0) shareOf.set(joint, share);
+          });
+        expect([...shareOf.keys()].sort((a, b) => a - b)).toEqual([1, 2, 300, 301]);
+        expect(shareOf.get(300)).toBeCloseTo(0.6, 5);
+        expect(shareOf.get(2)).toBeCloseTo(0.1, 5);
+      }
+    }
+  });
+
   it('that are directions stay unit vectors in their component type, and tangents keep a handedness of 1 or -1', async () => {
     const source = startDocument();
     const mesh = torus(16, 8);

@@ -95,7 +95,7 @@ function copyWith({ document, buffer }: Destination, accessor: Accessor, values:
   return document
     .createAccessor(accessor.getName(), buffer)
     .setType(accessor.getType())
-    .setNormalized(accessor.getNormalized())
+    .setNormalized(accessor.getNormalized() && !(values instanceof Float32Array))
     .setExtras(accessor.getExtras())
     .setArray(values);
 }

@@ -27,9 +27,12 @@ export function mergeInfluences(
   sources: VertexSources,
 ): InfluenceSet<Values>[] {
   const count = sources.vertices.length / 3;
-  const merged = sets.map(({ joints, weights }) => ({
-    joints: emptyLike(joints.getArray()!, PER_SET * count),
-    weights: emptyLike(weights.getArray()!, PER_SET * count),
+  // Any influence can come into any set, so that all sets have one type.
+  const joints = widestOf(sets.map((set) => set.joints.getArray()!));
+  const weights = hasOneType(sets) ? sets[0].weights.getArray()! : new Float32Array();
+  const merged = sets.map(() => ({
+    joints: emptyLike(joints, PER_SET * count),
+    weights: emptyLike(weights, PER_SET * count),
   }));
   for (let i = 0; i < count; ++i)
     if (sources.shares[3 * i] === 1) copyInfluences(sets, sources.vertices[3 * i], merged, i);
@@ -41,16 +44,24 @@ export function mergeInfluences(
   return merged;
 }
 
+const widestOf = (arrays: Values[]): Values =>
+  arrays.reduce((widest, one) => (one.BYTES_PER_ELEMENT > widest.BYTES_PER_ELEMENT ? one : widest));
+
+const hasOneType = (sets: InfluenceSet<Accessor>[]): boolean =>
+  sets.every(({ weights }) => weights.getComponentType() === sets[0].weights.getComponentType());
+
 function copyInfluences(
   sets: InfluenceSet<Accessor>[],
   from: number,
   merged: InfluenceSet<Values>[],
   to: number,
 ): void {
-  sets.forEach((set, n) => {
-    for (const key of ['joints', 'weights'] as const)
-      for (let c = 0; c < PER_SET; ++c)
-        merged[n][key][PER_SET * to + c] = set[key].getArray()![PER_SET * from + c];
+  sets.forEach(({ joints, weights }, n) => {
+    const scale = merged[n].weights instanceof Float32Array ? unitOf(weights) : 1;
+    for (let c = 0; c < PER_SET; ++c) {
+      merged[n].joints[PER_SET * to + c] = joints.getArray()![PER_SET * from + c];
+      merged[n].weights[PER_SET * to + c] = scale * weights.getArray()![PER_SET * from + c];
+    }
   });
 }
 
