@@ -71,6 +71,17 @@ describe('OBJ', () => {
     expect(await semantics(colours.replace(' 1 0.5 0', ' 1'))).toEqual(['POSITION']);
   });
 
+  it('keeps the colours of an object beside ones without', async () => {
+    const object = (name: string, colour: string) =>
+      `o ${name}\n${SQUARE_OBJ.replace(/^v.*$/gm, `$&${colour}`).replace(/f.*\n/g, '')}f -4 -3 -2 -1\n`;
+    const { document } = await open(object('a', '') + object('b', ' 1 0 0') + object('c', ''));
+    const colours = document
+      .getRoot()
+      .listMeshes()
+      .map((mesh) => mesh.listPrimitives()[0].getAttribute('COLOR_0')?.getElement(3, []));
+    expect(colours).toEqual([undefined, [1, 0, 0], undefined]);
+  });
+
   it('makes one primitive per material in an object', async () => {
     const model = await open(
       `${SQUARE_OBJ.replace(/f.*\n/g, '')}usemtl red\nf 1 2 3\nusemtl blue sky\nf 1 3 4\nusemtl red\nf 1 2 4\n`,

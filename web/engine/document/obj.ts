@@ -40,7 +40,7 @@ interface Reading {
   positions: GrowingFloats;
   uvs: GrowingFloats;
   normals: GrowingFloats;
-  /** sRGB; used only if every vertex has one */
+  /** sRGB; NaN for vertices without one before the last that has one; used in objects of which every vertex has one */
   colours: GrowingFloats;
   objects: Map<string, ObjectFaces>;
   object: ObjectFaces;
@@ -119,7 +119,9 @@ function readVertex({ scan, positions, colours }: Reading): void {
   if (!scan.seekWord()) return;
   // A single number is a weight.
   const [red, green, blue] = [scan.numberOrNaN(), scan.numberOrNaN(), scan.numberOrNaN()];
-  if (!Number.isNaN(blue)) colours.push3(red, green, blue);
+  if (Number.isNaN(blue)) return;
+  while (colours.length < positions.length - 3) colours.push3(NaN, NaN, NaN);
+  colours.push3(red, green, blue);
 }
 
 function readFace(reading: Reading): void {
@@ -229,10 +231,11 @@ function surfaceOf(object: ObjectFaces, reading: Reading, isOneOfMany: boolean):
   const { vertexOf, uvOf, normalOf, indices } = splitVertices(corners, positions.length / 3, isOneOfMany);
   const hasUvs = indices.some((v) => uvOf[v] !== NONE);
   const hasNormals = indices.every((v) => normalOf[v] !== NONE);
+  const hasColours = vertexOf.every((v) => 3 * v < colours.length && !Number.isNaN(colours.at(3 * v + 2)));
   const raw = {
     ...(hasUvs ? { uvs: pick(uvs.view(), uvOf, 2) } : {}),
     ...(hasNormals ? { normals: pick(normals.view(), normalOf, 3) } : {}),
-    ...(colours.length === positions.length ? { colours: pick(colours.view(), vertexOf, 3) } : {}),
+    ...(hasColours ? { colours: pick(colours.view(), vertexOf, 3) } : {}),
   };
   let first = 0;
   const parts = used.map(([material, { vertices }]) => {
