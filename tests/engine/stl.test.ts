@@ -61,6 +61,9 @@ describe('STL', () => {
     expect(await failure(textFile('a.stl', 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 zero 0'))).toBe(
       'a.stl, line 4: y is "zero", not a number.',
     );
+    expect(await failure(textFile('a.stl', toTextStl(cube()).replace('vertex 0', 'vertex 1e39')))).toMatch(
+      /^a\.stl, line \d+: a coordinate is too large for a 32-bit number\.$/,
+    );
     expect(await failure(textFile('a.stl', 'solid a\nendsolid a\n'))).toMatch(/^a\.stl has no facets/);
     const broken = toBinaryStl(cube());
     new DataView(broken.buffer).setFloat32(84 + 50 + 12, NaN, true);

@@ -77,7 +77,9 @@ function readFacet(scan: TextScanner, positions: GrowingFloats): void {
   expectWord(scan, 'loop');
   for (let i = 0; i < 3; ++i) {
     expectWord(scan, 'vertex');
-    positions.push3(scan.number('x'), scan.number('y'), scan.number('z'));
+    const at = ['x', 'y', 'z'].map((axis) => Math.fround(scan.number(axis)));
+    if (!at.every(Number.isFinite)) scan.fail('a coordinate is too large for a 32-bit number');
+    positions.push3(at[0], at[1], at[2]);
   }
   expectWord(scan, 'endloop');
   expectWord(scan, 'endfacet');
