@@ -222,9 +222,10 @@ describe('an exported GLB', () => {
     expect(await errors()).toBe(0);
   });
 
-  it('keeps material variants', async () => {
+  it('keeps material variants, also one that no primitive names', async () => {
     const source = startDocument();
     const variants = source.createExtension(KHRMaterialsVariants);
+    variants.createVariant('day');
     const mapping = variants
       .createMapping()
       .setMaterial(source.createMaterial('other'))
@@ -238,6 +239,8 @@ describe('an exported GLB', () => {
     expect(
       document.getRoot().listMeshes()[0].listPrimitives()[0].getExtension('KHR_materials_variants'),
     ).not.toBeNull();
+    const [extension] = document.getRoot().listExtensionsUsed() as KHRMaterialsVariants[];
+    expect(extension.listVariants().map((variant) => variant.getName())).toEqual(['day', 'night']);
   });
 
   it('has unit normals if the format prescribes none, split at sharp edges and shared where smooth', async () => {

@@ -6,6 +6,7 @@ import type { CornerSources, TriangleMesh } from '../core/core';
 import { VERSION } from '../core/version';
 import { carryAttributes, carryTargets } from './carry';
 import type { Destination } from './carry';
+import { copyDocument } from './extensions/variants';
 import type { Body, OpenModel } from './model';
 import { normalKeys, normalsOf } from './shading/normal_keys';
 import { resultNormals } from './shading/normals';
@@ -87,8 +88,7 @@ export async function exportGlb(
 
 /** A copy of the model's document with one buffer. */
 export async function copyForExport(model: OpenModel): Promise<Destination> {
-  const { cloneDocument } = await import('@gltf-transform/functions');
-  const document = cloneDocument(model.document);
+  const document = await copyDocument(model.document);
   return { document, buffer: mergeBuffers(document) };
 }
 

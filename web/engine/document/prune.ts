@@ -13,6 +13,7 @@ import type {
   Texture,
 } from '@gltf-transform/core';
 import type { Features } from '@gltf-transform/extensions';
+import { isVariant } from './extensions/variants';
 
 const FEATURES = 'EXT_mesh_features';
 
@@ -131,9 +132,14 @@ const primitivesOf = (document: Document): Primitive[] =>
     .listMeshes()
     .flatMap((mesh) => mesh.listPrimitives());
 
-/** Disposes of the extension's properties that have no parent, until none is left. */
+/**
+ * Disposes of the extension's properties that have no parent, until none is left. Variants stay: one that no primitive names shows the
+ * materials that are there without any.
+ */
 function disposeOrphans(extension: Extension): void {
-  const orphans = extension.listProperties().filter((property) => property.listParents().length === 0);
+  const orphans = extension
+    .listProperties()
+    .filter((property) => property.listParents().length === 0 && !isVariant(property));
   for (const orphan of orphans) orphan.dispose();
   if (orphans.length > 0) disposeOrphans(extension);
 }
