@@ -296,4 +296,20 @@ describe('an exported GLB', () => {
     const [primitive] = root.listMeshes()[0].listPrimitives();
     expect([...primitive.listTargets()[1].getAttribute('POSITION')!.getArray()!]).toEqual([...displacements]);
   });
+  it('writes shapes of a mesh that has lines beside its triangles', async () => {
+    const source = startDocument();
+    const lines = primitiveOf(source, cube()).setMode(1);
+    addMesh(source, 'cube', [primitiveOf(source, cube()), lines]);
+    const model = await openModel([await glbFile(source)]);
+    const displacements = new Float32Array(model.bodies[0].positions.length).fill(1);
+    const body = { ...asResult(model.bodies[0]), targets: [{ name: 'mode 1', displacements }] };
+    const bytes = await exportGlb(model, [body], { fields: false });
+    expect((await validateGlb(bytes)).messages).toEqual([]);
+    const written = (await readGlb(bytes)).getRoot().listMeshes()[0].listPrimitives();
+    const moved = written.map((primitive) => primitive.listTargets()[0].getAttribute('POSITION')!.getMax([]));
+    expect(moved).toEqual([
+      [1, 1, 1],
+      [0, 0, 0],
+    ]);
+  });
 });

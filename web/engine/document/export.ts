@@ -204,8 +204,23 @@ function replaceMesh(
   if (exported.calibration !== undefined)
     mesh.setExtras({ ...mesh.getExtras(), limberCalibration: exported.calibration });
   if (exported.settings) mesh.setExtras({ ...mesh.getExtras(), limberSettings: exported.settings.extras });
-  if (exported.targets) mesh.setWeights(exported.targets.map(() => 0));
+  if (exported.targets) {
+    mesh.setWeights(exported.targets.map(() => 0));
+    addRestingTargets(destination, mesh, exported.targets);
+  }
   return written;
+}
+
+/** All primitives of a mesh have the same morph targets: points and lines have such that do not move. */
+function addRestingTargets({ document, buffer }: Destination, mesh: Mesh, targets: MorphTarget[]): void {
+  for (const primitive of mesh.listPrimitives()) {
+    const positions = primitive.getAttribute('POSITION');
+    if (!positions || primitive.listTargets().length > 0 || targets.length === 0) continue;
+    const resting = new Float32Array(3 * positions.getCount());
+    const accessor = document.createAccessor('', buffer).setType('VEC3').setArray(resting);
+    for (const { name } of targets)
+      primitive.addTarget(document.createPrimitiveTarget(name).setAttribute('POSITION', accessor));
+  }
 }
 
 /** The tangents of a primitive, if they are MikkTSpace's; `indices`: of its triangles. */
