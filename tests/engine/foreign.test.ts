@@ -112,6 +112,20 @@ describe('an extension that is not understood', () => {
     expect((await write(model)).meshes![0].primitives[0].extensions).toEqual({ ACME_hair: { strands: 3 } });
   });
 
+  it('is refused where it alone has the image of a texture', async () => {
+    const model = await modelWith(
+      (json) => {
+        json.textures = [{ extensions: { MSFT_texture_dds: { source: 0 } } } as GLTF.ITexture];
+        json.materials![0].pbrMetallicRoughness!.baseColorTexture = { index: 0 };
+      },
+      ['MSFT_texture_dds'],
+    );
+    expect(await failureOf(() => check(model))).toMatch(
+      /MSFT_texture_dds, which test\.glb has on texture 0, which has no other image that can be read:/,
+    );
+    expect(check(model, 'MSFT_*').lost).toEqual(['extension MSFT_texture_dds']);
+  });
+
   it('is refused where it refers to data that is written anew', async () => {
     const onAccessor = await modelWith(
       (json) => (json.accessors![0].extensions = { ACME_a: {} }),

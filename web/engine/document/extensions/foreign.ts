@@ -59,17 +59,23 @@ function collect(value: Json, path: (string | number)[], found: ForeignExtension
     if (key !== 'extensions' || Array.isArray(value)) collect(child, [...path, step], found);
     else
       for (const [name, own] of Object.entries(child)) {
-        if (isForeign(name)) found.push({ name, path, value: own, obstacle: obstacleTo(path, own) });
+        if (isForeign(name)) found.push({ name, path, value: own, obstacle: obstacleTo(path, value, own) });
         else if (isObject(own)) collect(own, [...path, 'extensions', name], found);
       }
   }
 }
 
-function obstacleTo(path: (string | number)[], value: unknown): string | null {
+function obstacleTo(path: (string | number)[], holder: Json, value: unknown): string | null {
   if (RENUMBERED.has(String(path[0]))) return 'which is written anew';
+  if (path[0] === 'textures' && path.length === 2 && !hasImage(holder))
+    return 'which has no other image that can be read';
   const key = dataKeyIn(value);
   return key === null ? null : `and its "${key}" refers to data that is written anew`;
 }
+
+/** Whether a texture has an image besides that of an extension that is not understood. */
+const hasImage = ({ source, extensions }: GLTF.ITexture): boolean =>
+  source !== undefined || Object.keys(extensions ?? {}).some((name) => !isForeign(name));
 
 /** The first key that names accessors and the like by number; null without one. */
 function dataKeyIn(value: unknown): string | null {
