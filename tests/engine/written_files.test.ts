@@ -90,6 +90,17 @@ describe('what a format leaves out', () => {
     ]);
     expect(lostIn('glb', document)).toEqual([]);
   });
+
+  it('names meshes of other scenes and of none', () => {
+    const document = startDocument();
+    for (const name of ['A', 'B', 'C']) addMesh(document, name, [primitiveOf(document, grid(1, 1))]);
+    const [scene] = document.getRoot().listScenes();
+    const [, second, third] = scene.listChildren();
+    document.createScene('other').addChild(second);
+    scene.removeChild(second).removeChild(third);
+    expect(lostIn('obj', document)).toEqual(['2 meshes outside of the scene']);
+    expect(lostIn('glb', document)).toEqual([]);
+  });
 });
 
 describe('a document of a caller', () => {

@@ -30,13 +30,18 @@ const TRIANGLE_STRIP = 5;
 
 type Matrix = ArrayLike<number>;
 
-/** What the nodes of the default scene show, or of all nodes where no scene is the default; skins in their pose at rest. */
-export function flatMeshes(document: Document): FlatMesh[] {
+/** The nodes of the default scene, of the first where none is, or all nodes where there is no scene. */
+export function shownNodes(document: Document): Node[] {
   const root = document.getRoot();
   const scene = root.getDefaultScene() ?? root.listScenes()[0];
   const nodes: Node[] = [];
   if (scene) scene.traverse((node) => nodes.push(node));
-  return (scene ? nodes : root.listNodes()).flatMap((node) => {
+  return scene ? nodes : root.listNodes();
+}
+
+/** What the shown nodes have of triangles; skins in their pose at rest. */
+export function flatMeshes(document: Document): FlatMesh[] {
+  return shownNodes(document).flatMap((node) => {
     const mesh = node.getMesh();
     const shown = mesh?.listPrimitives().filter(hasTriangles) ?? [];
     if (!mesh || shown.length === 0) return [];

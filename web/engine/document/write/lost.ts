@@ -3,6 +3,7 @@
 import type { Document, Material, Primitive } from '@gltf-transform/core';
 import { counted } from '../../core/words';
 import type { WrittenFormat } from '../../core/output_words';
+import { shownNodes } from './flat_meshes';
 
 /** What a file of this format leaves out of the document; empty for GLB and glTF. */
 export function lostIn(format: WrittenFormat, document: Document): string[] {
@@ -12,7 +13,10 @@ export function lostIn(format: WrittenFormat, document: Document): string[] {
   const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length));
   const materials = root.listMaterials();
   const count = (length: number, one: string) => (length > 0 ? [counted(length, one)] : []);
+  const shown = new Set(shownNodes(document).map((node) => node.getMesh()));
+  const hidden = root.listMeshes().filter((mesh) => !shown.has(mesh)).length;
   return [
+    ...(hidden > 0 ? [counted(hidden, 'mesh outside of the scene', 'meshes outside of the scene')] : []),
     ...count(root.listSkins().length, 'skin'),
     ...count(targets, 'morph target'),
     ...count(root.listAnimations().length, 'animation'),
