@@ -56,6 +56,11 @@ describe('a companion that is not at its place', () => {
     expect(model.bodies).toHaveLength(1);
   });
 
+  it('may have a percent sign in its name, before two digits', async () => {
+    const files = moved(triangleAt('50%2520off.bin', 'wood.png'), '50%20off.bin');
+    expect((await openModel(files)).bodies).toHaveLength(1);
+  });
+
   it('is no file of that name from another folder', async () => {
     const files = moved(triangleAt('a/data.bin', 'wood.png'), 'b/data.bin');
     expect(await failureOf(() => openModel(files))).toMatch(

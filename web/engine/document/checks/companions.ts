@@ -78,7 +78,7 @@ function findCompanions(main: string, addresses: string[], files: SourceFile[]):
   const found = new Map<string, SourceFile>();
   const lacking = addresses.filter((address) => {
     const path = companionPath(main, address);
-    const file = path === null ? null : files.find(({ name }) => followPath([], decoded(name)) === path);
+    const file = path === null ? null : fileNamed(path, files);
     if (file) found.set(address, file);
     return !file;
   });
@@ -90,6 +90,11 @@ function findCompanions(main: string, addresses: string[], files: SourceFile[]):
   }
   return found;
 }
+
+/** The file of this name; else one whose name is percent-encoded, as some programs leave it. */
+const fileNamed = (path: string, files: SourceFile[]): SourceFile | undefined =>
+  files.find(({ name }) => followPath([], name) === path) ??
+  files.find(({ name }) => followPath([], decoded(name)) === path);
 
 /**
  * Resolves `uri`, percent-decoded once, against the folder of `main`; the path has forward slashes and no dot segments. Null
