@@ -97,6 +97,18 @@ describe('a written file', () => {
     }
   });
 
+  it('declares integers also where positions stay floats, as those of a skin without inverse bind matrices', async () => {
+    const document = startDocument();
+    addRichMesh(document, 'rich', torus());
+    for (const skin of document.getRoot().listSkins()) skin.setInverseBindMatrices(null);
+    const model = await openModel([await glbFile(document)]);
+    for (const compression of ['quantized', 'meshopt'] as const) {
+      const files = await write(model, 'a.glb', { compression });
+      expect(jsonOf(files[0].bytes).extensionsRequired).toContain('KHR_mesh_quantization');
+      expect((await validateFiles(files))!.errors).toBe(0);
+    }
+  });
+
   it('is stored like its input, in steps of its input’s own grid', async () => {
     for (const compression of ['quantized', 'meshopt', 'draco'] as const) {
       const input = await write(await richModel(), 'a.glb', { compression });

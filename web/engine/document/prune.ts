@@ -25,7 +25,7 @@ const COMPRESSIONS = [DRACO, 'EXT_meshopt_compression'];
 
 /** Extensions without properties of their own, each with a test of whether the document still needs it. */
 const NEEDED_BY: Record<string, (document: Document, kept: Primitive[]) => boolean> = {
-  [QUANTIZATION]: (document) => primitivesOf(document).some(isQuantized),
+  [QUANTIZATION]: hasQuantized,
   KHR_mesh_primitive_restart: (_, kept) => kept.length > 0,
   KHR_accessor_float16: (document) => hasComponentType(document, 5131),
   KHR_accessor_float64: (document) => hasComponentType(document, 5130),
@@ -151,6 +151,11 @@ function isNeeded(document: Document, extension: Extension, kept: Primitive[]): 
   return Object.hasOwn(NEEDED_BY, name)
     ? NEEDED_BY[name](document, kept)
     : extension.listProperties().length > 0;
+}
+
+/** Whether a mesh has numbers that glTF allows with KHR_mesh_quantization alone. */
+export function hasQuantized(document: Document): boolean {
+  return primitivesOf(document).some(isQuantized);
 }
 
 /** Whether positions, normals, tangents or UVs are integers, which core glTF allows for normalized UVs only. */

@@ -1,9 +1,14 @@
 /** How vertices are stored in a file, and how a document is made to be written so. */
 
 import type { Accessor, Document, GLTF, Node, Primitive } from '@gltf-transform/core';
-import { EXTMeshoptCompression, KHRDracoMeshCompression } from '@gltf-transform/extensions';
+import {
+  EXTMeshoptCompression,
+  KHRDracoMeshCompression,
+  KHRMeshQuantization,
+} from '@gltf-transform/extensions';
 import type { Compression } from '../../core/output_words';
 import { DRACO, loadMeshoptEncoder, MESHOPT, RATIFIED_MESHOPT } from '../gltf_io';
+import { hasQuantized } from '../prune';
 
 /** How the vertices of a file are stored. */
 export interface Stored {
@@ -99,6 +104,8 @@ async function quantizeAll(document: Document, { kind, keepsNodes }: Compression
   await document.transform(
     quantize({ pattern, patternTargets: pattern, quantizePosition: bits, cleanup: false }),
   );
+  // glTF-Transform declares it where positions are integers, and so not where they stay floats beside integers.
+  if (hasQuantized(document)) document.createExtension(KHRMeshQuantization).setRequired(true);
   for (const list of [document.getRoot().listSkins(), document.getRoot().listAccessors()])
     for (const property of list)
       if (property.listParents().every((parent) => parent === document.getRoot())) property.dispose();
