@@ -18,6 +18,8 @@ class WorkQueue {
   private readonly waiting: Work[] = [];
   private running: Work | null = null;
   private worker: Promise<StartedWorker> | null = null;
+  /** what the worker was started for */
+  private threads = 0;
 
   /** Rejects with the signal's reason where it is aborted, otherwise with a LimberError. */
   run<Name extends CommandName>(
@@ -62,11 +64,18 @@ class WorkQueue {
 
   private async begin(work: Work): Promise<void> {
     const { run, command, models, options } = work;
-    this.worker ??= this.start(run.assets, options.threads ?? 0);
+    this.useThreads(options.threads ?? 0);
+    this.worker ??= this.start(run.assets, this.threads);
     const worker = await this.worker;
     if (this.running !== work) return;
     worker.keepAlive(true);
     worker.post({ command, models, options, core: worker.core });
+  }
+
+  /** A core keeps its memory and its build, so that one for another number of threads is another worker's. */
+  private useThreads(threads: number): void {
+    if (threads !== this.threads) this.endWorker();
+    this.threads = threads;
   }
 
   private start(assets: RunOptions['assets'], threads: number): Promise<StartedWorker> {

@@ -26,14 +26,9 @@ const RUN: { [Name in CommandName]: Run<Name> } = {
   inspect: inspectModel,
 };
 
-/** The core of the last request, which the next one uses where it asks for as many threads. */
-interface LoadedCore {
-  threads: number;
-  core: Core;
-}
-
 export class Server {
-  private loaded: LoadedCore | null = null;
+  /** of all requests: those for another number of threads go to another worker */
+  private core: Core | null = null;
   private onProgress: (progress: Progress) => void = () => {};
 
   /** `send` takes a message to the caller. */
@@ -56,13 +51,9 @@ export class Server {
   private async run({ command, models, options, core: address }: WorkRequest) {
     const settings = settingsFrom(command, options);
     if (command === 'optimize') checkTargets(options as Commands['optimize']['options']);
-    const { threads } = settings;
-    if (this.loaded?.threads !== threads) {
-      const onProgress = (progress: Progress) => this.onProgress(progress);
-      this.loaded = { threads, core: await loadCore({ threads, onProgress, ...address }) };
-    }
-    const { core } = this.loaded;
-    const session = new WorkSession(core, settings, (progress) => this.send({ progress }));
+    const onProgress = (progress: Progress) => this.onProgress(progress);
+    this.core ??= await loadCore({ threads: settings.threads, onProgress, ...address });
+    const session = new WorkSession(this.core, settings, (progress) => this.send({ progress }));
     this.onProgress = (progress) => session.report(progress);
     try {
       return await (RUN[command] as Run<CommandName>)(session, models, options as never);

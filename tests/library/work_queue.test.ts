@@ -1,0 +1,21 @@
+/** When the library starts a worker. */
+
+import { expect, it, vi } from 'vitest';
+import type { Listener, StartedWorker } from '../../web/library/protocol';
+import { workQueue } from '../../web/library/work_queue';
+
+const { startWorker, terminate } = vi.hoisted(() => ({ startWorker: vi.fn(), terminate: vi.fn() }));
+vi.mock('../../web/library/start_worker', () => ({ startWorker }));
+
+startWorker.mockImplementation(async ({ onMessage }: Listener): Promise<StartedWorker> => ({
+  core: { wasmFolder: '' },
+  post: () => queueMicrotask(() => onMessage({ value: { notes: [] } as never })),
+  keepAlive: () => {},
+  terminate,
+}));
+
+it('starts a worker for each number of threads and ends the one before, whose core keeps its memory', async () => {
+  for (const threads of [undefined, 0, 1, 1, 2]) await workQueue().run('inspect', [], { threads }, {});
+  expect(startWorker.mock.calls.map(([, { threads }]) => threads as number)).toEqual([0, 1, 2]);
+  expect(terminate).toHaveBeenCalledTimes(2);
+});
