@@ -1,6 +1,6 @@
 /** When the library starts a worker. */
 
-import { expect, it, vi } from 'vitest';
+import { beforeEach, expect, it, vi } from 'vitest';
 import type { Listener, StartedWorker } from '../../web/library/protocol';
 import { workQueue } from '../../web/library/work_queue';
 
@@ -14,8 +14,20 @@ startWorker.mockImplementation(async ({ onMessage }: Listener): Promise<StartedW
   terminate,
 }));
 
+beforeEach(() => {
+  workQueue().close();
+  vi.clearAllMocks();
+});
+
 it('starts a worker for each number of threads and ends the one before, whose core keeps its memory', async () => {
   for (const threads of [undefined, 0, 1, 1, 2]) await workQueue().run('inspect', [], { threads }, {});
   expect(startWorker.mock.calls.map(([, { threads }]) => threads as number)).toEqual([0, 1, 2]);
   expect(terminate).toHaveBeenCalledTimes(2);
+});
+
+it('starts later workers from the folder that the first call has named', async () => {
+  await workQueue().run('inspect', [], {}, { assets: '/limber/' });
+  workQueue().close();
+  await workQueue().run('inspect', [], {}, {});
+  expect(startWorker.mock.calls.map(([, { assets }]) => assets as string)).toEqual(['/limber/', '/limber/']);
 });

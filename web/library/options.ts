@@ -68,7 +68,7 @@ export interface RunOptions {
   onProgress?: (progress: StageProgress) => void;
   /**
    * Browsers only: the address of a folder with the files of `limber/assets`, for pages whose content security policy
-   * forbids scripts and workers from blobs. It counts for the first call.
+   * forbids scripts and workers from blobs. It counts for later calls, too.
    */
   assets?: string | URL;
 }

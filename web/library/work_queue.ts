@@ -20,6 +20,8 @@ class WorkQueue {
   private worker: Promise<StartedWorker> | null = null;
   /** what the worker was started for */
   private threads = 0;
+  /** of the last call that named them: a page serves them to all of its workers */
+  private assets: RunOptions['assets'];
 
   /** Rejects with the signal's reason where it is aborted, otherwise with a LimberError. */
   run<Name extends CommandName>(
@@ -65,7 +67,8 @@ class WorkQueue {
   private async begin(work: Work): Promise<void> {
     const { run, command, models, options } = work;
     this.useThreads(options.threads ?? 0);
-    this.worker ??= this.start(run.assets, this.threads);
+    this.assets = run.assets ?? this.assets;
+    this.worker ??= this.start();
     const worker = await this.worker;
     if (this.running !== work) return;
     worker.keepAlive(true);
@@ -78,7 +81,8 @@ class WorkQueue {
     this.threads = threads;
   }
 
-  private start(assets: RunOptions['assets'], threads: number): Promise<StartedWorker> {
+  private start(): Promise<StartedWorker> {
+    const { assets, threads } = this;
     // A worker that has been replaced may still have a message on its way.
     const isCurrent = () => this.worker === started;
     const started: Promise<StartedWorker> = startWorker(
