@@ -20,10 +20,16 @@ export async function filesOf(model: Model): Promise<ModelFiles> {
   if (isDocument(model)) return filesOfDocument(model);
   if (model instanceof Uint8Array) return [{ name: 'model.glb', bytes: model }];
   if (model instanceof ArrayBuffer) return [{ name: 'model.glb', bytes: new Uint8Array(model) }];
-  if (Array.isArray(model)) return [...(model as ModelFiles)];
+  if (Array.isArray(model)) return (model as ModelFiles).map(checkedFile);
   throw new LimberError(
     'There is no model: give a glTF-Transform Document, the bytes of a GLB, or files with name and bytes.',
   );
+}
+
+/** Throws LimberError where it is no file of a model. */
+function checkedFile(file: ModelFiles[number], i: number): ModelFiles[number] {
+  if (typeof file?.name === 'string' && file.bytes instanceof Uint8Array) return file;
+  throw new LimberError(`File ${i + 1} of the model is none: give its name, and its bytes as a Uint8Array.`);
 }
 
 /** The document as a glTF with its buffers and images, exactly as it is in memory. */

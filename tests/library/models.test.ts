@@ -1,0 +1,15 @@
+/** What callers of the library give as models. */
+
+import { expect, it } from 'vitest';
+import { filesOf } from '../../web/library/models';
+import { LimberError } from '../../web/library/options';
+import type { Model } from '../../web/library/options';
+
+it('are files with a name and bytes; what is none is told by its number, and is no error of the library', async () => {
+  const file = { name: 'a.obj', bytes: new Uint8Array(3) };
+  expect(await filesOf([file])).toEqual([file]);
+  for (const wrong of [{}, null, { name: 'a.bin' }, { ...file, bytes: new ArrayBuffer(3) }])
+    await expect(filesOf([file, wrong] as unknown as Model)).rejects.toThrow(
+      new LimberError('File 2 of the model is none: give its name, and its bytes as a Uint8Array.'),
+    );
+});
