@@ -15,11 +15,11 @@ import { requestFile } from '../engine/stages/budget/file_targets';
 import type { FileRun } from '../engine/stages/file_run';
 import { STAGES } from '../engine/stages/stages';
 import type { Arguments } from './arguments';
-import { EXIT, UsageError } from './failure';
+import { EXIT } from './failure';
 import { writeLevels } from './levels';
 import type { WrittenLevels } from './levels';
 import { levelLine, summaryLine, tuningLines } from './optimize_words';
-import { checkModelOutputs, fileName, saveFiles } from './output_files/model_outputs';
+import { checkModelOutputs, checkPassedOn, fileName, saveFiles } from './output_files/model_outputs';
 import { finish, openAnyFile, prepareFile, save, writeOutput, startSession } from './session';
 import type { Session } from './session';
 import { shownName, shownOutput } from './standard';
@@ -96,11 +96,7 @@ export interface PassedOn {
 /** Writes a model without triangles as it is. */
 async function passOn(session: Session, model: OpenModel): Promise<PassedOn> {
   const [input, path] = session.args.operands;
-  const { reports, settings, bind } = session.args;
-  if (!session.isHosted && (reports.length + settings.lods.length > 0 || bind !== null))
-    throw new UsageError(
-      `${model.name} ${describeEmpty(model)}, of which nothing can be reported: leave out --report, --lods and --bind.`,
-    );
+  if (!session.isHosted) checkPassedOn(session.args, model);
   const [main] = session.checked.files.get(input)!;
   const { form } = checkModelOutputs(session, model, []);
   saveFiles(session, path, await passThrough(model, main.bytes, { name: fileName(path), form }));

@@ -2,10 +2,12 @@
 
 import { existsSync, mkdirSync, readFileSync, statSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
+import { describeEmpty } from '../../engine/document/open';
 import type { OpenModel, SourceFile } from '../../engine/document/open';
 import { companionsOf } from '../../engine/document/write/export_files';
 import type { Companion } from '../../engine/document/write/shared_images';
 import { checkWritten } from '../../engine/stages/written_form';
+import type { Arguments } from '../arguments';
 import { UsageError } from '../failure';
 import { identityOf } from './identity';
 import type { CheckedFiles } from '../inputs';
@@ -44,6 +46,14 @@ export function checkModelOutputs(asked: Asked, model: OpenModel, chosen: number
     companions(file).map((companion) => checkCompanion(asked, file, companion, taken)),
   );
   return { ...written, companions: [...new Set(beside)] };
+}
+
+/** Throws UsageError where a model without triangles, which is passed on, is to have more than OUT. */
+export function checkPassedOn({ reports, settings, bind, settingsFile }: Arguments, model: OpenModel): void {
+  if (reports.length + settings.lods.length > 0 || bind !== null || settingsFile !== null)
+    throw new UsageError(
+      `${model.name} ${describeEmpty(model)}, of which nothing can be reported: leave out --report, --lods, --bind and --settings.`,
+    );
 }
 
 /** Its path. Throws UsageError where it is not to be written. */
