@@ -254,6 +254,8 @@ describe('--dry-run', () => {
     expect(limber('inspect torus.obj --dry-run').stdout).toBe(
       'torus.obj: OBJ, 1 body, 576 faces\nwould write no file\n',
     );
+    for (const words of ['inspect points.glb', 'optimize points.glb dry.glb --report dry.json'])
+      expect(limber(`${words} --dry-run`)).toEqual(limber(words));
   });
 });
 

@@ -2,14 +2,14 @@
 
 import { existsSync } from 'node:fs';
 import { sum } from '../engine/core/mesh';
-import { openAnyModel } from '../engine/document/open';
+import { openAnyModel, openModel } from '../engine/document/open';
 import type { OpenModel } from '../engine/document/open';
 import { chosenBodies } from '../engine/body/selection';
 import type { Arguments } from './arguments';
 import { EXIT } from './failure';
 import { followLinks, isSpecial } from './output_files/identity';
 import { checkFiles } from './inputs';
-import { checkModelOutputs } from './output_files/model_outputs';
+import { checkModelOutputs, checkPassedOn } from './output_files/model_outputs';
 import { checkRoom, sizeOfModel } from './output_files/outputs';
 import type { Output } from './output_files/outputs';
 import { shownName, shownOutput, STANDARD } from './standard';
@@ -21,11 +21,13 @@ export async function runDry(args: Arguments): Promise<number> {
   const lines: string[] = [];
   const companions: string[] = [];
   for (const [path, sources] of files) {
-    const model = await openAnyModel(sources);
+    const model = await (args.command === 'optimize' ? openAnyModel(sources) : openModel(sources));
     checkRoom(outputs, sizeOfModel(model));
     lines.push(describeModel(args, path, model));
     if (args.command !== 'optimize') continue;
-    const chosen = model.bodies.length === 0 ? [] : chosenBodies(model, args.settings);
+    const isEmpty = model.bodies.length === 0;
+    if (isEmpty) checkPassedOn(args, model);
+    const chosen = isEmpty ? [] : chosenBodies(model, args.settings);
     companions.push(...checkModelOutputs({ args, checked, isHosted: false }, model, chosen).companions);
   }
   for (const output of outputs) lines.push(`would write ${describeOutput(output)}`);
