@@ -15,7 +15,7 @@ import {
   writeFileSync,
 } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Report } from '../../web/engine/report/report';
 import { validateGlb } from '../../web/engine/document/validate';
@@ -229,6 +229,15 @@ describe('--dry-run', () => {
       '',
     ]);
     expect(state()).toEqual(before);
+  });
+
+  it('says where a link leads, and of no other path that it leads elsewhere', () => {
+    symlinkSync('end.glb', path('link.glb'));
+    const written = (out: string) => limber(`optimize torus.obj ${out} --dry-run`).stdout.split('\n')[1];
+    expect(written('link.glb')).toBe(`would write link.glb, which leads to ${path('end.glb')}`);
+    for (const out of [`../${basename(folder)}/dry.glb`, './dry.glb', path('dry.glb')])
+      expect(written(out)).toBe(`would write ${out}`);
+    rmSync(path('link.glb'));
   });
 
   it('names the files beside OUT, and refuses where they are the user’s', () => {

@@ -1,6 +1,7 @@
 /** What a command would write, after all checks and without the work. */
 
 import { existsSync } from 'node:fs';
+import { resolve } from 'node:path';
 import { sum } from '../engine/core/mesh';
 import { openAnyModel, openModel } from '../engine/document/open';
 import type { OpenModel } from '../engine/document/open';
@@ -50,6 +51,6 @@ function describeOutput({ path, flag }: Output): string {
   const what = flag === 'OUT' ? shownOutput(path) : `${shownOutput(path)} (${flag})`;
   if (path === STANDARD || isSpecial(path)) return what;
   const end = followLinks(path);
-  const leads = end.endsWith(path.replace(/^\.\//, '')) ? '' : `, which leads to ${end}`;
+  const leads = end === resolve(path) ? '' : `, which leads to ${end}`;
   return existsSync(end) ? `${what}${leads}, in place of the file that is there` : `${what}${leads}`;
 }
