@@ -349,6 +349,27 @@ TEST(SimulatedSolid, windPushesABody) {
   EXPECT_LT(std::abs(moved.y) + std::abs(moved.z), 0.05 * moved.x);
 }
 
+TEST(SimulatedSolid, windDoesNothingToTrianglesWithoutArea) {
+  // A tetrahedron whose edge along x is four triangles without area around vertex 6.
+  const TriangleMesh mesh = {
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.25, 0, 0}, {0.5, 0, 0}, {0.375, 0, 0}},
+      {{0, 3, 2},
+       {1, 2, 3},
+       {0, 4, 3},
+       {4, 1, 3},
+       {1, 5, 2},
+       {5, 0, 2},
+       {4, 0, 6},
+       {1, 4, 6},
+       {5, 1, 6},
+       {0, 5, 6}}};
+  Simulation body(mesh, rubber(10));
+  body.setWind({20, 0, 0});
+  run(body, 10);
+  EXPECT_TRUE(body.isFinite());
+  EXPECT_GT(body.position(0).x, mesh.positions[0].x);
+}
+
 std::vector<Vec3> positionsAfter(const TriangleMesh& mesh, const SimulationOptions& options, int threads) {
   const int before = threadCount();
   setThreadCount(threads);

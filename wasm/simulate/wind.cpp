@@ -20,7 +20,8 @@ std::vector<Vec3> windAcceleration(const Airborne& body, const Vec3& wind, doubl
     const double across = dot(wind - own, normal);
     if (body.closed && across >= 0) continue;
     const double force = 0.25 * kAirDensity * kDrag * length(doubleArea) * std::abs(across) * across;
-    for (const uint32_t v : t) acceleration[v] += normal * (force / (3 * body.masses[v]));
+    for (const uint32_t v : t)
+      if (body.masses[v] > 0) acceleration[v] += normal * (force / (3 * body.masses[v]));
   }
   for (size_t v = 0; v < acceleration.size(); ++v) {
     const double size = length(acceleration[v]);

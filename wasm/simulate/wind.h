@@ -6,7 +6,8 @@
 
 namespace limber {
 
-// A body in the air, in SI units; every array has one entry per vertex.
+// A body in the air, in SI units; every array has one entry per vertex. Air does not move a vertex without
+// mass, such as one all of whose triangles have no area.
 struct Airborne {
   const std::vector<Triangle>& triangles;
   const std::vector<Vec3>& positions;
