@@ -506,6 +506,16 @@ TEST(SimulatedPhysics, aBodyHasDivergedBeyondTenTimesItsSizeAndNotByMovingAway) 
   EXPECT_TRUE(infinite.hasDiverged());
 }
 
+TEST(SimulatedPhysics, pinnedPointsHoldAgainstAHandThatDragsBesideThem) {
+  const TriangleMesh mesh = shapes::grid(4, 4);
+  const Pins pins = {{}, {{0, {0.25, 0.25, 0.5}}, {31, {0.25, 0.25, 0.5}}}};
+  Simulation body(mesh, rubber(0.02, 20), pins);
+  const Vec3 rest = body.position(pins.points[0]);
+  body.drag({0, {0.5, 0.25, 0.25}}, {0, 0, 0.3});
+  run(body, 30);
+  EXPECT_LT(length(body.position(pins.points[0]) - rest), 1e-3);
+}
+
 TEST(SimulatedPhysics, pinnedVerticesAndPinnedPointsGoToTheirTargets) {
   const TriangleMesh mesh = shapes::grid(6, 6);
   Pins pins = {{0, 6}, {{70, {0.25, 0.25, 0.5}}}};

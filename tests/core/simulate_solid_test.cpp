@@ -293,6 +293,16 @@ TEST(SimulatedSolid, aPointOfTheSurfaceCanBePinnedAndDragged) {
   EXPECT_THROW(dragged.drag({mesh.triangleCount(), {1, 0, 0}}, target), std::invalid_argument);
 }
 
+TEST(SimulatedSolid, pinsHoldAgainstAHandThatDragsBesideThem) {
+  const TriangleMesh mesh = shapes::box(2, 2, 6, 0.25);
+  const Pins pins = {defaultPins(mesh, {scenarioKind("sway"), bounds(mesh), 1, 1, {}})};
+  ASSERT_EQ(pins.vertices.size(), 9u);
+  Simulation body(mesh, rubber(20), pins);
+  body.drag({0, {0.5, 0.25, 0.25}}, {0, 0, -1});
+  run(body, 30);
+  for (const uint32_t v : pins.vertices) EXPECT_LT(length(body.position(v) - mesh.positions[v]), 2e-3);
+}
+
 TEST(SimulatedSolid, aTwistedBodyComesBackWhenItIsReleased) {
   const TriangleMesh mesh = shapes::box(2, 2, 6, 0.25);
   SimulationOptions options = rubber(40);

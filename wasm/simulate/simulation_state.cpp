@@ -219,8 +219,8 @@ void SimulationState::makeSchedule() {
   }
   pointPhase_ = repeated.size();
   repeated.push_back(phaseOf(1, [this](size_t, int repeat) {
-    pinnedPoints.project(particles, repeat);
     dragged.project(particles, repeat);
+    pinnedPoints.project(particles, repeat);  // after the hand, which is not to move them
     if (selfContacts) selfContacts->project(particles);
   }));
   contactPhase_ = repeated.size();

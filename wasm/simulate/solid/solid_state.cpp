@@ -196,8 +196,8 @@ void SolidState::makeSchedule() {
       phaseOf(borderCount, [this, blockCount](size_t i, int) { projectGroup(blockCount + i); }));
   pointPhase_ = repeated.size();
   repeated.push_back(phaseOf(1, [this](size_t, int repeat) {
-    fixed_.project(particles_, repeat);
     dragged_.project(particles_, repeat);
+    fixed_.project(particles_, repeat);  // after the hand, which is not to move them
   }));
   contactPhase_ = repeated.size();
   repeated.push_back(phaseOf(
