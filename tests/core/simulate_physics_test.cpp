@@ -506,6 +506,19 @@ TEST(SimulatedPhysics, aBodyHasDivergedBeyondTenTimesItsSizeAndNotByMovingAway) 
   EXPECT_TRUE(infinite.hasDiverged());
 }
 
+TEST(SimulatedPhysics, componentsThatFallAwayFromEachOtherAreNoDivergence) {
+  TriangleMesh hanging = shapes::box(1, 1, 1, 0.01), falling = hanging;
+  for (Vec3& p : hanging.positions) p.y += 0.02;
+  const TriangleMesh both = shapes::together(hanging, falling);
+  for (const SimulationModel model : {SimulationModel::Shell, SimulationModel::Solid}) {
+    Simulation body(both, rubber(0.001, 20, model), {{0, 1, 2, 3, 4, 5, 6, 7}});
+    body.setGravity(kGravity);
+    run(body, 60);
+    EXPECT_LT(body.position(8).y, -100 * bounds(both).diagonal());
+    EXPECT_FALSE(body.hasDiverged());
+  }
+}
+
 TEST(SimulatedPhysics, pinnedPointsHoldAgainstAHandThatDragsBesideThem) {
   const TriangleMesh mesh = shapes::grid(4, 4);
   const Pins pins = {{}, {{0, {0.25, 0.25, 0.5}}, {31, {0.25, 0.25, 0.5}}}};

@@ -1,5 +1,6 @@
 #include "simulate/simulation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -12,8 +13,27 @@ namespace limber {
 
 namespace {
 
-// A body has diverged when its bounding box grows beyond this many times its diagonal at rest.
+// A body has diverged when the bounding box of a component grows beyond this many times the diagonal of the
+// body at rest.
 constexpr double kDivergedGrowth = 10;
+
+// Per component. Every component has a vertex.
+std::vector<Bounds> boxesOf(const std::vector<Vec3>& positions,
+                            const std::vector<uint32_t>& componentOfVertex) {
+  std::vector<Bounds> boxes;
+  std::vector<uint8_t> isSeen;
+  for (size_t v = 0; v < positions.size(); ++v) {
+    const uint32_t component = componentOfVertex[v];
+    if (component >= boxes.size()) {
+      boxes.resize(component + 1);
+      isSeen.resize(component + 1, 0);
+    }
+    if (!isSeen[component]) boxes[component] = {positions[v], positions[v]};
+    isSeen[component] = 1;
+    boxes[component].include(positions[v]);
+  }
+  return boxes;
+}
 
 bool fitsFloat32(const Vec3& p) {
   constexpr double kMost = std::numeric_limits<float>::max();
@@ -195,11 +215,14 @@ bool Simulation::isFinite() const {
 
 bool Simulation::hasDiverged() const {
   if (!isFinite()) return true;
-  const Bounds box = bounds({solid_ ? positions() : state_->particles.positions, {}});
-  const double restDiagonal = solid_ ? solid_->restDiagonal() : state_->restDiagonal;
-  if (box.diagonal() > kDivergedGrowth * restDiagonal) return true;
+  const double most = kDivergedGrowth * (solid_ ? solid_->restDiagonal() : state_->restDiagonal);
   const double unit = solid_ ? 1 : state_->options.material.unit;
-  return !fitsFloat32(box.low / unit) || !fitsFloat32(box.high / unit);
+  const std::vector<Bounds> boxes =
+      solid_ ? boxesOf(positions(), solid_->componentOfVertex())
+             : boxesOf(state_->particles.positions, state_->topology.componentOfVertex);
+  return std::ranges::any_of(boxes, [&](const Bounds& box) {
+    return box.diagonal() > most || !fitsFloat32(box.low / unit) || !fitsFloat32(box.high / unit);
+  });
 }
 
 double Simulation::mass() const {

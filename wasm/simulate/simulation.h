@@ -70,8 +70,9 @@ class Simulation {
   double elasticEnergy() const;
   // False as soon as any position, velocity or edge rotation is infinite or not a number.
   bool isFinite() const;
-  // Whether the body is of no use any more: it is not finite, the diagonal of its bounding box is more than
-  // 10 times what it is at rest, or it is farther away than float32 can say. Moving away is no divergence.
+  // Whether the body is of no use any more: it is not finite, the diagonal of a component's bounding box is
+  // more than 10 times that of the body at rest, or it is farther away than float32 can say. Moving away is
+  // no divergence, and neither are components that fall away from each other.
   bool hasDiverged() const;
   // Kilograms of the whole body.
   double mass() const;

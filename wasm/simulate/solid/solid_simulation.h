@@ -105,6 +105,7 @@ class SolidSimulation {
   }
   bool isFinite() const { return (!sheets_ || sheets_->isFinite()) && (!solids_ || solids_->isFinite()); }
   double restDiagonal() const { return split_.diagonal; }  // units of the mesh
+  const std::vector<uint32_t>& componentOfVertex() const { return split_.componentOfVertex; }
 
  private:
   template <class Number, class Read>

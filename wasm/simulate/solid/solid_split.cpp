@@ -8,7 +8,7 @@
 namespace limber {
 
 SolidSplit::SolidSplit(const TriangleMesh& mesh) : diagonal(bounds(mesh).diagonal()) {
-  const Topology topology = buildTopology(mesh);
+  Topology topology = buildTopology(mesh);
   const std::vector<uint8_t> isSolid = solidComponents(mesh);
   edgeCount = static_cast<uint32_t>(topology.edges.size());
   std::vector<uint32_t> partOfVertex;
@@ -16,6 +16,7 @@ SolidSplit::SolidSplit(const TriangleMesh& mesh) : diagonal(bounds(mesh).diagona
     isSolidVertex.push_back(isSolid[component]);
     partOfVertex.push_back(isSolid[component]);
   }
+  componentOfVertex = std::move(topology.componentOfVertex);
   MeshParts split = splitMesh(mesh, partOfVertex, 2);
   localVertex = std::move(split.localVertex);
   isSolidTriangle.assign(mesh.triangleCount(), 0);

@@ -22,6 +22,7 @@ struct SolidSplit {
 
   TriangleMesh sheets, solids;  // in units of the body; vertices in the order of the body
   std::vector<uint32_t> sheetVertices, solidVertices;  // their ids in the body
+  std::vector<uint32_t> componentOfVertex;             // of the body, see Topology
   std::vector<uint8_t> isSolidVertex, isSolidTriangle;
   std::vector<uint32_t> localVertex, localTriangle;  // per vertex and triangle: the index in sheets or solids
   Pins sheetPins, solidPins;

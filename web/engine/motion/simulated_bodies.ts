@@ -99,7 +99,7 @@ export class SimulatedBodies {
     return this.core.simulationSeconds(this.numbers[body]);
   }
 
-  /** Whether a body has grown beyond ten times its size or is not finite; no step may follow. */
+  /** Whether a connected part of a body has grown beyond ten times the body's size, or it is not finite; no step may follow. */
   hasDiverged(body: number): boolean {
     return this.core.simulationDiverged(this.numbers[body]);
   }
