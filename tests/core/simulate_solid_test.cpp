@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -429,6 +430,23 @@ TEST(SimulatedSolid, closedComponentsAreSolidsAndOpenOnesShells) {
     EXPECT_EQ(body.position(sheet.vertexCount() + v), ballAlone.position(v));
   EXPECT_EQ(squaredLength(solidCellSize(sheet)), 0);
   EXPECT_THROW(body.setPinTargets(std::vector<Vec3>(3)), std::invalid_argument);
+}
+
+TEST(SimulatedSolid, anOpenComponentWithoutAreaStaysWhereItIsBesideASolid) {
+  const TriangleMesh ball = shapes::sphere(2), line = {{{0, 0, 2}, {0.5, 0, 2}, {1, 0, 2}}, {{0, 1, 2}}};
+  const TriangleMesh both = shapes::together(ball, line);
+  Simulation body(both, rubber(20)), alone(ball, rubber(20));
+  body.setGravity(kGravity);
+  alone.setGravity(kGravity);
+  run(body, 10);
+  run(alone, 10);
+  for (uint32_t v = 0; v < ball.vertexCount(); ++v) EXPECT_EQ(body.position(v), alone.position(v));
+  const SurfacePoint point = {ball.triangleCount(), {0.5, 0.5, 0}};
+  EXPECT_EQ(body.position(ball.vertexCount() + 2), line.positions[2]);
+  EXPECT_EQ(body.position(point), (Vec3{0.25, 0, 2}));
+  EXPECT_EQ(body.velocity(ball.vertexCount()), Vec3{});
+  EXPECT_NO_THROW(body.drag(point, {1, 1, 1}));
+  EXPECT_THROW(Simulation(line, rubber(20)), std::invalid_argument);
 }
 
 TEST(SimulatedSolid, unitsDoNotMatter) {

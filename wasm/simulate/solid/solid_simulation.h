@@ -11,6 +11,7 @@
 namespace limber {
 
 // A body whose closed components move as solids and whose open ones as shells, each with a solver of its own.
+// Beside solids, open components that have no area, and so no mass, stay where they are.
 // The functions are those of Simulation, which leads here when its model is Solid; vertices, triangles and
 // pins are those of the whole body. `Sheets` is Simulation, which this file cannot know.
 template <class Sheets>
@@ -21,7 +22,7 @@ class SolidSimulation {
     split_.splitPins(pins);
     SimulationOptions asShell = options;
     asShell.model = SimulationModel::Shell;
-    if (split_.sheets.vertexCount())
+    if (split_.sheets.vertexCount() && (split_.sheetArea > 0 || split_.solids.vertexCount() == 0))
       sheets_ = std::make_unique<Sheets>(split_.sheets, asShell, split_.sheetPins);
     if (split_.solids.vertexCount())
       solids_ = std::make_unique<SolidState>(split_.solids, options, split_.solidPins);
@@ -41,15 +42,18 @@ class SolidSimulation {
 
   Vec3 position(uint32_t v) const {
     const uint32_t local = split_.localVertex[v];
-    return split_.isSolidVertex[v] ? solids_->position(local) : sheets_->position(local);
+    if (split_.isSolidVertex[v]) return solids_->position(local);
+    return sheets_ ? sheets_->position(local) : split_.sheets.positions[local];
   }
   Vec3 position(const SurfacePoint& point) const {
     const SurfacePoint local = split_.local(point);
-    return split_.isSolidTriangle[point.triangle] ? solids_->position(local) : sheets_->position(local);
+    if (split_.isSolidTriangle[point.triangle]) return solids_->position(local);
+    return sheets_ ? sheets_->position(local) : split_.sheetPoint(local);
   }
   Vec3 velocity(uint32_t v) const {
     const uint32_t local = split_.localVertex[v];
-    return split_.isSolidVertex[v] ? solids_->velocity(local) : sheets_->velocity(local);
+    if (split_.isSolidVertex[v]) return solids_->velocity(local);
+    return sheets_ ? sheets_->velocity(local) : Vec3{};
   }
   void setVelocities(std::span<const Vec3> velocities) {
     if (sheets_) sheets_->setVelocities(SolidSplit::chosen(velocities, split_.sheetVertices));
@@ -83,7 +87,7 @@ class SolidSimulation {
     release();
     if (split_.isSolidTriangle[point.triangle])
       solids_->drag(split_.local(point), target);
-    else
+    else if (sheets_)
       sheets_->drag(split_.local(point), target);
   }
   void release() {
@@ -115,7 +119,7 @@ class SolidSimulation {
 
   SolidSplit split_;
   double unit_;                         // metres per unit of the mesh
-  std::unique_ptr<Sheets> sheets_;      // null where all components are closed
+  std::unique_ptr<Sheets> sheets_;      // null where no component is open, or those that are have no area
   std::unique_ptr<SolidState> solids_;  // null where none is
 };
 

@@ -28,6 +28,7 @@ SolidSplit::SolidSplit(const TriangleMesh& mesh) : diagonal(bounds(mesh).diagona
     }
   sheets = std::move(split.parts[0].mesh);
   solids = std::move(split.parts[1].mesh);
+  for (uint32_t t = 0; t < sheets.triangleCount(); ++t) sheetArea += triangleArea(sheets, t);
   sheetVertices = std::move(split.parts[0].vertices);
   solidVertices = std::move(split.parts[1].vertices);
 }
@@ -49,6 +50,12 @@ SurfacePoint SolidSplit::local(const SurfacePoint& point) const {
   SurfacePoint own = point;
   own.triangle = localTriangle[point.triangle];
   return own;
+}
+
+Vec3 SolidSplit::sheetPoint(const SurfacePoint& local) const {
+  Vec3 sum;
+  for (int c = 0; c < 3; ++c) sum += sheets.corner(local.triangle, c) * local.barycentric[c];
+  return sum;
 }
 
 std::vector<Vec3> SolidSplit::chosen(std::span<const Vec3> values, std::span<const uint32_t> indices) {

@@ -17,10 +17,13 @@ struct SolidSplit {
   void splitPins(const Pins& pins);
   // The same point in the sheets or in the solids, by where its triangle is.
   SurfacePoint local(const SurfacePoint& point) const;
+  // Where a point of the sheets is at rest.
+  Vec3 sheetPoint(const SurfacePoint& local) const;
   // The values that belong to these indices, in their order.
   static std::vector<Vec3> chosen(std::span<const Vec3> values, std::span<const uint32_t> indices);
 
   TriangleMesh sheets, solids;  // in units of the body; vertices in the order of the body
+  double sheetArea = 0;
   std::vector<uint32_t> sheetVertices, solidVertices;  // their ids in the body
   std::vector<uint32_t> componentOfVertex;             // of the body, see Topology
   std::vector<uint8_t> isSolidVertex, isSolidTriangle;
