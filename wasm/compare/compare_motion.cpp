@@ -52,6 +52,7 @@ class ComparedRuns {
     const Simulation& simulation = running.simulation();
     const MotionSamples samples(original_, body.mesh, simulation, sampleCount_);
     Result result;
+    result.displacements.reserve(size_t{sampleCount_} * static_cast<size_t>(steps_));
     result.run.constraints = simulation.constraintCount();
     result.run.edges = simulation.edgeCount();
     result.run.secondsPerStep = std::numeric_limits<double>::infinity();
@@ -112,7 +113,9 @@ class ComparedMotions {
       ComparedRuns::Result doubled =
           runs_.run(originalWith(std::min(2 * substeps, kMostSubsteps), 0, options_.records && mayGoOn));
       MotionComparison found = compared(first, second, doubled, substeps);
+      second.displacements = std::vector<Vec3>();  // in long runs a gigabyte each
       if (found.isConverged || !mayGoOn) {
+        doubled.displacements = std::vector<Vec3>();
         const ComparedRuns::Result reordered = runs_.run(originalWith(substeps, kOtherOrder, false));
         found.noiseFloor = motionDeviation(first.displacements, reordered.displacements, diagonal_).mean;
         found.original = std::move(first.run);
