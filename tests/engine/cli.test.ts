@@ -476,6 +476,16 @@ describe('limber simulate', () => {
     expect(code).toBe(0);
     expect(report(stdout).simulation!.deviation).toMatchObject({ mean: 0, max: 0 });
   });
+
+  it('warns where pins leave nothing that the scenario could move', () => {
+    const warned = (words: string): string =>
+      limber(...`simulate torus.obj --seconds 0.1 ${words}`.trim().split(' ')).stderr;
+    expect(warned('--scenario pull --pins low:10')).toContain(
+      'nothing moves: --scenario pull moves pins of the upper half, and --pins has none there',
+    );
+    expect(warned('--scenario pull --pins low:10+high:10')).toBe('');
+    expect(warned('--scenario sway --pins low:10')).toBe('');
+  });
 });
 
 describe('a wrong command line', () => {

@@ -10,6 +10,7 @@ import type { PreparedBody } from '../engine/body/prepared_body';
 import { startStopwatch } from '../engine/core/stopwatch';
 import { askedMotion, solversOf } from '../engine/stages/asked_motion';
 import { describeConvergence } from '../engine/motion/convergence';
+import { areAllStill } from '../engine/motion/still_pins';
 import { bindingBetween, calibrationOf, simulationOptions, STEP_SECONDS } from '../engine/motion/simulation';
 import { meshReport } from '../engine/report/mesh_report';
 import { calibrationReport, simulationReport, worstMotion } from '../engine/report/motion_report';
@@ -29,6 +30,7 @@ import { readText } from './files';
 import { finish, openFile, prepareFile, save, startSession } from './session';
 import type { Session } from './session';
 import { shownName } from './standard';
+import { ofBody } from './warnings';
 import { count, list } from './words';
 
 /** The bodies of A and, where it is named, of B, in the order of their files. */
@@ -129,6 +131,8 @@ function compareMotions(
     const original = originals[i];
     file.announce(run);
     const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
+    if (areAllStill(settings.scenario, original.mesh.positions, pinned))
+      session.warnings.push(ofBody(original.body.name, stillText(settings.scenario), originals.length > 1));
     const binding = others && bindings ? bindingBetween(original, others[i], bindings) : null;
     const solvers = solversOf(session.args.settings, original, others?.[i] ?? null, tuning);
     return session.core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
@@ -142,6 +146,9 @@ function compareMotions(
     });
   });
 }
+
+const stillText = (scenario: string): string =>
+  `nothing moves: --scenario ${scenario} moves pins of the upper half, and --pins has none there; leave --pins out or take --scenario sway`;
 
 /** Originals at their own coordinates, the others beside them. */
 function recorded(

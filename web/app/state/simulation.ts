@@ -6,6 +6,7 @@ import type { Remote } from 'comlink';
 import type { MeshAt, SurfacePoint } from '../../engine/core/core';
 import { OPTIONS } from '../../engine/settings/options';
 import type { Settings } from '../../engine/settings/options';
+import { areAllStill } from '../../engine/motion/still_pins';
 import { topCorners } from '../../engine/motion/top_corners';
 import { rotated, rotationOf } from '../../engine/motion/scene_rotation';
 import type { SceneRotation } from '../../engine/motion/scene_rotation';
@@ -118,6 +119,15 @@ function pinnedVertices(): Uint32Array | null {
   if (pinSource.value !== 'corners') return results.pins.value?.vertices ?? null;
   return topCorners({ ...body.mesh, positions: rotated(body.mesh.positions, shownRotation()) });
 }
+
+/** Whether nothing moves, as no vertex is held that the scenario moves. */
+export const standsStill = computed(() => {
+  const { value: body } = results.body;
+  const pinned = pinnedVertices();
+  if (!body || !pinned || !results.file.value) return false;
+  const positions = rotated(body.mesh.positions, shownRotation());
+  return areAllStill(wants.settings.value.scenario, positions, pinned);
+});
 
 /** What both bodies are started with, now. */
 export function twinSetup(result: MeshAt): TwinSetup {

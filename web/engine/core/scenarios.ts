@@ -12,6 +12,8 @@ interface ScenarioWords {
   sentence: string;
   /** the ends of the longest side that are pinned by default; '' for none */
   pinned: 'low' | 'high' | 'both' | '';
+  /** whether nothing but pins moves the body: those beyond the middle of the longest side */
+  movesPins: boolean;
   /** whether the body hangs and may swing below itself, so that a view has to leave space there */
   hangs: boolean;
 }
@@ -23,6 +25,7 @@ export const SCENARIOS = [
     aside: 'the upper end turns by 45 degrees',
     sentence: '{end} turns by 45 degrees.',
     pinned: 'both',
+    movesPins: true,
     hangs: false,
   },
   {
@@ -31,6 +34,7 @@ export const SCENARIOS = [
     aside: 'a blow across',
     sentence: '{end} is struck.',
     pinned: 'low',
+    movesPins: false,
     hangs: false,
   },
   {
@@ -39,6 +43,7 @@ export const SCENARIOS = [
     aside: 'gravity',
     sentence: 'Gravity pulls at the rest.',
     pinned: 'high',
+    movesPins: false,
     hangs: true,
   },
   {
@@ -47,6 +52,7 @@ export const SCENARIOS = [
     aside: 'onto a floor',
     sentence: 'Falls to the floor.',
     pinned: '',
+    movesPins: false,
     hangs: false,
   },
   {
@@ -55,6 +61,7 @@ export const SCENARIOS = [
     aside: 'the upper end by a fifth of the length',
     sentence: '{end} moves away by a fifth of the length.',
     pinned: 'both',
+    movesPins: true,
     hangs: false,
   },
   {
@@ -63,6 +70,7 @@ export const SCENARIOS = [
     aside: '',
     sentence: 'Gusts of 8 m/s, and gravity.',
     pinned: 'high',
+    movesPins: false,
     hangs: true,
   },
   {
@@ -71,6 +79,7 @@ export const SCENARIOS = [
     aside: 'onto a ball',
     sentence: 'Falls onto a ball.',
     pinned: '',
+    movesPins: false,
     hangs: false,
   },
 ] as const satisfies readonly ScenarioWords[];

@@ -12,6 +12,7 @@ import {
   simulationOptions,
   STEP_SECONDS,
 } from '../../engine/motion/simulation';
+import { areAllStill } from '../../engine/motion/still_pins';
 import { readBinding } from '../../engine/report/binding_file';
 import { meshReport } from '../../engine/report/mesh_report';
 import { calibrationReport, simulationReport } from '../../engine/report/motion_report';
@@ -114,11 +115,15 @@ function moveBodies(
   { file, originals, others }: Sides,
   { bindings, factors, tuning, records }: Carried & { records: boolean },
 ): MotionComparison[] {
-  const { core, settings } = session;
+  const { core, settings, notes } = session;
   return file.usable.map(({ run }, i) => {
     const original = originals[i];
     file.announce(run);
     const pinned = settings.pins === '' ? null : run.get(STAGES.pinned, settings);
+    if (areAllStill(settings.scenario, original.mesh.positions, pinned))
+      notes.push(
+        `${original.body.name}: nothing moves: scenario "${settings.scenario}" moves pins of the upper half, and pins has none there; leave pins out or take scenario "sway"`,
+      );
     const solvers = solversOf(session.settings, original, others?.[i] ?? null, tuning);
     return core.compareMotion(original.mesh, others?.[i].mesh ?? null, {
       ...simulationOptions(original, settings, pinned),

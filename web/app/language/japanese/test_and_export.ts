@@ -29,6 +29,9 @@ export const TEST_AND_EXPORT: MessageTable = {
   'Pinned on the original and carried over to the optimized mesh. Pins are those of step 2.':
     '元のメッシュで固定し、最適化後のメッシュに引き継ぎます。「固定した頂点」はステップ 2 で指定したものです。',
   '{ends} held.': '{ends}を固定します。',
+  '{end} is not held, and this scenario moves nothing else: both meshes stand still. Hold it by scenario, or take Sway.':
+    '{end}が固定されておらず、このシナリオではほかに動くものがないため、どちらのメッシュも静止しています。「シナリオに従う」で固定するか、「揺らす」を選んでください。',
+  'Hold by scenario': 'シナリオに従って固定',
   'Both ends': '両端',
   'The left end': '左端',
   'The right end': '右端',

@@ -7,6 +7,7 @@ import type { Settings } from '../../../engine/settings/options';
 import { scenarioEnds } from '../../state/ends';
 import { refusalOf } from '../../state/refusal';
 import type { Refusal } from '../../state/refusal';
+import { standsStill } from '../../state/simulation';
 import { pinSource, twin } from '../../state/twin';
 import type { PinSource } from '../../state/twin';
 import { changeSettings, results, shownMesh, wants } from '../../state/store';
@@ -43,7 +44,8 @@ export function SimulatePanel() {
       <Section title="Where will it move?">
         <SolverSelect />
       </Section>
-      <Section title="Scenario" hint={describeScenario(scenario)}>
+      <Section title="Scenario" hint={standsStill.value ? undefined : describeScenario(scenario)}>
+        {standsStill.value && <StandsStill />}
         <Select
           label="Scenario"
           title={OPTIONS.scenario.help}
@@ -70,6 +72,23 @@ export function SimulatePanel() {
       </Section>
       <More />
       <Waiting />
+    </>
+  );
+}
+
+/** What is to be done where all held vertices are at the end that the scenario leaves in place. */
+function StandsStill() {
+  return (
+    <>
+      <p class="hint warning">
+        {say(
+          '{end} is not held, and this scenario moves nothing else: both meshes stand still. Hold it by scenario, or take Sway.',
+          { end: say(scenarioEnds.value!.high) },
+        )}
+      </p>
+      <button type="button" onClick={() => (twin.chosenPinSource.value = 'scenario')}>
+        {say('Hold by scenario')}
+      </button>
     </>
   );
 }
