@@ -103,12 +103,8 @@ function useLevelView(levels: DrawnLevels['levels'], number: number, height: num
       return; // names and numbers are still of use
     }
     const own = view.current;
-    const isPlain = results.file.value?.contents.materials === 0;
     own
-      .load(
-        levels.map(({ bytes }) => bytes),
-        isPlain,
-      )
+      .load(levels.map(({ bytes }) => bytes))
       .then(() => !isGone && own.draw(latest.current.number, latest.current.height))
       .catch((error: unknown) => complain(error));
     return () => {

@@ -9,8 +9,8 @@ const FIELD_OF_VIEW = 30;
 /** The share of the picture that a level fills where it is drawn large. */
 const FILLED = 0.94;
 
-const clayLook: SceneLook = {
-  name: 'clay',
+const look: SceneLook = {
+  name: 'textured',
   isFlat: false,
   clay: '#c3b8ab',
   wire: '#000000',
@@ -37,13 +37,13 @@ export class LevelView {
     this.scene.add(this.turned, key);
   }
 
-  /** `files`: a GLB for each level, the first one first. `isPlain`: they have no materials, and look like clay. */
-  async load(files: readonly Uint8Array[], isPlain: boolean): Promise<void> {
+  /** `files`: a GLB for each level, the first one first. */
+  async load(files: readonly Uint8Array[]): Promise<void> {
     const [models] = await Promise.all([
       Promise.all(files.map((bytes) => SceneModel.load(bytes))),
       lightByRoom(this.scene),
     ]);
-    if (isPlain) for (const model of models) model.look(clayLook);
+    for (const model of models) model.look(look);
     for (const model of this.models) model.dispose();
     this.models = models;
     const box = new THREE.Box3().setFromObject(models[0].root);

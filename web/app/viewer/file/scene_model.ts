@@ -4,6 +4,7 @@ import * as THREE from 'three';
 import type { GLTFReference } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { spreadPoints, spreadStep } from '../spread_points';
 import { checkerTexture, matcapTexture } from '../look_textures';
+import { isBlankMaterial } from './blank_material';
 
 export type SceneLookName = 'textured' | 'matcap' | 'clay' | 'checker';
 
@@ -24,7 +25,7 @@ interface Drawn {
   /** its number among the file's meshes */
   mesh: number;
   own: THREE.Material | THREE.Material[];
-  /** whether the file says nothing of its colours: the material that glTF then prescribes is white */
+  /** whether the file says nothing of its look: what glTF then prescribes is white */
   isPlain: boolean;
   /** draws its edges; null until they are asked for */
   edges: THREE.Mesh | null;
@@ -59,6 +60,9 @@ export class SceneModel {
       const isPlain = [own].flat().every((one) => !associations.get(one) && !one.vertexColors);
       this.drawn.push({ object, mesh: associations.get(object)?.meshes ?? -1, own, isPlain, edges: null });
     });
+    // Beside others, a white material is a colour; where all are blank, the file has none.
+    if (this.drawn.every(({ own }) => [own].flat().every(isBlankMaterial)))
+      for (const drawn of this.drawn) drawn.isPlain = true;
     this.mixer = new THREE.AnimationMixer(root);
     this.clip = clips[0] ?? null;
   }
