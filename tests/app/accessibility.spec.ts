@@ -1,6 +1,43 @@
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
-import { goTo, openPage } from './page';
+import { goTo, keptFaces, openPage } from './page';
+
+test('the help takes the focus, and Escape closes it alone and gives the focus back', async ({ page }) => {
+  await openPage(page);
+  await goTo(page, 'Motion');
+  const pick = page.getByRole('button', { name: 'Pick', exact: true });
+  await pick.click();
+  await expect(pick).toHaveAttribute('aria-pressed', 'true');
+  await page.keyboard.press('?');
+  await expect(page.getByRole('heading', { name: 'Keys' })).toBeFocused();
+  await page.keyboard.press('Escape');
+  await expect(page.locator('.help')).toHaveCount(0);
+  await expect(pick).toBeFocused();
+  await expect(pick).toHaveAttribute('aria-pressed', 'true');
+});
+
+test('Export takes the focus, and gives it back unless it has gone elsewhere', async ({ page }) => {
+  await openPage(page);
+  await goTo(page, 'Reduce');
+  const slider = keptFaces(page);
+  const heading = page.getByRole('heading', { name: 'Export', exact: true });
+  await expect(slider).toBeEnabled();
+  await slider.focus();
+  await page.keyboard.press('Control+e');
+  await expect(heading).toBeFocused();
+  await page.keyboard.press('Tab');
+  await expect(page.getByRole('button', { name: 'Close the export panel' })).toBeFocused();
+  await page.keyboard.press('Enter');
+  await expect(heading).toHaveCount(0);
+  await expect(slider).toBeFocused();
+  await page.keyboard.press('Control+e');
+  await expect(heading).toBeFocused();
+  const help = page.getByRole('button', { name: 'Help' });
+  await help.focus();
+  await page.keyboard.press('Control+e');
+  await expect(heading).toHaveCount(0);
+  await expect(help).toBeFocused();
+});
 
 for (const colorScheme of ['light', 'dark'] as const)
   test(`every step passes axe in the ${colorScheme} scheme`, async ({ browser, baseURL }) => {

@@ -35,7 +35,8 @@ const PLAIN: Record<string, () => void> = {
   arrowleft: () => stepFaces(-1),
   arrowright: () => stepFaces(1),
   escape: () => {
-    if (isPicking.value) view.picking.value = false;
+    if (view.helpOpen.value) view.helpOpen.value = false;
+    else if (isPicking.value) view.picking.value = false;
     else if (view.hover.value) view.hover.value = null;
     else if (isBrushing.value) view.brush.value = { ...view.brush.value, tool: null };
     else cancelRunning();

@@ -1,5 +1,6 @@
 /** The list of keys, and what words mean. */
 
+import { useHeadingFocus } from '../controls/heading_focus';
 import { LanguageChoice } from '../controls/language_choice';
 import { view } from '../state/store';
 import { Words } from './words';
@@ -22,16 +23,22 @@ const KEYS: [string, string][] = [
   ['Ctrl+Z', 'undo; with Shift redo'],
   ['Ctrl+O', 'open a file'],
   ['Ctrl+E', 'export'],
-  ['Esc', 'leave the pick tool or the brush, or cancel what is running'],
+  ['Esc', 'close this help, leave the pick tool or the brush, or cancel what is running'],
   ['?', 'this help'],
 ];
 
 export function Help() {
-  if (!view.helpOpen.value) return null;
+  return view.helpOpen.value ? <OpenHelp /> : null;
+}
+
+function OpenHelp() {
+  const heading = useHeadingFocus();
   return (
     <aside class="panel help" aria-label={say('Help')}>
       <div class="panel-head">
-        <h2>{say('Keys')}</h2>
+        <h2 ref={heading} tabIndex={-1}>
+          {say('Keys')}
+        </h2>
         <button
           type="button"
           class="quiet"
@@ -52,7 +59,7 @@ export function Help() {
           </div>
         ))}
       </dl>
-      <h2>{say('Words')}</h2>
+      <h2 class="words-title">{say('Words')}</h2>
       <Words />
     </aside>
   );

@@ -6,6 +6,7 @@ import { exportFormatOf } from '../../worker/export_form';
 import { results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
 import { Section } from '../../controls/controls';
+import { useHeadingFocus } from '../../controls/heading_focus';
 import { count, fileSize } from '../../controls/numbers';
 import { QueueSection } from '../queue/queue_section';
 import { Actions } from './actions';
@@ -26,13 +27,16 @@ export function ExportPanel() {
   const file = results.file.value;
   const exported = currentExport();
   const panel = useRef<HTMLElement>(null);
+  const heading = useHeadingFocus();
   // On a small screen the panel opens below the part of the page that is in view.
   useEffect(() => panel.current?.scrollIntoView({ block: 'start' }), []);
   if (!file) return null;
   return (
     <aside class="panel right export" aria-label={say('Export')} ref={panel}>
       <div class="panel-head">
-        <h2>{say('Export')}</h2>
+        <h2 ref={heading} tabIndex={-1}>
+          {say('Export')}
+        </h2>
         <button
           type="button"
           class="quiet"
