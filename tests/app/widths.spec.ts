@@ -57,6 +57,31 @@ for (const { width, height, colorScheme } of WINDOWS)
     },
   );
 
+test('on a phone no label of a mesh lies under the choice of the view', async ({ browser, baseURL }) => {
+  const context = await browser.newContext({
+    baseURL,
+    viewport: { width: 390, height: 844 },
+    reducedMotion: 'reduce',
+  });
+  const page = await context.newPage();
+  await openPage(page);
+  await goTo(page, 'Reduce');
+  await expect(readout(page, 'Faces')).toContainText('→ 896');
+  const choice = (await page.locator('.compare').boundingBox())!;
+  const canvas = (await page.locator('.viewport canvas').boundingBox())!;
+  const views = page.getByRole('group', { name: 'Compare' }).getByRole('button');
+  for (const view of await views.all()) {
+    await view.click();
+    for (const label of await page.locator('.pane-labels > span').all()) {
+      const box = (await label.boundingBox())!;
+      expect(box.y).toBeGreaterThanOrEqual(choice.y + choice.height);
+      // A body that is fitted leaves a tenth of the picture free at its top.
+      expect(box.y + box.height).toBeLessThanOrEqual(canvas.y + 0.1 * canvas.height + 1);
+    }
+  }
+  await context.close();
+});
+
 test('a finger turns the picture, and two zoom', { tag: '@full' }, async ({ browser, baseURL }) => {
   const context = await browser.newContext({
     baseURL,

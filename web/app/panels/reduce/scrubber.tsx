@@ -56,8 +56,10 @@ function ExactFaces({ value, total, set }: { value: number; total: number; set(f
   );
 }
 
-/** Labels that are closer than this share of the slider would overlap. */
-const LABEL_WIDTH = 0.045;
+/** Labels that are closer than this share of the slider would overlap; of a slider in a narrow window, `narrow`. */
+const LABEL_WIDTH = { wide: 0.045, narrow: 0.1 };
+/** The first label has a word more. */
+const FIRST_LABEL = 1.6;
 
 /** Marks where the deviation crosses 0.1, 0.5 and 1 %. A click sets that number of faces. */
 function Marks() {
@@ -69,7 +71,9 @@ function Marks() {
   return (
     <>
       {marks.map(({ deviation, faces }, i) => {
-        const isLabelled = i === 0 || positionOf(marks[i - 1].faces) - positionOf(faces) > LABEL_WIDTH;
+        const room = i === 0 ? Infinity : positionOf(marks[i - 1].faces) - positionOf(faces);
+        const share = i === 1 ? room / FIRST_LABEL : room;
+        const isLabelled = share > LABEL_WIDTH.wide;
         const meaning = say('Deviation of at most {deviation} %: {faces} faces', {
           deviation,
           faces: count(faces),
@@ -78,7 +82,7 @@ function Marks() {
           <button
             key={deviation}
             type="button"
-            class="tick"
+            class={share > LABEL_WIDTH.narrow ? 'tick' : 'tick crowded'}
             style={{ left: `calc(8px + (100% - 16px) * ${positionOf(faces)})` }}
             title={meaning}
             aria-label={meaning}

@@ -87,7 +87,9 @@ function cardStyle({ x, y }: { x: number; y: number }) {
   const viewport = document.querySelector('.viewport')!;
   const isRight = x + CARD.gap + CARD.width < viewport.clientWidth;
   const left = isRight ? x + CARD.gap : Math.max(8, x - CARD.gap - CARD.width);
-  const top = Math.min(Math.max(8, y - CARD.height / 2), viewport.clientHeight - CARD.height - 8);
+  const { offsetTop } = viewport.querySelector('canvas')!;
+  const beside = offsetTop + y - CARD.height / 2;
+  const top = Math.min(Math.max(8, beside), viewport.clientHeight - CARD.height - 8);
   return { left: `${left}px`, top: `${top}px` };
 }
 
