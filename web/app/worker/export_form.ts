@@ -12,6 +12,8 @@ export interface ExportFormat {
   text: string;
   /** whether it stores compressed vertices and several levels */
   isGltf: boolean;
+  /** whether it names textures */
+  hasTextures: boolean;
 }
 
 const GLB: ExportFormat = {
@@ -20,6 +22,7 @@ const GLB: ExportFormat = {
   type: 'model/gltf-binary',
   text: 'GLB',
   isGltf: true,
+  hasTextures: true,
 };
 
 /** Formats of several files are packed, as a page saves one file at a time. */
@@ -31,6 +34,7 @@ export const EXPORT_FORMATS: readonly ExportFormat[] = [
     type: 'application/zip',
     text: 'glTF and its files, zipped',
     isGltf: true,
+    hasTextures: true,
   },
   {
     value: 'obj.zip',
@@ -38,8 +42,16 @@ export const EXPORT_FORMATS: readonly ExportFormat[] = [
     type: 'application/zip',
     text: 'OBJ and materials, zipped',
     isGltf: false,
+    hasTextures: true,
   },
-  { value: 'ply', ending: '.ply', type: 'application/octet-stream', text: 'PLY', isGltf: false },
+  {
+    value: 'ply',
+    ending: '.ply',
+    type: 'application/octet-stream',
+    text: 'PLY',
+    isGltf: false,
+    hasTextures: false,
+  },
 ];
 
 /** The format that the page writes for these settings, which a link may have from the command line. */

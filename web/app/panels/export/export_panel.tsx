@@ -74,13 +74,14 @@ const describeFile = (exported: ExportResult | null): string =>
 /** What the file carries besides its faces: "positions, normals, 1 UV set and 2 skins". */
 function carriedWords(): string {
   const { contents } = results.file.value!;
-  const { isGltf } = exportFormatOf(wants.settings.value);
+  const { isGltf, hasTextures } = exportFormatOf(wants.settings.value);
+  const uvSets = isGltf ? contents.uvSets : Math.min(1, contents.uvSets);
   const words = [
     say('positions'),
     say('normals'),
-    several(contents.uvSets, '{count} UV set', '{count} UV sets'),
+    several(uvSets, '{count} UV set', '{count} UV sets'),
     contents.vertexColours ? say('colours') : '',
-    several(contents.textures, '{count} texture', '{count} textures'),
+    several(hasTextures ? contents.textures : 0, '{count} texture', '{count} textures'),
     ...(isGltf
       ? [
           several(contents.skins, '{count} skin', '{count} skins'),

@@ -5,13 +5,16 @@ import type { Validation } from '../../../engine/document/validate';
 import type { ExportResult } from '../../worker/protocol';
 import { Section } from '../../controls/controls';
 import { count } from '../../controls/numbers';
-import { say } from '../../language/say';
+import { enumerated, say, sayCounted } from '../../language/say';
 
 /** "No errors, no warnings." */
 export const describeVerdict = ({ errors, warnings }: Validation): string =>
   errors === 0 && warnings === 0
     ? say('No errors, no warnings.')
-    : say('{errors} errors, {warnings} warnings.', { errors, warnings });
+    : enumerated([
+        sayCounted(errors, '{count} error', '{count} errors'),
+        sayCounted(warnings, '{count} warning', '{count} warnings'),
+      ]);
 
 export function Verdict({ exported }: { exported: ExportResult }) {
   const { validation } = exported;
