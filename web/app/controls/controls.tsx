@@ -114,14 +114,16 @@ interface SelectProps {
   options: readonly { value: string; text: string }[];
   value: string;
   title?: string;
+  /** whether it stands below its label, as its choices are long */
+  isBelow?: boolean;
   onChange(value: string): void;
 }
 
 /** A list of choices to open. */
-export function Select({ label, options, value, title, onChange }: SelectProps) {
+export function Select({ label, options, value, title, isBelow, onChange }: SelectProps) {
   const id = useId();
   return (
-    <div class="control" title={title && say(title)}>
+    <div class={isBelow ? 'control stacked' : 'control'} title={title && say(title)}>
       <label for={id}>{say(label)}</label>
       <select id={id} value={value} onChange={(event) => onChange(event.currentTarget.value)}>
         {options.map((option) => (

@@ -18,7 +18,7 @@ export const PROGRESS: MessageTable = {
   'Writing and checking the file': 'ファイルを書き出して検証中',
   'Dressing the result in its materials': '結果にマテリアルを適用中',
   'Asking why vertices stay': '頂点が残る理由を調査中',
-  'Marking the deviation on the slider': 'スライダーにずれの目盛りを作成中',
+  'Marking the deviation': 'ずれの目盛りを作成中',
   'welding vertices': '頂点を結合中',
   'assembling matrices': '行列を構築中',
   factorising: '行列を分解中',

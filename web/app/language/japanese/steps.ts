@@ -32,7 +32,7 @@ export const STEPS: MessageTable = {
   '{count} vertices': '{count} 頂点',
   '{count} parts': '{count} パーツ',
   '{count} borders': '境界 {count}',
-  '{count} handles': 'ハンドル {count} 個',
+  '{count} handles': 'ハンドル {count}',
   '{number} of {all}': '{all} 個中 {number} 番目',
   '{size} units': '{size} 単位',
   'Nothing to repair.': '修復の必要はありません。',

@@ -15,6 +15,8 @@ import { say } from '../../language/say';
 const TALLEST = 1080;
 const SMALLEST = 8;
 const STEPS = 200;
+/** The first step at which all of the model is within the picture. */
+const FIRST_STEP = 72;
 
 /** The same steps of the slider are the same factors of the height. */
 const heightOf = (step: number): number => Math.round(TALLEST * (SMALLEST / TALLEST) ** (step / STEPS));
@@ -26,7 +28,7 @@ export function LevelPreview() {
 }
 
 function Preview({ drawn: { levels } }: { drawn: DrawnLevels }) {
-  const [step, setStep] = useState(60);
+  const [step, setStep] = useState(FIRST_STEP);
   const [isLarge, setLarge] = useState(false);
   const height = heightOf(step);
   const heights = switchHeights(levels.slice(1).map(({ deviation }) => deviation));

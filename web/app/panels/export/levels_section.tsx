@@ -41,6 +41,7 @@ export function LevelsSection({ exported }: { exported: ExportResult | null }) {
           <Select
             label={OPTIONS.lodStyle.label}
             title={OPTIONS.lodStyle.help}
+            isBelow
             options={OPTIONS.lodStyle.choices.map((value) => ({ value, text: STYLES[value as LevelStyle] }))}
             value={lodStyle}
             onChange={(value) => changeSettings({ lodStyle: value as LevelStyle })}

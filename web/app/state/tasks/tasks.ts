@@ -171,7 +171,7 @@ export const tasks: Task[] = [
     isPatient: true,
   },
   {
-    what: 'Marking the deviation on the slider',
+    what: 'Marking the deviation',
     key: () => (isMarkingWanted() ? afterHistory(of(STAGES.deviationMarks))() : null),
     run: () => client.call((worker) => worker.marks(body(), settings())),
     result: results.marks,
