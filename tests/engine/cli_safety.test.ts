@@ -232,12 +232,12 @@ describe('--dry-run', () => {
   });
 
   it('says where a link leads, and of no other path that it leads elsewhere', () => {
-    symlinkSync('end.glb', path('link.glb'));
+    symlinkSync('end.glb', path('leading.glb'));
     const written = (out: string) => limber(`optimize torus.obj ${out} --dry-run`).stdout.split('\n')[1];
-    expect(written('link.glb')).toBe(`would write link.glb, which leads to ${path('end.glb')}`);
+    expect(written('leading.glb')).toBe(`would write leading.glb, which leads to ${path('end.glb')}`);
     for (const out of [`../${basename(folder)}/dry.glb`, './dry.glb', path('dry.glb')])
       expect(written(out)).toBe(`would write ${out}`);
-    rmSync(path('link.glb'));
+    rmSync(path('leading.glb'));
   });
 
   it('names the files beside OUT, and refuses where they are the user’s', () => {
