@@ -1,7 +1,7 @@
 /** Which tasks the page runs after a cancel, with a worker that answers when a test says so. */
 
 import { afterEach, beforeAll, expect, it, vi } from 'vitest';
-import { cancelRunning, openFiles, resume, startRunner } from '../../web/app/state/runner';
+import { cancelRunning, openFiles, resume, showBody, startRunner } from '../../web/app/state/runner';
 import { changeSettings, isHistoryStale, results, status, view, wants } from '../../web/app/state/store';
 import { CANCELLED } from '../../web/app/worker/protocol';
 import { keyOf } from '../../web/engine/stages/stage';
@@ -162,3 +162,25 @@ it('a file is not opened where that is cancelled, and the earlier one stays with
   await rest();
   expect(page.complaints).toEqual([]);
 });
+
+/** A file of several bodies in place of the usual one, for as long as `make` runs. */
+async function withBodies(bodies: object[], make: () => Promise<void>): Promise<void> {
+  const usual = file.bodies;
+  file.bodies = bodies as typeof usual;
+  await make().finally(() => (file.bodies = usual));
+}
+
+it('an answer that has left the worker as another body is chosen is not shown for that one', () =>
+  withBodies([{ faces: 1 }, { faces: 1 }], async () => {
+    await open();
+    await answerUntil('modes');
+    const [{ resolve }] = page.calls;
+    // The worker has answered, so that there is nothing left to cancel.
+    page.calls.shift();
+    resolve({ key: keyOf(STAGES.modes, wants.settings.value), shapes: ['of the first body'] });
+    showBody(1);
+    await rest();
+    expect(results.modes.value).toBeNull();
+    await answerUntil(null);
+    expect(results.modes.value).toMatchObject({ shapes: [] });
+  }));

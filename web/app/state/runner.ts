@@ -21,8 +21,8 @@ import { forgetUndo, startUndo } from './undo';
 const done = new Map<Task, string>();
 /** The key of each task that the user has cancelled, or whose worker has ended: with that key it waits for `resume`. */
 const stopped = signal<ReadonlyMap<Task, string>>(new Map());
-/** the running task, the key of its result, and the key that the task had when the user cancelled it */
-let running: { task: Task; key: string; cancelled: string | null } | null = null;
+/** the running task, the shown body, the key of its result, and the key that the task had when the user cancelled it */
+let running: { task: Task; body: number; key: string; cancelled: string | null } | null = null;
 /** the call of the last task, settled once it has stopped */
 let call: Promise<unknown> = Promise.resolve();
 let looping = false;
@@ -168,9 +168,11 @@ async function loop(): Promise<void> {
 
 /** Runs a task; returns whether the next one follows. */
 async function run(task: Task, key: string): Promise<boolean> {
-  const own: typeof running = (running = { task, key, cancelled: null });
+  const own: typeof running = (running = { task, body: wants.body.value, key, cancelled: null });
   try {
     const value = await (call = whileBusy(task.what, () => task.run()));
+    // Another body may be chosen while the answer is on its way, which no cancel stops.
+    if (own.body !== wants.body.value && !task.isOfFile) return true;
     done.set(task, key);
     setStopped(task, null);
     task.result.value = value;
