@@ -184,3 +184,11 @@ it('an answer that has left the worker as another body is chosen is not shown fo
     await answerUntil(null);
     expect(results.modes.value).toMatchObject({ shapes: [] });
   }));
+
+it('a link for a body that cannot be used shows the first one that can', () =>
+  withBodies([{ faces: 1 }, { faces: 1, health: null }], async () => {
+    const asked = { settings: wants.settings.value, faces: null, own: new Map(), body: 1, file: null };
+    void openFiles([], asked);
+    await answerUntil('pins');
+    expect(wants.body.value).toBe(0);
+  }));

@@ -69,7 +69,7 @@ function take(file: OpenedFile, wanted: Wanted | undefined): void {
     results.mesh.value = null;
     results.file.value = file;
     results.opened.value += 1;
-    wants.body.value = wanted && wanted.body < file.bodies.length ? wanted.body : file.first;
+    wants.body.value = bodyToShow(file, wanted);
     wants.faces.value = wanted?.faces ?? null;
     wants.own.value = fittingOwnFaces(wanted?.own, file.bodies);
     wants.exportOpen.value = false;
@@ -84,6 +84,10 @@ function take(file: OpenedFile, wanted: Wanted | undefined): void {
   });
   forgetUndo();
 }
+
+/** The body that is asked for, where the file has it and it can be used. */
+const bodyToShow = ({ bodies, first }: OpenedFile, wanted: Wanted | undefined): number =>
+  wanted && wanted.body < bodies.length && bodies[wanted.body].health !== null ? wanted.body : first;
 
 /** Shows another body of the same file. */
 export function showBody(index: number): void {
