@@ -3,6 +3,7 @@
 import { afterEach, beforeAll, expect, it, vi } from 'vitest';
 import { cancelRunning, openFiles, resume, showBody, startRunner } from '../../web/app/state/runner';
 import { changeSettings, isHistoryStale, results, status, view, wants } from '../../web/app/state/store';
+import { twin } from '../../web/app/state/twin';
 import { CANCELLED } from '../../web/app/worker/protocol';
 import { keyOf } from '../../web/engine/stages/stage';
 import { STAGES } from '../../web/engine/stages/stages';
@@ -192,3 +193,10 @@ it('a link for a body that cannot be used shows the first one that can', () =>
     await answerUntil('pins');
     expect(wants.body.value).toBe(0);
   }));
+
+it('what is tuned for all solvers is asked for one file alone', async () => {
+  await open();
+  twin.wantsGeneric.value = true;
+  await open();
+  expect(twin.wantsGeneric.value).toBe(false);
+});

@@ -15,6 +15,7 @@ import { saveFiles, startSaving } from './saved_session';
 import { changeSettings, results, status, view, wants } from './store';
 import type { Task } from './tasks/task';
 import { startResting, tasks } from './tasks/tasks';
+import { twin } from './twin';
 import { forgetUndo, startUndo } from './undo';
 
 /** The key that the result of each task was made from, or with which it has failed. */
@@ -73,6 +74,7 @@ function take(file: OpenedFile, wanted: Wanted | undefined): void {
     wants.faces.value = wanted?.faces ?? null;
     wants.own.value = fittingOwnFaces(wanted?.own, file.bodies);
     wants.exportOpen.value = false;
+    twin.wantsGeneric.value = false;
     view.hidden.value = new Set();
     view.animated.value = false;
     if (wanted) wants.settings.value = wanted.settings;
