@@ -5,10 +5,13 @@ import { formOfName } from '../../web/engine/document/write/output_form';
 import { defaultSettings } from '../../web/engine/settings/options';
 import { scrolls } from '../../web/app/controls/scroll_keys';
 import { levelAtHeight, nextLevel, readLevels, switchHeights } from '../../web/app/panels/export/level_chain';
+import type { Client } from '../../web/app/state/client';
 import { exportRequest, pictureName } from '../../web/app/state/export_request';
+import { compareMethods } from '../../web/app/state/methods';
 import { freeName, modelGroups } from '../../web/app/state/queue/model_groups';
 import { describeOutcome, describeProgress, summaryCsv } from '../../web/app/state/queue/summary';
 import { changeSettings, results } from '../../web/app/state/store';
+import { CANCELLED } from '../../web/app/worker/protocol';
 import type { OpenedFile } from '../../web/app/worker/protocol';
 import { EXPORT_FORMATS, exportFormatOf, exportSettings } from '../../web/app/worker/export_form';
 
@@ -108,4 +111,13 @@ test('a region scrolls by the keys of the direction in which it has more', () =>
   expect(keysOf(10, 10)).toEqual([]);
   expect(keysOf(11, 10)).toEqual(['ArrowLeft']);
   expect(keysOf(10, 11)).toEqual(['ArrowUp', 'Home', 'PageDown']);
+});
+
+test('methods are compared no further once the inputs have changed', async () => {
+  const call = vi.fn(() => {
+    changeSettings({ strainWeight: 2 });
+    return Promise.resolve({});
+  });
+  await expect(compareMethods({ call } as unknown as Client)).rejects.toThrow(CANCELLED);
+  expect(call).toHaveBeenCalledOnce();
 });

@@ -4,6 +4,7 @@ import { computed, signal } from '@preact/signals';
 import type { Settings } from '../../engine/settings/options';
 import { COMPARED_METHODS } from '../../engine/stages/equal_budget/equal_budget';
 import type { MethodResult } from '../../engine/stages/equal_budget/equal_budget';
+import { CANCELLED } from '../worker/protocol';
 import type { Client } from './client';
 import { isHistoryStale, results, view, wantedFaces, wants } from './store';
 
@@ -65,12 +66,17 @@ export const shownComparison = computed(() =>
   comparison.compared.value?.key === comparisonKey() ? comparison.compared.value : null,
 );
 
-/** Runs the methods that are still missing, one after the other, and shows each as soon as it is there. */
+/**
+ * Runs the methods that are still missing, one after the other, and shows each as soon as it is there. Throws an Error of CANCELLED
+ * where the inputs change meanwhile.
+ */
 export async function compareMethods(client: Client): Promise<ComparedMethods> {
   const key = comparisonKey();
   const [body, settings, faces] = [wants.body.value, wants.settings.value, wantedFaces.value];
   let compared: ComparedMethods = shownComparison.value ?? { key, faces, results: [] };
   for (const name of COMPARED_METHODS.slice(compared.results.length)) {
+    // A cancel comes too late for a method that has just been measured.
+    if (comparisonKey() !== key) throw new Error(CANCELLED);
     const result = await client.call<MethodResult>((worker) =>
       worker.methodAtBudget(body, settings, { name, faces }),
     );
