@@ -5,6 +5,7 @@ import type { Client } from '../../web/app/state/client';
 import { findPins } from '../../web/app/state/find_pins';
 import { changeSettings, results, status, wants } from '../../web/app/state/store';
 import { forgetUndo, readUndo, startUndo, undo, withoutUndo } from '../../web/app/state/undo';
+import { CANCELLED } from '../../web/app/worker/protocol';
 
 // The state of the page asks for the colour scheme.
 vi.hoisted(() => vi.stubGlobal('matchMedia', () => ({ matches: true, addEventListener: () => {} })));
@@ -17,7 +18,7 @@ beforeAll(startUndo);
 
 beforeEach(() => {
   changeSettings({ pins: '', keep: '' });
-  results.pins.value = null;
+  results.pins.value = status.refusedPins.value = null;
   forgetUndo();
 });
 
@@ -44,4 +45,18 @@ it('what the page itself changes is a part of the change before it', () => {
   expect(readUndo().past).toHaveLength(1);
   undo();
   expect([pins(), wants.settings.value.keep]).toEqual(['', '']);
+});
+
+it('an answer on a text that has changed meanwhile changes nothing', async () => {
+  const earlier = { text: 'vertices:1', vertices: Uint32Array.of(1) };
+  const answer = (reply: () => Promise<unknown>) => {
+    results.pins.value = earlier;
+    changeSettings({ pins: 'vertices:9' });
+    const found = findPins({ call: reply } as unknown as Client, 0);
+    changeSettings({ pins: 'vertices:2' });
+    return found;
+  };
+  await expect(answer(() => Promise.reject(new Error(why)))).rejects.toThrow(CANCELLED);
+  await expect(answer(() => Promise.resolve({ text: 'vertices:9' }))).rejects.toThrow(CANCELLED);
+  expect([pins(), status.refusedPins.value]).toEqual(['vertices:2', null]);
 });

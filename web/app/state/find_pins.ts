@@ -10,17 +10,21 @@ import { withoutUndo } from './undo';
 
 /**
  * Pins that the body does not have are refused with a sentence, and the earlier ones stay. Where there are no earlier ones of this
- * body, the text stays too, as it may be of another body of the file.
+ * body, the text stays too, as it may be of another body of the file. Throws an Error of CANCELLED where the text has changed meanwhile.
  */
 export async function findPins(client: Client, body: number): Promise<unknown> {
   const settings = wants.settings.value;
   const text = settings.pins;
+  const isOutdated = (): boolean => wants.settings.value.pins !== text;
   try {
     const pins = await client.call<PinsResult>((worker) => worker.pins(body, settings));
+    // What is shown is of a later stroke.
+    if (isOutdated()) throw new Error(CANCELLED);
     if (status.refusedPins.value?.text === text) status.refusedPins.value = null;
     return pins;
   } catch (error) {
     if (!(error instanceof Error) || error.message === CANCELLED || text === '') throw error;
+    if (isOutdated()) throw new Error(CANCELLED);
     const { value: last } = results.pins;
     const earlier = last && last.text !== text ? last : null;
     batch(() => {
