@@ -1,6 +1,7 @@
 /** Pins that a body does not have: the earlier ones come back without a step of Undo, and those of another body stay. */
 
 import { beforeAll, beforeEach, expect, it, vi } from 'vitest';
+import { WorkerLost } from '../../web/app/state/client';
 import type { Client } from '../../web/app/state/client';
 import { findPins } from '../../web/app/state/find_pins';
 import { changeSettings, results, status, wants } from '../../web/app/state/store';
@@ -58,5 +59,13 @@ it('an answer on a text that has changed meanwhile changes nothing', async () =>
   };
   await expect(answer(() => Promise.reject(new Error(why)))).rejects.toThrow(CANCELLED);
   await expect(answer(() => Promise.resolve({ text: 'vertices:9' }))).rejects.toThrow(CANCELLED);
+  expect([pins(), status.refusedPins.value]).toEqual(['vertices:2', null]);
+});
+
+it('a worker that has ended refuses no pins', async () => {
+  results.pins.value = { text: 'vertices:1', vertices: Uint32Array.of(1) };
+  changeSettings({ pins: 'vertices:2' });
+  const lost = { call: () => Promise.reject(new WorkerLost('no memory')) } as unknown as Client;
+  await expect(findPins(lost, 0)).rejects.toThrow(WorkerLost);
   expect([pins(), status.refusedPins.value]).toEqual(['vertices:2', null]);
 });

@@ -3,6 +3,7 @@
 import { batch } from '@preact/signals';
 import { CANCELLED } from '../worker/protocol';
 import type { PinsResult } from '../worker/protocol';
+import { WorkerLost } from './client';
 import type { Client } from './client';
 import { besideControl } from './refusal';
 import { changeSettings, results, status, wants } from './store';
@@ -23,7 +24,7 @@ export async function findPins(client: Client, body: number): Promise<unknown> {
     if (status.refusedPins.value?.text === text) status.refusedPins.value = null;
     return pins;
   } catch (error) {
-    if (!(error instanceof Error) || error.message === CANCELLED || text === '') throw error;
+    if (!isRefusal(error) || text === '') throw error;
     if (isOutdated()) throw new Error(CANCELLED);
     const { value: last } = results.pins;
     const earlier = last && last.text !== text ? last : null;
@@ -34,3 +35,7 @@ export async function findPins(client: Client, body: number): Promise<unknown> {
     return earlier;
   }
 }
+
+/** Whether an error is of the text, and not of the worker. */
+const isRefusal = (error: unknown): boolean =>
+  error instanceof Error && error.message !== CANCELLED && !(error instanceof WorkerLost);
