@@ -21,6 +21,7 @@ export async function keepOffline(): Promise<void> {
   try {
     const registration = await navigator.serviceWorker.register('./service_worker.js');
     followUpdates(registration);
+    followTakeOvers();
     await navigator.serviceWorker.ready;
     isOfflineReady.value = true;
     if (!crossOriginIsolated) seekIsolation();
@@ -38,14 +39,18 @@ function seekIsolation(): void {
   else isReloadFaster.value = true;
 }
 
+/** Tells of a new version; `run` shows it. */
+function tellVersion(run: () => void): void {
+  status.notice.value = {
+    kind: 'info',
+    text: say('A new version is ready. Your work comes back after a reload.'),
+    action: { label: 'Reload', run },
+  };
+}
+
 function followUpdates(registration: ServiceWorkerRegistration): void {
   const offer = (waiting: ServiceWorker): void => {
-    if (!navigator.serviceWorker.controller) return;
-    status.notice.value = {
-      kind: 'info',
-      text: say('A new version is ready. Your work comes back after a reload.'),
-      action: { label: 'Reload', run: () => takeOver(waiting) },
-    };
+    if (navigator.serviceWorker.controller) tellVersion(() => takeOver(waiting));
   };
   if (registration.waiting) offer(registration.waiting);
   registration.addEventListener('updatefound', () => {
@@ -56,7 +61,19 @@ function followUpdates(registration: ServiceWorkerRegistration): void {
   });
 }
 
+/** Another tab may bring the new version: the files that this page still loads are then of another one than itself. */
+function followTakeOvers(): void {
+  const { serviceWorker } = navigator;
+  let isControlled = serviceWorker.controller !== null;
+  serviceWorker.addEventListener('controllerchange', () => {
+    if (isControlled) tellVersion(reloadPage);
+    isControlled = true;
+  });
+}
+
 function takeOver(waiting: ServiceWorker): void {
+  // Where another tab has brought it, nothing is left to wait for.
+  if (waiting.state !== 'installed') return reloadPage();
   navigator.serviceWorker.addEventListener('controllerchange', reloadPage, { once: true });
   waiting.postMessage('take over');
 }
