@@ -60,7 +60,7 @@ export async function startSaving(): Promise<void> {
       open: openId.value,
     };
     if (file === null) return;
-    const save = () => storeSaved(localStorage, SETTINGS_PREFIX + id, saved);
+    const save = () => saveText(id, saved);
     const timer = setTimeout(save, REST_MILLISECONDS);
     // The page may close before the timer ends.
     addEventListener('pagehide', save);
@@ -69,6 +69,14 @@ export async function startSaving(): Promise<void> {
       removeEventListener('pagehide', save);
     };
   });
+}
+
+function saveText(id: string, saved: Saved): void {
+  try {
+    storeSaved(localStorage, SETTINGS_PREFIX + id, saved);
+  } catch {
+    // The browser refuses its store.
+  }
 }
 
 /** Saves the files of this tab in place of its earlier ones, and deletes those of tabs that were closed long ago. */

@@ -16,12 +16,29 @@ export interface Tab {
 export const ownTab: Promise<Tab> = findTab();
 
 async function findTab(): Promise<Tab> {
-  const source = sessionStorage.getItem(TAB_KEY);
+  const source = rememberedId();
   if (source !== null && (await isFree(source))) return { id: source, source };
   const id = crypto.randomUUID();
   await lock(id);
-  sessionStorage.setItem(TAB_KEY, id);
+  rememberId(id);
   return { id, source };
+}
+
+/** A browser may refuse its store; then no work comes back after a reload. */
+function rememberedId(): string | null {
+  try {
+    return sessionStorage.getItem(TAB_KEY);
+  } catch {
+    return null;
+  }
+}
+
+function rememberId(id: string): void {
+  try {
+    sessionStorage.setItem(TAB_KEY, id);
+  } catch {
+    // see `rememberedId`
+  }
 }
 
 async function isFree(id: string): Promise<boolean> {
