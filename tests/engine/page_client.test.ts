@@ -1,4 +1,4 @@
-/** A client that was ended starts no further worker, whatever it was doing. */
+/** How a client starts workers: none once it was ended, whatever it was doing, and one for all calls that wait. */
 
 import { expose } from 'comlink';
 import { beforeEach, expect, it, vi } from 'vitest';
@@ -8,8 +8,8 @@ import { CANCELLED } from '../../web/app/worker/protocol';
 /** The locks of workers that live, and how a browser frees them. */
 const locks = new Map<string, () => void>();
 let workers: FakeWorker[] = [];
-/** whether workers answer at all */
-let isAnswering = true;
+/** whether workers answer at all, and whether they can start */
+let [isAnswering, isStarting] = [true, true];
 
 /** Answers every call, and has its lock until it is terminated. */
 class FakeWorker {
@@ -24,6 +24,7 @@ class FakeWorker {
     this.ports.port1.start();
     const start = (_options: unknown, _progress: unknown, lock: string) => {
       this.lock = lock;
+      if (!isStarting) throw new Error('No network.');
       return { threads: 1, job: null };
     };
     if (isAnswering) expose({ start, open: () => ({ name: 'a.obj' }) }, this.ports.port2);
@@ -66,4 +67,15 @@ it('a call that waits for the worker to start is cancelled', async () => {
   await expect(opened).rejects.toThrow(CANCELLED);
   await rest();
   expect([workers.length, lost.mock.calls.length]).toEqual([1, 0]);
+});
+
+it('calls that wait for a worker which has not started try again together', async () => {
+  [isAnswering, isStarting] = [true, false];
+  const client = new Client('http://localhost/', lost);
+  await expect(client.ready()).rejects.toThrow('No network.');
+  isStarting = true;
+  const open = () => client.aside<{ name: string }>((worker) => worker.open([]));
+  expect(await Promise.all([open(), open()])).toEqual([{ name: 'a.obj' }, { name: 'a.obj' }]);
+  expect(workers).toHaveLength(2);
+  client.end();
 });

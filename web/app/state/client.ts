@@ -124,7 +124,9 @@ export class Client {
 
   /** A short call that waits until the running one has ended, without stopping it. */
   async aside<T>(make: (remote: Remote<WorkerApi>) => Promise<unknown>): Promise<T> {
-    await this.started.catch(() => this.retry());
+    const { started } = this;
+    // Of several calls that wait, the first one tries again for all.
+    await started.catch(() => (started === this.started ? this.retry() : this.started));
     const { current } = this;
     try {
       return (await Promise.race([make(current.remote), current.ended])) as T;
