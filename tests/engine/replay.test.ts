@@ -66,6 +66,24 @@ describe('a replayed history', () => {
     expect(await replay.meshAt('b', 200)).toEqual(await asked);
     run.dispose();
   });
+
+  it('says why the core cannot keep it, and keeps the next one', async () => {
+    const run = runOfMesh(threaded, torus());
+    let hasMemory = false;
+    const keepHistory: Core['keepHistory'] = (history) => {
+      if (!hasMemory) throw new Error('No memory.');
+      return alone.keepHistory(history);
+    };
+    const replay = new Replay({ ...alone, keepHistory });
+    const asked = replay.meshAt('a', 200);
+    replay.keep(handed(run, 'a'));
+    await expect(asked).rejects.toThrow('No memory.');
+    hasMemory = true;
+    replay.keep(handed(run, 'b'));
+    expect(await replay.meshAt('a', 200)).toBeNull();
+    expect(await replay.meshAt('b', 200)).not.toBeNull();
+    run.dispose();
+  });
 });
 
 describe('what is handed over', () => {

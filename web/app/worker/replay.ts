@@ -17,7 +17,7 @@ export interface ReplayApi {
   start(wasmFolder: string, lock: string): Promise<void>;
   /** A port at which histories arrive, each in place of the one before. */
   listen(port: MessagePort): void;
-  /** The largest mesh with at most so many faces, as soon as the history is there; null: another one has taken its place. */
+  /** The largest mesh with at most so many faces, as soon as the history is there; null: another one has taken its place. Throws where the core could not keep it. */
   meshAt(id: string, faces: number): Promise<MeshAt | null>;
 }
 
@@ -30,6 +30,8 @@ interface Kept {
 
 export class Replay {
   private kept: Kept | null = null;
+  /** the last history, where the core could not keep it */
+  private refused: { id: string; error: unknown } | null = null;
   private readonly former = new Set<string>();
   private arrived: () => void = () => undefined;
   private arrival = this.nextArrival();
@@ -43,13 +45,19 @@ export class Replay {
   /** Takes a history in place of the one before. */
   keep({ id, mesh, history }: HandedHistory): void {
     this.release();
-    const [meshHandle, historyHandle] = [this.core.keepMesh(mesh), this.core.keepHistory(history)];
-    this.kept = { id, history, historyHandle, meshHandle };
+    try {
+      const [meshHandle, historyHandle] = [this.core.keepMesh(mesh), this.core.keepHistory(history)];
+      this.kept = { id, history, historyHandle, meshHandle };
+    } catch (error) {
+      this.refused = { id, error };
+    }
     this.arrived();
     this.arrival = this.nextArrival();
   }
 
   private release(): void {
+    if (this.refused) this.former.add(this.refused.id);
+    this.refused = null;
     if (!this.kept) return;
     this.former.add(this.kept.id);
     this.core.releaseHistory(this.kept.historyHandle);
@@ -59,7 +67,8 @@ export class Replay {
 
   /** See ReplayApi. */
   async meshAt(id: string, faces: number): Promise<MeshAt | null> {
-    while (this.kept?.id !== id && !this.former.has(id)) await this.arrival;
+    while (![this.kept?.id, this.refused?.id].includes(id) && !this.former.has(id)) await this.arrival;
+    if (this.refused?.id === id) throw this.refused.error;
     return this.kept?.id === id ? levelAt(this.core, this.kept, faces) : null;
   }
 }
