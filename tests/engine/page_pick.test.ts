@@ -18,8 +18,8 @@ function pickTool() {
     isBroad: () => true,
   };
   new PickTool(canvas as unknown as HTMLCanvasElement, host);
-  const send = (type: string, x: number): void => {
-    const at = { clientX: x, clientY: 0, pointerId: 1, button: 0, buttons: 1, shiftKey: false };
+  const send = (type: string, x: number, pointerId = 1): void => {
+    const at = { clientX: x, clientY: 0, pointerId, button: 0, buttons: 1, shiftKey: false };
     canvas.dispatchEvent(Object.assign(new Event(type), at));
   };
   return { tool, send, putDown: () => (isInUse = false) };
@@ -40,4 +40,16 @@ it('a stroke is dropped where its tool is put down before', () => {
   send('pointermove', 20);
   send('pointerup', 20);
   expect([tool.paint.mock.calls.length, tool.finish.mock.calls.length]).toEqual([1, 0]);
+});
+
+it('a stroke that the system cancels is taken back, and one of another pointer goes on', () => {
+  const { tool, send } = pickTool();
+  send('pointerdown', 0);
+  send('pointermove', 20);
+  send('pointercancel', 20, 2);
+  send('pointermove', 40);
+  send('pointercancel', 40);
+  send('pointerup', 40);
+  expect([tool.paint.mock.calls.length, tool.finish.mock.calls.length]).toEqual([4, 0]);
+  expect(tool.paint.mock.lastCall![0].vertices.size).toBe(0);
 });

@@ -62,7 +62,7 @@ export class PickTool {
     canvas.addEventListener('pointerdown', (event) => this.onPress(event, canvas), { capture: true });
     canvas.addEventListener('pointermove', (event) => this.onMove(event));
     canvas.addEventListener('pointerup', (event) => this.onRelease(event));
-    canvas.addEventListener('pointercancel', () => (this.stroke = null));
+    canvas.addEventListener('pointercancel', (event) => this.onCancel(event));
     canvas.addEventListener('pointerleave', () => this.hover(null));
   }
 
@@ -132,6 +132,14 @@ export class PickTool {
     if (!stroke) return;
     this.stroke = null;
     stroke.tool.finish(stroke);
+  }
+
+  /** The stroke is taken back, as if it had touched nothing. */
+  private onCancel(event: PointerEvent): void {
+    const stroke = this.strokeOf(event);
+    if (!stroke) return;
+    this.stroke = null;
+    stroke.tool.paint({ ...stroke, vertices: new Map() });
   }
 
   private hover(picked: PickedVertex | null): void {
