@@ -32,6 +32,13 @@ export interface Look {
 /** ms for which a mesh stays before its normals are found exactly. */
 const REST_MILLISECONDS = 250;
 
+/** Where the vertices of a mesh are instead of at rest, and what colours them; see `setPositions`. */
+interface Moved {
+  mesh: TriangleMesh;
+  positions: Float32Array;
+  values: Float32Array | null;
+}
+
 /** What a mesh is shown with. */
 interface Dress {
   field: Field | null;
@@ -53,6 +60,7 @@ export class Pane {
   private preparing: Promise<void> | null = null;
   private readonly body: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
   private groups: Uint32Array = new Uint32Array();
+  private moved: Moved | null = null;
   private isMoved = false;
   private isQuick = false;
   private restTimer: ReturnType<typeof setTimeout> | undefined;
@@ -132,6 +140,7 @@ export class Pane {
     this.groups = groups;
     (this.body.geometry.getAttribute('normal') as THREE.BufferAttribute).copyArray(normals).needsUpdate =
       true;
+    this.applyPositions();
     this.onRefine();
   }
 
@@ -148,6 +157,7 @@ export class Pane {
     this.body.material.uniforms.isFlat.value = this.isFlat || isLarge(mesh);
     this.applyField();
     this.applyShape();
+    this.applyPositions();
     this.isPaintStale = true;
   }
 
@@ -221,16 +231,26 @@ export class Pane {
     this.isPaintStale = false;
   }
 
-  /** Moves the vertices, or puts them back at rest (null); `values[v]` in [0, 1] colour the body. */
+  /**
+   * Moves the vertices of the mesh that was asked for, once it is there, or puts them back at rest (null); `values[v]` in [0, 1] colour
+   * the body.
+   */
   setPositions(positions: Float32Array | null, values: Float32Array | null): void {
+    const { asked: mesh } = this;
+    this.moved = mesh && positions?.length === mesh.positions.length ? { mesh, positions, values } : null;
+    this.applyPositions();
+  }
+
+  private applyPositions(): void {
     const { mesh, groups } = this;
-    if (!mesh || (positions ? positions.length !== mesh.positions.length : !this.isMoved)) return;
+    const moved = this.moved?.mesh === mesh ? this.moved : null;
     // Normals are moved in groups, which come with the exact ones.
-    if (this.isQuick) return;
-    this.isMoved = positions !== null;
+    if (!mesh || this.isQuick || (!moved && !this.isMoved)) return;
+    this.isMoved = moved !== null;
     const { hasField } = this.body.material.uniforms;
-    writePositions(this.body.geometry, mesh, positions ?? mesh.positions, groups);
-    if (!positions) return this.applyField();
+    writePositions(this.body.geometry, mesh, moved?.positions ?? mesh.positions, groups);
+    if (!moved) return this.applyField();
+    const { values } = moved;
     hasField.value = values?.length === vertexCount(mesh);
     if (values && hasField.value) writeValues(this.body.geometry, mesh, values);
   }

@@ -1,0 +1,49 @@
+/** What the viewport shows of meshes whose arrays, modes and positions come at different times. */
+
+import { expect, it, vi } from 'vitest';
+import { drawnArrays, quickArrays } from '../../web/app/viewer/drawn_arrays';
+import { mapTexture } from '../../web/app/viewer/colours';
+import { Pane } from '../../web/app/viewer/pane';
+import type { TriangleMesh } from '../../web/engine/core/core';
+import { grid } from './support/shapes';
+
+vi.hoisted(() => {
+  vi.stubGlobal('devicePixelRatio', 1);
+});
+
+/** Prepares what is drawn when a test says so. */
+class LateWorker {
+  static readonly due: (() => void)[] = [];
+  onmessage: (event: object) => void = () => {};
+
+  postMessage({ mesh, isQuick }: { mesh: TriangleMesh; isQuick: boolean }): void {
+    LateWorker.due.push(() => this.onmessage({ data: isQuick ? quickArrays(mesh) : drawnArrays(mesh) }));
+  }
+}
+vi.stubGlobal('Worker', LateWorker);
+
+/** Lets the next worker answer. */
+async function answer(): Promise<void> {
+  await vi.waitUntil(() => LateWorker.due.length > 0);
+  LateWorker.due.shift()!();
+  await new Promise((resolve) => setTimeout(resolve));
+}
+
+/** Larger than what is prepared at once. */
+const large = grid(80, 80);
+const lifted = large.positions.map((value, i) => (i % 3 === 2 ? value + 5 : value));
+
+it('positions that come before a large mesh can be moved are shown as soon as it can', async () => {
+  const pane = new Pane(mapTexture('viridis'), 1, () => {});
+  const heightOf = () => (pane.scene.children[0] as never as Drawn).geometry.getAttribute('position').getZ(0);
+  interface Drawn {
+    geometry: { getAttribute(name: string): { getZ(i: number): number } };
+  }
+  void pane.show(large);
+  pane.setPositions(lifted, null);
+  await answer();
+  await answer();
+  expect(heightOf()).toBe(5);
+  pane.setPositions(null, null);
+  expect(heightOf()).toBe(0);
+});
