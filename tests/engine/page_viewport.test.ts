@@ -4,10 +4,15 @@ import { expect, it, vi } from 'vitest';
 import { drawnArrays, quickArrays } from '../../web/app/viewer/drawn_arrays';
 import { mapTexture } from '../../web/app/viewer/colours';
 import { Pane } from '../../web/app/viewer/pane';
+import { showShapes } from '../../web/app/panels/viewport/show_bodies';
+import { results, view } from '../../web/app/state/store';
+import type { Viewport } from '../../web/app/viewer/viewport';
 import type { TriangleMesh } from '../../web/engine/core/core';
 import { grid } from './support/shapes';
 
 vi.hoisted(() => {
+  vi.stubGlobal('matchMedia', () => ({ matches: true, addEventListener: () => {} }));
+  vi.stubGlobal('document', { hidden: false, baseURI: 'http://localhost/' });
   vi.stubGlobal('devicePixelRatio', 1);
 });
 
@@ -46,4 +51,18 @@ it('positions that come before a large mesh can be moved are shown as soon as it
   expect(heightOf()).toBe(5);
   pane.setPositions(null, null);
   expect(heightOf()).toBe(0);
+});
+
+it('modes of a mesh that was welded in another way move nothing', () => {
+  const displace = vi.fn();
+  view.step.value = 'motion';
+  results.body.value = { mesh: grid(2, 2) } as never;
+  const shapesOf = (vertices: number) =>
+    ({ modesPerComponent: 1, shapes: new Float32Array(3 * vertices) }) as never;
+  results.modes.value = shapesOf(9);
+  showShapes({ displace } as unknown as Viewport);
+  expect(displace).toHaveBeenCalledWith('original', expect.any(Float32Array));
+  results.modes.value = shapesOf(12);
+  showShapes({ displace } as unknown as Viewport);
+  expect(displace).toHaveBeenCalledWith('original', null);
 });

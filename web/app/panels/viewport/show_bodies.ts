@@ -179,6 +179,8 @@ const blendedShape = computed((): Float32Array | null => {
   const body = results.body.value;
   if (!modes || !body) return null;
   const size = body.mesh.positions.length;
+  // Modes of a mesh that was welded in another way stay until new ones are found.
+  if (modes.shapes.length !== modes.modesPerComponent * size) return null;
   const chosen = guidingModes().filter((mode) => mode <= modes.modesPerComponent);
   const shape = new Float32Array(size);
   for (const mode of chosen)
