@@ -9,7 +9,13 @@ import { say } from '../language/say';
 
 const READABLE = '.glb,.gltf,.obj,.stl,.ply,.off,.zip';
 
-async function readAll(files: Iterable<{ name: string; file: File }>): Promise<SourceFile[]> {
+/** A file of the user's computer, with its folders in its name. */
+interface NamedFile {
+  name: string;
+  file: File;
+}
+
+async function readAll(files: Iterable<NamedFile>): Promise<SourceFile[]> {
   const reads = Array.from(files, async ({ name, file }) => ({
     name,
     bytes: new Uint8Array(await file.arrayBuffer()),
@@ -41,17 +47,30 @@ export async function openDropped(items: DataTransferItemList): Promise<void> {
   const entries = Array.from(items, (item) => item.webkitGetAsEntry?.() ?? null).filter(
     (entry) => entry !== null,
   );
-  const found = (await Promise.all(entries.map((entry) => filesBelow(entry, '')))).flat();
   const loose = plain.filter((file) => file !== null).map((file) => ({ name: file.name, file }));
-  await openAll(await readAll([...found, ...loose]));
+  await openAll(await readAll([...(await filesOf(entries)), ...loose]));
 }
 
-async function filesBelow(entry: FileSystemEntry, path: string): Promise<{ name: string; file: File }[]> {
+/** All files of these entries and below them, with their relative paths. */
+async function filesOf(entries: readonly FileSystemEntry[]): Promise<NamedFile[]> {
+  const found = await Promise.all(entries.map((entry) => filesBelow(entry, '')));
+  // Several folders need their names, as their files may have the same ones.
+  const isAlone = entries.filter(({ isDirectory }) => isDirectory).length === 1;
+  return found.flatMap((files, i) => (isAlone && entries[i].isDirectory ? insideOf(files) : files));
+}
+
+/** The files of a folder without its name, where it has any of its own. */
+function insideOf(files: NamedFile[]): NamedFile[] {
+  const inside = files.map(({ name, file }) => ({ name: name.slice(name.indexOf('/') + 1), file }));
+  return inside.some(({ name }) => !name.includes('/')) ? inside : files;
+}
+
+async function filesBelow(entry: FileSystemEntry, folder: string): Promise<NamedFile[]> {
   if (entry.isFile) {
     const file = await new Promise<File>((resolve, reject) =>
       (entry as FileSystemFileEntry).file(resolve, reject),
     );
-    return [{ name: path + file.name, file }];
+    return [{ name: folder + file.name, file }];
   }
   const reader = (entry as FileSystemDirectoryEntry).createReader();
   const children: FileSystemEntry[] = [];
@@ -62,8 +81,8 @@ async function filesBelow(entry: FileSystemEntry, path: string): Promise<{ name:
     if (batch.length === 0) break;
     children.push(...batch);
   }
-  const prefix = path === '' && children.some((child) => child.isFile) ? '' : `${path}${entry.name}/`;
-  return (await Promise.all(children.map((child) => filesBelow(child, prefix)))).flat();
+  const below = children.map((child) => filesBelow(child, `${folder}${entry.name}/`));
+  return (await Promise.all(below)).flat();
 }
 
 /** Opens a file of the page's own origin. */
