@@ -1,23 +1,22 @@
-/** The names of files that the page is given. */
+/** Files that the page is given: their names, and what is said of those that cannot be read. */
 
 import { beforeEach, expect, it, vi } from 'vitest';
-import { openDropped } from '../../web/app/files/files';
+import { openAddress, openDropped } from '../../web/app/files/files';
 import type { SourceFile } from '../../web/engine/document/open';
 
-const page = vi.hoisted(() => ({ opened: [] as string[][] }));
+const page = vi.hoisted(() => ({ opened: [] as string[][], complaints: [] as string[] }));
 
 vi.mock('../../web/app/files/open_all', () => ({
   openAll: (files: SourceFile[]) => page.opened.push(files.map(({ name }) => name)),
 }));
-// The state of the page asks for the colour scheme.
-vi.hoisted(() => vi.stubGlobal('matchMedia', () => ({ matches: true, addEventListener: () => {} })));
-
 vi.mock('../../web/app/state/runner', () => ({ openFiles: () => Promise.resolve() }));
+vi.mock('../../web/app/state/running', () => ({
+  complain: ({ message }: Error) => void page.complaints.push(message),
+}));
 
-const fileEntry = (name: string) => ({
+const fileEntry = (name: string, read = () => Promise.resolve(new ArrayBuffer(1))) => ({
   ...{ name, isFile: true, isDirectory: false },
-  file: (resolve: (file: object) => void) =>
-    resolve({ name, arrayBuffer: () => Promise.resolve(new ArrayBuffer(1)) }),
+  file: (resolve: (file: object) => void) => resolve({ name, arrayBuffer: read }),
 });
 
 function folderEntry(name: string, ...children: object[]) {
@@ -32,7 +31,7 @@ const drop = (...entries: object[]) =>
   openDropped(entries.map((entry) => ({ webkitGetAsEntry: () => entry })) as unknown as DataTransferItemList);
 
 beforeEach(() => {
-  page.opened.length = 0;
+  page.opened.length = page.complaints.length = 0;
 });
 
 it('files of a folder have their places below it', async () => {
@@ -45,4 +44,18 @@ it('files of several folders keep apart', async () => {
   const model = () => [fileEntry('scene.gltf'), fileEntry('scene.bin')];
   await drop(folderEntry('a', ...model()), folderEntry('b', ...model()));
   expect(page.opened).toEqual([['a/scene.gltf', 'a/scene.bin', 'b/scene.gltf', 'b/scene.bin']]);
+});
+
+it('a file that cannot be read is told of', async () => {
+  await drop(fileEntry('large.glb', () => Promise.reject(new DOMException('', 'NotReadableError'))));
+  expect(page.opened).toEqual([]);
+  expect(page.complaints).toEqual([
+    'large.glb cannot be read: it was moved or changed meanwhile, or is too large for this browser.',
+  ]);
+});
+
+it('a sample that cannot be loaded is told of', async () => {
+  vi.stubGlobal('fetch', () => Promise.reject(new TypeError('Failed to fetch')));
+  await openAddress('./samples/bar.glb', 'bar.glb');
+  expect(page.complaints).toEqual(['Failed to fetch']);
 });

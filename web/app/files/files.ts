@@ -4,7 +4,7 @@ import type { SourceFile } from '../../engine/document/open';
 import type { Wanted } from '../state/link';
 import { openFiles } from '../state/runner';
 import { openAll } from './open_all';
-import { status } from '../state/store';
+import { complain } from '../state/running';
 import { say } from '../language/say';
 
 const READABLE = '.glb,.gltf,.obj,.stl,.ply,.off,.zip';
@@ -15,13 +15,28 @@ interface NamedFile {
   file: File;
 }
 
-async function readAll(files: Iterable<NamedFile>): Promise<SourceFile[]> {
-  const reads = Array.from(files, async ({ name, file }) => ({
-    name,
-    bytes: new Uint8Array(await file.arrayBuffer()),
-  }));
-  return Promise.all(reads);
+/** Opens these files; what cannot be read is told in a notice. */
+async function openRead(files: Promise<NamedFile[]>): Promise<void> {
+  let read: SourceFile[];
+  try {
+    read = await Promise.all((await files).map(bytesOf));
+  } catch (error) {
+    return complain(error);
+  }
+  await openAll(read);
 }
+
+async function bytesOf({ name, file }: NamedFile): Promise<SourceFile> {
+  const bytes = await file.arrayBuffer().catch(() => Promise.reject(unreadable(name)));
+  return { name, bytes: new Uint8Array(bytes) };
+}
+
+const unreadable = (name: string): Error =>
+  new Error(
+    say('{name} cannot be read: it was moved or changed meanwhile, or is too large for this browser.', {
+      name,
+    }),
+  );
 
 /** Lets the user choose files and opens them. */
 export function pickFiles(): Promise<void> {
@@ -33,7 +48,7 @@ export function pickFiles(): Promise<void> {
     input.accept = `${READABLE},.bin,.png,.jpg,.jpeg,.webp,.ktx2,.mtl,.json`;
     input.onchange = async () => {
       const files = Array.from(input.files ?? [], (file) => ({ name: file.name, file }));
-      if (files.length > 0) await openAll(await readAll(files));
+      if (files.length > 0) await openRead(Promise.resolve(files));
       resolve();
     };
     input.oncancel = () => resolve();
@@ -48,12 +63,14 @@ export async function openDropped(items: DataTransferItemList): Promise<void> {
     (entry) => entry !== null,
   );
   const loose = plain.filter((file) => file !== null).map((file) => ({ name: file.name, file }));
-  await openAll(await readAll([...(await filesOf(entries)), ...loose]));
+  await openRead(filesOf(entries).then((found) => [...found, ...loose]));
 }
 
 /** All files of these entries and below them, with their relative paths. */
 async function filesOf(entries: readonly FileSystemEntry[]): Promise<NamedFile[]> {
-  const found = await Promise.all(entries.map((entry) => filesBelow(entry, '')));
+  const found = await Promise.all(
+    entries.map((entry) => filesBelow(entry, '').catch(() => Promise.reject(unreadable(entry.name)))),
+  );
   // Several folders need their names, as their files may have the same ones.
   const isAlone = entries.filter(({ isDirectory }) => isDirectory).length === 1;
   return found.flatMap((files, i) => (isAlone && entries[i].isDirectory ? insideOf(files) : files));
@@ -85,17 +102,16 @@ async function filesBelow(entry: FileSystemEntry, folder: string): Promise<Named
   return (await Promise.all(below)).flat();
 }
 
-/** Opens a file of the page's own origin. */
+/** Opens a file of the page's own origin; why it cannot be loaded is told in a notice. */
 export async function openAddress(address: string, name: string, wanted?: Wanted): Promise<void> {
-  const response = await fetch(address);
-  if (!response.ok) {
-    status.notice.value = {
-      kind: 'error',
-      text: say('{name} could not be loaded: build the samples with npm run build.', { name }),
-    };
-    return;
+  try {
+    const response = await fetch(address);
+    if (!response.ok)
+      throw new Error(say('{name} could not be loaded: build the samples with npm run build.', { name }));
+    await openFiles([{ name, bytes: new Uint8Array(await response.arrayBuffer()) }], wanted);
+  } catch (error) {
+    complain(error);
   }
-  await openFiles([{ name, bytes: new Uint8Array(await response.arrayBuffer()) }], wanted);
 }
 
 export function download(name: string, content: Uint8Array | string, type: string): void {

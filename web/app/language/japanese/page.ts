@@ -172,6 +172,8 @@ export const PAGE: MessageTable = {
     '新しいバージョンがあります。再読み込み後も作業内容は復元されます。',
   Reload: '再読み込み',
   'Start again': 'やり直す',
+  '{name} cannot be read: it was moved or changed meanwhile, or is too large for this browser.':
+    '{name} を読み込めません。移動または変更されたか、このブラウザーには大きすぎます。',
   '{name} could not be loaded: build the samples with npm run build.':
     '{name} を読み込めませんでした。npm run build でサンプルを作成してください。',
   'The computation has stopped unexpectedly. It has started again, and your work is as it was.':
