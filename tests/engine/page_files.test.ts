@@ -2,6 +2,7 @@
 
 import { beforeEach, expect, it, vi } from 'vitest';
 import { openAddress, openDropped } from '../../web/app/files/files';
+import { loadSamples, samples } from '../../web/app/files/samples';
 import type { SourceFile } from '../../web/engine/document/open';
 
 const page = vi.hoisted(() => ({ opened: [] as string[][], complaints: [] as string[] }));
@@ -54,8 +55,10 @@ it('a file that cannot be read is told of', async () => {
   ]);
 });
 
-it('a sample that cannot be loaded is told of', async () => {
+it('without a network there are no samples, and one that cannot be loaded is told of', async () => {
   vi.stubGlobal('fetch', () => Promise.reject(new TypeError('Failed to fetch')));
+  await loadSamples();
+  expect(samples.value).toEqual([]);
   await openAddress('./samples/bar.glb', 'bar.glb');
   expect(page.complaints).toEqual(['Failed to fetch']);
 });

@@ -17,8 +17,12 @@ export const samples = signal<Sample[]>([]);
 
 /** Reads the list of samples, which the build makes. Without a list there are no samples. */
 export async function loadSamples(): Promise<void> {
-  const response = await fetch('./samples/index.json');
-  if (response.ok) samples.value = (await response.json()) as Sample[];
+  try {
+    const response = await fetch('./samples/index.json');
+    if (response.ok) samples.value = (await response.json()) as Sample[];
+  } catch {
+    // The network is lost, or the host answers with another page. What the page opens at its start does not depend on it.
+  }
 }
 
 export const openSample = ({ file }: Sample, wanted?: Wanted): Promise<void> =>
