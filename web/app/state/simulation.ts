@@ -15,7 +15,7 @@ import { watchLife } from '../worker/life';
 import type { SimulationApi, TwinFrame, TwinRequest, TwinSetup } from '../worker/simulation_protocol';
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
-import { results, shownMesh, status, view, wantedKey, wants } from './store';
+import { results, shownFit, shownMesh, status, view, wantedKey, wants } from './store';
 import { isTuningWanted, pinSource, twin, usedTuning } from './twin';
 import { say } from '../language/say';
 
@@ -50,7 +50,9 @@ const meshKey = (): string =>
 const isPending = (): boolean =>
   status.working.value && (!isFittedShown() || (isTuningWanted.value && usedTuning.value === null));
 
-const isFittedShown = (): boolean => results.fitted.value?.result === shownMesh.value;
+/** A fit that changes nothing shows the mesh of the history, which may still be replayed. */
+const isFittedShown = (): boolean =>
+  shownFit.value !== null && (shownFit.value.result !== null || !status.isReplaying.value);
 
 let worker: Worker | null = null;
 let remote: Remote<SimulationApi> | null = null;
