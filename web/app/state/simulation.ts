@@ -84,7 +84,11 @@ function openWorker(): Remote<SimulationApi> {
   loaded = api.load(new URL('wasm/', document.baseURI).href, proxy(showFrame), lock);
   loaded.then(
     () => watchLife(lock, () => onEnd(say('the browser has ended it'))),
-    () => {},
+    () => {
+      // The next start tries again.
+      own.terminate();
+      if (worker === own) worker = remote = null;
+    },
   );
   return api;
 }
