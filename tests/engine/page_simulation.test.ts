@@ -60,6 +60,14 @@ it('a result that is not fitted moves on while other work is done', () => {
   status.isComputing.value = false;
 });
 
+it('pins that are found later start it once more', () => {
+  changeSettings({ pins: 'vertices:1' });
+  results.fitted.value = { result: null, key: wantedKey(STAGES.fitted) } as never;
+  const { value: before } = simulationKey;
+  results.pins.value = { text: 'vertices:1', vertices: Uint32Array.of(1) };
+  expect([before === null, simulationKey.value === before]).toEqual([false, false]);
+});
+
 it('a core that could not be loaded is loaded again by Reset', async () => {
   reset();
   await vi.waitUntil(() => twin.failure.value === 'No network.');

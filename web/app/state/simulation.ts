@@ -39,9 +39,13 @@ export const simulationKey = computed<string | null>(() => {
   const settings = wants.settings.value;
   if (view.step.value !== 'test' || isPending() || !shownMesh.value || !results.body.value) return null;
   const values = simulationKeys.map((name) => settings[name]);
-  const pins = pinSource.value === 'pins' ? keyOf(STAGES.pinned, settings) : pinSource.value;
+  const pins = pinSource.value === 'pins' ? pinsKey() : pinSource.value;
   return [meshKey(), pins, ...values, usedTuning.value !== null, twin.alwaysNoise.value].join(' ');
 });
+
+/** Pins that are still to be found start it once more. */
+const pinsKey = (): string =>
+  `${keyOf(STAGES.pinned, wants.settings.value)} ${results.pins.value?.text ?? ''}`;
 
 const meshKey = (): string =>
   [results.opened.value, wants.body.value, wantedKey(STAGES.fitted), isFittedShown()].join(' ');
