@@ -2,6 +2,7 @@
 
 import { expose } from 'comlink';
 import { beforeEach, expect, it, vi } from 'vitest';
+import { checkConvergence, convergenceCheck } from '../../web/app/state/convergence';
 import { reset, simulationKey } from '../../web/app/state/simulation';
 import { changeSettings, results, status, view, wantedKey, wants } from '../../web/app/state/store';
 import { twin } from '../../web/app/state/twin';
@@ -15,11 +16,11 @@ vi.hoisted(() => {
 
 let workers: FakeWorker[] = [];
 
-/** A worker whose core cannot be loaded. */
+/** A worker whose program or core cannot be loaded. */
 class FakeWorker {
   private readonly ports = new MessageChannel();
+  private readonly events = new EventTarget();
   postMessage = this.ports.port1.postMessage.bind(this.ports.port1);
-  addEventListener = this.ports.port1.addEventListener.bind(this.ports.port1);
   removeEventListener = this.ports.port1.removeEventListener.bind(this.ports.port1);
 
   constructor() {
@@ -28,7 +29,15 @@ class FakeWorker {
     const load = () => {
       throw new Error('No network.');
     };
-    expose({ load }, this.ports.port2);
+    expose({ load, measure: () => new Promise(() => {}) }, this.ports.port2);
+  }
+
+  addEventListener(name: 'message', listener: () => void): void {
+    (name === 'message' ? this.ports.port1 : this.events).addEventListener(name, listener);
+  }
+
+  fail(): void {
+    this.events.dispatchEvent(new Event('error'));
   }
 
   terminate(): void {
@@ -73,4 +82,13 @@ it('a core that could not be loaded is loaded again by Reset', async () => {
   await vi.waitUntil(() => twin.failure.value === 'No network.');
   reset();
   expect([twin.failure.value, workers.length]).toEqual([null, 2]);
+});
+
+it('a check whose program cannot be loaded says so', async () => {
+  void checkConvergence();
+  workers[0].fail();
+  await vi.waitUntil(() => convergenceCheck.value !== null);
+  expect(convergenceCheck.value!.failure).toBe(
+    'The simulation has stopped: its program could not be loaded.',
+  );
 });

@@ -6,6 +6,7 @@ import type { Convergence } from '../../engine/motion/convergence';
 import type { ConvergenceApi } from '../worker/convergence_worker';
 import { simulationKey, twinSetup } from './simulation';
 import { shownMesh } from './store';
+import { say } from '../language/say';
 
 interface Checked {
   /** the inputs of the simulation that was checked */
@@ -33,6 +34,20 @@ export function endConvergenceCheck(): void {
   checkingKey.value = null;
 }
 
+/** Rejects where the program of the worker cannot be loaded, or fails. */
+const failureOf = (own: Worker): Promise<never> =>
+  new Promise((_, reject) => {
+    own.addEventListener('error', ({ message }) =>
+      reject(
+        new Error(
+          say('The simulation has stopped: {why}.', {
+            why: message ?? say('its program could not be loaded'),
+          }),
+        ),
+      ),
+    );
+  });
+
 /** Replaces a check that is running. */
 export async function checkConvergence(): Promise<void> {
   const [key, result] = [simulationKey.value, shownMesh.value];
@@ -44,7 +59,8 @@ export async function checkConvergence(): Promise<void> {
   const found = { key, convergence: null, failure: null };
   try {
     const wasmFolder = new URL('wasm/', document.baseURI).href;
-    const convergence = await wrap<ConvergenceApi>(own).measure(wasmFolder, twinSetup(result));
+    const measured = wrap<ConvergenceApi>(own).measure(wasmFolder, twinSetup(result));
+    const convergence = await Promise.race([measured, failureOf(own)]);
     if (worker === own) checked.value = { ...found, convergence };
   } catch (error) {
     if (worker === own)
