@@ -41,13 +41,15 @@ export async function makePicture(
 ): Promise<void> {
   if (running) return;
   const own = (running = new AbortController());
+  // Another file may be opened meanwhile.
+  const name = pictureName(ending);
   const onProgress = (share: number): void => void (pictures.work.value = { what, share });
   onProgress(0);
   try {
     // What is going on is shown before the work begins.
     await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
     const content = await make({ signal: own.signal, onProgress });
-    if (content !== null && !own.signal.aborted) download(pictureName(ending), content, type);
+    if (content !== null && !own.signal.aborted) download(name, content, type);
   } catch (error) {
     complain(error);
   } finally {
