@@ -1,8 +1,10 @@
 /** Pictures of the page that take a while, during which it is used. */
 
 import { beforeEach, expect, it, vi } from 'vitest';
+import { figurePng } from '../../web/app/panels/pictures/figure';
 import { makePicture } from '../../web/app/panels/pictures/pictures_state';
 import { results } from '../../web/app/state/store';
+import type { Viewport } from '../../web/app/viewer/viewport';
 import type { OpenedFile } from '../../web/app/worker/protocol';
 
 const page = vi.hoisted(() => {
@@ -10,6 +12,8 @@ const page = vi.hoisted(() => {
   vi.stubGlobal('requestAnimationFrame', (draw: () => void) => setTimeout(draw));
   return {
     saved: [] as string[],
+    drawn: [] as object[],
+    pose: (() => {}) as (pose: unknown) => void,
   };
 });
 
@@ -19,10 +23,22 @@ vi.mock('../../web/app/state/running', () => ({
     throw error;
   },
 }));
+vi.mock('../../web/app/state/end_pose', () => ({
+  endPose: () => new Promise((resolve) => (page.pose = resolve)),
+}));
+vi.mock('../../web/app/viewer/picture/figure_pictures', () => ({
+  drawFigure: (bodies: object[]) => page.drawn.push(...bodies),
+}));
+vi.mock('../../web/app/panels/pictures/figure_page', () => ({ composeFigure: () => ({}) }));
+vi.mock('../../web/app/panels/pictures/stage_picture', () => ({
+  pngOf: () => Promise.resolve(new Uint8Array()),
+}));
+const job = () => ({ signal: new AbortController().signal, onProgress: () => {} });
 const named = (name: string) => ({ name, bodies: [{}] }) as unknown as OpenedFile;
+const viewport = { orbit: { camera: { quaternion: { clone: () => null } } } } as unknown as Viewport;
 
 beforeEach(() => {
-  page.saved.length = 0;
+  page.saved.length = page.drawn.length = 0;
 });
 
 it('a picture has the name of the file that it is of', async () => {
@@ -33,4 +49,26 @@ it('a picture has the name of the file that it is of', async () => {
   });
   await made;
   expect(page.saved).toEqual(['bar-picture.png']);
+});
+
+it('a figure is of the body that was shown when it was asked for', async () => {
+  const mesh = { positions: new Float32Array(9), triangles: Uint32Array.of(0, 1, 2) };
+  const modes = { modesPerComponent: 1, shapes: new Float32Array(9), ranks: new Uint8Array(1), modes: [] };
+  results.body.value = { mesh, diagonal: 1 } as never;
+  results.mesh.value = { mesh } as never;
+  results.modes.value = modes as never;
+  results.guidance.value = { rank: Float32Array.of(0.5) } as never;
+  const made = figurePng(viewport, job());
+  results.body.value = results.modes.value = results.guidance.value = null;
+  const positions = mesh.positions;
+  page.pose({ bodies: { original: { positions }, optimized: { positions } } });
+  await made;
+  expect(page.drawn).toMatchObject([
+    ...[
+      { title: 'Original' },
+      { title: 'Mode 1' },
+      { title: 'Strain', field: { values: Float32Array.of(0.5) } },
+    ],
+    ...[{ title: 'Optimized' }, {}, {}],
+  ]);
 });

@@ -46,15 +46,19 @@ export const canDrawFigure = (): boolean =>
 export async function figurePng(viewport: Viewport, job: PictureJob): Promise<Uint8Array | null> {
   const original = results.body.value!.mesh;
   const result = shownMesh.value!;
-  const pose = await endPose(job);
-  if (!pose) return null;
-  const moved = (mesh: TriangleMesh, positions: Float32Array): TriangleMesh => ({ ...mesh, positions });
   const motion = scenarioWords(wants.settings.value.scenario).label;
-  const bodies = [
+  // Another body may be chosen while both are moved.
+  const atRest = [
     plain('Original', original),
     ...modeBodies(original, results.modes.value!),
     strainBody(original),
     plain('Optimized', result.mesh),
+  ];
+  const pose = await endPose(job);
+  if (!pose) return null;
+  const moved = (mesh: TriangleMesh, positions: Float32Array): TriangleMesh => ({ ...mesh, positions });
+  const bodies = [
+    ...atRest,
     plain(`${motion}, original`, moved(original, pose.bodies.original.positions)),
     plain(`${motion}, optimized`, movedResult(result, pose.bodies.optimized.positions)),
   ];
