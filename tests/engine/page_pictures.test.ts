@@ -1,11 +1,14 @@
-/** Pictures of the page that take a while, during which it is used. */
+/** Pictures and videos of the page that take a while, during which it is used. */
 
 import { beforeEach, expect, it, vi } from 'vitest';
 import { figurePng } from '../../web/app/panels/pictures/figure';
 import { makePicture } from '../../web/app/panels/pictures/pictures_state';
-import { results } from '../../web/app/state/store';
+import { recordTest } from '../../web/app/panels/pictures/recordings';
+import { results, view } from '../../web/app/state/store';
+import { twin } from '../../web/app/state/twin';
 import type { Viewport } from '../../web/app/viewer/viewport';
 import type { OpenedFile } from '../../web/app/worker/protocol';
+import type { TwinFrame } from '../../web/app/worker/simulation_protocol';
 
 const page = vi.hoisted(() => {
   vi.stubGlobal('matchMedia', () => ({ matches: true, addEventListener: () => {} }));
@@ -13,6 +16,7 @@ const page = vi.hoisted(() => {
   return {
     saved: [] as string[],
     drawn: [] as object[],
+    frames: 0,
     pose: (() => {}) as (pose: unknown) => void,
   };
 });
@@ -23,6 +27,7 @@ vi.mock('../../web/app/state/running', () => ({
     throw error;
   },
 }));
+vi.mock('../../web/app/state/simulation', () => ({ reset: () => {}, stepOnce: () => {} }));
 vi.mock('../../web/app/state/end_pose', () => ({
   endPose: () => new Promise((resolve) => (page.pose = resolve)),
 }));
@@ -32,13 +37,27 @@ vi.mock('../../web/app/viewer/picture/figure_pictures', () => ({
 vi.mock('../../web/app/panels/pictures/figure_page', () => ({ composeFigure: () => ({}) }));
 vi.mock('../../web/app/panels/pictures/stage_picture', () => ({
   pngOf: () => Promise.resolve(new Uint8Array()),
+  sizeOf: () => ({ width: 16, height: 16, scale: 1 }),
+  drawStage: () => ({}),
 }));
+vi.mock('../../web/app/viewer/picture/recorder', () => ({
+  Recorder: {
+    open: () => ({
+      add: () => void page.frames++,
+      finish: () => Promise.resolve(new Uint8Array()),
+      cancel: () => {},
+    }),
+  },
+}));
+
+const rest = () => new Promise((resolve) => setTimeout(resolve, 20));
 const job = () => ({ signal: new AbortController().signal, onProgress: () => {} });
 const named = (name: string) => ({ name, bodies: [{}] }) as unknown as OpenedFile;
+const frameAt = (time: number) => ({ time, diverged: [] as string[] }) as unknown as TwinFrame;
 const viewport = { orbit: { camera: { quaternion: { clone: () => null } } } } as unknown as Viewport;
 
 beforeEach(() => {
-  page.saved.length = page.drawn.length = 0;
+  page.saved.length = page.drawn.length = page.frames = 0;
 });
 
 it('a picture has the name of the file that it is of', async () => {
@@ -71,4 +90,21 @@ it('a figure is of the body that was shown when it was asked for', async () => {
     ],
     ...[{ title: 'Optimized' }, {}, {}],
   ]);
+});
+
+it.each([
+  ['the step is left', () => (view.step.value = 'reduce')],
+  ['the motion begins anew', () => (twin.frame.value = null)],
+])('a video of the motion ends where %s', async (_what, change) => {
+  view.step.value = 'test';
+  twin.frame.value = frameAt(0);
+  const made = recordTest({} as Viewport, job());
+  await rest();
+  for (const time of [0.02, 0.04]) {
+    twin.frame.value = frameAt(time);
+    await rest();
+  }
+  expect(page.frames).toBe(2);
+  change();
+  expect(await made).toEqual(new Uint8Array());
 });

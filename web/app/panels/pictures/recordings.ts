@@ -1,7 +1,9 @@
 /** Videos of the stage: once around it, and the motion of the Test step, step by step. */
 
+import { effect } from '@preact/signals';
 import { STEP_SECONDS } from '../../../engine/motion/simulation';
 import { reset, stepOnce } from '../../state/simulation';
+import { view } from '../../state/store';
 import { twin } from '../../state/twin';
 import { GifRecorder } from '../../viewer/picture/gif_recorder';
 import { Recorder } from '../../viewer/picture/recorder';
@@ -75,10 +77,11 @@ export async function recordTest(viewport: Viewport, job: PictureJob): Promise<U
   const steps = Math.round(1 / (format().rate * STEP_SECONDS));
   twin.playing.value = false;
   reset();
-  await frameAfter(-1, job.signal);
+  if (!(await frameAfter(-1, job.signal))) return null;
   const prepare = async (frame: number): Promise<StageMoment | null> => {
     for (let step = 0; step < steps && frame > 0; step++) {
-      const { time } = twin.frame.value!;
+      const time = twin.frame.value?.time;
+      if (time === undefined) return null;
       stepOnce();
       if (!(await frameAfter(time, job.signal))) return null;
     }
@@ -87,25 +90,20 @@ export async function recordTest(viewport: Viewport, job: PictureJob): Promise<U
   return record(viewport, job, { frames: frameCount(), prepare });
 }
 
-/** Waits for a frame that is later than `time`; whether one has come and more can follow. Throws where the motion has failed. */
+/**
+ * Waits for a frame that is later than `time`, which is negative before the first one; whether it has come and more can follow. None
+ * comes where the step is left, or where the motion has begun anew. Throws where the motion has failed.
+ */
 function frameAfter(time: number, signal: AbortSignal): Promise<boolean> {
-  return new Promise((resolve, reject) => {
-    const settle = (isThere: boolean): void => {
-      unsubscribe();
-      unsubscribeFailure();
-      resolve(isThere);
-    };
-    let unsubscribe = (): void => {};
-    const unsubscribeFailure = twin.failure.subscribe((failure) => {
-      if (!failure) return;
-      unsubscribe();
-      reject(new Error(failure));
-    });
-    unsubscribe = twin.frame.subscribe((frame) => {
-      if (!frame || frame.time <= time) return;
+  let stop = (): void => {};
+  return new Promise<boolean>((resolve, reject) => {
+    signal.addEventListener('abort', () => resolve(false), { once: true });
+    stop = effect(() => {
+      const { value: frame } = twin.frame;
+      if (twin.failure.value) return reject(new Error(twin.failure.value));
+      if (view.step.value !== 'test' || (frame?.time ?? -1) < time) return resolve(false);
       // The effects that move the bodies on the stage follow the same signal.
-      setTimeout(() => settle(frame.diverged.length === 0));
+      if (frame && frame.time > time) setTimeout(() => resolve(frame.diverged.length === 0));
     });
-    signal.addEventListener('abort', () => settle(false), { once: true });
-  });
+  }).finally(() => stop());
 }
