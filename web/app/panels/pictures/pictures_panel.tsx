@@ -6,7 +6,7 @@ import { Choice, Section, Select, Toggle } from '../../controls/controls';
 import { NumberField } from '../../controls/number_field';
 import { count } from '../../controls/numbers';
 import { Spoken } from '../../controls/spoken';
-import { results, shownMetrics, view, wants } from '../../state/store';
+import { results, shownMesh, view, wants } from '../../state/store';
 import { twin } from '../../state/twin';
 import { viewportHandle } from '../viewport/viewport_view';
 import { deviationSvg } from './deviation_svg';
@@ -247,7 +247,7 @@ function VideoSection() {
 }
 
 const chartTitle = (): string =>
-  `${results.file.value!.name}, ${scenarioWords(wants.settings.value.scenario).label.toLowerCase()}: ${count(shownMetrics.value?.inspection.faces ?? 0)} of ${count(results.body.value!.inspection.faces)} faces`;
+  `${results.file.value!.name}, ${scenarioWords(wants.settings.value.scenario).label.toLowerCase()}: ${count((shownMesh.value?.mesh.triangles.length ?? 0) / 3)} of ${count(results.body.value!.inspection.faces)} faces`;
 
 function FigureSection() {
   return (
