@@ -56,8 +56,9 @@ export function MethodGrid({ original, results, onChoose }: GridProps) {
             class="method-card"
             disabled={!results[i]}
             aria-pressed={wants.settings.value.method === name}
-            onClick={() => {
-              if (!drag.hasMoved()) onChoose(name);
+            onClick={({ detail }) => {
+              // A key clicks as well, however far the pointer has moved before.
+              if (detail === 0 || !drag.hasMoved()) onChoose(name);
             }}
           >
             <Canvas />
