@@ -61,9 +61,18 @@ export class MethodPictures {
     if (this.isDisposed) return;
     const geometry = geometryFrom(arrays, mesh);
     this.sphere ??= geometry.boundingSphere!.clone();
-    this.drawn.get(mesh)?.geometry.dispose();
+    this.forget(mesh, canvas);
     this.drawn.set(mesh, { canvas, geometry, isFlat: isLarge(mesh) });
     this.drawSoon();
+  }
+
+  /** Lets go of what was drawn of this mesh, and of another one on the same canvas. */
+  private forget(mesh: TriangleMesh, canvas: HTMLCanvasElement): void {
+    for (const [other, drawn] of this.drawn) {
+      if (other !== mesh && drawn.canvas !== canvas) continue;
+      drawn.geometry.dispose();
+      this.drawn.delete(other);
+    }
   }
 
   look({ clay, wire, wireStrength }: PictureLook): void {
