@@ -22,12 +22,13 @@ interface Wanted {
   compression?: Compression;
   style?: LevelStyle;
   levels?: number;
+  keepsOrder?: boolean;
 }
 
 function write(
   model: OpenModel,
   name: string,
-  { compression = 'like-input', style = 'files', levels = 0 }: Wanted = {},
+  { compression = 'like-input', style = 'files', levels = 0, keepsOrder = false }: Wanted = {},
 ) {
   const form = formOfName(name, model.format)!;
   const bodies = model.bodies.map((body) => ({
@@ -37,7 +38,7 @@ function write(
   return exportFiles(model, bodies, {
     name,
     form,
-    manner: { compression, style, keepsOrder: false },
+    manner: { compression, style, keepsOrder },
     fields: false,
   });
 }
@@ -108,6 +109,20 @@ describe('a written file', () => {
       expect((await validateFiles(files))!.errors).toBe(0);
     }
   });
+
+  it.each(['quantized', 'meshopt', 'draco'] as const)(
+    'in %s keeps vertices, triangles and their corners in order where another file counts them',
+    async (compression) => {
+      const indicesOf = async (model: OpenModel, wanted: Wanted) =>
+        Array.from((await openModel(await write(model, 'a.glb', wanted))).bodies[0].indices);
+      const model = await richModel();
+      const plain = await indicesOf(model, { compression: 'none' });
+      expect(await indicesOf(model, { compression, keepsOrder: true })).toEqual(plain);
+      const packed = await openModel(await write(model, 'a.glb', { compression }));
+      const unpacked = await indicesOf(packed, { compression: 'none' });
+      expect(await indicesOf(packed, { keepsOrder: true })).toEqual(unpacked);
+    },
+  );
 
   it('is stored like its input, in steps of its input’s own grid', async () => {
     for (const compression of ['quantized', 'meshopt', 'draco'] as const) {

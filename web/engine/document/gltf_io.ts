@@ -31,17 +31,32 @@ export async function createGltfIo(extensions: readonly string[] = []): Promise<
   return io;
 }
 
-/** A writer with the encoders of the extensions that the document uses. */
-export async function createGltfWriter(document: Document): Promise<WebIO> {
+/** A writer with the encoders of the extensions that the document uses. `keepsCorners`: see `packedInOrder`. */
+export async function createGltfWriter(document: Document, keepsCorners = false): Promise<WebIO> {
   const io = plainIo();
   const names = document
     .getRoot()
     .listExtensionsUsed()
     .map(({ extensionName }) => extensionName);
-  if (names.includes(MESHOPT)) io.registerDependencies({ 'meshopt.encoder': await loadMeshoptEncoder() });
+  if (names.includes(MESHOPT)) {
+    const encoder = await loadMeshoptEncoder();
+    io.registerDependencies({ 'meshopt.encoder': keepsCorners ? packedInOrder(encoder) : encoder });
+  }
   if (names.includes(DRACO)) io.registerDependencies({ 'draco3d.encoder': await loadDracoEncoder() });
   return io;
 }
+
+type MeshoptEncoder = Awaited<ReturnType<typeof loadMeshoptEncoder>>;
+
+/** meshopt's modes of lists of vertices: triangles come back with their corners turned, other lists as they were. */
+export const [TRIANGLES_MODE, INDICES_MODE] = ['TRIANGLES', 'INDICES'];
+
+/** An encoder that packs triangles as lists of vertices. What names the mode in the JSON has to say so, too. */
+const packedInOrder = (encoder: MeshoptEncoder): MeshoptEncoder => ({
+  ...encoder,
+  encodeGltfBuffer: (source, count, size, ...[mode, ...others]) =>
+    encoder.encodeGltfBuffer(source, count, size, mode === TRIANGLES_MODE ? INDICES_MODE : mode, ...others),
+});
 
 export async function loadMeshoptEncoder() {
   const { MeshoptEncoder } = await import('meshoptimizer/encoder');

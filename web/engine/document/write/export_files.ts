@@ -81,6 +81,7 @@ async function filesOf(
     ...additionsOf(model, firsts),
     levels: inserted,
     isRatified: stored.isRatified ?? false,
+    keepsCorners: manner.keepsOrder,
   };
   if (format === 'gltf') return writeGltf(document, name, additions);
   return [{ name, bytes: await writeGlb(document, additions) }];

@@ -5,7 +5,7 @@ import { Format } from '@gltf-transform/core';
 import { carryForeign } from '../extensions/carry_foreign';
 import type { Foreign } from '../extensions/foreign';
 import { glbParts, withJson } from '../glb';
-import { createGltfWriter, MESHOPT, RATIFIED_MESHOPT } from '../gltf_io';
+import { createGltfWriter, INDICES_MODE, MESHOPT, RATIFIED_MESHOPT, TRIANGLES_MODE } from '../gltf_io';
 import type { SourceFile } from '../model';
 import { renameExtension } from './compression';
 import type { LevelNodes } from './level_nodes';
@@ -20,10 +20,18 @@ export interface Additions {
   replaced: ReadonlySet<number>;
   /** meshopt under its ratified name */
   isRatified: boolean;
+  /** whether triangles keep the order of their corners */
+  keepsCorners: boolean;
   levels: LevelNodes[];
 }
 
-export const NO_ADDITIONS: Additions = { foreign: null, replaced: new Set(), isRatified: false, levels: [] };
+export const NO_ADDITIONS: Additions = {
+  foreign: null,
+  replaced: new Set(),
+  isRatified: false,
+  keepsCorners: false,
+  levels: [],
+};
 
 /** The document as a GLB; equal images are written once. */
 export async function writeGlb(document: Document, additions: Additions): Promise<Uint8Array> {
@@ -32,7 +40,7 @@ export async function writeGlb(document: Document, additions: Additions): Promis
   const copies = textures.filter((texture) => firsts.has(texture) && firsts.get(texture) !== texture);
   // What has no bytes gets no view of its own.
   for (const texture of copies) texture.setImage(null as unknown as Uint8Array<ArrayBuffer>);
-  const bytes = await (await createGltfWriter(document)).writeBinary(document);
+  const bytes = await (await createGltfWriter(document, additions.keepsCorners)).writeBinary(document);
   const json = JSON.parse(new TextDecoder().decode(glbParts({ name: '', bytes }).json)) as GLTF.IGLTF;
   textures.forEach((texture, i) => {
     if (copies.includes(texture))
@@ -53,7 +61,7 @@ export async function writeGltf(
   const textures = document.getRoot().listTextures();
   const names = imageNames(document, stem);
   for (const [texture, own] of names) texture.setURI(own);
-  const io = await createGltfWriter(document);
+  const io = await createGltfWriter(document, additions.keepsCorners);
   const written = await io.writeJSON(document, { format: Format.GLTF, basename: stem });
   const buffers = written.json.buffers ?? [];
   for (const buffer of buffers) if (buffer.uri !== undefined) buffer.uri = addressOf(buffer.uri);
@@ -72,11 +80,21 @@ export function gltfCompanions(document: Document, name: string): Companion[] {
   return [{ name: `${stem}.bin`, image: null }, ...imageFiles(document, stem)];
 }
 
-const hasAdditions = ({ foreign, isRatified, levels }: Additions): boolean =>
-  foreign !== null || isRatified || levels.length > 0;
+const hasAdditions = ({ foreign, isRatified, keepsCorners, levels }: Additions): boolean =>
+  foreign !== null || isRatified || keepsCorners || levels.length > 0;
 
-function withAdditions(json: GLTF.IGLTF, { foreign, replaced, isRatified, levels }: Additions): GLTF.IGLTF {
+function withAdditions(json: GLTF.IGLTF, additions: Additions): GLTF.IGLTF {
+  const { foreign, replaced, isRatified, keepsCorners, levels } = additions;
   if (foreign) carryForeign(json, foreign, replaced);
   addLevels(json, levels);
+  if (keepsCorners) namePackedInOrder(json);
   return isRatified ? renameExtension(json, MESHOPT, RATIFIED_MESHOPT) : json;
+}
+
+/** Names the mode in which triangles were packed, see `packedInOrder`. */
+function namePackedInOrder({ bufferViews = [] }: GLTF.IGLTF): void {
+  for (const { extensions } of bufferViews) {
+    const packed = extensions?.[MESHOPT] as { mode: string } | undefined;
+    if (packed?.mode === TRIANGLES_MODE) packed.mode = INDICES_MODE;
+  }
 }
