@@ -3,17 +3,19 @@ import { bindingOfBody } from '../../web/engine/body/body_binding';
 import type { BodyBinding } from '../../web/engine/body/body_binding';
 import { readBinding, writeBinding } from '../../web/engine/report/binding_file';
 import { NONE } from '../../web/engine/core/core';
-import type { Core, MeshAt } from '../../web/engine/core/core';
+import type { Binding, Core, MeshAt, TriangleMesh } from '../../web/engine/core/core';
 import { exportGlb } from '../../web/engine/document/export';
 import { openModel } from '../../web/engine/document/open';
-import type { OpenModel } from '../../web/engine/document/open';
+import type { Body, OpenModel } from '../../web/engine/document/open';
+import { bindingBetween } from '../../web/engine/motion/simulation';
+import { prepareBody } from '../../web/engine/stages/prepared';
 import { defaultSettings } from '../../web/engine/settings/options';
 import type { PreparedBody } from '../../web/engine/body/prepared_body';
 import { exportedBody } from '../../web/engine/stages/written';
 import { loadTestCore } from './support/core';
 import { failureOf, textFile } from './support/files';
 import { optimized, runOfModel } from './support/runs';
-import { toObj, torus } from './support/shapes';
+import { grid, toObj, torus } from './support/shapes';
 
 interface Bound {
   model: OpenModel;
@@ -33,9 +35,9 @@ beforeAll(async () => {
   const model = await openModel([textFile('torus.obj', `v 9 9 9\n${lines}`)]);
   const settings = { ...defaultSettings(), method: 'qem' as const };
   const { prepared, result } = optimized(runOfModel(core, model), settings, 150);
-  const faces = result.mesh.triangles.length / 3;
-  const body = bindingOfBody(prepared, faces, core.bindToResult(prepared.mesh, result));
-  bound = { model, prepared, result, body };
+  const written = exportedBody(core, prepared, result, null);
+  const binding = core.bindToResult(prepared.mesh, result);
+  bound = { model, prepared, result, body: bindingOfBody(prepared, result.mesh, written, binding) };
 });
 
 describe('a binding file', () => {
@@ -47,19 +49,48 @@ describe('a binding file', () => {
     const { model, prepared, result, body } = bound;
     const bytes = await exportGlb(model, [exportedBody(core, prepared, result, null)], { fields: false });
     const [written] = (await openModel([{ name: 'out.glb', bytes }])).bodies;
-    const { triangle, barycentric, offset } = body.binding;
+    const { triangle, barycentric } = body.binding;
     expect(triangle[0]).toBe(NONE);
-    for (let v = 1; v < triangle.length; ++v) {
-      const corners = [0, 1, 2].map((k) => written.indices[3 * triangle[v] + k]);
-      const [a, b, c] = corners.map((corner) => [...written.positions.slice(3 * corner, 3 * corner + 3)]);
-      const normal = unitNormal(a, b, c);
-      for (let axis = 0; axis < 3; ++axis) {
-        const foot = [a, b, c].reduce((sum, p, k) => sum + barycentric[3 * v + k] * p[axis], 0);
-        const point = foot + offset[v] * normal[axis];
-        expect(Math.abs(point - model.bodies[0].positions[3 * v + axis])).toBeLessThan(0.12);
-      }
+    expect(farthest(model.bodies[0], written, body.binding)).toBeLessThan(0.12);
+    for (let v = 1; v < triangle.length; ++v)
       expect(barycentric[3 * v] + barycentric[3 * v + 1] + barycentric[3 * v + 2]).toBeCloseTo(1, 6);
-    }
+  });
+
+  it('counts triangles with back sides, and turned ones, as the exported file has them', async () => {
+    const { positions, triangles } = grid(12, 12);
+    const height = (v: number) => 0.1 * Math.sin(5 * positions[3 * v]);
+    const lines = Array.from({ length: positions.length / 3 }, (_, v) =>
+      ['v', positions[3 * v], positions[3 * v + 1], height(v)].join(' '),
+    );
+    const faces = Array.from({ length: triangles.length / 3 }, (_, t) => {
+      const [a, b, c] = triangles.subarray(3 * t, 3 * t + 3).map((v) => v + 1);
+      return { front: `f ${a} ${b} ${c}`, back: `f ${a} ${c} ${b}`, isTurned: t % 5 === 0 };
+    });
+    const [left, right] = [faces.slice(0, faces.length / 2), faces.slice(faces.length / 2)];
+    lines.push('usemtl left', ...left.flatMap(({ front, back }) => [front, back]));
+    lines.push('usemtl right', ...right.map(({ front, back, isTurned }) => (isTurned ? back : front)));
+    const model = await openModel([textFile('sheet.obj', lines.join('\n'))]);
+    const { prepared, result } = optimized(
+      runOfModel(core, model),
+      { ...defaultSettings(), method: 'qem' },
+      150,
+    );
+    const written = exportedBody(core, prepared, result, null);
+    const found = core.bindToResult(prepared.mesh, result);
+    const body = bindingOfBody(prepared, result.mesh, written, found);
+    const bytes = await exportGlb(model, [written], { fields: false });
+    const again = await openModel([{ name: 'out.glb', bytes }]);
+    expect(body.faces).toBe(again.bodies[0].indices.length / 3);
+    expect(farthest(model.bodies[0], again.bodies[0], body.binding)).toBeLessThan(0.03);
+    const other = prepareBody(core, again.bodies[0], defaultSettings(), again.document);
+    const { triangle, barycentric } = bindingBetween(prepared, other, [body]);
+    expect(
+      farthest({ positions: prepared.mesh.positions }, meshAsBody(other.mesh), {
+        triangle,
+        barycentric,
+        offset: new Float32Array(triangle.length),
+      }),
+    ).toBeLessThan(0.03);
   });
 
   it('is refused if it is damaged', async () => {
@@ -83,6 +114,29 @@ function withInfinity(body: BodyBinding): BodyBinding {
   const offset = body.binding.offset.slice();
   offset[0] = Infinity;
   return { ...body, binding: { ...body.binding, offset } };
+}
+
+const meshAsBody = ({ positions, triangles }: TriangleMesh) => ({ positions, indices: triangles });
+
+/** How far at most a coordinate of a vertex is from where the binding has it on the triangles of `written`. */
+function farthest(
+  original: Pick<Body, 'positions'>,
+  written: Pick<Body, 'positions' | 'indices'>,
+  { triangle, barycentric, offset }: Binding,
+): number {
+  let most = 0;
+  triangle.forEach((t, v) => {
+    if (t === NONE) return;
+    const corners = [0, 1, 2].map((k) => written.indices[3 * t + k]);
+    const [a, b, c] = corners.map((corner) => [...written.positions.slice(3 * corner, 3 * corner + 3)]);
+    const normal = unitNormal(a, b, c);
+    for (let axis = 0; axis < 3; ++axis) {
+      const foot = [a, b, c].reduce((sum, p, k) => sum + barycentric[3 * v + k] * p[axis], 0);
+      const point = foot + offset[v] * normal[axis];
+      most = Math.max(most, Math.abs(point - original.positions[3 * v + axis]));
+    }
+  });
+  return most;
 }
 
 function unitNormal(a: number[], b: number[], c: number[]): number[] {

@@ -1,10 +1,11 @@
 /** What the settings ask of a simulation, and what it needs to know of an original and its result. */
 
-import { vertexCount } from '../core/mesh';
+import { faceCount, vertexCount } from '../core/mesh';
 import type { Binding, Core, SimulationModel, SimulationOptions, TriangleMesh } from '../core/core';
 import { NONE } from '../core/core';
 import { collisionSceneOf } from './colliders';
 import type { BodyBinding } from '../body/body_binding';
+import { layersAt } from '../body/layers';
 import { materialOf } from '../body/material';
 import type { MaterialSettings } from '../body/material';
 import type { PinnedVertices } from '../body/pins';
@@ -94,18 +95,20 @@ export function bindingBetween(
     throw new Error(
       `The binding is not of "${original.body.name}": write it again together with the optimized mesh.`,
     );
-  const triangleOfSource = new Uint32Array(entry.faces).fill(NONE);
-  optimized.weld.sourceOfTriangle.forEach((source, t) => {
-    if (source < entry.faces) triangleOfSource[source] = t;
-  });
+  const layerOf = new Map<number, { t: number; cornerOf: readonly number[] }>();
+  for (let t = 0; t < faceCount(optimized.mesh); ++t)
+    for (const { source, cornerOf } of layersAt(optimized.layers, t)) layerOf.set(source, { t, cornerOf });
   const count = vertexCount(original.mesh);
   const triangle = new Uint32Array(count).fill(NONE);
   const barycentric = new Float32Array(3 * count);
   vertexOfSource.forEach((v, source) => {
     const bound = entry.binding.triangle[source];
-    if (v === NONE || bound === NONE) return;
-    triangle[v] = triangleOfSource[bound];
-    barycentric.set(entry.binding.barycentric.subarray(3 * source, 3 * source + 3), 3 * v);
+    const layer = layerOf.get(bound);
+    if (v === NONE || !layer) return;
+    triangle[v] = layer.t;
+    layer.cornerOf.forEach((corner, k) => {
+      barycentric[3 * v + corner] = entry.binding.barycentric[3 * source + k];
+    });
   });
   return { triangle, barycentric };
 }

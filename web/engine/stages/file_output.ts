@@ -125,11 +125,11 @@ export class FileOutput {
 
   /** The text of the binding file. */
   binding(): string {
-    const prepared = this.prepared();
+    const [prepared, written] = [this.prepared(), this.values(STAGES.written)];
     return writeBinding(
       this.results().map((result, i) => {
         const binding = this.file.core.bindToResult(prepared[i].mesh, result);
-        return bindingOfBody(prepared[i], faceCount(result.mesh), binding);
+        return bindingOfBody(prepared[i], result.mesh, written[i], binding);
       }),
     );
   }
