@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "shapes.h"
@@ -121,6 +122,14 @@ TEST(CarryPins, aPinnedRegionStaysOnTheSheetOfItsBinding) {
   const Pins pins = carryPins(original, pinned, result, binding);
   EXPECT_EQ(pins.vertices, (std::vector<uint32_t>{0, 1, 2, 3, 4, 5}));
   EXPECT_TRUE(pins.points.empty());
+}
+
+TEST(CarryPins, refusesPinsThatAreNotThereAndAMeshWithoutTriangles) {
+  const TriangleMesh sheet = shapes::grid(2, 2);
+  const std::vector<uint32_t> pinned = {0, 1}, beyond = {9};
+  EXPECT_THROW(carryPins(sheet, pinned, TriangleMesh{}), std::invalid_argument);
+  EXPECT_THROW(carryPins(sheet, beyond, sheet), std::invalid_argument);
+  EXPECT_EQ(carryPins(sheet, {}, TriangleMesh{}).count(), 0u);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "mesh/sampling.h"
@@ -20,6 +21,13 @@ constexpr double kInside = 0.9;
 // Whether a triangle lies in the region is judged at the centres of the kCuts^2 triangles that it is cut
 // into.
 constexpr int kCuts = 4;
+
+void check(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& result) {
+  if (std::ranges::any_of(pinned, [&](uint32_t v) { return v >= original.vertexCount(); }))
+    throw std::invalid_argument("A pin names a vertex that the original does not have: give its own pins.");
+  if (!pinned.empty() && result.triangles.empty())
+    throw std::invalid_argument("A mesh without triangles cannot be pinned: give one that has some.");
+}
 
 // The triangles of a body whose corners are all pinned.
 struct PinnedRegion {
@@ -185,6 +193,7 @@ bool comesBefore(const SurfacePoint& a, const SurfacePoint& b) {
 
 Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& result,
                std::span<const SurfacePoint> binding) {
+  check(original, pinned, result);
   Pins pins;
   const Bodies bodies{original, result, binding};
   const std::vector<SurfacePoint> points = resultPoints(bodies, pinned);

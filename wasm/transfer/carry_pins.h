@@ -18,7 +18,8 @@ namespace limber {
 //
 // `pinned`: vertices of the original. `binding`: a point of the result for each vertex of the original, kNone
 // as the triangle of those that have none; where it is empty, closest points at rest are used. Vertices of
-// the returned pins ascend, each once.
+// the returned pins ascend, each once. Throws std::invalid_argument for a pin that the original does not
+// have, and where a result without triangles is to be pinned.
 Pins carryPins(const TriangleMesh& original, std::span<const uint32_t> pinned, const TriangleMesh& result,
                std::span<const SurfacePoint> binding = {});
 
