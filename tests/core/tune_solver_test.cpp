@@ -140,6 +140,15 @@ TEST(TuneSolver, WithFieldsIsNoWorseThanWithTwoFactors) {
   EXPECT_LT(largest, 0.6 * (most - least));
 }
 
+TEST(TuneSolver, KeepsFieldsToTheRangeOfFactors) {
+  TuneOptions options = optionsFor(kModels[1].second, body(), TuneKind::Vertex);
+  options.result.bend /= 30;
+  Job job;
+  const Tuned tuned = tuneSolver(body(), coarseBody(), options, job);
+  EXPECT_GT(tuned.bendFactor, 9);
+  EXPECT_LE(tuned.bendFactor * std::ranges::max(tuned.bendField), 10 * (1 + 1e-9));
+}
+
 TEST(TuneSolver, KeepsTheMassOfTheOriginal) {
   Job job;
   for (const MassRule rule : {MassRule::Area, MassRule::Vertex}) {

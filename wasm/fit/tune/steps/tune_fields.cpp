@@ -66,6 +66,17 @@ class FieldUnknowns {
     return all;
   }
 
+  // The unknowns nearest to these with which factors keep to their range.
+  Eigen::VectorXd bounded(Eigen::VectorXd x) const {
+    const auto bound = [](auto field, double factor) {
+      const double middle = -std::log(factor);
+      field = field.cwiseMax(middle - kFactorRange).cwiseMin(middle + kFactorRange).eval();
+    };
+    bound(x.head(vertexCount_), start_.bend);
+    if (constraints_.tunesStretch) bound(x.tail(vertexCount_), start_.stretch);
+    return x;
+  }
+
   // Derivatives by the unknowns from those by the logarithms of factors.
   Eigen::MatrixXd gathered(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& x) const {
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(jacobian.rows(), count());
@@ -143,7 +154,7 @@ VertexFields tuneFields(TuneProblem& problem, const TuneConstraints& constraints
     gram.diagonal().array() += std::max(squares / (2 * modes), kLeastScatter);
     const Eigen::VectorXd wanted = problem.residuals() - jacobian * x;
     const Eigen::VectorXd next = -variance * columns * gram.ldlt().solve(wanted);
-    const Eigen::VectorXd bounded = next.cwiseMax(-kFactorRange).cwiseMin(kFactorRange);
+    const Eigen::VectorXd bounded = unknowns.bounded(next);
     const double step = (bounded - x).cwiseAbs().maxCoeff();
     x = bounded;
     problem.moveTo(unknowns.factors(x), job);
