@@ -189,6 +189,19 @@ describe('limber batch', () => {
     expect(batch('--force').code).toBe(0);
   });
 
+  it('writes over none of its models, also where limber has made them', () => {
+    mkdirSync(path('out/src/src'), { recursive: true });
+    for (const name of ['out/src/x.glb', 'out/src/src/x.glb'])
+      limber('optimize', 'src/ring.obj', name, '--quiet');
+    const before = bytes('out/src/x.glb');
+    for (const words of [[], ['--force']])
+      expect(limber('batch', 'out/src', 'out', '--quiet', ...words)).toMatchObject({
+        code: 1,
+        stderr: expect.stringContaining('src/x.glb: out/src/x.glb is also a model of this batch') as string,
+      });
+    expect(bytes('out/src/x.glb').equals(before)).toBe(true);
+  });
+
   it('takes files, patterns and unusual names', () => {
     write('src/Ünï cødé 🦊/it’s; $(touch x) & "q".obj', toObj(grid(4, 4)));
     write('src/-rf.obj', toObj(grid(4, 4)));

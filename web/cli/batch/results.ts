@@ -3,7 +3,7 @@
 import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, renameSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { writeWhole } from '../files';
-import { followLinks, isSpecial } from '../output_files/identity';
+import { followLinks, identityOf, isSpecial } from '../output_files/identity';
 import { isOwnCompanion } from '../output_files/own_companions';
 import { isOwnFile } from '../output_files/own_files';
 import { hashOf } from './key';
@@ -31,6 +31,8 @@ export interface ResultsOptions {
   force: boolean;
   /** names of files below OUT that batches have written */
   known: Iterable<string>;
+  /** paths of the models of this batch, over which nothing is written */
+  sources: string[];
   /** Looks at an asset of this batch, and calls `settle` with what it finds. */
   lookAt: (asset: string) => Promise<unknown>;
 }
@@ -42,9 +44,11 @@ export class Results {
   /** results of earlier runs whose assets have not been looked at yet */
   private readonly expected = new Map<string, AssetRecord>();
   private readonly known: Set<string>;
+  private readonly sources: Set<string>;
 
   constructor(private readonly options: ResultsOptions) {
     this.known = new Set(options.known);
+    this.sources = new Set(options.sources.map(identityOf));
   }
 
   /** Remembers that these results of an earlier run are an asset's, for as long as it is not known whether it is done again. */
@@ -72,6 +76,12 @@ export class Results {
       return failedRecord(
         record.asset,
         `${rival.name} is also a result of ${rival.asset}: rename one of them`,
+      );
+    const source = files.find(({ path }) => existsSync(path) && this.sources.has(identityOf(path)));
+    if (source)
+      return failedRecord(
+        record.asset,
+        `${source.path} is also a model of this batch: choose another folder for the results`,
       );
     const foreign = this.options.force ? undefined : files.find((file) => this.isForeign(file, files));
     if (foreign)

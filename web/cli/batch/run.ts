@@ -56,6 +56,7 @@ export class BatchRun {
     const byName = new Map(requests.map((request) => [request.asset.name, request]));
     this.results = new Results({
       ...{ out, force: args.force },
+      sources: requests.map(({ asset }) => asset.path),
       known: journal.all().flatMap(({ written }) => written.map(({ name }) => name)),
       lookAt: (asset) => this.lookAt(byName.get(asset)!),
     });
