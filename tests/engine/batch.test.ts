@@ -186,6 +186,11 @@ describe('limber batch', () => {
       code: 1,
       stderr: expect.stringContaining('is also SRC'),
     });
+    expect(limber('batch', 'src/*.obj', 'src')).toEqual({
+      code: 1,
+      stdout: '',
+      stderr: 'limber: src is also the folder of src/*.obj: choose another folder for the results.\n',
+    });
     expect(batch('--force').code).toBe(0);
   });
 

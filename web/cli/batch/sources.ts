@@ -40,6 +40,8 @@ function sourcesOf(word: string, out: string): Source[] {
   if (!isPathPattern(word)) throw new UsageError(`${word} does not exist: name a folder, pattern or file.`);
   const { base, pattern } = parted(word);
   if (!existsSync(base)) throw new UsageError(`${word} has no model: the folder ${base} does not exist.`);
+  if (existsSync(out) && realpathSync(base) === realpathSync(out))
+    throw new UsageError(`${out} is also the folder of ${word}: choose another folder for the results.`);
   // A pattern of one part is about its own folder, not about all below.
   const isFlat = !pattern.includes('/');
   return walk(base, out)
