@@ -177,6 +177,12 @@ describe('what is up to date', () => {
     const results = (platform: NodeJS.Platform) =>
       assetsOf(sources, undefined, platform).map(({ result }) => result);
     expect(results('linux')).toEqual(['a.obj.glb', 'a.ply.glb', 'b/a.glb', 'c.d.glb']);
+    const chain = ['a.obj', 'a.obj.obj', 'a.obj.obj.stl', 'a.ply'].map((name) => ({
+      name,
+      path: name,
+      bytes: 1,
+    }));
+    expect(new Set(assetsOf(chain).map(({ result }) => result)).size).toBe(4);
     const cased = ['A.obj', 'a.ply'].map((name) => ({ name, path: name, bytes: 1 }));
     expect(assetsOf(cased, undefined, 'linux')[0].result).toBe('A.glb');
     expect(assetsOf(cased, () => 'ply', 'win32')[0].result).toBe('A.obj.ply');

@@ -93,14 +93,29 @@ export function assetsOf(
   endingOf: (name: string) => string = () => 'glb',
   platform: NodeJS.Platform = process.platform,
 ): Asset[] {
-  const short = (name: string) => name.replace(/\.[^./]*$/, '');
-  const shared = new Map<string, number>();
-  for (const { name } of sources) {
-    const key = nameKey(short(name), platform);
-    shared.set(key, (shared.get(key) ?? 0) + 1);
+  const kept = namesThatCollide(sources, platform);
+  return sources.map((source) => ({
+    ...source,
+    result: `${stemOf(source.name, kept)}.${endingOf(source.name)}`,
+  }));
+}
+
+/** What a result is called before its ending. `kept`: the names that keep their own. */
+const stemOf = (name: string, kept: ReadonlySet<string>): string =>
+  kept.has(name) ? name : name.replace(/\.[^./]*$/, '');
+
+/** The names whose results would have one name. One that keeps its ending can in turn be another's without its own. */
+function namesThatCollide(sources: Source[], platform: NodeJS.Platform): ReadonlySet<string> {
+  const kept = new Set<string>();
+  for (let known = -1; known < kept.size;) {
+    known = kept.size;
+    const stems = sources.map(({ name }) => nameKey(stemOf(name, kept), platform));
+    const first = new Map<string, string>();
+    sources.forEach(({ name }, i) => {
+      const other = first.get(stems[i]) ?? name;
+      first.set(stems[i], other);
+      if (other !== name) kept.add(name).add(other);
+    });
   }
-  return sources.map((source) => {
-    const isAlone = shared.get(nameKey(short(source.name), platform)) === 1;
-    return { ...source, result: `${isAlone ? short(source.name) : source.name}.${endingOf(source.name)}` };
-  });
+  return kept;
 }
