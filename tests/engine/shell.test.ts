@@ -36,6 +36,7 @@ _limber; printf '%s\\n' "\${COMPREPLY[@]}"`;
     expect(offered('limber', 'o')).toEqual(['optimize']);
     expect(offered('limber', 'batch', '--jo')).toEqual(['--jobs']);
     expect(offered('limber', 'optimize', 'a.glb', '--method', '')).toEqual(['limber', 'paper', 'qem']);
+    expect(offered('limber', 'optimize', 'a.glb', '--format', 'obj')).toEqual(['obj', 'obj.zip']);
     expect(offered('limber', 'completion', 'f')).toEqual(['fish']);
     expect(offered('limber', 'inspect', '--jo')).toEqual(['']);
   });

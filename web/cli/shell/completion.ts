@@ -23,7 +23,7 @@ export const completionScript = (shell: Shell): string => SHELLS[shell]();
 /** The words that a flag takes; none where it takes a number, name or file. */
 export function wordsOf({ value = '' }: Flag): string[] {
   const words = value.split('|');
-  return words.length > 1 && words.every((word) => /^[a-z][a-z0-9-]*$/.test(word)) ? words : [];
+  return words.length > 1 && words.every((word) => /^[a-z][a-z0-9.-]*$/.test(word)) ? words : [];
 }
 
 const takesFile = ({ value = '' }: Flag): boolean => /FILE|OUT/.test(value);
