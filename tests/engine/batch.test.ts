@@ -235,6 +235,12 @@ describe('limber batch', () => {
     expect(limber('batch', 'nothing', 'out3').stderr).toMatch(/nothing does not exist/);
   });
 
+  it('says what a word of version 0.1 means now, once for all assets', () => {
+    const lines = batch('--fit', 'on').stderr.split('\n');
+    expect(lines[0]).toBe('limber: --fit on of earlier versions is now modal (default: surface).');
+    expect(lines.filter((line) => line.includes('earlier versions'))).toHaveLength(1);
+  });
+
   it('takes of a pattern without folders those of its own folder', () => {
     write('top.obj', toObj(grid(4, 4)));
     for (const pattern of ['*.obj', './*.obj', './/*.obj']) {

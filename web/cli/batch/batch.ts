@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { EMPTY_CONFIG, isExcluded, readBatchConfig } from '../../engine/settings/batch_config';
 import { startStopwatch } from '../../engine/core/stopwatch';
 import type { Arguments } from '../arguments';
-import { EXIT, UsageError } from '../failure';
+import { EXIT, inFlags, UsageError } from '../failure';
 import { readText } from '../files';
 import { checkOutputs } from '../output_files/outputs';
 import { isOwnFile } from '../output_files/own_files';
@@ -38,7 +38,7 @@ export async function runBatch(args: Arguments): Promise<number> {
   try {
     const journal = new Journal(own);
     const crew = crewOf(args, requests.length);
-    sayStart(args, requests, { crew, notes: journal.notes });
+    sayStart(args, requests, { crew, notes: [...args.formerWords.map(inFlags), ...journal.notes] });
     journal.gather();
     const run = new BatchRun({ args, out, journal, ...crew }, requests);
     stopOnSignal(run, unlock);
