@@ -215,6 +215,13 @@ describe('writing', () => {
     expect(readdirSync(folder).filter((name) => name.endsWith('.part'))).toEqual([]);
   });
 
+  it('takes every name that the system takes', () => {
+    for (const name of ['a'.repeat(255), 'ü'.repeat(127), '🦊'.repeat(63)]) {
+      writeWhole(at(name), 'new');
+      expect(readFileSync(at(name), 'utf8')).toBe('new');
+    }
+  });
+
   it('does not replace a device', () => {
     writeWhole('/dev/null', 'gone');
     expect(statSync('/dev/null').isCharacterDevice()).toBe(true);

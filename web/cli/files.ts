@@ -98,13 +98,20 @@ function readBytes(path: string): Uint8Array {
   }
 }
 
+/** Letters of a name that its partial file keeps: a name can be as long as the system allows. */
+const KEPT_LETTERS = 40;
+
+/** Where a file is written before it takes its place. */
+const partialOf = (end: string): string =>
+  join(dirname(end), `.${basename(end).slice(0, KEPT_LETTERS)}.${process.pid}.part`);
+
 /**
  * Writes all or nothing: into a file in the same folder, which then takes the place of `path` and its permissions. A link
  * stays, and the file that it leads to is replaced; a device or pipe is written to.
  */
 export function writeWhole(path: string, content: Uint8Array | string): void {
   const end = followLinks(path);
-  const partial = join(dirname(end), `.${basename(end)}.${process.pid}.part`);
+  const partial = partialOf(end);
   try {
     if (isSpecial(end)) {
       writeFileSync(end, content);
