@@ -117,6 +117,22 @@ describe('a file that is there', () => {
 });
 
 describe.skipIf(!existsSync('/dev/full'))('a disk that is full', () => {
+  it('is refused in one sentence where the system cannot look there', () => {
+    const long = `${'a'.repeat(256)}.glb`;
+    const reasons = { 'torus.obj/x.glb': 'a folder of its path is a file', [long]: 'its name is too long' };
+    for (const [name, reason] of Object.entries(reasons))
+      for (const words of [
+        `optimize torus.obj ${name}`,
+        `inspect torus.obj --report ${name}`,
+        `batch torus.obj ${name}`,
+        `batch ${name} results`,
+      ])
+        expect(limber(words)).toMatchObject({
+          code: 1,
+          stderr: expect.stringMatching(`${name} cannot be reached: ${reason}\\.\n$`) as string,
+        });
+  });
+
   it('fails a level, and leaves and names what was written before it', () => {
     symlinkSync('/dev/full', path('full_lod2.glb'));
     const words =

@@ -4,6 +4,7 @@ import { UsageError } from './failure';
 
 const REASONS: Record<string, string> = {
   ENOENT: 'there is no such file',
+  ENOTDIR: 'a folder of its path is a file',
   EACCES: 'permission is denied',
   EPERM: 'permission is denied',
   ENOSPC: 'the disk is full',

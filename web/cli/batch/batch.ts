@@ -1,6 +1,6 @@
 /** limber batch SRC... OUT */
 
-import { existsSync, mkdirSync, realpathSync, statSync } from 'node:fs';
+import { existsSync, mkdirSync, realpathSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { EMPTY_CONFIG, isExcluded, readBatchConfig } from '../../engine/settings/batch_config';
@@ -8,6 +8,7 @@ import { startStopwatch } from '../../engine/core/stopwatch';
 import type { Arguments } from '../arguments';
 import { EXIT, inFlags, UsageError } from '../failure';
 import { readText } from '../files';
+import { findAt } from '../output_files/identity';
 import { checkOutputs } from '../output_files/outputs';
 import { isOwnFile } from '../output_files/own_files';
 import { STANDARD } from '../standard';
@@ -65,7 +66,7 @@ function readRequests(args: Arguments, out: string): AssetRequest[] {
 }
 
 function checkOut({ operands, force }: Arguments, out: string): void {
-  const found = statSync(out, { throwIfNoEntry: false });
+  const found = findAt(out);
   if (!found) return;
   if (!found.isDirectory()) throw new UsageError(`${out} is a file: name a folder for the results.`);
   const same = operands

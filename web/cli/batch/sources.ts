@@ -5,7 +5,7 @@ import { basename, dirname, join, relative, sep } from 'node:path';
 import { isModelName } from '../../engine/document/format_names';
 import { isPathPattern, matchesPath } from '../../engine/settings/path_pattern';
 import { UsageError } from '../failure';
-import { nameKey } from '../output_files/identity';
+import { findAt, nameKey } from '../output_files/identity';
 
 export interface Source {
   /** its path below SRC, parted by slashes: what patterns of a configuration and the summary call it */
@@ -34,7 +34,7 @@ export function findSources(words: string[], out: string): Source[] {
 
 function sourcesOf(word: string, out: string): Source[] {
   // A file can be called like a pattern.
-  const found = statSync(word, { throwIfNoEntry: false });
+  const found = findAt(word);
   if (found?.isDirectory()) return walk(word, out).map((path) => sourceOf(word, path));
   if (found) return [sourceOf(dirname(word), word)];
   if (!isPathPattern(word)) throw new UsageError(`${word} does not exist: name a folder, pattern or file.`);

@@ -1,9 +1,10 @@
 /** Which file a path leads to: by device and inode where it exists, since names can differ and links can lead there. */
 
 import { lstatSync, readlinkSync, realpathSync, statSync } from 'node:fs';
-import type { BigIntStats } from 'node:fs';
+import type { BigIntStats, Stats } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
 import { UsageError } from '../failure';
+import { fileError } from '../file_error';
 
 /** As many links in a row as Linux follows. */
 const MOST_LINKS = 40;
@@ -19,7 +20,19 @@ export function followLinks(path: string): string {
 }
 
 function isLink(path: string): boolean {
-  return lstatSync(path, { throwIfNoEntry: false })?.isSymbolicLink() ?? false;
+  return reached(path, () => lstatSync(path, { throwIfNoEntry: false }))?.isSymbolicLink() ?? false;
+}
+
+/** What is at a path, all links followed; undefined where nothing is. Throws UsageError where the system cannot look there. */
+export const findAt = (path: string): Stats | undefined =>
+  reached(path, () => statSync(path, { throwIfNoEntry: false }));
+
+function reached<Found>(path: string, look: () => Found): Found {
+  try {
+    return look();
+  } catch (error) {
+    throw fileError(`${path} cannot be reached`, error);
+  }
 }
 
 /** Equal for two paths just where they lead to the same file, or would do once it exists. Its folder has to exist. */
