@@ -113,6 +113,31 @@ TEST(Mirror, closedBodiesStayClosedWithAndWithoutALargestDeviation) {
     }
 }
 
+// Where vertices are held on one side alone, or lie a little beside the images of their partners.
+TEST(Mirror, verticesThatAreHeldStayWhereTheyAre) {
+  for (Doubled whole : {sheet(), box()})
+    for (const Method method : kMethods) {
+      Job job;
+      SimplifyOptions options{.method = method, .qualityWeight = 0.1, .sizeWeight = 0.01};
+      options.constraints.mirror = whole.mirror;
+      std::vector<uint8_t> locked(whole.mesh.vertexCount(), 0);
+      for (uint32_t v = 0; v < whole.mesh.vertexCount(); ++v) {
+        Vec3& p = whole.mesh.positions[v];
+        if (p.x > 0) p.y += 0x1p-16;
+        locked[v] = v % 7 == 0 && p.x > 0;
+        if (v % 5 == 0) locked[v] = locked[whole.mirror[v]] = 1;
+      }
+      options.constraints.locked = locked;
+      const MeshAt floor = meshAt(whole.mesh, simplify(whole.mesh, {}, options, job), 0);
+      EXPECT_LT(floor.mesh.triangleCount(), whole.mesh.triangleCount() / 2);
+      for (uint32_t v = 0; v < whole.mesh.vertexCount(); ++v) {
+        if (!locked[v]) continue;
+        EXPECT_EQ(floor.inputOfVertex[floor.vertexOfInput[v]], v);
+        EXPECT_TRUE(floor.mesh.positions[floor.vertexOfInput[v]] == whole.mesh.positions[v]) << v;
+      }
+    }
+}
+
 TEST(Mirror, whatIsNoSymmetryIsRefusedWithASentence) {
   const Doubled good = sheet();
   std::vector<Doubled> bad(4, good);

@@ -58,7 +58,7 @@ inline Verdict CollapseRules::judge(const Collapse& step) {
   if (hasImage(step)) {
     if (!mirror_->isApart(step)) return Verdict::Locked;
     const Collapse image = mirror_->imageOf(step);
-    if (image.edge == kNone) return Verdict::Locked;
+    if (image.edge == kNone || !mirror_->mayFollow(image, step)) return Verdict::Locked;
     if (const Verdict verdict = judgeAlone(image); verdict != Verdict::Legal) return verdict;
   }
   return judgeAlone(step);

@@ -89,7 +89,14 @@ Collapse Mirror::imageOf(const Collapse& step) const {
   mesh_.forEachEdge(kept, [&](uint32_t e, uint32_t other) {
     if (other == removed) edge = e;
   });
-  return {edge, kept, removed, isOnPlane(kept) ? step.target : mesh_.stored(plane_.image(step.target))};
+  return {edge, kept, removed, imageTarget(edge, kept, step)};
+}
+
+// A vertex that is held in place may lie a little beside the image of its partner, see kSymmetry.
+Vec3 Mirror::imageTarget(uint32_t edge, uint32_t kept, const Collapse& step) const {
+  if (isOnPlane(kept)) return step.target;
+  const bool isHeld = edge != kNone && mesh_.fixedEnd(edge) == kept;
+  return mesh_.stored(isHeld ? mesh_.position(kept) : plane_.image(step.target));
 }
 
 bool Mirror::areNeighbours(uint32_t a, uint32_t b) const {

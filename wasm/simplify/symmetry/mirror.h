@@ -49,9 +49,16 @@ class Mirror {
   bool isApart(const Collapse& step) const;
   // Its `edge` is kNone if the image of the edge does not exist.
   Collapse imageOf(const Collapse& step) const;
+  // Whether an image that exists leaves the end that constraints hold in place where it is. Constraints may
+  // hold vertices on one side alone; then only the step on that side has an image that may follow it.
+  bool mayFollow(const Collapse& image, const Collapse& step) const {
+    const uint32_t held = mesh_.fixedEnd(image.edge);
+    return held == kNone || (held == image.kept && mesh_.fixedEnd(step.edge) == step.kept);
+  }
 
  private:
   void checkPositions() const;
+  Vec3 imageTarget(uint32_t edge, uint32_t kept, const Collapse& step) const;
   bool areNeighbours(uint32_t a, uint32_t b) const;
   bool forbidsImage(const Collapse& step) const;
 
