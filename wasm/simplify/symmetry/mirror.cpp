@@ -95,8 +95,8 @@ Collapse Mirror::imageOf(const Collapse& step) const {
 // A vertex that is held in place may lie a little beside the image of its partner, see kSymmetry.
 Vec3 Mirror::imageTarget(uint32_t edge, uint32_t kept, const Collapse& step) const {
   if (isOnPlane(kept)) return step.target;
-  const bool isHeld = edge != kNone && mesh_.fixedEnd(edge) == kept;
-  return mesh_.stored(isHeld ? mesh_.position(kept) : plane_.image(step.target));
+  const bool isFixed = edge != kNone && mesh_.fixedEnd(edge) == kept;
+  return mesh_.stored(isFixed ? mesh_.position(kept) : plane_.image(step.target));
 }
 
 bool Mirror::areNeighbours(uint32_t a, uint32_t b) const {

@@ -52,8 +52,8 @@ class Mirror {
   // Whether an image that exists leaves the end that constraints hold in place where it is. Constraints may
   // hold vertices on one side alone; then only the step on that side has an image that may follow it.
   bool mayFollow(const Collapse& image, const Collapse& step) const {
-    const uint32_t held = mesh_.fixedEnd(image.edge);
-    return held == kNone || (held == image.kept && mesh_.fixedEnd(step.edge) == step.kept);
+    const uint32_t fixed = mesh_.fixedEnd(image.edge);
+    return fixed == kNone || (fixed == image.kept && mesh_.fixedEnd(step.edge) == step.kept);
   }
 
  private:
