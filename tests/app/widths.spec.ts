@@ -82,6 +82,27 @@ test('on a phone no label of a mesh lies under the choice of the view', async ({
   await context.close();
 });
 
+test('the legend lies below the picture where it takes two rows', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.setViewportSize({ width: 930, height: 700 });
+  await openPage(page);
+  await goTo(page, 'Motion');
+  await expect(page.getByText('Strain rank')).toBeVisible();
+  for (const [width, height] of [
+    [930, 700],
+    [768, 1024],
+    [390, 844],
+  ]) {
+    await page.setViewportSize({ width, height });
+    await expect(async () => {
+      const canvas = (await page.locator('.viewport canvas').boundingBox())!;
+      const legend = (await page.locator('.legend').boundingBox())!;
+      expect(canvas.y + canvas.height).toBeLessThanOrEqual(legend.y + 1);
+      expect(legend.width).toBeLessThanOrEqual(canvas.width);
+    }).toPass({ timeout: 10_000 });
+  }
+});
+
 test('a finger turns the picture, and two zoom', { tag: '@full' }, async ({ browser, baseURL }) => {
   const context = await browser.newContext({
     baseURL,
