@@ -53,3 +53,11 @@ test('further files are asked for, and a result above the target is no failure',
   const found = parsed(commandLine({ ...defaultSettings(), solver: 'shell' }, 'a.glb', 'b.glb', asked));
   expect(found).toMatchObject({ bind: 'b.json', settingsFile: 's.json', fields: true, soft: true });
 });
+
+test('a name without letters, as of a variable that is not set, is refused by what it stands for', () => {
+  const refused = (...words: string[]) =>
+    expect(() => parseArguments(words)).toThrow(/^(\S+) is empty: give the name of a file: limber /);
+  refused('optimize', '', 'out.glb');
+  refused('optimize', 'in.glb', '');
+  refused('batch', 'a', 'b', '');
+});

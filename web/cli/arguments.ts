@@ -163,6 +163,11 @@ function checkOperands(command: Command, operands: string[]): void {
   const usage = `limber ${command} ${wanted.join(' ')}`;
   if (operands.length < wanted.filter((name) => !name.startsWith('[')).length)
     throw new UsageError(`${wanted[operands.length]} is missing: ${usage}.`);
+  const empty = operands.indexOf('');
+  if (empty >= 0)
+    throw new UsageError(
+      `${wanted[Math.min(empty, wanted.length - 1)]} is empty: give the name of a file: ${usage}.`,
+    );
   const isOpen = wanted.some((name) => name.endsWith('...'));
   if (operands.length > wanted.length && !isOpen)
     throw new UsageError(`"${operands[wanted.length]}" is one file too many: ${usage}.`);
