@@ -279,7 +279,12 @@ describe('--dry-run', () => {
     expect(limber('inspect torus.obj --dry-run').stdout).toBe(
       'torus.obj: OBJ, 1 body, 576 faces\nwould write no file\n',
     );
-    for (const words of ['inspect points.glb', 'optimize points.glb dry.glb --report dry.json'])
+    for (const words of [
+      'inspect points.glb',
+      'optimize points.glb dry.glb --report dry.json',
+      'simulate torus.obj torus.obj --settings none.json',
+      'simulate torus.obj torus.obj --bind none.json',
+    ])
       expect(limber(`${words} --dry-run`)).toEqual(limber(words));
   });
 });

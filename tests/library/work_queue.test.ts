@@ -25,6 +25,17 @@ it('starts a worker for each number of threads and ends the one before, whose co
   expect(terminate).toHaveBeenCalledTimes(2);
 });
 
+it('starts another worker where one has ended while nothing ran', async () => {
+  await workQueue().run('inspect', [], {}, {});
+  const [{ onError }] = startWorker.mock.calls[0] as [Listener];
+  onError(new Error('out of memory'));
+  await workQueue().run('inspect', [], {}, {});
+  expect(startWorker).toHaveBeenCalledTimes(2);
+  onError(new Error('A late message of the first one ends nothing.'));
+  await workQueue().run('inspect', [], {}, {});
+  expect(startWorker).toHaveBeenCalledTimes(2);
+});
+
 it('starts later workers from the folder that the first call has named', async () => {
   await workQueue().run('inspect', [], {}, { assets: '/limber/' });
   workQueue().close();

@@ -19,6 +19,7 @@ import { count, plain, plural } from './words';
 export async function runDry(args: Arguments): Promise<number> {
   const checked = await checkFiles(args);
   const { files, outputs } = checked;
+  if (args.command === 'simulate') (await import('./simulate')).readCarried(args);
   const lines: string[] = [];
   const companions: string[] = [];
   for (const [path, sources] of files) {

@@ -44,7 +44,7 @@ interface Sides {
 export async function runSimulate(args: Arguments): Promise<number> {
   const total = startStopwatch();
   const stopwatch = startStopwatch();
-  checkArguments(args);
+  const carried = readCarried(args);
   const session = await startSession(args);
   const first = await openFile(session, args.operands[0]);
   const second = args.operands.length > 1 ? await openFile(session, args.operands[1]) : null;
@@ -55,17 +55,15 @@ export async function runSimulate(args: Arguments): Promise<number> {
   if (others) checkPairs(args, originals, others);
   const sides = { file, originals, others };
   const weld = stopwatch();
-  const bindings = args.bind === null ? null : readBinding(basename(args.bind), readText(args.bind));
-  const tuning = readTuning(args);
   const factors = calibrationFactors(session, sides);
   const calibration = stopwatch();
-  const motions = compareMotions(session, sides, { bindings, factors, tuning });
+  const motions = compareMotions(session, sides, { ...carried, factors });
   const simulated = stopwatch();
   if (args.record !== null)
     save(session, args.record, await recordingGlb(recorded(motions, originals, others), STEP_SECONDS));
   const report = startReport(session.core, 'simulate', settingsAsUsed('simulate', args.settings), originals);
   if (others) report.output = meshReport(others);
-  report.simulation = simulationReport(motions, askedMotion(args.settings, tuning, others !== null));
+  report.simulation = simulationReport(motions, askedMotion(args.settings, carried.tuning, others !== null));
   if (factors) report.calibration = calibrationReport(originals, factors);
   report.timings = {
     load,
@@ -79,7 +77,19 @@ export async function runSimulate(args: Arguments): Promise<number> {
   return EXIT.done;
 }
 
-/** Refuses what could not be done, before any work. */
+/** What is read besides models. */
+interface Carried {
+  bindings: BodyBinding[] | null;
+  tuning: SettingsFile | null;
+}
+
+/** Throws UsageError where something could not be done, before any work. */
+export function readCarried(args: Arguments): Carried {
+  checkArguments(args);
+  const bindings = args.bind === null ? null : readBinding(basename(args.bind), readText(args.bind));
+  return { bindings, tuning: readTuning(args) };
+}
+
 function checkArguments(args: Arguments): void {
   if (args.bind !== null && args.operands.length < 2)
     throw new UsageError('--bind carries pins over to B, which is missing: name both files.');
@@ -115,10 +125,8 @@ function calibrationFactors({ core, args }: Session, { originals, others }: Side
   return originals.map((original, i) => calibrationOf(core, original, others[i].mesh, args.settings));
 }
 
-interface MotionRequest {
-  bindings: BodyBinding[] | null;
+interface MotionRequest extends Carried {
   factors: number[] | null;
-  tuning: SettingsFile | null;
 }
 
 function compareMotions(

@@ -16,6 +16,7 @@ export function startNodeWorker(listener: Listener): StartedWorker {
   const worker = new Worker(program);
   worker.on('message', (message: WorkMessage) => listener.onMessage(message));
   worker.on('error', (error: Error) => listener.onError(error));
+  worker.on('exit', (code) => listener.onError(new Error(`The worker has ended with exit code ${code}.`)));
   worker.unref();
   return {
     core: { wasmFolder: assets.href },

@@ -88,11 +88,17 @@ class WorkQueue {
     const started: Promise<StartedWorker> = startWorker(
       {
         onMessage: (message) => void (isCurrent() && this.receive(message)),
-        onError: (error) => void (isCurrent() && this.running && this.fail(this.running, error)),
+        onError: (error) => void (isCurrent() && this.lose(error)),
       },
       { assets: assets === undefined ? null : String(assets), threads },
     );
     return started;
+  }
+
+  /** The worker has ended by itself; the next work gets another one. */
+  private lose(error: Error): void {
+    if (this.running) this.fail(this.running, error);
+    else this.endWorker();
   }
 
   private receive(message: WorkMessage): void {
