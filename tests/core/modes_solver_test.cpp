@@ -50,6 +50,22 @@ TEST(EliminationOrder, takesEveryNodeOnceAndItsFrontsPointOnlyForwards) {
   }
 }
 
+// No separator divides nodes that are all coupled with each other, however many there are.
+TEST(EliminationOrder, takesEveryNodeOfAMeshWhoseVerticesAreAllNeighbours) {
+  for (const uint32_t vertexCount : {11u, 24u, 70u}) {
+    TriangleMesh mesh;
+    for (uint32_t v = 0; v < vertexCount; ++v)
+      mesh.positions.push_back({1.0 * v, 1.0 * v * v, 0.1 * v * v * v});
+    for (uint32_t a = 0; a < vertexCount; ++a)
+      for (uint32_t b = a + 1; b + 1 < vertexCount; ++b) mesh.triangles.push_back({a, b, b + 1});
+    Job job;
+    std::vector<uint32_t> order = eliminationOrder(nodeGraph(shellPattern(mesh, buildTopology(mesh))), job);
+    std::ranges::sort(order);
+    EXPECT_EQ(std::ranges::adjacent_find(order), order.end());
+    EXPECT_EQ(order.size(), vertexCount + buildTopology(mesh).edges.size());
+  }
+}
+
 TEST(Factorisation, countsTheNonzerosThatAnEliminationLeaves) {
   // Compared with a symbolic elimination of the matrix, entry by entry, in the order of the factorisation.
   const SparsePencil pencil = shellOf(shapes::torus(12, 7));

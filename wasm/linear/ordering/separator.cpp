@@ -74,9 +74,9 @@ Sides cutBetweenRanks(const NodeGraph& graph, const std::vector<uint32_t>& rank)
 }
 
 // Cuts a small graph by ranks from several seeds, each far from the previous one, and returns the cheapest
-// cut.
+// cut. All nodes are Left where there is none.
 Sides separateDirectly(const NodeGraph& graph) {
-  Sides best;
+  Sides best(graph.nodeCount(), Left);
   double lowest = HUGE_VAL;
   std::vector<uint32_t> rank;
   uint32_t seed = 0;
@@ -93,6 +93,15 @@ Sides separateDirectly(const NodeGraph& graph) {
   return best;
 }
 
+// The cut of a coarsened graph, tightened on the graph itself.
+Sides refined(const NodeGraph& graph, const std::vector<uint32_t>& coarseOf, const Sides& coarseSides) {
+  Sides sides(graph.nodeCount());
+  for (uint32_t i = 0; i < graph.nodeCount(); ++i) sides[i] = coarseSides[coarseOf[i]];
+  int step = 0;
+  while (step < kTightenings && tightenSeparator(graph, sides)) ++step;
+  return sides;
+}
+
 }  // namespace
 
 Sides separate(const NodeGraph& graph, const Job& job) {
@@ -102,11 +111,7 @@ Sides separate(const NodeGraph& graph, const Job& job) {
     const NodeGraph coarse = coarsened(graph, coarseOf);
     if (coarse.nodeCount() < kLeastShrinking * graph.nodeCount()) {
       const Sides coarseSides = separate(coarse, job);
-      Sides sides(graph.nodeCount());
-      for (uint32_t i = 0; i < graph.nodeCount(); ++i) sides[i] = coarseSides[coarseOf[i]];
-      int step = 0;
-      while (step < kTightenings && tightenSeparator(graph, sides)) ++step;
-      return sides;
+      if (std::ranges::count(coarseSides, Right) > 0) return refined(graph, coarseOf, coarseSides);
     }
   }
   return separateDirectly(graph);
