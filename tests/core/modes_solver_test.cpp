@@ -102,6 +102,14 @@ TEST(EliminationOrder, keepsTheFactorOfARegularSheetNearNestedDissectionsOwn) {
             9 * 31 * n * std::log2(n) / 4);
 }
 
+// In wasm too, where a size has 32 bits: more than the memory there is must not look like next to nothing.
+TEST(Factorisation, knowsHowManyBytesItTakesHoweverManyTheseAre) {
+  FactorStructure structure;
+  structure.valueCount = uint64_t{1} << 33;
+  structure.workRows = structure.unknownCount = 1000;
+  EXPECT_EQ(structure.memory(), sizeof(double) * ((uint64_t{1} << 33) + 2000));
+}
+
 TEST(Factorisation, takesTheStructureOfAPencilThatDiffersInValuesAlone) {
   const TriangleMesh mesh = shapes::torus(14, 9), moved = shapes::jittered(mesh, 0.1, 3);
   const SparsePencil pencil = shellOf(mesh), other = shellOf(moved);

@@ -41,13 +41,13 @@ void buildFronts(const SparsePencil& pencil, const Job& job, FactorStructure& s)
     for (uint32_t node : nodes.boundary)
       forEachUnknown(node, [&](uint32_t u) { s.boundary.push_back(s.positionOf[u]); });
     front.boundaryCount = static_cast<uint32_t>(s.boundary.size()) - front.firstRow;
-    front.firstValue = s.valueCount;
+    front.firstValue = static_cast<size_t>(s.valueCount);
     front.work = front.subtreeWork = frontWork(front.pivotCount, front.boundaryCount);
     front.children = nodes.children;
     for (uint32_t child : front.children) front.subtreeWork += s.fronts[child].subtreeWork;
     position += front.pivotCount;
     s.storedZeros += nodes.zeros;
-    s.valueCount += size_t{front.rows()} * front.pivotCount;
+    s.valueCount += uint64_t{front.rows()} * front.pivotCount;
     s.fronts.push_back(std::move(front));
   }
 }

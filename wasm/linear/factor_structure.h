@@ -40,7 +40,7 @@ struct FactorStructure {
   // Rows of a solve's work vector: the unknowns, then the tasks' slots up to `slotCount`, then scratch rows
   // for the boundary of one front of each task, and of one above all tasks.
   uint32_t slotCount = 0, topScratch = 0, workRows = 0;
-  size_t valueCount = 0;     // doubles that L takes
+  uint64_t valueCount = 0;   // doubles that L takes, which may be more than a size_t of wasm holds
   uint64_t storedZeros = 0;  // of these, zeros that merging fronts has filled in
 
   // Entries of L on and below the diagonal, without the stored zeros.
