@@ -5,15 +5,50 @@
 
 namespace limber {
 
+namespace {
+
+using Eigen::Index;
+
+// Whether an unknown is coupled to another one. Those that pins fix are not.
+bool isCoupled(const SparsePencil& pencil, Index unknown) {
+  for (Eigen::SparseMatrix<double>::InnerIterator entry(pencil.k, unknown); entry; ++entry)
+    if (entry.row() != unknown && entry.value() != 0) return true;
+  return false;
+}
+
+// K between some unknowns, in their order.
+Eigen::MatrixXd denseStiffness(const SparsePencil& pencil, const std::vector<Index>& unknowns) {
+  const auto size = static_cast<Index>(unknowns.size());
+  std::vector<Index> placeOf(pencil.unknownCount(), -1);
+  for (Index place = 0; place < size; ++place) placeOf[unknowns[place]] = place;
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(size, size);
+  for (Index column = 0; column < size; ++column)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(pencil.k, unknowns[column]); entry; ++entry)
+      if (const Index row = placeOf[entry.row()]; row >= 0) k(row, column) = entry.value();
+  return k;
+}
+
+}  // namespace
+
 ModeBasis solveDensely(const SparsePencil& pencil) {
-  std::vector<Eigen::Index> heavy, massless;
-  for (Eigen::Index i = 0; i < pencil.m.size(); ++i) (pencil.m[i] > 0 ? heavy : massless).push_back(i);
+  std::vector<Index> heavy, massless;
+  for (Index i = 0; i < pencil.m.size(); ++i)
+    if (pencil.m[i] > 0)
+      heavy.push_back(i);
+    else if (isCoupled(pencil, i))
+      massless.push_back(i);
   if (heavy.empty()) return {Eigen::VectorXd(0), Eigen::MatrixXd(pencil.m.size(), 0)};
-  const Eigen::MatrixXd k = pencil.k;
-  Eigen::MatrixXd condensed = k(heavy, heavy), follow;
+  std::vector<Index> unknowns = heavy;
+  unknowns.insert(unknowns.end(), massless.begin(), massless.end());
+  const Eigen::MatrixXd k = denseStiffness(pencil, unknowns);
+  const auto heavyCount = static_cast<Index>(heavy.size()),
+             masslessCount = static_cast<Index>(massless.size());
+  Eigen::MatrixXd condensed = k.topLeftCorner(heavyCount, heavyCount), follow;
   if (!massless.empty()) {
-    follow = -k(massless, massless).ldlt().solve(k(massless, heavy));
-    condensed += k(heavy, massless) * follow;
+    follow = -k.bottomRightCorner(masslessCount, masslessCount)
+                  .ldlt()
+                  .solve(k.bottomLeftCorner(masslessCount, heavyCount));
+    condensed += k.topRightCorner(heavyCount, masslessCount) * follow;
   }
   const Eigen::VectorXd inverseRoot = pencil.m(heavy).cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = inverseRoot.asDiagonal() * condensed * inverseRoot.asDiagonal();
