@@ -4,7 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <unordered_map>
+#include <map>
+#include <utility>
 
 namespace limber {
 namespace {
@@ -43,15 +44,17 @@ std::vector<size_t> firstEqualParts(const TriangleMesh& body, const std::vector<
     farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   // A coordinate is off by half a step of float32, the corner of the box that the frame starts at too.
   const double tolerance = 2 * std::numeric_limits<float>::epsilon() * farthest;
-  std::unordered_multimap<uint64_t, size_t> known;
+  // Among thousands of leaves, say, all have the same triangles, but few have diagonals that are as near.
+  std::multimap<std::pair<uint64_t, double>, size_t> known;
   std::vector<size_t> first(parts.size());
   for (size_t i = 0; i < parts.size(); ++i) {
     first[i] = i;
     const uint64_t hash = hashOf(parts[i]);
-    const auto [begin, end] = known.equal_range(hash);
-    for (auto entry = begin; entry != end; ++entry)
+    const double diagonal = parts[i].diagonal;
+    const auto end = known.upper_bound({hash, diagonal + tolerance});
+    for (auto entry = known.lower_bound({hash, diagonal - tolerance}); entry != end; ++entry)
       if (areEqual(parts[entry->second], parts[i], tolerance)) first[i] = std::min(first[i], entry->second);
-    if (first[i] == i) known.emplace(hash, i);
+    if (first[i] == i) known.emplace(std::pair(hash, diagonal), i);
   }
   return first;
 }
