@@ -301,11 +301,16 @@ TEST(SimplifyConstraints, listsThatDoNotFitAreRefusedWithASentence) {
   const std::vector<uint32_t> numbers(7);
   const std::vector<float> floats(mesh.vertexCount(), 2);
   const std::vector<uint8_t> bytes(7);
-  const SimplifyConstraints bad[] = {
-      {.wedges = numbers},     {.groups = numbers},
-      {.locked = bytes},       {.keep = floats},
-      {.pinnedSets = numbers}, {.attributes = floats, .attributeDimension = 9},
-      {.creaseAngle = 181},    {.attributes = floats, .attributeDimension = 2}};
+  const std::vector<uint32_t> lastWedge(3 * size_t{mesh.triangleCount()}, UINT32_MAX);
+  const SimplifyConstraints bad[] = {{.wedges = numbers},
+                                     {.groups = numbers},
+                                     {.locked = bytes},
+                                     {.keep = floats},
+                                     {.pinnedSets = numbers},
+                                     {.attributes = floats, .attributeDimension = 9},
+                                     {.creaseAngle = 181},
+                                     {.attributes = floats, .attributeDimension = 2},
+                                     {.wedges = lastWedge, .attributes = floats, .attributeDimension = 1}};
   for (const SimplifyConstraints& constraints : bad)
     EXPECT_THROW(run(mesh, constraints), std::invalid_argument);
   try {

@@ -22,8 +22,8 @@ void checkAttributes(const TriangleMesh& mesh, const SimplifyConstraints& constr
     throw std::invalid_argument("The attributes that guide the simplification have dimension " +
                                 std::to_string(dimension) + ": take 1 to " +
                                 std::to_string(SimplifyConstraints::kAttributeLimit) + ".");
-  const size_t rows =
-      constraints.wedges.empty() ? mesh.vertexCount() : size_t{std::ranges::max(constraints.wedges)} + 1;
+  const uint64_t rows =
+      constraints.wedges.empty() ? mesh.vertexCount() : uint64_t{std::ranges::max(constraints.wedges)} + 1;
   if (constraints.attributes.size() < rows * dimension)
     throw std::invalid_argument("There are " + std::to_string(constraints.attributes.size()) +
                                 " attribute values, but " + std::to_string(rows * dimension) +
