@@ -4,7 +4,7 @@ import { effect, signal } from '@preact/signals';
 import type { SourceFile } from '../../engine/document/open';
 import { readLink, writeLink } from './link';
 import type { Wanted } from './link';
-import { readSaved, storeSaved } from './saved_text';
+import { forgetTexts, readSaved, storeSaved } from './saved_text';
 import type { Saved } from './saved_text';
 import { chooseField, results, shownField, view, wants } from './store';
 import { liveTabs, ownTab } from './tabs';
@@ -103,16 +103,12 @@ function deleteOld(store: IDBObjectStore, id: string, live: ReadonlySet<string>)
   all.onsuccess = () => {
     const closed = all.result.filter((key) => !live.has(key[1])).sort(([a], [b]) => b - a);
     for (const key of all.result.filter((one) => one[1] === id)) store.delete(key);
-    for (const key of closed.slice(MOST_CLOSED_TABS)) {
-      store.delete(key);
-      forget(key[1]);
-    }
+    for (const key of closed.slice(MOST_CLOSED_TABS)) store.delete(key);
+    // Tabs whose files could not be saved have a text alone, which nothing brings back.
+    const kept = closed.slice(0, MOST_CLOSED_TABS).map((key) => key[1]);
+    forgetTexts(localStorage, SETTINGS_PREFIX, new Set([...live, ...kept]));
   };
   return all;
-}
-
-function forget(id: string): void {
-  localStorage.removeItem(SETTINGS_PREFIX + id);
 }
 
 /** What this tab had open before it was reloaded, or the tab that it is a copy of; null where nothing is saved. */

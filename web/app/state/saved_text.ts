@@ -35,6 +35,17 @@ export function storeSaved(
 
 const newerHalf = (steps: string[]): string[] => steps.slice(Math.ceil(steps.length / 2));
 
+/** Removes the texts, whose keys are `prefix` and the name of a tab, of all tabs but these. */
+export function forgetTexts(
+  storage: Pick<Storage, 'length' | 'key' | 'removeItem'>,
+  prefix: string,
+  kept: ReadonlySet<string>,
+): void {
+  const keys = Array.from({ length: storage.length }, (_, i) => storage.key(i) ?? '');
+  for (const key of keys)
+    if (key.startsWith(prefix) && !kept.has(key.slice(prefix.length))) storage.removeItem(key);
+}
+
 /** Words that are not known become the first of their kind, steps of undo that cannot be read are left out. Throws an Error. */
 export function readSaved(text: string): Saved {
   const { link, step, layout, field, undo, open } = objectOf(JSON.parse(text));
