@@ -14,7 +14,16 @@ import { exportFiles } from '../../web/engine/document/write/export_files';
 import { formOfName, outputForm, withSuffix } from '../../web/engine/document/write/output_form';
 import { isOwnContent } from '../../web/cli/output_files/own_files';
 import { failureOf, textFile } from './support/files';
-import { addMesh, addRichMesh, floats, glbFile, moveNode, primitiveOf, startDocument } from './support/gltf';
+import {
+  addMesh,
+  addRichMesh,
+  floats,
+  glbFile,
+  moveNode,
+  primitiveOf,
+  readGlb,
+  startDocument,
+} from './support/gltf';
 import { asResult } from './support/results';
 import { torus } from './support/shapes';
 
@@ -109,6 +118,23 @@ describe('a written file', () => {
       expect((await validateFiles(files))!.errors).toBe(0);
     }
   });
+
+  it.each(['quantized', 'meshopt'] as const)(
+    'in %s keeps a primitive without positions where it is',
+    async (compression) => {
+      const document = startDocument();
+      addRichMesh(document, 'rich', torus());
+      const [mesh] = document.getRoot().listMeshes();
+      const [first] = mesh.listPrimitives();
+      const bare = document.createPrimitive().setName('bare').setMode(0);
+      mesh.removePrimitive(first).addPrimitive(bare).addPrimitive(first);
+      const model = await openModel([await glbFile(document)]);
+      const [file] = await write(model, 'a.glb', { compression });
+      const [written] = (await readGlb(file.bytes)).getRoot().listMeshes();
+      const hasPositions = written.listPrimitives().map((one) => one.getAttribute('POSITION') !== null);
+      expect(hasPositions).toEqual([false, true]);
+    },
+  );
 
   it.each(['quantized', 'meshopt', 'draco'] as const)(
     'in %s keeps vertices, triangles and their corners in order where another file counts them',

@@ -4,6 +4,7 @@ import { describeHealth } from '../engine/body/health';
 import type { InspectedBody } from '../engine/body/prepared_body';
 import { startStopwatch } from '../engine/core/stopwatch';
 import type { Body, OpenModel } from '../engine/document/open';
+import { excerpt } from '../engine/core/words';
 import { startReport } from '../engine/report/report';
 import { inspectBody } from '../engine/stages/prepared';
 import { chosenBodies } from '../engine/body/selection';
@@ -45,7 +46,7 @@ function bodyRow({ name }: Body, { weld, quality }: InspectedBody): string[] {
   const degrees = (angle?: number) => (angle === undefined ? '-' : `${angle.toFixed(2)} deg`);
   const counts = [vertices, faces, components, boundaryLoops].map(count);
   return [
-    name,
+    excerpt(name),
     ...counts,
     genus === null ? '-' : count(genus),
     degrees(quality?.minAngle),

@@ -1,6 +1,6 @@
 /** How vertices are stored in a file, and how a document is made to be written so. */
 
-import type { Accessor, Document, GLTF, Node, Primitive } from '@gltf-transform/core';
+import type { Accessor, Document, GLTF, Mesh, Node, Primitive } from '@gltf-transform/core';
 import {
   EXTMeshoptCompression,
   KHRDracoMeshCompression,
@@ -101,14 +101,31 @@ async function quantizeAll(document: Document, { kind, keepsNodes }: Compression
   if (!keepsNodes) giveOwnNodes(document);
   // Numbers of custom attributes can be of any size, such as masses in kg, which few bits would make 0.
   const pattern = keepsNodes ? /^(?!POSITION|_)/ : /^(?!_)/;
+  const putBack = takeOutUnplaced(document);
   await document.transform(
     quantize({ pattern, patternTargets: pattern, quantizePosition: bits, cleanup: false }),
   );
+  putBack();
   // glTF-Transform declares it where positions are integers, and so not where they stay floats beside integers.
   if (hasQuantized(document)) document.createExtension(KHRMeshQuantization).setRequired(true);
   for (const list of [document.getRoot().listSkins(), document.getRoot().listAccessors()])
     for (const property of list)
       if (property.listParents().every((parent) => parent === document.getRoot())) property.dispose();
+}
+
+/** Takes primitives without positions, which cannot be quantized, out of their meshes until the result is called. */
+function takeOutUnplaced(document: Document): () => void {
+  const hasUnplaced = (mesh: Mesh) => mesh.listPrimitives().some((one) => !one.getAttribute('POSITION'));
+  const taken = document.getRoot().listMeshes().filter(hasUnplaced);
+  const whole = taken.map((mesh) => mesh.listPrimitives());
+  for (const mesh of taken)
+    for (const primitive of mesh.listPrimitives())
+      if (!primitive.getAttribute('POSITION')) mesh.removePrimitive(primitive);
+  return () =>
+    taken.forEach((mesh, i) => {
+      for (const primitive of mesh.listPrimitives()) mesh.removePrimitive(primitive);
+      for (const primitive of whole[i]) mesh.addPrimitive(primitive);
+    });
 }
 
 /** Positions of one mesh are all integers, or all floats. */
