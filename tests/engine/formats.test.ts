@@ -14,16 +14,7 @@ import { exportFiles } from '../../web/engine/document/write/export_files';
 import { formOfName, outputForm, withSuffix } from '../../web/engine/document/write/output_form';
 import { isOwnContent } from '../../web/cli/output_files/own_files';
 import { failureOf, textFile } from './support/files';
-import {
-  addMesh,
-  addRichMesh,
-  floats,
-  glbFile,
-  moveNode,
-  primitiveOf,
-  readGlb,
-  startDocument,
-} from './support/gltf';
+import { addMesh, addRichMesh, floats, glbFile, moveNode, primitiveOf, startDocument } from './support/gltf';
 import { asResult } from './support/results';
 import { torus } from './support/shapes';
 
@@ -130,7 +121,7 @@ describe('a written file', () => {
       mesh.removePrimitive(first).addPrimitive(bare).addPrimitive(first);
       const model = await openModel([await glbFile(document)]);
       const [file] = await write(model, 'a.glb', { compression });
-      const [written] = (await readGlb(file.bytes)).getRoot().listMeshes();
+      const [written] = (await openModel([file])).document.getRoot().listMeshes();
       const hasPositions = written.listPrimitives().map((one) => one.getAttribute('POSITION') !== null);
       expect(hasPositions).toEqual([false, true]);
     },

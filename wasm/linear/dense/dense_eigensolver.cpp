@@ -19,12 +19,12 @@ bool isCoupled(const SparsePencil& pencil, Index unknown) {
 // K between some unknowns, in their order.
 Eigen::MatrixXd denseStiffness(const SparsePencil& pencil, const std::vector<Index>& unknowns) {
   const auto size = static_cast<Index>(unknowns.size());
-  std::vector<Index> placeOf(pencil.unknownCount(), -1);
-  for (Index place = 0; place < size; ++place) placeOf[unknowns[place]] = place;
+  std::vector<Index> rowOf(pencil.unknownCount(), -1);
+  for (Index row = 0; row < size; ++row) rowOf[unknowns[row]] = row;
   Eigen::MatrixXd k = Eigen::MatrixXd::Zero(size, size);
   for (Index column = 0; column < size; ++column)
     for (Eigen::SparseMatrix<double>::InnerIterator entry(pencil.k, unknowns[column]); entry; ++entry)
-      if (const Index row = placeOf[entry.row()]; row >= 0) k(row, column) = entry.value();
+      if (const Index row = rowOf[entry.row()]; row >= 0) k(row, column) = entry.value();
   return k;
 }
 
