@@ -7,7 +7,7 @@ import { commandLine } from '../../command_line';
 import { download } from '../../files/files';
 import { exportFormatOf, exportSettings } from '../../worker/export_form';
 import { exportRequest } from '../../state/export_request';
-import { client } from '../../state/running';
+import { client, complain } from '../../state/running';
 import { results, wants } from '../../state/store';
 import type { ExportResult } from '../../worker/protocol';
 import { say } from '../../language/say';
@@ -33,7 +33,7 @@ export function Actions({ exported }: { exported: ExportResult | null }) {
           type="button"
           class="primary"
           disabled={!exported}
-          onClick={() => void saveAll(exported!, output)}
+          onClick={() => void saveAll(exported!, output).catch(complain)}
         >
           {say('Save all as .zip')}
         </button>
