@@ -3,6 +3,7 @@
 import { useState } from 'preact/hooks';
 import { count } from '../controls/numbers';
 import { samples } from '../files/samples';
+import { complain } from '../state/running';
 import { linkOfWants } from '../state/saved_session';
 import { results, status } from '../state/store';
 import { say } from '../language/say';
@@ -33,7 +34,7 @@ export function ShareLink() {
       class="quiet"
       disabled={!results.file.value}
       title={say('Copy a link with all settings; the file itself stays here')}
-      onClick={() => void copy()}
+      onClick={() => void copy().catch(complain)}
     >
       {isCopied ? say('Copied') : say('Share link')}
     </button>

@@ -77,7 +77,7 @@ function CommandLine({ exported: { faces: written, targetFaces: faces } }: { exp
   const copy = () => navigator.clipboard.writeText(line).then(() => setCopied(true));
   return (
     <>
-      <button type="button" onClick={() => void copy()}>
+      <button type="button" onClick={() => void copy().catch(complain)}>
         {isCopied ? say('Copied') : say('Copy command line')}
       </button>
       <code class="command">{line}</code>

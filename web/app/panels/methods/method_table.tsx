@@ -10,6 +10,7 @@ import {
 import type { Table } from '../../../engine/report/tables/method_table';
 import { METHOD_TITLES } from '../../../engine/stages/equal_budget/budget_table';
 import type { MethodResult } from '../../../engine/stages/equal_budget/equal_budget';
+import { complain } from '../../state/running';
 import { say, sentence } from '../../language/say';
 
 const FORMS = [
@@ -82,7 +83,7 @@ function CopyButtons({ table }: { table: Table }) {
           key={text}
           type="button"
           aria-label={say('Copy as {format}', { format: text })}
-          onClick={() => void copy(text, write)}
+          onClick={() => void copy(text, write).catch(complain)}
         >
           {copied === text ? say('Copied') : text}
         </button>
