@@ -66,12 +66,15 @@ export function LevelsSection({ exported }: { exported: ExportResult | null }) {
 /** The text field for the shares of faces of further levels, separated by commas. */
 function LevelsField() {
   const id = useId();
-  const [refused, setRefused] = useState<Refusal | null>(null);
+  const { lods } = wants.settings.value;
+  const [last, setLast] = useState<{ refusal: Refusal | null; beside: number[] } | null>(null);
+  // Levels that are changed otherwise take the place of the text.
+  const refused = last?.beside === lods ? last.refusal : null;
   const change = (typed: string) => {
-    const lods = readLevels(typed, slider.value.faces) as number[];
-    const refusal = refusalOf(typed, () => checkSetting('lods', lods));
-    setRefused(refusal);
-    if (!refusal) changeSettings({ lods });
+    const read = readLevels(typed, slider.value.faces) as number[];
+    const refusal = refusalOf(typed, () => checkSetting('lods', read));
+    setLast({ refusal, beside: lods });
+    if (!refusal) changeSettings({ lods: read });
   };
   return (
     <div class="control stacked">
@@ -84,7 +87,7 @@ function LevelsField() {
         title={say('With commas between: shares of the faces, or numbers of faces')}
         aria-invalid={refused !== null}
         aria-describedby={refused ? `${id}-refused` : undefined}
-        value={refused ? refused.text : wants.settings.value.lods.join(', ')}
+        value={refused ? refused.text : lods.join(', ')}
         onChange={(event) => change(event.currentTarget.value)}
       />
       <RefusedText id={`${id}-refused`} refused={refused} />
