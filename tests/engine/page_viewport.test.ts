@@ -38,19 +38,38 @@ async function answer(): Promise<void> {
 const large = grid(80, 80);
 const lifted = large.positions.map((value, i) => (i % 3 === 2 ? value + 5 : value));
 
+interface Drawn {
+  geometry: { getAttribute(name: string): { getZ(i: number): number } };
+}
+const heightIn = (pane: Pane): number =>
+  (pane.scene.children[0] as never as Drawn).geometry.getAttribute('position').getZ(0);
+
 it('positions that come before a large mesh can be moved are shown as soon as it can', async () => {
   const pane = new Pane(mapTexture('viridis'), 1, () => {});
-  const heightOf = () => (pane.scene.children[0] as never as Drawn).geometry.getAttribute('position').getZ(0);
-  interface Drawn {
-    geometry: { getAttribute(name: string): { getZ(i: number): number } };
-  }
   void pane.show(large);
   pane.setPositions(lifted, null);
   await answer();
   await answer();
-  expect(heightOf()).toBe(5);
+  expect(heightIn(pane)).toBe(5);
   pane.setPositions(null, null);
-  expect(heightOf()).toBe(0);
+  expect(heightIn(pane)).toBe(0);
+});
+
+it('a mesh stays where it is until the next one is there', async () => {
+  const pane = new Pane(mapTexture('viridis'), 1, () => {});
+  const small = grid(2, 2);
+  void pane.show(small);
+  pane.setPositions(
+    small.positions.map(() => 3),
+    null,
+  );
+  void pane.show(large);
+  pane.setPositions(lifted, null);
+  pane.setPositions(small.positions, null);
+  expect(heightIn(pane)).toBe(3);
+  await answer();
+  await answer();
+  expect(heightIn(pane)).toBe(5);
 });
 
 it('modes of a mesh that was welded in another way move nothing', () => {

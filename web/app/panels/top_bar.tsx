@@ -59,6 +59,7 @@ function Steps() {
           onClick={() => {
             view.step.value = id;
             view.picking.value = false;
+            wants.exportOpen.value = false;
           }}
         >
           <span class="ordinal">{i + 1}</span>

@@ -237,15 +237,15 @@ export class Pane {
    */
   setPositions(positions: Float32Array | null, values: Float32Array | null): void {
     const { asked: mesh } = this;
-    this.moved = mesh && positions?.length === mesh.positions.length ? { mesh, positions, values } : null;
+    if (positions && positions.length !== mesh?.positions.length) return;
+    this.moved = mesh && positions && { mesh, positions, values };
     this.applyPositions();
   }
 
   private applyPositions(): void {
-    const { mesh, groups } = this;
-    const moved = this.moved?.mesh === mesh ? this.moved : null;
+    const { mesh, groups, moved } = this;
     // Normals are moved in groups, which come with the exact ones.
-    if (!mesh || this.isQuick || (!moved && !this.isMoved)) return;
+    if (!mesh || this.isQuick || (moved ? moved.mesh !== mesh : !this.isMoved)) return;
     this.isMoved = moved !== null;
     const { hasField } = this.body.material.uniforms;
     writePositions(this.body.geometry, mesh, moved?.positions ?? mesh.positions, groups);
