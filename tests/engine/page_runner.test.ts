@@ -200,3 +200,17 @@ it('what is tuned for all solvers is asked for one file alone', async () => {
   await open();
   expect(twin.wantsGeneric.value).toBe(false);
 });
+
+it('what is tuned for all solvers can be asked for again after a failure', async () => {
+  await open();
+  view.step.value = 'test';
+  await answerUntil(null);
+  for (let asked = 0; asked < 2; asked++) {
+    twin.wantsGeneric.value = true;
+    await answerUntil('genericFiles');
+    page.calls.shift()!.reject(new Error('There is not enough memory.'));
+    await rest();
+    expect(twin.wantsGeneric.value).toBe(false);
+  }
+  expect(page.complaints.splice(0)).toHaveLength(2);
+});

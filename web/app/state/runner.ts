@@ -191,6 +191,7 @@ async function run(task: Task, key: string): Promise<boolean> {
     }
     // A worker may end again for the same reason, so the user decides whether the task runs again.
     if (error instanceof WorkerLost) setStopped(task, key);
+    else if (task.giveUp) task.giveUp();
     else done.set(task, key);
     complain(error);
     // The task is not tried again before its inputs change.

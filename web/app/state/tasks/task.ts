@@ -18,6 +18,8 @@ export interface Task {
   isPatient?: boolean;
   /** its result is the same for every body of the file */
   isOfFile?: boolean;
+  /** takes back the question after a failure: where the user asks again, the task runs again with the same key */
+  giveUp?(): void;
 }
 
 /** null: the task is not needed now */

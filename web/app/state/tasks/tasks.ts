@@ -134,6 +134,7 @@ export const tasks: Task[] = [
       ),
     result: results.genericFiles,
     isPatient: true,
+    giveUp: () => (twin.wantsGeneric.value = false),
   },
   {
     what: 'Drawing the levels',
