@@ -49,5 +49,24 @@ TEST(VibratingShell, findsTheModesOfAFineMeshFromThoseOfACoarseOne) {
   for (int k = 0; k < 8; ++k) EXPECT_NEAR(followed.lambda[k], searched.lambda[k], 1e-4 * searched.lambda[k]);
 }
 
+// A pin leaves three rigid motions free, which have to be among the columns that are refined.
+TEST(VibratingShell, findsTheModesOfAMeshThatTurnsAboutAPin) {
+  const TriangleMesh fine = egg(4), coarse = egg(3);
+  const Topology fineTopology = buildTopology(fine), coarseTopology = buildTopology(coarse);
+  const std::vector<uint32_t> pinned{0};
+  const VibrationOptions options{0.3, kRoughTolerance, 4, pinned, 3};
+  Job job;
+  const VibratingShell fineShell(fine, fineTopology, options, job),
+      coarseShell(coarse, coarseTopology, options, job);
+  ModeBasis start = coarseShell.solve(coarse, kRequest, job);
+  start.phi = transfer(start.phi.topRows(3 * static_cast<Eigen::Index>(coarse.vertexCount())), coarse,
+                       closestPoints(fine, coarse));
+  const EigenSolution refined = fineShell.refine(fine, start, kRequest, job),
+                      exact = fineShell.solveExactly(fine, kRequest, job);
+  EXPECT_EQ(refined.nullity, 3u);
+  for (int k = 0; k < 8; ++k)
+    EXPECT_NEAR(refined.basis.lambda[k], exact.basis.lambda[k], 2e-4 * exact.basis.lambda[k]) << k;
+}
+
 }  // namespace
 }  // namespace limber

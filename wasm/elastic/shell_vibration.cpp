@@ -28,12 +28,15 @@ SparsePencil VibratingShell::pencilOf(const TriangleMesh& mesh, double thickness
   return pencil;
 }
 
+int VibratingShell::freeMotions() const {
+  return clamped_.empty() ? kRigidMotions : options_.freeMotions;
+}
+
 EigenOptions VibratingShell::searchOptions(const VibrationRequest& request) const {
-  const bool isPinned = !clamped_.empty();
   EigenOptions options;
   options.pairCount = request.modeCount;
-  options.expectedNullity = isPinned ? options_.freeMotions : kRigidMotions;
-  options.scale = roughFirstEigenvalue(request.thickness, isPinned);
+  options.expectedNullity = freeMotions();
+  options.scale = roughFirstEigenvalue(request.thickness, !clamped_.empty());
   options.structure = structure_;
   return options;
 }
@@ -62,14 +65,14 @@ EigenSolution VibratingShell::refine(const TriangleMesh& mesh, const ModeBasis& 
                                      const VibrationRequest& request, Job& job) const {
   RefineOptions options = refineOptions(start);
   options.pairCount = request.modeCount;
-  const Eigen::MatrixXd columns = startColumns(mesh, start.phi, unknownCount(), clamped_);
+  const Eigen::MatrixXd columns = startColumns(mesh, start, {unknownCount(), clamped_, freeMotions()});
   return refined(pencilOf(mesh, request.thickness), columns, std::move(options), job);
 }
 
 ModeBasis VibratingShell::follow(const TriangleMesh& mesh, const ModeBasis& start,
                                  const VibrationRequest& request, Job& job) const {
   if (start.modeCount() == 0 || unknownCount() <= kFewUnknowns) return solve(mesh, request, job);
-  const Eigen::MatrixXd columns = startColumns(mesh, start.phi, unknownCount(), clamped_);
+  const Eigen::MatrixXd columns = startColumns(mesh, start, {unknownCount(), clamped_, freeMotions()});
   return refined(pencilOf(mesh, request.thickness), columns, followOptions(start, request.modeCount), job)
       .basis;
 }

@@ -54,6 +54,7 @@ class VibratingShell {
 
  private:
   SparsePencil pencilOf(const TriangleMesh& mesh, double thickness) const;
+  int freeMotions() const;  // rigid ones
   EigenOptions searchOptions(const VibrationRequest& request) const;
   // With the tolerance, number of steps and structure that all refinements of this shell have.
   EigenSolution refined(const SparsePencil& pencil, const Eigen::MatrixXd& columns, RefineOptions options,
