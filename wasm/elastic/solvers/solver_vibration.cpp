@@ -84,8 +84,8 @@ EigenSolution SolverVibration::solve(std::span<const double> factors, int count,
 
 // The columns to refine: rigid motions, mass-normalised, and those of a start.
 Eigen::MatrixXd SolverVibration::startFor(const SparsePencil& pencil, const ModeBasis& start) const {
-  Eigen::MatrixXd columns =
-      startColumns(setting_.mesh, start, {pencil.unknownCount(), clamped_, rigidMotionCount()});
+  Eigen::MatrixXd columns = startColumns(
+      setting_.mesh, start, {static_cast<Eigen::Index>(pencil.unknownCount()), clamped_, rigidMotionCount()});
   for (int k = 0; k < rigidMotionCount(); ++k)
     columns.col(k) /= std::sqrt(columns.col(k).cwiseAbs2().dot(pencil.m));
   return columns;

@@ -50,7 +50,7 @@ double largest(const Eigen::VectorXd& unknowns) {
 }
 
 double priceOf(const FactorStructure& structure) {
-  const double solve = 2.0 * static_cast<double>(std::max<size_t>(1, structure.valueCount));
+  const double solve = 2.0 * static_cast<double>(std::max<uint64_t>(1, structure.valueCount));
   return std::max(1.0, structure.work() / (kDenseSpeed * solve));
 }
 
