@@ -12,27 +12,39 @@ export function strainOverview(core: Core, mesh: TriangleMesh, modes: ModeSet): 
   const strips = new Float32Array(modes.modesPerComponent * STRIP);
   const ranks = new Uint8Array(modes.modesPerComponent * faceCount(mesh));
   const hot = Array.from({ length: modes.modesPerComponent }, (_, ordinal) => {
-    const { rank } = core.strainGuidance(mesh, modes, {
-      ordinals: [ordinal],
+    const { rank } = core.strainGuidance(mesh, ofOrdinal(modes, ordinal), {
+      ordinals: [0],
       weights: [1],
       p: 2,
       threshold: 0,
     });
     strips.set(meanOverSlabs(rank, slab), ordinal * STRIP);
-    rank.forEach((value, t) => (ranks[ordinal * rank.length + t] = Math.round(255 * value)));
+    for (let t = 0; t < rank.length; t++) ranks[ordinal * rank.length + t] = Math.round(255 * rank[t]);
     return hotFaces(rank);
   });
   return { strips, ranks, shared: sharedHotSpots(hot) };
+}
+
+/** The modes of one ordinal alone: the shapes of all would be copied into the core for each of them. */
+function ofOrdinal(modes: ModeSet, ordinal: number): ModeSet {
+  const size = modes.shapes.length / modes.modesPerComponent;
+  const own = modes.modes.filter((mode) => mode.ordinal === ordinal);
+  return {
+    ...modes,
+    modes: own.map((mode) => ({ ...mode, ordinal: 0 })),
+    modesPerComponent: 1,
+    shapes: modes.shapes.subarray(ordinal * size, (ordinal + 1) * size),
+  };
 }
 
 /** The mean rank per slab; 0 in a slab without faces. */
 function meanOverSlabs(rank: Float32Array, slab: Uint8Array): Float64Array {
   const sums = new Float64Array(STRIP);
   const counts = new Float64Array(STRIP);
-  rank.forEach((value, triangle) => {
-    sums[slab[triangle]] += value;
-    counts[slab[triangle]] += 1;
-  });
+  for (let t = 0; t < rank.length; t++) {
+    sums[slab[t]] += rank[t];
+    counts[slab[t]] += 1;
+  }
   return sums.map((sum, i) => (counts[i] > 0 ? sum / counts[i] : 0));
 }
 

@@ -1,7 +1,5 @@
 /** Whether modes strain the same regions: the hot spots of each mode, and what two modes share of them. */
 
-import { sum } from '../core/mesh';
-
 /** Faces of at least this strain rank are hot: the tenth of their part that the mode strains most. A float32. */
 export const HOT_RANK = Math.fround(0.9);
 
@@ -10,7 +8,10 @@ export const DIFFERENT_BELOW = 0.25;
 
 /** Per triangle 1 where it is hot; `rank` as StrainGuidance gives it for one mode. */
 export function hotFaces(rank: Float32Array): Uint8Array {
-  return Uint8Array.from(rank, (value) => (value >= HOT_RANK ? 1 : 0));
+  // Loops here and below, as calls for each of a million faces take longer than the modes themselves.
+  const hot = new Uint8Array(rank.length);
+  for (let face = 0; face < rank.length; face++) hot[face] = rank[face] >= HOT_RANK ? 1 : 0;
+  return hot;
 }
 
 /**
@@ -20,13 +21,21 @@ export function hotFaces(rank: Float32Array): Uint8Array {
 export function sharedHotSpots(hot: Uint8Array[]): Float32Array {
   const shared = new Float32Array(hot.length * hot.length);
   hot.forEach((a, i) => {
-    const count = sum([...a]);
+    const faces = indicesOf(a);
     hot.forEach((b, j) => {
-      const common = a.reduce((total, isHot, face) => total + (isHot & b[face]), 0);
-      shared[i * hot.length + j] = count > 0 ? common / count : 0;
+      let common = 0;
+      for (const face of faces) common += b[face];
+      shared[i * hot.length + j] = faces.length > 0 ? common / faces.length : 0;
     });
   });
   return shared;
+}
+
+/** Of the entries that are 1. */
+function indicesOf(isHot: Uint8Array): number[] {
+  const indices: number[] = [];
+  for (let i = 0; i < isHot.length; i++) if (isHot[i] === 1) indices.push(i);
+  return indices;
 }
 
 export interface ModePair {
