@@ -7,6 +7,20 @@ const sheet = writeScratch('kept.obj', sheetObj(16));
 const brush = (page: Page, name: string) =>
   page.getByRole('group', { name: 'Brush' }).getByRole('button', { name });
 
+/** Runs in the page: how many tabs have their files in the browser's store. */
+function savedRecords(): Promise<number> {
+  return new Promise((resolve) => {
+    const opening = indexedDB.open('limber', 1);
+    opening.onsuccess = () => {
+      const counting = opening.result.transaction('files').objectStore('files').count();
+      counting.onsuccess = () => {
+        opening.result.close();
+        resolve(counting.result);
+      };
+    };
+  });
+}
+
 test('a reload brings back the file, the settings, the paint and the slider', async ({ page }) => {
   await openPage(page);
   await drop(page, sheet);
@@ -60,7 +74,7 @@ test('a link for a file of one’s own waits for that file', { tag: '@full' }, a
   await expect(notice).toBeVisible();
   await drop(page, writeScratch('other.obj', sheetObj(12)));
   await expect(page.locator('.filename')).toHaveText('other.obj');
-  await page.waitForTimeout(600); // until it is saved
+  await expect.poll(() => page.evaluate(savedRecords)).toBe(1);
   await page.reload();
   await expect(page.locator('.filename')).toHaveText('other.obj');
   await drop(page, sheet);
