@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "mesh/triangle_mesh.h"
 
@@ -12,5 +13,13 @@ struct SurfacePoint {
   uint32_t triangle = kNone;
   double barycentric[3] = {0, 0, 0};
 };
+
+// Where a point of a surface is when the vertices are at `positions`.
+inline Vec3 positionOf(const SurfacePoint& point, std::span<const Triangle> triangles,
+                       std::span<const Vec3> positions) {
+  Vec3 sum;
+  for (int c = 0; c < 3; ++c) sum += positions[triangles[point.triangle][c]] * point.barycentric[c];
+  return sum;
+}
 
 }  // namespace limber

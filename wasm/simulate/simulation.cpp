@@ -119,10 +119,8 @@ std::vector<Vec3> Simulation::positions() const {
 
 Vec3 Simulation::position(const SurfacePoint& point) const {
   if (solid_) return solid_->position(point);
-  Vec3 sum;
-  for (int c = 0; c < 3; ++c)
-    sum += state_->particles.positions[state_->mesh.triangles[point.triangle][c]] * point.barycentric[c];
-  return sum / state_->options.material.unit;
+  return positionOf(point, state_->mesh.triangles, state_->particles.positions) /
+         state_->options.material.unit;
 }
 
 Vec3 Simulation::velocity(uint32_t v) const {

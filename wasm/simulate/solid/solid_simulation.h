@@ -48,7 +48,8 @@ class SolidSimulation {
   Vec3 position(const SurfacePoint& point) const {
     const SurfacePoint local = split_.local(point);
     if (split_.isSolidTriangle[point.triangle]) return solids_->position(local);
-    return sheets_ ? sheets_->position(local) : split_.sheetPoint(local);
+    if (sheets_) return sheets_->position(local);
+    return positionOf(local, split_.sheets.triangles, split_.sheets.positions);
   }
   Vec3 velocity(uint32_t v) const {
     const uint32_t local = split_.localVertex[v];

@@ -52,12 +52,6 @@ SurfacePoint SolidSplit::local(const SurfacePoint& point) const {
   return own;
 }
 
-Vec3 SolidSplit::sheetPoint(const SurfacePoint& local) const {
-  Vec3 sum;
-  for (int c = 0; c < 3; ++c) sum += sheets.corner(local.triangle, c) * local.barycentric[c];
-  return sum;
-}
-
 std::vector<Vec3> SolidSplit::chosen(std::span<const Vec3> values, std::span<const uint32_t> indices) {
   std::vector<Vec3> own;
   for (const uint32_t i : indices) own.push_back(values[i]);

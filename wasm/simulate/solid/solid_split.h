@@ -17,8 +17,6 @@ struct SolidSplit {
   void splitPins(const Pins& pins);
   // The same point in the sheets or in the solids, by where its triangle is.
   SurfacePoint local(const SurfacePoint& point) const;
-  // Where a point of the sheets is at rest.
-  Vec3 sheetPoint(const SurfacePoint& local) const;
   // The values that belong to these indices, in their order.
   static std::vector<Vec3> chosen(std::span<const Vec3> values, std::span<const uint32_t> indices);
 

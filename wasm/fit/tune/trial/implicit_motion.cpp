@@ -12,12 +12,6 @@ double inertiaOfBdf2(double step) {
   return 2.25 / (step * step);
 }
 
-Vec3 pointAt(const SurfacePoint& point, const TriangleMesh& mesh, std::span<const Vec3> positions) {
-  Vec3 sum;
-  for (int c = 0; c < 3; ++c) sum += positions[mesh.triangles[point.triangle][c]] * point.barycentric[c];
-  return sum;
-}
-
 }  // namespace
 
 ImplicitMotion::ImplicitMotion(const ConstrainedBody& body, const ImplicitOptions& options, Job& job)
@@ -29,7 +23,8 @@ ImplicitMotion::ImplicitMotion(const ConstrainedBody& body, const ImplicitOption
   now_.positions.assign(rest.begin(), rest.end());
   now_.velocities.resize(rest.size());
   for (const uint32_t v : pinned_) pinStarts_.push_back(rest[v]);
-  for (const SurfacePoint& point : body.pins.points) pinStarts_.push_back(pointAt(point, body.mesh, rest));
+  for (const SurfacePoint& point : body.pins.points)
+    pinStarts_.push_back(positionOf(point, body.mesh.triangles, rest));
   pinTargets_ = pinPositions_ = pinStarts_;
 }
 

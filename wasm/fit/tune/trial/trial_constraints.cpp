@@ -3,15 +3,6 @@
 #include "fit/tune/trial/implicit_motion.h"
 
 namespace limber {
-namespace {
-
-Vec3 pointOf(std::span<const Vec3> positions, const TriangleMesh& mesh, const SurfacePoint& point) {
-  Vec3 sum;
-  for (int c = 0; c < 3; ++c) sum += positions[mesh.triangles[point.triangle][c]] * point.barycentric[c];
-  return sum;
-}
-
-}  // namespace
 
 TrialDisplacements moveConstraints(const TrialRun& run, const SolverModel& model, Job& job) {
   const auto& [scene, body, pins, samples, stride, recordEvery, report] = run;
@@ -23,13 +14,14 @@ TrialDisplacements moveConstraints(const TrialRun& run, const SolverModel& model
       {stride * scene.step, scene.motionSize, scene.gravity}, job);
   motion.setVelocities(run.startVelocities());
   std::vector<Vec3> rest, displacements;
-  for (const SurfacePoint& sample : samples) rest.push_back(pointOf(constraints.rest(), body.mesh, sample));
+  for (const SurfacePoint& sample : samples)
+    rest.push_back(positionOf(sample, body.mesh.triangles, constraints.rest()));
   for (uint32_t step = stride; step <= scene.stepCount; step += stride) {
     if (!motion.step(job)) return std::nullopt;
     report(static_cast<double>(step) / scene.stepCount);
     if (step % recordEvery != 0) continue;
     for (size_t i = 0; i < rest.size(); ++i)
-      displacements.push_back(pointOf(motion.positions(), body.mesh, samples[i]) - rest[i]);
+      displacements.push_back(positionOf(samples[i], body.mesh.triangles, motion.positions()) - rest[i]);
   }
   return displacements;
 }
