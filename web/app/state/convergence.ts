@@ -5,8 +5,8 @@ import { wrap } from 'comlink';
 import type { Convergence } from '../../engine/motion/convergence';
 import type { ConvergenceApi } from '../worker/convergence_worker';
 import { simulationKey, twinSetup } from './simulation';
+import { failureOf } from './simulation_failure';
 import { shownMesh } from './store';
-import { say } from '../language/say';
 
 interface Checked {
   /** the inputs of the simulation that was checked */
@@ -33,20 +33,6 @@ export function endConvergenceCheck(): void {
   worker = null;
   checkingKey.value = null;
 }
-
-/** Rejects where the program of the worker cannot be loaded, or fails. */
-const failureOf = (own: Worker): Promise<never> =>
-  new Promise((_, reject) => {
-    own.addEventListener('error', ({ message }) =>
-      reject(
-        new Error(
-          say('The simulation has stopped: {why}.', {
-            why: message ?? say('its program could not be loaded'),
-          }),
-        ),
-      ),
-    );
-  });
 
 /** Replaces a check that is running. */
 export async function checkConvergence(): Promise<void> {

@@ -4,6 +4,7 @@ import { proxy, wrap } from 'comlink';
 import { STEP_SECONDS } from '../../engine/motion/simulation';
 import type { SimulationApi, TwinFrame } from '../worker/simulation_protocol';
 import { twinSetup } from './simulation';
+import { failureOf } from './simulation_failure';
 import { shownMesh, wants } from './store';
 import { say } from '../language/say';
 
@@ -18,17 +19,7 @@ export async function endPose({ onProgress, signal }: PoseRequest): Promise<Twin
   const steps = Math.max(1, Math.round(wants.settings.value.seconds / STEP_SECONDS));
   const setup = twinSetup(shownMesh.value!);
   const worker = new Worker(new URL('../worker/simulation_worker.ts', import.meta.url), { type: 'module' });
-  const failed = new Promise<never>((_, reject) => {
-    worker.addEventListener('error', ({ message }) =>
-      reject(
-        new Error(
-          say('The simulation has stopped: {why}.', {
-            why: message ?? say('its program could not be loaded'),
-          }),
-        ),
-      ),
-    );
-  });
+  const failed = failureOf(worker);
   const ended = new Promise<null>((resolve) => signal.addEventListener('abort', () => resolve(null)));
   try {
     const moved = moveTo(wrap<SimulationApi>(worker), { setup, steps }, onProgress);
