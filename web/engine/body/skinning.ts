@@ -1,6 +1,7 @@
 /** Where animations of a file take the vertices of its skinned meshes. */
 
 import type { Animation, AnimationSampler, Document, Node, Primitive, Skin } from '@gltf-transform/core';
+import { influenceSets } from '../document/influences';
 import type { Body } from '../document/model';
 
 type Matrix = number[];
@@ -120,10 +121,8 @@ function skinned(primitives: Primitive[], body: Body, matrices: Matrix[]): Posed
   for (const { primitive: number, firstVertex } of body.spans) {
     const primitive = primitives[number];
     const count = primitive.getAttribute('POSITION')!.getCount();
-    for (let set = 0; primitive.getAttribute(`JOINTS_${set}`); ++set) {
-      const joints = primitive.getAttribute(`JOINTS_${set}`)!;
-      const weights = primitive.getAttribute(`WEIGHTS_${set}`);
-      for (let v = 0; weights && v < count; ++v) {
+    for (const { joints, weights } of influenceSets(primitive)) {
+      for (let v = 0; v < count; ++v) {
         const [which, shares] = [joints.getElement(v, []), weights.getElement(v, [])];
         const to = 3 * (firstVertex + v);
         const point = body.positions.subarray(to, to + 3);

@@ -1,6 +1,6 @@
 /** Joints and weights at surface points. */
 
-import type { Accessor } from '@gltf-transform/core';
+import type { Accessor, Primitive } from '@gltf-transform/core';
 import { emptyLike, unitOf } from './blend';
 import type { Values, VertexSources } from './blend';
 
@@ -13,6 +13,17 @@ export interface InfluenceSet<T> {
 interface Influence {
   joint: number;
   weight: number;
+}
+
+/** The sets of a primitive up to the first number without joints; one without weights is left out. */
+export function influenceSets(primitive: Primitive): InfluenceSet<Accessor>[] {
+  const sets: InfluenceSet<Accessor>[] = [];
+  for (let n = 0; ; ++n) {
+    const joints = primitive.getAttribute(`JOINTS_${n}`);
+    const weights = primitive.getAttribute(`WEIGHTS_${n}`);
+    if (!joints) return sets;
+    if (weights) sets.push({ joints, weights });
+  }
 }
 
 /** The number of influences per vertex in one set. */

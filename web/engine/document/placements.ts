@@ -4,7 +4,7 @@ import type { Accessor, Document, Mesh, Node } from '@gltf-transform/core';
 import { length3 } from '../core/exact_math';
 
 /** The vendor's extension for many copies of one node's mesh. */
-const INSTANCING = 'EXT_mesh_gpu_instancing';
+export const INSTANCING = 'EXT_mesh_gpu_instancing';
 
 /**
  * The scale of a mesh in the scene with all of its instances: the root of the sum of their squared scales, since the harm of an

@@ -8,7 +8,9 @@ import {
 } from '@gltf-transform/extensions';
 import type { Compression } from '../../core/output_words';
 import { DRACO, loadMeshoptEncoder, MESHOPT, RATIFIED_MESHOPT } from '../gltf_io';
+import { INSTANCING } from '../placements';
 import { hasQuantized } from '../prune';
+import { moveToChild } from './child_nodes';
 
 /** How the vertices of a file are stored. */
 export interface Stored {
@@ -146,8 +148,6 @@ function makeFloat(accessor: Accessor): void {
   accessor.setArray(floats).setNormalized(false);
 }
 
-const INSTANCING = 'EXT_mesh_gpu_instancing';
-
 /**
  * A node that is more than the place of its mesh gets a child for it, since quantized positions scale and move their node. Where it has
  * instances, these are moved instead.
@@ -166,13 +166,8 @@ function giveOwnNodes(document: Document): void {
     node.listExtensions().length > 0 ||
     node.listChildren().length > 0;
   for (const node of root.listNodes()) {
-    const mesh = node.getMesh();
-    if (!mesh || node.getSkin() || node.getExtension(INSTANCING) || !isMore(node)) continue;
-    const child = document.createNode(node.getName()).setMesh(mesh).setWeights(node.getWeights());
-    node.setMesh(null).setWeights([]).addChild(child);
-    for (const channel of channels)
-      if (channel.getTargetNode() === node && channel.getTargetPath() === 'weights')
-        channel.setTargetNode(child);
+    if (!node.getMesh() || node.getSkin() || node.getExtension(INSTANCING) || !isMore(node)) continue;
+    moveToChild(document, node, node.getName());
   }
 }
 

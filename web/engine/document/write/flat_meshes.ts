@@ -2,6 +2,7 @@
 
 import type { Accessor, Document, Material, Node, Primitive } from '@gltf-transform/core';
 import { length3 } from '../../core/exact_math';
+import { influenceSets } from '../influences';
 
 /** The triangles of one primitive at one place. Vertices are numbered as in the primitive. */
 export interface FlatPrimitive {
@@ -76,7 +77,7 @@ function flatten(primitive: Primitive, node: Node): FlatPrimitive {
 /** Per vertex the matrix that places it: of its joints where it has some, otherwise of the node. */
 function matricesOf(primitive: Primitive, node: Node): (v: number) => Matrix {
   const skin = node.getSkin();
-  const sets = influencesOf(primitive);
+  const sets = influenceSets(primitive);
   const world = node.getWorldMatrix();
   if (!skin || sets.length === 0) return () => world;
   const bind = skin.getInverseBindMatrices();
@@ -99,17 +100,6 @@ function matricesOf(primitive: Primitive, node: Node): (v: number) => Matrix {
     }
     return mixed;
   };
-}
-
-/** The sets JOINTS_n with their WEIGHTS_n. */
-function influencesOf(primitive: Primitive): { joints: Accessor; weights: Accessor }[] {
-  const sets: { joints: Accessor; weights: Accessor }[] = [];
-  for (;;) {
-    const joints = primitive.getAttribute(`JOINTS_${sets.length}`);
-    const weights = primitive.getAttribute(`WEIGHTS_${sets.length}`);
-    if (!joints || !weights) return sets;
-    sets.push({ joints, weights });
-  }
 }
 
 function product(a: Matrix, b: Matrix): number[] {

@@ -1,7 +1,9 @@
 /** Levels of detail inside one glTF: nodes by name, or the extension MSFT_lod. */
 
-import type { Animation, AnimationChannel, Document, GLTF, Mesh, Node } from '@gltf-transform/core';
+import type { Document, GLTF, Mesh, Node } from '@gltf-transform/core';
 import type { LevelStyle } from '../../core/output_words';
+import { INSTANCING } from '../placements';
+import { channelsOf, moveToChild } from './child_nodes';
 
 const MSFT_LOD = 'MSFT_lod';
 /** Lines of a picture in which a level is to differ from the first by one line at most. */
@@ -61,31 +63,6 @@ function isMore(document: Document, node: Node): boolean {
   );
 }
 
-const channelsOf = (document: Document, node: Node): { animation: Animation; channel: AnimationChannel }[] =>
-  document
-    .getRoot()
-    .listAnimations()
-    .flatMap((animation) => animation.listChannels().map((channel) => ({ animation, channel })))
-    .filter(({ channel }) => channel.getTargetNode() === node);
-
-/** Gives the mesh of a node, its skin and its weights to a child at the same place. */
-function moveToChild(document: Document, node: Node): Node {
-  const child = document
-    .createNode()
-    .setMesh(node.getMesh())
-    .setSkin(node.getSkin())
-    .setWeights(node.getWeights());
-  const instances = node.getExtension('EXT_mesh_gpu_instancing');
-  if (instances) {
-    child.setExtension('EXT_mesh_gpu_instancing', instances);
-    node.setExtension('EXT_mesh_gpu_instancing', null);
-  }
-  node.setMesh(null).setSkin(null).setWeights([]).addChild(child);
-  for (const { channel } of channelsOf(document, node))
-    if (channel.getTargetPath() === 'weights') channel.setTargetNode(child);
-  return child;
-}
-
 /** A node at the same place with another mesh; animations of weights move it as well. */
 function copyNode(document: Document, first: Node, mesh: Mesh, name: string): Node {
   const copy = document
@@ -96,8 +73,8 @@ function copyNode(document: Document, first: Node, mesh: Mesh, name: string): No
     .setTranslation(first.getTranslation())
     .setRotation(first.getRotation())
     .setScale(first.getScale());
-  const instances = first.getExtension('EXT_mesh_gpu_instancing');
-  if (instances) copy.setExtension('EXT_mesh_gpu_instancing', instances);
+  const instances = first.getExtension(INSTANCING);
+  if (instances) copy.setExtension(INSTANCING, instances);
   for (const { animation, channel } of channelsOf(document, first))
     if (channel.getTargetPath() === 'weights') animation.addChannel(channel.clone().setTargetNode(copy));
   return copy;
