@@ -152,11 +152,16 @@ const mustWait = (task: Task): boolean => task.isPatient === true && nextTask() 
 const isStopped = (task: Task, key: string | null): boolean =>
   key !== null && stopped.value.get(task) === key;
 
-const nextTask = () =>
-  tasks.find((task) => {
-    const key = task.key();
-    return key !== null && done.get(task) !== key && !isStopped(task, key);
-  });
+function isDue(task: Task): boolean {
+  const key = task.key();
+  return key !== null && done.get(task) !== key && !isStopped(task, key);
+}
+
+/** Patient tasks stand behind all others anyway. */
+function nextTask(): Task | undefined {
+  const due = tasks.filter(isDue);
+  return due.find((task) => !task.isPatient && !task.isLate?.()) ?? due[0];
+}
 
 async function loop(): Promise<void> {
   if (looping) return;

@@ -54,7 +54,8 @@ function noticeOf(error: unknown): Notice {
 
 /** Shows what is going on while `make` runs, unless it is quick. */
 export async function whileBusy<T>(what: string, make: () => Promise<T>): Promise<T> {
-  let begin = performance.now();
+  const start = performance.now();
+  let begin = start;
   let phase = '';
   const isStuck = stuckness();
   const remaining = remainingTime();
@@ -72,6 +73,7 @@ export async function whileBusy<T>(what: string, make: () => Promise<T>): Promis
   try {
     return await make();
   } finally {
+    performance.measure(what, { start });
     clearTimeout(timer);
     status.busy.value = null;
   }

@@ -19,6 +19,7 @@ import type {
   TunedResult,
   HistorySummary,
   ModesResult,
+  OverviewResult,
   OpenedFile,
   PinsResult,
   CallProgress,
@@ -65,6 +66,7 @@ export const results = {
   body: signal<BodySummary | null>(null),
   pins: signal<PinsResult | null>(null),
   modes: signal<ModesResult | null>(null),
+  overview: signal<OverviewResult | null>(null),
   guidance: signal<StrainGuidance | null>(null),
   curvature: signal<Curvature | null>(null),
   history: signal<HistorySummary | null>(null),
@@ -160,6 +162,12 @@ export function changeSettings(change: Partial<Settings>): void {
 export const areModesStale = computed(
   () => results.modes.value !== null && results.modes.value.key !== keyOf(STAGES.modes, wants.settings.value),
 );
+
+/** The comparison of the modes that are shown; null while it is still to be made. */
+export const shownOverview = computed(() => {
+  const { value: made } = results.overview;
+  return made && made.key === results.modes.value?.key ? made : null;
+});
 
 /** Whether the history belongs to earlier settings: a new one is being made, was cancelled, or could not be made. */
 export const isHistoryStale = computed(

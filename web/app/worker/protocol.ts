@@ -102,8 +102,13 @@ export interface StrainOverview {
   shared: Float32Array;
 }
 
-export interface ModesResult extends ModeSet, StrainOverview {
+export interface ModesResult extends ModeSet {
   /** of the stage, see keyOf */
+  key: string;
+}
+
+export interface OverviewResult extends StrainOverview {
+  /** of the modes, see keyOf */
   key: string;
 }
 
@@ -299,6 +304,8 @@ export interface WorkerApi {
   /** Throws where the text of the pins names what the body does not have. */
   pins(body: number, settings: Settings): Promise<PinsResult>;
   modes(body: number, settings: Settings): Promise<ModesResult>;
+  /** Compares the strain of all modes. */
+  overview(body: number, settings: Settings): Promise<OverviewResult>;
   guidance(body: number, settings: Settings): Promise<StrainGuidance>;
   curvature(body: number, settings: Settings): Promise<Curvature>;
   history(body: number, settings: Settings): Promise<HistorySummary>;

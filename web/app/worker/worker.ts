@@ -228,10 +228,15 @@ const api: WorkerApi = {
   modes: (body, settings) =>
     translateErrors(() => {
       checkSettings(settings);
+      return handOver({ ...runOf(body).get(STAGES.modes, settings), key: keyOf(STAGES.modes, settings) });
+    }),
+  overview: (body, settings) =>
+    translateErrors(() => {
+      checkSettings(settings);
       const run = runOf(body);
-      const modes = run.get(STAGES.modes, settings);
-      const overview = strainOverview(core, run.get(STAGES.prepared, settings).mesh, modes);
-      return handOver({ ...modes, ...overview, key: keyOf(STAGES.modes, settings) });
+      const { mesh } = run.get(STAGES.prepared, settings);
+      const overview = strainOverview(core, mesh, run.get(STAGES.modes, settings));
+      return handOver({ ...overview, key: keyOf(STAGES.modes, settings) });
     }),
   guidance: (body, settings) =>
     translateErrors(() => {

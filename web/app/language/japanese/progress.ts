@@ -8,6 +8,7 @@ export const PROGRESS: MessageTable = {
   'Reading the materials': 'マテリアルを読み込み中',
   'Finding pins': '固定点を検索中',
   'Finding modes': '固有モードを計算中',
+  'Comparing the modes': 'モードを比較中',
   'Measuring strain': 'ひずみを測定中',
   'Measuring curvature': '曲率を測定中',
   'Collapsing edges': '辺を縮約中',

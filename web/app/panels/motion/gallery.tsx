@@ -3,9 +3,9 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type { Mode } from '../../../engine/core/core';
 import { leadingMode } from '../../../engine/core/mode_set';
-import { areModesStale, results, status, view, wants } from '../../state/store';
+import { areModesStale, results, shownOverview, status, view, wants } from '../../state/store';
 import { STRIP } from '../../worker/protocol';
-import type { ModesResult } from '../../worker/protocol';
+import type { ModesResult, StrainOverview } from '../../worker/protocol';
 import { colourAt } from '../../viewer/colours';
 import { standingRotation } from '../../viewer/stand';
 import { THUMBNAIL, Thumbnails } from '../../viewer/picture/thumbnails';
@@ -19,20 +19,21 @@ const AXES = ['across, thin', 'across, wide', 'along'];
 
 export function Gallery() {
   const modes = results.modes.value;
+  const overview = shownOverview.value;
   const body = results.body.value;
   const list = useRef<HTMLUListElement>(null);
   const thumbnails = useRef<Thumbnails | null>(null);
   useEffect(() => {
-    if (!modes || !body || !list.current) return;
+    if (!modes || !overview || !body || !list.current) return;
     thumbnails.current ??= makeThumbnails();
     const canvases = [...list.current.querySelectorAll('canvas')];
     const nodeMatrix = results.file.value!.bodies[wants.body.value].nodeMatrix;
-    const shown = { mesh: body.mesh, modes: ordinalModes(modes), canvases };
+    const shown = { mesh: body.mesh, modes: ordinalModes(modes, overview), canvases };
     thumbnails.current?.show(shown, standingRotation(nodeMatrix));
-  }, [modes, body]);
+  }, [modes, overview, body]);
   useEffect(() => {
     thumbnails.current?.move(view.playing.value);
-  }, [view.playing.value, modes]);
+  }, [view.playing.value, overview]);
   useEffect(() => () => thumbnails.current?.dispose(), []);
   if (!modes) {
     const isStopped = status.paused.value.includes('Finding modes');
@@ -60,12 +61,12 @@ function makeThumbnails(): Thumbnails | null {
   }
 }
 
-function ordinalModes(modes: ModesResult): ShownMode[] {
+function ordinalModes(modes: ModesResult, { ranks }: StrainOverview): ShownMode[] {
   const count = modes.modesPerComponent;
-  const [size, faces] = [modes.shapes.length / count, modes.ranks.length / count];
+  const [size, faces] = [modes.shapes.length / count, ranks.length / count];
   return Array.from({ length: count }, (_, k) => ({
     shape: modes.shapes.subarray(k * size, (k + 1) * size),
-    strain: modes.ranks.subarray(k * faces, (k + 1) * faces),
+    strain: ranks.subarray(k * faces, (k + 1) * faces),
   }));
 }
 
@@ -73,6 +74,7 @@ function ModeCard({ ordinal, modes }: { ordinal: number; modes: ModesResult }) {
   const mode = leadingMode(modes, ordinal);
   const isChosen = guidingModes().includes(ordinal + 1);
   const words = describeMode(modes, ordinal);
+  const strips = shownOverview.value?.strips;
   return (
     <li class="mode-card">
       <button
@@ -82,7 +84,7 @@ function ModeCard({ ordinal, modes }: { ordinal: number; modes: ModesResult }) {
         onClick={(event) => chooseMode(ordinal + 1, event.shiftKey || event.metaKey || event.ctrlKey)}
       >
         <canvas width={2 * THUMBNAIL.width} height={2 * THUMBNAIL.height} aria-hidden="true" />
-        <span class="strip" aria-hidden="true" style={{ background: stripGradient(modes.strips, ordinal) }} />
+        <span class="strip" aria-hidden="true" style={strips && { background: stripGradient(strips, ordinal) }} />
         <span class="caption">
           <span>
             <span class="spoken">{say('Mode')} </span>

@@ -3,7 +3,7 @@
 import { describeHotSpots, differentPairs } from '../../../engine/report/hot_spots';
 import { localModes, spellModes, suggestedModes } from '../../../engine/core/mode_set';
 import { resolveModes } from '../../../engine/settings/options';
-import { changeSettings, wants } from '../../state/store';
+import { changeSettings, shownOverview, wants } from '../../state/store';
 import type { ModesResult } from '../../worker/protocol';
 import { guidingModes } from './mode_choice';
 import './mode_notes.css';
@@ -12,7 +12,8 @@ import { say, sentence } from '../../language/say';
 export function ModeNotes({ modes }: { modes: ModesResult }) {
   const chosen = guidingModes();
   const local = localModes(modes, chosen);
-  const hotSpots = describeHotSpots(differentPairs(modes.shared, modes.modesPerComponent, chosen));
+  const shared = shownOverview.value?.shared;
+  const hotSpots = shared && describeHotSpots(differentPairs(shared, modes.modesPerComponent, chosen));
   return (
     <div class="mode-notes" role="status">
       {local.length > 0 && <LocalNote modes={modes} local={local} />}

@@ -6,11 +6,11 @@ import { scenarioWords } from '../../../engine/core/scenarios';
 import { count } from '../../controls/numbers';
 import { endPose } from '../../state/end_pose';
 import { LIGHT } from '../../state/scheme';
-import { results, shownMesh, shownMetrics, wants } from '../../state/store';
+import { results, shownMesh, shownMetrics, shownOverview, wants } from '../../state/store';
 import { drawFigure } from '../../viewer/picture/figure_pictures';
 import type { FigureBody } from '../../viewer/picture/figure_pictures';
 import type { Viewport } from '../../viewer/viewport';
-import type { ModesResult } from '../../worker/protocol';
+import type { ModesResult, StrainOverview } from '../../worker/protocol';
 import { guidingModes } from '../motion/mode_choice';
 import { composeFigure } from './figure_page';
 import type { FigurePicture } from './figure_page';
@@ -37,7 +37,7 @@ interface CaptionedBody extends FigureBody {
 
 /** Whether everything that the figure shows has been computed. */
 export const canDrawFigure = (): boolean =>
-  results.modes.value !== null &&
+  shownOverview.value !== null &&
   results.guidance.value !== null &&
   shownMetrics.value !== null &&
   shownMesh.value !== null;
@@ -50,7 +50,7 @@ export async function figurePng(viewport: Viewport, job: PictureJob): Promise<Ui
   // Another body may be chosen while both are moved.
   const atRest = [
     plain('Original', original),
-    ...modeBodies(original, results.modes.value!),
+    ...modeBodies(original, results.modes.value!, shownOverview.value!),
     strainBody(original),
     plain('Optimized', result.mesh),
   ];
@@ -76,13 +76,17 @@ const plain = (title: string, mesh: TriangleMesh): CaptionedBody => ({
 });
 
 /** The first chosen modes, swung, coloured by the strain of each. */
-function modeBodies(mesh: TriangleMesh, modes: ModesResult): CaptionedBody[] {
+function modeBodies(
+  mesh: TriangleMesh,
+  modes: ModesResult,
+  overview: StrainOverview,
+): CaptionedBody[] {
   const { diagonal } = results.body.value!;
   const size = mesh.positions.length;
   const chosen = guidingModes().filter((number) => number <= modes.modesPerComponent);
   return chosen.slice(0, MOST_MODES).map((number) => {
     const shape = modes.shapes.subarray((number - 1) * size, number * size);
-    const ranks = modes.ranks.subarray((number - 1) * faces(mesh), number * faces(mesh));
+    const ranks = overview.ranks.subarray((number - 1) * faces(mesh), number * faces(mesh));
     const leading = modes.modes.find(({ ordinal }) => ordinal === number - 1);
     return {
       mesh: { ...mesh, positions: mesh.positions.map((value, i) => value + AMPLITUDE * diagonal * shape[i]) },

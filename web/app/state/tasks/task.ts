@@ -16,6 +16,8 @@ export interface Task {
   result: Signal<unknown>;
   /** any other task goes before it, and stops it where it runs */
   isPatient?: boolean;
+  /** whether any task that is neither late nor patient goes before it */
+  isLate?(): boolean;
   /** its result is the same for every body of the file */
   isOfFile?: boolean;
   /** takes back the question after a failure: where the user asks again, the task runs again with the same key */

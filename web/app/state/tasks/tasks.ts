@@ -47,7 +47,17 @@ const atRest = (stage: LevelStage) => (): string | null =>
     ? afterHistory(ofFaces(stage, () => restedFaces.value))()
     : null;
 
-/** In the order in which they run. */
+/** Whether the first result is looked for; what is no part of it waits. */
+const isResultAwaited = (): boolean => isReducing() && results.metrics.value === null;
+
+/** Whether the file looks like its only body without materials. */
+function isBare(): boolean {
+  const { bodies, contents } = results.file.value!;
+  const { vertexColours, materials, animations } = contents;
+  return bodies.length === 1 && !vertexColours && materials + animations === 0;
+}
+
+/** In the order in which they run, but for those that are late. */
 export const tasks: Task[] = [
   {
     what: 'Reading the mesh',
@@ -57,10 +67,14 @@ export const tasks: Task[] = [
   },
   {
     what: 'Reading the materials',
-    key: () => (results.body.value && canDrawFile() ? keyedByFile(() => 'original')() : null),
+    key: () =>
+      results.body.value && canDrawFile() && !(isBare() && isResultAwaited())
+        ? keyedByFile(() => 'original')()
+        : null,
     run: () => client.call((worker) => worker.original()),
     result: results.originalFile,
     isOfFile: true,
+    isLate: isBare,
   },
   {
     what: 'Finding pins',
@@ -73,6 +87,16 @@ export const tasks: Task[] = [
     key: afterBody(of(STAGES.modes)),
     run: () => client.call((worker) => worker.modes(body(), settings())),
     result: results.modes,
+  },
+  {
+    what: 'Comparing the modes',
+    key: () =>
+      results.modes.value && !areModesStale.value && !isResultAwaited()
+        ? afterBody(of(STAGES.modes))()
+        : null,
+    run: () => client.call((worker) => worker.overview(body(), settings())),
+    result: results.overview,
+    isLate: () => view.step.value !== 'motion',
   },
   {
     what: 'Measuring strain',
