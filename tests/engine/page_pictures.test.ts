@@ -72,13 +72,14 @@ it('a picture has the name of the file that it is of', async () => {
 
 it('a figure is of the body that was shown when it was asked for', async () => {
   const mesh = { positions: new Float32Array(9), triangles: Uint32Array.of(0, 1, 2) };
-  const modes = { modesPerComponent: 1, shapes: new Float32Array(9), ranks: new Uint8Array(1), modes: [] };
+  const modes = { modesPerComponent: 1, shapes: new Float32Array(9), modes: [], key: 'modes' };
   results.body.value = { mesh, diagonal: 1 } as never;
   results.mesh.value = { mesh } as never;
   results.modes.value = modes as never;
+  results.overview.value = { ranks: new Uint8Array(1), key: 'modes' } as never;
   results.guidance.value = { rank: Float32Array.of(0.5) } as never;
   const made = figurePng(viewport, job());
-  results.body.value = results.modes.value = results.guidance.value = null;
+  results.body.value = results.modes.value = results.overview.value = results.guidance.value = null;
   const positions = mesh.positions;
   page.pose({ bodies: { original: { positions }, optimized: { positions } } });
   await made;

@@ -18,6 +18,7 @@ import { startRunner } from './state/runner';
 import { client } from './state/running';
 import { isDark } from './state/scheme';
 import { startSimulations } from './state/simulation';
+import { results } from './state/store';
 
 effect(() => {
   document.documentElement.dataset.theme = isDark.value ? 'dark' : 'light';
@@ -36,3 +37,4 @@ void client
   .catch(() => null)
   .then(keepOffline);
 await openAtStart();
+if (!results.file.value) void client.warmUp().catch(() => null);

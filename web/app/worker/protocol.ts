@@ -291,6 +291,8 @@ export interface WorkerApi {
     onProgress: (progress: CallProgress) => void,
     lifeLock: string,
   ): Promise<Started>;
+  /** See warm_up.ts; a call stops it. */
+  warmUp(): Promise<void>;
   /** Each history is handed to this port as well as it is made, see replay.ts. */
   connect(port: MessagePort): void;
   open(files: SourceFile[]): Promise<OpenedFile>;

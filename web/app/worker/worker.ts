@@ -39,6 +39,7 @@ import { CANCELLED, CORE_BROKEN, drawnLevelsKey, exportKey, resultFileKey, share
 import type { CallProgress, KeptFaces, OpenedBody, WorkerApi } from './protocol';
 import type { HandedHistory } from './replay';
 import { strainOverview } from './strain_overview';
+import { warmUp } from './warm_up';
 
 let core: Core;
 let file: FileRun | null = null;
@@ -46,8 +47,12 @@ let tell: (progress: CallProgress) => void = () => undefined;
 /** of the work on all bodies; null: the running call works on one */
 let span: WorkSpan | null = null;
 
+/** Whether the engine runs although nothing is asked of it. */
+let isWarmingUp = false;
+
 /** Tells the page how far the running call is. */
 function tellProgress(progress: Progress): void {
+  if (isWarmingUp) return;
   const share = span ? span.done + (span.next - span.done) * progress.fraction : undefined;
   tell({ ...progress, share });
 }
@@ -84,6 +89,7 @@ function handHistory(mesh: TriangleMesh, history: History): string {
 
 /** Errors lose their name on the way to the page: a cancelled call is known by its message. */
 async function translateErrors<T>(make: () => T | Promise<T>): Promise<T> {
+  isWarmingUp = false;
   span = null;
   file?.progress.restart();
   try {
@@ -152,6 +158,11 @@ const api: WorkerApi = {
     tell = onProgress;
     core = await loadCore({ ...options, onProgress: tellProgress });
     return { threads: core.threads, job: core.job };
+  },
+  warmUp: async () => {
+    isWarmingUp = true;
+    await warmUp(core, () => isWarmingUp);
+    isWarmingUp = false;
   },
   connect: (port) => {
     [historyPort, handed] = [port, null];

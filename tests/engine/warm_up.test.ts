@@ -1,0 +1,32 @@
+import { expect, it, vi } from 'vitest';
+import { warmUp } from '../../web/app/worker/warm_up';
+import { loadTestCore } from './support/core';
+
+it('warming up measures a result, and gives back what it holds in the core', async () => {
+  const core = await loadTestCore(1);
+  const measured = vi.spyOn(core, 'measureQuality');
+  const kept = [vi.spyOn(core, 'keepMesh'), vi.spyOn(core, 'keepHistory')];
+  const released = [vi.spyOn(core, 'releaseMesh'), vi.spyOn(core, 'releaseHistory')];
+  await warmUp(core, () => true);
+  expect(measured).toHaveBeenCalled();
+  const counts = (spies: typeof kept | typeof released): number[] =>
+    spies.map(({ mock }) => mock.calls.length);
+  expect(counts(released)).toEqual(counts(kept));
+});
+
+it('warming up ends before its next step once something is asked', async () => {
+  const core = await loadTestCore(1);
+  const modes = vi.spyOn(core, 'findModes');
+  const collapsed = vi.spyOn(core, 'simplify');
+  await warmUp(core, () => modes.mock.calls.length === 0);
+  expect(modes).toHaveBeenCalledOnce();
+  expect(collapsed).not.toHaveBeenCalled();
+});
+
+it('a core that fails while it warms up is not told', async () => {
+  const core = await loadTestCore(1);
+  vi.spyOn(core, 'findModes').mockImplementation(() => {
+    throw new Error('Not enough memory.');
+  });
+  await expect(warmUp(core, () => true)).resolves.toBeUndefined();
+});
