@@ -2,9 +2,6 @@
 
 import { expose, transfer } from 'comlink';
 import { zipSync } from 'fflate';
-import { describeHealth } from '../../engine/body/health';
-import type { HealthNote } from '../../engine/body/health';
-import type { PreparedBody } from '../../engine/body/prepared_body';
 import { pinAttributes } from '../../engine/body/pin_attributes';
 import { PHASES } from '../../engine/core/core';
 import type { Core, History, Progress, TriangleMesh } from '../../engine/core/core';
@@ -15,7 +12,6 @@ import { droppedByExport } from '../../engine/document/export';
 import { isGlb } from '../../engine/document/glb';
 import { openModel } from '../../engine/document/open';
 import type { OpenModel } from '../../engine/document/open';
-import { nodeMatrixOf } from '../../engine/document/placements';
 import { validateGlb } from '../../engine/document/validate';
 import type { Validation } from '../../engine/document/validate';
 import { isBlockedBySeams } from '../../engine/report/stop_report';
@@ -30,13 +26,14 @@ import { FileOutput } from '../../engine/stages/file_output';
 import type { WorkSpan } from '../../engine/stages/many_bodies/file_progress';
 import { keyOf } from '../../engine/stages/stage';
 import { STAGES } from '../../engine/stages/stages';
+import { describeBodies, healthOf } from './bodies';
 import { carrySettingErrors } from './errors';
 import { drawnSettings } from './export_form';
 import { drawLevels, drawOriginal, exportAll, exportForGeneric } from './exporting';
 import { handOver } from './handing_over';
 import { keepAlive } from './life';
 import { CANCELLED, CORE_BROKEN, drawnLevelsKey, exportKey, resultFileKey, sharesKey } from './protocol';
-import type { CallProgress, KeptFaces, OpenedBody, WorkerApi } from './protocol';
+import type { CallProgress, KeptFaces, WorkerApi } from './protocol';
 import type { HandedHistory } from './replay';
 import { strainOverview } from './strain_overview';
 import { warmUp } from './warm_up';
@@ -130,21 +127,6 @@ async function verdictOnInput(): Promise<Validation | null> {
   if (!openedGlb) return null;
   return (inputVerdict ??= validateGlb(openedGlb));
 }
-
-/** What the page is told of each body. */
-function describeBodies({ runs, model }: FileRun): OpenedBody[] {
-  const meshes = model.document.getRoot().listMeshes();
-  return model.bodies.map((body, i) => ({
-    name: body.name,
-    faces: body.indices.length / 3,
-    mesh: body.mesh,
-    nodeMatrix: nodeMatrixOf(model.document, meshes[body.mesh]),
-    health: runs[i] ? healthOf(runs[i].get(STAGES.prepared, defaultSettings())) : null,
-  }));
-}
-
-const healthOf = ({ body, weld, inspection }: PreparedBody): HealthNote[] =>
-  describeHealth(body, weld, inspection);
 
 /** The share of the faces that is kept where no number is asked for. */
 const HALF = 0.5;
