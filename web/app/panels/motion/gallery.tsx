@@ -84,7 +84,11 @@ function ModeCard({ ordinal, modes }: { ordinal: number; modes: ModesResult }) {
         onClick={(event) => chooseMode(ordinal + 1, event.shiftKey || event.metaKey || event.ctrlKey)}
       >
         <canvas width={2 * THUMBNAIL.width} height={2 * THUMBNAIL.height} aria-hidden="true" />
-        <span class="strip" aria-hidden="true" style={strips && { background: stripGradient(strips, ordinal) }} />
+        <span
+          class="strip"
+          aria-hidden="true"
+          style={strips && { background: stripGradient(strips, ordinal) }}
+        />
         <span class="caption">
           <span>
             <span class="spoken">{say('Mode')} </span>

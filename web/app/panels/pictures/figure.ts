@@ -76,11 +76,7 @@ const plain = (title: string, mesh: TriangleMesh): CaptionedBody => ({
 });
 
 /** The first chosen modes, swung, coloured by the strain of each. */
-function modeBodies(
-  mesh: TriangleMesh,
-  modes: ModesResult,
-  overview: StrainOverview,
-): CaptionedBody[] {
+function modeBodies(mesh: TriangleMesh, modes: ModesResult, overview: StrainOverview): CaptionedBody[] {
   const { diagonal } = results.body.value!;
   const size = mesh.positions.length;
   const chosen = guidingModes().filter((number) => number <= modes.modesPerComponent);
