@@ -71,9 +71,12 @@ void fitPart(FitPart& part, const ShapeContext& context, ShapeFitResult& fitted)
       part.isLarge ? tuning::surface::kLargeSamplesPerTriangle : tuning::surface::kSamplesPerTriangle;
   const OriginalSurface surface(part.original, perTriangle * part.result.triangleCount(),
                                 part.originalFeatureEdges);
+  context.job.check();
   part.flatRegions = FlatRegions(part.original, surface.tree, part.result, topology);
+  context.job.check();
   const DistanceBounds bounds(surface.tree, part.result, topology);
   const PartLimits limits(part, surface.tree, {maxDeviation, context.options.minAngle, context.samples});
+  context.job.check();
   StepLimits steps = limits.steps;
   steps.distanceBounds = &bounds;
   ShapeRounds rounds(part, surface, steps, context.job);
@@ -84,6 +87,7 @@ void fitPart(FitPart& part, const ShapeContext& context, ShapeFitResult& fitted)
   for (int round = 0; round < constants::kRounds; ++round) {
     context.report(static_cast<double>(round) / constants::kRounds);
     fitted.flips += flipToDelaunay(part.result, flips, corners);
+    context.job.check();
     rounds.move();
   }
   writePart(part, corners, context.start, fitted.result);

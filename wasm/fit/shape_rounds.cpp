@@ -22,6 +22,7 @@ ShapeRounds::ShapeRounds(FitPart& part, const OriginalSurface& original, const S
 void ShapeRounds::move() {
   TriangleMesh& mesh = part_.result;
   const Eigen::VectorXd step = nextStep();
+  job_.check();
   mesh = GuardedStep(mesh, limits_).apply(mesh, step);
   if (part_.mirror) part_.mirror->symmetrise(mesh);
 }
@@ -36,6 +37,7 @@ Eigen::VectorXd ShapeRounds::nextStep() {
                                .featureEdges = &part_.featureEdges,
                                .startTriangles = std::move(closestTriangles_)});
   closestTriangles_ = std::move(fit.closestTriangles);
+  job_.check();
   part_.flatRegions.stiffen(fit.hessian);
   return stepOf(fit, measureSizes(mesh, topology), sizeGradients(mesh, topology));
 }
