@@ -201,7 +201,7 @@ if (write)
     name: 'page',
     title: 'Page',
     remark:
-      'Chromium draws in software. Tasks count by the time in which the main thread computed, which leaves out waits for the rasteriser; with waits in second place. The slider moves while the result is still being fitted; of each 12 moves the median and the most are shown, until the label says the new number, and until the picture has been prepared (without the wait for a frame). Uploads wait for the rasteriser and are shown by themselves. Drop to finished: the least of three, in turn with the command line; once more with draw calls that do nothing, which leaves the rasteriser no work.',
+      'Chromium draws in software. Tasks count by the time in which the main thread computed, which leaves out waits for the rasteriser; with waits in second place. The slider moves while the result is still being fitted; of each 12 moves the median and the most are shown, until the label says the new number, and until the picture has been prepared (without the wait for a frame). Uploads wait for the rasteriser and are shown by themselves. Drop to finished: the least of three, in turn with the command line, three seconds after the page is usable, in which it compiles its engine; once more with draw calls that do nothing, which leaves the rasteriser no work.',
     missing: [],
     sections: [table(header, rows)],
   });
