@@ -18,7 +18,7 @@ export function ModeNotes({ modes }: { modes: ModesResult }) {
     <div class="mode-notes" role="status">
       {local.length > 0 && <LocalNote modes={modes} local={local} />}
       {hotSpots && <p>{sentence(hotSpots)}</p>}
-      {local.length === 0 && !hotSpots && (
+      {shared && local.length === 0 && !hotSpots && (
         <p class="muted">
           {say('Click the mode that looks like the motion you expect; tick more to blend several.')}
         </p>
