@@ -318,8 +318,9 @@ TEST(SurfaceFit, keepsThePlanesOfTrianglesThatNoSampleFinds) {
   const Topology topology = buildTopology(mesh);
   FitSamples samples;
   samples.surface.push_back({{0.1, 0.05, 0}, {0, 0, 1}, 0.5});
+  const Job job;
   const auto stiffnessAt = [&](bool keeps) {
-    const SurfaceFit fit = fitSurface(mesh, topology, samples, {.keepsUnsampled = keeps});
+    const SurfaceFit fit = fitSurface(mesh, topology, samples, {.keepsUnsampled = keeps}, job);
     return fit.hessian.at(8, 8)(2, 2);  // across the plane, at the corner far from the sample
   };
   EXPECT_EQ(stiffnessAt(false), 0);

@@ -37,8 +37,8 @@ void findFlatRegions(FitPart& part, const OriginalSurface& surface) {
 }
 
 // The largest root mean square distance that a search may use.
-double budgetOf(const FitPart& part, const FitSamples& samples) {
-  const SampleDistance start = sampleDistance(part.result, samples);
+double budgetOf(const FitPart& part, const FitSamples& samples, const Job& job) {
+  const SampleDistance start = sampleDistance(part.result, samples, job);
   return std::max(tuning::budget::kGrowth * std::sqrt(start.meanSquare), tuning::budget::kLeast);
 }
 
@@ -78,8 +78,9 @@ void fitLarge(FitPart& part, const FitContext& context, ModalFitResult& fitted) 
   const OriginalSurface surface = surfaceOf(part, tuning::surface::kLargeSamplesPerTriangle);
   findFlatRegions(part, surface);
   const PartLimits partLimits(part, surface.tree, {context.options.maxDeviation, context.options.minAngle});
-  const SearchLimits limits{
-      .budget = budgetOf(part, surface.samples), .steps = partLimits.steps, .effort = tuning::kLargeSearch};
+  const SearchLimits limits{.budget = budgetOf(part, surface.samples, context.job),
+                            .steps = partLimits.steps,
+                            .effort = tuning::kLargeSearch};
   const std::optional<SearchErrors> errors = searchModes(part, surface, limits, context);
   if (!errors) return;
   addErrors(*errors, fitted);
@@ -87,8 +88,9 @@ void fitLarge(FitPart& part, const FitContext& context, ModalFitResult& fitted) 
   writePart(part, unflipped(part.result).corners, context.start, fitted.result);
 }
 
-SearchLimits limitsOf(const FitPart& part, const FitSamples& samples, const StepLimits& steps) {
-  SearchLimits limits{.budget = budgetOf(part, samples),
+SearchLimits limitsOf(const FitPart& part, const FitSamples& samples, const StepLimits& steps,
+                      const Job& job) {
+  SearchLimits limits{.budget = budgetOf(part, samples, job),
                       .favourSpeed = part.result.vertexCount() > tuning::stopping::kFavourSpeedVertices,
                       .steps = steps};
   if (part.result.vertexCount() > tuning::stopping::kManyVertices)
@@ -100,7 +102,7 @@ void fitPart(FitPart& part, const FitContext& context, ModalFitResult& fitted) {
   const OriginalSurface surface = surfaceOf(part, tuning::surface::kSamplesPerTriangle);
   findFlatRegions(part, surface);
   const PartLimits partLimits(part, surface.tree, {context.options.maxDeviation, context.options.minAngle});
-  const SearchLimits limits = limitsOf(part, surface.samples, partLimits.steps);
+  const SearchLimits limits = limitsOf(part, surface.samples, partLimits.steps, context.job);
   FitPart unprepared = part;
   std::vector<uint32_t> corners = unflipped(part.result).corners;
   uint32_t flips = runSurfaceRounds(part, {surface.samples, partLimits.steps, context.options.maxDeviation},

@@ -14,7 +14,7 @@ ShapeRounds::ShapeRounds(FitPart& part, const OriginalSurface& original, const S
     : part_(part), samples_(original.samples), limits_(limits), job_(job), wanted_(original.sizes) {
   if (isClosed())
     areaRange_ = std::abs(measureSizes(part.result, buildIncidence(part.result))[0] - wanted_[0]);
-  SampleDistance start = sampleDistance(part.result, samples_);
+  SampleDistance start = sampleDistance(part.result, samples_, job);
   startDistance_ = std::sqrt(start.meanSquare);
   closestTriangles_ = std::move(start.closestTriangles);
 }
@@ -35,7 +35,8 @@ Eigen::VectorXd ShapeRounds::nextStep() {
                                .normalWeight = NormalWeight::Angle,
                                .keepsUnsampled = true,
                                .featureEdges = &part_.featureEdges,
-                               .startTriangles = std::move(closestTriangles_)});
+                               .startTriangles = std::move(closestTriangles_)},
+                              job_);
   closestTriangles_ = std::move(fit.closestTriangles);
   job_.check();
   part_.flatRegions.stiffen(fit.hessian);

@@ -22,7 +22,8 @@ uint32_t runSurfaceRounds(FitPart& part, const SurfaceRoundsInput& input, std::v
     SurfaceFit fit = fitSurface(part.result, buildIncidence(part.result), input.samples,
                                 {.evenness = constants::kEvenness,
                                  .featureEdges = &part.featureEdges,
-                                 .startTriangles = std::move(closestTriangles)});
+                                 .startTriangles = std::move(closestTriangles)},
+                                job);
     closestTriangles = std::move(fit.closestTriangles);
     part.flatRegions.stiffen(fit.hessian);
     Eigen::MatrixXd step = FitSolver(part.locked, job)

@@ -31,7 +31,8 @@ void StateEvaluator::evaluate(SearchState& state) {
       state.surface = fitSurface(state.mesh, topology_, problem_.samples,
                                  {.evenness = tuning::search::kEvenness,
                                   .featureEdges = &problem_.part.featureEdges,
-                                  .startTriangles = state.surface.closestTriangles});
+                                  .startTriangles = state.surface.closestTriangles},
+                                 job_);
   };
   parallelFor(mismatches.size() + 1, target.areParallel() ? 1 : mismatches.size() + 1,
               [&](size_t begin, size_t end) {

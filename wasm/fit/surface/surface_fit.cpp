@@ -32,10 +32,12 @@ struct Contact : SurfacePoint {
 // what it finds into contacts. One searcher, which `makeSearch()` makes, serves a range of samples.
 template <class MakeSearch>
 std::vector<Contact> searchContacts(const TriangleMesh& mesh, const FitSamples& samples,
-                                    std::vector<uint32_t>& closestTriangles, const MakeSearch& makeSearch) {
+                                    std::vector<uint32_t>& closestTriangles, const Job& job,
+                                    const MakeSearch& makeSearch) {
   std::vector<Contact> contacts(samples.surface.size());
   const size_t grain = std::max(kSamplesPerRange, contacts.size() / kSearches + 1);
   parallelFor(contacts.size(), grain, [&](size_t begin, size_t end) {
+    job.check();
     auto search = makeSearch();
     uint32_t before = kNone;
     for (size_t i = begin; i < end; ++i) {
@@ -51,18 +53,19 @@ std::vector<Contact> searchContacts(const TriangleMesh& mesh, const FitSamples& 
 
 // Finds the closest points on the whole mesh, and their triangles.
 std::vector<Contact> findContacts(const TriangleMesh& mesh, const FitSamples& samples,
-                                  std::vector<uint32_t>& closestTriangles) {
+                                  std::vector<uint32_t>& closestTriangles, const Job& job) {
   const ClosestPointTree tree(mesh);
   closestTriangles.assign(samples.surface.size(), kNone);
-  return searchContacts(mesh, samples, closestTriangles, [&] {
+  return searchContacts(mesh, samples, closestTriangles, job, [&] {
     return [&](const Vec3& point, uint32_t near) { return tree.closest(point, near); };
   });
 }
 
 // Follows the closest points from the triangles where they were before the mesh was moved, along its surface.
 std::vector<Contact> followContacts(const TriangleMesh& mesh, const Topology& topology,
-                                    const FitSamples& samples, std::vector<uint32_t>& closestTriangles) {
-  return searchContacts(mesh, samples, closestTriangles, [&] {
+                                    const FitSamples& samples, std::vector<uint32_t>& closestTriangles,
+                                    const Job& job) {
+  return searchContacts(mesh, samples, closestTriangles, job, [&] {
     return [walk = SurfaceWalk(mesh, topology)](const Vec3& point, uint32_t near) mutable {
       return walk.closest(point, {&near, 1}, [](uint32_t, uint32_t) { return true; });
     };
@@ -138,10 +141,10 @@ void measureDistance(const std::vector<Contact>& contacts, const FitSamples& sam
   distance.meanSquare = distance.area > 0 ? squares / distance.area : 0;
 }
 
-void addContacts(SurfaceFit& fit, const Topology& topology, ModelSums& sums) {
+void addContacts(SurfaceFit& fit, const Topology& topology, ModelSums& sums, const Job& job) {
   sums.contacts = fit.closestTriangles.empty()
-                      ? findContacts(sums.mesh, sums.samples, fit.closestTriangles)
-                      : followContacts(sums.mesh, topology, sums.samples, fit.closestTriangles);
+                      ? findContacts(sums.mesh, sums.samples, fit.closestTriangles, job)
+                      : followContacts(sums.mesh, topology, sums.samples, fit.closestTriangles, job);
   measureDistance(sums.contacts, sums.samples, fit);
   sums.far = constants::kFarDistance * constants::kFarDistance * fit.meanSquare;
 }
@@ -277,18 +280,18 @@ BlockMatrix assemble(const Topology& topology, ModelSums& sums, const TriangleMo
 
 }  // namespace
 
-SampleDistance sampleDistance(const TriangleMesh& mesh, const FitSamples& samples) {
+SampleDistance sampleDistance(const TriangleMesh& mesh, const FitSamples& samples, const Job& job) {
   SampleDistance distance;
-  measureDistance(findContacts(mesh, samples, distance.closestTriangles), samples, distance);
+  measureDistance(findContacts(mesh, samples, distance.closestTriangles, job), samples, distance);
   return distance;
 }
 
 SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const FitSamples& samples,
-                      const SurfaceFitOptions& options) {
+                      const SurfaceFitOptions& options, const Job& job) {
   SurfaceFit fit;
   fit.closestTriangles = options.startTriangles;
   ModelSums sums(mesh, samples);
-  addContacts(fit, topology, sums);
+  addContacts(fit, topology, sums, job);
   const FeatureSegments features = featureSegments(mesh, topology, options.featureEdges);
   const double edge = std::sqrt(fit.area / std::max(1u, mesh.triangleCount()));
   addFeatures(features, constants::kBorderWeight * edge, sums);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/job.h"
 #include "fit/surface/evenness.h"
 #include "fit/surface/feature_segments.h"
 #include "fit/surface/fit_samples.h"
@@ -31,7 +32,8 @@ struct SampleDistance {
   double area = 0;                         // that the samples stand for
   std::vector<uint32_t> closestTriangles;  // per sample of the surface
 };
-SampleDistance sampleDistance(const TriangleMesh& mesh, const FitSamples& samples);
+// Throws Cancelled.
+SampleDistance sampleDistance(const TriangleMesh& mesh, const FitSamples& samples, const Job& job);
 
 // The Gauss-Newton model (Nocedal and Wright 2006, section 10.3) of the squared distance between the samples
 // and a mesh whose vertices move by dx, integrated over the area of the original:
@@ -46,7 +48,8 @@ struct SurfaceFit : SampleDistance {
   Eigen::VectorXd dampingDiagonal;  // D: the area around a vertex, at least the mean, per coordinate
   Eigen::VectorXd gradient;         // g: minus half of the derivative of E at dx = 0
 };
+// Throws Cancelled.
 SurfaceFit fitSurface(const TriangleMesh& mesh, const Topology& topology, const FitSamples& samples,
-                      const SurfaceFitOptions& options);
+                      const SurfaceFitOptions& options, const Job& job);
 
 }  // namespace limber
